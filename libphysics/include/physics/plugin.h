@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What a plugin hands to libphysics: one exported constant table of steppers. A plugin links to nothing of ours; the
+ * built-in steppers fill the very same table. A plugin is a shared object that defines
+ *
+ *     PHYS_API const phys_plugin phys_plugin_entry = { PHYS_ABI_VERSION, sizeof(phys_plugin), 1, 0, steppers };
+ *
+ * Everything is checked before any of its code is called, and what its step returns is checked before anyone sees it.
+ */
+#ifndef PHYS_PLUGIN_H
+#define PHYS_PLUGIN_H
+
+#include <physics/physics.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** What a stepper sees of a scene: appendable. Lives longer than the stepper made from it. All members may be read by
+ *  any thread at any time. */
+typedef struct phys_scene_view {
+    uint32_t struct_size;
+    uint32_t box_count;    /* boxes as given to phys_scene_create */
+    const phys_box *boxes; /* box_count of them, m; NULL if there are none */
+    double radius;         /* of the ball, m */
+    double floor_top;      /* height of the floor's top, m; NaN if the start isn't over a floor */
+    const void *scene;     /* handed back to the two functions below */
+
+    /** Numbers of the boxes that overlap or touch region, in ascending order: writes at most capacity of them to out
+     *  and returns how many there are. region, out: not NULL. */
+    uint32_t (*query)(const void *scene, const phys_box *region, uint32_t *out, uint32_t capacity);
+
+    /** As phys_scene_contacts: boxes within reach (m) of a ball at centre. Returns how many there are. */
+    uint32_t (*contacts)(const void *scene, const phys_vec3 *centre, double reach, phys_contact *out,
+                         uint32_t capacity);
+} phys_scene_view;
+
+/** One stepper: appendable, texts static. All functions are called by one thread at a time for one self; none may
+ *  throw, exit or keep a pointer that it is given, except create the view. Required unless marked optional. */
+typedef struct phys_stepper_api {
+    uint32_t struct_size;              /* sizeof(phys_stepper_api) */
+    uint32_t flags;                    /* PHYS_STEPPER_* without PHYS_STEPPER_PLUGIN */
+    const char *id;                    /* for ever, unique: lower case letters, digits and '-', 1 .. 63 bytes */
+    const char *name;                  /* for people, 1 .. 127 bytes */
+    const char *version;               /* changes when trajectories change, 1 .. 31 bytes */
+    const char *summary;               /* a sentence: what it's for; may be "" */
+    const phys_param_row *const *rows; /* its own; offsets point into phys_params.stepper; NULL if there are none */
+    uint32_t row_count;                /* 0 .. PHYS_STEPPER_VALUES */
+    uint32_t reserved;                 /* 0 */
+
+    /** Makes what the stepper needs in this scene and stores it in *self (it may stay NULL). */
+    phys_status (*create)(const phys_scene_view *scene, void **self, phys_error *err);
+
+    /** Frees what create made. */
+    void (*destroy)(void *self);
+
+    /** As phys_step, with arguments already checked: pointers valid, dt > 0, in valid, params within their rows.
+     *  in and out never overlap. err is never NULL; report may be. The host adds one to out->step itself, sets
+     *  out->time to in->time + dt and puts the energies into the report. */
+    phys_status (*step)(void *self, const phys_params *params, double dt, const phys_state *in, phys_state *out,
+                        phys_report *report, phys_error *err);
+
+    /** Optional. As phys_stepper_requirements, with arguments already checked. */
+    phys_status (*requirements)(void *self, const phys_params *params, double dt, const phys_state *state,
+                                phys_requirements *out, phys_error *err);
+
+    /** Optional. Abilities that later versions may ask for by name; NULL for those it doesn't have. */
+    const void *(*extension)(void *self, const char *extension_id);
+} phys_stepper_api;
+
+/** A plugin's table: appendable. */
+typedef struct phys_plugin {
+    uint32_t abi_version; /* PHYS_ABI_VERSION that it was compiled with */
+    uint32_t struct_size; /* sizeof(phys_plugin) */
+    uint32_t stepper_count;
+    uint32_t reserved;                       /* 0 */
+    const phys_stepper_api *const *steppers; /* stepper_count pointers */
+} phys_plugin;
+
+/** The only symbol that a plugin exports. */
+extern PHYS_API const phys_plugin phys_plugin_entry;
+
+/** Whether *pointer is large enough to have an optional function, and has it. */
+#define PHYS_HAS_SLOT(type, pointer, slot)                                                                             \
+    ((pointer)->struct_size >= offsetof(type, slot) + sizeof((pointer)->slot) && (pointer)->slot)
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
