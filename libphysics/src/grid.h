@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// A uniform grid over the board: which boxes a ball can touch, from the place of its centre alone.
+#pragma once
+
+#include "vec.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace phys {
+
+class Grid {
+public:
+    /// Each cell lists, in ascending order, the boxes within `reach` (m) of it, seen from above.
+    void build(std::span<const phys_box> boxes, double reach);
+
+    /// Boxes within reach of a centre at (x, y): a superset, ascending.
+    std::span<const uint32_t> near(double x, double y) const {
+        const double column = (x - m_x0) * m_perCell;
+        const double row = (y - m_y0) * m_perCell;
+        // Negated so that a NaN finds no cell either.
+        if (!(column >= 0.0 && column < m_columns && row >= 0.0 && row < m_rows)) return {};
+        const size_t cell = static_cast<size_t>(row) * m_columnCount + static_cast<size_t>(column);
+        return {m_items.data() + m_first[cell], m_first[cell + 1] - m_first[cell]};
+    }
+
+    /// Boxes within reach of any centre in the rectangle: a superset, ascending, each once.
+    /// Returns how many there are; writes only the first out.size() of them.
+    uint32_t overlapping(const Vec2 &low, const Vec2 &high, std::span<uint32_t> out) const;
+
+private:
+    double m_x0 = 0.0, m_y0 = 0.0, m_perCell = 0.0;
+    double m_columns = 0.0, m_rows = 0.0; // as doubles, for the hot comparison
+    size_t m_columnCount = 0;
+    std::vector<uint32_t> m_first, m_items;
+};
+
+} // namespace phys

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// An immutable scene: the boxes as given, and what steppers need to know of them.
+#pragma once
+
+#include "grid.h"
+#include "vec.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace phys {
+
+/// Up to this many boxes, looking at all of them costs less than finding the grid's cell.
+inline constexpr size_t kHandful = 4;
+
+/// Relative size of a rounding step: "u" in model.md.
+inline constexpr double kRounding = 2.220446049250313e-16;
+
+struct Scene {
+    std::vector<phys_box> given;     ///< as the caller gave them; their numbers are the public ones
+    std::vector<phys_box> floors;    ///< merged boxes whose top is the floor's plane
+    std::vector<phys_box> solids;    ///< all other merged boxes: walls, kerbs, steps
+    std::vector<uint32_t> allSolids; ///< 0, 1, 2, ...: the solids' list where no grid is needed
+
+    // Numbers of the given boxes that a merged one was made of, ascending: [first[i], first[i + 1]) of parts.
+    std::vector<uint32_t> floorFirst, floorParts, solidFirst, solidParts;
+
+    double radius = 0.0;
+    Vec3 start{0.0};
+    phys_box bounds{};
+    bool hasFloor = false;
+    double floorTop = 0.0;   ///< m; NaN without a floor
+    double supportedZ = 0.0; ///< height of a supported centre: floorTop + radius
+    double tolerance = 0.0;  ///< m: 4 rounding steps of the largest coordinate, model.md 5.2
+
+    Grid solidGrid; ///< reach: the radius
+    Grid floorGrid; ///< reach: 0
+
+    // Why the scene isn't planar (model.md 0); empty if it is.
+    std::string nonPlanarReason;
+
+    /// Solids that a ball with its centre at (x, y) can touch: a superset, ascending.
+    std::span<const uint32_t> solidsNear(double x, double y, bool useGrid) const {
+        return useGrid ? solidGrid.near(x, y) : std::span<const uint32_t>(allSolids);
+    }
+    bool needsGrid() const { return solids.size() > kHandful; }
+
+    /// Whether (x, y) lies over a floor box, borders included.
+    bool overFloor(double x, double y) const {
+        for (const uint32_t floor : floorGrid.near(x, y)) {
+            const phys_box &box = floors[floor];
+            if (x >= box.min.x && x <= box.max.x && y >= box.min.y && y <= box.max.y) return true;
+        }
+        return false;
+    }
+
+    /// Number of the given box of which a merged one has `point`: the lowest one that is nearest to it.
+    uint32_t givenSolid(uint32_t solid, const Vec3 &point) const;
+    uint32_t givenFloor(uint32_t floor, const Vec3 &point) const;
+};
+
+/// Checks a description and makes the scene. Throws std::bad_alloc only.
+phys_status makeScene(const phys_scene_desc &desc, Scene &out, phys_error *err);
+
+} // namespace phys
+
+struct phys_scene : phys::Scene {};

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Vectors in double, and the way between them and the C structs.
+#pragma once
+
+#include <physics/physics.h>
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace phys {
+
+using Vec2 = glm::dvec2;
+using Vec3 = glm::dvec3;
+
+inline Vec3 toVec(const phys_vec3 &v) { return {v.x, v.y, v.z}; }
+inline phys_vec3 fromVec(const Vec3 &v) { return {v.x, v.y, v.z}; }
+inline Vec2 inPlane(const Vec3 &v) { return {v.x, v.y}; }
+inline Vec2 inPlane(const phys_vec3 &v) { return {v.x, v.y}; }
+
+/// Angular velocity of a ball that rolls on the floor with velocity v: z x v / R, model.md 0.
+inline Vec3 rollingSpin(const Vec2 &v, double radius) { return {-v.y / radius, v.x / radius, 0.0}; }
+
+/// The velocity a ball with this angular velocity would have if it rolled: w = R (om x z), model.md 0.
+inline Vec2 spinSpeed(const Vec3 &spin, double radius) { return {radius * spin.y, -radius * spin.x}; }
+
+} // namespace phys

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// The built-in steppers, each the table that a plugin would fill; the registry lists them from crude to exact.
+#pragma once
+
+#include <physics/plugin.h>
+
+namespace phys {
+
+extern const phys_stepper_api kExplicitEuler;
+extern const phys_stepper_api kSymplecticEuler;
+extern const phys_stepper_api kVelocityVerlet;
+extern const phys_stepper_api kRk4;
+extern const phys_stepper_api kSwept;
+extern const phys_stepper_api kExact;
+
+} // namespace phys
