@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The rules of the game: prompt, clock, won, next level. No window, no simulation: it is told and it tells.
+#pragma once
+
+#include <QObject>
+#include <QString>
+
+#include <optional>
+
+class QSettings;
+
+namespace inspector {
+
+class Game : public QObject {
+    Q_OBJECT
+
+public:
+    enum class Phase {
+        Prompt, // the level is shown, Enter starts it
+        Playing,
+        Won, // the time is shown, Enter goes on to the next level
+    };
+
+    // levelCount: > 0. settings: where best times are kept; outlives the game.
+    Game(int levelCount, QSettings &settings, QObject *parent = nullptr);
+
+    Phase phase() const { return m_phase; }
+    int level() const { return m_level; }        // from 0
+    double time() const { return m_time; }       // that the level took, s; 0 before it's won
+    bool isRecord() const { return m_isRecord; } // whether that was the best ever
+    std::optional<double> bestTime(int level) const;
+
+    // Enter: starts the level, or goes on to the next one after a win (the first comes after the last).
+    void confirm();
+    // Back to the prompt of this level.
+    void retry();
+    // To the prompt of a level, 0 .. levelCount - 1; others are ignored.
+    void choose(int level);
+    // The ball left the maze, `time` s after the start. Counts only while playing; assisted runs set no record.
+    void leaveMaze(double time, bool isAssisted);
+
+signals:
+    void phaseChanged(Game::Phase phase);
+    void levelChosen(int level); // to be loaded
+    void started();              // the simulation is to run from the start
+
+private:
+    void enter(Phase phase);
+
+    int m_levelCount;
+    QSettings &m_settings;
+    Phase m_phase = Phase::Prompt;
+    int m_level = 0;
+    double m_time = 0.0;
+    bool m_isRecord = false;
+};
+
+} // namespace inspector

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Owners of what the library creates. Each keeps alive what it was made from, so they may go in any order.
+#pragma once
+
+#include <physics/physics.h>
+
+#include <QByteArray>
+#include <QString>
+
+#include <memory>
+
+namespace inspector {
+
+using Registry = std::shared_ptr<phys_registry>;
+using Scene = std::shared_ptr<const phys_scene>;
+using Stepper = std::shared_ptr<phys_stepper>;
+
+// All three return null on failure and put the library's line into `error` (or nullptr).
+// Any thread; a stepper then belongs to one thread at a time.
+Registry makeRegistry(QString *error);
+Scene loadScene(const QString &path, QString *error);
+Stepper makeStepper(const Registry &registry, const QByteArray &id, const Scene &scene, QString *error);
+
+// Loads one plugin file into the registry. Only while no other thread uses it.
+bool loadPlugin(const Registry &registry, const QString &path, QString *error);
+
+// Writes the library's text into `error` (or nullptr).
+void tell(QString *error, const phys_error &failure);
+
+} // namespace inspector

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a step obeys: the library's parameters, and the board's tilt that their gravity was made from.
+#pragma once
+
+#include <physics/physics.h>
+
+namespace inspector {
+
+// Slope of the board along x and y, rad; positive makes the ball roll towards +x and +y.
+struct Tilt {
+    double x = 0.0;
+    double y = 0.0;
+    bool operator==(const Tilt &) const = default;
+};
+
+struct Inputs {
+    phys_params params; // gravity included
+    Tilt tilt;          // rad
+    double gravity;     // strength, m/s^2
+};
+
+// The largest tilt that sliders and options allow, degrees.
+inline constexpr double kTiltLimit = 15.0;
+// The largest tilt in the game, for arrow keys and the autopilot alike, degrees.
+inline constexpr double kPlayTilt = 8.0;
+
+// The library's defaults on a level board.
+Inputs initialInputs();
+
+// Turns the gravity of `inputs` to this tilt. Each angle in (-pi/2, pi/2).
+void tiltBoard(Inputs &inputs, Tilt tilt);
+
+inline constexpr double radians(double degrees) { return degrees * 0.017453292519943295; }
+inline constexpr double degrees(double radians) { return radians * 57.29577951308232; }
+
+} // namespace inspector

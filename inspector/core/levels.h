@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include <vector>
+
+namespace inspector {
+
+struct Level {
+    QString name; // 01
+    QString path; // of its text file
+    QString mesh; // of its .obj beside it; empty if there is none
+};
+
+// The text file as a level, whether it is one of the list or not.
+Level levelOfFile(const QString &path);
+
+// The levels of a folder, in order of name.
+std::vector<Level> levelsIn(const QString &folder);
+
+// Where the levels are: the environment variable PHYSICS_LEVELS, else the share folder of an installation, else the
+// source tree. Empty if nowhere.
+QString levelsFolder();
+
+} // namespace inspector

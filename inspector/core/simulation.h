@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An Engine on a thread of its own, at a fixed dt. Nobody waits for anybody: inputs go in through a latest-wins
+// mailbox, states come out through a latest-value slot, samples through a ring; commands are taken between two steps.
+#pragma once
+
+#include "engine.h"
+#include "latest_value.h"
+#include "sample_ring.h"
+#include "snapshot.h"
+
+#include <QObject>
+
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+namespace inspector {
+
+class Simulation : public QObject {
+    Q_OBJECT
+
+public:
+    static constexpr double kSlowest = 1.0 / 16.0; // simulated seconds per second
+    static constexpr double kFastest = 16.0;
+
+    // Paused at the scene's start.
+    Simulation(const Scene &scene, const Stepper &stepper, QObject *parent = nullptr);
+    ~Simulation() override; // ends the thread
+
+    // Commands, from the thread that owns this object; they return at once and take effect before the next step.
+    void run();
+    void pause();
+    void stepOnce();                                           // pauses, too
+    void restart();                                            // at the scene's start; goes on running or stays paused
+    void setScene(const Scene &scene, const Stepper &stepper); // pauses at its start
+    void setStepper(const Stepper &stepper);                   // made for the same scene; goes on from the same state
+    void setState(const phys_state &state);
+    void setDt(double dt);       // s, > 0
+    void setSpeed(double speed); // clamped to kSlowest .. kFastest; changes how many steps run, never dt
+    void setPilot(std::shared_ptr<const Pilot> pilot); // or nullptr: the tilt of the inputs counts
+
+    // Latest wins: from the next step on.
+    void setInputs(const Inputs &inputs);
+
+    // The newest snapshot; a reference that stays until the next call. The owner's thread only.
+    const Snapshot &latest();
+    // All samples of this run. Any thread.
+    const SampleRing &samples() const { return m_samples; }
+
+signals: // queued: sent by the thread that steps
+    // A step failed; the simulation is paused, the state is the one before it. `line` is the library's.
+    void failed(const QString &line);
+    // The ball has left the maze at `time` (s since the start). It goes on falling for a while, then a pause.
+    void leftMaze(double time);
+    void runningChanged(bool running);
+
+private:
+    struct Worker; // all that belongs to the thread
+    using Command = std::function<void(Worker &)>;
+
+    void post(Command command);
+    void work(const std::stop_token &stop);
+
+    LatestValue<Inputs> m_inputs;
+    LatestValue<Snapshot> m_snapshots;
+    SampleRing m_samples;
+
+    std::mutex m_mutex; // guards m_commands
+    std::condition_variable_any m_wake;
+    std::vector<Command> m_commands;
+
+    std::unique_ptr<Worker> m_worker;
+    std::jthread m_thread; // last: ends before anything above it goes
+};
+
+} // namespace inspector

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the thread that steps shows to the one that draws.
+#pragma once
+
+#include "inputs.h"
+#include "pacer.h"
+
+namespace inspector {
+
+struct Statistics {
+    double stepsPerSecond = 0.0; // over the last half second
+    double speedAsked = 1.0;     // simulated seconds per second
+    double speedReached = 0.0;   // over the last half second; 0 while paused
+    double lostTime = 0.0;       // dropped since the start of the run, s of the clock
+    uint64_t impacts = 0;        // since the start of the run
+};
+
+struct Snapshot {
+    phys_state previous{}; // one step earlier; the same as `current` right after a restart
+    phys_state current{};
+    Clock::time_point due{};    // when `current` was due
+    Clock::duration interval{}; // to the next step; 0 while paused
+    Inputs inputs{};            // of the last step
+    phys_report report{};       // of the last step; its events are not here
+    phys_event lastImpact{};    // of this run; kind 0 if there was none
+    double dt = 0.0;            // s
+    uint64_t run = 0;           // counts restarts, levels and states set
+    bool running = false;
+    Statistics statistics;
+};
+
+// The ball at `now`, between the two states: drawing runs one step behind and never guesses ahead.
+phys_state interpolated(const Snapshot &snapshot, Clock::time_point now);
+
+} // namespace inspector
