@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+namespace mazes {
+
+// Nanometres. What a user chooses is whole micrometres, so that halves of it are whole numbers here and every
+// coordinate is exact.
+using Length = std::int64_t;
+
+inline constexpr Length kMicrometre = 1'000;
+inline constexpr Length kMillimetre = 1'000'000;
+
+} // namespace mazes

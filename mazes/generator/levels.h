@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "generator/files.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace mazes {
+
+// The ten levels of the game, from easy to hard.
+std::vector<Recipe> levelRecipes();
+
+// FOLDER/01.obj .mtl .scad .txt to 10
+std::vector<OutputFile> levelFiles(const std::filesystem::path &folder);
+
+} // namespace mazes

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "generator/command_line.h"
+#include "generator/levels.h"
+
+#include <chrono>
+#include <exception>
+#include <iostream>
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::string milliseconds(Clock::duration duration) {
+    const auto tenths = std::chrono::duration_cast<std::chrono::microseconds>(duration).count() / 100;
+    return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " ms";
+}
+
+void report(const std::string &what, Clock::time_point begin) {
+    std::cout << "mazegen: " << what << ", " << milliseconds(Clock::now() - begin) << "\n";
+}
+
+void writeMaze(const mazes::Recipe &recipe, const std::filesystem::path &prefix) {
+    const auto begin = Clock::now();
+    const mazes::Maze maze = mazes::makeMaze(recipe);
+    mazes::writeFiles(mazes::mazeFiles(recipe, maze, prefix));
+    report(prefix.string() + ".txt .obj .mtl .scad: " + std::to_string(recipe.width) + "x" +
+               std::to_string(recipe.height) + " cells, " + std::to_string(maze.board.boxes.size()) +
+               " boxes, way out " + std::to_string(mazes::wayLength(maze)) + " cells",
+           begin);
+}
+
+void writeLevels(const std::filesystem::path &folder) {
+    const auto begin = Clock::now();
+    mazes::writeFiles(mazes::levelFiles(folder));
+    report((folder / "01").string() + " to 10.txt .obj .mtl .scad", begin);
+}
+
+void writeBall(const std::filesystem::path &folder) {
+    const auto begin = Clock::now();
+    mazes::writeFiles(mazes::ballFiles(folder));
+    report((folder / "ball").string() + ".obj .mtl", begin);
+}
+
+void run(const mazes::Command &command) {
+    if (command.help) std::cout << mazes::helpText();
+    if (command.maze) writeMaze(*command.maze, command.prefix);
+    if (command.levelsFolder) writeLevels(*command.levelsFolder);
+    if (command.ballFolder) writeBall(*command.ballFolder);
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    try {
+        run(mazes::parseCommandLine({argv + 1, argv + argc}));
+        return 0;
+    } catch (const mazes::OptionError &error) {
+        std::cerr << "mazegen: " << error.what() << "\n";
+        return 2;
+    } catch (const std::exception &error) {
+        std::cerr << "mazegen: " << error.what() << "\n";
+        return 1;
+    }
+}
