@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gl/maze_renderer.h"
+
+#include "gl/board_pose.h"
+#include "gl/mesh_builder.h"
+#include "gl/surface_format.h"
+#include "gl/wood_grain.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QMatrix4x4>
+#include <QOpenGLContext>
+#include <QOpenGLVersionFunctionsFactory>
+#include <QVector3D>
+#include <QVector4D>
+
+#include <glm/ext/matrix_clip_space.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/matrix.hpp>
+
+namespace inspector::gl {
+
+namespace {
+
+// The key light is a window high up behind the left shoulder of someone at the far side, fixed in the world.
+const glm::dvec3 kToLight = glm::normalize(glm::dvec3(-0.52, 0.34, 0.78));
+constexpr glm::vec3 kLightRadiance{1.02F, 0.97F, 0.88F};
+constexpr glm::vec3 kSkyRadiance{0.44F, 0.48F, 0.56F};
+constexpr glm::vec3 kGroundRadiance{0.24F, 0.20F, 0.16F};
+
+constexpr int kGrainTexels = 512;
+constexpr int kGrainUnit = 0; // texture units
+constexpr int kOcclusionUnit = 1;
+constexpr int kShadowUnit = 2;
+
+QMatrix4x4 toQt(const glm::dmat4 &matrix) {
+    QMatrix4x4 result(Qt::Uninitialized);
+    for (int row = 0; row < 4; ++row) {
+        for (int column = 0; column < 4; ++column) result(row, column) = static_cast<float>(matrix[column][row]);
+    }
+    return result;
+}
+
+QVector3D toQt(const glm::vec3 &v) { return {v.x, v.y, v.z}; }
+QVector4D toQt(const glm::vec4 &v) { return {v.x, v.y, v.z, v.w}; }
+
+glm::dvec4 sphere(const Ball &ball) { return {ball.position, ball.radius}; }
+
+// Light space: a box just around the bounds, seen along the light. Clip coordinates from board coordinates.
+glm::dmat4 orthographicAround(const Bounds &bounds, const glm::dvec3 &back) {
+    const glm::dvec3 helper = std::abs(back.y) < 0.9 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0);
+    const glm::dvec3 right = glm::normalize(glm::cross(helper, back));
+    const glm::dvec3 up = glm::cross(back, right);
+    const glm::dmat3 light_from_board = glm::transpose(glm::dmat3(right, up, back));
+    const glm::dvec3 centre = light_from_board * bounds.centre();
+    const glm::dvec3 half = 0.5 * bounds.size();
+    glm::dvec3 extent(0.0);
+    for (int axis = 0; axis < 3; ++axis) extent += glm::abs(light_from_board[axis]) * half[axis];
+    extent = 1.02 * extent + 1e-4;
+    const glm::dvec3 lo = centre - extent;
+    const glm::dvec3 hi = centre + extent;
+    return glm::ortho(lo.x, hi.x, lo.y, hi.y, -hi.z, -lo.z) * glm::dmat4(light_from_board);
+}
+
+} // namespace
+
+struct MazeRenderer::Scene {
+    const Frame &frame;
+    const View &view;
+    glm::dmat4 board_to_world;
+    glm::dmat4 clip_from_board;
+    glm::dmat4 shadow_from_board;
+    glm::dvec3 to_light; // these three in the board frame
+    glm::dvec3 up;
+    glm::dvec3 eye;
+};
+
+std::unique_ptr<MazeRenderer> MazeRenderer::create(QString *error) {
+    QOpenGLContext *context = QOpenGLContext::currentContext();
+    *error = contextProblem(context);
+    if (!error->isEmpty()) return nullptr;
+    auto *gl = QOpenGLVersionFunctionsFactory::get<QOpenGLFunctions_3_3_Core>(context);
+    if (!gl || !gl->initializeOpenGLFunctions()) {
+        *error = QStringLiteral("OpenGL: expected the functions of 3.3 core, found that some are missing");
+        return nullptr;
+    }
+    return std::unique_ptr<MazeRenderer>(new MazeRenderer(gl));
+}
+
+MazeRenderer::MazeRenderer(QOpenGLFunctions_3_3_Core *gl)
+    : m_gl(gl)
+    , m_maze(gl)
+    , m_ball(gl)
+    , m_strokes(gl)
+    , m_grain(QOpenGLTexture::Target2D)
+    , m_occlusion(gl) {
+    m_no_vertices.create();
+    m_grain.setFormat(QOpenGLTexture::R8_UNorm);
+    m_grain.setSize(kGrainTexels, kGrainTexels);
+    m_grain.setMipLevels(m_grain.maximumMipLevels());
+    m_grain.allocateStorage();
+    const std::vector<std::uint8_t> grain = woodGrain(kGrainTexels);
+    m_grain.setData(QOpenGLTexture::Red, QOpenGLTexture::UInt8, grain.data());
+    m_grain.setMinMagFilters(QOpenGLTexture::LinearMipMapNearest, QOpenGLTexture::Linear);
+    setBall(patternedBall());
+}
+
+MazeRenderer::~MazeRenderer() = default;
+
+void MazeRenderer::setMaze(const Mesh &mesh) {
+    m_maze.upload(mesh);
+    m_bounds = mesh.bounds();
+    m_is_occlusion_stale = true;
+    m_is_shadow_stale = true;
+}
+
+void MazeRenderer::setBall(const Mesh &mesh) { m_ball.upload(mesh); }
+
+glm::dvec3 MazeRenderer::pivot() const { return {m_bounds.centre().x, m_bounds.centre().y, 0.0}; }
+
+void MazeRenderer::render(const Frame &frame, const View &view) {
+    if (!m_shaders.update(view.quality)) return;
+    const Scene scene = describe(frame, view);
+
+    m_gl->glEnable(GL_DEPTH_TEST);
+    m_gl->glDepthFunc(GL_LEQUAL);
+    m_gl->glDepthMask(GL_TRUE);
+    m_gl->glDisable(GL_BLEND);
+    m_gl->glDisable(GL_CULL_FACE);
+    if (m_is_occlusion_stale) makeOcclusionMap();
+    if (view.quality != Quality::Low) updateShadowMap(scene, view.quality);
+
+    m_gl->glViewport(0, 0, view.pixels.x, view.pixels.y);
+    m_gl->glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    bindTextures();
+    drawMaze(scene);
+    drawBall(scene, frame.ball, Colour(0.0F, 0.0F, 0.0F, 1.0F));
+    drawBackdrop(scene); // after what hides it
+    m_gl->glEnable(GL_BLEND);
+    m_gl->glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    drawGhosts(scene);
+    drawStrokes(scene);
+    m_gl->glDisable(GL_BLEND);
+}
+
+MazeRenderer::Scene MazeRenderer::describe(const Frame &frame, const View &view) const {
+    const glm::dmat4 board_to_world = boardToWorld(frame.tilt_x, frame.tilt_y, pivot());
+    const glm::dmat4 eye_from_board = view.view * board_to_world;
+    const glm::dmat3 to_board = glm::transpose(glm::dmat3(board_to_world));
+    const glm::dvec3 to_light = to_board * kToLight;
+    // From clip coordinates -1..1 to texture coordinates 0..1.
+    const glm::dmat4 half(glm::dvec4(0.5, 0, 0, 0), glm::dvec4(0, 0.5, 0, 0), glm::dvec4(0, 0, 0.5, 0),
+                          glm::dvec4(0.5, 0.5, 0.5, 1));
+    return {frame,
+            view,
+            board_to_world,
+            view.projection * eye_from_board,
+            half * orthographicAround(m_bounds, to_light),
+            to_light,
+            to_board * glm::dvec3(0.0, 0.0, 1.0),
+            glm::dvec3(glm::inverse(eye_from_board)[3])};
+}
+
+void MazeRenderer::drawDepth(DepthTarget &target, const glm::dmat4 &clip_from_board) {
+    QOpenGLShaderProgram &program = m_shaders.use(Program::Depth);
+    program.setUniformValue("clip_from_board", toQt(clip_from_board));
+    target.drawInto([this] { m_maze.draw(); });
+}
+
+// The board seen straight from above gives the heights, their blur how much of the sky each place sees.
+void MazeRenderer::makeOcclusionMap() {
+    m_is_occlusion_stale = false;
+    constexpr double kReach = 0.009; // m, over which a wall darkens what is beside it
+    DepthTarget heights(m_gl, OcclusionMap::kSize);
+    const glm::dvec3 lo = m_bounds.minimum;
+    const glm::dvec3 hi = m_bounds.maximum;
+    if (hi.x <= lo.x || hi.y <= lo.y || hi.z <= lo.z) return;
+    drawDepth(heights, glm::ortho(lo.x, hi.x, lo.y, hi.y, -hi.z, -lo.z));
+    std::vector<float> values = heights.read();
+    for (float &value : values) value = 1.0F - value;
+    const auto texels = [](double length) {
+        return std::clamp(static_cast<int>(0.5 * kReach / length * OcclusionMap::kSize), 1, OcclusionMap::kSize / 8);
+    };
+    m_occlusion.upload(std::move(values), texels(hi.x - lo.x), texels(hi.y - lo.y));
+}
+
+// The maze's shadow on itself changes only when the board turns under the light; the ball's is computed per pixel.
+void MazeRenderer::updateShadowMap(const Scene &scene, Quality quality) {
+    const int size = quality == Quality::High ? 2048 : 1024;
+    if (!m_shadow || m_shadow->size() != size) {
+        m_shadow = std::make_unique<DepthTarget>(m_gl, size);
+        m_is_shadow_stale = true;
+    }
+    constexpr double kNoticeable = 1e-5; // rad; far below a texel's width at the board's edge
+    if (!m_is_shadow_stale && glm::distance(m_shadow_direction, scene.to_light) < kNoticeable) return;
+    m_is_shadow_stale = false;
+    m_shadow_direction = scene.to_light;
+    m_gl->glEnable(GL_POLYGON_OFFSET_FILL);
+    m_gl->glPolygonOffset(1.5F, 2.0F);
+    drawDepth(*m_shadow, orthographicAround(m_bounds, scene.to_light));
+    m_gl->glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+void MazeRenderer::bindTextures() {
+    m_grain.bind(kGrainUnit);
+    m_gl->glActiveTexture(GL_TEXTURE0 + kOcclusionUnit);
+    m_gl->glBindTexture(GL_TEXTURE_2D, m_occlusion.texture());
+    m_gl->glActiveTexture(GL_TEXTURE0 + kShadowUnit);
+    m_gl->glBindTexture(GL_TEXTURE_2D, m_shadow ? m_shadow->texture() : 0);
+    m_gl->glActiveTexture(GL_TEXTURE0);
+}
+
+void MazeRenderer::setLighting(QOpenGLShaderProgram &program, const Scene &scene) {
+    program.setUniformValue("clip_from_board", toQt(scene.clip_from_board));
+    program.setUniformValue("shadow_from_board", toQt(scene.shadow_from_board));
+    program.setUniformValue("to_light", toQt(glm::vec3(scene.to_light)));
+    program.setUniformValue("world_up", toQt(glm::vec3(scene.up)));
+    program.setUniformValue("eye", toQt(glm::vec3(scene.eye)));
+    program.setUniformValue("light_radiance", toQt(kLightRadiance));
+    program.setUniformValue("sky_radiance", toQt(kSkyRadiance));
+    program.setUniformValue("ground_radiance", toQt(kGroundRadiance));
+    program.setUniformValue("board_minimum", toQt(glm::vec3(m_bounds.minimum)));
+    program.setUniformValue("board_size", toQt(glm::vec3(glm::max(m_bounds.size(), glm::dvec3(1e-6)))));
+    program.setUniformValue("shadow_texel", m_shadow ? 1.0F / static_cast<float>(m_shadow->size()) : 1.0F);
+    program.setUniformValue("wood_grain", kGrainUnit);
+    program.setUniformValue("occlusion_map", kOcclusionUnit);
+    program.setUniformValue("shadow_map", kShadowUnit);
+}
+
+void MazeRenderer::drawMaze(const Scene &scene) {
+    QOpenGLShaderProgram &program = m_shaders.use(Program::Maze);
+    setLighting(program, scene);
+    program.setUniformValue("ball", toQt(glm::vec4(sphere(scene.frame.ball))));
+    m_maze.draw();
+}
+
+// tint.rgb replaces the ball's colours as far as tint.a is from 1, which is also the opacity.
+void MazeRenderer::drawBall(const Scene &scene, const Ball &ball, const Colour &tint) {
+    QOpenGLShaderProgram &program = m_shaders.use(Program::Ball);
+    setLighting(program, scene);
+    const auto [x, y, z, w] = ball.orientation;
+    program.setUniformValue("ball", toQt(glm::vec4(sphere(ball))));
+    program.setUniformValue("orientation", toQt(glm::dmat4(glm::mat4_cast(glm::dquat(w, x, y, z)))));
+    program.setUniformValue("tint", toQt(tint));
+    m_ball.draw();
+}
+
+void MazeRenderer::drawBackdrop(const Scene &scene) {
+    QOpenGLShaderProgram &program = m_shaders.use(Program::Backdrop);
+    const glm::dvec3 half = 0.5 * m_bounds.size();
+    const double reach = std::hypot(half.x, half.y);
+    const glm::dmat4 world_from_clip = glm::inverse(scene.view.projection * scene.view.view);
+    program.setUniformValue("world_from_clip", toQt(world_from_clip));
+    program.setUniformValue("world_to_board", toQt(glm::inverse(scene.board_to_world)));
+    program.setUniformValue("eye", toQt(glm::vec3(glm::inverse(scene.view.view)[3])));
+    program.setUniformValue("to_light", toQt(glm::vec3(kToLight)));
+    program.setUniformValue("board_centre", toQt(glm::vec3(m_bounds.centre())));
+    program.setUniformValue("board_half", toQt(glm::vec3(half)));
+    // Far enough below that no corner of a board tilted by a quarter of a radian touches the table.
+    program.setUniformValue("table_height", static_cast<float>(m_bounds.minimum.z - 0.25 * reach));
+    program.setUniformValue("table_colour", toQt(scene.view.backdrop.table));
+    program.setUniformValue("horizon_colour", toQt(scene.view.backdrop.horizon));
+    const QOpenGLVertexArrayObject::Binder binder(&m_no_vertices);
+    m_gl->glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void MazeRenderer::drawGhosts(const Scene &scene) {
+    // Each hides its own far side but not the next ghost: depth first, colour where it is nearest.
+    for (const GhostBall &ghost : scene.frame.ghosts) {
+        m_gl->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+        drawBall(scene, ghost.ball, ghost.colour);
+        m_gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        drawBall(scene, ghost.ball, ghost.colour);
+    }
+}
+
+void MazeRenderer::drawStrokes(const Scene &scene) {
+    Strokes trails;
+    const double spacing = 0.15 * scene.frame.ball.radius;
+    for (const Trail &trail : scene.frame.trails) trails.trail(trail.points, trail.colour, trail.width, spacing);
+    if (trails.empty() && scene.frame.strokes.empty()) return;
+
+    QOpenGLShaderProgram &program = m_shaders.use(Program::Stroke);
+    program.setUniformValue("clip_from_board", toQt(scene.clip_from_board));
+    program.setUniformValue("pixels", static_cast<float>(scene.view.pixels.x), static_cast<float>(scene.view.pixels.y));
+    program.setUniformValue("pixel_ratio", static_cast<float>(scene.view.pixel_ratio));
+    program.setUniformValue("opacity", 1.0F);
+    m_gl->glDepthMask(GL_FALSE);
+    if (!trails.empty()) {
+        m_strokes.upload(trails);
+        m_strokes.draw();
+    }
+    if (!scene.frame.strokes.empty()) {
+        m_strokes.upload(scene.frame.strokes);
+        m_strokes.draw();
+        // The hidden parts, faintly.
+        m_gl->glDepthFunc(GL_GREATER);
+        program.setUniformValue("opacity", 0.3F);
+        m_strokes.draw();
+        m_gl->glDepthFunc(GL_LEQUAL);
+    }
+    m_gl->glDepthMask(GL_TRUE);
+}
+
+} // namespace inspector::gl

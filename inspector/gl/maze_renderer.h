@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "gl/depth_target.h"
+#include "gl/frame.h"
+#include "gl/mesh.h"
+#include "gl/mesh_buffer.h"
+#include "gl/occlusion_map.h"
+#include "gl/shader_library.h"
+#include "gl/stroke_renderer.h"
+
+#include <memory>
+#include <optional>
+
+#include <QOpenGLFunctions_3_3_Core>
+#include <QOpenGLTexture>
+#include <QOpenGLVertexArrayObject>
+
+namespace inspector::gl {
+
+// Draws a board with its ball into the framebuffer that is bound. Knows meshes and poses, no physics and no widgets.
+// Made, used and destroyed with one context current.
+class MazeRenderer {
+public:
+    // Nothing, and one line in `error` (not null), when the current context cannot draw this.
+    static std::unique_ptr<MazeRenderer> create(QString *error);
+    ~MazeRenderer();
+
+    void setMaze(const Mesh &mesh); // board frame, m
+    void setBall(const Mesh &mesh); // radius 1 around the origin
+    const Bounds &mazeBounds() const { return m_bounds; }
+
+    // The board's tilt turns it about this point of the board frame.
+    glm::dvec3 pivot() const;
+
+    ShaderLibrary &shaders() { return m_shaders; }
+
+    void render(const Frame &frame, const View &view);
+
+private:
+    struct Light;
+    struct Scene; // what all passes of one frame share
+
+    explicit MazeRenderer(QOpenGLFunctions_3_3_Core *gl);
+
+    Scene describe(const Frame &frame, const View &view) const;
+    void makeOcclusionMap();
+    void updateShadowMap(const Scene &scene, Quality quality);
+    void drawDepth(DepthTarget &target, const glm::dmat4 &clip_from_board);
+    void bindTextures();
+    void setLighting(QOpenGLShaderProgram &program, const Scene &scene);
+    void drawMaze(const Scene &scene);
+    void drawBall(const Scene &scene, const Ball &ball, const Colour &tint);
+    void drawBackdrop(const Scene &scene);
+    void drawGhosts(const Scene &scene);
+    void drawStrokes(const Scene &scene);
+
+    QOpenGLFunctions_3_3_Core *m_gl;
+    ShaderLibrary m_shaders;
+    MeshBuffer m_maze;
+    MeshBuffer m_ball;
+    StrokeRenderer m_strokes;
+    QOpenGLVertexArrayObject m_no_vertices; // core profile draws nothing without one
+    QOpenGLTexture m_grain;
+    OcclusionMap m_occlusion;
+    bool m_is_occlusion_stale = true;
+
+    std::unique_ptr<DepthTarget> m_shadow;
+    glm::dvec3 m_shadow_direction{0.0}; // what the map was drawn for
+    bool m_is_shadow_stale = true;
+
+    Bounds m_bounds;
+};
+
+} // namespace inspector::gl

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "gl/frame.h"
+#include "gl/mesh.h"
+#include "gl/orbit_camera.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include <QOpenGLWidget>
+#include <QPointF>
+#include <QString>
+#include <QTimer>
+
+QT_BEGIN_NAMESPACE
+class QOpenGLFramebufferObject;
+QT_END_NAMESPACE
+
+namespace inspector::gl {
+
+class MazeRenderer;
+
+// The picture as a widget: left drag orbits, right or middle drag pans, the wheel zooms to the cursor, a double click
+// shows everything again. Keys are left to the window. GUI thread only.
+class MazeView : public QOpenGLWidget {
+    Q_OBJECT
+
+public:
+    explicit MazeView(QWidget *parent = nullptr);
+    ~MazeView() override;
+
+    // May be called before the widget is shown. A maze of other bounds resets the camera.
+    void setMaze(const Mesh &mesh);
+    void setBall(const Mesh &mesh); // radius 1 around the origin
+
+    // Draws this frame once...
+    void setFrame(const Frame &frame);
+    // ...or asks `source` for one before each picture, up to 60 times a second while visible; null ends that.
+    void setFrameSource(std::function<Frame()> source);
+
+    // Until called, the view chooses: Medium for a software renderer, High otherwise.
+    void setQuality(Quality quality);
+    Quality quality() const { return m_quality; }
+
+    // Shader files here replace the embedded ones, also while running; empty: embedded only.
+    void setShaderDirectory(const QString &path);
+
+    OrbitCamera &camera() { return m_camera; }
+    // Shows everything from the start direction.
+    void resetCamera();
+
+    // Time that the last picture took until it was finished, ms; 0 before the first.
+    double lastFrameMilliseconds() const { return m_frame_milliseconds; }
+    // What draws, for instance "llvmpipe (LLVM 15.0.6, 256 bits)"; empty before the first picture.
+    QString rendererName() const { return m_renderer_name; }
+    // Where a point of the board (board frame, m) is drawn, in logical pixels of this widget.
+    QPointF positionOf(const glm::dvec3 &board_point) const;
+
+signals:
+    // A click without a drag, as a ray in the board frame.
+    void clicked(const inspector::gl::Ray &ray);
+    // One line or a shader log; the view goes on with what it has.
+    void problem(const QString &text);
+    void shadersRebuilt();
+
+protected:
+    void initializeGL() override;
+    void resizeGL(int width, int height) override;
+    void paintGL() override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void mouseDoubleClickEvent(QMouseEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
+
+private:
+    void releaseResources();
+    void startDebugLogger();
+    void uploadMeshes();
+    View currentView() const;
+    glm::dmat4 boardPose() const;
+    void renderMultisampled(const View &view);
+
+    OrbitCamera m_camera;
+    Frame m_frame;
+    std::function<Frame()> m_source;
+    QTimer m_pulse;
+    std::optional<Mesh> m_pending_maze; // waiting for a context
+    std::optional<Mesh> m_pending_ball;
+    Bounds m_bounds;
+    QString m_shader_directory;
+    std::optional<Quality> m_chosen_quality;
+    Quality m_quality = Quality::Medium;
+    QString m_renderer_name;
+    double m_frame_milliseconds = 0.0;
+    QPointF m_press_position;
+    QPointF m_last_position;
+    bool m_is_dragging = false;
+
+    std::unique_ptr<MazeRenderer> m_renderer; // these two live and die with the context
+    std::unique_ptr<QOpenGLFramebufferObject> m_multisampled;
+};
+
+} // namespace inspector::gl

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gl/mesh.h"
+
+#include <glm/common.hpp>
+
+namespace inspector::gl {
+
+Bounds Mesh::bounds() const {
+    if (vertices.empty()) return {};
+    glm::vec3 minimum = vertices.front().position;
+    glm::vec3 maximum = minimum;
+    for (const Vertex &vertex : vertices) {
+        minimum = glm::min(minimum, vertex.position);
+        maximum = glm::max(maximum, vertex.position);
+    }
+    return {minimum, maximum};
+}
+
+} // namespace inspector::gl

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "gl/mesh.h"
+
+#include <QOpenGLBuffer>
+#include <QOpenGLFunctions_3_3_Core>
+#include <QOpenGLVertexArrayObject>
+
+namespace inspector::gl {
+
+// A mesh on the graphics side, drawn by one call. Made, used and destroyed with one context current.
+class MeshBuffer {
+public:
+    explicit MeshBuffer(QOpenGLFunctions_3_3_Core *gl);
+
+    void upload(const Mesh &mesh);
+    void draw();
+
+private:
+    QOpenGLFunctions_3_3_Core *m_gl;
+    QOpenGLVertexArrayObject m_array;
+    QOpenGLBuffer m_vertices{QOpenGLBuffer::VertexBuffer};
+    QOpenGLBuffer m_indices{QOpenGLBuffer::IndexBuffer};
+    GLsizei m_count = 0;
+};
+
+} // namespace inspector::gl

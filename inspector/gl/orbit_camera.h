@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A camera that circles a target. World frame: the board frame of a level board, z up, m. Pixels are logical, y down.
+#pragma once
+
+#include "gl/mesh.h"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace inspector::gl {
+
+struct Ray {
+    glm::dvec3 origin{0.0};
+    glm::dvec3 direction{0.0, 0.0, -1.0}; // unit length
+};
+
+class OrbitCamera {
+public:
+    static constexpr double kFieldOfView = 0.55; // rad, of the picture's height
+    static constexpr double kMinElevation = 0.09;
+    static constexpr double kMaxElevation = 1.5707963267948966;  // straight from above
+    static constexpr double kStartAzimuth = -1.5707963267948966; // from -y, so that x runs to the right
+    static constexpr double kStartElevation = 0.96;
+
+    // Size of the picture in logical pixels; less than 1 counts as 1.
+    void setViewport(const glm::dvec2 &size);
+    // What reset() shows and what the limits of distance and target follow from.
+    void setBounds(const Bounds &bounds);
+
+    // A drag by so many pixels turns the scene with the hand.
+    void orbit(const glm::dvec2 &drag);
+    // The point of the target's plane under the cursor stays under it.
+    void pan(const glm::dvec2 &drag);
+    // steps > 0 comes closer; what the cursor points at, in the plane of the target, stays under it.
+    void zoom(double steps, const glm::dvec2 &cursor);
+    // Start direction, all of the bounds in the picture.
+    void reset();
+    // Smallest distance that shows all of the bounds from the present direction, centred.
+    void fit();
+
+    glm::dmat4 view() const;
+    glm::dmat4 projection() const;
+    glm::dvec3 eye() const;
+    glm::dvec3 target() const { return m_target; }
+    double distance() const { return m_distance; }
+    double azimuth() const { return m_azimuth; }
+    double elevation() const { return m_elevation; }
+
+    // Where a world point is drawn; meaningless for points behind the eye.
+    glm::dvec2 project(const glm::dvec3 &world) const;
+    // The ray through a pixel, in world coordinates and in those of a tilted board.
+    Ray ray(const glm::dvec2 &pixel) const;
+    Ray pickRay(const glm::dvec2 &pixel, const glm::dmat4 &board_to_world) const;
+
+private:
+    struct Axes {
+        glm::dvec3 right, up, back;
+    };
+    Axes axes() const;
+    double metresPerPixel() const; // in the plane of the target
+    double radius() const;
+    void keepWithinLimits();
+
+    glm::dvec2 m_viewport{1.0};
+    Bounds m_bounds{{-0.1, -0.1, 0.0}, {0.1, 0.1, 0.02}};
+    glm::dvec3 m_target{0.0};
+    double m_distance = 1.0;
+    double m_azimuth = kStartAzimuth;
+    double m_elevation = kStartElevation;
+};
+
+} // namespace inspector::gl

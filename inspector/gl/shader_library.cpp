@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gl/shader_library.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+
+namespace inspector::gl {
+
+namespace {
+
+struct Recipe {
+    const char *vertex;
+    std::array<const char *, 2> fragments; // linked together; the second may be missing
+};
+
+// In the order of Program.
+constexpr std::array<Recipe, 5> kRecipes{{{"maze.vert", {"maze.frag", "lighting.frag"}},
+                                          {"ball.vert", {"ball.frag", "lighting.frag"}},
+                                          {"backdrop.vert", {"backdrop.frag", nullptr}},
+                                          {"depth.vert", {"depth.frag", nullptr}},
+                                          {"stroke.vert", {"stroke.frag", nullptr}}}};
+
+QString pathOf(const QString &directory, const char *name) {
+    const QString override_path = directory + QLatin1Char('/') + QLatin1String(name);
+    if (!directory.isEmpty() && QFileInfo::exists(override_path)) return override_path;
+    return QLatin1String(":/shaders/") + QLatin1String(name);
+}
+
+// Branches on a uniform cost a software renderer both sides, so the quality is a constant of the source.
+QByteArray withQuality(QByteArray source, Quality quality) {
+    const qsizetype line_end = source.indexOf('\n') + 1; // after #version, which must come first
+    const QByteArray define = "#define QUALITY " + QByteArray::number(static_cast<int>(quality)) + "\n#line 2\n";
+    return source.insert(line_end, define);
+}
+
+bool addShader(QOpenGLShaderProgram &program, QOpenGLShader::ShaderType type, const QString &path, Quality quality,
+               QString *log) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) {
+        *log = QStringLiteral("%1: %2").arg(path, file.errorString());
+        return false;
+    }
+    if (program.addShaderFromSourceCode(type, withQuality(file.readAll(), quality))) return true;
+    *log = QStringLiteral("%1: %2").arg(path, program.log().trimmed());
+    return false;
+}
+
+std::unique_ptr<QOpenGLShaderProgram> buildProgram(const Recipe &recipe, const QString &directory, Quality quality,
+                                                   QString *log) {
+    auto program = std::make_unique<QOpenGLShaderProgram>();
+    if (!addShader(*program, QOpenGLShader::Vertex, pathOf(directory, recipe.vertex), quality, log)) return nullptr;
+    for (const char *name : recipe.fragments) {
+        if (name && !addShader(*program, QOpenGLShader::Fragment, pathOf(directory, name), quality, log))
+            return nullptr;
+    }
+    if (program->link()) return program;
+    *log = QStringLiteral("%1 with %2: %3")
+               .arg(QLatin1String(recipe.vertex), QLatin1String(recipe.fragments[0]), program->log().trimmed());
+    return nullptr;
+}
+
+} // namespace
+
+ShaderLibrary::ShaderLibrary() {
+    const auto note_change = [this] {
+        m_is_stale = true;
+        watch(); // editors replace files, which ends the watch on the old one
+        emit changed();
+    };
+    connect(&m_watcher, &QFileSystemWatcher::fileChanged, this, note_change);
+    connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, note_change);
+}
+
+void ShaderLibrary::setDirectory(const QString &path) {
+    m_directory = path;
+    m_is_stale = true;
+    if (!m_watcher.files().isEmpty()) m_watcher.removePaths(m_watcher.files());
+    if (!m_watcher.directories().isEmpty()) m_watcher.removePaths(m_watcher.directories());
+    if (!path.isEmpty() && !QFileInfo(path).isDir())
+        emit failed(QStringLiteral("%1: expected a directory with shaders, found none").arg(path));
+    watch();
+}
+
+void ShaderLibrary::watch() {
+    if (m_directory.isEmpty() || !QFileInfo(m_directory).isDir()) return;
+    QStringList paths{m_directory};
+    for (const QFileInfo &file : QDir(m_directory).entryInfoList({"*.vert", "*.frag"}, QDir::Files))
+        paths.append(file.filePath());
+    m_watcher.addPaths(paths); // those that are watched already stay so
+}
+
+bool ShaderLibrary::update(Quality quality) {
+    if (!m_is_stale && quality == m_quality) return true;
+    m_is_stale = false;
+    m_quality = quality;
+    QString log;
+    Set programs = build(m_directory, quality, &log);
+    if (!programs[0]) {
+        emit failed(log);
+        if (m_programs[0]) return true;
+        programs = build({}, quality, &log); // nothing drawn yet: begin with the embedded ones
+        if (!programs[0]) return m_is_stale = true, false;
+    }
+    m_programs = std::move(programs);
+    emit rebuilt();
+    return true;
+}
+
+ShaderLibrary::Set ShaderLibrary::build(const QString &directory, Quality quality, QString *log) const {
+    Set programs;
+    for (std::size_t i = 0; i < kCount; ++i) {
+        programs[i] = buildProgram(kRecipes[i], directory, quality, log);
+        if (!programs[i]) return {};
+    }
+    return programs;
+}
+
+QOpenGLShaderProgram &ShaderLibrary::use(Program program) {
+    QOpenGLShaderProgram &chosen = *m_programs[static_cast<std::size_t>(program)];
+    chosen.bind();
+    return chosen;
+}
+
+} // namespace inspector::gl

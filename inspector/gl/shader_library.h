@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "gl/frame.h"
+
+#include <array>
+#include <memory>
+
+#include <QFileSystemWatcher>
+#include <QObject>
+#include <QOpenGLShaderProgram>
+
+namespace inspector::gl {
+
+enum class Program { Maze, Ball, Backdrop, Depth, Stroke };
+
+// The programs built from shaders/*.vert and *.frag: those embedded in the executable, file by file overridden by those
+// in a directory that is watched while running. A set that doesn't compile is reported and the last good one stays.
+class ShaderLibrary : public QObject {
+    Q_OBJECT
+
+public:
+    ShaderLibrary();
+
+    // Empty: embedded files only. Takes effect at the next update().
+    void setDirectory(const QString &path);
+
+    // Between frames, with the context current: rebuilds when files, directory or quality have changed.
+    // Returns whether there is a set of programs to draw with.
+    bool update(Quality quality);
+
+    // Bound and ready for uniforms; only after update() has returned true.
+    QOpenGLShaderProgram &use(Program program);
+
+signals:
+    void changed();                  // a file of the directory has: a new picture is due
+    void rebuilt();                  // a new set is in use
+    void failed(const QString &log); // the last good set stays in use
+
+private:
+    static constexpr std::size_t kCount = 5;
+    using Set = std::array<std::unique_ptr<QOpenGLShaderProgram>, kCount>;
+
+    void watch();
+    Set build(const QString &directory, Quality quality, QString *log) const;
+
+    QString m_directory;
+    QFileSystemWatcher m_watcher;
+    Set m_programs;
+    Quality m_quality = Quality::Medium;
+    bool m_is_stale = true;
+};
+
+} // namespace inspector::gl

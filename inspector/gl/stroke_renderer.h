@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "gl/strokes.h"
+
+#include <QOpenGLBuffer>
+#include <QOpenGLFunctions_3_3_Core>
+#include <QOpenGLVertexArrayObject>
+
+namespace inspector::gl {
+
+// Sends strokes to OpenGL: one instanced draw for all. Made, used and destroyed with one context current.
+class StrokeRenderer {
+public:
+    explicit StrokeRenderer(QOpenGLFunctions_3_3_Core *gl);
+
+    void upload(const Strokes &strokes);
+    // With the stroke program bound.
+    void draw();
+
+private:
+    QOpenGLFunctions_3_3_Core *m_gl;
+    QOpenGLVertexArrayObject m_array;
+    QOpenGLBuffer m_instances{QOpenGLBuffer::VertexBuffer};
+    GLsizei m_count = 0;
+};
+
+} // namespace inspector::gl

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gl/surface_format.h"
+
+#include <utility>
+
+#include <QOpenGLContext>
+
+namespace inspector::gl {
+
+namespace {
+
+constexpr int kMajor = 3;
+constexpr int kMinor = 3;
+
+} // namespace
+
+QSurfaceFormat surfaceFormat() {
+    QSurfaceFormat format;
+    format.setRenderableType(QSurfaceFormat::OpenGL);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setVersion(kMajor, kMinor);
+    format.setDepthBufferSize(24);
+    format.setSwapInterval(1);
+#ifndef NDEBUG
+    format.setOption(QSurfaceFormat::DebugContext);
+#endif
+    return format;
+}
+
+QString contextProblem(const QOpenGLContext *context) {
+    const QString needed = QStringLiteral("expected desktop OpenGL %1.%2 core").arg(kMajor).arg(kMinor);
+    if (!context || !context->isValid()) return QStringLiteral("OpenGL: no context could be made; ") + needed;
+    if (context->isOpenGLES()) return QStringLiteral("OpenGL: got OpenGL ES; ") + needed;
+    // Drivers give the newest version that contains the one asked for.
+    const auto [major, minor] = context->format().version();
+    if (std::pair(major, minor) >= std::pair(kMajor, kMinor)) return {};
+    return QStringLiteral("OpenGL: got version %1.%2; %3").arg(major).arg(minor).arg(needed);
+}
+
+} // namespace inspector::gl

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <QSurfaceFormat>
+
+QT_BEGIN_NAMESPACE
+class QOpenGLContext;
+QT_END_NAMESPACE
+
+namespace inspector::gl {
+
+// Desktop OpenGL 3.3 core by name. Give it to QSurfaceFormat::setDefaultFormat() before the application object exists.
+// Debug builds ask for a debug context.
+QSurfaceFormat surfaceFormat();
+
+// Empty when `context` (may be null) can draw; otherwise one line that says what was got and what is needed.
+QString contextProblem(const QOpenGLContext *context);
+
+} // namespace inspector::gl

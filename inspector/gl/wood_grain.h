@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace inspector::gl {
+
+// A square, tileable picture of wood fibres, running along the rows: 128 is the mean. Always the same.
+std::vector<std::uint8_t> woodGrain(int size);
+
+} // namespace inspector::gl

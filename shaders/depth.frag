@@ -1,0 +1,5 @@
+#version 330 core
+// SPDX-License-Identifier: MIT
+// Depth only.
+
+void main() {}
