@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Where a disc can get to among the walls of a maze: found from the boxes alone, on a grid of places.
+#pragma once
+
+#include "maze_text.h"
+
+#include <cstddef>
+#include <vector>
+
+class DiscFlood {
+public:
+    // Everywhere the disc's centre can go from the maze's start, in moves of `step` along x or y, without leaving the
+    // board's outline. A disc of radius 0 finds every leak wider than `step`. The outline must be whole steps wide.
+    DiscFlood(const MazeText &maze, Nanometres radius, Nanometres step);
+
+    bool reaches(Nanometres x, Nanometres y) const;
+
+    // How many separate stretches of the board's outline are reached.
+    int waysOut() const;
+
+private:
+    std::size_t indexOf(Nanometres column, Nanometres row) const;
+    void block(const TextBox &wall, Nanometres radius);
+    void spreadFrom(std::size_t start);
+    std::vector<std::size_t> outline() const;
+
+    TextBox m_bounds;
+    Nanometres m_step;
+    Nanometres m_columns;
+    Nanometres m_rows;
+    std::vector<bool> m_blocked;
+    std::vector<bool> m_reached;
+};
