@@ -27,8 +27,8 @@ vec3 display(vec3 radiance);
 vec3 room(vec3 direction) {
     float height = dot(direction, world_up);
     vec3 surroundings = mix(ground_radiance * 0.8, skyRadiance(direction), smoothstep(-0.15, 0.25, height));
-    float window = smoothstep(0.90, 0.94, dot(direction, to_light));
-    return surroundings + 5.0 * window * light_radiance;
+    float window = smoothstep(0.93, 0.955, dot(direction, to_light));
+    return surroundings + 9.0 * window * light_radiance;
 }
 
 void main() {
@@ -45,7 +45,7 @@ void main() {
     vec3 ambient = skyRadiance(normal) * open;
 
     float grazing = 1.0 - max(dot(normal, to_eye), 0.0);
-    float reflectance = max(v_surface.x, 0.04);
+    float reflectance = max(v_surface.x, 0.055);
     float fresnel = reflectance + (1.0 - reflectance) * grazing * grazing * grazing * grazing * grazing;
     vec3 mirrored = room(reflect(-to_eye, normal)) * mix(0.25, 1.0, visible) * mix(open, 1.0, 0.3);
     vec3 radiance = albedo * (direct + ambient) * (1.0 - fresnel) + fresnel * mirrored;

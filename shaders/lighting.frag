@@ -44,7 +44,7 @@ float skyVisibility(vec3 position, vec3 normal) {
     const float reach = 0.006; // m
     vec3 place = (position + normal * (0.5 * reach) - board_minimum) / board_size;
     float above = max(texture(occlusion_map, place.xy).r - place.z, 0.0) * board_size.z;
-    return reach / (reach + 1.4 * above);
+    return reach / (reach + 2.6 * above);
 }
 
 // Light of the surroundings from a direction, or on a surface that faces it.

@@ -27,8 +27,8 @@ namespace {
 // The key light is a window high up behind the left shoulder of someone at the far side, fixed in the world.
 const glm::dvec3 kToLight = glm::normalize(glm::dvec3(-0.52, 0.34, 0.78));
 constexpr glm::vec3 kLightRadiance{1.02F, 0.97F, 0.88F};
-constexpr glm::vec3 kSkyRadiance{0.44F, 0.48F, 0.56F};
-constexpr glm::vec3 kGroundRadiance{0.24F, 0.20F, 0.16F};
+constexpr glm::vec3 kSkyRadiance{0.42F, 0.44F, 0.49F};
+constexpr glm::vec3 kGroundRadiance{0.26F, 0.20F, 0.15F};
 
 constexpr int kGrainTexels = 512;
 constexpr int kGrainUnit = 0; // texture units
@@ -128,7 +128,7 @@ void MazeRenderer::render(const Frame &frame, const View &view) {
     m_gl->glDepthFunc(GL_LEQUAL);
     m_gl->glDepthMask(GL_TRUE);
     m_gl->glDisable(GL_BLEND);
-    m_gl->glDisable(GL_CULL_FACE);
+    m_gl->glEnable(GL_CULL_FACE);
     if (m_is_occlusion_stale) makeOcclusionMap();
     if (view.quality != Quality::Low) updateShadowMap(scene, view.quality);
 
@@ -172,7 +172,7 @@ void MazeRenderer::drawDepth(DepthTarget &target, const glm::dmat4 &clip_from_bo
 // The board seen straight from above gives the heights, their blur how much of the sky each place sees.
 void MazeRenderer::makeOcclusionMap() {
     m_is_occlusion_stale = false;
-    constexpr double kReach = 0.009; // m, over which a wall darkens what is beside it
+    constexpr double kReach = 0.012; // m, over which a wall darkens what is beside it
     DepthTarget heights(m_gl, OcclusionMap::kSize);
     const glm::dvec3 lo = m_bounds.minimum;
     const glm::dvec3 hi = m_bounds.maximum;

@@ -26,6 +26,7 @@ public:
     static std::unique_ptr<MazeRenderer> create(QString *error);
     ~MazeRenderer();
 
+    // Both are closed, their triangles counter-clockwise from outside: what faces away isn't drawn.
     void setMaze(const Mesh &mesh); // board frame, m
     void setBall(const Mesh &mesh); // radius 1 around the origin
     const Bounds &mazeBounds() const { return m_bounds; }

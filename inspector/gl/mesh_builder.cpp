@@ -36,6 +36,7 @@ void MeshBuilder::beginPiece(const Material &material, const Bounds &bounds) {
                            toByte(material.emission)};
     m_along_y = bounds.size().y > bounds.size().x;
     m_grain_origin = {scatter(m_pieces, 1), scatter(m_pieces, 2)};
+    m_piece_begin = m_mesh.vertices.size();
     ++m_pieces;
 }
 
@@ -53,9 +54,21 @@ void MeshBuilder::triangle(const std::array<glm::vec3, 3> &positions, const std:
         m_prototype.position = positions[i];
         m_prototype.normal = normals[i];
         m_prototype.grain = grainCoordinate(positions[i], normals[i]);
-        m_mesh.indices.push_back(static_cast<std::uint32_t>(m_mesh.vertices.size()));
-        m_mesh.vertices.push_back(m_prototype);
+        m_mesh.indices.push_back(indexOf(m_prototype));
     }
+}
+
+// Neighbouring triangles come one after the other, so an equal vertex is among the last few or nowhere.
+std::uint32_t MeshBuilder::indexOf(const Vertex &vertex) {
+    constexpr std::size_t kLookBack = 8;
+    std::vector<Vertex> &vertices = m_mesh.vertices;
+    const std::size_t oldest = std::max(m_piece_begin, vertices.size() - std::min(vertices.size(), kLookBack));
+    for (std::size_t i = vertices.size(); i-- > oldest;) {
+        if (vertices[i].position == vertex.position && vertices[i].normal == vertex.normal)
+            return static_cast<std::uint32_t>(i);
+    }
+    vertices.push_back(vertex);
+    return static_cast<std::uint32_t>(vertices.size() - 1);
 }
 
 void MeshBuilder::polygon(std::span<const glm::vec3> corners, const glm::vec3 &normal) {

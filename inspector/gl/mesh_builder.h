@@ -21,10 +21,12 @@ public:
     Mesh take();
 
 private:
+    std::uint32_t indexOf(const Vertex &vertex);
     glm::vec2 grainCoordinate(const glm::vec3 &position, const glm::vec3 &normal) const;
 
     Mesh m_mesh;
-    Vertex m_prototype{}; // carries the current piece's material
+    std::size_t m_piece_begin = 0; // first vertex of the current piece
+    Vertex m_prototype{};          // carries the current piece's material
     bool m_along_y = false;
     glm::vec2 m_grain_origin{0.0F};
     unsigned m_pieces = 0;

@@ -107,7 +107,7 @@ Material materialOf(const tinyobj::material_t &source) {
     // Ks 0.5 means the 4 % that wood, paint and plastic reflect; Blinn's exponent becomes a roughness.
     material.reflectance = 0.08F * strongest(source.specular);
     material.roughness = std::pow(2.0F / (source.shininess + 2.0F), 0.25F);
-    material.emission = strongest(source.emission);
+    material.emission = strongest(source.emission) / std::max(strongest(source.diffuse), 0.05F);
     // Wood unless it shines by itself.
     material.grain = material.emission > 0.0F ? 0.0F : 1.0F;
     return material;

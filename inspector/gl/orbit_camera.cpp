@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kRadiansPerPixel = 0.006;
 constexpr double kZoomPerStep = 0.88;
-constexpr double kMargin = 1.04; // air around the bounds
+constexpr double kMargin = 1.10; // air around the bounds
 
 const double kTangent = std::tan(0.5 * OrbitCamera::kFieldOfView);
 
