@@ -15,10 +15,11 @@ using Registry = std::shared_ptr<phys_registry>;
 using Scene = std::shared_ptr<const phys_scene>;
 using Stepper = std::shared_ptr<phys_stepper>;
 
-// All three return null on failure and put the library's line into `error` (or nullptr).
+// All return null on failure and put the library's line into `error` (or nullptr).
 // Any thread; a stepper then belongs to one thread at a time.
 Registry makeRegistry(QString *error);
 Scene loadScene(const QString &path, QString *error);
+Scene makeScene(const phys_scene_desc &description, QString *error);
 Stepper makeStepper(const Registry &registry, const QByteArray &id, const Scene &scene, QString *error);
 
 // Loads one plugin file into the registry. Only while no other thread uses it.

@@ -19,7 +19,7 @@ struct Inputs {
     double gravity;     // strength, m/s^2
 };
 
-// The largest tilt that sliders and options allow, degrees.
+// The largest tilt that sliders offer, degrees.
 inline constexpr double kTiltLimit = 15.0;
 // The largest tilt in the game, for arrow keys and the autopilot alike, degrees.
 inline constexpr double kPlayTilt = 8.0;

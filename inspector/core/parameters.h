@@ -15,6 +15,12 @@ namespace inspector {
 // The board's own rows, in the library's form: tilt_x, tilt_y (deg) and gravity (m/s^2).
 const std::vector<phys_param_row> &boardRows();
 
+// A value for the row with this id.
+struct Setting {
+    QString id;
+    double value = 0.0;
+};
+
 class Parameters : public QObject {
     Q_OBJECT
 
@@ -32,6 +38,8 @@ public:
     // Sets a value if the library accepts it, alone and together with the others; otherwise nothing changes and
     // `error` (or nullptr) gets the library's line.
     bool set(int index, double value, QString *error = nullptr);
+    // The same for several at once: all or none. They are checked together, so their order doesn't matter.
+    bool set(const std::vector<Setting> &settings, QString *error = nullptr);
     bool isInitial(int index) const;
     void reset(int index);
     void resetAll();
@@ -49,13 +57,19 @@ signals:
     void rowsChanged();
 
 private:
-    phys_params &store(int index);
-    const phys_params &store(int index) const;
+    // The board's rows point into the `stepper` values of a phys_params of their own, so that the library reads, writes
+    // and checks them like any other row.
+    struct Values {
+        phys_params board;
+        phys_params params;
+    };
+
+    phys_params &owner(Values &values, int index) const;
+    bool accept(const Values &values, QString *error);
 
     std::vector<const phys_param_row *> m_rows;
-    phys_params m_params;
-    phys_params
-        m_board; // only its `stepper` values serve: the board's rows point there, so the library checks them too
+    int m_commonCount = 0; // rows before the stepper's own
+    Values m_values;
 };
 
 } // namespace inspector
