@@ -16,7 +16,9 @@ namespace inspector {
 
 class Engine {
 public:
-    static constexpr double kDefaultDt = 0.01; // s
+    static constexpr double kDefaultDt = 0.01;  // s
+    static constexpr double kSmallestDt = 1e-6; // s, what a person may choose
+    static constexpr double kLargestDt = 10.0;  // s
     static constexpr uint32_t kEventCapacity = 64;
     static constexpr double kControlPeriod = 0.02; // s of simulated time between two questions to the pilot
 
@@ -24,14 +26,15 @@ public:
     Engine(Scene scene, Stepper stepper);
 
     const Scene &scene() const { return m_scene; }
-    // Both start anew or go on from the same state with another stepper of the same scene.
+    // Starts anew, without a pilot.
     void setScene(Scene scene, Stepper stepper);
+    // Goes on from the same state; the stepper was made for the same scene.
     void setStepper(Stepper stepper) { m_stepper = std::move(stepper); }
 
     void setInputs(const Inputs &inputs);
-    const Inputs &inputs() const { return m_inputs; } // of the last step, pilot's tilt included
-    void setPilot(std::shared_ptr<const Pilot> pilot);
-    void setDt(double dt) { m_dt = dt; } // s, >= 0
+    const Inputs &inputs() const { return m_inputs; }  // of the last step, pilot's tilt included
+    void setPilot(std::shared_ptr<const Pilot> pilot); // or nullptr: the tilt of the inputs counts
+    void setDt(double dt) { m_dt = dt; }               // s, >= 0
     double dt() const { return m_dt; }
 
     void restart();
@@ -52,7 +55,9 @@ private:
     Scene m_scene;
     Stepper m_stepper;
     std::shared_ptr<const Pilot> m_pilot;
-    Inputs m_inputs = initialInputs();
+    bool m_pilotIsNew = false; // not asked yet
+    Inputs m_given = initialInputs();
+    Inputs m_inputs = m_given;
     double m_dt = kDefaultDt;
     phys_state m_state{};
     phys_state m_previous{};

@@ -21,10 +21,13 @@ public:
 
     // Taker's side: moves on to the newest value; false if there is none since the last call.
     bool take() {
-        if (!(m_middle.load(std::memory_order_relaxed) & kFresh)) return false;
+        if (!isFresh()) return false;
         m_read = m_middle.exchange(m_read, std::memory_order_acq_rel) & kIndex;
         return true;
     }
+
+    // Taker's side: whether take() would find a newer value.
+    bool isFresh() const { return (m_middle.load(std::memory_order_relaxed) & kFresh) != 0; }
 
     // Taker's side: what the last successful take() found; the initial value before that.
     const Value &value() const { return m_slots[m_read]; }

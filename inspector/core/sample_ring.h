@@ -60,9 +60,8 @@ private:
         double min, max;
     };
 
-    bool isWhole(uint64_t number) const;
     double timeOf(uint64_t number) const;
-    Extremes extremesOf(size_t channel, uint64_t begin, uint64_t end) const;
+    Extremes extremesBelow(uint64_t limit, size_t channel, uint64_t begin, uint64_t end) const;
     void closeNodes(uint64_t count);
 
     size_t m_capacity;

@@ -14,6 +14,7 @@
 #include <functional>
 #include <mutex>
 #include <thread>
+#include <vector>
 
 namespace inspector {
 
@@ -34,7 +35,9 @@ public:
     void stepOnce();                                           // pauses, too
     void restart();                                            // at the scene's start; goes on running or stays paused
     void setScene(const Scene &scene, const Stepper &stepper); // pauses at its start
-    void setStepper(const Stepper &stepper);                   // made for the same scene; goes on from the same state
+    // Goes on from the same state; made for the same scene. With its inputs, because a stepper's own values fit no
+    // other.
+    void setStepper(const Stepper &stepper, const Inputs &inputs);
     void setState(const phys_state &state);
     void setDt(double dt);       // s, > 0
     void setSpeed(double speed); // clamped to kSlowest .. kFastest; changes how many steps run, never dt
@@ -60,6 +63,7 @@ private:
     using Command = std::function<void(Worker &)>;
 
     void post(Command command);
+    std::vector<Command> nextCommands(const std::stop_token &stop);
     void work(const std::stop_token &stop);
 
     LatestValue<Inputs> m_inputs;
