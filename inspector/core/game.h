@@ -32,16 +32,16 @@ public:
 
     // Enter: starts the level, or goes on to the next one after a win (the first comes after the last).
     void confirm();
-    // Back to the prompt of this level.
-    void retry();
-    // To the prompt of a level, 0 .. levelCount - 1; others are ignored.
+    // Asks for a level, 0 .. levelCount - 1; others are ignored.
     void choose(int level);
+    // A level is open: its prompt is shown.
+    void prompt(int level);
     // The ball left the maze, `time` s after the start. Counts only while playing; assisted runs set no record.
     void leaveMaze(double time, bool isAssisted);
 
 signals:
     void phaseChanged(Game::Phase phase);
-    void levelChosen(int level); // to be loaded
+    void levelWanted(int level); // to be opened, then prompt(level)
     void started();              // the simulation is to run from the start
 
 private:

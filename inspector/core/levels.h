@@ -3,6 +3,7 @@
 
 #include <QString>
 
+#include <optional>
 #include <vector>
 
 namespace inspector {
@@ -22,5 +23,9 @@ std::vector<Level> levelsIn(const QString &folder);
 // Where the levels are: the environment variable PHYSICS_LEVELS, else the share folder of an installation, else the
 // source tree. Empty if nowhere.
 QString levelsFolder();
+
+// What a person calls a level: its number in the list, from 1, or the path of a file. Nothing and one line in `error`
+// (or nullptr) if the list has no such number.
+std::optional<Level> findLevel(const std::vector<Level> &levels, const QString &text, QString *error);
 
 } // namespace inspector

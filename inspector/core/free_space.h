@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the ball's centre can be while it rolls on the floor: a grid of clearances, made from the scene's boxes.
+#pragma once
+
+#include <physics/physics.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace inspector {
+
+struct Point {
+    double x = 0.0; // m
+    double y = 0.0;
+};
+
+class FreeSpace {
+public:
+    explicit FreeSpace(const phys_scene *scene);
+
+    using Cell = int32_t; // number of a cell, row by row; kNowhere outside of the grid
+    static constexpr Cell kNowhere = -1;
+
+    int columns() const { return m_columns; }
+    int rows() const { return m_rows; }
+    Cell cellCount() const { return m_columns * m_rows; }
+    double spacing() const { return m_spacing; } // m
+    double radius() const { return m_radius; }   // of the ball, m
+
+    Cell cellAt(Point point) const;
+    Point centre(Cell cell) const;
+    // Room between the ball's surface and the nearest wall, m, at most 2 radii; not positive where the ball can't be.
+    double clearance(Cell cell) const { return m_clearance[size_t(cell)]; }
+    bool isFree(Cell cell) const { return cell != kNowhere && clearance(cell) > 0.0; }
+    // Beyond the bounds of all boxes: there the ball has left the maze.
+    bool isOutside(Cell cell) const;
+    // The free cell nearest to a point, within a ball's radius; kNowhere if there is none.
+    Cell nearestFree(Point point) const;
+    // Whether a straight way keeps at least this clearance, m.
+    bool isClear(Point from, Point to, double clearance) const;
+
+private:
+    void layGrid();
+    template<typename Visit>
+    void visitAround(const phys_box &box, double reach, const Visit &visit) const;
+    void markWall(const phys_box &box);
+
+    double m_radius;
+    phys_vec3 m_start{};
+    phys_box m_bounds{};
+    double m_spacing = 0.0;
+    Point m_origin; // corner of the first cell
+    int m_columns = 0;
+    int m_rows = 0;
+    std::vector<float> m_clearance;
+};
+
+} // namespace inspector
