@@ -2,9 +2,13 @@
 // What the command line asks for.
 #pragma once
 
+#include "engine.h"
+#include "handles.h"
+#include "levels.h"
+#include "parameters.h"
+
 #include <QByteArray>
 #include <QString>
-#include <QStringList>
 
 #include <optional>
 #include <vector>
@@ -12,20 +16,16 @@
 namespace inspector {
 
 struct Options {
-    enum class Action { Run, ListSteppers, ListParameters, PlayAllLevels };
-
-    struct Setting {
-        QString id; // of a parameter row
-        double value;
-    };
+    enum class Action { Run, PlayAllLevels };
 
     Action action = Action::Run;
-    QString level = QStringLiteral("1"); // a number of the list, or a file
-    QByteArray stepper;
-    double dt = 0.01;   // s
-    double speed = 1.0; // simulated seconds per second
+    Registry registry;         // with the plugins loaded
+    std::vector<Level> levels; // the list
+    Level level;
+    QByteArray stepper = PHYS_STEPPER_DEFAULT;
+    double dt = Engine::kDefaultDt; // s
+    double speed = 1.0;             // simulated seconds per second
     std::vector<Setting> settings;
-    QStringList plugins;
     bool headless = false;
     bool autopilot = false;
     std::optional<double> duration; // s of simulated time

@@ -59,8 +59,14 @@ signals:
     void failed(const QString &line); // also the simulation's
 
 private:
-    Session(QSettings &settings, Registry registry, std::vector<Level> levels);
+    Session(const Options &options, QSettings &settings, const Scene &scene, const Stepper &stepper);
 
+    int levelIndex() const; // in the list; -1 for a file that isn't in it
+    void showPrompt();
+    bool report(const QString &line); // sends it; always false
+    bool fly(QString *error);
+    void levelBoard();
+    void setTilt(Tilt tilt);
     void sendInputs();
 
     QSettings &m_settings;
@@ -73,6 +79,7 @@ private:
     double m_speed = 1.0;
     bool m_hasAutopilot = false;
     TiltControl m_tiltControl;
+    bool m_keysTilt = false; // the board's tilt is the keys' just now
     Parameters m_parameters;
     Game m_game;
     std::unique_ptr<Simulation> m_simulation;

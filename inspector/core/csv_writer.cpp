@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "csv_writer.h"
+
+#include "tables.h"
+
+#include <charconv>
+
+namespace inspector {
+
+namespace {
+
+void appendNumber(QByteArray &line, double number) {
+    char text[32];
+    const auto end = std::to_chars(text, text + sizeof text, number, std::chars_format::general, 17).ptr;
+    line.append(text, end - text);
+}
+
+} // namespace
+
+QByteArray csvPreamble(const Options &options) {
+    Parameters parameters;
+    phys_stepper_info info{};
+    if (phys_registry_find(options.registry.get(), options.stepper.constData(), &info, nullptr) == PHYS_OK)
+        parameters.setStepper(info);
+    parameters.set(options.settings);
+
+    QByteArray text = "# " + versionLine().toUtf8() + "\n";
+    text += "# level " + options.level.name.toUtf8() + "\n";
+    text += "# stepper " + options.stepper + " " + (info.version ? info.version : "") + "\n";
+    text += "# dt ";
+    appendNumber(text, options.dt);
+    text += " s\n# autopilot " + QByteArray(options.autopilot ? "on" : "off") + "\n";
+    for (int i = 0; i < parameters.count(); ++i) {
+        const phys_param_row &row = parameters.row(i);
+        text += "# " + QByteArray(row.id) + " ";
+        appendNumber(text, parameters.value(i));
+        text += row.unit[0] ? " " + QByteArray(row.unit) + "\n" : "\n";
+    }
+    return text;
+}
+
+QByteArray csvHeader() {
+    QByteArray line = "time [s],step";
+    for (const ChannelInfo &info : channelInfos()) {
+        line += "," + QByteArray(info.id);
+        if (info.unit[0]) line += " [" + QByteArray(info.unit) + "]";
+    }
+    return line + "\n";
+}
+
+QByteArray csvRow(const Sample &sample) {
+    QByteArray line;
+    line.reserve(400);
+    appendNumber(line, sample.time);
+    line += "," + QByteArray::number(qulonglong(sample.step));
+    for (const double value : sample.values) {
+        line += ',';
+        appendNumber(line, value);
+    }
+    return line + "\n";
+}
+
+CsvWriter::CsvWriter(QIODevice &out, const Options &options)
+    : m_out(out)
+    , m_every(options.csvEvery) {
+    put(csvPreamble(options) + csvHeader());
+}
+
+void CsvWriter::write(const Sample &sample) {
+    if (sample.step % m_every == 0) put(csvRow(sample));
+}
+
+void CsvWriter::put(const QByteArray &text) {
+    if (m_isGood) m_isGood = m_out.write(text) == text.size();
+}
+
+} // namespace inspector

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Samples as a table of text: comment lines that say what made it, a header with units, a row per step. The same bytes
+// in every locale; 17 digits, so that every number reads back exactly.
+#pragma once
+
+#include "options.h"
+#include "sample.h"
+
+#include <QByteArray>
+#include <QIODevice>
+
+namespace inspector {
+
+// The lines before the header: program, level, stepper, dt and every parameter.
+QByteArray csvPreamble(const Options &options);
+// The line that names the columns.
+QByteArray csvHeader();
+QByteArray csvRow(const Sample &sample);
+
+class CsvWriter {
+public:
+    // out: open for writing; outlives the writer.
+    CsvWriter(QIODevice &out, const Options &options);
+
+    // Writes the sample if its step number is a multiple of options.csvEvery.
+    void write(const Sample &sample);
+    // False once something could not be written; the device knows why.
+    bool isGood() const { return m_isGood; }
+
+private:
+    void put(const QByteArray &text);
+
+    QIODevice &m_out;
+    uint64_t m_every;
+    bool m_isGood = true;
+};
+
+} // namespace inspector

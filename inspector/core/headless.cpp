@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "headless.h"
+
+#include "autopilot.h"
+#include "csv_writer.h"
+
+#include <QFile>
+
+#include <chrono>
+#include <cmath>
+
+namespace inspector {
+
+namespace {
+
+constexpr double kDefaultDuration = 60.0;    // s, simulated
+constexpr double kAutopilotDuration = 600.0; // s, simulated
+
+QString outcomeLine(const Level &level, const Outcome &outcome) {
+    const QString name = QStringLiteral("level %1 ").arg(level.name);
+    if (!outcome.error.isEmpty()) return name + QStringLiteral("failed: ") + outcome.error;
+    return name + QStringLiteral("%1 %2 s (simulated), %3 steps, %4 steps/s")
+                      .arg(outcome.isOut ? QStringLiteral("won in") : QStringLiteral("not won after"))
+                      .arg(outcome.time, 0, 'f', 2)
+                      .arg(outcome.steps)
+                      .arg(outcome.stepsPerSecond(), 0, 'f', 0);
+}
+
+double durationOf(const Options &options) {
+    return options.duration.value_or(options.autopilot ? kAutopilotDuration : kDefaultDuration);
+}
+
+int playAllLevels(const Options &options, QIODevice &out, QTextStream &messages) {
+    int won = 0;
+    for (const Level &level : options.levels) {
+        QString error;
+        const std::unique_ptr<Engine> engine = makeEngine(options, level, &error);
+        if (!engine) {
+            messages << "physics-inspector: " << error << '\n';
+            return 2;
+        }
+        const Outcome outcome = play(*engine, {durationOf(options), false}, [](const Engine &) { return true; });
+        won += outcome.isOut ? 1 : 0;
+        out.write(outcomeLine(level, outcome).toUtf8() + '\n');
+    }
+    return won == int(options.levels.size()) ? 0 : 1;
+}
+
+bool openTable(const Options &options, QFile &file, QTextStream &messages) {
+    if (options.csv.isEmpty()) return true;
+    file.setFileName(options.csv);
+    if (file.open(QIODevice::WriteOnly | QIODevice::Truncate)) return true;
+    messages << "physics-inspector: --csv: can't write '" << options.csv << "': " << file.errorString() << '\n';
+    return false;
+}
+
+} // namespace
+
+std::unique_ptr<Engine> makeEngine(const Options &options, const Level &level, QString *error) {
+    const Scene scene = loadScene(level.path, error);
+    if (!scene) return nullptr;
+    const Stepper stepper = makeStepper(options.registry, options.stepper, scene, error);
+    if (!stepper) return nullptr;
+
+    Parameters parameters;
+    phys_stepper_info info;
+    if (phys_registry_find(options.registry.get(), options.stepper.constData(), &info, nullptr) == PHYS_OK)
+        parameters.setStepper(info);
+    if (!parameters.set(options.settings, error)) return nullptr;
+
+    auto engine = std::make_unique<Engine>(scene, stepper);
+    engine->setDt(options.dt);
+    engine->setInputs(parameters.inputs());
+    if (!options.autopilot) return engine;
+    const std::shared_ptr<const Autopilot> pilot = Autopilot::create(scene.get(), error);
+    if (!pilot) return nullptr;
+    engine->setPilot(pilot);
+    return engine;
+}
+
+Outcome play(Engine &engine, const Limits &limits, const std::function<bool(const Engine &)> &visit) {
+    Outcome outcome;
+    const auto begin = std::chrono::steady_clock::now();
+    // Counted in whole steps: the last one reaches the duration, but for rounding.
+    const double count = std::ceil(limits.duration / engine.dt() - 1e-6);
+    while (double(outcome.steps) < count && !(outcome.isOut && !limits.goesOn)) {
+        if (!engine.step(&outcome.error)) break;
+        ++outcome.steps;
+        outcome.isOut = outcome.isOut || (engine.state().flags & PHYS_OUT) != 0;
+        if (!visit(engine)) break;
+    }
+    outcome.time = engine.state().time;
+    outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return outcome;
+}
+
+int runHeadless(const Options &options, QIODevice &out, QTextStream &messages) {
+    if (options.action == Options::Action::PlayAllLevels) return playAllLevels(options, out, messages);
+    QString error;
+    const std::unique_ptr<Engine> engine = makeEngine(options, options.level, &error);
+    if (!engine) {
+        messages << "physics-inspector: " << error << '\n';
+        return 2;
+    }
+    QFile file;
+    if (!openTable(options, file, messages)) return 2;
+    QIODevice &table = options.csv.isEmpty() ? out : file;
+
+    CsvWriter writer(table, options);
+    const Limits limits{durationOf(options), options.duration.has_value()};
+    const Outcome outcome = play(*engine, limits, [&](const Engine &now) {
+        writer.write(now.sample());
+        return writer.isGood();
+    });
+    messages << outcomeLine(options.level, outcome) << '\n';
+    if (!writer.isGood() || !(options.csv.isEmpty() || file.flush())) {
+        messages << "physics-inspector: the table can't be written: " << table.errorString() << '\n';
+        return 1;
+    }
+    const bool hadToWin = options.autopilot && !options.duration;
+    return !outcome.error.isEmpty() || (hadToWin && !outcome.isOut) ? 1 : 0;
+}
+
+} // namespace inspector

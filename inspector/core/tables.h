@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the program says of itself in text: version, steppers, parameters.
+#pragma once
+
+#include "handles.h"
+
+#include <QString>
+#include <QStringList>
+
+#include <vector>
+
+namespace inspector {
+
+// physics-inspector 1.0.0, libphysics 1.0.0
+QString versionLine();
+
+// The choices of a row in lower case, in the order of their numbers; empty if it isn't a choice.
+QStringList choicesOf(const phys_param_row &row);
+// The values that a row allows, for people: "rolling or rigid", "a number from 0 to 1 m/s".
+QString expectedOf(const phys_param_row &row);
+
+QString stepperTable(const Registry &registry);
+QString parameterTable(const std::vector<const phys_param_row *> &rows);
+
+} // namespace inspector
