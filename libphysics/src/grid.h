@@ -12,8 +12,8 @@ namespace phys {
 
 class Grid {
 public:
-    /// Each cell lists, in ascending order, the boxes within `reach` (m) of it, seen from above.
-    void build(std::span<const phys_box> boxes, double reach);
+    /// Each cell (cellSize m wide, more in huge scenes) lists the boxes within `reach` (m) of it, seen from above.
+    void build(std::span<const phys_box> boxes, double reach, double cellSize);
 
     /// Boxes within reach of a centre at (x, y): a superset, ascending.
     std::span<const uint32_t> near(double x, double y) const {
@@ -30,10 +30,18 @@ public:
     uint32_t overlapping(const Vec2 &low, const Vec2 &high, std::span<uint32_t> out) const;
 
 private:
+    struct Cells {
+        uint32_t column0, row0, column1, row1; // both ends included
+    };
+    Cells cellsOf(const Vec2 &low, const Vec2 &high) const;
+    Cells cellsOf(const phys_box &box) const;
+
     double m_x0 = 0.0, m_y0 = 0.0, m_perCell = 0.0;
     double m_columns = 0.0, m_rows = 0.0; // as doubles, for the hot comparison
     size_t m_columnCount = 0;
-    std::vector<uint32_t> m_first, m_items;
+    double m_reach = 0.0;
+    std::vector<uint32_t> m_first, m_items; // the lists, one after another, and where each cell's begins
+    std::vector<Cells> m_boxCells;
 };
 
 } // namespace phys

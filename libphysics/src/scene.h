@@ -5,6 +5,7 @@
 #include "grid.h"
 #include "vec.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -14,6 +15,9 @@ namespace phys {
 
 /// Up to this many boxes, looking at all of them costs less than finding the grid's cell.
 inline constexpr size_t kHandful = 4;
+
+/// The solids' grid lists boxes as far as this many radii from a centre: a touch, and half a radius of motion.
+inline constexpr double kCandidateReach = 1.5;
 
 /// Relative size of a rounding step: "u" in model.md.
 inline constexpr double kRounding = 2.220446049250313e-16;
@@ -35,8 +39,8 @@ struct Scene {
     double supportedZ = 0.0; ///< height of a supported centre: floorTop + radius
     double tolerance = 0.0;  ///< m: 4 rounding steps of the largest coordinate, model.md 5.2
 
-    Grid solidGrid; ///< reach: the radius
-    Grid floorGrid; ///< reach: 0
+    Grid solidGrid; ///< reach: kCandidateReach radii
+    Grid floorGrid; ///< reach: 0; empty for a handful of floors
 
     // Why the scene isn't planar (model.md 0); empty if it is.
     std::string nonPlanarReason;
@@ -49,16 +53,20 @@ struct Scene {
 
     /// Whether (x, y) lies over a floor box, borders included.
     bool overFloor(double x, double y) const {
-        for (const uint32_t floor : floorGrid.near(x, y)) {
-            const phys_box &box = floors[floor];
-            if (x >= box.min.x && x <= box.max.x && y >= box.min.y && y <= box.max.y) return true;
-        }
-        return false;
+        const auto over = [x, y](const phys_box &box) {
+            return x >= box.min.x && x <= box.max.x && y >= box.min.y && y <= box.max.y;
+        };
+        if (floors.size() <= kHandful) return std::any_of(floors.begin(), floors.end(), over);
+        const auto candidates = floorGrid.near(x, y);
+        return std::any_of(candidates.begin(), candidates.end(), [&](uint32_t i) { return over(floors[i]); });
     }
 
-    /// Number of the given box of which a merged one has `point`: the lowest one that is nearest to it.
+    /// Number of the given box that gave a merged one the place nearest to `point`; the lowest of equals.
     uint32_t givenSolid(uint32_t solid, const Vec3 &point) const;
     uint32_t givenFloor(uint32_t floor, const Vec3 &point) const;
+
+    /// Number of the given floor box under (x, y); PHYS_NO_BOX if there is none.
+    uint32_t givenFloorAt(double x, double y) const;
 };
 
 /// Checks a description and makes the scene. Throws std::bad_alloc only.

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+// A stepper of fixed substeps: move by the scheme's formula, then resolve overlaps (definition D of model.md 10).
+// A scheme is a struct with one function, its definition in the textbook:
+//
+//     template<class V> static Advance<V> advance(const Law<V> &law, const V &velocity, double h);
+#pragma once
+
+#include "error.h"
+#include "law.h"
+#include "orientation.h"
+#include "requirements.h"
+#include "slip.h"
+#include "surroundings.h"
+
+#include <physics/plugin.h>
+
+#include <cmath>
+
+namespace phys {
+
+/// What a scheme computes for one substep.
+template<class V>
+struct Advance {
+    V velocity;     ///< at its end, m/s
+    V displacement; ///< during it, m
+};
+
+/// Whether resistance may stop the ball in this substep: higher orders hand over to the clamp then, model.md 10.5.
+template<class V>
+bool nearStop(const Law<V> &law, const V &velocity, double h) {
+    if (!law.resists || law.B == 0.0) return false;
+    const double margin = 4.0 * (glm::length(law.A) + law.B) * h;
+    return glm::dot(velocity, velocity) <= margin * margin;
+}
+
+template<class V>
+Advance<V> advanceNearStop(const Law<V> &law, const V &velocity, double h) {
+    const V next = clampedVelocity(law, velocity, h);
+    return {next, 0.5 * h * (velocity + next)};
+}
+
+template<class Scheme>
+class DiscreteStep {
+public:
+    DiscreteStep(const Scene &scene, const phys_params &params, Reporter &report, const StepPlan &plan, double h)
+        : m_plan(plan)
+        , m_context{scene, params, report, plan.bounce, params.model == PHYS_MODEL_RIGID, plan.runs(PHYS_STAGE_GRID),
+                    h} {}
+
+    /// Whether the floor or a solid's flat top carries the ball.
+    bool supports(const Ball &ball) const { return isSupported(lookAround(m_context, ball.position), ball); }
+
+    /// One substep that ends `after` seconds into the step. False if the ball is stuck.
+    bool run(double after, Ball &ball) {
+        const Surroundings around = lookAround(m_context, ball.position);
+        ball.supported = isSupported(around, ball);
+        return ball.supported ? rollOn(around, after, ball) : fly(after, ball);
+    }
+
+    /// Whether the ball stays as it is: v = 0 and the resistance holds what the walls leave, model.md 6.3.
+    bool rests(const Ball &ball) const {
+        if (ball.velocity != Vec3(0.0)) return false;
+        const Surroundings around = lookAround(m_context, ball.position);
+        if (!isSupported(around, ball)) return false;
+        if (m_context.rigid && (ball.spin != Vec3(0.0) || !gripHolds(m_context.params))) return false;
+        const Law<Vec2> law = rollingLaw(m_context.params);
+        const Vec2 drive = findPressing(m_context, around, ball, law.A).freePart(law.A);
+        return glm::dot(drive, drive) <= law.B * law.B;
+    }
+
+private:
+    bool isSupported(const Surroundings &around, const Ball &ball) const {
+        const Scene &scene = m_context.scene;
+        if (ball.velocity.z > 0.0) return false;
+        const Vec3 &p = ball.position;
+        if (scene.hasFloor && std::abs(p.z - scene.supportedZ) <= scene.tolerance && scene.overFloor(p.x, p.y)) {
+            return true;
+        }
+        return carriedBySolid(m_context, around, p);
+    }
+
+    bool rollOn(const Surroundings &around, double after, Ball &ball) {
+        const Ball before = ball;
+        ball.velocity.z = 0.0;
+        const Vec2 drive = m_context.rigid ? moveRigid(around, ball) : moveRolling(around, ball);
+        const bool free =
+            !canTouch(around, before, ball) || resolveOverlaps(m_context, before, Vec3(drive, 0.0), after, ball);
+        if (!m_context.rigid && ball.supported) ball.spin = rollingSpin(inPlane(ball.velocity), m_context.scene.radius);
+        return free;
+    }
+
+    /// Leaves out the search for overlaps where the ball has not come as far as the nearest box was away.
+    bool canTouch(const Surroundings &around, const Ball &before, const Ball &ball) const {
+        if (m_plan.runs(PHYS_STAGE_SUBSTEPS) || !ball.supported) return true;
+        const double radius = m_context.scene.radius;
+        const Vec2 moved = inPlane(ball.position) - inPlane(before.position);
+        const double reach = radius + std::abs(moved.x) + std::abs(moved.y);
+        return reach > kCandidateReach * radius || reach * reach >= around.nearestSquared;
+    }
+
+    Vec2 moveRolling(const Surroundings &around, Ball &ball) {
+        const Law<Vec2> law = rollingLaw(m_context.params);
+        roll(around, law, ball);
+        return law.A;
+    }
+
+    /// The law on the free directions; v = 0 stays 0 up to the stiction limit, the limit included: model.md 2.1 R4.
+    void roll(const Surroundings &around, Law<Vec2> law, Ball &ball) {
+        if (m_context.bounce != Bounce::Plain) law.A = findPressing(m_context, around, ball, law.A).freePart(law.A);
+        law.resists = m_plan.runs(PHYS_STAGE_RESISTANCE);
+        const Vec2 velocity = inPlane(ball.velocity);
+        if (velocity == Vec2(0.0) && glm::dot(law.A, law.A) <= law.B * law.B) return;
+        const Vec3 start = ball.position;
+        if (m_plan.runs(PHYS_STAGE_VERTICAL)) {
+            move(Law<Vec3>{Vec3(law.A, 0.0), law.B, law.resists}, ball);
+        } else {
+            const Advance<Vec2> next = Scheme::advance(law, velocity, m_context.h);
+            ball.velocity = Vec3(next.velocity, 0.0);
+            ball.position += Vec3(next.displacement, 0.0);
+        }
+        if (m_context.report.wanted()) m_context.report.lostRolling(1.4 * law.B * glm::length(ball.position - start));
+    }
+
+    void move(const Law<Vec3> &law, Ball &ball) const {
+        const Advance<Vec3> next = Scheme::advance(law, ball.velocity, m_context.h);
+        ball.velocity = next.velocity;
+        ball.position += next.displacement;
+    }
+
+    Vec2 moveRigid(const Surroundings &around, Ball &ball) {
+        const phys_params &params = m_context.params;
+        const double radius = m_context.scene.radius;
+        // Asked anew in each substep: an impact in the one before may have made it slip.
+        const bool rolling = rolls(ball, radius) && gripHolds(params);
+        const Vec2 drive = rolling ? rollingLaw(params).A : slippingDrive(ball, params, radius);
+        const Pressing pressing = findPressing(m_context, around, ball, drive);
+        if (pressing.any() && (!rolling || params.wall_friction > 0.0)) {
+            ball.position += Vec3(slideAlongWalls(m_context, pressing, ball), 0.0);
+        } else if (rolling) {
+            roll(around, rollingLaw(params), ball);
+            ball.spin = rollingSpin(inPlane(ball.velocity), radius) + Vec3(0.0, 0.0, ball.spin.z);
+        } else {
+            slip(ball);
+        }
+        return drive;
+    }
+
+    /// q moves uniformly accelerated whatever friction does; the scheme carries the slip u: model.md 3.6.
+    void slip(Ball &ball) {
+        const phys_params &params = m_context.params;
+        const double radius = m_context.scene.radius;
+        const double h = m_context.h;
+        const Vec2 v = inPlane(ball.velocity);
+        const Vec2 w = spinSpeed(ball.spin, radius);
+        const Vec2 q = (5.0 * v + 2.0 * w) / 7.0;
+        const Vec2 qDrive = 5.0 / 7.0 * inPlane(params.gravity);
+
+        const Law<Vec2> law = slippingLaw(params);
+        const Advance<Vec2> u = Scheme::advance(law, v - w, h);
+        const Vec2 qNext = q + h * qDrive;
+        const Vec2 displacement = h * q + 0.5 * h * h * qDrive + 2.0 / 7.0 * u.displacement;
+        const Vec2 wNext = qNext - 5.0 / 7.0 * u.velocity;
+        ball.velocity = Vec3(qNext + 2.0 / 7.0 * u.velocity, 0.0);
+        ball.spin = rollingSpin(wNext, radius) + Vec3(0.0, 0.0, ball.spin.z);
+        ball.position += Vec3(displacement, 0.0);
+        if (m_context.report.wanted()) m_context.report.lostSlip(law.B / 3.5 * glm::length(u.displacement));
+    }
+
+    bool fly(double after, Ball &ball) {
+        const Ball before = ball;
+        const Law<Vec3> law = flightLaw(m_context.params);
+        move(law, ball);
+
+        const Scene &scene = m_context.scene;
+        const bool throughFloor = scene.hasFloor && before.position.z >= scene.supportedZ &&
+                                  ball.position.z < scene.supportedZ &&
+                                  scene.overFloor(ball.position.x, ball.position.y);
+        if (throughFloor) land(m_context, after, ball);
+        return resolveOverlaps(m_context, before, law.A, after, ball);
+    }
+
+    StepPlan m_plan;
+    StepContext m_context;
+};
+
+} // namespace phys

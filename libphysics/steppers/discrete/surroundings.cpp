@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "surroundings.h"
+
+#include <cmath>
+#include <optional>
+
+namespace phys {
+
+namespace {
+
+/// Passes after which overlaps that keep coming back are given up: model.md 5.7.
+constexpr uint32_t kPassCap = 64;
+
+/// Speeds along a normal below this share of the speed are rounding: model.md 5.5.
+constexpr double kNoSpeed = 1e-14;
+
+/// A normal this near to the vertical is a floor's.
+constexpr double kFloorNormal = 0.70710678118654752;
+
+struct Overlap {
+    Nearest nearest;
+    uint32_t solid;
+};
+
+std::optional<Overlap> deepestOverlap(const StepContext &context, std::span<const uint32_t> candidates,
+                                      const Vec3 &position) {
+    const Scene &scene = context.scene;
+    const double touching = scene.radius - scene.tolerance;
+    std::optional<Overlap> deepest;
+    for (const uint32_t solid : candidates) {
+        if (squaredDistance(scene.solids[solid], position) >= touching * touching) continue;
+        const Nearest candidate = nearest(scene.solids[solid], position);
+        // The first of equals wins: the lowest number.
+        if (!deepest || candidate.distance < deepest->nearest.distance) deepest = Overlap{candidate, solid};
+    }
+    return deepest;
+}
+
+/// Normal speed after a bounce, >= 0: model.md 10.3.
+double bouncedSpeed(const StepContext &context, double restitution, double approach, double pressing, double depth) {
+    if (context.bounce == Bounce::Plain) return restitution * approach;
+    double speed = approach;
+    if (context.bounce == Bounce::EnergyCorrect && pressing > 0.0) {
+        speed = std::sqrt(std::max(0.0, approach * approach - 2.0 * pressing * depth));
+    }
+    const double bounced = restitution * speed;
+    return pressing > 0.0 && bounced <= 2.0 * restitution * pressing * context.h ? 0.0 : bounced;
+}
+
+void respond(const StepContext &context, const Nearest &contact, uint32_t box, uint32_t kind, double depth,
+             const Vec3 &drive, double after, Ball &ball) {
+    const double normalSpeed = glm::dot(ball.velocity, contact.normal);
+    if (!(normalSpeed < 0.0)) return;
+    const phys_params &params = context.params;
+    const bool isFloor = contact.normal.z > kFloorNormal;
+    const double restitution = isFloor ? params.restitution_floor : params.restitution_wall;
+    const double speed = bouncedSpeed(context, restitution, -normalSpeed, -glm::dot(drive, contact.normal), depth);
+
+    Loss loss;
+    if (context.rigid) {
+        const double friction = isFloor ? params.sliding_friction : params.wall_friction;
+        loss = reflectWithFriction(ball, contact.normal, speed, friction, context.scene.radius);
+    } else {
+        loss = reflect(ball, contact.normal, speed);
+    }
+    context.report.lostImpact(loss.impact);
+    context.report.lostSlip(loss.slip);
+    context.report.event(kind, after, contact.point, contact.normal, normalSpeed, speed, box);
+}
+
+/// A push with a vertical part lifts a supported ball; the floor answers a push downwards.
+void settleSupport(const StepContext &context, Ball &ball) {
+    if (!ball.supported) return;
+    if (ball.velocity.z < 0.0) ball.velocity.z = 0.0;
+    if (context.scene.hasFloor && ball.position.z < context.scene.supportedZ) {
+        ball.position.z = context.scene.supportedZ;
+    }
+    const bool lifted = ball.velocity.z > 0.0 || ball.position.z > context.scene.supportedZ;
+    if (lifted) ball.supported = false;
+}
+
+} // namespace
+
+Vec2 Pressing::freePart(const Vec2 &drive) const {
+    // The cone's nearest point lies inside, on one wall, or in its tip: try them in this order, model.md 6.3.
+    const auto allowed = [this](const Vec2 &a, double size) {
+        for (int i = 0; i < count; ++i) {
+            if (glm::dot(a, normals[i]) < -1e-12 * size) return false;
+        }
+        return true;
+    };
+    const double size = std::abs(drive.x) + std::abs(drive.y);
+    if (allowed(drive, 0.0)) return drive;
+    for (int i = 0; i < count; ++i) {
+        const double into = glm::dot(drive, normals[i]);
+        if (into >= 0.0) continue;
+        const Vec2 along = drive - into * normals[i];
+        if (allowed(along, size)) return along;
+    }
+    return Vec2(0.0);
+}
+
+Surroundings lookAround(const StepContext &context, const Vec3 &position) {
+    const Scene &scene = context.scene;
+    Surroundings around{scene.solidsNear(position.x, position.y, context.useGrid), INFINITY};
+    for (const uint32_t solid : around.candidates) {
+        around.nearestSquared = std::min(around.nearestSquared, squaredDistance(scene.solids[solid], position));
+    }
+    return around;
+}
+
+Pressing findPressing(const StepContext &context, const Surroundings &around, const Ball &ball, const Vec2 &drive) {
+    Pressing pressing;
+    const Scene &scene = context.scene;
+    const double touching = scene.radius + scene.tolerance;
+    if (around.nearestSquared > touching * touching) return pressing;
+    for (const uint32_t solid : around.candidates) {
+        if (squaredDistance(scene.solids[solid], ball.position) > touching * touching) continue;
+        const Nearest contact = nearest(scene.solids[solid], ball.position);
+        if (contact.normal.z != 0.0 || contact.distance < scene.radius - scene.tolerance) continue;
+        const Vec2 normal = inPlane(contact.normal);
+        const Vec2 velocity = inPlane(ball.velocity);
+        const double speed = std::abs(velocity.x) + std::abs(velocity.y);
+        const bool stays = std::abs(glm::dot(velocity, normal)) <= kNoSpeed * speed;
+        if (!stays || glm::dot(drive, normal) >= 0.0) continue;
+        if (pressing.count < Pressing::kMost) pressing.normals[pressing.count++] = normal;
+    }
+    return pressing;
+}
+
+bool carriedBySolid(const StepContext &context, const Surroundings &around, const Vec3 &position) {
+    const Scene &scene = context.scene;
+    for (const uint32_t solid : around.candidates) {
+        const phys_box &box = scene.solids[solid];
+        const bool over =
+            position.x >= box.min.x && position.x <= box.max.x && position.y >= box.min.y && position.y <= box.max.y;
+        if (over && std::abs(position.z - (box.max.z + scene.radius)) <= scene.tolerance) return true;
+    }
+    return false;
+}
+
+bool resolveOverlaps(const StepContext &context, const Ball &before, const Vec3 &drive, double after, Ball &ball) {
+    const Scene &scene = context.scene;
+    for (uint32_t pass = 0; pass < kPassCap; ++pass) {
+        const auto candidates = scene.solidsNear(ball.position.x, ball.position.y, context.useGrid);
+        const auto overlap = deepestOverlap(context, candidates, ball.position);
+        if (!overlap) return true;
+        const Nearest &contact = overlap->nearest;
+        const double depth = scene.radius - contact.distance;
+        context.report.penetration(depth);
+        context.report.passes(pass + 1);
+        const uint32_t box = context.report.wanted() ? scene.givenSolid(overlap->solid, contact.point) : 0;
+        ball.position = contact.point + scene.radius * contact.normal;
+        respond(context, contact, box, PHYS_EVENT_IMPACT, depth, drive, after, ball);
+        settleSupport(context, ball);
+    }
+    // It doesn't fit where it was going. Where it came from it did, unless it started inside something.
+    const auto candidates = scene.solidsNear(before.position.x, before.position.y, context.useGrid);
+    if (deepestOverlap(context, candidates, before.position)) return false;
+    ball = before;
+    ball.velocity = Vec3(0.0);
+    ball.spin = Vec3(0.0);
+    return true;
+}
+
+void land(const StepContext &context, double after, Ball &ball) {
+    const Vec3 point{ball.position.x, ball.position.y, context.scene.floorTop};
+    const double depth = context.scene.supportedZ - ball.position.z;
+    ball.position.z = context.scene.supportedZ;
+    const Vec3 drive = toVec(context.params.gravity);
+    const Nearest contact{point, {0, 0, 1}, context.scene.radius - depth, PHYS_FEATURE_FACE};
+    const uint32_t box = context.report.wanted() ? context.scene.givenFloorAt(point.x, point.y) : PHYS_NO_BOX;
+    respond(context, contact, box, PHYS_EVENT_LANDING, depth, drive, after, ball);
+    if (ball.velocity.z > 0.0) return;
+    ball.velocity.z = 0.0;
+    ball.supported = true;
+    if (context.rigid) return;
+    // The rolling model knows no spin of its own: the floor gives the ball the one that rolls.
+    const double radius = context.scene.radius;
+    const Vec3 rolling = rollingSpin(inPlane(ball.velocity), radius);
+    const double spinBefore = glm::dot(ball.spin, ball.spin);
+    context.report.lostSlip(0.2 * radius * radius * (spinBefore - glm::dot(rolling, rolling)));
+    ball.spin = rolling;
+}
+
+} // namespace phys

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// What a ball touches at one moment, and how overlaps are resolved: definition D of model.md 10.
+#pragma once
+
+#include "contact.h"
+#include "report.h"
+#include "response.h"
+#include "scene.h"
+
+namespace phys {
+
+/// How a stepper answers an overlap.
+enum class Bounce {
+    Plain,        ///< definition D as it stands
+    RestRule,     ///< slow bounces against a pressing force end in contact: cure (b) of model.md 10.3
+    EnergyCorrect ///< and the speed gained inside the box is taken back: cures (a) and (b)
+};
+
+/// What stays the same during one step.
+struct StepContext {
+    const Scene &scene;
+    const phys_params &params;
+    Reporter &report;
+    Bounce bounce;
+    bool rigid;   ///< model RIGID
+    bool useGrid; ///< look boxes up in the grid
+    double h;     ///< length of a substep, s
+};
+
+/// The walls that a supported ball leans on, model.md 6.3.
+struct Pressing {
+    static constexpr int kMost = 4;
+    Vec2 normals[kMost];
+    int count = 0;
+
+    bool any() const { return count > 0; }
+    /// Removes from `drive` what the walls take: its projection onto the cone of free directions.
+    Vec2 freePart(const Vec2 &drive) const;
+};
+
+/// The candidates that one substep can touch, and how near the nearest is.
+struct Surroundings {
+    std::span<const uint32_t> candidates;
+    double nearestSquared; ///< square of the centre's distance to the nearest solid, m^2
+};
+
+/// Looks around a ball.
+Surroundings lookAround(const StepContext &context, const Vec3 &position);
+
+/// Walls in contact with a supported ball, not receding, that `drive` (m/s^2) presses it against.
+Pressing findPressing(const StepContext &context, const Surroundings &around, const Ball &ball, const Vec2 &drive);
+
+/// Whether a solid's flat top (not the floor) carries a ball at this place.
+bool carriedBySolid(const StepContext &context, const Surroundings &around, const Vec3 &position);
+
+/// Pushes the ball out of what it overlaps, deepest first, and reflects it. `before`: the ball at the substep's start;
+/// `drive`: its acceleration (m/s^2); `after`: seconds into the step. False if it can't be freed.
+bool resolveOverlaps(const StepContext &context, const Ball &before, const Vec3 &drive, double after, Ball &ball);
+
+/// The floor's plane stops a falling ball.
+void land(const StepContext &context, double after, Ball &ball);
+
+} // namespace phys

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// The bad example: in contact it gains energy in each step, and no cure helps (model.md 10.3).
+#include "discrete/stepper.h"
+#include "steppers.h"
+
+namespace phys {
+
+namespace {
+
+/// model.md 10.1: the position moves with the old velocity.
+struct ExplicitEuler {
+    static constexpr Bounce kBounce = Bounce::Plain;
+
+    template<class V>
+    static Advance<V> advance(const Law<V> &law, const V &velocity, double h) {
+        return {clampedVelocity(law, velocity, h), h * velocity};
+    }
+};
+
+} // namespace
+
+constinit const phys_stepper_api kExplicitEuler = discreteStepper<ExplicitEuler>(
+    "explicit-euler", "Explicit Euler", "1", "A bad example to compare with: first order, and restless in contact.");
+
+} // namespace phys

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// The default: cheap, first order, and stable in contact, because what its update overshoots never gives speed.
+#include "discrete/stepper.h"
+#include "steppers.h"
+
+namespace phys {
+
+namespace {
+
+/// model.md 10.1: first the velocity, then the position with the new one.
+struct SymplecticEuler {
+    static constexpr Bounce kBounce = Bounce::RestRule;
+
+    template<class V>
+    static Advance<V> advance(const Law<V> &law, const V &velocity, double h) {
+        const V next = clampedVelocity(law, velocity, h);
+        return {next, h * next};
+    }
+};
+
+} // namespace
+
+constinit const phys_stepper_api kSymplecticEuler = discreteStepper<SymplecticEuler>(
+    "symplectic-euler", "Symplectic Euler", "1", "The default: the cheapest that is stable at rest; first order.");
+
+} // namespace phys
