@@ -3,6 +3,8 @@
 
 #include "tables.h"
 
+#include <QFile>
+
 #include <charconv>
 
 namespace inspector {
@@ -10,8 +12,8 @@ namespace inspector {
 namespace {
 
 void appendNumber(QByteArray &line, double number) {
-    char text[32];
-    const auto end = std::to_chars(text, text + sizeof text, number, std::chars_format::general, 17).ptr;
+    char text[32]; // the shortest decimal that reads back as the same number
+    const auto end = std::to_chars(text, text + sizeof text, number).ptr;
     line.append(text, end - text);
 }
 
@@ -72,6 +74,20 @@ void CsvWriter::write(const Sample &sample) {
 
 void CsvWriter::put(const QByteArray &text) {
     if (m_isGood) m_isGood = m_out.write(text) == text.size();
+}
+
+bool writeTable(const QString &path, const SampleRing &samples, const Options &options, QString *error) {
+    QFile file(path);
+    if (file.open(QIODevice::WriteOnly | QIODevice::Truncate)) {
+        CsvWriter writer(file, options);
+        Sample sample;
+        const uint64_t end = samples.last();
+        for (uint64_t number = samples.first(); number < end; ++number)
+            if (samples.read(number, sample)) writer.write(sample);
+        if (writer.isGood() && file.flush()) return true;
+    }
+    if (error) *error = QStringLiteral("can't write '%1': %2").arg(path, file.errorString());
+    return false;
 }
 
 } // namespace inspector

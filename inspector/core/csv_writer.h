@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Samples as a table of text: comment lines that say what made it, a header with units, a row per step. The same bytes
-// in every locale; 17 digits, so that every number reads back exactly.
+// in every locale; 17 digits as it takes to read back exactly.
 #pragma once
 
 #include "options.h"
-#include "sample.h"
+#include "sample_ring.h"
 
 #include <QByteArray>
 #include <QIODevice>
@@ -34,5 +34,9 @@ private:
     uint64_t m_every;
     bool m_isGood = true;
 };
+
+// Writes all samples of a ring into a file. One line in `error` (or nullptr) if it
+// can't be written.
+bool writeTable(const QString &path, const SampleRing &samples, const Options &options, QString *error);
 
 } // namespace inspector

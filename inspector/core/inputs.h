@@ -30,7 +30,7 @@ Inputs initialInputs();
 // Turns the gravity of `inputs` to this tilt. Each angle in (-pi/2, pi/2).
 void tiltBoard(Inputs &inputs, Tilt tilt);
 
-inline constexpr double radians(double degrees) { return degrees * 0.017453292519943295; }
-inline constexpr double degrees(double radians) { return radians * 57.29577951308232; }
+inline constexpr double radians(double degrees) { return degrees * 3.141592653589793 / 180.0; }
+inline constexpr double degrees(double radians) { return radians * 180.0 / 3.141592653589793; }
 
 } // namespace inspector

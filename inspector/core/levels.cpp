@@ -36,8 +36,8 @@ std::optional<Level> findLevel(const std::vector<Level> &levels, const QString &
     if (!isNumber) return levelOfFile(text);
     if (number >= 1 && size_t(number) <= levels.size()) return levels[size_t(number) - 1];
     if (error)
-        *error = levels.empty() ? QStringLiteral("level %1: no levels found in '%2'").arg(number).arg(levelsFolder())
-                                : QStringLiteral("level %1: expected 1 to %2").arg(number).arg(levels.size());
+        *error = levels.empty() ? QStringLiteral("no levels found in '%1'").arg(levelsFolder())
+                                : QStringLiteral("expected 1 to %1, found %2").arg(levels.size()).arg(number);
     return std::nullopt;
 }
 
