@@ -29,7 +29,12 @@ Direction onSphere(const Direction &cube) {
             cube[2] * std::sqrt(1 - xx / 2 - yy / 2 + xx * yy / 3)};
 }
 
-std::string sixDecimals(double value) { return millionths(std::llround(value * 1e6)); }
+// Six decimals of each coordinate.
+std::string spaced(const Direction &direction) {
+    std::string text;
+    for (const double coordinate : direction) text.append(" ").append(millionths(std::llround(coordinate * 1e6)));
+    return text;
+}
 
 enum class Pattern { Light, Dark, Dot };
 
@@ -53,10 +58,8 @@ void appendVertices(int axis, int side, std::string &text) {
             cube[axis] = 2.0 * side - 1;
             cube[(axis + 1) % 3] = 2.0 * column / kSquares - 1;
             cube[(axis + 2) % 3] = 2.0 * row / kSquares - 1;
-            const Direction point = onSphere(cube);
-            const std::string xyz =
-                sixDecimals(point[0]) + " " + sixDecimals(point[1]) + " " + sixDecimals(point[2]) + "\n";
-            text += "v " + xyz + "vn " + xyz;
+            const std::string position = spaced(onSphere(cube));
+            text.append("v").append(position).append("\nvn").append(position).append("\n");
         }
     }
 }

@@ -140,7 +140,7 @@ Recipe parseRecipe(const Values &values) {
 
 // The .obj names its .mtl, and white space ends a name there.
 std::filesystem::path parsePrefix(std::string_view text) {
-    const std::filesystem::path prefix(text);
+    std::filesystem::path prefix(text);
     const std::string name = prefix.filename().string();
     if (name.empty() || name.find_first_of(" \t\r\n\v\f") != std::string::npos)
         refuse(kOut.name, "a path that ends in a name without white space", text);

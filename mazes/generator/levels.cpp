@@ -35,6 +35,7 @@ std::string numbered(std::size_t level) { return (level < 10 ? "0" : "") + std::
 
 std::vector<Recipe> levelRecipes() {
     std::vector<Recipe> recipes;
+    recipes.reserve(kLevels.size());
     for (const LevelRow &row : kLevels)
         recipes.push_back({row.seed, row.width, row.height, row.algorithm, row.loopMillionths, {}});
     return recipes;

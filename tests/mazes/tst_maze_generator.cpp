@@ -94,6 +94,7 @@ class TestMazeGenerator : public QObject {
 
 private slots:
     void drawsAreThoseOfSplitMix64();
+    void boundedDrawsAreUniform_data();
     void boundedDrawsAreUniform();
     void mazesArePerfect_data() { algorithmRows(); }
     void mazesArePerfect();
@@ -148,11 +149,18 @@ void TestMazeGenerator::drawsAreThoseOfSplitMix64() {
         QCOMPARE(random.next(), expected);
 }
 
+void TestMazeGenerator::boundedDrawsAreUniform_data() {
+    QTest::addColumn<quint64>("unit");
+    QTest::newRow("few") << quint64{1};
+    QTest::newRow("so many that remainders alone would favour the lower third") << (quint64{1} << 61);
+}
+
 void TestMazeGenerator::boundedDrawsAreUniform() {
+    QFETCH(quint64, unit);
     // 60,000 draws of six: the standard deviation of each count is 91, five of them are allowed.
     Random random(5);
     std::array<int, 6> counts{};
-    for (int i = 0; i < 60'000; ++i) ++counts.at(random.below(counts.size()));
+    for (int i = 0; i < 60'000; ++i) ++counts.at(random.below(counts.size() * unit) / unit);
     for (const int count : counts) QVERIFY(std::abs(count - 10'000) < 5 * 91);
 }
 
