@@ -60,6 +60,6 @@ void main() {
     float grazing = 1.0 - max(dot(normal, to_eye), 0.0);
     float fresnel = reflectance + (1.0 - roughness) * (1.0 - reflectance) * grazing * grazing * grazing * grazing * grazing;
     vec3 radiance = albedo * (direct + ambient + v_surface.w);
-    radiance += fresnel * (direct * highlight(normal, to_eye, roughness) + ambient);
+    radiance += reflectance * direct * highlight(normal, to_eye, roughness) + fresnel * ambient;
     colour = vec4(display(radiance), 1.0);
 }

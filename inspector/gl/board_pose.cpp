@@ -1,14 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gl/board_pose.h"
 
+#include <cmath>
+
 #include <glm/ext/matrix_transform.hpp>
 
 namespace inspector::gl {
 
 glm::dmat4 boardToWorld(double tilt_x, double tilt_y, const glm::dvec3 &pivot) {
     const glm::dmat4 identity(1.0);
-    return glm::translate(identity, pivot) * glm::rotate(identity, tilt_x, glm::dvec3(0.0, 1.0, 0.0)) *
-           glm::rotate(identity, -tilt_y, glm::dvec3(1.0, 0.0, 0.0)) * glm::translate(identity, -pivot);
+    const double slope_x = std::tan(tilt_x);
+    const double slope_y = std::tan(tilt_y);
+    const double slope = std::hypot(slope_x, slope_y);
+    if (slope == 0.0) return identity;
+    // The level line of the slope is the axis.
+    const glm::dvec3 axis(-slope_y / slope, slope_x / slope, 0.0);
+    return glm::translate(identity, pivot) * glm::rotate(identity, std::atan(slope), axis) *
+           glm::translate(identity, -pivot);
 }
 
 } // namespace inspector::gl

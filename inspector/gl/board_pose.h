@@ -6,8 +6,9 @@
 
 namespace inspector::gl {
 
-// Board frame to world for a board tilted about `pivot` (m), angles in radians. Positive tilt_x lets the +x side sink,
-// positive tilt_y the +y side, so that gravity in the board frame is g (sin tx, cos tx sin ty, -cos tx cos ty).
+// Board frame to world for a board tilted about `pivot` (m). The angles, rad in (-pi/2, pi/2), are the slopes along x
+// and y as phys_gravity_from_tilt takes them: positive lets the +x or +y side sink, and straight down is
+// (tan tilt_x, tan tilt_y, -1) in the board frame. Of all poses with that slope the one that doesn't twist.
 glm::dmat4 boardToWorld(double tilt_x, double tilt_y, const glm::dvec3 &pivot);
 
 } // namespace inspector::gl

@@ -41,8 +41,8 @@ struct Trail {
 };
 
 struct Frame {
-    double tilt_x = 0.0; // positive: the board's +x side sinks
-    double tilt_y = 0.0; // positive: the board's +y side sinks
+    double tilt_x = 0.0; // slopes along x and y as boardToWorld() takes them
+    double tilt_y = 0.0;
     Ball ball;
     std::vector<GhostBall> ghosts;
     std::vector<Trail> trails;

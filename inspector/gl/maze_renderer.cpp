@@ -288,6 +288,7 @@ void MazeRenderer::drawStrokes(const Scene &scene) {
     program.setUniformValue("pixel_ratio", static_cast<float>(scene.view.pixel_ratio));
     program.setUniformValue("opacity", 1.0F);
     m_gl->glDepthMask(GL_FALSE);
+    m_gl->glDisable(GL_CULL_FACE); // which way round a stroke's corners go depends on where it runs
     if (!trails.empty()) {
         m_strokes.upload(trails);
         m_strokes.draw();

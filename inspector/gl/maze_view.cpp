@@ -52,7 +52,11 @@ MazeView::MazeView(QWidget *parent)
     });
 }
 
-MazeView::~MazeView() { releaseResources(); }
+MazeView::~MazeView() {
+    // The base class destroys the context, when this is no MazeView any more.
+    if (context()) disconnect(context(), nullptr, this, nullptr);
+    releaseResources();
+}
 
 void MazeView::releaseResources() {
     if (!m_renderer) return;
@@ -66,14 +70,16 @@ void MazeView::setMaze(const Mesh &mesh) {
     const Bounds bounds = mesh.bounds();
     const bool is_same_size = bounds.minimum == m_bounds.minimum && bounds.maximum == m_bounds.maximum;
     m_bounds = bounds;
-    m_pending_maze = mesh;
+    m_maze = mesh;
+    m_are_meshes_stale = true;
     m_camera.setBounds(bounds);
     if (!is_same_size) m_camera.reset();
     update();
 }
 
 void MazeView::setBall(const Mesh &mesh) {
-    m_pending_ball = mesh;
+    m_ball = mesh;
+    m_are_meshes_stale = true;
     update();
 }
 
@@ -127,6 +133,7 @@ void MazeView::initializeGL() {
         emit problem(error);
         return;
     }
+    m_are_meshes_stale = true;
     m_renderer_name =
         QString::fromLatin1(reinterpret_cast<const char *>(context()->functions()->glGetString(GL_RENDERER)));
     const bool is_software =
@@ -153,10 +160,10 @@ void MazeView::startDebugLogger() {
 }
 
 void MazeView::uploadMeshes() {
-    if (m_pending_maze) m_renderer->setMaze(*m_pending_maze);
-    if (m_pending_ball) m_renderer->setBall(*m_pending_ball);
-    m_pending_maze.reset();
-    m_pending_ball.reset();
+    if (!m_are_meshes_stale) return;
+    m_are_meshes_stale = false;
+    m_renderer->setMaze(m_maze);
+    if (m_ball) m_renderer->setBall(*m_ball);
 }
 
 void MazeView::resizeGL(int width, int height) {

@@ -87,8 +87,9 @@ private:
     Frame m_frame;
     std::function<Frame()> m_source;
     QTimer m_pulse;
-    std::optional<Mesh> m_pending_maze; // waiting for a context
-    std::optional<Mesh> m_pending_ball;
+    Mesh m_maze; // kept for the next context
+    std::optional<Mesh> m_ball;
+    bool m_are_meshes_stale = true;
     Bounds m_bounds;
     QString m_shader_directory;
     std::optional<Quality> m_chosen_quality;
