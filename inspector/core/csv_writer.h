@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Samples as a table of text: comment lines that say what made it, a header with units, a row per step. The same bytes
-// in every locale; 17 digits as it takes to read back exactly.
+// in every locale; the shortest numbers that read back exactly.
 #pragma once
 
 #include "options.h"

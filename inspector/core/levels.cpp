@@ -14,6 +14,7 @@ Level levelOfFile(const QString &path) {
 }
 
 std::vector<Level> levelsIn(const QString &folder) {
+    if (folder.isEmpty()) return {}; // QDir would take it for the current one
     const QDir directory(folder);
     std::vector<Level> levels;
     for (const QString &name : directory.entryList({QStringLiteral("*.txt")}, QDir::Files, QDir::Name))
@@ -36,7 +37,8 @@ std::optional<Level> findLevel(const std::vector<Level> &levels, const QString &
     if (!isNumber) return levelOfFile(text);
     if (number >= 1 && size_t(number) <= levels.size()) return levels[size_t(number) - 1];
     if (error)
-        *error = levels.empty() ? QStringLiteral("no levels found in '%1'").arg(levelsFolder())
+        *error = levels.empty() ? QStringLiteral("no levels found in the folder '%1' (PHYSICS_LEVELS names another)")
+                                      .arg(levelsFolder())
                                 : QStringLiteral("expected 1 to %1, found %2").arg(levels.size()).arg(number);
     return std::nullopt;
 }
