@@ -35,7 +35,7 @@ void main() {
     vec3 normal = normalize(v_normal);
     vec3 to_eye = normalize(eye - v_position);
     vec3 ghost = pow(tint.rgb, vec3(2.2));
-    vec3 albedo = tint.a < 1.0 ? mix(v_albedo, ghost, 0.65) : v_albedo;
+    vec3 albedo = tint.a < 1.0 ? mix(v_albedo, ghost, 0.8) : v_albedo;
 
     float cosine = max(dot(normal, to_light), 0.0);
     float visible = lightVisibility(v_position, normal);
@@ -50,5 +50,6 @@ void main() {
     vec3 mirrored = room(reflect(-to_eye, normal)) * mix(0.25, 1.0, visible) * mix(open, 1.0, 0.3);
     vec3 radiance = albedo * (direct + ambient) * (1.0 - fresnel) + fresnel * mirrored;
     radiance += reflectance * direct * highlight(normal, to_eye, max(v_surface.y, 0.15));
-    colour = vec4(display(radiance), tint.a);
+    // A ghost is clear in the middle and firm at its outline, like glass.
+    colour = vec4(display(radiance), mix(tint.a, 1.0, 0.6 * grazing));
 }

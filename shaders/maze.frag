@@ -13,6 +13,8 @@ uniform vec3 to_light;
 uniform vec3 eye;
 uniform vec3 light_radiance;
 uniform sampler2D wood_grain;
+uniform vec3 beacon;        // what shines by itself, as a lamp for the rest; board frame
+uniform vec3 beacon_albedo; // sRGB; black: none
 
 out vec4 colour;
 
@@ -41,6 +43,14 @@ float skyPastBall(vec3 position, vec3 normal) {
     return 1.0 - cosine * ball.w * ball.w / distance_squared;
 }
 
+// The glow of the exit on what is near it.
+vec3 beaconLight(vec3 position) {
+    const float reach = 0.020; // m
+    vec3 away = position - beacon;
+    float share = reach * reach / (reach * reach + dot(away, away));
+    return 1.5 * share * share * beacon_albedo * beacon_albedo;
+}
+
 void main() {
     vec3 normal = normalize(v_normal);
     vec3 to_eye = normalize(eye - v_position);
@@ -59,7 +69,7 @@ void main() {
 
     float grazing = 1.0 - max(dot(normal, to_eye), 0.0);
     float fresnel = reflectance + (1.0 - roughness) * (1.0 - reflectance) * grazing * grazing * grazing * grazing * grazing;
-    vec3 radiance = albedo * (direct + ambient + v_surface.w);
+    vec3 radiance = albedo * (direct + ambient + v_surface.w + beaconLight(v_position));
     radiance += reflectance * direct * highlight(normal, to_eye, roughness) + fresnel * ambient;
     colour = vec4(display(radiance), 1.0);
 }

@@ -30,14 +30,14 @@ struct Ball {
 // A translucent second ball, tinted with its colour.
 struct GhostBall {
     Ball ball;
-    Colour colour{0.35F, 0.65F, 1.0F, 0.5F};
+    Colour colour{0.25F, 0.55F, 1.0F, 0.55F};
 };
 
 // A path, oldest point first: fades in from nothing to the colour's own alpha at the newest point.
 struct Trail {
     std::vector<glm::dvec3> points;
     Colour colour{1.0F, 0.6F, 0.1F, 0.9F};
-    float width = 2.0F; // logical pixels
+    float width = 3.0F; // logical pixels
 };
 
 struct Frame {

@@ -112,8 +112,22 @@ MazeRenderer::~MazeRenderer() = default;
 void MazeRenderer::setMaze(const Mesh &mesh) {
     m_maze.upload(mesh);
     m_bounds = mesh.bounds();
+    m_beacon = beaconOf(mesh);
     m_is_occlusion_stale = true;
     m_is_shadow_stale = true;
+}
+
+MazeRenderer::Beacon MazeRenderer::beaconOf(const Mesh &mesh) {
+    Beacon beacon;
+    float count = 0.0F;
+    for (const Vertex &vertex : mesh.vertices) {
+        if (vertex.surface.w == 0) continue;
+        beacon.position += vertex.position;
+        beacon.albedo += glm::vec3(vertex.albedo) / 255.0F;
+        ++count;
+    }
+    if (count == 0.0F) return beacon;
+    return {beacon.position / count, beacon.albedo / count};
 }
 
 void MazeRenderer::setBall(const Mesh &mesh) { m_ball.upload(mesh); }
@@ -233,6 +247,8 @@ void MazeRenderer::drawMaze(const Scene &scene) {
     QOpenGLShaderProgram &program = m_shaders.use(Program::Maze);
     setLighting(program, scene);
     program.setUniformValue("ball", toQt(glm::vec4(sphere(scene.frame.ball))));
+    program.setUniformValue("beacon", toQt(m_beacon.position));
+    program.setUniformValue("beacon_albedo", toQt(m_beacon.albedo));
     m_maze.draw();
 }
 

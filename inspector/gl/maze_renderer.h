@@ -39,8 +39,14 @@ public:
     void render(const Frame &frame, const View &view);
 
 private:
-    struct Light;
     struct Scene; // what all passes of one frame share
+
+    // The part of the maze that shines by itself, the exit, as a lamp for what is around it.
+    struct Beacon {
+        glm::vec3 position{0.0F}; // m, board frame
+        glm::vec3 albedo{0.0F};   // sRGB; black: there is none
+    };
+    static Beacon beaconOf(const Mesh &mesh);
 
     explicit MazeRenderer(QOpenGLFunctions_3_3_Core *gl);
 
@@ -71,6 +77,7 @@ private:
     bool m_is_shadow_stale = true;
 
     Bounds m_bounds;
+    Beacon m_beacon;
 };
 
 } // namespace inspector::gl

@@ -214,6 +214,18 @@ private slots:
         QVERIFY(qGreen(image.pixel(pixel)) < 200);
     }
 
+    void exitGlowsOnTheFloorAroundIt() {
+        const MazeBox boxes[] = {{{-0.1, -0.08, -0.005}, {0.1, 0.08, 0.0}, BoxKind::Floor},
+                                 {{0.1, -0.02, -0.005}, {0.105, 0.02, 0.0}, BoxKind::Exit}};
+        m_picture->renderer().setMaze(mazeFromBoxes(std::span(boxes, 1)));
+        const QColor plain =
+            m_picture->draw(frameWithoutBall(), Quality::Low).pixelColor(m_picture->pixelOf({0.09, 0, 0}));
+        m_picture->renderer().setMaze(mazeFromBoxes(boxes));
+        const QColor glowing =
+            m_picture->draw(frameWithoutBall(), Quality::Low).pixelColor(m_picture->pixelOf({0.09, 0, 0}));
+        QVERIFY(glowing.green() - plain.green() > glowing.red() - plain.red() + 5);
+    }
+
     void emptyMazeDrawsTheBackdrop() {
         m_picture->renderer().setMaze({});
         const QImage image = m_picture->draw(frameWithoutBall());
