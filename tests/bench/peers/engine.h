@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// One interface to all engines that are compared; ours are just some of them.
+#pragma once
+
+#include "support/scene.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace bench {
+
+class Engine {
+public:
+    virtual ~Engine() = default;
+    virtual void place(const Ball &ball) = 0;
+    virtual void setGravity(const phys_vec3 &gravity) = 0;
+    // The loop is the engine's own, so that no call through this interface is part of a step.
+    virtual void advance(double dt, int steps) = 0;
+    virtual Ball ball() const = 0;
+};
+
+struct EngineKind {
+    std::string name;
+    bool ours = false;
+    bool exactInDt = false; // one step of any length is as good as many
+    std::string settings;   // how it is set, and what it does differently, in words
+    // Some engines are tuned for the step (s) with which they will be called.
+    std::function<std::unique_ptr<Engine>(const Scene &, double dt)> make;
+};
+
+// Each of these is empty if the engine wasn't found at build time.
+std::vector<EngineKind> chipmunkEngines();
+std::vector<EngineKind> box2dEngines();
+std::vector<EngineKind> bulletEngines();
+std::vector<EngineKind> odeEngines();
+std::vector<EngineKind> mujocoEngines();
+// One for each stepper in the library's registry.
+std::vector<EngineKind> ourEngines();
+
+std::vector<EngineKind> allEngines();
+
+// From the scene's start through all of its tilts. The steps needn't divide a tilt's period evenly: the nearest whole
+// number of them is taken, and each lasts the period divided by it.
+void run(Engine &engine, const Scene &scene, double dt);
+
+} // namespace bench
