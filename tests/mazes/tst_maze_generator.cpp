@@ -87,6 +87,24 @@ Length wallArea(const Maze &maze) {
            static_cast<Length>(posts.size()) * d.wallThickness * d.wallThickness;
 }
 
+void algorithmRows() {
+    QTest::addColumn<int>("algorithm");
+    for (const AlgorithmRow &row : kAlgorithms) QTest::newRow(row.name.data()) << static_cast<int>(row.algorithm);
+}
+
+// Every seed with the row's algorithm; every third with odd dimensions, every fourth with loops.
+std::vector<Recipe> recipes() {
+    QFETCH(int, algorithm);
+    std::vector<Recipe> recipes;
+    for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+        Recipe recipe = recipeFor(seed, static_cast<Algorithm>(algorithm));
+        if (seed % 3 == 0) recipe.dimensions = oddDimensions();
+        if (seed % 4 == 0) recipe.loopMillionths = 300'000;
+        recipes.push_back(recipe);
+    }
+    return recipes;
+}
+
 } // namespace
 
 class TestMazeGenerator : public QObject {
@@ -117,29 +135,7 @@ private slots:
     void numbersIgnoreTheLocale();
     void decimalsAreReadExactlyOrRefused_data();
     void decimalsAreReadExactlyOrRefused();
-
-private:
-    void algorithmRows();
-    static std::vector<Recipe> recipes();
 };
-
-void TestMazeGenerator::algorithmRows() {
-    QTest::addColumn<int>("algorithm");
-    for (const AlgorithmRow &row : kAlgorithms) QTest::newRow(row.name.data()) << static_cast<int>(row.algorithm);
-}
-
-// Every seed with the row's algorithm; every third with odd dimensions, every fourth with loops.
-std::vector<Recipe> TestMazeGenerator::recipes() {
-    QFETCH(int, algorithm);
-    std::vector<Recipe> recipes;
-    for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
-        Recipe recipe = recipeFor(seed, static_cast<Algorithm>(algorithm));
-        if (seed % 3 == 0) recipe.dimensions = oddDimensions();
-        if (seed % 4 == 0) recipe.loopMillionths = 300'000;
-        recipes.push_back(recipe);
-    }
-    return recipes;
-}
 
 void TestMazeGenerator::drawsAreThoseOfSplitMix64() {
     // The published sequence for the seed 1234567.

@@ -120,6 +120,15 @@ bool isFree(const MazeText &maze, Nanometres x0, Nanometres y0, Nanometres x1, N
     });
 }
 
+void levelRows() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<int>("index");
+    for (int level = 1; level <= 10; ++level) {
+        const QString name = QStringLiteral("%1").arg(level, 2, 10, QLatin1Char('0'));
+        QTest::newRow(qPrintable(name)) << name << level - 1;
+    }
+}
+
 } // namespace
 
 class TestMazeLevels : public QObject {
@@ -144,19 +153,7 @@ private slots:
     void scadIsOneSolidOfTheBoardsSizeInMillimetres();
     void ballIsAUnitSphereOfThreeColours();
     void ballLooksDifferentAfterAQuarterTurnAboutAnyAxis();
-
-private:
-    void levelRows();
 };
-
-void TestMazeLevels::levelRows() {
-    QTest::addColumn<QString>("name");
-    QTest::addColumn<int>("index");
-    for (int level = 1; level <= 10; ++level) {
-        const QString name = QStringLiteral("%1").arg(level, 2, 10, QLatin1Char('0'));
-        QTest::newRow(qPrintable(name)) << name << level - 1;
-    }
-}
 
 void TestMazeLevels::thereAreTenLevelsAndABall() {
     QCOMPARE(mazes::levelRecipes().size(), std::size_t{10});
