@@ -14,7 +14,7 @@ namespace {
 // The ball is a cube of kSquares x kSquares squares per face, blown up. Neighbouring faces keep their own copies of
 // the vertices on common edges: they have equal positions and normals, so no seam shows.
 constexpr int kSquares = 12;
-constexpr int kDotReach = 2; // squares from the middle of a face to the rim of its dot
+constexpr int kDotRadius = 3; // half squares from the middle of a face to the centres of its dot's outermost squares
 
 using Direction = std::array<double, 3>;
 
@@ -43,11 +43,11 @@ constexpr std::array<std::string_view, 3> kPatternNames = {"ball_light", "ball_d
 // Dark and light octants like a crash-test mark, and a dot at each of the six poles: turning about any axis moves a
 // border between colours.
 Pattern patternAt(int side, int column, int row) {
-    const int half = kSquares / 2;
-    const bool isDot =
-        column >= half - kDotReach && column < half + kDotReach && row >= half - kDotReach && row < half + kDotReach;
-    if (isDot) return Pattern::Dot;
-    const int octant = side + (column >= half ? 1 : 0) + (row >= half ? 1 : 0);
+    // From the middle of the face to the middle of the square, in half squares.
+    const int right = 2 * column + 1 - kSquares;
+    const int up = 2 * row + 1 - kSquares;
+    if (right * right + up * up <= kDotRadius * kDotRadius + 1) return Pattern::Dot;
+    const int octant = side + (right > 0 ? 1 : 0) + (up > 0 ? 1 : 0);
     return octant % 2 == 0 ? Pattern::Light : Pattern::Dark;
 }
 

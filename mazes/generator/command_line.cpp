@@ -4,6 +4,7 @@
 #include "generator/numbers.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 namespace mazes {

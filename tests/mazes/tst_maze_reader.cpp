@@ -42,28 +42,30 @@ QString write(const QTemporaryDir &folder, const QByteArray &content) {
 const QByteArray kHeader = "physics-maze 1\nunits m\nball 0.006\nstart 0 0 0.006\n"; // four lines
 const QByteArray kFloor = "box -1 -1 -0.005 1 1 0\n";
 
-} // namespace
-
-class TestMazeReader : public QObject {
-    Q_OBJECT
-
-private slots:
-    void everyLevelIsReadAsWritten_data();
-    void everyLevelIsReadAsWritten();
-    void theExampleOfTheReadmeIsRead();
-    void commentsBlanksAndLineEndsDontMatter();
-    void wrongFilesAreRefusedWithFileAndLine_data();
-    void wrongFilesAreRefusedWithFileAndLine();
-    void aMissingFileIsNamed();
-};
-
-void TestMazeReader::everyLevelIsReadAsWritten_data() {
+void levelRows() {
     QTest::addColumn<QString>("path");
     for (int level = 1; level <= 10; ++level) {
         const QString name = QStringLiteral("%1").arg(level, 2, 10, QLatin1Char('0'));
         QTest::newRow(qPrintable(name)) << QStringLiteral(MAZES_FOLDER "/levels/") + name + ".txt";
     }
 }
+
+} // namespace
+
+class TestMazeReader : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyLevelIsReadAsWritten_data() { levelRows(); }
+    void everyLevelIsReadAsWritten();
+    void inEveryLevelTheBallRestsOnTheFloorAmongWallsOnly_data() { levelRows(); }
+    void inEveryLevelTheBallRestsOnTheFloorAmongWallsOnly();
+    void theExampleOfTheReadmeIsRead();
+    void commentsBlanksAndLineEndsDontMatter();
+    void wrongFilesAreRefusedWithFileAndLine_data();
+    void wrongFilesAreRefusedWithFileAndLine();
+    void aMissingFileIsNamed();
+};
 
 void TestMazeReader::everyLevelIsReadAsWritten() {
     QFETCH(QString, path);
@@ -82,6 +84,14 @@ void TestMazeReader::everyLevelIsReadAsWritten() {
         QVERIFY2(isEqual(boxes[i].max, maze.boxes[i].max), qPrintable(QStringLiteral("box %1").arg(i)));
     }
     QVERIFY(phys_scene_radius(loaded.scene.get()) == static_cast<double>(maze.ballRadius) / 1e9);
+}
+
+void TestMazeReader::inEveryLevelTheBallRestsOnTheFloorAmongWallsOnly() {
+    QFETCH(QString, path);
+    const Loaded loaded = load(path);
+    QCOMPARE(loaded.problem, QString());
+    phys_error error{};
+    QVERIFY2(phys_scene_check_planar(loaded.scene.get(), &error) == PHYS_OK, error.text);
 }
 
 void TestMazeReader::theExampleOfTheReadmeIsRead() {
