@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+// Rolling where nothing is touched: model.md 3 and the figures of 12.1 and 12.3.
+#include "support/compare.h"
+#include "support/experiment.h"
+#include "support/stepper_rows.h"
+#include "support/tolerance.h"
+
+#include <QTest>
+
+#include <cmath>
+
+using namespace support;
+
+namespace {
+
+/// Position after n steps of constant acceleration in units of a dt^2: model.md 10.1.
+double stepsOfConstantAcceleration(const QByteArray &stepper, double n) {
+    if (stepper == "explicit-euler") return n * (n - 1.0) / 2.0;
+    if (stepper == "symplectic-euler") return n * (n + 1.0) / 2.0;
+    return n * n / 2.0;
+}
+
+} // namespace
+
+class TestSmoothMotion : public QObject {
+    Q_OBJECT
+
+private slots:
+    void speedAfterRollingDownAHeight_data() { addStepperAndModelRows(); }
+    void speedAfterRollingDownAHeight();
+    void constantAccelerationFollowsTheSchemesFormula_data() { addStepperAndModelRows(); }
+    void constantAccelerationFollowsTheSchemesFormula();
+    void levelBoardWithoutResistanceKeepsTheSpeedExactly_data() { addStepperAndModelRows(); }
+    void levelBoardWithoutResistanceKeepsTheSpeedExactly();
+    void restsExactlyAtTheStictionLimit_data() { addStepperAndModelRows(); }
+    void restsExactlyAtTheStictionLimit();
+    void startsJustAboveTheStictionLimit_data() { addStepperAndModelRows(); }
+    void startsJustAboveTheStictionLimit();
+    void restsUpToTheTiltWhoseTangentIsTheFriction_data() { addStepperAndModelRows(); }
+    void restsUpToTheTiltWhoseTangentIsTheFriction();
+    void resistanceStopsTheBallAfterItsClosedForm_data() { addStepperAndModelRows(); }
+    void resistanceStopsTheBallAfterItsClosedForm();
+    void hugeResistanceStopsInOneStep_data() { addStepperAndModelRows(); }
+    void hugeResistanceStopsInOneStep();
+    void turnsBackWhereItStopsOnASlope_data() { addStepperAndModelRows(); }
+    void turnsBackWhereItStopsOnASlope();
+};
+
+void TestSmoothMotion::speedAfterRollingDownAHeight() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    Experiment ball(openFloor(), stepper, model);
+    QVERIFY2(phys_gravity_from_tilt(0.1, 0.0, 9.81, &ball.params.gravity) == PHYS_OK, "tilt");
+
+    const double slope = std::sin(0.1);
+    const double acceleration = 5.0 / 7.0 * 9.81 * slope;
+    const double length = 0.1 / slope;
+    const double duration = std::sqrt(2.0 * length / acceleration);
+    constexpr int kSteps = 1000;
+    const double dt = duration / kSteps;
+    QVERIFY2(ball.stepTimes(kSteps, dt), ball.error());
+
+    // model.md 12.1; the velocity is a sum of kSteps equal parts in every scheme.
+    const double speed = 1.183819484308554295;
+    COMPARE_WITHIN(ball.state.velocity.x, speed, rounding(2 * kSteps, speed));
+    const double expected = stepsOfConstantAcceleration(stepper, kSteps) * acceleration * dt * dt;
+    COMPARE_WITHIN(ball.state.position.x, expected, rounding(4 * kSteps, length));
+}
+
+void TestSmoothMotion::constantAccelerationFollowsTheSchemesFormula() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    Experiment ball(openFloor(), stepper, model);
+    const double ax = 5.0 / 16.0;
+    const double ay = -5.0 / 64.0;
+    const double dt = 1.0 / 64.0;
+    ball.setLaw(ax, ay);
+    ball.roll(0.5, 0.25);
+    constexpr int kSteps = 64;
+    QVERIFY2(ball.stepTimes(kSteps, dt), ball.error());
+
+    // All numbers are exact in binary but RK4's sixth and what the closed forms round.
+    const double along = stepsOfConstantAcceleration(stepper, kSteps) * dt * dt;
+    const double slack = promiseOf(stepper).smooth == 1 ? 0.0 : rounding(4 * kSteps, 1.0);
+    COMPARE_EXACT(ball.state.velocity.x, 0.5 + ax);
+    COMPARE_EXACT(ball.state.velocity.y, 0.25 + ay);
+    COMPARE_WITHIN(ball.state.position.x, 0.5 + along * ax, slack);
+    COMPARE_WITHIN(ball.state.position.y, 0.25 + along * ay, slack);
+}
+
+void TestSmoothMotion::levelBoardWithoutResistanceKeepsTheSpeedExactly() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    Experiment ball(openFloor(), stepper, model);
+    ball.roll(0.3, -0.7);
+    for (int i = 0; i < 10000; ++i) {
+        QVERIFY2(ball.step(0.001), ball.error());
+        QVERIFY(ball.state.velocity.x == 0.3 && ball.state.velocity.y == -0.7);
+    }
+    COMPARE_WITHIN(ball.state.position.x, 3.0, rounding(2e4, 3.0));
+    COMPARE_WITHIN(ball.state.position.y, -7.0, rounding(2e4, 7.0));
+}
+
+void TestSmoothMotion::restsExactlyAtTheStictionLimit() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    Experiment ball(openFloor(), stepper, model);
+    // |A| = 5 * 2^-5 sqrt(3^2 + 4^2) / 5 = B, all exact.
+    const double unit = std::ldexp(5.0, -7);
+    ball.setLaw(3.0 * unit, -4.0 * unit, 5.0 * unit);
+    const phys_vec3 place = ball.state.position;
+    QVERIFY2(ball.stepTimes(1000, 0.01), ball.error());
+    QVERIFY(ball.state.position.x == place.x && ball.state.position.y == place.y);
+    QVERIFY(ball.state.velocity.x == 0.0 && ball.state.velocity.y == 0.0);
+    QVERIFY(ball.state.flags & PHYS_AT_REST);
+}
+
+void TestSmoothMotion::startsJustAboveTheStictionLimit() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    Experiment ball(openFloor(), stepper, model);
+    const double unit = std::ldexp(5.0, -7);
+    const double above = 1.0 + std::ldexp(1.0, -30);
+    ball.setLaw(3.0 * unit * above, -4.0 * unit * above, 5.0 * unit);
+    QVERIFY2(ball.stepTimes(1000, 0.01), ball.error());
+    QVERIFY(!(ball.state.flags & PHYS_AT_REST));
+    // From rest: A (1 - B/|A|) t, model.md 3.2. The subtraction of B leaves 2^-30 of A with a rounding of A's size.
+    const double speed = 10.0 * 3.0 * unit * std::ldexp(1.0, -30);
+    COMPARE_WITHIN(ball.state.velocity.x, speed, rounding(1e4, 10.0 * 5.0 * unit));
+    QVERIFY(ball.state.velocity.x > 0.0 && ball.state.velocity.y < 0.0);
+}
+
+void TestSmoothMotion::restsUpToTheTiltWhoseTangentIsTheFriction() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    const double limit = 0.17188682288001590187 * 3.14159265358979323846 / 180.0; // model.md 12.1: atan 0.003
+    for (const bool above : {false, true}) {
+        Experiment ball(openFloor(), stepper, model);
+        ball.params.rolling_friction = 0.003;
+        const double tilt = limit * (above ? 1.0 + 1e-12 : 1.0 - 1e-12);
+        QVERIFY(phys_gravity_from_tilt(0.0, tilt, 9.81, &ball.params.gravity) == PHYS_OK);
+        QVERIFY2(ball.stepTimes(100, 0.01), ball.error());
+        QCOMPARE(ball.state.velocity.y > 0.0, above);
+        QCOMPARE((ball.state.flags & PHYS_AT_REST) == 0, above);
+    }
+}
+
+void TestSmoothMotion::resistanceStopsTheBallAfterItsClosedForm() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    Experiment ball(openFloor(), stepper, model);
+    // model.md 3.2: |v0|/B = 8 s, |v0|^2/(2B) = 4 m; a step of the clamp is of first order (10.5).
+    ball.setLaw(0.0, 0.0, 0.125);
+    ball.roll(1.0, 0.0);
+    const double dt = 1.0 / 64.0;
+    QVERIFY2(ball.stepFor(8.0 - dt, dt), ball.error());
+    QVERIFY(ball.state.velocity.x > 0.0);
+    QVERIFY2(ball.stepTimes(2, dt), ball.error());
+    COMPARE_EXACT(ball.state.velocity.x, 0.0);
+    QVERIFY(ball.state.flags & PHYS_AT_REST);
+    const double slack = promiseOf(stepper).smooth == 1 ? dt / 2.0 : 0.0;
+    COMPARE_WITHIN(ball.state.position.x, 4.0, slack + rounding(4e3, 4.0));
+}
+
+void TestSmoothMotion::hugeResistanceStopsInOneStep() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    Experiment ball(openFloor(), stepper, model);
+    ball.params.rolling_friction = 1e6;
+    ball.params.sliding_friction = 1e6;
+    ball.params.gravity.x = 1.0;
+    ball.roll(0.25, -0.5);
+    QVERIFY2(ball.step(0.01), ball.error());
+    QVERIFY(ball.state.velocity.x == 0.0 && ball.state.velocity.y == 0.0);
+    QVERIFY(ball.state.flags & PHYS_AT_REST);
+    // It can't have come further than without resistance.
+    QVERIFY(ball.state.position.x >= 0.0 && ball.state.position.x <= 0.01 * 0.26);
+}
+
+void TestSmoothMotion::turnsBackWhereItStopsOnASlope() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    Experiment ball(openFloor(), stepper, model);
+    ball.setLaw(0.6, 0.0, 0.1);
+    ball.roll(-1.0, 0.0);
+    const double dt = 1.0 / 1024.0;
+    QVERIFY2(ball.stepFor(3.0, dt), ball.error());
+    // model.md 12.1: stops at 10/7 s, then back with a - B. A scheme is at most one step late at the stop, and of first
+    // order with the slope's acceleration before and after it.
+    const double slack = promiseOf(stepper).smooth == 0 ? rounding(2e4, 3.0) : 2.0 * dt;
+    COMPARE_WITHIN(ball.state.position.x, -19.0 / 196.0, slack);
+    COMPARE_WITHIN(ball.state.velocity.x, 11.0 / 14.0, slack);
+    COMPARE_EXACT(ball.state.velocity.y, 0.0);
+}
+
+QTEST_GUILESS_MAIN(TestSmoothMotion)
+#include "tst_smooth_motion.moc"

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Comparisons that mean what they say: QCOMPARE calls doubles equal that differ by 1e-12.
+#pragma once
+
+#include <QTest>
+
+#include <physics/physics.h>
+
+#include <cmath>
+#include <cstring>
+
+namespace support {
+
+inline QByteArray digits(double value) { return QByteArray::number(value, 'g', 17); }
+
+inline bool sameBits(const phys_state &a, const phys_state &b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+} // namespace support
+
+/// The same number (0 equals -0; NaN equals nothing).
+#define COMPARE_EXACT(actual, expected)                                                                                \
+    do {                                                                                                               \
+        const double found_ = (actual);                                                                                \
+        const double wanted_ = (expected);                                                                             \
+        QVERIFY2(found_ == wanted_, (QByteArray(#actual " is ") + support::digits(found_) + ", expected exactly " +    \
+                                     support::digits(wanted_))                                                         \
+                                        .constData());                                                                 \
+    } while (false)
+
+/// Not further apart than `slack`, which needs a reason where it's used.
+#define COMPARE_WITHIN(actual, expected, slack)                                                                        \
+    do {                                                                                                               \
+        const double found_ = (actual);                                                                                \
+        const double wanted_ = (expected);                                                                             \
+        const double slack_ = (slack);                                                                                 \
+        QVERIFY2(std::abs(found_ - wanted_) <= slack_,                                                                 \
+                 (QByteArray(#actual " is ") + support::digits(found_) + ", expected " + support::digits(wanted_) +    \
+                  " within " + support::digits(slack_) + ", off by " + support::digits(found_ - wanted_))              \
+                     .constData());                                                                                    \
+    } while (false)
