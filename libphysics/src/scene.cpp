@@ -147,11 +147,14 @@ uint32_t Scene::givenFloor(uint32_t floor, const Vec3 &point) const {
 
 uint32_t Scene::givenFloorAt(double x, double y) const {
     for (uint32_t i = 0; i < floors.size(); ++i) {
-        const phys_box &box = floors[i];
-        const bool over = x >= box.min.x && x <= box.max.x && y >= box.min.y && y <= box.max.y;
-        if (over) return givenFloor(i, {x, y, floorTop});
+        if (isOver(floors[i], x, y)) return givenFloor(i, {x, y, floorTop});
     }
     return PHYS_NO_BOX;
+}
+
+bool Scene::overOneOfFloors(double x, double y) const {
+    const auto candidates = floorGrid.near(x, y);
+    return std::any_of(candidates.begin(), candidates.end(), [&](uint32_t i) { return isOver(floors[i], x, y); });
 }
 
 phys_status makeScene(const phys_scene_desc &desc, Scene &out, phys_error *err) {
@@ -164,7 +167,8 @@ phys_status makeScene(const phys_scene_desc &desc, Scene &out, phys_error *err) 
     classify(out);
     checkPlanar(out);
     out.solidGrid.build(out.solids, kCandidateReach * out.radius, 2.0 * out.radius);
-    if (out.floors.size() > kHandful) out.floorGrid.build(out.floors, 0.0, 2.0 * out.radius);
+    out.needsGrid = out.solids.size() > kHandful;
+    if (out.floors.size() > 1) out.floorGrid.build(out.floors, 0.0, 2.0 * out.radius);
     return PHYS_OK;
 }
 

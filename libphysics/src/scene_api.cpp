@@ -131,7 +131,7 @@ phys_status phys_scene_contacts(const phys_scene *scene, const phys_vec3 *centre
     };
     // Nearby the grid knows; further away only all of them.
     if (distance <= phys::kCandidateReach * scene->radius) {
-        for (const uint32_t i : scene->solidsNear(p.x, p.y, scene->needsGrid())) considerSolid(i);
+        for (const uint32_t i : scene->solidsNear(p.x, p.y, scene->needsGrid)) considerSolid(i);
     } else {
         for (const uint32_t i : scene->allSolids) considerSolid(i);
     }

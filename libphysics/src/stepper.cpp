@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The boundary of a step: everything that goes in is checked, and nothing comes out unless all went well.
 #include "error.h"
+#include "pairs.h"
 #include "params.h"
 #include "registry.h"
 #include "scene.h"
 
 #include <cmath>
+#include <cstdio>
 #include <cstring>
+#include <limits>
 #include <new>
 
 struct phys_stepper {
@@ -53,30 +56,25 @@ phys_scene_view viewOf(const Scene &scene) {
             queryContacts};
 }
 
-/// All numbers of a state in a row: position, velocity, spin, orientation.
-constexpr size_t kStateNumbers = 13;
-
-bool allFinite(const phys_state &state) {
-    double numbers[kStateNumbers];
-    std::memcpy(numbers, &state.position, sizeof numbers);
-    // x - x is 0 for a finite x and NaN otherwise.
-    double sum = state.time - state.time;
-    for (const double number : numbers) sum += number - number;
-    return sum == 0.0;
+/// Twelve of a state's numbers lie side by side, from position.x on; time and the last one make one more pair.
+inline bool numbersAreFinite(const phys_state &state) {
+    static_assert(offsetof(phys_state, orientation) == offsetof(phys_state, position) + 9 * sizeof(double));
+    const double others = state.orientation[3] + state.time;
+    return allFinite<12>(&state.position.x) && others - others == 0.0;
 }
 
-bool isUnit(const double (&q)[4]) {
+inline bool isUnit(const double (&q)[4]) {
     const double square = (q[0] * q[0] + q[1] * q[1]) + (q[2] * q[2] + q[3] * q[3]);
     return std::abs(square - 1.0) <= 1e-6;
 }
 
-bool stateIsValid(const phys_state &state) {
-    return allFinite(state) && isUnit(state.orientation) &&
+inline bool stateIsValid(const phys_state &state) {
+    return numbersAreFinite(state) && isUnit(state.orientation) &&
            (state.flags & ~static_cast<uint64_t>(PHYS_STATE_FLAGS)) == 0;
 }
 
 phys_status explainState(const phys_state &state, phys_status status, const char *whose, phys_error *err) {
-    if (!allFinite(state)) {
+    if (!numbersAreFinite(state)) {
         return fail(err, status,
                     "%s has a number that isn't finite: position (%.9g, %.9g, %.9g), velocity (%.9g, %.9g, %.9g), "
                     "spin (%.9g, %.9g, %.9g)",
@@ -92,37 +90,49 @@ phys_status explainState(const phys_state &state, phys_status status, const char
                 static_cast<unsigned long long>(state.flags), PHYS_STATE_FLAGS);
 }
 
-/// A floor carries a ball only while gravity presses it on.
-bool pressedOn(const Scene &scene, const phys_params &params, const phys_state &state) {
-    if (params.gravity.z < 0.0 || !scene.hasFloor) return true;
-    const bool onFloor = std::abs(state.position.z - scene.supportedZ) <= scene.tolerance && state.velocity.z <= 0.0 &&
-                         scene.overFloor(state.position.x, state.position.y);
+/// Only such a ball may be pulled upwards: a floor carries it only while gravity presses it on.
+bool isOffTheFloor(const Scene &scene, const phys_state &state) {
+    const bool onFloor = scene.hasFloor && std::abs(state.position.z - scene.supportedZ) <= scene.tolerance &&
+                         state.velocity.z <= 0.0 && scene.overFloor(state.position.x, state.position.y);
     return !onFloor;
 }
 
-phys_status checkArguments(const phys_stepper &stepper, const phys_params &params, double dt, const phys_state &state,
-                           phys_error *err) {
+[[gnu::cold]] phys_status explainArguments(const phys_stepper &stepper, const phys_params &params, double dt,
+                                           const phys_state &state, phys_error *err) {
     if (!(dt >= 0.0 && std::isfinite(dt))) {
         return fail(err, PHYS_ERROR_ARGUMENT, "dt is %.9g s; expected a number >= 0", dt);
     }
     if (!paramsAreValid(params)) return explainParams(params, err);
-    if (stepper.api->row_count > 0) {
-        const phys_status status = checkOwnRows(params, {stepper.api->rows, stepper.api->row_count}, err);
-        if (status) return status;
-    }
+    const std::span rows(stepper.api->rows, stepper.api->row_count);
+    if (!ownRowsAreValid(params, rows)) return checkOwnRows(params, rows, err);
     if (!stateIsValid(state)) return explainState(state, PHYS_ERROR_STATE, "the given state", err);
-    if (!pressedOn(*stepper.scene, params, state)) {
+    if (params.gravity.z >= 0.0 && !isOffTheFloor(*stepper.scene, state)) {
         return fail(err, PHYS_ERROR_RANGE,
                     "gravity_z is %.9g m/s^2; while the floor carries the ball it must be below 0", params.gravity.z);
     }
     return PHYS_OK;
 }
 
+/// The yes or no of checkArguments: what every step pays.
+inline bool argumentsAreValid(const phys_stepper &stepper, const phys_params &params, double dt,
+                              const phys_state &state) {
+    return dt >= 0.0 && dt <= std::numeric_limits<double>::max() && paramsAreValid(params) &&
+           ownRowsAreValid(params, {stepper.api->rows, stepper.api->row_count}) && stateIsValid(state) &&
+           (params.gravity.z < 0.0 || isOffTheFloor(*stepper.scene, state));
+}
+
+inline phys_status checkArguments(const phys_stepper &stepper, const phys_params &params, double dt,
+                                  const phys_state &state, phys_error *err) {
+    if (argumentsAreValid(stepper, params, dt, state)) [[likely]]
+        return PHYS_OK;
+    return explainArguments(stepper, params, dt, state, err);
+}
+
 /// Steps are counted rather than summed as long as the time is what the count says: model.md 10.6.
 double nextTime(const phys_state &state, double dt) {
-    const double counted = static_cast<double>(state.step) * dt;
+    const double counted = static_cast<double>(static_cast<int64_t>(state.step)) * dt;
     const bool isCounted = std::abs(counted - state.time) <= 4.0 * kRounding * state.time;
-    return isCounted ? static_cast<double>(state.step + 1) * dt : state.time + dt;
+    return isCounted ? (static_cast<double>(static_cast<int64_t>(state.step)) + 1.0) * dt : state.time + dt;
 }
 
 double energyOf(const Scene &scene, const phys_params &params, const phys_state &state) {
@@ -130,23 +140,6 @@ double energyOf(const Scene &scene, const phys_params &params, const phys_state 
     const Vec3 spin = toVec(state.spin);
     return 0.5 * glm::dot(velocity, velocity) + 0.2 * scene.radius * scene.radius * glm::dot(spin, spin) -
            glm::dot(toVec(params.gravity), toVec(state.position));
-}
-
-/// A report ready for a step: the caller's buffer, everything else zero.
-phys_report freshReport(const phys_report &given) {
-    phys_report report{};
-    report.struct_size = sizeof report;
-    report.event_capacity = given.events ? given.event_capacity : 0;
-    report.events = given.events;
-    return report;
-}
-
-void balance(const Scene &scene, const phys_params &params, const phys_state &before, const phys_state &after,
-             phys_report &report) {
-    report.energy_before = energyOf(scene, params, before);
-    report.energy_after = energyOf(scene, params, after);
-    report.energy_scheme =
-        report.energy_after + report.lost_impact + report.lost_rolling + report.lost_slip - report.energy_before;
 }
 
 phys_status checkPluginResult(const phys_stepper_api &api, const phys_state &expected, const phys_state &result,
@@ -158,6 +151,58 @@ phys_status checkPluginResult(const phys_stepper_api &api, const phys_state &exp
     return fail(err, PHYS_ERROR_PLUGIN_RESULT, "%s has time %.17g s and step %llu; expected %.17g s and %llu", whose,
                 result.time, static_cast<unsigned long long>(result.step), expected.time,
                 static_cast<unsigned long long>(expected.step));
+}
+
+/// A plugin's step works on copies, and nobody sees its result before it was checked.
+phys_status advancePlugin(phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
+                          phys_state &out, phys_report *report, phys_error *err) {
+    phys_error unused;
+    phys_state next = in;
+    next.time = nextTime(in, dt);
+    next.step = in.step + 1;
+    const phys_state expected = next;
+    const phys_status status = stepper.api->step(stepper.self, &params, dt, &in, &next, report, err ? err : &unused);
+    if (status) return status;
+    if (const phys_status bad = checkPluginResult(*stepper.api, expected, next, err)) return bad;
+    out = next;
+    return PHYS_OK;
+}
+
+/// A built-in stepper writes `out` only on success, and in and out may be the same.
+inline phys_status advance(phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
+                           phys_state &out, phys_report *report, phys_error *err) {
+    if (dt == 0.0) [[unlikely]] {
+        out = in;
+        return PHYS_OK;
+    }
+    if (stepper.isPlugin) [[unlikely]]
+        return advancePlugin(stepper, params, dt, in, out, report, err);
+    const double time = nextTime(in, dt);
+    const uint64_t step = in.step + 1;
+    const phys_status status = stepper.api->step(stepper.self, &params, dt, &in, &out, report, err);
+    if (status) return status;
+    out.time = time;
+    out.step = step;
+    return PHYS_OK;
+}
+
+phys_status stepAndReport(phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
+                          phys_state &out, phys_report &report, phys_error *err) {
+    if (report.struct_size != sizeof report) {
+        return fail(err, PHYS_ERROR_ARGUMENT, "report.struct_size is %u; expected %zu: call phys_report_init first",
+                    report.struct_size, sizeof report);
+    }
+    phys_report fresh{};
+    fresh.struct_size = sizeof fresh;
+    fresh.event_capacity = report.events ? report.event_capacity : 0;
+    fresh.events = report.events;
+    fresh.energy_before = energyOf(*stepper.scene, params, in);
+    if (const phys_status status = advance(stepper, params, dt, in, out, &fresh, err)) return status;
+    fresh.energy_after = energyOf(*stepper.scene, params, out);
+    fresh.energy_scheme =
+        fresh.energy_after + fresh.lost_impact + fresh.lost_rolling + fresh.lost_slip - fresh.energy_before;
+    report = fresh;
+    return PHYS_OK;
 }
 
 } // namespace
@@ -200,33 +245,9 @@ phys_status phys_step(phys_stepper *stepper, const phys_params *params, double d
                           : !in     ? "in"
                                     : "out");
     }
-    if (report && report->struct_size != sizeof *report) {
-        return phys::fail(err, PHYS_ERROR_ARGUMENT,
-                          "report.struct_size is %u; expected %zu: call phys_report_init first", report->struct_size,
-                          sizeof *report);
-    }
     if (const phys_status status = phys::checkArguments(*stepper, *params, dt, *in, err)) return status;
-
-    phys_state next = *in;
-    phys_report fresh{};
-    if (report) fresh = phys::freshReport(*report);
-    if (dt > 0.0) {
-        next.time = phys::nextTime(*in, dt);
-        next.step = in->step + 1;
-        const phys_state expected = next;
-        const phys_status status =
-            stepper->api->step(stepper->self, params, dt, in, &next, report ? &fresh : nullptr, err);
-        if (status) return status;
-        if (stepper->isPlugin) {
-            if (const phys_status bad = phys::checkPluginResult(*stepper->api, expected, next, err)) return bad;
-        }
-    }
-    if (report) {
-        phys::balance(*stepper->scene, *params, *in, next, fresh);
-        *report = fresh;
-    }
-    *out = next;
-    return PHYS_OK;
+    if (report) return phys::stepAndReport(*stepper, *params, dt, *in, *out, *report, err);
+    return phys::advance(*stepper, *params, dt, *in, *out, nullptr, err);
 }
 
 phys_status phys_stepper_requirements(const phys_stepper *stepper, const phys_params *params, double dt,

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The built-in steppers, each the table that a plugin would fill; the registry lists them from crude to exact.
+// They promise more than a plugin: `in` and `out` may be the same, `out` is written only on success and wholly but for
+// time and step, err may be NULL, and view->scene is a phys::Scene.
 #pragma once
 
 #include <physics/plugin.h>

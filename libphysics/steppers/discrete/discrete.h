@@ -48,12 +48,14 @@ public:
                     h} {}
 
     /// Whether the floor or a solid's flat top carries the ball.
-    bool supports(const Ball &ball) const { return isSupported(lookAround(m_context, ball.position), ball); }
+    bool supports(const Ball &ball) const {
+        return isOnFloor(ball) || isCarried(lookAround(m_context, ball.position), ball);
+    }
 
     /// One substep that ends `after` seconds into the step. False if the ball is stuck.
     bool run(double after, Ball &ball) {
         const Surroundings around = lookAround(m_context, ball.position);
-        ball.supported = isSupported(around, ball);
+        ball.supported = isOnFloor(ball) || isCarried(around, ball);
         return ball.supported ? rollOn(around, after, ball) : fly(after, ball);
     }
 
@@ -61,7 +63,7 @@ public:
     bool rests(const Ball &ball) const {
         if (ball.velocity != Vec3(0.0)) return false;
         const Surroundings around = lookAround(m_context, ball.position);
-        if (!isSupported(around, ball)) return false;
+        if (!isOnFloor(ball) && !isCarried(around, ball)) return false;
         if (m_context.rigid && (ball.spin != Vec3(0.0) || !gripHolds(m_context.params))) return false;
         const Law<Vec2> law = rollingLaw(m_context.params);
         const Vec2 drive = findPressing(m_context, around, ball, law.A).freePart(law.A);
@@ -69,14 +71,15 @@ public:
     }
 
 private:
-    bool isSupported(const Surroundings &around, const Ball &ball) const {
+    bool isOnFloor(const Ball &ball) const {
         const Scene &scene = m_context.scene;
-        if (ball.velocity.z > 0.0) return false;
         const Vec3 &p = ball.position;
-        if (scene.hasFloor && std::abs(p.z - scene.supportedZ) <= scene.tolerance && scene.overFloor(p.x, p.y)) {
-            return true;
-        }
-        return carriedBySolid(m_context, around, p);
+        return std::abs(p.z - scene.supportedZ) <= scene.tolerance && ball.velocity.z <= 0.0 && // false without a floor
+               scene.overFloor(p.x, p.y);
+    }
+
+    bool isCarried(const Surroundings &around, const Ball &ball) const {
+        return ball.velocity.z <= 0.0 && carriedBySolid(m_context, around, ball.position);
     }
 
     bool rollOn(const Surroundings &around, double after, Ball &ball) {
@@ -104,9 +107,16 @@ private:
         return law.A;
     }
 
+    bool touches(const Surroundings &around) const {
+        const double reach = m_context.scene.radius + m_context.scene.tolerance;
+        return around.nearestSquared <= reach * reach;
+    }
+
     /// The law on the free directions; v = 0 stays 0 up to the stiction limit, the limit included: model.md 2.1 R4.
     void roll(const Surroundings &around, Law<Vec2> law, Ball &ball) {
-        if (m_context.bounce != Bounce::Plain) law.A = findPressing(m_context, around, ball, law.A).freePart(law.A);
+        if (m_context.bounce != Bounce::Plain && touches(around)) {
+            law.A = findPressing(m_context, around, ball, law.A).freePart(law.A);
+        }
         law.resists = m_plan.runs(PHYS_STAGE_RESISTANCE);
         const Vec2 velocity = inPlane(ball.velocity);
         if (velocity == Vec2(0.0) && glm::dot(law.A, law.A) <= law.B * law.B) return;

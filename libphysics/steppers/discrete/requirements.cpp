@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "requirements.h"
 
-#include "slip.h"
-
 #include <cmath>
 #include <cstdio>
 #include <string_view>
@@ -11,80 +9,63 @@ namespace phys {
 
 namespace {
 
-/// Slip is part of the rigid model rather than of a scene: the rolling model has none to force.
-constexpr uint32_t kForcible = ((1U << PHYS_STAGE_COUNT) - 1U) & ~PHYS_STAGE_SLIP;
-
-bool isOnFloor(const Scene &scene, const phys_state &state) {
-    return scene.hasFloor && std::abs(state.position.z - scene.supportedZ) <= scene.tolerance &&
-           state.velocity.z <= 0.0;
-}
-
-/// Whether nothing can push a ball that rolls on the floor upwards.
-bool isPlanar(const Scene &scene, const phys_params &params) {
-    return scene.nonPlanarReason.empty() && (params.model == PHYS_MODEL_ROLLING || params.wall_friction == 0.0);
-}
-
-/// Upper bound of the ball's speed during the step, m/s: model.md 10.4.
-double speedBound(const Scene &scene, const phys_params &params, double dt, const phys_state &state) {
-    const Vec3 gravity = toVec(params.gravity);
-    double drive = glm::length(isOnFloor(scene, state) ? Vec3(gravity.x, gravity.y, 0.0) : gravity);
-    if (params.model == PHYS_MODEL_RIGID) drive += params.sliding_friction * std::abs(gravity.z);
-    return glm::length(toVec(state.velocity)) + drive * dt;
-}
-
-/// Half a radius a substep: nothing is tunnelled through, model.md 10.4.
-double substepsNeeded(const Scene &scene, double distance) {
-    const double safe = 0.5 * scene.radius;
-    return distance > safe && !scene.solids.empty() ? std::ceil(distance / safe) : 1.0;
-}
-
-bool slips(const Scene &scene, const phys_params &params, const phys_state &state) {
-    if (params.model != PHYS_MODEL_RIGID) return false;
-    const Ball ball{toVec(state.position), toVec(state.velocity), toVec(state.spin), true};
-    return !rolls(ball, scene.radius) || !gripHolds(params);
-}
-
 template<class... Part>
 void say(phys_requirements &out, int index, const char *format, Part... part) {
     std::snprintf(out.reasons[index], sizeof out.reasons[index], format, part...);
 }
 
-} // namespace
-
-StepPlan planStep(const Scene &scene, const phys_params &params, double dt, const phys_state &state, Bounce bounce,
-                  bool asReported) {
-    const auto stage = [](bool runs, uint32_t bit) { return runs ? bit : 0U; };
-    StepPlan plan{asReported ? Bounce::Plain : bounce, 0, 1.0};
-    if (!asReported) plan.substeps = substepsNeeded(scene, speedBound(scene, params, dt, state) * dt);
-    plan.stages = stage(!isOnFloor(scene, state) || !isPlanar(scene, params), PHYS_STAGE_VERTICAL) |
-                  stage(plan.substeps > 1.0, PHYS_STAGE_SUBSTEPS) |
-                  stage(params.rolling_friction > 0.0, PHYS_STAGE_RESISTANCE) |
-                  stage(slips(scene, params, state), PHYS_STAGE_SLIP) | stage(scene.needsGrid(), PHYS_STAGE_GRID) |
-                  stage(params.options & PHYS_OPTION_ORIENTATION, PHYS_STAGE_ORIENTATION);
-    if (params.options & PHYS_OPTION_ALL_STAGES) plan.stages |= kForcible;
-    return plan;
+/// Whether the ball's way lies wholly outside the bounds of all boxes, as when it has fallen off the board.
+bool passesBy(const PlanInput &input) {
+    const Vec3 from = toVec(input.state.position);
+    const Vec3 to = from + input.dt * toVec(input.state.velocity);
+    // Twice what gravity can add, and the ball's own size.
+    const double margin = input.scene.radius + input.dt * input.dt * glm::length(toVec(input.params.gravity));
+    const Vec3 low = glm::min(from, to) - margin;
+    const Vec3 high = glm::max(from, to) + margin;
+    const phys_box &bounds = input.scene.bounds;
+    return low.x > bounds.max.x || high.x < bounds.min.x || low.y > bounds.max.y || high.y < bounds.min.y ||
+           low.z > bounds.max.z || high.z < bounds.min.z;
 }
 
-void describePlan(const Scene &scene, const phys_params &params, double dt, const phys_state &state,
-                  const StepPlan &plan, phys_requirements &out) {
+} // namespace
+
+double reachOfStep(const PlanInput &input) {
+    const phys_params &params = input.params;
+    const Vec3 gravity = toVec(params.gravity);
+    double drive = glm::length(input.isOnFloor() ? Vec3(gravity.x, gravity.y, 0.0) : gravity);
+    if (params.model == PHYS_MODEL_RIGID) drive += params.sliding_friction * std::abs(gravity.z);
+    return (glm::length(toVec(input.state.velocity)) + drive * input.dt) * input.dt;
+}
+
+double substepsNeeded(const PlanInput &input) {
+    const Scene &scene = input.scene;
+    const double safe = 0.5 * scene.radius;
+    const double reach = reachOfStep(input);
+    if (reach <= safe || scene.solids.empty() || passesBy(input)) return 1.0;
+    return std::ceil(reach / safe);
+}
+
+void describePlan(const PlanInput &input, const StepPlan &plan, phys_requirements &out) {
+    const Scene &scene = input.scene;
+    const phys_params &params = input.params;
     out = phys_requirements{};
     out.stages = plan.stages;
     out.substeps = static_cast<uint32_t>(std::min(plan.substeps, 4294967295.0));
 
     say(out, 0, "%s",
-        !isOnFloor(scene, state)  ? "the ball is not on the floor"
-        : isPlanar(scene, params) ? "not needed: the floor carries the ball and walls push it sideways only"
-                                  : "a low box or a rough wall can lift the ball off the floor");
+        !input.isOnFloor() ? "the ball is not on the floor"
+        : input.isPlanar() ? "not needed: the floor carries the ball and walls push it sideways only"
+                           : "a low box or a rough wall can lift the ball off the floor");
     say(out, 1, "%sthe ball moves at most %.2g of its radius in this step; half a radius is safe",
-        plan.substeps > 1.0 ? "" : "not needed: ", speedBound(scene, params, dt, state) * dt / scene.radius);
+        plan.substeps > 1.0 ? "" : "not needed: ", reachOfStep(input) / scene.radius);
     say(out, 2, "%s",
         params.rolling_friction > 0.0 ? "rolling_friction is above 0" : "not needed: rolling_friction is 0");
     say(out, 3, "%s",
         params.model != PHYS_MODEL_RIGID ? "not needed: the rolling model has no slip"
-        : slips(scene, params, state)    ? "the floor contact slips, or the slope is too steep for friction to hold it"
+        : input.slips()                  ? "the floor contact slips, or the slope is too steep for friction to hold it"
                                          : "not needed: the ball rolls, and friction holds it on this slope");
     say(out, 4, "%s",
-        scene.needsGrid() ? "there are more than a handful of boxes"
+        scene.needsGrid ? "there are more than a handful of boxes"
                           : "not needed: for a handful of boxes looking at each is cheaper");
     say(out, 5, "%s",
         params.options & PHYS_OPTION_ORIENTATION ? "asked for by params.options"

@@ -2,6 +2,7 @@
 // Which stages a step of fixed substeps needs: the plan it runs by, and the same in words.
 #pragma once
 
+#include "slip.h"
 #include "surroundings.h"
 
 #include <cstdint>
@@ -20,12 +21,65 @@ struct StepPlan {
     bool runs(uint32_t stage) const { return stages & stage; }
 };
 
+/// What a plan follows from.
+struct PlanInput {
+    const Scene &scene;
+    const phys_params &params;
+    double dt;
+    const phys_state &state;
+
+    /// At the floor's height and not rising. False without a floor, whose height is NaN then.
+    bool isOnFloor() const {
+        return std::abs(state.position.z - scene.supportedZ) <= scene.tolerance && state.velocity.z <= 0.0;
+    }
+
+    /// Whether nothing can push a ball that rolls on the floor upwards.
+    bool isPlanar() const {
+        return scene.isPlanar() && (params.model == PHYS_MODEL_ROLLING || params.wall_friction == 0.0);
+    }
+
+    bool slips() const {
+        if (params.model != PHYS_MODEL_RIGID) return false;
+        const Ball ball{toVec(state.position), toVec(state.velocity), toVec(state.spin), true};
+        return !rolls(ball, scene.radius) || !gripHolds(params);
+    }
+};
+
+/// How far the ball can come in this step, m: model.md 10.4.
+double reachOfStep(const PlanInput &input);
+
+/// No substep moves the ball by more than half its radius, so that nothing is tunnelled through; one is enough where
+/// there is nothing to hit.
+double substepsNeeded(const PlanInput &input);
+
+/// Whether one substep is enough at a glance: substepsNeeded is 1 then.
+inline bool isSlow(const PlanInput &input) {
+    const phys_vec3 &v = input.state.velocity;
+    const phys_vec3 &g = input.params.gravity;
+    if (!input.isOnFloor() || input.params.model != PHYS_MODEL_ROLLING) return false;
+    const double limit = 0.5 * input.scene.radius / input.dt - (std::abs(g.x) + std::abs(g.y)) * input.dt;
+    return limit > 0.0 && v.x * v.x + v.y * v.y <= limit * limit;
+}
+
+/// Slip is part of the rigid model rather than of a scene: the rolling model has none to force.
+inline constexpr uint32_t kForcibleStages = ((1U << PHYS_STAGE_COUNT) - 1U) & ~static_cast<uint32_t>(PHYS_STAGE_SLIP);
+
 /// bounce: the stepper's own; asReported: without cures and without substeps (definition D of model.md 10 as it is).
-StepPlan planStep(const Scene &scene, const phys_params &params, double dt, const phys_state &state, Bounce bounce,
-                  bool asReported);
+inline StepPlan planStep(const PlanInput &input, Bounce bounce, bool asReported) {
+    const auto stage = [](bool runs, uint32_t bit) { return runs ? bit : 0U; };
+    const phys_params &params = input.params;
+    StepPlan plan{asReported ? Bounce::Plain : bounce, 0, 1.0};
+    if (!asReported && !isSlow(input)) plan.substeps = substepsNeeded(input);
+    plan.stages = stage(!input.isOnFloor() || !input.isPlanar(), PHYS_STAGE_VERTICAL) |
+                  stage(plan.substeps > 1.0, PHYS_STAGE_SUBSTEPS) |
+                  stage(params.rolling_friction > 0.0, PHYS_STAGE_RESISTANCE) | stage(input.slips(), PHYS_STAGE_SLIP) |
+                  stage(input.scene.needsGrid, PHYS_STAGE_GRID) |
+                  stage(params.options & PHYS_OPTION_ORIENTATION, PHYS_STAGE_ORIENTATION);
+    if (params.options & PHYS_OPTION_ALL_STAGES) plan.stages |= kForcibleStages;
+    return plan;
+}
 
 /// The plan in words.
-void describePlan(const Scene &scene, const phys_params &params, double dt, const phys_state &state,
-                  const StepPlan &plan, phys_requirements &out);
+void describePlan(const PlanInput &input, const StepPlan &plan, phys_requirements &out);
 
 } // namespace phys

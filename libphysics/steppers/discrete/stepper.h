@@ -3,6 +3,9 @@
 #pragma once
 
 #include "discrete.h"
+#include "glide.h"
+
+#include <cstring>
 
 namespace phys {
 
@@ -11,62 +14,84 @@ extern const phys_param_row *const kDiscreteRows[1];
 
 inline bool asReported(const phys_params &params) { return params.stepper[0] != 0.0; }
 
-Ball loadBall(const phys_state &state);
+inline Ball loadBall(const phys_state &state) {
+    return {toVec(state.position), toVec(state.velocity), toVec(state.spin), false};
+}
 
 /// Stores the ball. flags: PHYS_AT_REST and PHYS_AIRBORNE as they are; the others follow from the ball.
-void storeBall(const Scene &scene, const phys_params &params, const Ball &ball, uint64_t flags, phys_state &out);
+inline void storeBall(const Scene &scene, const phys_params &params, const Ball &ball, uint64_t flags,
+                      phys_state &out) {
+    out.position = fromVec(ball.position);
+    out.velocity = fromVec(ball.velocity);
+    out.spin = fromVec(ball.spin);
+    const phys_box &bounds = scene.bounds;
+    const Vec3 &p = ball.position;
+    const bool inside = p.x >= bounds.min.x && p.x <= bounds.max.x && p.y >= bounds.min.y && p.y <= bounds.max.y;
+    if (!inside) flags |= PHYS_OUT;
+    const bool onFloor = !(flags & PHYS_AIRBORNE);
+    if (params.model == PHYS_MODEL_RIGID && onFloor && !rolls(ball, scene.radius)) flags |= PHYS_SLIPPING;
+    out.flags = flags;
+}
 
 /// Turns the orientation by the mean spin of the step.
-void turn(const phys_state &in, double dt, phys_state &out);
+void turn(const Vec3 &spinBefore, double dt, phys_state &out);
 
 /// Events that only show at the end of a step.
-void reportTransitions(Reporter &reporter, double dt, const phys_state &in, bool wasSupported, const phys_state &out);
+void reportTransitions(Reporter &reporter, double dt, const Ball &before, const phys_state &out);
 
 /// create and destroy of a stepper that needs nothing but the scene.
 phys_status keepScene(const phys_scene_view *view, void **self, phys_error *err);
 void forgetScene(void *self);
 
 phys_status refuseSubsteps(double substeps, phys_error *err);
-phys_status refuseStuck(const phys_state &in, phys_error *err);
+phys_status refuseStuck(const Vec3 &position, phys_error *err);
 
 template<class Scheme>
 struct DiscreteStepper {
     static phys_status requirements(void *self, const phys_params *params, double dt, const phys_state *state,
                                     phys_requirements *out, phys_error *) {
         const Scene &scene = *static_cast<const Scene *>(self);
-        describePlan(scene, *params, dt, *state, plan(scene, *params, dt, *state), *out);
+        const PlanInput input{scene, *params, dt, *state};
+        describePlan(input, plan(input), *out);
         return PHYS_OK;
     }
 
     static phys_status step(void *self, const phys_params *params, double dt, const phys_state *in, phys_state *out,
                             phys_report *report, phys_error *err) {
-        const Scene &scene = *static_cast<const Scene *>(self);
-        const StepPlan stepPlan = plan(scene, *params, dt, *in);
+        const PlanInput input{*static_cast<const Scene *>(self), *params, dt, *in};
+        if (!report && glide<Scheme>(input, *out)) return PHYS_OK;
+        return fullStep(input, *out, report, err);
+    }
+
+private:
+    [[gnu::noinline]] static phys_status fullStep(const PlanInput &input, phys_state &out, phys_report *report,
+                                                  phys_error *err) {
+        const auto &[scene, params, dt, in] = input;
+        const StepPlan stepPlan = plan(input);
         if (stepPlan.substeps > kSubstepCap) return refuseSubsteps(stepPlan.substeps, err);
 
         const auto substeps = static_cast<uint32_t>(stepPlan.substeps);
         const double h = dt / stepPlan.substeps;
-        Reporter reporter(report, in->time);
+        Reporter reporter(report, in.time);
         reporter.substeps(substeps, kSubstepCap);
-        DiscreteStep<Scheme> substep(scene, *params, reporter, stepPlan, h);
+        DiscreteStep<Scheme> substep(scene, params, reporter, stepPlan, h);
 
-        Ball ball = loadBall(*in);
-        const bool wasSupported = reporter.wanted() && substep.supports(ball);
+        Ball before = loadBall(in);
+        if (reporter.wanted()) before.supported = substep.supports(before);
+        Ball ball = before;
         for (uint32_t i = 1; i <= substeps; ++i) {
-            if (!substep.run(i * h, ball)) return refuseStuck(*in, err);
+            if (!substep.run(i * h, ball)) return refuseStuck(before.position, err);
         }
         uint64_t flags = substep.supports(ball) ? 0 : PHYS_AIRBORNE;
         if (substep.rests(ball)) flags |= PHYS_AT_REST;
-        storeBall(scene, *params, ball, flags, *out);
-        if (stepPlan.runs(PHYS_STAGE_ORIENTATION)) turn(*in, dt, *out);
-        if (reporter.wanted()) reportTransitions(reporter, dt, *in, wasSupported, *out);
+        if (&out != &in) std::memcpy(out.orientation, in.orientation, sizeof out.orientation);
+        storeBall(scene, params, ball, flags, out);
+        if (stepPlan.runs(PHYS_STAGE_ORIENTATION)) turn(before.spin, dt, out);
+        if (reporter.wanted()) reportTransitions(reporter, dt, before, out);
         return PHYS_OK;
     }
 
-private:
-    static StepPlan plan(const Scene &scene, const phys_params &params, double dt, const phys_state &state) {
-        return planStep(scene, params, dt, state, Scheme::kBounce, asReported(params));
-    }
+    static StepPlan plan(const PlanInput &input) { return planStep(input, Scheme::kBounce, asReported(input.params)); }
 };
 
 /// A stepper's table: id, name, version, summary, and the rest from its scheme.

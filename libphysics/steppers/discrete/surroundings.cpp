@@ -100,15 +100,6 @@ Vec2 Pressing::freePart(const Vec2 &drive) const {
     return Vec2(0.0);
 }
 
-Surroundings lookAround(const StepContext &context, const Vec3 &position) {
-    const Scene &scene = context.scene;
-    Surroundings around{scene.solidsNear(position.x, position.y, context.useGrid), INFINITY};
-    for (const uint32_t solid : around.candidates) {
-        around.nearestSquared = std::min(around.nearestSquared, squaredDistance(scene.solids[solid], position));
-    }
-    return around;
-}
-
 Pressing findPressing(const StepContext &context, const Surroundings &around, const Ball &ball, const Vec2 &drive) {
     Pressing pressing;
     const Scene &scene = context.scene;

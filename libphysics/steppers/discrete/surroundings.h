@@ -7,6 +7,8 @@
 #include "response.h"
 #include "scene.h"
 
+#include <cmath>
+
 namespace phys {
 
 /// How a stepper answers an overlap.
@@ -45,7 +47,14 @@ struct Surroundings {
 };
 
 /// Looks around a ball.
-Surroundings lookAround(const StepContext &context, const Vec3 &position);
+inline Surroundings lookAround(const StepContext &context, const Vec3 &position) {
+    const Scene &scene = context.scene;
+    Surroundings around{scene.solidsNear(position.x, position.y, context.useGrid), INFINITY};
+    for (const uint32_t solid : around.candidates) {
+        around.nearestSquared = std::min(around.nearestSquared, squaredDistance(scene.solids[solid], position));
+    }
+    return around;
+}
 
 /// Walls in contact with a supported ball, not receding, that `drive` (m/s^2) presses it against.
 Pressing findPressing(const StepContext &context, const Surroundings &around, const Ball &ball, const Vec2 &drive);

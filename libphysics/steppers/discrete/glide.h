@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// The step that most steps are: the scene requires nothing but the smooth law.
+#pragma once
+
+#include "discrete.h"
+
+#include <cstring>
+
+namespace phys {
+
+/// Rolls freely on the floor for one step: no box within reach before or after, one substep, no option, no report.
+/// False, with `out` untouched, if the step needs any more than that; it computes what the full step would, bit by bit.
+template<class Scheme>
+inline bool glide(const PlanInput &input, phys_state &out) {
+    const Scene &scene = input.scene;
+    const phys_state &in = input.state;
+    const Vec2 from = inPlane(in.position);
+    const Vec2 velocity = inPlane(in.velocity);
+    if (input.params.options != 0 || !isSlow(input) || velocity == Vec2(0.0) || !scene.overFloor(from.x, from.y)) {
+        return false;
+    }
+
+    Law<Vec2> law = rollingLaw(input.params);
+    const Advance<Vec2> next = Scheme::advance(law, velocity, input.dt);
+    const Vec2 to = from + next.displacement;
+    const double reach = scene.radius + std::abs(to.x - from.x) + std::abs(to.y - from.y);
+    const Vec3 centre = toVec(in.position);
+    for (const uint32_t solid : scene.solidsNear(from.x, from.y, scene.needsGrid)) {
+        if (squaredDistance(scene.solids[solid], centre) <= reach * reach) return false;
+    }
+    if (reach > kCandidateReach * scene.radius || next.velocity == Vec2(0.0) || !scene.overFloor(to.x, to.y)) {
+        return false;
+    }
+
+    if (&out != &in) std::memcpy(out.orientation, in.orientation, sizeof out.orientation);
+    out.position = {to.x, to.y, in.position.z};
+    out.velocity = {next.velocity.x, next.velocity.y, 0.0};
+    out.spin = fromVec(rollingSpin(next.velocity, scene.radius));
+    out.flags = 0;
+    return true;
+}
+
+} // namespace phys
