@@ -9,21 +9,14 @@
 #include "law.h"
 #include "orientation.h"
 #include "requirements.h"
-#include "slip.h"
 #include "surroundings.h"
+#include "wall_slide.h"
 
 #include <physics/plugin.h>
 
 #include <cmath>
 
 namespace phys {
-
-/// What a scheme computes for one substep.
-template<class V>
-struct Advance {
-    V velocity;     ///< at its end, m/s
-    V displacement; ///< during it, m
-};
 
 /// Whether resistance may stop the ball in this substep: higher orders hand over to the clamp then, model.md 10.5.
 template<class V>
@@ -64,10 +57,14 @@ public:
         if (ball.velocity != Vec3(0.0)) return false;
         const Surroundings around = lookAround(m_context, ball.position);
         if (!isOnFloor(ball) && !isCarried(around, ball)) return false;
-        if (m_context.rigid && (ball.spin != Vec3(0.0) || !gripHolds(m_context.params))) return false;
-        const Law<Vec2> law = rollingLaw(m_context.params);
+        const phys_params &params = m_context.params;
+        const bool frictionless = m_context.rigid && params.sliding_friction == 0.0;
+        if (m_context.rigid && !frictionless && inPlane(ball.spin) != Vec2(0.0)) return false;
+        const Law<Vec2> law = velocityLaw(frictionless ? FloorContact::Slides : FloorContact::Rolls, params);
         const Vec2 drive = findPressing(m_context, around, ball, law.A).freePart(law.A);
-        return glm::dot(drive, drive) <= law.B * law.B;
+        // Where friction can't hold the ball, only walls that take the whole force can.
+        const double hold = m_context.rigid && !gripHolds(params) ? 0.0 : law.B;
+        return glm::dot(drive, drive) <= hold * hold;
     }
 
 private:
@@ -140,40 +137,30 @@ private:
     Vec2 moveRigid(const Surroundings &around, Ball &ball) {
         const phys_params &params = m_context.params;
         const double radius = m_context.scene.radius;
-        // Asked anew in each substep: an impact in the one before may have made it slip.
-        const bool rolling = rolls(ball, radius) && gripHolds(params);
-        const Vec2 drive = rolling ? rollingLaw(params).A : slippingDrive(ball, params, radius);
+        const FloorContact contact = floorContact(params, radius, inPlane(ball.velocity), ball.spin);
+        const bool slips = contact == FloorContact::Slips;
+        const Law<Vec2> law = velocityLaw(contact, params);
+        const Vec2 drive = slips ? slippingDrive(ball, params, radius) : law.A;
         const Pressing pressing = findPressing(m_context, around, ball, drive);
-        if (pressing.any() && (!rolling || params.wall_friction > 0.0)) {
+        if (pressing.any() && (slips || params.wall_friction > 0.0)) {
             ball.position += Vec3(slideAlongWalls(m_context, pressing, ball), 0.0);
-        } else if (rolling) {
-            roll(around, rollingLaw(params), ball);
-            ball.spin = rollingSpin(inPlane(ball.velocity), radius) + Vec3(0.0, 0.0, ball.spin.z);
+        } else if (slips) {
+            slipOn(ball);
         } else {
-            slip(ball);
+            roll(around, law, ball);
+            ball.spin = spinAfter(contact, inPlane(ball.velocity), ball.spin, radius);
         }
         return drive;
     }
 
-    /// q moves uniformly accelerated whatever friction does; the scheme carries the slip u: model.md 3.6.
-    void slip(Ball &ball) {
+    void slipOn(Ball &ball) {
         const phys_params &params = m_context.params;
-        const double radius = m_context.scene.radius;
-        const double h = m_context.h;
-        const Vec2 v = inPlane(ball.velocity);
-        const Vec2 w = spinSpeed(ball.spin, radius);
-        const Vec2 q = (5.0 * v + 2.0 * w) / 7.0;
-        const Vec2 qDrive = 5.0 / 7.0 * inPlane(params.gravity);
-
-        const Law<Vec2> law = slippingLaw(params);
-        const Advance<Vec2> u = Scheme::advance(law, v - w, h);
-        const Vec2 qNext = q + h * qDrive;
-        const Vec2 displacement = h * q + 0.5 * h * h * qDrive + 2.0 / 7.0 * u.displacement;
-        const Vec2 wNext = qNext - 5.0 / 7.0 * u.velocity;
-        ball.velocity = Vec3(qNext + 2.0 / 7.0 * u.velocity, 0.0);
-        ball.spin = rollingSpin(wNext, radius) + Vec3(0.0, 0.0, ball.spin.z);
-        ball.position += Vec3(displacement, 0.0);
-        if (m_context.report.wanted()) m_context.report.lostSlip(law.B / 3.5 * glm::length(u.displacement));
+        double path = 0.0;
+        const Advance<Vec2> next = slip<Scheme>(params, m_context.scene.radius, m_context.h, inPlane(ball.velocity),
+                                                ball.spin, m_context.report.wanted() ? &path : nullptr);
+        ball.velocity = Vec3(next.velocity, 0.0);
+        ball.position += Vec3(next.displacement, 0.0);
+        m_context.report.lostSlip(params.sliding_friction * -params.gravity.z * path);
     }
 
     bool fly(double after, Ball &ball) {

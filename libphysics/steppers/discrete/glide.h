@@ -20,8 +20,12 @@ inline bool glide(const PlanInput &input, phys_state &out) {
         return false;
     }
 
-    Law<Vec2> law = rollingLaw(input.params);
-    const Advance<Vec2> next = Scheme::advance(law, velocity, input.dt);
+    Vec3 spin = input.params.model == PHYS_MODEL_RIGID ? toVec(in.spin) : Vec3(0.0);
+    const FloorContact contact = floorContact(input.params, scene.radius, velocity, spin);
+    const bool slips = contact == FloorContact::Slips;
+    const Advance<Vec2> next = slips ? slip<Scheme>(input.params, scene.radius, input.dt, velocity, spin, nullptr)
+                                     : Scheme::advance(velocityLaw(contact, input.params), velocity, input.dt);
+    if (!slips) spin = spinAfter(contact, next.velocity, spin, scene.radius);
     const Vec2 to = from + next.displacement;
     const double reach = scene.radius + std::abs(to.x - from.x) + std::abs(to.y - from.y);
     const Vec3 centre = toVec(in.position);
@@ -35,8 +39,9 @@ inline bool glide(const PlanInput &input, phys_state &out) {
     if (&out != &in) std::memcpy(out.orientation, in.orientation, sizeof out.orientation);
     out.position = {to.x, to.y, in.position.z};
     out.velocity = {next.velocity.x, next.velocity.y, 0.0};
-    out.spin = fromVec(rollingSpin(next.velocity, scene.radius));
-    out.flags = 0;
+    out.spin = fromVec(spin);
+    const bool slipping = contact != FloorContact::Rolls && !rolls(next.velocity, spin, scene.radius);
+    out.flags = slipping ? PHYS_SLIPPING : 0;
     return true;
 }
 

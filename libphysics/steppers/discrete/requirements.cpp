@@ -62,11 +62,14 @@ void describePlan(const PlanInput &input, const StepPlan &plan, phys_requirement
         params.rolling_friction > 0.0 ? "rolling_friction is above 0" : "not needed: rolling_friction is 0");
     say(out, 3, "%s",
         params.model != PHYS_MODEL_RIGID ? "not needed: the rolling model has no slip"
-        : input.slips()                  ? "the floor contact slips, or the slope is too steep for friction to hold it"
-                                         : "not needed: the ball rolls, and friction holds it on this slope");
+        : input.contact() == FloorContact::Slides
+            ? "not needed: without sliding_friction the spin has no part in the motion"
+        : input.contact() == FloorContact::Slips
+            ? "the floor contact slips, or the slope is too steep for friction to hold it"
+            : "not needed: the ball rolls, and friction holds it on this slope");
     say(out, 4, "%s",
         scene.needsGrid ? "there are more than a handful of boxes"
-                          : "not needed: for a handful of boxes looking at each is cheaper");
+                        : "not needed: for a handful of boxes looking at each is cheaper");
     say(out, 5, "%s",
         params.options & PHYS_OPTION_ORIENTATION ? "asked for by params.options"
                                                  : "not needed: params.options doesn't ask for it");

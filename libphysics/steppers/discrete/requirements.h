@@ -2,7 +2,7 @@
 // Which stages a step of fixed substeps needs: the plan it runs by, and the same in words.
 #pragma once
 
-#include "slip.h"
+#include "floor_contact.h"
 #include "surroundings.h"
 
 #include <cstdint>
@@ -38,10 +38,8 @@ struct PlanInput {
         return scene.isPlanar() && (params.model == PHYS_MODEL_ROLLING || params.wall_friction == 0.0);
     }
 
-    bool slips() const {
-        if (params.model != PHYS_MODEL_RIGID) return false;
-        const Ball ball{toVec(state.position), toVec(state.velocity), toVec(state.spin), true};
-        return !rolls(ball, scene.radius) || !gripHolds(params);
+    FloorContact contact() const {
+        return floorContact(params, scene.radius, inPlane(state.velocity), toVec(state.spin));
     }
 };
 
@@ -56,8 +54,10 @@ double substepsNeeded(const PlanInput &input);
 inline bool isSlow(const PlanInput &input) {
     const phys_vec3 &v = input.state.velocity;
     const phys_vec3 &g = input.params.gravity;
-    if (!input.isOnFloor() || input.params.model != PHYS_MODEL_ROLLING) return false;
-    const double limit = 0.5 * input.scene.radius / input.dt - (std::abs(g.x) + std::abs(g.y)) * input.dt;
+    if (!input.isOnFloor()) return false;
+    const double friction = input.params.model == PHYS_MODEL_RIGID ? input.params.sliding_friction * g.z : 0.0;
+    const double drive = std::abs(g.x) + std::abs(g.y) + std::abs(friction);
+    const double limit = 0.5 * input.scene.radius / input.dt - drive * input.dt;
     return limit > 0.0 && v.x * v.x + v.y * v.y <= limit * limit;
 }
 
@@ -70,11 +70,11 @@ inline StepPlan planStep(const PlanInput &input, Bounce bounce, bool asReported)
     const phys_params &params = input.params;
     StepPlan plan{asReported ? Bounce::Plain : bounce, 0, 1.0};
     if (!asReported && !isSlow(input)) plan.substeps = substepsNeeded(input);
-    plan.stages = stage(!input.isOnFloor() || !input.isPlanar(), PHYS_STAGE_VERTICAL) |
-                  stage(plan.substeps > 1.0, PHYS_STAGE_SUBSTEPS) |
-                  stage(params.rolling_friction > 0.0, PHYS_STAGE_RESISTANCE) | stage(input.slips(), PHYS_STAGE_SLIP) |
-                  stage(input.scene.needsGrid, PHYS_STAGE_GRID) |
-                  stage(params.options & PHYS_OPTION_ORIENTATION, PHYS_STAGE_ORIENTATION);
+    plan.stages =
+        stage(!input.isOnFloor() || !input.isPlanar(), PHYS_STAGE_VERTICAL) |
+        stage(plan.substeps > 1.0, PHYS_STAGE_SUBSTEPS) | stage(params.rolling_friction > 0.0, PHYS_STAGE_RESISTANCE) |
+        stage(input.contact() == FloorContact::Slips, PHYS_STAGE_SLIP) | stage(input.scene.needsGrid, PHYS_STAGE_GRID) |
+        stage(params.options & PHYS_OPTION_ORIENTATION, PHYS_STAGE_ORIENTATION);
     if (params.options & PHYS_OPTION_ALL_STAGES) plan.stages |= kForcibleStages;
     return plan;
 }

@@ -1,23 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "slip.h"
+#include "wall_slide.h"
+
+#include "floor_contact.h"
 
 #include <cmath>
 
 namespace phys {
-
-bool rolls(const Ball &ball, double radius) {
-    const Vec2 velocity = inPlane(ball.velocity);
-    const Vec2 spin = spinSpeed(ball.spin, radius);
-    const Vec2 slip = velocity - spin;
-    const double size = std::abs(velocity.x) + std::abs(velocity.y) + std::abs(spin.x) + std::abs(spin.y);
-    return std::abs(slip.x) + std::abs(slip.y) <= 4.0 * kRounding * size;
-}
-
-bool gripHolds(const phys_params &params) {
-    const Vec2 along = inPlane(params.gravity);
-    const double grip = 3.5 * params.sliding_friction * params.gravity.z;
-    return glm::dot(along, along) <= grip * grip;
-}
 
 Vec2 slippingDrive(const Ball &ball, const phys_params &params, double radius) {
     const Vec2 slip = inPlane(ball.velocity) - spinSpeed(ball.spin, radius);
@@ -51,7 +39,7 @@ Vec2 slideAlongWalls(const StepContext &context, const Pressing &pressing, Ball 
 
     // What friction pushed into the walls they take back.
     Vec2 velocity = pressing.freePart(inPlane(ball.velocity));
-    if (ball.supported && rolls(ball, radius)) {
+    if (ball.supported && rolls(inPlane(ball.velocity), ball.spin, radius)) {
         velocity = clampedVelocity(Law<Vec2>{Vec2(0.0), rollingLaw(params).B, true}, velocity, context.h);
         ball.spin = Vec3(inPlane(rollingSpin(velocity, radius)), ball.spin.z);
     }

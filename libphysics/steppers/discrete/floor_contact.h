@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// How a ball on the floor moves where no wall interferes: it rolls, slides without friction, or slips.
+#pragma once
+
+#include "law.h"
+#include "response.h"
+#include "scene.h"
+
+#include <cmath>
+
+namespace phys {
+
+/// What a scheme computes for one substep.
+template<class V>
+struct Advance {
+    V velocity;     ///< at its end, m/s
+    V displacement; ///< during it, m
+};
+
+enum class FloorContact {
+    Rolls,  ///< u = 0 and friction keeps it so; always in the rolling model
+    Slides, ///< rigid model without sliding friction: the spin has no part in the motion
+    Slips   ///< rigid model: friction turns slip into spin
+};
+
+/// Whether u = 0 within rounding: model.md 2.2 F2.
+inline bool rolls(const Vec2 &velocity, const Vec3 &spin, double radius) {
+    const Vec2 w = spinSpeed(spin, radius);
+    const Vec2 u = velocity - w;
+    const double size = std::abs(velocity.x) + std::abs(velocity.y) + std::abs(w.x) + std::abs(w.y);
+    return std::abs(u.x) + std::abs(u.y) <= 4.0 * kRounding * size;
+}
+
+/// Whether friction can keep a ball rolling on this slope: tan(tilt) <= 7/2 mu_s, model.md 2.2 F2.
+inline bool gripHolds(const phys_params &params) {
+    const Vec2 along = inPlane(params.gravity);
+    const double grip = 3.5 * params.sliding_friction * params.gravity.z;
+    return glm::dot(along, along) <= grip * grip;
+}
+
+inline FloorContact floorContact(const phys_params &params, double radius, const Vec2 &velocity, const Vec3 &spin) {
+    if (params.model == PHYS_MODEL_ROLLING) return FloorContact::Rolls;
+    if (params.sliding_friction == 0.0) return FloorContact::Slides;
+    return rolls(velocity, spin, radius) && gripHolds(params) ? FloorContact::Rolls : FloorContact::Slips;
+}
+
+/// The law of the velocity where there is one: not while it slips.
+inline Law<Vec2> velocityLaw(FloorContact contact, const phys_params &params) {
+    return contact == FloorContact::Slides ? Law<Vec2>{inPlane(params.gravity), 0.0, false} : rollingLaw(params);
+}
+
+/// The spin after a step of that law. Drilling about the vertical goes on as it was.
+inline Vec3 spinAfter(FloorContact contact, const Vec2 &velocity, const Vec3 &spin, double radius) {
+    if (contact == FloorContact::Slides) return spin;
+    return rollingSpin(velocity, radius) + Vec3(0.0, 0.0, spin.z);
+}
+
+/// A substep of slipping: q moves uniformly accelerated whatever friction does, the scheme carries the slip u,
+/// model.md 3.6. Changes the spin; slipPath: or nullptr.
+template<class Scheme>
+Advance<Vec2> slip(const phys_params &params, double radius, double h, const Vec2 &velocity, Vec3 &spin,
+                   double *slipPath) {
+    const Vec2 w = spinSpeed(spin, radius);
+    const Vec2 q = (5.0 * velocity + 2.0 * w) / 7.0;
+    const Vec2 qDrive = 5.0 / 7.0 * inPlane(params.gravity);
+    const Vec2 qNext = q + h * qDrive;
+    const Advance<Vec2> u = Scheme::advance(slippingLaw(params), velocity - w, h);
+    if (slipPath) *slipPath = glm::length(u.displacement);
+    spin = rollingSpin(qNext - 5.0 / 7.0 * u.velocity, radius) + Vec3(0.0, 0.0, spin.z);
+    return {qNext + 2.0 / 7.0 * u.velocity, h * q + 0.5 * h * h * qDrive + 2.0 / 7.0 * u.displacement};
+}
+
+} // namespace phys
