@@ -30,7 +30,7 @@ phys_stepper_info describe(const phys_registry *registry, uint32_t index) {
             api.name,
             api.version,
             api.summary,
-            isPlugin ? plugin->file.c_str() : "",
+            isPlugin ? plugin->file->c_str() : "",
             api.rows,
             api.row_count,
             api.flags | (isPlugin ? static_cast<uint32_t>(PHYS_STEPPER_PLUGIN) : 0U)};
@@ -54,15 +54,15 @@ phys_status refuseUnknown(const phys_registry *registry, const char *id, phys_er
 
 std::span<const phys_stepper_api *const> builtInSteppers() { return kBuiltIn; }
 
-const phys_stepper_api *findStepper(const phys_registry *registry, const char *id) {
+FoundStepper findStepper(const phys_registry *registry, const char *id) {
     for (const phys_stepper_api *api : kBuiltIn) {
-        if (std::strcmp(api->id, id) == 0) return api;
+        if (std::strcmp(api->id, id) == 0) return {api, false};
     }
-    if (!registry) return nullptr;
+    if (!registry) return {nullptr, false};
     for (const PluginStepper &plugin : registry->plugins) {
-        if (std::strcmp(plugin.api->id, id) == 0) return plugin.api;
+        if (std::strcmp(plugin.api->id, id) == 0) return {plugin.api, true};
     }
-    return nullptr;
+    return {nullptr, false};
 }
 
 } // namespace phys

@@ -4,6 +4,7 @@
 
 #include <physics/plugin.h>
 
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,7 +16,7 @@ std::span<const phys_stepper_api *const> builtInSteppers();
 
 struct PluginStepper {
     const phys_stepper_api *api;
-    std::string file;
+    std::shared_ptr<const std::string> file; ///< its text stays where it is: phys_stepper_info points at it
 };
 
 } // namespace phys
@@ -26,7 +27,12 @@ struct phys_registry {
 
 namespace phys {
 
-/// The stepper with this id, or nullptr. registry may be nullptr.
-const phys_stepper_api *findStepper(const phys_registry *registry, const char *id);
+struct FoundStepper {
+    const phys_stepper_api *api; ///< nullptr if there is none
+    bool isPlugin;
+};
+
+/// The stepper with this id. registry may be nullptr.
+FoundStepper findStepper(const phys_registry *registry, const char *id);
 
 } // namespace phys

@@ -3,6 +3,7 @@
 #include "error.h"
 #include "pairs.h"
 #include "params.h"
+#include "plugin_call.h"
 #include "registry.h"
 #include "scene.h"
 
@@ -10,6 +11,7 @@
 #include <cstdio>
 #include <cstring>
 #include <limits>
+#include <memory>
 #include <new>
 
 struct phys_stepper {
@@ -142,10 +144,10 @@ double energyOf(const Scene &scene, const phys_params &params, const phys_state 
            glm::dot(toVec(params.gravity), toVec(state.position));
 }
 
-phys_status checkPluginResult(const phys_stepper_api &api, const phys_state &expected, const phys_state &result,
-                              phys_error *err) {
+phys_status checkPluginState(const phys_stepper_api &api, const phys_state &expected, const phys_state &result,
+                             phys_error *err) {
     char whose[96];
-    std::snprintf(whose, sizeof whose, "the result of plugin stepper '%.60s'", api.id);
+    std::snprintf(whose, sizeof whose, "the result of plugin stepper '%s'", api.id);
     if (!stateIsValid(result)) return explainState(result, PHYS_ERROR_PLUGIN_RESULT, whose, err);
     if (result.time == expected.time && result.step == expected.step) return PHYS_OK;
     return fail(err, PHYS_ERROR_PLUGIN_RESULT, "%s has time %.17g s and step %llu; expected %.17g s and %llu", whose,
@@ -153,19 +155,62 @@ phys_status checkPluginResult(const phys_stepper_api &api, const phys_state &exp
                 static_cast<unsigned long long>(expected.step));
 }
 
+phys_status checkPluginReport(const phys_stepper_api &api, const phys_report &given, const phys_report &result,
+                              phys_error *err) {
+    const bool sameBuffer = result.struct_size == given.struct_size && result.events == given.events &&
+                            result.event_capacity == given.event_capacity;
+    if (!sameBuffer) {
+        return fail(err, PHYS_ERROR_PLUGIN_RESULT,
+                    "plugin stepper '%s' changed the report's size or its event buffer; expected them untouched",
+                    api.id);
+    }
+    if (result.event_count > given.event_capacity) {
+        return fail(err, PHYS_ERROR_PLUGIN_RESULT, "plugin stepper '%s' reports %u events; there is room for %u",
+                    api.id, result.event_count, given.event_capacity);
+    }
+    const double sum = ((result.penetration - result.penetration) + (result.lost_impact - result.lost_impact)) +
+                       ((result.lost_rolling - result.lost_rolling) + (result.lost_slip - result.lost_slip));
+    if (sum == 0.0) return PHYS_OK; // x - x is 0 for a finite x
+    return fail(err, PHYS_ERROR_PLUGIN_RESULT,
+                "plugin stepper '%s' reports penetration %g, lost_impact %g, lost_rolling %g, lost_slip %g; expected "
+                "finite numbers",
+                api.id, result.penetration, result.lost_impact, result.lost_rolling, result.lost_slip);
+}
+
 /// A plugin's step works on copies, and nobody sees its result before it was checked.
-phys_status advancePlugin(phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
+phys_status advancePlugin(const phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
                           phys_state &out, phys_report *report, phys_error *err) {
-    phys_error unused;
+    const phys_stepper_api &api = *stepper.api;
+    const phys_state copy = in;
     phys_state next = in;
     next.time = nextTime(in, dt);
     next.step = in.step + 1;
     const phys_state expected = next;
-    const phys_status status = stepper.api->step(stepper.self, &params, dt, &in, &next, report, err ? err : &unused);
+    const phys_report given = report ? *report : phys_report{};
+    const phys_status status = callPlugin(api, "step", err, [&](phys_error &own) {
+        return api.step(stepper.self, &params, dt, &copy, &next, report, &own);
+    });
     if (status) return status;
-    if (const phys_status bad = checkPluginResult(*stepper.api, expected, next, err)) return bad;
+    if (report) {
+        if (const phys_status bad = checkPluginReport(api, given, *report, err)) return bad;
+    }
+    if (const phys_status bad = checkPluginState(api, expected, next, err)) return bad;
     out = next;
     return PHYS_OK;
+}
+
+phys_status createPlugin(phys_stepper &stepper, phys_error *err) {
+    return callPlugin(*stepper.api, "create", err,
+                      [&](phys_error &own) { return stepper.api->create(&stepper.view, &stepper.self, &own); });
+}
+
+phys_status requirementsOfPlugin(const phys_stepper &stepper, const phys_params &params, double dt,
+                                 const phys_state &state, phys_requirements &out, phys_error *err) {
+    const phys_status status = callPlugin(*stepper.api, "requirements", err, [&](phys_error &own) {
+        return stepper.api->requirements(stepper.self, &params, dt, &state, &out, &own);
+    });
+    for (char(&reason)[120] : out.reasons) reason[sizeof reason - 1] = '\0';
+    return status;
 }
 
 /// A built-in stepper writes `out` only on success, and in and out may be the same.
@@ -210,29 +255,31 @@ phys_status stepAndReport(phys_stepper &stepper, const phys_params &params, doub
 } // namespace phys
 
 phys_status phys_stepper_create(const phys_registry *registry, const char *id, const phys_scene *scene,
-                                phys_stepper **out, phys_error *err) {
+                                phys_stepper **out, phys_error *err) try {
     if (!id || !scene || !out) {
         return phys::fail(err, PHYS_ERROR_ARGUMENT, "%s is NULL", !id ? "id" : !scene ? "scene" : "out");
     }
-    const phys_stepper_api *api = phys::findStepper(registry, id);
+    const auto [api, isPlugin] = phys::findStepper(registry, id);
     if (!api) {
         phys_stepper_info unused;
         return phys_registry_find(registry, id, &unused, err); // says which ids there are
     }
-    auto *stepper = new (std::nothrow) phys_stepper{api, nullptr, scene, phys::viewOf(*scene), false};
-    if (!stepper) return phys::fail(err, PHYS_ERROR_MEMORY, "out of memory for stepper '%s'", id);
-    const phys_status status = api->create(&stepper->view, &stepper->self, err);
-    if (status) {
-        delete stepper;
-        return status;
-    }
-    *out = stepper;
-    return PHYS_OK;
+    const phys_stepper fresh{api, nullptr, scene, phys::viewOf(*scene), isPlugin};
+    auto stepper = std::make_unique<phys_stepper>(fresh);
+    const phys_status status =
+        isPlugin ? phys::createPlugin(*stepper, err) : api->create(&stepper->view, &stepper->self, err);
+    if (!status) *out = stepper.release();
+    return status;
+} catch (const std::bad_alloc &) {
+    return phys::fail(err, PHYS_ERROR_MEMORY, "out of memory for a stepper");
 }
 
 void phys_stepper_destroy(phys_stepper *stepper) {
     if (!stepper) return;
-    stepper->api->destroy(stepper->self);
+    phys::callPlugin(*stepper->api, "destroy", nullptr, [stepper](phys_error &) {
+        stepper->api->destroy(stepper->self);
+        return PHYS_OK;
+    });
     delete stepper;
 }
 
@@ -264,7 +311,9 @@ phys_status phys_stepper_requirements(const phys_stepper *stepper, const phys_pa
         return phys::fail(err, PHYS_ERROR_UNSUPPORTED, "stepper '%s' doesn't tell what it requires", stepper->api->id);
     }
     phys_requirements requirements{};
-    const phys_status status = stepper->api->requirements(stepper->self, params, dt, state, &requirements, err);
+    const phys_status status = stepper->isPlugin
+                                   ? phys::requirementsOfPlugin(*stepper, *params, dt, *state, requirements, err)
+                                   : stepper->api->requirements(stepper->self, params, dt, state, &requirements, err);
     if (!status) *out = requirements;
     return status;
 }

@@ -43,7 +43,7 @@ typedef struct phys_stepper_api {
     const char *id;                    /* for ever, unique: lower case letters, digits and '-', 1 .. 63 bytes */
     const char *name;                  /* for people, 1 .. 127 bytes */
     const char *version;               /* changes when trajectories change, 1 .. 31 bytes */
-    const char *summary;               /* a sentence: what it's for; may be "" */
+    const char *summary;               /* a sentence: what it's for, 0 .. 255 bytes */
     const phys_param_row *const *rows; /* its own; offsets point into phys_params.stepper; NULL if there are none */
     uint32_t row_count;                /* 0 .. PHYS_STEPPER_VALUES */
     uint32_t reserved;                 /* 0 */
@@ -55,8 +55,8 @@ typedef struct phys_stepper_api {
     void (*destroy)(void *self);
 
     /** As phys_step, with arguments already checked: pointers valid, dt > 0, in valid, params within their rows.
-     *  in and out never overlap. err is never NULL; report may be. The host adds one to out->step itself, sets
-     *  out->time to in->time + dt and puts the energies into the report. */
+     *  in and out never overlap. err is never NULL; report may be. The host has filled *out with *in, step and time
+     *  already advanced: leave those two as they are. It puts the energies into the report itself. */
     phys_status (*step)(void *self, const phys_params *params, double dt, const phys_state *in, phys_state *out,
                         phys_report *report, phys_error *err);
 
