@@ -73,7 +73,7 @@ void MazeView::setMaze(const Mesh &mesh) {
     m_maze = mesh;
     m_are_meshes_stale = true;
     m_camera.setBounds(bounds);
-    if (!is_same_size) m_camera.reset();
+    if (!is_same_size) resetCamera();
     update();
 }
 
@@ -110,6 +110,7 @@ void MazeView::setShaderDirectory(const QString &path) {
 }
 
 void MazeView::resetCamera() {
+    m_is_camera_moved = false;
     m_camera.reset();
     update();
 }
@@ -167,9 +168,8 @@ void MazeView::uploadMeshes() {
 }
 
 void MazeView::resizeGL(int width, int height) {
-    const bool is_first = m_frame_milliseconds == 0.0;
     m_camera.setViewport({width, height});
-    if (is_first) m_camera.fit();
+    if (!m_is_camera_moved) m_camera.fit();
 }
 
 View MazeView::currentView() const {
@@ -227,6 +227,7 @@ void MazeView::mouseMoveEvent(QMouseEvent *event) {
     const double moved = (event->position() - m_press_position).manhattanLength();
     m_is_dragging = m_is_dragging || moved >= QGuiApplication::styleHints()->startDragDistance();
     if (!m_is_dragging) return;
+    m_is_camera_moved = true;
     const glm::dvec2 drag = toGlm(event->position() - m_last_position);
     m_last_position = event->position();
     if (event->buttons() & Qt::LeftButton) {
@@ -249,6 +250,7 @@ void MazeView::mouseDoubleClickEvent(QMouseEvent *event) {
 }
 
 void MazeView::wheelEvent(QWheelEvent *event) {
+    m_is_camera_moved = true;
     m_camera.zoom(event->angleDelta().y() / kWheelUnitsPerStep, toGlm(event->position()));
     event->accept();
     update();

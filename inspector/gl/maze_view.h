@@ -99,6 +99,7 @@ private:
     QPointF m_press_position;
     QPointF m_last_position;
     bool m_is_dragging = false;
+    bool m_is_camera_moved = false; // by hand; until then a resized view shows everything
 
     std::unique_ptr<MazeRenderer> m_renderer; // these two live and die with the context
     std::unique_ptr<QOpenGLFramebufferObject> m_multisampled;

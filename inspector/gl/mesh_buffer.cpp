@@ -33,8 +33,9 @@ MeshBuffer::MeshBuffer(QOpenGLFunctions_3_3_Core *gl)
     GLuint location = 0;
     for (const Attribute &attribute : kAttributes) {
         m_gl->glEnableVertexAttribArray(location);
-        m_gl->glVertexAttribPointer(location, attribute.size, attribute.type, GL_TRUE, sizeof(Vertex),
-                                    reinterpret_cast<const void *>(attribute.offset));
+        m_gl->glVertexAttribPointer(
+            location, attribute.size, attribute.type, GL_TRUE, sizeof(Vertex),
+            reinterpret_cast<const void *>(attribute.offset)); // NOLINT(performance-no-int-to-ptr): OpenGL's way
         ++location;
     }
 }

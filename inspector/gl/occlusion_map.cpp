@@ -2,21 +2,24 @@
 #include "gl/occlusion_map.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace inspector::gl {
 
 namespace {
 
+constexpr std::size_t kRow = OcclusionMap::kSize;
+
 // Running mean over 2 radius + 1 values with the given stride; beyond the ends the end values count.
-void blurLine(float *values, int count, int stride, int radius, std::vector<float> &scratch) {
-    const auto at = [&](int i) { return values[std::clamp(i, 0, count - 1) * stride]; };
+void blurLine(float *values, int count, std::ptrdiff_t stride, int radius, std::vector<float> &scratch) {
+    const auto at = [&](int i) { return values[stride * std::clamp(i, 0, count - 1)]; };
     double sum = 0.0;
     for (int i = -radius; i <= radius; ++i) sum += at(i);
     for (int i = 0; i < count; ++i) {
         scratch[i] = static_cast<float>(sum / (2 * radius + 1));
         sum += at(i + radius + 1) - at(i - radius);
     }
-    for (int i = 0; i < count; ++i) values[i * stride] = scratch[i];
+    for (int i = 0; i < count; ++i) values[stride * i] = scratch[i];
 }
 
 } // namespace
@@ -24,7 +27,7 @@ void blurLine(float *values, int count, int stride, int radius, std::vector<floa
 OcclusionMap::OcclusionMap(QOpenGLFunctions_3_3_Core *gl)
     : m_gl(gl) {
     m_gl->glGenTextures(1, &m_texture);
-    upload(std::vector<float>(static_cast<std::size_t>(kSize) * kSize, 0.0F), 0, 0);
+    upload(std::vector<float>(kRow * kSize, 0.0F), 0, 0);
     m_gl->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     m_gl->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     m_gl->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -37,8 +40,8 @@ void OcclusionMap::upload(std::vector<float> heights, int radius_x, int radius_y
     std::vector<float> scratch(kSize);
     // Two box means are close to a bell.
     for (int pass = 0; pass < 2; ++pass) {
-        for (int row = 0; row < kSize; ++row) blurLine(&heights[row * kSize], kSize, 1, radius_x, scratch);
-        for (int column = 0; column < kSize; ++column) blurLine(&heights[column], kSize, kSize, radius_y, scratch);
+        for (int row = 0; row < kSize; ++row) blurLine(&heights[kRow * row], kSize, 1, radius_x, scratch);
+        for (int column = 0; column < kSize; ++column) blurLine(&heights[column], kSize, kRow, radius_y, scratch);
     }
     m_gl->glBindTexture(GL_TEXTURE_2D, m_texture);
     m_gl->glTexImage2D(GL_TEXTURE_2D, 0, GL_R16, kSize, kSize, 0, GL_RED, GL_FLOAT, heights.data());

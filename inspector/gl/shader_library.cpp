@@ -22,7 +22,7 @@ constexpr std::array<Recipe, 5> kRecipes{{{"maze.vert", {"maze.frag", "lighting.
                                           {"stroke.vert", {"stroke.frag", nullptr}}}};
 
 QString pathOf(const QString &directory, const char *name) {
-    const QString override_path = directory + QLatin1Char('/') + QLatin1String(name);
+    QString override_path = directory + QLatin1Char('/') + QLatin1String(name);
     if (!directory.isEmpty() && QFileInfo::exists(override_path)) return override_path;
     return QLatin1String(":/shaders/") + QLatin1String(name);
 }

@@ -32,8 +32,9 @@ StrokeRenderer::StrokeRenderer(QOpenGLFunctions_3_3_Core *gl)
     GLuint location = 0;
     for (const Attribute &attribute : kAttributes) {
         m_gl->glEnableVertexAttribArray(location);
-        m_gl->glVertexAttribPointer(location, attribute.size, GL_FLOAT, GL_FALSE, sizeof(Stroke),
-                                    reinterpret_cast<const void *>(attribute.offset));
+        m_gl->glVertexAttribPointer(
+            location, attribute.size, GL_FLOAT, GL_FALSE, sizeof(Stroke),
+            reinterpret_cast<const void *>(attribute.offset)); // NOLINT(performance-no-int-to-ptr): OpenGL's way
         m_gl->glVertexAttribDivisor(location, 1);
         ++location;
     }

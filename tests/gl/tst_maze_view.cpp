@@ -164,6 +164,19 @@ private slots:
         m_view->setFrameSource(nullptr);
     }
 
+    void resizedViewShowsEverythingUntilTheCameraIsMoved() {
+        const double start = m_view->camera().distance();
+        m_view->resize(kWidth / 2, kHeight);
+        QTRY_VERIFY(m_view->camera().distance() > 1.5 * start); // half as wide: about twice as far
+        m_view->resize(kWidth, kHeight);
+        QTRY_COMPARE(m_view->camera().distance(), start);
+        turnWheel(m_view.get(), {160, 120}, 2);
+        const double chosen = m_view->camera().distance();
+        m_view->resize(kWidth / 2, kHeight);
+        QTRY_COMPARE(m_view->grabFramebuffer().width(), kWidth / 2);
+        QCOMPARE(m_view->camera().distance(), chosen);
+    }
+
     void otherMazeIsShownWhole() {
         const double distance = m_view->camera().distance();
         m_view->setMaze(plainBoard(0.3));
