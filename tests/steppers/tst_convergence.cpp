@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: MIT
+// How the error shrinks with the step: ratios where the motion is smooth, envelopes across impacts (model.md 10.2).
+#include "support/compare.h"
+#include "support/experiment.h"
+#include "support/stepper_rows.h"
+#include "support/tolerance.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <vector>
+
+using namespace support;
+
+namespace {
+
+/// A smooth motion of model.md 12.1: law, start, and where the ball is at the end.
+struct Arc {
+    const char *name;
+    double ax, ay, B, vx, vy, duration, x, y;
+};
+
+constexpr Arc kFirst{"the first case", -0.6, 0.2, 0.1, 1.0, 0.3, 2.0, 0.66173608811146707468, 0.87942790288305788119};
+
+const std::vector<Arc> kArcs{
+    kFirst,
+    {"k = 1", 0.5, 0.0, 0.5, 0.3, 0.4, 1.0, 0.35916183820371143944, 0.24322536933179607531},
+    {"k = 1/2", 1.0, 0.0, 0.5, -0.3, 0.4, 1.0, 0.15566552048209869172, 0.20329151692109757067},
+};
+
+const std::vector<Arc> kSharpArcs{
+    {"nearly collinear", 0.6, 0.0, 0.1, -1.0, 1e-3, 3.0, -0.096939019508888634701, 0.00134856854889587168},
+    {"collinear but for 1e-9", 0.6, 0.0, 0.1, -1.0, 1e-9, 3.0, -0.096938775510204081878, 1.2503924096962026e-9},
+    {"just before the stop", 0.3, 0.0, 0.5, 0.3, 0.4, 2.0, 0.39218754768189694192, 0.25932670873434878011},
+    {"after the stop", 0.3, 0.0, 0.5, 0.3, 0.4, 2.5, 0.39375, 0.25934065934065934066},
+};
+
+double errorAt(const Experiment &ball, double x, double y) {
+    return std::hypot(ball.state.position.x - x, ball.state.position.y - y);
+}
+
+/// Error of the position after an arc in n steps; NaN if a step failed.
+double errorOf(const Arc &arc, const QByteArray &stepper, uint32_t model, int n) {
+    Experiment ball(openFloor(4.0), stepper, model);
+    ball.setLaw(arc.ax, arc.ay, arc.B);
+    ball.roll(arc.vx, arc.vy);
+    if (!ball.stepTimes(static_cast<uint64_t>(n), arc.duration / n)) return NAN;
+    return errorAt(ball, arc.x, arc.y);
+}
+
+/// The scene of model.md 12.4.
+SceneBuilder twoRooms() {
+    return SceneBuilder()
+        .ball(0.0625)
+        .floor(-0.125, -0.125, 1.125, 1.125)
+        .wall(-0.125, -0.125, 1.125, 0)
+        .wall(-0.125, 1, 1.125, 1.125)
+        .wall(-0.125, 0, 0, 1)
+        .wall(1, 0, 1.125, 1)
+        .wall(0.375, 0.3125, 0.625, 0.375)
+        .wall(0.625, 0.3125, 0.6875, 0.6875)
+        .start(0.25, 0.1875);
+}
+
+/// A moment of one of the two runs in that scene. `bound`: of the error divided by dt.
+struct Moment {
+    uint32_t model;
+    double time, x, y, bound;
+};
+
+// Each impact puts the ball up to (1 + eps) v dt off (model.md 10.2), 1.75 * 0.8 = 1.4 dt, and at an edge turned by
+// v dt/R per radian besides: as much again over a path of R. The table's growth carries it on.
+constexpr Moment kMoments[] = {
+    {PHYS_MODEL_ROLLING, 1.0, 0.82070511008190482158, 0.17417049559190762784, 28 * 2.8 * 3},
+    {PHYS_MODEL_ROLLING, 2.0, 0.63192707859375322016, 0.22464684569040922296, 28 * 2.8 * 5},
+    {PHYS_MODEL_RIGID, 0.5, 0.56040776609906518374, 0.082903491788753747577, 28 * 2.8},
+    {PHYS_MODEL_RIGID, 1.0, 0.92980422159598425993, 0.10078903386904098, 28 * 2.8 * 2},
+};
+
+} // namespace
+
+class TestConvergence : public QObject {
+    Q_OBJECT
+
+private slots:
+    void errorOfTheFirstCaseIsAsTabled_data();
+    void errorOfTheFirstCaseIsAsTabled();
+    void errorFallsWithThePromisedOrder_data();
+    void errorFallsWithThePromisedOrder();
+    void errorStaysWithinAnEnvelopeAtSharpTurnsAndStops_data();
+    void errorStaysWithinAnEnvelopeAtSharpTurnsAndStops();
+    void errorStaysWithinAnEnvelopeAcrossImpacts_data();
+    void errorStaysWithinAnEnvelopeAcrossImpacts();
+    void firstIntegralIsKeptToThePromisedOrder_data() { addStepperRows(); }
+    void firstIntegralIsKeptToThePromisedOrder();
+};
+
+void TestConvergence::errorOfTheFirstCaseIsAsTabled_data() {
+    QTest::addColumn<QByteArray>("stepper");
+    QTest::addColumn<double>("error");
+    QTest::addColumn<double>("digit");
+    QTest::addColumn<double>("ratio");
+    QTest::newRow("velocity-verlet") << QByteArray("velocity-verlet") << 1.317e-6 << 5e-10 << 4.0;
+    QTest::newRow("rk4") << QByteArray("rk4") << 1.685e-12 << 5e-16 << 16.0;
+}
+
+void TestConvergence::errorOfTheFirstCaseIsAsTabled() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(double, error);
+    QFETCH(double, digit);
+    QFETCH(double, ratio);
+    // model.md 12.3: dt = 2/n, n = 200 and 400. Roundings of positions up to 1 add up as a random walk at most.
+    const double noise = rounding(std::sqrt(400.0) * 4.0, 1.0);
+    const double coarse = errorOf(kFirst, stepper, PHYS_MODEL_ROLLING, 200);
+    const double fine = errorOf(kFirst, stepper, PHYS_MODEL_ROLLING, 400);
+    COMPARE_WITHIN(coarse, error, digit + noise);
+    // The next term of the error is of relative size dt.
+    COMPARE_WITHIN(fine, coarse / ratio, coarse / ratio * 0.01 + noise);
+}
+
+void TestConvergence::errorFallsWithThePromisedOrder_data() {
+    QTest::addColumn<QByteArray>("stepper");
+    QTest::addColumn<uint32_t>("model");
+    QTest::addColumn<int>("arc");
+    for (const QByteArray &id : stepperIds()) {
+        for (const uint32_t model : {PHYS_MODEL_ROLLING, PHYS_MODEL_RIGID}) {
+            for (size_t arc = 0; arc < kArcs.size(); ++arc) {
+                QTest::addRow("%s, %s, %s", id.constData(), modelName(model).constData(), kArcs[arc].name)
+                    << id << model << static_cast<int>(arc);
+            }
+        }
+    }
+}
+
+void TestConvergence::errorFallsWithThePromisedOrder() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    QFETCH(int, arc);
+    const Arc &motion = kArcs[static_cast<size_t>(arc)];
+    const int order = promiseOf(stepper).smooth;
+    if (order == 0) {
+        for (const int n : {1, 7, 100}) {
+            QVERIFY(errorOf(motion, stepper, model, n) <= rounding(16.0 * n + 64.0, 1.0));
+        }
+        return;
+    }
+    // From the arc in 1/100 on, the next term of the error changes the ratio by less than a tenth.
+    const double coarse = errorOf(motion, stepper, model, 100);
+    const double fine = errorOf(motion, stepper, model, 200);
+    const double noise = rounding(100.0, 1.0);
+    COMPARE_WITHIN(fine, coarse * std::pow(2.0, -order), 0.1 * fine + noise);
+}
+
+void TestConvergence::errorStaysWithinAnEnvelopeAtSharpTurnsAndStops_data() {
+    QTest::addColumn<QByteArray>("stepper");
+    QTest::addColumn<uint32_t>("model");
+    QTest::addColumn<int>("arc");
+    for (const QByteArray &id : stepperIds()) {
+        for (const uint32_t model : {PHYS_MODEL_ROLLING, PHYS_MODEL_RIGID}) {
+            for (size_t arc = 0; arc < kSharpArcs.size(); ++arc) {
+                QTest::addRow("%s, %s, %s", id.constData(), modelName(model).constData(), kSharpArcs[arc].name)
+                    << id << model << static_cast<int>(arc);
+            }
+        }
+    }
+}
+
+void TestConvergence::errorStaysWithinAnEnvelopeAtSharpTurnsAndStops() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    QFETCH(int, arc);
+    const Arc &motion = kSharpArcs[static_cast<size_t>(arc)];
+    const bool isExact = promiseOf(stepper).smooth == 0;
+    for (const int n : {100, 300, 1000, 3000}) {
+        const double dt = motion.duration / n;
+        const double error = errorOf(motion, stepper, model, n);
+        // Euler: half a step of the change of velocity, at most |v| + a t/2 < 3 m/s; and one of the clamp (10.5).
+        const double bound = isExact ? rounding(16.0 * n + 64.0, 1.0) : 3.0 * dt;
+        QVERIFY2(error <= bound, digits(error) + " above " + digits(bound));
+    }
+}
+
+void TestConvergence::errorStaysWithinAnEnvelopeAcrossImpacts_data() {
+    QTest::addColumn<QByteArray>("stepper");
+    QTest::addColumn<int>("moment");
+    for (const QByteArray &id : stepperIds()) {
+        for (size_t i = 0; i < std::size(kMoments); ++i) {
+            QTest::addRow("%s, %s, %g s", id.constData(), modelName(kMoments[i].model).constData(), kMoments[i].time)
+                << id << static_cast<int>(i);
+        }
+    }
+}
+
+void TestConvergence::errorStaysWithinAnEnvelopeAcrossImpacts() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(int, moment);
+    const Moment &at = kMoments[moment];
+    const int order = promiseOf(stepper).impacts;
+    for (const int n : {512, 1000, 2048, 4000, 8192}) {
+        Experiment ball(twoRooms(), stepper, at.model);
+        ball.params.gravity = {0.5, -0.3125, -9.75};
+        ball.params.restitution_wall = 0.75;
+        ball.params.rolling_friction = at.model == PHYS_MODEL_ROLLING ? 0.01 : 0.0;
+        ball.params.sliding_friction = 0.25;
+        ball.roll(0.75, 0.5);
+        const double dt = at.time / n;
+        QVERIFY2(ball.stepTimes(static_cast<uint64_t>(n), dt), ball.error());
+        const double error = errorAt(ball, at.x, at.y);
+        // Second order: one more factor dt against the shortest time of the motion, R/v = 0.08 s.
+        const double bound = order == 0   ? rounding(300.0 * n, 1.0)
+                             : order == 1 ? at.bound * dt
+                                          : at.bound * dt * dt / 0.08;
+        QVERIFY2(error <= bound, "n = " + QByteArray::number(n) + ": " + digits(error) + " above " + digits(bound));
+    }
+}
+
+void TestConvergence::firstIntegralIsKeptToThePromisedOrder() {
+    QFETCH(QByteArray, stepper);
+    // model.md 3.1: B|v| + A.v + (B^2 - a^2) t.
+    const Arc &arc = kFirst;
+    const auto integral = [&arc](const phys_state &state) {
+        const double speed = std::hypot(state.velocity.x, state.velocity.y);
+        return arc.B * speed + arc.ax * state.velocity.x + arc.ay * state.velocity.y +
+               (arc.B * arc.B - arc.ax * arc.ax - arc.ay * arc.ay) * state.time;
+    };
+    const int order = promiseOf(stepper).smooth;
+    double worst[2] = {0.0, 0.0};
+    for (const int level : {0, 1}) {
+        Experiment ball(openFloor(4.0), stepper);
+        ball.setLaw(arc.ax, arc.ay, arc.B);
+        ball.roll(arc.vx, arc.vy);
+        const double start = integral(ball.state);
+        const int n = level == 0 ? 100 : 200;
+        for (int i = 0; i < n; ++i) {
+            QVERIFY2(ball.step(arc.duration / n), ball.error());
+            worst[level] = std::max(worst[level], std::abs(integral(ball.state) - start));
+        }
+    }
+    const double noise = rounding(order == 0 ? 4000.0 : 200.0, 1.0);
+    if (order == 0) {
+        QVERIFY(worst[1] <= noise);
+        return;
+    }
+    COMPARE_WITHIN(worst[1], worst[0] * std::pow(2.0, -order), 0.1 * worst[1] + noise);
+}
+
+QTEST_GUILESS_MAIN(TestConvergence)
+#include "tst_convergence.moc"

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MIT
+// Bounces: model.md 2.1, 5 and 6.4, and the figures of 12.2.
+#include "support/compare.h"
+#include "support/experiment.h"
+#include "support/stepper_rows.h"
+#include "support/tolerance.h"
+
+#include <QTest>
+
+#include <cmath>
+
+using namespace support;
+
+namespace {
+
+constexpr double kRadius = 0.0625;
+
+/// A wall of 1 m on the left of x = 0; the ball touches it.
+SceneBuilder leftWall() {
+    return SceneBuilder().ball(kRadius).floor(-1, -20, 20, 20).wall(-1, -20, 0, 20).start(kRadius, 0.0);
+}
+
+/// Spin that friction can't touch: impacts of a rigid ball are then those of a rolling one.
+void makeSmooth(Experiment &ball) { ball.params.sliding_friction = 0.0; }
+
+} // namespace
+
+class TestImpacts : public QObject {
+    Q_OBJECT
+
+private slots:
+    void headOnGivesTheRestitutionsShareBack_data();
+    void headOnGivesTheRestitutionsShareBack();
+    void cornerTurnsBothComponentsBack_data() { addStepperAndModelRows(); }
+    void cornerTurnsBothComponentsBack();
+    void recedingBallIsNotPulledBack_data() { addStepperAndModelRows(); }
+    void recedingBallIsNotPulledBack();
+    void grazingAnEdgeChangesNothing_data() { addStepperAndModelRows(); }
+    void grazingAnEdgeChangesNothing();
+    void seamOfFlushWallsIsNotFelt_data() { addStepperAndModelRows(); }
+    void seamOfFlushWallsIsNotFelt();
+    void seamOfFlushFloorsIsNotFelt_data() { addStepperAndModelRows(); }
+    void seamOfFlushFloorsIsNotFelt();
+    void edgeOnAParabolaDeflectsAsComputed_data() { addStepperRows(); }
+    void edgeOnAParabolaDeflectsAsComputed();
+    void bouncesAccumulateWhenPredicted_data();
+    void bouncesAccumulateWhenPredicted();
+    void impactEventTellsWhatHappened_data() { addStepperAndModelRows(); }
+    void impactEventTellsWhatHappened();
+    void eventsWithoutRoomAreCounted_data() { addStepperRows(); }
+    void eventsWithoutRoomAreCounted();
+};
+
+void TestImpacts::headOnGivesTheRestitutionsShareBack_data() {
+    QTest::addColumn<QByteArray>("stepper");
+    QTest::addColumn<uint32_t>("model");
+    QTest::addColumn<double>("restitution");
+    for (const QByteArray &id : stepperIds()) {
+        for (const uint32_t model : {PHYS_MODEL_ROLLING, PHYS_MODEL_RIGID}) {
+            for (const double restitution : {0.0, 0.25, 0.75, 1.0}) {
+                QTest::addRow("%s, %s, restitution %g", id.constData(), modelName(model).constData(), restitution)
+                    << id << model << restitution;
+            }
+        }
+    }
+}
+
+void TestImpacts::headOnGivesTheRestitutionsShareBack() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    QFETCH(double, restitution);
+    Experiment ball(leftWall(), stepper, model);
+    makeSmooth(ball);
+    ball.params.restitution_wall = restitution;
+    ball.setPosition(0.5, 0.0);
+    ball.roll(-0.5, 0.375);
+    QVERIFY2(ball.stepFor(1.0, 1.0 / 128.0), ball.error());
+    // No force and binary numbers: nothing rounds but sevenths, which a slipping rigid ball's velocity is made of.
+    const double slack = model == PHYS_MODEL_RIGID ? rounding(2 * 128, 0.5) : 0.0;
+    COMPARE_WITHIN(ball.state.velocity.x, 0.5 * restitution, slack);
+    COMPARE_WITHIN(ball.state.velocity.y, 0.375, slack);
+}
+
+void TestImpacts::cornerTurnsBothComponentsBack() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    Experiment ball(squareRoom(4.0), stepper, model);
+    makeSmooth(ball);
+    ball.params.restitution_wall = 0.75;
+    // Both faces are reached after 1 s, at the same moment, in the middle of a step.
+    const double vx = -0.5 - 0x1p-9;
+    const double vy = -0.25 - 0x1p-9;
+    ball.setPosition(kRadius - vx, kRadius - vy);
+    ball.roll(vx, vy);
+    QVERIFY2(ball.stepTimes(37, 1.0 / 32.0), ball.error());
+    // model.md 12.2: v = (eps b, eps c).
+    COMPARE_EXACT(ball.state.velocity.x, -0.75 * vx);
+    COMPARE_EXACT(ball.state.velocity.y, -0.75 * vy);
+}
+
+void TestImpacts::recedingBallIsNotPulledBack() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    Experiment ball(leftWall(), stepper, model);
+    ball.roll(0.5, -0.25);
+    QVERIFY2(ball.step(1.0 / 64.0), ball.error());
+    COMPARE_EXACT(ball.state.velocity.x, 0.5);
+    COMPARE_EXACT(ball.state.velocity.y, -0.25);
+    QCOMPARE(ball.report.event_count, 0U);
+}
+
+void TestImpacts::grazingAnEdgeChangesNothing() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    // model.md 12.2: the edge (0.5, -R) of a box below the path from (0, 0) along x.
+    const auto scene = SceneBuilder().ball(kRadius).floor(-9, -9, 9, 9).wall(0.5, -2.0, 0.75, -kRadius).start(0, 0);
+    Experiment ball(scene, stepper, model);
+    ball.roll(1.0, 0.0);
+    for (int i = 0; i < 64; ++i) {
+        QVERIFY2(ball.step(1.0 / 64.0), ball.error());
+        COMPARE_EXACT(ball.state.velocity.x, 1.0);
+        COMPARE_EXACT(ball.state.velocity.y, 0.0);
+        COMPARE_EXACT(ball.state.position.y, 0.0);
+    }
+}
+
+void TestImpacts::seamOfFlushWallsIsNotFelt() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    auto whole = SceneBuilder().ball(kRadius).floor(-9, -9, 9, 9).wall(-1, -4, 0, 4).start(kRadius, -2.0);
+    auto cut = SceneBuilder().ball(kRadius).floor(-9, -9, 9, 9).start(kRadius, -2.0);
+    for (int i = -4; i < 4; ++i) cut.wall(-1, i, 0, i + 1);
+    Experiment a(whole, stepper, model);
+    Experiment b(cut, stepper, model);
+    for (Experiment *ball : {&a, &b}) {
+        ball->setLaw(-0.625, 0.0);
+        ball->roll(-0.125, 1.0);
+    }
+    for (int i = 0; i < 256; ++i) {
+        QVERIFY2(a.step(1.0 / 128.0), a.error());
+        QVERIFY2(b.step(1.0 / 128.0), b.error());
+        QVERIFY(sameBits(a.state, b.state));
+    }
+}
+
+void TestImpacts::seamOfFlushFloorsIsNotFelt() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    auto tiles = SceneBuilder().ball(kRadius).start(0.125, 0.125);
+    for (int x = 0; x < 8; ++x) {
+        for (int y = 0; y < 8; ++y) tiles.floor(0.5 * x, 0.5 * y, 0.5 * x + 0.5, 0.5 * y + 0.5);
+    }
+    Experiment a(SceneBuilder().ball(kRadius).floor(0, 0, 4, 4).start(0.125, 0.125), stepper, model);
+    Experiment b(tiles, stepper, model);
+    for (Experiment *ball : {&a, &b}) ball->roll(1.0, 0.875);
+    for (int i = 0; i < 256; ++i) {
+        QVERIFY2(a.step(1.0 / 128.0), a.error());
+        QVERIFY2(b.step(1.0 / 128.0), b.error());
+        QVERIFY(sameBits(a.state, b.state));
+        QVERIFY(!(b.state.flags & PHYS_AIRBORNE));
+    }
+}
+
+void TestImpacts::edgeOnAParabolaDeflectsAsComputed() {
+    QFETCH(QByteArray, stepper);
+    // model.md 12.2, first row: R = 0.02, the edge (0.5, -0.04).
+    const auto scene = SceneBuilder().ball(0.02).floor(-9, -9, 9, 9).wall(0.5, -1.0, 2.0, -0.04).start(0, 0);
+    const double time = 0.4907497945889225585;
+    const double vx = 0.4003426892341553206;
+    const double vy = 0.85876958908727570425;
+    const double after = 0.75 - time;
+    for (const double dt : {0x1p-10, 0x1p-12, 0x1p-14}) {
+        Experiment ball(scene, stepper);
+        ball.setLaw(0.0, -1.0);
+        ball.params.restitution_wall = 0.8;
+        ball.roll(1.0, 0.2);
+        QVERIFY2(ball.stepFor(0.75, dt), ball.error());
+        // An impact noticed dt late has a normal turned by up to |v| dt/R; the bounce turns by twice that, for `after`.
+        const double crude = 2.0 * 1.2 * (1.02 / 0.02) * after;
+        const double slack = promiseOf(stepper).impacts == 0   ? rounding(1e6, 1.0)
+                             : promiseOf(stepper).impacts == 1 ? crude * dt
+                                                               : crude / 0.02 * dt * dt;
+        COMPARE_WITHIN(ball.state.position.x, time + vx * after, slack);
+        COMPARE_WITHIN(ball.state.position.y, 0.2 * time - time * time / 2.0 + vy * after - after * after / 2.0, slack);
+    }
+}
+
+void TestImpacts::bouncesAccumulateWhenPredicted_data() {
+    QTest::addColumn<QByteArray>("stepper");
+    QTest::addColumn<double>("resistance");
+    QTest::addColumn<double>("end");
+    for (const QByteArray &id : stepperIds()) {
+        if (promiseOf(id).heats) continue;
+        QTest::addRow("%s, without resistance: 12 s", id.constData()) << id << 0.0 << 12.0;
+        QTest::addRow("%s, with resistance: 6.415 s", id.constData()) << id << 0.1 << 6.415015353721691642938229;
+    }
+}
+
+void TestImpacts::bouncesAccumulateWhenPredicted() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(double, resistance);
+    QFETCH(double, end);
+    // model.md 12.2: a_n = 0.5, v1 = 0.6, eps = 0.8.
+    Experiment ball(leftWall(), stepper);
+    ball.setLaw(-0.5, 0.0, resistance);
+    ball.params.restitution_wall = 0.8;
+    ball.roll(0.6, 0.0);
+    const double dt = 0x1p-12;
+    double bounces = 0.0;
+    bool rests = false;
+    for (int i = 0; i < 65536 && !rests; ++i) {
+        QVERIFY2(ball.step(dt), ball.error());
+        bounces += ball.report.event_count;
+        rests = ball.state.velocity.x == 0.0 && ball.state.position.x == kRadius;
+    }
+    QVERIFY(rests);
+    // Each bounce may be off by eps a_n dt, which shifts the end by 2 eps dt/(1 - eps) = 8 dt (model.md 10.3); the rest
+    // rule cuts off at most 2 * 2 eps a dt / a/(1 - eps) = 16 dt.
+    const double slack = promiseOf(stepper).impacts == 0 ? 2.0 * dt : (16.0 + 8.0 * bounces) * dt;
+    COMPARE_WITHIN(ball.state.time, end, slack);
+}
+
+void TestImpacts::impactEventTellsWhatHappened() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    Experiment ball(leftWall(), stepper, model);
+    makeSmooth(ball);
+    ball.params.restitution_wall = 0.75;
+    ball.setPosition(kRadius + 0.5, 0.25);
+    ball.roll(-0.5, 0.0);
+    const double dt = 1.0 / 64.0;
+    phys_event event{};
+    int events = 0;
+    for (int i = 0; i < 128; ++i) {
+        QVERIFY2(ball.step(dt), ball.error());
+        for (uint32_t k = 0; k < ball.report.event_count; ++k, ++events) event = ball.report.events[k];
+    }
+    QCOMPARE(events, 1);
+    QCOMPARE(event.kind, static_cast<uint32_t>(PHYS_EVENT_IMPACT));
+    QCOMPARE(event.box, 1U);
+    COMPARE_EXACT(event.normal.x, 1.0);
+    COMPARE_EXACT(event.normal.y, 0.0);
+    COMPARE_EXACT(event.normal.z, 0.0);
+    COMPARE_EXACT(event.point.x, 0.0);
+    COMPARE_EXACT(event.point.y, 0.25);
+    COMPARE_EXACT(event.speed_before, -0.5);
+    COMPARE_EXACT(event.speed_after, 0.375);
+    // Noticed at most a step late.
+    QVERIFY(event.time >= 1.0 && event.time <= 1.0 + dt);
+}
+
+void TestImpacts::eventsWithoutRoomAreCounted() {
+    QFETCH(QByteArray, stepper);
+    Experiment ball(squareRoom(4.0), stepper);
+    ball.params.restitution_wall = 1.0;
+    ball.setPosition(kRadius + 0x1p-8, kRadius + 0x1p-8);
+    ball.roll(-1.0, -1.0);
+    phys_event one[1];
+    phys_report report;
+    phys_report_init(&report, sizeof report);
+    report.events = one;
+    report.event_capacity = 1;
+    phys_error error;
+    const phys_status status =
+        phys_step(ball.stepper(), &ball.params, 1.0 / 64.0, &ball.state, &ball.state, &report, &error);
+    QVERIFY2(status == PHYS_OK, error.text);
+    QCOMPARE(report.event_count, 1U);
+    QCOMPARE(report.events_lost, 1U);
+}
+
+QTEST_GUILESS_MAIN(TestImpacts)
+#include "tst_impacts.moc"
