@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+// The rules of the game.
+#include "core/game.h"
+
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <memory>
+
+using namespace inspector;
+
+class TestGame : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init();
+    void beginsWithThePromptOfTheFirstLevel();
+    void enterStartsTheLevelOnce();
+    void leavingTheMazeWhilePlayingWins();
+    void leavingTheMazeAtThePromptCountsNothing();
+    void secondLeavingCountsNothing();
+    void enterAfterAWinAsksForTheNextLevel();
+    void afterTheLastLevelTheFirstComesAgain();
+    void choosingAsksForThatLevel();
+    void levelsThatDontExistAreIgnored();
+    void firstTimeIsARecord();
+    void slowerTimeIsNoRecordAndIsNotKept();
+    void fasterTimeReplacesTheRecord();
+    void assistedRunSetsNoRecord();
+    void bestTimesOutliveTheGame();
+    void spoiltSettingIsNoBestTime();
+
+private:
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<QSettings> m_settings;
+    std::unique_ptr<Game> m_game;
+};
+
+void TestGame::init() {
+    m_game.reset();
+    m_folder = std::make_unique<QTemporaryDir>();
+    m_settings = std::make_unique<QSettings>(m_folder->filePath("settings.ini"), QSettings::IniFormat);
+    m_game = std::make_unique<Game>(10, *m_settings);
+}
+
+void TestGame::beginsWithThePromptOfTheFirstLevel() {
+    QCOMPARE(m_game->phase(), Game::Phase::Prompt);
+    QCOMPARE(m_game->level(), 0);
+    QVERIFY(!m_game->bestTime(0));
+}
+
+void TestGame::enterStartsTheLevelOnce() {
+    QSignalSpy started(m_game.get(), &Game::started);
+    m_game->confirm();
+    m_game->confirm();
+    QCOMPARE(started.count(), 1);
+    QCOMPARE(m_game->phase(), Game::Phase::Playing);
+}
+
+void TestGame::leavingTheMazeWhilePlayingWins() {
+    m_game->confirm();
+    m_game->leaveMaze(12.34, false);
+    QCOMPARE(m_game->phase(), Game::Phase::Won);
+    QCOMPARE(m_game->time(), 12.34);
+}
+
+void TestGame::leavingTheMazeAtThePromptCountsNothing() {
+    m_game->leaveMaze(12.34, false);
+    QCOMPARE(m_game->phase(), Game::Phase::Prompt);
+    QVERIFY(!m_game->bestTime(0));
+}
+
+void TestGame::secondLeavingCountsNothing() {
+    m_game->confirm();
+    m_game->leaveMaze(12.0, false);
+    m_game->leaveMaze(1.0, false);
+    QCOMPARE(m_game->time(), 12.0);
+}
+
+void TestGame::enterAfterAWinAsksForTheNextLevel() {
+    QSignalSpy wanted(m_game.get(), &Game::levelWanted);
+    m_game->confirm();
+    m_game->leaveMaze(12.0, false);
+    m_game->confirm();
+    QCOMPARE(wanted.count(), 1);
+    QCOMPARE(wanted[0][0].toInt(), 1);
+    m_game->prompt(1); // opened
+    QCOMPARE(m_game->phase(), Game::Phase::Prompt);
+    QCOMPARE(m_game->level(), 1);
+    QCOMPARE(m_game->time(), 0.0);
+}
+
+void TestGame::afterTheLastLevelTheFirstComesAgain() {
+    QSignalSpy wanted(m_game.get(), &Game::levelWanted);
+    m_game->prompt(9);
+    m_game->confirm();
+    m_game->leaveMaze(12.0, false);
+    m_game->confirm();
+    QCOMPARE(wanted[0][0].toInt(), 0);
+}
+
+void TestGame::choosingAsksForThatLevel() {
+    QSignalSpy wanted(m_game.get(), &Game::levelWanted);
+    m_game->choose(6);
+    QCOMPARE(wanted.count(), 1);
+    QCOMPARE(wanted[0][0].toInt(), 6);
+    QCOMPARE(m_game->level(), 0); // not before it is open
+}
+
+void TestGame::levelsThatDontExistAreIgnored() {
+    QSignalSpy wanted(m_game.get(), &Game::levelWanted);
+    m_game->choose(-1);
+    m_game->choose(10);
+    m_game->prompt(10);
+    QCOMPARE(wanted.count(), 0);
+    QCOMPARE(m_game->level(), 0);
+}
+
+void TestGame::firstTimeIsARecord() {
+    m_game->confirm();
+    m_game->leaveMaze(12.0, false);
+    QVERIFY(m_game->isRecord());
+    QCOMPARE(m_game->bestTime(0), 12.0);
+}
+
+void TestGame::slowerTimeIsNoRecordAndIsNotKept() {
+    for (const double time : {12.0, 13.0}) {
+        m_game->prompt(0);
+        m_game->confirm();
+        m_game->leaveMaze(time, false);
+    }
+    QVERIFY(!m_game->isRecord());
+    QCOMPARE(m_game->bestTime(0), 12.0);
+}
+
+void TestGame::fasterTimeReplacesTheRecord() {
+    for (const double time : {12.0, 11.5}) {
+        m_game->prompt(0);
+        m_game->confirm();
+        m_game->leaveMaze(time, false);
+    }
+    QVERIFY(m_game->isRecord());
+    QCOMPARE(m_game->bestTime(0), 11.5);
+}
+
+void TestGame::assistedRunSetsNoRecord() {
+    m_game->confirm();
+    m_game->leaveMaze(1.0, true);
+    QCOMPARE(m_game->phase(), Game::Phase::Won);
+    QVERIFY(!m_game->isRecord());
+    QVERIFY(!m_game->bestTime(0));
+}
+
+void TestGame::bestTimesOutliveTheGame() {
+    m_game->prompt(2);
+    m_game->confirm();
+    m_game->leaveMaze(7.25, false);
+    m_settings->sync();
+    QSettings again(m_settings->fileName(), QSettings::IniFormat);
+    const Game other(10, again);
+    QCOMPARE(other.bestTime(2), 7.25);
+    QVERIFY(!other.bestTime(1));
+}
+
+void TestGame::spoiltSettingIsNoBestTime() {
+    for (const char *text : {"soon", "-3", "0", "nan"}) {
+        m_settings->setValue("best_times/01", text);
+        QVERIFY2(!m_game->bestTime(0), text);
+    }
+}
+
+QTEST_GUILESS_MAIN(TestGame)
+#include "tst_game.moc"

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+// Runs without a window: the table they write, when they end, what they return.
+#include "core/command_line.h"
+#include "core/csv_writer.h"
+#include "core/headless.h"
+#include "scenes.h"
+
+#include <QBuffer>
+#include <QTemporaryDir>
+
+#include <clocale>
+
+using namespace inspector;
+
+class TestHeadless : public QObject {
+    Q_OBJECT
+
+private slots:
+    void headerNamesEveryColumnWithItsUnit();
+    void preambleTellsHowToRepeatTheRun();
+    void rowPerStepReadsBackExactly();
+    void everySoManyStepsIsARow();
+    void localeMakesNoDifference();
+    void durationIsReachedInWholeSteps_data();
+    void durationIsReachedInWholeSteps();
+    void runWithoutDurationEndsOutOfTheMaze();
+    void autopilotThatDoesntGetOutGivesStatus1();
+    void allLevelsAreWonAndEachHasALine();
+    void missingLevelGivesOneLineAndStatus2();
+    void unwritableTableGivesOneLineAndStatus2();
+    void fullDiskGivesOneLineAndStatus1();
+    void tableOfARingHasTheSameRowsAsThatOfTheRun();
+};
+
+namespace {
+
+struct Result {
+    int status;
+    QByteArray out;
+    QString messages;
+
+    QByteArrayList rows() const {
+        QByteArrayList lines = out.trimmed().split('\n');
+        lines.removeIf([](const QByteArray &line) { return line.startsWith('#'); });
+        return lines.mid(1); // without the header
+    }
+};
+
+Result runOf(const QString &words) {
+    const CommandLine line = parseCommandLine(("physics-inspector --headless " + words).split(' '));
+    if (line.exitStatus) return {*line.exitStatus, {}, line.error};
+    QBuffer out;
+    out.open(QIODevice::WriteOnly);
+    QString text;
+    QTextStream messages(&text);
+    const int status = runHeadless(line.options, out, messages);
+    return {status, out.data(), text};
+}
+
+} // namespace
+
+void TestHeadless::headerNamesEveryColumnWithItsUnit() {
+    QCOMPARE(csvHeader(), QByteArray("time [s],step,position_x [m],position_y [m],position_z [m],velocity_x [m/s],"
+                                     "velocity_y [m/s],velocity_z [m/s],speed [m/s],spin_x [rad/s],spin_y [rad/s],"
+                                     "spin_z [rad/s],energy [J/kg],tilt_x [deg],tilt_y [deg],substeps,penetration [m],"
+                                     "flags\n"));
+}
+
+void TestHeadless::preambleTellsHowToRepeatTheRun() {
+    const QByteArray out = runOf("--level 2 --dt 0.005 --duration 0.01 --tilt-x 2.5 --stepper rk4").out;
+    phys_stepper_info info;
+    phys_registry_find(nullptr, "rk4", &info, nullptr);
+    const QByteArray expected = "# physics-inspector 1.0.0, libphysics " + QByteArray(phys_version()) +
+                                "\n# level 02\n# stepper rk4 " + info.version + "\n# dt 0.005 s\n# autopilot off\n" +
+                                "# tilt_x 2.5 deg\n# tilt_y 0 deg\n# gravity 9.81 m/s^2\n";
+    QVERIFY2(out.startsWith(expected), out.constData());
+    const Parameters parameters;
+    for (int i = 0; i < parameters.count(); ++i)
+        QVERIFY2(out.contains("\n# " + QByteArray(parameters.row(i).id) + " "), parameters.row(i).id);
+}
+
+void TestHeadless::rowPerStepReadsBackExactly() {
+    const QByteArrayList rows = runOf("--duration 0.5 --tilt-x 3 --tilt-y 1").rows();
+    QCOMPARE(rows.size(), 50);
+    const auto engine = engineOn(levelScene(1));
+    engine->setInputs(tilted(3.0, 1.0));
+    for (const QByteArray &row : rows) {
+        QVERIFY(engine->step(nullptr));
+        const Sample sample = engine->sample();
+        const QByteArrayList fields = row.split(',');
+        QCOMPARE(size_t(fields.size()), 2 + kChannelCount);
+        QVERIFY(fields[0].toDouble() == sample.time); // the same bits, no tolerance
+        QCOMPARE(fields[1].toULongLong(), sample.step);
+        for (size_t i = 0; i < kChannelCount; ++i) QVERIFY(fields[qsizetype(2 + i)].toDouble() == sample.values[i]);
+    }
+}
+
+void TestHeadless::everySoManyStepsIsARow() {
+    const QByteArrayList rows = runOf("--duration 1 --csv-every 30").rows();
+    QCOMPARE(rows.size(), 3);
+    QVERIFY(rows[0].startsWith("0.3") && rows[2].contains(",90,"));
+}
+
+void TestHeadless::localeMakesNoDifference() {
+    const QByteArray before = runOf("--duration 0.2 --tilt-x 3").out;
+    const QLocale locale;
+    QLocale::setDefault(QLocale(QLocale::German));
+    std::setlocale(LC_ALL, "de_DE.UTF-8"); // no effect where it isn't installed; Qt's is always there
+    const QByteArray after = runOf("--duration 0.2 --tilt-x 3").out;
+    std::setlocale(LC_ALL, "C");
+    QLocale::setDefault(locale);
+    QCOMPARE(after, before);
+}
+
+void TestHeadless::durationIsReachedInWholeSteps_data() {
+    QTest::addColumn<double>("duration");
+    QTest::addColumn<double>("dt");
+    QTest::addColumn<int>("steps");
+    QTest::newRow("0.3 is no whole number of 0.1 in binary") << 0.3 << 0.1 << 3;
+    QTest::newRow("one step too long") << 0.01 << 1.0 << 1;
+    QTest::newRow("rounded up") << 0.25 << 0.1 << 3;
+    QTest::newRow("nothing") << 0.0 << 0.01 << 0;
+}
+
+void TestHeadless::durationIsReachedInWholeSteps() {
+    QFETCH(double, duration);
+    QFETCH(double, dt);
+    QFETCH(int, steps);
+    const Result result = runOf(QString("--duration %1 --dt %2").arg(duration).arg(dt));
+    QCOMPARE(result.status, 0);
+    QCOMPARE(result.rows().size(), steps);
+}
+
+void TestHeadless::runWithoutDurationEndsOutOfTheMaze() {
+    const Result result = runOf("--autopilot");
+    QCOMPARE(result.status, 0);
+    const QByteArrayList rows = result.rows();
+    QVERIFY(rows.last().split(',').last().toInt() & PHYS_OUT);
+    QVERIFY(!(rows[rows.size() - 2].split(',').last().toInt() & PHYS_OUT));
+    QVERIFY2(result.messages.startsWith("level 01 won in "), qPrintable(result.messages));
+}
+
+// A ball that friction holds at any tilt of the pilot: tan(8 degrees) = 0.14.
+void TestHeadless::autopilotThatDoesntGetOutGivesStatus1() {
+    const Result result = runOf("--autopilot --rolling-friction 0.2 --csv-every 1000000");
+    QCOMPARE(result.status, 1);
+    QVERIFY2(result.messages.startsWith("level 01 not won after 600.00 s"), qPrintable(result.messages));
+}
+
+void TestHeadless::allLevelsAreWonAndEachHasALine() {
+    const Result result = runOf("--all-levels");
+    QCOMPARE(result.status, 0);
+    const QByteArrayList lines = result.out.trimmed().split('\n');
+    QCOMPARE(lines.size(), 10);
+    for (int i = 0; i < 10; ++i)
+        QVERIFY2(lines[i].startsWith("level " + QByteArray::number(i + 1).rightJustified(2, '0') + " won in "),
+                 lines[i].constData());
+    QVERIFY(result.messages.isEmpty());
+}
+
+void TestHeadless::missingLevelGivesOneLineAndStatus2() {
+    const Result result = runOf("--level nowhere/none.txt");
+    QCOMPARE(result.status, 2);
+    QVERIFY2(result.messages.contains("nowhere/none.txt"), qPrintable(result.messages));
+    QCOMPARE(result.messages.count('\n'), 1);
+    QVERIFY(result.out.isEmpty());
+}
+
+void TestHeadless::unwritableTableGivesOneLineAndStatus2() {
+    const Result result = runOf("--csv /nowhere/table.csv");
+    QCOMPARE(result.status, 2);
+    QVERIFY2(result.messages.contains("/nowhere/table.csv"), qPrintable(result.messages));
+}
+
+void TestHeadless::fullDiskGivesOneLineAndStatus1() {
+    if (!QFile::exists("/dev/full")) QSKIP("this system has no /dev/full");
+    const Result result = runOf("--csv /dev/full --duration 10");
+    QCOMPARE(result.status, 1);
+    QVERIFY2(result.messages.contains("can't be written"), qPrintable(result.messages));
+}
+
+void TestHeadless::tableOfARingHasTheSameRowsAsThatOfTheRun() {
+    const QTemporaryDir folder;
+    const CommandLine line = parseCommandLine({"physics-inspector", "--headless", "--duration", "0.4"});
+    const auto engine = makeEngine(line.options, line.options.level, nullptr);
+    SampleRing samples(256);
+    play(*engine, {0.4, false}, [&](const Engine &now) {
+        samples.append(now.sample());
+        return true;
+    });
+    QString error;
+    QVERIFY2(writeTable(folder.filePath("t.csv"), samples, line.options, &error), qPrintable(error));
+    QFile file(folder.filePath("t.csv"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QCOMPARE(file.readAll(), runOf("--duration 0.4").out);
+}
+
+QTEST_GUILESS_MAIN(TestHeadless)
+#include "tst_headless.moc"

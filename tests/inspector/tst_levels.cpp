@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Where levels come from.
+#include "core/levels.h"
+
+#include <QDir>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace inspector;
+
+class TestLevels : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theTenLevelsAreFoundInOrderWithTheirMeshes();
+    void environmentVariableNamesTheFolder();
+    void emptyFolderNameHasNoLevels();
+    void numberFindsALevelOfTheList();
+    void numberBeyondTheListIsRefused();
+    void anythingElseIsAFile();
+    void levelWithoutMeshHasNone();
+};
+
+void TestLevels::theTenLevelsAreFoundInOrderWithTheirMeshes() {
+    const std::vector<Level> levels = levelsIn(LEVELS_FOLDER);
+    QCOMPARE(levels.size(), size_t(10));
+    for (size_t i = 0; i < levels.size(); ++i) {
+        QCOMPARE(levels[i].name, QString("%1").arg(i + 1, 2, 10, QChar('0')));
+        QCOMPARE(levels[i].path, QString(LEVELS_FOLDER "/%1.txt").arg(levels[i].name));
+        QCOMPARE(levels[i].mesh, QString(LEVELS_FOLDER "/%1.obj").arg(levels[i].name));
+    }
+}
+
+void TestLevels::environmentVariableNamesTheFolder() {
+    const QByteArray before = qgetenv("PHYSICS_LEVELS");
+    qputenv("PHYSICS_LEVELS", "/somewhere/else");
+    QCOMPARE(levelsFolder(), QString("/somewhere/else"));
+    qputenv("PHYSICS_LEVELS", before);
+}
+
+void TestLevels::emptyFolderNameHasNoLevels() { QVERIFY(levelsIn({}).empty()); }
+
+void TestLevels::numberFindsALevelOfTheList() {
+    const std::vector<Level> levels = levelsIn(LEVELS_FOLDER);
+    QCOMPARE(findLevel(levels, "1", nullptr)->name, QString("01"));
+    QCOMPARE(findLevel(levels, "10", nullptr)->name, QString("10"));
+}
+
+void TestLevels::numberBeyondTheListIsRefused() {
+    const std::vector<Level> levels = levelsIn(LEVELS_FOLDER);
+    for (const char *number : {"0", "11", "-1"}) {
+        QString error;
+        QVERIFY(!findLevel(levels, number, &error));
+        QCOMPARE(error, QString("expected 1 to 10, found %1").arg(number));
+    }
+}
+
+void TestLevels::anythingElseIsAFile() {
+    const std::optional<Level> level = findLevel({}, "mine/narrow.v2.txt", nullptr);
+    QVERIFY(level);
+    QCOMPARE(level->path, QString("mine/narrow.v2.txt"));
+    QCOMPARE(level->name, QString("narrow.v2"));
+}
+
+void TestLevels::levelWithoutMeshHasNone() {
+    const QTemporaryDir folder;
+    QFile file(folder.filePath("a.txt"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QVERIFY(levelOfFile(file.fileName()).mesh.isEmpty());
+}
+
+QTEST_GUILESS_MAIN(TestLevels)
+#include "tst_levels.moc"

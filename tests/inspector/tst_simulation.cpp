@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: MIT
+// The engine on its thread: the same bits, nothing lost, nobody waits. No test here depends on how fast it runs.
+#include "core/simulation.h"
+#include "scenes.h"
+
+#include <QDeadlineTimer>
+#include <QSignalSpy>
+#include <QThread>
+
+#include <cmath>
+#include <memory>
+
+using namespace inspector;
+
+class TestSimulation : public QObject {
+    Q_OBJECT
+
+private slots:
+    void startsPausedAtTheStart();
+    void threadGivesTheSameBitsAsStepsByHand();
+    void blockedWindowThreadLosesNoStepAndNoSample();
+    void speedChangesHowManyStepsRunButNeverDt_data();
+    void speedChangesHowManyStepsRunButNeverDt();
+    void speedIsKeptInItsLimits();
+    void latestInputsWin();
+    void inputsAreShownWhilePaused();
+    void singleStepIsOneStepAndPauses();
+    void pauseStopsSteps();
+    void restartClearsTheSamples();
+    void stateCanBeSetBack();
+    void stepperChangesOnTheFly();
+    void otherSceneStartsPaused();
+    void failedStepPausesAndIsReportedOnce();
+    void leavingTheMazeIsReportedOnceAndTheFallEnds();
+    void pilotOnTheThreadGivesTheSameBitsAsByHand();
+    void impactsAreCounted();
+    void deletingARunningSimulationEndsItsThread();
+};
+
+namespace {
+
+std::unique_ptr<Simulation> simulationOf(const Scene &scene) {
+    return std::make_unique<Simulation>(scene, defaultStepper(scene));
+}
+
+// Keeps this thread busy, without its event loop, until so many samples exist.
+void waitBlocked(const Simulation &simulation, uint64_t samples) {
+    const QDeadlineTimer deadline(30000);
+    while (simulation.samples().last() < samples && !deadline.hasExpired()) QThread::yieldCurrentThread();
+    QVERIFY(simulation.samples().last() >= samples);
+}
+
+class ShiftingPilot : public Pilot {
+public:
+    Tilt tilt(const phys_state &state) const override { return {radians(5.0), state.position.x > -0.02 ? -0.1 : 0.1}; }
+};
+
+} // namespace
+
+void TestSimulation::startsPausedAtTheStart() {
+    const auto simulation = simulationOf(levelScene(1));
+    const Snapshot &snapshot = simulation->latest();
+    QVERIFY(!snapshot.running);
+    QCOMPARE(snapshot.current.step, uint64_t(0));
+    QCOMPARE(snapshot.current.position.x, -0.054); // start of level 01
+}
+
+void TestSimulation::threadGivesTheSameBitsAsStepsByHand() {
+    const auto simulation = simulationOf(levelScene(4));
+    simulation->setDt(0.002);
+    simulation->setInputs(tilted(4.0, 3.0));
+    simulation->setSpeed(Simulation::kFastest);
+    simulation->run();
+    waitBlocked(*simulation, 2000);
+    simulation->pause();
+    QTRY_VERIFY(!simulation->latest().running);
+
+    const auto engine = engineOn(levelScene(4));
+    engine->setDt(0.002);
+    engine->setInputs(tilted(4.0, 3.0));
+    const phys_state reached = simulation->latest().current;
+    Sample sample;
+    for (uint64_t i = 0; i < reached.step; ++i) {
+        QVERIFY(engine->step(nullptr));
+        QVERIFY(simulation->samples().read(i, sample));
+        QCOMPARE(sample.step, i + 1);
+        QVERIFY(sample.values == engine->sample().values);
+    }
+    QCOMPARE(phys_state_hash(&engine->state()), phys_state_hash(&reached));
+}
+
+// This thread never returns to its event loop while the steps run: all of them are in the ring all the same.
+void TestSimulation::blockedWindowThreadLosesNoStepAndNoSample() {
+    const auto simulation = simulationOf(openFloor());
+    simulation->setDt(0.001);
+    simulation->setSpeed(Simulation::kFastest);
+    simulation->run();
+    waitBlocked(*simulation, 5000);
+    Sample sample;
+    for (uint64_t i = 0; i < 5000; ++i) {
+        QVERIFY(simulation->samples().read(i, sample));
+        QCOMPARE(sample.step, i + 1);
+    }
+}
+
+void TestSimulation::speedChangesHowManyStepsRunButNeverDt_data() {
+    QTest::addColumn<double>("speed");
+    QTest::newRow("slowest") << Simulation::kSlowest;
+    QTest::newRow("real time") << 1.0;
+    QTest::newRow("fastest") << Simulation::kFastest;
+}
+
+void TestSimulation::speedChangesHowManyStepsRunButNeverDt() {
+    QFETCH(double, speed);
+    const auto simulation = simulationOf(openFloor());
+    simulation->setDt(0.0009765625); // 2^-10: sums are exact
+    simulation->setSpeed(speed);
+    simulation->run();
+    waitBlocked(*simulation, 20);
+    Sample sample;
+    for (uint64_t i = 0; i < 20; ++i) {
+        QVERIFY(simulation->samples().read(i, sample));
+        QCOMPARE(sample.time, double(i + 1) * 0.0009765625);
+    }
+    QTRY_COMPARE(simulation->latest().statistics.speedAsked, speed);
+    QCOMPARE(simulation->latest().dt, 0.0009765625);
+    const auto interval = std::chrono::duration<double>(simulation->latest().interval).count();
+    QVERIFY(std::abs(interval * speed - 0.0009765625) < 1e-9 * speed); // to the clock's nanosecond
+}
+
+void TestSimulation::speedIsKeptInItsLimits() {
+    const auto simulation = simulationOf(openFloor());
+    simulation->setSpeed(1e9);
+    QTRY_COMPARE(simulation->latest().statistics.speedAsked, Simulation::kFastest);
+    simulation->setSpeed(0.0);
+    QTRY_COMPARE(simulation->latest().statistics.speedAsked, Simulation::kSlowest);
+}
+
+void TestSimulation::latestInputsWin() {
+    const auto simulation = simulationOf(openFloor());
+    for (int i = 1; i <= 100; ++i) simulation->setInputs(tilted(i / 10.0, 0.0));
+    simulation->stepOnce();
+    QTRY_COMPARE(simulation->latest().current.step, uint64_t(1));
+    QCOMPARE(simulation->latest().inputs.tilt.x, radians(10.0));
+}
+
+void TestSimulation::inputsAreShownWhilePaused() {
+    const auto simulation = simulationOf(openFloor());
+    simulation->setInputs(tilted(3.0, 0.0));
+    QTRY_COMPARE(simulation->latest().inputs.tilt.x, radians(3.0));
+    QCOMPARE(simulation->latest().current.step, uint64_t(0));
+}
+
+void TestSimulation::singleStepIsOneStepAndPauses() {
+    const auto simulation = simulationOf(openFloor());
+    QSignalSpy running(simulation.get(), &Simulation::runningChanged);
+    simulation->run();
+    QTRY_COMPARE(running.count(), 1);
+    simulation->stepOnce();
+    QTRY_COMPARE(running.count(), 2);
+    QCOMPARE(running[1][0].toBool(), false);
+    QTRY_VERIFY(simulation->latest().current.step > 0);
+    simulation->restart();
+    for (uint64_t i = 1; i <= 3; ++i) simulation->stepOnce();
+    QTRY_COMPARE(simulation->latest().current.step, uint64_t(3));
+    QVERIFY(!simulation->latest().running);
+}
+
+// Commands are taken in order: once a later one is seen, a step after the pause would be seen, too.
+void TestSimulation::pauseStopsSteps() {
+    const auto simulation = simulationOf(openFloor());
+    simulation->setDt(0.001);
+    simulation->run();
+    waitBlocked(*simulation, 10);
+    simulation->pause();
+    QTRY_VERIFY(!simulation->latest().running);
+    const uint64_t step = simulation->latest().current.step;
+    simulation->setSpeed(2.0);
+    QTRY_COMPARE(simulation->latest().statistics.speedAsked, 2.0);
+    QCOMPARE(simulation->latest().current.step, step);
+    QCOMPARE(simulation->latest().interval, Clock::duration::zero());
+}
+
+void TestSimulation::restartClearsTheSamples() {
+    const auto simulation = simulationOf(openFloor());
+    simulation->stepOnce();
+    simulation->stepOnce();
+    simulation->restart();
+    QTRY_COMPARE(simulation->latest().run, uint64_t(1));
+    QCOMPARE(simulation->samples().first(), simulation->samples().last());
+    QCOMPARE(simulation->samples().generation(), uint64_t(1));
+    QCOMPARE(simulation->latest().current.step, uint64_t(0));
+}
+
+void TestSimulation::stateCanBeSetBack() {
+    const auto simulation = simulationOf(openFloor());
+    simulation->setInputs(tilted(4.0, 0.0));
+    for (int i = 0; i < 5; ++i) simulation->stepOnce();
+    QTRY_COMPARE(simulation->latest().current.step, uint64_t(5));
+    const phys_state kept = simulation->latest().current;
+    simulation->stepOnce();
+    QTRY_COMPARE(simulation->latest().current.step, uint64_t(6));
+    const uint64_t expected = phys_state_hash(&simulation->latest().current);
+    simulation->setState(kept);
+    simulation->stepOnce();
+    QTRY_VERIFY(simulation->latest().run == 1 && simulation->latest().current.step == 6);
+    QCOMPARE(phys_state_hash(&simulation->latest().current), expected);
+}
+
+void TestSimulation::stepperChangesOnTheFly() {
+    const Scene scene = openFloor();
+    const auto simulation = simulationOf(scene);
+    simulation->setInputs(tilted(4.0, 0.0));
+    simulation->stepOnce();
+    QString error;
+    const Stepper other = makeStepper(makeRegistry(&error), "explicit-euler", scene, &error);
+    QVERIFY2(other, qPrintable(error));
+    simulation->setStepper(other, tilted(0.0, 4.0));
+    simulation->stepOnce();
+    QTRY_COMPARE(simulation->latest().current.step, uint64_t(2));
+    // Explicit Euler moves by the old velocity, which had no part along y.
+    QCOMPARE(simulation->latest().current.position.y, 0.0);
+    QVERIFY(simulation->latest().current.velocity.y > 0.0);
+}
+
+void TestSimulation::otherSceneStartsPaused() {
+    const auto simulation = simulationOf(levelScene(1));
+    simulation->run();
+    waitBlocked(*simulation, 1);
+    const Scene other = levelScene(2);
+    simulation->setScene(other, defaultStepper(other));
+    QTRY_COMPARE(simulation->latest().run, uint64_t(1));
+    QVERIFY(!simulation->latest().running);
+    phys_state start;
+    phys_scene_start(other.get(), &start);
+    QCOMPARE(simulation->latest().current.position.x, start.position.x);
+}
+
+void TestSimulation::failedStepPausesAndIsReportedOnce() {
+    const auto simulation = simulationOf(openFloor());
+    QSignalSpy failed(simulation.get(), &Simulation::failed);
+    Inputs wrong = initialInputs();
+    wrong.params.restitution_wall = 2.0;
+    simulation->setInputs(wrong);
+    simulation->run();
+    QTRY_COMPARE(failed.count(), 1);
+    QVERIFY2(failed[0][0].toString().contains("restitution_wall"), qPrintable(failed[0][0].toString()));
+    QTRY_VERIFY(!simulation->latest().running);
+    QCOMPARE(simulation->latest().current.step, uint64_t(0));
+    simulation->setInputs(initialInputs());
+    simulation->stepOnce();
+    QTRY_COMPARE(simulation->latest().current.step, uint64_t(1));
+    QCOMPARE(failed.count(), 1);
+}
+
+// From the middle of 2 m of floor at 20 degrees: out after sqrt(2 * 1 / (5/7 * 9.81 * sin 20)) = 0.91 s.
+void TestSimulation::leavingTheMazeIsReportedOnceAndTheFallEnds() {
+    const auto simulation = simulationOf(openFloor());
+    QSignalSpy left(simulation.get(), &Simulation::leftMaze);
+    QSignalSpy running(simulation.get(), &Simulation::runningChanged);
+    simulation->setInputs(tilted(20.0, 0.0));
+    simulation->setSpeed(Simulation::kFastest);
+    simulation->run();
+    QTRY_COMPARE(running.count(), 2); // started, and stopped by itself
+    QCOMPARE(left.count(), 1);
+    const double time = left[0][0].toDouble();
+    QVERIFY(time > 0.89 && time < 0.95); // rolling friction 0.002 delays it by less than a hundredth; steps of 10 ms
+    QTRY_VERIFY(!simulation->latest().running);
+    QVERIFY(simulation->latest().current.flags & PHYS_OUT);
+    QVERIFY(simulation->latest().current.position.z < 0.0);
+}
+
+void TestSimulation::pilotOnTheThreadGivesTheSameBitsAsByHand() {
+    const auto pilot = std::make_shared<ShiftingPilot>();
+    const auto simulation = simulationOf(levelScene(5));
+    simulation->setPilot(pilot);
+    simulation->setSpeed(Simulation::kFastest);
+    simulation->run();
+    waitBlocked(*simulation, 300);
+    simulation->pause();
+    QTRY_VERIFY(!simulation->latest().running);
+    const phys_state reached = simulation->latest().current;
+
+    const auto engine = engineOn(levelScene(5));
+    engine->setPilot(pilot);
+    while (engine->state().step < reached.step) QVERIFY(engine->step(nullptr));
+    QCOMPARE(phys_state_hash(&engine->state()), phys_state_hash(&reached));
+}
+
+void TestSimulation::impactsAreCounted() {
+    const auto simulation = simulationOf(levelScene(1));
+    simulation->setInputs(tilted(-8.0, 0.0)); // into the wall behind the start
+    for (int i = 0; i < 100; ++i) simulation->stepOnce();
+    QTRY_COMPARE(simulation->latest().current.step, uint64_t(100));
+    QVERIFY(simulation->latest().statistics.impacts > 0);
+    QCOMPARE(simulation->latest().lastImpact.kind, uint32_t(PHYS_EVENT_IMPACT));
+    QCOMPARE(simulation->latest().lastImpact.normal.x, 1.0);
+}
+
+void TestSimulation::deletingARunningSimulationEndsItsThread() {
+    for (int i = 0; i < 20; ++i) {
+        const auto simulation = simulationOf(openFloor());
+        simulation->setDt(1.0 + i); // deadlines far away
+        simulation->run();
+    }
+}
+
+QTEST_GUILESS_MAIN(TestSimulation)
+#include "tst_simulation.moc"
