@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+class QWidget;
+
+namespace inspector::ui {
+
+// Writes a picture of the widget as it is on the screen, OpenGL included. False and one line in `error` (or nullptr)
+// if the file can't be written.
+bool grabToFile(QWidget &widget, const QString &path, QString *error);
+
+} // namespace inspector::ui

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+class QString;
+class QWidget;
+
+namespace inspector::ui {
+
+// Every shortcut of the window's actions, and what the mouse does.
+void showKeysDialog(QWidget &window);
+// Versions and licences. renderer: what draws.
+void showAboutDialog(QWidget &window, const QString &renderer);
+
+} // namespace inspector::ui

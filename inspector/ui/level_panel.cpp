@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/level_panel.h"
+
+#include "ui/clock_text.h"
+
+#include <QHeaderView>
+#include <QSignalBlocker>
+
+namespace inspector::ui {
+
+LevelPanel::LevelPanel(Session &session, QWidget *parent)
+    : QTreeWidget(parent)
+    , m_session(session) {
+    setObjectName(QStringLiteral("levels"));
+    setFrameShape(QFrame::NoFrame);
+    setRootIsDecorated(false);
+    setAlternatingRowColors(true);
+    setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the game
+    setHeaderLabels({tr("Level"), tr("Best time")});
+    header()->setStretchLastSection(true);
+    header()->setSectionsMovable(false);
+    setColumnWidth(0, 130);
+    for (size_t i = 0; i < session.levels().size(); ++i) new QTreeWidgetItem(this, {tr("Level %1").arg(i + 1)});
+
+    connect(this, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem *item) {
+        m_session.game().choose(indexOfTopLevelItem(item));
+        showState(); // also after a refusal
+    });
+    connect(&session, &Session::levelOpened, this, &LevelPanel::showState);
+    connect(&session.game(), &Game::phaseChanged, this, &LevelPanel::showState);
+    showState();
+}
+
+void LevelPanel::showState() {
+    const QSignalBlocker silent(this);
+    setCurrentItem(nullptr); // a file that isn't in the list
+    for (int i = 0; i < topLevelItemCount(); ++i) {
+        const std::optional<double> best = m_session.game().bestTime(i);
+        topLevelItem(i)->setText(1, best ? clockText(*best) : QStringLiteral("–"));
+        if (m_session.levels()[size_t(i)].path == m_session.level().path) setCurrentItem(topLevelItem(i));
+    }
+}
+
+} // namespace inspector::ui

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/main_window.h"
+
+#include "gl/maze_view.h"
+#include "ui/board_picture.h"
+#include "ui/game_keys.h"
+#include "ui/game_overlay.h"
+#include "ui/grab.h"
+#include "ui/level_panel.h"
+#include "ui/message_bar.h"
+#include "ui/parameter_panel.h"
+#include "ui/path_icon.h"
+#include "ui/plot_panel.h"
+#include "ui/settings_keys.h"
+#include "ui/status_line.h"
+#include "ui/theme.h"
+#include "ui/transport_bar.h"
+#include "ui/velocity_plot.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QScreen>
+#include <QUndoStack>
+#include <QVBoxLayout>
+
+namespace inspector::ui {
+
+namespace {
+
+constexpr int kRefreshPeriod = 33; // ms
+constexpr QSize kUsualSize(1280, 800);
+constexpr int kLayoutVersion = 1; // another number forgets layouts of windows with other docks
+
+} // namespace
+
+// A dock: what it is called and where it is at first.
+struct MainWindow::DockRow {
+    const char *name;
+    const char *title;
+    Qt::DockWidgetArea area;
+    QWidget *(*widget)(MainWindow &window);
+};
+
+namespace {
+const char *const kDockNames[] = {"parameters_dock", "levels_dock", "plot_dock"};
+}
+
+MainWindow::MainWindow(Session &session)
+    : m_session(session)
+    , m_undo(new QUndoStack(this)) {
+    setObjectName(QStringLiteral("main_window"));
+    setWindowTitle(tr("Physics inspector"));
+    setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    applyTheme(Theme(theme()));
+    makeActions();
+    makeCentre();
+    makeDocks();
+    makeMenus();
+    connectSession();
+    restoreLook();
+    openLevel();
+    m_refresh.start(kRefreshPeriod);
+}
+
+MainWindow::~MainWindow() = default;
+
+QAction *MainWindow::action(const char *name) const { return findChild<QAction *>(QLatin1String(name)); }
+
+void MainWindow::makeCentre() {
+    m_messages = new MessageBar;
+    m_view = new gl::MazeView;
+    m_view->setObjectName(QStringLiteral("view"));
+    m_view->setFocusPolicy(Qt::StrongFocus);
+    m_view->setFrameSource([this] { return currentFrame(m_session); });
+    m_overlay = new GameOverlay(m_view);
+    new GameKeys(m_session, *this, *m_view); // the window owns it
+
+    auto *centre = new QWidget;
+    auto *layout = new QVBoxLayout(centre);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_messages);
+    layout->addWidget(m_view, 1);
+    setCentralWidget(centre);
+    m_view->setFocus();
+
+    m_transport = new TransportBar(m_session, {action("run"), action("step"), action("restart"), action("autopilot")});
+    addToolBar(m_transport);
+    m_status = new StatusLine;
+    setStatusBar(m_status);
+}
+
+void MainWindow::makeDocks() {
+    m_parameters = new ParameterPanel(m_session, *m_undo);
+    m_plot = new PlotPanel(m_session.simulation().samples());
+    m_levels = new LevelPanel(m_session);
+    static const DockRow rows[] = {
+        {kDockNames[0], QT_TR_NOOP("Parameters"), Qt::RightDockWidgetArea,
+         [](MainWindow &window) -> QWidget * { return window.m_parameters; }},
+        {kDockNames[1], QT_TR_NOOP("Levels"), Qt::RightDockWidgetArea,
+         [](MainWindow &window) -> QWidget * { return window.m_levels; }},
+        {kDockNames[2], QT_TR_NOOP("Velocity plot"), Qt::BottomDockWidgetArea,
+         [](MainWindow &window) -> QWidget * { return window.m_plot; }},
+    };
+    for (const DockRow &row : rows) {
+        auto *dock = new QDockWidget(tr(row.title), this);
+        dock->setObjectName(QLatin1String(row.name));
+        dock->setWidget(row.widget(*this));
+        dock->setProperty("area", int(row.area));
+        addDockWidget(row.area, dock);
+    }
+}
+
+void MainWindow::connectSession() {
+    connect(&m_session, &Session::levelOpened, this, &MainWindow::openLevel);
+    connect(&m_session, &Session::failed, m_messages, &MessageBar::showLine);
+    connect(&m_session, &Session::autopilotChanged, action("autopilot"), &QAction::setChecked);
+    connect(&m_session.simulation(), &Simulation::runningChanged, this, &MainWindow::showRunning);
+    connect(m_parameters, &ParameterPanel::refused, m_messages, &MessageBar::showLine);
+    connect(m_view, &gl::MazeView::problem, m_messages, &MessageBar::showLine);
+    connect(m_plot, &PlotPanel::saveWanted, this, &MainWindow::savePlot);
+    connect(&m_refresh, &QTimer::timeout, this, &MainWindow::refresh);
+    action("autopilot")->setChecked(m_session.hasAutopilot());
+}
+
+void MainWindow::openLevel() {
+    QString error;
+    m_view->setMaze(mazeMesh(m_session.level(), m_session.scene(), &error));
+    m_view->setBall(ballMesh(&error));
+    if (!error.isEmpty()) m_messages->showLine(error);
+    setWindowTitle(tr("%1 – Physics inspector").arg(tr("Level %1").arg(m_session.level().name)));
+}
+
+void MainWindow::refresh() {
+    const Snapshot &now = m_session.simulation().latest();
+    m_status->showSnapshot(now);
+    m_overlay->setText(overlayText(m_session, now));
+    m_plot->plot().refresh();
+}
+
+void MainWindow::showRunning(bool isRunning) {
+    action("run")->setIcon(glyphIcon(isRunning ? Glyph::Pause : Glyph::Run));
+    action("run")->setText(isRunning ? tr("Pause") : tr("Run"));
+}
+
+bool MainWindow::grabTo(const QString &path, QString *error) {
+    refresh();
+    return grabToFile(*this, path, error);
+}
+
+void MainWindow::restoreLook() {
+    const QSettings &settings = m_session.settings();
+    resize(kUsualSize.boundedTo(screen()->availableSize()));
+    arrangeDocks();
+    restoreGeometry(settings.value(settings_keys::kGeometry).toByteArray());
+    restoreState(settings.value(settings_keys::kLayout).toByteArray(), kLayoutVersion);
+    if (settings.contains(settings_keys::kQuality))
+        m_view->setQuality(gl::Quality(settings.value(settings_keys::kQuality).toInt()));
+}
+
+void MainWindow::resetLayout() {
+    addToolBar(Qt::TopToolBarArea, m_transport);
+    m_transport->show();
+    for (const char *name : kDockNames) {
+        auto *dock = findChild<QDockWidget *>(QLatin1String(name));
+        removeDockWidget(dock); // or docks that were side by side stay so
+        dock->setFloating(false);
+        addDockWidget(Qt::DockWidgetArea(dock->property("area").toInt()), dock);
+        dock->show();
+    }
+    arrangeDocks();
+}
+
+// The view gets most of the window.
+void MainWindow::arrangeDocks() {
+    auto *parameters = findChild<QDockWidget *>(QLatin1String(kDockNames[0]));
+    auto *levels = findChild<QDockWidget *>(QLatin1String(kDockNames[1]));
+    auto *plot = findChild<QDockWidget *>(QLatin1String(kDockNames[2]));
+    const int side = m_parameters->sizeHint().width();
+    resizeDocks({parameters, levels}, {side, side}, Qt::Horizontal);
+    resizeDocks({parameters, levels}, {m_parameters->sizeHint().height() + 30, 240}, Qt::Vertical);
+    resizeDocks({plot}, {std::max(200, height() / 4)}, Qt::Vertical);
+}
+
+void MainWindow::closeEvent(QCloseEvent *event) {
+    QSettings &settings = m_session.settings();
+    settings.setValue(settings_keys::kGeometry, saveGeometry());
+    settings.setValue(settings_keys::kLayout, saveState(kLayoutVersion));
+    m_session.simulation().pause();
+    QMainWindow::closeEvent(event);
+}
+
+} // namespace inspector::ui

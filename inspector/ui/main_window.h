@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session.h"
+
+#include <QMainWindow>
+#include <QTimer>
+
+#include <vector>
+
+class QMenu;
+class QUndoStack;
+
+namespace inspector::gl {
+class MazeView;
+}
+
+namespace inspector::ui {
+
+class GameOverlay;
+class LevelPanel;
+class MessageBar;
+class ParameterPanel;
+class PlotPanel;
+class StatusLine;
+class TransportBar;
+
+// The window: composes view, docks, bars and menus over a session and forwards between them.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+public:
+    // session: outlives the window.
+    explicit MainWindow(Session &session);
+    ~MainWindow() override;
+
+    gl::MazeView &view() { return *m_view; }
+    MessageBar &messages() { return *m_messages; }
+
+    // Writes a picture of the whole window as it is now. False and one line in `error` (or nullptr) if that fails.
+    bool grabTo(const QString &path, QString *error);
+    // Everything that follows the simulation shows the present moment; called about 30 times a second.
+    void refresh();
+
+protected:
+    void closeEvent(QCloseEvent *event) override;
+
+private:
+    struct ActionRow;
+    struct DockRow;
+    static const std::vector<ActionRow> &actionRows();
+
+    // Made once, in this order.
+    void makeActions();
+    void makeCentre();
+    void makeDocks();
+    void makeMenus();
+    void addUndoActions(QMenu &menu);
+    void addViewChoices(QMenu &menu);
+    void addChoice(QMenu &menu, const char *name, const QStringList &texts, int (MainWindow::*chosen)() const,
+                   void (MainWindow::*choose)(int));
+    void connectSession();
+    QAction *action(const char *name) const;
+
+    void openLevel();
+    void showRunning(bool isRunning);
+    void restoreLook();
+    void arrangeDocks();
+    int quality() const;
+    void chooseQuality(int number);
+    int theme() const;
+    void chooseTheme(int number);
+
+    // One for each row of the table of actions.
+    void openMazeFile();
+    void savePlot();
+    void saveScreenshot();
+    void quit();
+    void resetParameters();
+    void resetLayout();
+    void resetCamera();
+    void lookFromAbove();
+    void confirm();
+    void toggleRunning();
+    void pause();
+    void stepOnce();
+    void restart();
+    void toggleAutopilot();
+    void showKeys();
+    void showAbout();
+
+    Session &m_session;
+    QUndoStack *m_undo;
+    gl::MazeView *m_view = nullptr;
+    GameOverlay *m_overlay = nullptr;
+    MessageBar *m_messages = nullptr;
+    ParameterPanel *m_parameters = nullptr;
+    PlotPanel *m_plot = nullptr;
+    LevelPanel *m_levels = nullptr;
+    TransportBar *m_transport = nullptr;
+    StatusLine *m_status = nullptr;
+    QTimer m_refresh;
+};
+
+} // namespace inspector::ui

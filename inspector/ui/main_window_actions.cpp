@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Menus and what they do: one table of actions, and a few menus of choices.
+#include "gl/maze_view.h"
+#include "ui/file_chooser.h"
+#include "ui/help_dialogs.h"
+#include "ui/main_window.h"
+#include "ui/message_bar.h"
+#include "ui/parameter_panel.h"
+#include "ui/path_icon.h"
+#include "ui/plot_panel.h"
+#include "ui/settings_keys.h"
+#include "ui/theme.h"
+#include "ui/transport_bar.h"
+#include "ui/velocity_plot.h"
+
+#include <QActionGroup>
+#include <QDockWidget>
+#include <QMenu>
+#include <QMenuBar>
+#include <QUndoStack>
+
+#include <optional>
+
+namespace inspector::ui {
+
+struct MainWindow::ActionRow {
+    const char *name;
+    const char *text;
+    const char *keys; // as in QKeySequence, "; " between several
+    const char *tip;
+    std::optional<Glyph> glyph;
+    void (MainWindow::*run)();
+};
+
+const std::vector<MainWindow::ActionRow> &MainWindow::actionRows() {
+    static const std::vector<ActionRow> rows{
+        {"open",
+         QT_TR_NOOP("Open maze file…"),
+         "Ctrl+O",
+         QT_TR_NOOP("A maze as a text file"),
+         {},
+         &MainWindow::openMazeFile},
+        {"save_plot", QT_TR_NOOP("Save plot…"), "Ctrl+S", QT_TR_NOOP("As CSV, PNG or PDF"), {}, &MainWindow::savePlot},
+        {"screenshot", QT_TR_NOOP("Save picture of the window…"), "Ctrl+P", "", {}, &MainWindow::saveScreenshot},
+        {"quit", QT_TR_NOOP("Quit"), "Ctrl+Q", "", {}, &MainWindow::quit},
+        {"reset_parameters",
+         QT_TR_NOOP("Reset all parameters"),
+         "Ctrl+R",
+         QT_TR_NOOP("Every parameter back to its default"),
+         {},
+         &MainWindow::resetParameters},
+        {"reset_layout",
+         QT_TR_NOOP("Reset layout"),
+         "",
+         QT_TR_NOOP("All docks back to where they were at first"),
+         {},
+         &MainWindow::resetLayout},
+        {"camera_reset",
+         QT_TR_NOOP("Camera: everything"),
+         "Home",
+         QT_TR_NOOP("Show the whole board from the front"),
+         {},
+         &MainWindow::resetCamera},
+        {"camera_top", QT_TR_NOOP("Camera: from above"), "T", "", {}, &MainWindow::lookFromAbove},
+        {"play", QT_TR_NOOP("Start, or next level"), "Return; Enter", "", {}, &MainWindow::confirm},
+        {"run", QT_TR_NOOP("Run"), "Space", QT_TR_NOOP("Run or pause"), Glyph::Run, &MainWindow::toggleRunning},
+        {"pause", QT_TR_NOOP("Pause"), "Esc", "", {}, &MainWindow::pause},
+        {"step", QT_TR_NOOP("Single step"), ".", QT_TR_NOOP("Make one step of dt and pause"), Glyph::Step,
+         &MainWindow::stepOnce},
+        {"restart", QT_TR_NOOP("Restart"), "R", QT_TR_NOOP("The ball back to the start"), Glyph::Restart,
+         &MainWindow::restart},
+        {"autopilot", QT_TR_NOOP("Autopilot"), "A", QT_TR_NOOP("Let the program tilt the board"), Glyph::Autopilot,
+         &MainWindow::toggleAutopilot},
+        {"keys", QT_TR_NOOP("Keys"), "F1", "", {}, &MainWindow::showKeys},
+        {"about", QT_TR_NOOP("About"), "", "", {}, &MainWindow::showAbout},
+    };
+    return rows;
+}
+
+void MainWindow::makeActions() {
+    for (const ActionRow &row : actionRows()) {
+        auto *made = new QAction(tr(row.text), this);
+        made->setObjectName(QLatin1String(row.name));
+        made->setShortcuts(QKeySequence::listFromString(QLatin1String(row.keys)));
+        if (row.glyph) made->setIcon(glyphIcon(*row.glyph));
+        const QString tip = tr(*row.tip ? row.tip : row.text);
+        made->setToolTip(*row.keys ? tr("%1 (%2)").arg(tip, made->shortcut().toString(QKeySequence::NativeText)) : tip);
+        connect(made, &QAction::triggered, this, row.run);
+        addAction(made);
+    }
+    action("autopilot")->setCheckable(true);
+}
+
+void MainWindow::makeMenus() {
+    struct MenuRow {
+        const char *title;
+        std::vector<const char *> actions; // "" is a separator
+    };
+    const MenuRow rows[] = {
+        {QT_TR_NOOP("&File"), {"open", "", "save_plot", "screenshot", "", "quit"}},
+        {QT_TR_NOOP("&Edit"), {"", "reset_parameters"}},
+        {QT_TR_NOOP("&View"), {"", "camera_reset", "camera_top"}},
+        {QT_TR_NOOP("&Game"), {"play", "", "run", "pause", "step", "restart", "", "autopilot"}},
+        {QT_TR_NOOP("&Help"), {"keys", "about"}},
+    };
+    std::vector<QMenu *> menus;
+    for (const MenuRow &row : rows) {
+        QMenu *menu = menuBar()->addMenu(tr(row.title));
+        menus.push_back(menu);
+        for (const char *name : row.actions) {
+            if (*name) menu->addAction(action(name));
+            if (!*name) menu->addSeparator();
+        }
+    }
+    addUndoActions(*menus[1]);
+    addViewChoices(*menus[2]);
+}
+
+void MainWindow::addUndoActions(QMenu &menu) {
+    QAction *undo = m_undo->createUndoAction(this);
+    QAction *redo = m_undo->createRedoAction(this);
+    undo->setShortcuts(QKeySequence::Undo);
+    redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
+    menu.insertActions(menu.actions().constFirst(), {undo, redo});
+}
+
+void MainWindow::addViewChoices(QMenu &menu) {
+    QAction *const first = menu.actions().constFirst();
+    for (const QDockWidget *dock : findChildren<QDockWidget *>()) menu.insertAction(first, dock->toggleViewAction());
+    menu.insertAction(first, m_transport->toggleViewAction());
+    menu.insertAction(first, action("reset_layout"));
+
+    menu.addSeparator();
+    addChoice(*menu.addMenu(tr("Quality")), "quality", {tr("Low"), tr("Medium"), tr("High")}, &MainWindow::quality,
+              &MainWindow::chooseQuality);
+    addChoice(*menu.addMenu(tr("Theme")), "theme", {tr("As the system"), tr("Light"), tr("Dark")}, &MainWindow::theme,
+              &MainWindow::chooseTheme);
+}
+
+void MainWindow::addChoice(QMenu &menu, const char *name, const QStringList &texts, int (MainWindow::*chosen)() const,
+                           void (MainWindow::*choose)(int)) {
+    auto *group = new QActionGroup(&menu);
+    for (int i = 0; i < texts.size(); ++i) {
+        QAction *choice = group->addAction(texts[i]);
+        choice->setObjectName(QStringLiteral("%1_%2").arg(QLatin1String(name)).arg(i));
+        choice->setCheckable(true);
+        connect(choice, &QAction::triggered, this, [this, choose, i] { (this->*choose)(i); });
+        menu.addAction(choice);
+    }
+    // The view may have chosen by itself.
+    connect(&menu, &QMenu::aboutToShow, this,
+            [this, group, chosen] { group->actions()[(this->*chosen)()]->setChecked(true); });
+}
+
+int MainWindow::quality() const { return int(m_view->quality()); }
+
+int MainWindow::theme() const { return m_session.settings().value(settings_keys::kTheme, int(Theme::System)).toInt(); }
+
+void MainWindow::chooseQuality(int number) {
+    m_session.settings().setValue(settings_keys::kQuality, number);
+    m_view->setQuality(gl::Quality(number));
+}
+
+void MainWindow::chooseTheme(int number) {
+    m_session.settings().setValue(settings_keys::kTheme, number);
+    applyTheme(Theme(number));
+}
+
+void MainWindow::openMazeFile() {
+    chooseFile(*this, m_session.settings(), {tr("Open maze file"), tr("Mazes (*.txt)"), {}, FileUse::Read},
+               [this](const QString &path) { m_session.openLevel(levelOfFile(path)); });
+}
+
+void MainWindow::savePlot() {
+    const QString filter = tr("Table of all samples (*.csv);;Picture (*.png);;Document (*.pdf)");
+    chooseFile(*this, m_session.settings(), {tr("Save plot"), filter, tr("velocity.csv"), FileUse::Write},
+               [this](const QString &path) {
+                   QString error;
+                   if (!m_plot->plot().save(path, &error)) m_messages->showLine(error);
+               });
+}
+
+void MainWindow::saveScreenshot() {
+    chooseFile(*this, m_session.settings(),
+               {tr("Save picture of the window"), tr("Picture (*.png)"), tr("inspector.png"), FileUse::Write},
+               [this](const QString &path) {
+                   QString error;
+                   if (!grabTo(path, &error)) m_messages->showLine(error);
+               });
+}
+
+void MainWindow::quit() { close(); }
+void MainWindow::resetParameters() { m_parameters->resetAll(); }
+void MainWindow::resetCamera() { m_view->resetCamera(); }
+void MainWindow::confirm() { m_session.game().confirm(); }
+void MainWindow::pause() { m_session.simulation().pause(); }
+void MainWindow::stepOnce() { m_session.simulation().stepOnce(); }
+
+void MainWindow::toggleRunning() {
+    Simulation &simulation = m_session.simulation();
+    simulation.latest().running ? simulation.pause() : simulation.run();
+}
+
+void MainWindow::restart() {
+    m_session.simulation().restart();
+    if (m_session.game().phase() == Game::Phase::Won) m_session.game().prompt(m_session.game().level());
+}
+
+void MainWindow::toggleAutopilot() {
+    m_session.setAutopilot(!m_session.hasAutopilot());
+    action("autopilot")->setChecked(m_session.hasAutopilot()); // also after a refusal
+}
+
+void MainWindow::lookFromAbove() {
+    gl::OrbitCamera &camera = m_view->camera();
+    camera.reset();
+    camera.orbit({0.0, 1e4}); // as far as it goes
+    camera.fit();
+    m_view->update();
+}
+
+void MainWindow::showKeys() { showKeysDialog(*this); }
+void MainWindow::showAbout() { showAboutDialog(*this, m_view->rendererName()); }
+
+} // namespace inspector::ui

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/message_bar.h"
+
+#include "ui/path_icon.h"
+#include "ui/theme.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+
+namespace inspector::ui {
+
+MessageBar::MessageBar(QWidget *parent)
+    : QFrame(parent)
+    , m_icon(new QLabel)
+    , m_text(new QLabel) {
+    setObjectName(QStringLiteral("messages"));
+    setAutoFillBackground(true);
+    m_text->setObjectName(QStringLiteral("message"));
+    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_text->setTextFormat(Qt::PlainText);
+    m_text->setWordWrap(true);
+    m_icon->setPixmap(glyphIcon(Glyph::Warning).pixmap(16));
+
+    auto *close = new QToolButton;
+    close->setObjectName(QStringLiteral("dismiss"));
+    close->setIcon(glyphIcon(Glyph::Close));
+    close->setToolTip(tr("Hide this message"));
+    close->setAutoRaise(true);
+    close->setFocusPolicy(Qt::TabFocus);
+    connect(close, &QToolButton::clicked, this, &MessageBar::dismiss);
+
+    auto *layout = new QHBoxLayout(this);
+    layout->setContentsMargins(10, 4, 4, 4);
+    layout->addWidget(m_icon);
+    layout->addWidget(m_text, 1);
+    layout->addWidget(close);
+    takeColours();
+    hide();
+}
+
+void MessageBar::showLine(const QString &line) {
+    m_count = line == m_line ? m_count + 1 : 1;
+    m_line = line;
+    m_text->setText(m_count > 1 ? tr("%1  (%2 times)").arg(line).arg(m_count) : line);
+    show();
+    emit changed(m_line);
+}
+
+void MessageBar::dismiss() {
+    m_line.clear();
+    hide();
+    emit changed(m_line);
+}
+
+void MessageBar::changeEvent(QEvent *event) {
+    if (event->type() == QEvent::ApplicationPaletteChange) takeColours();
+    QFrame::changeEvent(event);
+}
+
+void MessageBar::takeColours() {
+    QPalette own;
+    own.setColor(QPalette::Window, accentsFor(own).warning);
+    setPalette(own);
+    m_icon->setPixmap(glyphIcon(Glyph::Warning).pixmap(16));
+}
+
+} // namespace inspector::ui

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/parameter_panel.h"
+
+#include "ui/parameter_command.h"
+#include "ui/parameter_row.h"
+
+#include <QGridLayout>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QUndoStack>
+
+namespace inspector::ui {
+
+ParameterPanel::ParameterPanel(Session &session, QUndoStack &undo, QWidget *parent)
+    : QScrollArea(parent)
+    , m_session(session)
+    , m_parameters(session.parameters())
+    , m_undo(undo) {
+    setObjectName(QStringLiteral("parameters"));
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    connect(&m_parameters, &Parameters::changed, this, &ParameterPanel::showValue);
+    connect(&m_parameters, &Parameters::rowsChanged, this, &ParameterPanel::rebuild);
+    connect(&m_session, &Session::autopilotChanged, this, &ParameterPanel::updateLocks);
+    rebuild();
+}
+
+QSize ParameterPanel::sizeHint() const {
+    return widget()->sizeHint() + QSize(verticalScrollBar()->sizeHint().width(), 2 * frameWidth());
+}
+
+void ParameterPanel::rebuild() {
+    auto *page = new QWidget;
+    auto *grid = new QGridLayout(page);
+    grid->setContentsMargins(8, 6, 8, 6);
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(4);
+    grid->setColumnStretch(1, 1);
+    m_rows.clear();
+    for (int index = 0; index < m_parameters.count(); ++index) {
+        auto *row = new ParameterRow(m_parameters.row(index), *grid, index, page);
+        connect(row, &ParameterRow::edited, this, [this, index](double value) { edit(index, value); });
+        connect(row, &ParameterRow::gestureBegun, this, [this] { ++m_gesture; });
+        row->showValue(m_parameters.value(index));
+        m_rows.push_back(row);
+    }
+    auto *resetAll = new QPushButton(tr("Reset all"));
+    resetAll->setObjectName(QStringLiteral("reset_all"));
+    resetAll->setToolTip(tr("Every parameter back to its default"));
+    resetAll->setFocusPolicy(Qt::TabFocus);
+    connect(resetAll, &QPushButton::clicked, this, &ParameterPanel::resetAll);
+    grid->addWidget(resetAll, m_parameters.count(), 2, 1, 2, Qt::AlignRight);
+    grid->setRowStretch(m_parameters.count() + 1, 1);
+    setWidget(page); // deletes the page before it
+    setMinimumWidth(page->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
+    updateLocks();
+}
+
+void ParameterPanel::edit(int index, double value) {
+    const double before = m_parameters.value(index);
+    QString error;
+    if (!m_parameters.set(index, value, &error)) {
+        m_rows[size_t(index)]->showValue(before);
+        emit refused(error);
+        return;
+    }
+    const phys_param_row &row = m_parameters.row(index);
+    const QString id = QString::fromUtf8(row.id);
+    if (before == value) return;
+    m_undo.push(new ParameterCommand(m_parameters, {{id, before}}, {{id, value}}, m_gesture,
+                                     tr("change of %1").arg(QString::fromUtf8(row.label))));
+}
+
+void ParameterPanel::resetAll() {
+    std::vector<Setting> before;
+    std::vector<Setting> after;
+    for (int index = 0; index < m_parameters.count(); ++index) {
+        if (m_parameters.isInitial(index)) continue;
+        const phys_param_row &row = m_parameters.row(index);
+        before.push_back({QString::fromUtf8(row.id), m_parameters.value(index)});
+        after.push_back({QString::fromUtf8(row.id), row.initial});
+    }
+    if (before.empty()) return;
+    m_parameters.resetAll();
+    m_undo.push(new ParameterCommand(m_parameters, before, after, ++m_gesture, tr("reset of all parameters")));
+}
+
+void ParameterPanel::showValue(int index, double value) {
+    m_rows[size_t(index)]->showValue(value);
+    if (m_parameters.row(index).flags & PHYS_ROW_CHOICE) updateLocks(); // the model may be another one
+}
+
+void ParameterPanel::updateLocks() {
+    for (int index = 0; index < m_parameters.count(); ++index)
+        m_rows[size_t(index)]->setLocked(lockOf(m_parameters.row(index)));
+}
+
+QString ParameterPanel::lockOf(const phys_param_row &row) const {
+    if ((row.flags & PHYS_ROW_RIGID) && m_parameters.inputs().params.model != PHYS_MODEL_RIGID)
+        return tr("Acts in the rigid model only; choose it under Model.");
+    const QLatin1String id(row.id);
+    const bool isTilt = id == QLatin1String("tilt_x") || id == QLatin1String("tilt_y");
+    if (isTilt && m_session.hasAutopilot()) return tr("The autopilot tilts the board; A switches it off.");
+    return {};
+}
+
+} // namespace inspector::ui

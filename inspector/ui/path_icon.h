@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QIcon>
+
+namespace inspector::ui {
+
+enum class Glyph { Run, Pause, Step, Restart, Autopilot, Reset, Close, Warning, Clear, Save, Follow };
+
+// A line drawing in the current palette's text colour, sharp at every size and resolution.
+QIcon glyphIcon(Glyph glyph);
+
+} // namespace inspector::ui

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the window remembers, by name. Best times are the game's.
+#pragma once
+
+#include <QString>
+
+namespace inspector::ui::settings_keys {
+
+inline const QString kGeometry = QStringLiteral("window/geometry");
+inline const QString kLayout = QStringLiteral("window/layout");
+inline const QString kTheme = QStringLiteral("window/theme");     // number of a Theme
+inline const QString kQuality = QStringLiteral("window/quality"); // number of a gl::Quality; absent: the view chooses
+inline const QString kFolder = QStringLiteral("window/folder");   // that a file was last chosen in
+
+} // namespace inspector::ui::settings_keys

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Light or dark: one palette from which every widget, icon, plot and the 3D view take their colours.
+#pragma once
+
+#include <QColor>
+#include <QString>
+
+class QPalette;
+
+namespace inspector::ui {
+
+enum class Theme { System, Light, Dark };
+
+void applyTheme(Theme theme);
+
+bool isDark(const QPalette &palette);
+
+// Colours with a meaning, readable on the palette's base.
+struct Accents {
+    QColor x, y, total; // components and magnitude of a vector
+    QColor warning;     // background of a message
+};
+Accents accentsFor(const QPalette &palette);
+
+} // namespace inspector::ui

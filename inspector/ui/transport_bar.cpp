@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/transport_bar.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+
+#include <cmath>
+
+namespace inspector::ui {
+
+namespace {
+
+constexpr double kTimeSteps[] = {1.0 / 60.0, 0.01, 0.005, 0.002, 0.001, 0.0005, 0.0001}; // s
+constexpr double kMilli = 1e-3;
+
+QString speedText(double speed) {
+    return speed < 1.0 ? QStringLiteral("1/%1 ×").arg(1.0 / speed) : QStringLiteral("%1 ×").arg(speed);
+}
+
+QString timeStepText(double dt) {
+    if (dt == 1.0 / 60.0) return QStringLiteral("1/60 s");
+    return QStringLiteral("%1 ms").arg(dt / kMilli, 0, 'g', 10);
+}
+
+// What a person types: "1/60 s", "5 ms", "5" (ms), "0.002 s". NaN if it isn't a time.
+double timeStepOf(QString text) {
+    text = text.trimmed();
+    const bool isSeconds = text.endsWith(QLatin1Char('s')) && !text.endsWith(QLatin1String("ms"));
+    while (!text.isEmpty() && text.back().isLetter()) text.chop(1);
+    const QStringList parts = text.split(QLatin1Char('/'));
+    bool isNumber = false;
+    double value = parts[0].trimmed().toDouble(&isNumber);
+    if (parts.size() == 2 && isNumber) value /= parts[1].trimmed().toDouble(&isNumber);
+    if (!isNumber || parts.size() > 2) return std::nan("");
+    return isSeconds || parts.size() == 2 ? value : value * kMilli;
+}
+
+} // namespace
+
+TransportBar::TransportBar(Session &session, const QList<QAction *> &playback, QWidget *parent)
+    : QToolBar(tr("Transport"), parent)
+    , m_session(session) {
+    setObjectName(QStringLiteral("transport"));
+    setIconSize({20, 20});
+    addActions(playback);
+    addSpeeds();
+    addSteppers();
+    addTimeSteps();
+    connect(&session, &Session::paceChanged, this, &TransportBar::showPace);
+    connect(&session, &Session::stepperChanged, this, &TransportBar::showStepper);
+    showPace();
+    showStepper();
+}
+
+QComboBox *TransportBar::addChooser(const QString &label, const char *name, const QString &tip) {
+    addSeparator();
+    auto *text = new QLabel(label);
+    text->setContentsMargins(6, 0, 6, 0);
+    auto *chooser = new QComboBox;
+    chooser->setObjectName(QLatin1String(name));
+    chooser->setToolTip(tip);
+    chooser->setFocusPolicy(Qt::TabFocus);
+    addWidget(text);
+    addWidget(chooser);
+    return chooser;
+}
+
+void TransportBar::addSpeeds() {
+    m_speed = addChooser(tr("Speed"), "speed",
+                         tr("Simulated seconds per second. It changes how many steps are made, never dt."));
+    for (double speed = Simulation::kSlowest; speed <= Simulation::kFastest; speed *= 2.0)
+        m_speed->addItem(speedText(speed), speed);
+    m_speed->setMaxVisibleItems(m_speed->count());
+    connect(m_speed, &QComboBox::activated, this, [this](int index) {
+        m_session.setSpeed(m_speed->itemData(index).toDouble());
+        showPace();
+    });
+}
+
+void TransportBar::addSteppers() {
+    m_stepper = addChooser(tr("Stepper"), "stepper", tr("How a step is computed."));
+    const phys_registry *registry = m_session.registry().get();
+    for (uint32_t index = 0; index < phys_registry_count(registry); ++index) {
+        phys_stepper_info info;
+        if (phys_registry_info(registry, index, &info) != PHYS_OK) continue;
+        m_stepper->addItem(QString::fromUtf8(info.name), QByteArray(info.id));
+        m_stepper->setItemData(int(index), QString::fromUtf8(info.summary), Qt::ToolTipRole);
+    }
+    connect(m_stepper, &QComboBox::activated, this, [this](int index) {
+        m_session.setStepper(m_stepper->itemData(index).toByteArray());
+        showStepper(); // also after a refusal
+    });
+}
+
+void TransportBar::addTimeSteps() {
+    m_timeStep =
+        addChooser(tr("Time step"), "time_step", tr("Simulated time of one step; choose one or type your own, in ms."));
+    for (const double dt : kTimeSteps) m_timeStep->addItem(timeStepText(dt), dt);
+    m_timeStep->setEditable(true);
+    m_timeStep->setInsertPolicy(QComboBox::NoInsert);
+    m_timeStep->setFocusPolicy(Qt::ClickFocus);
+    m_timeStep->lineEdit()->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("0.0000 ms")));
+    connect(m_timeStep, &QComboBox::activated, this, &TransportBar::readTimeStep);
+    connect(m_timeStep->lineEdit(), &QLineEdit::editingFinished, this, &TransportBar::readTimeStep);
+}
+
+void TransportBar::readTimeStep() {
+    const double dt = timeStepOf(m_timeStep->currentText());
+    if (dt != m_session.dt()) m_session.setDt(dt);
+    showPace(); // also after a refusal
+}
+
+void TransportBar::showPace() {
+    m_speed->setCurrentIndex(m_speed->findData(m_session.speed()));
+    m_timeStep->setEditText(timeStepText(m_session.dt()));
+}
+
+void TransportBar::showStepper() { m_stepper->setCurrentIndex(m_stepper->findData(m_session.stepperId())); }
+
+} // namespace inspector::ui

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/unattended_run.h"
+
+#include <chrono>
+
+namespace inspector::ui {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kPeriod = 50ms;
+constexpr int kLooksAtRest = 20; // pictures that a window which only stands there gets before it is grabbed
+
+} // namespace
+
+UnattendedRun::UnattendedRun(Session &session, const Options &options, QObject *parent)
+    : QObject(parent)
+    , m_session(session)
+    , m_duration(options.duration)
+    , m_plays(options.autopilot)
+    , m_ends(!options.grab.isEmpty() || options.duration.has_value()) {
+    m_timer.setInterval(kPeriod);
+    connect(&m_timer, &QTimer::timeout, this, &UnattendedRun::look);
+}
+
+void UnattendedRun::start() {
+    if (m_plays) {
+        m_session.game().confirm();
+    } else if (m_duration) {
+        m_session.simulation().run();
+    }
+    if (!m_ends) return;
+    connect(&m_session, &Session::failed, this, &UnattendedRun::finish);
+    m_timer.start();
+}
+
+void UnattendedRun::look() {
+    ++m_looks;
+    if (isOver()) finish({});
+}
+
+bool UnattendedRun::isOver() {
+    const Snapshot &now = m_session.simulation().latest();
+    if (m_duration && now.current.time >= *m_duration) return true;
+    if (m_plays) return m_session.game().phase() == Game::Phase::Won;
+    return !m_duration && m_looks >= kLooksAtRest;
+}
+
+void UnattendedRun::finish(const QString &error) {
+    m_timer.stop();
+    disconnect(&m_session, nullptr, this, nullptr);
+    emit finished(error);
+}
+
+} // namespace inspector::ui
