@@ -74,22 +74,11 @@ void Grid::build(std::span<const phys_box> boxes, double reach, double cellSize)
 }
 
 uint32_t Grid::overlapping(const Vec2 &low, const Vec2 &high, std::span<uint32_t> out) const {
-    if (m_items.empty()) return 0;
-    const Cells query = cellsOf(low, high);
     uint32_t count = 0;
-    for (uint32_t row = query.row0; row <= query.row1; ++row) {
-        for (uint32_t column = query.column0; column <= query.column1; ++column) {
-            const size_t cell = row * m_columnCount + column;
-            for (uint32_t item = m_first[cell]; item < m_first[cell + 1]; ++item) {
-                const uint32_t box = m_items[item];
-                // A box in several cells of the query counts in the first of them only.
-                const Cells &own = m_boxCells[box];
-                if (row != std::max(query.row0, own.row0) || column != std::max(query.column0, own.column0)) continue;
-                if (count < out.size()) out[count] = box;
-                ++count;
-            }
-        }
-    }
+    visitOverlapping(low, high, [&](uint32_t box) {
+        if (count < out.size()) out[count] = box;
+        ++count;
+    });
     std::sort(out.begin(), out.begin() + std::min<size_t>(count, out.size()));
     return count;
 }

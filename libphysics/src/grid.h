@@ -4,6 +4,7 @@
 
 #include "vec.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -29,6 +30,10 @@ public:
     /// Returns how many there are; writes only the first out.size() of them.
     uint32_t overlapping(const Vec2 &low, const Vec2 &high, std::span<uint32_t> out) const;
 
+    /// Calls visit(box) for the boxes that `overlapping` would name, each once, in no particular order.
+    template<class Visit>
+    void visitOverlapping(const Vec2 &low, const Vec2 &high, Visit visit) const;
+
 private:
     struct Cells {
         uint32_t column0, row0, column1, row1; // both ends included
@@ -43,5 +48,22 @@ private:
     std::vector<uint32_t> m_first, m_items; // the lists, one after another, and where each cell's begins
     std::vector<Cells> m_boxCells;
 };
+
+template<class Visit>
+void Grid::visitOverlapping(const Vec2 &low, const Vec2 &high, Visit visit) const {
+    if (m_items.empty()) return;
+    const Cells query = cellsOf(low, high);
+    for (uint32_t row = query.row0; row <= query.row1; ++row) {
+        for (uint32_t column = query.column0; column <= query.column1; ++column) {
+            const size_t cell = row * m_columnCount + column;
+            for (uint32_t item = m_first[cell]; item < m_first[cell + 1]; ++item) {
+                const uint32_t box = m_items[item];
+                // A box in several cells of the query counts in the first of them only.
+                const Cells &own = m_boxCells[box];
+                if (row == std::max(query.row0, own.row0) && column == std::max(query.column0, own.column0)) visit(box);
+            }
+        }
+    }
+}
 
 } // namespace phys

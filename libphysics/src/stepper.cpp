@@ -5,7 +5,7 @@
 #include "params.h"
 #include "plugin_call.h"
 #include "registry.h"
-#include "scene.h"
+#include "scene_view.h"
 
 #include <cmath>
 #include <cstdio>
@@ -25,38 +25,6 @@ struct phys_stepper {
 namespace phys {
 
 namespace {
-
-uint32_t queryBoxes(const void *scene, const phys_box *region, uint32_t *out, uint32_t capacity) {
-    const auto &given = static_cast<const Scene *>(scene)->given;
-    uint32_t count = 0;
-    for (uint32_t i = 0; i < given.size(); ++i) {
-        const phys_box &box = given[i];
-        const bool apart = box.max.x < region->min.x || box.min.x > region->max.x || box.max.y < region->min.y ||
-                           box.min.y > region->max.y || box.max.z < region->min.z || box.min.z > region->max.z;
-        if (apart) continue;
-        if (count < capacity) out[count] = i;
-        ++count;
-    }
-    return count;
-}
-
-uint32_t queryContacts(const void *scene, const phys_vec3 *centre, double reach, phys_contact *out, uint32_t capacity) {
-    uint32_t count = 0;
-    phys_scene_contacts(static_cast<const phys_scene *>(static_cast<const Scene *>(scene)), centre, reach, out,
-                        capacity, &count);
-    return count;
-}
-
-phys_scene_view viewOf(const Scene &scene) {
-    return {sizeof(phys_scene_view),
-            static_cast<uint32_t>(scene.given.size()),
-            scene.given.empty() ? nullptr : scene.given.data(),
-            scene.radius,
-            scene.floorTop,
-            &scene,
-            queryBoxes,
-            queryContacts};
-}
 
 /// Twelve of a state's numbers lie side by side, from position.x on; time and the last one make one more pair.
 inline bool numbersAreFinite(const phys_state &state) {

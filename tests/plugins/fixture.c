@@ -153,5 +153,5 @@ static const phys_stepper_api *const steppers[] = {FIRST_STEPPER, &stepper};
 const void *const fixture_uses[] = {&first_row, &second_row, rows, &stepper, steppers};
 void (*const fixture_functions[])(void) = {(void (*)(void))create, (void (*)(void))destroy, (void (*)(void))step};
 
-extern PHYS_API const phys_plugin ENTRY;
+extern PHYS_PLUGIN_API const phys_plugin ENTRY;
 const phys_plugin ENTRY = {ABI_VERSION, PLUGIN_SIZE, STEPPER_COUNT, PLUGIN_RESERVED, STEPPERS};

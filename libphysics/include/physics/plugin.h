@@ -3,7 +3,7 @@
  * What a plugin hands to libphysics: one exported constant table of steppers. A plugin links to nothing of ours; the
  * built-in steppers fill the very same table. A plugin is a shared object that defines
  *
- *     PHYS_API const phys_plugin phys_plugin_entry = { PHYS_ABI_VERSION, sizeof(phys_plugin), 1, 0, steppers };
+ *     const phys_plugin phys_plugin_entry = { PHYS_ABI_VERSION, sizeof(phys_plugin), 1, 0, steppers };
  *
  * Everything is checked before any of its code is called, and what its step returns is checked before anyone sees it.
  */
@@ -26,8 +26,8 @@ typedef struct phys_scene_view {
     double floor_top;      /* height of the floor's top, m; NaN if the start isn't over a floor */
     const void *scene;     /* handed back to the two functions below */
 
-    /** Numbers of the boxes that overlap or touch region, in ascending order: writes at most capacity of them to out
-     *  and returns how many there are. region, out: not NULL. */
+    /** Numbers of the boxes that overlap or touch region, in ascending order: writes the lowest, at most capacity of
+     *  them, to out (or NULL if capacity is 0) and returns how many there are; 0 for a region that isn't a box. */
     uint32_t (*query)(const void *scene, const phys_box *region, uint32_t *out, uint32_t capacity);
 
     /** As phys_scene_contacts: boxes within reach (m) of a ball at centre. Returns how many there are. */
@@ -77,8 +77,15 @@ typedef struct phys_plugin {
     const phys_stepper_api *const *steppers; /* stepper_count pointers */
 } phys_plugin;
 
+/** Visible even where PHYS_API isn't, as in a host that links libphysics statically. */
+#if defined(__GNUC__)
+#define PHYS_PLUGIN_API __attribute__((visibility("default")))
+#else
+#define PHYS_PLUGIN_API
+#endif
+
 /** The only symbol that a plugin exports. */
-extern PHYS_API const phys_plugin phys_plugin_entry;
+extern PHYS_PLUGIN_API const phys_plugin phys_plugin_entry;
 
 /** Whether *pointer is large enough to have an optional function, and has it. */
 #define PHYS_HAS_SLOT(type, pointer, slot)                                                                             \
