@@ -252,7 +252,7 @@ void MazeRenderer::drawMaze(const Scene &scene) {
     m_maze.draw();
 }
 
-// tint.rgb replaces the ball's colours as far as tint.a is from 1, which is also the opacity.
+// tint: opacity 1 is the ball itself; below, a ghost of that opacity whose colours lean towards tint.rgb.
 void MazeRenderer::drawBall(const Scene &scene, const Ball &ball, const Colour &tint) {
     QOpenGLShaderProgram &program = m_shaders.use(Program::Ball);
     setLighting(program, scene);

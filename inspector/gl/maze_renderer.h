@@ -10,7 +10,6 @@
 #include "gl/stroke_renderer.h"
 
 #include <memory>
-#include <optional>
 
 #include <QOpenGLFunctions_3_3_Core>
 #include <QOpenGLTexture>

@@ -4,11 +4,10 @@
 #include "gl/board_pose.h"
 #include "gl/maze_renderer.h"
 
-#include <algorithm>
 #include <cmath>
 
-#include <QApplication>
 #include <QElapsedTimer>
+#include <QGuiApplication>
 #include <QMouseEvent>
 #include <QOpenGLDebugLogger>
 #include <QOpenGLFramebufferObject>

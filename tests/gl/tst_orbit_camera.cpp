@@ -3,6 +3,7 @@
 #include "gl/board_pose.h"
 #include "gl/orbit_camera.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <QTest>
