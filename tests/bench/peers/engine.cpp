@@ -8,7 +8,9 @@ namespace bench {
 
 std::vector<EngineKind> allEngines() {
     std::vector<EngineKind> all;
-    for (const auto &engines : {ourEngines(), chipmunkEngines()}) all.insert(all.end(), engines.begin(), engines.end());
+    for (const auto &engines :
+         {ourEngines(), chipmunkEngines(), box2dEngines(), bulletEngines(), odeEngines(), mujocoEngines()})
+        all.insert(all.end(), engines.begin(), engines.end());
     return all;
 }
 
