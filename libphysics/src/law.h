@@ -45,7 +45,16 @@ V clampedVelocity(const Law<V> &law, const V &v, double dt) {
     const V driven = v + dt * law.A;
     if (!law.resists) return driven;
     const double speed = glm::length(driven);
-    return speed > law.B * dt ? (1.0 - law.B * dt / speed) * driven : V(0.0);
+    // Divided last: what is exact in binary stays exact.
+    return speed > law.B * dt ? (speed - law.B * dt) * driven / speed : V(0.0);
+}
+
+/// Whether resistance may stop the ball within h: from here on the clamp takes over from every scheme, model.md 10.5.
+template<class V>
+bool nearStop(const Law<V> &law, const V &velocity, double h) {
+    if (!law.resists || law.B == 0.0) return false;
+    const double margin = 4.0 * (glm::length(law.A) + law.B) * h;
+    return glm::dot(velocity, velocity) <= margin * margin;
 }
 
 } // namespace phys

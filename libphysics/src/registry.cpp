@@ -17,6 +17,7 @@ const phys_stepper_api *const kBuiltIn[] = {
     &kSymplecticEuler,
     &kVelocityVerlet,
     &kRk4,
+    &kSwept,
 };
 
 uint32_t builtInCount() { return static_cast<uint32_t>(std::size(kBuiltIn)); }

@@ -13,7 +13,7 @@ struct ExplicitEuler {
 
     template<class V>
     static Advance<V> advance(const Law<V> &law, const V &velocity, double h) {
-        return {clampedVelocity(law, velocity, h), h * velocity};
+        return {eulerVelocity(law, velocity, h), h * velocity};
     }
 };
 

@@ -13,7 +13,7 @@ struct RungeKutta4 {
 
     template<class V>
     static Advance<V> advance(const Law<V> &law, const V &v1, double h) {
-        if (nearStop(law, v1, h)) return advanceNearStop(law, v1, h);
+        if (nearStop(law, v1, h)) return stopping(law, v1, h);
         const V a1 = acceleration(law, v1);
         const V v2 = v1 + 0.5 * h * a1;
         const V a2 = acceleration(law, v2);

@@ -13,7 +13,7 @@ struct SymplecticEuler {
 
     template<class V>
     static Advance<V> advance(const Law<V> &law, const V &velocity, double h) {
-        const V next = clampedVelocity(law, velocity, h);
+        const V next = eulerVelocity(law, velocity, h);
         return {next, h * next};
     }
 };

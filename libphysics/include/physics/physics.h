@@ -289,8 +289,8 @@ enum {
     PHYS_EVENT_TAKEOFF = 3, /* left the floor */
     PHYS_EVENT_STOP = 4,    /* came to rest */
     PHYS_EVENT_ROLL = 5,    /* slip ended: rolls from here on */
-    PHYS_EVENT_CONTACT = 6, /* stays in contact with a wall from here on */
-    PHYS_EVENT_RELEASE = 7  /* left a wall it was in contact with, without an impact */
+    PHYS_EVENT_CONTACT = 6, /* "exact" only: stays in contact with a wall from here on */
+    PHYS_EVENT_RELEASE = 7  /* "exact" only: left a wall it was in contact with, without an impact */
 };
 
 /** Something that happened during a step: frozen. */

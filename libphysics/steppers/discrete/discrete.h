@@ -18,20 +18,6 @@
 
 namespace phys {
 
-/// Whether resistance may stop the ball in this substep: higher orders hand over to the clamp then, model.md 10.5.
-template<class V>
-bool nearStop(const Law<V> &law, const V &velocity, double h) {
-    if (!law.resists || law.B == 0.0) return false;
-    const double margin = 4.0 * (glm::length(law.A) + law.B) * h;
-    return glm::dot(velocity, velocity) <= margin * margin;
-}
-
-template<class V>
-Advance<V> advanceNearStop(const Law<V> &law, const V &velocity, double h) {
-    const V next = clampedVelocity(law, velocity, h);
-    return {next, 0.5 * h * (velocity + next)};
-}
-
 template<class Scheme>
 class DiscreteStep {
 public:
@@ -48,8 +34,22 @@ public:
     /// One substep that ends `after` seconds into the step. False if the ball is stuck.
     bool run(double after, Ball &ball) {
         const Surroundings around = lookAround(m_context, ball.position);
+        const Ball before = ball;
+        const Vec3 drive = move(around, ball);
+        if (!ball.supported && fallsThroughFloor(before, ball)) land(m_context, after, ball);
+        const bool free = !canTouch(around, before, ball) || resolveOverlaps(m_context, before, drive, after, ball);
+        slaveSpin(ball);
+        return free;
+    }
+
+    /// The smooth motion alone, as if there was nothing ahead. Returns the acceleration that drives it.
+    Vec3 move(const Surroundings &around, Ball &ball) {
         ball.supported = isOnFloor(ball) || isCarried(around, ball);
-        return ball.supported ? rollOn(around, after, ball) : fly(after, ball);
+        if (!ball.supported) return fly(ball);
+        ball.velocity.z = 0.0;
+        const Vec2 drive = m_context.rigid ? moveRigid(around, ball) : moveRolling(around, ball);
+        slaveSpin(ball);
+        return Vec3(drive, 0.0);
     }
 
     /// Whether the ball stays as it is: v = 0 and the resistance holds what the walls leave, model.md 6.3.
@@ -79,14 +79,9 @@ private:
         return ball.velocity.z <= 0.0 && carriedBySolid(m_context, around, ball.position);
     }
 
-    bool rollOn(const Surroundings &around, double after, Ball &ball) {
-        const Ball before = ball;
-        ball.velocity.z = 0.0;
-        const Vec2 drive = m_context.rigid ? moveRigid(around, ball) : moveRolling(around, ball);
-        const bool free =
-            !canTouch(around, before, ball) || resolveOverlaps(m_context, before, Vec3(drive, 0.0), after, ball);
+    /// In the rolling model the spin of a supported ball follows its velocity, model.md 2.1 R7.
+    void slaveSpin(Ball &ball) const {
         if (!m_context.rigid && ball.supported) ball.spin = rollingSpin(inPlane(ball.velocity), m_context.scene.radius);
-        return free;
     }
 
     /// Leaves out the search for overlaps where the ball has not come as far as the nearest box was away.
@@ -119,7 +114,7 @@ private:
         if (velocity == Vec2(0.0) && glm::dot(law.A, law.A) <= law.B * law.B) return;
         const Vec3 start = ball.position;
         if (m_plan.runs(PHYS_STAGE_VERTICAL)) {
-            move(Law<Vec3>{Vec3(law.A, 0.0), law.B, law.resists}, ball);
+            moveBy(Law<Vec3>{Vec3(law.A, 0.0), law.B, law.resists}, ball);
         } else {
             const Advance<Vec2> next = Scheme::advance(law, velocity, m_context.h);
             ball.velocity = Vec3(next.velocity, 0.0);
@@ -128,7 +123,7 @@ private:
         if (m_context.report.wanted()) m_context.report.lostRolling(1.4 * law.B * glm::length(ball.position - start));
     }
 
-    void move(const Law<Vec3> &law, Ball &ball) const {
+    void moveBy(const Law<Vec3> &law, Ball &ball) const {
         const Advance<Vec3> next = Scheme::advance(law, ball.velocity, m_context.h);
         ball.velocity = next.velocity;
         ball.position += next.displacement;
@@ -163,17 +158,16 @@ private:
         m_context.report.lostSlip(params.sliding_friction * -params.gravity.z * path);
     }
 
-    bool fly(double after, Ball &ball) {
-        const Ball before = ball;
+    Vec3 fly(Ball &ball) const {
         const Law<Vec3> law = flightLaw(m_context.params);
-        move(law, ball);
+        moveBy(law, ball);
+        return law.A;
+    }
 
+    bool fallsThroughFloor(const Ball &before, const Ball &ball) const {
         const Scene &scene = m_context.scene;
-        const bool throughFloor = scene.hasFloor && before.position.z >= scene.supportedZ &&
-                                  ball.position.z < scene.supportedZ &&
-                                  scene.overFloor(ball.position.x, ball.position.y);
-        if (throughFloor) land(m_context, after, ball);
-        return resolveOverlaps(m_context, before, law.A, after, ball);
+        return before.position.z >= scene.supportedZ && ball.position.z < scene.supportedZ && // false without a floor
+               scene.overFloor(ball.position.x, ball.position.y);
     }
 
     StepPlan m_plan;

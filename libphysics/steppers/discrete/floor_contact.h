@@ -17,6 +17,20 @@ struct Advance {
     V displacement; ///< during it, m
 };
 
+/// A substep in which resistance may stop the ball, for schemes of second order and above: model.md 10.5.
+template<class V>
+Advance<V> stopping(const Law<V> &law, const V &velocity, double h) {
+    const V next = clampedVelocity(law, velocity, h);
+    return {next, 0.5 * h * (velocity + next)};
+}
+
+/// One Euler step of the velocity, clamped where it may end in a stop.
+template<class V>
+V eulerVelocity(const Law<V> &law, const V &velocity, double h) {
+    if (nearStop(law, velocity, h)) return clampedVelocity(law, velocity, h);
+    return velocity + h * acceleration(law, velocity);
+}
+
 enum class FloorContact {
     Rolls,  ///< u = 0 and friction keeps it so; always in the rolling model
     Slides, ///< rigid model without sliding friction: the spin has no part in the motion

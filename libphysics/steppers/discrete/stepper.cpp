@@ -31,13 +31,16 @@ void turn(const Vec3 &spinBefore, double dt, phys_state &out) {
     rotate(out.orientation, 0.5 * dt * (spinBefore + toVec(out.spin)));
 }
 
-void reportTransitions(Reporter &reporter, double dt, const Ball &before, const phys_state &out) {
+void reportTransitions(Reporter &reporter, const PlanInput &input, const Ball &before, const phys_state &out) {
     const double speedBefore = glm::length(before.velocity);
     const double speedAfter = glm::length(toVec(out.velocity));
     const auto event = [&](uint32_t kind) {
-        reporter.event(kind, dt, toVec(out.position), Vec3(0.0), speedBefore, speedAfter, PHYS_NO_BOX);
+        reporter.event(kind, input.dt, toVec(out.position), Vec3(0.0), speedBefore, speedAfter, PHYS_NO_BOX);
     };
+    const bool slipped = input.params.model == PHYS_MODEL_RIGID && before.supported &&
+                         !rolls(inPlane(before.velocity), before.spin, input.scene.radius);
     if (before.supported && (out.flags & PHYS_AIRBORNE)) event(PHYS_EVENT_TAKEOFF);
+    if (slipped && !(out.flags & (PHYS_AIRBORNE | PHYS_SLIPPING))) event(PHYS_EVENT_ROLL);
     if (speedBefore > 0.0 && (out.flags & PHYS_AT_REST)) event(PHYS_EVENT_STOP);
 }
 

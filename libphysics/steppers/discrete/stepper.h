@@ -37,8 +37,8 @@ inline void storeBall(const Scene &scene, const phys_params &params, const Ball 
 /// Turns the orientation by the mean spin of the step.
 void turn(const Vec3 &spinBefore, double dt, phys_state &out);
 
-/// Events that only show at the end of a step.
-void reportTransitions(Reporter &reporter, double dt, const Ball &before, const phys_state &out);
+/// Events that only show at the end of a step. before.supported: whether the floor carried the ball.
+void reportTransitions(Reporter &reporter, const PlanInput &input, const Ball &before, const phys_state &out);
 
 /// create and destroy of a stepper that needs nothing but the scene.
 phys_status keepScene(const phys_scene_view *view, void **self, phys_error *err);
@@ -88,7 +88,7 @@ private:
         if (&out != &in) std::memcpy(out.orientation, in.orientation, sizeof out.orientation);
         storeBall(scene, params, ball, flags, out);
         if (stepPlan.runs(PHYS_STAGE_ORIENTATION)) turn(before.spin, dt, out);
-        if (reporter.wanted()) reportTransitions(reporter, dt, before, out);
+        if (reporter.wanted()) reportTransitions(reporter, input, before, out);
         return PHYS_OK;
     }
 

@@ -17,6 +17,8 @@ constexpr double kNoSpeed = 1e-14;
 /// A normal this near to the vertical is a floor's.
 constexpr double kFloorNormal = 0.70710678118654752;
 
+bool isFloorNormal(const Vec3 &normal) { return normal.z > kFloorNormal; }
+
 struct Overlap {
     Nearest nearest;
     uint32_t solid;
@@ -47,39 +49,22 @@ double bouncedSpeed(const StepContext &context, double restitution, double appro
     return pressing > 0.0 && bounced <= 2.0 * restitution * pressing * context.h ? 0.0 : bounced;
 }
 
+/// Definition D: an overlap that still approaches bounces at the step's end.
 void respond(const StepContext &context, const Nearest &contact, uint32_t box, uint32_t kind, double depth,
              const Vec3 &drive, double after, Ball &ball) {
     const double normalSpeed = glm::dot(ball.velocity, contact.normal);
     if (!(normalSpeed < 0.0)) return;
-    const phys_params &params = context.params;
-    const bool isFloor = contact.normal.z > kFloorNormal;
-    const double restitution = isFloor ? params.restitution_floor : params.restitution_wall;
-    const double speed = bouncedSpeed(context, restitution, -normalSpeed, -glm::dot(drive, contact.normal), depth);
-
-    Loss loss;
-    if (context.rigid) {
-        const double friction = isFloor ? params.sliding_friction : params.wall_friction;
-        loss = reflectWithFriction(ball, contact.normal, speed, friction, context.scene.radius);
-    } else {
-        loss = reflect(ball, contact.normal, speed);
-    }
-    context.report.lostImpact(loss.impact);
-    context.report.lostSlip(loss.slip);
-    context.report.event(kind, after, contact.point, contact.normal, normalSpeed, speed, box);
-}
-
-/// A push with a vertical part lifts a supported ball; the floor answers a push downwards.
-void settleSupport(const StepContext &context, Ball &ball) {
-    if (!ball.supported) return;
-    if (ball.velocity.z < 0.0) ball.velocity.z = 0.0;
-    if (context.scene.hasFloor && ball.position.z < context.scene.supportedZ) {
-        ball.position.z = context.scene.supportedZ;
-    }
-    const bool lifted = ball.velocity.z > 0.0 || ball.position.z > context.scene.supportedZ;
-    if (lifted) ball.supported = false;
+    const double pressing = -glm::dot(drive, contact.normal);
+    const double speed =
+        bouncedSpeed(context, restitutionOf(context.params, contact.normal), -normalSpeed, pressing, depth);
+    bounce(context, contact, box, kind, speed, after, ball);
 }
 
 } // namespace
+
+double restitutionOf(const phys_params &params, const Vec3 &normal) {
+    return isFloorNormal(normal) ? params.restitution_floor : params.restitution_wall;
+}
 
 Vec2 Pressing::freePart(const Vec2 &drive) const {
     // The cone's nearest point lies inside, on one wall, or in its tip: try them in this order, model.md 6.3.
@@ -130,6 +115,16 @@ bool carriedBySolid(const StepContext &context, const Surroundings &around, cons
     return false;
 }
 
+void settleSupport(const StepContext &context, Ball &ball) {
+    if (!ball.supported) return;
+    if (ball.velocity.z < 0.0) ball.velocity.z = 0.0;
+    if (context.scene.hasFloor && ball.position.z < context.scene.supportedZ) {
+        ball.position.z = context.scene.supportedZ;
+    }
+    const bool lifted = ball.velocity.z > 0.0 || ball.position.z > context.scene.supportedZ;
+    if (lifted) ball.supported = false;
+}
+
 bool resolveOverlaps(const StepContext &context, const Ball &before, const Vec3 &drive, double after, Ball &ball) {
     const Scene &scene = context.scene;
     for (uint32_t pass = 0; pass < kPassCap; ++pass) {
@@ -152,6 +147,22 @@ bool resolveOverlaps(const StepContext &context, const Ball &before, const Vec3 
     ball.velocity = Vec3(0.0);
     ball.spin = Vec3(0.0);
     return true;
+}
+
+void bounce(const StepContext &context, const Nearest &contact, uint32_t box, uint32_t kind, double speedAfter,
+            double after, Ball &ball) {
+    const phys_params &params = context.params;
+    const double speedBefore = glm::dot(ball.velocity, contact.normal);
+    Loss loss;
+    if (context.rigid) {
+        const double friction = isFloorNormal(contact.normal) ? params.sliding_friction : params.wall_friction;
+        loss = reflectWithFriction(ball, contact.normal, speedAfter, friction, context.scene.radius);
+    } else {
+        loss = reflect(ball, contact.normal, speedAfter);
+    }
+    context.report.lostImpact(loss.impact);
+    context.report.lostSlip(loss.slip);
+    context.report.event(kind, after, contact.point, contact.normal, speedBefore, speedAfter, box);
 }
 
 void land(const StepContext &context, double after, Ball &ball) {

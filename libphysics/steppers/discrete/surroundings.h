@@ -62,6 +62,17 @@ Pressing findPressing(const StepContext &context, const Surroundings &around, co
 /// Whether a solid's flat top (not the floor) carries a ball at this place.
 bool carriedBySolid(const StepContext &context, const Surroundings &around, const Vec3 &position);
 
+/// Restitution of the surface with this normal: a floor's or a wall's.
+double restitutionOf(const phys_params &params, const Vec3 &normal);
+
+/// Gives the ball `speedAfter` (m/s, >= 0) along the contact's normal, with friction in the rigid model, and reports
+/// it.
+void bounce(const StepContext &context, const Nearest &contact, uint32_t box, uint32_t kind, double speedAfter,
+            double after, Ball &ball);
+
+/// A push with a vertical part lifts a supported ball; the floor answers a push downwards.
+void settleSupport(const StepContext &context, Ball &ball);
+
 /// Pushes the ball out of what it overlaps, deepest first, and reflects it. `before`: the ball at the substep's start;
 /// `drive`: its acceleration (m/s^2); `after`: seconds into the step. False if it can't be freed.
 bool resolveOverlaps(const StepContext &context, const Ball &before, const Vec3 &drive, double after, Ball &ball);

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// The scheme of the steppers `velocity-verlet` and `swept`.
+#pragma once
+
+#include "discrete.h"
+
+namespace phys {
+
+/// model.md 10.1; the second force is taken at the predicted velocity, or the order falls to one with resistance.
+struct VelocityVerlet {
+    static constexpr Bounce kBounce = Bounce::EnergyCorrect;
+
+    template<class V>
+    static Advance<V> advance(const Law<V> &law, const V &velocity, double h) {
+        if (nearStop(law, velocity, h)) return stopping(law, velocity, h);
+        const V a = acceleration(law, velocity);
+        const V aNext = acceleration(law, velocity + h * a);
+        return {velocity + 0.5 * h * (a + aNext), h * velocity + 0.5 * h * h * a};
+    }
+};
+
+} // namespace phys
