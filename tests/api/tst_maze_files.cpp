@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+// Maze text files: what is read, and how each kind of wrong line is refused (format: mazes/README.md).
+#include "support/compare.h"
+#include "support/handles.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cstring>
+
+using namespace support;
+
+namespace {
+
+constexpr char kGood[] = "physics-maze 1\n"
+                         "units m\n"
+                         "generator by hand\n"
+                         "ball 0.0625\n"
+                         "start 0.5 0.25 0.0625\n"
+                         "box -1 -2 -0.5 3 4 0\n";
+
+/// The good file with line `number` (from 1) replaced.
+QByteArray withLine(int number, const QByteArray &line) {
+    QList<QByteArray> lines = QByteArray(kGood).split('\n');
+    lines[number - 1] = line;
+    return lines.join('\n');
+}
+
+QByteArray without(const QByteArray &line) { return QByteArray(kGood).replace(line + "\n", ""); }
+
+} // namespace
+
+class TestMazeFiles : public QObject {
+    Q_OBJECT
+
+private slots:
+    void goodFileIsReadAsWritten();
+    void spellingsOfAGoodFileAreEqual_data();
+    void spellingsOfAGoodFileAreEqual();
+    void wrongLineIsRefusedWithItsNumber_data();
+    void wrongLineIsRefusedWithItsNumber();
+    void missingItemIsRefused_data();
+    void missingItemIsRefused();
+    void wrongSceneInAFileIsRefused_data();
+    void wrongSceneInAFileIsRefused();
+    void missingFileIsRefused();
+    void directoryIsRefused();
+    void binaryRubbishIsRefused();
+    void everyLevelLoads_data();
+    void everyLevelLoads();
+
+private:
+    /// Loads a file with this content; `m_error` says why not.
+    ScenePtr load(const QByteArray &content);
+
+    QTemporaryDir m_folder;
+    QByteArray m_path;
+    phys_error m_error{};
+    phys_status m_status = PHYS_OK;
+};
+
+ScenePtr TestMazeFiles::load(const QByteArray &content) {
+    m_path = m_folder.filePath("maze.txt").toUtf8();
+    QFile file(QString::fromUtf8(m_path));
+    if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size()) return nullptr;
+    file.close();
+    phys_scene *scene = nullptr;
+    m_status = phys_scene_load(m_path.constData(), &scene, &m_error);
+    return ScenePtr(scene);
+}
+
+void TestMazeFiles::goodFileIsReadAsWritten() {
+    const ScenePtr scene = load(kGood);
+    QVERIFY2(scene, m_error.text);
+    COMPARE_EXACT(phys_scene_radius(scene.get()), 0.0625);
+    QCOMPARE(phys_scene_box_count(scene.get()), 1U);
+    const phys_box expected{{-1, -2, -0.5}, {3, 4, 0}};
+    QVERIFY(std::memcmp(phys_scene_boxes(scene.get()), &expected, sizeof expected) == 0);
+    phys_state start;
+    QCOMPARE(phys_scene_start(scene.get(), &start), PHYS_OK);
+    QVERIFY(start.position.x == 0.5 && start.position.y == 0.25 && start.position.z == 0.0625);
+}
+
+void TestMazeFiles::spellingsOfAGoodFileAreEqual_data() {
+    QTest::addColumn<QByteArray>("content");
+    QTest::newRow("comments and empty lines")
+        << QByteArray("# a maze\n\n") + QByteArray(kGood).replace("units m", "units m # metres");
+    QTest::newRow("tabs and blanks") << QByteArray(kGood).replace(" ", " \t ");
+    QTest::newRow("carriage returns") << QByteArray(kGood).replace("\n", "\r\n");
+    QTest::newRow("no newline at the end") << QByteArray(kGood).chopped(1);
+    QTest::newRow("exponents") << withLine(6, "box -1e0 -2 -5e-1 3 0.4E1 0");
+    QTest::newRow("another order") << QByteArray(
+        "physics-maze 1\nbox -1 -2 -0.5 3 4 0\nstart 0.5 0.25 0.0625\nball 0.0625\nunits m\n");
+    QTest::newRow("no generator") << without("generator by hand");
+}
+
+void TestMazeFiles::spellingsOfAGoodFileAreEqual() {
+    QFETCH(QByteArray, content);
+    const ScenePtr scene = load(content);
+    QVERIFY2(scene, m_error.text);
+    const phys_box expected{{-1, -2, -0.5}, {3, 4, 0}};
+    QCOMPARE(phys_scene_box_count(scene.get()), 1U);
+    QVERIFY(std::memcmp(phys_scene_boxes(scene.get()), &expected, sizeof expected) == 0);
+    COMPARE_EXACT(phys_scene_radius(scene.get()), 0.0625);
+}
+
+void TestMazeFiles::wrongLineIsRefusedWithItsNumber_data() {
+    QTest::addColumn<QByteArray>("content");
+    QTest::addColumn<int>("line");
+    QTest::addColumn<QByteArray>("expected");
+    QTest::addColumn<QByteArray>("found");
+    const auto add = [](int line, const QByteArray &text, const QByteArray &expected, const QByteArray &found) {
+        QTest::newRow((QByteArray::number(line) + ": " + text).constData())
+            << withLine(line, text) << line << expected << found;
+    };
+    add(1, "maze 1", "physics-maze 1", "'maze'");
+    add(1, "physics-maze 2", "version 1", "'2'");
+    add(1, "physics-maze", "version 1", "''");
+    add(1, "physics-maze 1 1", "end of the line", "'1'");
+    add(2, "units mm", "units m", "'mm'");
+    add(2, "units", "units m", "''");
+    add(2, "units m m", "end of the line", "'m'");
+    add(4, "ball", "1 number", "found 0");
+    add(4, "ball big", "a number", "'big'");
+    add(4, "ball 0,0625", "a number", "'0,0625'");
+    add(4, "ball 0.0625m", "a number", "'0.0625m'");
+    add(4, "ball 1e999", "a number", "'1e999'");
+    add(4, "ball 0.0625 0.0625", "end of the line", "'0.0625'");
+    add(5, "start 0.5 0.25", "3 numbers", "found 2");
+    add(5, "start 0.5 0.25 0.0625 0", "end of the line", "'0'");
+    add(6, "box -1 -2 -0.5 3 4", "6 numbers", "found 5");
+    add(6, "box -1 -2 -0.5 3 4 0 0", "end of the line", "'0'");
+    add(6, "box 4 -2 -0.5 3 4 0", "x = 4", "3");
+    add(6, "box -1 5 -0.5 3 4 0", "y = 5", "4");
+    add(6, "box -1 -2 0.5 3 4 0", "z = 0.5", "0");
+    add(6, "box nan -2 -0.5 3 4 0", "", "");
+    add(6, "sphere 0 0 0 1", "box", "'sphere'");
+    add(6, "ball 0.0625", "'ball'", "twice");
+    add(6, "start 0 0 0", "'start'", "twice");
+    add(3, "Units m", "units", "'Units'");
+}
+
+void TestMazeFiles::wrongLineIsRefusedWithItsNumber() {
+    QFETCH(QByteArray, content);
+    QFETCH(int, line);
+    QFETCH(QByteArray, expected);
+    QFETCH(QByteArray, found);
+    QVERIFY(!load(content));
+    QCOMPARE(m_status, PHYS_ERROR_SYNTAX);
+    const QByteArray text = m_error.text;
+    QVERIFY2(text.startsWith(m_path + ":" + QByteArray::number(line) + ": "), m_error.text);
+    QVERIFY2(text.contains(expected) && text.contains(found), m_error.text);
+    QVERIFY(!text.contains('\n'));
+}
+
+void TestMazeFiles::missingItemIsRefused_data() {
+    QTest::addColumn<QByteArray>("content");
+    QTest::addColumn<QByteArray>("missing");
+    QTest::newRow("units") << without("units m") << QByteArray("units");
+    QTest::newRow("ball") << without("ball 0.0625") << QByteArray("ball");
+    QTest::newRow("start") << without("start 0.5 0.25 0.0625") << QByteArray("start");
+    QTest::newRow("everything") << QByteArray() << QByteArray("physics-maze 1");
+    QTest::newRow("everything but a comment") << QByteArray("# nothing\n") << QByteArray("physics-maze 1");
+}
+
+void TestMazeFiles::missingItemIsRefused() {
+    QFETCH(QByteArray, content);
+    QFETCH(QByteArray, missing);
+    QVERIFY(!load(content));
+    QCOMPARE(m_status, PHYS_ERROR_SYNTAX);
+    QVERIFY2(QByteArray(m_error.text).startsWith(m_path), m_error.text);
+    QVERIFY2(QByteArray(m_error.text).contains(missing), m_error.text);
+}
+
+void TestMazeFiles::wrongSceneInAFileIsRefused_data() {
+    QTest::addColumn<QByteArray>("content");
+    QTest::addColumn<QByteArray>("reason");
+    QTest::newRow("radius 0") << withLine(4, "ball 0") << QByteArray("radius");
+    QTest::newRow("radius below 0") << withLine(4, "ball -1") << QByteArray("radius");
+    QTest::newRow("radius inf") << withLine(4, "ball inf") << QByteArray("radius");
+    QTest::newRow("start too far away") << withLine(5, "start 2e9 0 0") << QByteArray("start");
+    QTest::newRow("box too far away") << withLine(6, "box -1 -2 -0.5 3 4e9 0") << QByteArray("box 0");
+}
+
+void TestMazeFiles::wrongSceneInAFileIsRefused() {
+    QFETCH(QByteArray, content);
+    QFETCH(QByteArray, reason);
+    QVERIFY(!load(content));
+    QCOMPARE(m_status, PHYS_ERROR_SCENE);
+    QVERIFY2(QByteArray(m_error.text).startsWith(m_path), m_error.text);
+    QVERIFY2(QByteArray(m_error.text).contains(reason), m_error.text);
+}
+
+void TestMazeFiles::missingFileIsRefused() {
+    phys_scene *scene = nullptr;
+    phys_error error;
+    QCOMPARE(phys_scene_load("no/such/maze.txt", &scene, &error), PHYS_ERROR_FILE);
+    QVERIFY(!scene);
+    QVERIFY2(QByteArray(error.text).startsWith("no/such/maze.txt: "), error.text);
+}
+
+void TestMazeFiles::directoryIsRefused() {
+    const QByteArray path = m_folder.path().toUtf8();
+    phys_scene *scene = nullptr;
+    phys_error error;
+    QCOMPARE(phys_scene_load(path.constData(), &scene, &error), PHYS_ERROR_FILE);
+    QVERIFY(!scene);
+    QVERIFY2(QByteArray(error.text).startsWith(path), error.text);
+}
+
+void TestMazeFiles::binaryRubbishIsRefused() {
+    QByteArray rubbish(100'000, '\0');
+    for (int i = 0; i < rubbish.size(); ++i) rubbish[i] = static_cast<char>(i * i * 31 + i * 7);
+    rubbish.replace('\n', 'x');
+    QVERIFY(!load(rubbish));
+    QCOMPARE(m_status, PHYS_ERROR_SYNTAX);
+    QVERIFY(!load(QByteArray(kGood) + rubbish));
+    QCOMPARE(m_status, PHYS_ERROR_SYNTAX);
+}
+
+void TestMazeFiles::everyLevelLoads_data() {
+    QTest::addColumn<QByteArray>("path");
+    const QDir folder(LEVELS_FOLDER);
+    for (const QString &name : folder.entryList({"??.txt"}))
+        QTest::newRow(qPrintable(name)) << folder.filePath(name).toUtf8();
+}
+
+void TestMazeFiles::everyLevelLoads() {
+    QFETCH(QByteArray, path);
+    phys_scene *raw = nullptr;
+    const phys_status status = phys_scene_load(path.constData(), &raw, &m_error);
+    const ScenePtr scene(raw);
+    QVERIFY2(status == PHYS_OK, m_error.text);
+    QFile file(QString::fromUtf8(path));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QCOMPARE(static_cast<qsizetype>(phys_scene_box_count(scene.get())), file.readAll().count("\nbox "));
+    QVERIFY2(phys_scene_check_planar(scene.get(), &m_error) == PHYS_OK, m_error.text);
+}
+
+QTEST_GUILESS_MAIN(TestMazeFiles)
+#include "tst_maze_files.moc"
