@@ -20,7 +20,11 @@ LevelPanel::LevelPanel(Session &session, QWidget *parent)
     header()->setStretchLastSection(true);
     header()->setSectionsMovable(false);
     setColumnWidth(0, 130);
-    for (size_t i = 0; i < session.levels().size(); ++i) new QTreeWidgetItem(this, {tr("Level %1").arg(i + 1)});
+    setUniformRowHeights(true);
+    for (size_t i = 0; i < session.levels().size(); ++i) {
+        auto *item = new QTreeWidgetItem(this, {tr("Level %1").arg(i + 1)});
+        item->setSizeHint(0, {1, fontMetrics().height() + 7});
+    }
 
     connect(this, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem *item) {
         m_session.game().choose(indexOfTopLevelItem(item));

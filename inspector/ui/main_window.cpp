@@ -30,7 +30,8 @@ namespace {
 
 constexpr int kRefreshPeriod = 33; // ms
 constexpr QSize kUsualSize(1280, 800);
-constexpr int kLayoutVersion = 1; // another number forgets layouts of windows with other docks
+constexpr double kScreenShare = 0.75; // of a larger screen
+constexpr int kLayoutVersion = 1;     // another number forgets layouts of windows with other docks
 
 } // namespace
 
@@ -138,6 +139,7 @@ void MainWindow::refresh() {
     m_status->showSnapshot(now);
     m_overlay->setText(overlayText(m_session, now));
     m_plot->plot().refresh();
+    if (m_session.hasAutopilot()) m_parameters->showFlownTilt(now.inputs.tilt);
 }
 
 void MainWindow::showRunning(bool isRunning) {
@@ -152,7 +154,8 @@ bool MainWindow::grabTo(const QString &path, QString *error) {
 
 void MainWindow::restoreLook() {
     const QSettings &settings = m_session.settings();
-    resize(kUsualSize.boundedTo(screen()->availableSize()));
+    const QSize available = screen()->availableSize();
+    resize(kUsualSize.expandedTo(available * kScreenShare).boundedTo(available));
     arrangeDocks();
     restoreGeometry(settings.value(settings_keys::kGeometry).toByteArray());
     restoreState(settings.value(settings_keys::kLayout).toByteArray(), kLayoutVersion);

@@ -9,6 +9,9 @@
 #include <QScrollBar>
 #include <QUndoStack>
 
+#include <cmath>
+#include <utility>
+
 namespace inspector::ui {
 
 ParameterPanel::ParameterPanel(Session &session, QUndoStack &undo, QWidget *parent)
@@ -22,7 +25,7 @@ ParameterPanel::ParameterPanel(Session &session, QUndoStack &undo, QWidget *pare
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     connect(&m_parameters, &Parameters::changed, this, &ParameterPanel::showValue);
     connect(&m_parameters, &Parameters::rowsChanged, this, &ParameterPanel::rebuild);
-    connect(&m_session, &Session::autopilotChanged, this, &ParameterPanel::updateLocks);
+    connect(&m_session, &Session::autopilotChanged, this, &ParameterPanel::showAutopilot);
     rebuild();
 }
 
@@ -89,6 +92,21 @@ void ParameterPanel::resetAll() {
 void ParameterPanel::showValue(int index, double value) {
     m_rows[size_t(index)]->showValue(value);
     if (m_parameters.row(index).flags & PHYS_ROW_CHOICE) updateLocks(); // the model may be another one
+}
+
+void ParameterPanel::showFlownTilt(Tilt tilt) {
+    const std::pair<const char *, double> tilts[] = {{"tilt_x", tilt.x}, {"tilt_y", tilt.y}};
+    for (const auto &[id, angle] : tilts) {
+        const int index = m_parameters.indexOf(QLatin1String(id));
+        m_rows[size_t(index)]->showValue(std::round(degrees(angle) * 10.0) / 10.0);
+    }
+}
+
+// The sliders show the parameters again when nobody flies any more.
+void ParameterPanel::showAutopilot() {
+    for (int index = 0; index < m_parameters.count(); ++index)
+        m_rows[size_t(index)]->showValue(m_parameters.value(index));
+    updateLocks();
 }
 
 void ParameterPanel::updateLocks() {

@@ -22,6 +22,8 @@ public:
     ParameterPanel(Session &session, QUndoStack &undo, QWidget *parent = nullptr);
 
     void resetAll();
+    // While the autopilot flies: the tilt that it chose, rad.
+    void showFlownTilt(Tilt tilt);
     QSize sizeHint() const override;
 
 signals:
@@ -32,6 +34,7 @@ private:
     void rebuild();
     void edit(int index, double value);
     void showValue(int index, double value);
+    void showAutopilot();
     void updateLocks();
     QString lockOf(const phys_param_row &row) const;
 

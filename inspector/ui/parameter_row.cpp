@@ -65,14 +65,13 @@ ParameterRow::ParameterRow(const phys_param_row &row, QGridLayout &grid, int lin
     : QObject(parent)
     , m_row(row)
     , m_reset(new QToolButton) {
-    auto *label = new QLabel(QString::fromUtf8(row.label));
-    adopt(label, "_label");
-    grid.addWidget(label, line, kLabel);
-    if (row.flags & PHYS_ROW_CHOICE) {
-        addChoice(grid, line);
-    } else if (row.flags & PHYS_ROW_SWITCH) {
+    if (row.flags & PHYS_ROW_SWITCH) {
         addSwitch(grid, line);
+    } else if (row.flags & PHYS_ROW_CHOICE) {
+        addLabel(grid, line);
+        addChoice(grid, line);
     } else {
+        addLabel(grid, line);
         addNumber(grid, line);
     }
     m_reset->setIcon(glyphIcon(Glyph::Reset));
@@ -90,6 +89,12 @@ ParameterRow::ParameterRow(const phys_param_row &row, QGridLayout &grid, int lin
 void ParameterRow::adopt(QWidget *widget, const char *suffix) {
     widget->setObjectName(QString::fromLatin1(m_row.id) + QLatin1String(suffix));
     m_widgets.push_back(widget);
+}
+
+void ParameterRow::addLabel(QGridLayout &grid, int line) {
+    auto *label = new QLabel(QString::fromUtf8(m_row.label));
+    adopt(label, "_label");
+    grid.addWidget(label, line, kLabel);
 }
 
 void ParameterRow::addNumber(QGridLayout &grid, int line) {
@@ -137,7 +142,7 @@ void ParameterRow::addChoice(QGridLayout &grid, int line) {
 }
 
 void ParameterRow::addSwitch(QGridLayout &grid, int line) {
-    auto *box = new QCheckBox(tr("on"));
+    auto *box = new QCheckBox(QString::fromUtf8(m_row.label));
     box->setFocusPolicy(Qt::TabFocus);
     adopt(box, "_switch");
     connect(box, &QCheckBox::clicked, this, [this](bool isOn) {
@@ -145,7 +150,7 @@ void ParameterRow::addSwitch(QGridLayout &grid, int line) {
         emit edited(isOn ? 1.0 : 0.0);
     });
     m_show = [box](double value) { box->setChecked(value != 0.0); };
-    grid.addWidget(box, line, kEditor, 1, 2);
+    grid.addWidget(box, line, kLabel, 1, 3);
 }
 
 void ParameterRow::showValue(double value) {

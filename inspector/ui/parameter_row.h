@@ -34,6 +34,7 @@ signals:
     void gestureBegun();
 
 private:
+    void addLabel(QGridLayout &grid, int line);
     void addNumber(QGridLayout &grid, int line);
     void addChoice(QGridLayout &grid, int line);
     void addSwitch(QGridLayout &grid, int line);
@@ -41,7 +42,7 @@ private:
     QString help() const;
 
     phys_param_row m_row;
-    std::vector<QWidget *> m_widgets; // label first
+    std::vector<QWidget *> m_widgets;
     QToolButton *m_reset;
     std::function<void(double)> m_show;
     bool m_isInitial = true;

@@ -100,7 +100,8 @@ void TransportBar::addTimeSteps() {
     m_timeStep->setEditable(true);
     m_timeStep->setInsertPolicy(QComboBox::NoInsert);
     m_timeStep->setFocusPolicy(Qt::ClickFocus);
-    m_timeStep->lineEdit()->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("0.0000 ms")));
+    m_timeStep->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_timeStep->setMinimumContentsLength(9);
     connect(m_timeStep, &QComboBox::activated, this, &TransportBar::readTimeStep);
     connect(m_timeStep->lineEdit(), &QLineEdit::editingFinished, this, &TransportBar::readTimeStep);
 }

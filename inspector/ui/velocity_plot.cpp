@@ -41,9 +41,18 @@ VelocityPlot::VelocityPlot(const SampleRing &samples, QWidget *parent)
     yAxis->setRange(-0.1, 0.1);
     yAxis->setNumberFormat(QStringLiteral("g"));
     legend->setVisible(true);
-    axisRect()->insetLayout()->setInsetAlignment(0, Qt::AlignTop | Qt::AlignLeft);
-    legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
+    // The legend above the curves, in one line, where it hides none of them.
+    auto *line = new QCPLayoutGrid;
+    plotLayout()->insertRow(0);
+    plotLayout()->addElement(0, 0, line);
+    line->addElement(0, 0, legend);
+    line->addElement(0, 1, new QCPLayoutElement(this));
+    line->setColumnStretchFactor(0, 0.001);
+    plotLayout()->setRowStretchFactor(0, 0.001);
     plotLayout()->setRowSpacing(0);
+    legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
+    legend->setMargins(QMargins(70, 4, 8, 0));
+    legend->setColumnSpacing(18);
     addCurves();
     addReadOut();
     takeColours();
@@ -86,11 +95,9 @@ void VelocityPlot::takeColours() {
         axis->grid()->setPen(QPen(faint));
         axis->grid()->setZeroLinePen(QPen(mixed(base, text, 0.4)));
     }
-    QColor veil = base;
-    veil.setAlphaF(0.8F);
     legend->setFont(font());
     legend->setTextColor(text);
-    legend->setBrush(veil);
+    legend->setBrush(Qt::NoBrush);
     legend->setBorderPen(Qt::NoPen);
     const Accents accents = accentsFor(colours);
     const QColor lines[] = {accents.x, accents.y, accents.total};

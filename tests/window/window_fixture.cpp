@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "window_fixture.h"
+
+#include "gl/maze_view.h"
+#include "gl/surface_format.h"
+
+#include <QApplication>
+#include <QSurfaceFormat>
+#include <QWheelEvent>
+
+#include <algorithm>
+
+namespace window_test {
+
+namespace {
+
+constexpr QSize kSize(1200, 800);
+
+inspector::Options optionsOf(int level) {
+    inspector::Options options;
+    options.registry = inspector::makeRegistry(nullptr);
+    options.levels = inspector::levelsIn(LEVELS_FOLDER);
+    options.level = options.levels.at(size_t(level) - 1);
+    return options;
+}
+
+} // namespace
+
+void prepare() { QSurfaceFormat::setDefaultFormat(inspector::gl::surfaceFormat()); }
+
+Fixture::Fixture(int level)
+    : m_settings(m_folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat) {
+    QString error;
+    m_session = inspector::Session::open(optionsOf(level), m_settings, &error);
+    if (!m_session) qFatal("%s", qPrintable(error));
+    reopen();
+}
+
+void Fixture::reopen() {
+    if (m_window) m_window->close();
+    m_window = std::make_unique<inspector::ui::MainWindow>(*m_session);
+    m_window->view().setQuality(inspector::gl::Quality::Low); // leaves the machine to what is tested
+    if (!m_settings.contains(QStringLiteral("window/geometry"))) m_window->resize(kSize);
+    m_window->show();
+}
+
+bool Fixture::isReady() {
+    m_window->activateWindow();
+    return QTest::qWaitForWindowActive(m_window.get()) &&
+           QTest::qWaitFor([this] { return m_window->view().lastFrameMilliseconds() > 0.0; });
+}
+
+double Fixture::simulated(const QString &id) {
+    const inspector::Inputs inputs = simulation().latest().inputs;
+    if (id == QLatin1String("tilt_x")) return inspector::degrees(inputs.tilt.x);
+    if (id == QLatin1String("tilt_y")) return inspector::degrees(inputs.tilt.y);
+    if (id == QLatin1String("gravity")) return inputs.gravity;
+    return phys_param_get(&inputs.params, &parameters().row(parameters().indexOf(id)));
+}
+
+void Fixture::reportMissing(const QString &name) const {
+    QStringList names;
+    for (const QObject *child : m_window->findChildren<QObject *>())
+        if (!child->objectName().isEmpty() && !child->objectName().startsWith(QLatin1String("qt_")))
+            names << child->objectName();
+    qFatal("no child '%s'; there are: %s", qPrintable(name), qPrintable(names.join(QLatin1String(", "))));
+}
+
+void click(QWidget *widget) { QTest::mouseClick(widget, Qt::LeftButton, {}, widget->rect().center()); }
+
+// QTest::mouseMove carries no buttons, so the moves are sent as the platform would.
+void drag(QWidget *widget, const QPoint &from, const QPoint &to, Qt::KeyboardModifiers modifiers) {
+    QTest::mousePress(widget, Qt::LeftButton, modifiers, from);
+    for (const QPoint &place : {(from + to) / 2, to}) {
+        QMouseEvent move(QEvent::MouseMove, place, widget->mapToGlobal(place), Qt::NoButton, Qt::LeftButton, modifiers);
+        QApplication::sendEvent(widget, &move);
+    }
+    QTest::mouseRelease(widget, Qt::LeftButton, modifiers, to);
+}
+
+void turnWheel(QWidget *widget, const QPoint &place, int notches, Qt::KeyboardModifiers modifiers) {
+    QWheelEvent wheel(place, widget->mapToGlobal(place), {}, {0, 120 * notches}, Qt::NoButton, modifiers,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(widget, &wheel);
+}
+
+void hover(QWidget *widget, const QPoint &place) {
+    QMouseEvent move(QEvent::MouseMove, place, widget->mapToGlobal(place), Qt::NoButton, Qt::NoButton, {});
+    QApplication::sendEvent(widget, &move);
+}
+
+} // namespace window_test

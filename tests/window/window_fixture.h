@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// A window over a level, with settings of its own, and hands to use it with: real mouse and key events.
+#pragma once
+
+#include "core/session.h"
+#include "ui/main_window.h"
+
+#include <QAction>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <memory>
+
+namespace window_test {
+
+// Before the application object exists.
+void prepare();
+
+class Fixture {
+public:
+    explicit Fixture(int level = 1);
+    // The window is on the screen, has drawn once and has the keyboard.
+    bool isReady();
+
+    inspector::Session &session() { return *m_session; }
+    inspector::Simulation &simulation() { return m_session->simulation(); }
+    inspector::Parameters &parameters() { return m_session->parameters(); }
+    inspector::Game &game() { return m_session->game(); }
+    inspector::ui::MainWindow &window() { return *m_window; }
+    QSettings &settings() { return m_settings; }
+    QString path(const QString &name) const { return m_folder.filePath(name); }
+    // The window is closed and another one is opened on the same session.
+    void reopen();
+
+    // The simulation's own value of a parameter row.
+    double simulated(const QString &id);
+
+    // A child of the window; the program ends, naming the children there are, if it isn't there.
+    template<typename Widget>
+    Widget *find(const QString &name) {
+        auto *found = m_window->findChild<Widget *>(name);
+        if (!found) reportMissing(name);
+        return found;
+    }
+    void trigger(const QString &action) { find<QAction>(action)->trigger(); }
+    void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) { QTest::keyClick(m_window.get(), key, modifiers); }
+
+private:
+    [[noreturn]] void reportMissing(const QString &name) const;
+
+    QTemporaryDir m_folder;
+    QSettings m_settings;
+    std::unique_ptr<inspector::Session> m_session;
+    std::unique_ptr<inspector::ui::MainWindow> m_window;
+};
+
+void click(QWidget *widget);
+void drag(QWidget *widget, const QPoint &from, const QPoint &to, Qt::KeyboardModifiers modifiers = {});
+void turnWheel(QWidget *widget, const QPoint &place, int notches, Qt::KeyboardModifiers modifiers = {});
+void hover(QWidget *widget, const QPoint &place);
+
+} // namespace window_test
