@@ -2,6 +2,7 @@
 // Random numbers that repeat everywhere, from a seed that a failing test prints.
 #pragma once
 
+#include <QString>
 #include <QtGlobal>
 
 #include <cstdint>

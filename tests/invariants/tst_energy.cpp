@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+// Energy: what a report says of a step adds up, and what a stepper makes of its own is bounded: model.md 9 and 10.
+#include "drawn_scene.h"
+#include "support/compare.h"
+#include "support/stepper_rows.h"
+#include "support/tolerance.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace invariants;
+using namespace support;
+
+namespace {
+
+constexpr int kScenes = 16;
+
+double speedOf(const phys_state &state) { return std::hypot(state.velocity.x, state.velocity.y, state.velocity.z); }
+
+/// 7/10 for a ball on the floor under the rolling model, 1/2 for one that keeps its spin: model.md 9.
+double lossOf(const phys_event &event, uint32_t model) {
+    const bool rolling = model == PHYS_MODEL_ROLLING && event.kind == PHYS_EVENT_IMPACT;
+    const double before = event.speed_before;
+    const double after = event.speed_after;
+    return (rolling ? 0.7 : 0.5) * (before * before - after * after);
+}
+
+} // namespace
+
+class TestEnergy : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { qInfo("seed %llu", static_cast<unsigned long long>(testSeed())); }
+    void reportBalances_data() { addStepperAndModelRows(); }
+    void reportBalances();
+    void lossesAreNeverGains_data() { addStepperAndModelRows(); }
+    void lossesAreNeverGains();
+    void impactLossIsThatOfItsEvents_data() { addStepperAndModelRows(); }
+    void impactLossIsThatOfItsEvents();
+    void schemesOwnEnergyIsOfItsOrder_data() { addStepperAndModelRows(); }
+    void schemesOwnEnergyIsOfItsOrder();
+    void rollingLossIsForceTimesWay_data() { addStepperAndModelRows(); }
+    void rollingLossIsForceTimesWay();
+    void orientationStaysAUnitQuaternion_data() { addStepperAndModelRows(); }
+    void orientationStaysAUnitQuaternion();
+    void orientationTurnsByWayOverRadius_data() { addStepperAndModelRows(); }
+    void orientationTurnsByWayOverRadius();
+
+private:
+    /// Calls check(experiment, state before) after each step of drawn scenes, until one of them fails the test.
+    template<class Check>
+    void eachStep(const QByteArray &stepper, uint32_t model, Check check);
+};
+
+template<class Check>
+void TestEnergy::eachStep(const QByteArray &stepper, uint32_t model, Check check) {
+    Random random(testSeed());
+    for (int scene = 0; scene < kScenes; ++scene) {
+        const Drawn drawn = draw(random, model);
+        Experiment ball = makeExperiment(drawn, stepper);
+        for (int i = 0; i < kSegment * kSegments; ++i) {
+            ball.params.gravity = drawn.gravities[static_cast<size_t>(i / kSegment)];
+            const phys_state before = ball.state;
+            const bool stepped = ball.step(drawn.dt);
+            if (!stepped && ball.status() == PHYS_ERROR_UNSUPPORTED) break;
+            QVERIFY2(stepped, ball.error());
+            check(ball, before);
+            if (QTest::currentTestFailed()) return;
+        }
+    }
+}
+
+void TestEnergy::reportBalances() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    eachStep(stepper, model, [](Experiment &ball, const phys_state &before) {
+        const phys_report &r = ball.report;
+        double energy = 0.0;
+        QCOMPARE(phys_energy(ball.scene(), &ball.params, &before, &energy), PHYS_OK);
+        COMPARE_EXACT(r.energy_before, energy);
+        QCOMPARE(phys_energy(ball.scene(), &ball.params, &ball.state, &energy), PHYS_OK);
+        COMPARE_EXACT(r.energy_after, energy);
+        const double lost = r.lost_impact + r.lost_rolling + r.lost_slip;
+        const double size = std::abs(r.energy_before) + std::abs(r.energy_after) + std::abs(lost);
+        COMPARE_WITHIN(r.energy_before + r.energy_scheme, r.energy_after + lost, rounding(16, size));
+    });
+}
+
+void TestEnergy::lossesAreNeverGains() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    eachStep(stepper, model, [model](Experiment &ball, const phys_state &) {
+        const double slack = rounding(16, std::abs(ball.report.energy_before) + 1.0);
+        QVERIFY(ball.report.lost_impact >= -slack);
+        QVERIFY(ball.report.lost_rolling >= 0.0);
+        // The rolling model's landing counts as slip, with either sign.
+        if (model == PHYS_MODEL_RIGID) QVERIFY(ball.report.lost_slip >= -slack);
+        QVERIFY(ball.report.penetration >= 0.0);
+    });
+}
+
+void TestEnergy::impactLossIsThatOfItsEvents() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    eachStep(stepper, model, [model](Experiment &ball, const phys_state &) {
+        const phys_report &r = ball.report;
+        QCOMPARE(r.events_lost, 0U);
+        double lost = 0.0;
+        double earliest = ball.state.time - 1.0;
+        for (uint32_t i = 0; i < r.event_count; ++i) {
+            const phys_event &event = r.events[i];
+            QVERIFY(event.time >= earliest && event.time <= ball.state.time * (1.0 + 4.0 * kUnit));
+            earliest = event.time;
+            if (event.kind != PHYS_EVENT_IMPACT && event.kind != PHYS_EVENT_LANDING) continue;
+            QVERIFY(event.speed_before < 0.0 && event.speed_after >= 0.0);
+            const double length = std::hypot(event.normal.x, event.normal.y, event.normal.z);
+            COMPARE_WITHIN(length, 1.0, 4.0 * kUnit);
+            lost += lossOf(event, model);
+        }
+        COMPARE_WITHIN(r.lost_impact, lost, rounding(64.0, std::abs(lost) + speedOf(ball.state)));
+    });
+}
+
+void TestEnergy::schemesOwnEnergyIsOfItsOrder() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    // One smooth step of a freely rolling ball: energy is wrong by F times the error of its way.
+    for (const double dt : {0x1p-5, 0x1p-8, 0x1p-11}) {
+        Experiment ball(openFloor(), stepper, model);
+        ball.setLaw(0.5, -0.25, 0.125);
+        ball.roll(1.0, 0.5);
+        QVERIFY2(ball.step(dt), ball.error());
+        const int order = promiseOf(stepper).smooth;
+        // The law's acceleration and its changes are below 1 here, in units of m and s; so are their powers. Besides,
+        // the loss is counted along the step's chord, which is shorter than the arc by turn^2/24.
+        const double turn = 0.6 / 1.1 * dt;
+        const double chord = 1.4 * 0.125 * 1.2 * dt * turn * turn / 24.0;
+        const double bound = order == 0 ? 0.0 : std::pow(dt, order + 1) + chord;
+        QVERIFY2(std::abs(ball.report.energy_scheme) <= bound + rounding(16, 2.0), digits(ball.report.energy_scheme));
+    }
+}
+
+void TestEnergy::rollingLossIsForceTimesWay() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    Experiment ball(openFloor(), stepper, model);
+    ball.setLaw(0.0, 0.0, 0.625);
+    ball.roll(3.0, 4.0);
+    double lost = 0.0;
+    for (int i = 0; i < 1024; ++i) {
+        QVERIFY2(ball.step(1.0 / 64.0), ball.error());
+        lost += ball.report.lost_rolling;
+    }
+    // model.md 9: mu_r gn * path, with mu_r gn = 7/5 B.
+    const double path = std::hypot(ball.state.position.x, ball.state.position.y);
+    COMPARE_WITHIN(lost, 1.4 * 0.625 * path, rounding(4096, lost));
+}
+
+void TestEnergy::orientationStaysAUnitQuaternion() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    Random random(testSeed());
+    for (int scene = 0; scene < 4; ++scene) {
+        const Drawn drawn = draw(random, model);
+        Experiment ball = makeExperiment(drawn, stepper);
+        ball.params.options = PHYS_OPTION_ORIENTATION;
+        for (int i = 0; i < kSegment * kSegments; ++i) {
+            ball.params.gravity = drawn.gravities[static_cast<size_t>(i / kSegment)];
+            if (!ball.step(drawn.dt)) break;
+            const double *q = ball.state.orientation;
+            COMPARE_WITHIN(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3], 1.0, 8.0 * kUnit);
+        }
+    }
+}
+
+void TestEnergy::orientationTurnsByWayOverRadius() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    Experiment ball(openFloor(), stepper, model);
+    ball.params.options = PHYS_OPTION_ORIENTATION;
+    ball.roll(0.375, 0.5);
+    QVERIFY2(ball.stepTimes(1000, 1.0 / 256.0), ball.error());
+    // Rolling by s turns the ball by s/R about z x v: model.md 2.1 R7.
+    const double half = 0.5 * std::hypot(ball.state.position.x, ball.state.position.y) / 0.0625;
+    const double slack = rounding(16.0 * 1000.0, 1.0);
+    const double *q = ball.state.orientation;
+    const double sign = q[3] * std::cos(half) < 0.0 ? -1.0 : 1.0; // q and -q are one orientation
+    COMPARE_WITHIN(sign * q[0], -0.8 * std::sin(half), slack);
+    COMPARE_WITHIN(sign * q[1], 0.6 * std::sin(half), slack);
+    COMPARE_WITHIN(q[2], 0.0, slack);
+    COMPARE_WITHIN(sign * q[3], std::cos(half), slack);
+}
+
+QTEST_GUILESS_MAIN(TestEnergy)
+#include "tst_energy.moc"
