@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: MIT
+# What `cmake --install` puts where: library, headers, CMake package, pkg-config file, plugin folder, documents.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(physics_plugin_dir ${CMAKE_INSTALL_LIBDIR}/physics-1)   # beside the library; 1: PHYS_ABI_VERSION
+set(physics_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/physics)
+set(physics_document_dir ${CMAKE_INSTALL_DATADIR}/doc/libphysics-dev)
+
+install(TARGETS physics physics_headers EXPORT physics-targets
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime NAMELINK_COMPONENT development
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+install(DIRECTORY DESTINATION ${physics_plugin_dir} COMPONENT runtime)
+install(DIRECTORY include/physics DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
+
+install(EXPORT physics-targets NAMESPACE physics:: DESTINATION ${physics_cmake_dir} COMPONENT development)
+configure_package_config_file(cmake/physics-config.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/physics-config.cmake
+    INSTALL_DESTINATION ${physics_cmake_dir} PATH_VARS physics_plugin_dir NO_CHECK_REQUIRED_COMPONENTS_MACRO)
+write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/physics-config-version.cmake
+    COMPATIBILITY SameMajorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/physics-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/physics-config-version.cmake
+    DESTINATION ${physics_cmake_dir} COMPONENT development)
+
+# The prefix is told from the file's own place, so that an installed tree can be moved.
+file(RELATIVE_PATH physics_prefix_from_pc /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
+string(REGEX REPLACE "/$" "" physics_prefix_from_pc "${physics_prefix_from_pc}")
+if(PHYS_STATIC)
+    set(physics_pc_definitions " -DPHYS_STATIC")
+    set(physics_pc_libraries " -lstdc++ -lm")
+endif()
+configure_file(cmake/physics.pc.in ${CMAKE_CURRENT_BINARY_DIR}/physics.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/physics.pc
+    DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
+
+install(FILES README.md DESTINATION ${physics_document_dir} COMPONENT development)
+install(DIRECTORY docs examples DESTINATION ${physics_document_dir} COMPONENT development
+    PATTERN __pycache__ EXCLUDE)

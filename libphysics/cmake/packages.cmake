@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: MIT
+# `cpack` makes Debian packages of what `cmake --install` installs: runtime, development, inspector.
+# Configure with -DCMAKE_INSTALL_PREFIX=/usr.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME physics)
+set(CPACK_PACKAGE_VENDOR "physics")
+set(CPACK_PACKAGE_CONTACT "physics maintainers <physics@localhost>")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_COMPONENTS_ALL runtime development)
+if(PHYS_BUILD_INSPECTOR)
+    list(APPEND CPACK_COMPONENTS_ALL inspector)
+endif()
+
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_BINARY_DIR}/libphysics)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON)
+
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME libphysics1)          # 1: PHYS_ABI_VERSION
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION libs)
+set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "Physics steps for a ball in a maze: the library
+ Computes the steps of one ball that rolls through a maze of boxes, behind a
+ stable C interface, with steppers from the cheapest to the exact one.")
+
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libphysics-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libphysics1 (= ${PROJECT_VERSION})")
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Physics steps for a ball in a maze: development files
+ Headers, CMake package, pkg-config file, model and examples, all that it
+ takes to link the library or to write a stepper as a plugin.")
+
+set(CPACK_DEBIAN_INSPECTOR_PACKAGE_NAME physics-inspector)
+set(CPACK_DEBIAN_INSPECTOR_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_INSPECTOR_PACKAGE_DEPENDS "libphysics1 (>= ${PROJECT_VERSION})")
+set(CPACK_COMPONENT_INSPECTOR_DESCRIPTION "Physics steps for a ball in a maze: the inspector
+ Shows a maze, tilts it, and plots what each stepper makes of the ball, with
+ sliders for friction and restitution.")
+
+include(CPack)

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// A parameter sweep over any number of ranks and machines: `mpirun -n 4 sweep ...`, or `sweep ...` alone. The CSV has a
+// line for each combination, in the order of the plan: its bytes don't depend on the number of ranks.
+// Ends with 0 if every job went well, 1 if some failed, 2 if it couldn't begin or write.
+#include "farm.h"
+
+#include <mpi.h>
+
+#include <cinttypes>
+#include <cstdio>
+#include <stdexcept>
+
+namespace {
+
+using sweep::Outcome;
+using sweep::Plan;
+
+bool writeCsv(const Plan &plan, const std::vector<Outcome> &outcomes) {
+    std::FILE *file = std::fopen(plan.file.c_str(), "w");
+    if (!file) return false;
+    std::fprintf(file, "level,stepper,rolling_friction,restitution_wall,dt,steps,x,y,z,vx,vy,vz,flags,impacts,"
+                       "energy_lost,state_hash,status\n");
+    for (const Outcome &outcome : outcomes) {
+        const sweep::Job job = plan.job(outcome.job);
+        const phys_state &s = outcome.state;
+        std::fprintf(file, "%s,%s,%.17g,%.17g,%.17g,%" PRIu64, job.level.c_str(), job.stepper.c_str(), job.friction,
+                     job.restitution, job.dt, s.step);
+        std::fprintf(file, ",%.17g,%.17g,%.17g,%.17g,%.17g,%.17g", s.position.x, s.position.y, s.position.z,
+                     s.velocity.x, s.velocity.y, s.velocity.z);
+        std::fprintf(file, ",%" PRIu64 ",%" PRIu64 ",%.17g,%016" PRIx64 ",%s\n", s.flags, outcome.impacts,
+                     outcome.energyLost, phys_state_hash(&s), phys_status_name(outcome.error.status));
+    }
+    const bool isWritten = !std::ferror(file);
+    return std::fclose(file) == 0 && isWritten;
+}
+
+/// Rank 0: gathers, shows progress, names failures. Returns the exit code.
+int lead(const Plan &plan) {
+    const uint64_t count = plan.jobCount();
+    std::vector<Outcome> outcomes(count);
+    uint64_t done = 0;
+    uint64_t failed = 0;
+    sweep::computeAll(plan, [&](const Outcome &outcome, int rank) {
+        outcomes[outcome.job] = outcome;
+        if (outcome.error.status) {
+            ++failed;
+            std::fprintf(stderr, "sweep: rank %d, job %" PRIu64 ": %s\n", rank, outcome.job, outcome.error.text);
+        }
+        ++done;
+        const bool isTenth = done * 10 / count != (done - 1) * 10 / count;
+        if (isTenth) std::fprintf(stderr, "sweep: %" PRIu64 " of %" PRIu64 " jobs\n", done, count);
+    });
+    if (!writeCsv(plan, outcomes)) {
+        std::fprintf(stderr, "sweep: %s can't be written\n", plan.file.c_str());
+        return 2;
+    }
+    if (failed) std::fprintf(stderr, "sweep: %" PRIu64 " of %" PRIu64 " jobs failed\n", failed, count);
+    return failed ? 1 : 0;
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    MPI_Init(&argc, &argv);
+    int rank = 0;
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    int code = 0;
+    try {
+        const Plan plan = sweep::readPlan(argc, argv);
+        if (rank == 0)
+            code = lead(plan);
+        else
+            sweep::computeAll(plan, nullptr);
+    } catch (const std::invalid_argument &problem) { // the same on all ranks
+        if (rank == 0) std::fprintf(stderr, "sweep: %s\n%s", problem.what(), sweep::usage);
+        code = 2;
+    }
+    MPI_Bcast(&code, 1, MPI_INT, 0, MPI_COMM_WORLD);
+    MPI_Finalize();
+    return code;
+}

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "plan.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+#include <stdexcept>
+
+namespace sweep {
+
+const char *const usage = "usage: sweep --levels FILE,... --steppers ID,... --out FILE.csv [--frictions NUMBER,...]\n"
+                          "             [--restitutions NUMBER,...] [--dts SECONDS,...] [--seconds SECONDS]\n"
+                          "             [--plugins FILE.so,...]\n";
+
+namespace {
+
+std::vector<std::string> split(const std::string &list) {
+    std::vector<std::string> parts;
+    std::stringstream stream(list);
+    for (std::string part; std::getline(stream, part, ',');) parts.push_back(part);
+    return parts;
+}
+
+double number(const std::string &option, const std::string &text) {
+    char *end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    const bool isNumber = end != text.c_str() && *end == '\0' && std::isfinite(value);
+    if (!isNumber) throw std::invalid_argument(option + " has '" + text + "'; expected a number");
+    return value;
+}
+
+std::vector<double> numbers(const std::string &option, const std::string &list) {
+    std::vector<double> values;
+    for (const std::string &text : split(list)) values.push_back(number(option, text));
+    return values;
+}
+
+double positive(const std::string &option, double value) {
+    if (!(value > 0.0)) throw std::invalid_argument(option + " must be above 0 s");
+    return value;
+}
+
+void set(Plan &plan, const std::string &option, const std::string &value) {
+    if (value.empty()) throw std::invalid_argument(option + " is empty; expected a value");
+    if (option == "--levels")
+        plan.levels = split(value);
+    else if (option == "--steppers")
+        plan.steppers = split(value);
+    else if (option == "--plugins")
+        plan.plugins = split(value);
+    else if (option == "--frictions")
+        plan.frictions = numbers(option, value);
+    else if (option == "--restitutions")
+        plan.restitutions = numbers(option, value);
+    else if (option == "--dts")
+        plan.dts = numbers(option, value);
+    else if (option == "--seconds")
+        plan.seconds = positive(option, number(option, value));
+    else if (option == "--out")
+        plan.file = value;
+    else
+        throw std::invalid_argument("unknown option " + option);
+}
+
+} // namespace
+
+uint64_t Plan::jobCount() const {
+    return levels.size() * steppers.size() * frictions.size() * restitutions.size() * dts.size();
+}
+
+Job Plan::job(uint64_t number) const {
+    const auto take = [&number](const auto &list) {
+        const auto &item = list[number % list.size()];
+        number /= list.size();
+        return item;
+    };
+    Job job;
+    job.dt = take(dts);
+    job.restitution = take(restitutions);
+    job.friction = take(frictions);
+    job.stepper = take(steppers);
+    job.level = take(levels);
+    return job;
+}
+
+Plan readPlan(int argc, char **argv) {
+    Plan plan;
+    for (int i = 1; i < argc; i += 2) {
+        if (i + 1 == argc) throw std::invalid_argument(std::string(argv[i]) + " has no value");
+        set(plan, argv[i], argv[i + 1]);
+    }
+    if (plan.levels.empty()) throw std::invalid_argument("--levels is missing");
+    if (plan.steppers.empty()) throw std::invalid_argument("--steppers is missing");
+    if (plan.file.empty()) throw std::invalid_argument("--out is missing");
+    for (const double dt : plan.dts) positive("--dts", dt);
+    return plan;
+}
+
+} // namespace sweep
