@@ -29,8 +29,8 @@ Nearest nearestFace(const phys_box &box, const Vec3 &p) {
 } // namespace
 
 Nearest nearest(const phys_box &box, const Vec3 &p) {
-    const Vec3 point{std::clamp(p.x, box.min.x, box.max.x), std::clamp(p.y, box.min.y, box.max.y),
-                     std::clamp(p.z, box.min.z, box.max.z)};
+    const Vec3 point{limited(p.x, box.min.x, box.max.x), limited(p.y, box.min.y, box.max.y),
+                     limited(p.z, box.min.z, box.max.z)};
     const Vec3 d = p - point;
     const int outside = (d.x != 0.0) + (d.y != 0.0) + (d.z != 0.0);
     // A face's normal is exact and its distance unrounded by a square root.

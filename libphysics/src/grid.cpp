@@ -46,16 +46,16 @@ void Grid::build(std::span<const phys_box> boxes, double reach, double cellSize)
     m_perCell = 1.0 / size;
     m_columns = std::floor((high.x - low.x) * m_perCell) + 1.0;
     m_rows = std::floor((high.y - low.y) * m_perCell) + 1.0;
-    m_columnCount = static_cast<size_t>(m_columns);
+    m_columnCount = static_cast<int64_t>(m_columns);
 
     // Counting sort by cell: count, sum up, fill; filling in order of the boxes keeps each list ascending.
-    const size_t cellCount = m_columnCount * static_cast<size_t>(m_rows);
+    const size_t cellCount = m_columnCount * static_cast<int64_t>(m_rows);
     m_first.assign(cellCount + 1, 0);
     m_boxCells.reserve(boxes.size());
     for (const phys_box &box : boxes) {
         const Cells cells = m_boxCells.emplace_back(cellsOf(box));
-        for (size_t row = cells.row0; row <= cells.row1; ++row) {
-            for (size_t column = cells.column0; column <= cells.column1; ++column) {
+        for (int64_t row = cells.row0; row <= cells.row1; ++row) {
+            for (int64_t column = cells.column0; column <= cells.column1; ++column) {
                 ++m_first[row * m_columnCount + column + 1];
             }
         }
@@ -65,8 +65,8 @@ void Grid::build(std::span<const phys_box> boxes, double reach, double cellSize)
     std::vector<uint32_t> next(m_first.begin(), m_first.end() - 1);
     for (uint32_t index = 0; index < boxes.size(); ++index) {
         const Cells &cells = m_boxCells[index];
-        for (size_t row = cells.row0; row <= cells.row1; ++row) {
-            for (size_t column = cells.column0; column <= cells.column1; ++column) {
+        for (int64_t row = cells.row0; row <= cells.row1; ++row) {
+            for (int64_t column = cells.column0; column <= cells.column1; ++column) {
                 m_items[next[row * m_columnCount + column]++] = index;
             }
         }

@@ -167,6 +167,7 @@ phys_status makeScene(const phys_scene_desc &desc, Scene &out, phys_error *err) 
     classify(out);
     checkPlanar(out);
     out.solidGrid.build(out.solids, kCandidateReach * out.radius, 2.0 * out.radius);
+    out.hasOneFloor = out.floors.size() == 1;
     out.needsGrid = out.solids.size() > kHandful;
     if (out.floors.size() > 1) out.floorGrid.build(out.floors, 0.0, 2.0 * out.radius);
     return PHYS_OK;

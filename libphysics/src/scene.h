@@ -35,6 +35,7 @@ struct Scene {
     Vec3 start{0.0};
     phys_box bounds{};
     bool hasFloor = false;
+    bool hasOneFloor = false;
     double floorTop = 0.0;   ///< m; NaN without a floor
     double supportedZ = 0.0; ///< height of a supported centre: floorTop + radius
     double tolerance = 0.0;  ///< m: 4 rounding steps of the largest coordinate, model.md 5.2
@@ -56,7 +57,7 @@ struct Scene {
     /// Whether (x, y) lies over a floor box, borders included.
     bool overFloor(double x, double y) const {
         // Most boards have one floor; comparing it here saves half of a free step's time.
-        return floors.size() == 1 ? isOver(floors.front(), x, y) : overOneOfFloors(x, y);
+        return hasOneFloor ? isOver(floors.front(), x, y) : overOneOfFloors(x, y);
     }
 
     /// Number of the given box that gave a merged one the place nearest to `point`; the lowest of equals.

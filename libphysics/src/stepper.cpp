@@ -146,8 +146,9 @@ phys_status checkPluginReport(const phys_stepper_api &api, const phys_report &gi
 }
 
 /// A plugin's step works on copies, and nobody sees its result before it was checked.
-phys_status advancePlugin(const phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
-                          phys_state &out, phys_report *report, phys_error *err) {
+[[gnu::noinline]] phys_status advancePlugin(const phys_stepper &stepper, const phys_params &params, double dt,
+                                            const phys_state &in, phys_state &out, phys_report *report,
+                                            phys_error *err) {
     const phys_stepper_api &api = *stepper.api;
     const phys_state copy = in;
     phys_state next = in;
@@ -199,8 +200,9 @@ inline phys_status advance(phys_stepper &stepper, const phys_params &params, dou
     return PHYS_OK;
 }
 
-phys_status stepAndReport(phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
-                          phys_state &out, phys_report &report, phys_error *err) {
+[[gnu::noinline]] phys_status stepAndReport(phys_stepper &stepper, const phys_params &params, double dt,
+                                            const phys_state &in, phys_state &out, phys_report &report,
+                                            phys_error *err) {
     if (report.struct_size != sizeof report) {
         return fail(err, PHYS_ERROR_ARGUMENT, "report.struct_size is %u; expected %zu: call phys_report_init first",
                     report.struct_size, sizeof report);

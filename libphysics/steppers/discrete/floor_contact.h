@@ -26,7 +26,7 @@ Advance<V> stopping(const Law<V> &law, const V &velocity, double h) {
 
 /// One Euler step of the velocity, clamped where it may end in a stop.
 template<class V>
-V eulerVelocity(const Law<V> &law, const V &velocity, double h) {
+[[gnu::always_inline]] inline V eulerVelocity(const Law<V> &law, const V &velocity, double h) {
     if (nearStop(law, velocity, h)) return clampedVelocity(law, velocity, h);
     return velocity + h * acceleration(law, velocity);
 }
@@ -56,6 +56,13 @@ inline FloorContact floorContact(const phys_params &params, double radius, const
     if (params.model == PHYS_MODEL_ROLLING) return FloorContact::Rolls;
     if (params.sliding_friction == 0.0) return FloorContact::Slides;
     return rolls(velocity, spin, radius) && gripHolds(params) ? FloorContact::Rolls : FloorContact::Slips;
+}
+
+/// Whether a supported ball's contact slips; without friction there is nothing that could end a slip within rounding.
+inline bool isSlipping(const phys_params &params, double radius, const Vec2 &velocity, const Vec3 &spin) {
+    if (params.model == PHYS_MODEL_ROLLING) return false;
+    if (params.sliding_friction == 0.0) return velocity != spinSpeed(spin, radius);
+    return !rolls(velocity, spin, radius);
 }
 
 /// The law of the velocity where there is one: not while it slips.

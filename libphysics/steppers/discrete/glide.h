@@ -28,9 +28,9 @@ inline bool glide(const PlanInput &input, phys_state &out) {
     if (!slips) spin = spinAfter(contact, next.velocity, spin, scene.radius);
     const Vec2 to = from + next.displacement;
     const double reach = scene.radius + std::abs(to.x - from.x) + std::abs(to.y - from.y);
-    const Vec3 centre = toVec(in.position);
+    // Seen from above a box is never further away than it is: what lies over or under the ball only costs a full step.
     for (const uint32_t solid : scene.solidsNear(from.x, from.y, scene.needsGrid)) {
-        if (squaredDistance(scene.solids[solid], centre) <= reach * reach) return false;
+        if (squaredDistanceFromAbove(scene.solids[solid], from) <= reach * reach) return false;
     }
     if (reach > kCandidateReach * scene.radius || next.velocity == Vec2(0.0) || !scene.overFloor(to.x, to.y)) {
         return false;
@@ -40,8 +40,7 @@ inline bool glide(const PlanInput &input, phys_state &out) {
     out.position = {to.x, to.y, in.position.z};
     out.velocity = {next.velocity.x, next.velocity.y, 0.0};
     out.spin = fromVec(spin);
-    const bool slipping = contact != FloorContact::Rolls && !rolls(next.velocity, spin, scene.radius);
-    out.flags = slipping ? PHYS_SLIPPING : 0;
+    out.flags = isSlipping(input.params, scene.radius, next.velocity, spin) ? PHYS_SLIPPING : 0;
     return true;
 }
 

@@ -52,13 +52,13 @@ double substepsNeeded(const PlanInput &input);
 
 /// Whether one substep is enough at a glance: substepsNeeded is 1 then.
 inline bool isSlow(const PlanInput &input) {
+    if (!input.isOnFloor()) return false;
     const phys_vec3 &v = input.state.velocity;
     const phys_vec3 &g = input.params.gravity;
-    if (!input.isOnFloor()) return false;
     const double friction = input.params.model == PHYS_MODEL_RIGID ? input.params.sliding_friction * g.z : 0.0;
     const double drive = std::abs(g.x) + std::abs(g.y) + std::abs(friction);
-    const double limit = 0.5 * input.scene.radius / input.dt - drive * input.dt;
-    return limit > 0.0 && v.x * v.x + v.y * v.y <= limit * limit;
+    // Sums of components are never smaller than lengths.
+    return (std::abs(v.x) + std::abs(v.y) + drive * input.dt) * input.dt <= 0.5 * input.scene.radius;
 }
 
 /// Slip is part of the rigid model rather than of a scene: the rolling model has none to force.

@@ -29,8 +29,7 @@ inline void storeBall(const Scene &scene, const phys_params &params, const Ball 
     const bool inside = p.x >= bounds.min.x && p.x <= bounds.max.x && p.y >= bounds.min.y && p.y <= bounds.max.y;
     if (!inside) flags |= PHYS_OUT;
     const bool onFloor = !(flags & PHYS_AIRBORNE);
-    const bool rigid = params.model == PHYS_MODEL_RIGID;
-    if (rigid && onFloor && !rolls(inPlane(ball.velocity), ball.spin, scene.radius)) flags |= PHYS_SLIPPING;
+    if (onFloor && isSlipping(params, scene.radius, inPlane(ball.velocity), ball.spin)) flags |= PHYS_SLIPPING;
     out.flags = flags;
 }
 
