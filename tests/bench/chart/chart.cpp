@@ -11,8 +11,9 @@ namespace bench {
 
 namespace {
 
-constexpr int kPanelWidth = 620; // px
-constexpr int kPanelHeight = 440;
+constexpr int kPanelWidth = 520; // px
+constexpr int kPanelHeight = 420;
+constexpr int kLegendWidth = 190; // at the right of all panels
 
 // Colours that remain apart for the colour-blind and in grey.
 constexpr std::array<const char *, 6> kOursColours = {"#9ecae1", "#08519c", "#4292c6", "#6a51a3", "#238b45", "#000000"};
@@ -83,7 +84,8 @@ void writeAxis(std::ostream &out, const char *name, const Axis &axis) {
 }
 
 void writePlot(std::ostream &out, const Chart &chart, std::size_t panel) {
-    out << "set title " << quoted(chart.title) << "\nset key " << chart.legend << "\n";
+    out << "set title " << quoted(chart.title) << "\n";
+    out << (chart.hasLegend ? "set key at screen 0.995,0.97 right top reverse Left samplen 2\n" : "unset key\n");
     writeAxis(out, "x", chart.x);
     writeAxis(out, "y", chart.y);
     std::vector<std::string> plots;
@@ -104,7 +106,9 @@ void writePlot(std::ostream &out, const Chart &chart, std::size_t panel) {
 
 void writeProgram(std::ostream &out, const std::vector<Chart> &panels, int columns, const std::filesystem::path &file) {
     const int rows = (static_cast<int>(panels.size()) + columns - 1) / columns;
-    const std::string size = std::to_string(columns * kPanelWidth) + "," + std::to_string(rows * kPanelHeight);
+    const int width = columns * kPanelWidth + kLegendWidth;
+    const int height = rows * kPanelHeight;
+    const std::string size = std::to_string(width) + "," + std::to_string(height);
     out << "# Draws " << file.filename().string() << ".svg and .png from the data below: gnuplot "
         << file.filename().string() << ".gp\n";
     for (std::size_t panel = 0; panel < panels.size(); ++panel) writeData(out, panels[panel], panel);
@@ -113,7 +117,9 @@ void writeProgram(std::ostream &out, const std::vector<Chart> &panels, int colum
         const std::string extension = terminal == std::string("svg") ? ".svg" : ".png";
         out << "set terminal " << terminal << " size " << size << " font 'DejaVu Sans,11' background rgb 'white'\n"
             << "set output " << quoted(file.filename().string() + extension) << "\n"
-            << "set multiplot layout " << rows << "," << columns << "\n";
+            << "set multiplot layout " << rows << "," << columns << " margins screen " << 75.0 / width << ","
+            << 1 - (kLegendWidth + 30.0) / width << "," << 55.0 / height << "," << 1 - 45.0 / height
+            << " spacing screen " << 90.0 / width << "," << 100.0 / height << "\n";
         for (std::size_t panel = 0; panel < panels.size(); ++panel) writePlot(out, panels[panel], panel);
         out << "unset multiplot\nset output\n";
     }

@@ -49,11 +49,11 @@ struct Chart {
     Axis x, y;
     std::vector<Curve> curves;
     ClassMap map;
-    std::string legend = "outside right top"; // gnuplot's words
+    bool hasLegend = true; // at the right of all panels: at most one panel should have it
 };
 
-// Writes FILE.gp, FILE.svg and FILE.png side by side and leaves out the pictures if there is no gnuplot (returns
-// false).
+// Draws the panels in rows of so many columns. Writes FILE.gp, FILE.svg and FILE.png side by side and leaves out the
+// pictures if there is no gnuplot (returns false).
 bool drawCharts(const std::vector<Chart> &panels, int columns, const std::filesystem::path &file);
 
 } // namespace bench

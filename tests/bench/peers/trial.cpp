@@ -162,7 +162,7 @@ private:
 
 SceneGroup mazeGroup(const MazeSize &size) {
     SceneGroup group{"maze " + std::to_string(size.cells),
-                     std::to_string(size.walls) + " walls, a new tilt each 0.5 s, restitution 0.5, 10 s, five mazes",
+                     std::to_string(size.walls) + " walls, tilted anew each 0.5 s, 10 s, five mazes",
                      {}};
     for (const unsigned seed : size.seeds) group.scenes.push_back(mazeScene(size, seed));
     return group;
