@@ -117,8 +117,8 @@ void writeProgram(std::ostream &out, const std::vector<Chart> &panels, int colum
         const std::string extension = terminal == std::string("svg") ? ".svg" : ".png";
         out << "set terminal " << terminal << " size " << size << " font 'DejaVu Sans,11' background rgb 'white'\n"
             << "set output " << quoted(file.filename().string() + extension) << "\n"
-            << "set multiplot layout " << rows << "," << columns << " margins screen " << 75.0 / width << ","
-            << 1 - (kLegendWidth + 30.0) / width << "," << 55.0 / height << "," << 1 - 45.0 / height
+            << "set multiplot layout " << rows << "," << columns << " margins screen " << 90.0 / width << ","
+            << 1 - (kLegendWidth + 15.0) / width << "," << 55.0 / height << "," << 1 - 45.0 / height
             << " spacing screen " << 90.0 / width << "," << 100.0 / height << "\n";
         for (std::size_t panel = 0; panel < panels.size(); ++panel) writePlot(out, panels[panel], panel);
         out << "unset multiplot\nset output\n";

@@ -49,6 +49,8 @@ bool writeCharts(const std::vector<SceneGroup> &groups, const std::vector<Trial>
         else
             small.push_back(chart);
     }
+    // The legend is the same for all panels.
+    for (std::size_t panel = 1; panel < small.size(); ++panel) small[panel].hasLegend = false;
     return drawCharts(small, 2, folder / "scenes") && drawn;
 }
 
