@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "chart/chart.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <fstream>
@@ -13,7 +14,7 @@ namespace {
 
 constexpr int kPanelWidth = 520; // px
 constexpr int kPanelHeight = 420;
-constexpr int kLegendWidth = 190; // at the right of all panels
+constexpr int kLegendWidth = 275; // at the right of all panels
 
 // Colours that remain apart for the colour-blind and in grey.
 constexpr std::array<const char *, 6> kOursColours = {"#9ecae1", "#08519c", "#4292c6", "#6a51a3", "#238b45", "#000000"};
@@ -39,7 +40,9 @@ void writeData(std::ostream &out, const Chart &chart, std::size_t panel) {
     for (std::size_t cls = 0; cls < chart.map.classes.size(); ++cls) {
         out << blockName(panel, chart.curves.size() + cls) << " << EOD\n";
         for (const auto &cell : chart.map.cells)
-            if (cell.cls == static_cast<int>(cls)) out << cell.x << " " << cell.y << "\n";
+            if (cell.cls == static_cast<int>(cls))
+                out << cell.x0 << " " << cell.y0 << " " << cell.x0 << " " << cell.x1 << " " << cell.y0 << " " << cell.y1
+                    << "\n";
         out << "EOD\n";
     }
 }
@@ -49,28 +52,33 @@ struct Counters {
     std::size_t peers = 0;
 };
 
+std::string lineOf(const char *width, const char *dashes, const char *colour, const Curve &curve, std::size_t mark) {
+    const std::string line = std::string(" lw ") + width + dashes + " lc rgb '" + colour + "'";
+    if (!curve.hasMarks) return "with lines" + line;
+    return "with linespoints" + line + " ps 0.8 pt " + std::to_string(mark);
+}
+
 std::string styleOf(const Curve &curve, Counters &counters) {
-    std::ostringstream style;
-    const char *with = curve.hasMarks ? "linespoints" : "lines";
-    switch (curve.look) {
-    case Look::Ours:
-        style << "with " << with << " lw 2.2 ps 0.8 pt " << 5 + 2 * (counters.ours % 5) << " lc rgb '"
-              << kOursColours[counters.ours % kOursColours.size()] << "'";
-        ++counters.ours;
-        break;
-    case Look::Peer:
-        style << "with " << with << " lw 1.4 dt 2 ps 0.8 pt " << 4 + 2 * (counters.peers % 5) << " lc rgb '"
-              << kPeerColours[counters.peers % kPeerColours.size()] << "'";
-        ++counters.peers;
-        break;
-    case Look::Front:
-        style << "with lines lw 9 lc rgb '#ffe082'";
-        break;
-    case Look::Predicted:
-        style << "with lines lw 1.6 lc rgb '#000000'";
-        break;
+    constexpr std::size_t kMarks = 5; // gnuplot's 4 to 13: open and filled in turn
+    if (curve.look == Look::Ours) {
+        const std::size_t index = counters.ours++;
+        return lineOf("2.2", "", kOursColours[index % kOursColours.size()], curve, 5 + 2 * (index % kMarks));
     }
-    return style.str();
+    if (curve.look == Look::Peer) {
+        const std::size_t index = counters.peers++;
+        return lineOf("1.4", " dt 2", kPeerColours[index % kPeerColours.size()], curve, 4 + 2 * (index % kMarks));
+    }
+    if (curve.look == Look::Front) return "with lines lw 9 lc rgb '#ffe082'";
+    return "with lines lw 1.6 lc rgb '#000000'";
+}
+
+// Cells of one class; one that doesn't occur stays in the legend.
+std::string plotOf(const Chart &chart, std::size_t cls, const std::string &block) {
+    const bool occurs = std::any_of(chart.map.cells.begin(), chart.map.cells.end(),
+                                    [cls](const ClassMap::Cell &cell) { return cell.cls == static_cast<int>(cls); });
+    return (occurs ? block + " using 1:2:3:4:5:6" : std::string("keyentry")) +
+           " with boxxyerror fs solid 1 noborder lc rgb '" + chart.map.colours[cls] + "' title " +
+           quoted(chart.map.classes[cls]);
 }
 
 void writeAxis(std::ostream &out, const char *name, const Axis &axis) {
@@ -90,8 +98,7 @@ void writePlot(std::ostream &out, const Chart &chart, std::size_t panel) {
     writeAxis(out, "y", chart.y);
     std::vector<std::string> plots;
     for (std::size_t cls = 0; cls < chart.map.classes.size(); ++cls)
-        plots.push_back(blockName(panel, chart.curves.size() + cls) + " using 1:2 with points pt 5 ps 0.75 lc rgb '" +
-                        chart.map.colours[cls] + "' title " + quoted(chart.map.classes[cls]));
+        plots.push_back(plotOf(chart, cls, blockName(panel, chart.curves.size() + cls)));
     Counters counters;
     for (std::size_t curve = 0; curve < chart.curves.size(); ++curve) {
         const Curve &drawn = chart.curves[curve];

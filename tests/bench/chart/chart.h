@@ -26,12 +26,12 @@ struct Curve {
     bool hasMarks = true;
 };
 
-// Cells of equal size, coloured by class.
+// Rectangles coloured by class.
 struct ClassMap {
     std::vector<std::string> classes;
     std::vector<std::string> colours; // "#rrggbb", one for each class
     struct Cell {
-        double x, y;
+        double x0, y0, x1, y1;
         int cls;
     };
     std::vector<Cell> cells;
