@@ -55,6 +55,7 @@ Registry registryWithPlugins(const QStringList &arguments) {
 std::vector<const phys_param_row *> allRows(const Registry &registry) {
     const Parameters parameters;
     std::vector<const phys_param_row *> rows;
+    rows.reserve(size_t(parameters.count()));
     for (int i = 0; i < parameters.count(); ++i) rows.push_back(&parameters.row(i));
     for (uint32_t i = 0; i < phys_registry_count(registry.get()); ++i) {
         phys_stepper_info info;
