@@ -100,6 +100,8 @@ void TestConvergence::errorOfTheFirstCaseIsAsTabled_data() {
     QTest::addColumn<double>("error");
     QTest::addColumn<double>("digit");
     QTest::addColumn<double>("ratio");
+    QTest::newRow("explicit-euler") << QByteArray("explicit-euler") << 6.015e-3 << 5e-7 << 2.0;
+    QTest::newRow("symplectic-euler") << QByteArray("symplectic-euler") << 7.112e-3 << 5e-7 << 2.0;
     QTest::newRow("velocity-verlet") << QByteArray("velocity-verlet") << 1.317e-6 << 5e-10 << 4.0;
     QTest::newRow("rk4") << QByteArray("rk4") << 1.685e-12 << 5e-16 << 16.0;
 }

@@ -116,11 +116,14 @@ void TestImpacts::grazingAnEdgeChangesNothing() {
     const auto scene = SceneBuilder().ball(kRadius).floor(-9, -9, 9, 9).wall(0.5, -2.0, 0.75, -kRadius).start(0, 0);
     Experiment ball(scene, stepper, model);
     ball.roll(1.0, 0.0);
+    // Finding the impact inside the step may find a touch within the tolerance of 4 roundings of the board's size, with
+    // a normal speed of |v| sqrt(2 tol/R): model.md 5.4. Seeing overlaps at the step's end can't.
+    const double grazing = promiseOf(stepper).inSteps ? 0.0 : 2.0 * std::sqrt(2.0 * rounding(8, 9.0) / kRadius);
     for (int i = 0; i < 64; ++i) {
         QVERIFY2(ball.step(1.0 / 64.0), ball.error());
-        COMPARE_EXACT(ball.state.velocity.x, 1.0);
-        COMPARE_EXACT(ball.state.velocity.y, 0.0);
-        COMPARE_EXACT(ball.state.position.y, 0.0);
+        COMPARE_WITHIN(ball.state.velocity.x, 1.0, grazing);
+        COMPARE_WITHIN(ball.state.velocity.y, 0.0, grazing);
+        COMPARE_WITHIN(ball.state.position.y, 0.0, grazing);
     }
 }
 
@@ -211,7 +214,9 @@ void TestImpacts::bouncesAccumulateWhenPredicted() {
     for (int i = 0; i < 65536 && !rests; ++i) {
         QVERIFY2(ball.step(dt), ball.error());
         bounces += ball.report.event_count;
-        rests = ball.state.velocity.x == 0.0 && ball.state.position.x == kRadius;
+        // In contact: within the tolerance of 4 roundings of the board's size.
+        const double gap = ball.state.position.x - kRadius;
+        rests = ball.state.velocity.x == 0.0 && std::abs(gap) <= rounding(8, 20.0);
     }
     QVERIFY(rests);
     // Each bounce may be off by eps a_n dt, which shifts the end by 2 eps dt/(1 - eps) = 8 dt (model.md 10.3); the rest

@@ -40,6 +40,8 @@ private slots:
     void restsUpToTheTiltWhoseTangentIsTheFriction();
     void resistanceStopsTheBallAfterItsClosedForm_data() { addStepperAndModelRows(); }
     void resistanceStopsTheBallAfterItsClosedForm();
+    void stopsWithStep512_data();
+    void stopsWithStep512();
     void hugeResistanceStopsInOneStep_data() { addStepperAndModelRows(); }
     void hugeResistanceStopsInOneStep();
     void turnsBackWhereItStopsOnASlope_data() { addStepperAndModelRows(); }
@@ -160,6 +162,33 @@ void TestSmoothMotion::resistanceStopsTheBallAfterItsClosedForm() {
     QVERIFY(ball.state.flags & PHYS_AT_REST);
     const double slack = promiseOf(stepper).smooth == 1 ? dt / 2.0 : 0.0;
     COMPARE_WITHIN(ball.state.position.x, 4.0, slack + rounding(4e3, 4.0));
+}
+
+void TestSmoothMotion::stopsWithStep512_data() {
+    QTest::addColumn<QByteArray>("stepper");
+    QTest::addColumn<uint32_t>("model");
+    QTest::addColumn<double>("place");
+    for (const uint32_t model : {PHYS_MODEL_ROLLING, PHYS_MODEL_RIGID}) {
+        const QByteArray name = modelName(model);
+        QTest::addRow("explicit-euler, %s", name.constData()) << QByteArray("explicit-euler") << model << 4.0078125;
+        QTest::addRow("symplectic-euler, %s", name.constData()) << QByteArray("symplectic-euler") << model << 3.9921875;
+    }
+}
+
+void TestSmoothMotion::stopsWithStep512() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    QFETCH(double, place);
+    Experiment ball(openFloor(), stepper, model);
+    // model.md 12.3 (v0 = 1, B = 1/8, dt = 1/64) times 5, where B = 5/8 is exact.
+    ball.setLaw(0.0, 0.0, 0.625);
+    ball.roll(5.0, 0.0);
+    QVERIFY2(ball.stepTimes(511, 1.0 / 64.0), ball.error());
+    QVERIFY(ball.state.velocity.x > 0.0);
+    QVERIFY2(ball.step(1.0 / 64.0), ball.error());
+    COMPARE_EXACT(ball.state.velocity.x, 0.0);
+    QVERIFY(ball.state.flags & PHYS_AT_REST);
+    COMPARE_EXACT(ball.state.position.x, 5.0 * place);
 }
 
 void TestSmoothMotion::hugeResistanceStopsInOneStep() {

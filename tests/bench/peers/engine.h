@@ -36,14 +36,8 @@ std::vector<EngineKind> box2dEngines();
 std::vector<EngineKind> bulletEngines();
 std::vector<EngineKind> odeEngines();
 std::vector<EngineKind> mujocoEngines();
-// A parameter row of the library's or of a stepper's own, by id.
-struct Setting {
-    std::string row;
-    double value;
-};
-
-// One for each stepper in the library's registry that has all of these rows.
-std::vector<EngineKind> ourEngines(const std::vector<Setting> &settings = {});
+// One for each stepper in the library's registry.
+std::vector<EngineKind> ourEngines();
 
 std::vector<EngineKind> allEngines();
 
