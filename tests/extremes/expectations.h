@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Ways to say what is expected of which stepper.
+#pragma once
+
+#include "support/stepper_rows.h"
+#include "support/tolerance.h"
+
+#include <functional>
+
+namespace extremes {
+
+using Expected = std::function<QByteArray(const QByteArray &stepper, uint32_t model)>;
+
+inline Expected always(const QByteArray &text) {
+    return [text](const QByteArray &, uint32_t) { return text; };
+}
+
+/// The same of all but explicit Euler, which gains energy in contact: model.md 10.3.
+inline Expected unlessHeating(const QByteArray &text, const QByteArray &heating) {
+    return [=](const QByteArray &stepper, uint32_t) { return support::promiseOf(stepper).heats ? heating : text; };
+}
+
+/// Steppers of fixed substeps against those that find the impact inside the step.
+inline Expected bySubsteps(const QByteArray &withSubsteps, const QByteArray &without) {
+    return [=](const QByteArray &stepper, uint32_t) {
+        return support::promiseOf(stepper).inSteps ? withSubsteps : without;
+    };
+}
+
+} // namespace extremes
