@@ -4,16 +4,14 @@
 #include "core/csv_writer.h"
 #include "core/headless.h"
 #include "core/session.h"
-
-#include <QCoreApplication>
-#include <QFile>
-#include <QTextStream>
-
-#ifdef INSPECTOR_HAS_WINDOW
 #include "ui/application.h"
 
 #include <QApplication>
-#endif
+#include <QFile>
+#include <QTextStream>
+
+#include <algorithm>
+#include <array>
 
 namespace {
 
@@ -32,12 +30,15 @@ int runWithoutWindow(int argc, char **argv) {
     QTextStream messages(stderr);
     const CommandLine line = readArguments(messages);
     if (line.exitStatus) return *line.exitStatus;
+    if (!line.options.headless) {
+        messages << "physics-inspector: no display; --headless needs none, and inspector/run plays without one\n";
+        return 2;
+    }
     QFile out;
     if (!out.open(stdout, QIODevice::WriteOnly)) return 1;
     return runHeadless(line.options, out, messages);
 }
 
-#ifdef INSPECTOR_HAS_WINDOW
 int runWithWindow(int argc, char **argv) {
     ui::prepareApplication();
     const QApplication application(argc, argv);
@@ -58,17 +59,18 @@ int runWithWindow(int argc, char **argv) {
     messages << "physics-inspector: --csv: " << error << '\n';
     return 1;
 }
-#else
-int runWithWindow(int, char **) {
-    QTextStream(stderr) << "physics-inspector: built without a window; use --headless\n";
-    return 2;
+
+// Qt would abort the program without one, after several lines.
+bool hasDisplay() {
+    constexpr std::array<const char *, 3> kVariables{"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"};
+    return std::any_of(kVariables.begin(), kVariables.end(),
+                       [](const char *name) { return !qEnvironmentVariableIsEmpty(name); });
 }
-#endif
 
 } // namespace
 
 int main(int argc, char **argv) {
     QCoreApplication::setApplicationName(QStringLiteral("physics-inspector"));
     QCoreApplication::setOrganizationName(QStringLiteral("libphysics"));
-    return isWindowless(argc, argv) ? runWithoutWindow(argc, argv) : runWithWindow(argc, argv);
+    return isWindowless(argc, argv) || !hasDisplay() ? runWithoutWindow(argc, argv) : runWithWindow(argc, argv);
 }

@@ -19,7 +19,7 @@ constexpr double kComfortableMargin = 0.4; // radii between a straight way and t
 } // namespace
 
 std::shared_ptr<const Autopilot> Autopilot::create(const phys_scene *scene, QString *error) {
-    const std::shared_ptr<const Autopilot> pilot(new Autopilot(scene));
+    std::shared_ptr<const Autopilot> pilot(new Autopilot(scene));
     phys_state start;
     phys_scene_start(scene, &start);
     if (pilot->m_wayOut.exists(pilot->m_space.nearestFree({start.position.x, start.position.y}))) return pilot;

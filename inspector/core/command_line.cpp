@@ -35,10 +35,19 @@ QStringList normalised(const QStringList &arguments) {
     return result;
 }
 
-Registry newRegistry() {
+// Plugins are loaded before the parser is made, because their steppers' rows become options, too.
+Registry registryWithPlugins(const QStringList &arguments) {
     QString error;
     Registry registry = makeRegistry(&error);
     if (!registry) throw WrongUse{error};
+    const QString prefix = QStringLiteral("--plugin=");
+    for (qsizetype i = 1; i < arguments.size(); ++i) {
+        QString path;
+        if (arguments[i].startsWith(prefix)) path = arguments[i].mid(prefix.size());
+        if (arguments[i] == QLatin1String("--plugin") && i + 1 < arguments.size()) path = arguments[++i];
+        if (!path.isEmpty() && !loadPlugin(registry, path, &error))
+            throw WrongUse{QStringLiteral("--plugin: ") + error};
+    }
     return registry;
 }
 
@@ -46,6 +55,7 @@ Registry newRegistry() {
 std::vector<const phys_param_row *> allRows(const Registry &registry) {
     const Parameters parameters;
     std::vector<const phys_param_row *> rows;
+    rows.reserve(size_t(parameters.count()));
     for (int i = 0; i < parameters.count(); ++i) rows.push_back(&parameters.row(i));
     for (uint32_t i = 0; i < phys_registry_count(registry.get()); ++i) {
         phys_stepper_info info;
@@ -74,6 +84,7 @@ void addOptions(QCommandLineParser &parser, const std::vector<const phys_param_r
          "id"},
         {"dt", text("Length of a step in seconds, 1e-6 to 10. Default 0.01."), seconds},
         {"speed", text("Simulated seconds per second, 1/16 to 16; no effect with --headless. Default 1."), "factor"},
+        {"plugin", text("Load the steppers of this plugin file; may be repeated."), "file"},
         {"autopilot", text("Let the autopilot tilt the board.")},
         {"duration",
          text("End after so many simulated seconds. Default with --headless: when the ball is out of the "
@@ -181,7 +192,7 @@ CommandLine ended(const QString &output) {
 }
 
 CommandLine parseOrThrow(const QStringList &arguments) {
-    const Registry registry = newRegistry();
+    const Registry registry = registryWithPlugins(arguments);
     const std::vector<const phys_param_row *> rows = allRows(registry);
     QCommandLineParser parser;
     parser.setApplicationDescription(QStringLiteral("Shows, plays and tunes one ball rolling through a maze."));

@@ -17,7 +17,7 @@ struct CommandLine {
     QString error;
 };
 
-// arguments: the program's name first. Needs a QCoreApplication.
+// arguments: the program's name first. Loads the plugins named. Needs a QCoreApplication.
 CommandLine parseCommandLine(const QStringList &arguments);
 
 // Whether these arguments call for no window; may be asked before any application object exists.

@@ -55,7 +55,9 @@ FreeSpace::Cell FreeSpace::cellAt(Point point) const {
 }
 
 Point FreeSpace::centre(Cell cell) const {
-    return {m_origin.x + (cell % m_columns + 0.5) * m_spacing, m_origin.y + (cell / m_columns + 0.5) * m_spacing};
+    const Cell column = cell % m_columns;
+    const Cell row = cell / m_columns;
+    return {m_origin.x + (column + 0.5) * m_spacing, m_origin.y + (row + 0.5) * m_spacing};
 }
 
 bool FreeSpace::isOutside(Cell cell) const {

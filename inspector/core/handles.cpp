@@ -48,4 +48,11 @@ Stepper makeStepper(const Registry &registry, const QByteArray &id, const Scene 
     return {stepper, [registry, scene](phys_stepper *dead) { phys_stepper_destroy(dead); }};
 }
 
+bool loadPlugin(const Registry &registry, const QString &path, QString *error) {
+    phys_error failure;
+    if (phys_registry_load_file(registry.get(), path.toUtf8().constData(), &failure) == PHYS_OK) return true;
+    tell(error, failure);
+    return false;
+}
+
 } // namespace inspector

@@ -22,6 +22,9 @@ Scene loadScene(const QString &path, QString *error);
 Scene makeScene(const phys_scene_desc &description, QString *error);
 Stepper makeStepper(const Registry &registry, const QByteArray &id, const Scene &scene, QString *error);
 
+// Loads one plugin file into the registry. Only while no other thread uses it.
+bool loadPlugin(const Registry &registry, const QString &path, QString *error);
+
 // Writes the library's text into `error` (or nullptr).
 void tell(QString *error, const phys_error &failure);
 

@@ -19,7 +19,7 @@ struct Options {
     enum class Action { Run, PlayAllLevels };
 
     Action action = Action::Run;
-    Registry registry;         // with the plugins loaded
+    Registry registry;         // with the plugins loaded         // with the plugins loaded
     std::vector<Level> levels; // the list
     Level level;
     QByteArray stepper = PHYS_STEPPER_DEFAULT;

@@ -21,7 +21,7 @@ struct Column {
 // oldest are overwritten. A read returns only samples that stayed whole while it was reading.
 class SampleRing {
 public:
-    static constexpr size_t kDefaultCapacity = size_t(1) << 18; // 44 minutes at 10 ms
+    static constexpr size_t kDefaultCapacity = size_t(1) << 17; // 22 minutes at 10 ms
 
     // capacity: rounded up to a power of two, at least 256.
     explicit SampleRing(size_t capacity = kDefaultCapacity);

@@ -109,7 +109,6 @@ void MainWindow::makeDocks() {
         auto *dock = new QDockWidget(tr(row.title), this);
         dock->setObjectName(QLatin1String(row.name));
         dock->setWidget(row.widget(*this));
-        dock->setProperty("area", int(row.area));
         addDockWidget(row.area, dock);
     }
 }
@@ -157,6 +156,7 @@ void MainWindow::restoreLook() {
     const QSize available = screen()->availableSize();
     resize(kUsualSize.expandedTo(available * kScreenShare).boundedTo(available));
     arrangeDocks();
+    m_firstLayout = saveState(kLayoutVersion);
     restoreGeometry(settings.value(settings_keys::kGeometry).toByteArray());
     restoreState(settings.value(settings_keys::kLayout).toByteArray(), kLayoutVersion);
     if (settings.contains(settings_keys::kQuality))
@@ -164,15 +164,7 @@ void MainWindow::restoreLook() {
 }
 
 void MainWindow::resetLayout() {
-    addToolBar(Qt::TopToolBarArea, m_transport);
-    m_transport->show();
-    for (const char *name : kDockNames) {
-        auto *dock = findChild<QDockWidget *>(QLatin1String(name));
-        removeDockWidget(dock); // or docks that were side by side stay so
-        dock->setFloating(false);
-        addDockWidget(Qt::DockWidgetArea(dock->property("area").toInt()), dock);
-        dock->show();
-    }
+    restoreState(m_firstLayout, kLayoutVersion);
     arrangeDocks();
 }
 

@@ -99,6 +99,7 @@ private:
     LevelPanel *m_levels = nullptr;
     TransportBar *m_transport = nullptr;
     StatusLine *m_status = nullptr;
+    QByteArray m_firstLayout; // of docks and bars, before anyone moved them
     QTimer m_refresh;
 };
 

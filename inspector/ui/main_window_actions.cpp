@@ -122,6 +122,7 @@ void MainWindow::addUndoActions(QMenu &menu) {
     undo->setShortcuts(QKeySequence::Undo);
     redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
     menu.insertActions(menu.actions().constFirst(), {undo, redo});
+    addActions({undo, redo}); // to be listed with the others
 }
 
 void MainWindow::addViewChoices(QMenu &menu) {

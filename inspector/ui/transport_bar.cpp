@@ -99,6 +99,7 @@ void TransportBar::addTimeSteps() {
     for (const double dt : kTimeSteps) m_timeStep->addItem(timeStepText(dt), dt);
     m_timeStep->setEditable(true);
     m_timeStep->setInsertPolicy(QComboBox::NoInsert);
+    m_timeStep->setCompleter(nullptr); // "1" is 1 ms and not the beginning of 10 ms
     m_timeStep->setFocusPolicy(Qt::ClickFocus);
     m_timeStep->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_timeStep->setMinimumContentsLength(9);
@@ -107,8 +108,9 @@ void TransportBar::addTimeSteps() {
 }
 
 void TransportBar::readTimeStep() {
-    const double dt = timeStepOf(m_timeStep->currentText());
-    if (dt != m_session.dt()) m_session.setDt(dt);
+    const QString text = m_timeStep->currentText();
+    if (text == timeStepText(m_session.dt())) return; // which may be rounded
+    m_session.setDt(timeStepOf(text));
     showPace(); // also after a refusal
 }
 

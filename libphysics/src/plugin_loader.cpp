@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: MIT
 // From a file to steppers in the registry: open, find the table, check it, and only then take it in.
+// Files by POSIX's functions: those of std::filesystem that take an error_code end the process when memory runs out.
 #include "error.h"
 #include "plugin_check.h"
 #include "registry.h"
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
+#include <dirent.h>
 #include <dlfcn.h>
-#include <filesystem>
+#include <memory>
 #include <new>
+#include <sys/stat.h>
 
 namespace phys {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr const char *kSearchVariable = "PHYS_PLUGIN_PATH";
 constexpr const char *kFolderBesideLibrary = "physics-1"; // 1: PHYS_ABI_VERSION
@@ -23,9 +25,9 @@ constexpr size_t kShownPath = 64;                         // bytes; leaves most 
 /// A shared object that is closed again unless it is kept.
 class SharedObject {
 public:
-    /// dlopen looks for a name without a slash in the system's folders, hence the absolute path.
-    explicit SharedObject(const fs::path &path)
-        : m_handle(dlopen(fs::absolute(path).c_str(), RTLD_NOW | RTLD_LOCAL)) {}
+    /// dlopen would look for a name without a slash in the system's folders.
+    explicit SharedObject(const std::string &path)
+        : m_handle(dlopen((path.find('/') == path.npos ? "./" + path : path).c_str(), RTLD_NOW | RTLD_LOCAL)) {}
     ~SharedObject() {
         if (m_handle) dlclose(m_handle);
     }
@@ -46,12 +48,23 @@ std::string shown(const std::string &path) {
     return path.size() <= kShownPath ? path : "..." + path.substr(path.size() - kShownPath);
 }
 
-phys_status checkFile(const fs::path &path, const std::string &name, phys_error *err) {
-    std::error_code problem;
-    const fs::file_status status = fs::status(path, problem);
-    if (!fs::exists(status)) return fail(err, PHYS_ERROR_FILE, "%s: no such file", name.c_str());
-    if (!fs::is_regular_file(status)) return fail(err, PHYS_ERROR_FILE, "%s: not a file", name.c_str());
+phys_status checkFile(const std::string &path, const std::string &name, phys_error *err) {
+    struct stat status {};
+    if (stat(path.c_str(), &status) != 0) return fail(err, PHYS_ERROR_FILE, "%s: no such file", name.c_str());
+    if (!S_ISREG(status.st_mode)) return fail(err, PHYS_ERROR_FILE, "%s: not a file", name.c_str());
     return PHYS_OK;
+}
+
+/// The plugins' names in a folder, sorted. False if the folder can't be read.
+bool listPlugins(const std::string &folder, std::vector<std::string> &names) {
+    const std::unique_ptr<DIR, int (*)(DIR *)> entries(opendir(folder.c_str()), closedir);
+    if (!entries) return false;
+    while (const dirent *entry = readdir(entries.get())) {
+        const std::string name = entry->d_name;
+        if (name.size() > 3 && name.ends_with(".so")) names.push_back(name);
+    }
+    std::sort(names.begin(), names.end());
+    return true;
 }
 
 void add(phys_registry &registry, const phys_plugin &plugin, const std::string &path) {
@@ -91,28 +104,23 @@ struct Scan {
         if (report) report(context, path.c_str(), status, text.c_str());
     }
 
-    void loadOne(const fs::path &path) const {
+    void loadOne(const std::string &path) const {
         const size_t before = registry.plugins.size();
         phys_error error{};
-        const phys_status status = load(registry, path.string(), &error);
-        if (status) return tell(path.string(), status, error.text);
+        if (const phys_status status = load(registry, path, &error)) return tell(path, status, error.text);
         std::string ids = "loaded";
         for (size_t i = before; i < registry.plugins.size(); ++i) {
             ids += (i > before ? ", " : " ") + std::string(registry.plugins[i].api->id);
         }
-        tell(path.string(), PHYS_OK, ids);
+        tell(path, PHYS_OK, ids);
     }
 
     /// False if the folder can't be read.
-    bool loadFolder(const fs::path &folder) const {
-        std::error_code problem;
-        std::vector<fs::path> files;
-        for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end; entry.increment(problem)) {
-            if (entry->path().extension() == ".so") files.push_back(entry->path());
-        }
-        if (problem) return false;
-        std::sort(files.begin(), files.end());
-        for (const fs::path &file : files) loadOne(file);
+    bool loadFolder(const std::string &folder) const {
+        std::vector<std::string> names;
+        if (!listPlugins(folder, names)) return false;
+        const std::string prefix = folder.ends_with('/') ? folder : folder + '/';
+        for (const std::string &name : names) loadOne(prefix + name);
         return true;
     }
 
@@ -128,13 +136,16 @@ struct Scan {
 };
 
 /// The folder that this library (or the program that it is linked into) was loaded from; empty if unknown.
-fs::path ownFolder() {
+std::string ownFolder() {
     Dl_info info{};
     if (!dladdr(reinterpret_cast<const void *>(&phys_version), &info) || !info.dli_fname) return {};
-    // A program found through PATH is known by its bare name only.
-    const bool isBareName = !fs::path(info.dli_fname).has_parent_path();
-    std::error_code problem;
-    return fs::canonical(isBareName ? "/proc/self/exe" : info.dli_fname, problem).parent_path();
+    // A program that was found through PATH is known by its bare name only.
+    const bool isBareName = !std::strchr(info.dli_fname, '/');
+    const std::unique_ptr<char, void (*)(void *)> file(
+        realpath(isBareName ? "/proc/self/exe" : info.dli_fname, nullptr), std::free);
+    if (!file) return {};
+    const std::string path = file.get();
+    return path.substr(0, path.rfind('/'));
 }
 
 phys_status scan(const Scan &scan, const char *folder, phys_error *err) {
@@ -143,8 +154,8 @@ phys_status scan(const Scan &scan, const char *folder, phys_error *err) {
         return fail(err, PHYS_ERROR_FILE, "%s: expected a folder that can be read", shown(folder).c_str());
     }
     if (const char *list = std::getenv(kSearchVariable)) scan.loadSearchPath(list);
-    const fs::path own = ownFolder();
-    if (!own.empty()) scan.loadFolder(own / kFolderBesideLibrary); // that it isn't there is no mistake
+    const std::string own = ownFolder();
+    if (!own.empty()) scan.loadFolder(own + '/' + kFolderBesideLibrary); // that it isn't there is no mistake
     return PHYS_OK;
 }
 

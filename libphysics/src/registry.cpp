@@ -13,7 +13,7 @@ namespace phys {
 namespace {
 
 const phys_stepper_api *const kBuiltIn[] = {
-    &kExplicitEuler, &kSymplecticEuler, &kVelocityVerlet, &kRk4, &kSwept,
+    &kExplicitEuler, &kSymplecticEuler, &kVelocityVerlet, &kRk4, &kSwept, &kExact,
 };
 
 uint32_t builtInCount() { return static_cast<uint32_t>(std::size(kBuiltIn)); }

@@ -143,6 +143,10 @@ void TestCommandLine::wrongUseGivesOneLineAndStatus2_data() {
                                            << "--level: expected 1 to 10, found 11";
     QTest::newRow("unknown stepper") << "--stepper magic"
                                      << "magic";
+    QTest::newRow("plugin missing") << "--plugin nowhere/none.so"
+                                    << "nowhere/none.so";
+    QTest::newRow("plugin that is none") << "--plugin=" LEVELS_FOLDER "/01.txt"
+                                         << "01.txt";
     QTest::newRow("dt zero") << "--dt 0"
                              << "--dt: expected a number from 1e-06 to 10, found '0'";
     QTest::newRow("dt not a number") << "--dt nan"

@@ -11,6 +11,7 @@ private slots:
     void tableGoesToStandardOutputAndMessagesDont();
     void allLevelsAreWon();
     void wrongUseGivesStatus2AndOneLine();
+    void windowWithoutADisplayGivesStatus2AndOneLine();
 };
 
 namespace {
@@ -61,6 +62,13 @@ void TestProgram::wrongUseGivesStatus2AndOneLine() {
     QVERIFY(result.out.isEmpty());
     QCOMPARE(result.messages,
              QByteArray("physics-inspector: --dt: expected a number from 1e-06 to 10, found 'never'\n"));
+}
+
+void TestProgram::windowWithoutADisplayGivesStatus2AndOneLine() {
+    const Result result = runOf({"--level", "2"});
+    QCOMPARE(result.status, 2);
+    QVERIFY2(result.messages.startsWith("physics-inspector: no display"), result.messages.constData());
+    QCOMPARE(result.messages.count('\n'), 1);
 }
 
 QTEST_GUILESS_MAIN(TestProgram)

@@ -316,7 +316,7 @@ void TestSimulation::impactsAreCounted() {
 }
 
 void TestSimulation::deletingARunningSimulationEndsItsThread() {
-    for (int i = 0; i < 20; ++i) {
+    for (int i = 0; i < 5; ++i) {
         const auto simulation = simulationOf(openFloor());
         simulation->setDt(1.0 + i); // deadlines far away
         simulation->run();

@@ -307,8 +307,8 @@ typedef struct phys_event {
 #define PHYS_NO_BOX 0xffffffffu
 
 /** What a step did: appendable. Set up by phys_report_init, then events and event_capacity by the caller; the rest is
- *  written anew by each successful step (after a failed one the content of the event buffer is undefined). Energies per mass, J/kg. They balance:
- *  energy_before + energy_scheme = energy_after + lost_impact + lost_rolling + lost_slip. */
+ *  written anew by each successful step (after a failed one the content of the event buffer is undefined). Energies per
+ * mass, J/kg. They balance: energy_before + energy_scheme = energy_after + lost_impact + lost_rolling + lost_slip. */
 typedef struct phys_report {
     uint32_t struct_size;    /* sizeof(phys_report), set by phys_report_init */
     uint32_t event_capacity; /* room in events */

@@ -76,7 +76,7 @@ void describePlan(const PlanInput &input, const StepPlan &plan, phys_requirement
     if (!(params.options & PHYS_OPTION_ALL_STAGES)) return;
     for (int i = 0; i < PHYS_STAGE_COUNT; ++i) {
         const bool forced = out.stages >> i & 1U && std::string_view(out.reasons[i]).starts_with("not needed");
-        if (forced) say(out, i, "forced by PHYS_OPTION_ALL_STAGES");
+        if (forced) say(out, i, "%s", "forced by PHYS_OPTION_ALL_STAGES");
     }
 }
 

@@ -36,8 +36,14 @@ std::vector<EngineKind> box2dEngines();
 std::vector<EngineKind> bulletEngines();
 std::vector<EngineKind> odeEngines();
 std::vector<EngineKind> mujocoEngines();
-// One for each stepper in the library's registry.
-std::vector<EngineKind> ourEngines();
+// A parameter row of the library's or of a stepper's own, by id.
+struct Setting {
+    std::string row;
+    double value;
+};
+
+// One for each stepper in the library's registry that has all of these rows.
+std::vector<EngineKind> ourEngines(const std::vector<Setting> &settings = {});
 
 std::vector<EngineKind> allEngines();
 

@@ -13,16 +13,24 @@ namespace bench {
 
 namespace {
 
-// Speed after over speed before of a head-on impact on a spring with damping (per mass), as the engine steps it.
-double restitutionOf(double stiffness, double damping, double dt) {
+// Speed after over speed before of a head-on impact on a spring with damping (per mass), as the engine steps it; the
+// wall is noticed `phase` of a step late.
+double restitutionOf(double stiffness, double damping, double dt, double phase) {
     double velocity = -1;
-    double depth = 0; // negative: inside
+    double depth = -phase * dt; // negative: inside
     constexpr int kSteps = 200;
-    for (int step = 0; step < kSteps && depth <= 0; ++step) {
+    for (int step = 0; step < kSteps && depth < 0; ++step) {
         velocity += dt * std::max(0.0, -damping * velocity - stiffness * depth);
         depth += dt * velocity;
     }
     return velocity;
+}
+
+double meanRestitution(double stiffness, double damping, double dt) {
+    constexpr int kPhases = 32;
+    double sum = 0;
+    for (int phase = 0; phase < kPhases; ++phase) sum += restitutionOf(stiffness, damping, dt, (phase + 0.5) / kPhases);
+    return sum / kPhases;
 }
 
 // The damping whose impact has this restitution: it falls with damping, so halving finds it.
@@ -31,7 +39,7 @@ double dampingFor(double restitution, double stiffness, double dt) {
     double high = 4 * std::sqrt(stiffness);
     for (int halving = 0; halving < 60; ++halving) {
         const double middle = (low + high) / 2;
-        (restitutionOf(stiffness, middle, dt) > restitution ? low : high) = middle;
+        (meanRestitution(stiffness, middle, dt) > restitution ? low : high) = middle;
     }
     return low;
 }

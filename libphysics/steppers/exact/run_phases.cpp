@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: MIT
+// The smooth phases between two events: free, along a face, round an edge, at rest. model.md 3, 6, 7.
+#include "run.h"
+
+#include "arc.h"
+#include "law.h"
+#include "pivot.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace phys {
+
+namespace {
+
+/// Rotation vector of a ball that rolls by `way`: z x way / R.
+Vec3 rolledTurn(const Vec3 &way, double radius) { return rollingSpin(inPlane(way), radius); }
+
+/// Parts that the turn of a curved way is made of, for drawing.
+constexpr int kTurnParts = 16;
+
+} // namespace
+
+Drive Run::drive() const {
+    if (!m_ball.supported) return {toVec(m_params.gravity), 0.0};
+    if (slides()) return {Vec3(inPlane(m_params.gravity), 0.0), 0.0};
+    const Law<Vec2> law = rollingLaw(m_params);
+    return {Vec3(law.A, 0.0), law.B};
+}
+
+phys_status Run::phase() {
+    Ball &ball = m_ball;
+    m_floor = ball.supported ? m_board.floorUnder(ball.position, inPlane(ball.velocity)) : std::nullopt;
+    if (ball.supported && !m_floor) {
+        takeOff();
+        return PHYS_OK;
+    }
+    if (slipVelocity() != Vec2(0.0)) return slip();
+    const Drive acting = drive();
+    Hold hold;
+    if (ball.velocity != Vec3(0.0)) hold = holdMoving(m_board, m_touches, ball.position, ball.velocity, acting);
+    if (ball.velocity == Vec3(0.0)) {
+        hold = holdResting(m_board, m_touches, ball.position, acting);
+        if (isRough(hold) && ball.spin.z != 0.0) return rubOnWall(hold);
+        if (hold.kind == Hold::Kind::wedged || hold.start <= acting.B) return rest(hold);
+    }
+    noteHold(hold);
+    if (isRough(hold)) return rubOnWall(hold);
+    if (ball.supported && !gripHolds(hold)) return slip();
+    switch (hold.kind) {
+    case Hold::Kind::face:
+        return slideOnFace(hold);
+    case Hold::Kind::edge:
+        return pivotOnEdge(hold);
+    case Hold::Kind::beyond:
+        return refuse("the ball stays in contact with its top or bottom", hold.touch);
+    default:
+        return moveFreely(hold);
+    }
+}
+
+bool Run::isAtRest() {
+    if (m_ball.velocity != Vec3(0.0) || !m_ball.supported || slipVelocity() != Vec2(0.0)) return false;
+    const Hold hold = holdResting(m_board, m_touches, m_ball.position, drive());
+    return hold.kind == Hold::Kind::wedged || hold.start <= drive().B;
+}
+
+/// Reports that a contact begins to last, or ends without an impact.
+void Run::noteHold(const Hold &hold) {
+    const bool holds = hold.kind == Hold::Kind::face || hold.kind == Hold::Kind::edge;
+    const double speed = glm::length(m_ball.velocity);
+    if (holds && !m_held && m_elapsed > 0.0) contactEvent(PHYS_EVENT_CONTACT, hold.touch, speed, speed);
+    if (!holds && m_held) contactEvent(PHYS_EVENT_RELEASE, *m_held, speed, speed);
+    m_held = holds ? std::optional<Touch>(hold.touch) : std::nullopt;
+}
+
+/// With unchanged gravity a ball at rest stays there: model.md 2.1 R4.
+phys_status Run::rest(const Hold &hold) {
+    if (!m_ball.supported && hold.touch.normal.z != 0.0) return refuse("the ball comes to rest on it", hold.touch);
+    spend(m_left);
+    return PHYS_OK;
+}
+
+phys_status Run::moveFreely(const Hold &hold) {
+    const Drive acting = drive();
+    const Vec3 &p = m_ball.position, &v = m_ball.velocity;
+    if (v == Vec3(0.0)) {
+        move(Motion::parabola(p, v, acting.A - acting.B * hold.direction), nullptr, m_left);
+    } else if (m_ball.supported) {
+        move(Motion::rolling(p, v, inPlane(acting.A), acting.B), nullptr, m_left);
+    } else {
+        move(Motion::parabola(p, v, acting.A), nullptr, m_left);
+    }
+    return PHYS_OK;
+}
+
+/// Along a motion until it ends, the time is up, or the ball touches a solid, leaves its floor or lands.
+double Run::move(const Motion &motion, const Plane *plane, double until) {
+    const Scene &scene = m_board.scene();
+    double t = std::min({m_left, until, motion.end()});
+    bool lands = false, exits = false;
+    if (m_floor) {
+        const double exit = firstExit(scene.floors[*m_floor], motion, t, m_board.tolerance());
+        exits = exit <= t;
+        t = std::min(t, exit);
+    } else {
+        const double landing = landingTime();
+        lands = landing <= t;
+        t = std::min(t, landing);
+    }
+    const double hit = m_sweep.firstTouch(motion, t, plane);
+    if (hit <= t) {
+        lands = lands && hit == t;
+        exits = exits && hit == t;
+        t = hit;
+    }
+
+    const Vec3 before = m_ball.position;
+    const Motion::Point end = motion.at(t);
+    m_ball.position = end.position;
+    m_ball.velocity = end.velocity;
+    if (m_floor) {
+        m_ball.position.z = scene.supportedZ;
+        if (exits) snapToBorder(scene.floors[*m_floor], m_board.tolerance(), m_ball.velocity, m_ball.position);
+    }
+    if (lands) m_ball.position.z = scene.supportedZ;
+    if (plane) m_ball.velocity[plane->axis] = 0.0;
+    turnAlong(motion, before, t);
+    spend(t);
+    if (m_floor) settleSpin(motion, t);
+    return t;
+}
+
+/// The spin of a ball on the floor after t seconds of a motion, and what rolling and slipping have cost.
+void Run::settleSpin(const Motion &motion, double t) {
+    if (motion.slips()) return settleSlip(motion, t);
+    if (slides()) return;
+    if (t == motion.end()) {
+        m_ball.velocity = Vec3(0.0);
+        event(PHYS_EVENT_STOP, glm::length(motion.at(0.0).velocity), 0.0);
+    }
+    if (m_report.wanted()) m_report.lostRolling(1.4 * drive().B * motion.path(t));
+    roll();
+}
+
+void Run::turnAlong(const Motion &motion, const Vec3 &start, double t) {
+    if (!(m_params.options & PHYS_OPTION_ORIENTATION)) return;
+    if (!m_floor || slides()) return turn(t * m_ball.spin);
+    // The ball turns by its way, less that of the slip.
+    Vec3 from = start;
+    for (int part = 1; part <= kTurnParts; ++part) {
+        const double time = t * part / kTurnParts;
+        Vec3 to = motion.at(time).position;
+        if (motion.slips()) to -= Vec3(motion.slipAt(time).x, 0.0);
+        turn(rolledTurn(to - from, m_board.radius()) + Vec3(0.0, 0.0, t / kTurnParts * m_ball.spin.z));
+        from = to;
+    }
+}
+
+/// model.md 6.1: the law of one dimension, until the ball stops or the face ends.
+phys_status Run::slideOnFace(const Hold &hold) {
+    const Drive acting = drive();
+    const int across = hold.plane.axis, along = 1 - across;
+    Vec3 &p = m_ball.position, &v = m_ball.velocity;
+    v[across] = 0.0;
+    const double direction = v[along] != 0.0 ? v[along] : hold.direction[along];
+    Vec3 a = acting.A;
+    a[across] = 0.0;
+    if (acting.B > 0.0) a[along] -= std::copysign(acting.B, direction);
+    const bool slows = acting.B > 0.0 && a[along] * v[along] < 0.0;
+    const double stop = slows ? std::abs(v[along] / a[along]) : kNever;
+
+    slide(hold, Motion::parabola(p, v, a, stop));
+    return PHYS_OK;
+}
+
+/// Along a motion on a face, until that face ends at the latest.
+void Run::slide(const Hold &hold, const Motion &motion) {
+    const FaceWay way = m_floor ? alongFace(hold.plane, motion) : alongSolid(hold, motion);
+    const double moved = move(motion, &hold.plane, way.until);
+    if (moved == way.until && way.ends) m_ball.position[1 - hold.plane.axis] = way.end;
+}
+
+/// How long the ball slides until the face ends on either side, other solids flush with it included.
+Run::FaceWay Run::alongFace(const Plane &plane, const Motion &motion) const {
+    const int across = plane.axis, along = 1 - across;
+    const Vec3 &p = m_ball.position;
+    const double most = std::min(m_left, motion.end());
+    const double reach = most * (std::abs(m_ball.velocity[along]) + 0.5 * motion.mostAcceleration() * most);
+    Vec3 low = p - Vec3(m_board.radius()), high = p + Vec3(m_board.radius());
+    low[along] = m_board.faceEnd(plane, p, -1.0, p[along] - reach);
+    high[along] = m_board.faceEnd(plane, p, 1.0, p[along] + reach);
+    const double time = firstExit({fromVec(low), fromVec(high)}, motion, most, m_board.tolerance());
+    if (time > most) return {most, false, 0.0};
+    return {time, true, motion.at(time).velocity[along] < 0.0 ? low[along] : high[along]};
+}
+
+/// The same in the air, where the face of one solid also has a lower and an upper end.
+Run::FaceWay Run::alongSolid(const Hold &hold, const Motion &motion) const {
+    const int along = 1 - hold.plane.axis;
+    const Vec3 &p = m_ball.position, &v = m_ball.velocity, &a = motion.acceleration();
+    const phys_box &box = m_board.scene().solids[m_board.carrier(hold.plane, p, hold.direction)];
+    FaceWay way{m_left, false, 0.0};
+    for (const double side : {-1.0, 1.0}) {
+        const double end = side < 0.0 ? toVec(box.min)[along] : toVec(box.max)[along];
+        const double time = firstFall(std::abs(end - p[along]), -side * v[along], -side * a[along]);
+        if (time <= way.until) way = {time, true, end};
+        const double height = side < 0.0 ? p.z - box.min.z : box.max.z - p.z;
+        const double vertical = firstFall(std::max(0.0, height), -side * v.z, -side * a.z);
+        if (vertical < way.until) way = {vertical, false, 0.0};
+    }
+    return way;
+}
+
+/// model.md 6.2: the angles first, then the time. In the air the ball falls freely beside it.
+phys_status Run::pivotOnEdge(const Hold &hold) {
+    const Drive acting = drive();
+    const double R = m_board.radius();
+    const Vec2 A = inPlane(acting.A), normal = inPlane(hold.touch.normal);
+    const double a = length(A);
+    Vec2 tangent{-normal.y, normal.x};
+    if (glm::dot(tangent, inPlane(hold.direction)) < 0.0) tangent = -tangent;
+    const EdgeArc arc{hold.corner, normal, tangent, R, m_ball.position.z};
+    const Pendulum pendulum{glm::dot(A, tangent) / a, -glm::dot(A, normal) / a, acting.B / a,
+                            length(inPlane(m_ball.velocity)) / std::sqrt(R * a)};
+
+    // Where the way on the edge ends.
+    const QuarterEnd quarter = quarterEnd(arc);
+    double end = quarter.angle;
+    end = std::min(end, pendulum.stopAngle(end));
+    end = std::min(end, pendulum.leaveAngle(end));
+    end = std::min(end, firstTouchOnArc(m_board, arc, end));
+    double exit = kNever;
+    if (m_floor) exit = firstExitOnArc(m_board.scene().floors[*m_floor], arc, end, m_board.tolerance());
+    end = std::min(end, exit);
+
+    const double unitTime = std::sqrt(R / a);
+    const Fall fall = fallFor(hold);
+    const double until = std::min(m_left, fall.time);
+    const Swing swung = swing(pendulum, end, until / unitTime);
+    const double t = std::min(until, swung.time * unitTime);
+    const double speed = swung.speed * std::sqrt(R * a);
+
+    turnOnArc(arc, swung.angle, t);
+    const bool atQuarter = swung.angle == quarter.angle;
+    const Vec2 n = atQuarter ? quarter.normal : arc.normalAt(swung.angle);
+    const Vec2 way = atQuarter ? quarter.tangent : arc.tangentAt(swung.angle);
+    Vec3 &p = m_ball.position, &v = m_ball.velocity;
+    p = Vec3(hold.corner + R * n, p.z);
+    v = Vec3(speed * way, v.z);
+    if (m_floor) {
+        if (swung.angle == exit) snapToBorder(m_board.scene().floors[*m_floor], m_board.tolerance(), v, p);
+        m_report.lostRolling(1.4 * acting.B * R * swung.angle);
+        if (!slides()) roll();
+    } else {
+        const bool lands = fall.lands && t == fall.time;
+        p.z = lands ? m_board.scene().supportedZ : p.z + t * (v.z + 0.5 * t * acting.A.z);
+        v.z += t * acting.A.z;
+    }
+    spend(t);
+    if (speed == 0.0 && m_floor) event(PHYS_EVENT_STOP, pendulum.speed * std::sqrt(R * a), 0.0);
+    return PHYS_OK;
+}
+
+/// When a flying ball is down at the height of a floor; kNever if it isn't above, or has only just left one.
+double Run::landingTime() const {
+    const Scene &scene = m_board.scene();
+    const double height = m_ball.position.z - scene.supportedZ;
+    const bool above = scene.hasFloor && (height > 0.0 || (height == 0.0 && m_ball.velocity.z > 0.0));
+    return above ? firstFall(height, m_ball.velocity.z, m_params.gravity.z) : kNever;
+}
+
+/// In the air: when the ball lands, or leaves the solid that it turns round at its lower or upper end.
+Run::Fall Run::fallFor(const Hold &hold) const {
+    if (m_floor) return {kNever, false};
+    const Scene &scene = m_board.scene();
+    const Vec3 &p = m_ball.position, &v = m_ball.velocity;
+    const phys_box &box = scene.solids[hold.touch.solid];
+    const double g = m_params.gravity.z;
+    Fall fall{std::min(firstFall(std::max(0.0, p.z - box.min.z), v.z, g),
+                       firstFall(std::max(0.0, box.max.z - p.z), -v.z, -g)),
+              false};
+    const double landing = landingTime();
+    return landing <= fall.time ? Fall{landing, true} : fall;
+}
+
+void Run::turnOnArc(const EdgeArc &arc, double angle, double t) {
+    if (!(m_params.options & PHYS_OPTION_ORIENTATION)) return;
+    if (!m_floor || slides()) return turn(t * m_ball.spin);
+    for (int part = 0; part < kTurnParts; ++part) {
+        const Vec3 from = arc.centreAt(angle * part / kTurnParts), to = arc.centreAt(angle * (part + 1) / kTurnParts);
+        turn(rolledTurn(to - from, m_board.radius()));
+    }
+}
+
+} // namespace phys

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// When a moving ball first touches a solid or leaves its floor: conservative advancement, model.md 5.2.
+#pragma once
+
+#include "board.h"
+#include "motion.h"
+
+namespace phys {
+
+/// Searches along a motion. Owns its buffers, so that nothing is allocated while stepping.
+class Sweep {
+public:
+    explicit Sweep(const Board &board);
+
+    /// First time in [0, until] at which the ball touches a solid and moves towards it; kNever if it doesn't.
+    /// plane: the one the ball slides on, whose solids it can't hit; nullptr if there is none.
+    double firstTouch(const Motion &motion, double until, const Plane *plane);
+
+private:
+    /// A solid's own clock: it can't be hit before `safe`.
+    struct Candidate {
+        double safe;
+        uint32_t solid;
+        bool polished; ///< it was within the tolerance already and got one more step of the advancement
+    };
+
+    const Board &m_board;
+    std::vector<Candidate> m_candidates;
+
+    void collect(const Motion &motion, const Motion::Point &now, double from, double until, const Plane *plane);
+    double firstHit(const Motion &motion, double until);
+};
+
+/// First time in [0, until] at which the centre leaves the floor's rectangle; kNever if it doesn't.
+double firstExit(const phys_box &floor, const Motion &motion, double until, double tolerance);
+
+/// Puts a centre that leaves the floor exactly on the border that it crosses.
+void snapToBorder(const phys_box &floor, double tolerance, const Vec3 &velocity, Vec3 &p);
+
+/// Whether the ball moves towards what it touches: v.n < 0 by more than the rounding of the normal.
+bool approaches(const Board &board, const Vec3 &normal, uint32_t feature, const Vec3 &v);
+
+} // namespace phys

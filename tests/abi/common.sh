@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: MIT
+# What the checks of the binary interface share; sourced.
+set -euo pipefail
+
+fail() {
+    echo "$(basename "$0"): $*" >&2
+    exit 1
+}
+
+# A check that can't be made here says so; ctest shows it as skipped.
+skip() {
+    echo "$(basename "$0"): skipped: $*"
+    exit 77
+}
+
+need_debug_information() {
+    readelf --section-headers "$1" | grep -q '\.debug_info' ||
+        skip "$1 has no debug information, without which abidiff sees no types"
+}
+
+# compare_interface BASELINE INCLUDE_FOLDER LIBRARY: any difference fails, however compatible it may be.
+compare_interface() {
+    abidiff --headers-dir2 "$2" "$1" "$3"
+}

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// Impacts, contacts that last, edges, accumulating bounces: model.md 5, 6 and 12.2.
+#include "run.h"
+
+#include <QtTest>
+
+using exact::kU;
+using exact::Run;
+
+class ExactContacts : public QObject {
+    Q_OBJECT
+private slots:
+    void edgeIsHitByAParabola();
+    void grazingChangesNothing();
+    void cornerReversesBothComponents();
+    void bouncesAccumulateInFiniteTime();
+    void bouncesAgainstResistanceAccumulate();
+    void ballPivotsOnAnEdgeAndLeavesIt();
+    void ballLeavesTheFloorFallsAndIsOut();
+    void fallOnALowerFloorIsNone();
+    void ballInAWallIsPushedOut();
+    void ballBetweenTwoWallsTooCloseIsStuck();
+};
+
+namespace {
+
+const phys_box kFloor = exact::floorOver(-2, -2, 2, 2);
+
+} // namespace
+
+void ExactContacts::edgeIsHitByAParabola() {
+    Run run({kFloor, exact::wall(0.5, -1, 1.5, -0.04)}, 0.02, {0, 0, 0.02}, {1, 0.2, 0});
+    run.setLaw(0.0, -1.0, 0.0);
+    run.params.restitution_wall = 0.8;
+    run.step(0.49074979458892256); // the impact is at this very rounding of its time, or one before
+    run.step(1e-3);
+    const double t = 0.4907497945889225585, rest = 0.49074979458892256 + 1e-3 - t;
+    const double vx = 0.4003426892341553206, vy = 0.85876958908727570425;
+    const double x = t, y = 0.2 * t - 0.5 * t * t;
+    QVERIFY(exact::difference(run.state, x + vx * rest, y + vy * rest - 0.5 * rest * rest, vx, vy - rest) <= 16.0 * kU);
+}
+
+void ExactContacts::grazingChangesNothing() {
+    Run run({kFloor, exact::wall(0.5, -1, 0.5, -0.0625)}, 0.0625, {0, 0, 0.0625}, {1, 0, 0});
+    run.step(1.0);
+    QVERIFY(exact::difference(run.state, 1.0, 0.0, 1.0, 0.0) <= kU);
+}
+
+void ExactContacts::cornerReversesBothComponents() {
+    Run run({kFloor, exact::wall(-1, -1, 0, 1), exact::wall(-1, -1, 1, 0)}, 0.125, {0.375, 0.375, 0.125},
+            {-1.0, -1.0, 0});
+    run.params.restitution_wall = 0.5;
+    run.step(0.5);
+    QCOMPARE(run.state.velocity.x, 0.5);
+    QCOMPARE(run.state.velocity.y, 0.5);
+    QCOMPARE(run.state.position.x, 0.25);
+    QCOMPARE(run.state.position.y, 0.25);
+}
+
+void ExactContacts::bouncesAccumulateInFiniteTime() {
+    // model.md 6.4: T_z = (2 v1/a_n)/(1 - eps) = 12.
+    Run run({kFloor, exact::wall(-1, -1, 1, 0)}, 0.01, {0, 0.01, 0.01}, {0, 0.6, 0});
+    run.setLaw(0.0, -0.5, 0.0);
+    run.params.restitution_wall = 0.8;
+    run.step(13.0);
+    QCOMPARE(run.state.position.y, 0.01);
+    QCOMPARE(run.state.velocity.y, 0.0);
+    // The last bounce left out is lower than rounding, so that its speed is below sqrt(2 a_n 2 tolerance).
+    const double cut = std::sqrt(2.0 * 0.5 * 2.0 * 4.0 * kU * 16.0);
+    QVERIFY(std::abs(run.events.back().time - 12.0) <= 2.0 * cut / 0.5 / 0.2);
+    QVERIFY(std::abs(run.report.energy_scheme) <= 8.0 * kU);
+}
+
+void ExactContacts::bouncesAgainstResistanceAccumulate() {
+    Run run({kFloor, exact::wall(-1, -1, 1, 0)}, 0.01, {0, 0.01, 0.01}, {0, 0.6, 0});
+    run.setLaw(0.0, -0.5, 0.1);
+    run.params.restitution_wall = 0.8;
+    run.step(7.0);
+    QCOMPARE(run.state.velocity.y, 0.0);
+    QVERIFY(run.state.flags & PHYS_AT_REST);
+    QVERIFY(std::abs(run.events.back().time - 6.415015353721691642938229) <= 1e-6);
+}
+
+void ExactContacts::ballPivotsOnAnEdgeAndLeavesIt() {
+    const double R = 0.005, angle = 0.3, speed = 0.01;
+    Run run({kFloor, exact::wall(-1, -1, 0, 0)}, R, {R * std::sin(angle), R * std::cos(angle), R},
+            {speed * std::cos(angle), -speed * std::sin(angle), 0});
+    run.setLaw(0.0, -0.5, 0.02);
+    run.step(0.5);
+    const std::vector<phys_event> left = run.eventsOf(PHYS_EVENT_RELEASE);
+    QCOMPARE(left.size(), size_t(1));
+    QVERIFY(std::abs(left[0].time - 0.13076928319244) <= 5e-15); // digits of the figure
+    QVERIFY(run.eventsOf(PHYS_EVENT_IMPACT).empty());
+    QVERIFY(std::abs(run.report.energy_scheme) <= 4.0 * kU);
+}
+
+void ExactContacts::ballLeavesTheFloorFallsAndIsOut() {
+    Run run({exact::floorOver(-1, -1, 1, 1)}, 0.0625, {0, 0, 0.0625}, {1, 0, 0});
+    run.params.gravity = {0, 0, -10.0};
+    run.step(1.5);
+    QVERIFY(exact::difference(run.state, 1.5, 0.0, 1.0, 0.0) <= 2.0 * kU);
+    QVERIFY(std::abs(run.state.position.z - (0.0625 - 0.5 * 10.0 * 0.25)) <= 8.0 * kU);
+    QCOMPARE(run.state.flags, uint64_t(PHYS_AIRBORNE | PHYS_OUT));
+    QCOMPARE(run.eventsOf(PHYS_EVENT_TAKEOFF).size(), size_t(1));
+    QVERIFY(std::abs(run.report.energy_scheme) <= 32.0 * kU);
+}
+
+void ExactContacts::fallOnALowerFloorIsNone() {
+    // model.md 2.1 R6: once below the floor's plane, nothing carries the ball any more.
+    Run run({exact::floorOver(-1, -1, 0, 1), exact::floorOver(0.5, -1, 2, 1)}, 0.0625, {-0.25, 0, 0.0625}, {1, 0, 0});
+    run.step(1.0);
+    QVERIFY(run.state.position.z < 0.0);
+    QVERIFY(run.state.flags & PHYS_AIRBORNE);
+}
+
+void ExactContacts::ballInAWallIsPushedOut() {
+    Run run({kFloor, exact::wall(0, -1, 1, 1)}, 0.125, {0.0625, 0, 0.125});
+    run.step(1.0);
+    QCOMPARE(run.state.position.x, -0.125);
+    QCOMPARE(run.report.penetration, 0.1875);
+}
+
+void ExactContacts::ballBetweenTwoWallsTooCloseIsStuck() {
+    Run run({kFloor, exact::wall(0.1, -1, 1, 1), exact::wall(-1, -1, -0.1, 1)}, 0.125, {0, 0, 0.125});
+    const phys_state before = run.state;
+    phys_error error{};
+    QCOMPARE(run.tryStep(1.0, &error), phys_status(PHYS_ERROR_STUCK));
+    QCOMPARE(phys_state_hash(&run.state), phys_state_hash(&before));
+}
+
+QTEST_GUILESS_MAIN(ExactContacts)
+#include "tst_exact_contacts.moc"

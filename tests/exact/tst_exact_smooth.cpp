@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// The one law of smooth motion, model.md 3 and 12.1: figures by 50-digit integration.
+#include "run.h"
+
+#include <QtTest>
+
+using exact::kU;
+using exact::Run;
+
+class ExactSmooth : public QObject {
+    Q_OBJECT
+private slots:
+    void rollsByTheOneLaw_data();
+    void rollsByTheOneLaw();
+    void firstIntegralIsLinearInTime();
+    void restsUpToTheStictionLimit();
+    void stopIsReported();
+};
+
+namespace {
+
+Run onPlane(double vx, double vy) {
+    return Run({exact::floorOver(-8, -8, 8, 8)}, 0.005, {0.0, 0.0, 0.005}, {vx, vy, 0.0});
+}
+
+} // namespace
+
+void ExactSmooth::rollsByTheOneLaw_data() {
+    for (const char *column : {"Ax", "Ay", "B", "vx0", "vy0", "t", "x", "y", "vx", "vy"}) {
+        QTest::addColumn<double>(column);
+    }
+    QTest::newRow("general") << -0.6 << 0.2 << 0.1 << 1.0 << 0.3 << 2.0 << 0.66173608811146707468
+                             << 0.87942790288305788119 << -0.2858062173128988405 << 0.55324339727446848366;
+    QTest::newRow("before the stop") << 0.3 << 0.0 << 0.5 << 0.3 << 0.4 << 2.0 << 0.39218754768189694192
+                                     << 0.25932670873434878011 << 0.024998092767772740313 << 0.00039061009991873354237;
+    QTest::newRow("after the stop") << 0.3 << 0.0 << 0.5 << 0.3 << 0.4 << 3.0 << 0.39375 << 118.0 / 455.0 << 0.0 << 0.0;
+    QTest::newRow("B = a") << 0.5 << 0.0 << 0.5 << 0.3 << 0.4 << 1.0 << 0.35916183820371143944 << 0.24322536933179607531
+                           << 0.38972731457307217065 << 0.12820412116263863286;
+    QTest::newRow("B = a/2") << 1.0 << 0.0 << 0.5 << -0.3 << 0.4 << 1.0 << 0.15566552048209869172
+                             << 0.20329151692109757067 << 0.46406458408687624136 << 0.085475983320868191356;
+    QTest::newRow("turns sharply") << 0.6 << 0.0 << 0.1 << -1.0 << 1e-3 << 3.0 << -0.096939019508888634701
+                                   << 0.00134856854889587168 << 0.78571435691392264752 << 5.0180506683212242e-5;
+    QTest::newRow("turns in a point") << 0.6 << 0.0 << 0.1 << -1.0 << 1e-9 << 3.0 << -0.096938775510204081878
+                                      << 1.2503924096962026e-9 << 0.78571428571428571436 << 1.9977220897587365e-13;
+    QTest::newRow("comes straight back") << 0.6 << 0.0 << 0.1 << -1.0 << 0.0 << 3.0 << -19.0 / 196.0 << 0.0
+                                         << 11.0 / 14.0 << 0.0;
+}
+
+void ExactSmooth::rollsByTheOneLaw() {
+    QFETCH(double, Ax);
+    QFETCH(double, Ay);
+    QFETCH(double, B);
+    QFETCH(double, vx0);
+    QFETCH(double, vy0);
+    QFETCH(double, t);
+    QFETCH(double, x);
+    QFETCH(double, y);
+    QFETCH(double, vx);
+    QFETCH(double, vy);
+    Run run = onPlane(vx0, vy0);
+    run.setLaw(Ax, Ay, B);
+    run.step(t);
+    // 4 rounding steps of a length and a speed near 1.
+    QVERIFY2(exact::difference(run.state, x, y, vx, vy) <= 4.0 * kU,
+             qPrintable(QString::number(exact::difference(run.state, x, y, vx, vy))));
+    QVERIFY(std::abs(run.report.energy_scheme) <= 4.0 * kU);
+}
+
+void ExactSmooth::firstIntegralIsLinearInTime() {
+    // model.md 3.1: B|v| + A.v falls by (B^2 - a^2) t, whatever the way.
+    const double Ax = -0.6, Ay = 0.2, B = 0.1;
+    Run run = onPlane(1.0, 0.3);
+    run.setLaw(Ax, Ay, B);
+    const auto integral = [&] {
+        const phys_vec3 &v = run.state.velocity;
+        return B * std::hypot(v.x, v.y) + Ax * v.x + Ay * v.y;
+    };
+    const double start = integral();
+    for (const double t : {0.125, 0.25, 0.5, 1.0, 2.0}) {
+        run.state = phys_state{.time = 0.0,
+                               .step = 0,
+                               .position = {0.0, 0.0, 0.005},
+                               .velocity = {1.0, 0.3, 0.0},
+                               .spin = {},
+                               .orientation = {0.0, 0.0, 0.0, 1.0},
+                               .flags = 0};
+        run.step(t);
+        QVERIFY(std::abs(integral() - (start - (B * B - Ax * Ax - Ay * Ay) * t)) <= 4.0 * kU);
+    }
+}
+
+void ExactSmooth::restsUpToTheStictionLimit() {
+    // model.md 2.1 R4: rest while |g_t| <= mu_r gn, the limit included.
+    Run run = onPlane(0.0, 0.0);
+    run.params.rolling_friction = 0.003;
+    run.params.gravity = {0.003 * 9.81, 0.0, -9.81};
+    run.step(100.0);
+    QCOMPARE(run.state.position.x, 0.0);
+    QVERIFY(run.state.flags & PHYS_AT_REST);
+    run.params.gravity.x *= 1.0 + 4.0 * kU;
+    run.step(100.0);
+    QVERIFY(run.state.position.x > 0.0);
+}
+
+void ExactSmooth::stopIsReported() {
+    Run run = onPlane(0.3, 0.4);
+    run.setLaw(0.3, 0.0, 0.5);
+    run.step(3.0);
+    QCOMPARE(run.events.size(), size_t(1));
+    QCOMPARE(run.events[0].kind, uint32_t(PHYS_EVENT_STOP));
+    QVERIFY(std::abs(run.events[0].time - 2.125) <= 8.0 * kU);
+    QVERIFY(run.state.flags & PHYS_AT_REST);
+}
+
+QTEST_GUILESS_MAIN(ExactSmooth)
+#include "tst_exact_smooth.moc"

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+// Docks, bars and menus: closed, opened, moved, remembered and put back.
+#include "gl/maze_view.h"
+#include "window_fixture.h"
+
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
+#include <QToolButton>
+
+using namespace window_test;
+
+class TestWindowDocks : public QObject {
+    Q_OBJECT
+
+public:
+    static void initMain() { prepare(); }
+
+private slots:
+    void init();
+    void cleanup();
+    void dockClosesByItsButtonAndReopensByTheMenu_data();
+    void dockClosesByItsButtonAndReopensByTheMenu();
+    void resetLayoutBringsEveryDockBack();
+    void layoutIsRemembered();
+    void viewIsTheLargestPart();
+    void noTextOfTheParametersIsCut();
+    void everyMenuHasItsEntries();
+    void qualityReachesTheView_data();
+    void qualityReachesTheView();
+    void qualityIsRemembered();
+    void cameraLooksFromAboveAndBack();
+    void chosenSpeedReachesTheSimulation();
+    void chosenTimeStepReachesTheSimulation();
+    void typedTimeStepReachesTheSimulation_data();
+    void typedTimeStepReachesTheSimulation();
+    void chosenStepperReachesTheSession();
+    void statusSaysWhatTheSimulationDoes();
+    void aboutNamesVersionsAndLicences();
+
+private:
+    void chooseIn(const QString &chooser, int index);
+
+    std::unique_ptr<Fixture> m_fixture;
+};
+
+void TestWindowDocks::init() {
+    m_fixture = std::make_unique<Fixture>();
+    QVERIFY(m_fixture->isReady());
+}
+
+void TestWindowDocks::cleanup() { m_fixture.reset(); }
+
+// As with the keyboard: Home, then down.
+void TestWindowDocks::chooseIn(const QString &chooser, int index) {
+    auto *box = m_fixture->find<QComboBox>(chooser);
+    box->setFocus(Qt::TabFocusReason);
+    box->showPopup();
+    QWidget *list = QApplication::activePopupWidget();
+    QVERIFY(list);
+    QTest::keyClick(list->focusWidget() ? list->focusWidget() : list, Qt::Key_Home);
+    for (int i = 0; i < index; ++i) QTest::keyClick(list->focusWidget() ? list->focusWidget() : list, Qt::Key_Down);
+    QTest::keyClick(list->focusWidget() ? list->focusWidget() : list, Qt::Key_Return);
+}
+
+void TestWindowDocks::dockClosesByItsButtonAndReopensByTheMenu_data() {
+    QTest::addColumn<QString>("name");
+    QTest::newRow("parameters") << "parameters_dock";
+    QTest::newRow("levels") << "levels_dock";
+    QTest::newRow("plot") << "plot_dock";
+}
+
+void TestWindowDocks::dockClosesByItsButtonAndReopensByTheMenu() {
+    QFETCH(QString, name);
+    auto *dock = m_fixture->find<QDockWidget>(name);
+    QVERIFY(dock->isVisible());
+    click(dock->findChild<QAbstractButton *>("qt_dockwidget_closebutton"));
+    QTRY_VERIFY(!dock->isVisible());
+    dock->toggleViewAction()->trigger();
+    QTRY_VERIFY(dock->isVisible());
+}
+
+void TestWindowDocks::resetLayoutBringsEveryDockBack() {
+    auto *parameters = m_fixture->find<QDockWidget>("parameters_dock");
+    auto *levels = m_fixture->find<QDockWidget>("levels_dock");
+    auto *plot = m_fixture->find<QDockWidget>("plot_dock");
+    parameters->close();
+    levels->setFloating(true);
+    m_fixture->window().addDockWidget(Qt::TopDockWidgetArea, plot);
+    m_fixture->trigger("reset_layout");
+    for (QDockWidget *dock : {parameters, levels, plot}) {
+        QTRY_VERIFY(dock->isVisible());
+        QVERIFY(!dock->isFloating());
+    }
+    QCOMPARE(m_fixture->window().dockWidgetArea(plot), Qt::BottomDockWidgetArea);
+    QCOMPARE(m_fixture->window().dockWidgetArea(parameters), Qt::RightDockWidgetArea);
+}
+
+void TestWindowDocks::layoutIsRemembered() {
+    m_fixture->find<QDockWidget>("levels_dock")->close();
+    m_fixture->window().addDockWidget(Qt::TopDockWidgetArea, m_fixture->find<QDockWidget>("plot_dock"));
+    m_fixture->reopen();
+    QVERIFY(m_fixture->isReady());
+    QVERIFY(!m_fixture->find<QDockWidget>("levels_dock")->isVisible());
+    QCOMPARE(m_fixture->window().dockWidgetArea(m_fixture->find<QDockWidget>("plot_dock")), Qt::TopDockWidgetArea);
+}
+
+void TestWindowDocks::viewIsTheLargestPart() {
+    const QSize view = m_fixture->window().view().size();
+    const auto area = [](const QSize &size) { return size.width() * size.height(); };
+    for (const QDockWidget *dock : m_fixture->window().findChildren<QDockWidget *>())
+        QVERIFY2(area(dock->size()) < area(view), qPrintable(dock->objectName()));
+}
+
+void TestWindowDocks::noTextOfTheParametersIsCut() {
+    for (const QLabel *label : m_fixture->find<QWidget>("parameters")->findChildren<QLabel *>())
+        QVERIFY2(label->width() >= label->sizeHint().width(), qPrintable(label->text()));
+}
+
+void TestWindowDocks::everyMenuHasItsEntries() {
+    QStringList titles;
+    for (const QAction *menu : m_fixture->window().menuBar()->actions()) {
+        titles << menu->text().remove('&');
+        QVERIFY2(menu->menu()->actions().size() >= 2, qPrintable(menu->text()));
+    }
+    QCOMPARE(titles, QStringList({"File", "Edit", "View", "Game", "Help"}));
+}
+
+void TestWindowDocks::qualityReachesTheView_data() {
+    QTest::addColumn<int>("quality");
+    QTest::newRow("Low") << 0;
+    QTest::newRow("Medium") << 1;
+    QTest::newRow("High") << 2;
+}
+
+void TestWindowDocks::qualityReachesTheView() {
+    QFETCH(int, quality);
+    m_fixture->trigger(QStringLiteral("quality_%1").arg(quality));
+    QCOMPARE(int(m_fixture->window().view().quality()), quality);
+}
+
+void TestWindowDocks::qualityIsRemembered() {
+    m_fixture->trigger("quality_2");
+    const inspector::ui::MainWindow other(m_fixture->session());
+    QCOMPARE(m_fixture->settings().value("window/quality").toInt(), 2);
+}
+
+void TestWindowDocks::cameraLooksFromAboveAndBack() {
+    const inspector::gl::OrbitCamera &camera = m_fixture->window().view().camera();
+    const double before = camera.elevation();
+    m_fixture->press(Qt::Key_T);
+    QCOMPARE(camera.elevation(), inspector::gl::OrbitCamera::kMaxElevation);
+    m_fixture->press(Qt::Key_Home);
+    QCOMPARE(camera.elevation(), before);
+}
+
+void TestWindowDocks::chosenSpeedReachesTheSimulation() {
+    chooseIn("speed", 0);
+    QCOMPARE(m_fixture->session().speed(), 1.0 / 16.0);
+    QTRY_COMPARE(m_fixture->simulation().latest().statistics.speedAsked, 1.0 / 16.0);
+}
+
+void TestWindowDocks::chosenTimeStepReachesTheSimulation() {
+    chooseIn("time_step", 4);
+    QTRY_COMPARE(m_fixture->simulation().latest().dt, 0.001);
+}
+
+void TestWindowDocks::typedTimeStepReachesTheSimulation_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<double>("dt");
+    QTest::newRow("a number is in ms") << "3" << 0.003;
+    QTest::newRow("ms") << "2.5 ms" << 0.0025;
+    QTest::newRow("s") << "0.02 s" << 0.02;
+    QTest::newRow("a fraction is in s") << "1/120" << 1.0 / 120.0;
+    QTest::newRow("fraction and unit") << "1/60 s" << 1.0 / 60.0;
+    QTest::newRow("no number: refused") << "fast" << 0.01;
+    QTest::newRow("0: refused") << "0" << 0.01;
+}
+
+void TestWindowDocks::typedTimeStepReachesTheSimulation() {
+    QFETCH(QString, text);
+    QFETCH(double, dt);
+    auto *edit = m_fixture->find<QComboBox>("time_step")->lineEdit();
+    edit->setFocus();
+    edit->selectAll();
+    QTest::keyClicks(edit, text);
+    QTest::keyClick(edit, Qt::Key_Return);
+    QTRY_VERIFY(std::abs(m_fixture->simulation().latest().dt - dt) < 1e-15);
+    QCOMPARE(m_fixture->game().phase(), inspector::Game::Phase::Prompt);
+}
+
+void TestWindowDocks::chosenStepperReachesTheSession() {
+    const QByteArray first = m_fixture->find<QComboBox>("stepper")->itemData(0).toByteArray();
+    chooseIn("stepper", 0);
+    QCOMPARE(m_fixture->session().stepperId(), first);
+}
+
+void TestWindowDocks::statusSaysWhatTheSimulationDoes() {
+    m_fixture->trigger("step");
+    QTRY_VERIFY(m_fixture->find<QLabel>("status_time")->text().contains("0.010 s"));
+    QVERIFY(m_fixture->find<QLabel>("status_speed")->text().contains("paused"));
+    QVERIFY(m_fixture->find<QLabel>("status_ball")->text().contains("at rest"));
+}
+
+void TestWindowDocks::aboutNamesVersionsAndLicences() {
+    m_fixture->trigger("about");
+    const QString text = m_fixture->find<QWidget>("about_dialog")->findChild<QLabel *>()->text();
+    for (const char *part : {phys_version(), qVersion(), "GPL-3.0-or-later", "MIT", "LGPL-3.0", "QCustomPlot"})
+        QVERIFY2(text.contains(part), part);
+}
+
+QTEST_MAIN(TestWindowDocks)
+#include "tst_window_docks.moc"

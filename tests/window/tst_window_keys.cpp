@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+// Keys do what Help > Keys says, wherever the focus is.
+#include "gl/maze_view.h"
+#include "window_fixture.h"
+
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QSlider>
+
+using namespace window_test;
+using inspector::Game;
+
+class TestWindowKeys : public QObject {
+    Q_OBJECT
+
+public:
+    static void initMain() { prepare(); }
+
+private slots:
+    void init();
+    void cleanup();
+    void enterStartsTheGame();
+    void arrowTiltsTheBoardTowardsItself_data();
+    void arrowTiltsTheBoardTowardsItself();
+    void releasedArrowLevelsTheBoard();
+    void arrowsAreTheGamesEvenIfASliderHasTheFocus();
+    void arrowsAreTheSlidersBeforeTheGame();
+    void spaceRunsAndPauses();
+    void spaceTypedAfterAClickOnASwitchStillPauses();
+    void escapePauses();
+    void periodMakesOneStep();
+    void rPutsTheBallBack();
+    void aTogglesTheAutopilot();
+    void enterInANumberIsNotTheGames();
+    void lettersInANumberAreNotCommands();
+    void ballRollsWhereTheArrowsPoint();
+    void everyShortcutIsListed();
+    void noShortcutIsThereTwice();
+
+private:
+    const phys_state &ball() { return m_fixture->simulation().latest().current; }
+    bool isRunning() { return m_fixture->simulation().latest().running; }
+    void startGame();
+
+    std::unique_ptr<Fixture> m_fixture;
+};
+
+void TestWindowKeys::init() {
+    m_fixture = std::make_unique<Fixture>();
+    QVERIFY(m_fixture->isReady());
+}
+
+void TestWindowKeys::cleanup() { m_fixture.reset(); }
+
+void TestWindowKeys::startGame() {
+    m_fixture->press(Qt::Key_Return);
+    QTRY_VERIFY(isRunning());
+}
+
+void TestWindowKeys::enterStartsTheGame() {
+    QCOMPARE(m_fixture->game().phase(), Game::Phase::Prompt);
+    startGame();
+    QCOMPARE(m_fixture->game().phase(), Game::Phase::Playing);
+    QTRY_VERIFY(ball().step > 0);
+}
+
+void TestWindowKeys::arrowTiltsTheBoardTowardsItself_data() {
+    QTest::addColumn<Qt::Key>("key");
+    QTest::addColumn<QString>("id");
+    QTest::addColumn<double>("tilt");
+    QTest::newRow("right") << Qt::Key_Right << "tilt_x" << inspector::kPlayTilt;
+    QTest::newRow("left") << Qt::Key_Left << "tilt_x" << -inspector::kPlayTilt;
+    QTest::newRow("up") << Qt::Key_Up << "tilt_y" << inspector::kPlayTilt;
+    QTest::newRow("down") << Qt::Key_Down << "tilt_y" << -inspector::kPlayTilt;
+}
+
+void TestWindowKeys::arrowTiltsTheBoardTowardsItself() {
+    QFETCH(Qt::Key, key);
+    QFETCH(QString, id);
+    QFETCH(double, tilt);
+    startGame();
+    QTest::keyPress(&m_fixture->window(), key);
+    // It approaches the limit without end; half of it is on the way.
+    QTRY_VERIFY(m_fixture->simulated(id) / tilt > 0.5);
+    QTest::keyRelease(&m_fixture->window(), key);
+}
+
+void TestWindowKeys::releasedArrowLevelsTheBoard() {
+    startGame();
+    QTest::keyPress(&m_fixture->window(), Qt::Key_Up);
+    QTRY_VERIFY(m_fixture->simulated("tilt_y") > 1.0);
+    QTest::keyRelease(&m_fixture->window(), Qt::Key_Up);
+    QTRY_COMPARE(m_fixture->simulated("tilt_y"), 0.0);
+}
+
+void TestWindowKeys::arrowsAreTheGamesEvenIfASliderHasTheFocus() {
+    startGame();
+    auto *slider = m_fixture->find<QSlider>("gravity_slider");
+    slider->setFocus();
+    const int before = slider->value();
+    QTest::keyPress(slider, Qt::Key_Right);
+    QTRY_VERIFY(m_fixture->simulated("tilt_x") > 1.0);
+    QTest::keyRelease(slider, Qt::Key_Right);
+    QCOMPARE(slider->value(), before);
+}
+
+void TestWindowKeys::arrowsAreTheSlidersBeforeTheGame() {
+    auto *slider = m_fixture->find<QSlider>("gravity_slider");
+    slider->setFocus();
+    const int before = slider->value();
+    QTest::keyClick(slider, Qt::Key_Right);
+    QCOMPARE(slider->value(), before + 1);
+}
+
+void TestWindowKeys::spaceRunsAndPauses() {
+    m_fixture->press(Qt::Key_Space);
+    QTRY_VERIFY(isRunning());
+    m_fixture->press(Qt::Key_Space);
+    QTRY_VERIFY(!isRunning());
+}
+
+void TestWindowKeys::spaceTypedAfterAClickOnASwitchStillPauses() {
+    startGame();
+    click(m_fixture->find<QWidget>("plot_pause"));
+    m_fixture->press(Qt::Key_Space);
+    QTRY_VERIFY(!isRunning());
+}
+
+void TestWindowKeys::escapePauses() {
+    startGame();
+    m_fixture->press(Qt::Key_Escape);
+    QTRY_VERIFY(!isRunning());
+    QCOMPARE(m_fixture->game().phase(), Game::Phase::Playing);
+}
+
+void TestWindowKeys::periodMakesOneStep() {
+    m_fixture->press(Qt::Key_Period);
+    QTRY_COMPARE(ball().step, 1u);
+    m_fixture->press(Qt::Key_Period);
+    QTRY_COMPARE(ball().step, 2u);
+    QVERIFY(!isRunning());
+}
+
+void TestWindowKeys::rPutsTheBallBack() {
+    m_fixture->press(Qt::Key_Period);
+    QTRY_COMPARE(ball().step, 1u);
+    m_fixture->press(Qt::Key_R);
+    QTRY_COMPARE(ball().step, 0u);
+}
+
+void TestWindowKeys::aTogglesTheAutopilot() {
+    m_fixture->press(Qt::Key_A);
+    QVERIFY(m_fixture->session().hasAutopilot());
+    QVERIFY(m_fixture->find<QAction>("autopilot")->isChecked());
+    m_fixture->press(Qt::Key_A);
+    QVERIFY(!m_fixture->session().hasAutopilot());
+    QVERIFY(!m_fixture->find<QAction>("autopilot")->isChecked());
+}
+
+void TestWindowKeys::enterInANumberIsNotTheGames() {
+    auto *box = m_fixture->find<QDoubleSpinBox>("gravity_spin");
+    box->setFocus();
+    QTest::keyClick(box, Qt::Key_Return);
+    QCOMPARE(m_fixture->game().phase(), Game::Phase::Prompt);
+}
+
+void TestWindowKeys::lettersInANumberAreNotCommands() {
+    auto *box = m_fixture->find<QDoubleSpinBox>("gravity_spin");
+    box->setFocus();
+    box->selectAll();
+    QTest::keyClicks(box, "3.5");
+    QTest::keyClick(box, Qt::Key_Return);
+    QCOMPARE(box->value(), 3.5);
+    QCOMPARE(ball().step, 0u); // the point was no single step
+}
+
+// The start of level 1 is open to the back.
+void TestWindowKeys::ballRollsWhereTheArrowsPoint() {
+    startGame();
+    const double start = ball().position.y;
+    QTest::keyPress(&m_fixture->window(), Qt::Key_Up);
+    QTRY_VERIFY(ball().position.y > start + 0.01);
+    QTest::keyRelease(&m_fixture->window(), Qt::Key_Up);
+}
+
+void TestWindowKeys::everyShortcutIsListed() {
+    m_fixture->press(Qt::Key_F1);
+    const QString text = m_fixture->find<QWidget>("keys_dialog")->findChild<QLabel *>()->text();
+    int count = 0;
+    for (const QAction *action : m_fixture->window().findChildren<QAction *>()) {
+        if (action->shortcut().isEmpty()) continue;
+        const QString keys = action->shortcut().toString(QKeySequence::NativeText).toHtmlEscaped();
+        QVERIFY2(text.contains("<b>" + keys + "</b>"), qPrintable(action->text() + " " + keys));
+        ++count;
+    }
+    QVERIFY(count > 10);
+}
+
+void TestWindowKeys::noShortcutIsThereTwice() {
+    QSet<QString> seen;
+    for (const QAction *action : m_fixture->window().findChildren<QAction *>()) {
+        for (const QKeySequence &keys : action->shortcuts()) {
+            if (keys.isEmpty()) continue;
+            QVERIFY2(!seen.contains(keys.toString()), qPrintable(keys.toString()));
+            seen.insert(keys.toString());
+        }
+    }
+}
+
+QTEST_MAIN(TestWindowKeys)
+#include "tst_window_keys.moc"

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: MIT
+// The live plot shows the ring's samples, and hands find their way in it.
+#include "ui/message_bar.h"
+#include "ui/velocity_plot.h"
+#include "window_fixture.h"
+
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QImage>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QToolButton>
+
+#include <cmath>
+
+using namespace window_test;
+using inspector::Channel;
+using inspector::Sample;
+
+class TestWindowPlot : public QObject {
+    Q_OBJECT
+
+public:
+    static void initMain() { prepare(); }
+
+private slots:
+    void init();
+    void cleanup();
+    void curvesAreTheRingsSamples();
+    void axesAndLegendSayWhatIsShown();
+    void followsTheNewestSample();
+    void dragPansAndEndsFollowing();
+    void followButtonFollowsAgain();
+    void wheelZoomsTheTime();
+    void wheelOverTheAxisZoomsTheValues();
+    void doubleClickFollowsAgain();
+    void pauseHoldsThePlotWhileTheBallRolls();
+    void clearForgetsWhatWas();
+    void restartShowsTheNewRun();
+    void readOutIsTheSampleUnderTheCursor();
+    void readOutEndsWhereTheCursorLeaves();
+    void tableHasEverySample();
+    void pictureAndDocumentAreWritten_data();
+    void pictureAndDocumentAreWritten();
+    void nameWithoutAKnownEndingIsRefused();
+    void fileThatCantBeWrittenIsShown();
+    void saveAsksForAName();
+    void darkPaletteGivesADarkPlot();
+
+private:
+    void makeSteps(uint64_t count);
+    QPoint middle() const { return m_plot->axisRect()->rect().center(); }
+
+    std::unique_ptr<Fixture> m_fixture;
+    inspector::ui::VelocityPlot *m_plot = nullptr;
+};
+
+void TestWindowPlot::init() {
+    m_fixture = std::make_unique<Fixture>();
+    QVERIFY(m_fixture->isReady());
+    m_plot = m_fixture->find<inspector::ui::VelocityPlot>("velocity_plot");
+    inspector::Parameters &parameters = m_fixture->parameters();
+    parameters.set(parameters.indexOf("tilt_y"), 5.0); // so that there is something to see
+}
+
+void TestWindowPlot::cleanup() { m_fixture.reset(); }
+
+// By hand: the same samples in every run.
+void TestWindowPlot::makeSteps(uint64_t count) {
+    const uint64_t end = m_fixture->simulation().samples().last() + count;
+    for (uint64_t i = 0; i < count; ++i) m_fixture->trigger("step");
+    QTRY_COMPARE(m_fixture->simulation().samples().last(), end);
+    m_fixture->window().refresh();
+}
+
+void TestWindowPlot::curvesAreTheRingsSamples() {
+    makeSteps(20);
+    const Channel channels[] = {Channel::VelocityX, Channel::VelocityY, Channel::Speed};
+    QCOMPARE(m_plot->graphCount(), 3);
+    for (int i = 0; i < 3; ++i) {
+        const auto data = m_plot->graph(i)->data();
+        QCOMPARE(data->size(), 20);
+        for (int n = 0; n < 20; ++n) {
+            Sample sample;
+            QVERIFY(m_fixture->simulation().samples().read(uint64_t(n), sample));
+            QCOMPARE(data->at(n)->key, sample.time);
+            QCOMPARE(data->at(n)->value, sample[channels[i]]);
+        }
+    }
+}
+
+void TestWindowPlot::axesAndLegendSayWhatIsShown() {
+    QVERIFY(m_plot->xAxis->label().contains("[s]"));
+    QVERIFY(m_plot->yAxis->label().contains("[m/s]"));
+    QVERIFY(m_plot->legend->visible());
+    QCOMPARE(m_plot->legend->itemCount(), 3);
+}
+
+void TestWindowPlot::followsTheNewestSample() {
+    m_fixture->session().setDt(1.0 / 16.0);
+    makeSteps(200); // 12.5 s, more than the window of time
+    Sample newest;
+    QVERIFY(m_fixture->simulation().samples().read(199, newest));
+    QCOMPARE(m_plot->xAxis->range().upper, newest.time);
+}
+
+void TestWindowPlot::dragPansAndEndsFollowing() {
+    makeSteps(20);
+    const QCPRange before = m_plot->xAxis->range();
+    drag(m_plot, middle(), middle() - QPoint(100, 0));
+    const double moved = 100.0 * before.size() / m_plot->axisRect()->width();
+    QVERIFY(!m_plot->isFollowing());
+    QVERIFY(!m_fixture->find<QToolButton>("plot_follow")->isChecked());
+    // To the pixel.
+    QVERIFY(std::abs(m_plot->xAxis->range().lower - (before.lower + moved)) <
+            before.size() / m_plot->axisRect()->width());
+}
+
+void TestWindowPlot::followButtonFollowsAgain() {
+    makeSteps(20);
+    const QCPRange before = m_plot->xAxis->range();
+    drag(m_plot, middle(), middle() - QPoint(100, 0));
+    click(m_fixture->find<QToolButton>("plot_follow"));
+    QVERIFY(m_plot->isFollowing());
+    m_fixture->window().refresh();
+    QCOMPARE(m_plot->xAxis->range().lower, before.lower);
+}
+
+void TestWindowPlot::wheelZoomsTheTime() {
+    makeSteps(20);
+    const double before = m_plot->xAxis->range().size();
+    turnWheel(m_plot, middle(), 2);
+    m_fixture->window().refresh();
+    QVERIFY(m_plot->xAxis->range().size() < before);
+    QVERIFY(m_plot->isFollowing());
+}
+
+void TestWindowPlot::wheelOverTheAxisZoomsTheValues() {
+    makeSteps(20);
+    const QCPRange times = m_plot->xAxis->range();
+    const double before = m_plot->yAxis->range().size();
+    turnWheel(m_plot, QPoint(m_plot->axisRect()->left() - 20, middle().y()), 2);
+    m_fixture->window().refresh();
+    QVERIFY(m_plot->yAxis->range().size() < before);
+    QCOMPARE(m_plot->xAxis->range().size(), times.size());
+}
+
+void TestWindowPlot::doubleClickFollowsAgain() {
+    makeSteps(20);
+    drag(m_plot, middle(), middle() - QPoint(100, 0));
+    QVERIFY(!m_plot->isFollowing());
+    QTest::mouseDClick(m_plot, Qt::LeftButton, {}, middle());
+    QVERIFY(m_plot->isFollowing());
+}
+
+void TestWindowPlot::pauseHoldsThePlotWhileTheBallRolls() {
+    makeSteps(20);
+    click(m_fixture->find<QToolButton>("plot_pause"));
+    QVERIFY(m_plot->isPaused());
+    makeSteps(20);
+    QCOMPARE(m_plot->graph(0)->data()->size(), 20);
+    click(m_fixture->find<QToolButton>("plot_pause"));
+    m_fixture->window().refresh();
+    QCOMPARE(m_plot->graph(0)->data()->size(), 40);
+}
+
+void TestWindowPlot::clearForgetsWhatWas() {
+    makeSteps(20);
+    click(m_fixture->find<QToolButton>("plot_clear"));
+    QCOMPARE(m_plot->graph(0)->data()->size(), 0);
+    makeSteps(5);
+    QCOMPARE(m_plot->graph(0)->data()->size(), 5);
+}
+
+void TestWindowPlot::restartShowsTheNewRun() {
+    makeSteps(20);
+    m_fixture->press(Qt::Key_R);
+    QTRY_COMPARE(m_plot->graph(0)->data()->size(), 0);
+}
+
+void TestWindowPlot::readOutIsTheSampleUnderTheCursor() {
+    makeSteps(20);
+    Sample wanted;
+    QVERIFY(m_fixture->simulation().samples().read(12, wanted));
+    hover(m_plot, QPoint(int(std::lround(m_plot->xAxis->coordToPixel(wanted.time))), middle().y()));
+    m_fixture->window().refresh();
+    QVERIFY(m_plot->readOut().has_value());
+    QCOMPARE(m_plot->readOut()->step, wanted.step);
+}
+
+void TestWindowPlot::readOutEndsWhereTheCursorLeaves() {
+    makeSteps(20);
+    hover(m_plot, middle());
+    m_fixture->window().refresh();
+    QVERIFY(m_plot->readOut().has_value());
+    QEvent leave(QEvent::Leave);
+    QApplication::sendEvent(m_plot, &leave);
+    m_fixture->window().refresh();
+    QVERIFY(!m_plot->readOut().has_value());
+}
+
+void TestWindowPlot::tableHasEverySample() {
+    makeSteps(20);
+    const QString path = m_fixture->path("plot.csv");
+    QVERIFY(m_plot->save(path, nullptr));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QList<QByteArray> lines = file.readAll().trimmed().split('\n');
+    QCOMPARE(lines.size(), 21);
+    QVERIFY(lines[0].startsWith("time [s],step,"));
+    const qsizetype speed = lines[0].split(',').indexOf("speed [m/s]");
+    Sample last;
+    QVERIFY(m_fixture->simulation().samples().read(19, last));
+    QCOMPARE(lines[20].split(',').value(speed).toDouble(), last[Channel::Speed]);
+}
+
+void TestWindowPlot::pictureAndDocumentAreWritten_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QByteArray>("magic");
+    QTest::newRow("png") << "plot.png" << QByteArray("\x89PNG");
+    QTest::newRow("pdf") << "plot.pdf" << QByteArray("%PDF-");
+}
+
+void TestWindowPlot::pictureAndDocumentAreWritten() {
+    QFETCH(QString, name);
+    QFETCH(QByteArray, magic);
+    makeSteps(20);
+    QVERIFY(m_plot->save(m_fixture->path(name), nullptr));
+    QFile file(m_fixture->path(name));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QCOMPARE(file.read(magic.size()), magic);
+}
+
+void TestWindowPlot::nameWithoutAKnownEndingIsRefused() {
+    QString error;
+    QVERIFY(!m_plot->save(m_fixture->path("plot.doc"), &error));
+    QVERIFY2(error.contains("plot.doc") && error.contains(".csv"), qPrintable(error));
+    QVERIFY(!QFile::exists(m_fixture->path("plot.doc")));
+}
+
+void TestWindowPlot::fileThatCantBeWrittenIsShown() {
+    for (const char *name : {"missing/plot.csv", "missing/plot.png", "missing/plot.pdf"}) {
+        QString error;
+        QVERIFY(!m_plot->save(m_fixture->path(name), &error));
+        QVERIFY2(error.contains(name), qPrintable(error));
+    }
+}
+
+void TestWindowPlot::saveAsksForAName() {
+    makeSteps(20);
+    click(m_fixture->find<QToolButton>("plot_save"));
+    auto *dialog = m_fixture->window().findChild<QFileDialog *>();
+    QVERIFY(dialog);
+    auto *name = dialog->findChild<QLineEdit *>("fileNameEdit");
+    QVERIFY(name);
+    name->setText(m_fixture->path("chosen")); // the ending comes from the kind of file
+    click(dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Save));
+    QTRY_VERIFY(QFile::exists(m_fixture->path("chosen.csv")));
+    QCOMPARE(m_fixture->game().phase(), inspector::Game::Phase::Prompt);
+}
+
+void TestWindowPlot::darkPaletteGivesADarkPlot() {
+    m_fixture->trigger("theme_2");
+    QTRY_VERIFY(m_plot->toPixmap().toImage().pixelColor(2, 2).lightness() < 80);
+    m_fixture->trigger("theme_1");
+    QTRY_VERIFY(m_plot->toPixmap().toImage().pixelColor(2, 2).lightness() > 200);
+}
+
+QTEST_MAIN(TestWindowPlot)
+#include "tst_window_plot.moc"
