@@ -1,25 +1,14 @@
 // SPDX-License-Identifier: MIT
 // libphysics through its public C interface: an engine for each stepper.
 #include "peers/engine.h"
+#include "support/board.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 namespace bench {
 
 namespace {
-
-void check(phys_status status, const phys_error &error) {
-    if (status != PHYS_OK) throw std::runtime_error(error.text);
-}
-
-std::vector<phys_box> boxesOf(const Scene &scene) {
-    const Wall floor = floorOf(scene);
-    std::vector<phys_box> boxes{{{floor.x0, floor.y0, -kFloorThickness}, {floor.x1, floor.y1, 0}}};
-    for (const Wall &wall : scene.walls) boxes.push_back({{wall.x0, wall.y0, 0}, {wall.x1, wall.y1, kWallHeight}});
-    return boxes;
-}
 
 // The row of that id; nullptr if neither the library nor the stepper has it.
 const phys_param_row *rowOf(const std::string &id, const phys_stepper_info &info) {
@@ -51,30 +40,14 @@ phys_params paramsOf(const Scene &scene, const phys_stepper_info &info, const st
 class OurEngine final : public Engine {
 public:
     OurEngine(const phys_stepper_info &info, const Scene &scene, const std::vector<Setting> &settings)
-        : m_params(paramsOf(scene, info, settings)) {
-        phys_error error;
-        const std::vector<phys_box> boxes = boxesOf(scene);
-        phys_scene_desc description;
-        phys_scene_desc_init(&description, sizeof description);
-        description.box_count = static_cast<uint32_t>(boxes.size());
-        description.boxes = boxes.data();
-        description.radius = scene.radius;
-        description.start = {scene.start.position.x, scene.start.position.y, scene.radius};
-        check(phys_scene_create(&description, &m_scene, &error), error);
-        const phys_status made = phys_stepper_create(nullptr, info.id, m_scene, &m_stepper, &error);
-        if (made != PHYS_OK) phys_scene_destroy(m_scene);
-        check(made, error);
-        phys_scene_start(m_scene, &m_state);
-    }
-    OurEngine(const OurEngine &) = delete;
-    OurEngine &operator=(const OurEngine &) = delete;
-    ~OurEngine() override {
-        phys_stepper_destroy(m_stepper);
-        phys_scene_destroy(m_scene);
+        : m_params(paramsOf(scene, info, settings))
+        , m_scene(createScene(scene))
+        , m_stepper(createStepper(info.id, *m_scene)) {
+        phys_scene_start(m_scene.get(), &m_state);
     }
 
     void place(const Ball &ball) override {
-        phys_scene_start(m_scene, &m_state);
+        phys_scene_start(m_scene.get(), &m_state);
         m_state.position.x = ball.position.x;
         m_state.position.y = ball.position.y;
         m_state.velocity = {ball.velocity.x, ball.velocity.y, 0};
@@ -85,7 +58,7 @@ public:
     void advance(double dt, int steps) override {
         for (int step = 0; step < steps; ++step) {
             phys_error error;
-            check(phys_step(m_stepper, &m_params, dt, &m_state, &m_state, nullptr, &error), error);
+            check(phys_step(m_stepper.get(), &m_params, dt, &m_state, &m_state, nullptr, &error), error);
         }
     }
 
@@ -95,8 +68,8 @@ public:
 
 private:
     phys_params m_params;
-    phys_scene *m_scene = nullptr;
-    phys_stepper *m_stepper = nullptr;
+    ScenePointer m_scene;
+    StepperPointer m_stepper;
     phys_state m_state{};
 };
 

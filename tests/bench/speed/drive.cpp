@@ -18,10 +18,12 @@ constexpr double kStep = 0.01; // s
 // Rolls to and fro in the middle of a cell, a few centimetres from where it started: no wall is ever touched.
 void driveFree(Engine &engine, const Scene &scene, int steps) {
     constexpr int kHalfSwing = 10;
+    const phys_vec3 there = steadyTilt(0.05, -0.02).front();
+    const phys_vec3 back = steadyTilt(-0.05, 0.02).front();
     engine.place(scene.start);
     for (int done = 0; done < steps; done += kHalfSwing) {
-        const double direction = done / kHalfSwing % 4 == 0 || done / kHalfSwing % 4 == 3 ? 1 : -1;
-        engine.setGravity(steadyTilt(0.05 * direction, -0.02 * direction).front());
+        const int quarter = done / kHalfSwing % 4;
+        engine.setGravity(quarter == 0 || quarter == 3 ? there : back);
         engine.advance(kStep, kHalfSwing);
     }
 }
