@@ -16,7 +16,8 @@ constexpr double kMostCells = 1024.0;
 
 Grid::Cells Grid::cellsOf(const Vec2 &low, const Vec2 &high) const {
     const auto cell = [this](double coordinate, double origin, double count) {
-        return static_cast<uint32_t>(std::clamp(std::floor((coordinate - origin) * m_perCell), 0.0, count - 1.0));
+        // Not negative after the clamp: the conversion rounds down.
+        return static_cast<uint32_t>(std::clamp((coordinate - origin) * m_perCell, 0.0, count - 1.0));
     };
     return {cell(low.x, m_x0, m_columns), cell(low.y, m_y0, m_rows), cell(high.x, m_x0, m_columns),
             cell(high.y, m_y0, m_rows)};
