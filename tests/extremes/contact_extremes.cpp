@@ -243,11 +243,12 @@ std::vector<Extreme> contactExtremes() {
                                                : "keeps its energy";
     };
     // Two edges with normals that aren't perpendicular: overlaps are pushed from one to the other (model.md 5.5).
-    const Expected mouth = [](const QByteArray &stepper, uint32_t) -> QByteArray {
+    const Expected mouth = [](const QByteArray &stepper, uint32_t model) -> QByteArray {
         const support::Promise promise = support::promiseOf(stepper);
-        return promise.heats          ? "hops in its mouth"
-               : promise.impacts == 0 ? "rests in its mouth"
-                                      : "trembles in its mouth";
+        if (promise.heats) return "hops in its mouth";
+        if (promise.impacts > 0) return "trembles in its mouth";
+        // Slipping along an edge has no closed form: model.md 6.5.
+        return model == PHYS_MODEL_RIGID ? "PHYS_ERROR_UNSUPPORTED" : "rests in its mouth";
     };
     const Expected kerb = [](const QByteArray &stepper, uint32_t) -> QByteArray {
         return stepper == "exact" ? "PHYS_ERROR_UNSUPPORTED" : "climbs it";
