@@ -35,3 +35,11 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/physics.pc
 install(FILES README.md DESTINATION ${physics_document_dir} COMPONENT development)
 install(DIRECTORY docs examples DESTINATION ${physics_document_dir} COMPONENT development
     PATTERN __pycache__ EXCLUDE)
+
+foreach(package libphysics1:runtime libphysics-dev:development)
+    string(REPLACE ":" ";" package ${package})
+    list(GET package 0 name)
+    list(GET package 1 component)
+    install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${name} RENAME copyright
+        COMPONENT ${component})
+endforeach()
