@@ -33,14 +33,16 @@ QPainterPath line(std::initializer_list<QPointF> points) {
     return path;
 }
 
-// An arc that ends in an arrow head, as for "again" and "back".
-Drawing turn(double startDegrees, double spanDegrees) {
+// Against the clock to the upper left, with an arrow head there: back to what was.
+Drawing turnBack() {
     Drawing drawing;
     const QRectF circle(3.0, 3.0, 10.0, 10.0);
-    drawing.stroked.arcMoveTo(circle, startDegrees);
-    drawing.stroked.arcTo(circle, startDegrees, spanDegrees);
-    const QPointF tip = drawing.stroked.currentPosition();
-    drawing.filled = line({tip + QPointF(-3.6, 0.6), tip + QPointF(1.4, 1.4), tip + QPointF(0.4, -3.8)});
+    drawing.stroked.arcMoveTo(circle, -150.0);
+    drawing.stroked.arcTo(circle, -150.0, 285.0);
+    const QPointF end = drawing.stroked.currentPosition();
+    const QPointF ahead(-1.8, 1.8); // along the circle there
+    const QPointF aside(1.8, 1.8);
+    drawing.filled = line({end + ahead, end + aside, end - aside});
     drawing.filled.closeSubpath();
     return drawing;
 }
@@ -68,7 +70,7 @@ Drawing drawingOf(Glyph glyph) {
         drawing.filled.addEllipse(QPointF(3.0, 13.0), 2.0, 2.0);
         break;
     case Glyph::Reset:
-        drawing = turn(60.0, 270.0);
+        drawing = turnBack();
         break;
     case Glyph::Close:
         drawing.stroked = line({{4.0, 4.0}, {12.0, 12.0}});
