@@ -60,7 +60,7 @@ Motion Motion::slippingAtWall(const Vec3 &p, const Vec3 &v, const Vec2 &u, const
 
 ResistedLaw::Point Motion::slipAt(double t) const {
     if (m_kind == Kind::slipping) return m_law.at(t);
-    const WallSlip::Point slip = m_wallSlip.at(std::min(t, m_end));
+    const WallSlip::Point slip = m_wallSlip.at(t);
     return {slip.way * m_tangent, slip.across * m_normal + slip.along * m_tangent, slip.path};
 }
 

@@ -186,7 +186,9 @@ Run::FaceWay Run::alongFace(const Plane &plane, const Motion &motion) const {
     const int across = plane.axis, along = 1 - across;
     const Vec3 &p = m_ball.position;
     const double most = std::min(m_left, motion.end());
-    const double reach = most * (std::abs(m_ball.velocity[along]) + 0.5 * motion.mostAcceleration() * most);
+    // A radius more than the ball can go: ends out of reach need not be told apart.
+    const double way = most * (std::abs(m_ball.velocity[along]) + 0.5 * motion.mostAcceleration() * most);
+    const double reach = way + m_board.radius();
     Vec3 low = p - Vec3(m_board.radius()), high = p + Vec3(m_board.radius());
     low[along] = m_board.faceEnd(plane, p, -1.0, p[along] - reach);
     high[along] = m_board.faceEnd(plane, p, 1.0, p[along] + reach);
@@ -226,8 +228,8 @@ phys_status Run::pivotOnEdge(const Hold &hold) {
 
     // Where the way on the edge ends.
     const QuarterEnd quarter = quarterEnd(arc);
-    double end = quarter.angle;
-    end = std::min(end, pendulum.stopAngle(end));
+    const double stop = pendulum.stopAngle(quarter.angle);
+    double end = std::min(quarter.angle, stop);
     end = std::min(end, pendulum.leaveAngle(end));
     end = std::min(end, firstTouchOnArc(m_board, arc, end));
     double exit = kNever;
@@ -237,7 +239,8 @@ phys_status Run::pivotOnEdge(const Hold &hold) {
     const double unitTime = std::sqrt(R / a);
     const Fall fall = fallFor(hold);
     const double until = std::min(m_left, fall.time);
-    const Swing swung = swing(pendulum, end, until / unitTime);
+    // The time of a stop is that of zero speed: by the angle, which hardly changes there, it would be ill defined.
+    const Swing swung = swing(pendulum, end == stop ? kNever : end, until / unitTime);
     const double t = std::min(until, swung.time * unitTime);
     const double speed = swung.speed * std::sqrt(R * a);
 

@@ -11,6 +11,9 @@ namespace {
 /// Way of the ball in the first window of a search, in radii; it doubles while the windows are empty.
 constexpr double kFirstWindow = 6.0;
 
+/// Steps of the advancement for one touch; a transversal one takes about 7.
+constexpr int kMostPasses = 64;
+
 /// model.md 5.2, the corner of a wall end that the ball has just left. While the corner is its nearest point, half the
 /// second derivative of their squared distance is F - B (v.d)/|v| with F = |v|^2 + A.d, and F' = 3 A.v - 2 B |v|
 /// changes its sign at most once, from - to +. So a ball that moves away (v.d >= 0) with F >= 0 and F' >= 0 never comes
@@ -94,7 +97,8 @@ double Sweep::firstTouch(const Motion &motion, double until, const Plane *plane)
     double reach = kFirstWindow * m_board.radius();
     while (true) {
         const Motion::Point now = motion.at(from);
-        const double windowEnd = std::min(until, from + timeToCover(reach, motion, now));
+        const double windowEnd =
+            std::min(until, std::max(from + timeToCover(reach, motion, now), std::nextafter(from, until)));
         collect(motion, now, from, windowEnd, plane);
         const double hit = firstHit(motion, windowEnd);
         if (hit <= windowEnd) return hit;
@@ -102,6 +106,31 @@ double Sweep::firstTouch(const Motion &motion, double until, const Plane *plane)
         if (m_candidates.empty()) reach *= 2.0;
         from = windowEnd;
     }
+}
+
+/// The same touch found from the start of the motion, against the face's plane or the edge alone: so its last bit
+/// depends neither on the search's windows nor on how walls are cut into boxes.
+double Sweep::settled(const Motion &motion, const Nearest &close, const Vec3 &velocity, double t) const {
+    if (close.feature != PHYS_FEATURE_FACE && close.normal.z != 0.0) return t;
+    double time = 0.0;
+    bool polished = false;
+    for (int pass = 0; pass < kMostPasses; ++pass) {
+        const Motion::Point now = motion.at(time);
+        Vec3 normal = close.normal;
+        Vec3 away = now.position - close.point;
+        if (close.feature != PHYS_FEATURE_FACE) {
+            away.z = 0.0;
+            normal = away / glm::length(away);
+        }
+        const double gap = glm::dot(away, normal) - m_board.radius();
+        const double rate = glm::dot(now.velocity, normal);
+        if (gap < -m_board.tolerance() || (pass == 0 && gap <= m_board.tolerance())) return t;
+        time += firstFall(std::max(0.0, gap), rate, motion.leastAcceleration(normal, rate));
+        if (polished) break;
+        polished = gap <= m_board.tolerance();
+    }
+    const double rate = std::abs(glm::dot(velocity, close.normal));
+    return std::abs(time - t) * rate <= 4.0 * m_board.tolerance() ? time : t;
 }
 
 void Sweep::collect(const Motion &motion, const Motion::Point &now, double from, double until, const Plane *plane) {
@@ -134,7 +163,7 @@ double Sweep::firstHit(const Motion &motion, double until) {
         const double h = safeTime(m_board, motion, close, now);
         const bool touches = close.distance - m_board.radius() <= m_board.tolerance();
         if (touches && approaches(m_board, close.normal, close.feature, now.velocity)) {
-            if (next.polished) return t;
+            if (next.polished) return settled(motion, close, now.velocity, t);
             const double gap = std::max(0.0, close.distance - m_board.radius());
             const double rate = glm::dot(now.velocity, close.normal);
             next = {t + firstFall(gap, rate, motion.leastAcceleration(close.normal, rate)), next.solid, true};

@@ -29,6 +29,7 @@ private:
 
     void collect(const Motion &motion, const Motion::Point &now, double from, double until, const Plane *plane);
     double firstHit(const Motion &motion, double until);
+    double settled(const Motion &motion, const Nearest &close, const Vec3 &velocity, double t) const;
 };
 
 /// First time in [0, until] at which the centre leaves the floor's rectangle; kNever if it doesn't.

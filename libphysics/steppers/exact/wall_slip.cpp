@@ -79,10 +79,10 @@ WallSlip::WallSlip(double across, double along, double drive, double away, doubl
     // The wall's force is friction hat(u) . n - away: it vanishes at one size of hat(u) . n.
     const double part = away / friction * (across < 0.0 ? -1.0 : 1.0);
     if (part >= 0.0 && part <= 1.0) m_leaves = std::sqrt((1.0 - part) * (1.0 + part));
-    m_end = integrate(kNever).time;
+    m_last = integrate(kNever);
 }
 
-WallSlip::Point WallSlip::at(double t) const { return integrate(t); }
+WallSlip::Point WallSlip::at(double t) const { return t < m_last.time ? integrate(t) : m_last; }
 
 WallSlip::Point WallSlip::integrate(double time) const {
     const double unitTime = m_speed / m_friction;

@@ -21,7 +21,7 @@ public:
     WallSlip(double across, double along, double drive, double away, double friction);
 
     /// When the slip ends, or the wall's force: then the ball leaves it slipping. kNever if neither does.
-    double end() const { return m_end; }
+    double end() const { return m_last.time; }
 
     Point at(double t) const;
 
@@ -30,7 +30,7 @@ private:
     double m_drive = 0.0;                 // in units of the friction
     double m_speed = 1.0, m_friction = 1.0;
     double m_leaves = 2.0; // |u_along / u| at which the wall's force vanishes; above 1 if it never does
-    double m_end = 0.0;
+    Point m_last{};
 
     Point integrate(double time) const;
 };
