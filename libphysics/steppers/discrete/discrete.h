@@ -33,10 +33,12 @@ public:
 
     /// One substep that ends `after` seconds into the step. False if the ball is stuck.
     bool run(double after, Ball &ball) {
+        // It may have come down exactly on the floor with the last substep.
+        if (ball.velocity.z < 0.0 && isOnFloor(ball)) landAt(after - m_context.h, ball);
         const Surroundings around = lookAround(m_context, ball.position);
         const Ball before = ball;
         const Vec3 drive = move(around, ball);
-        if (!ball.supported && fallsThroughFloor(before, ball)) land(m_context, after, ball);
+        if (!ball.supported && fallsThroughFloor(before, ball)) landAt(after, ball);
         const bool free = !canTouch(around, before, ball) || resolveOverlaps(m_context, before, drive, after, ball);
         slaveSpin(ball);
         return free;
@@ -162,6 +164,10 @@ private:
         const Law<Vec3> law = flightLaw(m_context.params);
         moveBy(law, ball);
         return law.A;
+    }
+
+    void landAt(double after, Ball &ball) const {
+        land(m_context, landingSpeed(m_context, -ball.velocity.z), after, ball);
     }
 
     bool fallsThroughFloor(const Ball &before, const Ball &ball) const {

@@ -28,9 +28,9 @@ struct PlanInput {
     double dt;
     const phys_state &state;
 
-    /// At the floor's height and not rising. False without a floor, whose height is NaN then.
+    /// At the floor's height, neither rising nor landing. False without a floor, whose height is NaN then.
     bool isOnFloor() const {
-        return std::abs(state.position.z - scene.supportedZ) <= scene.tolerance && state.velocity.z <= 0.0;
+        return std::abs(state.position.z - scene.supportedZ) <= scene.tolerance && state.velocity.z == 0.0;
     }
 
     /// Whether nothing can push a ball that rolls on the floor upwards.

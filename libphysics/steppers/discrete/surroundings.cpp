@@ -38,6 +38,11 @@ std::optional<Overlap> deepestOverlap(const StepContext &context, std::span<cons
     return deepest;
 }
 
+/// Whether a bounce this slow against a pressing force ends in contact: the rest rule of model.md 10.3.
+bool endsInContact(double bounced, double restitution, double pressing, double h) {
+    return pressing > 0.0 && bounced <= 2.0 * restitution * pressing * h;
+}
+
 /// Normal speed after a bounce, >= 0: model.md 10.3.
 double bouncedSpeed(const StepContext &context, double restitution, double approach, double pressing, double depth) {
     if (context.bounce == Bounce::Plain) return restitution * approach;
@@ -46,18 +51,20 @@ double bouncedSpeed(const StepContext &context, double restitution, double appro
         speed = std::sqrt(std::max(0.0, approach * approach - 2.0 * pressing * depth));
     }
     const double bounced = restitution * speed;
-    return pressing > 0.0 && bounced <= 2.0 * restitution * pressing * context.h ? 0.0 : bounced;
+    return endsInContact(bounced, restitution, pressing, context.h) ? 0.0 : bounced;
 }
 
-/// Definition D: an overlap that still approaches bounces at the step's end.
-void respond(const StepContext &context, const Nearest &contact, uint32_t box, uint32_t kind, double depth,
-             const Vec3 &drive, double after, Ball &ball) {
+/// Definition D: an overlap that still approaches bounces at the step's end. Walls whose bounce ends are added to
+/// `ended`.
+void respond(const StepContext &context, const Nearest &contact, uint32_t box, double depth, const Vec3 &drive,
+             double after, Ball &ball, Pressing &ended) {
     const double normalSpeed = glm::dot(ball.velocity, contact.normal);
     if (!(normalSpeed < 0.0)) return;
     const double pressing = -glm::dot(drive, contact.normal);
     const double speed =
         bouncedSpeed(context, restitutionOf(context.params, contact.normal), -normalSpeed, pressing, depth);
-    bounce(context, contact, box, kind, speed, after, ball);
+    bounce(context, contact, box, PHYS_EVENT_IMPACT, speed, after, ball);
+    if (speed == 0.0 && contact.normal.z == 0.0) ended.add(inPlane(contact.normal));
 }
 
 } // namespace
@@ -99,7 +106,7 @@ Pressing findPressing(const StepContext &context, const Surroundings &around, co
         const double speed = std::abs(velocity.x) + std::abs(velocity.y);
         const bool stays = std::abs(glm::dot(velocity, normal)) <= kNoSpeed * speed;
         if (!stays || glm::dot(drive, normal) >= 0.0) continue;
-        if (pressing.count < Pressing::kMost) pressing.normals[pressing.count++] = normal;
+        pressing.add(normal);
     }
     return pressing;
 }
@@ -125,19 +132,28 @@ void settleSupport(const StepContext &context, Ball &ball) {
     if (lifted) ball.supported = false;
 }
 
+void stopBetween(const Pressing &ended, Ball &ball) {
+    if (ended.count < 2) return;
+    ball.velocity = Vec3(ended.freePart(inPlane(ball.velocity)), ball.velocity.z);
+}
+
 bool resolveOverlaps(const StepContext &context, const Ball &before, const Vec3 &drive, double after, Ball &ball) {
     const Scene &scene = context.scene;
+    Pressing ended;
     for (uint32_t pass = 0; pass < kPassCap; ++pass) {
         const auto candidates = scene.solidsNear(ball.position.x, ball.position.y, context.useGrid);
         const auto overlap = deepestOverlap(context, candidates, ball.position);
-        if (!overlap) return true;
+        if (!overlap) {
+            stopBetween(ended, ball);
+            return true;
+        }
         const Nearest &contact = overlap->nearest;
         const double depth = scene.radius - contact.distance;
         context.report.penetration(depth);
         context.report.passes(pass + 1);
         const uint32_t box = context.report.wanted() ? scene.givenSolid(overlap->solid, contact.point) : 0;
         ball.position = contact.point + scene.radius * contact.normal;
-        respond(context, contact, box, PHYS_EVENT_IMPACT, depth, drive, after, ball);
+        respond(context, contact, box, depth, drive, after, ball, ended);
         settleSupport(context, ball);
     }
     // It doesn't fit where it was going. Where it came from it did, unless it started inside something.
@@ -165,14 +181,18 @@ void bounce(const StepContext &context, const Nearest &contact, uint32_t box, ui
     context.report.event(kind, after, contact.point, contact.normal, speedBefore, speedAfter, box);
 }
 
-void land(const StepContext &context, double after, Ball &ball) {
+double landingSpeed(const StepContext &context, double approach) {
+    const double restitution = context.params.restitution_floor;
+    const double bounced = restitution * approach;
+    return endsInContact(bounced, restitution, -context.params.gravity.z, context.h) ? 0.0 : bounced;
+}
+
+void land(const StepContext &context, double speedAfter, double after, Ball &ball) {
     const Vec3 point{ball.position.x, ball.position.y, context.scene.floorTop};
-    const double depth = context.scene.supportedZ - ball.position.z;
     ball.position.z = context.scene.supportedZ;
-    const Vec3 drive = toVec(context.params.gravity);
-    const Nearest contact{point, {0, 0, 1}, context.scene.radius - depth, PHYS_FEATURE_FACE};
+    const Nearest contact{point, {0, 0, 1}, context.scene.radius, PHYS_FEATURE_FACE};
     const uint32_t box = context.report.wanted() ? context.scene.givenFloorAt(point.x, point.y) : PHYS_NO_BOX;
-    respond(context, contact, box, PHYS_EVENT_LANDING, depth, drive, after, ball);
+    bounce(context, contact, box, PHYS_EVENT_LANDING, speedAfter, after, ball);
     if (ball.velocity.z > 0.0) return;
     ball.velocity.z = 0.0;
     ball.supported = true;

@@ -36,6 +36,9 @@ struct Pressing {
     int count = 0;
 
     bool any() const { return count > 0; }
+    void add(const Vec2 &normal) {
+        if (count < kMost) normals[count++] = normal;
+    }
     /// Removes from `drive` what the walls take: its projection onto the cone of free directions.
     Vec2 freePart(const Vec2 &drive) const;
 };
@@ -77,7 +80,14 @@ void settleSupport(const StepContext &context, Ball &ball);
 /// `drive`: its acceleration (m/s^2); `after`: seconds into the step. False if it can't be freed.
 bool resolveOverlaps(const StepContext &context, const Ball &before, const Vec3 &drive, double after, Ball &ball);
 
-/// The floor's plane stops a falling ball.
-void land(const StepContext &context, double after, Ball &ball);
+/// A ball whose bounces ended at two walls or more keeps only the velocity that they leave it: between two edges, none.
+void stopBetween(const Pressing &ended, Ball &ball);
+
+/// Vertical speed after a landing at `approach` (m/s, >= 0) under the rest rule, which every stepper applies here: the
+/// floor is a support, not a contact that bounces in each step.
+double landingSpeed(const StepContext &context, double approach);
+
+/// The floor stops a falling ball: it goes on upwards with speedAfter (m/s, >= 0), or stays if that is 0.
+void land(const StepContext &context, double speedAfter, double after, Ball &ball);
 
 } // namespace phys

@@ -83,6 +83,9 @@ double Sweep::firstTime(double horizon, Predicate happens) const {
 
 bool Sweep::toNextEvent() {
     resolveImpacts();
+    const bool arrived = std::abs(m_ball.position.z - m_input.scene.supportedZ) <= m_input.scene.tolerance &&
+                         m_ball.velocity.z < 0.0 && m_input.scene.overFloor(m_ball.position.x, m_ball.position.y);
+    if (arrived) landNow();
     beginPhase();
     const double rest = m_input.dt - m_done;
     const double horizon = endOfSupport(rest);
@@ -95,7 +98,7 @@ bool Sweep::toNextEvent() {
     const bool lands = !m_ball.supported && before.position.z >= m_input.scene.supportedZ &&
                        m_ball.position.z < m_input.scene.supportedZ &&
                        m_input.scene.overFloor(m_ball.position.x, m_ball.position.y);
-    if (lands) land(m_context, m_done, m_ball);
+    if (lands) landNow();
     if (impact) resolveImpacts();
     return m_done >= m_input.dt;
 }
@@ -183,10 +186,21 @@ double Sweep::safeStep(const Ball &ball, bool atStart, std::span<const uint32_t>
     return step;
 }
 
+void Sweep::landNow() {
+    const double bounced = m_input.params.restitution_floor * -m_ball.velocity.z;
+    land(m_context, endsInContact(bounced, -m_input.params.gravity.z) ? 0.0 : bounced, m_done, m_ball);
+}
+
+/// Bounces that nobody could see end in contact: model.md 6.4.
+bool Sweep::endsInContact(double bounced, double pressing) const {
+    return pressing > 0.0 && bounced * bounced <= 2.0 * pressing * kNoBounce * m_input.scene.radius;
+}
+
 /// Most negative normal speed first, lowest number among equals: model.md 5.5.
 void Sweep::resolveImpacts() {
     const Scene &scene = m_input.scene;
     const double touching = scene.radius + 2.0 * scene.tolerance;
+    Pressing ended;
     m_around = lookAround(m_context, m_ball.position);
     for (uint32_t pass = 1; pass <= kMostPasses; ++pass) {
         double most = -kNoSpeed * size(m_ball.velocity);
@@ -201,16 +215,21 @@ void Sweep::resolveImpacts() {
             contact = other;
             solid = candidate;
         }
-        if (solid == PHYS_NO_BOX) return;
+        if (solid == PHYS_NO_BOX) break;
         m_context.report.passes(pass);
 
         const double bounced = restitutionOf(m_input.params, contact.normal) * -most;
         const double pressing = -glm::dot(m_drive, contact.normal);
-        const bool ends = pressing > 0.0 && bounced * bounced <= 2.0 * pressing * kNoBounce * scene.radius;
+        const bool ends = endsInContact(bounced, pressing);
+        if (ends && contact.normal.z == 0.0) ended.add(inPlane(contact.normal));
         const uint32_t box = m_context.report.wanted() ? scene.givenSolid(solid, contact.point) : 0;
         bounce(m_context, contact, box, PHYS_EVENT_IMPACT, ends ? 0.0 : bounced, m_done, m_ball);
+        // A rough wall lifts the ball; a hop that nobody could see is none, or hops and impacts would follow for ever.
+        const bool hops = m_ball.supported && m_ball.velocity.z > 0.0;
+        if (hops && endsInContact(m_ball.velocity.z, -m_input.params.gravity.z)) m_ball.velocity.z = 0.0;
         settleSupport(m_context, m_ball);
     }
+    stopBetween(ended, m_ball);
 }
 
 } // namespace phys

@@ -52,6 +52,8 @@ private:
     double timeOfImpact(double horizon, bool &impact);
     double safeStep(const Ball &ball, bool atStart, std::span<const uint32_t> candidates, bool &touches) const;
     void resolveImpacts();
+    void landNow();
+    bool endsInContact(double bounced, double pressing) const;
 
     StepContext m_context;
     PlanInput m_input;
