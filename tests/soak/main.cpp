@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Rolls balls through random mazes under random tilts with every stepper and both models until so many steps are done,
+// and checks the invariants of each step. Usage: soak STEPS [FIRST_SEED]      for instance: soak 1e6
+// Prints a line for each stepper and model; ends with 1 if any invariant failed.
+#include "trial.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <vector>
+
+namespace {
+
+constexpr uint64_t kStepsATrial = 20000;
+
+struct Sum {
+    soak::Plan plan;
+    uint64_t trials = 0;
+    uint64_t failed = 0;
+    uint64_t declined = 0;
+    soak::Outcome all{};
+};
+
+/// One for each stepper and model that goes with it.
+std::vector<Sum> combinations() {
+    std::vector<Sum> sums;
+    phys_stepper_info info;
+    for (uint32_t i = 0; phys_registry_info(nullptr, i, &info) == PHYS_OK; ++i) {
+        for (const uint32_t model : {PHYS_MODEL_ROLLING, PHYS_MODEL_RIGID}) {
+            sums.push_back({{0, info.id, model, kStepsATrial}});
+        }
+    }
+    return sums;
+}
+
+void add(Sum &sum, const soak::Outcome &outcome) {
+    ++sum.trials;
+    sum.all.steps += outcome.steps;
+    sum.all.impacts += outcome.impacts;
+    sum.all.hash = sum.all.hash * 31 + outcome.hash;
+    sum.all.deepest = std::max(sum.all.deepest, outcome.deepest);
+    sum.all.mostGained = std::max(sum.all.mostGained, outcome.mostGained);
+    if (outcome.isDeclined) ++sum.declined;
+    sum.all.fastest = std::max(sum.all.fastest, outcome.fastest);
+    if (outcome.problem.empty()) return;
+    ++sum.failed;
+    std::printf("FAIL %s: %s\n", soak::describe(sum.plan).c_str(), outcome.problem.c_str());
+}
+
+void print(const Sum &sum) {
+    const auto number = [](uint64_t value) { return static_cast<unsigned long long>(value); };
+    std::printf("%-8s %-17s trials %6llu (%llu declined)  steps %11llu  events %9llu  fastest %5.2f m/s  "
+                "deepest %7.2g m  gain %7.2g J/kg  hash %016llx\n",
+                sum.plan.model == PHYS_MODEL_RIGID ? "rigid" : "rolling", sum.plan.stepper.c_str(), number(sum.trials),
+                number(sum.declined), number(sum.all.steps), number(sum.all.impacts), sum.all.fastest, sum.all.deepest,
+                sum.all.mostGained, number(sum.all.hash));
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    const double wanted = argc > 1 ? std::strtod(argv[1], nullptr) : 0.0;
+    if (argc > 3 || !(wanted >= 1.0)) {
+        std::fprintf(stderr, "usage: %s STEPS [FIRST_SEED]\n", argv[0]);
+        return 2;
+    }
+    uint64_t seed = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1;
+    std::vector<Sum> sums = combinations();
+    double done = 0.0;
+    for (; done < wanted; ++seed) {
+        for (Sum &sum : sums) {
+            sum.plan.seed = seed;
+            const soak::Outcome outcome = soak::run(sum.plan);
+            done += static_cast<double>(std::max<uint64_t>(outcome.steps, 1));
+            add(sum, outcome);
+        }
+    }
+    uint64_t failed = 0;
+    for (const Sum &sum : sums) {
+        print(sum);
+        failed += sum.failed;
+    }
+    std::printf("%s: %.0f steps, %llu trials failed\n", failed ? "FAIL" : "PASS", done,
+                static_cast<unsigned long long>(failed));
+    return failed ? 1 : 0;
+}
