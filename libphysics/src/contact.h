@@ -2,6 +2,7 @@
 // Where a ball is nearest to a box: model.md 5.1 and 5.7, in three dimensions.
 #pragma once
 
+#include "pairs.h"
 #include "vec.h"
 
 #include <algorithm>
@@ -28,8 +29,7 @@ inline double squaredDistance(const phys_box &box, const Vec3 &p) {
 
 /// As squaredDistance, with heights left out.
 inline double squaredDistanceFromAbove(const phys_box &box, const Vec2 &p) {
-    const Vec2 d{p.x - limited(p.x, box.min.x, box.max.x), p.y - limited(p.y, box.min.y, box.max.y)};
-    return d.x * d.x + d.y * d.y;
+    return squaredDistanceToRectangle(&p.x, &box.min.x, &box.max.x);
 }
 
 /// The general case; with the centre inside the way out is through the nearest face (ties: -x +x -y +y -z +z).

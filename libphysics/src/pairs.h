@@ -2,6 +2,7 @@
 // Two doubles at once, for the checks that every step makes: half the instructions.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 #if defined(__SSE2__)
@@ -45,6 +46,33 @@ inline bool allFinite(const double *values) {
     double sum = 0.0;
     for (size_t i = 0; i < Count; ++i) sum += values[i] - values[i];
     return sum == 0.0;
+#endif
+}
+
+/// Square of the distance from the point (x, y) to the rectangle between two corners.
+inline double squaredDistanceToRectangle(const double *point, const double *low, const double *high) {
+#if defined(__SSE2__)
+    const __m128d p = _mm_loadu_pd(point);
+    const __m128d d = _mm_sub_pd(p, _mm_min_pd(_mm_max_pd(p, _mm_loadu_pd(low)), _mm_loadu_pd(high)));
+    const __m128d square = _mm_mul_pd(d, d);
+    return _mm_cvtsd_f64(_mm_add_sd(square, _mm_unpackhi_pd(square, square)));
+#else
+    const double dx = point[0] - std::min(std::max(point[0], low[0]), high[0]);
+    const double dy = point[1] - std::min(std::max(point[1], low[1]), high[1]);
+    return dx * dx + dy * dy;
+#endif
+}
+
+/// Whether two points (x, y) both lie in the rectangle between two corners, its border included.
+inline bool bothInRectangle(const double *p, const double *q, const double *low, const double *high) {
+#if defined(__SSE2__)
+    const __m128d a = _mm_loadu_pd(p);
+    const __m128d b = _mm_loadu_pd(q);
+    const __m128d above = _mm_cmpge_pd(_mm_min_pd(a, b), _mm_loadu_pd(low));
+    return _mm_movemask_pd(_mm_and_pd(above, _mm_cmple_pd(_mm_max_pd(a, b), _mm_loadu_pd(high)))) == 3;
+#else
+    return std::min(p[0], q[0]) >= low[0] && std::max(p[0], q[0]) <= high[0] && std::min(p[1], q[1]) >= low[1] &&
+           std::max(p[1], q[1]) <= high[1];
 #endif
 }
 

@@ -88,7 +88,7 @@ inline bool mustBeWhole(const phys_param_row &row) { return row.flags & (PHYS_RO
 
 inline bool isAllowed(double value, const phys_param_row &row) {
     // The ranges of whole rows are small: the conversion can't overflow.
-    return isWithin(value, row) && (!mustBeWhole(row) || value == static_cast<double>(static_cast<int64_t>(value)));
+    return isWithin(value, row) && (!mustBeWhole(row) || value == static_cast<double>(static_cast<int32_t>(value)));
 }
 
 inline bool rigidFrictionsAgree(const phys_params &params) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "grid.h"
+#include "pairs.h"
 #include "vec.h"
 
 #include <algorithm>
@@ -58,6 +59,13 @@ struct Scene {
     bool overFloor(double x, double y) const {
         // Most boards have one floor; comparing it here saves half of a free step's time.
         return hasOneFloor ? isOver(floors.front(), x, y) : overOneOfFloors(x, y);
+    }
+
+    /// Whether both points lie over the floor.
+    bool bothOverFloor(const Vec2 &p, const Vec2 &q) const {
+        if (!hasOneFloor) return overOneOfFloors(p.x, p.y) && overOneOfFloors(q.x, q.y);
+        const phys_box &floor = floors.front();
+        return bothInRectangle(&p.x, &q.x, &floor.min.x, &floor.max.x);
     }
 
     /// Number of the given box that gave a merged one the place nearest to `point`; the lowest of equals.

@@ -16,9 +16,7 @@ inline bool glide(const PlanInput &input, phys_state &out) {
     const phys_state &in = input.state;
     const Vec2 from = inPlane(in.position);
     const Vec2 velocity = inPlane(in.velocity);
-    if (input.params.options != 0 || !isSlow(input) || velocity == Vec2(0.0) || !scene.overFloor(from.x, from.y)) {
-        return false;
-    }
+    if (input.params.options != 0 || !isSlow(input)) return false;
 
     Vec3 spin = input.params.model == PHYS_MODEL_RIGID ? toVec(in.spin) : Vec3(0.0);
     const FloorContact contact = floorContact(input.params, scene.radius, velocity, spin);
@@ -32,7 +30,8 @@ inline bool glide(const PlanInput &input, phys_state &out) {
     for (const uint32_t solid : scene.solidsNear(from.x, from.y, scene.needsGrid)) {
         if (squaredDistanceFromAbove(scene.solids[solid], from) <= reach * reach) return false;
     }
-    if (reach > kCandidateReach * scene.radius || next.velocity == Vec2(0.0) || !scene.overFloor(to.x, to.y)) {
+    // A ball that stays at rest or comes to rest needs to be told why.
+    if (reach > kCandidateReach * scene.radius || next.velocity == Vec2(0.0) || !scene.bothOverFloor(from, to)) {
         return false;
     }
 
