@@ -46,25 +46,39 @@ Board::Board(const Scene &scene)
     , m_grazing(std::min(0.05, 2.0 * std::sqrt(scene.tolerance / scene.radius)))
     , m_near(std::max(scene.solids.size(), scene.floors.size())) {}
 
-Touches Board::touching(const Vec3 &p) const {
-    Touches touches;
+bool Board::isOpen(const Vec3 &p, double way) const {
+    const Scene &scene = *m_scene;
+    if (scene.floors.size() != 1 || depthInside(scene.floors[0], p) <= way) return false;
+    if (way > (kCandidateReach - 1.01) * radius()) return false;
+    const double reach = radius() * (1.0 + 1e-9) + tolerance() + way;
+    for (const uint32_t solid : scene.solidsNear(p.x, p.y, scene.needsGrid)) {
+        if (squaredDistance(scene.solids[solid], p) <= reach * reach) return false;
+    }
+    return true;
+}
+
+void Board::findTouches(const Vec3 &p, Touches &touches) const {
+    touches.count = 0;
+    touches.overflow = false;
+    // A little more than the radius: which of these really touch is told by the distance itself.
+    const double reach = radius() * (1.0 + 1e-9) + tolerance();
     for (const uint32_t solid : m_scene->solidsNear(p.x, p.y, m_scene->needsGrid)) {
+        if (squaredDistance(m_scene->solids[solid], p) > reach * reach) continue;
         const Nearest close = nearest(m_scene->solids[solid], p);
         if (close.distance - radius() > tolerance()) continue;
-        const Touch touch{close.normal, close.point, solid, close.feature};
-        Touch *same = nullptr;
-        for (uint32_t i = 0; i < touches.count && !same; ++i) {
-            if (glm::length(touches.items[i].normal - touch.normal) <= sameNormal()) same = &touches.items[i];
-        }
-        if (same) {
-            if (touch.feature < same->feature) *same = touch;
-        } else if (touches.count < kMostTouches) {
-            touches.items[touches.count++] = touch;
-        } else {
-            touches.overflow = true;
-        }
+        add({close.normal, close.point, solid, close.feature}, touches);
     }
-    return touches;
+}
+
+void Board::add(const Touch &touch, Touches &touches) const {
+    for (uint32_t i = 0; i < touches.count; ++i) {
+        Touch &known = touches.items[i];
+        if (glm::length(known.normal - touch.normal) > sameNormal()) continue;
+        if (touch.feature < known.feature) known = touch;
+        return;
+    }
+    touches.overflow = touches.count == kMostTouches;
+    if (!touches.overflow) touches.items[touches.count++] = touch;
 }
 
 std::span<const uint32_t> Board::near(const Vec2 &lowEnd, const Vec2 &highEnd) const {
@@ -126,6 +140,7 @@ bool Board::pushOut(Vec3 &p, bool supported, double &deepest) const {
         Nearest out{};
         for (const uint32_t solid : m_scene->solidsNear(p.x, p.y, m_scene->needsGrid)) {
             const phys_box &box = m_scene->solids[solid];
+            if (squaredDistance(box, p) > radius() * radius()) continue;
             const bool atHeight = box.min.z <= p.z && box.max.z >= p.z;
             const Nearest close = nearest(supported && atHeight ? upright(box) : box, p);
             if (close.distance - radius() >= worst) continue;

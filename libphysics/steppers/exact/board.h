@@ -20,7 +20,7 @@ struct Touch {
 };
 
 /// Different normals at one place; more are refused.
-inline constexpr size_t kMostTouches = 32;
+inline constexpr size_t kMostTouches = 16;
 
 struct Touches {
     std::array<Touch, kMostTouches> items;
@@ -54,7 +54,11 @@ public:
     double grazing() const { return m_grazing; }
 
     /// Solids within the tolerance, those with the same normal as one (faces before edges).
-    Touches touching(const Vec3 &p) const;
+    void findTouches(const Vec3 &p, Touches &touches) const;
+
+    /// Whether a ball at p that goes no further than `way` surely meets no solid and stays on its floor. For short
+    /// ways.
+    bool isOpen(const Vec3 &p, double way) const;
 
     /// Solids that a ball with its centre in the rectangle can touch: a superset, valid until the next call.
     std::span<const uint32_t> near(const Vec2 &low, const Vec2 &high) const;
@@ -78,6 +82,8 @@ public:
     std::optional<uint32_t> floorUnder(const Vec3 &p, const Vec2 &direction) const;
 
 private:
+    void add(const Touch &touch, Touches &touches) const;
+
     const Scene *m_scene;
     double m_grazing;
     mutable std::vector<uint32_t> m_near; // scratch: room for all solids, or all floors

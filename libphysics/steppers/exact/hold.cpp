@@ -85,6 +85,7 @@ double pressing(const Board &board, const Touch &touch, const Vec3 &v, const Dri
 }
 
 Hold holdMoving(const Board &board, const Touches &touches, const Vec3 &p, Vec3 &v, const Drive &drive) {
+    if (touches.count == 0) return {};
     const Vec3 direction = unit(v);
     Hold best;
     double deepest = 0.0;

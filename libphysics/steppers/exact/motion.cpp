@@ -65,6 +65,7 @@ ResistedLaw::Point Motion::slipAt(double t) const {
 }
 
 Motion::Point Motion::at(double t) const {
+    if (t == 0.0 && m_kind == Kind::rolling) return {m_p, m_v};
     if (m_kind == Kind::rolling) {
         const ResistedLaw::Point moved = m_law.at(t);
         return {m_p + Vec3(moved.x, 0.0), Vec3(moved.v, 0.0)};

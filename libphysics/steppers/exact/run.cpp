@@ -30,22 +30,30 @@ Run::Run(const Board &board, Sweep &sweep, const phys_params &params, double dt,
 
 phys_status Run::advance(phys_state &out) {
     m_report.substeps(1, 0);
-    if (const phys_status status = enter()) return status;
+    enter();
+    if (glide()) {
+        leave(out);
+        return PHYS_OK;
+    }
+    if (const phys_status status = pushOut()) return status;
     if (const phys_status status = resolve()) return status;
     for (uint32_t events = 0; m_left > 0.0; ++events) {
         if (events == kEventCap) {
             return fail(m_err, PHYS_ERROR_EVENT_CAP, "more than %u events in one step, %.9g s of it still to go",
                         kEventCap, m_left);
         }
+        m_meets = false;
         if (const phys_status status = phase()) return status;
+        // What a phase met at the very end of the step is resolved in this step.
+        if (m_left == 0.0 && !m_meets) break;
         if (const phys_status status = resolve()) return status;
     }
     leave(out);
     return PHYS_OK;
 }
 
-/// A given state may lie anywhere: on the floor or in the air, and in a solid (model.md 5.7).
-phys_status Run::enter() {
+/// A given state may lie anywhere: on the floor, in it or in the air.
+void Run::enter() {
     const Scene &scene = m_board.scene();
     Vec3 &p = m_ball.position;
     const bool overFloor = scene.hasFloor && scene.overFloor(p.x, p.y);
@@ -57,15 +65,20 @@ phys_status Run::enter() {
         p.z = scene.supportedZ;
     }
     m_ball.supported = overFloor && (atHeight || inFloor) && m_ball.velocity.z == 0.0;
-    if (m_ball.supported) p.z = scene.supportedZ;
+    if (!m_ball.supported) return;
+    p.z = scene.supportedZ;
+    if (isRolling()) followVelocity();
+}
 
+/// Out of the solids that the given state lies in: model.md 5.7.
+phys_status Run::pushOut() {
+    Vec3 &p = m_ball.position;
     double deepest = 0.0;
     if (!m_board.pushOut(p, m_ball.supported, deepest)) {
         return fail(m_err, PHYS_ERROR_STUCK, "the ball at (%.9g, %.9g, %.9g) is wedged where it doesn't fit", p.x, p.y,
                     p.z);
     }
     m_report.penetration(deepest);
-    if (m_ball.supported && isRolling()) followVelocity();
     return PHYS_OK;
 }
 

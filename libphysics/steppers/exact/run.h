@@ -44,9 +44,11 @@ private:
     Touches m_touches;               // at the present position
     std::optional<uint32_t> m_floor; // that the present phase runs on
     std::optional<Touch> m_held;     // by the last phase
+    bool m_meets = false;            // the last phase ended at a solid or a floor
 
     // begin and end of the step: run.cpp
-    phys_status enter();
+    void enter();
+    phys_status pushOut();
     void leave(phys_state &out);
     void spend(double t);
     void followVelocity();
@@ -74,6 +76,8 @@ private:
     phys_status moveFreely(const Hold &hold);
     phys_status slideOnFace(const Hold &hold);
     phys_status pivotOnEdge(const Hold &hold);
+    bool glide();
+    void follow(const Motion &motion, double t);
     double move(const Motion &motion, const Plane *plane, double until);
     void slide(const Hold &hold, const Motion &motion);
     FaceWay alongFace(const Plane &plane, const Motion &motion) const;

@@ -21,7 +21,7 @@ constexpr double kSmallestHop = 1e-13;
 
 /// Takes one contact after the other, the fastest approach first, until the ball moves into none: model.md 5.5.
 phys_status Run::resolve() {
-    m_touches = m_board.touching(m_ball.position);
+    m_board.findTouches(m_ball.position, m_touches);
     if (m_touches.overflow) return refuse("the ball touches too many boxes at once", m_touches.items[0]);
     snapToFaces();
     uint32_t pass = 0;

@@ -61,6 +61,7 @@ phys_status Run::phase() {
 
 bool Run::isAtRest() {
     if (m_ball.velocity != Vec3(0.0) || !m_ball.supported || slipVelocity() != Vec2(0.0)) return false;
+    m_board.findTouches(m_ball.position, m_touches);
     const Hold hold = holdResting(m_board, m_touches, m_ball.position, drive());
     return hold.kind == Hold::Kind::wedged || hold.start <= drive().B;
 }
@@ -109,26 +110,45 @@ double Run::move(const Motion &motion, const Plane *plane, double until) {
         t = std::min(t, landing);
     }
     const double hit = m_sweep.firstTouch(motion, t, plane);
+    m_meets = lands || hit <= t;
     if (hit <= t) {
         lands = lands && hit == t;
         exits = exits && hit == t;
         t = hit;
     }
 
+    follow(motion, t);
+    if (exits) snapToBorder(scene.floors[*m_floor], m_board.tolerance(), m_ball.velocity, m_ball.position);
+    if (lands) m_ball.position.z = scene.supportedZ;
+    if (plane) m_ball.velocity[plane->axis] = 0.0;
+    return t;
+}
+
+/// Along a motion for t seconds in which nothing happens.
+void Run::follow(const Motion &motion, double t) {
     const Vec3 before = m_ball.position;
     const Motion::Point end = motion.at(t);
     m_ball.position = end.position;
     m_ball.velocity = end.velocity;
-    if (m_floor) {
-        m_ball.position.z = scene.supportedZ;
-        if (exits) snapToBorder(scene.floors[*m_floor], m_board.tolerance(), m_ball.velocity, m_ball.position);
-    }
-    if (lands) m_ball.position.z = scene.supportedZ;
-    if (plane) m_ball.velocity[plane->axis] = 0.0;
+    if (m_ball.supported) m_ball.position.z = m_board.scene().supportedZ;
     turnAlong(motion, before, t);
     spend(t);
-    if (m_floor) settleSpin(motion, t);
-    return t;
+    if (m_ball.supported) settleSpin(motion, t);
+}
+
+/// Most short steps: the ball rolls in the open, and nothing is near enough to meet. The same bits as by the phases,
+/// with less asking. False, and nothing changed, if it isn't so.
+bool Run::glide() {
+    const Vec3 &p = m_ball.position, &v = m_ball.velocity;
+    if (!m_ball.supported || v == Vec3(0.0) || slipVelocity() != Vec2(0.0) || !gripHolds(Hold{})) return false;
+    const Drive acting = drive();
+    const double most = length(inPlane(acting.A)) + acting.B;
+    const double way = m_left * (length(inPlane(v)) + 0.5 * most * m_left) + m_board.tolerance();
+    if (!m_board.isOpen(p, way)) return false;
+    const Motion motion = Motion::rolling(p, v, inPlane(acting.A), acting.B);
+    if (motion.end() <= m_left) return false;
+    follow(motion, m_left);
+    return true;
 }
 
 /// The spin of a ball on the floor after t seconds of a motion, and what rolling and slipping have cost.
@@ -145,7 +165,7 @@ void Run::settleSpin(const Motion &motion, double t) {
 
 void Run::turnAlong(const Motion &motion, const Vec3 &start, double t) {
     if (!(m_params.options & PHYS_OPTION_ORIENTATION)) return;
-    if (!m_floor || slides()) return turn(t * m_ball.spin);
+    if (!m_ball.supported || slides()) return turn(t * m_ball.spin);
     // The ball turns by its way, less that of the slip.
     Vec3 from = start;
     for (int part = 1; part <= kTurnParts; ++part) {
@@ -231,7 +251,8 @@ phys_status Run::pivotOnEdge(const Hold &hold) {
     const double stop = pendulum.stopAngle(quarter.angle);
     double end = std::min(quarter.angle, stop);
     end = std::min(end, pendulum.leaveAngle(end));
-    end = std::min(end, firstTouchOnArc(m_board, arc, end));
+    const double touch = firstTouchOnArc(m_board, arc, end);
+    end = std::min(end, touch);
     double exit = kNever;
     if (m_floor) exit = firstExitOnArc(m_board.scene().floors[*m_floor], arc, end, m_board.tolerance());
     end = std::min(end, exit);
@@ -244,6 +265,7 @@ phys_status Run::pivotOnEdge(const Hold &hold) {
     const double t = std::min(until, swung.time * unitTime);
     const double speed = swung.speed * std::sqrt(R * a);
 
+    m_meets = swung.angle == touch;
     turnOnArc(arc, swung.angle, t);
     const bool atQuarter = swung.angle == quarter.angle;
     const Vec2 n = atQuarter ? quarter.normal : arc.normalAt(swung.angle);
@@ -257,6 +279,7 @@ phys_status Run::pivotOnEdge(const Hold &hold) {
         if (!slides()) roll();
     } else {
         const bool lands = fall.lands && t == fall.time;
+        m_meets = m_meets || lands;
         p.z = lands ? m_board.scene().supportedZ : p.z + t * (v.z + 0.5 * t * acting.A.z);
         v.z += t * acting.A.z;
     }
@@ -289,7 +312,7 @@ Run::Fall Run::fallFor(const Hold &hold) const {
 
 void Run::turnOnArc(const EdgeArc &arc, double angle, double t) {
     if (!(m_params.options & PHYS_OPTION_ORIENTATION)) return;
-    if (!m_floor || slides()) return turn(t * m_ball.spin);
+    if (!m_ball.supported || slides()) return turn(t * m_ball.spin);
     for (int part = 0; part < kTurnParts; ++part) {
         const Vec3 from = arc.centreAt(angle * part / kTurnParts), to = arc.centreAt(angle * (part + 1) / kTurnParts);
         turn(rolledTurn(to - from, m_board.radius()));

@@ -93,18 +93,19 @@ Sweep::Sweep(const Board &board)
 }
 
 double Sweep::firstTouch(const Motion &motion, double until, const Plane *plane) {
+    Motion::Point now = motion.at(0.0);
     double from = 0.0;
     double reach = kFirstWindow * m_board.radius();
     while (true) {
-        const Motion::Point now = motion.at(from);
-        const double windowEnd =
-            std::min(until, std::max(from + timeToCover(reach, motion, now), std::nextafter(from, until)));
+        double windowEnd = std::min(until, from + timeToCover(reach, motion, now));
+        if (windowEnd == from) windowEnd = std::nextafter(from, kNever);
         collect(motion, now, from, windowEnd, plane);
         const double hit = firstHit(motion, windowEnd);
         if (hit <= windowEnd) return hit;
         if (windowEnd >= until) return kNever;
         if (m_candidates.empty()) reach *= 2.0;
         from = windowEnd;
+        now = motion.at(from);
     }
 }
 
@@ -136,20 +137,30 @@ double Sweep::settled(const Motion &motion, const Nearest &close, const Vec3 &ve
 void Sweep::collect(const Motion &motion, const Motion::Point &now, double from, double until, const Plane *plane) {
     m_candidates.clear();
     const double duration = until - from;
-    const Vec2 begin = inPlane(now.position), end = inPlane(motion.at(until).position);
-    // A way with |p''| <= a strays from its chord by a T^2/8 at most.
-    const Vec2 bulge(0.125 * motion.mostAcceleration() * duration * duration + m_board.tolerance());
-    for (const uint32_t solid : m_board.near(glm::min(begin, end) - bulge, glm::max(begin, end) + bulge)) {
+    const double way = duration * (glm::length(now.velocity) + 0.5 * motion.mostAcceleration() * duration);
+    const double reach = m_board.radius() * (1.0 + 1e-9) + way + m_board.tolerance();
+    for (const uint32_t solid : withinReach(motion, now, until, duration, way)) {
+        const phys_box &box = m_board.scene().solids[solid];
+        if (squaredDistance(box, now.position) > reach * reach) continue;
         if (plane && m_board.isBehind(*plane, solid)) continue;
-        const Nearest close = nearest(m_board.scene().solids[solid], now.position);
+        const Nearest close = nearest(box, now.position);
         const bool touches = close.distance - m_board.radius() <= m_board.tolerance();
-        if (touches && approaches(m_board, close.normal, close.feature, now.velocity)) {
-            m_candidates.push_back({from, solid, false});
-            continue;
-        }
-        const double safe = from + safeTime(m_board, motion, close, now);
+        const bool hits = touches && approaches(m_board, close.normal, close.feature, now.velocity);
+        const double safe = hits ? from : from + safeTime(m_board, motion, close, now);
         if (safe <= until) m_candidates.push_back({safe, solid, false});
     }
+}
+
+/// Solids that the ball can touch until then. One cell of the grid knows those near a short way.
+std::span<const uint32_t> Sweep::withinReach(const Motion &motion, const Motion::Point &now, double until,
+                                             double duration, double way) const {
+    const Scene &scene = m_board.scene();
+    const Vec2 begin = inPlane(now.position);
+    if (way < (kCandidateReach - 1.01) * m_board.radius()) return scene.solidsNear(begin.x, begin.y, scene.needsGrid);
+    const Vec2 end = inPlane(motion.at(until).position);
+    // A way with |p''| <= a strays from its chord by a T^2/8 at most.
+    const Vec2 bulge(0.125 * motion.mostAcceleration() * duration * duration + m_board.tolerance());
+    return m_board.near(glm::min(begin, end) - bulge, glm::max(begin, end) + bulge);
 }
 
 double Sweep::firstHit(const Motion &motion, double until) {
@@ -196,9 +207,13 @@ std::array<Border, 4> bordersAt(const phys_box &floor, const Vec3 &p) {
 } // namespace
 
 double firstExit(const phys_box &floor, const Motion &motion, double until, double tolerance) {
+    Motion::Point now = motion.at(0.0);
+    const std::array<Border, 4> borders = bordersAt(floor, now.position);
+    const double nearest = std::min({borders[0].depth, borders[1].depth, borders[2].depth, borders[3].depth});
+    const double way = until * (glm::length(now.velocity) + 0.5 * motion.mostAcceleration() * until);
+    if (nearest > way) return kNever;
     bool polished = false;
-    for (double t = 0.0; t <= until;) {
-        const Motion::Point now = motion.at(t);
+    for (double t = 0.0; t <= until; now = motion.at(t)) {
         double step = kNever;
         bool leaves = false;
         for (const Border &border : bordersAt(floor, now.position)) {

@@ -28,6 +28,8 @@ private:
     std::vector<Candidate> m_candidates;
 
     void collect(const Motion &motion, const Motion::Point &now, double from, double until, const Plane *plane);
+    std::span<const uint32_t> withinReach(const Motion &motion, const Motion::Point &now, double until, double duration,
+                                          double way) const;
     double firstHit(const Motion &motion, double until);
     double settled(const Motion &motion, const Nearest &close, const Vec3 &velocity, double t) const;
 };
