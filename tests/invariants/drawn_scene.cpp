@@ -59,8 +59,10 @@ SceneBuilder drawScene(Random &random) {
     const double cell = kWidth / kCells;
     for (int i = 0; i < kCells * kCells; ++i) {
         if (random.below(4) != 0) continue;
-        const double x = cell * (i % kCells);
-        const double y = cell * (i / kCells);
+        const int column = i % kCells;
+        const int row = i / kCells;
+        const double x = cell * column;
+        const double y = cell * row;
         scene.wall(x + random.between(0.0625, 0.1875), y + random.between(0.0625, 0.1875),
                    x + random.between(0.25, 0.4375), y + random.between(0.25, 0.4375));
     }
