@@ -31,20 +31,25 @@ inline bool allWithin(const double *values, const double *low, const double *hig
 #endif
 }
 
-/// Whether all are finite: x - x is 0 for those and NaN for others.
+/// 2^100: squares and products of numbers below it, as a step makes them, stay finite.
+inline constexpr double kLargestNumber = 0x1p100;
+
+/// Whether all lie between -kLargestNumber and kLargestNumber: times 2^924 these stay finite, others and NaN don't, and
+/// x - x is 0 for a finite x and NaN otherwise.
 template<size_t Count>
-inline bool allFinite(const double *values) {
+inline bool allModerate(const double *values) {
     static_assert(Count % 2 == 0);
 #if defined(__SSE2__)
+    const __m128d scale = _mm_set1_pd(0x1p924);
     __m128d sum = _mm_setzero_pd();
     for (size_t i = 0; i < Count; i += 2) {
-        const __m128d pair = _mm_loadu_pd(values + i);
+        const __m128d pair = _mm_mul_pd(scale, _mm_loadu_pd(values + i));
         sum = _mm_add_pd(sum, _mm_sub_pd(pair, pair));
     }
     return _mm_movemask_pd(_mm_cmpeq_pd(sum, _mm_setzero_pd())) == 3;
 #else
     double sum = 0.0;
-    for (size_t i = 0; i < Count; ++i) sum += values[i] - values[i];
+    for (size_t i = 0; i < Count; ++i) sum += 0x1p924 * values[i] - 0x1p924 * values[i];
     return sum == 0.0;
 #endif
 }

@@ -10,7 +10,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <limits>
 #include <memory>
 #include <new>
 
@@ -27,10 +26,10 @@ namespace phys {
 namespace {
 
 /// Twelve of a state's numbers lie side by side, from position.x on; time and the last one make one more pair.
-inline bool numbersAreFinite(const phys_state &state) {
+inline bool numbersAreModerate(const phys_state &state) {
     static_assert(offsetof(phys_state, orientation) == offsetof(phys_state, position) + 9 * sizeof(double));
-    const double others = state.orientation[3] + state.time;
-    return allFinite<12>(&state.position.x) && others - others == 0.0;
+    const double others = 0x1p924 * (state.orientation[3] + state.time);
+    return allModerate<12>(&state.position.x) && others - others == 0.0;
 }
 
 inline bool isUnit(const double (&q)[4]) {
@@ -39,14 +38,15 @@ inline bool isUnit(const double (&q)[4]) {
 }
 
 inline bool stateIsValid(const phys_state &state) {
-    return numbersAreFinite(state) && isUnit(state.orientation) &&
+    return numbersAreModerate(state) && isUnit(state.orientation) &&
            (state.flags & ~static_cast<uint64_t>(PHYS_STATE_FLAGS)) == 0;
 }
 
 phys_status explainState(const phys_state &state, phys_status status, const char *whose, phys_error *err) {
-    if (!numbersAreFinite(state)) {
+    if (!numbersAreModerate(state)) {
         return fail(err, status,
-                    "%s has a number that isn't finite: position (%.9g, %.9g, %.9g), velocity (%.9g, %.9g, %.9g), "
+                    "%s has a number that isn't finite or beyond 2^100: position (%.9g, %.9g, %.9g), velocity (%.9g, "
+                    "%.9g, %.9g), "
                     "spin (%.9g, %.9g, %.9g)",
                     whose, state.position.x, state.position.y, state.position.z, state.velocity.x, state.velocity.y,
                     state.velocity.z, state.spin.x, state.spin.y, state.spin.z);
@@ -69,8 +69,8 @@ bool isOffTheFloor(const Scene &scene, const phys_state &state) {
 
 [[gnu::cold]] phys_status explainArguments(const phys_stepper &stepper, const phys_params &params, double dt,
                                            const phys_state &state, phys_error *err) {
-    if (!(dt >= 0.0 && std::isfinite(dt))) {
-        return fail(err, PHYS_ERROR_ARGUMENT, "dt is %.9g s; expected a number >= 0", dt);
+    if (!(dt >= 0.0 && dt <= kLargestNumber)) {
+        return fail(err, PHYS_ERROR_ARGUMENT, "dt is %.9g s; expected a number from 0 to 2^100", dt);
     }
     if (!paramsAreValid(params)) return explainParams(params, err);
     const std::span rows(stepper.api->rows, stepper.api->row_count);
@@ -86,7 +86,7 @@ bool isOffTheFloor(const Scene &scene, const phys_state &state) {
 /// The yes or no of checkArguments: what every step pays.
 inline bool argumentsAreValid(const phys_stepper &stepper, const phys_params &params, double dt,
                               const phys_state &state) {
-    return dt >= 0.0 && dt <= std::numeric_limits<double>::max() && paramsAreValid(params) &&
+    return dt >= 0.0 && dt <= kLargestNumber && paramsAreValid(params) &&
            ownRowsAreValid(params, {stepper.api->rows, stepper.api->row_count}) && stateIsValid(state) &&
            (params.gravity.z < 0.0 || isOffTheFloor(*stepper.scene, state));
 }

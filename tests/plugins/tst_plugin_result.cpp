@@ -97,10 +97,11 @@ void PluginResult::aWrongStepIsRefused_data() {
     const auto result = [](const char *id, const char *line) {
         QTest::newRow(id) << int(PHYS_ERROR_PLUGIN_RESULT) << QByteArray(line);
     };
-    result("nan",
-           "the result of plugin stepper 'nan' has a number that isn't finite: position (nan, 2, 0.25), velocity "
-           "(0, 0, 0), spin (0, 0, 0)");
-    result("infinity", "the result of plugin stepper 'infinity' has a number that isn't finite: position (1, 2, 0.25), "
+    result("nan", "the result of plugin stepper 'nan' has a number that isn't finite or beyond 2^100: position (nan, "
+                  "2, 0.25), velocity "
+                  "(0, 0, 0), spin (0, 0, 0)");
+    result("infinity", "the result of plugin stepper 'infinity' has a number that isn't finite or beyond 2^100: "
+                       "position (1, 2, 0.25), "
                        "velocity (0, 0, inf), spin (0, 0, 0)");
     result("time-not-advanced",
            "the result of plugin stepper 'time-not-advanced' has time 0 s and step 0; expected 0.5 s and 1");

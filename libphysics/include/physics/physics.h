@@ -193,7 +193,7 @@ enum {
     PHYS_STATE_FLAGS = 15
 };
 
-/** Everything that a ball is: frozen, 128 bytes, no padding; memcpy, memcmp and hash it. */
+/** Everything that a ball is: frozen, 128 bytes, no padding; memcpy, memcmp and hash it. No number beyond 2^100. */
 typedef struct phys_state {
     double time;           /* s since the start */
     uint64_t step;         /* steps since the start; phys_step adds one (none for dt = 0) */
@@ -406,7 +406,7 @@ PHYS_API phys_status phys_stepper_create(const phys_registry *registry, const ch
 /** Frees a stepper, or does nothing for NULL. Since 1.0. */
 PHYS_API void phys_stepper_destroy(phys_stepper *stepper);
 
-/** One step of dt seconds (finite, >= 0; 0 changes nothing). in and out may be the same; report or NULL.
+/** One step of dt seconds (0 .. 2^100; 0 changes nothing). in and out may be the same; report or NULL.
  *  Allocates nothing. One thread at a time per stepper.
  *  Errors: ARGUMENT, RANGE, STATE, UNSUPPORTED, STUCK, SUBSTEP_CAP, EVENT_CAP, PLUGIN_RESULT. Since 1.0. */
 PHYS_API phys_status phys_step(phys_stepper *stepper, const phys_params *params, double dt, const phys_state *in,
