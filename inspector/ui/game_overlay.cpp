@@ -24,7 +24,7 @@ QString levelTitle(const Session &session, int index) {
 }
 
 QString winLine(const Game &game) {
-    const QString time = clockText(game.time());
+    QString time = clockText(game.time());
     if (game.isRecord()) return say(QT_TRANSLATE_NOOP("inspector::ui::GameOverlay", "%1 – a new best time")).arg(time);
     const std::optional<double> best = game.bestTime(game.level());
     if (!best) return time;

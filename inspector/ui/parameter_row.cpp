@@ -39,20 +39,6 @@ struct Notches {
     }
 };
 
-// Scrolling the panel must not turn what happens to be under the cursor.
-class WheelGuard : public QObject {
-public:
-    using QObject::QObject;
-
-protected:
-    bool eventFilter(QObject *object, QEvent *event) override {
-        const auto *widget = qobject_cast<QWidget *>(object);
-        if (event->type() != QEvent::Wheel || !widget || widget->hasFocus()) return false;
-        event->ignore();
-        return true;
-    }
-};
-
 } // namespace
 
 QString printedUnit(const QString &unit) {
@@ -109,10 +95,9 @@ void ParameterRow::addNumber(QGridLayout &grid, int line) {
     box->setSuffix(m_row.unit[0] ? QLatin1Char(' ') + printedUnit(QString::fromUtf8(m_row.unit)) : QString());
     adopt(box, "_spin");
 
-    auto *guard = new WheelGuard(this);
     for (QWidget *widget : {static_cast<QWidget *>(slider), static_cast<QWidget *>(box)}) {
         widget->setFocusPolicy(Qt::StrongFocus);
-        widget->installEventFilter(guard);
+        widget->installEventFilter(this);
     }
     connect(slider, &QSlider::sliderPressed, this, &ParameterRow::gestureBegun);
     connect(slider, &QSlider::valueChanged, this, [this, notches](int notch) { emit edited(notches.value(notch)); });
@@ -151,6 +136,14 @@ void ParameterRow::addSwitch(QGridLayout &grid, int line) {
     });
     m_show = [box](double value) { box->setChecked(value != 0.0); };
     grid.addWidget(box, line, kLabel, 1, 3);
+}
+
+// Scrolling the panel must not turn what happens to be under the cursor.
+bool ParameterRow::eventFilter(QObject *object, QEvent *event) {
+    const auto *widget = qobject_cast<const QWidget *>(object);
+    if (event->type() != QEvent::Wheel || !widget || widget->hasFocus()) return false;
+    event->ignore();
+    return true;
 }
 
 void ParameterRow::showValue(double value) {

@@ -33,6 +33,9 @@ signals:
     // What comes next is another edit than what was.
     void gestureBegun();
 
+protected:
+    bool eventFilter(QObject *object, QEvent *event) override;
+
 private:
     void addLabel(QGridLayout &grid, int line);
     void addNumber(QGridLayout &grid, int line);

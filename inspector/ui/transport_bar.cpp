@@ -11,6 +11,7 @@ namespace inspector::ui {
 
 namespace {
 
+constexpr double kSpeeds[] = {1.0 / 16.0, 1.0 / 8.0, 1.0 / 4.0, 1.0 / 2.0, 1.0, 2.0, 4.0, 8.0, 16.0};
 constexpr double kTimeSteps[] = {1.0 / 60.0, 0.01, 0.005, 0.002, 0.001, 0.0005, 0.0001}; // s
 constexpr double kMilli = 1e-3;
 
@@ -69,8 +70,7 @@ QComboBox *TransportBar::addChooser(const QString &label, const char *name, cons
 void TransportBar::addSpeeds() {
     m_speed = addChooser(tr("Speed"), "speed",
                          tr("Simulated seconds per second. It changes how many steps are made, never dt."));
-    for (double speed = Simulation::kSlowest; speed <= Simulation::kFastest; speed *= 2.0)
-        m_speed->addItem(speedText(speed), speed);
+    for (const double speed : kSpeeds) m_speed->addItem(speedText(speed), speed);
     m_speed->setMaxVisibleItems(m_speed->count());
     connect(m_speed, &QComboBox::activated, this, [this](int index) {
         m_session.setSpeed(m_speed->itemData(index).toDouble());

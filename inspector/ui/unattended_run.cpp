@@ -37,14 +37,16 @@ void UnattendedRun::start() {
 
 void UnattendedRun::look() {
     ++m_looks;
-    if (isOver()) finish({});
+    if (!isOver()) return;
+    if (!m_session.simulation().latest().running) return finish({});
+    m_session.simulation().pause(); // first, so that everything in the picture is of one moment
 }
 
 bool UnattendedRun::isOver() {
     const Snapshot &now = m_session.simulation().latest();
     if (m_duration && now.current.time >= *m_duration) return true;
-    if (m_plays) return m_session.game().phase() == Game::Phase::Won;
-    return !m_duration && m_looks >= kLooksAtRest;
+    if (now.current.flags & PHYS_OUT) return true; // time doesn't go on for long
+    return !m_plays && !m_duration && m_looks >= kLooksAtRest;
 }
 
 void UnattendedRun::finish(const QString &error) {
