@@ -43,8 +43,6 @@ phys_params initialParams() {
     return params;
 }
 
-bool sameBits(const phys_params &a, const phys_params &b) { return std::memcmp(&a, &b, sizeof a) == 0; }
-
 bool isWhole(const phys_param_row &row) { return row.flags & (PHYS_ROW_CHOICE | PHYS_ROW_SWITCH); }
 
 } // namespace

@@ -6,14 +6,20 @@
 
 #include <physics/physics.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <span>
 
 namespace support {
 
 inline QByteArray digits(double value) { return QByteArray::number(value, 'g', 17); }
 
-inline bool sameBits(const phys_state &a, const phys_state &b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+/// The same bytes: 0 isn't -0, and a NaN is itself.
+template<class T>
+bool sameBits(const T &a, const T &b) {
+    return std::ranges::equal(std::as_bytes(std::span(&a, 1)), std::as_bytes(std::span(&b, 1)));
+}
 
 } // namespace support
 
