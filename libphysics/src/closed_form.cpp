@@ -74,7 +74,7 @@ ResistedLaw::Point ResistedLaw::at(double t) const {
         const double speed = (m_a - m_B) * t;
         return {0.5 * t * speed * m_e, speed * m_e, 0.5 * t * speed};
     }
-    return atXi(xiAt(t));
+    return atXi(xiAt(t), t);
 }
 
 /// Newton's method inside the bracket of model.md 3.4: t(xi) rises strictly, dt/dxi = |v|.
@@ -101,14 +101,20 @@ double ResistedLaw::xiAt(double t) const {
     return xi;
 }
 
-ResistedLaw::Point ResistedLaw::atXi(double xi) const {
+ResistedLaw::Point ResistedLaw::atXi(double xi, double t) const {
     const double c1 = m_a - m_B, c2 = -(m_a + m_B);
     const double e1 = std::expm1(c1 * xi), e2 = std::expm1(c2 * xi);
-    const double fast = m_P + m_P * e1, slow = m_M + m_M * e2;
-    const double decay = std::exp(-m_B * xi);
+    const double slow = m_M + m_M * e2, slowTime = m_M * integral(c2, xi, e2);
+    double fastTime = m_P * integral(c1, xi, e1), fast = m_P + m_P * e1;
+    if (c1 > 0.0 && slowTime < 0.5 * t) {
+        // The same from the time itself: after a long growth e^(c1 xi) has lost digits.
+        fastTime = t - slowTime;
+        fast = m_P + c1 * fastTime;
+    }
     // P^2 I(2c) = (P I(c)) (P + P e^(c xi))/2: time share times mean speed, which neither over- nor underflows.
-    const double alongFast = m_P * integral(c1, xi, e1) * (0.5 * (m_P + fast));
-    const double alongSlow = m_M * integral(c2, xi, e2) * (0.5 * (m_M + slow));
+    const double alongFast = fastTime * (0.5 * (m_P + fast));
+    const double alongSlow = slowTime * (0.5 * (m_M + slow));
+    const double decay = std::exp(-m_B * xi);
     const double across = m_vt * (m_P * integral(m_a - 2.0 * m_B, xi) + m_M * integral(-m_a - 2.0 * m_B, xi));
     const double mixed = 2.0 * m_P * m_M * integral(-2.0 * m_B, xi);
     return {turned(alongFast - alongSlow, across), turned(fast - slow, m_vt * decay), alongFast + mixed + alongSlow};

@@ -43,7 +43,7 @@ private:
     bool m_fromRest = false;
 
     double xiAt(double t) const;
-    Point atXi(double xi) const;
+    Point atXi(double xi, double t) const;
     Point atStop() const;
     Vec2 turned(double along, double across) const;
 };

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+// The rows of model.md 11 for the exact stepper.
+#include "run.h"
+
+#include <QtTest>
+
+using exact::kU;
+using exact::Run;
+
+class ExactExtremes : public QObject {
+    Q_OBJECT
+private slots:
+    void elasticBouncesKeepTheEnergy();
+    void noRestitutionSlidesOn();
+    void hugeResistanceStopsAtOnce();
+    void tiniestSpeeds_data();
+    void tiniestSpeeds();
+    void oneLongStepIsAThousandShortOnes();
+    void ballWiderThanAGapRestsOnTwoEdges();
+    void gapOfExactlyTheDiameterDoesNotHang();
+    void fastBallBouncesInACorridor();
+    void thinWallIsSeenAtAnySpeed();
+    void millionMetresAway();
+    void flushTilesAreOnePlane();
+    void thousandTouchingBoxes();
+    void restIsForEver();
+};
+
+namespace {
+
+const phys_box kFloor = exact::floorOver(-2, -2, 2, 2);
+
+} // namespace
+
+void ExactExtremes::elasticBouncesKeepTheEnergy() {
+    Run run({kFloor, exact::wall(-1, -1, -0.5, 1), exact::wall(0.5, -1, 1, 1)}, 0.125, {0, 0, 0.125}, {1, 0.0, 0});
+    run.params.restitution_wall = 1.0;
+    run.step(750.0); // 1000 bounces, 0.75 m apart
+    QCOMPARE(std::abs(run.state.velocity.x), 1.0);
+}
+
+void ExactExtremes::noRestitutionSlidesOn() {
+    Run run({kFloor, exact::wall(-1, -1, 1, 0)}, 0.125, {0, 0.5, 0.125}, {0.25, -1, 0});
+    run.params.restitution_wall = 0.0;
+    run.step(2.0);
+    QVERIFY(exact::difference(run.state, 0.5, 0.125, 0.25, 0.0) <= kU);
+    QCOMPARE(run.eventsOf(PHYS_EVENT_IMPACT).size(), size_t(1));
+}
+
+void ExactExtremes::hugeResistanceStopsAtOnce() {
+    Run run({kFloor}, 0.125, {0, 0, 0.125}, {1, 0, 0});
+    run.setLaw(0.0, 0.0, 4e6);
+    run.step(1.0);
+    QVERIFY(std::abs(run.state.position.x - 1.25e-7) <= 1e-22); // v^2/(2 B)
+    QVERIFY(run.state.flags & PHYS_AT_REST);
+}
+
+void ExactExtremes::tiniestSpeeds_data() {
+    QTest::addColumn<double>("A");
+    QTest::addColumn<double>("B");
+    for (const double A : {0.0, 0.5}) {
+        for (const double B : {0.0, 0.25, 0.5, 1.0}) {
+            QTest::addRow("A %g, B %g", A, B) << A << B;
+        }
+    }
+}
+
+void ExactExtremes::tiniestSpeeds() {
+    QFETCH(double, A);
+    QFETCH(double, B);
+    for (const double speed : {1e-300, 1e-200, 1e-100}) {
+        Run run({kFloor}, 0.125, {0, 0, 0.125}, {0.6 * speed, 0.8 * speed, 0});
+        run.setLaw(A, 0.0, B, 8.0);
+        run.step(1.0);
+        const double fromRest = std::max(0.0, A - B);
+        QVERIFY(std::abs(run.state.velocity.x - fromRest) <= 2.0 * kU);
+        QVERIFY(std::abs(run.state.position.x - 0.5 * fromRest) <= 2.0 * kU);
+        QVERIFY(std::abs(run.state.velocity.y) <= speed);
+    }
+}
+
+void ExactExtremes::oneLongStepIsAThousandShortOnes() {
+    const auto ball = [] { return Run({kFloor, exact::wall(0.5, -1, 1, 1)}, 0.125, {0, 0, 0.125}, {1, 0.25, 0}); };
+    Run once = ball(), often = ball();
+    for (Run *run : {&once, &often}) run->setLaw(0.25, -0.125, 0.0625);
+    once.step(1.0);
+    for (int i = 0; i < 1000; ++i) often.step(1.0 / 1000.0);
+    // A phase opened anew in each step costs a rounding each.
+    const phys_state &s = once.state;
+    QVERIFY(exact::difference(often.state, s.position.x, s.position.y, s.velocity.x, s.velocity.y) <= 200.0 * kU);
+}
+
+void ExactExtremes::ballWiderThanAGapRestsOnTwoEdges() {
+    // A gap of 0.15 between two walls: the ball of radius 0.125 lies on both corners, 0.1 above them.
+    Run run({kFloor, exact::wall(-1, -1, -0.075, 0), exact::wall(0.075, -1, 1, 0)}, 0.125, {0, 0.5, 0.125});
+    run.setLaw(0.0, -1.0, 0.0);
+    run.params.restitution_wall = 0.0;
+    run.step(60.0);
+    // At rest when both edges are touched: within the tolerance of 4 rounding steps of the walls' height, 16.
+    QVERIFY(exact::difference(run.state, 0.0, 0.1, 0.0, 0.0) <= 2.0 * 4.0 * kU * 16.0);
+    QVERIFY(run.state.flags & PHYS_AT_REST);
+}
+
+void ExactExtremes::gapOfExactlyTheDiameterDoesNotHang() {
+    Run run({kFloor, exact::wall(-1, -1, -0.125, 0), exact::wall(0.125, -1, 1, 0)}, 0.125, {0, 0.5, 0.125});
+    run.setLaw(0.0, -1.0, 0.0);
+    const phys_status status = run.tryStep(5.0);
+    QVERIFY(status == PHYS_OK || status == PHYS_ERROR_EVENT_CAP || status == PHYS_ERROR_STUCK);
+    QVERIFY(std::isfinite(run.state.position.x) && std::isfinite(run.state.position.y));
+}
+
+void ExactExtremes::fastBallBouncesInACorridor() {
+    Run run({kFloor, exact::wall(-1, -1, -0.05, 1), exact::wall(0.05, -1, 1, 1)}, 0.005, {0, 0, 0.005}, {1e6, 0, 0});
+    run.params.restitution_wall = 1.0;
+    run.step(0.001);
+    QVERIFY(std::abs(run.state.position.x) <= 0.045 + kU);
+    QCOMPARE(run.report.event_count + run.report.events_lost, uint32_t(11111)); // 1000 m in stretches of 0.09 m
+    QCOMPARE(std::abs(run.state.velocity.x), 1e6);
+}
+
+void ExactExtremes::thinWallIsSeenAtAnySpeed() {
+    Run run({kFloor, exact::wall(1, -1, 1 + 1e-9, 1)}, 0.005, {0, 0, 0.005}, {1e6, 0, 0});
+    run.params.restitution_wall = 1.0;
+    run.step(1.5e-6);
+    QVERIFY(run.state.velocity.x == -1e6 && run.state.position.x < 1.0);
+}
+
+void ExactExtremes::millionMetresAway() {
+    const double far = 1e6;
+    Run run({exact::floorOver(far - 2, far - 2, far + 2, far + 2), exact::wall(far + 1, far - 1, far + 2, far + 1)},
+            0.125, {far, far, 0.125}, {1, 0, 0});
+    run.params.restitution_wall = 0.5;
+    run.step(2.0);
+    // 0.875 m there in 0.875 s, then 1.125 s back at half the speed; a rounding step is 1.2e-10 m here.
+    QVERIFY(std::abs(run.state.position.x - (far + 0.875 - 0.5625)) <= 2.0 * 1.2e-10);
+    QCOMPARE(run.state.velocity.x, -0.5);
+}
+
+void ExactExtremes::flushTilesAreOnePlane() {
+    // A wall of tiles of uneven depth, flush in front: slides and bounces without a kick at any joint.
+    std::vector<phys_box> boxes{kFloor};
+    for (int i = -16; i < 16; ++i) boxes.push_back(exact::wall(i / 16.0, -0.5 - (i & 1) * 0.125, (i + 1) / 16.0, 0.0));
+    Run slide(boxes, 0.0625, {-0.9375, 0.0625, 0.0625}, {0.5, 0, 0});
+    slide.setLaw(0.0, -1.0, 0.0);
+    slide.step(3.0);
+    QVERIFY(exact::difference(slide.state, 0.5625, 0.0625, 0.5, 0.0) <= kU);
+    QVERIFY(slide.events.empty());
+    Run bounce(boxes, 0.0625, {-0.9375, 0.5625, 0.0625}, {0.5, 0, 0});
+    bounce.setLaw(0.0, -1.0, 0.0);
+    bounce.params.restitution_wall = 1.0;
+    bounce.step(3.0);
+    QVERIFY(std::abs(bounce.state.position.x - 0.5625) <= kU);
+    QCOMPARE(bounce.state.velocity.x, 0.5);
+}
+
+void ExactExtremes::thousandTouchingBoxes() {
+    std::vector<phys_box> boxes{kFloor};
+    for (int i = 0; i < 1000; ++i) boxes.push_back(exact::wall(-1.0 + i * 1e-3, -1, 1, -i * 0x1p-20));
+    Run run(boxes, 0.125, {0, 0.5, 0.125}, {0.125, -1, 0});
+    run.params.restitution_wall = 0.5;
+    run.step(4.0);
+    QVERIFY(run.state.velocity.y > 0.0);
+}
+
+void ExactExtremes::restIsForEver() {
+    Run run({kFloor, exact::wall(-1, -1, 0, 1), exact::wall(-1, -1, 1, 0)}, 0.125, {0.125, 0.125, 0.125});
+    run.setLaw(-1.0, -0.5, 0.0);
+    run.step(1.0);
+    const phys_state first = run.state;
+    for (int i = 0; i < 10000; ++i) run.step(0.01);
+    QVERIFY(run.state.position.x == first.position.x && run.state.position.y == first.position.y);
+    QVERIFY(run.state.flags & PHYS_AT_REST);
+}
+
+QTEST_GUILESS_MAIN(ExactExtremes)
+#include "tst_exact_extremes.moc"
