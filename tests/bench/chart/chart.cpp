@@ -68,7 +68,7 @@ std::string styleOf(const Curve &curve, Counters &counters) {
         const std::size_t index = counters.peers++;
         return lineOf("1.4", " dt 2", kPeerColours[index % kPeerColours.size()], curve, 4 + 2 * (index % kMarks));
     }
-    if (curve.look == Look::Front) return "with lines lw 9 lc rgb '#ffe082'";
+    if (curve.look == Look::Front) return "with linespoints lw 9 pt 7 ps 2.2 lc rgb '#ffe082'";
     return "with lines lw 1.6 lc rgb '#000000'";
 }
 
@@ -94,6 +94,9 @@ void writeAxis(std::ostream &out, const char *name, const Axis &axis) {
 void writePlot(std::ostream &out, const Chart &chart, std::size_t panel) {
     out << "set title " << quoted(chart.title) << "\n";
     out << (chart.hasLegend ? "set key at screen 0.995,0.97 right top reverse Left samplen 2\n" : "unset key\n");
+    out << "unset label\n";
+    for (const Label &label : chart.labels)
+        out << "set label " << quoted(label.text) << " at " << label.x << "," << label.y << " offset character 1,0\n";
     writeAxis(out, "x", chart.x);
     writeAxis(out, "y", chart.y);
     std::vector<std::string> plots;

@@ -15,7 +15,7 @@ struct ChartPoint {
 enum class Look {
     Ours,     // full line, filled marks
     Peer,     // dashed line, open marks
-    Front,    // broad and pale, behind everything, without marks
+    Front,    // broad and pale, behind everything
     Predicted // thin black line without marks
 };
 
@@ -37,6 +37,11 @@ struct ClassMap {
     std::vector<Cell> cells;
 };
 
+struct Label {
+    double x, y; // of the point it stands to the right of
+    std::string text;
+};
+
 struct Axis {
     std::string label;
     bool logarithmic = false;
@@ -48,6 +53,7 @@ struct Chart {
     std::string title;
     Axis x, y;
     std::vector<Curve> curves;
+    std::vector<Label> labels;
     ClassMap map;
     bool hasLegend = true; // at the right of all panels: at most one panel should have it
 };

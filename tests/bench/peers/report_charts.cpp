@@ -29,8 +29,15 @@ Chart chartOf(const SceneGroup &group, const std::vector<Trial> &trials) {
                                   [&](const Curve &c) { return c.title == trial->engine; });
         if (curve == chart.curves.end())
             curve = chart.curves.insert(curve, {trial->engine, trial->ours ? Look::Ours : Look::Peer, {}, true});
-        if (trial->answered()) curve->points.push_back(pointOf(*trial));
+        if (!trial->answered()) continue;
+        curve->points.push_back(pointOf(*trial));
+        if (trial->dt == group.scenes.front().tiltPeriod)
+            chart.labels.push_back({curve->points.back().x, curve->points.back().y, "one call per tilt"});
     }
+    // By cost: the largest step is measured last.
+    for (Curve &curve : chart.curves)
+        std::sort(curve.points.begin(), curve.points.end(),
+                  [](const ChartPoint &a, const ChartPoint &b) { return a.x < b.x; });
     return chart;
 }
 
@@ -51,7 +58,7 @@ bool writeCharts(const std::vector<SceneGroup> &groups, const std::vector<Trial>
     }
     // The legend is the same for all panels.
     for (std::size_t panel = 1; panel < small.size(); ++panel) small[panel].hasLegend = false;
-    return drawCharts(small, 2, folder / "scenes") && drawn;
+    return (small.empty() || drawCharts(small, 2, folder / "scenes")) && drawn;
 }
 
 } // namespace bench
