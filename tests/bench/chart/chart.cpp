@@ -108,7 +108,9 @@ void writePlot(std::ostream &out, const Chart &chart, std::size_t panel) {
         const std::string style = styleOf(drawn, counters);
         if (drawn.points.empty()) continue;
         const std::string title = drawn.title.empty() ? "notitle" : "title " + quoted(drawn.title);
-        plots.push_back(blockName(panel, curve) + " using 1:2 " + style + " " + title);
+        std::string plot = blockName(panel, curve);
+        plot.append(" using 1:2 ").append(style).append(" ").append(title);
+        plots.push_back(plot);
     }
     for (std::size_t plot = 0; plot < plots.size(); ++plot) out << (plot == 0 ? "plot " : ", \\\n     ") << plots[plot];
     out << "\n";

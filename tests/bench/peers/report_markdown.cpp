@@ -4,6 +4,7 @@
 #include "reference/event_driven.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <sstream>
@@ -15,7 +16,7 @@ namespace {
 std::string number(double value) {
     char text[40];
     std::snprintf(text, sizeof text, "%.2g", value);
-    return value >= 100 ? std::to_string(static_cast<long long>(value + 0.5)) : text;
+    return value >= 100 ? std::to_string(std::lround(value)) : text;
 }
 
 std::string processorName() {

@@ -107,6 +107,7 @@ Chart resistanceChart(const EngineKind &exact) {
 
     std::vector<Scene> scenes = impactScenes();
     std::vector<Ball> ends;
+    ends.reserve(scenes.size());
     for (Scene &scene : scenes) {
         scene.rolls = true;
         const auto engine = exact.make(scene, scene.duration);
@@ -120,6 +121,7 @@ Chart resistanceChart(const EngineKind &exact) {
 Chart impactChart() {
     const std::vector<Scene> scenes = impactScenes();
     std::vector<Ball> ends;
+    ends.reserve(scenes.size());
     for (const Scene &scene : scenes) ends.push_back(eventDriven<long double>(scene).balls.back());
     return convergenceChart("across impacts: mean of 32 starts, 2 s", ourEngines(), scenes.front().duration,
                             [&](const EngineKind &kind, double dt) { return meanError(kind, dt, scenes, ends); });
