@@ -96,7 +96,8 @@ void writePlot(std::ostream &out, const Chart &chart, std::size_t panel) {
     out << (chart.hasLegend ? "set key at screen 0.995,0.97 right top reverse Left samplen 2\n" : "unset key\n");
     out << "unset label\n";
     for (const Label &label : chart.labels)
-        out << "set label " << quoted(label.text) << " at " << label.x << "," << label.y << " offset character 1,0\n";
+        out << "set label " << quoted(label.text) << " at " << label.x << "," << label.y
+            << " offset character 1.5,0.8\n";
     writeAxis(out, "x", chart.x);
     writeAxis(out, "y", chart.y);
     std::vector<std::string> plots;
