@@ -4,11 +4,15 @@
 #include "core/csv_writer.h"
 #include "core/headless.h"
 #include "core/session.h"
+#include "core/trade_command.h"
 #include "ui/application.h"
+#include "ui/trade_chart.h"
 
 #include <QApplication>
 #include <QFile>
 #include <QTextStream>
+
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -25,14 +29,28 @@ CommandLine readArguments(QTextStream &messages) {
     return line;
 }
 
+// Pictures need an application that can draw, but no screen.
+int runTradeOffscreen(int argc, char **argv, const Options &options) {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    const QApplication application(argc, argv);
+    QTextStream out(stdout);
+    QTextStream messages(stderr);
+    QTextStream *progress = isatty(STDERR_FILENO) ? &messages : nullptr;
+    return runTrade(options, {out, messages, progress}, ui::writeTradePicture);
+}
+
 int runWithoutWindow(int argc, char **argv) {
-    const QCoreApplication application(argc, argv);
+    auto application = std::make_unique<QCoreApplication>(argc, argv);
     QTextStream messages(stderr);
     const CommandLine line = readArguments(messages);
     if (line.exitStatus) return *line.exitStatus;
     if (!line.options.headless) {
         messages << "physics-inspector: no display; --headless needs none, and inspector/run plays without one\n";
         return 2;
+    }
+    if (line.options.action == Options::Action::Trade) {
+        application.reset(); // there can be only one
+        return runTradeOffscreen(argc, argv, line.options);
     }
     QFile out;
     if (!out.open(stdout, QIODevice::WriteOnly)) return 1;

@@ -96,6 +96,26 @@ void addOptions(QCommandLineParser &parser, const std::vector<const phys_param_r
         {"grab", text("Save a picture of the window at the end of the run, and quit."), "file.png"},
         {"all-levels", text("Play all levels without a window by the autopilot, print a line for each; status 1 unless "
                             "all are won.")},
+        {"trade",
+         text("Measure what every stepper and step size costs on this level, what it is wrong by against "
+              "stepper exact, and recommend a setting; without a window."),
+         text("number|file")},
+        {"schedule",
+         text("With --trade, how the board tilts: autopilot, random:SEED, or a file of times and tilts or a "
+              "table from --csv. Default autopilot."),
+         text("schedule")},
+        {"steps",
+         text("With --trade: these step sizes (0.01, 5ms, 1/60), or with a + before them these besides the "
+              "usual ones."),
+         text("list")},
+        {"under",
+         text("With --trade: recommend the cheapest that keeps the position error at or under this. Default "
+              "1mm."),
+         text("length, as 1mm or 0.1R")},
+        {"for", text("With --under: for so long. Default: as long as can be compared."), seconds},
+        {"within", text("With --trade: recommend the most accurate that takes at most so long for a step."),
+         text("ns")},
+        {"plot", text("With --trade: draw the chart into this file."), text("file.svg|pdf|png")},
         {"list-steppers", text("Print the steppers that can be chosen.")},
         {"list-parameters", text("Print the parameters with unit, range and default.")},
     });
@@ -161,6 +181,40 @@ void readOutputs(const QCommandLineParser &parser, Options &options) {
         throw WrongUse{QStringLiteral("--all-levels: takes neither --csv nor --level")};
 }
 
+// Options that need --trade, and those that can't go with it.
+void checkTradeWords(const QCommandLineParser &parser) {
+    const bool trades = parser.isSet("trade");
+    for (const char *name : {"schedule", "steps", "under", "for", "within", "plot"})
+        if (!trades && parser.isSet(name)) throw WrongUse{QStringLiteral("--%1: needs --trade").arg(name)};
+    for (const char *name : {"level", "stepper", "dt", "all-levels", "autopilot", "csv-every", "grab"})
+        if (trades && parser.isSet(name)) throw WrongUse{QStringLiteral("--trade: doesn't go with --%1").arg(name)};
+    if (parser.isSet("within") && (parser.isSet("under") || parser.isSet("for")))
+        throw WrongUse{QStringLiteral("--within: takes neither --under nor --for")};
+}
+
+void readTrade(const QCommandLineParser &parser, Options &options) {
+    checkTradeWords(parser);
+    if (!parser.isSet("trade")) return;
+    const auto wrong = [&](const char *name, const char *expected) {
+        return WrongUse{QStringLiteral("--%1: expected %2, found '%3'").arg(name, expected, parser.value(name))};
+    };
+    options.action = Options::Action::Trade;
+    options.headless = true;
+    TradeOptions &trade = options.trade;
+    if (parser.isSet("schedule")) trade.schedule = parser.value("schedule");
+    if (parser.isSet("steps")) trade.stepSizes = parseStepSizes(parser.value("steps"));
+    if (trade.stepSizes.empty()) throw wrong("steps", "step sizes from 1e-6 to 10 s, as 0.01,5ms,1/60");
+    const std::optional<Length> under = parser.isSet("under") ? parseLength(parser.value("under")) : Length();
+    if (!under) throw wrong("under", "a length above 0, as 1mm, 5um, 0.001m or 0.1R");
+    trade.under = *under;
+    if (parser.isSet("for")) trade.seconds = numberOf(parser, "for", 1e-3, 1e6);
+    if (parser.isSet("within")) trade.within = numberOf(parser, "within", 1.0, 1e12);
+    trade.plot = parser.value("plot");
+    const QString ending = trade.plot.section(QLatin1Char('.'), -1);
+    if (!trade.plot.isEmpty() && !QStringList{"svg", "pdf", "png"}.contains(ending))
+        throw wrong("plot", "a file name ending in .svg, .pdf or .png");
+}
+
 Options readOptions(const QCommandLineParser &parser, const std::vector<const phys_param_row *> &rows,
                     Registry registry) {
     Options options;
@@ -174,12 +228,14 @@ Options readOptions(const QCommandLineParser &parser, const std::vector<const ph
     if (parser.isSet("speed")) options.speed = numberOf(parser, "speed", Simulation::kSlowest, Simulation::kFastest);
     if (parser.isSet("duration")) options.duration = numberOf(parser, "duration", 0.0, 1e9);
     readOutputs(parser, options);
+    readTrade(parser, options);
     readParameters(parser, rows, options);
 
     options.levels = levelsIn(levelsFolder());
-    const QString wanted = parser.isSet("level") ? parser.value("level") : QStringLiteral("1");
+    const QString option = parser.isSet("trade") ? QStringLiteral("trade") : QStringLiteral("level");
+    const QString wanted = parser.isSet(option) ? parser.value(option) : QStringLiteral("1");
     const std::optional<Level> level = findLevel(options.levels, wanted, &error);
-    if (!level) throw WrongUse{QStringLiteral("--level: ") + error};
+    if (!level) throw WrongUse{QStringLiteral("--%1: ").arg(option) + error};
     options.level = *level;
     return options;
 }
@@ -221,12 +277,12 @@ CommandLine parseCommandLine(const QStringList &arguments) {
 }
 
 bool isWindowless(int argc, const char *const *argv) {
-    constexpr std::array<std::string_view, 9> kWords{"--headless",        "--all-levels", "--list-steppers",
-                                                     "--list-parameters", "--help",       "-h",
-                                                     "--version",         "-v",           "--help-all"};
+    constexpr std::array<std::string_view, 10> kWords{
+        "--headless", "--all-levels", "--trade", "--list-steppers", "--list-parameters", "--help",
+        "-h",         "--version",    "-v",      "--help-all"};
     return std::any_of(argv + 1, argv + argc, [&](const char *word) {
-        const QByteArray dashed = QByteArray(word).replace('_', '-');
-        return std::find(kWords.begin(), kWords.end(), std::string_view(dashed.constData())) != kWords.end();
+        const QByteArray name = QByteArray(word).replace('_', '-').split('=').first(); // --trade=3
+        return std::find(kWords.begin(), kWords.end(), std::string_view(name.constData())) != kWords.end();
     });
 }
 

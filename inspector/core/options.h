@@ -6,6 +6,7 @@
 #include "handles.h"
 #include "levels.h"
 #include "parameters.h"
+#include "trade_options.h"
 
 #include <QByteArray>
 #include <QString>
@@ -16,10 +17,10 @@
 namespace inspector {
 
 struct Options {
-    enum class Action { Run, PlayAllLevels };
+    enum class Action { Run, PlayAllLevels, Trade };
 
     Action action = Action::Run;
-    Registry registry;         // with the plugins loaded         // with the plugins loaded
+    Registry registry;         // with the plugins loaded
     std::vector<Level> levels; // the list
     Level level;
     QByteArray stepper = PHYS_STEPPER_DEFAULT;
@@ -31,6 +32,7 @@ struct Options {
     std::optional<double> duration; // s of simulated time
     QString csv;                    // file; empty: standard output
     uint64_t csvEvery = 1;          // steps from one row to the next
+    TradeOptions trade;             // of Action::Trade
     QString grab;                   // file; empty: none
 };
 

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/trade_dock.h"
+
+#include "core/trade_command.h"
+#include "core/trade_table.h"
+#include "ui/trade_chart.h"
+#include "ui/trade_table_model.h"
+
+#include <QBoxLayout>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSlider>
+#include <QSortFilterProxyModel>
+#include <QSplitter>
+#include <QTableView>
+
+#include <algorithm>
+#include <cmath>
+
+namespace inspector::ui {
+
+namespace {
+
+// The slider counts twentieths of a decade, from a millionth of a radius to ten.
+constexpr int kPerDecade = 20;
+constexpr int kSmallest = -6 * kPerDecade;
+constexpr int kLargest = 1 * kPerDecade;
+
+template<typename Widget>
+Widget *named(Widget *widget, const char *name) {
+    widget->setObjectName(QLatin1String(name));
+    return widget;
+}
+
+} // namespace
+
+TradeDock::TradeDock(Session &session, QWidget *parent)
+    : QWidget(parent)
+    , m_session(session)
+    , m_chart(new TradeChart)
+    , m_rows(new TradeTableModel(this))
+    , m_sorted(new QSortFilterProxyModel(this)) {
+    setObjectName(QStringLiteral("trade"));
+    makeControls();
+    makeTable();
+    auto *halves = new QSplitter;
+    halves->addWidget(m_chart);
+    halves->addWidget(m_table);
+    halves->setStretchFactor(0, 3);
+    halves->setStretchFactor(1, 2);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(6, 4, 6, 6);
+    layout->addWidget(makeTop());
+    layout->addWidget(halves, 1);
+    layout->addWidget(makeBottom());
+
+    connect(m_measure, &QPushButton::clicked, this, &TradeDock::toggle);
+    connect(m_model, &QComboBox::currentIndexChanged, this, &TradeDock::showResult);
+    connect(&m_worker, &TradeWorker::changed, this, &TradeDock::showResult);
+    connect(&m_worker, &TradeWorker::progressed, this, &TradeDock::showProgress);
+    connect(&m_worker, &TradeWorker::ended, this, &TradeDock::showEnd);
+    connect(m_chart, &TradeChart::chosen, this, &TradeDock::choose);
+    connect(m_tolerance, &QSlider::valueChanged, this, &TradeDock::showTolerance);
+    connect(m_use, &QPushButton::clicked, this, &TradeDock::use);
+    connect(&session, &Session::levelOpened, this, &TradeDock::forget);
+    m_tolerance->setValue(int(std::lround(kPerDecade * std::log10(0.001 / phys_scene_radius(session.scene().get())))));
+    showTolerance();
+}
+
+void TradeDock::makeControls() {
+    m_measure = named(new QPushButton(tr("Measure")), "trade_measure");
+    m_schedule = named(new QComboBox, "trade_schedule");
+    m_schedule->addItem(tr("Autopilot"), QStringLiteral("autopilot"));
+    m_schedule->addItem(tr("Random tilts"), QStringLiteral("random:1"));
+    m_schedule->setToolTip(tr("How the board tilts while all steppers are measured"));
+    m_duration = named(new QDoubleSpinBox, "trade_duration");
+    m_duration->setRange(0.5, 600.0);
+    m_duration->setDecimals(1);
+    m_duration->setSuffix(tr(" s"));
+    m_duration->setValue(kTradeDuration);
+    m_duration->setToolTip(tr("Simulated time, at most"));
+    m_model = named(new QComboBox, "trade_model");
+    m_model->addItems({tr("Rolling model"), tr("Rigid model")}); // in the order of their numbers
+    m_progress = named(new QProgressBar, "trade_progress");
+    m_progress->setRange(0, 1000);
+    m_progress->setVisible(false);
+    m_remark = named(new QLabel, "trade_remark");
+    m_remark->setText(tr("Measures every stepper and step size against stepper exact, beside the simulation."));
+    m_tolerance = named(new QSlider(Qt::Horizontal), "trade_tolerance");
+    m_tolerance->setRange(kSmallest, kLargest);
+    m_tolerance->setPageStep(kPerDecade);
+    m_toleranceText = new QLabel;
+    m_toleranceText->setMinimumWidth(fontMetrics().horizontalAdvance(tr("Error under 0.000001 mm = 0.00001 R")));
+    m_answer = named(new QLabel, "trade_answer");
+    m_answer->setWordWrap(true);
+    m_use = named(new QPushButton(tr("Use this")), "trade_use");
+    m_use->setToolTip(tr("Let the simulation go on with the chosen stepper, step size and model"));
+    m_use->setEnabled(false);
+}
+
+QWidget *TradeDock::makeTop() {
+    auto *top = new QWidget;
+    auto *layout = new QHBoxLayout(top);
+    layout->setContentsMargins(0, 0, 0, 0);
+    for (QWidget *widget : {static_cast<QWidget *>(m_measure), static_cast<QWidget *>(m_schedule),
+                            static_cast<QWidget *>(m_duration), static_cast<QWidget *>(m_model)})
+        layout->addWidget(widget);
+    layout->addWidget(m_progress);
+    layout->addWidget(m_remark, 1);
+    m_remark->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // long lines don't widen the window
+    return top;
+}
+
+QWidget *TradeDock::makeBottom() {
+    auto *bottom = new QWidget;
+    auto *layout = new QHBoxLayout(bottom);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_toleranceText);
+    layout->addWidget(m_tolerance, 1);
+    layout->addWidget(m_answer, 2);
+    layout->addWidget(m_use);
+    return bottom;
+}
+
+void TradeDock::makeTable() {
+    m_table = named(new QTableView, "trade_table");
+    m_sorted->setSourceModel(m_rows);
+    m_sorted->setSortRole(TradeTableModel::kSortRole);
+    m_sorted->setFilterKeyColumn(TradeTableModel::Model);
+    m_table->setModel(m_sorted);
+    m_table->setSortingEnabled(true);
+    m_table->sortByColumn(-1, Qt::AscendingOrder); // as measured
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setAlternatingRowColors(true);
+    m_table->setWordWrap(false);
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
+        m_chart->choose(chosenIndex());
+        m_use->setEnabled(chosenIndex() && m_worker.result().points[*chosenIndex()].isValid);
+    });
+}
+
+void TradeDock::toggle() {
+    if (m_worker.isRunning()) return m_worker.cancel();
+    TradePlan plan;
+    plan.registry = m_session.registry();
+    plan.scene = m_session.scene();
+    plan.inputs = m_session.parameters().inputs();
+    plan.stepSizes = usualStepSizes();
+    if (std::find(plan.stepSizes.begin(), plan.stepSizes.end(), m_session.dt()) == plan.stepSizes.end())
+        plan.stepSizes.push_back(m_session.dt());
+    m_model->setCurrentIndex(int(plan.inputs.params.model));
+    m_measure->setText(tr("Cancel"));
+    m_progress->setVisible(true);
+    m_progress->setValue(0);
+    m_worker.start(plan, m_schedule->currentData().toString(), m_duration->value());
+}
+
+void TradeDock::showResult() {
+    const TradeResult &result = m_worker.result();
+    m_rows->show(result);
+    m_sorted->setFilterFixedString(modelName(model()));
+    m_table->resizeColumnsToContents();
+    m_chart->show(result, model());
+    showTolerance();
+}
+
+void TradeDock::showProgress(double share, const QString &what) {
+    m_progress->setValue(int(share * m_progress->maximum()));
+    const bool isDisturbed = m_session.simulation().latest().running;
+    m_remark->setText(
+        isDisturbed ? tr("The simulation runs beside and disturbs the cost figures; pause it. %1").arg(what) : what);
+}
+
+void TradeDock::showEnd(const QString &error) {
+    m_measure->setText(tr("Measure"));
+    m_progress->setVisible(false);
+    const TradeResult &result = m_worker.result();
+    if (!error.isEmpty()) return m_remark->setText(error);
+    if (!result.isComplete) return m_remark->setText(tr("Cancelled: the figures are those known so far."));
+    const QString line = tradeSummary(m_worker.plan(), result).join(QStringLiteral("; "));
+    m_remark->setText(line);
+    m_remark->setToolTip(line);
+}
+
+double TradeDock::tolerance() const { return std::pow(10.0, double(m_tolerance->value()) / kPerDecade); }
+
+uint32_t TradeDock::model() const { return uint32_t(m_model->currentIndex()); }
+
+void TradeDock::showTolerance() {
+    const double radius = phys_scene_radius(m_session.scene().get());
+    m_toleranceText->setText(
+        tr("Error under %1 mm = %2 R").arg(tolerance() * radius * 1e3, 0, 'g', 2).arg(tolerance(), 0, 'g', 2));
+    const TradeResult &result = m_worker.result();
+    TradeOptions wish;
+    wish.under = {tolerance(), true};
+    const Recommendation answer = recommend(result, model(), wish, radius);
+    m_answer->setText(result.points.empty() ? QString() : answer.line);
+    m_table->clearSelection();
+    if (!answer.point) return;
+    const auto isIt = [&](const TradePoint &point) {
+        return point.stepper == answer.point->stepper && point.dt == answer.point->dt &&
+               point.model == answer.point->model;
+    };
+    choose(size_t(std::find_if(result.points.begin(), result.points.end(), isIt) - result.points.begin()));
+}
+
+void TradeDock::choose(size_t index) {
+    const QModelIndex row = m_sorted->mapFromSource(m_rows->index(int(index), 0));
+    m_table->selectRow(row.row());
+    m_table->scrollTo(row);
+}
+
+std::optional<size_t> TradeDock::chosenIndex() const {
+    const QModelIndexList rows = m_table->selectionModel()->selectedRows();
+    if (rows.isEmpty()) return std::nullopt;
+    return size_t(m_sorted->mapToSource(rows.first()).row());
+}
+
+void TradeDock::use() {
+    const std::optional<size_t> index = chosenIndex();
+    if (!index) return;
+    const TradePoint point = m_worker.result().points[*index];
+    if (!m_session.setStepper(point.stepper) || !m_session.setDt(point.dt)) return;
+    m_session.parameters().set({{QStringLiteral("model"), double(point.model)}});
+}
+
+void TradeDock::forget() {
+    m_worker.cancel();
+    m_remark->setText(m_worker.result().points.empty() ? QString() : tr("These figures are of another level."));
+}
+
+} // namespace inspector::ui

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session.h"
+#include "core/trade_worker.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QSlider;
+class QSortFilterProxyModel;
+class QTableView;
+
+namespace inspector::ui {
+
+class TradeChart;
+class TradeTableModel;
+
+// Measures the trade of the open level in the background; chart, table, a wish for accuracy and the setting that meets
+// it, which can be put to use.
+class TradeDock : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit TradeDock(Session &session, QWidget *parent = nullptr);
+
+    QSize sizeHint() const override { return {900, 360}; }
+
+private:
+    void makeControls();
+    QWidget *makeTop();
+    QWidget *makeBottom();
+    void makeTable();
+
+    void toggle(); // begins to measure, or cancels
+    void showResult();
+    void showProgress(double share, const QString &what);
+    void showEnd(const QString &error);
+    void showTolerance(); // recommends anew
+    void choose(size_t index);
+    void use();
+    void forget(); // the figures of another level
+
+    double tolerance() const; // radii
+    std::optional<size_t> chosenIndex() const;
+    uint32_t model() const;
+
+    Session &m_session;
+    TradeWorker m_worker;
+    QPushButton *m_measure;
+    QComboBox *m_schedule;
+    QDoubleSpinBox *m_duration;
+    QComboBox *m_model;
+    QProgressBar *m_progress;
+    QLabel *m_remark;
+    TradeChart *m_chart;
+    TradeTableModel *m_rows;
+    QSortFilterProxyModel *m_sorted;
+    QTableView *m_table;
+    QSlider *m_tolerance;
+    QLabel *m_toleranceText;
+    QLabel *m_answer;
+    QPushButton *m_use;
+};
+
+} // namespace inspector::ui
