@@ -54,7 +54,7 @@ std::optional<size_t> cheapestUnder(std::span<const TradePoint> points, double r
 
 std::optional<size_t> mostAccurateWithin(std::span<const TradePoint> points, double nanoseconds) {
     return least(
-        points, [&](const TradePoint &point) { return point.cost.perStep * 1e9 <= nanoseconds; },
+        points, [&](const TradePoint &point) { return point.cost.perStep <= nanoseconds * 1e-9; },
         [](const TradePoint &point) { return std::tuple(point.error.positionLargest, point.cost.perSecond); });
 }
 

@@ -10,8 +10,8 @@ namespace inspector {
 
 namespace {
 
-constexpr uint64_t kTimedSteps = 20000; // at least, by repeating a short run: the clock's own cost doesn't show
-constexpr size_t kLegsPerLook = 64;     // at the wish to stop
+constexpr double kTimed = 0.002;    // s at least, by repeating a short run: the clock's own cost doesn't show
+constexpr size_t kLegsPerLook = 64; // at the wish to stop
 
 double cpuTime() {
     timespec now{};
@@ -117,10 +117,9 @@ std::optional<double> timeRun(const TradeRun &run, const std::vector<Segment> &s
     phys_state start;
     phys_scene_start(run.scene.get(), &start);
     phys_params params = run.params;
-    uint64_t steps = 0;
     int runs = 0;
     const double begin = cpuTime();
-    for (; steps < kTimedSteps; ++runs) {
+    for (; runs == 0 || cpuTime() - begin < kTimed; ++runs) {
         phys_state state = start;
         for (size_t i = 0; i < legs.size(); ++i) {
             if (i % kLegsPerLook == 0 && stop.stop_requested()) return std::nullopt;
@@ -129,7 +128,6 @@ std::optional<double> timeRun(const TradeRun &run, const std::vector<Segment> &s
             for (uint32_t n = 0; n < leg.steps; ++n)
                 if (phys_step(stepper.get(), &params, leg.dt, &state, &state, nullptr, nullptr) != PHYS_OK)
                     return std::nullopt;
-            steps += leg.steps;
         }
     }
     return (cpuTime() - begin) / runs;

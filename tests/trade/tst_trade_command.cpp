@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+// The trade on the command line: words, table, files, recommendation, exit status.
+#include "core/command_line.h"
+#include "core/trade_command.h"
+#include "core/trade_svg.h"
+#include "core/trade_table.h"
+#include "support/compare.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QXmlStreamReader>
+
+using namespace inspector;
+
+class TestTradeCommand : public QObject {
+    Q_OBJECT
+
+private slots:
+    void lengthsHaveAUnit_data();
+    void lengthsHaveAUnit();
+    void stepSizesReplaceTheUsualOnesOrJoinThem();
+    void wrongUseIsOneLine_data();
+    void wrongUseIsOneLine();
+    void tradeNeedsNoWindow_data();
+    void tradeNeedsNoWindow();
+    void lastLineIsTheRecommendation();
+    void unreachableToleranceGivesStatus1();
+    void csvHeaderStaysAsItIs();
+    void csvHasARowForEachPoint();
+    void svgIsWellFormedAndNamesEveryStepper();
+    void otherPicturesAreLeftToTheirWriter();
+    void whatCantBeOpenedGivesStatus2_data();
+    void whatCantBeOpenedGivesStatus2();
+    void unwritableFileGivesStatus1();
+
+private:
+    QTemporaryDir m_folder;
+};
+
+namespace {
+
+struct Result {
+    int status;
+    QString out, messages;
+    QString picture; // asked of the writer
+};
+
+// A short measurement: no figure of time is looked at.
+Result runOf(const QString &words) {
+    const CommandLine line = parseCommandLine(("physics-inspector " + words).split(' '));
+    if (line.exitStatus) return {*line.exitStatus, {}, line.error, {}};
+    Result result{};
+    QTextStream out(&result.out);
+    QTextStream messages(&result.messages);
+    result.status = runTrade(line.options, {out, messages, nullptr},
+                             [&](const TradePlan &, const TradeResult &, uint32_t, const QString &path, QString *) {
+                                 result.picture = path;
+                                 return true;
+                             });
+    return result;
+}
+
+const QString kShort = QStringLiteral("--trade 1 --schedule random:3 --duration 0.5 --steps 0.05,0.01 ");
+
+QByteArray contentOf(const QString &path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+} // namespace
+
+void TestTradeCommand::lengthsHaveAUnit_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<double>("radii"); // of a ball of 4 mm; 0: refused
+    QTest::newRow("mm") << "1mm" << 0.25;
+    QTest::newRow("m") << "0.002m" << 0.5;
+    QTest::newRow("um") << "5e2um" << 0.125;
+    QTest::newRow("R") << "0.1R" << 0.1;
+    QTest::newRow("none") << "1" << 0.0;
+    QTest::newRow("zero") << "0mm" << 0.0;
+    QTest::newRow("negative") << "-1mm" << 0.0;
+    QTest::newRow("unit only") << "mm" << 0.0;
+    QTest::newRow("not finite") << "infR" << 0.0;
+    QTest::newRow("nothing") << "" << 0.0;
+}
+
+void TestTradeCommand::lengthsHaveAUnit() {
+    QFETCH(QString, text);
+    QFETCH(double, radii);
+    const std::optional<Length> length = parseLength(text);
+    QCOMPARE(length.has_value(), radii > 0.0);
+    if (length) COMPARE_WITHIN(length->inRadii(0.004), radii, 1e-15);
+}
+
+void TestTradeCommand::stepSizesReplaceTheUsualOnesOrJoinThem() {
+    QVERIFY(parseStepSizes("0.02,1/60,4ms,3us,1s") == (std::vector<double>{0.02, 1.0 / 60.0, 4 * 1e-3, 3 * 1e-6, 1.0}));
+    const std::vector<double> more = parseStepSizes("+0.02");
+    QCOMPARE(more.size(), usualStepSizes().size() + 1);
+    QVERIFY(more.back() == 0.02);
+    for (const char *wrong : {"", "0", "1/0", "x", "0.01,", "20", "-1ms", "1e-9"})
+        QVERIFY2(parseStepSizes(wrong).empty(), wrong);
+}
+
+void TestTradeCommand::wrongUseIsOneLine_data() {
+    QTest::addColumn<QString>("words");
+    QTest::addColumn<QString>("line");
+    const auto row = [](const char *words, const char *line) { QTest::newRow(words) << words << line; };
+    row("--under 1mm", "--under: needs --trade");
+    row("--plot x.svg", "--plot: needs --trade");
+    row("--trade 1 --under 1", "--under: expected a length above 0, as 1mm, 5um, 0.001m or 0.1R, found '1'");
+    row("--trade 1 --steps 5,x", "--steps: expected step sizes from 1e-6 to 10 s, as 0.01,5ms,1/60, found '5,x'");
+    row("--trade 1 --plot x.gif", "--plot: expected a file name ending in .svg, .pdf or .png, found 'x.gif'");
+    row("--trade 1 --within 0", "--within: expected a number from 1 to 1e+12, found '0'");
+    row("--trade 1 --within 100 --under 1mm", "--within: takes neither --under nor --for");
+    row("--trade 1 --stepper rk4", "--trade: doesn't go with --stepper");
+    row("--trade 99", "--trade: expected 1 to 10, found 99");
+}
+
+void TestTradeCommand::wrongUseIsOneLine() {
+    QFETCH(QString, words);
+    QFETCH(QString, line);
+    const Result result = runOf(words);
+    QCOMPARE(result.status, 2);
+    QCOMPARE(result.messages, "physics-inspector: " + line + '\n');
+}
+
+void TestTradeCommand::tradeNeedsNoWindow_data() {
+    QTest::addColumn<QByteArray>("word");
+    QTest::newRow("apart") << QByteArray("--trade");
+    QTest::newRow("joined") << QByteArray("--trade=3");
+}
+
+void TestTradeCommand::tradeNeedsNoWindow() {
+    QFETCH(QByteArray, word);
+    const std::array<const char *, 2> words{"physics-inspector", word.constData()};
+    QVERIFY(isWindowless(2, words.data()));
+}
+
+void TestTradeCommand::lastLineIsTheRecommendation() {
+    const Result result = runOf(kShort + "--under 10R");
+    QVERIFY2(result.status == 0, qPrintable(result.messages));
+    const QStringList lines = result.out.trimmed().split('\n');
+    QVERIFY2(lines.first().startsWith("level 01, schedule random:3, 0.5 s"), qPrintable(lines.first()));
+    QVERIFY2(lines.last().startsWith("recommended: --stepper "), qPrintable(lines.last()));
+    QVERIFY(result.messages.isEmpty());
+}
+
+void TestTradeCommand::unreachableToleranceGivesStatus1() {
+    const Result result = runOf("--trade 1 --schedule random:3 --duration 0.5 --steps 0.01 --within 1");
+    QCOMPARE(result.status, 1);
+    QVERIFY2(result.out.endsWith("recommended: none: no step takes 1 ns or less\n"), qPrintable(result.out));
+}
+
+void TestTradeCommand::csvHeaderStaysAsItIs() {
+    QCOMPARE(tradeCsvHeader(),
+             QByteArray("stepper,dt [s],model,position_largest [R],position_final [R],velocity_largest [m/s],"
+                        "orientation_largest [deg],energy_drift [J/kg],penetration_largest [R],time_until_wrong [s],"
+                        "wrong_impacts,model_error [R],steps,cpu_per_step [ns],cpu_per_second [us],cpu_spread [%],"
+                        "repeats,note\n"));
+}
+
+void TestTradeCommand::csvHasARowForEachPoint() {
+    const QString path = m_folder.filePath("trade.csv");
+    const Result result = runOf(kShort + "--csv " + path);
+    QVERIFY2(result.messages.isEmpty(), qPrintable(result.messages));
+    QByteArrayList lines = contentOf(path).trimmed().split('\n');
+    lines.removeIf([](const QByteArray &line) { return line.startsWith('#'); });
+    QCOMPARE(lines.size(), 1 + qsizetype(phys_registry_count(nullptr)) * 2 * 2); // steps, models
+    QVERIFY2(lines[1].startsWith("explicit-euler,0.05,rolling,"), lines[1].constData());
+    for (const QByteArray &line : lines) QVERIFY(line.contains('"') || line.count(',') == lines[0].count(','));
+}
+
+void TestTradeCommand::svgIsWellFormedAndNamesEveryStepper() {
+    const QString path = m_folder.filePath("trade.svg");
+    const Result result = runOf(kShort + "--plot " + path);
+    QVERIFY2(result.messages.isEmpty(), qPrintable(result.messages));
+    QXmlStreamReader xml(contentOf(path));
+    QStringList texts;
+    while (!xml.atEnd())
+        if (xml.readNext() == QXmlStreamReader::Characters) texts += xml.text().toString();
+    QVERIFY2(!xml.hasError(), qPrintable(xml.errorString()));
+    for (uint32_t i = 0; i < phys_registry_count(nullptr); ++i) {
+        phys_stepper_info info;
+        phys_registry_info(nullptr, i, &info);
+        QVERIFY2(texts.contains(QString(info.id)), info.id);
+    }
+}
+
+void TestTradeCommand::otherPicturesAreLeftToTheirWriter() {
+    QCOMPARE(runOf(kShort + "--plot a.pdf").picture, QString("a.pdf"));
+}
+
+void TestTradeCommand::whatCantBeOpenedGivesStatus2_data() {
+    QTest::addColumn<QString>("words");
+    QTest::addColumn<QString>("part");
+    QTest::newRow("level") << "--trade nowhere/none.txt"
+                           << "nowhere/none.txt";
+    QTest::newRow("schedule") << "--trade 1 --schedule nowhere/none.txt"
+                              << "--schedule: can't read 'nowhere/none.txt'";
+    QTest::newRow("seed") << "--trade 1 --schedule random:x"
+                          << "expected random: and a whole number, found 'random:x'";
+}
+
+void TestTradeCommand::whatCantBeOpenedGivesStatus2() {
+    QFETCH(QString, words);
+    QFETCH(QString, part);
+    const Result result = runOf(words);
+    QCOMPARE(result.status, 2);
+    QVERIFY2(result.messages.contains(part) && result.messages.count('\n') == 1, qPrintable(result.messages));
+    QVERIFY(result.out.isEmpty());
+}
+
+void TestTradeCommand::unwritableFileGivesStatus1() {
+    const Result result = runOf(kShort + "--csv /nowhere/trade.csv");
+    QCOMPARE(result.status, 1);
+    QVERIFY2(result.messages.startsWith("physics-inspector: --csv: can't write '/nowhere/trade.csv'"),
+             qPrintable(result.messages));
+}
+
+QTEST_GUILESS_MAIN(TestTradeCommand)
+#include "tst_trade_command.moc"
