@@ -17,6 +17,7 @@ private slots:
     void roughWallLiftsTheBall();
     void grooveTakesFiveNinths();
     void ballSpinsDownAtTheWall();
+    void ballSpinsDownInACorner();
     void wholeSceneFollowsTheReference();
     void slipOnAnEdgeIsRefused();
 };
@@ -145,6 +146,21 @@ void ExactRigid::ballSpinsDownAtTheWall() {
     QVERIFY(near(run.state.position.y, 0.25, 1.0));
     QCOMPARE(run.state.position.x, -0.0625);
     QVERIFY(near(run.report.energy_scheme, 0.0, 2.0));
+}
+
+void ExactRigid::ballSpinsDownInACorner() {
+    // Touching a second wall that it isn't pressed on costs no search: w' = -(5/2) mu_s gn = -5.
+    Run run({kFloor, exact::wall(-1, 0, 1, 1), exact::wall(0, -1, 1, 1)}, 0.0625, {-0.0625, -0.0625, 0.0625});
+    roll(run, 0.0625);
+    run.state.spin = {-16.0, 0.0, 0.0};
+    run.params.restitution_wall = 0.0;
+    run.params.sliding_friction = 0.25;
+    run.params.gravity = {0, 0.5, -8.0};
+    run.step(1.0);
+    const std::vector<phys_event> rolls = run.eventsOf(PHYS_EVENT_ROLL);
+    QCOMPARE(rolls.size(), size_t(1));
+    QVERIFY(near(rolls[0].time, 16.0 * 0.0625 / 5.0, 1.0));
+    QVERIFY(run.state.flags & PHYS_AT_REST);
 }
 
 void ExactRigid::wholeSceneFollowsTheReference() {

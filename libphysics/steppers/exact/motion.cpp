@@ -55,6 +55,9 @@ Motion Motion::slippingAtWall(const Vec3 &p, const Vec3 &v, const Vec2 &u, const
     motion.m_wallSlip = WallSlip(glm::dot(u, n), along, drive, glm::dot(g, n), friction);
     motion.m_end = motion.m_wallSlip.end();
     motion.m_most = std::abs(drive) + friction;
+    motion.m_B = 3.5 * friction;
+    motion.m_slipStart = along / length(u) * tangent;
+    motion.m_slipEnd = std::clamp(drive / friction, -1.0, 1.0) * tangent;
     return motion;
 }
 
@@ -86,7 +89,11 @@ double Motion::path(double t) const {
 double Motion::leastAcceleration(const Vec3 &n, double rate) const {
     const double free = glm::dot(m_a, n);
     if (m_kind == Kind::parabola) return free;
-    if (m_kind == Kind::slippingAtWall) return -m_most * std::abs(glm::dot(inPlane(n), m_tangent));
+    if (m_kind == Kind::slippingAtWall) {
+        // The slip's part along the wall goes from its first to its last value without turning back.
+        const double most = std::max(glm::dot(m_slipStart, inPlane(n)), glm::dot(m_slipEnd, inPlane(n)));
+        return 7.0 / 5.0 * free - 2.0 / 7.0 * m_B * most;
+    }
     if (m_kind == Kind::slipping) return 7.0 / 5.0 * free - 2.0 / 7.0 * m_B * mostSlipAlong(inPlane(n));
     // n.v changes its sign at most once (model.md 3.5), and resistance helps a velocity towards n's back: while rate <=
     // 0 it only slows the fall, and a rate >= 0 under free >= 0 never falls.
