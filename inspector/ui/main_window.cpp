@@ -14,6 +14,7 @@
 #include "ui/settings_keys.h"
 #include "ui/status_line.h"
 #include "ui/theme.h"
+#include "ui/trade_dock.h"
 #include "ui/transport_bar.h"
 #include "ui/velocity_plot.h"
 
@@ -44,7 +45,7 @@ struct MainWindow::DockRow {
 };
 
 namespace {
-const char *const kDockNames[] = {"parameters_dock", "levels_dock", "plot_dock"};
+const char *const kDockNames[] = {"parameters_dock", "levels_dock", "plot_dock", "trade_dock"};
 }
 
 MainWindow::MainWindow(Session &session)
@@ -104,6 +105,8 @@ void MainWindow::makeDocks() {
          [](MainWindow &window) -> QWidget * { return window.m_levels; }},
         {kDockNames[2], QT_TR_NOOP("Velocity plot"), Qt::BottomDockWidgetArea,
          [](MainWindow &window) -> QWidget * { return window.m_plot; }},
+        {kDockNames[3], QT_TR_NOOP("Trade"), Qt::BottomDockWidgetArea,
+         [](MainWindow &window) -> QWidget * { return new TradeDock(window.m_session); }},
     };
     for (const DockRow &row : rows) {
         auto *dock = new QDockWidget(tr(row.title), this);
@@ -111,6 +114,10 @@ void MainWindow::makeDocks() {
         dock->setWidget(row.widget(*this));
         addDockWidget(row.area, dock);
     }
+    // On call, in the place of the plot.
+    auto *trade = findChild<QDockWidget *>(QLatin1String(kDockNames[3]));
+    tabifyDockWidget(findChild<QDockWidget *>(QLatin1String(kDockNames[2])), trade);
+    trade->hide();
 }
 
 void MainWindow::connectSession() {

@@ -29,6 +29,7 @@ namespace {
 constexpr int kPerDecade = 20;
 constexpr int kSmallest = -6 * kPerDecade;
 constexpr int kLargest = 1 * kPerDecade;
+constexpr int kRefreshPeriod = 200; // ms
 
 template<typename Widget>
 Widget *named(Widget *widget, const char *name) {
@@ -60,7 +61,11 @@ TradeDock::TradeDock(Session &session, QWidget *parent)
 
     connect(m_measure, &QPushButton::clicked, this, &TradeDock::toggle);
     connect(m_model, &QComboBox::currentIndexChanged, this, &TradeDock::showResult);
-    connect(&m_worker, &TradeWorker::changed, this, &TradeDock::showResult);
+    connect(&m_worker, &TradeWorker::changed, &m_refresh, [this] {
+        if (!m_refresh.isActive()) m_refresh.start(kRefreshPeriod);
+    });
+    m_refresh.setSingleShot(true);
+    connect(&m_refresh, &QTimer::timeout, this, &TradeDock::showResult);
     connect(&m_worker, &TradeWorker::progressed, this, &TradeDock::showProgress);
     connect(&m_worker, &TradeWorker::ended, this, &TradeDock::showEnd);
     connect(m_chart, &TradeChart::chosen, this, &TradeDock::choose);
@@ -181,6 +186,7 @@ void TradeDock::showProgress(double share, const QString &what) {
 void TradeDock::showEnd(const QString &error) {
     m_measure->setText(tr("Measure"));
     m_progress->setVisible(false);
+    showResult();
     const TradeResult &result = m_worker.result();
     if (!error.isEmpty()) return m_remark->setText(error);
     if (!result.isComplete) return m_remark->setText(tr("Cancelled: the figures are those known so far."));

@@ -4,6 +4,7 @@
 #include "core/session.h"
 #include "core/trade_worker.h"
 
+#include <QTimer>
 #include <QWidget>
 
 class QComboBox;
@@ -51,6 +52,7 @@ private:
 
     Session &m_session;
     TradeWorker m_worker;
+    QTimer m_refresh; // figures come faster than anyone reads
     QPushButton *m_measure;
     QComboBox *m_schedule;
     QDoubleSpinBox *m_duration;

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// The trade in the window: measured in the background, chosen by hand, put to use.
+#include "ui/trade_dock.h"
+
+#include "core/command_line.h"
+#include "ui/trade_chart.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSettings>
+#include <QSlider>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolTip>
+
+#include <algorithm>
+
+using namespace inspector;
+using namespace inspector::ui;
+
+class TestTradeDock : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void measuringFillsTableAndChart();
+    void headerSortsByTheFigure();
+    void tighterToleranceRecommendsNothingCheaper();
+    void pointUnderTheMouseIsNamed();
+    void clickOnAPointChoosesIt();
+    void useAppliesStepperAndStepSize();
+    void otherModelShowsItsOwnPoints();
+    void cancelKeepsWhatIsKnown();
+
+private:
+    template<typename Widget>
+    Widget &find(const char *name) {
+        auto *widget = m_dock->findChild<Widget *>(QLatin1String(name));
+        if (!widget) qFatal("no %s", name);
+        return *widget;
+    }
+    QString cell(int row, int column) { return table().model()->index(row, column).data().toString(); }
+    QTableView &table() { return find<QTableView>("trade_table"); }
+    TradeChart &chart() { return find<TradeChart>("trade_chart"); }
+    QPushButton &measure() { return find<QPushButton>("trade_measure"); }
+    bool isMeasuring() { return measure().text() == "Cancel"; }
+    int chosenRow() {
+        const QModelIndexList rows = table().selectionModel()->selectedRows();
+        return rows.isEmpty() ? -1 : rows.first().row();
+    }
+    QPointF placeOnChart();
+
+    QTemporaryDir m_folder;
+    QSettings m_settings{m_folder.filePath("settings.ini"), QSettings::IniFormat};
+    std::unique_ptr<Session> m_session;
+    std::unique_ptr<TradeDock> m_dock;
+};
+
+namespace {
+constexpr int kLong = 90000; // ms: a measurement on a busy machine
+}
+
+void TestTradeDock::initTestCase() {
+    const CommandLine line = parseCommandLine({"physics-inspector", "--level", "1"});
+    QVERIFY2(!line.exitStatus, qPrintable(line.error));
+    QString error;
+    m_session = Session::open(line.options, m_settings, &error);
+    QVERIFY2(m_session, qPrintable(error));
+    m_dock = std::make_unique<TradeDock>(*m_session);
+    m_dock->resize(1200, 420);
+    m_dock->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_dock.get()));
+    find<QDoubleSpinBox>("trade_duration").setValue(0.5);
+}
+
+void TestTradeDock::measuringFillsTableAndChart() {
+    QVERIFY(!find<QPushButton>("trade_use").isEnabled());
+    QTest::mouseClick(&measure(), Qt::LeftButton);
+    QVERIFY(isMeasuring());
+    QTRY_VERIFY_WITH_TIMEOUT(!isMeasuring(), kLong);
+    // Six steppers, seven step sizes; the session's own, 10 ms, is one of them.
+    QCOMPARE(table().model()->rowCount(), 6 * 7);
+    QVERIFY(find<QLabel>("trade_remark").text().contains("compared up to 0.50 s"));
+    QVERIFY(!find<QLabel>("trade_answer").text().isEmpty());
+    const QString picture = qEnvironmentVariable("TRADE_PICTURE"); // to look at
+    if (!picture.isEmpty()) QVERIFY(m_dock->grab().save(picture));
+}
+
+void TestTradeDock::headerSortsByTheFigure() {
+    table().sortByColumn(1, Qt::AscendingOrder);
+    QCOMPARE(cell(0, 1), QString("0.1 ms"));
+    table().sortByColumn(1, Qt::DescendingOrder);
+    QCOMPARE(cell(0, 1), QString("16.67 ms")); // as a text "5 ms" would be first
+}
+
+// To ask for less error can't make the recommended error larger.
+void TestTradeDock::tighterToleranceRecommendsNothingCheaper() {
+    QSlider &slider = find<QSlider>("trade_tolerance");
+    slider.setFocus();
+    QTest::keyClick(&slider, Qt::Key_End); // 10 R
+    QVERIFY(chosenRow() >= 0);
+    const double loose = cell(chosenRow(), 3).toDouble();
+    QVERIFY(loose <= 10.0);
+    QTest::keyClick(&slider, Qt::Key_Home); // a millionth of a radius
+    QVERIFY(chosenRow() >= 0);
+    const double tight = cell(chosenRow(), 3).toDouble();
+    QVERIFY2(tight <= 1e-6 && tight <= loose, qPrintable(QString("%1 %2").arg(tight).arg(loose)));
+}
+
+QPointF TestTradeDock::placeOnChart() {
+    for (size_t i = 0; i < 42; ++i) {
+        const QPointF place = chart().placeOf(i);
+        if (chart().pointAt(place) == i) return place;
+    }
+    qFatal("no point is drawn");
+}
+
+void TestTradeDock::pointUnderTheMouseIsNamed() {
+    const QPointF place = placeOnChart();
+    QTest::mouseMove(&chart(), place.toPoint());
+    QTRY_VERIFY(QToolTip::isVisible());
+    QVERIFY2(QToolTip::text().contains("max error:") && QToolTip::text().contains(" ms, rolling"),
+             qPrintable(QToolTip::text()));
+}
+
+void TestTradeDock::clickOnAPointChoosesIt() {
+    const QPointF place = placeOnChart();
+    table().clearSelection();
+    QTest::mouseClick(&chart(), Qt::LeftButton, {}, place.toPoint());
+    QVERIFY(chosenRow() >= 0);
+    QTest::mouseMove(&chart(), place.toPoint());
+    QTRY_VERIFY(QToolTip::text().startsWith(cell(chosenRow(), 0) + ", " + cell(chosenRow(), 1)));
+    QVERIFY(find<QPushButton>("trade_use").isEnabled());
+}
+
+void TestTradeDock::useAppliesStepperAndStepSize() {
+    table().sortByColumn(1, Qt::DescendingOrder);
+    for (int row = 0; row < table().model()->rowCount(); ++row)
+        if (cell(row, 0) == "rk4" && cell(row, 1) == "2 ms") table().selectRow(row);
+    QTest::mouseClick(&find<QPushButton>("trade_use"), Qt::LeftButton);
+    QCOMPARE(m_session->stepperId(), QByteArray("rk4"));
+    QVERIFY(m_session->dt() == 0.002);
+    QCOMPARE(m_session->parameters().inputs().params.model, uint32_t(PHYS_MODEL_ROLLING));
+}
+
+void TestTradeDock::otherModelShowsItsOwnPoints() {
+    find<QComboBox>("trade_model").setCurrentIndex(PHYS_MODEL_RIGID);
+    for (int row = 0; row < table().model()->rowCount(); ++row) QCOMPARE(cell(row, 2), QString("rigid"));
+    find<QComboBox>("trade_model").setCurrentIndex(PHYS_MODEL_ROLLING);
+}
+
+void TestTradeDock::cancelKeepsWhatIsKnown() {
+    find<QDoubleSpinBox>("trade_duration").setValue(600.0);
+    QTest::mouseClick(&measure(), Qt::LeftButton);
+    QVERIFY(isMeasuring());
+    QTRY_VERIFY_WITH_TIMEOUT(table().model()->rowCount() > 0, kLong);
+    QTest::mouseClick(&measure(), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(!isMeasuring(), kLong);
+    QVERIFY(find<QLabel>("trade_remark").text().startsWith("Cancelled"));
+    QVERIFY(table().model()->rowCount() > 0);
+}
+
+QTEST_MAIN(TestTradeDock)
+#include "tst_trade_dock.moc"
