@@ -64,7 +64,11 @@ TradeChart::TradeChart(QWidget *parent)
     m_ring->setSize(15);
     m_ring->setVisible(false);
     m_ring->position->setType(QCPItemPosition::ptPlotCoords);
-    plotLayout()->addElement(0, 1, legend); // beside the curves, where it hides none of them
+    auto *beside = new QCPLayoutGrid; // where the legend hides no curve
+    plotLayout()->addElement(0, 1, beside);
+    beside->addElement(0, 0, legend);
+    beside->addElement(1, 0, new QCPLayoutElement(this));
+    beside->setRowStretchFactor(0, 0.001);
     plotLayout()->setColumnStretchFactor(1, 0.001);
     legend->setVisible(true);
     takeColours();

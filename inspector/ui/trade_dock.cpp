@@ -25,10 +25,10 @@ namespace inspector::ui {
 
 namespace {
 
-// The slider counts twentieths of a decade, from a millionth of a radius to ten.
+// The slider counts twentieths of a decade from 1 mm: from a nanometre to a decimetre.
 constexpr int kPerDecade = 20;
 constexpr int kSmallest = -6 * kPerDecade;
-constexpr int kLargest = 1 * kPerDecade;
+constexpr int kLargest = 2 * kPerDecade;
 constexpr int kRefreshPeriod = 200; // ms
 
 template<typename Widget>
@@ -72,7 +72,6 @@ TradeDock::TradeDock(Session &session, QWidget *parent)
     connect(m_tolerance, &QSlider::valueChanged, this, &TradeDock::showTolerance);
     connect(m_use, &QPushButton::clicked, this, &TradeDock::use);
     connect(&session, &Session::levelOpened, this, &TradeDock::forget);
-    m_tolerance->setValue(int(std::lround(kPerDecade * std::log10(0.001 / phys_scene_radius(session.scene().get())))));
     showTolerance();
 }
 
@@ -195,17 +194,17 @@ void TradeDock::showEnd(const QString &error) {
     m_remark->setToolTip(line);
 }
 
-double TradeDock::tolerance() const { return std::pow(10.0, double(m_tolerance->value()) / kPerDecade); }
+double TradeDock::tolerance() const { return 0.001 * std::pow(10.0, double(m_tolerance->value()) / kPerDecade); }
 
 uint32_t TradeDock::model() const { return uint32_t(m_model->currentIndex()); }
 
 void TradeDock::showTolerance() {
     const double radius = phys_scene_radius(m_session.scene().get());
     m_toleranceText->setText(
-        tr("Error under %1 mm = %2 R").arg(tolerance() * radius * 1e3, 0, 'g', 2).arg(tolerance(), 0, 'g', 2));
+        tr("Error under %1 mm = %2 R").arg(tolerance() * 1e3, 0, 'g', 2).arg(tolerance() / radius, 0, 'g', 2));
     const TradeResult &result = m_worker.result();
     TradeOptions wish;
-    wish.under = {tolerance(), true};
+    wish.under = {tolerance(), false};
     const Recommendation answer = recommend(result, model(), wish, radius);
     m_answer->setText(result.points.empty() ? QString() : answer.line);
     m_table->clearSelection();

@@ -46,7 +46,7 @@ private:
     void use();
     void forget(); // the figures of another level
 
-    double tolerance() const; // radii
+    double tolerance() const; // m
     std::optional<size_t> chosenIndex() const;
     uint32_t model() const;
 
