@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <random>
 
 namespace inspector {
@@ -12,6 +13,13 @@ namespace {
 
 constexpr double kRounding = 1e-9; // of a step: a segment that is so near to a whole number of steps is one
 constexpr int kPushedRuns = 4;
+constexpr double kTurnStep = 0.001; // s
+
+// "exact" turns the ball about one axis a phase: where the way bends, its orientation is right to the second order of
+// the step only. No motion depends on it.
+void takeOrientation(phys_state &state, const phys_state &turned) {
+    std::copy(std::begin(turned.orientation), std::end(turned.orientation), state.orientation);
+}
 
 } // namespace
 
@@ -81,9 +89,11 @@ std::optional<TradeReference> TradeReference::run(const Registry &registry, cons
     report.events = events.data();
     report.event_capacity = uint32_t(events.size());
     for (const Leg &leg : result.m_legs) {
+        phys_state turned = state;
         if (!result.step(leg.segment, leg.dt, state, &report, &result.m_endReason)) break;
         if (state.flags & PHYS_OUT) result.m_endReason = QStringLiteral("the ball leaves the maze");
         if (state.flags & PHYS_OUT) break;
+        if (result.turn(leg.segment, leg.dt, turned)) takeOrientation(state, turned);
         appendImpacts(report, result.m_impacts);
         result.m_states.push_back(state);
     }
@@ -102,17 +112,31 @@ bool TradeReference::step(size_t segment, double dt, phys_state &state, phys_rep
     return false;
 }
 
+bool TradeReference::turn(size_t segment, double time, phys_state &state) const {
+    const double count = std::max(1.0, std::ceil(time / kTurnStep - kRounding));
+    for (int i = 0; i < int(count); ++i)
+        if (!step(segment, time / count, state, nullptr, nullptr)) return false;
+    return true;
+}
+
 std::vector<phys_state> TradeReference::statesAt(const std::vector<Leg> &legs) const {
     std::vector<phys_state> states;
     states.reserve(legs.size());
+    const double rounding = kRounding * kScheduleHold;
     size_t piece = 0;
+    phys_state turned = m_states.front(); // the same ball in small steps
+    double turnedUntil = 0.0;             // s
     for (const Leg &leg : legs) {
-        const double rounding = kRounding * kScheduleHold;
-        while (piece < m_legs.size() && m_legs[piece].end <= leg.end + rounding) ++piece;
+        while (piece < m_legs.size() && m_legs[piece].end <= leg.end + rounding) {
+            turnedUntil = m_legs[piece].end;
+            turned = m_states[++piece];
+        }
         const double rest = piece > 0 ? leg.end - m_legs[piece - 1].end : leg.end;
         if (piece == m_legs.size() && rest > rounding) break;
         phys_state state = m_states[piece];
         if (rest > rounding && !step(leg.segment, rest, state, nullptr, nullptr)) break;
+        if (rest > rounding && turn(leg.segment, leg.end - turnedUntil, turned)) takeOrientation(state, turned);
+        turnedUntil = leg.end;
         states.push_back(state);
     }
     return states;

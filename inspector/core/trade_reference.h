@@ -68,6 +68,7 @@ public:
 private:
     TradeReference(Stepper stepper, Scene scene, const phys_params &params);
     bool step(size_t segment, double dt, phys_state &state, phys_report *report, QString *error) const;
+    bool turn(size_t segment, double time, phys_state &state) const; // a step in small ones, for its orientation
     double pushedHorizon(uint64_t seed, const std::stop_token &stop) const;
     void push(phys_state &state, double angle) const;
 
