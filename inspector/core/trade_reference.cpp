@@ -15,8 +15,8 @@ constexpr double kRounding = 1e-9; // of a step: a segment that is so near to a 
 constexpr int kPushedRuns = 4;
 constexpr double kTurnStep = 0.001; // s
 
-// "exact" turns the ball about one axis a phase: where the way bends, its orientation is right to the second order of
-// the step only. No motion depends on it.
+// The orientation of "exact" is right to the second order of its step where the way bends: a tenth of a degree after
+// some seconds of 50 ms steps, 2500 times less in these. No motion depends on it.
 void takeOrientation(phys_state &state, const phys_state &turned) {
     std::copy(std::begin(turned.orientation), std::end(turned.orientation), state.orientation);
 }

@@ -117,8 +117,8 @@ void TestTradeErrors::exactInOtherStepsHasTheErrorOfRounding() {
     QVERIFY2(point.isValid && point.error.positionLargest < 1e-11, qPrintable(point.note));
 }
 
-// Exact turns about one axis a step: in the steps of 50 ms of the reference's path it would be wrong by a tenth of a
-// degree. In steps of 1 ms it and the others are good to the second order, 2500 times better.
+// The orientation of exact is of second order, too: in the 50 ms steps of the reference's path it would be wrong by a
+// tenth of a degree, in steps of 1 ms it and the others are 2500 times better.
 void TestTradeErrors::orientationIsComparedInSmallSteps() {
     TradePlan turning = plan(openFloor(), randomSchedule(5, 2.0), {0.001});
     const TradeResult result = measured(turning);
