@@ -9,6 +9,7 @@
 #include <QSaveFile>
 
 #include <algorithm>
+#include <cmath>
 
 namespace inspector {
 
@@ -42,7 +43,7 @@ TradePlan planOf(const Options &options) {
 
 void showProgress(QTextStream &terminal, double share, const QString &what) {
     constexpr int kWidth = 30;
-    const int full = int(share * kWidth + 0.5);
+    const int full = int(std::lround(share * kWidth));
     const QString bar = QString(full, QLatin1Char('#')) + QString(kWidth - full, QLatin1Char('.'));
     terminal << "\r[" << bar << "] " << int(share * 100.0) << " %  " << what.leftJustified(40, QLatin1Char(' '), true);
     if (share >= 1.0) terminal << "\r" << QString(kWidth + 52, QLatin1Char(' ')) << "\r";
