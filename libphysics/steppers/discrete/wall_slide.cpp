@@ -17,6 +17,7 @@ Vec2 slippingDrive(const Ball &ball, const phys_params &params, double radius) {
 Vec2 slideAlongWalls(const StepContext &context, const Pressing &pressing, Ball &ball) {
     const phys_params &params = context.params;
     const double radius = context.scene.radius;
+    const Vec2 before = inPlane(ball.velocity);
     ball.velocity += context.h * Vec3(inPlane(params.gravity), 0.0);
 
     double heat = 0.0;
@@ -45,7 +46,8 @@ Vec2 slideAlongWalls(const StepContext &context, const Pressing &pressing, Ball 
     }
     ball.velocity = Vec3(velocity, ball.velocity.z);
     context.report.lostSlip(heat);
-    return context.h * velocity;
+    // The mean velocity: the path then bends no more than the forces do, which sweeping along it relies on.
+    return 0.5 * context.h * (before + velocity);
 }
 
 } // namespace phys
