@@ -48,6 +48,11 @@ phys_status Run::advance(phys_state &out) {
         if (m_left == 0.0 && !m_meets) break;
         if (const phys_status status = resolve()) return status;
     }
+    // Sums of what is finite are finite; a NaN would be a mistake in here and must not get out.
+    const Vec3 sum = m_ball.position + m_ball.velocity + m_ball.spin;
+    if (!std::isfinite(sum.x + sum.y + sum.z)) {
+        return fail(m_err, PHYS_ERROR_INTERNAL, "the step's result isn't a number");
+    }
     leave(out);
     return PHYS_OK;
 }
