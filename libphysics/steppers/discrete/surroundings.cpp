@@ -106,6 +106,9 @@ Pressing findPressing(const StepContext &context, const Surroundings &around, co
         const double speed = std::abs(velocity.x) + std::abs(velocity.y);
         const bool stays = std::abs(glm::dot(velocity, normal)) <= kNoSpeed * speed;
         if (!stays || glm::dot(drive, normal) >= 0.0) continue;
+        // Round an edge the ball flies off unless it is pressed on harder than it turns: model.md 6.2.
+        const bool rounds = contact.feature != PHYS_FEATURE_FACE;
+        if (rounds && glm::dot(velocity, velocity) >= -glm::dot(drive, normal) * scene.radius) continue;
         pressing.add(normal);
     }
     return pressing;

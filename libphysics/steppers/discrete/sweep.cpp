@@ -88,7 +88,7 @@ bool Sweep::toNextEvent() {
     if (arrived) landNow();
     beginPhase();
     const double rest = m_input.dt - m_done;
-    const double horizon = endOfSupport(rest);
+    const double horizon = endOfFaces(endOfSupport(rest));
     bool impact = false;
     const double t = timeOfImpact(horizon, impact);
 
@@ -115,16 +115,20 @@ void Sweep::beginPhase() {
     // What is touched and neither approached nor left stays out of the advancement, which it would stop: model.md 5.2.
     // A pressing force ends a rise that nobody could see.
     m_ignored.count = 0;
+    m_faces.count = 0;
     const double touching = m_input.scene.radius + 2.0 * m_input.scene.tolerance;
     const double slow = 2.0 * m_mostAcceleration * kNoBounce * m_input.scene.radius;
     for (const uint32_t solid : m_around.candidates) {
         const phys_box &box = m_input.scene.solids[solid];
         if (squaredDistance(box, m_ball.position) > touching * touching) continue;
-        const Vec3 normal = nearest(box, m_ball.position).normal;
+        const Nearest contact = nearest(box, m_ball.position);
+        const Vec3 &normal = contact.normal;
         const double rate = glm::dot(m_ball.velocity, normal);
         if (rate > kNoSpeed * size(m_ball.velocity) && rate * rate > slow) continue;
         m_ignored.add(solid);
-        if (rate > 0.0 && glm::dot(m_drive, normal) < 0.0) m_ball.velocity -= rate * normal;
+        if (glm::dot(m_drive, normal) >= 0.0) continue;
+        if (rate > 0.0) m_ball.velocity -= rate * normal;
+        if (contact.feature == PHYS_FEATURE_FACE) m_faces.add(solid);
     }
 }
 
@@ -152,6 +156,17 @@ double Sweep::endOfSupport(double horizon) const {
     const bool falls = m_ball.position.z >= scene.supportedZ && end.position.z < scene.supportedZ;
     if (!falls) return horizon;
     return firstTime(horizon, [&](const Ball &ball) { return ball.position.z < scene.supportedZ; });
+}
+
+/// A face holds the ball only as far as it goes: model.md 6.1.
+double Sweep::endOfFaces(double horizon) const {
+    const auto leaves = [&](const Ball &ball) {
+        return std::any_of(m_faces.numbers.begin(), m_faces.numbers.begin() + m_faces.count, [&](uint32_t solid) {
+            return nearest(m_input.scene.solids[solid], ball.position).feature == PHYS_FEATURE_EDGE;
+        });
+    };
+    if (m_faces.count == 0 || !leaves(at(horizon))) return horizon;
+    return firstTime(horizon, leaves);
 }
 
 double Sweep::timeOfImpact(double horizon, bool &impact) {

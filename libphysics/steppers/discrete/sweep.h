@@ -49,6 +49,7 @@ private:
     void beginPhase();
     std::span<const uint32_t> candidatesWithin(double horizon);
     double endOfSupport(double horizon) const;
+    double endOfFaces(double horizon) const;
     double timeOfImpact(double horizon, bool &impact);
     double safeStep(const Ball &ball, bool atStart, std::span<const uint32_t> candidates, bool &touches) const;
     void resolveImpacts();
@@ -64,6 +65,7 @@ private:
     Vec3 m_drive{0.0};         ///< acceleration at the phase's start, m/s^2
     double m_mostAcceleration; ///< bound of |p''|, m/s^2
     Solids m_ignored;          ///< touched at the phase's start without approaching
+    Solids m_faces;            ///< those of them on whose faces the ball leans
     Solids m_buffer;
 };
 
