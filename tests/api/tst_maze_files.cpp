@@ -212,7 +212,7 @@ void TestMazeFiles::directoryIsRefused() {
 
 void TestMazeFiles::binaryRubbishIsRefused() {
     QByteArray rubbish(100'000, '\0');
-    for (int i = 0; i < rubbish.size(); ++i) rubbish[i] = static_cast<char>(i * i * 31 + i * 7);
+    for (unsigned i = 0; i < unsigned(rubbish.size()); ++i) rubbish[i] = static_cast<char>(i * i * 31 + i * 7);
     rubbish.replace('\n', 'x');
     QVERIFY(!load(rubbish));
     QCOMPARE(m_status, PHYS_ERROR_SYNTAX);

@@ -9,12 +9,11 @@
 
 namespace support {
 
-inline uint64_t effort(uint64_t debug, uint64_t optimised, uint64_t asked) {
+inline uint64_t effort([[maybe_unused]] uint64_t debug, [[maybe_unused]] uint64_t optimised, uint64_t asked) {
     if (qEnvironmentVariableIsSet("PHYS_TEST_LONG")) return asked;
 #ifdef NDEBUG
     return optimised;
 #else
-    static_cast<void>(optimised);
     return debug;
 #endif
 }
