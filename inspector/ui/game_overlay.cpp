@@ -56,7 +56,8 @@ OverlayText overlayText(Session &session, const Snapshot &now) {
         break;
     case Game::Phase::Playing:
         text.clock = clockText(now.current.time);
-        if (now.running || now.current.step == 0) break;
+        // Whoever watches the autopilot pauses to look: no card then.
+        if (now.running || now.current.step == 0 || session.hasAutopilot()) break;
         text.title = say(QT_TRANSLATE_NOOP("inspector::ui::GameOverlay", "Paused"));
         text.line = say(QT_TRANSLATE_NOOP("inspector::ui::GameOverlay", "Space goes on"));
         text.hint = say(QT_TRANSLATE_NOOP("inspector::ui::GameOverlay", "R restarts the level"));
