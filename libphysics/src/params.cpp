@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "params.h"
 
+#include "appendable.h"
 #include "error.h"
 
 #include <cmath>
@@ -20,6 +21,14 @@ void write(phys_params &params, const phys_param_row &row, double value) {
     }
     std::memcpy(place, &value, sizeof value);
 }
+
+/// Bytes of phys_params up to the row's value.
+size_t endOf(const phys_param_row &row) {
+    return row.offset + (row.flags & PHYS_ROW_CHOICE ? sizeof(uint32_t) : sizeof(double));
+}
+
+/// Whether the caller's struct is long enough to have the row's value.
+bool hasRow(const phys_params &params, const phys_param_row &row) { return endOf(row) <= params.struct_size; }
 
 phys_status checkValue(double value, const phys_param_row &row, phys_error *err) {
     if (isAllowed(value, row)) return PHYS_OK;
@@ -60,10 +69,10 @@ phys_status checkOwnRows(const phys_params &params, std::span<const phys_param_r
 } // namespace phys
 
 phys_status phys_params_init(phys_params *params, size_t size) {
-    if (!params || size != sizeof *params) return PHYS_ERROR_ARGUMENT;
-    *params = phys_params{};
-    params->struct_size = sizeof *params;
-    for (const phys_param_row &row : phys::kRows) phys::write(*params, row, row.initial);
+    if (!params || !phys::isKnownSize<phys_params>(size)) return PHYS_ERROR_ARGUMENT;
+    phys_params whole{};
+    for (const phys_param_row &row : phys::kRows) phys::write(whole, row, row.initial);
+    phys::store(whole, size, params);
     return PHYS_OK;
 }
 
@@ -74,11 +83,16 @@ const phys_param_row *phys_param_rows(uint32_t *count) {
 
 double phys_param_get(const phys_params *params, const phys_param_row *row) {
     if (!params || !row) return std::numeric_limits<double>::quiet_NaN();
+    if (!phys::hasRow(*params, *row)) return row->initial;
     return phys::readRow(*params, *row);
 }
 
 phys_status phys_param_set(phys_params *params, const phys_param_row *row, double value, phys_error *err) {
     if (!params || !row) return phys::fail(err, PHYS_ERROR_ARGUMENT, "%s is NULL", params ? "row" : "params");
+    if (!phys::hasRow(*params, *row)) {
+        return phys::fail(err, PHYS_ERROR_ARGUMENT, "params.struct_size is %u; %s needs %zu", params->struct_size,
+                          row->id, phys::endOf(*row));
+    }
     if (const phys_status status = phys::checkValue(value, *row, err)) return status;
     phys::write(*params, *row, value);
     return PHYS_OK;
@@ -86,6 +100,7 @@ phys_status phys_param_set(phys_params *params, const phys_param_row *row, doubl
 
 phys_status phys_params_check(const phys_params *params, phys_error *err) {
     if (!params) return phys::fail(err, PHYS_ERROR_ARGUMENT, "params is NULL");
+    if (phys::isOlder(*params)) return phys::explainParams(phys::completed(*params, phys_params_init), err);
     return phys::explainParams(*params, err);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "plugin_check.h"
 
+#include "appendable.h"
 #include "error.h"
 
 #include <cmath>
@@ -11,12 +12,6 @@
 namespace phys {
 
 namespace {
-
-// The shortest tables that ABI 1 ever had. These numbers never grow: a plugin compiled long ago stays welcome.
-constexpr uint32_t kPluginFloor = 24;
-constexpr uint32_t kStepperFloor = 96;
-static_assert(kPluginFloor == offsetof(phys_plugin, steppers) + sizeof(phys_plugin::steppers));
-static_assert(kStepperFloor == offsetof(phys_stepper_api, extension) + sizeof(phys_stepper_api::extension));
 
 constexpr uint32_t kMostSteppers = 256;
 constexpr uint32_t kStepperFlags = PHYS_STEPPER_EXACT_IN_DT | PHYS_STEPPER_BITS_EVERYWHERE;
@@ -42,8 +37,8 @@ public:
         if (m_plugin.abi_version != PHYS_ABI_VERSION) {
             return refuse("abi_version is %u; expected %u", m_plugin.abi_version, PHYS_ABI_VERSION);
         }
-        if (m_plugin.struct_size < kPluginFloor) {
-            return refuse("struct_size is %u; expected at least %u", m_plugin.struct_size, kPluginFloor);
+        if (m_plugin.struct_size < kFirstSize<phys_plugin>) {
+            return refuse("struct_size is %u; expected at least %u", m_plugin.struct_size, kFirstSize<phys_plugin>);
         }
         if (m_plugin.reserved != 0) return refuse("reserved is %u; expected 0", m_plugin.reserved);
         if (m_plugin.stepper_count < 1 || m_plugin.stepper_count > kMostSteppers) {
@@ -72,8 +67,8 @@ private:
     }
 
     phys_status checkStepper(const phys_stepper_api &api, uint32_t index) {
-        if (api.struct_size < kStepperFloor) {
-            return refuse("struct_size is %u; expected at least %u", api.struct_size, kStepperFloor);
+        if (api.struct_size < kFirstSize<phys_stepper_api>) {
+            return refuse("struct_size is %u; expected at least %u", api.struct_size, kFirstSize<phys_stepper_api>);
         }
         if (const phys_status status = checkText("id", api.id, kIdLength)) return status;
         if (const phys_status status = checkId("id", api.id, '-')) return status;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "report.h"
 
+#include "appendable.h"
+
 namespace phys {
 
 void Reporter::event(uint32_t kind, double after, const Vec3 &point, const Vec3 &normal, double speedBefore,
@@ -17,8 +19,7 @@ void Reporter::event(uint32_t kind, double after, const Vec3 &point, const Vec3 
 } // namespace phys
 
 phys_status phys_report_init(phys_report *report, size_t size) {
-    if (!report || size != sizeof *report) return PHYS_ERROR_ARGUMENT;
-    *report = phys_report{};
-    report->struct_size = sizeof *report;
+    if (!report || !phys::isKnownSize<phys_report>(size)) return PHYS_ERROR_ARGUMENT;
+    phys::store(phys_report{}, size, report);
     return PHYS_OK;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The C functions on scenes.
+#include "appendable.h"
 #include "contact.h"
 #include "error.h"
 #include "maze_file.h"
@@ -67,13 +68,17 @@ phys_contact describe(const Nearest &nearest, double radius, uint32_t box) {
 } // namespace phys
 
 phys_status phys_scene_desc_init(phys_scene_desc *desc, size_t size) {
-    if (!desc || size != sizeof *desc) return PHYS_ERROR_ARGUMENT;
-    *desc = {sizeof *desc, 0, nullptr, 0.006, {0.0, 0.0, 0.006}};
+    if (!desc || !phys::isKnownSize<phys_scene_desc>(size)) return PHYS_ERROR_ARGUMENT;
+    phys::store(phys_scene_desc{0, 0, nullptr, 0.006, {0.0, 0.0, 0.006}}, size, desc);
     return PHYS_OK;
 }
 
 phys_status phys_scene_create(const phys_scene_desc *desc, phys_scene **out, phys_error *err) {
     if (!desc || !out) return phys::fail(err, PHYS_ERROR_ARGUMENT, "%s is NULL", desc ? "out" : "desc");
+    if (phys::isOlder(*desc)) {
+        const phys_scene_desc whole = phys::completed(*desc, phys_scene_desc_init);
+        return phys_scene_create(&whole, out, err);
+    }
     if (desc->struct_size != sizeof *desc) {
         return phys::fail(err, PHYS_ERROR_ARGUMENT,
                           "desc.struct_size is %u; expected %zu: call phys_scene_desc_init first", desc->struct_size,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The boundary of a step: everything that goes in is checked, and nothing comes out unless all went well.
+#include "appendable.h"
 #include "error.h"
 #include "pairs.h"
 #include "params.h"
@@ -203,7 +204,8 @@ inline phys_status advance(phys_stepper &stepper, const phys_params &params, dou
 [[gnu::noinline]] phys_status stepAndReport(phys_stepper &stepper, const phys_params &params, double dt,
                                             const phys_state &in, phys_state &out, phys_report &report,
                                             phys_error *err) {
-    if (report.struct_size != sizeof report) {
+    const size_t size = report.struct_size;
+    if (!isKnownSize<phys_report>(size)) {
         return fail(err, PHYS_ERROR_ARGUMENT, "report.struct_size is %u; expected %zu: call phys_report_init first",
                     report.struct_size, sizeof report);
     }
@@ -216,7 +218,7 @@ inline phys_status advance(phys_stepper &stepper, const phys_params &params, dou
     fresh.energy_after = energyOf(*stepper.scene, params, out);
     fresh.energy_scheme =
         fresh.energy_after + fresh.lost_impact + fresh.lost_rolling + fresh.lost_slip - fresh.energy_before;
-    report = fresh;
+    store(fresh, size, &report);
     return PHYS_OK;
 }
 
@@ -262,6 +264,10 @@ phys_status phys_step(phys_stepper *stepper, const phys_params *params, double d
                           : !in     ? "in"
                                     : "out");
     }
+    if (phys::isOlder(*params)) {
+        const phys_params whole = phys::completed(*params, phys_params_init);
+        return phys_step(stepper, &whole, dt, in, out, report, err);
+    }
     if (const phys_status status = phys::checkArguments(*stepper, *params, dt, *in, err)) return status;
     if (report) return phys::stepAndReport(*stepper, *params, dt, *in, *out, *report, err);
     return phys::advance(*stepper, *params, dt, *in, *out, nullptr, err);
@@ -275,6 +281,10 @@ phys_status phys_stepper_requirements(const phys_stepper *stepper, const phys_pa
                           : !params ? "params"
                           : !state  ? "state"
                                     : "out");
+    }
+    if (phys::isOlder(*params)) {
+        const phys_params whole = phys::completed(*params, phys_params_init);
+        return phys_stepper_requirements(stepper, &whole, dt, state, out, err);
     }
     if (const phys_status status = phys::checkArguments(*stepper, *params, dt, *state, err)) return status;
     if (!PHYS_HAS_SLOT(phys_stepper_api, stepper->api, requirements)) {

@@ -24,7 +24,8 @@
  * - `err` may be NULL. On failure it receives one line: what, which value, what was allowed. On success it's untouched.
  * - Pointers must not be NULL unless the line says "or NULL". A NULL is reported as PHYS_ERROR_ARGUMENT.
  * - Structs marked frozen never change. Appendable ones start with their size, get new members at their end only,
- *   and are filled by their *_init function.
+ *   and are filled by their *_init function. An older program's shorter one counts as if the members that it lacks were
+ *   as that function leaves them; one that is longer than the library knows is refused.
  * - Nothing prints, exits, aborts or throws. Only *_create, *_load and their *_destroy allocate and free memory.
  * - Scenes and registries are immutable once made and shared freely between threads; a stepper serves one thread at a
  *   time. There are no globals.
@@ -271,10 +272,11 @@ typedef struct phys_param_row {
 /** The library's own rows, in the order in which to show them; writes their number to `count`. Static. Since 1.0. */
 PHYS_API const phys_param_row *phys_param_rows(uint32_t *count);
 
-/** Reads the value a row stands for; NaN for NULL. Any thread. Since 1.0. */
+/** Reads the value a row stands for: its initial one if params is too short to have it; NaN for NULL. Any thread.
+ *  Since 1.0. */
 PHYS_API double phys_param_get(const phys_params *params, const phys_param_row *row);
 
-/** Writes the value a row stands for. Errors: ARGUMENT, RANGE. Since 1.0. */
+/** Writes the value a row stands for. Errors: ARGUMENT (also if params is too short to have it), RANGE. Since 1.0. */
 PHYS_API phys_status phys_param_set(phys_params *params, const phys_param_row *row, double value, phys_error *err);
 
 /** Whether a step would accept these parameters: sizes, ranges, and what holds between them. Errors: ARGUMENT, RANGE.

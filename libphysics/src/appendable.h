@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Appendable structs across versions. A caller that was compiled against an older header hands in fewer bytes than
+// today's struct has: what it lacks is read as the *_init function leaves it, and never written to. More bytes than
+// today's are refused: a newer header may mean something by them.
+#pragma once
+
+#include <physics/plugin.h>
+
+#include <cstring>
+
+namespace phys {
+
+/// Bytes of the first version of each appendable struct in ABI 1. These numbers never grow.
+template<class T>
+inline constexpr uint32_t kFirstSize = 0;
+template<>
+inline constexpr uint32_t kFirstSize<phys_scene_desc> = 48;
+template<>
+inline constexpr uint32_t kFirstSize<phys_params> = 144;
+template<>
+inline constexpr uint32_t kFirstSize<phys_report> = 96;
+template<>
+inline constexpr uint32_t kFirstSize<phys_stepper_api> = 96;
+template<>
+inline constexpr uint32_t kFirstSize<phys_plugin> = 24;
+
+/// Whether a struct of this size is of this version or an older one.
+template<class T>
+constexpr bool isKnownSize(size_t size) {
+    return size >= kFirstSize<T> && size <= sizeof(T);
+}
+
+/// Whether it is of an older version. As long as there is but one version this is known to be false when compiling.
+template<class T>
+constexpr bool isOlder(const T &given) {
+    return isKnownSize<T>(given.struct_size) && given.struct_size < sizeof(T);
+}
+
+/// The first `size` bytes of `whole`, and the size into them: for a struct of a caller of any version.
+template<class T>
+void store(T whole, size_t size, T *out) {
+    whole.struct_size = static_cast<uint32_t>(size);
+    std::memcpy(static_cast<void *>(out), &whole, size);
+}
+
+/// An older struct in today's size; init: its *_init function.
+template<class T>
+T completed(const T &older, phys_status (*init)(T *, size_t)) {
+    T whole;
+    init(&whole, sizeof whole);
+    std::memcpy(static_cast<void *>(&whole), &older, older.struct_size);
+    whole.struct_size = sizeof whole;
+    return whole;
+}
+
+} // namespace phys
