@@ -1,48 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Every function that allocates, with the first, second, third ... allocation failing: it says so, leaves its output as
 // it was and loses no memory, until there is enough and it succeeds.
+#include "support/failing_allocator.h"
+
 #include <QTest>
 
 #include <physics/physics.h>
 
-#include <cstdlib>
 #include <functional>
-#include <new>
-
-namespace {
-
-constexpr long kNever = -1;
-thread_local long allocationsLeft = kNever;
-thread_local long liveBlocks = 0; // made minus freed, while counted
-
-void *allocate(std::size_t size) noexcept {
-    if (allocationsLeft == 0) return nullptr;
-    if (allocationsLeft > 0) --allocationsLeft;
-    void *block = std::malloc(size ? size : 1);
-    if (block) ++liveBlocks;
-    return block;
-}
-
-void release(void *block) noexcept {
-    if (!block) return;
-    --liveBlocks;
-    std::free(block);
-}
-
-} // namespace
-
-// The library is linked to these: a program's operator new replaces the standard one everywhere.
-void *operator new(std::size_t size) {
-    if (void *block = allocate(size)) return block;
-    throw std::bad_alloc();
-}
-void *operator new[](std::size_t size) { return operator new(size); }
-void *operator new(std::size_t size, const std::nothrow_t &) noexcept { return allocate(size); }
-void *operator new[](std::size_t size, const std::nothrow_t &) noexcept { return allocate(size); }
-void operator delete(void *block) noexcept { release(block); }
-void operator delete[](void *block) noexcept { release(block); }
-void operator delete(void *block, std::size_t) noexcept { release(block); }
-void operator delete[](void *block, std::size_t) noexcept { release(block); }
+#include <vector>
 
 namespace {
 
@@ -53,14 +19,17 @@ struct Maker {
     std::function<bool()> isUntouched;
 };
 
+phys_status createWith(long allocations, const Maker &maker, phys_error *error) {
+    const support::AllocationsLeft left(allocations);
+    return maker.create(error);
+}
+
 /// How many allocations it took in the end; negative: minus the number of the failing one that went wrong.
 long allocationsUntilSuccess(const Maker &maker, QByteArray &problem) {
     for (long allowed = 0; allowed < 100000; ++allowed) {
         phys_error error{};
-        const long before = liveBlocks;
-        allocationsLeft = allowed;
-        const phys_status status = maker.create(&error);
-        allocationsLeft = kNever;
+        const long before = support::liveBlocks();
+        const phys_status status = createWith(allowed, maker, &error);
         if (status == PHYS_OK) {
             maker.destroy();
             return allowed;
@@ -69,7 +38,7 @@ long allocationsUntilSuccess(const Maker &maker, QByteArray &problem) {
             problem = QByteArray("ends with ") + phys_status_name(status);
         else if (error.status != status || !error.text[0])
             problem = "says nothing";
-        else if (liveBlocks != before)
+        else if (support::liveBlocks() != before)
             problem = "loses memory";
         else if (!maker.isUntouched())
             problem = "touches its output";
@@ -160,22 +129,15 @@ void OutOfMemory::loadingAPlugin() {
 
 void OutOfMemory::scanningAFolder() {
     phys_registry *registry = nullptr;
-    QByteArray problem;
     QCOMPARE(phys_registry_create(&registry, nullptr), PHYS_OK);
-    const auto nothing = [] { return true; }; // files that were loaded before memory ran out stay loaded
-    long ended = 0;
-    for (long allowed = 0; ended == 0 && allowed < 100000; ++allowed) {
-        phys_error error{};
-        allocationsLeft = allowed;
-        const phys_status status = phys_registry_scan(registry, PLUGINS, nullptr, nullptr, &error);
-        allocationsLeft = kNever;
-        if (status == PHYS_OK)
-            ended = allowed;
-        else
-            QCOMPARE(status, PHYS_ERROR_MEMORY);
-    }
-    QVERIFY(ended > 5);
-    QVERIFY(nothing());
+    const Maker scan{[&](phys_error *err) { return phys_registry_scan(registry, PLUGINS, nullptr, nullptr, err); },
+                     [] {},
+                     {}}; // files that were loaded before memory ran out stay loaded
+    long allowed = 0;
+    phys_status status = createWith(allowed, scan, nullptr);
+    for (; status == PHYS_ERROR_MEMORY && allowed < 100000; status = createWith(allowed, scan, nullptr)) ++allowed;
+    QCOMPARE(status, PHYS_OK);
+    QVERIFY(allowed > 5);
     phys_registry_destroy(registry);
 }
 
@@ -217,10 +179,11 @@ void OutOfMemory::steppingAllocatesNothing() {
     phys_params_init(&params, sizeof params);
     phys_gravity_from_tilt(0.1, 0.05, 9.81, &params.gravity);
     phys_status status = PHYS_OK;
-    allocationsLeft = 0;
-    for (int i = 0; i < 500 && !status; ++i)
-        status = phys_step(stepper, &params, 0.01, &state, &state, nullptr, nullptr);
-    allocationsLeft = kNever;
+    {
+        const support::AllocationsLeft none(0);
+        for (int i = 0; i < 500 && !status; ++i)
+            status = phys_step(stepper, &params, 0.01, &state, &state, nullptr, nullptr);
+    }
     QCOMPARE(status, PHYS_OK);
     phys_stepper_destroy(stepper);
     phys_scene_destroy(scene);
