@@ -19,4 +19,6 @@ glm::dmat4 boardToWorld(double tilt_x, double tilt_y, const glm::dvec3 &pivot) {
            glm::translate(identity, -pivot);
 }
 
+glm::dvec3 boardPivot(const Bounds &bounds) { return {bounds.centre().x, bounds.centre().y, 0.0}; }
+
 } // namespace inspector::gl

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "gl/mesh.h"
+
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
@@ -10,5 +12,8 @@ namespace inspector::gl {
 // and y as phys_gravity_from_tilt takes them: positive lets the +x or +y side sink, and straight down is
 // (tan tilt_x, tan tilt_y, -1) in the board frame. Of all poses with that slope the one that doesn't twist.
 glm::dmat4 boardToWorld(double tilt_x, double tilt_y, const glm::dvec3 &pivot);
+
+// What a board turns about: the middle of its floor.
+glm::dvec3 boardPivot(const Bounds &bounds);
 
 } // namespace inspector::gl

@@ -132,8 +132,6 @@ MazeRenderer::Beacon MazeRenderer::beaconOf(const Mesh &mesh) {
 
 void MazeRenderer::setBall(const Mesh &mesh) { m_ball.upload(mesh); }
 
-glm::dvec3 MazeRenderer::pivot() const { return {m_bounds.centre().x, m_bounds.centre().y, 0.0}; }
-
 void MazeRenderer::render(const Frame &frame, const View &view) {
     if (!m_shaders.update(view.quality)) return;
     const Scene scene = describe(frame, view);
@@ -160,7 +158,7 @@ void MazeRenderer::render(const Frame &frame, const View &view) {
 }
 
 MazeRenderer::Scene MazeRenderer::describe(const Frame &frame, const View &view) const {
-    const glm::dmat4 board_to_world = boardToWorld(frame.tilt_x, frame.tilt_y, pivot());
+    const glm::dmat4 board_to_world = boardToWorld(frame.tilt_x, frame.tilt_y, boardPivot(m_bounds));
     const glm::dmat4 eye_from_board = view.view * board_to_world;
     const glm::dmat3 to_board = glm::transpose(glm::dmat3(board_to_world));
     const glm::dvec3 to_light = to_board * kToLight;

@@ -31,7 +31,6 @@ public:
     const Bounds &mazeBounds() const { return m_bounds; }
 
     // The board's tilt turns it about this point of the board frame.
-    glm::dvec3 pivot() const;
 
     ShaderLibrary &shaders() { return m_shaders; }
 

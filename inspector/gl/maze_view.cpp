@@ -71,8 +71,15 @@ void MazeView::setMaze(const Mesh &mesh) {
     m_bounds = bounds;
     m_maze = mesh;
     m_are_meshes_stale = true;
-    m_camera.setBounds(bounds);
+    m_camera.setBounds(bounds, m_largest_tilt);
     if (!is_same_size) resetCamera();
+    update();
+}
+
+void MazeView::setLargestTilt(double tilt) {
+    m_largest_tilt = tilt;
+    m_camera.setBounds(m_bounds, tilt);
+    if (!m_is_camera_moved) m_camera.fit();
     update();
 }
 
@@ -120,7 +127,7 @@ QPointF MazeView::positionOf(const glm::dvec3 &board_point) const {
 }
 
 glm::dmat4 MazeView::boardPose() const {
-    return boardToWorld(m_frame.tilt_x, m_frame.tilt_y, {m_bounds.centre().x, m_bounds.centre().y, 0.0});
+    return boardToWorld(m_frame.tilt_x, m_frame.tilt_y, boardPivot(m_bounds));
 }
 
 void MazeView::initializeGL() {

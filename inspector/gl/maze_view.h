@@ -33,6 +33,8 @@ public:
 
     // May be called before the widget is shown. A maze of other bounds resets the camera.
     void setMaze(const Mesh &mesh);
+    // rad, in x and in y: up to there the whole board stays in the picture. 0 until told.
+    void setLargestTilt(double tilt);
     void setBall(const Mesh &mesh); // radius 1 around the origin
 
     // Draws this frame once...
@@ -91,6 +93,7 @@ private:
     std::optional<Mesh> m_ball;
     bool m_are_meshes_stale = true;
     Bounds m_bounds;
+    double m_largest_tilt = 0.0; // rad
     QString m_shader_directory;
     std::optional<Quality> m_chosen_quality;
     Quality m_quality = Quality::Medium;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gl/orbit_camera.h"
 
+#include "gl/board_pose.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/geometric.hpp>
@@ -14,18 +17,40 @@ namespace inspector::gl {
 
 namespace {
 
+using Corners = std::vector<glm::dvec3>;
+
 constexpr double kRadiansPerPixel = 0.006;
 constexpr double kZoomPerStep = 0.88;
-constexpr double kMargin = 1.10; // air around the bounds
+constexpr double kFilledShare = 0.95; // of the picture's width and height, the rest is air around the board
 
 const double kTangent = std::tan(0.5 * OrbitCamera::kFieldOfView);
+
+// Where the corners get to while the board tilts. They reach farthest at full tilt, or so near to it that the air
+// around the board takes the difference.
+Corners sweptCorners(const Bounds &bounds, double largest_tilt) {
+    const glm::dvec3 pivot = boardPivot(bounds);
+    Corners corners;
+    for (const double tilt_x : {-largest_tilt, 0.0, largest_tilt}) {
+        for (const double tilt_y : {-largest_tilt, 0.0, largest_tilt}) {
+            const glm::dmat4 pose = boardToWorld(tilt_x, tilt_y, pivot);
+            for (int i = 0; i < 8; ++i) {
+                const glm::dvec3 corner((i & 1) ? bounds.maximum.x : bounds.minimum.x,
+                                        (i & 2) ? bounds.maximum.y : bounds.minimum.y,
+                                        (i & 4) ? bounds.maximum.z : bounds.minimum.z);
+                corners.emplace_back(pose * glm::dvec4(corner, 1.0));
+            }
+        }
+    }
+    return corners;
+}
 
 } // namespace
 
 void OrbitCamera::setViewport(const glm::dvec2 &size) { m_viewport = glm::max(size, glm::dvec2(1.0)); }
 
-void OrbitCamera::setBounds(const Bounds &bounds) {
+void OrbitCamera::setBounds(const Bounds &bounds, double largest_tilt) {
     m_bounds = bounds;
+    m_largest_tilt = largest_tilt;
     keepWithinLimits();
 }
 
@@ -62,18 +87,16 @@ void OrbitCamera::reset() {
 void OrbitCamera::fit() {
     // A corner with camera coordinates (x, y, z back) relative to the centre lies inside the picture when
     //   +-(y - u) <= (d - z) t,  so  y + z t <= d t + u  and  -y + z t <= d t - u,
-    // with d the distance, u the shift of the target and t the tangent of half the angle. With A and B the largest left
-    // sides, u = (A - B)/2 centres the corners and d = (A + B)/(2 t) just shows them; the same for x.
+    // with d the distance, u the shift of the target and t the tangent of half the angle (a little less leaves air).
+    // With A and B the largest left sides, u = (A - B)/2 centres the corners and d = (A + B)/(2 t) just shows them; the
+    // same for x.
     const Axes camera = axes();
     const glm::dvec3 centre = m_bounds.centre();
-    const glm::dvec2 tangent(kTangent * m_viewport.x / m_viewport.y, kTangent);
+    const glm::dvec2 tangent = kFilledShare * kTangent * glm::dvec2(m_viewport.x / m_viewport.y, 1.0);
     glm::dvec2 positive(-std::numeric_limits<double>::infinity());
     glm::dvec2 negative = positive;
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 position((corner & 1) ? m_bounds.maximum.x : m_bounds.minimum.x,
-                                  (corner & 2) ? m_bounds.maximum.y : m_bounds.minimum.y,
-                                  (corner & 4) ? m_bounds.maximum.z : m_bounds.minimum.z);
-        const glm::dvec3 offset = position - centre;
+    for (const glm::dvec3 &corner : sweptCorners(m_bounds, m_largest_tilt)) {
+        const glm::dvec3 offset = corner - centre;
         const glm::dvec2 across(glm::dot(offset, camera.right), glm::dot(offset, camera.up));
         const double back = glm::dot(offset, camera.back);
         positive = glm::max(positive, across + back * tangent);
@@ -82,7 +105,7 @@ void OrbitCamera::fit() {
     const glm::dvec2 shift = 0.5 * (positive - negative);
     const glm::dvec2 distance = 0.5 * (positive + negative) / tangent;
     m_target = centre + shift.x * camera.right + shift.y * camera.up;
-    m_distance = kMargin * std::max(distance.x, distance.y);
+    m_distance = std::max(distance.x, distance.y);
     keepWithinLimits();
 }
 

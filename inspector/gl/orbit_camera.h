@@ -25,8 +25,9 @@ public:
 
     // Size of the picture in logical pixels; less than 1 counts as 1.
     void setViewport(const glm::dvec2 &size);
-    // What reset() shows and what the limits of distance and target follow from.
-    void setBounds(const Bounds &bounds);
+    // What reset() shows and what the limits of distance and target follow from. largest_tilt: rad in [0, pi/2), by
+    // which the board may be tilted about its pivot in x and in y and still be shown whole.
+    void setBounds(const Bounds &bounds, double largest_tilt);
 
     // A drag by so many pixels turns the scene with the hand.
     void orbit(const glm::dvec2 &drag);
@@ -36,7 +37,7 @@ public:
     void zoom(double steps, const glm::dvec2 &cursor);
     // Start direction, all of the bounds in the picture.
     void reset();
-    // Smallest distance that shows all of the bounds from the present direction, centred.
+    // Smallest distance that shows all of the bounds, tilted or not, from the present direction, with some air around.
     void fit();
 
     glm::dmat4 view() const;
@@ -64,6 +65,7 @@ private:
 
     glm::dvec2 m_viewport{1.0};
     Bounds m_bounds{{-0.1, -0.1, 0.0}, {0.1, 0.1, 0.02}};
+    double m_largest_tilt = 0.0;
     glm::dvec3 m_target{0.0};
     double m_distance = 1.0;
     double m_azimuth = kStartAzimuth;

@@ -75,6 +75,7 @@ void MainWindow::makeCentre() {
     m_view = new gl::MazeView;
     m_view->setObjectName(QStringLiteral("view"));
     m_view->setFocusPolicy(Qt::StrongFocus);
+    m_view->setLargestTilt(radians(kPlayTilt));
     m_view->setFrameSource([this] { return currentFrame(m_session); });
     m_overlay = new GameOverlay(m_view);
     new GameKeys(m_session, *this, *m_view); // the window owns it

@@ -34,7 +34,7 @@ OffscreenPicture::OffscreenPicture() {
     const Mesh maze = smallMaze();
     m_renderer->setMaze(maze);
     m_camera.setViewport({kWidth, kHeight});
-    m_camera.setBounds(maze.bounds());
+    m_camera.setBounds(maze.bounds(), 0.0);
     m_camera.reset();
 }
 
