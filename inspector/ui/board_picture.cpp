@@ -48,10 +48,7 @@ gl::Frame currentFrame(Session &session) {
     const Snapshot &now = session.simulation().latest();
     const phys_state state = interpolated(now, Clock::now());
     gl::Frame frame;
-    // The library tilts by two slopes, the picture by one turn after the other; gravity is the same in both.
-    const double sx = std::tan(now.inputs.tilt.x);
-    const double sy = std::tan(now.inputs.tilt.y);
-    frame.tilt_x = std::asin(sx / std::sqrt(sx * sx + sy * sy + 1.0));
+    frame.tilt_x = now.inputs.tilt.x;
     frame.tilt_y = now.inputs.tilt.y;
     frame.ball = ballOf(state, phys_scene_radius(session.scene().get()));
     frame.trails.push_back(trailOf(session.simulation().samples(), state));

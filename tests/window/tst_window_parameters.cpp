@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every parameter, moved by hand, is what the simulation obeys.
+#include "gl/board_pose.h"
+#include "ui/board_picture.h"
 #include "ui/message_bar.h"
 #include "window_fixture.h"
 
@@ -11,6 +13,9 @@
 #include <QSlider>
 #include <QStyleOptionSlider>
 #include <QToolButton>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 using namespace window_test;
 
@@ -41,6 +46,7 @@ private slots:
     void refusedValueIsShownAndChangesNothing();
     void wheelOverAnUnfocusedSliderChangesNothing();
     void tiltFollowsTheAutopilotAndIsLocked();
+    void boardIsDrawnAsGravityIsTilted();
 
 private:
     void chooseRigid();
@@ -246,6 +252,18 @@ void TestWindowParameters::tiltFollowsTheAutopilotAndIsLocked() {
     m_fixture->press(Qt::Key_A);
     QVERIFY(box->isEnabled());
     QCOMPARE(box->value(), 0.0); // off: the board goes level
+}
+
+// What the picture calls straight down is where gravity pulls, in the frame of the board.
+void TestWindowParameters::boardIsDrawnAsGravityIsTilted() {
+    m_fixture->parameters().set({{QStringLiteral("tilt_x"), 15.0}, {QStringLiteral("tilt_y"), -12.0}});
+    QTRY_COMPARE(m_fixture->simulated("tilt_y"), -12.0);
+    const inspector::gl::Frame frame = inspector::ui::currentFrame(m_fixture->session());
+    const glm::dmat3 turn(inspector::gl::boardToWorld(frame.tilt_x, frame.tilt_y, glm::dvec3(0.0)));
+    const glm::dvec3 down = glm::transpose(turn) * glm::dvec3(0.0, 0.0, -1.0);
+    const phys_vec3 gravity = m_fixture->simulation().latest().inputs.params.gravity;
+    const glm::dvec3 pull = glm::normalize(glm::dvec3(gravity.x, gravity.y, gravity.z));
+    QVERIFY(glm::distance(down, pull) < 1e-12); // rounding of a dozen operations on numbers of size 1
 }
 
 QTEST_MAIN(TestWindowParameters)
