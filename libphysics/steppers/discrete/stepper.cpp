@@ -8,11 +8,11 @@ namespace phys {
 namespace {
 
 constexpr phys_param_row kAsReported{"as_reported",
-                                     "Without cures and substeps",
+                                     "Textbook collisions",
                                      "",
-                                     "1 steps as games usually do: one substep whatever the speed, and a plain bounce "
-                                     "in contact. It shows tunnelling and "
-                                     "jitter. Default: 0.",
+                                     "1 collides as textbooks do: look once a step whatever the speed, push out, "
+                                     "reflect. It shows what that leads to: tunnelling through walls, and jitter "
+                                     "where the ball should rest. 0 has substeps and rules for rest. Default: 0.",
                                      "",
                                      0,
                                      1,
