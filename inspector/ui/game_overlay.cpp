@@ -111,7 +111,7 @@ void GameOverlay::paintClock(QPainter &painter) const {
     const QFont font = scaled(QFontDatabase::systemFont(QFontDatabase::FixedFont), 1.6, true);
     const QFontMetricsF metrics(font);
     const QSizeF size(metrics.horizontalAdvance(m_text.clock) + 28.0, metrics.height() + 10.0);
-    const QRectF plate(QPointF((width() - size.width()) / 2.0, 12.0), size);
+    const QRectF plate(QPointF(12.0, 12.0), size); // the far edge of the board is shorter, so that corner is free
     paintPlate(painter, plate);
     painter.setFont(font);
     painter.drawText(plate, Qt::AlignCenter, m_text.clock);
