@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// Level 1, won by hand: arrow keys pressed and released as somebody does who sees the ball and the way out.
+#include "ui/clock_text.h"
+#include "ui/game_overlay.h"
+#include "window_fixture.h"
+
+#include <QComboBox>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+using namespace window_test;
+using inspector::Game;
+
+namespace {
+
+constexpr int kCells = 4;        // of level 1, across and up
+constexpr double kPitch = 0.036; // m, from cell to cell
+
+// Where to go from each cell, as seen from the front: the last row is the nearest.
+constexpr std::array<const char *, kCells> kWayOut{
+    "v>>v", // the ball starts below on the left and leaves on the right
+    ">^vv", //
+    "^>v>", //
+    "^<<<", //
+};
+
+struct Place {
+    double x, y; // m
+};
+
+double centreOf(int cell) { return kPitch * (cell - 0.5 * (kCells - 1)); }
+int cellOf(double coordinate) { return std::clamp(int(std::floor(coordinate / kPitch + 0.5 * kCells)), 0, kCells - 1); }
+
+// The middle of the cell that comes next on the way out.
+Place nextPlace(const phys_vec3 &ball) {
+    const int column = cellOf(ball.x);
+    const int row = cellOf(ball.y);
+    const char step = kWayOut[size_t(kCells - 1 - row)][column];
+    return {centreOf(column + (step == '>') - (step == '<')), centreOf(row + (step == '^') - (step == 'v'))};
+}
+
+// A person leads the ball: +1 or -1 for the key that is to be held, 0 for none.
+int keyTowards(double place, double position, double velocity) {
+    constexpr double kForesight = 0.25; // s: where the ball will be if nothing is done
+    constexpr double kNearEnough = 0.003;
+    const double apart = place - (position + kForesight * velocity);
+    return std::abs(apart) < kNearEnough ? 0 : (apart > 0.0 ? 1 : -1);
+}
+
+// Two hands on the arrow keys; presses and releases only what changes.
+class Hands {
+public:
+    explicit Hands(QWidget *window)
+        : m_window(window) {}
+
+    void hold(int x, int y) {
+        const std::array<bool, 4> wanted{x < 0, x > 0, y < 0, y > 0};
+        for (size_t i = 0; i < kKeys.size(); ++i) {
+            if (wanted[i] == m_held[i]) continue;
+            m_held[i] = wanted[i];
+            wanted[i] ? QTest::keyPress(m_window, kKeys[i]) : QTest::keyRelease(m_window, kKeys[i]);
+        }
+    }
+
+private:
+    static constexpr std::array<Qt::Key, 4> kKeys{Qt::Key_Left, Qt::Key_Right, Qt::Key_Down, Qt::Key_Up};
+    QWidget *m_window;
+    std::array<bool, 4> m_held{};
+};
+
+} // namespace
+
+class TestWindowPlayer : public QObject {
+    Q_OBJECT
+
+public:
+    static void initMain() { prepare(); }
+
+private slots:
+    void arrowKeysWinLevelOne();
+};
+
+// Whatever the ball does while the machine is busy with something else, the keys follow from where it is now; half
+// speed, which anybody can choose, makes its reflexes those of a fresher machine.
+void TestWindowPlayer::arrowKeysWinLevelOne() {
+    Fixture fixture;
+    QVERIFY(fixture.isReady());
+    fixture.session().setSpeed(0.5);
+    const auto text = [&] {
+        fixture.window().refresh();
+        return fixture.find<inspector::ui::GameOverlay>("game_overlay")->text();
+    };
+    QCOMPARE(text().line, QString("Press Enter to start"));
+    fixture.press(Qt::Key_Return);
+    QCOMPARE(fixture.game().phase(), Game::Phase::Playing);
+
+    Hands hands(&fixture.window());
+    const auto playUntilWon = [&] {
+        const phys_state &ball = fixture.simulation().latest().current;
+        const Place aim = nextPlace(ball.position);
+        hands.hold(keyTowards(aim.x, ball.position.x, ball.velocity.x),
+                   keyTowards(aim.y, ball.position.y, ball.velocity.y));
+        return fixture.game().phase() == Game::Phase::Won;
+    };
+    QVERIFY(QTest::qWaitFor(playUntilWon, 60000));
+    hands.hold(0, 0);
+
+    // The banner tells the time of the clock, and that nobody was faster.
+    const double time = fixture.game().time();
+    QVERIFY(time > 1.0 && time <= fixture.simulation().latest().current.time);
+    QCOMPARE(text().title, QString("Level 1 done"));
+    QCOMPARE(text().line, inspector::ui::clockText(time) + QStringLiteral(" – a new best time"));
+    QCOMPARE(fixture.game().bestTime(0), std::optional(time));
+
+    // The next level is there, level and at its start.
+    fixture.press(Qt::Key_Return);
+    QCOMPARE(fixture.session().level().name, QString("02"));
+    QCOMPARE(fixture.window().windowTitle(), QString("Level 02 – Physics inspector"));
+    QTRY_COMPARE(text().title, QString("Level 2"));
+    QTRY_COMPARE(fixture.simulation().latest().current.step, 0u);
+    QTRY_COMPARE(fixture.simulated("tilt_x"), 0.0);
+    QTRY_COMPARE(fixture.simulated("tilt_y"), 0.0);
+}
+
+QTEST_MAIN(TestWindowPlayer)
+#include "tst_window_player.moc"
