@@ -40,7 +40,7 @@ phys_status sweepStep(const PlanInput &input, phys_state &out, phys_report *repo
     DiscreteStep<VelocityVerlet> whole(scene, params, reporter, plan, dt);
 
     Ball before = loadBall(in);
-    if (reporter.wanted()) before.supported = whole.supports(before);
+    before.supported = whole.supports(before);
     Sweep sweep(input, reporter, plan, before);
     if (!sweep.leaveOverlaps()) return refuseStuck(before.position, err);
     for (uint32_t events = 0; !sweep.toNextEvent(); ++events) {

@@ -25,7 +25,8 @@ inline bool glide(const PlanInput &input, phys_state &out) {
                                      : Scheme::advance(velocityLaw(contact, input.params), velocity, input.dt);
     if (!slips) spin = spinAfter(contact, next.velocity, spin, scene.radius);
     const Vec2 to = from + next.displacement;
-    const double reach = scene.radius + std::abs(to.x - from.x) + std::abs(to.y - from.y);
+    // What the full step takes for touched counts too: twice the tolerance, model.md 5.2.
+    const double reach = scene.radius + 2.0 * scene.tolerance + std::abs(to.x - from.x) + std::abs(to.y - from.y);
     // Seen from above a box is never further away than it is: what lies over or under the ball only costs a full step.
     for (const uint32_t solid : scene.solidsNear(from.x, from.y, scene.needsGrid)) {
         if (squaredDistanceFromAbove(scene.solids[solid], from) <= reach * reach) return false;

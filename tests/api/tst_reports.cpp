@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// A report watches a step and never takes part in it: with and without one, every bit of the state is the same. Steps
+// without a report may take a shorter way, which must know of everything that the long one does.
+#include "support/compare.h"
+#include "support/experiment.h"
+#include "support/stepper_rows.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <limits>
+
+using namespace support;
+
+namespace {
+
+constexpr double kDt = 0.004;
+
+} // namespace
+
+class Reports : public QObject {
+    Q_OBJECT
+
+private slots:
+    void changeNoBitOfABallThatAlmostTouchesAWall_data() { addStepperAndModelRows(); }
+    void changeNoBitOfABallThatAlmostTouchesAWall();
+    void changeNoBitOfABallThatHitsARoughWall_data() { addStepperAndModelRows(); }
+    void changeNoBitOfABallThatHitsARoughWall();
+
+private:
+    static void compareSteps(Experiment &ball);
+};
+
+/// A step that can't be done, can't be done either way.
+void Reports::compareSteps(Experiment &ball) {
+    for (int step = 0; step < 20; ++step) {
+        phys_state without = ball.state;
+        const phys_status status = phys_step(ball.stepper(), &ball.params, kDt, &without, &without, nullptr, nullptr);
+        QCOMPARE(ball.step(kDt), status == PHYS_OK);
+        QVERIFY2(sameBits(ball.state, without), "step " + QByteArray::number(step) + ": x " +
+                                                    digits(ball.state.position.x) + " m with a report, " +
+                                                    digits(without.position.x) + " m without");
+    }
+}
+
+/// Further away than its radius by one rounding step: a touch for whoever looks with the scene's tolerance.
+void Reports::changeNoBitOfABallThatAlmostTouchesAWall() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    Experiment ball(squareRoom(4.0), stepper, model);
+    ball.params.wall_friction = 0.25;
+    ball.setPosition(std::nextafter(phys_scene_radius(ball.scene()), std::numeric_limits<double>::infinity()), 2.0);
+    ball.setLaw(-0.5, 0.25, 0x1p-7);
+    compareSteps(ball);
+}
+
+/// Rolling spin runs along the wall at its face: a rough one lifts the ball off the floor.
+void Reports::changeNoBitOfABallThatHitsARoughWall() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    Experiment ball(squareRoom(4.0), stepper, model);
+    ball.params.wall_friction = 0.25;
+    ball.setPosition(phys_scene_radius(ball.scene()), 2.0);
+    ball.setLaw(-0.5, 0.25, 0x1p-7);
+    ball.roll(-1e-5, 1e-4);
+    compareSteps(ball);
+}
+
+QTEST_GUILESS_MAIN(Reports)
+#include "tst_reports.moc"
