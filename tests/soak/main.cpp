@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Rolls balls through random mazes under random tilts with every stepper and both models until so many steps are done,
-// and checks the invariants of each step. Usage: soak STEPS [FIRST_SEED]      for instance: soak 1e6
+// and checks the invariants of each step. Usage: soak STEPS [FIRST_SEED [PLUGIN_FILE]]      for instance: soak 1e6
+// With a plugin: its steppers instead of the built-in ones.
 // Prints a line for each stepper and model; ends with 1 if any invariant failed.
 #include "trial.h"
+
+#include "support/handles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,16 +25,28 @@ struct Sum {
     soak::Outcome all{};
 };
 
-/// One for each stepper and model that goes with it.
-std::vector<Sum> combinations() {
+/// One for each stepper and model that goes with it. firstStepper: in the registry.
+std::vector<Sum> combinations(const phys_registry *registry, uint32_t firstStepper) {
     std::vector<Sum> sums;
     phys_stepper_info info;
-    for (uint32_t i = 0; phys_registry_info(nullptr, i, &info) == PHYS_OK; ++i) {
+    for (uint32_t i = firstStepper; phys_registry_info(registry, i, &info) == PHYS_OK; ++i) {
         for (const uint32_t model : {PHYS_MODEL_ROLLING, PHYS_MODEL_RIGID}) {
-            sums.push_back({{0, info.id, model, kStepsATrial}});
+            sums.push_back({{registry, 0, info.id, model, kStepsATrial}});
         }
     }
     return sums;
+}
+
+/// NULL, with a line on stderr, if the plugin is refused.
+support::RegistryPtr registryWith(const char *plugin) {
+    phys_registry *created = nullptr;
+    phys_error error{};
+    phys_status status = phys_registry_create(&created, &error);
+    support::RegistryPtr registry(created);
+    if (!status && plugin) status = phys_registry_load_file(created, plugin, &error);
+    if (!status) return registry;
+    std::fprintf(stderr, "soak: %s\n", error.text);
+    return nullptr;
 }
 
 void add(Sum &sum, const soak::Outcome &outcome) {
@@ -61,12 +76,15 @@ void print(const Sum &sum) {
 
 int main(int argc, char **argv) {
     const double wanted = argc > 1 ? std::strtod(argv[1], nullptr) : 0.0;
-    if (argc > 3 || !(wanted >= 1.0)) {
-        std::fprintf(stderr, "usage: %s STEPS [FIRST_SEED]\n", argv[0]);
+    if (argc > 4 || !(wanted >= 1.0)) {
+        std::fprintf(stderr, "usage: %s STEPS [FIRST_SEED [PLUGIN_FILE]]\n", argv[0]);
         return 2;
     }
     uint64_t seed = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1;
-    std::vector<Sum> sums = combinations();
+    const char *plugin = argc > 3 ? argv[3] : nullptr;
+    const support::RegistryPtr registry = registryWith(plugin);
+    if (!registry) return 2;
+    std::vector<Sum> sums = combinations(registry.get(), plugin ? phys_registry_count(nullptr) : 0);
     double done = 0.0;
     for (; done < wanted; ++seed) {
         for (Sum &sum : sums) {

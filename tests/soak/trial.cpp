@@ -4,11 +4,11 @@
 #include "walls.h"
 
 #include "generator/recipe.h"
+#include "support/handles.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <memory>
 #include <random>
 #include <vector>
 
@@ -22,14 +22,8 @@ constexpr uint64_t kStepsASide = 50;   // the tilt stays so long
 constexpr uint64_t kReplayed = 500;    // every so many steps, the last ones are repeated by a fresh stepper
 constexpr double kSteepest = 0.15;     // rad
 
-struct DestroyScene {
-    void operator()(phys_scene *scene) const { phys_scene_destroy(scene); }
-};
-struct DestroyStepper {
-    void operator()(phys_stepper *stepper) const { phys_stepper_destroy(stepper); }
-};
-using ScenePtr = std::unique_ptr<phys_scene, DestroyScene>;
-using StepperPtr = std::unique_ptr<phys_stepper, DestroyStepper>;
+using support::ScenePtr;
+using support::StepperPtr;
 
 /// SplitMix64 of a seed and a number: any draw can be had at any time, so a replay needs no record.
 uint64_t draw(uint64_t seed, uint64_t number) {
@@ -62,6 +56,9 @@ public:
         m_stepper = makeStepper();
         phys_scene_start(m_scene.get(), &m_state);
         phys_params_init(&m_params, sizeof m_params);
+        phys_stepper_info info;
+        phys_registry_find(plan.registry, plan.stepper.c_str(), &info, nullptr);
+        phys_stepper_info_init_params(&info, &m_params);
         const uint64_t seed = plan.seed;
         m_params.model = plan.model;
         m_params.restitution_wall = draw(seed, 10, 0.0, 1.0);
@@ -111,7 +108,7 @@ private:
     StepperPtr makeStepper() {
         phys_stepper *stepper = nullptr;
         phys_error error{};
-        if (phys_stepper_create(nullptr, m_plan.stepper.c_str(), m_scene.get(), &stepper, &error)) {
+        if (phys_stepper_create(m_plan.registry, m_plan.stepper.c_str(), m_scene.get(), &stepper, &error)) {
             m_outcome.problem = error.text;
         }
         return StepperPtr(stepper);
@@ -181,8 +178,10 @@ private:
         if (phys_state_hash(&state) != phys_state_hash(&m_state)) complain("a fresh stepper gives other bits");
     }
 
+    /// The first complaint is the trial's problem: what follows may follow from it.
     template<class... Numbers>
     void complain(const char *format, Numbers... numbers) {
+        if (!m_outcome.problem.empty()) return;
         char text[200];
         const int length =
             std::snprintf(text, sizeof text,

@@ -23,6 +23,7 @@ struct Outcome {
 
 /// What a trial follows from: the same for the same numbers.
 struct Plan {
+    const phys_registry *registry; ///< that has the stepper
     uint64_t seed;
     std::string stepper;
     uint32_t model;

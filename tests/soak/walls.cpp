@@ -88,11 +88,12 @@ double Walls::depthAt(const phys_vec3 &centre) const {
 }
 
 bool Walls::areCrossed(const phys_vec3 &from, const phys_vec3 &to) const {
-    // A step moves the centre by less than two radii: the walls near either end are all that can lie between.
-    for (const phys_box *box : near(from)) {
-        if (crosses(*box, from, to)) return true;
-    }
-    return false;
+    const auto isCrossed = [&](const phys_box &box) { return crosses(box, from, to); };
+    // The cell knows the walls that a way of up to two radii can come to.
+    const bool isShort = std::hypot(to.x - from.x, to.y - from.y) <= 2.0 * m_radius;
+    if (!isShort) return std::any_of(m_walls.begin(), m_walls.end(), isCrossed);
+    const auto &walls = near(from);
+    return std::any_of(walls.begin(), walls.end(), [&](const phys_box *box) { return isCrossed(*box); });
 }
 
 } // namespace soak
