@@ -61,13 +61,6 @@ struct Scene {
         return hasOneFloor ? isOver(floors.front(), x, y) : overOneOfFloors(x, y);
     }
 
-    /// Whether both points lie over the floor.
-    bool bothOverFloor(const Vec2 &p, const Vec2 &q) const {
-        if (!hasOneFloor) return overOneOfFloors(p.x, p.y) && overOneOfFloors(q.x, q.y);
-        const phys_box &floor = floors.front();
-        return bothInRectangle(&p.x, &q.x, &floor.min.x, &floor.max.x);
-    }
-
     /// Number of the given box that gave a merged one the place nearest to `point`; the lowest of equals.
     uint32_t givenSolid(uint32_t solid, const Vec3 &point) const;
     uint32_t givenFloor(uint32_t floor, const Vec3 &point) const;

@@ -27,7 +27,7 @@ StepPlan planSweep(const PlanInput &input) {
 
 phys_status requirements(void *self, const phys_params *params, double dt, const phys_state *state,
                          phys_requirements *out, phys_error *) {
-    const PlanInput input{*static_cast<const Scene *>(self), *params, dt, *state};
+    const PlanInput input{static_cast<Clearing *>(self)->scene(), *params, dt, *state};
     describePlan(input, planSweep(input), *out);
     return PHYS_OK;
 }
@@ -60,8 +60,12 @@ phys_status sweepStep(const PlanInput &input, phys_state &out, phys_report *repo
 
 phys_status step(void *self, const phys_params *params, double dt, const phys_state *in, phys_state *out,
                  phys_report *report, phys_error *err) {
-    const PlanInput input{*static_cast<const Scene *>(self), *params, dt, *in};
-    if (!report && glide<VelocityVerlet>(input, *out)) return PHYS_OK;
+    Clearing &clearing = *static_cast<Clearing *>(self);
+    const PlanInput input{clearing.scene(), *params, dt, *in};
+    if (!report &&
+        (glide<VelocityVerlet>(input, clearing, *out) || glideElsewhere<VelocityVerlet>(input, clearing, *out))) {
+        return PHYS_OK;
+    }
     return sweepStep(input, *out, report, err);
 }
 
@@ -77,8 +81,8 @@ constinit const phys_stepper_api kSwept = {sizeof(phys_stepper_api),
                                            nullptr,
                                            0,
                                            0,
-                                           keepScene,
-                                           forgetScene,
+                                           makeClearing,
+                                           deleteClearing,
                                            step,
                                            requirements,
                                            nullptr};

@@ -2,46 +2,66 @@
 // The step that most steps are: the scene requires nothing but the smooth law.
 #pragma once
 
+#include "clearing.h"
 #include "discrete.h"
 
 #include <cstring>
 
 namespace phys {
 
-/// Rolls freely on the floor for one step: no box within reach before or after, one substep, no option, no report.
-/// False, with `out` untouched, if the step needs any more than that; it computes what the full step would, bit by bit.
-template<class Scheme>
-inline bool glide(const PlanInput &input, phys_state &out) {
-    const Scene &scene = input.scene;
+/// Whether the step may be one free roll, slide or slip on the floor: one substep, no option.
+inline bool mayGlide(const PlanInput &input) { return input.params.options == 0 && isSlow(input); }
+
+/// Ends a step that nothing interfered with. False, with `out` untouched, if something might have: a box near the way,
+/// or a ball that stays at rest or comes to rest, which needs to be told why.
+[[gnu::always_inline]] inline bool endGlide(const PlanInput &input, const Clearing &clearing, const Advance<Vec2> &next,
+                                            const Vec3 &spin, phys_state &out) {
     const phys_state &in = input.state;
     const Vec2 from = inPlane(in.position);
-    const Vec2 velocity = inPlane(in.velocity);
-    if (input.params.options != 0 || !isSlow(input)) return false;
-
-    Vec3 spin = input.params.model == PHYS_MODEL_RIGID ? toVec(in.spin) : Vec3(0.0);
-    const FloorContact contact = floorContact(input.params, scene.radius, velocity, spin);
-    const bool slips = contact == FloorContact::Slips;
-    const Advance<Vec2> next = slips ? slip<Scheme>(input.params, scene.radius, input.dt, velocity, spin, nullptr)
-                                     : Scheme::advance(velocityLaw(contact, input.params), velocity, input.dt);
-    if (!slips) spin = spinAfter(contact, next.velocity, spin, scene.radius);
     const Vec2 to = from + next.displacement;
-    // What the full step takes for touched counts too: twice the tolerance, model.md 5.2.
-    const double reach = scene.radius + 2.0 * scene.tolerance + std::abs(to.x - from.x) + std::abs(to.y - from.y);
-    // Seen from above a box is never further away than it is: what lies over or under the ball only costs a full step.
-    for (const uint32_t solid : scene.solidsNear(from.x, from.y, scene.needsGrid)) {
-        if (squaredDistanceFromAbove(scene.solids[solid], from) <= reach * reach) return false;
-    }
-    // A ball that stays at rest or comes to rest needs to be told why.
-    if (reach > kCandidateReach * scene.radius || next.velocity == Vec2(0.0) || !scene.bothOverFloor(from, to)) {
-        return false;
-    }
+    // A step of constant acceleration stays in the triangle of its ends and this corner.
+    const Vec2 corner = from + 0.5 * input.dt * inPlane(in.velocity);
+    const Vec2 low = glm::min(corner, glm::min(from, to));
+    const Vec2 high = glm::max(corner, glm::max(from, to));
+    if (!clearing.holds(low, high) || next.velocity == Vec2(0.0)) return false;
 
     if (&out != &in) std::memcpy(out.orientation, in.orientation, sizeof out.orientation);
-    out.position = {to.x, to.y, in.position.z};
-    out.velocity = {next.velocity.x, next.velocity.y, 0.0};
-    out.spin = fromVec(spin);
-    out.flags = isSlipping(input.params, scene.radius, next.velocity, spin) ? PHYS_SLIPPING : 0;
+    const bool slips = isSlipping(input.params, input.scene.radius, next.velocity, spin);
+    storeVector(to.x, to.y, in.position.z, &out.position.x);
+    storeVector(next.velocity.x, next.velocity.y, 0.0, &out.velocity.x);
+    storeVector(spin.x, spin.y, spin.z, &out.spin.x);
+    out.flags = slips ? PHYS_SLIPPING : 0;
     return true;
+}
+
+/// The step that most steps are: rolls or slides freely on the floor, bit by bit as the full step would. False, with
+/// `out` untouched, if the step needs any more than that. Calls nothing, so that nothing needs to be saved for it.
+template<class Scheme>
+[[gnu::always_inline]] inline bool glide(const PlanInput &input, const Clearing &clearing, phys_state &out) {
+    if (!mayGlide(input)) return false;
+    const FloorContact contact = input.contact();
+    if (contact == FloorContact::Slips) return false;
+    const Vec2 velocity = inPlane(input.state.velocity);
+    const Advance<Vec2> next = Scheme::advance(velocityLaw(contact, input.params), velocity, input.dt);
+    const Vec3 spinBefore = input.params.model == PHYS_MODEL_RIGID ? toVec(input.state.spin) : Vec3(0.0);
+    return endGlide(input, clearing, next, spinAfter(contact, next.velocity, spinBefore, input.scene.radius), out);
+}
+
+/// The same for a ball that slips.
+template<class Scheme>
+bool glideSlipping(const PlanInput &input, const Clearing &clearing, phys_state &out) {
+    if (!mayGlide(input) || input.contact() != FloorContact::Slips) return false;
+    Vec3 spin = toVec(input.state.spin);
+    const Advance<Vec2> next =
+        slip<Scheme>(input.params, input.scene.radius, input.dt, inPlane(input.state.velocity), spin, nullptr);
+    return endGlide(input, clearing, next, spin, out);
+}
+
+/// What is left to try where `glide` failed: find a clearing around the ball, and slip through it.
+template<class Scheme>
+[[gnu::noinline]] bool glideElsewhere(const PlanInput &input, Clearing &clearing, phys_state &out) {
+    return mayGlide(input) && clearing.findAround(inPlane(input.state.position)) &&
+           (glideSlipping<Scheme>(input, clearing, out) || glide<Scheme>(input, clearing, out));
 }
 
 } // namespace phys

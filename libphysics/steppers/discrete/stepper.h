@@ -39,9 +39,9 @@ void turn(const Vec3 &spinBefore, double dt, phys_state &out);
 /// Events that only show at the end of a step. before.supported: whether the floor carried the ball.
 void reportTransitions(Reporter &reporter, const PlanInput &input, const Ball &before, const phys_state &out);
 
-/// create and destroy of a stepper that needs nothing but the scene.
-phys_status keepScene(const phys_scene_view *view, void **self, phys_error *err);
-void forgetScene(void *self);
+/// create and destroy of a stepper that is nothing but a Clearing of its scene.
+phys_status makeClearing(const phys_scene_view *view, void **self, phys_error *err);
+void deleteClearing(void *self);
 
 phys_status refuseSubsteps(double substeps, phys_error *err);
 phys_status refuseStuck(const Vec3 &position, phys_error *err);
@@ -50,33 +50,36 @@ template<class Scheme>
 struct DiscreteStepper {
     static phys_status requirements(void *self, const phys_params *params, double dt, const phys_state *state,
                                     phys_requirements *out, phys_error *) {
-        const Scene &scene = *static_cast<const Scene *>(self);
-        const PlanInput input{scene, *params, dt, *state};
+        const PlanInput input{static_cast<Clearing *>(self)->scene(), *params, dt, *state};
         describePlan(input, plan(input), *out);
         return PHYS_OK;
     }
 
     static phys_status step(void *self, const phys_params *params, double dt, const phys_state *in, phys_state *out,
                             phys_report *report, phys_error *err) {
-        const PlanInput input{*static_cast<const Scene *>(self), *params, dt, *in};
-        if (!report && glide<Scheme>(input, *out)) return PHYS_OK;
-        return fullStep(input, *out, report, err);
+        Clearing &clearing = *static_cast<Clearing *>(self);
+        if (!report && glide<Scheme>({clearing.scene(), *params, dt, *in}, clearing, *out)) return PHYS_OK;
+        return anyStep(self, params, dt, in, out, report, err);
     }
 
 private:
-    [[gnu::noinline]] static phys_status fullStep(const PlanInput &input, phys_state &out, phys_report *report,
-                                                  phys_error *err) {
-        const auto &[scene, params, dt, in] = input;
+    /// Takes what `step` takes, so that the steps that don't come here need save nothing for the call.
+    [[gnu::noinline]] static phys_status anyStep(void *self, const phys_params *params, double dt, const phys_state *in,
+                                                 phys_state *out, phys_report *report, phys_error *err) {
+        Clearing &clearing = *static_cast<Clearing *>(self);
+        const Scene &scene = clearing.scene();
+        const PlanInput input{scene, *params, dt, *in};
+        if (!report && glideElsewhere<Scheme>(input, clearing, *out)) return PHYS_OK;
         const StepPlan stepPlan = plan(input);
         if (stepPlan.substeps > kSubstepCap) return refuseSubsteps(stepPlan.substeps, err);
 
         const auto substeps = static_cast<uint32_t>(stepPlan.substeps);
         const double h = dt / stepPlan.substeps;
-        Reporter reporter(report, in.time);
+        Reporter reporter(report, in->time);
         reporter.substeps(substeps, kSubstepCap);
-        DiscreteStep<Scheme> substep(scene, params, reporter, stepPlan, h);
+        DiscreteStep<Scheme> substep(scene, *params, reporter, stepPlan, h);
 
-        Ball before = loadBall(in);
+        Ball before = loadBall(*in);
         if (reporter.wanted()) before.supported = substep.supports(before);
         Ball ball = before;
         for (uint32_t i = 1; i <= substeps; ++i) {
@@ -84,10 +87,10 @@ private:
         }
         uint64_t flags = substep.supports(ball) ? 0 : PHYS_AIRBORNE;
         if (substep.rests(ball)) flags |= PHYS_AT_REST;
-        if (&out != &in) std::memcpy(out.orientation, in.orientation, sizeof out.orientation);
-        storeBall(scene, params, ball, flags, out);
-        if (stepPlan.runs(PHYS_STAGE_ORIENTATION)) turn(before.spin, dt, out);
-        if (reporter.wanted()) reportTransitions(reporter, input, before, out);
+        if (out != in) std::memcpy(out->orientation, in->orientation, sizeof out->orientation);
+        storeBall(scene, *params, ball, flags, *out);
+        if (stepPlan.runs(PHYS_STAGE_ORIENTATION)) turn(before.spin, dt, *out);
+        if (reporter.wanted()) reportTransitions(reporter, input, before, *out);
         return PHYS_OK;
     }
 
@@ -107,8 +110,8 @@ constexpr phys_stepper_api discreteStepper(const char *id, const char *name, con
             kDiscreteRows,
             1,
             0,
-            keepScene,
-            forgetScene,
+            makeClearing,
+            deleteClearing,
             Stepper::step,
             Stepper::requirements,
             nullptr};
