@@ -20,8 +20,8 @@ struct phys_stepper {
     const phys::Scene *scene;
     phys_scene_view view;
     bool isPlugin;
-    alignas(16) mutable phys_params
-        accepted; ///< the last that passed the checks, for the same bytes pass again; size 0: none yet
+    /// The last that passed the checks: the same bytes pass again. struct_size 0: none yet.
+    alignas(16) mutable phys_params accepted;
 };
 
 namespace phys {

@@ -47,6 +47,7 @@ private slots:
     void bouncesAccumulateWhenPredicted();
     void impactEventTellsWhatHappened_data() { addStepperAndModelRows(); }
     void impactEventTellsWhatHappened();
+    void sweptFindsAWallThatTheBallWouldTurnBackBehind();
     void eventsWithoutRoomAreCounted_data() { addStepperRows(); }
     void eventsWithoutRoomAreCounted();
 };
@@ -252,6 +253,25 @@ void TestImpacts::impactEventTellsWhatHappened() {
     COMPARE_EXACT(event.speed_after, 0.375);
     // Noticed at most a step late.
     QVERIFY(event.time >= 1.0 && event.time <= 1.0 + dt);
+}
+
+void TestImpacts::sweptFindsAWallThatTheBallWouldTurnBackBehind() {
+    // Uphill towards the wall, back where it was after one step: v dt + a dt^2/2 = 0. It would turn 1/512 m ahead.
+    constexpr double kStep = 1.0 / 16.0;
+    constexpr double kDrive = 4.0;
+    constexpr double kGap = 1.0 / 1024.0;
+    Experiment ball(leftWall(), "swept", PHYS_MODEL_RIGID);
+    makeSmooth(ball);
+    ball.params.rolling_friction = 0.0;
+    ball.params.restitution_wall = 0.0;
+    ball.params.gravity.x = kDrive;
+    ball.setPosition(kRadius + kGap, 0.0);
+    ball.state.velocity.x = -0.5 * kDrive * kStep;
+    phys_error error;
+    QVERIFY2(!phys_step(ball.stepper(), &ball.params, kStep, &ball.state, &ball.state, nullptr, &error), error.text);
+    // It stops at the wall after gap = v t - a t^2/2 and has the rest of the step to speed up again.
+    const double before = (0.125 - std::sqrt(0.125 * 0.125 - 2.0 * kDrive * kGap)) / kDrive;
+    COMPARE_WITHIN(ball.state.velocity.x, kDrive * (kStep - before), rounding(8, 1.0));
 }
 
 void TestImpacts::eventsWithoutRoomAreCounted() {
