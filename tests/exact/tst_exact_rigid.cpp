@@ -19,7 +19,6 @@ private slots:
     void ballSpinsDownAtTheWall();
     void ballSpinsDownInACorner();
     void wholeSceneFollowsTheReference();
-    void slipOnAnEdgeIsRefused();
 };
 
 namespace {
@@ -185,21 +184,6 @@ void ExactRigid::wholeSceneFollowsTheReference() {
         QVERIFY(exact::difference(run.state, half.x, half.y, half.vx, half.vy) <= 8.0 * kU);
         QVERIFY(near(run.report.energy_scheme, 0.0, 4.0));
     }
-}
-
-void ExactRigid::slipOnAnEdgeIsRefused() {
-    // Pressed on the end of a wall while the floor contact slips: no closed form, no controlled integrator.
-    Run run({kFloor, exact::wall(-1, -1, 0, 0)}, 0.0625, {0.0625 * 0.6, 0.0625 * 0.8, 0.0625});
-    roll(run, 0.0625);
-    run.state.spin = {40.0, 10.0, 0.0};
-    run.params.sliding_friction = 0.125;
-    run.params.restitution_wall = 0.0;
-    run.params.gravity = {0, -4.0, -8.0};
-    const phys_state before = run.state;
-    phys_error error{};
-    QCOMPARE(run.tryStep(0.5, &error), phys_status(PHYS_ERROR_UNSUPPORTED));
-    QVERIFY(QByteArray(error.text).contains("box 1"));
-    QCOMPARE(phys_state_hash(&run.state), phys_state_hash(&before));
 }
 
 QTEST_GUILESS_MAIN(ExactRigid)

@@ -264,12 +264,7 @@ std::vector<Extreme> contactExtremes() {
                : stepper == "symplectic-euler" ? "bounces lower"
                                                : "keeps its height";
     };
-    const Expected mouth = [](const QByteArray &stepper, uint32_t model) -> QByteArray {
-        if (support::promiseOf(stepper).heats) return "hops in its mouth";
-        // Slipping along an edge has no closed form: model.md 6.5.
-        const bool refuses = stepper == "exact" && model == PHYS_MODEL_RIGID;
-        return refuses ? "PHYS_ERROR_UNSUPPORTED" : "rests in its mouth";
-    };
+    const Expected mouth = unlessHeating("rests in its mouth", "hops in its mouth");
     const Expected kerb = [](const QByteArray &stepper, uint32_t) -> QByteArray {
         return stepper == "exact" ? "PHYS_ERROR_UNSUPPORTED" : "climbs it";
     };

@@ -43,29 +43,7 @@ Motion Motion::slipping(const Vec3 &p, const Vec3 &v, const Vec2 &u, const Vec2 
     return motion;
 }
 
-// Along the wall as in 3.6: v = q + (2/7) u; across it the wall holds the ball and only the spin changes.
-Motion Motion::slippingAtWall(const Vec3 &p, const Vec3 &v, const Vec2 &u, const Vec2 &n, const Vec2 &g,
-                              double friction) {
-    const Vec2 tangent{-n.y, n.x};
-    const double along = glm::dot(u, tangent), drive = glm::dot(g, tangent);
-    Motion motion(p, v - 2.0 / 7.0 * along * Vec3(tangent, 0.0), 5.0 / 7.0 * drive * Vec3(tangent, 0.0));
-    motion.m_kind = Kind::slippingAtWall;
-    motion.m_normal = n;
-    motion.m_tangent = tangent;
-    motion.m_wallSlip = WallSlip(glm::dot(u, n), along, drive, glm::dot(g, n), friction);
-    motion.m_end = motion.m_wallSlip.end();
-    motion.m_most = std::abs(drive) + friction;
-    motion.m_B = 3.5 * friction;
-    motion.m_slipStart = along / length(u) * tangent;
-    motion.m_slipEnd = std::clamp(drive / friction, -1.0, 1.0) * tangent;
-    return motion;
-}
-
-ResistedLaw::Point Motion::slipAt(double t) const {
-    if (m_kind == Kind::slipping) return m_law.at(t);
-    const WallSlip::Point slip = m_wallSlip.at(t);
-    return {slip.way * m_tangent, slip.across * m_normal + slip.along * m_tangent, slip.path};
-}
+ResistedLaw::Point Motion::slipAt(double t) const { return m_law.at(t); }
 
 Motion::Point Motion::at(double t) const {
     if (t == 0.0 && m_kind == Kind::rolling) return {m_p, m_v};
@@ -76,8 +54,7 @@ Motion::Point Motion::at(double t) const {
     const Point point{m_p + t * (m_v + 0.5 * t * m_a), m_v + t * m_a};
     if (m_kind == Kind::parabola) return point;
     const ResistedLaw::Point slip = slipAt(t);
-    const Vec2 v = m_kind == Kind::slipping ? slip.v : glm::dot(slip.v, m_tangent) * m_tangent;
-    return {point.position + 2.0 / 7.0 * Vec3(slip.x, 0.0), point.velocity + 2.0 / 7.0 * Vec3(v, 0.0)};
+    return {point.position + 2.0 / 7.0 * Vec3(slip.x, 0.0), point.velocity + 2.0 / 7.0 * Vec3(slip.v, 0.0)};
 }
 
 double Motion::path(double t) const {
@@ -86,14 +63,16 @@ double Motion::path(double t) const {
     return glm::length(t * (m_v + 0.5 * t * m_a));
 }
 
+Vec3 Motion::startAcceleration() const {
+    if (m_kind == Kind::parabola) return m_a;
+    const double speed = glm::length(m_v);
+    if (m_kind == Kind::rolling) return speed > 0.0 ? m_a - m_B / speed * m_v : m_a;
+    return 7.0 / 5.0 * m_a - 2.0 / 7.0 * m_B * Vec3(m_slipStart, 0.0);
+}
+
 double Motion::leastAcceleration(const Vec3 &n, double rate) const {
     const double free = glm::dot(m_a, n);
     if (m_kind == Kind::parabola) return free;
-    if (m_kind == Kind::slippingAtWall) {
-        // The slip's part along the wall goes from its first to its last value without turning back.
-        const double most = std::max(glm::dot(m_slipStart, inPlane(n)), glm::dot(m_slipEnd, inPlane(n)));
-        return 7.0 / 5.0 * free - 2.0 / 7.0 * m_B * most;
-    }
     if (m_kind == Kind::slipping) return 7.0 / 5.0 * free - 2.0 / 7.0 * m_B * mostSlipAlong(inPlane(n));
     // n.v changes its sign at most once (model.md 3.5), and resistance helps a velocity towards n's back: while rate <=
     // 0 it only slows the fall, and a rate >= 0 under free >= 0 never falls.

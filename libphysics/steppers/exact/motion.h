@@ -3,7 +3,6 @@
 #pragma once
 
 #include "closed_form.h"
-#include "wall_slip.h"
 
 namespace phys {
 
@@ -24,11 +23,6 @@ public:
     /// Slipping freely on the floor, model.md 3.6: u is the slip velocity; ends when the slip does.
     static Motion slipping(const Vec3 &p, const Vec3 &v, const Vec2 &u, const Vec2 &A, double B);
 
-    /// Slipping on the floor at a smooth wall with normal n along an axis, with slip across the wall as well, model.md
-    /// 6.5; ends when the slip or the wall's force does.
-    static Motion slippingAtWall(const Vec3 &p, const Vec3 &v, const Vec2 &u, const Vec2 &n, const Vec2 &g,
-                                 double friction);
-
     Point at(double t) const;
     double end() const { return m_end; }
 
@@ -41,15 +35,18 @@ public:
     /// A bound from below of n . p'' for as long as the motion lasts, where rate = n . v now.
     double leastAcceleration(const Vec3 &n, double rate) const;
 
+    /// p'' at the start, resistance included.
+    Vec3 startAcceleration() const;
+
     /// Bound of |p''|.
     double mostAcceleration() const { return m_most; }
 
     const Vec3 &acceleration() const { return m_a; } ///< without resistance
     double resistance() const { return m_B; }
-    bool slips() const { return m_kind == Kind::slipping || m_kind == Kind::slippingAtWall; }
+    bool slips() const { return m_kind == Kind::slipping; }
 
 private:
-    enum class Kind { parabola, rolling, slipping, slippingAtWall };
+    enum class Kind { parabola, rolling, slipping };
 
     Motion(const Vec3 &p, const Vec3 &v, const Vec3 &a);
 
@@ -60,8 +57,6 @@ private:
     double m_most = 0.0;
     ResistedLaw m_law;
     Vec2 m_slipStart{0.0}, m_slipEnd{0.0}; // directions of slip
-    WallSlip m_wallSlip;
-    Vec2 m_normal{0.0}, m_tangent{0.0}; // of the wall
 
     double mostSlipAlong(const Vec2 &n) const;
 };

@@ -7,6 +7,7 @@
 #include "report.h"
 #include "response.h"
 #include "sweep.h"
+#include "wall_grip.h"
 
 namespace phys {
 
@@ -30,6 +31,33 @@ private:
     struct Fall {
         double time;
         bool lands;
+    };
+
+    struct WallAxes {
+        Vec2 normal, along; ///< unit
+    };
+    /// A ball that stays at a wall, in units that are powers of two.
+    struct AtWall {
+        WallAxes axes;
+        WallLaw law;
+        WallState now;
+        double speed, acceleration; ///< the units
+
+        double unitTime() const { return speed / acceleration; }
+        double unitLength() const { return speed * unitTime(); }
+    };
+    /// Where in s a phase at a wall ends, and why.
+    struct WallEnd {
+        enum class Cause { series, time, force, stop, floorRolls, wallRolls, landing, way };
+        double s;
+        Cause cause;
+    };
+    /// What ends the way along a wall after a length: the face or the quarter circle itself, another solid, the floor.
+    struct WallWay {
+        enum class End { none, contour, touch, floor };
+        double length;
+        End end;
+        double coordinate; ///< of the end of a face
     };
 
     const Board &m_board;
@@ -79,8 +107,9 @@ private:
     bool glide();
     void follow(const Motion &motion, double t);
     double move(const Motion &motion, const Plane *plane, double until);
+    double returnTime(const Motion &motion) const;
     void slide(const Hold &hold, const Motion &motion);
-    FaceWay alongFace(const Plane &plane, const Motion &motion) const;
+    FaceWay alongFace(const Plane &plane, const Motion &motion, double most) const;
     FaceWay alongSolid(const Hold &hold, const Motion &motion) const;
     double landingTime() const;
     Fall fallFor(const Hold &hold) const;
@@ -94,15 +123,25 @@ private:
     bool gripHolds(const Hold &hold) const;
     Drive slipDrive(const Vec2 &u) const;
     phys_status slip();
-    phys_status slipOnFace(const Hold &hold, const Vec2 &u);
+    phys_status slipFreely(const Vec2 &u);
     void spinDown(const Vec2 &u);
     void settleSlip(const Motion &motion, double t);
     void roll();
 
-    // the rigid model at a rough wall: run_groove.cpp
+    // the rigid model at a wall with friction: run_wall.cpp
     bool isRough(const Hold &hold) const;
-    phys_status rubOnWall(const Hold &hold);
-    void rollInGroove(const Hold &hold, double acceleration, double spinRate, double end);
+    AtWall lookAtWall(const Hold &hold) const;
+    phys_status stayAtWall(const Hold &hold);
+    WallEnd endAtWall(const Hold &hold, const AtWall &wall, const WallMotion &motion) const;
+    WallWay wayAlong(const Hold &hold, const AtWall &wall, double reach);
+    WallWay wayOnFace(const Hold &hold, const AtWall &wall, double reach);
+    WallWay wayOnEdge(const Hold &hold, const AtWall &wall, double reach);
+    void follow(const Hold &hold, const AtWall &wall, const WallMotion &motion, const WallEnd &end, const WallWay &way);
+    static bool settleSlips(const WallLaw &law, WallEnd::Cause cause, double smallest, WallState &now);
+    WallAxes axesAfter(const Hold &hold, const AtWall &wall, double length, bool atContour) const;
+    Vec3 spinAtWall(const WallLaw &law, const WallState &now, const WallAxes &axes) const;
+    void turnAtWall(const Hold &hold, const AtWall &wall, const WallMotion &motion, double end);
+    phys_status letGo();
 
     bool isRolling() const { return m_params.model == PHYS_MODEL_ROLLING; }
 };

@@ -41,12 +41,17 @@ phys_status Run::phase() {
     if (ball.velocity != Vec3(0.0)) hold = holdMoving(m_board, m_touches, ball.position, ball.velocity, acting);
     if (ball.velocity == Vec3(0.0)) {
         hold = holdResting(m_board, m_touches, ball.position, acting);
-        if (isRough(hold) && ball.spin.z != 0.0) return rubOnWall(hold);
+        const bool rubs = isRough(hold) && ball.spin.z != 0.0;
+        if (rubs && hold.kind == Hold::Kind::wedged)
+            return refuse("the ball is held by it and another wall, and rubs on both", hold.touch);
+        if (rubs && ball.supported) return stayAtWall(hold);
         if (hold.kind == Hold::Kind::wedged || hold.start <= acting.B) return rest(hold);
     }
     noteHold(hold);
-    if (isRough(hold)) return rubOnWall(hold);
-    if (ball.supported && !gripHolds(hold)) return slip();
+    const bool isHeld = hold.kind == Hold::Kind::face || hold.kind == Hold::Kind::edge;
+    const bool grips = !ball.supported || gripHolds(hold);
+    if (isHeld && (isRough(hold) || !grips)) return stayAtWall(hold);
+    if (!grips) return slip();
     switch (hold.kind) {
     case Hold::Kind::face:
         return slideOnFace(hold);
@@ -98,7 +103,8 @@ phys_status Run::moveFreely(const Hold &hold) {
 /// Along a motion until it ends, the time is up, or the ball touches a solid, leaves its floor or lands.
 double Run::move(const Motion &motion, const Plane *plane, double until) {
     const Scene &scene = m_board.scene();
-    double t = std::min({m_left, until, motion.end()});
+    const double back = returnTime(motion);
+    double t = std::min({m_left, until, motion.end(), back});
     bool lands = false, exits = false;
     if (m_floor) {
         const double exit = firstExit(scene.floors[*m_floor], motion, t, m_board.tolerance());
@@ -110,7 +116,7 @@ double Run::move(const Motion &motion, const Plane *plane, double until) {
         t = std::min(t, landing);
     }
     const double hit = m_sweep.firstTouch(motion, t, plane);
-    m_meets = lands || hit <= t;
+    m_meets = lands || hit <= t || t == back;
     if (hit <= t) {
         lands = lands && hit == t;
         exits = exits && hit == t;
@@ -122,6 +128,19 @@ double Run::move(const Motion &motion, const Plane *plane, double until) {
     if (lands) m_ball.position.z = scene.supportedZ;
     if (plane) m_ball.velocity[plane->axis] = 0.0;
     return t;
+}
+
+/// When a ball is back that a rough wall has just let go, so slowly that it doesn't leave the tolerance: the sweep
+/// would see it late, and each bounce on a rough wall sets something else in motion. model.md 6.4.
+double Run::returnTime(const Motion &motion) const {
+    double first = kNever;
+    if (isRolling() || m_params.wall_friction == 0.0) return first;
+    for (const Touch &touch : m_touches) {
+        const double rate = glm::dot(m_ball.velocity, touch.normal);
+        const double back = pressing(m_board, touch, m_ball.velocity, {motion.startAcceleration(), 0.0});
+        if (rate > 0.0 && rate * rate < back * m_board.tolerance()) first = std::min(first, 2.0 * rate / back);
+    }
+    return first;
 }
 
 /// Along a motion for t seconds in which nothing happens.
@@ -196,18 +215,19 @@ phys_status Run::slideOnFace(const Hold &hold) {
 
 /// Along a motion on a face, until that face ends at the latest.
 void Run::slide(const Hold &hold, const Motion &motion) {
-    const FaceWay way = m_floor ? alongFace(hold.plane, motion) : alongSolid(hold, motion);
+    const double most = std::min(m_left, motion.end());
+    const FaceWay way = m_floor ? alongFace(hold.plane, motion, most) : alongSolid(hold, motion);
     const double moved = move(motion, &hold.plane, way.until);
     if (moved == way.until && way.ends) m_ball.position[1 - hold.plane.axis] = way.end;
 }
 
-/// How long the ball slides until the face ends on either side, other solids flush with it included.
-Run::FaceWay Run::alongFace(const Plane &plane, const Motion &motion) const {
-    const int across = plane.axis, along = 1 - across;
+/// How long the ball slides until the face ends on either side, other solids flush with it included; no longer than
+/// `most`.
+Run::FaceWay Run::alongFace(const Plane &plane, const Motion &motion, double most) const {
+    const int along = 1 - plane.axis;
     const Vec3 &p = m_ball.position;
-    const double most = std::min(m_left, motion.end());
     // A radius more than the ball can go: ends out of reach need not be told apart.
-    const double way = most * (std::abs(m_ball.velocity[along]) + 0.5 * motion.mostAcceleration() * most);
+    const double way = most * (std::abs(motion.at(0.0).velocity[along]) + 0.5 * motion.mostAcceleration() * most);
     const double reach = way + m_board.radius();
     Vec3 low = p - Vec3(m_board.radius()), high = p + Vec3(m_board.radius());
     low[along] = m_board.faceEnd(plane, p, -1.0, p[along] - reach);

@@ -56,17 +56,19 @@ phys_status Run::slip() {
         spinDown(u);
         return PHYS_OK;
     case Hold::Kind::face:
-        return slipOnFace(hold, u);
     case Hold::Kind::edge:
-        return refuse("the ball slips on the floor while it stays on the edge", hold.touch);
+        return stayAtWall(hold);
     case Hold::Kind::beyond:
         return refuse("the ball stays in contact with its top or bottom", hold.touch);
-    default: {
-        const Law<Vec2> law = slippingLaw(m_params);
-        move(Motion::slipping(p, v, u, law.A, law.B), nullptr, m_left);
-        return PHYS_OK;
+    default:
+        return slipFreely(u);
     }
-    }
+}
+
+phys_status Run::slipFreely(const Vec2 &u) {
+    const Law<Vec2> law = slippingLaw(m_params);
+    move(Motion::slipping(m_ball.position, m_ball.velocity, u, law.A, law.B), nullptr, m_left);
+    return PHYS_OK;
 }
 
 /// In a corner the ball spins down in its place: u' = -(5/2) mu_s gn hat(u), model.md 6.5.
@@ -83,25 +85,6 @@ void Run::spinDown(const Vec2 &u) {
     turn(0.5 * t * (before + m_ball.spin));
     spend(t);
     if (t == end) event(PHYS_EVENT_ROLL, 0.0, 0.0);
-}
-
-phys_status Run::slipOnFace(const Hold &hold, const Vec2 &u) {
-    if (m_params.wall_friction > 0.0)
-        return refuse("the ball slips on the floor and rubs on this rough wall", hold.touch);
-    const int across = hold.plane.axis;
-    m_ball.velocity[across] = 0.0;
-    const Vec3 &p = m_ball.position, &v = m_ball.velocity;
-    const Law<Vec2> law = slippingLaw(m_params);
-    if (std::abs(u[across]) <= kRolls * (length(inPlane(v)) + length(u))) {
-        // Straight along the wall the free law holds in one dimension.
-        Vec2 straight = u, A = law.A;
-        straight[across] = A[across] = 0.0;
-        slide(hold, Motion::slipping(p, v, straight, A, law.B));
-    } else {
-        const double friction = m_params.sliding_friction * -m_params.gravity.z;
-        slide(hold, Motion::slippingAtWall(p, v, u, inPlane(hold.touch.normal), law.A, friction));
-    }
-    return PHYS_OK;
 }
 
 /// Spin after t seconds of a slipping motion: what the friction turned, or exactly rolling at the end of the slip.

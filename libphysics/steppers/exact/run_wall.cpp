@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: MIT
+// The rigid model at a wall where friction acts: on a face or an edge, smooth or rough, on the floor or in the air.
+// model.md 6.5.
+#include "run.h"
+
+#include "arc.h"
+
+#include <cmath>
+
+namespace phys {
+
+namespace {
+
+/// A slip below this, relative to the speeds whose difference it is, is their rounding.
+constexpr double kRolls = 8.0 * kRounding;
+
+/// A slip below this, in sqrt(g R), is none: all speeds may be zero where it ends.
+constexpr double kSmallestSlip = 1e-18;
+
+/// Parts that the turn of a curved way is made of, for drawing.
+constexpr int kTurnParts = 16;
+
+/// The largest power of two up to a value: a unit that costs no rounding.
+double unitOf(double value) { return value > 0.0 ? std::exp2(std::ilogb(value)) : 1.0; }
+
+Taylor operator*(double factor, const Taylor &f) {
+    Taylor product;
+    for (int k = 0; k <= Taylor::kOrder; ++k) product[k] = factor * f[k];
+    return product;
+}
+
+/// What f leaves of a whole.
+Taylor remains(double whole, const Taylor &f) {
+    Taylor left = -1.0 * f;
+    left[0] += whole;
+    return left;
+}
+
+void scale(WallState &now, double speed, double acceleration) {
+    for (double *value : {&now.along, &now.up, &now.floorSlip, &now.wallSlip, &now.wallSlipUp}) *value *= speed;
+    for (double *value : {&now.gravityAcross, &now.gravityAlong}) *value *= acceleration;
+}
+
+} // namespace
+
+/// Whether friction acts between the ball and what holds it.
+bool Run::isRough(const Hold &hold) const {
+    if (isRolling() || m_params.wall_friction == 0.0 || hold.kind == Hold::Kind::none) return false;
+    return glm::dot(toVec(m_params.gravity), hold.touch.normal) < 0.0;
+}
+
+/// The ball as its contacts see it. Slips that are no more than rounding are none.
+Run::AtWall Run::lookAtWall(const Hold &hold) const {
+    const double R = m_board.radius();
+    const Vec3 &v = m_ball.velocity, &spin = m_ball.spin, gravity = toVec(m_params.gravity);
+    AtWall wall;
+    const Vec2 normal = inPlane(hold.touch.normal), along{-normal.y, normal.x};
+    wall.axes = {normal, along};
+    WallState &now = wall.now;
+    now.along = glm::dot(inPlane(v), along);
+    now.up = m_floor ? 0.0 : v.z;
+    now.floorSlip = now.along + R * glm::dot(inPlane(spin), normal);
+    now.wallSlip = now.along - R * spin.z;
+    now.wallSlipUp = now.up + R * glm::dot(inPlane(spin), along);
+    now.gravityAcross = glm::dot(inPlane(gravity), normal);
+    now.gravityAlong = glm::dot(inPlane(gravity), along);
+
+    const double rounding = kRolls * (glm::length(v) + R * glm::length(spin));
+    const bool rollsOnFloor = m_floor && !slides() && slipVelocity() == Vec2(0.0);
+    if (m_floor && std::abs(now.wallSlipUp) <= rounding) now.wallSlipUp = 0.0;
+    if (rollsOnFloor) now.floorSlip = now.wallSlipUp = 0.0;
+    const bool rollsOnWall = length({now.wallSlip, now.wallSlipUp}) <= rounding;
+    if (rollsOnWall) now.wallSlip = now.wallSlipUp = 0.0;
+
+    WallLaw &law = wall.law;
+    law.floorFriction = m_params.sliding_friction;
+    law.wallFriction = m_params.wall_friction;
+    if (m_floor) law.floor = slides() ? Grip::smooth : rollsOnFloor ? Grip::rolls : Grip::slips;
+    if (law.wallFriction > 0.0) law.wall = rollsOnWall ? Grip::rolls : Grip::slips;
+
+    // In units in which speeds and accelerations are near 1.
+    const double fastest = std::max({std::abs(now.along), std::abs(now.up), std::abs(now.floorSlip),
+                                     std::abs(now.wallSlip), std::abs(now.wallSlipUp)});
+    wall.acceleration = unitOf(length({length(inPlane(gravity)), gravity.z}));
+    wall.speed = unitOf(fastest > 0.0 ? fastest : std::sqrt(wall.acceleration * R));
+    scale(now, 1.0 / wall.speed, 1.0 / wall.acceleration);
+    law.weight = -gravity.z / wall.acceleration;
+    if (hold.kind == Hold::Kind::edge) law.curvature = wall.unitLength() / R;
+    if (settleGrips(law, now, m_params.rolling_friction * law.weight)) wall.axes.along = -along;
+    return wall;
+}
+
+/// Until the ball leaves the wall or the floor, stops, changes its grip or meets something, or the series end.
+phys_status Run::stayAtWall(const Hold &hold) {
+    const AtWall wall = lookAtWall(hold);
+    const WallMotion motion(wall.law, wall.now);
+    if (isSpent(motion.wallForce, 1.0)) return letGo();
+    if (m_floor && isSpent(motion.floorForce, 1.0)) {
+        takeOff();
+        return PHYS_OK;
+    }
+    WallEnd end = endAtWall(hold, wall, motion);
+    const double reach = motion.way.at(end.s) * wall.unitLength();
+    const WallWay way = wayAlong(hold, wall, reach);
+    if (way.end != WallWay::End::none) {
+        if (way.length == 0.0) return refuse("the ball is held by it and another wall, and rubs on both", hold.touch);
+        const double s = firstFall(remains(way.length / wall.unitLength(), motion.way), end.s);
+        end = {std::min(end.s, s), WallEnd::Cause::way};
+    }
+    follow(hold, wall, motion, end, way);
+    return PHYS_OK;
+}
+
+/// Where the motion itself ends the phase, and why.
+Run::WallEnd Run::endAtWall(const Hold &hold, const AtWall &wall, const WallMotion &motion) const {
+    using enum WallEnd::Cause;
+    const WallLaw &law = wall.law;
+    const double left = m_left / wall.unitTime();
+    WallEnd end{motion.goodFor(), series};
+    if (!motion.slipsTurn()) end.s = std::min(end.s, left); // s is the time
+    const auto cut = [&end](const Taylor &f, WallEnd::Cause cause) {
+        const double s = firstFall(f, end.s);
+        if (s <= end.s) end = {s, cause};
+    };
+    cut(remains(left, motion.time), time);
+    cut(motion.wallForce, force);
+    cut(motion.along, stop);
+    if (law.wall == Grip::rolls) cut(motion.wallReserve, force);
+    if (law.wall == Grip::slips && law.isStraight) cut(law.wallSense * motion.wallSlip.along, wallRolls);
+    if (m_floor) {
+        cut(motion.floorForce, force);
+        if (law.floor == Grip::rolls) cut(motion.floorReserve, force);
+        if (law.floor == Grip::slips && law.isStraight) cut(law.floorSense * motion.floorSlip.along, floorRolls);
+        return end;
+    }
+    const Scene &scene = m_board.scene();
+    const phys_box &box = scene.solids[hold.touch.solid];
+    const double z = m_ball.position.z, unit = wall.unitLength();
+    cut(remains((box.max.z - z) / unit, motion.height), force);
+    cut(remains((z - box.min.z) / unit, -1.0 * motion.height), force);
+    if (scene.hasFloor && z >= scene.supportedZ)
+        cut(remains((z - scene.supportedZ) / unit, -1.0 * motion.height), landing);
+    return end;
+}
+
+Run::WallWay Run::wayAlong(const Hold &hold, const AtWall &wall, double reach) {
+    if (reach == 0.0) return {0.0, WallWay::End::none, 0.0};
+    return hold.kind == Hold::Kind::face ? wayOnFace(hold, wall, reach) : wayOnEdge(hold, wall, reach);
+}
+
+/// What is in the way along a face within `reach`. A straight way is searched as one at unit speed.
+Run::WallWay Run::wayOnFace(const Hold &hold, const AtWall &wall, double reach) {
+    using enum WallWay::End;
+    const Motion motion = Motion::parabola(m_ball.position, Vec3(wall.axes.along, 0.0), Vec3(0.0), reach);
+    WallWay way{reach, none, 0.0};
+    const FaceWay face = alongFace(hold.plane, motion, reach);
+    if (face.ends) way = {face.until, contour, face.end};
+    if (m_floor) {
+        const double exit = firstExit(m_board.scene().floors[*m_floor], motion, way.length, m_board.tolerance());
+        if (exit <= way.length) way = {exit, floor, 0.0};
+    }
+    const double met = m_sweep.firstTouch(motion, way.length, &hold.plane);
+    if (met <= way.length) way = {met, WallWay::End::touch, 0.0};
+    return way;
+}
+
+/// The same round an edge.
+Run::WallWay Run::wayOnEdge(const Hold &hold, const AtWall &wall, double reach) {
+    using enum WallWay::End;
+    const double R = m_board.radius();
+    const EdgeArc arc{hold.corner, wall.axes.normal, wall.axes.along, R, m_ball.position.z};
+    WallWay way{reach, none, 0.0};
+    const double quarter = R * quarterEnd(arc).angle;
+    if (quarter <= way.length) way = {quarter, contour, 0.0};
+    if (m_floor) {
+        const phys_box &box = m_board.scene().floors[*m_floor];
+        const double exit = R * firstExitOnArc(box, arc, way.length / R, m_board.tolerance());
+        if (exit <= way.length) way = {exit, floor, 0.0};
+    }
+    const double met = R * firstTouchOnArc(m_board, arc, way.length / R);
+    if (met <= way.length) way = {met, WallWay::End::touch, 0.0};
+    return way;
+}
+
+/// Puts the ball where the motion is at its end, with its speeds, and counts what it has cost.
+void Run::follow(const Hold &hold, const AtWall &wall, const WallMotion &motion, const WallEnd &end,
+                 const WallWay &way) {
+    const double before = glm::length(m_ball.velocity);
+    const bool atWayEnd = end.cause == WallEnd::Cause::way;
+    const double length = atWayEnd ? way.length : motion.way.at(end.s) * wall.unitLength();
+    const double t = end.cause == WallEnd::Cause::time ? m_left : motion.time.at(end.s) * wall.unitTime();
+    m_report.lostSlip(motion.heat.at(end.s) * wall.speed * wall.speed);
+    if (wall.law.floor == Grip::rolls) m_report.lostRolling(m_params.rolling_friction * -m_params.gravity.z * length);
+    turnAtWall(hold, wall, motion, end.s);
+
+    WallState now = motion.at(end.s);
+    if (end.cause == WallEnd::Cause::stop) now.along = 0.0;
+    const double smallest = kSmallestSlip * std::sqrt(wall.acceleration * m_board.radius()) / wall.speed;
+    const bool rolls = settleSlips(wall.law, end.cause, smallest, now);
+    scale(now, wall.speed, wall.acceleration);
+    const WallAxes axes = axesAfter(hold, wall, length, atWayEnd && way.end == WallWay::End::contour);
+    if (hold.kind == Hold::Kind::edge) {
+        if (length > 0.0) m_ball.position = {hold.corner + m_board.radius() * axes.normal, m_ball.position.z};
+    } else {
+        m_ball.position += length * Vec3(axes.along, 0.0);
+        if (atWayEnd && way.end == WallWay::End::contour) m_ball.position[1 - hold.plane.axis] = way.coordinate;
+    }
+    m_ball.velocity = {now.along * axes.along, now.up};
+    m_ball.spin = spinAtWall(wall.law, now, axes);
+    if (wall.law.floor == Grip::rolls || rolls) roll();
+    if (atWayEnd && way.end == WallWay::End::floor)
+        snapToBorder(m_board.scene().floors[*m_floor], m_board.tolerance(), m_ball.velocity, m_ball.position);
+    if (!m_floor) m_ball.position.z += motion.height.at(end.s) * wall.unitLength();
+    if (end.cause == WallEnd::Cause::landing) m_ball.position.z = m_board.scene().supportedZ;
+    m_meets = end.cause == WallEnd::Cause::landing || (atWayEnd && way.end == WallWay::End::touch);
+    spend(t);
+
+    const double after = glm::length(m_ball.velocity);
+    if (rolls) event(PHYS_EVENT_ROLL, after, after);
+    if (wall.law.floor == Grip::rolls && before > 0.0 && after == 0.0) event(PHYS_EVENT_STOP, before, 0.0);
+}
+
+/// A slip that has come to its end is zero exactly. True if that of the floor has.
+bool Run::settleSlips(const WallLaw &law, WallEnd::Cause cause, double smallest, WallState &now) {
+    const double speeds = std::abs(now.along) + std::abs(now.up);
+    const double spins =
+        std::abs(now.floorSlip - now.along) + std::abs(now.wallSlipUp - now.up) + std::abs(now.along - now.wallSlip);
+    const double rounding = kRolls * (speeds + spins) + smallest;
+    const auto ends = [&](Grip grip, WallEnd::Cause ending, double along, double aside) {
+        return grip == Grip::slips && (cause == ending || length({along, aside}) <= rounding);
+    };
+    const bool floorRolls = ends(law.floor, WallEnd::Cause::floorRolls, now.floorSlip, now.wallSlipUp - now.up);
+    const bool wallRolls = ends(law.wall, WallEnd::Cause::wallRolls, now.wallSlip, now.wallSlipUp);
+    if (floorRolls) now.floorSlip = 0.0;
+    if (wallRolls) now.wallSlip = 0.0;
+    if (wallRolls) now.wallSlipUp = 0.0;
+    if (floorRolls) now.wallSlipUp = now.up;
+    return floorRolls;
+}
+
+/// The wall's axes after a way: on an edge they turn with it.
+Run::WallAxes Run::axesAfter(const Hold &hold, const AtWall &wall, double length, bool atContour) const {
+    if (hold.kind == Hold::Kind::face) return wall.axes;
+    const EdgeArc arc{hold.corner, wall.axes.normal, wall.axes.along, m_board.radius(), m_ball.position.z};
+    const QuarterEnd quarter = quarterEnd(arc);
+    if (atContour) return {quarter.normal, quarter.tangent};
+    const double angle = length / m_board.radius();
+    return {arc.normalAt(angle), arc.tangentAt(angle)};
+}
+
+Vec3 Run::spinAtWall(const WallLaw &law, const WallState &now, const WallAxes &axes) const {
+    // Seen in a mirror if along is against z x n: a spin's part in the mirror's plane changes its sign there.
+    const Vec2 level{-axes.normal.y, axes.normal.x};
+    const double hand = glm::dot(level, axes.along) < 0.0 ? -1.0 : 1.0;
+    const Vec2 spin = hand * (now.floorSlip - now.along) * axes.normal + (now.wallSlipUp - now.up) * level;
+    const double upright = hand * (now.along - now.wallSlip) / m_board.radius();
+    return {spin / m_board.radius(), law.wall == Grip::smooth ? m_ball.spin.z : upright};
+}
+
+/// For drawing: the turn put together from parts.
+void Run::turnAtWall(const Hold &hold, const AtWall &wall, const WallMotion &motion, double end) {
+    if (!(m_params.options & PHYS_OPTION_ORIENTATION)) return;
+    double before = 0.0;
+    for (int part = 0; part < kTurnParts; ++part) {
+        const double middle = end * (part + 0.5) / kTurnParts;
+        WallState now = motion.at(middle);
+        scale(now, wall.speed, wall.acceleration);
+        const WallAxes axes = axesAfter(hold, wall, motion.way.at(middle) * wall.unitLength(), false);
+        const double time = motion.time.at(end * (part + 1) / kTurnParts) * wall.unitTime();
+        turn((time - before) * spinAtWall(wall.law, now, axes));
+        before = time;
+    }
+}
+
+/// The wall presses no longer: the ball goes on freely.
+phys_status Run::letGo() {
+    noteHold(Hold{});
+    const Vec2 u = slipVelocity();
+    if (m_ball.supported && (u != Vec2(0.0) || !gripHolds(Hold{}))) return slipFreely(u);
+    return moveFreely(Hold{});
+}
+
+} // namespace phys
