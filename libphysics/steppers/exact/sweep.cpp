@@ -125,10 +125,11 @@ double Sweep::settled(const Motion &motion, const Nearest &close, const Vec3 &ve
         }
         const double gap = glm::dot(away, normal) - m_board.radius();
         const double rate = glm::dot(now.velocity, normal);
-        if (gap < -m_board.tolerance() || (pass == 0 && gap <= m_board.tolerance())) return t;
+        const bool isAt = gap <= m_board.tolerance() && rate <= 0.0;
+        if (gap < -m_board.tolerance() || (pass == 0 && isAt)) return t;
         time += firstFall(std::max(0.0, gap), rate, motion.leastAcceleration(normal, rate));
         if (polished) break;
-        polished = gap <= m_board.tolerance();
+        polished = isAt;
     }
     const double rate = std::abs(glm::dot(velocity, close.normal));
     return std::abs(time - t) * rate <= 4.0 * m_board.tolerance() ? time : t;
