@@ -98,6 +98,7 @@ private:
     // smooth phases: run_phases.cpp
     phys_status phase();
     Drive drive() const;
+    bool passesBorder(const Hold &hold) const;
     bool isAtRest();
     void noteHold(const Hold &hold);
     phys_status rest(const Hold &hold);

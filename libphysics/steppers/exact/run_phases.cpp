@@ -47,6 +47,10 @@ phys_status Run::phase() {
         if (rubs && ball.supported) return stayAtWall(hold);
         if (hold.kind == Hold::Kind::wedged || hold.start <= acting.B) return rest(hold);
     }
+    if (ball.supported && passesBorder(hold)) {
+        takeOff();
+        return PHYS_OK;
+    }
     noteHold(hold);
     const bool isHeld = hold.kind == Hold::Kind::face || hold.kind == Hold::Kind::edge;
     const bool grips = !ball.supported || gripHolds(hold);
@@ -62,6 +66,18 @@ phys_status Run::phase() {
     default:
         return moveFreely(hold);
     }
+}
+
+/// Whether a ball on its floor's border, across which it doesn't move yet, is pulled over it.
+bool Run::passesBorder(const Hold &hold) const {
+    if (hold.kind == Hold::Kind::edge) return false;
+    const Vec2 v = inPlane(m_ball.velocity);
+    Vec2 way = v == Vec2(0.0) ? inPlane(hold.direction) : v;
+    for (int axis = 0; axis < 2; ++axis) {
+        const bool isFree = hold.kind != Hold::Kind::face || hold.plane.axis != axis;
+        if (way[axis] == 0.0 && isFree) way[axis] = drive().A[axis];
+    }
+    return !m_board.floorUnder(m_ball.position, way);
 }
 
 bool Run::isAtRest() {

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+// Contacts that last, pivots, rests, falls, tiles and infinitely many bounces against results of 50-digit arithmetic,
+// which references/references.py writes into references.txt from an independent program.
+#include "run.h"
+
+#include <QtTest>
+
+#include <fstream>
+#include <sstream>
+
+using exact::kU;
+using exact::Run;
+
+namespace {
+
+struct Impact {
+    uint32_t kind, box;
+    double time, before, after;
+};
+
+struct Step {
+    phys_vec3 gravity;
+    double dt;
+    std::vector<Impact> impacts; ///< the weakest are left out
+    double state[6];             ///< position, velocity
+    uint64_t flags;
+    double sensitivity;
+};
+
+struct Scene {
+    std::string name;
+    std::vector<phys_box> boxes;
+    double radius = 0.0;
+    double restitutionWall = 0.0, restitutionFloor = 0.0, rollingFriction = 0.0;
+    phys_vec3 position{}, velocity{};
+    std::vector<Step> steps;
+};
+
+std::istream &operator>>(std::istream &in, phys_vec3 &v) { return in >> v.x >> v.y >> v.z; }
+
+/// Impacts weaker than this aren't listed: those that end infinitely many differ (model.md 6.4). m/s
+constexpr double kWeakest = 1e-5;
+
+bool readEvent(std::istream &in, Step &step) {
+    std::string kind;
+    int box = 0;
+    Impact impact{};
+    in >> kind >> box >> impact.time >> impact.before >> impact.after;
+    impact.kind = kind == "landing" ? PHYS_EVENT_LANDING : PHYS_EVENT_IMPACT;
+    impact.box = static_cast<uint32_t>(box);
+    if (kind == "impact" || kind == "landing") step.impacts.push_back(impact);
+    return bool(in);
+}
+
+/// One line of references.txt, whose head says what the words mean. False if it isn't understood.
+bool readLine(const std::string &line, std::vector<Scene> &scenes) {
+    std::istringstream in(line);
+    std::string word;
+    if (!(in >> word) || word == "#") return true;
+    if (word == "scene") {
+        scenes.emplace_back();
+        return bool(std::getline(in >> std::ws, scenes.back().name));
+    }
+    if (scenes.empty()) return false;
+    Scene &scene = scenes.back();
+    if (word == "radius") return bool(in >> scene.radius);
+    if (word == "params") return bool(in >> scene.restitutionWall >> scene.restitutionFloor >> scene.rollingFriction);
+    if (word == "ball") return bool(in >> scene.position >> scene.velocity);
+    if (word == "box") {
+        scene.boxes.emplace_back();
+        return bool(in >> scene.boxes.back().min >> scene.boxes.back().max);
+    }
+    if (word == "step") {
+        scene.steps.emplace_back();
+        return bool(in >> scene.steps.back().gravity >> scene.steps.back().dt);
+    }
+    if (scene.steps.empty()) return false;
+    Step &step = scene.steps.back();
+    if (word == "event") return readEvent(in, step);
+    for (double &value : step.state) in >> value;
+    return word == "state" && in >> step.flags >> step.sensitivity;
+}
+
+const std::vector<Scene> &scenes() {
+    static const std::vector<Scene> all = [] {
+        std::vector<Scene> read;
+        std::ifstream file(EXACT_REFERENCES);
+        for (std::string line; std::getline(file, line);) {
+            if (!readLine(line, read)) throw std::runtime_error("references.txt: not understood: " + line);
+        }
+        if (read.empty()) throw std::runtime_error("can't read " EXACT_REFERENCES);
+        return read;
+    }();
+    return all;
+}
+
+/// The ball of a scene before its first step.
+struct Start : Run {
+    explicit Start(const Scene &scene)
+        : Run(scene.boxes, scene.radius, scene.position, scene.velocity) {
+        params.restitution_wall = scene.restitutionWall;
+        params.restitution_floor = scene.restitutionFloor;
+        params.rolling_friction = scene.rollingFriction;
+    }
+};
+
+double error(const phys_state &state, const Step &step) {
+    const phys_vec3 &p = state.position, &v = state.velocity;
+    const double got[] = {p.x, p.y, p.z, v.x, v.y, v.z};
+    double most = 0.0;
+    for (int i = 0; i < 6; ++i) most = std::max(most, std::abs(got[i] - step.state[i]));
+    return most;
+}
+
+/// model.md 8: rounding of a coordinate times what the way so far makes of it. The boards are some metres large.
+double bound(const Step &step, size_t events) { return 2.0 * kU * (1.0 + step.sensitivity) * double(events + 1); }
+
+QString told(const Scene &scene, size_t step, double error, double bound) {
+    return QString("%1, step %2: %3, allowed %4").arg(scene.name.c_str()).arg(step).arg(error).arg(bound);
+}
+
+} // namespace
+
+class ExactReferences : public QObject {
+    Q_OBJECT
+private slots:
+    void followsTheReference_data() { addScenes(); }
+    void followsTheReference();
+    void meetsTheSameWalls_data() { addScenes(); }
+    void meetsTheSameWalls();
+    void isTheSameInManySteps_data() { addScenes(); }
+    void isTheSameInManySteps();
+
+private:
+    void addScenes() {
+        QTest::addColumn<int>("number");
+        for (size_t i = 0; i < scenes().size(); ++i) QTest::newRow(scenes()[i].name.c_str()) << int(i);
+    }
+    static const Scene &chosen() {
+        QFETCH(int, number);
+        return scenes()[size_t(number)];
+    }
+};
+
+void ExactReferences::followsTheReference() {
+    const Scene &scene = chosen();
+    Start run(scene);
+    size_t events = 0, number = 0;
+    for (const Step &step : scene.steps) {
+        run.params.gravity = step.gravity;
+        run.step(step.dt);
+        events += run.events.size();
+        const double off = error(run.state, step), allowed = bound(step, events);
+        QVERIFY2(off <= allowed, qPrintable(told(scene, ++number, off, allowed)));
+        QCOMPARE(run.state.flags, step.flags);
+    }
+}
+
+void ExactReferences::meetsTheSameWalls() {
+    const Scene &scene = chosen();
+    Start run(scene);
+    size_t events = 0;
+    for (const Step &step : scene.steps) {
+        run.params.gravity = step.gravity;
+        run.step(step.dt);
+        std::vector<phys_event> met;
+        for (const phys_event &event : run.events) {
+            const bool counts = event.kind == PHYS_EVENT_IMPACT || event.kind == PHYS_EVENT_LANDING;
+            if (counts && std::abs(event.speed_before) >= kWeakest) met.push_back(event);
+        }
+        QCOMPARE(met.size(), step.impacts.size());
+        events += run.events.size();
+        for (size_t i = 0; i < met.size(); ++i) {
+            const Impact &impact = step.impacts[i];
+            QCOMPARE(met[i].kind, impact.kind);
+            if (impact.kind == PHYS_EVENT_IMPACT) QCOMPARE(met[i].box, impact.box);
+            // What is known to rounding is the place: the weaker an impact, the less do its time and speed matter.
+            const double weight = std::min(1.0, std::abs(impact.before)), allowed = bound(step, events);
+            QVERIFY(weight * std::abs(met[i].time - impact.time) <= allowed);
+            QVERIFY(weight * std::abs(met[i].speed_before - impact.before) <= allowed);
+            QVERIFY(weight * std::abs(met[i].speed_after - impact.after) <= allowed);
+        }
+    }
+}
+
+/// Each phase that is opened anew starts from a place and a velocity that are rounded by half a unit.
+void ExactReferences::isTheSameInManySteps() {
+    const Scene &scene = chosen();
+    Start run(scene);
+    size_t events = 0, number = 0, phases = 0;
+    for (const Step &step : scene.steps) {
+        const int parts = std::max(1, int(std::ceil(step.dt * 256.0)));
+        run.params.gravity = step.gravity;
+        for (int part = 0; part < parts; ++part) {
+            run.step(step.dt / parts);
+            events += run.events.size();
+        }
+        phases += size_t(parts);
+        const double off = error(run.state, step);
+        const double allowed = bound(step, events) + 0.5 * kU * (1.0 + step.sensitivity) * double(phases);
+        QVERIFY2(off <= allowed, qPrintable(told(scene, ++number, off, allowed)));
+        QCOMPARE(run.state.flags, step.flags);
+    }
+}
+
+QTEST_GUILESS_MAIN(ExactReferences)
+#include "tst_exact_references.moc"
