@@ -14,6 +14,9 @@ namespace {
 /// More events than this in one call end it with an error: only a ball caught between walls gets there.
 constexpr uint32_t kEventCap = 1'000'000;
 
+/// And so do more than this without any time between them: nothing would ever change.
+constexpr uint32_t kMomentCap = 1'000;
+
 } // namespace
 
 Run::Run(const Board &board, Sweep &sweep, const phys_params &params, double dt, const phys_state &in,
@@ -37,7 +40,14 @@ phys_status Run::advance(phys_state &out) {
     }
     if (const phys_status status = pushOut()) return status;
     if (const phys_status status = resolve()) return status;
-    for (uint32_t events = 0; m_left > 0.0; ++events) {
+    double leftBefore = m_left;
+    for (uint32_t events = 0, atOnce = 0; m_left > 0.0; ++events) {
+        atOnce = m_left < leftBefore ? 0 : atOnce + 1;
+        leftBefore = m_left;
+        if (atOnce > kMomentCap) {
+            return fail(m_err, PHYS_ERROR_EVENT_CAP, "more than %u events at one moment, %.9g s before the step's end",
+                        kMomentCap, m_left);
+        }
         if (events == kEventCap) {
             return fail(m_err, PHYS_ERROR_EVENT_CAP, "more than %u events in one step, %.9g s of it still to go",
                         kEventCap, m_left);
