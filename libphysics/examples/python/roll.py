@@ -34,16 +34,17 @@ def draw(ways, scene, picture):
         return
     matplotlib.use("Agg")
     from matplotlib import pyplot
-    for box in scene.boxes:
+    walls = [box for box in scene.boxes if box.max.z > scene.start().position.z]
+    for box in walls:
         pyplot.gca().add_patch(pyplot.Rectangle((box.min.x, box.min.y), box.max.x - box.min.x, box.max.y - box.min.y,
-                                                alpha=0.2))
+                                                color="lightgrey"))
     for stepper_id, way in ways.items():
         pyplot.plot(*zip(*way), label=stepper_id)
     pyplot.axis("equal")
     pyplot.xlabel("x / m")
     pyplot.ylabel("y / m")
-    pyplot.legend()
-    pyplot.savefig(picture)
+    pyplot.legend(loc="upper left", bbox_to_anchor=(1, 1))
+    pyplot.savefig(picture, bbox_inches="tight")
 
 
 def main(arguments):

@@ -15,9 +15,36 @@ namespace {
 using sweep::Outcome;
 using sweep::Plan;
 
-bool writeCsv(const Plan &plan, const std::vector<Outcome> &outcomes) {
-    std::FILE *file = std::fopen(plan.file.c_str(), "w");
-    if (!file) return false;
+/// A file that gets its name when it's complete: a sweep that is cut short leaves no half of a CSV behind. What it has
+/// so far is called NAME.part.
+class WholeFile {
+public:
+    explicit WholeFile(const std::string &name)
+        : m_name(name)
+        , m_file(std::fopen(part().c_str(), "w")) {}
+    ~WholeFile() {
+        if (m_file) std::fclose(m_file);
+    }
+    WholeFile(const WholeFile &) = delete;
+    WholeFile &operator=(const WholeFile &) = delete;
+
+    std::FILE *get() const { return m_file; }
+
+    bool complete() {
+        const bool isWritten = !std::ferror(m_file);
+        const bool isClosed = std::fclose(m_file) == 0;
+        m_file = nullptr;
+        return isWritten && isClosed && std::rename(part().c_str(), m_name.c_str()) == 0;
+    }
+
+private:
+    std::string part() const { return m_name + ".part"; }
+
+    std::string m_name;
+    std::FILE *m_file;
+};
+
+void writeCsv(const Plan &plan, const std::vector<Outcome> &outcomes, std::FILE *file) {
     std::fprintf(file, "level,stepper,rolling_friction,restitution_wall,dt,steps,x,y,z,vx,vy,vz,flags,impacts,"
                        "energy_lost,state_hash,status\n");
     for (const Outcome &outcome : outcomes) {
@@ -30,12 +57,16 @@ bool writeCsv(const Plan &plan, const std::vector<Outcome> &outcomes) {
         std::fprintf(file, ",%" PRIu64 ",%" PRIu64 ",%.17g,%016" PRIx64 ",%s\n", s.flags, outcome.impacts,
                      outcome.energyLost, phys_state_hash(&s), phys_status_name(outcome.error.status));
     }
-    const bool isWritten = !std::ferror(file);
-    return std::fclose(file) == 0 && isWritten;
 }
 
 /// Rank 0: gathers, shows progress, names failures. Returns the exit code.
 int lead(const Plan &plan) {
+    WholeFile csv(plan.file); // before the work: that it can't be written is no surprise at the end
+    if (!csv.get()) {
+        std::fprintf(stderr, "sweep: %s can't be written\n", plan.file.c_str());
+        sweep::computeAll(Plan{}, nullptr); // nothing to do: sends the other ranks home
+        return 2;
+    }
     const uint64_t count = plan.jobCount();
     std::vector<Outcome> outcomes(count);
     uint64_t done = 0;
@@ -50,7 +81,8 @@ int lead(const Plan &plan) {
         const bool isTenth = done * 10 / count != (done - 1) * 10 / count;
         if (isTenth) std::fprintf(stderr, "sweep: %" PRIu64 " of %" PRIu64 " jobs\n", done, count);
     });
-    if (!writeCsv(plan, outcomes)) {
+    writeCsv(plan, outcomes, csv.get());
+    if (!csv.complete()) {
         std::fprintf(stderr, "sweep: %s can't be written\n", plan.file.c_str());
         return 2;
     }
