@@ -12,6 +12,7 @@ namespace phys {
 
 namespace {
 
+/// From crude to exact.
 const phys_stepper_api *const kBuiltIn[] = {
     &kExplicitEuler, &kSymplecticEuler, &kVelocityVerlet, &kRk4, &kSwept, &kExact,
 };
@@ -48,8 +49,6 @@ phys_status refuseUnknown(const phys_registry *registry, const char *id, phys_er
 }
 
 } // namespace
-
-std::span<const phys_stepper_api *const> builtInSteppers() { return kBuiltIn; }
 
 FoundStepper findStepper(const phys_registry *registry, const char *id) {
     for (const phys_stepper_api *api : kBuiltIn) {

@@ -5,14 +5,10 @@
 #include <physics/plugin.h>
 
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
 namespace phys {
-
-/// From crude to exact.
-std::span<const phys_stepper_api *const> builtInSteppers();
 
 struct PluginStepper {
     const phys_stepper_api *api;

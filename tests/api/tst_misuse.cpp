@@ -370,6 +370,7 @@ private slots:
 
     void destroyingNothingDoesNothing();
     void gettersAnswerNullWithNothing();
+    void versionIsThatOfTheHeader();
     void everyStatusHasItsNameAndText();
     void unknownStepperNamesTheKnownOnes();
     void refusalNamesParameterValueAndRange();
@@ -434,6 +435,13 @@ void TestMisuse::gettersAnswerNullWithNothing() {
     QVERIFY(std::isnan(phys_param_get(nullptr, phys_param_rows(nullptr))));
     QVERIFY(std::isnan(phys_param_get(&params, nullptr)));
     QVERIFY(phys_registry_count(nullptr) > 0);
+}
+
+/// What tells a program compiled with one version that it runs with another.
+void TestMisuse::versionIsThatOfTheHeader() {
+    QCOMPARE(QByteArray(phys_version()), QByteArray::number(PHYS_VERSION_MAJOR) + '.' +
+                                             QByteArray::number(PHYS_VERSION_MINOR) + '.' +
+                                             QByteArray::number(PHYS_VERSION_PATCH));
 }
 
 void TestMisuse::everyStatusHasItsNameAndText() {

@@ -151,13 +151,14 @@ private:
     }
 
     /// Energy never grows but by what a scheme of first order may add in a step, (5/14) (force dt)^2, and by lifting
-    /// the ball against the tilt out of a wall that it was found in: model.md 9, 10.1, 10.3.
+    /// the ball against the tilt out of the walls that it was found in, one a pass: model.md 9, 10.1, 10.3.
     double allowedOnFloor() const {
         const double resistance =
             m_params.model == PHYS_MODEL_RIGID ? m_params.sliding_friction : m_params.rolling_friction;
         const double slope = std::hypot(m_params.gravity.x, m_params.gravity.y) - resistance * m_params.gravity.z;
         const double drift = 5.0 / 14.0 * (slope * m_dt) * (slope * m_dt);
-        return drift + slope * m_report.penetration * m_report.substeps + kEnergyNoise;
+        const double lift = m_report.penetration * m_report.passes * m_report.substeps;
+        return drift + slope * lift + kEnergyNoise;
     }
 
     /// The same without the floor's 5/7: (force dt)^2 / 2.
