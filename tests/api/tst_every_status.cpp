@@ -135,7 +135,7 @@ std::vector<Way> ways() {
         {PHYS_ERROR_SUBSTEP_CAP, [](phys_error *e) { return race("symplectic-euler", e); }},
         {PHYS_ERROR_EVENT_CAP, [](phys_error *e) { return race("swept", e); }},
         {PHYS_ERROR_PLUGIN_REFUSED,
-         [](phys_error *e) { return phys_registry_load_file(emptyRegistry().get(), __FILE__, e); }},
+         [](phys_error *e) { return phys_registry_load_file(emptyRegistry().get(), LEVEL, e); }},
         {PHYS_ERROR_PLUGIN_RESULT, stepAPluginThatGivesNan},
         {PHYS_ERROR_INTERNAL, scanAndThrow},
     };
