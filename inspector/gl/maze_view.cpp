@@ -126,9 +126,7 @@ QPointF MazeView::positionOf(const glm::dvec3 &board_point) const {
     return {pixel.x, pixel.y};
 }
 
-glm::dmat4 MazeView::boardPose() const {
-    return boardToWorld(m_frame.tilt_x, m_frame.tilt_y, boardPivot(m_bounds));
-}
+glm::dmat4 MazeView::boardPose() const { return boardToWorld(m_frame.tilt_x, m_frame.tilt_y, boardPivot(m_bounds)); }
 
 void MazeView::initializeGL() {
     // Moving the widget to another window replaces its context; what belongs to the old one goes with it.

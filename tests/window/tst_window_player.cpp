@@ -55,8 +55,9 @@ public:
     explicit Hands(QWidget *window)
         : m_window(window) {}
 
+    // Each -1, 0 or 1: left, none or right; down, none or up.
     void hold(int x, int y) {
-        const std::array<bool, 4> wanted{x < 0, x > 0, y < 0, y > 0};
+        const std::array<bool, 4> wanted{x == -1, x == 1, y == -1, y == 1};
         for (size_t i = 0; i < kKeys.size(); ++i) {
             if (wanted[i] == m_held[i]) continue;
             m_held[i] = wanted[i];
