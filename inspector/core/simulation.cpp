@@ -36,10 +36,12 @@ struct Simulation::Worker {
     double speed = 1.0;
     bool running = false;
     uint64_t run = 0;
+    uint64_t obeyed = 0; // number of the inputs that count
     uint64_t impacts = 0;
     phys_event lastImpact{};
     double leftAt = std::numeric_limits<double>::infinity(); // when the ball left the maze, s
 
+    void obey(const GivenInputs &given);
     void startPacing();
     void setRunning(bool isRunning);
     void beginRun();
@@ -48,6 +50,12 @@ struct Simulation::Worker {
     void noteLeaving();
     void publish(Clock::time_point due);
 };
+
+void Simulation::Worker::obey(const GivenInputs &given) {
+    if (given.number < obeyed) return;
+    obeyed = given.number;
+    engine.setInputs(given.inputs);
+}
 
 // Rates and deadlines count from now; what was lost in this run stays counted.
 void Simulation::Worker::startPacing() {
@@ -128,7 +136,7 @@ void Simulation::Worker::publish(Clock::time_point due) {
 
 Simulation::Simulation(const Scene &scene, const Stepper &stepper, QObject *parent)
     : QObject(parent)
-    , m_inputs(initialInputs())
+    , m_inputs(GivenInputs{initialInputs()})
     , m_snapshots(Snapshot{})
     , m_worker(new Worker{*this, Engine(scene, stepper)}) {
     m_worker->publish(Clock::now());
@@ -179,9 +187,9 @@ void Simulation::setScene(const Scene &scene, const Stepper &stepper) {
 }
 
 void Simulation::setStepper(const Stepper &stepper, const Inputs &inputs) {
-    post([stepper, inputs](Worker &worker) {
+    post([stepper, given = GivenInputs{inputs, ++m_givenCount}](Worker &worker) {
         worker.engine.setStepper(stepper);
-        worker.engine.setInputs(inputs);
+        worker.obey(given);
     });
 }
 
@@ -211,7 +219,7 @@ void Simulation::setPilot(std::shared_ptr<const Pilot> pilot) {
 }
 
 void Simulation::setInputs(const Inputs &inputs) {
-    m_inputs.publish(inputs);
+    m_inputs.publish({inputs, ++m_givenCount});
     // Passing through the lock makes sure that a worker about to wait has seen the inputs or hears the call.
     { const std::lock_guard lock(m_mutex); }
     m_wake.notify_one();
@@ -222,8 +230,10 @@ const Snapshot &Simulation::latest() {
     return m_snapshots.value();
 }
 
-// Waits for work: a command, new inputs, or the next step's deadline. The lock is never held while working.
-std::vector<Simulation::Command> Simulation::nextCommands(const std::stop_token &stop) {
+// Waits for work: a command, new inputs, or the next step's deadline. The lock is never held while working. Inputs are
+// taken before the commands: whatever was posted before them is then there as well, so that no step is made with the
+// old stepper and the values of the new one.
+Simulation::Work Simulation::nextWork(const std::stop_token &stop) {
     const bool isDue = m_worker->running && m_worker->pacer.isDue(Clock::now());
     const auto hasWork = [this] { return !m_commands.empty() || m_inputs.isFresh(); };
     std::unique_lock lock(m_mutex);
@@ -231,16 +241,16 @@ std::vector<Simulation::Command> Simulation::nextCommands(const std::stop_token 
         m_wake.wait(lock, stop, hasWork);
     else if (!isDue)
         m_wake.wait_until(lock, stop, m_worker->pacer.deadline(), hasWork);
-    return std::exchange(m_commands, {});
+    const bool hasInputs = m_inputs.take();
+    return {hasInputs, std::exchange(m_commands, {})};
 }
 
 void Simulation::work(const std::stop_token &stop) {
     askForExactTimers();
     Worker &worker = *m_worker;
     while (!stop.stop_requested()) {
-        const std::vector<Command> commands = nextCommands(stop);
-        const bool hasInputs = m_inputs.take();
-        if (hasInputs) worker.engine.setInputs(m_inputs.value());
+        const auto [hasInputs, commands] = nextWork(stop);
+        if (hasInputs) worker.obey(m_inputs.value());
         for (const Command &command : commands) command(worker);
         if (worker.running && worker.pacer.isDue(Clock::now())) {
             const Clock::time_point due = worker.pacer.deadline();

@@ -61,12 +61,22 @@ signals: // queued: sent by the thread that steps
 private:
     struct Worker; // all that belongs to the thread
     using Command = std::function<void(Worker &)>;
+    // Inputs come through the mailbox and with a command: the number tells which were given last.
+    struct GivenInputs {
+        Inputs inputs;
+        uint64_t number = 0;
+    };
+    struct Work {
+        bool hasInputs; // new ones, in the mailbox
+        std::vector<Command> commands;
+    };
 
     void post(Command command);
-    std::vector<Command> nextCommands(const std::stop_token &stop);
+    Work nextWork(const std::stop_token &stop);
     void work(const std::stop_token &stop);
 
-    LatestValue<Inputs> m_inputs;
+    uint64_t m_givenCount = 0; // the owner's
+    LatestValue<GivenInputs> m_inputs;
     LatestValue<Snapshot> m_snapshots;
     SampleRing m_samples;
 

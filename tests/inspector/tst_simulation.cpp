@@ -28,6 +28,7 @@ private slots:
     void restartClearsTheSamples();
     void stateCanBeSetBack();
     void stepperChangesOnTheFly();
+    void inputsAfterAStepperCount();
     void otherSceneStartsPaused();
     void failedStepPausesAndIsReportedOnce();
     void leavingTheMazeIsReportedOnceAndTheFallEnds();
@@ -239,6 +240,20 @@ void TestSimulation::stepperChangesOnTheFly() {
     // Explicit Euler moves by the old velocity, which had no part along y.
     QCOMPARE(simulation->latest().current.position.y, 0.0);
     QVERIFY(simulation->latest().current.velocity.y > 0.0);
+}
+
+// Whatever the thread finds first, the mailbox or the command; many times, as it is a race.
+void TestSimulation::inputsAfterAStepperCount() {
+    const Scene scene = openFloor();
+    const auto simulation = simulationOf(scene);
+    const Stepper other = defaultStepper(scene);
+    for (uint64_t i = 1; i <= 200; ++i) {
+        simulation->setStepper(other, tilted(0.0, 4.0));
+        simulation->setInputs(tilted(3.0, 0.0));
+        simulation->stepOnce();
+        QTRY_COMPARE(simulation->latest().current.step, i);
+        QCOMPARE(simulation->latest().inputs.tilt.x, radians(3.0));
+    }
 }
 
 void TestSimulation::otherSceneStartsPaused() {
