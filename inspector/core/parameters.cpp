@@ -108,6 +108,12 @@ bool Parameters::accept(const Values &values, QString *error) {
     return true;
 }
 
+std::vector<Setting> Parameters::initialOfStepper() const {
+    std::vector<Setting> settings;
+    for (int i = m_commonCount; i < count(); ++i) settings.push_back({QString::fromUtf8(row(i).id), row(i).initial});
+    return settings;
+}
+
 bool Parameters::isInitial(int index) const { return value(index) == row(index).initial; }
 
 void Parameters::reset(int index) {

@@ -19,6 +19,7 @@ const std::vector<phys_param_row> &boardRows();
 struct Setting {
     QString id;
     double value = 0.0;
+    bool operator==(const Setting &) const = default;
 };
 
 class Parameters : public QObject {
@@ -30,6 +31,8 @@ public:
     // Rows in the order in which to show them: the board's, the library's, the current stepper's own.
     int count() const { return int(m_rows.size()); }
     const phys_param_row &row(int index) const { return *m_rows[size_t(index)]; }
+    bool isOfStepper(int index) const { return index >= m_commonCount; } // its own row
+    std::vector<Setting> initialOfStepper() const;                       // of all its own rows
     // Index of the row with this id, -1 if there is none. '-' counts as '_', so command-line spelling works too.
     int indexOf(const QString &id) const;
 

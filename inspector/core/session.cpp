@@ -7,6 +7,10 @@
 
 namespace inspector {
 
+namespace {
+const QString kModel = QStringLiteral("model"); // the row's id
+}
+
 std::unique_ptr<Session> Session::open(const Options &options, QSettings &settings, QString *error) {
     const Scene scene = loadScene(options.level.path, error);
     if (!scene) return nullptr;
@@ -109,6 +113,29 @@ bool Session::setDt(double dt) {
     m_simulation->setDt(dt);
     emit paceChanged();
     return true;
+}
+
+Stepping Session::stepping() const {
+    Stepping now{m_stepperId, m_dt, {}};
+    for (int i = 0; i < m_parameters.count(); ++i) {
+        const QString id = QString::fromUtf8(m_parameters.row(i).id);
+        if (m_parameters.isOfStepper(i) || id == kModel) now.settings.push_back({id, m_parameters.value(i)});
+    }
+    return now;
+}
+
+bool Session::setStepping(const Stepping &stepping) {
+    const Stepping before = this->stepping();
+    if (stepping == before) return true;
+    if ((stepping.stepper == m_stepperId || setStepper(stepping.stepper)) && setDt(stepping.dt)) {
+        std::vector<Setting> settings = m_parameters.initialOfStepper();
+        settings.insert(settings.end(), stepping.settings.begin(), stepping.settings.end()); // the last counts
+        QString error;
+        if (m_parameters.set(settings, &error)) return true;
+        report(error);
+    }
+    setStepping(before); // which was possible
+    return false;
 }
 
 bool Session::setSpeed(double speed) {

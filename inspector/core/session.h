@@ -18,6 +18,14 @@
 
 namespace inspector {
 
+// How steps are made.
+struct Stepping {
+    QByteArray stepper;             // id
+    double dt = Engine::kDefaultDt; // s
+    std::vector<Setting> settings;  // the model, which stays if left out; the stepper's own, initial if left out
+    bool operator==(const Stepping &) const = default;
+};
+
 class Session : public QObject {
     Q_OBJECT
 
@@ -36,13 +44,15 @@ public:
     const Registry &registry() const { return m_registry; }
     QByteArray stepperId() const { return m_stepperId; }
     double dt() const { return m_dt; }
+    Stepping stepping() const; // with all its settings
     double speed() const { return m_speed; }
     bool hasAutopilot() const { return m_hasAutopilot; }
 
     // Each returns false, changes nothing and sends failed() with one line if it can't be done.
     bool openLevel(const Level &level); // paused at its start; a level of the list also becomes the game's
     bool setStepper(const QByteArray &id);
-    bool setDt(double dt); // s, 1e-6 .. 1
+    bool setDt(double dt); // s, Engine::kSmallestDt .. kLargestDt
+    bool setStepping(const Stepping &stepping);
     bool setSpeed(double speed);
     bool setAutopilot(bool isOn); // it flies from the present state on; off: the board goes level
 

@@ -89,7 +89,8 @@ void MainWindow::makeCentre() {
     setCentralWidget(centre);
     m_view->setFocus();
 
-    m_transport = new TransportBar(m_session, {action("run"), action("step"), action("restart"), action("autopilot")});
+    m_transport =
+        new TransportBar(m_session, *m_undo, {action("run"), action("step"), action("restart"), action("autopilot")});
     addToolBar(m_transport);
     m_status = new StatusLine;
     setStatusBar(m_status);
@@ -107,7 +108,7 @@ void MainWindow::makeDocks() {
         {kDockNames[2], QT_TR_NOOP("Velocity plot"), Qt::BottomDockWidgetArea,
          [](MainWindow &window) -> QWidget * { return window.m_plot; }},
         {kDockNames[3], QT_TR_NOOP("Trade"), Qt::BottomDockWidgetArea,
-         [](MainWindow &window) -> QWidget * { return new TradeDock(window.m_session); }},
+         [](MainWindow &window) -> QWidget * { return new TradeDock(window.m_session, *window.m_undo); }},
     };
     for (const DockRow &row : rows) {
         auto *dock = new QDockWidget(tr(row.title), this);

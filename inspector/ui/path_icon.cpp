@@ -91,6 +91,10 @@ Drawing drawingOf(Glyph glyph) {
         drawing.stroked.addPath(line({{8.0, 2.0}, {8.0, 9.5}}));
         drawing.stroked.addPath(line({{5.0, 6.8}, {8.0, 9.8}, {11.0, 6.8}}));
         break;
+    case Glyph::Open:
+        drawing.stroked = line({{2.0, 13.0}, {2.0, 3.5}, {6.5, 3.5}, {8.0, 5.5}, {12.5, 5.5}, {12.5, 7.5}});
+        drawing.stroked.addPath(line({{2.0, 13.0}, {4.5, 7.5}, {14.5, 7.5}, {12.0, 13.0}, {2.0, 13.0}}));
+        break;
     case Glyph::Follow:
         drawing.stroked = line({{2.0, 8.0}, {11.0, 8.0}});
         drawing.stroked.addPath(line({{8.0, 5.0}, {11.0, 8.0}, {8.0, 11.0}}));

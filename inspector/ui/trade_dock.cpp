@@ -3,6 +3,8 @@
 
 #include "core/trade_command.h"
 #include "core/trade_table.h"
+#include "ui/schedule_chooser.h"
+#include "ui/stepping_command.h"
 #include "ui/trade_chart.h"
 #include "ui/trade_table_model.h"
 
@@ -39,9 +41,10 @@ Widget *named(Widget *widget, const char *name) {
 
 } // namespace
 
-TradeDock::TradeDock(Session &session, QWidget *parent)
+TradeDock::TradeDock(Session &session, QUndoStack &undo, QWidget *parent)
     : QWidget(parent)
     , m_session(session)
+    , m_undo(undo)
     , m_chart(new TradeChart)
     , m_rows(new TradeTableModel(this))
     , m_sorted(new QSortFilterProxyModel(this)) {
@@ -59,6 +62,7 @@ TradeDock::TradeDock(Session &session, QWidget *parent)
     layout->addWidget(halves, 1);
     layout->addWidget(makeBottom());
 
+    connect(m_schedule, &ScheduleChooser::changed, this, &TradeDock::showReady);
     connect(m_measure, &QPushButton::clicked, this, &TradeDock::toggle);
     connect(m_model, &QComboBox::currentIndexChanged, this, &TradeDock::showResult);
     connect(&m_worker, &TradeWorker::changed, &m_refresh, [this] {
@@ -77,10 +81,7 @@ TradeDock::TradeDock(Session &session, QWidget *parent)
 
 void TradeDock::makeControls() {
     m_measure = named(new QPushButton(tr("Measure")), "trade_measure");
-    m_schedule = named(new QComboBox, "trade_schedule");
-    m_schedule->addItem(tr("Autopilot"), QStringLiteral("autopilot"));
-    m_schedule->addItem(tr("Random tilts"), QStringLiteral("random:1"));
-    m_schedule->setToolTip(tr("How the board tilts while all steppers are measured"));
+    m_schedule = new ScheduleChooser(m_session.settings());
     m_duration = named(new QDoubleSpinBox, "trade_duration");
     m_duration->setRange(0.5, 600.0);
     m_duration->setDecimals(1);
@@ -150,6 +151,8 @@ void TradeDock::makeTable() {
     });
 }
 
+void TradeDock::showReady() { m_measure->setEnabled(m_worker.isRunning() || !m_schedule->words().isEmpty()); }
+
 void TradeDock::toggle() {
     if (m_worker.isRunning()) return m_worker.cancel();
     TradePlan plan;
@@ -163,7 +166,7 @@ void TradeDock::toggle() {
     m_measure->setText(tr("Cancel"));
     m_progress->setVisible(true);
     m_progress->setValue(0);
-    m_worker.start(plan, m_schedule->currentData().toString(), m_duration->value());
+    m_worker.start(plan, m_schedule->words(), m_duration->value());
 }
 
 void TradeDock::showResult() {
@@ -184,12 +187,18 @@ void TradeDock::showProgress(double share, const QString &what) {
 
 void TradeDock::showEnd(const QString &error) {
     m_measure->setText(tr("Measure"));
+    showReady();
     m_progress->setVisible(false);
     showResult();
     const TradeResult &result = m_worker.result();
-    if (!error.isEmpty()) return m_remark->setText(error);
-    if (!result.isComplete) return m_remark->setText(tr("Cancelled: the figures are those known so far."));
-    const QString line = tradeSummary(m_worker.plan(), result).join(QStringLiteral("; "));
+    if (!error.isEmpty()) return showRemark(error);
+    const QString summary =
+        result.points.empty() ? QString() : tradeSummary(m_worker.plan(), result).join(QStringLiteral("; "));
+    showRemark(result.isComplete ? summary : tr("Cancelled; figures as far as they are known. %1").arg(summary));
+}
+
+// The window may be too narrow for all of it.
+void TradeDock::showRemark(const QString &line) {
     m_remark->setText(line);
     m_remark->setToolTip(line);
 }
@@ -232,8 +241,8 @@ void TradeDock::use() {
     const std::optional<size_t> index = chosenIndex();
     if (!index) return;
     const TradePoint point = m_worker.result().points[*index];
-    if (!m_session.setStepper(point.stepper) || !m_session.setDt(point.dt)) return;
-    m_session.parameters().set({{QStringLiteral("model"), double(point.model)}});
+    const Stepping wanted{point.stepper, point.dt, {{QStringLiteral("model"), double(point.model)}}};
+    changeStepping(m_session, m_undo, wanted, tr("use of a measured setting"));
 }
 
 void TradeDock::forget() {

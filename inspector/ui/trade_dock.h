@@ -15,9 +15,11 @@ class QPushButton;
 class QSlider;
 class QSortFilterProxyModel;
 class QTableView;
+class QUndoStack;
 
 namespace inspector::ui {
 
+class ScheduleChooser;
 class TradeChart;
 class TradeTableModel;
 
@@ -27,7 +29,8 @@ class TradeDock : public QWidget {
     Q_OBJECT
 
 public:
-    explicit TradeDock(Session &session, QWidget *parent = nullptr);
+    // Both outlive the dock.
+    TradeDock(Session &session, QUndoStack &undo, QWidget *parent = nullptr);
 
     QSize sizeHint() const override { return {900, 360}; }
 
@@ -37,10 +40,12 @@ private:
     QWidget *makeBottom();
     void makeTable();
 
-    void toggle(); // begins to measure, or cancels
+    void showReady(); // whether there is something to measure
+    void toggle();    // begins to measure, or cancels
     void showResult();
     void showProgress(double share, const QString &what);
     void showEnd(const QString &error);
+    void showRemark(const QString &line);
     void showTolerance(); // recommends anew
     void choose(size_t index);
     void use();
@@ -51,10 +56,11 @@ private:
     uint32_t model() const;
 
     Session &m_session;
+    QUndoStack &m_undo;
     TradeWorker m_worker;
     QTimer m_refresh; // figures come faster than anyone reads
     QPushButton *m_measure;
-    QComboBox *m_schedule;
+    ScheduleChooser *m_schedule;
     QDoubleSpinBox *m_duration;
     QComboBox *m_model;
     QProgressBar *m_progress;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/transport_bar.h"
 
+#include "ui/stepping_command.h"
+
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -39,9 +41,10 @@ double timeStepOf(QString text) {
 
 } // namespace
 
-TransportBar::TransportBar(Session &session, const QList<QAction *> &playback, QWidget *parent)
+TransportBar::TransportBar(Session &session, QUndoStack &undo, const QList<QAction *> &playback, QWidget *parent)
     : QToolBar(tr("Transport"), parent)
-    , m_session(session) {
+    , m_session(session)
+    , m_undo(undo) {
     setObjectName(QStringLiteral("transport"));
     setIconSize({20, 20});
     addActions(playback);
@@ -88,7 +91,8 @@ void TransportBar::addSteppers() {
         m_stepper->setItemData(int(index), QString::fromUtf8(info.summary), Qt::ToolTipRole);
     }
     connect(m_stepper, &QComboBox::activated, this, [this](int index) {
-        m_session.setStepper(m_stepper->itemData(index).toByteArray());
+        const Stepping wanted{m_stepper->itemData(index).toByteArray(), m_session.dt(), {}};
+        changeStepping(m_session, m_undo, wanted, tr("choice of %1").arg(m_stepper->itemText(index)));
         showStepper(); // also after a refusal
     });
 }
@@ -100,7 +104,7 @@ void TransportBar::addTimeSteps() {
     m_timeStep->setEditable(true);
     m_timeStep->setInsertPolicy(QComboBox::NoInsert);
     m_timeStep->setCompleter(nullptr); // "1" is 1 ms and not the beginning of 10 ms
-    m_timeStep->setFocusPolicy(Qt::ClickFocus);
+    m_timeStep->setFocusPolicy(Qt::StrongFocus);
     m_timeStep->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_timeStep->setMinimumContentsLength(9);
     connect(m_timeStep, &QComboBox::activated, this, &TransportBar::readTimeStep);
@@ -110,7 +114,9 @@ void TransportBar::addTimeSteps() {
 void TransportBar::readTimeStep() {
     const QString text = m_timeStep->currentText();
     if (text == timeStepText(m_session.dt())) return; // which may be rounded
-    m_session.setDt(timeStepOf(text));
+    Stepping wanted = m_session.stepping();
+    wanted.dt = timeStepOf(text);
+    changeStepping(m_session, m_undo, wanted, tr("change of Time step"));
     showPace(); // also after a refusal
 }
 

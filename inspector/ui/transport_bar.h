@@ -6,6 +6,7 @@
 #include <QToolBar>
 
 class QComboBox;
+class QUndoStack;
 
 namespace inspector::ui {
 
@@ -14,8 +15,8 @@ class TransportBar : public QToolBar {
     Q_OBJECT
 
 public:
-    // playback: the window's actions, shown first. session: outlives the bar.
-    TransportBar(Session &session, const QList<QAction *> &playback, QWidget *parent = nullptr);
+    // playback: the window's actions, shown first. session and undo: outlive the bar.
+    TransportBar(Session &session, QUndoStack &undo, const QList<QAction *> &playback, QWidget *parent = nullptr);
 
 private:
     QComboBox *addChooser(const QString &label, const char *name, const QString &tip);
@@ -27,6 +28,7 @@ private:
     void showStepper();
 
     Session &m_session;
+    QUndoStack &m_undo;
     QComboBox *m_speed = nullptr;
     QComboBox *m_stepper = nullptr;
     QComboBox *m_timeStep = nullptr;

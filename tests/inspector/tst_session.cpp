@@ -30,6 +30,9 @@ private slots:
     void levelThatCantBeReadChangesNothing();
     void unknownStepperChangesNothing();
     void otherStepperGoesOnFromTheSameState();
+    void steppingIsSetAsAWhole();
+    void refusedSteppingChangesNothing_data();
+    void refusedSteppingChangesNothing();
     void paceOutOfRangeIsRefused_data();
     void paceOutOfRangeIsRefused();
     void levelBesideTheListKeepsTheGamesPlace();
@@ -186,6 +189,38 @@ void TestSession::otherStepperGoesOnFromTheSameState() {
     QVERIFY(m_session->setStepper("velocity-verlet"));
     m_session->simulation().stepOnce();
     QTRY_COMPARE(m_session->simulation().latest().current.step, uint64_t(2));
+}
+
+void TestSession::steppingIsSetAsAWhole() {
+    const Stepping wanted{"explicit-euler", 0.002, {{"model", PHYS_MODEL_RIGID}, {"as_reported", 1.0}}};
+    QVERIFY(m_session->setStepping(wanted));
+    QCOMPARE(m_session->stepping(), wanted);
+    QTRY_COMPARE(m_session->simulation().latest().dt, 0.002);
+    QTRY_COMPARE(m_session->simulation().latest().inputs.params.model, uint32_t(PHYS_MODEL_RIGID));
+    // What is left out: the model stays, the stepper's own row is initial.
+    QVERIFY(m_session->setStepping({"explicit-euler", 0.002, {}}));
+    const Stepping plain{"explicit-euler", 0.002, {{"model", PHYS_MODEL_RIGID}, {"as_reported", 0.0}}};
+    QCOMPARE(m_session->stepping(), plain);
+}
+
+void TestSession::refusedSteppingChangesNothing_data() {
+    QTest::addColumn<QByteArray>("stepper");
+    QTest::addColumn<double>("dt");
+    QTest::addColumn<QString>("row");
+    QTest::newRow("stepper") << QByteArray("no-such-stepper") << 0.002 << "model";
+    QTest::newRow("dt") << QByteArray("rk4") << 0.0 << "model";
+    QTest::newRow("row that it hasn't") << QByteArray("exact") << 0.002 << "as_reported";
+}
+
+void TestSession::refusedSteppingChangesNothing() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(double, dt);
+    QFETCH(QString, row);
+    const Stepping before = m_session->stepping();
+    QSignalSpy failed(m_session.get(), &Session::failed);
+    QVERIFY(!m_session->setStepping({stepper, dt, {{row, 1.0}}}));
+    QCOMPARE(failed.count(), 1);
+    QCOMPARE(m_session->stepping(), before);
 }
 
 void TestSession::paceOutOfRangeIsRefused_data() {

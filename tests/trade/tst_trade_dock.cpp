@@ -8,13 +8,16 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSettings>
 #include <QSlider>
+#include <QSpinBox>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolTip>
+#include <QUndoStack>
 
 #include <algorithm>
 
@@ -32,6 +35,10 @@ private slots:
     void pointUnderTheMouseIsNamed();
     void clickOnAPointChoosesIt();
     void useAppliesStepperAndStepSize();
+    void oneUndoTakesTheUseBack();
+    void seedIsTheRandomSchedules();
+    void fileGivesTheSchedule();
+    void fileThatCantBeReadIsSaid();
     void otherModelShowsItsOwnPoints();
     void cancelKeepsWhatIsKnown();
 
@@ -47,14 +54,17 @@ private:
     TradeChart &chart() { return find<TradeChart>("trade_chart"); }
     QPushButton &measure() { return find<QPushButton>("trade_measure"); }
     bool isMeasuring() { return measure().text() == "Cancel"; }
+    QString remark() { return find<QLabel>("trade_remark").text(); }
     int chosenRow() {
         const QModelIndexList rows = table().selectionModel()->selectedRows();
         return rows.isEmpty() ? -1 : rows.first().row();
     }
+    void choosePoint(const char *stepper, const char *stepSize);
     QPointF placeOnChart();
 
     QTemporaryDir m_folder;
     QSettings m_settings{m_folder.filePath("settings.ini"), QSettings::IniFormat};
+    QUndoStack m_undo;
     std::unique_ptr<Session> m_session;
     std::unique_ptr<TradeDock> m_dock;
 };
@@ -69,7 +79,7 @@ void TestTradeDock::initTestCase() {
     QString error;
     m_session = Session::open(line.options, m_settings, &error);
     QVERIFY2(m_session, qPrintable(error));
-    m_dock = std::make_unique<TradeDock>(*m_session);
+    m_dock = std::make_unique<TradeDock>(*m_session, m_undo);
     m_dock->resize(1200, 420);
     m_dock->show();
     QVERIFY(QTest::qWaitForWindowExposed(m_dock.get()));
@@ -83,7 +93,7 @@ void TestTradeDock::measuringFillsTableAndChart() {
     QTRY_VERIFY_WITH_TIMEOUT(!isMeasuring(), kLong);
     // Six steppers, seven step sizes; the session's own, 10 ms, is one of them.
     QCOMPARE(table().model()->rowCount(), 6 * 7);
-    QVERIFY(find<QLabel>("trade_remark").text().contains("compared up to 0.50 s"));
+    QVERIFY(remark().contains("compared up to 0.50 s"));
     QVERIFY(!find<QLabel>("trade_answer").text().isEmpty());
     const QString picture = qEnvironmentVariable("TRADE_PICTURE"); // to look at
     if (!picture.isEmpty()) QVERIFY(m_dock->grab().save(picture));
@@ -136,14 +146,77 @@ void TestTradeDock::clickOnAPointChoosesIt() {
     QVERIFY(find<QPushButton>("trade_use").isEnabled());
 }
 
-void TestTradeDock::useAppliesStepperAndStepSize() {
-    table().sortByColumn(1, Qt::DescendingOrder);
+void TestTradeDock::choosePoint(const char *stepper, const char *stepSize) {
     for (int row = 0; row < table().model()->rowCount(); ++row)
-        if (cell(row, 0) == "rk4" && cell(row, 1) == "2 ms") table().selectRow(row);
+        if (cell(row, 0) == stepper && cell(row, 1) == stepSize) table().selectRow(row);
+}
+
+void TestTradeDock::useAppliesStepperAndStepSize() {
+    choosePoint("rk4", "2 ms");
     QTest::mouseClick(&find<QPushButton>("trade_use"), Qt::LeftButton);
     QCOMPARE(m_session->stepperId(), QByteArray("rk4"));
     QVERIFY(m_session->dt() == 0.002);
     QCOMPARE(m_session->parameters().inputs().params.model, uint32_t(PHYS_MODEL_ROLLING));
+}
+
+// Stepper, step size and model together, with the value of the row that only the first stepper has.
+void TestTradeDock::oneUndoTakesTheUseBack() {
+    const Stepping before{"symplectic-euler", 0.005, {{"model", PHYS_MODEL_RIGID}, {"as_reported", 1.0}}};
+    QVERIFY(m_session->setStepping(before));
+    QCOMPARE(m_session->stepping(), before);
+    const int steps = m_undo.index();
+    choosePoint("exact", "10 ms");
+    QTest::mouseClick(&find<QPushButton>("trade_use"), Qt::LeftButton);
+    const Stepping after{"exact", 0.01, {{"model", PHYS_MODEL_ROLLING}}};
+    QCOMPARE(m_session->stepping(), after);
+    QCOMPARE(m_undo.index(), steps + 1);
+    m_undo.undo();
+    QCOMPARE(m_session->stepping(), before);
+    QTRY_COMPARE(m_session->simulation().latest().dt, 0.005);
+    QTRY_COMPARE(m_session->simulation().latest().inputs.params.model, uint32_t(PHYS_MODEL_RIGID));
+    QTRY_COMPARE(m_session->simulation().latest().inputs.params.stepper[0], 1.0);
+    m_undo.redo();
+    QCOMPARE(m_session->stepping(), after);
+}
+
+void TestTradeDock::seedIsTheRandomSchedules() {
+    auto &kind = find<QComboBox>("trade_schedule");
+    auto &seed = find<QSpinBox>("trade_seed");
+    QVERIFY(!seed.isVisible());
+    kind.setCurrentIndex(1);
+    QVERIFY(seed.isVisible());
+    seed.setValue(7);
+    QTest::mouseClick(&measure(), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(table().model()->rowCount() > 0, kLong);
+    QTest::mouseClick(&measure(), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(!isMeasuring(), kLong);
+    QVERIFY2(remark().contains("schedule random:7,"), qPrintable(remark()));
+}
+
+void TestTradeDock::fileGivesTheSchedule() {
+    const QString path = m_folder.filePath("tilts.txt");
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("0 2 0\n0.25 0 -3\n");
+    file.close();
+    find<QComboBox>("trade_schedule").setCurrentIndex(2);
+    QVERIFY(!find<QSpinBox>("trade_seed").isVisible());
+    QVERIFY(!measure().isEnabled()); // no file yet
+    find<QLineEdit>("trade_file").setText(path);
+    QTest::mouseClick(&measure(), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(table().model()->rowCount() > 0, kLong);
+    QTest::mouseClick(&measure(), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(!isMeasuring(), kLong);
+    QVERIFY2(remark().contains("schedule " + path + ","), qPrintable(remark()));
+}
+
+void TestTradeDock::fileThatCantBeReadIsSaid() {
+    find<QComboBox>("trade_schedule").setCurrentIndex(2);
+    find<QLineEdit>("trade_file").setText(m_folder.filePath("missing.txt"));
+    QTest::mouseClick(&measure(), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(!isMeasuring(), kLong);
+    QVERIFY(remark().contains("missing.txt"));
+    find<QComboBox>("trade_schedule").setCurrentIndex(0);
 }
 
 void TestTradeDock::otherModelShowsItsOwnPoints() {
@@ -159,7 +232,7 @@ void TestTradeDock::cancelKeepsWhatIsKnown() {
     QTRY_VERIFY_WITH_TIMEOUT(table().model()->rowCount() > 0, kLong);
     QTest::mouseClick(&measure(), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(!isMeasuring(), kLong);
-    QVERIFY(find<QLabel>("trade_remark").text().startsWith("Cancelled"));
+    QVERIFY(remark().startsWith("Cancelled"));
     QVERIFY(table().model()->rowCount() > 0);
 }
 

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+class QComboBox;
+class QLineEdit;
+class QSettings;
+class QSpinBox;
+
+namespace inspector::ui {
+
+// How the board tilts while the trade is measured: as the autopilot does, at random from a seed, or as a file says.
+class ScheduleChooser : public QWidget {
+    Q_OBJECT
+
+public:
+    // settings: remember the folder of the file; outlive the chooser.
+    explicit ScheduleChooser(QSettings &settings, QWidget *parent = nullptr);
+
+    // As on the command line (core/trade_options.h); empty while no file is named.
+    QString words() const;
+
+signals:
+    void changed();
+
+private:
+    enum Kind { Autopilot, Random, File };
+
+    void addFile();
+    void showKind();
+    void openFile();
+
+    QSettings &m_settings;
+    QComboBox *m_kind;
+    QSpinBox *m_seed;
+    QLineEdit *m_file;
+};
+
+} // namespace inspector::ui
