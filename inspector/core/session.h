@@ -60,6 +60,7 @@ public:
     // held, and until the board is level again, the tilt parameters follow the keys.
     void setKeys(TiltKeys keys) { m_tiltControl.setKeys(keys); }
     void advanceKeys(double seconds);
+    bool isTiltedByKeys() const { return m_keysTilt; }
 
 signals:
     void levelOpened();

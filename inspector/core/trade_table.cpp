@@ -8,6 +8,7 @@
 #include <QStringList>
 
 #include <algorithm>
+#include <cmath>
 
 namespace inspector {
 
@@ -89,8 +90,10 @@ QString stepSizeText(double dt) { return QStringLiteral("%1 ms").arg(dt * 1e3, 0
 
 QString figureText(const TradeColumn &column, const TradePoint &point) {
     const std::optional<double> value = column.value(point);
-    return value ? QString::number(*value * column.scale, 'g', value == 0.0 ? 1 : (column.unit[0] ? 3 : 9))
-                 : QStringLiteral("–");
+    if (!value) return QStringLiteral("–");
+    const double figure = *value * column.scale;
+    const bool isWhole = !column.unit[0] || figure == 0.0 || (std::abs(figure) >= 1e3 && std::abs(figure) < 1e7);
+    return isWhole ? QString::number(figure, 'f', 0) : QString::number(figure, 'g', 3);
 }
 
 QStringList tradeSummary(const TradePlan &plan, const TradeResult &result) {

@@ -16,15 +16,10 @@ namespace {
 
 QString say(const char *text) { return QCoreApplication::translate("inspector::ui::GameOverlay", text); }
 
-QString levelTitle(const Session &session, int index) {
-    const bool isListed =
-        size_t(index) < session.levels().size() && session.levels()[size_t(index)].path == session.level().path;
-    if (isListed) return say(QT_TRANSLATE_NOOP("inspector::ui::GameOverlay", "Level %1")).arg(index + 1);
-    return session.level().name;
-}
-
-QString winLine(const Game &game) {
+QString winLine(const Session &session, const Game &game) {
     QString time = clockText(game.time());
+    if (session.hasAutopilot())
+        return say(QT_TRANSLATE_NOOP("inspector::ui::GameOverlay", "%1 – the autopilot's")).arg(time);
     if (game.isRecord()) return say(QT_TRANSLATE_NOOP("inspector::ui::GameOverlay", "%1 – a new best time")).arg(time);
     const std::optional<double> best = game.bestTime(game.level());
     if (!best) return time;
@@ -39,9 +34,17 @@ QFont scaled(QFont font, double factor, bool isBold) {
 
 } // namespace
 
+QString levelTitle(const Session &session) {
+    const std::vector<Level> &levels = session.levels();
+    for (size_t index = 0; index < levels.size(); ++index)
+        if (levels[index].path == session.level().path)
+            return say(QT_TRANSLATE_NOOP("inspector::ui::GameOverlay", "Level %1")).arg(index + 1);
+    return session.level().name;
+}
+
 OverlayText overlayText(Session &session, const Snapshot &now) {
     const Game &game = session.game();
-    const QString title = levelTitle(session, game.level());
+    const QString title = levelTitle(session);
     OverlayText text;
     switch (game.phase()) {
     case Game::Phase::Prompt:
@@ -64,7 +67,7 @@ OverlayText overlayText(Session &session, const Snapshot &now) {
         break;
     case Game::Phase::Won:
         text.title = say(QT_TRANSLATE_NOOP("inspector::ui::GameOverlay", "%1 done")).arg(title);
-        text.line = winLine(game);
+        text.line = winLine(session, game);
         text.hint = say(QT_TRANSLATE_NOOP("inspector::ui::GameOverlay", "Enter: level %1 · R: again"))
                         .arg((game.level() + 1) % int(std::max<size_t>(1, session.levels().size())) + 1);
         break;

@@ -9,12 +9,15 @@ namespace inspector::ui {
 
 // What the game says over the view.
 struct OverlayText {
-    QString clock; // at the top
+    QString clock; // in the upper left corner
     QString title; // on a card in the middle: title, line, hint
     QString line;
     QString hint;
     bool operator==(const OverlayText &) const = default;
 };
+
+// What the open level is called: "Level 3", or the name of a file that isn't in the list.
+QString levelTitle(const Session &session);
 
 // now: of the session's simulation.
 OverlayText overlayText(Session &session, const Snapshot &now);

@@ -32,6 +32,7 @@ namespace {
 constexpr int kRefreshPeriod = 33; // ms
 constexpr QSize kUsualSize(1280, 800);
 constexpr double kScreenShare = 0.75; // of a larger screen
+constexpr double kTradeShare = 0.42;  // of the window's height, when the trade is shown
 constexpr int kLayoutVersion = 1;     // another number forgets layouts of windows with other docks
 
 } // namespace
@@ -110,16 +111,34 @@ void MainWindow::makeDocks() {
         {kDockNames[3], QT_TR_NOOP("Trade"), Qt::BottomDockWidgetArea,
          [](MainWindow &window) -> QWidget * { return new TradeDock(window.m_session, *window.m_undo); }},
     };
+    int number = 0;
     for (const DockRow &row : rows) {
         auto *dock = new QDockWidget(tr(row.title), this);
         dock->setObjectName(QLatin1String(row.name));
         dock->setWidget(row.widget(*this));
         addDockWidget(row.area, dock);
+        addDockAction(*dock, ++number);
     }
     // On call, in the place of the plot.
     auto *trade = findChild<QDockWidget *>(QLatin1String(kDockNames[3]));
     tabifyDockWidget(findChild<QDockWidget *>(QLatin1String(kDockNames[2])), trade);
     trade->hide();
+    // There it needs more room than a plot.
+    connect(trade->toggleViewAction(), &QAction::triggered, this, [this, trade](bool isShown) {
+        if (isShown && !trade->isFloating()) resizeDocks({trade}, {int(kTradeShare * height())}, Qt::Vertical);
+    });
+}
+
+// Shown by its key, a dock also gets the keyboard.
+void MainWindow::addDockAction(QDockWidget &dock, int number) {
+    QAction *toggle = dock.toggleViewAction();
+    toggle->setShortcut(QKeySequence(QStringLiteral("Ctrl+%1").arg(number)));
+    connect(toggle, &QAction::triggered, &dock, [&dock](bool isShown) {
+        if (!isShown) return;
+        dock.raise();
+        dock.widget()->setFocus();
+    });
+    addAction(toggle); // to be listed with the others
 }
 
 void MainWindow::connectSession() {
@@ -139,7 +158,7 @@ void MainWindow::openLevel() {
     m_view->setMaze(mazeMesh(m_session.level(), m_session.scene(), &error));
     m_view->setBall(ballMesh(&error));
     if (!error.isEmpty()) m_messages->showLine(error);
-    setWindowTitle(tr("%1 – Physics inspector").arg(tr("Level %1").arg(m_session.level().name)));
+    setWindowTitle(tr("%1 – Physics inspector").arg(levelTitle(m_session)));
 }
 
 void MainWindow::refresh() {

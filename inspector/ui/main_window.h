@@ -8,6 +8,7 @@
 
 #include <vector>
 
+class QDockWidget;
 class QMenu;
 class QUndoStack;
 
@@ -54,6 +55,7 @@ private:
     void makeActions();
     void makeCentre();
     void makeDocks();
+    void addDockAction(QDockWidget &dock, int number);
     void makeMenus();
     void addUndoActions(QMenu &menu);
     void addViewChoices(QMenu &menu);

@@ -4,6 +4,7 @@
 #include "ui/path_icon.h"
 #include "ui/theme.h"
 
+#include <QApplication>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -55,13 +56,16 @@ void MessageBar::dismiss() {
 }
 
 void MessageBar::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::ApplicationPaletteChange) takeColours();
+    if (event->type() == QEvent::PaletteChange) takeColours();
     QFrame::changeEvent(event);
 }
 
+// The plate's colour goes with that of the text, which is the window's.
 void MessageBar::takeColours() {
+    const QColor plate = accentsFor(QApplication::palette()).warning;
+    if (palette().color(QPalette::Window) == plate) return; // the change was this one
     QPalette own;
-    own.setColor(QPalette::Window, accentsFor(own).warning);
+    own.setColor(QPalette::Window, plate);
     setPalette(own);
     m_icon->setPixmap(glyphIcon(Glyph::Warning).pixmap(16));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/number_box.h"
 
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QStyle>
 #include <QStyleOptionSpinBox>
@@ -38,6 +39,20 @@ QString NumberBox::textFromValue(double value) const {
     QLocale plain = locale();
     plain.setNumberOptions(QLocale::OmitGroupSeparator);
     return plain.toString(value, 'f', std::max(m_digits, digitsOf(value)));
+}
+
+bool NumberBox::isBeingTyped() const { return lineEdit()->text() != textFromValue(value()) + suffix(); }
+
+// A line takes the keys of undo for its letters. Once the number counts they are the window's.
+bool NumberBox::event(QEvent *event) {
+    if (event->type() == QEvent::ShortcutOverride && !isBeingTyped()) {
+        const auto *key = static_cast<QKeyEvent *>(event);
+        if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+            event->ignore();
+            return false;
+        }
+    }
+    return QDoubleSpinBox::event(event);
 }
 
 // Wide enough for usual values, not for the largest that is allowed.

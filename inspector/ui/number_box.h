@@ -19,7 +19,12 @@ public:
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
 
+protected:
+    bool event(QEvent *event) override;
+
 private:
+    bool isBeingTyped() const;
+
     int m_digits = 0; // after the point, of a notch
 };
 

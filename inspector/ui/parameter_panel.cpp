@@ -14,6 +14,13 @@
 
 namespace inspector::ui {
 
+namespace {
+bool isTilt(const phys_param_row &row) {
+    const QLatin1String id(row.id);
+    return id == QLatin1String("tilt_x") || id == QLatin1String("tilt_y");
+}
+} // namespace
+
 ParameterPanel::ParameterPanel(Session &session, QUndoStack &undo, QWidget *parent)
     : QScrollArea(parent)
     , m_session(session)
@@ -90,8 +97,11 @@ void ParameterPanel::resetAll() {
 }
 
 void ParameterPanel::showValue(int index, double value) {
-    m_rows[size_t(index)]->showValue(value);
-    if (m_parameters.row(index).flags & PHYS_ROW_CHOICE) updateLocks(); // the model may be another one
+    const phys_param_row &row = m_parameters.row(index);
+    // The spring behind the keys passes through angles of any number of digits.
+    const bool isPassing = isTilt(row) && m_session.isTiltedByKeys();
+    m_rows[size_t(index)]->showValue(isPassing ? std::round(value / row.step) * row.step : value);
+    if (row.flags & PHYS_ROW_CHOICE) updateLocks(); // the model may be another one
 }
 
 void ParameterPanel::showFlownTilt(Tilt tilt) {
@@ -117,9 +127,7 @@ void ParameterPanel::updateLocks() {
 QString ParameterPanel::lockOf(const phys_param_row &row) const {
     if ((row.flags & PHYS_ROW_RIGID) && m_parameters.inputs().params.model != PHYS_MODEL_RIGID)
         return tr("Acts in the rigid model only; choose it under Model.");
-    const QLatin1String id(row.id);
-    const bool isTilt = id == QLatin1String("tilt_x") || id == QLatin1String("tilt_y");
-    if (isTilt && m_session.hasAutopilot()) return tr("The autopilot tilts the board; A switches it off.");
+    if (isTilt(row) && m_session.hasAutopilot()) return tr("The autopilot tilts the board; A switches it off.");
     return {};
 }
 

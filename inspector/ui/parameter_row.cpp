@@ -43,6 +43,7 @@ struct Notches {
 
 QString printedUnit(const QString &unit) {
     if (unit == QLatin1String("deg")) return QStringLiteral("°");
+    if (unit == QLatin1String("us")) return QStringLiteral("µs");
     QString printed = unit;
     return printed.replace(QLatin1String("^2"), QStringLiteral("²")).replace(QLatin1Char('*'), QStringLiteral("·"));
 }

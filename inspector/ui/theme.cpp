@@ -63,7 +63,13 @@ void applyTheme(Theme theme) {
     }
     // Only Fusion follows any palette; styles of desktops bring their own colours.
     QApplication::setStyle(QStringLiteral("fusion"));
-    QApplication::setPalette(paletteOf(theme == Theme::Dark ? kDark : kLight));
+    const Shades &shades = theme == Theme::Dark ? kDark : kLight;
+    QApplication::setPalette(paletteOf(shades));
+    if (theme != Theme::Dark) return;
+    // Fusion frames an empty box with a darker shade of the window: it would hardly be seen.
+    QPalette boxes = paletteOf(shades);
+    boxes.setColor(QPalette::Base, QColor(shades.light));
+    QApplication::setPalette(boxes, "QCheckBox");
 }
 
 bool isDark(const QPalette &palette) {

@@ -4,6 +4,7 @@
 #include "core/trade_answer.h"
 #include "core/trade_svg.h"
 #include "core/trade_table.h"
+#include "ui/parameter_row.h"
 
 #include <QToolTip>
 
@@ -46,7 +47,8 @@ QString tradePointText(const TradePoint &point) {
                        .arg(QString::fromUtf8(point.stepper), stepSizeText(point.dt), modelName(point.model));
     for (const TradeColumn &column : tradeColumns())
         text += QStringLiteral("\n%1: %2 %3")
-                    .arg(QString::fromUtf8(column.label), figureText(column, point), QString::fromUtf8(column.unit));
+                    .arg(QString::fromUtf8(column.label), figureText(column, point),
+                         printedUnit(QString::fromUtf8(column.unit)));
     return point.note.isEmpty() ? text : text + QLatin1Char('\n') + point.note;
 }
 
@@ -58,7 +60,7 @@ TradeChart::TradeChart(QWidget *parent)
     setMinimumSize(260, 180);
     setMouseTracking(true);
     makeLogarithmic(*xAxis, tr("CPU time of a simulated second [µs]"));
-    makeLogarithmic(*yAxis, tr("Largest position error [radii]"));
+    makeLogarithmic(*yAxis, tr("Largest error [radii]"));
     m_front->setName(tr("best for its cost"));
     m_ring->setStyle(QCPItemTracer::tsCircle);
     m_ring->setSize(15);

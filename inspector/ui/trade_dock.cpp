@@ -3,6 +3,7 @@
 
 #include "core/trade_command.h"
 #include "core/trade_table.h"
+#include "ui/elided_label.h"
 #include "ui/schedule_chooser.h"
 #include "ui/stepping_command.h"
 #include "ui/trade_chart.h"
@@ -54,8 +55,8 @@ TradeDock::TradeDock(Session &session, QUndoStack &undo, QWidget *parent)
     auto *halves = new QSplitter;
     halves->addWidget(m_chart);
     halves->addWidget(m_table);
-    halves->setStretchFactor(0, 3);
-    halves->setStretchFactor(1, 2);
+    halves->setSizes({550, 450}); // per mille
+    halves->setChildrenCollapsible(false);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 4, 6, 6);
     layout->addWidget(makeTop());
@@ -93,18 +94,25 @@ void TradeDock::makeControls() {
     m_progress = named(new QProgressBar, "trade_progress");
     m_progress->setRange(0, 1000);
     m_progress->setVisible(false);
-    m_remark = named(new QLabel, "trade_remark");
+    m_remark = named(new ElidedLabel, "trade_remark");
     m_remark->setText(tr("Measures every stepper and step size against stepper exact, beside the simulation."));
     m_tolerance = named(new QSlider(Qt::Horizontal), "trade_tolerance");
     m_tolerance->setRange(kSmallest, kLargest);
     m_tolerance->setPageStep(kPerDecade);
     m_toleranceText = new QLabel;
-    m_toleranceText->setMinimumWidth(fontMetrics().horizontalAdvance(tr("Error under 0.000001 mm = 0.00001 R")));
-    m_answer = named(new QLabel, "trade_answer");
-    m_answer->setWordWrap(true);
+    m_toleranceText->setMinimumWidth(fontMetrics().horizontalAdvance(tr("Error under 8.9e-05 mm = 8.9e-05 R")));
+    m_answer = named(new ElidedLabel, "trade_answer");
     m_use = named(new QPushButton(tr("Use this")), "trade_use");
     m_use->setToolTip(tr("Let the simulation go on with the chosen stepper, step size and model"));
     m_use->setEnabled(false);
+}
+
+QString TradeDock::answerText(const TradePoint &point) const {
+    const double radius = phys_scene_radius(m_session.scene().get());
+    return tr("Cheapest: %1 at %2, off by %3 mm; %4 µs a simulated second")
+        .arg(QString::fromUtf8(point.stepper), stepSizeText(point.dt))
+        .arg(point.error.positionLargest * radius * 1e3, 0, 'g', 2)
+        .arg(point.cost.perSecond * 1e6, 0, 'g', 3);
 }
 
 QWidget *TradeDock::makeTop() {
@@ -116,7 +124,6 @@ QWidget *TradeDock::makeTop() {
         layout->addWidget(widget);
     layout->addWidget(m_progress);
     layout->addWidget(m_remark, 1);
-    m_remark->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // long lines don't widen the window
     return top;
 }
 
@@ -126,7 +133,7 @@ QWidget *TradeDock::makeBottom() {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_toleranceText);
     layout->addWidget(m_tolerance, 1);
-    layout->addWidget(m_answer, 2);
+    layout->addWidget(m_answer, 3);
     layout->addWidget(m_use);
     return bottom;
 }
@@ -143,6 +150,11 @@ void TradeDock::makeTable() {
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->setAlternatingRowColors(true);
     m_table->setWordWrap(false);
+    m_table->setColumnHidden(TradeTableModel::Model, true); // it is chosen above
+    QHeaderView *header = m_table->horizontalHeader();
+    header->setHighlightSections(false);
+    // Cost and error side by side.
+    header->moveSection(TradeTableModel::columnOf("cpu_per_second [us]"), TradeTableModel::kNameColumns);
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
@@ -191,16 +203,10 @@ void TradeDock::showEnd(const QString &error) {
     m_progress->setVisible(false);
     showResult();
     const TradeResult &result = m_worker.result();
-    if (!error.isEmpty()) return showRemark(error);
+    if (!error.isEmpty()) return m_remark->setText(error);
     const QString summary =
         result.points.empty() ? QString() : tradeSummary(m_worker.plan(), result).join(QStringLiteral("; "));
-    showRemark(result.isComplete ? summary : tr("Cancelled; figures as far as they are known. %1").arg(summary));
-}
-
-// The window may be too narrow for all of it.
-void TradeDock::showRemark(const QString &line) {
-    m_remark->setText(line);
-    m_remark->setToolTip(line);
+    m_remark->setText(result.isComplete ? summary : tr("Cancelled; figures as far as they are known. %1").arg(summary));
 }
 
 double TradeDock::tolerance() const { return 0.001 * std::pow(10.0, double(m_tolerance->value()) / kPerDecade); }
@@ -215,7 +221,7 @@ void TradeDock::showTolerance() {
     TradeOptions wish;
     wish.under = {tolerance(), false};
     const Recommendation answer = recommend(result, model(), wish, radius);
-    m_answer->setText(result.points.empty() ? QString() : answer.line);
+    m_answer->setText(result.points.empty() ? QString() : answer.point ? answerText(*answer.point) : answer.line);
     m_table->clearSelection();
     if (!answer.point) return;
     const auto isIt = [&](const TradePoint &point) {
@@ -228,7 +234,7 @@ void TradeDock::showTolerance() {
 void TradeDock::choose(size_t index) {
     const QModelIndex row = m_sorted->mapFromSource(m_rows->index(int(index), 0));
     m_table->selectRow(row.row());
-    m_table->scrollTo(row);
+    m_table->scrollTo(row, QAbstractItemView::PositionAtCenter);
 }
 
 std::optional<size_t> TradeDock::chosenIndex() const {

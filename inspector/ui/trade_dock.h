@@ -19,6 +19,7 @@ class QUndoStack;
 
 namespace inspector::ui {
 
+class ElidedLabel;
 class ScheduleChooser;
 class TradeChart;
 class TradeTableModel;
@@ -45,7 +46,6 @@ private:
     void showResult();
     void showProgress(double share, const QString &what);
     void showEnd(const QString &error);
-    void showRemark(const QString &line);
     void showTolerance(); // recommends anew
     void choose(size_t index);
     void use();
@@ -54,6 +54,7 @@ private:
     double tolerance() const; // m
     std::optional<size_t> chosenIndex() const;
     uint32_t model() const;
+    QString answerText(const TradePoint &point) const;
 
     Session &m_session;
     QUndoStack &m_undo;
@@ -64,14 +65,14 @@ private:
     QDoubleSpinBox *m_duration;
     QComboBox *m_model;
     QProgressBar *m_progress;
-    QLabel *m_remark;
+    ElidedLabel *m_remark;
     TradeChart *m_chart;
     TradeTableModel *m_rows;
     QSortFilterProxyModel *m_sorted;
     QTableView *m_table;
     QSlider *m_tolerance;
     QLabel *m_toleranceText;
-    QLabel *m_answer;
+    ElidedLabel *m_answer;
     QPushButton *m_use;
 };
 

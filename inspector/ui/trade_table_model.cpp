@@ -2,8 +2,11 @@
 #include "ui/trade_table_model.h"
 
 #include "core/trade_table.h"
+#include "ui/parameter_row.h"
 
+#include <algorithm>
 #include <limits>
+#include <string_view>
 
 namespace inspector::ui {
 
@@ -24,6 +27,12 @@ void TradeTableModel::show(const TradeResult &result) {
     beginResetModel();
     m_points = result.points;
     endResetModel();
+}
+
+int TradeTableModel::columnOf(const char *id) {
+    const std::vector<TradeColumn> &columns = tradeColumns();
+    const auto isIt = [id](const TradeColumn &column) { return std::string_view(column.id) == id; };
+    return kNameColumns + int(std::find_if(columns.begin(), columns.end(), isIt) - columns.begin());
 }
 
 int TradeTableModel::rowCount(const QModelIndex &parent) const { return parent.isValid() ? 0 : int(m_points.size()); }
@@ -72,7 +81,8 @@ QVariant TradeTableModel::headerData(int section, Qt::Orientation orientation, i
     const TradeColumn &column = columnAt(section);
     if (role == Qt::ToolTipRole) return QString::fromUtf8(column.help);
     if (role != Qt::DisplayRole) return {};
-    const QString unit = column.unit[0] ? QStringLiteral("\n[%1]").arg(QString::fromUtf8(column.unit)) : QString();
+    const QString unit =
+        column.unit[0] ? QStringLiteral("\n[%1]").arg(printedUnit(QString::fromUtf8(column.unit))) : QString();
     return QString::fromUtf8(column.label) + unit;
 }
 

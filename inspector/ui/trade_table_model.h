@@ -18,6 +18,8 @@ public:
     using QAbstractTableModel::QAbstractTableModel;
 
     void show(const TradeResult &result);
+    // Of the figure with this id (core/trade_table.h), which is there.
+    static int columnOf(const char *id);
 
     int rowCount(const QModelIndex &parent = {}) const override;
     int columnCount(const QModelIndex &parent = {}) const override;

@@ -109,6 +109,7 @@ void TransportBar::addTimeSteps() {
     m_timeStep->setMinimumContentsLength(9);
     connect(m_timeStep, &QComboBox::activated, this, &TransportBar::readTimeStep);
     connect(m_timeStep->lineEdit(), &QLineEdit::editingFinished, this, &TransportBar::readTimeStep);
+    connect(m_timeStep->lineEdit(), &QLineEdit::returnPressed, m_timeStep, &QWidget::clearFocus);
 }
 
 void TransportBar::readTimeStep() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Docks, bars and menus: closed, opened, moved, remembered and put back.
 #include "gl/maze_view.h"
+#include "ui/message_bar.h"
 #include "window_fixture.h"
 
 #include <QComboBox>
@@ -11,7 +12,20 @@
 #include <QMenuBar>
 #include <QToolButton>
 
+#include <algorithm>
+#include <cmath>
+
 using namespace window_test;
+
+namespace {
+
+// Relative luminance of an sRGB colour, WCAG 2.1.
+double luminance(const QColor &colour) {
+    const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
+    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
+}
+
+} // namespace
 
 class TestWindowDocks : public QObject {
     Q_OBJECT
@@ -24,6 +38,8 @@ private slots:
     void cleanup();
     void dockClosesByItsButtonAndReopensByTheMenu_data();
     void dockClosesByItsButtonAndReopensByTheMenu();
+    void keyOpensADockAndGivesItTheKeyboard_data();
+    void keyOpensADockAndGivesItTheKeyboard();
     void resetLayoutBringsEveryDockBack();
     void layoutIsRemembered();
     void viewIsTheLargestPart();
@@ -40,6 +56,8 @@ private slots:
     void chosenStepperReachesTheSession();
     void statusSaysWhatTheSimulationDoes();
     void aboutNamesVersionsAndLicences();
+    void messageCanBeReadInEveryTheme_data();
+    void messageCanBeReadInEveryTheme();
 
 private:
     void chooseIn(const QString &chooser, int index);
@@ -81,6 +99,27 @@ void TestWindowDocks::dockClosesByItsButtonAndReopensByTheMenu() {
     QTRY_VERIFY(!dock->isVisible());
     dock->toggleViewAction()->trigger();
     QTRY_VERIFY(dock->isVisible());
+}
+
+void TestWindowDocks::keyOpensADockAndGivesItTheKeyboard_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<Qt::Key>("key");
+    QTest::newRow("parameters") << "parameters_dock" << Qt::Key_1;
+    QTest::newRow("levels") << "levels_dock" << Qt::Key_2;
+    QTest::newRow("plot") << "plot_dock" << Qt::Key_3;
+    QTest::newRow("trade") << "trade_dock" << Qt::Key_4;
+}
+
+void TestWindowDocks::keyOpensADockAndGivesItTheKeyboard() {
+    QFETCH(QString, name);
+    QFETCH(Qt::Key, key);
+    auto *dock = m_fixture->find<QDockWidget>(name);
+    dock->close();
+    m_fixture->press(key, Qt::ControlModifier);
+    QVERIFY(dock->isVisible());
+    QVERIFY(dock->isAncestorOf(QApplication::focusWidget()));
+    m_fixture->press(key, Qt::ControlModifier);
+    QVERIFY(!dock->isVisible());
 }
 
 void TestWindowDocks::resetLayoutBringsEveryDockBack() {
@@ -210,6 +249,22 @@ void TestWindowDocks::aboutNamesVersionsAndLicences() {
     const QString text = m_fixture->find<QWidget>("about_dialog")->findChild<QLabel *>()->text();
     for (const char *part : {phys_version(), qVersion(), "GPL-3.0-or-later", "MIT", "LGPL-3.0", "QCustomPlot"})
         QVERIFY2(text.contains(part), part);
+}
+
+void TestWindowDocks::messageCanBeReadInEveryTheme_data() {
+    QTest::addColumn<QString>("theme");
+    for (const char *theme : {"theme_0", "theme_1", "theme_2"}) QTest::newRow(theme) << theme;
+}
+
+// WCAG 2.1, 1.4.3: text has at least 4.5 times the luminance of its background, or the other way round.
+void TestWindowDocks::messageCanBeReadInEveryTheme() {
+    QFETCH(QString, theme);
+    m_fixture->trigger("theme_2");
+    m_fixture->trigger(theme);
+    const auto *text = m_fixture->find<QLabel>("message");
+    const double front = luminance(text->palette().color(QPalette::WindowText));
+    const double back = luminance(m_fixture->window().messages().palette().color(QPalette::Window));
+    QVERIFY((std::max(front, back) + 0.05) / (std::min(front, back) + 0.05) >= 4.5);
 }
 
 QTEST_MAIN(TestWindowDocks)

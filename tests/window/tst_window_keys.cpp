@@ -23,6 +23,7 @@ private slots:
     void arrowTiltsTheBoardTowardsItself_data();
     void arrowTiltsTheBoardTowardsItself();
     void releasedArrowLevelsTheBoard();
+    void tiltOfTheKeysIsShownInTenths();
     void arrowsAreTheGamesEvenIfASliderHasTheFocus();
     void arrowsAreTheSlidersBeforeTheGame();
     void spaceRunsAndPauses();
@@ -91,6 +92,19 @@ void TestWindowKeys::releasedArrowLevelsTheBoard() {
     QTRY_VERIFY(m_fixture->simulated("tilt_y") > 1.0);
     QTest::keyRelease(&m_fixture->window(), Qt::Key_Up);
     QTRY_COMPARE(m_fixture->simulated("tilt_y"), 0.0);
+}
+
+// On its way the tilt passes through numbers of any length.
+void TestWindowKeys::tiltOfTheKeysIsShownInTenths() {
+    startGame();
+    auto *box = m_fixture->find<QDoubleSpinBox>("tilt_y_spin");
+    QTest::keyPress(&m_fixture->window(), Qt::Key_Up);
+    for (int i = 0; i < 20; ++i) {
+        const double before = box->value();
+        QTRY_VERIFY(box->value() != before || m_fixture->simulated("tilt_y") > 7.9);
+        QVERIFY2(box->text().length() == 5, qPrintable(box->text())); // 7.1 and the unit
+    }
+    QTest::keyRelease(&m_fixture->window(), Qt::Key_Up);
 }
 
 void TestWindowKeys::arrowsAreTheGamesEvenIfASliderHasTheFocus() {

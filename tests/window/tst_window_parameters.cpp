@@ -41,6 +41,9 @@ private slots:
     void oneUndoTakesBackOneDrag();
     void twoDragsAreUndoneOneByOne();
     void redoDoesItAgain();
+    void undoIsTheWindowsOnceANumberCounts();
+    void undoIsTheNumbersWhileItIsTyped();
+    void undoTakesBackAChosenStepperAndTimeStep();
     void undoOfResetAllBringsBackEveryValue();
     void rowsOfTheRigidModelAreLockedInTheRollingModel();
     void refusedValueIsShownAndChangesNothing();
@@ -193,6 +196,45 @@ void TestWindowParameters::twoDragsAreUndoneOneByOne() {
     QVERIFY(slider->value() > between);
     m_fixture->press(Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(slider->value(), between);
+}
+
+void TestWindowParameters::undoIsTheWindowsOnceANumberCounts() {
+    auto *box = m_fixture->find<QDoubleSpinBox>("restitution_wall_spin");
+    type(box, "0.80");
+    QTRY_COMPARE(m_fixture->simulated("restitution_wall"), 0.8);
+    QVERIFY(box->hasFocus());
+    QTest::keyClick(box, Qt::Key_Z, Qt::ControlModifier);
+    QTRY_COMPARE(m_fixture->simulated("restitution_wall"), 0.5);
+    QCOMPARE(box->value(), 0.5);
+}
+
+void TestWindowParameters::undoIsTheNumbersWhileItIsTyped() {
+    auto *box = m_fixture->find<QDoubleSpinBox>("restitution_wall_spin");
+    type(box, "0.80");
+    box->selectAll();
+    QTest::keyClicks(box, "0.9");
+    QTest::keyClick(box, Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(box->value(), 0.8); // only letters went
+}
+
+void TestWindowParameters::undoTakesBackAChosenStepperAndTimeStep() {
+    auto *stepper = m_fixture->find<QComboBox>("stepper");
+    const QString before = stepper->currentText();
+    stepper->setFocus(Qt::TabFocusReason);
+    QTest::keyClick(stepper, Qt::Key_End);
+    QVERIFY(m_fixture->session().stepperId() != PHYS_STEPPER_DEFAULT);
+    QLineEdit *time_step = m_fixture->find<QComboBox>("time_step")->lineEdit();
+    time_step->setFocus();
+    time_step->selectAll();
+    QTest::keyClicks(time_step, "3 ms");
+    QTest::keyClick(time_step, Qt::Key_Return);
+    QVERIFY(!time_step->hasFocus()); // the keyboard is the game's again
+    QCOMPARE(m_fixture->session().dt(), 0.003);
+    m_fixture->press(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(m_fixture->session().dt(), 0.01);
+    m_fixture->press(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(m_fixture->session().stepperId(), QByteArray(PHYS_STEPPER_DEFAULT));
+    QCOMPARE(stepper->currentText(), before);
 }
 
 void TestWindowParameters::redoDoesItAgain() {

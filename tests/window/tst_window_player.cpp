@@ -118,7 +118,7 @@ void TestWindowPlayer::arrowKeysWinLevelOne() {
     // The next level is there, level and at its start.
     fixture.press(Qt::Key_Return);
     QCOMPARE(fixture.session().level().name, QString("02"));
-    QCOMPARE(fixture.window().windowTitle(), QString("Level 02 – Physics inspector"));
+    QCOMPARE(fixture.window().windowTitle(), QString("Level 2 – Physics inspector"));
     QTRY_COMPARE(text().title, QString("Level 2"));
     QTRY_COMPARE(fixture.simulation().latest().current.step, 0u);
     QTRY_COMPARE(fixture.simulated("tilt_x"), 0.0);
