@@ -29,14 +29,24 @@ CommandLine readArguments(QTextStream &messages) {
     return line;
 }
 
-// Pictures need an application that can draw, but no screen.
-int runTradeOffscreen(int argc, char **argv, const Options &options) {
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    const QApplication application(argc, argv);
+int runTradeOnTerminal(const Options &options) {
     QTextStream out(stdout);
     QTextStream messages(stderr);
     QTextStream *progress = isatty(STDERR_FILENO) ? &messages : nullptr;
     return runTrade(options, {out, messages, progress}, ui::writeTradePicture);
+}
+
+// Curves as text are written by the core alone.
+bool needsToDraw(const Options &options) {
+    const QString &plot = options.trade.plot;
+    return !plot.isEmpty() && !plot.endsWith(QLatin1String(".svg"));
+}
+
+// Pictures need an application that can draw, but no screen.
+int runTradeOffscreen(int argc, char **argv, const Options &options) {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    const QApplication application(argc, argv);
+    return runTradeOnTerminal(options);
 }
 
 int runWithoutWindow(int argc, char **argv) {
@@ -48,7 +58,9 @@ int runWithoutWindow(int argc, char **argv) {
         messages << "physics-inspector: no display; --headless needs none, and inspector/run plays without one\n";
         return 2;
     }
-    if (line.options.action == Options::Action::Trade) {
+    const bool isTrade = line.options.action == Options::Action::Trade;
+    if (isTrade && !needsToDraw(line.options)) return runTradeOnTerminal(line.options);
+    if (isTrade) {
         application.reset(); // there can be only one
         return runTradeOffscreen(argc, argv, line.options);
     }

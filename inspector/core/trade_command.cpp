@@ -41,12 +41,16 @@ TradePlan planOf(const Options &options) {
     return plan;
 }
 
+constexpr char kClearLine[] = "\r\x1b[K"; // to its beginning, and erase (ECMA-48)
+
+// One line that fits into the 80 columns of the narrowest usual terminal: a wrapped one couldn't be overwritten.
 void showProgress(QTextStream &terminal, double share, const QString &what) {
-    constexpr int kWidth = 30;
-    const int full = int(std::lround(share * kWidth));
-    const QString bar = QString(full, QLatin1Char('#')) + QString(kWidth - full, QLatin1Char('.'));
-    terminal << "\r[" << bar << "] " << int(share * 100.0) << " %  " << what.leftJustified(40, QLatin1Char(' '), true);
-    if (share >= 1.0) terminal << "\r" << QString(kWidth + 52, QLatin1Char(' ')) << "\r";
+    constexpr int kBar = 30;
+    constexpr int kText = 38;
+    const int full = int(std::lround(share * kBar));
+    const QString bar = QString(full, QLatin1Char('#')) + QString(kBar - full, QLatin1Char('.'));
+    const QString percent = QString::number(int(share * 100.0)).rightJustified(3);
+    terminal << kClearLine << '[' << bar << "] " << percent << " %  " << what.left(kText);
     terminal.flush();
 }
 
@@ -56,6 +60,7 @@ TradeResult measure(const TradePlan &plan, QTextStream *progress) {
     if (progress)
         listener.progressed = [progress](double share, const QString &what) { showProgress(*progress, share, what); };
     std::optional<TradeResult> result = measureTrade(plan, listener, {}, &error);
+    if (progress) *progress << kClearLine << Qt::flush;
     if (!result) throw Failure{2, error};
     return std::move(*result);
 }

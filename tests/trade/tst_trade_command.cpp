@@ -24,6 +24,7 @@ private slots:
     void tradeNeedsNoWindow_data();
     void tradeNeedsNoWindow();
     void lastLineIsTheRecommendation();
+    void progressFitsIntoALineAndIsErased();
     void unreachableToleranceGivesStatus1();
     void csvHeaderStaysAsItIs();
     void csvHasARowForEachPoint();
@@ -42,17 +43,19 @@ namespace {
 struct Result {
     int status;
     QString out, messages;
-    QString picture; // asked of the writer
+    QString progress; // as the terminal gets it
+    QString picture;  // asked of the writer
 };
 
 // A short measurement: no figure of time is looked at.
 Result runOf(const QString &words) {
     const CommandLine line = parseCommandLine(("physics-inspector " + words).split(' '));
-    if (line.exitStatus) return {*line.exitStatus, {}, line.error, {}};
+    if (line.exitStatus) return {*line.exitStatus, {}, line.error, {}, {}};
     Result result{};
     QTextStream out(&result.out);
     QTextStream messages(&result.messages);
-    result.status = runTrade(line.options, {out, messages, nullptr},
+    QTextStream progress(&result.progress);
+    result.status = runTrade(line.options, {out, messages, &progress},
                              [&](const TradePlan &, const TradeResult &, uint32_t, const QString &path, QString *) {
                                  result.picture = path;
                                  return true;
@@ -143,6 +146,14 @@ void TestTradeCommand::lastLineIsTheRecommendation() {
     QVERIFY2(lines.first().startsWith("level 01, schedule random:3, 0.5 s"), qPrintable(lines.first()));
     QVERIFY2(lines.last().startsWith("recommended: --stepper "), qPrintable(lines.last()));
     QVERIFY(result.messages.isEmpty());
+}
+
+void TestTradeCommand::progressFitsIntoALineAndIsErased() {
+    const QStringList lines = runOf(kShort.trimmed()).progress.split("\r\x1b[K");
+    QVERIFY(lines.size() > 24); // errors and costs of six steppers in two models
+    QCOMPARE(lines.first(), QString());
+    QCOMPARE(lines.last(), QString());
+    for (const QString &line : lines) QVERIFY2(line.size() < 80 && !line.contains('\n'), qPrintable(line));
 }
 
 void TestTradeCommand::unreachableToleranceGivesStatus1() {
