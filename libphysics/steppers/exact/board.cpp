@@ -130,6 +130,19 @@ uint32_t Board::carrier(const Plane &plane, const Vec3 &p, const Vec3 &direction
     return best;
 }
 
+Heights Board::heights(const Vec3 &p, const Vec3 &normal) const {
+    Heights heights{p.z, p.z};
+    for (const uint32_t solid : m_scene->solidsNear(p.x, p.y, m_scene->needsGrid)) {
+        const phys_box &box = m_scene->solids[solid];
+        const Nearest close = nearest(box, p);
+        const bool carries =
+            close.distance - radius() <= tolerance() && glm::length(close.normal - normal) <= sameNormal();
+        if (!carries) continue;
+        heights = {std::min(heights.low, box.min.z), std::max(heights.high, box.max.z)};
+    }
+    return heights;
+}
+
 bool Board::isBehind(const Plane &plane, uint32_t solid) const {
     return plane.sign * (front(m_scene->solids[solid], plane) - plane.coordinate) <= tolerance();
 }

@@ -38,6 +38,10 @@ struct Plane {
     double coordinate = 0.0;
 };
 
+struct Heights {
+    double low, high;
+};
+
 class Board {
 public:
     explicit Board(const Scene &scene);
@@ -69,6 +73,9 @@ public:
 
     /// The solid behind `plane` at p that carries a ball furthest towards `direction`.
     uint32_t carrier(const Plane &plane, const Vec3 &p, const Vec3 &direction) const;
+
+    /// Lowest and highest z up to which the solids that a ball at p touches with this normal carry it.
+    Heights heights(const Vec3 &p, const Vec3 &normal) const;
 
     /// Whether a solid lies wholly behind the plane.
     bool isBehind(const Plane &plane, uint32_t solid) const;

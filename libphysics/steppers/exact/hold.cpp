@@ -20,13 +20,21 @@ Plane planeOf(const Board &board, const Touch &touch, int axis) {
     return {axis, sign, sign > 0.0 ? high : low};
 }
 
+/// Whether a ball in the air is about to pass the lower or upper end of what it touches.
+bool passesEnd(const Board &board, const Touch &touch, const Vec3 &p, const Vec3 &direction) {
+    if (direction.z == 0.0) return false;
+    const Heights heights = board.heights(p, touch.normal);
+    return direction.z < 0.0 ? p.z - heights.low <= board.tolerance() : heights.high - p.z <= board.tolerance();
+}
+
 /// The contact as seen by a ball that moves along `direction`: at the end of a face it is already the edge's.
 Hold holdBy(const Board &board, const Touch &touch, const Vec3 &p, const Vec3 &direction) {
     Hold hold;
     hold.touch = touch;
     hold.direction = direction;
-    if (touch.normal.z != 0.0) {
+    if (touch.normal.z != 0.0 || passesEnd(board, touch, p, direction)) {
         hold.kind = Hold::Kind::beyond;
+        hold.touch.feature = PHYS_FEATURE_EDGE;
         return hold;
     }
     const int axis = axisOf(touch.normal);

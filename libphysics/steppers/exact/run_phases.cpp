@@ -335,13 +335,10 @@ double Run::landingTime() const {
 /// In the air: when the ball lands, or leaves the solid that it turns round at its lower or upper end.
 Run::Fall Run::fallFor(const Hold &hold) const {
     if (m_floor) return {kNever, false};
-    const Scene &scene = m_board.scene();
     const Vec3 &p = m_ball.position, &v = m_ball.velocity;
-    const phys_box &box = scene.solids[hold.touch.solid];
+    const Heights heights = m_board.heights(p, hold.touch.normal);
     const double g = m_params.gravity.z;
-    Fall fall{std::min(firstFall(std::max(0.0, p.z - box.min.z), v.z, g),
-                       firstFall(std::max(0.0, box.max.z - p.z), -v.z, -g)),
-              false};
+    Fall fall{std::min(firstFall(p.z - heights.low, v.z, g), firstFall(heights.high - p.z, -v.z, -g)), false};
     const double landing = landingTime();
     return landing <= fall.time ? Fall{landing, true} : fall;
 }

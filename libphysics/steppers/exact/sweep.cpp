@@ -14,6 +14,9 @@ constexpr double kFirstWindow = 6.0;
 /// Steps of the advancement for one touch; a transversal one takes about 7.
 constexpr int kMostPasses = 64;
 
+/// Halvings of a motion's duration in search of a time shortly before a touch.
+constexpr int kMostHalvings = 12;
+
 /// model.md 5.2, the corner of a wall end that the ball has just left. While the corner is its nearest point, half the
 /// second derivative of their squared distance is F - B (v.d)/|v| with F = |v|^2 + A.d, and F' = 3 A.v - 2 B |v|
 /// changes its sign at most once, from - to +. So a ball that moves away (v.d >= 0) with F >= 0 and F' >= 0 never comes
@@ -100,7 +103,7 @@ double Sweep::firstTouch(const Motion &motion, double until, const Plane *plane)
         double windowEnd = std::min(until, from + timeToCover(reach, motion, now));
         if (windowEnd == from) windowEnd = std::nextafter(from, kNever);
         collect(motion, now, from, windowEnd, plane);
-        const double hit = firstHit(motion, windowEnd);
+        const double hit = firstHit(motion, windowEnd, until);
         if (hit <= windowEnd) return hit;
         if (windowEnd >= until) return kNever;
         if (m_candidates.empty()) reach *= 2.0;
@@ -109,11 +112,24 @@ double Sweep::firstTouch(const Motion &motion, double until, const Plane *plane)
     }
 }
 
+/// 0, or for a motion that starts beside its box, behind the plane that it will touch: a time before t from which it is
+/// in front of it. One that doesn't depend on the last bits of t.
+double Sweep::startInFront(const Motion &motion, const Nearest &close, double t, double until) const {
+    if (close.feature != PHYS_FEATURE_FACE) return 0.0;
+    double time = 0.0, step = until;
+    for (int halving = 0; halving < kMostHalvings; ++halving, step *= 0.5) {
+        const double gap = glm::dot(motion.at(time).position - close.point, close.normal) - m_board.radius();
+        if (gap >= -m_board.tolerance()) return time;
+        time = step * std::floor(t / step);
+    }
+    return 0.0;
+}
+
 /// The same touch found from the start of the motion, against the face's plane or the edge alone: so its last bit
 /// depends neither on the search's windows nor on how walls are cut into boxes.
-double Sweep::settled(const Motion &motion, const Nearest &close, const Vec3 &velocity, double t) const {
+double Sweep::settled(const Motion &motion, const Nearest &close, const Vec3 &velocity, double t, double until) const {
     if (close.feature != PHYS_FEATURE_FACE && close.normal.z != 0.0) return t;
-    double time = 0.0;
+    double time = startInFront(motion, close, t, until);
     bool polished = false;
     for (int pass = 0; pass < kMostPasses; ++pass) {
         const Motion::Point now = motion.at(time);
@@ -164,18 +180,18 @@ std::span<const uint32_t> Sweep::withinReach(const Motion &motion, const Motion:
     return m_board.near(glm::min(begin, end) - bulge, glm::max(begin, end) + bulge);
 }
 
-double Sweep::firstHit(const Motion &motion, double until) {
+double Sweep::firstHit(const Motion &motion, double windowEnd, double until) {
     const auto earlier = [](const Candidate &a, const Candidate &b) { return a.safe < b.safe; };
     while (!m_candidates.empty()) {
         Candidate &next = *std::min_element(m_candidates.begin(), m_candidates.end(), earlier);
         const double t = next.safe;
-        if (t > until) break;
+        if (t > windowEnd) break;
         const Motion::Point now = motion.at(t);
         const Nearest close = nearest(m_board.scene().solids[next.solid], now.position);
         const double h = safeTime(m_board, motion, close, now);
         const bool touches = close.distance - m_board.radius() <= m_board.tolerance();
         if (touches && approaches(m_board, close.normal, close.feature, now.velocity)) {
-            if (next.polished) return settled(motion, close, now.velocity, t);
+            if (next.polished) return settled(motion, close, now.velocity, t, until);
             const double gap = std::max(0.0, close.distance - m_board.radius());
             const double rate = glm::dot(now.velocity, close.normal);
             next = {t + firstFall(gap, rate, motion.leastAcceleration(close.normal, rate)), next.solid, true};

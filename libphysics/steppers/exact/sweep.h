@@ -30,8 +30,9 @@ private:
     void collect(const Motion &motion, const Motion::Point &now, double from, double until, const Plane *plane);
     std::span<const uint32_t> withinReach(const Motion &motion, const Motion::Point &now, double until, double duration,
                                           double way) const;
-    double firstHit(const Motion &motion, double until);
-    double settled(const Motion &motion, const Nearest &close, const Vec3 &velocity, double t) const;
+    double firstHit(const Motion &motion, double windowEnd, double until);
+    double startInFront(const Motion &motion, const Nearest &close, double t, double until) const;
+    double settled(const Motion &motion, const Nearest &close, const Vec3 &velocity, double t, double until) const;
 };
 
 /// First time in [0, until] at which the centre leaves the floor's rectangle; kNever if it doesn't.

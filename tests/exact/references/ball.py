@@ -175,6 +175,7 @@ class Ball:
 
     def bounce(self, touch):
         n = touch.normal
+        if self.z < touch.box.bottom: raise Skip("under a wall")
         rate = n.dot(self.v)
         after = -self.eps * rate
         press = self.pressing(touch, self.v - n * rate)
@@ -259,6 +260,7 @@ class Ball:
     def phase(self, left):
         A, B = self.pull()
         touches = self.board.touches(self.p)
+        if any(self.z < t.box.bottom for t in touches): raise Skip("under a wall")
         touch = corner = None
         direction = self.v
         if not self.v.is_zero():
@@ -434,7 +436,8 @@ class Ball:
         def slope(s):
             p, v = law.at(s)
             away = p - box.nearest(p)
-            return -away.dot(v) / away.length() * law.slowness(s)
+            distance = away.length()
+            return -away.dot(v) / distance * law.slowness(s) if distance else 0
         return root(lambda s: -self.gap(law, box, s), low, high, slope)
 
     def first_exit(self, law, end):
