@@ -24,6 +24,7 @@ private slots:
     void flushTilesAreOnePlane();
     void thousandTouchingBoxes();
     void restIsForEver();
+    void fallsPastTheLowerEndOfAWall();
 };
 
 namespace {
@@ -170,6 +171,17 @@ void ExactExtremes::restIsForEver() {
     for (int i = 0; i < 10000; ++i) run.step(0.01);
     QVERIFY(run.state.position.x == first.position.x && run.state.position.y == first.position.y);
     QVERIFY(run.state.flags & PHYS_AT_REST);
+}
+
+/// Pulled against the wall it falls along it, and freely as soon as its centre is below: x = 1/2 a t^2 from there.
+void ExactExtremes::fallsPastTheLowerEndOfAWall() {
+    Run run({exact::floorOver(-2, -2, -1, 2), exact::wall(0.5, -1, 1, 1)}, 0.125, {0.375, 0, 1});
+    run.params.gravity = {0.5, 0, -8}; // down to the wall's end in half a second
+    run.step(0.75);
+    QVERIFY(std::abs(run.state.position.x - (0.375 + 0.25 * 0.0625)) <= 2.0 * kU);
+    QVERIFY(std::abs(run.state.velocity.x - 0.125) <= 2.0 * kU);
+    QVERIFY(std::abs(run.state.position.z - (1.0 - 4.0 * 0.5625)) <= 2.0 * kU);
+    QCOMPARE(run.eventsOf(PHYS_EVENT_RELEASE).size(), size_t(1));
 }
 
 QTEST_GUILESS_MAIN(ExactExtremes)

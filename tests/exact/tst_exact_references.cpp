@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include <fstream>
+#include <functional>
 #include <sstream>
 
 using exact::kU;
@@ -115,6 +116,21 @@ double error(const phys_state &state, const Step &step) {
 /// model.md 8: rounding of a coordinate times what the way so far makes of it. The boards are some metres large.
 double bound(const Step &step, size_t events) { return 2.0 * kU * (1.0 + step.sensitivity) * double(events + 1); }
 
+using Turn = std::function<phys_vec3(const phys_vec3 &)>;
+
+Scene turned(Scene scene, const Turn &turn) {
+    for (phys_box &box : scene.boxes) {
+        const phys_vec3 a = turn(box.min), b = turn(box.max);
+        box = {{std::min(a.x, b.x), std::min(a.y, b.y), a.z}, {std::max(a.x, b.x), std::max(a.y, b.y), b.z}};
+    }
+    scene.position = turn(scene.position);
+    scene.velocity = turn(scene.velocity);
+    for (Step &step : scene.steps) step.gravity = turn(step.gravity);
+    return scene;
+}
+
+bool equal(const phys_vec3 &a, const phys_vec3 &b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+
 QString told(const Scene &scene, size_t step, double error, double bound) {
     return QString("%1, step %2: %3, allowed %4").arg(scene.name.c_str()).arg(step).arg(error).arg(bound);
 }
@@ -130,6 +146,8 @@ private slots:
     void meetsTheSameWalls();
     void isTheSameInManySteps_data() { addScenes(); }
     void isTheSameInManySteps();
+    void turnedSceneTurnsTheWay_data() { addScenes(); }
+    void turnedSceneTurnsTheWay();
 
 private:
     void addScenes() {
@@ -200,6 +218,28 @@ void ExactReferences::isTheSameInManySteps() {
         const double allowed = bound(step, events) + 0.5 * kU * (1.0 + step.sensitivity) * double(phases);
         QVERIFY2(off <= allowed, qPrintable(told(scene, ++number, off, allowed)));
         QCOMPARE(run.state.flags, step.flags);
+    }
+}
+
+/// model.md 9: swapping the axes and reversing one of them changes no bit.
+void ExactReferences::turnedSceneTurnsTheWay() {
+    const Scene &scene = chosen();
+    const auto swapped = [](const phys_vec3 &v) { return phys_vec3{v.y, v.x, v.z}; };
+    const auto mirrored = [](const phys_vec3 &v) { return phys_vec3{-v.x, v.y, v.z}; };
+    const Turn turns[] = {swapped, mirrored, [&](const phys_vec3 &v) { return mirrored(swapped(v)); }};
+    for (const Turn &turn : turns) {
+        Start run(scene);
+        const Scene other = turned(scene, turn);
+        Start otherRun(other);
+        for (size_t i = 0; i < scene.steps.size(); ++i) {
+            run.params.gravity = scene.steps[i].gravity;
+            run.step(scene.steps[i].dt);
+            otherRun.params.gravity = other.steps[i].gravity;
+            otherRun.step(other.steps[i].dt);
+            QVERIFY(equal(otherRun.state.position, turn(run.state.position)));
+            QVERIFY(equal(otherRun.state.velocity, turn(run.state.velocity)));
+            QCOMPARE(otherRun.state.flags, run.state.flags);
+        }
     }
 }
 
