@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/game_keys.h"
 
+#include <QAbstractButton>
 #include <QAbstractSpinBox>
 #include <QApplication>
+#include <QComboBox>
 #include <QKeyEvent>
 #include <QLineEdit>
 
@@ -44,12 +46,19 @@ bool GameKeys::isForGame(const QKeyEvent &event) const {
     return m_session.game().phase() == Game::Phase::Playing || !focus || focus == &m_view || focus == &m_window;
 }
 
+// Keys that a widget needs although the window has a command for them.
+bool GameKeys::isForWidget(const QKeyEvent &event, const QWidget *widget) const {
+    if (isEnter(event.key())) return isText(widget);
+    const bool isPressed = qobject_cast<const QAbstractButton *>(widget) || qobject_cast<const QComboBox *>(widget);
+    return event.key() == Qt::Key_Space && isPressed && m_session.game().phase() != Game::Phase::Playing;
+}
+
 bool GameKeys::eventFilter(QObject *object, QEvent *event) {
     const QEvent::Type type = event->type();
     if (type != QEvent::KeyPress && type != QEvent::KeyRelease && type != QEvent::ShortcutOverride) return false;
     auto *key = static_cast<QKeyEvent *>(event);
     if (type == QEvent::ShortcutOverride) {
-        if (!isEnter(key->key()) || !isText(qobject_cast<QWidget *>(object))) return false;
+        if (!isForWidget(*key, qobject_cast<QWidget *>(object))) return false;
         event->accept();
         return true;
     }

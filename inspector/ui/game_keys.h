@@ -26,6 +26,7 @@ protected:
 
 private:
     bool isForGame(const QKeyEvent &event) const;
+    bool isForWidget(const QKeyEvent &event, const QWidget *widget) const;
     void hold(int key, bool isDown);
     void releaseAll();
     void advance();

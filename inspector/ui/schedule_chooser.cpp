@@ -24,6 +24,7 @@ ScheduleChooser::ScheduleChooser(QSettings &settings, QWidget *parent)
     m_kind->setObjectName(QStringLiteral("trade_schedule"));
     m_kind->addItems({tr("Autopilot"), tr("Random tilts"), tr("Tilts from a file")}); // in the order of Kind
     m_kind->setToolTip(tr("How the board tilts while all steppers are measured"));
+    m_kind->setFocusPolicy(Qt::TabFocus); // a click leaves the keyboard to the game
     m_seed->setObjectName(QStringLiteral("trade_seed"));
     m_seed->setRange(0, std::numeric_limits<int>::max());
     m_seed->setValue(1);

@@ -51,6 +51,7 @@ TradeDock::TradeDock(Session &session, QUndoStack &undo, QWidget *parent)
     , m_sorted(new QSortFilterProxyModel(this)) {
     setObjectName(QStringLiteral("trade"));
     makeControls();
+    leaveKeysToTheGame();
     makeTable();
     auto *halves = new QSplitter;
     halves->addWidget(m_chart);
@@ -113,6 +114,13 @@ QString TradeDock::answerText(const TradePoint &point) const {
         .arg(QString::fromUtf8(point.stepper), stepSizeText(point.dt))
         .arg(point.error.positionLargest * radius * 1e3, 0, 'g', 2)
         .arg(point.cost.perSecond * 1e6, 0, 'g', 3);
+}
+
+// A click leaves the keyboard to the game.
+void TradeDock::leaveKeysToTheGame() {
+    for (QWidget *widget : {static_cast<QWidget *>(m_measure), static_cast<QWidget *>(m_model),
+                            static_cast<QWidget *>(m_tolerance), static_cast<QWidget *>(m_use)})
+        widget->setFocusPolicy(Qt::TabFocus);
 }
 
 QWidget *TradeDock::makeTop() {

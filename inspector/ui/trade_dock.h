@@ -37,6 +37,7 @@ public:
 
 private:
     void makeControls();
+    void leaveKeysToTheGame();
     QWidget *makeTop();
     QWidget *makeBottom();
     void makeTable();

@@ -5,6 +5,7 @@
 
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QPushButton>
 #include <QSlider>
 
 using namespace window_test;
@@ -28,6 +29,7 @@ private slots:
     void arrowsAreTheSlidersBeforeTheGame();
     void spaceRunsAndPauses();
     void spaceTypedAfterAClickOnASwitchStillPauses();
+    void spacePressesTheFocusedButtonBeforeTheGame();
     void escapePauses();
     void periodMakesOneStep();
     void rPutsTheBallBack();
@@ -138,6 +140,19 @@ void TestWindowKeys::spaceTypedAfterAClickOnASwitchStillPauses() {
     click(m_fixture->find<QWidget>("plot_pause"));
     m_fixture->press(Qt::Key_Space);
     QTRY_VERIFY(!isRunning());
+}
+
+// Who has no mouse tabs to a button and presses it.
+void TestWindowKeys::spacePressesTheFocusedButtonBeforeTheGame() {
+    m_fixture->parameters().set({{QStringLiteral("gravity"), 3.0}});
+    auto *button = m_fixture->find<QPushButton>("reset_all");
+    button->setFocus(Qt::TabFocusReason);
+    QTest::keyClick(button, Qt::Key_Space);
+    QTRY_COMPARE(m_fixture->simulated("gravity"), 9.81);
+    QVERIFY(!isRunning());
+    startGame();
+    QTest::keyClick(button, Qt::Key_Space);
+    QTRY_VERIFY(!isRunning()); // while playing it pauses
 }
 
 void TestWindowKeys::escapePauses() {
