@@ -166,6 +166,14 @@ void ExactRigid::wholeSceneFollowsTheReference() {
     struct Half {
         double x, y, vx, vy;
     };
+    struct Event {
+        double time;
+        uint32_t box; // PHYS_NO_BOX: rolls again
+    };
+    const Event expected[] = {{0.13565972485208561882, 4}, {0.28228781302375180924, PHYS_NO_BOX},
+                              {0.54573829544082438859, 0}, {0.63532920613638538918, PHYS_NO_BOX},
+                              {1.0092814777323701913, 3},  {1.1704862826279984328, PHYS_NO_BOX},
+                              {1.6344660531453794765, 0}};
     const Half halves[] = {
         {0.56040776609906518374, 0.082903491788753747577, 0.6489255974137750676, -0.44098736914449592062},
         {0.92980422159598425993, 0.10078903386904098, 0.82749702598520363903, 0.011401500612246856436},
@@ -179,10 +187,17 @@ void ExactRigid::wholeSceneFollowsTheReference() {
     run.params.restitution_wall = 0.75;
     run.params.sliding_friction = 0.25;
     run.params.gravity = {0.5, -0.3125, -9.75};
+    std::vector<phys_event> events;
     for (const Half &half : halves) {
         run.step(0.5);
+        events.insert(events.end(), run.events.begin(), run.events.end());
         QVERIFY(exact::difference(run.state, half.x, half.y, half.vx, half.vy) <= 8.0 * kU);
         QVERIFY(near(run.report.energy_scheme, 0.0, 4.0));
+    }
+    QVERIFY(events.size() >= std::size(expected));
+    for (size_t i = 0; i < std::size(expected); ++i) {
+        QVERIFY(near(events[i].time, expected[i].time, 8.0));
+        QCOMPARE(events[i].box, expected[i].box);
     }
 }
 

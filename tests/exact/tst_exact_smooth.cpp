@@ -12,6 +12,9 @@ class ExactSmooth : public QObject {
 private slots:
     void rollsByTheOneLaw_data();
     void rollsByTheOneLaw();
+    void turnsWhereTheLawSays();
+    void passesALineWhenTheLawSays();
+    void slidesDownFasterThanItRolls();
     void firstIntegralIsLinearInTime();
     void restsUpToTheStictionLimit();
     void stopIsReported();
@@ -64,6 +67,37 @@ void ExactSmooth::rollsByTheOneLaw() {
     QVERIFY2(exact::difference(run.state, x, y, vx, vy) <= 4.0 * kU,
              qPrintable(QString::number(exact::difference(run.state, x, y, vx, vy))));
     QVERIFY(std::abs(run.report.energy_scheme) <= 4.0 * kU);
+}
+
+void ExactSmooth::turnsWhereTheLawSays() {
+    Run run = onPlane(1.0, 0.3);
+    run.setLaw(-0.6, 0.2, 0.1);
+    run.step(1.5025929949748232238);
+    QVERIFY(std::abs(run.state.velocity.x) <= 4.0 * kU);
+    QVERIFY(std::abs(run.state.position.x - 0.73376498961294433082) <= 4.0 * kU);
+}
+
+void ExactSmooth::passesALineWhenTheLawSays() {
+    Run run = onPlane(1.0, 0.3);
+    run.setLaw(-0.6, 0.2, 0.1);
+    run.step(0.64329974917404627696);
+    QVERIFY(exact::difference(run.state, 0.5, 0.22667762861574120012, 0.55600733251066195495, 0.40154858458623945989) <=
+            4.0 * kU);
+}
+
+void ExactSmooth::slidesDownFasterThanItRolls() {
+    // From rest through a height of 0.1 m: sqrt(2 g h) without friction, sqrt(10/7 g h) rolling.
+    const double slope = 0.1, length = 0.1 / std::sin(slope);
+    const auto speedBelow = [&](uint32_t model, double share) {
+        Run run = onPlane(0.0, 0.0);
+        run.params.model = model;
+        run.params.sliding_friction = 0.0;
+        phys_gravity_from_tilt(slope, 0.0, 9.81, &run.params.gravity);
+        run.step(std::sqrt(2.0 * length / (share * run.params.gravity.x)));
+        return run.state.velocity.x;
+    };
+    QVERIFY(std::abs(speedBelow(PHYS_MODEL_RIGID, 1.0) - 1.400714103591450242) <= 8.0 * kU);
+    QVERIFY(std::abs(speedBelow(PHYS_MODEL_ROLLING, 5.0 / 7.0) - 1.183819484308554295) <= 8.0 * kU);
 }
 
 void ExactSmooth::firstIntegralIsLinearInTime() {

@@ -71,7 +71,7 @@ private:
     double m_orientation[4];
     Touches m_touches;               // at the present position
     std::optional<uint32_t> m_floor; // that the present phase runs on
-    std::optional<Touch> m_held;     // by the last phase
+    std::optional<uint32_t> m_held;  // the solid that held the ball in the last phase
     bool m_meets = false;            // the last phase ended at a solid or a floor
 
     // begin and end of the step: run.cpp
@@ -100,6 +100,7 @@ private:
     Drive drive() const;
     bool passesBorder(const Hold &hold) const;
     bool isAtRest();
+    Touch touchOf(uint32_t solid) const;
     void noteHold(const Hold &hold);
     phys_status rest(const Hold &hold);
     phys_status moveFreely(const Hold &hold);

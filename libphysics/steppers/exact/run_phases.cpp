@@ -87,13 +87,19 @@ bool Run::isAtRest() {
     return hold.kind == Hold::Kind::wedged || hold.start <= drive().B;
 }
 
+/// Where the ball is nearest to a solid now.
+Touch Run::touchOf(uint32_t solid) const {
+    const Nearest now = nearest(m_board.scene().solids[solid], m_ball.position);
+    return {now.normal, now.point, solid, now.feature};
+}
+
 /// Reports that a contact begins to last, or ends without an impact.
 void Run::noteHold(const Hold &hold) {
     const bool holds = hold.kind == Hold::Kind::face || hold.kind == Hold::Kind::edge;
     const double speed = glm::length(m_ball.velocity);
     if (holds && !m_held && m_elapsed > 0.0) contactEvent(PHYS_EVENT_CONTACT, hold.touch, speed, speed);
-    if (!holds && m_held) contactEvent(PHYS_EVENT_RELEASE, *m_held, speed, speed);
-    m_held = holds ? std::optional<Touch>(hold.touch) : std::nullopt;
+    if (!holds && m_held) contactEvent(PHYS_EVENT_RELEASE, touchOf(*m_held), speed, speed);
+    m_held = holds ? std::optional(hold.touch.solid) : std::nullopt;
 }
 
 /// With unchanged gravity a ball at rest stays there: model.md 2.1 R4.
