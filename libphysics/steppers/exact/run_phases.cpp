@@ -158,9 +158,10 @@ double Run::returnTime(const Motion &motion) const {
     double first = kNever;
     if (isRolling() || m_params.wall_friction == 0.0) return first;
     for (const Touch &touch : m_touches) {
+        if (!approaches(m_board, -touch.normal, touch.feature, m_ball.velocity)) continue;
         const double rate = glm::dot(m_ball.velocity, touch.normal);
         const double back = pressing(m_board, touch, m_ball.velocity, {motion.startAcceleration(), 0.0});
-        if (rate > 0.0 && rate * rate < back * m_board.tolerance()) first = std::min(first, 2.0 * rate / back);
+        if (rate * rate < back * m_board.tolerance()) first = std::min(first, 2.0 * rate / back);
     }
     return first;
 }

@@ -67,6 +67,7 @@ bool orient(WallLaw &law, WallState &now, double resistance) {
 void startFloorSlip(WallLaw &law, WallState &now, const WallMotion &rolling) {
     law.floor = Grip::slips;
     law.floorSense = -senseOf(rolling.floorPush.along[0]);
+    now.floorSlip = kStart * law.floorSense;
     if (law.curvature == 0.0 || law.wall == Grip::rolls) return;
     const double most = law.floorFriction * rolling.floorForce[0];
     const Direction e = startOfSlip(rolling.floorPush.aside[0], rolling.floorPush.along[0], 2.5, 3.5, most);
@@ -77,6 +78,7 @@ void startFloorSlip(WallLaw &law, WallState &now, const WallMotion &rolling) {
 void startWallSlip(WallLaw &law, WallState &now, const WallMotion &rolling) {
     law.wall = Grip::slips;
     law.wallSense = -senseOf(rolling.wallPush.along[0]);
+    now.wallSlip = kStart * law.wallSense;
     const bool flies = law.floor == Grip::none;
     if (law.floor == Grip::rolls || (law.curvature == 0.0 && !flies)) return;
     const double most = law.wallFriction * rolling.wallForce[0];
@@ -88,8 +90,9 @@ void startWallSlip(WallLaw &law, WallState &now, const WallMotion &rolling) {
 } // namespace
 
 bool isSpent(const Taylor &force, double size) {
-    const double zero = kSpent * size;
-    return force[0] < -zero || (force[0] <= zero && force[1] < 0.0);
+    // Falling, it is spent a moment early: what it decides about is the same before and after.
+    const bool falls = force[1] < 0.0 && force[0] <= kSpent * (size - force[1]);
+    return falls || force[0] < -kSpent * size;
 }
 
 bool settleGrips(WallLaw &law, WallState &now, double resistance) {
