@@ -86,6 +86,8 @@ Vec3 unit(const Vec3 &v) {
 
 } // namespace
 
+Hold holdAt(const Board &board, const Touch &touch, const Vec3 &p) { return holdBy(board, touch, p, Vec3(0.0)); }
+
 double pressing(const Board &board, const Touch &touch, const Vec3 &v, const Drive &drive) {
     const double curvature = touch.feature == PHYS_FEATURE_FACE ? 0.0 : 1.0 / board.radius();
     const Vec3 along = v - glm::dot(v, touch.normal) * touch.normal;
@@ -102,8 +104,9 @@ Hold holdMoving(const Board &board, const Touches &touches, const Vec3 &p, Vec3 
         const Hold hold = holdBy(board, touch, p, direction);
         if (!stays(board, hold, v, drive)) continue;
         if (best.kind != Hold::Kind::none && !parallel(board, best.touch.normal, touch.normal)) {
-            // Both forbid to move across them: there is no way left.
-            v = Vec3(0.0);
+            // Both forbid to move across them: there is no way left but down.
+            const bool areUpright = best.touch.normal.z == 0.0 && touch.normal.z == 0.0;
+            v = {0.0, 0.0, areUpright ? v.z : 0.0};
             return holdResting(board, touches, p, drive);
         }
         const double along = glm::dot(drive.A, touch.normal);

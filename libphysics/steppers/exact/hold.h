@@ -18,7 +18,7 @@ struct Hold {
         none,   ///< moves freely
         face,   ///< along a face: `plane`, until the face ends
         edge,   ///< round the vertical edge `corner`
-        wedged, ///< the solids take away all of A: rests
+        wedged, ///< the solids take away all of A: rests, or falls between them
         beyond  ///< presses on something that has no closed form: not vertical, or in too many places
     };
     Kind kind = Kind::none;
@@ -29,11 +29,15 @@ struct Hold {
     double start = 0.0;  ///< v = 0: size of the acceleration A_c left by the solids, model.md 6.3
 };
 
-/// For a ball with v != 0 whose contacts are all resolved. Sets v to 0 if two solids leave no way.
+/// For a ball with v != 0 whose contacts are all resolved. If two solids leave no way, v becomes zero but for a fall
+/// beside upright ones.
 Hold holdMoving(const Board &board, const Touches &touches, const Vec3 &p, Vec3 &v, const Drive &drive);
 
 /// For a ball with v = 0.
 Hold holdResting(const Board &board, const Touches &touches, const Vec3 &p, const Drive &drive);
+
+/// That contact, as seen by a ball that goes neither way.
+Hold holdAt(const Board &board, const Touch &touch, const Vec3 &p);
 
 /// Normal acceleration with which a ball of velocity v is driven back to what it touches, curvature included; <= 0 if
 /// it isn't. For the rule that ends infinitely many bounces, model.md 6.4.

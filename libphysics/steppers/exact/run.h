@@ -3,6 +3,7 @@
 #pragma once
 
 #include "arc.h"
+#include "corner_motion.h"
 #include "hold.h"
 #include "report.h"
 #include "response.h"
@@ -10,6 +11,9 @@
 #include "wall_grip.h"
 
 namespace phys {
+
+/// A slip below this, relative to the speeds whose difference it is, is their rounding.
+inline constexpr double kRolls = 8.0 * kRounding;
 
 class Run {
 public:
@@ -51,6 +55,18 @@ private:
         enum class Cause { series, time, force, stop, floorRolls, wallRolls, landing, way };
         double s;
         Cause cause;
+
+        /// Not beyond where f falls through zero.
+        void cut(const Taylor &f, Cause why);
+    };
+    /// A ball that two walls hold, in such units too.
+    struct AtCorner {
+        CornerLaw law;
+        CornerState now;
+        double speed, acceleration;
+
+        double unitTime() const { return speed / acceleration; }
+        double unitLength() const { return speed * unitTime(); }
     };
     /// What ends the way along a wall after a length: the face or the quarter circle itself, another solid, the floor.
     struct WallWay {
@@ -73,6 +89,7 @@ private:
     std::optional<uint32_t> m_floor; // that the present phase runs on
     std::optional<uint32_t> m_held;  // the solid that held the ball in the last phase
     bool m_meets = false;            // the last phase ended at a solid or a floor
+    bool m_cornered = false;         // the present phase has been looked at as one between two walls
 
     // begin and end of the step: run.cpp
     void enter();
@@ -134,7 +151,9 @@ private:
     bool isRough(const Hold &hold) const;
     AtWall lookAtWall(const Hold &hold) const;
     phys_status stayAtWall(const Hold &hold);
+    double smallestSlip(double acceleration, double speed) const;
     WallEnd endAtWall(const Hold &hold, const AtWall &wall, const WallMotion &motion) const;
+    void cutFall(WallEnd &end, const Taylor &height, double unit, uint32_t solid) const;
     WallWay wayAlong(const Hold &hold, const AtWall &wall, double reach);
     WallWay wayOnFace(const Hold &hold, const AtWall &wall, double reach);
     WallWay wayOnEdge(const Hold &hold, const AtWall &wall, double reach);
@@ -144,6 +163,12 @@ private:
     Vec3 spinAtWall(const WallLaw &law, const WallState &now, const WallAxes &axes) const;
     void turnAtWall(const Hold &hold, const AtWall &wall, const WallMotion &motion, double end);
     phys_status letGo();
+
+    // between two walls: run_corner.cpp
+    phys_status stayInCorner(const Hold &hold);
+    bool isFreeToStay(const Hold &single) const;
+    std::optional<AtCorner> lookAtCorner(const Touch &first, const Touch &second) const;
+    void followCorner(const AtCorner &corner, const Touch &touch);
 
     bool isRolling() const { return m_params.model == PHYS_MODEL_ROLLING; }
 };

@@ -30,6 +30,7 @@ Drive Run::drive() const {
 
 phys_status Run::phase() {
     Ball &ball = m_ball;
+    m_cornered = false;
     m_floor = ball.supported ? m_board.floorUnder(ball.position, inPlane(ball.velocity)) : std::nullopt;
     if (ball.supported && !m_floor) {
         takeOff();
@@ -42,16 +43,16 @@ phys_status Run::phase() {
     if (ball.velocity == Vec3(0.0)) {
         hold = holdResting(m_board, m_touches, ball.position, acting);
         const bool rubs = isRough(hold) && ball.spin.z != 0.0;
-        if (rubs && hold.kind == Hold::Kind::wedged)
-            return refuse("the ball is held by it and another wall, and rubs on both", hold.touch);
-        if (rubs && ball.supported) return stayAtWall(hold);
-        if (hold.kind == Hold::Kind::wedged || hold.start <= acting.B) return rest(hold);
+        if (rubs && ball.supported) return hold.kind == Hold::Kind::wedged ? stayInCorner(hold) : stayAtWall(hold);
+        const bool isWedged = hold.kind == Hold::Kind::wedged && (ball.supported || hold.touch.normal.z != 0.0);
+        if (isWedged || (hold.kind != Hold::Kind::wedged && hold.start <= acting.B)) return rest(hold);
     }
     if (ball.supported && passesBorder(hold)) {
         takeOff();
         return PHYS_OK;
     }
     noteHold(hold);
+    if (hold.kind == Hold::Kind::wedged) return stayInCorner(hold);
     const bool isHeld = hold.kind == Hold::Kind::face || hold.kind == Hold::Kind::edge;
     const bool grips = !ball.supported || gripHolds(hold);
     if (isHeld && (isRough(hold) || !grips)) return stayAtWall(hold);
@@ -84,6 +85,7 @@ bool Run::isAtRest() {
     if (m_ball.velocity != Vec3(0.0) || !m_ball.supported || slipVelocity() != Vec2(0.0)) return false;
     m_board.findTouches(m_ball.position, m_touches);
     const Hold hold = holdResting(m_board, m_touches, m_ball.position, drive());
+    if (isRough(hold) && m_ball.spin.z != 0.0) return false;
     return hold.kind == Hold::Kind::wedged || hold.start <= drive().B;
 }
 

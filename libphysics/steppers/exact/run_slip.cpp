@@ -8,13 +8,6 @@
 
 namespace phys {
 
-namespace {
-
-/// A slip below this, relative to the speeds whose difference it is, is their rounding: the ball rolls.
-constexpr double kRolls = 8.0 * kRounding;
-
-} // namespace
-
 /// On a frictionless floor the spin has no part in the motion.
 bool Run::slides() const { return !isRolling() && m_params.sliding_friction == 0.0; }
 
@@ -53,8 +46,7 @@ phys_status Run::slip() {
     noteHold(hold);
     switch (hold.kind) {
     case Hold::Kind::wedged:
-        spinDown(u);
-        return PHYS_OK;
+        return stayInCorner(hold);
     case Hold::Kind::face:
     case Hold::Kind::edge:
         return stayAtWall(hold);

@@ -11,30 +11,8 @@ namespace phys {
 
 namespace {
 
-/// A slip below this, relative to the speeds whose difference it is, is their rounding.
-constexpr double kRolls = 8.0 * kRounding;
-
-/// A slip below this, in sqrt(g R), is none: all speeds may be zero where it ends.
-constexpr double kSmallestSlip = 1e-18;
-
 /// Parts that the turn of a curved way is made of, for drawing.
 constexpr int kTurnParts = 16;
-
-/// The largest power of two up to a value: a unit that costs no rounding.
-double unitOf(double value) { return value > 0.0 ? std::exp2(std::ilogb(value)) : 1.0; }
-
-Taylor operator*(double factor, const Taylor &f) {
-    Taylor product;
-    for (int k = 0; k <= Taylor::kOrder; ++k) product[k] = factor * f[k];
-    return product;
-}
-
-/// What f leaves of a whole.
-Taylor remains(double whole, const Taylor &f) {
-    Taylor left = -1.0 * f;
-    left[0] += whole;
-    return left;
-}
 
 void scale(WallState &now, double speed, double acceleration) {
     for (double *value : {&now.along, &now.up, &now.floorSlip, &now.wallSlip, &now.wallSlipUp}) *value *= speed;
@@ -47,6 +25,11 @@ void scale(WallState &now, double speed, double acceleration) {
 bool Run::isRough(const Hold &hold) const {
     if (isRolling() || m_params.wall_friction == 0.0 || hold.kind == Hold::Kind::none) return false;
     return glm::dot(toVec(m_params.gravity), hold.touch.normal) < 0.0;
+}
+
+/// A slip below this, in units of the speed, is none: where a slip ends all speeds may be zero.
+double Run::smallestSlip(double acceleration, double speed) const {
+    return 1e-18 * std::sqrt(acceleration * m_board.radius()) / speed;
 }
 
 /// The ball as its contacts see it. Slips that are no more than rounding are none.
@@ -103,7 +86,7 @@ phys_status Run::stayAtWall(const Hold &hold) {
     const double reach = motion.way.at(end.s) * wall.unitLength();
     const WallWay way = wayAlong(hold, wall, reach);
     if (way.end != WallWay::End::none) {
-        if (way.length == 0.0) return refuse("the ball is held by it and another wall, and rubs on both", hold.touch);
+        if (way.length == 0.0) return stayInCorner(hold);
         const double s = firstFall(remains(way.length / wall.unitLength(), motion.way), end.s);
         end = {std::min(end.s, s), WallEnd::Cause::way};
     }
@@ -118,29 +101,34 @@ Run::WallEnd Run::endAtWall(const Hold &hold, const AtWall &wall, const WallMoti
     const double left = m_left / wall.unitTime();
     WallEnd end{motion.goodFor(), series};
     if (!motion.slipsTurn()) end.s = std::min(end.s, left); // s is the time
-    const auto cut = [&end](const Taylor &f, WallEnd::Cause cause) {
-        const double s = firstFall(f, end.s);
-        if (s <= end.s) end = {s, cause};
-    };
-    cut(remains(left, motion.time), time);
-    cut(motion.wallForce, force);
-    cut(motion.along, stop);
-    if (law.wall == Grip::rolls) cut(motion.wallReserve, force);
-    if (law.wall == Grip::slips && law.isStraight) cut(law.wallSense * motion.wallSlip.along, wallRolls);
-    if (m_floor) {
-        cut(motion.floorForce, force);
-        if (law.floor == Grip::rolls) cut(motion.floorReserve, force);
-        if (law.floor == Grip::slips && law.isStraight) cut(law.floorSense * motion.floorSlip.along, floorRolls);
-        return end;
-    }
-    const Scene &scene = m_board.scene();
-    const phys_box &box = scene.solids[hold.touch.solid];
-    const double z = m_ball.position.z, unit = wall.unitLength();
-    cut(remains((box.max.z - z) / unit, motion.height), force);
-    cut(remains((z - box.min.z) / unit, -1.0 * motion.height), force);
-    if (scene.hasFloor && z >= scene.supportedZ)
-        cut(remains((z - scene.supportedZ) / unit, -1.0 * motion.height), landing);
+    end.cut(remains(left, motion.time), time);
+    end.cut(motion.wallForce, force);
+    end.cut(motion.along, stop);
+    if (law.wall == Grip::rolls) end.cut(motion.wallReserve, force);
+    if (law.wall == Grip::slips && law.isStraight) end.cut(law.wallSense * motion.wallSlip.along, wallRolls);
+    if (!m_floor) cutFall(end, motion.height, wall.unitLength(), hold.touch.solid);
+    if (m_floor) end.cut(motion.floorForce, force);
+    if (law.floor == Grip::rolls) end.cut(motion.floorReserve, force);
+    if (law.floor == Grip::slips && law.isStraight) end.cut(law.floorSense * motion.floorSlip.along, floorRolls);
     return end;
+}
+
+void Run::WallEnd::cut(const Taylor &f, Cause why) {
+    const double first = firstFall(f, s);
+    if (first > s) return;
+    s = first;
+    cause = why;
+}
+
+/// In the air: where the ball lands, or passes the upper or lower end of the solid that it is at.
+void Run::cutFall(WallEnd &end, const Taylor &height, double unit, uint32_t solid) const {
+    const Scene &scene = m_board.scene();
+    const phys_box &box = scene.solids[solid];
+    const double z = m_ball.position.z;
+    end.cut(remains((box.max.z - z) / unit, height), WallEnd::Cause::force);
+    end.cut(remains((z - box.min.z) / unit, -1.0 * height), WallEnd::Cause::force);
+    if (!scene.hasFloor || z < scene.supportedZ) return;
+    end.cut(remains((z - scene.supportedZ) / unit, -1.0 * height), WallEnd::Cause::landing);
 }
 
 Run::WallWay Run::wayAlong(const Hold &hold, const AtWall &wall, double reach) {
@@ -195,8 +183,7 @@ void Run::follow(const Hold &hold, const AtWall &wall, const WallMotion &motion,
 
     WallState now = motion.at(end.s);
     if (end.cause == WallEnd::Cause::stop) now.along = 0.0;
-    const double smallest = kSmallestSlip * std::sqrt(wall.acceleration * m_board.radius()) / wall.speed;
-    const bool rolls = settleSlips(wall.law, end.cause, smallest, now);
+    const bool rolls = settleSlips(wall.law, end.cause, smallestSlip(wall.acceleration, wall.speed), now);
     scale(now, wall.speed, wall.acceleration);
     const WallAxes axes = axesAfter(hold, wall, length, atWayEnd && way.end == WallWay::End::contour);
     if (hold.kind == Hold::Kind::edge) {

@@ -49,6 +49,22 @@ struct Taylor {
     }
 };
 
+inline Taylor operator*(double factor, const Taylor &f) {
+    Taylor product;
+    for (int k = 0; k <= Taylor::kOrder; ++k) product[k] = factor * f[k];
+    return product;
+}
+
+/// What f leaves of a whole.
+inline Taylor remains(double whole, const Taylor &f) {
+    Taylor left = -1.0 * f;
+    left[0] += whole;
+    return left;
+}
+
+/// The largest power of two up to a size: a unit for it that costs no rounding.
+inline double unitOf(double size) { return size > 0.0 ? std::exp2(std::ilogb(size)) : 1.0; }
+
 /// Term k of a b.
 inline double productTerm(const Taylor &a, const Taylor &b, int k) {
     double sum = 0.0;
