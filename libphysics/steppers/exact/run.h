@@ -108,6 +108,7 @@ private:
     void bounce(const Touch &touch);
     bool isLastBounce(const Touch &touch, double after) const;
     bool resolveFloor();
+    double smallestHop() const;
     void land();
     void takeOff();
     void stopBetween();

@@ -71,6 +71,10 @@ void Run::bounce(const Touch &touch) {
     if (isRolling() && wasSupported) roll();
     contactEvent(PHYS_EVENT_IMPACT, touch, before, after);
     // A rough wall also pushes the ball up, or into the floor: model.md 4.
+    if (wasSupported && m_ball.velocity.z > 0.0 && m_ball.velocity.z <= smallestHop()) {
+        m_report.lostImpact(0.5 * m_ball.velocity.z * m_ball.velocity.z);
+        m_ball.velocity.z = 0.0;
+    }
     if (wasSupported && m_ball.velocity.z > 0.0) takeOff();
     if (wasSupported && m_ball.velocity.z < 0.0) land();
 }
@@ -95,12 +99,14 @@ bool Run::resolveFloor() {
     return true;
 }
 
+double Run::smallestHop() const { return kSmallestHop * std::sqrt(-m_params.gravity.z * m_board.radius()); }
+
 void Run::land() {
     const Scene &scene = m_board.scene();
     m_ball.position.z = scene.supportedZ;
     const double before = m_ball.velocity.z;
     double after = -m_params.restitution_floor * before;
-    if (after <= kSmallestHop * std::sqrt(-m_params.gravity.z * m_board.radius())) after = 0.0;
+    if (after <= smallestHop()) after = 0.0;
     const Vec3 up{0.0, 0.0, 1.0};
     m_ball.supported = false;
     const Loss loss = isRolling() ? reflect(m_ball, up, after)
