@@ -2,7 +2,10 @@
 // Two doubles at once, for the checks that every step makes: half the instructions.
 #pragma once
 
+#include <physics/physics.h>
+
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 
@@ -69,6 +72,11 @@ inline double sumOfSquares(const double *values) {
     for (size_t i = 0; i < Count; ++i) sum += values[i] * values[i];
     return sum;
 #endif
+}
+
+/// False for NaN.
+inline bool isModerate(const phys_vec3 &v) {
+    return std::abs(v.x) <= kLargestNumber && std::abs(v.y) <= kLargestNumber && std::abs(v.z) <= kLargestNumber;
 }
 
 /// Whether all lie between -kLargestNumber and kLargestNumber: times 2^924 these stay finite, others and NaN don't, and

@@ -119,7 +119,7 @@ phys_status phys_scene_check_planar(const phys_scene *scene, phys_error *err) {
 phys_status phys_scene_contacts(const phys_scene *scene, const phys_vec3 *centre, double reach, phys_contact *out,
                                 uint32_t capacity, uint32_t *count) {
     const bool valid = scene && centre && count && (out || capacity == 0) && reach >= 0.0 && std::isfinite(reach);
-    if (!valid) return PHYS_ERROR_ARGUMENT;
+    if (!valid || !phys::isModerate(*centre)) return PHYS_ERROR_ARGUMENT;
     const phys::Vec3 p = phys::toVec(*centre);
     const double distance = scene->radius + reach;
     phys::ContactList list(out, capacity);

@@ -313,6 +313,7 @@ phys_status phys_stepper_requirements(const phys_stepper *stepper, const phys_pa
 
 phys_status phys_energy(const phys_scene *scene, const phys_params *params, const phys_state *state, double *out) {
     if (!scene || !params || !state || !out) return PHYS_ERROR_ARGUMENT;
+    if (!phys::numbersAreModerate(*state) || !phys::isModerate(params->gravity)) return PHYS_ERROR_ARGUMENT;
     *out = phys::energyOf(*scene, *params, *state);
     return PHYS_OK;
 }

@@ -63,6 +63,7 @@ struct Bench {
     phys_status contacts(double reach) {
         return phys_scene_contacts(ball.scene(), &centre, reach, &out.contact, 1, &out.count);
     }
+    phys_status energy() { return phys_energy(ball.scene(), &ball.params, &ball.state, &out.number); }
 };
 
 using Call = std::function<phys_status(Bench &, phys_error *)>;
@@ -220,6 +221,21 @@ std::vector<Misuse> wrongValuesOfTerseFunctions() {
                         }});
         rows.push_back({"phys_gravity_from_tilt: tilt_y " + digits(tilt), refused, [tilt](Bench &b, phys_error *) {
                             return phys_gravity_from_tilt(0, tilt, 9.81, &b.out.vector);
+                        }});
+    }
+    for (const double value : {kNaN, kInfinity, -kInfinity, 0x1p101}) {
+        const QByteArray told = digits(value);
+        rows.push_back({"phys_scene_contacts: centre.x " + told, refused, [value](Bench &b, phys_error *) {
+                            b.centre.x = value;
+                            return b.contacts(1.0);
+                        }});
+        rows.push_back({"phys_energy: velocity.y " + told, refused, [value](Bench &b, phys_error *) {
+                            b.ball.state.velocity.y = value;
+                            return b.energy();
+                        }});
+        rows.push_back({"phys_energy: gravity.z " + told, refused, [value](Bench &b, phys_error *) {
+                            b.ball.params.gravity.z = value;
+                            return b.energy();
                         }});
     }
     for (const double value : {kNaN, kInfinity, -kInfinity, -1.0}) {

@@ -179,7 +179,7 @@ typedef struct phys_contact {
 
 /** All boxes, floors included, whose gap to a ball centred at `centre` is at most `reach` (m, >= 0, finite), in order
  *  of their numbers. Writes at most `capacity` of them to `out` (or NULL if capacity is 0) and how many there are to
- *  `count`. Any thread. Since 1.0. */
+ *  `count`. The centre's coordinates must be numbers within +-2^100 m. Any thread. Since 1.0. */
 PHYS_API phys_status phys_scene_contacts(const phys_scene *scene, const phys_vec3 *centre, double reach,
                                          phys_contact *out, uint32_t capacity, uint32_t *count);
 
@@ -334,7 +334,7 @@ typedef struct phys_report {
 PHYS_API phys_status phys_report_init(phys_report *report, size_t size);
 
 /** Energy per mass, J/kg: v^2/2 + (R spin)^2/5 - gravity . position (model.md 9). For a rolling ball the first two are
- *  7/10 v^2. Any thread. Since 1.0. */
+ *  7/10 v^2. The state's numbers and gravity must be within +-2^100. Any thread. Since 1.0. */
 PHYS_API phys_status phys_energy(const phys_scene *scene, const phys_params *params, const phys_state *state,
                                  double *out);
 
