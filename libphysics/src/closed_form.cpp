@@ -42,7 +42,8 @@ double firstFall(double gap, double rate, double acceleration) {
 }
 
 ResistedLaw::ResistedLaw(const Vec2 &v0, const Vec2 &A, double B)
-    : m_a(length(A))
+    : m_v0(v0)
+    , m_a(length(A))
     , m_B(B) {
     const double speed = length(v0);
     if (speed == 0.0) {
@@ -114,10 +115,12 @@ ResistedLaw::Point ResistedLaw::atXi(double xi, double t) const {
     // P^2 I(2c) = (P I(c)) (P + P e^(c xi))/2: time share times mean speed, which neither over- nor underflows.
     const double alongFast = fastTime * (0.5 * (m_P + fast));
     const double alongSlow = slowTime * (0.5 * (m_M + slow));
-    const double decay = std::exp(-m_B * xi);
     const double across = m_vt * (m_P * integral(m_a - 2.0 * m_B, xi) + m_M * integral(-m_a - 2.0 * m_B, xi));
     const double mixed = 2.0 * m_P * m_M * integral(-2.0 * m_B, xi);
-    return {turned(alongFast - alongSlow, across), turned(fast - slow, m_vt * decay), alongFast + mixed + alongSlow};
+    // While the velocity changes little, its change is known better than itself: many short phases keep their digits.
+    const Vec2 v = -c2 * xi < 0.5 ? m_v0 + turned(c1 * fastTime - c2 * slowTime, m_vt * std::expm1(-m_B * xi))
+                                  : turned(fast - slow, m_vt * std::exp(-m_B * xi));
+    return {turned(alongFast - alongSlow, across), v, alongFast + mixed + alongSlow};
 }
 
 ResistedLaw::Point ResistedLaw::atStop() const {

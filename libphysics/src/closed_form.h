@@ -35,6 +35,7 @@ public:
     Point at(double t) const;
 
 private:
+    Vec2 m_v0{0.0, 0.0};
     double m_a = 0.0, m_B = 0.0; // |A|, B
     Vec2 m_e{1.0, 0.0};          // direction of A (of v0 if A = 0)
     double m_P = 0.0, m_M = 0.0; // (|v0| + v0.e)/2, (|v0| - v0.e)/2

@@ -50,10 +50,12 @@ V clampedVelocity(const Law<V> &law, const V &v, double dt) {
 }
 
 /// Whether resistance may stop the ball within h: from here on the clamp takes over from every scheme, model.md 10.5.
+/// Where the drive outweighs it the ball turns back rather than stop, and only the step of the turn itself needs that.
 template<class V>
 bool nearStop(const Law<V> &law, const V &velocity, double h) {
     if (!law.resists || law.B == 0.0) return false;
-    const double margin = 4.0 * (glm::length(law.A) + law.B) * h;
+    const double drive = glm::length(law.A);
+    const double margin = (law.B < drive ? 1.0 : 4.0) * (drive + law.B) * h;
     return glm::dot(velocity, velocity) <= margin * margin;
 }
 

@@ -26,6 +26,8 @@ const std::vector<Arc> kArcs{
     kFirst,
     {"k = 1", 0.5, 0.0, 0.5, 0.3, 0.4, 1.0, 0.35916183820371143944, 0.24322536933179607531},
     {"k = 1/2", 1.0, 0.0, 0.5, -0.3, 0.4, 1.0, 0.15566552048209869172, 0.20329151692109757067},
+    // At its slowest it is still faster than (a+B) dt: the clamp must not take over.
+    {"slow turn, B < a", 0.6, 0.0, 0.18, -0.5, 0.1, 2.0, 0.22752151996202854265, 0.081698381573312986494},
 };
 
 const std::vector<Arc> kSharpArcs{
