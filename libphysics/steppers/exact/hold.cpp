@@ -34,7 +34,7 @@ Hold holdBy(const Board &board, const Touch &touch, const Vec3 &p, const Vec3 &d
     hold.direction = direction;
     if (touch.normal.z != 0.0 || passesEnd(board, touch, p, direction)) {
         hold.kind = Hold::Kind::beyond;
-        hold.touch.feature = PHYS_FEATURE_EDGE;
+        if (touch.normal.z == 0.0) hold.touch.feature = PHYS_FEATURE_EDGE; // the end's, which is level
         return hold;
     }
     const int axis = axisOf(touch.normal);

@@ -154,7 +154,7 @@ private:
     phys_status stayAtWall(const Hold &hold);
     double smallestSlip(double acceleration, double speed) const;
     WallEnd endAtWall(const Hold &hold, const AtWall &wall, const WallMotion &motion) const;
-    void cutFall(WallEnd &end, const Taylor &height, double unit, uint32_t solid) const;
+    void cutFall(WallEnd &end, const Taylor &height, double unit, const Vec3 &normal) const;
     WallWay wayAlong(const Hold &hold, const AtWall &wall, double reach);
     WallWay wayOnFace(const Hold &hold, const AtWall &wall, double reach);
     WallWay wayOnEdge(const Hold &hold, const AtWall &wall, double reach);
@@ -169,7 +169,7 @@ private:
     phys_status stayInCorner(const Hold &hold);
     bool isFreeToStay(const Hold &single) const;
     std::optional<AtCorner> lookAtCorner(const Touch &first, const Touch &second) const;
-    void followCorner(const AtCorner &corner, const Touch &touch);
+    void followCorner(const AtCorner &corner);
 
     bool isRolling() const { return m_params.model == PHYS_MODEL_ROLLING; }
 };

@@ -42,7 +42,7 @@ phys_status Run::stayInCorner(const Hold &hold) {
         for (uint32_t j = i + 1; j < m_touches.count; ++j) {
             const std::optional<AtCorner> corner = lookAtCorner(m_touches.items[i], m_touches.items[j]);
             if (!corner) continue;
-            followCorner(*corner, m_touches.items[i]);
+            followCorner(*corner);
             return PHYS_OK;
         }
     }
@@ -96,7 +96,7 @@ std::optional<Run::AtCorner> Run::lookAtCorner(const Touch &first, const Touch &
 }
 
 /// Until the time is up, a force or a slip ends, or the ball has fallen as far as it can.
-void Run::followCorner(const AtCorner &corner, const Touch &touch) {
+void Run::followCorner(const AtCorner &corner) {
     using enum WallEnd::Cause;
     const CornerMotion motion(corner.law, corner.now);
     const double left = m_left / corner.unitTime();
@@ -104,7 +104,8 @@ void Run::followCorner(const AtCorner &corner, const Touch &touch) {
     if (!motion.slips()) end.s = std::min(end.s, left); // s is the time
     end.cut(remains(left, motion.time), time);
     for (size_t i = 0; i < (m_floor ? 3 : 2); ++i) end.cut(motion.force[i], force);
-    if (!m_floor) cutFall(end, motion.height, corner.unitLength(), touch.solid);
+    for (size_t i = 0; i < 2 && !m_floor; ++i)
+        cutFall(end, motion.height, corner.unitLength(), corner.law.contacts[i].normal);
 
     m_report.lostSlip(motion.heat.at(end.s) * corner.speed * corner.speed);
     const double t = end.cause == time ? m_left : motion.time.at(end.s) * corner.unitTime();

@@ -86,7 +86,8 @@ phys_status Run::stayAtWall(const Hold &hold) {
     const double reach = motion.way.at(end.s) * wall.unitLength();
     const WallWay way = wayAlong(hold, wall, reach);
     if (way.end != WallWay::End::none) {
-        if (way.length == 0.0) return stayInCorner(hold);
+        const bool isBlocked = wall.now.along == 0.0 && way.length <= m_board.tolerance();
+        if (isBlocked && way.end == WallWay::End::touch) return stayInCorner(hold);
         const double s = firstFall(remains(way.length / wall.unitLength(), motion.way), end.s);
         end = {std::min(end.s, s), WallEnd::Cause::way};
     }
@@ -106,7 +107,7 @@ Run::WallEnd Run::endAtWall(const Hold &hold, const AtWall &wall, const WallMoti
     end.cut(motion.along, stop);
     if (law.wall == Grip::rolls) end.cut(motion.wallReserve, force);
     if (law.wall == Grip::slips && law.isStraight) end.cut(law.wallSense * motion.wallSlip.along, wallRolls);
-    if (!m_floor) cutFall(end, motion.height, wall.unitLength(), hold.touch.solid);
+    if (!m_floor) cutFall(end, motion.height, wall.unitLength(), hold.touch.normal);
     if (m_floor) end.cut(motion.floorForce, force);
     if (law.floor == Grip::rolls) end.cut(motion.floorReserve, force);
     if (law.floor == Grip::slips && law.isStraight) end.cut(law.floorSense * motion.floorSlip.along, floorRolls);
@@ -120,13 +121,13 @@ void Run::WallEnd::cut(const Taylor &f, Cause why) {
     cause = why;
 }
 
-/// In the air: where the ball lands, or passes the upper or lower end of the solid that it is at.
-void Run::cutFall(WallEnd &end, const Taylor &height, double unit, uint32_t solid) const {
+/// In the air: where the ball lands, or passes the upper or lower end of what it touches with that normal.
+void Run::cutFall(WallEnd &end, const Taylor &height, double unit, const Vec3 &normal) const {
     const Scene &scene = m_board.scene();
-    const phys_box &box = scene.solids[solid];
     const double z = m_ball.position.z;
-    end.cut(remains((box.max.z - z) / unit, height), WallEnd::Cause::force);
-    end.cut(remains((z - box.min.z) / unit, -1.0 * height), WallEnd::Cause::force);
+    const Heights heights = m_board.heights(m_ball.position, normal);
+    end.cut(remains((heights.high - z) / unit, height), WallEnd::Cause::force);
+    end.cut(remains((z - heights.low) / unit, -1.0 * height), WallEnd::Cause::force);
     if (!scene.hasFloor || z < scene.supportedZ) return;
     end.cut(remains((z - scene.supportedZ) / unit, -1.0 * height), WallEnd::Cause::landing);
 }
