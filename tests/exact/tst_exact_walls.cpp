@@ -15,6 +15,12 @@ private slots:
     void followsTheReference();
     void twoStepsAreOne_data() { followsTheReference_data(); }
     void twoStepsAreOne();
+    void spinsDownBetweenRoughWalls_data();
+    void spinsDownBetweenRoughWalls();
+    void fallsBetweenSmoothWalls();
+    void hopsAlongARoughWallEndInContact();
+    void rubbingTurnsIntoRolling();
+    void ballClimbsAWallThatItsSpinGrips();
 };
 
 namespace {
@@ -136,6 +142,117 @@ void ExactWalls::twoStepsAreOne() {
     QVERIFY(apart(run.state.position, stay.position) <= 4.0 * kU);
     QVERIFY(apart(run.state.velocity, stay.velocity) <= 8.0 * kU);
     QVERIFY(apart(run.state.spin, stay.spinAfter) <= 8.0 * kU / kR);
+}
+
+void ExactWalls::spinsDownBetweenRoughWalls_data() {
+    QTest::addColumn<double>("up");
+    QTest::addColumn<double>("height");
+    QTest::addColumn<double>("speed");
+    QTest::addColumn<double>("spinX");
+    QTest::addColumn<double>("spinY");
+    QTest::addColumn<double>("spinZ");
+    QTest::addColumn<double>("heat");
+    QTest::newRow("on the floor") << 0.0 << kR << 0.0 << 7.2295637047375043758 << -3.6088288255298086535
+                                  << 11.454452810303315878 << 0.021488495284141985638;
+    QTest::newRow("in the air") << 0.25 << 0.31532332722055479676 << 0.11165732730638089755 << 7.9271468566220117325
+                                << -3.9815600511227523656 << 11.632634213953491398 << 0.0074105502672248343313;
+}
+
+void ExactWalls::spinsDownBetweenRoughWalls() {
+    QFETCH(double, up);
+    Run run({exact::floorOver(-2, -2, 2, 2), {{-2, -2, 0}, {2, 0, 2}}, {{-2, 0, 0}, {0, 2, 2}}}, kR, {1, 1, kR});
+    run.state.position = {kR, kR, kR + up};
+    run.state.velocity = {0, 0, up};
+    run.state.spin = {8, -4, 12};
+    run.params.model = PHYS_MODEL_RIGID;
+    run.params.rolling_friction = 0.0;
+    run.params.sliding_friction = 0.125;
+    run.params.wall_friction = 0.25;
+    run.params.gravity = {-1, -1.5, -9};
+    run.step(0x1p-6);
+    QTEST(run.state.position.z, "height");
+    QFETCH(double, speed);
+    QFETCH(double, spinX);
+    QFETCH(double, spinY);
+    QFETCH(double, spinZ);
+    QFETCH(double, heat);
+    QVERIFY(std::abs(run.state.velocity.z - speed) <= 2.0 * kU);
+    QVERIFY(apart(run.state.spin, {spinX, spinY, spinZ}) <= 4.0 * kU / kR);
+    QVERIFY(std::abs(run.report.lost_slip - heat) <= kU);
+    QVERIFY(std::abs(run.report.energy_scheme) <= 16.0 * kU);
+}
+
+void ExactWalls::fallsBetweenSmoothWalls() {
+    // Two walls that the board presses the ball to leave it the way down.
+    Run run({exact::floorOver(-2, -2, 2, 2), {{-2, -2, 0}, {2, 0, 2}}, {{-2, 0, 0}, {0, 2, 2}}}, kR, {1, 1, kR});
+    run.state.position = {kR, kR, kR + 0.5};
+    run.params.gravity = {-1, -1.5, -9};
+    run.params.restitution_floor = 0.0;
+    run.step(0.25);
+    QCOMPARE(run.state.velocity.z, -2.25);
+    QCOMPARE(run.state.position.z, kR + 0.5 - 0.5 * 9.0 / 16.0);
+    run.step(0.25);
+    QVERIFY(run.state.flags & PHYS_AT_REST);
+    QCOMPARE(run.state.position.x, kR);
+    QCOMPARE(run.state.position.z, kR);
+}
+
+void ExactWalls::hopsAlongARoughWallEndInContact() {
+    // Each tiny bounce off the wall lifts the ball, each tiny landing pushes it off the wall: model.md 6.4.
+    const double R = 0x1p-5;
+    Run run({exact::floorOver(-0.5, -0.5, 4.5, 4.5),
+             exact::wall(0.1319507360458374, 0.57809734344482422, 0.28243720531463623, 0.86692357063293457)},
+            R, {1, 1, R});
+    run.state.position = {0.1007007360458374, 0.79680548451517164, R};
+    run.state.velocity = {-2.6537464261973848e-12, 0.1340296909094551, 1.2775379427605284e-10};
+    run.state.spin = {-15.808530810808666, -0.77553213463452397, 3.5448938395401175};
+    run.params.model = PHYS_MODEL_RIGID;
+    run.params.restitution_wall = 0.13738346099853516;
+    run.params.rolling_friction = 0.01779097318649292;
+    run.params.sliding_friction = 0.071364521980285645;
+    run.params.wall_friction = 0.21408724784851074;
+    run.params.gravity = {1.4743919372558594, -1.709259033203125, -9.9927959442138672};
+    run.step(0x1p-7);
+    QVERIFY(run.events.size() < 100);
+    QCOMPARE(run.state.flags, uint64_t(PHYS_SLIPPING));
+    QCOMPARE(run.state.velocity.x, 0.0);
+    // A hop within the tolerance, 4 kU times the walls' height of 16, ends on the floor at once.
+    QVERIFY(std::abs(run.report.energy_scheme) <= 10.0 * 4.0 * kU * 16.0);
+}
+
+void ExactWalls::rubbingTurnsIntoRolling() {
+    // A groove: floor and wall share the work, (5/9) of the pull are left, and until then the rubbing costs
+    // mu_w N along: v = (5/7)(pull - mu_w N) t and R om_z = R om_0 + (5/2) mu_w N t meet at t.
+    Run run({exact::floorOver(-8, -8, 8, 8), exact::wall(-8, -1, 8, 0)}, kR, {0, kR, kR});
+    run.params.model = PHYS_MODEL_RIGID;
+    run.params.rolling_friction = 0.0;
+    run.params.sliding_friction = 0.5;
+    run.params.wall_friction = 0.25;
+    run.params.gravity = {-0.5, -2.0, -9.0};
+    run.state.velocity = {-1.0, 0.0, 0.0};
+    run.state.spin = {0.0, -1.0 / kR, 0.0};
+    // Along the wall, in the direction of the motion: pull 0.5, mu_w N = 0.5, so v stays 1 until R om_z is as fast.
+    const double t = 1.0 / 1.25;
+    run.step(t + 0.5);
+    QVERIFY(std::abs(run.state.velocity.x + (1.0 + 0.5 * 5.0 / 18.0)) <= 4.0 * kU);
+    QVERIFY(std::abs(run.state.position.x + (t + 0.5 + 0.125 * 5.0 / 18.0)) <= 4.0 * kU);
+    QVERIFY(std::abs(kR * run.state.spin.z + run.state.velocity.x) <= kU);
+    QVERIFY(std::abs(run.report.lost_slip - 0.5 * 0.5 * t) <= 4.0 * kU);
+}
+
+void ExactWalls::ballClimbsAWallThatItsSpinGrips() {
+    // mu_w N exceeds the weight: a ball that spins up the wall leaves the floor, v_z = (mu_w N - gn) t.
+    Run run({exact::floorOver(-8, -8, 8, 8), exact::wall(-8, -1, 8, 0)}, kR, {0, kR, kR});
+    run.params.model = PHYS_MODEL_RIGID;
+    run.params.rolling_friction = 0.0;
+    run.params.sliding_friction = 0.0;
+    run.params.wall_friction = 2.0;
+    run.params.gravity = {0.0, -6.0, -8.0};
+    run.state.spin = {4.0 / kR, 0.0, 0.0};
+    run.step(0.0625);
+    QVERIFY(run.state.flags & PHYS_AIRBORNE);
+    QVERIFY(std::abs(run.state.velocity.z - 4.0 * 0.0625) <= 4.0 * kU);
+    QVERIFY(std::abs(run.state.position.z - (kR + 2.0 * 0.0625 * 0.0625)) <= 2.0 * kU);
 }
 
 QTEST_GUILESS_MAIN(ExactWalls)

@@ -42,7 +42,7 @@ phys_status Run::phase() {
     if (ball.velocity != Vec3(0.0)) hold = holdMoving(m_board, m_touches, ball.position, ball.velocity, acting);
     if (ball.velocity == Vec3(0.0)) {
         hold = holdResting(m_board, m_touches, ball.position, acting);
-        const bool rubs = isRough(hold) && ball.spin.z != 0.0;
+        const bool rubs = isRough(hold) && ball.spin != Vec3(0.0);
         if (rubs && ball.supported) return hold.kind == Hold::Kind::wedged ? stayInCorner(hold) : stayAtWall(hold);
         const bool isWedged = hold.kind == Hold::Kind::wedged && (ball.supported || hold.touch.normal.z != 0.0);
         if (isWedged || (hold.kind != Hold::Kind::wedged && hold.start <= acting.B)) return rest(hold);
@@ -85,7 +85,7 @@ bool Run::isAtRest() {
     if (m_ball.velocity != Vec3(0.0) || !m_ball.supported || slipVelocity() != Vec2(0.0)) return false;
     m_board.findTouches(m_ball.position, m_touches);
     const Hold hold = holdResting(m_board, m_touches, m_ball.position, drive());
-    if (isRough(hold) && m_ball.spin.z != 0.0) return false;
+    if (isRough(hold) && m_ball.spin != Vec3(0.0)) return false;
     return hold.kind == Hold::Kind::wedged || hold.start <= drive().B;
 }
 
