@@ -10,6 +10,7 @@ using exact::Run;
 class ExactContacts : public QObject {
     Q_OBJECT
 private slots:
+    void bouncesKeepTheirTimesToTheLast();
     void edgeIsHitByAParabola();
     void grazingChangesNothing();
     void cornerReversesBothComponents();
@@ -135,6 +136,21 @@ void ExactContacts::ballBetweenTwoWallsTooCloseIsStuck() {
     phys_error error{};
     QCOMPARE(run.tryStep(1.0, &error), phys_status(PHYS_ERROR_STUCK));
     QCOMPARE(phys_state_hash(&run.state), phys_state_hash(&before));
+}
+
+/// model.md 6.4: half as long each time, 4.8 s in all. The face's place, 0.3 + 0.1, is none that a double can hold.
+void ExactContacts::bouncesKeepTheirTimesToTheLast() {
+    Run run({exact::floorOver(-4, -4, 4, 4), exact::wall(-4, 0, 4, 0.3)}, 0.1, {0, 0.4, 0.1}, {0.25, 0.6, 0});
+    run.params.restitution_wall = 0.5;
+    run.setLaw(0.0, -0.5, 0.0);
+    run.step(5.0);
+    const std::vector<phys_event> impacts = run.eventsOf(PHYS_EVENT_IMPACT);
+    QVERIFY(impacts.size() > 20);
+    for (size_t i = 0; i < impacts.size(); ++i) {
+        const double still = std::ldexp(1.0, -int(i + 1));
+        QVERIFY(std::abs(impacts[i].time - 4.8 * (1.0 - still)) <= 16.0 * kU);
+        QVERIFY(std::abs(impacts[i].speed_before + 1.2 * still) <= 16.0 * kU * still);
+    }
 }
 
 QTEST_GUILESS_MAIN(ExactContacts)

@@ -46,15 +46,20 @@ Motion Motion::slipping(const Vec3 &p, const Vec3 &v, const Vec2 &u, const Vec2 
 ResistedLaw::Point Motion::slipAt(double t) const { return m_law.at(t); }
 
 Motion::Point Motion::at(double t) const {
-    if (t == 0.0 && m_kind == Kind::rolling) return {m_p, m_v};
+    const Point moved = since(t);
+    return {m_p + moved.position, moved.velocity};
+}
+
+Motion::Point Motion::since(double t) const {
+    if (t == 0.0 && m_kind == Kind::rolling) return {Vec3(0.0), m_v};
     if (m_kind == Kind::rolling) {
         const ResistedLaw::Point moved = m_law.at(t);
-        return {m_p + Vec3(moved.x, 0.0), Vec3(moved.v, 0.0)};
+        return {Vec3(moved.x, 0.0), Vec3(moved.v, 0.0)};
     }
-    const Point point{m_p + t * (m_v + 0.5 * t * m_a), m_v + t * m_a};
-    if (m_kind == Kind::parabola) return point;
+    const Point moved{t * (m_v + 0.5 * t * m_a), m_v + t * m_a};
+    if (m_kind == Kind::parabola) return moved;
     const ResistedLaw::Point slip = slipAt(t);
-    return {point.position + 2.0 / 7.0 * Vec3(slip.x, 0.0), point.velocity + 2.0 / 7.0 * Vec3(slip.v, 0.0)};
+    return {moved.position + 2.0 / 7.0 * Vec3(slip.x, 0.0), moved.velocity + 2.0 / 7.0 * Vec3(slip.v, 0.0)};
 }
 
 double Motion::path(double t) const {

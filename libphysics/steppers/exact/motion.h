@@ -24,6 +24,9 @@ public:
     static Motion slipping(const Vec3 &p, const Vec3 &v, const Vec2 &u, const Vec2 &A, double B);
 
     Point at(double t) const;
+
+    /// As at(), but `position` counts from the start: small ways keep their digits.
+    Point since(double t) const;
     double end() const { return m_end; }
 
     /// Slip velocity and the length of the slip's way so far; only for a slipping motion.

@@ -130,16 +130,20 @@ double Sweep::startInFront(const Motion &motion, const Nearest &close, double t,
 double Sweep::settled(const Motion &motion, const Nearest &close, const Vec3 &velocity, double t, double until) const {
     if (close.feature != PHYS_FEATURE_FACE && close.normal.z != 0.0) return t;
     double time = startInFront(motion, close, t, until);
+    const Vec3 start = motion.at(0.0).position - close.point;
+    // A bounce returns to the face that it starts on, whatever the difference of the coordinates rounds to.
+    const bool returns = time == 0.0 && close.feature == PHYS_FEATURE_FACE &&
+                         std::abs(glm::dot(start, close.normal) - m_board.radius()) <= m_board.tolerance();
     bool polished = false;
     for (int pass = 0; pass < kMostPasses; ++pass) {
-        const Motion::Point now = motion.at(time);
+        const Motion::Point now = motion.since(time);
         Vec3 normal = close.normal;
-        Vec3 away = now.position - close.point;
+        Vec3 away = start + now.position;
         if (close.feature != PHYS_FEATURE_FACE) {
             away.z = 0.0;
             normal = away / glm::length(away);
         }
-        const double gap = glm::dot(away, normal) - m_board.radius();
+        const double gap = returns ? glm::dot(now.position, normal) : glm::dot(away, normal) - m_board.radius();
         const double rate = glm::dot(now.velocity, normal);
         const bool isAt = gap <= m_board.tolerance() && rate <= 0.0;
         if (gap < -m_board.tolerance() || (pass == 0 && isAt)) return t;
