@@ -83,6 +83,10 @@ int runWithWindow(int argc, char **argv) {
         messages << "physics-inspector: " << error << '\n';
         return 2;
     }
+    QObject::connect(session.get(), &Session::recordingFailed, &application, [&messages](const QString &reason) {
+        messages << "physics-inspector: " << reason << '\n';
+        messages.flush();
+    });
     const int status = ui::runWindow(*session, line.options);
     if (line.options.csv.isEmpty()) return status;
     if (writeTable(line.options.csv, session->simulation().samples(), line.options, &error)) return status;

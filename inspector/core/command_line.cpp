@@ -93,6 +93,14 @@ void addOptions(QCommandLineParser &parser, const std::vector<const phys_param_r
         {"headless", text("Run without a window, as fast as possible, and write a table of the steps (CSV).")},
         {"csv", text("Write the table to this file. Default with --headless: standard output."), "file"},
         {"csv-every", text("Write every so many-th step. Default 1."), "steps"},
+        {"record",
+         text("Record the run into this text file: inputs, versions and the hash of every state, through restarts and "
+              "other levels until the program ends."),
+         "file"},
+        {"replay",
+         text("Run a recording's inputs again, without a window, and write the table; status 1 if a step differs."),
+         "file"},
+        {"check", text("With --replay: print 'same' or the first step that differs, instead of the table.")},
         {"grab", text("Save a picture of the window at the end of the run, and quit."), "file.png"},
         {"all-levels", text("Play all levels without a window by the autopilot, print a line for each; status 1 unless "
                             "all are won.")},
@@ -181,6 +189,30 @@ void readOutputs(const QCommandLineParser &parser, Options &options) {
         throw WrongUse{QStringLiteral("--all-levels: takes neither --csv nor --level")};
 }
 
+void readRecordings(const QCommandLineParser &parser, const std::vector<const phys_param_row *> &rows,
+                    Options &options) {
+    for (const char *name : {"replay", "all-levels", "trade"})
+        if (parser.isSet("record") && parser.isSet(name))
+            throw WrongUse{QStringLiteral("--record: doesn't go with --%1").arg(name)};
+    options.record = parser.value("record");
+    options.replay = parser.value("replay");
+    options.check = parser.isSet("check");
+    if (!parser.isSet("replay")) {
+        if (options.check) throw WrongUse{QStringLiteral("--check: needs --replay")};
+        return;
+    }
+    QStringList others{"level", "stepper", "dt", "speed", "autopilot", "duration", "grab", "all-levels", "trade"};
+    for (const phys_param_row *row : rows) others += optionName(*row);
+    for (const QString &name : others)
+        if (parser.isSet(name))
+            throw WrongUse{QStringLiteral("--replay: the recording says all; doesn't go with --%1").arg(name)};
+    if (!options.headless && !options.check)
+        throw WrongUse{QStringLiteral("--replay: needs --headless (a table) or --check (same or not): a window doesn't "
+                                      "replay")};
+    options.action = Options::Action::Replay;
+    options.headless = true;
+}
+
 // Options that need --trade, and those that can't go with it.
 void checkTradeWords(const QCommandLineParser &parser) {
     const bool trades = parser.isSet("trade");
@@ -228,6 +260,7 @@ Options readOptions(const QCommandLineParser &parser, const std::vector<const ph
     if (parser.isSet("speed")) options.speed = numberOf(parser, "speed", Simulation::kSlowest, Simulation::kFastest);
     if (parser.isSet("duration")) options.duration = numberOf(parser, "duration", 0.0, 1e9);
     readOutputs(parser, options);
+    readRecordings(parser, rows, options);
     readTrade(parser, options);
     readParameters(parser, rows, options);
 
@@ -277,9 +310,9 @@ CommandLine parseCommandLine(const QStringList &arguments) {
 }
 
 bool isWindowless(int argc, const char *const *argv) {
-    constexpr std::array<std::string_view, 10> kWords{
-        "--headless", "--all-levels", "--trade", "--list-steppers", "--list-parameters", "--help",
-        "-h",         "--version",    "-v",      "--help-all"};
+    constexpr std::array<std::string_view, 12> kWords{
+        "--headless",        "--all-levels", "--replay", "--check",   "--trade", "--list-steppers",
+        "--list-parameters", "--help",       "-h",       "--version", "-v",      "--help-all"};
     return std::any_of(argv + 1, argv + argc, [&](const char *word) {
         const QByteArray name = QByteArray(word).replace('_', '-').split('=').first(); // --trade=3
         return std::find(kWords.begin(), kWords.end(), std::string_view(name.constData())) != kWords.end();

@@ -5,19 +5,7 @@
 
 #include <QFile>
 
-#include <charconv>
-
 namespace inspector {
-
-namespace {
-
-void appendNumber(QByteArray &line, double number) {
-    char text[32]; // the shortest decimal that reads back as the same number
-    const auto end = std::to_chars(text, text + sizeof text, number).ptr;
-    line.append(text, end - text);
-}
-
-} // namespace
 
 QByteArray csvPreamble(const Options &options) {
     Parameters parameters;
@@ -29,13 +17,10 @@ QByteArray csvPreamble(const Options &options) {
     QByteArray text = "# " + versionLine().toUtf8() + "\n";
     text += "# level " + options.level.name.toUtf8() + "\n";
     text += "# stepper " + options.stepper + " " + (info.version ? info.version : "") + "\n";
-    text += "# dt ";
-    appendNumber(text, options.dt);
-    text += " s\n# autopilot " + QByteArray(options.autopilot ? "on" : "off") + "\n";
+    text += "# dt " + exactText(options.dt) + " s\n# autopilot " + QByteArray(options.autopilot ? "on" : "off") + "\n";
     for (int i = 0; i < parameters.count(); ++i) {
         const phys_param_row &row = parameters.row(i);
-        text += "# " + QByteArray(row.id) + " ";
-        appendNumber(text, parameters.value(i));
+        text += "# " + QByteArray(row.id) + " " + exactText(parameters.value(i));
         text += row.unit[0] ? " " + QByteArray(row.unit) + "\n" : "\n";
     }
     return text;
@@ -53,12 +38,8 @@ QByteArray csvHeader() {
 QByteArray csvRow(const Sample &sample) {
     QByteArray line;
     line.reserve(400);
-    appendNumber(line, sample.time);
-    line += "," + QByteArray::number(qulonglong(sample.step));
-    for (const double value : sample.values) {
-        line += ',';
-        appendNumber(line, value);
-    }
+    line += exactText(sample.time) + "," + QByteArray::number(qulonglong(sample.step));
+    for (const double value : sample.values) line += ',' + exactText(value);
     return line + "\n";
 }
 

@@ -3,6 +3,8 @@
 
 #include "autopilot.h"
 #include "csv_writer.h"
+#include "recorder.h"
+#include "replay.h"
 
 #include <QFile>
 
@@ -54,6 +56,22 @@ bool openTable(const Options &options, QFile &file, QTextStream &messages) {
     return false;
 }
 
+std::unique_ptr<Recorder> makeRecorder(const Options &options) {
+    if (options.record.isEmpty()) return nullptr;
+    auto recorder = std::make_unique<Recorder>(options.record);
+    recorder->setOrigin(originOf(options.registry, options.stepper, options.level.path));
+    return recorder;
+}
+
+// False, and one line, if the recording isn't all there.
+bool endRecording(Recorder *recorder, const Engine &engine, const Outcome &outcome, QTextStream &messages) {
+    if (!recorder) return true;
+    if (!outcome.error.isEmpty()) recorder->noteFailure(engine, outcome.error);
+    recorder->close();
+    if (!recorder->isGood()) messages << "physics-inspector: " << recorder->error() << '\n';
+    return recorder->isGood();
+}
+
 } // namespace
 
 std::unique_ptr<Engine> makeEngine(const Options &options, const Level &level, QString *error) {
@@ -96,6 +114,7 @@ Outcome play(Engine &engine, const Limits &limits, const std::function<bool(cons
 
 int runHeadless(const Options &options, QIODevice &out, QTextStream &messages) {
     if (options.action == Options::Action::PlayAllLevels) return playAllLevels(options, out, messages);
+    if (options.action == Options::Action::Replay) return runReplay(options, out, messages);
     QString error;
     const std::unique_ptr<Engine> engine = makeEngine(options, options.level, &error);
     if (!engine) {
@@ -106,19 +125,22 @@ int runHeadless(const Options &options, QIODevice &out, QTextStream &messages) {
     if (!openTable(options, file, messages)) return 2;
     QIODevice &table = options.csv.isEmpty() ? out : file;
 
+    const std::unique_ptr<Recorder> recorder = makeRecorder(options);
     CsvWriter writer(table, options);
     const Limits limits{durationOf(options), options.duration.has_value()};
     const Outcome outcome = play(*engine, limits, [&](const Engine &now) {
         writer.write(now.sample());
+        if (recorder) recorder->note(now);
         return writer.isGood();
     });
+    const bool isRecorded = endRecording(recorder.get(), *engine, outcome, messages);
     messages << outcomeLine(options.level, outcome) << '\n';
     if (!writer.isGood() || !(options.csv.isEmpty() || file.flush())) {
         messages << "physics-inspector: the table can't be written: " << table.errorString() << '\n';
         return 1;
     }
     const bool hadToWin = options.autopilot && !options.duration;
-    return !outcome.error.isEmpty() || (hadToWin && !outcome.isOut) ? 1 : 0;
+    return !outcome.error.isEmpty() || !isRecorded || (hadToWin && !outcome.isOut) ? 1 : 0;
 }
 
 } // namespace inspector

@@ -17,7 +17,7 @@
 namespace inspector {
 
 struct Options {
-    enum class Action { Run, PlayAllLevels, Trade };
+    enum class Action { Run, PlayAllLevels, Trade, Replay };
 
     Action action = Action::Run;
     Registry registry;         // with the plugins loaded
@@ -32,6 +32,9 @@ struct Options {
     std::optional<double> duration; // s of simulated time
     QString csv;                    // file; empty: standard output
     uint64_t csvEvery = 1;          // steps from one row to the next
+    QString record;                 // file to write a recording to; empty: none
+    QString replay;                 // recording, of Action::Replay
+    bool check = false;             // say whether the replay is the same, instead of writing its table
     TradeOptions trade;             // of Action::Trade
     QString grab;                   // file; empty: none
 };

@@ -26,6 +26,7 @@ std::unique_ptr<Session> Session::open(const Options &options, QSettings &settin
     session->m_simulation->setDt(options.dt);
     session->m_simulation->setSpeed(options.speed);
     session->sendInputs();
+    if (!options.record.isEmpty()) session->record(options.record);
     session->showPrompt();
     return session;
 }
@@ -43,6 +44,7 @@ Session::Session(const Options &options, QSettings &settings, const Scene &scene
     , m_simulation(std::make_unique<Simulation>(scene, stepper)) {
     connect(&m_parameters, &Parameters::changed, this, &Session::sendInputs);
     connect(m_simulation.get(), &Simulation::failed, this, &Session::failed);
+    connect(m_simulation.get(), &Simulation::recordingFailed, this, &Session::recordingFailed);
     connect(m_simulation.get(), &Simulation::leftMaze, this,
             [this](double time) { m_game.leaveMaze(time, m_hasAutopilot || levelIndex() < 0); });
     connect(&m_game, &Game::started, this, [this] {
@@ -79,7 +81,7 @@ bool Session::openLevel(const Level &level) {
     if (!stepper) return report(error);
     m_scene = scene;
     m_level = level;
-    m_simulation->setScene(scene, stepper);
+    m_simulation->setScene(scene, stepper, origin());
     levelBoard();
     if (m_hasAutopilot && !fly(&error)) {
         m_hasAutopilot = false;
@@ -101,7 +103,7 @@ bool Session::setStepper(const QByteArray &id) {
     if (!stepper) return report(error);
     m_stepperId = id;
     m_parameters.setStepper(info);
-    m_simulation->setStepper(stepper, m_parameters.inputs());
+    m_simulation->setStepper(stepper, m_parameters.inputs(), origin());
     emit stepperChanged();
     return true;
 }
@@ -190,6 +192,15 @@ void Session::advanceKeys(double seconds) {
     setTilt(m_tiltControl.advance(seconds));
     m_keysTilt = !m_tiltControl.isAtRest();
 }
+
+void Session::record(const QString &file) {
+    m_records = true;
+    const auto recorder = std::make_shared<Recorder>(file);
+    recorder->setOrigin(origin());
+    m_simulation->setRecorder(recorder);
+}
+
+Origin Session::origin() const { return m_records ? originOf(m_registry, m_stepperId, m_level.path) : Origin{}; }
 
 void Session::sendInputs() { m_simulation->setInputs(m_parameters.inputs()); }
 

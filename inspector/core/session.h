@@ -67,7 +67,8 @@ signals:
     void stepperChanged();
     void paceChanged(); // dt or speed
     void autopilotChanged(bool isOn);
-    void failed(const QString &line); // also the simulation's
+    void failed(const QString &line);          // also the simulation's
+    void recordingFailed(const QString &line); // the simulation goes on
 
 private:
     Session(const Options &options, QSettings &settings, const Scene &scene, const Stepper &stepper);
@@ -79,6 +80,8 @@ private:
     void levelBoard();
     void setTilt(Tilt tilt);
     void sendInputs();
+    void record(const QString &file);
+    Origin origin() const; // empty if nothing is recorded
 
     QSettings &m_settings;
     Registry m_registry;
@@ -89,6 +92,7 @@ private:
     double m_dt = Engine::kDefaultDt;
     double m_speed = 1.0;
     bool m_hasAutopilot = false;
+    bool m_records = false;
     TiltControl m_tiltControl;
     bool m_keysTilt = false; // the board's tilt is the keys' just now
     Parameters m_parameters;

@@ -39,6 +39,7 @@ struct Simulation::Worker {
     uint64_t obeyed = 0; // number of the inputs that count
     uint64_t impacts = 0;
     phys_event lastImpact{};
+    std::shared_ptr<Recorder> recorder{};
     double leftAt = std::numeric_limits<double>::infinity(); // when the ball left the maze, s
 
     void obey(const GivenInputs &given);
@@ -46,6 +47,8 @@ struct Simulation::Worker {
     void setRunning(bool isRunning);
     void beginRun();
     void step(Clock::time_point due);
+    void record(const QString &failure);
+    void dropBadRecorder();
     void noteEvents();
     void noteLeaving();
     void publish(Clock::time_point due);
@@ -85,7 +88,9 @@ void Simulation::Worker::beginRun() {
 
 void Simulation::Worker::step(Clock::time_point due) {
     QString line;
-    if (!engine.step(&line)) {
+    const bool hasStepped = engine.step(&line);
+    record(line);
+    if (!hasStepped) {
         setRunning(false);
         publish(due);
         emit owner.failed(line);
@@ -96,6 +101,22 @@ void Simulation::Worker::step(Clock::time_point due) {
     noteEvents();
     noteLeaving();
     publish(due);
+}
+
+// failure: the library's line if the step failed, else empty.
+void Simulation::Worker::record(const QString &failure) {
+    if (!recorder) return;
+    if (failure.isEmpty())
+        recorder->note(engine);
+    else
+        recorder->noteFailure(engine, failure);
+    dropBadRecorder();
+}
+
+void Simulation::Worker::dropBadRecorder() {
+    if (!recorder || recorder->isGood()) return;
+    emit owner.recordingFailed(recorder->error());
+    recorder.reset();
 }
 
 void Simulation::Worker::noteEvents() {
@@ -178,16 +199,18 @@ void Simulation::restart() {
     });
 }
 
-void Simulation::setScene(const Scene &scene, const Stepper &stepper) {
-    post([scene, stepper](Worker &worker) {
+void Simulation::setScene(const Scene &scene, const Stepper &stepper, const Origin &origin) {
+    post([scene, stepper, origin](Worker &worker) {
         worker.setRunning(false);
         worker.engine.setScene(scene, stepper);
+        if (worker.recorder) worker.recorder->setOrigin(origin);
         worker.beginRun();
     });
 }
 
-void Simulation::setStepper(const Stepper &stepper, const Inputs &inputs) {
-    post([stepper, given = GivenInputs{inputs, ++m_givenCount}](Worker &worker) {
+void Simulation::setStepper(const Stepper &stepper, const Inputs &inputs, const Origin &origin) {
+    post([stepper, origin, given = GivenInputs{inputs, ++m_givenCount}](Worker &worker) {
+        if (worker.recorder) worker.recorder->setOrigin(origin);
         worker.engine.setStepper(stepper);
         worker.obey(given);
     });
@@ -216,6 +239,13 @@ void Simulation::setSpeed(double speed) {
 
 void Simulation::setPilot(std::shared_ptr<const Pilot> pilot) {
     post([pilot = std::move(pilot)](Worker &worker) { worker.engine.setPilot(pilot); });
+}
+
+void Simulation::setRecorder(std::shared_ptr<Recorder> recorder) {
+    post([recorder = std::move(recorder)](Worker &worker) {
+        worker.recorder = recorder;
+        worker.dropBadRecorder();
+    });
 }
 
 void Simulation::setInputs(const Inputs &inputs) {
@@ -258,6 +288,10 @@ void Simulation::work(const std::stop_token &stop) {
             worker.step(due);
         } else if (hasInputs || !commands.empty()) {
             worker.publish(Clock::now());
+        }
+        if (!worker.running && worker.recorder) {
+            worker.recorder->flush(); // it may stay paused for long
+            worker.dropBadRecorder();
         }
     }
 }

@@ -5,6 +5,7 @@
 
 #include "engine.h"
 #include "latest_value.h"
+#include "recorder.h"
 #include "sample_ring.h"
 #include "snapshot.h"
 
@@ -32,16 +33,19 @@ public:
     // Commands, from the thread that owns this object; they return at once and take effect before the next step.
     void run();
     void pause();
-    void stepOnce();                                           // pauses, too
-    void restart();                                            // at the scene's start; goes on running or stays paused
-    void setScene(const Scene &scene, const Stepper &stepper); // pauses at its start
+    void stepOnce(); // pauses, too
+    void restart();  // at the scene's start; goes on running or stays paused
+    // Pauses at its start. origin: for the recorder, if there is one.
+    void setScene(const Scene &scene, const Stepper &stepper, const Origin &origin = {});
     // Goes on from the same state; made for the same scene. With its inputs, because a stepper's own values fit no
     // other.
-    void setStepper(const Stepper &stepper, const Inputs &inputs);
+    void setStepper(const Stepper &stepper, const Inputs &inputs, const Origin &origin = {});
     void setState(const phys_state &state);
     void setDt(double dt);       // s, > 0
     void setSpeed(double speed); // clamped to kSlowest .. kFastest; changes how many steps run, never dt
     void setPilot(std::shared_ptr<const Pilot> pilot); // or nullptr: the tilt of the inputs counts
+    // Notes every step from now on, until one can't be written; with its origin set. It belongs to the stepping thread.
+    void setRecorder(std::shared_ptr<Recorder> recorder);
 
     // Latest wins: from the next step on.
     void setInputs(const Inputs &inputs);
@@ -57,6 +61,8 @@ signals: // queued: sent by the thread that steps
     // The ball has left the maze at `time` (s since the start). It goes on falling for a while, then a pause.
     void leftMaze(double time);
     void runningChanged(bool running);
+    // The recording can't be written and ends; the simulation goes on.
+    void recordingFailed(const QString &line);
 
 private:
     struct Worker; // all that belongs to the thread

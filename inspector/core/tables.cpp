@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tables.h"
 
+#include <charconv>
+
 namespace inspector {
 
 namespace {
@@ -13,6 +15,11 @@ QString withUnit(double value, const char *unit) {
 }
 
 } // namespace
+
+QByteArray exactText(double number) {
+    char digits[32];
+    return {digits, std::to_chars(digits, digits + sizeof digits, number).ptr - digits};
+}
 
 QString versionLine() {
     return QStringLiteral("physics-inspector %1, libphysics %2").arg(text(INSPECTOR_VERSION), text(phys_version()));

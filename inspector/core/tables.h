@@ -11,6 +11,9 @@
 
 namespace inspector {
 
+// The shortest decimal that reads back as the same number, bit by bit; the same in every locale.
+QByteArray exactText(double number);
+
 // physics-inspector 1.0.0, libphysics 1.0.0
 QString versionLine();
 

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "recorder.h"
+
+#include <cstring>
+
+namespace inspector {
+
+namespace {
+
+// A program that crashes loses at most so much of its recording.
+constexpr std::chrono::milliseconds kFlushPeriod{100};
+constexpr qsizetype kFlushSize = 65536; // bytes
+
+} // namespace
+
+Origin originOf(const Registry &registry, const QByteArray &stepper, const QString &maze) {
+    Origin origin{{maze, 0}, {}, registry};
+    phys_registry_find(registry.get(), stepper.constData(), &origin.stepper, nullptr);
+    QFile file(maze);
+    if (file.open(QIODevice::ReadOnly)) origin.maze.hash = hashOf(file.readAll());
+    return origin;
+}
+
+Recorder::Recorder(const QString &path)
+    : m_file(path) {
+    m_isGood = m_file.open(QIODevice::WriteOnly | QIODevice::Truncate | QIODevice::Unbuffered);
+    put(recordingHead());
+    flush();
+}
+
+Recorder::~Recorder() { close(); }
+
+void Recorder::note(const Engine &engine) {
+    if (!m_isGood) return;
+    putNews(engine, engine.previous());
+    m_state = engine.state();
+    put(stepText(*m_state));
+    if (isFlushDue()) flush();
+}
+
+void Recorder::noteFailure(const Engine &engine, const QString &line) {
+    if (!m_isGood) return;
+    putNews(engine, engine.state());
+    put(failureText(line));
+    flush();
+}
+
+void Recorder::setOrigin(const Origin &origin) {
+    m_origin = origin;
+    m_originIsNew = true;
+}
+
+bool Recorder::hasNewConditions(const Engine &engine) const {
+    if (m_originIsNew || !m_conditions || m_conditions->dt != engine.dt()) return true;
+    return std::memcmp(&m_conditions->inputs, &engine.inputs(), sizeof(Inputs)) != 0;
+}
+
+void Recorder::putConditions(const Engine &engine) {
+    const StepperSource stepper{m_origin.stepper.id, m_origin.stepper.version};
+    const Conditions now{m_origin.maze, stepper, engine.dt(), engine.inputs()};
+    const bool isNewLevel = !m_conditions || !(m_conditions->maze == now.maze);
+    put(conditionsText(m_conditions ? &*m_conditions : nullptr, now, m_origin.stepper));
+    m_conditions = now;
+    m_originIsNew = false;
+    if (isNewLevel) m_state.reset();
+}
+
+// What is new at the step that began at this state.
+void Recorder::putNews(const Engine &engine, const phys_state &from) {
+    if (hasNewConditions(engine)) putConditions(engine);
+    if (!m_state || std::memcmp(&*m_state, &from, sizeof from) != 0) put(stateText(from));
+    m_state = from;
+}
+
+void Recorder::put(const QByteArray &text) {
+    if (m_isGood) m_waiting += text;
+}
+
+bool Recorder::isFlushDue() const {
+    return m_waiting.size() >= kFlushSize || std::chrono::steady_clock::now() - m_flushed >= kFlushPeriod;
+}
+
+void Recorder::flush() {
+    if (m_isGood) m_isGood = m_file.write(m_waiting) == m_waiting.size();
+    m_waiting.clear();
+    m_flushed = std::chrono::steady_clock::now();
+}
+
+void Recorder::close() {
+    if (!m_file.isOpen()) return;
+    put(recordingEnd());
+    flush();
+    m_file.close();
+}
+
+QString Recorder::error() const {
+    return QStringLiteral("--record: can't write '%1': %2").arg(m_file.fileName(), m_file.errorString());
+}
+
+} // namespace inspector

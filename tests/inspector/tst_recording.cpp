@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: MIT
+// Recordings: what is written comes back bit by bit, replays the same, and tells exactly the first step that doesn't.
+#include "core/command_line.h"
+#include "core/headless.h"
+#include "core/recorder.h"
+#include "core/replay.h"
+#include "scenes.h"
+
+#include <QBuffer>
+#include <QTemporaryDir>
+
+#include <cstring>
+
+using namespace inspector;
+
+class TestRecording : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() { m_folder = std::make_unique<QTemporaryDir>(); }
+    void everyStepperReplaysTheSame_data();
+    void everyStepperReplaysTheSame();
+    void conditionsComeBackBitByBit();
+    void startingStateComesBackBitByBit();
+    void zeroAndMinusZeroAreTwoInputs();
+    void autopilotsRunOfLevel1IsTheSame();
+    void tableOfAReplayHasTheRowsOfTheRun();
+    void flippedBitOfAHashNamesItsStep_data();
+    void flippedBitOfAHashNamesItsStep();
+    void changedInputNamesTheStepItActsOn();
+    void changesWhileRunningReplayTheSame();
+    void failedStepIsRecordedAndReplaysTheSame();
+    void otherVersionsAreNamedWhereAStepDiffers();
+    void cutRecordingReplaysUpToWhereItIsWhole();
+    void recordingOfNoStepsIsTheSame();
+    void localeAndLineEndingsMakeNoDifference();
+    void mazeIsFoundBesideTheRecording();
+
+private:
+    QString path(const char *name) const { return m_folder->filePath(name); }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+namespace {
+
+struct Result {
+    int status;
+    QByteArray out;
+    QString messages;
+};
+
+Result runOf(const QStringList &words) {
+    const CommandLine line = parseCommandLine(QStringList{"physics-inspector"} + words);
+    if (line.exitStatus) return {*line.exitStatus, {}, line.error};
+    QBuffer out;
+    out.open(QIODevice::WriteOnly);
+    QString text;
+    QTextStream messages(&text);
+    const int status = runHeadless(line.options, out, messages);
+    return {status, out.data(), text};
+}
+
+Result checkOf(const QString &file) { return runOf({"--replay", file, "--check"}); }
+
+QByteArray contentOf(const QString &path) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) qFatal("%s isn't there", qPrintable(path));
+    return file.readAll();
+}
+
+void write(const QString &path, const QByteArray &text) {
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size()) qFatal("can't write the test's file");
+}
+
+QByteArrayList rowsOf(const QByteArray &table) {
+    QByteArrayList lines = table.split('\n');
+    lines.removeIf([](const QByteArray &line) { return line.startsWith('#'); });
+    return lines;
+}
+
+bool isHash(const QByteArray &line) { return line.size() == 16 && !line.contains(' '); }
+
+// The line of the recording's step `number`, from 1.
+qsizetype lineOfStep(const QByteArrayList &lines, int number) {
+    for (qsizetype i = 0; i < lines.size(); ++i)
+        if (isHash(lines[i]) && --number == 0) return i;
+    return -1;
+}
+
+std::unique_ptr<Engine> recordedEngine(Recorder &recorder, const QByteArray &stepper = PHYS_STEPPER_DEFAULT) {
+    const Registry registry = makeRegistry(nullptr);
+    const QString maze = LEVELS_FOLDER "/01.txt";
+    const Scene scene = levelScene(1);
+    recorder.setOrigin(originOf(registry, stepper, maze));
+    return std::make_unique<Engine>(scene, makeStepper(registry, stepper, scene, nullptr));
+}
+
+void stepRecorded(Engine &engine, Recorder &recorder, int steps) {
+    for (int i = 0; i < steps; ++i) {
+        QString error;
+        QVERIFY2(engine.step(&error), qPrintable(error));
+        recorder.note(engine);
+    }
+}
+
+bool isSameBits(const phys_state &a, const phys_state &b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+} // namespace
+
+void TestRecording::everyStepperReplaysTheSame_data() {
+    QTest::addColumn<QString>("stepper");
+    QTest::addColumn<QString>("model");
+    for (uint32_t i = 0; i < phys_registry_count(nullptr); ++i) {
+        phys_stepper_info info;
+        QCOMPARE(phys_registry_info(nullptr, i, &info), PHYS_OK);
+        for (const char *model : {"rolling", "rigid"})
+            QTest::addRow("%s, %s", info.id, model) << QString(info.id) << QString(model);
+    }
+}
+
+void TestRecording::everyStepperReplaysTheSame() {
+    QFETCH(QString, stepper);
+    QFETCH(QString, model);
+    const Result run = runOf({"--headless", "--stepper", stepper, "--model", model, "--duration", "5", "--tilt-x", "3",
+                              "--tilt-y", "-2", "--dt", "0.004", "--record", path("r")});
+    QCOMPARE(run.status, 0);
+    const Result check = checkOf(path("r"));
+    QCOMPARE(check.out, QByteArray("same: 1250 steps\n"));
+    QCOMPARE(check.status, 0);
+}
+
+void TestRecording::conditionsComeBackBitByBit() {
+    Recorder recorder(path("r"));
+    const auto engine = recordedEngine(recorder);
+    Inputs inputs = tilted(1.0 / 3.0, -0.1);
+    inputs.params.restitution_wall = 0.1 + 0.2;
+    inputs.params.rolling_friction = 5e-324;
+    inputs.params.model = PHYS_MODEL_RIGID;
+    inputs.params.sliding_friction = 1.0 / 7.0;
+    inputs.params.stepper[0] = 1.0;
+    engine->setInputs(inputs);
+    engine->setDt(1.0 / 60.0);
+    stepRecorded(*engine, recorder, 1);
+    recorder.close();
+
+    QString error;
+    const auto recording = readRecording(path("r"), makeRegistry(nullptr), &error);
+    QVERIFY2(recording, qPrintable(error));
+    QCOMPARE(recording->stretches.size(), size_t(1));
+    const Conditions &read = recording->stretches[0].conditions;
+    QCOMPARE(std::memcmp(&read.inputs, &inputs, sizeof inputs), 0);
+    QVERIFY(read.dt == 1.0 / 60.0); // not nearly
+    QCOMPARE(read.maze.path, QString(LEVELS_FOLDER "/01.txt"));
+    QCOMPARE(read.maze.hash, hashOf(contentOf(LEVELS_FOLDER "/01.txt")));
+    QCOMPARE(read.stepper.id, QByteArray(PHYS_STEPPER_DEFAULT));
+    QVERIFY(recording->isWhole);
+}
+
+void TestRecording::startingStateComesBackBitByBit() {
+    Recorder recorder(path("r"));
+    const auto engine = recordedEngine(recorder);
+    phys_state start = engine->state();
+    start.time = 1.0 / 3.0;
+    start.step = 0xffffffffffffu;
+    start.velocity = {0.1, -1e-300, -0.0};
+    start.spin = {2.0 / 3.0, 0.0, 1e5 / 7.0};
+    engine->setState(start);
+    stepRecorded(*engine, recorder, 1);
+    recorder.close();
+    const auto recording = readRecording(path("r"), makeRegistry(nullptr), nullptr);
+    QVERIFY(recording && recording->stretches.at(0).from);
+    QVERIFY(isSameBits(*recording->stretches[0].from, start));
+}
+
+// The sign of a zero can reach the state's bits.
+void TestRecording::zeroAndMinusZeroAreTwoInputs() {
+    Recorder recorder(path("r"));
+    const auto engine = recordedEngine(recorder);
+    Inputs inputs = tilted(0.0, 0.0);
+    inputs.params.gravity.x = 0.0;
+    engine->setInputs(inputs);
+    stepRecorded(*engine, recorder, 1);
+    inputs.params.gravity.x = -0.0;
+    engine->setInputs(inputs);
+    stepRecorded(*engine, recorder, 1);
+    recorder.close();
+    const auto recording = readRecording(path("r"), makeRegistry(nullptr), nullptr);
+    QVERIFY(recording);
+    QCOMPARE(recording->stretches.size(), size_t(2));
+    QVERIFY(std::signbit(recording->stretches[1].conditions.inputs.params.gravity.x));
+}
+
+void TestRecording::autopilotsRunOfLevel1IsTheSame() {
+    const Result run = runOf({"--headless", "--autopilot", "--record", path("r")});
+    QVERIFY2(run.messages.startsWith("level 01 won in "), qPrintable(run.messages));
+    const Result check = checkOf(path("r"));
+    QCOMPARE(check.out, "same: " + QByteArray::number(rowsOf(run.out).size() - 2) + " steps\n");
+    QCOMPARE(check.status, 0);
+}
+
+void TestRecording::tableOfAReplayHasTheRowsOfTheRun() {
+    const Result run = runOf({"--headless", "--autopilot", "--duration", "3", "--record", path("r")});
+    const Result again = runOf({"--headless", "--replay", path("r")});
+    QCOMPARE(again.status, 0);
+    QCOMPARE(rowsOf(again.out), rowsOf(run.out));
+    QCOMPARE(again.messages, QString("same: 300 steps\n"));
+    QVERIFY(again.out.contains("# level 01\n# stepper symplectic-euler "));
+}
+
+void TestRecording::flippedBitOfAHashNamesItsStep_data() {
+    QTest::addColumn<int>("step");
+    QTest::addColumn<QString>("time");
+    QTest::newRow("first") << 1 << "0";
+    QTest::newRow("one in the middle") << 57 << "0.56";
+    QTest::newRow("last") << 200 << "1.99";
+}
+
+void TestRecording::flippedBitOfAHashNamesItsStep() {
+    QFETCH(int, step);
+    QFETCH(QString, time);
+    runOf({"--headless", "--tilt-x", "3", "--duration", "2", "--record", path("r")});
+    QByteArrayList lines = contentOf(path("r")).split('\n');
+    QByteArray &line = lines[lineOfStep(lines, step)];
+    const QByteArray right = line;
+    line[15] = line[15] == '0' ? '1' : '0';
+    write(path("r"), lines.join('\n'));
+    const Result check = checkOf(path("r"));
+    QCOMPARE(check.status, 1);
+    QCOMPARE(check.out, QString("differs: step %1 of the recording, step %1 since the start, from %2 s on: "
+                                "expected %3, found %4\n")
+                            .arg(QString::number(step), time, QString(line), QString(right))
+                            .toUtf8());
+}
+
+void TestRecording::changedInputNamesTheStepItActsOn() {
+    Recorder recorder(path("r"));
+    const auto engine = recordedEngine(recorder);
+    engine->setInputs(tilted(3.0, 0.0));
+    stepRecorded(*engine, recorder, 40);
+    Inputs inputs = tilted(3.0, 0.0);
+    inputs.params.rolling_friction = 0.01;
+    engine->setInputs(inputs);
+    stepRecorded(*engine, recorder, 40);
+    recorder.close();
+    write(path("r"), contentOf(path("r")).replace("set rolling_friction 0.01\n", "set rolling_friction 0.011\n"));
+    const Result check = checkOf(path("r"));
+    QCOMPARE(check.status, 1);
+    QVERIFY2(check.out.startsWith("differs: step 41 of the recording, step 41 since the start, "),
+             check.out.constData());
+}
+
+// As a person does in the window: sliders, another stepper, another step size, a restart, a state from earlier.
+void TestRecording::changesWhileRunningReplayTheSame() {
+    Recorder recorder(path("r"));
+    const auto engine = recordedEngine(recorder);
+    const Registry registry = makeRegistry(nullptr);
+    for (int i = 0; i < 50; ++i) {
+        engine->setInputs(tilted(0.1 * i, 0.07 * i));
+        stepRecorded(*engine, recorder, 1 + i % 3);
+    }
+    const phys_state kept = engine->state();
+    engine->setStepper(makeStepper(registry, "exact", engine->scene(), nullptr));
+    recorder.setOrigin(originOf(registry, "exact", LEVELS_FOLDER "/01.txt"));
+    engine->setDt(1.0 / 60.0);
+    stepRecorded(*engine, recorder, 50);
+    engine->restart();
+    stepRecorded(*engine, recorder, 20);
+    engine->setState(kept);
+    stepRecorded(*engine, recorder, 20);
+    const Scene other = levelScene(3);
+    engine->setScene(other, makeStepper(registry, "rk4", other, nullptr));
+    recorder.setOrigin(originOf(registry, "rk4", LEVELS_FOLDER "/03.txt"));
+    stepRecorded(*engine, recorder, 100);
+    recorder.close();
+    QCOMPARE(checkOf(path("r")).out, QByteArray("same: 289 steps\n"));
+    const auto recording = readRecording(path("r"), registry, nullptr);
+    QVERIFY(recording);
+    QCOMPARE(std::count_if(recording->stretches.begin(), recording->stretches.end(),
+                           [](const Stretch &stretch) { return stretch.from.has_value(); }),
+             4); // start, restart, the state from earlier, the other level
+}
+
+void TestRecording::failedStepIsRecordedAndReplaysTheSame() {
+    Recorder recorder(path("r"));
+    const auto engine = recordedEngine(recorder);
+    stepRecorded(*engine, recorder, 3);
+    phys_state fast = engine->state();
+    fast.velocity.x = 1e9; // more substeps than allowed
+    engine->setState(fast);
+    QString error;
+    QVERIFY(!engine->step(&error));
+    recorder.noteFailure(*engine, error);
+    engine->restart();
+    stepRecorded(*engine, recorder, 4);
+    recorder.close();
+    QCOMPARE(checkOf(path("r")).out, QByteArray("same: 7 steps\n"));
+
+    write(path("r"), contentOf(path("r")).replace("failed ", "failed not "));
+    const QByteArray out = checkOf(path("r")).out;
+    QVERIFY2(out.startsWith("differs: step 4 of the recording, step 4 since the start, "), out.constData());
+    QVERIFY2(out.contains(error.toUtf8()), out.constData());
+}
+
+void TestRecording::otherVersionsAreNamedWhereAStepDiffers() {
+    runOf({"--headless", "--tilt-x", "3", "--duration", "1", "--record", path("r")});
+    QByteArray text = contentOf(path("r"));
+    text.replace("library " + QByteArray(phys_version()), "library 0.9");
+    text.replace("stepper symplectic-euler ", "stepper symplectic-euler 0.");
+    write(path("r"), text);
+    QCOMPARE(checkOf(path("r")).out, QByteArray("same: 100 steps\n"));
+    write(path("r"), text.replace("set rolling_friction ", "set rolling_friction 1"));
+    const QByteArray out = checkOf(path("r")).out;
+    QVERIFY2(out.contains("; libphysics was 0.9, is 1.0.0; stepper symplectic-euler was version 0."), out.constData());
+    QCOMPARE(out.count('\n'), 1);
+}
+
+// Cut at each of its bytes after the first line: never an error, never a step that differs.
+void TestRecording::cutRecordingReplaysUpToWhereItIsWhole() {
+    runOf({"--headless", "--tilt-x", "3", "--duration", "0.03", "--record", path("r")});
+    const QByteArray text = contentOf(path("r"));
+    const Registry registry = makeRegistry(nullptr);
+    for (qsizetype size = text.indexOf('\n') + 1; size < text.size(); ++size) {
+        QString error;
+        const auto recording = parseRecording(text.left(size), registry, &error);
+        QVERIFY2(recording, qPrintable(error));
+        QVERIFY(!recording->isWhole);
+        uint64_t whole = 0;
+        const QByteArrayList lines = text.left(size).split('\n');
+        for (qsizetype i = 0; i + 1 < lines.size(); ++i) whole += isHash(lines[i]) ? 1 : 0;
+        const ReplayOutcome outcome = replay(*recording, registry, {}, [](const Engine &) { return true; });
+        QVERIFY(outcome.error.isEmpty() && !outcome.difference);
+        QCOMPARE(outcome.steps, whole);
+    }
+    write(path("r"), text.left(text.size() - 12)); // "end" and half of the last hash
+    QCOMPARE(checkOf(path("r")).out, QByteArray("same: 2 steps (the recording is cut off after them)\n"));
+    QCOMPARE(checkOf(path("r")).status, 0);
+}
+
+void TestRecording::recordingOfNoStepsIsTheSame() {
+    { const Recorder recorder(path("r")); }
+    const Result check = checkOf(path("r"));
+    QCOMPARE(check.out, QByteArray("same: 0 steps\n"));
+    QCOMPARE(check.status, 0);
+}
+
+void TestRecording::localeAndLineEndingsMakeNoDifference() {
+    const QLocale locale;
+    QLocale::setDefault(QLocale(QLocale::German));
+    runOf({"--headless", "--tilt-x", "3.5", "--duration", "0.2", "--record", path("r")});
+    write(path("r"), contentOf(path("r")).replace("\n", "\r\n"));
+    const QByteArray out = checkOf(path("r")).out;
+    QLocale::setDefault(locale);
+    QCOMPARE(out, QByteArray("same: 20 steps\n"));
+}
+
+void TestRecording::mazeIsFoundBesideTheRecording() {
+    QVERIFY(QFile::copy(LEVELS_FOLDER "/05.txt", path("mine.txt")));
+    runOf({"--headless", "--level", path("mine.txt"), "--duration", "0.1", "--record", path("r")});
+    write(path("r"), contentOf(path("r")).replace(path("mine.txt").toUtf8(), "/elsewhere/mine.txt"));
+    QCOMPARE(checkOf(path("r")).out, QByteArray("same: 10 steps\n"));
+}
+
+QTEST_GUILESS_MAIN(TestRecording)
+#include "tst_recording.moc"
