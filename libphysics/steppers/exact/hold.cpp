@@ -60,12 +60,13 @@ Hold holdBy(const Board &board, const Touch &touch, const Vec3 &p, const Vec3 &d
 /// between the sign of the difference's slope decides.
 bool staysOnEdge(const Board &board, const Hold &hold, const Vec3 &v, const Drive &drive) {
     const double R = board.radius();
-    const double speedSquared = glm::dot(v, v);
+    const Vec2 level = inPlane(v); // a fall isn't round the edge
+    const double speedSquared = glm::dot(level, level);
     const double A = glm::length(drive.A);
     const double lift = speedSquared + R * glm::dot(drive.A, hold.touch.normal);
     const double zero = (16.0 * kRounding + 4.0 * board.tolerance() / R) * (speedSquared + R * A);
     if (std::abs(lift) > zero) return lift < 0.0;
-    return 3.0 * glm::dot(drive.A, v) < 2.0 * drive.B * std::sqrt(speedSquared);
+    return 3.0 * glm::dot(inPlane(drive.A), level) < 2.0 * drive.B * std::sqrt(speedSquared);
 }
 
 bool stays(const Board &board, const Hold &hold, const Vec3 &v, const Drive &drive) {

@@ -19,7 +19,7 @@ struct Hold {
         face,   ///< along a face: `plane`, until the face ends
         edge,   ///< round the vertical edge `corner`
         wedged, ///< the solids take away all of A: rests, or falls between them
-        beyond  ///< presses on something that has no closed form: not vertical, or in too many places
+        beyond  ///< presses on something that 6.5 leaves out: not vertical, or in too many places
     };
     Kind kind = Kind::none;
     Touch touch{};       ///< what holds it

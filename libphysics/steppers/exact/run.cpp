@@ -138,7 +138,7 @@ void Run::contactEvent(uint32_t kind, const Touch &touch, double before, double 
 }
 
 phys_status Run::refuse(const char *what, const Touch &touch) const {
-    return fail(m_err, PHYS_ERROR_UNSUPPORTED, "box %u: %s, which has no closed form",
+    return fail(m_err, PHYS_ERROR_UNSUPPORTED, "box %u: %s, which stepper 'exact' can't follow",
                 m_board.scene().givenSolid(touch.solid, touch.point), what);
 }
 

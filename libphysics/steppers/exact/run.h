@@ -37,18 +37,22 @@ private:
         bool lands;
     };
 
+    /// Units in which speeds and accelerations are near 1; powers of two, so that they cost no rounding.
+    struct Units {
+        double speed, acceleration;
+
+        double time() const { return speed / acceleration; }
+        double length() const { return speed * time(); }
+    };
     struct WallAxes {
         Vec2 normal, along; ///< unit
     };
-    /// A ball that stays at a wall, in units that are powers of two.
+    /// A ball that stays at a wall.
     struct AtWall {
         WallAxes axes;
+        Units units;
         WallLaw law;
         WallState now;
-        double speed, acceleration; ///< the units
-
-        double unitTime() const { return speed / acceleration; }
-        double unitLength() const { return speed * unitTime(); }
     };
     /// Where in s a phase at a wall ends, and why.
     struct WallEnd {
@@ -59,14 +63,11 @@ private:
         /// Not beyond where f falls through zero.
         void cut(const Taylor &f, Cause why);
     };
-    /// A ball that two walls hold, in such units too.
+    /// A ball that two walls hold.
     struct AtCorner {
+        Units units;
         CornerLaw law;
         CornerState now;
-        double speed, acceleration;
-
-        double unitTime() const { return speed / acceleration; }
-        double unitLength() const { return speed * unitTime(); }
     };
     /// What ends the way along a wall after a length: the face or the quarter circle itself, another solid, the floor.
     struct WallWay {
@@ -152,10 +153,12 @@ private:
     bool isRough(const Hold &hold) const;
     AtWall lookAtWall(const Hold &hold) const;
     phys_status stayAtWall(const Hold &hold);
-    double smallestSlip(double acceleration, double speed) const;
+    Units unitsFor(double fastest) const;
+    double smallestSlip(const Units &units) const;
     WallEnd endAtWall(const Hold &hold, const AtWall &wall, const WallMotion &motion) const;
     void cutFall(WallEnd &end, const Taylor &height, double unit, const Vec3 &normal) const;
     WallWay wayAlong(const Hold &hold, const AtWall &wall, double reach);
+    bool meetsEnds(const AtWall &wall, const WallMotion &motion, double end) const;
     WallWay wayOnFace(const Hold &hold, const AtWall &wall, double reach);
     WallWay wayOnEdge(const Hold &hold, const AtWall &wall, double reach);
     void follow(const Hold &hold, const AtWall &wall, const WallMotion &motion, const WallEnd &end, const WallWay &way);

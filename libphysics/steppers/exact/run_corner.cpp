@@ -74,18 +74,16 @@ std::optional<Run::AtCorner> Run::lookAtCorner(const Touch &first, const Touch &
     const double R = m_board.radius();
     const Vec3 gravity = toVec(m_params.gravity), &v = m_ball.velocity, &spin = m_ball.spin;
     AtCorner corner;
-    corner.acceleration = unitOf(length({length(inPlane(gravity)), gravity.z}));
-    const double fastest = std::max(R * glm::length(spin), std::abs(v.z));
-    corner.speed = unitOf(fastest > 0.0 ? fastest : std::sqrt(corner.acceleration * R));
-    corner.now = {v.z / corner.speed, R / corner.speed * spin};
+    corner.units = unitsFor(std::max(R * glm::length(spin), std::abs(v.z)));
+    corner.now = {v.z / corner.units.speed, R / corner.units.speed * spin};
     CornerLaw &law = corner.law;
-    law.gravity = gravity / corner.acceleration;
+    law.gravity = gravity / corner.units.acceleration;
     const double friction = isRolling() ? 0.0 : m_params.wall_friction;
     law.contacts[0] = {first.normal, friction};
     law.contacts[1] = {second.normal, friction};
     law.onFloor = m_floor.has_value();
     if (law.onFloor) law.contacts[2] = {{0.0, 0.0, 1.0}, m_params.sliding_friction};
-    if (!settle(law, corner.now, smallestSlip(corner.acceleration, corner.speed))) return std::nullopt;
+    if (!settle(law, corner.now, smallestSlip(corner.units))) return std::nullopt;
 
     const CornerMotion probe(law, corner.now, 2);
     if (!probe.isSolvable()) return std::nullopt;
@@ -99,24 +97,24 @@ std::optional<Run::AtCorner> Run::lookAtCorner(const Touch &first, const Touch &
 void Run::followCorner(const AtCorner &corner) {
     using enum WallEnd::Cause;
     const CornerMotion motion(corner.law, corner.now);
-    const double left = m_left / corner.unitTime();
+    const double left = m_left / corner.units.time();
     WallEnd end{motion.goodFor(), series};
     if (!motion.slips()) end.s = std::min(end.s, left); // s is the time
     end.cut(remains(left, motion.time), time);
     for (size_t i = 0; i < (m_floor ? 3 : 2); ++i) end.cut(motion.force[i], force);
     for (size_t i = 0; i < 2 && !m_floor; ++i)
-        cutFall(end, motion.height, corner.unitLength(), corner.law.contacts[i].normal);
+        cutFall(end, motion.height, corner.units.length(), corner.law.contacts[i].normal);
 
-    m_report.lostSlip(motion.heat.at(end.s) * corner.speed * corner.speed);
-    const double t = end.cause == time ? m_left : motion.time.at(end.s) * corner.unitTime();
+    m_report.lostSlip(motion.heat.at(end.s) * corner.units.speed * corner.units.speed);
+    const double t = end.cause == time ? m_left : motion.time.at(end.s) * corner.units.time();
     CornerState now = motion.at(end.s);
     CornerLaw law = corner.law;
-    settle(law, now, smallestSlip(corner.acceleration, corner.speed));
+    settle(law, now, smallestSlip(corner.units));
     const bool slipped = slipVelocity() != Vec2(0.0);
     const Vec3 before = m_ball.spin;
-    m_ball.spin = corner.speed / m_board.radius() * now.spin;
-    m_ball.velocity = {0.0, 0.0, m_floor ? 0.0 : corner.speed * now.up};
-    if (!m_floor) m_ball.position.z += motion.height.at(end.s) * corner.unitLength();
+    m_ball.spin = corner.units.speed / m_board.radius() * now.spin;
+    m_ball.velocity = {0.0, 0.0, m_floor ? 0.0 : corner.units.speed * now.up};
+    if (!m_floor) m_ball.position.z += motion.height.at(end.s) * corner.units.length();
     if (end.cause == landing) m_ball.position.z = m_board.scene().supportedZ;
     m_meets = end.cause == landing;
     turn(0.5 * t * (before + m_ball.spin));

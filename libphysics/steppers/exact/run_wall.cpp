@@ -27,9 +27,15 @@ bool Run::isRough(const Hold &hold) const {
     return glm::dot(toVec(m_params.gravity), hold.touch.normal) < 0.0;
 }
 
+Run::Units Run::unitsFor(double fastest) const {
+    const phys_vec3 &g = m_params.gravity;
+    const double acceleration = unitOf(length({length(inPlane(g)), g.z}));
+    return {unitOf(fastest > 0.0 ? fastest : std::sqrt(acceleration * m_board.radius())), acceleration};
+}
+
 /// A slip below this, in units of the speed, is none: where a slip ends all speeds may be zero.
-double Run::smallestSlip(double acceleration, double speed) const {
-    return 1e-18 * std::sqrt(acceleration * m_board.radius()) / speed;
+double Run::smallestSlip(const Units &units) const {
+    return 1e-18 * std::sqrt(units.acceleration * m_board.radius()) / units.speed;
 }
 
 /// The ball as its contacts see it. Slips that are no more than rounding are none.
@@ -61,14 +67,11 @@ Run::AtWall Run::lookAtWall(const Hold &hold) const {
     if (m_floor) law.floor = slides() ? Grip::smooth : rollsOnFloor ? Grip::rolls : Grip::slips;
     if (law.wallFriction > 0.0) law.wall = rollsOnWall ? Grip::rolls : Grip::slips;
 
-    // In units in which speeds and accelerations are near 1.
-    const double fastest = std::max({std::abs(now.along), std::abs(now.up), std::abs(now.floorSlip),
-                                     std::abs(now.wallSlip), std::abs(now.wallSlipUp)});
-    wall.acceleration = unitOf(length({length(inPlane(gravity)), gravity.z}));
-    wall.speed = unitOf(fastest > 0.0 ? fastest : std::sqrt(wall.acceleration * R));
-    scale(now, 1.0 / wall.speed, 1.0 / wall.acceleration);
-    law.weight = -gravity.z / wall.acceleration;
-    if (hold.kind == Hold::Kind::edge) law.curvature = wall.unitLength() / R;
+    wall.units = unitsFor(std::max({std::abs(now.along), std::abs(now.up), std::abs(now.floorSlip),
+                                    std::abs(now.wallSlip), std::abs(now.wallSlipUp)}));
+    scale(now, 1.0 / wall.units.speed, 1.0 / wall.units.acceleration);
+    law.weight = -gravity.z / wall.units.acceleration;
+    if (hold.kind == Hold::Kind::edge) law.curvature = wall.units.length() / R;
     if (settleGrips(law, now, m_params.rolling_friction * law.weight)) wall.axes.along = -along;
     return wall;
 }
@@ -83,12 +86,14 @@ phys_status Run::stayAtWall(const Hold &hold) {
         return PHYS_OK;
     }
     WallEnd end = endAtWall(hold, wall, motion);
-    const double reach = motion.way.at(end.s) * wall.unitLength();
+    if (meetsEnds(wall, motion, end.s))
+        return refuse("the ball flies along it beside the top or bottom of another wall", hold.touch);
+    const double reach = motion.way.at(end.s) * wall.units.length();
     const WallWay way = wayAlong(hold, wall, reach);
     if (way.end != WallWay::End::none) {
         const bool isBlocked = wall.now.along == 0.0 && way.length <= m_board.tolerance();
         if (isBlocked && way.end == WallWay::End::touch) return stayInCorner(hold);
-        const double s = firstFall(remains(way.length / wall.unitLength(), motion.way), end.s);
+        const double s = firstFall(remains(way.length / wall.units.length(), motion.way), end.s);
         end = {std::min(end.s, s), WallEnd::Cause::way};
     }
     follow(hold, wall, motion, end, way);
@@ -99,7 +104,7 @@ phys_status Run::stayAtWall(const Hold &hold) {
 Run::WallEnd Run::endAtWall(const Hold &hold, const AtWall &wall, const WallMotion &motion) const {
     using enum WallEnd::Cause;
     const WallLaw &law = wall.law;
-    const double left = m_left / wall.unitTime();
+    const double left = m_left / wall.units.time();
     WallEnd end{motion.goodFor(), series};
     if (!motion.slipsTurn()) end.s = std::min(end.s, left); // s is the time
     end.cut(remains(left, motion.time), time);
@@ -107,7 +112,7 @@ Run::WallEnd Run::endAtWall(const Hold &hold, const AtWall &wall, const WallMoti
     end.cut(motion.along, stop);
     if (law.wall == Grip::rolls) end.cut(motion.wallReserve, force);
     if (law.wall == Grip::slips && law.isStraight) end.cut(law.wallSense * motion.wallSlip.along, wallRolls);
-    if (!m_floor) cutFall(end, motion.height, wall.unitLength(), hold.touch.normal);
+    if (!m_floor) cutFall(end, motion.height, wall.units.length(), hold.touch.normal);
     if (m_floor) end.cut(motion.floorForce, force);
     if (law.floor == Grip::rolls) end.cut(motion.floorReserve, force);
     if (law.floor == Grip::slips && law.isStraight) end.cut(law.floorSense * motion.floorSlip.along, floorRolls);
@@ -130,6 +135,27 @@ void Run::cutFall(WallEnd &end, const Taylor &height, double unit, const Vec3 &n
     end.cut(remains((z - heights.low) / unit, -1.0 * height), WallEnd::Cause::force);
     if (!scene.hasFloor || z < scene.supportedZ) return;
     end.cut(remains((z - scene.supportedZ) / unit, -1.0 * height), WallEnd::Cause::landing);
+}
+
+/// In the air what is in the way is searched at one height: whether a solid near it has an end at those that the ball
+/// passes.
+bool Run::meetsEnds(const AtWall &wall, const WallMotion &motion, double end) const {
+    if (m_floor) return false;
+    const double R = m_board.radius(), z = m_ball.position.z, unit = wall.units.length();
+    double low = z, high = z;
+    for (const double s : {end, firstFall(motion.up, end), firstFall(-1.0 * motion.up, end)}) {
+        if (s > end) continue;
+        low = std::min(low, z + unit * motion.height.at(s));
+        high = std::max(high, z + unit * motion.height.at(s));
+    }
+    const Vec2 reach(R + m_board.tolerance() + unit * motion.way.at(end)), p = inPlane(m_ball.position);
+    for (const uint32_t solid : m_board.near(p - reach, p + reach)) {
+        const phys_box &box = m_board.scene().solids[solid];
+        const bool reaches = box.max.z + R > low && box.min.z - R < high;
+        const bool covers = box.min.z <= low + m_board.tolerance() && box.max.z >= high - m_board.tolerance();
+        if (reaches && !covers) return true;
+    }
+    return false;
 }
 
 Run::WallWay Run::wayAlong(const Hold &hold, const AtWall &wall, double reach) {
@@ -176,16 +202,16 @@ void Run::follow(const Hold &hold, const AtWall &wall, const WallMotion &motion,
                  const WallWay &way) {
     const double before = glm::length(m_ball.velocity);
     const bool atWayEnd = end.cause == WallEnd::Cause::way;
-    const double length = atWayEnd ? way.length : motion.way.at(end.s) * wall.unitLength();
-    const double t = end.cause == WallEnd::Cause::time ? m_left : motion.time.at(end.s) * wall.unitTime();
-    m_report.lostSlip(motion.heat.at(end.s) * wall.speed * wall.speed);
+    const double length = atWayEnd ? way.length : motion.way.at(end.s) * wall.units.length();
+    const double t = end.cause == WallEnd::Cause::time ? m_left : motion.time.at(end.s) * wall.units.time();
+    m_report.lostSlip(motion.heat.at(end.s) * wall.units.speed * wall.units.speed);
     if (wall.law.floor == Grip::rolls) m_report.lostRolling(m_params.rolling_friction * -m_params.gravity.z * length);
     turnAtWall(hold, wall, motion, end.s);
 
     WallState now = motion.at(end.s);
     if (end.cause == WallEnd::Cause::stop) now.along = 0.0;
-    const bool rolls = settleSlips(wall.law, end.cause, smallestSlip(wall.acceleration, wall.speed), now);
-    scale(now, wall.speed, wall.acceleration);
+    const bool rolls = settleSlips(wall.law, end.cause, smallestSlip(wall.units), now);
+    scale(now, wall.units.speed, wall.units.acceleration);
     const WallAxes axes = axesAfter(hold, wall, length, atWayEnd && way.end == WallWay::End::contour);
     if (hold.kind == Hold::Kind::edge) {
         if (length > 0.0) m_ball.position = {hold.corner + m_board.radius() * axes.normal, m_ball.position.z};
@@ -198,7 +224,7 @@ void Run::follow(const Hold &hold, const AtWall &wall, const WallMotion &motion,
     if (wall.law.floor == Grip::rolls || rolls) roll();
     if (atWayEnd && way.end == WallWay::End::floor)
         snapToBorder(m_board.scene().floors[*m_floor], m_board.tolerance(), m_ball.velocity, m_ball.position);
-    if (!m_floor) m_ball.position.z += motion.height.at(end.s) * wall.unitLength();
+    if (!m_floor) m_ball.position.z += motion.height.at(end.s) * wall.units.length();
     if (end.cause == WallEnd::Cause::landing) m_ball.position.z = m_board.scene().supportedZ;
     m_meets = end.cause == WallEnd::Cause::landing || (atWayEnd && way.end == WallWay::End::touch);
     spend(t);
@@ -252,9 +278,9 @@ void Run::turnAtWall(const Hold &hold, const AtWall &wall, const WallMotion &mot
     for (int part = 0; part < kTurnParts; ++part) {
         const double middle = end * (part + 0.5) / kTurnParts;
         WallState now = motion.at(middle);
-        scale(now, wall.speed, wall.acceleration);
-        const WallAxes axes = axesAfter(hold, wall, motion.way.at(middle) * wall.unitLength(), false);
-        const double time = motion.time.at(end * (part + 1) / kTurnParts) * wall.unitTime();
+        scale(now, wall.units.speed, wall.units.acceleration);
+        const WallAxes axes = axesAfter(hold, wall, motion.way.at(middle) * wall.units.length(), false);
+        const double time = motion.time.at(end * (part + 1) / kTurnParts) * wall.units.time();
         turn((time - before) * spinAtWall(wall.law, now, axes));
         before = time;
     }
