@@ -43,14 +43,17 @@ bool endsInContact(double bounced, double restitution, double pressing, double h
     return pressing > 0.0 && bounced <= 2.0 * restitution * pressing * h;
 }
 
+/// Normal speed, >= 0, with which the ball came to the face that it is now so deep behind: model.md 10.3, cure (a).
+/// What it gained inside is no part of the impact.
+double speedAtFace(const StepContext &context, double approach, double pressing, double depth) {
+    if (context.bounce != Bounce::EnergyCorrect || !(pressing > 0.0)) return approach;
+    return std::sqrt(std::max(0.0, approach * approach - 2.0 * pressing * depth));
+}
+
 /// Normal speed after a bounce, >= 0: model.md 10.3.
-double bouncedSpeed(const StepContext &context, double restitution, double approach, double pressing, double depth) {
-    if (context.bounce == Bounce::Plain) return restitution * approach;
-    double speed = approach;
-    if (context.bounce == Bounce::EnergyCorrect && pressing > 0.0) {
-        speed = std::sqrt(std::max(0.0, approach * approach - 2.0 * pressing * depth));
-    }
-    const double bounced = restitution * speed;
+double bouncedSpeed(const StepContext &context, double restitution, double approach, double pressing) {
+    const double bounced = restitution * approach;
+    if (context.bounce == Bounce::Plain) return bounced;
     return endsInContact(bounced, restitution, pressing, context.h) ? 0.0 : bounced;
 }
 
@@ -61,8 +64,9 @@ void respond(const StepContext &context, const Nearest &contact, uint32_t box, d
     const double normalSpeed = glm::dot(ball.velocity, contact.normal);
     if (!(normalSpeed < 0.0)) return;
     const double pressing = -glm::dot(drive, contact.normal);
-    const double speed =
-        bouncedSpeed(context, restitutionOf(context.params, contact.normal), -normalSpeed, pressing, depth);
+    const double approach = speedAtFace(context, -normalSpeed, pressing, depth);
+    const double speed = bouncedSpeed(context, restitutionOf(context.params, contact.normal), approach, pressing);
+    if (approach > 0.0) ball.velocity -= (normalSpeed + approach) * contact.normal;
     bounce(context, contact, box, PHYS_EVENT_IMPACT, speed, after, ball);
     if (speed == 0.0 && contact.normal.z == 0.0) ended.add(inPlane(contact.normal));
 }
