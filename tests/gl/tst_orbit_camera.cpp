@@ -35,6 +35,7 @@ constexpr double kLargestTilt = 0.15; // rad
 
 std::vector<glm::dvec3> corners() {
     std::vector<glm::dvec3> result;
+    result.reserve(8);
     for (int i = 0; i < 8; ++i)
         result.emplace_back(i & 1 ? kBoard.maximum.x : kBoard.minimum.x, i & 2 ? kBoard.maximum.y : kBoard.minimum.y,
                             i & 4 ? kBoard.maximum.z : kBoard.minimum.z);
