@@ -109,8 +109,8 @@ void addOptions(QCommandLineParser &parser, const std::vector<const phys_param_r
               "stepper exact, and recommend a setting; without a window."),
          text("number|file")},
         {"schedule",
-         text("With --trade, how the board tilts: autopilot, random:SEED, or a file of times and tilts or a "
-              "table from --csv. Default autopilot."),
+         text("With --trade, how the board tilts: autopilot, random:SEED, or a file: times and tilts, a "
+              "table from --csv or a recording (its last run). Default autopilot."),
          text("schedule")},
         {"steps",
          text("With --trade: these step sizes (0.01, 5ms, 1/60), or with a + before them these besides the "

@@ -204,6 +204,9 @@ void Reader::readOptions(const QByteArrayList &fields) {
 void Reader::readBoard(const QByteArrayList &fields) {
     std::array<double, 6> numbers{};
     std::transform(fields.begin(), fields.end(), numbers.begin(), finite);
+    phys_vec3 ignored; // what is recorded counts: another C library may round it otherwise
+    if (phys_gravity_from_tilt(numbers[0], numbers[1], numbers[2], &ignored) != PHYS_OK)
+        fail(QStringLiteral("two tilts within pi/2 and a strength >= 0"), "board " + fields.join(' '));
     Inputs &inputs = m_conditions.inputs;
     inputs.tilt = {numbers[0], numbers[1]};
     inputs.gravity = numbers[2];

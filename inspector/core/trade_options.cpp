@@ -2,6 +2,7 @@
 #include "trade_options.h"
 
 #include "engine.h"
+#include "recording_schedule.h"
 
 #include <QLocale>
 #include <QStringList>
@@ -69,6 +70,7 @@ TiltSchedule makeSchedule(const QString &words, const Registry &registry, const 
                           double duration, QString *error) {
     const QString random = QStringLiteral("random:");
     if (words == QLatin1String("autopilot")) return autopilotSchedule(registry, scene, inputs, duration, error);
+    if (isRecordingFile(words)) return recordedSchedule(words, registry, duration, error);
     if (!words.startsWith(random)) return readSchedule(words, duration, error);
     bool isNumber = false;
     const uint64_t seed = words.mid(random.size()).toULongLong(&isNumber);

@@ -3,7 +3,9 @@
 #include "core/command_line.h"
 #include "core/headless.h"
 #include "core/recorder.h"
+#include "core/recording_schedule.h"
 #include "core/replay.h"
+#include "core/session.h"
 #include "scenes.h"
 
 #include <QBuffer>
@@ -29,6 +31,8 @@ private slots:
     void flippedBitOfAHashNamesItsStep();
     void changedInputNamesTheStepItActsOn();
     void changesWhileRunningReplayTheSame();
+    void sessionOfAPersonReplaysTheSame();
+    void lastRunIsAScheduleOfTheTrade();
     void failedStepIsRecordedAndReplaysTheSame();
     void otherVersionsAreNamedWhereAStepDiffers();
     void cutRecordingReplaysUpToWhereItIsWhole();
@@ -280,6 +284,80 @@ void TestRecording::changesWhileRunningReplayTheSame() {
     QCOMPARE(std::count_if(recording->stretches.begin(), recording->stretches.end(),
                            [](const Stretch &stretch) { return stretch.from.has_value(); }),
              4); // start, restart, the state from earlier, the other level
+}
+
+// Through the window's own entrances, while the thread steps as fast as it may.
+void TestRecording::sessionOfAPersonReplaysTheSame() {
+    Options options;
+    options.registry = makeRegistry(nullptr);
+    options.levels = levelsIn(LEVELS_FOLDER);
+    options.level = options.levels[0];
+    options.speed = Simulation::kFastest;
+    options.record = path("r");
+    QSettings settings(path("settings.ini"), QSettings::IniFormat);
+    QString error;
+    auto session = Session::open(options, settings, &error);
+    QVERIFY2(session, qPrintable(error));
+    const auto playFor = [&](uint64_t steps) { // more steps
+        const uint64_t begin = session->simulation().samples().last();
+        QTRY_VERIFY(session->simulation().samples().last() >= begin + steps);
+    };
+    session->simulation().stepOnce();
+    QTRY_COMPARE(session->simulation().latest().current.step, uint64_t(1));
+    session->game().confirm(); // restarts
+    QTRY_VERIFY(session->simulation().latest().running);
+    for (int i = 1; i <= 10; ++i) {
+        QVERIFY(session->parameters().set({{"tilt_x", 0.3 * i}, {"restitution_wall", 0.05 * i}}));
+        playFor(5);
+    }
+    QVERIFY(session->setStepper("exact"));
+    playFor(5);
+    QVERIFY(session->setDt(0.005));
+    playFor(5);
+    QVERIFY(session->setAutopilot(true));
+    playFor(20);
+    QVERIFY(session->openLevel(session->levels()[1]));
+    session->game().confirm();
+    playFor(20);
+    session.reset();
+
+    const Result check = checkOf(path("r"));
+    QVERIFY2(check.out.startsWith("same: ") && check.out.endsWith(" steps\n"), check.out + check.messages.toUtf8());
+    const auto recording = readRecording(path("r"), options.registry, nullptr);
+    QVERIFY(recording && recording->stepCount() >= 101);
+    QCOMPARE(recording->stretches.back().conditions.maze.path, options.levels[1].path);
+    QCOMPARE(recording->stretches.back().conditions.stepper.id, QByteArray("exact"));
+}
+
+void TestRecording::lastRunIsAScheduleOfTheTrade() {
+    Recorder recorder(path("r"));
+    const auto engine = recordedEngine(recorder);
+    engine->setInputs(tilted(7.0, 7.0));
+    stepRecorded(*engine, recorder, 9);
+    engine->restart();
+    engine->setInputs(tilted(1.0, 0.0));
+    stepRecorded(*engine, recorder, 7);
+    Inputs inputs = tilted(1.0, 0.0);
+    inputs.params.restitution_wall = 0.25; // no switch of the tilt
+    engine->setInputs(inputs);
+    stepRecorded(*engine, recorder, 3);
+    engine->setInputs(tilted(2.0, -1.0));
+    engine->setDt(0.02);
+    stepRecorded(*engine, recorder, 5);
+    recorder.close();
+
+    QString error;
+    const TiltSchedule schedule = makeSchedule(path("r"), makeRegistry(nullptr), {}, initialInputs(), 20.0, &error);
+    QVERIFY2(schedule.switches.size() == 2, qPrintable(error));
+    QVERIFY(schedule.switches[0].time == 0.0);
+    QVERIFY(schedule.switches[0].tilt == (Tilt{radians(1.0), 0.0}));
+    QVERIFY(schedule.switches[1].time == 10 * 0.01);
+    QVERIFY(schedule.switches[1].tilt == (Tilt{radians(2.0), radians(-1.0)}));
+    QVERIFY(schedule.duration == 10 * 0.01 + 5 * 0.02);
+
+    { const Recorder empty(path("empty")); }
+    QVERIFY(makeSchedule(path("empty"), makeRegistry(nullptr), {}, initialInputs(), 20.0, &error).switches.empty());
+    QCOMPARE(error, path("empty") + ": expected steps, found none");
 }
 
 void TestRecording::failedStepIsRecordedAndReplaysTheSame() {
