@@ -151,6 +151,7 @@ private:
 
     // the rigid model at a wall with friction: run_wall.cpp
     bool isRough(const Hold &hold) const;
+    WallState seenFrom(const Vec2 &normal) const;
     AtWall lookAtWall(const Hold &hold) const;
     phys_status stayAtWall(const Hold &hold);
     Units unitsFor(double fastest) const;

@@ -38,41 +38,46 @@ double Run::smallestSlip(const Units &units) const {
     return 1e-18 * std::sqrt(units.acceleration * m_board.radius()) / units.speed;
 }
 
-/// The ball as its contacts see it. Slips that are no more than rounding are none.
-Run::AtWall Run::lookAtWall(const Hold &hold) const {
+/// The ball as a wall with that normal sees it.
+WallState Run::seenFrom(const Vec2 &normal) const {
     const double R = m_board.radius();
-    const Vec3 &v = m_ball.velocity, &spin = m_ball.spin, gravity = toVec(m_params.gravity);
-    AtWall wall;
-    const Vec2 normal = inPlane(hold.touch.normal), along{-normal.y, normal.x};
-    wall.axes = {normal, along};
-    WallState &now = wall.now;
-    now.along = glm::dot(inPlane(v), along);
-    now.up = m_floor ? 0.0 : v.z;
+    const Vec3 &spin = m_ball.spin;
+    const Vec2 along{-normal.y, normal.x};
+    WallState now;
+    now.along = glm::dot(inPlane(m_ball.velocity), along);
+    now.up = m_floor ? 0.0 : m_ball.velocity.z;
     now.floorSlip = now.along + R * glm::dot(inPlane(spin), normal);
     now.wallSlip = now.along - R * spin.z;
     now.wallSlipUp = now.up + R * glm::dot(inPlane(spin), along);
-    now.gravityAcross = glm::dot(inPlane(gravity), normal);
-    now.gravityAlong = glm::dot(inPlane(gravity), along);
+    now.gravityAcross = glm::dot(inPlane(m_params.gravity), normal);
+    now.gravityAlong = glm::dot(inPlane(m_params.gravity), along);
+    return now;
+}
 
-    const double rounding = kRolls * (glm::length(v) + R * glm::length(spin));
+/// The same with what friction does at each contact. Slips that are no more than rounding are none.
+Run::AtWall Run::lookAtWall(const Hold &hold) const {
+    const double R = m_board.radius();
+    const Vec2 normal = inPlane(hold.touch.normal);
+    AtWall wall{{normal, {-normal.y, normal.x}}, {}, {}, seenFrom(normal)};
+    WallState &now = wall.now;
+    const double rounding = kRolls * (glm::length(m_ball.velocity) + R * glm::length(m_ball.spin));
     const bool rollsOnFloor = m_floor && !slides() && slipVelocity() == Vec2(0.0);
     if (m_floor && std::abs(now.wallSlipUp) <= rounding) now.wallSlipUp = 0.0;
     if (rollsOnFloor) now.floorSlip = now.wallSlipUp = 0.0;
     const bool rollsOnWall = length({now.wallSlip, now.wallSlipUp}) <= rounding;
     if (rollsOnWall) now.wallSlip = now.wallSlipUp = 0.0;
 
-    WallLaw &law = wall.law;
-    law.floorFriction = m_params.sliding_friction;
-    law.wallFriction = m_params.wall_friction;
-    if (m_floor) law.floor = slides() ? Grip::smooth : rollsOnFloor ? Grip::rolls : Grip::slips;
-    if (law.wallFriction > 0.0) law.wall = rollsOnWall ? Grip::rolls : Grip::slips;
-
     wall.units = unitsFor(std::max({std::abs(now.along), std::abs(now.up), std::abs(now.floorSlip),
                                     std::abs(now.wallSlip), std::abs(now.wallSlipUp)}));
     scale(now, 1.0 / wall.units.speed, 1.0 / wall.units.acceleration);
-    law.weight = -gravity.z / wall.units.acceleration;
+    WallLaw &law = wall.law;
+    law.weight = -m_params.gravity.z / wall.units.acceleration;
+    law.floorFriction = m_params.sliding_friction;
+    law.wallFriction = m_params.wall_friction;
     if (hold.kind == Hold::Kind::edge) law.curvature = wall.units.length() / R;
-    if (settleGrips(law, now, m_params.rolling_friction * law.weight)) wall.axes.along = -along;
+    if (m_floor) law.floor = slides() ? Grip::smooth : rollsOnFloor ? Grip::rolls : Grip::slips;
+    if (law.wallFriction > 0.0) law.wall = rollsOnWall ? Grip::rolls : Grip::slips;
+    if (settleGrips(law, now, m_params.rolling_friction * law.weight)) wall.axes.along = -wall.axes.along;
     return wall;
 }
 
@@ -133,7 +138,8 @@ void Run::cutFall(WallEnd &end, const Taylor &height, double unit, const Vec3 &n
     const Heights heights = m_board.heights(m_ball.position, normal);
     end.cut(remains((heights.high - z) / unit, height), WallEnd::Cause::force);
     end.cut(remains((z - heights.low) / unit, -1.0 * height), WallEnd::Cause::force);
-    if (!scene.hasFloor || z < scene.supportedZ) return;
+    const bool isAbove = z > scene.supportedZ || (z == scene.supportedZ && m_ball.velocity.z > 0.0);
+    if (!scene.hasFloor || !isAbove) return;
     end.cut(remains((z - scene.supportedZ) / unit, -1.0 * height), WallEnd::Cause::landing);
 }
 
