@@ -65,17 +65,19 @@ void CornerMotion::extendForces(int k) {
     }
     if (k == 0) {
         const Vec3 a = termOf(m_columns[0], 0), b = termOf(m_columns[1], 0), c = termOf(m_columns[2], 0);
-        const double determinant = glm::dot(a, glm::cross(b, c));
+        const double determinant = glm::dot(c, glm::cross(a, b));
         m_isSolvable = std::abs(determinant) > kJams;
         if (!m_isSolvable) return;
         m_rows[0] = glm::cross(b, c) / determinant;
         m_rows[1] = glm::cross(c, a) / determinant;
         m_rows[2] = glm::cross(a, b) / determinant;
     }
-    Vec3 right = k == 0 ? -m_law.gravity : Vec3(0.0);
+    // The two walls first: their sum has the same bits in either order.
+    std::array<Vec3, 3> known{Vec3(0.0), Vec3(0.0), Vec3(0.0)};
     for (size_t i = 0; i < 3; ++i) {
-        for (int j = 1; j <= k; ++j) right -= force[i][k - j] * termOf(m_columns[i], j);
+        for (int j = 1; j <= k; ++j) known[i] += force[i][k - j] * termOf(m_columns[i], j);
     }
+    const Vec3 right = (k == 0 ? -m_law.gravity : Vec3(0.0)) - (known[0] + known[1] + known[2]);
     for (size_t i = 0; i < 3; ++i) force[i][k] = glm::dot(m_rows[i], right);
 }
 
