@@ -131,7 +131,7 @@ double Run::move(const Motion &motion, const Plane *plane, double until) {
     double t = std::min({m_left, until, motion.end(), back});
     bool lands = false, exits = false;
     if (m_floor) {
-        const double exit = firstExit(scene.floors[*m_floor], motion, t, m_board.tolerance());
+        const double exit = m_sweep.firstExit(motion, t, *m_floor);
         exits = exit <= t;
         t = std::min(t, exit);
     } else {
@@ -257,7 +257,7 @@ Run::FaceWay Run::alongFace(const Plane &plane, const Motion &motion, double mos
     Vec3 low = p - Vec3(m_board.radius()), high = p + Vec3(m_board.radius());
     low[along] = m_board.faceEnd(plane, p, -1.0, p[along] - reach);
     high[along] = m_board.faceEnd(plane, p, 1.0, p[along] + reach);
-    const double time = firstExit({fromVec(low), fromVec(high)}, motion, most, m_board.tolerance());
+    const double time = firstExit({fromVec(low), fromVec(high)}, motion, 0.0, most, m_board.tolerance());
     if (time > most) return {most, false, 0.0};
     return {time, true, motion.at(time).velocity[along] < 0.0 ? low[along] : high[along]};
 }

@@ -177,7 +177,7 @@ Run::WallWay Run::wayOnFace(const Hold &hold, const AtWall &wall, double reach) 
     const FaceWay face = alongFace(hold.plane, motion, reach);
     if (face.ends) way = {face.until, contour, face.end};
     if (m_floor) {
-        const double exit = firstExit(m_board.scene().floors[*m_floor], motion, way.length, m_board.tolerance());
+        const double exit = firstExit(m_board.scene().floors[*m_floor], motion, 0.0, way.length, m_board.tolerance());
         if (exit <= way.length) way = {exit, floor, 0.0};
     }
     const double met = m_sweep.firstTouch(motion, way.length, &hold.plane);

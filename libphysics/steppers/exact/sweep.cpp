@@ -114,11 +114,11 @@ double Sweep::firstTouch(const Motion &motion, double until, const Plane *plane)
 
 /// 0, or for a motion that starts beside its box, behind the plane that it will touch: a time before t from which it is
 /// in front of it. One that doesn't depend on the last bits of t.
-double Sweep::startInFront(const Motion &motion, const Nearest &close, double t, double until) const {
+double Sweep::startInFront(const Motion &motion, const Nearest &close, double reach, double t, double until) const {
     if (close.feature != PHYS_FEATURE_FACE) return 0.0;
     double time = 0.0, step = until;
     for (int halving = 0; halving < kMostHalvings; ++halving, step *= 0.5) {
-        const double gap = glm::dot(motion.at(time).position - close.point, close.normal) - m_board.radius();
+        const double gap = glm::dot(motion.at(time).position - close.point, close.normal) - reach;
         if (gap >= -m_board.tolerance()) return time;
         time = step * std::floor(t / step);
     }
@@ -127,13 +127,14 @@ double Sweep::startInFront(const Motion &motion, const Nearest &close, double t,
 
 /// The same touch found from the start of the motion, against the face's plane or the edge alone: so its last bit
 /// depends neither on the search's windows nor on how walls are cut into boxes.
-double Sweep::settled(const Motion &motion, const Nearest &close, const Vec3 &velocity, double t, double until) const {
+double Sweep::settled(const Motion &motion, const Nearest &close, double reach, const Vec3 &velocity, double t,
+                      double until) const {
     if (close.feature != PHYS_FEATURE_FACE && close.normal.z != 0.0) return t;
-    double time = startInFront(motion, close, t, until);
+    double time = startInFront(motion, close, reach, t, until);
     const Vec3 start = motion.at(0.0).position - close.point;
     // A bounce returns to the face that it starts on, whatever the difference of the coordinates rounds to.
     const bool returns = time == 0.0 && close.feature == PHYS_FEATURE_FACE &&
-                         std::abs(glm::dot(start, close.normal) - m_board.radius()) <= m_board.tolerance();
+                         std::abs(glm::dot(start, close.normal) - reach) <= m_board.tolerance();
     bool polished = false;
     for (int pass = 0; pass < kMostPasses; ++pass) {
         const Motion::Point now = motion.since(time);
@@ -143,7 +144,7 @@ double Sweep::settled(const Motion &motion, const Nearest &close, const Vec3 &ve
             away.z = 0.0;
             normal = away / glm::length(away);
         }
-        const double gap = returns ? glm::dot(now.position, normal) : glm::dot(away, normal) - m_board.radius();
+        const double gap = returns ? glm::dot(now.position, normal) : glm::dot(away, normal) - reach;
         const double rate = glm::dot(now.velocity, normal);
         const bool isAt = gap <= m_board.tolerance() && rate <= 0.0;
         if (gap < -m_board.tolerance() || (pass == 0 && isAt)) return t;
@@ -195,7 +196,7 @@ double Sweep::firstHit(const Motion &motion, double windowEnd, double until) {
         const double h = safeTime(m_board, motion, close, now);
         const bool touches = close.distance - m_board.radius() <= m_board.tolerance();
         if (touches && approaches(m_board, close.normal, close.feature, now.velocity)) {
-            if (next.polished) return settled(motion, close, now.velocity, t, until);
+            if (next.polished) return settled(motion, close, m_board.radius(), now.velocity, t, until);
             const double gap = std::max(0.0, close.distance - m_board.radius());
             const double rate = glm::dot(now.velocity, close.normal);
             next = {t + firstFall(gap, rate, motion.leastAcceleration(close.normal, rate)), next.solid, true};
@@ -227,14 +228,15 @@ std::array<Border, 4> bordersAt(const phys_box &floor, const Vec3 &p) {
 
 } // namespace
 
-double firstExit(const phys_box &floor, const Motion &motion, double until, double tolerance) {
-    Motion::Point now = motion.at(0.0);
+double firstExit(const phys_box &floor, const Motion &motion, double from, double until, double tolerance) {
+    Motion::Point now = motion.at(from);
     const std::array<Border, 4> borders = bordersAt(floor, now.position);
     const double nearest = std::min({borders[0].depth, borders[1].depth, borders[2].depth, borders[3].depth});
-    const double way = until * (glm::length(now.velocity) + 0.5 * motion.mostAcceleration() * until);
+    const double duration = until - from;
+    const double way = duration * (glm::length(now.velocity) + 0.5 * motion.mostAcceleration() * duration);
     if (nearest > way) return kNever;
     bool polished = false;
-    for (double t = 0.0; t <= until; now = motion.at(t)) {
+    for (double t = from; t <= until; now = motion.at(t)) {
         double step = kNever;
         bool leaves = false;
         for (const Border &border : bordersAt(floor, now.position)) {
@@ -251,6 +253,34 @@ double firstExit(const phys_box &floor, const Motion &motion, double until, doub
         t = std::max(t + step, std::nextafter(t, kNever));
     }
     return kNever;
+}
+
+double Sweep::firstExit(const Motion &motion, double until, uint32_t &floor) const {
+    const std::vector<phys_box> &floors = m_board.scene().floors;
+    double t = 0.0;
+    // A way crosses each border twice at most.
+    for (size_t crossing = 0; crossing <= 8 * floors.size(); ++crossing) {
+        t = phys::firstExit(floors[floor], motion, t, until, m_board.tolerance());
+        if (t > until) return kNever;
+        const Motion::Point out = motion.at(t);
+        Vec3 place = out.position;
+        snapToBorder(floors[floor], m_board.tolerance(), out.velocity, place);
+        const std::optional<uint32_t> next = m_board.floorUnder(place, inPlane(out.velocity));
+        if (!next) return settledExit(floors[floor], motion, {place, out.velocity}, t, until);
+        floor = *next;
+    }
+    return t;
+}
+
+/// The same exit found from the start of the motion, against the border alone: as settled().
+double Sweep::settledExit(const phys_box &floor, const Motion &motion, const Motion::Point &out, double t,
+                          double until) const {
+    for (const Border &border : bordersAt(floor, out.position)) {
+        if (border.depth > m_board.tolerance() || glm::dot(out.velocity, border.normal) >= 0.0) continue;
+        const Nearest line{out.position, border.normal, 0.0, PHYS_FEATURE_FACE};
+        return std::min(until, settled(motion, line, 0.0, out.velocity, t, until));
+    }
+    return t;
 }
 
 void snapToBorder(const phys_box &floor, double tolerance, const Vec3 &velocity, Vec3 &p) {

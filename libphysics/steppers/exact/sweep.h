@@ -16,6 +16,10 @@ public:
     /// plane: the one the ball slides on, whose solids it can't hit; nullptr if there is none.
     double firstTouch(const Motion &motion, double until, const Plane *plane);
 
+    /// First time in [0, until] at which the centre leaves the floors; kNever if it doesn't. Crossing from one to the
+    /// next is nothing. floor: the one at the start; then the one that it leaves.
+    double firstExit(const Motion &motion, double until, uint32_t &floor) const;
+
 private:
     /// A solid's own clock: it can't be hit before `safe`.
     struct Candidate {
@@ -31,12 +35,15 @@ private:
     std::span<const uint32_t> withinReach(const Motion &motion, const Motion::Point &now, double until, double duration,
                                           double way) const;
     double firstHit(const Motion &motion, double windowEnd, double until);
-    double startInFront(const Motion &motion, const Nearest &close, double t, double until) const;
-    double settled(const Motion &motion, const Nearest &close, const Vec3 &velocity, double t, double until) const;
+    double startInFront(const Motion &motion, const Nearest &close, double reach, double t, double until) const;
+    double settled(const Motion &motion, const Nearest &close, double reach, const Vec3 &velocity, double t,
+                   double until) const;
+    double settledExit(const phys_box &floor, const Motion &motion, const Motion::Point &out, double t,
+                       double until) const;
 };
 
-/// First time in [0, until] at which the centre leaves the floor's rectangle; kNever if it doesn't.
-double firstExit(const phys_box &floor, const Motion &motion, double until, double tolerance);
+/// First time in [from, until] at which the centre leaves the floor's rectangle; kNever if it doesn't.
+double firstExit(const phys_box &floor, const Motion &motion, double from, double until, double tolerance);
 
 /// Puts a centre that leaves the floor exactly on the border that it crosses.
 void snapToBorder(const phys_box &floor, double tolerance, const Vec3 &velocity, Vec3 &p);

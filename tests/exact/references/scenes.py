@@ -93,6 +93,7 @@ SCENES = [
     scene("fall: over the outer edge", [], (0.75, 0.125), (0.5, 0.125), [(0.5, 0.25, 0.5), (0.25, 0, 0.25)], floors=[(0, 0, 1, 1)], friction=0.01),
     scene("fall: off the floor from rest", [], (1, 0.5), (0, 0), [(0.125, 0, 0.5)], floors=[(0, 0, 1, 1)]),
     scene("fall: through a hole of the floor", [], (0.375, 0.375), (0.5, 0), [(0.125, 0, 0.5)], floors=HOLE),
+    scene("fall: over the joints of unlike tiles to the edge", [], (0.125, 0.375), (0.5, 0.21875), [(0.375, 0.25, 1.5)], floors=HOLE, friction=0.01),
     scene("fall: past a wall on the way down", [(1.125, 0, 1.25, 1)], (0.75, 0.25), (0.5, 0.25), [(0.5, 0, 0.25), (-1, 0, 0.5)], floors=[(0, 0, 1, 1)]),
     scene("fall: dropped, stays down", [], (0, 0, 0.5), (0.25, -0.125), [(0.25, 0.5, 0.5), (-0.25, 0, 0.5)], friction=0.01),
     scene("fall: hops to a rest", [], (0, 0, 0.25), (0.25, 0.125, 0.5), [(0.25, 0.125, 2)], floor=0.5, friction=0.01),
