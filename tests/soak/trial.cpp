@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdarg>
 #include <cstdio>
 #include <random>
 #include <vector>
@@ -180,17 +181,18 @@ private:
     }
 
     /// The first complaint is the trial's problem: what follows may follow from it.
-    template<class... Numbers>
-    void complain(const char *format, Numbers... numbers) {
+    [[gnu::format(printf, 2, 3)]] void complain(const char *format, ...) {
         if (!m_outcome.problem.empty()) return;
-        char text[200];
-        const int length =
-            std::snprintf(text, sizeof text,
-                          "step %llu at (%.9g, %.9g, %.9g), dt %g s: ", static_cast<unsigned long long>(m_state.step),
-                          m_state.position.x, m_state.position.y, m_state.position.z, m_dt);
         char reason[200];
-        std::snprintf(reason, sizeof reason, format, numbers...);
-        m_outcome.problem = std::string(text, static_cast<size_t>(length)) + reason;
+        va_list arguments;
+        va_start(arguments, format);
+        std::vsnprintf(reason, sizeof reason, format, arguments);
+        va_end(arguments);
+        char where[200];
+        std::snprintf(where, sizeof where,
+                      "step %llu at (%.9g, %.9g, %.9g), dt %g s: ", static_cast<unsigned long long>(m_state.step),
+                      m_state.position.x, m_state.position.y, m_state.position.z, m_dt);
+        m_outcome.problem = std::string(where) + reason;
     }
 
     const Plan &m_plan;
