@@ -50,7 +50,8 @@ struct Stretch {
     std::optional<phys_state> from; // before the first of them; nothing: goes on from the stretch before
     std::vector<uint64_t> hashes;   // phys_state_hash after each step
     QString failure;                // the library's line if the step after these failed; else empty
-    int line = 0;                   // of the file, where the conditions end
+    int mazeLine = 0;               // of the file
+    int stepperLine = 0;
 };
 
 struct Recording {

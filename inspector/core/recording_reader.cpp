@@ -107,6 +107,8 @@ private:
     phys_stepper_info m_stepper{};
     std::optional<phys_state> m_from;
     int m_line = 0;
+    int m_mazeLine = 0;
+    int m_stepperLine = 0;
     bool m_isOpen = false;    // the last stretch goes on
     bool m_needsState = true; // a level doesn't say where the ball is
 };
@@ -162,6 +164,7 @@ void Reader::readLevel(const QByteArrayList &fields) {
     const qsizetype end = fields[0].indexOf(' ');
     if (end < 0 || end + 1 == fields[0].size()) fail(QStringLiteral("'level HASH FILE'"), "level " + fields[0]);
     m_conditions.maze = {QString::fromUtf8(fields[0].mid(end + 1)), hash(fields[0].left(end))};
+    m_mazeLine = m_line;
     m_from.reset();
     m_needsState = true;
 }
@@ -174,6 +177,7 @@ void Reader::readStepper(const QByteArrayList &fields) {
     if (phys_registry_find(m_registry.get(), source.id.constData(), &m_stepper, &failure) != PHYS_OK)
         throw WrongLine{QString::fromUtf8(failure.text) + QStringLiteral("; --plugin loads a plugin's steppers")};
     m_conditions.stepper = source;
+    m_stepperLine = m_line;
     phys_stepper_info_init_params(&m_stepper, &m_conditions.inputs.params);
 }
 
@@ -240,7 +244,7 @@ void Reader::readFailure(const QByteArrayList &fields) {
 Stretch &Reader::stretch() {
     if (m_isOpen) return m_recording.stretches.back();
     checkConditions();
-    m_recording.stretches.push_back({m_conditions, m_from, {}, {}, m_line});
+    m_recording.stretches.push_back({m_conditions, m_from, {}, {}, m_mazeLine, m_stepperLine});
     m_from.reset();
     m_isOpen = true;
     return m_recording.stretches.back();

@@ -83,16 +83,16 @@ bool Replay::openMaze(const MazeSource &maze, QString *error) {
 
 bool Replay::setUp(const Stretch &stretch) {
     const Conditions &now = stretch.conditions;
-    const auto refuse = [&](const QString &reason) {
-        m_outcome.error = QStringLiteral("%1:%2: %3").arg(m_recording.file).arg(stretch.line).arg(reason);
+    const auto refuse = [&](int line, const QString &reason) {
+        m_outcome.error = QStringLiteral("%1:%2: %3").arg(m_recording.file).arg(line).arg(reason);
         return false;
     };
     QString error;
     const bool isNewMaze = !m_engine || !(m_conditions.maze == now.maze);
-    if (isNewMaze && !openMaze(now.maze, &error)) return refuse(error);
+    if (isNewMaze && !openMaze(now.maze, &error)) return refuse(stretch.mazeLine, error);
     if (isNewMaze || !(m_conditions.stepper == now.stepper)) {
         const Stepper stepper = makeStepper(m_registry, now.stepper.id, m_scene, &error);
-        if (!stepper) return refuse(error);
+        if (!stepper) return refuse(stretch.stepperLine, error);
         if (isNewMaze)
             m_engine = std::make_unique<Engine>(m_scene, stepper);
         else

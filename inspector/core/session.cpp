@@ -26,7 +26,7 @@ std::unique_ptr<Session> Session::open(const Options &options, QSettings &settin
     session->m_simulation->setDt(options.dt);
     session->m_simulation->setSpeed(options.speed);
     session->sendInputs();
-    if (!options.record.isEmpty()) session->record(options.record);
+    if (!options.record.isEmpty()) session->startRecording(options.record);
     session->showPrompt();
     return session;
 }
@@ -44,7 +44,10 @@ Session::Session(const Options &options, QSettings &settings, const Scene &scene
     , m_simulation(std::make_unique<Simulation>(scene, stepper)) {
     connect(&m_parameters, &Parameters::changed, this, &Session::sendInputs);
     connect(m_simulation.get(), &Simulation::failed, this, &Session::failed);
-    connect(m_simulation.get(), &Simulation::recordingFailed, this, &Session::recordingFailed);
+    connect(m_simulation.get(), &Simulation::recordingFailed, this, [this](const QString &line) {
+        showRecording(false);
+        emit recordingFailed(line);
+    });
     connect(m_simulation.get(), &Simulation::leftMaze, this,
             [this](double time) { m_game.leaveMaze(time, m_hasAutopilot || levelIndex() < 0); });
     connect(&m_game, &Game::started, this, [this] {
@@ -193,14 +196,22 @@ void Session::advanceKeys(double seconds) {
     m_keysTilt = !m_tiltControl.isAtRest();
 }
 
-void Session::record(const QString &file) {
-    m_records = true;
-    const auto recorder = std::make_shared<Recorder>(file);
-    recorder->setOrigin(origin());
-    m_simulation->setRecorder(recorder);
+void Session::startRecording(const QString &file) {
+    m_simulation->startRecording(file, origin());
+    showRecording(true);
 }
 
-Origin Session::origin() const { return m_records ? originOf(m_registry, m_stepperId, m_level.path) : Origin{}; }
+void Session::stopRecording() {
+    m_simulation->stopRecording();
+    showRecording(false);
+}
+
+void Session::showRecording(bool isOn) {
+    m_isRecording = isOn;
+    emit recordingChanged(isOn);
+}
+
+Origin Session::origin() const { return originOf(m_registry, m_stepperId, m_level.path); }
 
 void Session::sendInputs() { m_simulation->setInputs(m_parameters.inputs()); }
 

@@ -56,6 +56,11 @@ public:
     bool setSpeed(double speed);
     bool setAutopilot(bool isOn); // it flies from the present state on; off: the board goes level
 
+    // Records from the next step on, until it is stopped, can't be written or the session ends.
+    void startRecording(const QString &file);
+    void stopRecording();
+    bool isRecording() const { return m_isRecording; }
+
     // Keys of the game: arrow keys as held, and the time since the last call (about 60 times a second). While a key is
     // held, and until the board is level again, the tilt parameters follow the keys.
     void setKeys(TiltKeys keys) { m_tiltControl.setKeys(keys); }
@@ -68,7 +73,8 @@ signals:
     void paceChanged(); // dt or speed
     void autopilotChanged(bool isOn);
     void failed(const QString &line);          // also the simulation's
-    void recordingFailed(const QString &line); // the simulation goes on
+    void recordingFailed(const QString &line); // and ended; the simulation goes on
+    void recordingChanged(bool isOn);
 
 private:
     Session(const Options &options, QSettings &settings, const Scene &scene, const Stepper &stepper);
@@ -80,8 +86,8 @@ private:
     void levelBoard();
     void setTilt(Tilt tilt);
     void sendInputs();
-    void record(const QString &file);
-    Origin origin() const; // empty if nothing is recorded
+    void showRecording(bool isOn);
+    Origin origin() const;
 
     QSettings &m_settings;
     Registry m_registry;
@@ -92,7 +98,7 @@ private:
     double m_dt = Engine::kDefaultDt;
     double m_speed = 1.0;
     bool m_hasAutopilot = false;
-    bool m_records = false;
+    bool m_isRecording = false;
     TiltControl m_tiltControl;
     bool m_keysTilt = false; // the board's tilt is the keys' just now
     Parameters m_parameters;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #ifdef __linux__
@@ -39,7 +40,7 @@ struct Simulation::Worker {
     uint64_t obeyed = 0; // number of the inputs that count
     uint64_t impacts = 0;
     phys_event lastImpact{};
-    std::shared_ptr<Recorder> recorder{};
+    std::optional<Recorder> recorder{};
     double leftAt = std::numeric_limits<double>::infinity(); // when the ball left the maze, s
 
     void obey(const GivenInputs &given);
@@ -49,6 +50,7 @@ struct Simulation::Worker {
     void step(Clock::time_point due);
     void record(const QString &failure);
     void dropBadRecorder();
+    void endRecording();
     void noteEvents();
     void noteLeaving();
     void publish(Clock::time_point due);
@@ -116,6 +118,13 @@ void Simulation::Worker::record(const QString &failure) {
 void Simulation::Worker::dropBadRecorder() {
     if (!recorder || recorder->isGood()) return;
     emit owner.recordingFailed(recorder->error());
+    recorder.reset();
+}
+
+void Simulation::Worker::endRecording() {
+    if (!recorder) return;
+    recorder->close();
+    dropBadRecorder();
     recorder.reset();
 }
 
@@ -241,11 +250,18 @@ void Simulation::setPilot(std::shared_ptr<const Pilot> pilot) {
     post([pilot = std::move(pilot)](Worker &worker) { worker.engine.setPilot(pilot); });
 }
 
-void Simulation::setRecorder(std::shared_ptr<Recorder> recorder) {
-    post([recorder = std::move(recorder)](Worker &worker) {
-        worker.recorder = recorder;
+// Files are opened and closed by the stepping thread too, one after the other.
+void Simulation::startRecording(const QString &file, const Origin &origin) {
+    post([file, origin](Worker &worker) {
+        worker.endRecording();
+        worker.recorder.emplace(file);
+        worker.recorder->setOrigin(origin);
         worker.dropBadRecorder();
     });
+}
+
+void Simulation::stopRecording() {
+    post([](Worker &worker) { worker.endRecording(); });
 }
 
 void Simulation::setInputs(const Inputs &inputs) {

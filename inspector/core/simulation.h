@@ -44,8 +44,9 @@ public:
     void setDt(double dt);       // s, > 0
     void setSpeed(double speed); // clamped to kSlowest .. kFastest; changes how many steps run, never dt
     void setPilot(std::shared_ptr<const Pilot> pilot); // or nullptr: the tilt of the inputs counts
-    // Notes every step from now on, until one can't be written; with its origin set. It belongs to the stepping thread.
-    void setRecorder(std::shared_ptr<Recorder> recorder);
+    // Notes every step from now on, in the place of a recording before, until one can't be written.
+    void startRecording(const QString &file, const Origin &origin);
+    void stopRecording();
 
     // Latest wins: from the next step on.
     void setInputs(const Inputs &inputs);

@@ -32,6 +32,7 @@ private slots:
     void changedInputNamesTheStepItActsOn();
     void changesWhileRunningReplayTheSame();
     void sessionOfAPersonReplaysTheSame();
+    void recordingOfAPartReplaysTheSame();
     void lastRunIsAScheduleOfTheTrade();
     void failedStepIsRecordedAndReplaysTheSame();
     void otherVersionsAreNamedWhereAStepDiffers();
@@ -302,6 +303,7 @@ void TestRecording::sessionOfAPersonReplaysTheSame() {
         const uint64_t begin = session->simulation().samples().last();
         QTRY_VERIFY(session->simulation().samples().last() >= begin + steps);
     };
+    QVERIFY(session->isRecording());
     session->simulation().stepOnce();
     QTRY_COMPARE(session->simulation().latest().current.step, uint64_t(1));
     session->game().confirm(); // restarts
@@ -327,6 +329,38 @@ void TestRecording::sessionOfAPersonReplaysTheSame() {
     QVERIFY(recording && recording->stepCount() >= 101);
     QCOMPARE(recording->stretches.back().conditions.maze.path, options.levels[1].path);
     QCOMPARE(recording->stretches.back().conditions.stepper.id, QByteArray("exact"));
+}
+
+// Begun and ended in the middle of a run, twice into the same file: the second is what counts.
+void TestRecording::recordingOfAPartReplaysTheSame() {
+    Options options;
+    options.registry = makeRegistry(nullptr);
+    options.levels = levelsIn(LEVELS_FOLDER);
+    options.level = options.levels[0];
+    options.speed = Simulation::kFastest;
+    QSettings settings(path("settings.ini"), QSettings::IniFormat);
+    const auto session = Session::open(options, settings, nullptr);
+    QVERIFY(session && !session->isRecording());
+    QVERIFY(session->parameters().set({{"tilt_x", 2.0}}));
+    Simulation &simulation = session->simulation();
+    const auto playFor = [&](uint64_t steps) { // more steps; a command from before acts on the last of them
+        const uint64_t end = simulation.samples().last() + steps;
+        QTRY_VERIFY(simulation.samples().last() >= end);
+    };
+    simulation.run();
+    playFor(10);
+    session->startRecording(path("r"));
+    playFor(10);
+    session->startRecording(path("r"));
+    playFor(10);
+    session->stopRecording();
+    playFor(10);
+    QVERIFY(contentOf(path("r")).endsWith("\nend\n"));
+    const auto recording = readRecording(path("r"), options.registry, nullptr);
+    QVERIFY(recording);
+    QCOMPARE(recording->stretches.size(), size_t(1));
+    QVERIFY(recording->stretches[0].from && recording->stretches[0].from->step > 10);
+    QVERIFY(checkOf(path("r")).out.startsWith("same: "));
 }
 
 void TestRecording::lastRunIsAScheduleOfTheTrade() {

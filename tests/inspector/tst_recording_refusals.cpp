@@ -170,7 +170,7 @@ void TestRecordingRefusals::missingMazeIsRefused() {
     write(path("r"), changed(m_good, "level", to));
     const Result check = runOf({"--replay", path("r"), "--check"});
     QCOMPARE(check.status, 2);
-    QVERIFY2(check.messages.contains("expected the maze file '/nowhere/none.txt'"), qPrintable(check.messages));
+    QVERIFY2(check.messages.contains(":7: expected the maze file '/nowhere/none.txt'"), qPrintable(check.messages));
 }
 
 void TestRecordingRefusals::changedMazeIsRefused() {
@@ -234,7 +234,7 @@ void TestRecordingRefusals::simulationGoesOnWithoutItsRecording() {
     Simulation simulation(scene, defaultStepper(scene));
     QStringList lines;
     connect(&simulation, &Simulation::recordingFailed, this, [&](const QString &line) { lines += line; });
-    simulation.setRecorder(std::make_shared<Recorder>("/nowhere/r"));
+    simulation.startRecording("/nowhere/r", {});
     simulation.run();
     QTRY_VERIFY(simulation.latest().current.step > 20);
     QVERIFY(simulation.latest().running);
