@@ -24,6 +24,8 @@ class Reports : public QObject {
 private slots:
     void changeNoBitOfABallThatAlmostTouchesAWall_data() { addStepperAndModelRows(); }
     void changeNoBitOfABallThatAlmostTouchesAWall();
+    void changeNoBitOfABallThatRollsCloseBesideAWall_data() { addStepperAndModelRows(); }
+    void changeNoBitOfABallThatRollsCloseBesideAWall();
     void changeNoBitOfABallThatHitsARoughWall_data() { addStepperAndModelRows(); }
     void changeNoBitOfABallThatHitsARoughWall();
 
@@ -51,6 +53,17 @@ void Reports::changeNoBitOfABallThatAlmostTouchesAWall() {
     ball.params.wall_friction = 0.25;
     ball.setPosition(std::nextafter(phys_scene_radius(ball.scene()), std::numeric_limits<double>::infinity()), 2.0);
     ball.setLaw(-0.5, 0.25, 0x1p-7);
+    compareSteps(ball);
+}
+
+/// So close that looking ahead takes many small steps, and yet touching nothing.
+void Reports::changeNoBitOfABallThatRollsCloseBesideAWall() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    Experiment ball(squareRoom(4.0), stepper, model);
+    ball.setPosition(phys_scene_radius(ball.scene()) + 2e-14, 2.0);
+    ball.setLaw(0.0, 0.25, 0x1p-7);
+    ball.roll(0.0, 0.5);
     compareSteps(ball);
 }
 
