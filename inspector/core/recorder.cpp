@@ -23,7 +23,7 @@ Origin originOf(const Registry &registry, const QByteArray &stepper, const QStri
 
 Recorder::Recorder(const QString &path)
     : m_file(path) {
-    m_isGood = m_file.open(QIODevice::WriteOnly | QIODevice::Truncate | QIODevice::Unbuffered);
+    if (!m_file.open(QIODevice::WriteOnly | QIODevice::Truncate | QIODevice::Unbuffered)) fail();
     put(recordingHead());
     flush();
 }
@@ -31,7 +31,7 @@ Recorder::Recorder(const QString &path)
 Recorder::~Recorder() { close(); }
 
 void Recorder::note(const Engine &engine) {
-    if (!m_isGood) return;
+    if (!isGood()) return;
     putNews(engine, engine.previous());
     m_state = engine.state();
     put(stepText(*m_state));
@@ -39,7 +39,7 @@ void Recorder::note(const Engine &engine) {
 }
 
 void Recorder::noteFailure(const Engine &engine, const QString &line) {
-    if (!m_isGood) return;
+    if (!isGood()) return;
     putNews(engine, engine.state());
     put(failureText(line));
     flush();
@@ -73,7 +73,7 @@ void Recorder::putNews(const Engine &engine, const phys_state &from) {
 }
 
 void Recorder::put(const QByteArray &text) {
-    if (m_isGood) m_waiting += text;
+    if (isGood()) m_waiting += text;
 }
 
 bool Recorder::isFlushDue() const {
@@ -81,7 +81,7 @@ bool Recorder::isFlushDue() const {
 }
 
 void Recorder::flush() {
-    if (m_isGood) m_isGood = m_file.write(m_waiting) == m_waiting.size();
+    if (isGood() && m_file.write(m_waiting) != m_waiting.size()) fail();
     m_waiting.clear();
     m_flushed = std::chrono::steady_clock::now();
 }
@@ -93,8 +93,9 @@ void Recorder::close() {
     m_file.close();
 }
 
-QString Recorder::error() const {
-    return QStringLiteral("--record: can't write '%1': %2").arg(m_file.fileName(), m_file.errorString());
+// Kept, because closing the file forgets the reason.
+void Recorder::fail() {
+    m_error = QStringLiteral("can't record into '%1': %2").arg(m_file.fileName(), m_file.errorString());
 }
 
 } // namespace inspector

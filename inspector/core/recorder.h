@@ -43,20 +43,21 @@ public:
     void close();
 
     // False once something could not be written; the rest isn't, then.
-    bool isGood() const { return m_isGood; }
-    QString error() const; // one line
+    bool isGood() const { return m_error.isEmpty(); }
+    QString error() const { return m_error; } // one line
 
 private:
     bool hasNewConditions(const Engine &engine) const;
     void putConditions(const Engine &engine);
     void putNews(const Engine &engine, const phys_state &from);
     void put(const QByteArray &text);
+    void fail();
     bool isFlushDue() const;
 
     QFile m_file;
     QByteArray m_waiting;
     std::chrono::steady_clock::time_point m_flushed;
-    bool m_isGood = true;
+    QString m_error;
     Origin m_origin;
     bool m_originIsNew = true;
     std::optional<Conditions> m_conditions; // as written

@@ -144,6 +144,8 @@ void MainWindow::addDockAction(QDockWidget &dock, int number) {
 void MainWindow::connectSession() {
     connect(&m_session, &Session::levelOpened, this, &MainWindow::openLevel);
     connect(&m_session, &Session::failed, m_messages, &MessageBar::showLine);
+    connect(&m_session, &Session::recordingFailed, m_messages, &MessageBar::showLine);
+    connect(&m_session, &Session::recordingChanged, action("record"), &QAction::setChecked);
     connect(&m_session, &Session::autopilotChanged, action("autopilot"), &QAction::setChecked);
     connect(&m_session.simulation(), &Simulation::runningChanged, this, &MainWindow::showRunning);
     connect(m_parameters, &ParameterPanel::refused, m_messages, &MessageBar::showLine);
@@ -151,6 +153,7 @@ void MainWindow::connectSession() {
     connect(m_plot, &PlotPanel::saveWanted, this, &MainWindow::savePlot);
     connect(&m_refresh, &QTimer::timeout, this, &MainWindow::refresh);
     action("autopilot")->setChecked(m_session.hasAutopilot());
+    action("record")->setChecked(m_session.isRecording());
 }
 
 void MainWindow::openLevel() {

@@ -77,6 +77,7 @@ private:
     void openMazeFile();
     void savePlot();
     void saveScreenshot();
+    void toggleRecording();
     void quit();
     void resetParameters();
     void resetLayout();

@@ -42,6 +42,12 @@ const std::vector<MainWindow::ActionRow> &MainWindow::actionRows() {
          &MainWindow::openMazeFile},
         {"save_plot", QT_TR_NOOP("Save plot…"), "Ctrl+S", QT_TR_NOOP("As CSV, PNG or PDF"), {}, &MainWindow::savePlot},
         {"screenshot", QT_TR_NOOP("Save picture of the window…"), "Ctrl+P", "", {}, &MainWindow::saveScreenshot},
+        {"record",
+         QT_TR_NOOP("Record…"),
+         "",
+         QT_TR_NOOP("Write the run into a file that repeats it, until chosen again"),
+         {},
+         &MainWindow::toggleRecording},
         {"quit", QT_TR_NOOP("Quit"), "Ctrl+Q", "", {}, &MainWindow::quit},
         {"reset_parameters",
          QT_TR_NOOP("Reset all parameters"),
@@ -89,6 +95,7 @@ void MainWindow::makeActions() {
         addAction(made);
     }
     action("autopilot")->setCheckable(true);
+    action("record")->setCheckable(true);
 }
 
 void MainWindow::makeMenus() {
@@ -97,7 +104,7 @@ void MainWindow::makeMenus() {
         std::vector<const char *> actions; // "" is a separator
     };
     const MenuRow rows[] = {
-        {QT_TR_NOOP("&File"), {"open", "", "save_plot", "screenshot", "", "quit"}},
+        {QT_TR_NOOP("&File"), {"open", "", "save_plot", "screenshot", "record", "", "quit"}},
         {QT_TR_NOOP("&Edit"), {"", "reset_parameters"}},
         {QT_TR_NOOP("&View"), {"", "camera_reset", "camera_top"}},
         {QT_TR_NOOP("&Game"), {"play", "", "run", "pause", "step", "restart", "", "autopilot"}},
@@ -188,6 +195,14 @@ void MainWindow::saveScreenshot() {
                    QString error;
                    if (!grabTo(path, &error)) m_messages->showLine(error);
                });
+}
+
+void MainWindow::toggleRecording() {
+    if (m_session.isRecording()) return m_session.stopRecording();
+    action("record")->setChecked(false); // until a file is chosen
+    chooseFile(*this, m_session.settings(),
+               {tr("Record the run"), tr("Recording (*.rec)"), tr("run.rec"), FileUse::Write},
+               [this](const QString &path) { m_session.startRecording(path); });
 }
 
 void MainWindow::quit() { close(); }
