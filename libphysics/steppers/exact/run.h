@@ -12,9 +12,6 @@
 
 namespace phys {
 
-/// A slip below this, relative to the speeds whose difference it is, is their rounding.
-inline constexpr double kRolls = 8.0 * kRounding;
-
 class Run {
 public:
     Run(const Board &board, Sweep &sweep, const phys_params &params, double dt, const phys_state &in,
@@ -163,7 +160,8 @@ private:
     WallWay wayOnFace(const Hold &hold, const AtWall &wall, double reach);
     WallWay wayOnEdge(const Hold &hold, const AtWall &wall, double reach);
     void follow(const Hold &hold, const AtWall &wall, const WallMotion &motion, const WallEnd &end, const WallWay &way);
-    static bool settleSlips(const WallLaw &law, WallEnd::Cause cause, double smallest, WallState &now);
+    static bool settleSlips(const WallLaw &law, WallEnd::Cause cause, double smallest, const WallState &before,
+                            WallState &now);
     WallAxes axesAfter(const Hold &hold, const AtWall &wall, double length, bool atContour) const;
     Vec3 spinAtWall(const WallLaw &law, const WallState &now, const WallAxes &axes) const;
     void turnAtWall(const Hold &hold, const AtWall &wall, const WallMotion &motion, double end);

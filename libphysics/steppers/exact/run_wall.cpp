@@ -60,8 +60,9 @@ Run::AtWall Run::lookAtWall(const Hold &hold) const {
     const Vec2 normal = inPlane(hold.touch.normal);
     AtWall wall{{normal, {-normal.y, normal.x}}, {}, {}, seenFrom(normal)};
     WallState &now = wall.now;
-    const double rounding = kRolls * (glm::length(m_ball.velocity) + R * glm::length(m_ball.spin));
-    const bool rollsOnFloor = m_floor && !slides() && slipVelocity() == Vec2(0.0);
+    const double rounding = now.rounding();
+    const bool slipsOnFloor = slipVelocity() != Vec2(0.0) && length({now.floorSlip, now.wallSlipUp}) > rounding;
+    const bool rollsOnFloor = m_floor && !slides() && !slipsOnFloor;
     if (m_floor && std::abs(now.wallSlipUp) <= rounding) now.wallSlipUp = 0.0;
     if (rollsOnFloor) now.floorSlip = now.wallSlipUp = 0.0;
     const bool rollsOnWall = length({now.wallSlip, now.wallSlipUp}) <= rounding;
@@ -216,7 +217,7 @@ void Run::follow(const Hold &hold, const AtWall &wall, const WallMotion &motion,
 
     WallState now = motion.at(end.s);
     if (end.cause == WallEnd::Cause::stop) now.along = 0.0;
-    const bool rolls = settleSlips(wall.law, end.cause, smallestSlip(wall.units), now);
+    const bool rolls = settleSlips(wall.law, end.cause, smallestSlip(wall.units), wall.now, now);
     scale(now, wall.units.speed, wall.units.acceleration);
     const WallAxes axes = axesAfter(hold, wall, length, atWayEnd && way.end == WallWay::End::contour);
     if (hold.kind == Hold::Kind::edge) {
@@ -241,16 +242,17 @@ void Run::follow(const Hold &hold, const AtWall &wall, const WallMotion &motion,
 }
 
 /// A slip that has come to its end is zero exactly. True if that of the floor has.
-bool Run::settleSlips(const WallLaw &law, WallEnd::Cause cause, double smallest, WallState &now) {
-    const double speeds = std::abs(now.along) + std::abs(now.up);
-    const double spins =
-        std::abs(now.floorSlip - now.along) + std::abs(now.wallSlipUp - now.up) + std::abs(now.along - now.wallSlip);
-    const double rounding = kRolls * (speeds + spins) + smallest;
-    const auto ends = [&](Grip grip, WallEnd::Cause ending, double along, double aside) {
-        return grip == Grip::slips && (cause == ending || length({along, aside}) <= rounding);
+bool Run::settleSlips(const WallLaw &law, WallEnd::Cause cause, double smallest, const WallState &before,
+                      WallState &now) {
+    const double rounding = now.rounding() + smallest;
+    const auto ends = [&](Grip grip, WallEnd::Cause ending, const Vec2 &first, const Vec2 &last) {
+        const bool fades = length(last) <= rounding && length(last) < length(first); // not one that has just started
+        return grip == Grip::slips && (cause == ending || fades);
     };
-    const bool floorRolls = ends(law.floor, WallEnd::Cause::floorRolls, now.floorSlip, now.wallSlipUp - now.up);
-    const bool wallRolls = ends(law.wall, WallEnd::Cause::wallRolls, now.wallSlip, now.wallSlipUp);
+    const bool floorRolls =
+        ends(law.floor, WallEnd::Cause::floorRolls, {before.floorSlip, before.shared()}, {now.floorSlip, now.shared()});
+    const bool wallRolls =
+        ends(law.wall, WallEnd::Cause::wallRolls, {before.wallSlip, before.wallSlipUp}, {now.wallSlip, now.wallSlipUp});
     if (floorRolls) now.floorSlip = 0.0;
     if (wallRolls) now.wallSlip = 0.0;
     if (wallRolls) now.wallSlipUp = 0.0;

@@ -87,16 +87,24 @@ inline double rootTerm(const Taylor &square, const Taylor &root, int k) {
 }
 
 /// First s in [0, end] at which f falls through zero, f(0) >= 0; kNever if it doesn't. By the advancement of
-/// model.md 5.2, which passes no crossing over.
+/// model.md 5.2, which passes no crossing over; the bound of f'' holds for a window that is as wide as steps allow.
 inline double firstFall(const Taylor &f, double end) {
-    const double bend = f.mostBend(end);
+    double window = end, bend = f.mostBend(window);
     for (double s = 0.0; s <= end;) {
         const double value = f.at(s), rate = f.rateAt(s);
         const bool isZero = value <= 4.0 * kRounding * f.most(s);
         const double step = firstFall(std::max(0.0, value), rate, -bend);
         if (rate < 0.0 && (isZero || s + step == s)) return std::min(end, s + step);
+        if (step < 0x1p-6 * window && window > 2.0 * s && window > 0x1p-60 * end) {
+            window *= 0.5;
+            bend = f.mostBend(window);
+            continue;
+        }
         // A start from zero and at rest is left by a step too short to matter.
-        s += s + step > s ? step : 0x1p-12 * end;
+        s = std::min(s + std::max(step, s + step > s ? 0.0 : 0x1p-12 * end), window < end ? window : kNever);
+        if (s < window) continue;
+        window = std::min(end, 2.0 * window);
+        bend = f.mostBend(window);
     }
     return kNever;
 }

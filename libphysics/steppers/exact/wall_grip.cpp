@@ -5,7 +5,7 @@ namespace phys {
 
 namespace {
 
-/// A slip that only starts has this size, in units of the speeds: no more than rounding, but with a direction.
+/// A slip that only starts, in units of the speeds if these are all zero.
 constexpr double kStart = 16.0 * kRounding;
 
 /// Below this, relative to the numbers it is the difference of, what falls is spent: model.md 8.
@@ -64,27 +64,32 @@ bool orient(WallLaw &law, WallState &now, double resistance) {
     return sense < 0.0;
 }
 
+/// Size of a slip that only starts: just above rounding, so that it has a direction.
+double startOf(const WallState &now) { return std::max(2.0 * now.rounding(), kStart); }
+
 void startFloorSlip(WallLaw &law, WallState &now, const WallMotion &rolling) {
     law.floor = Grip::slips;
     law.floorSense = -senseOf(rolling.floorPush.along[0]);
-    now.floorSlip = kStart * law.floorSense;
+    const double start = startOf(now);
+    now.floorSlip = start * law.floorSense;
     if (law.curvature == 0.0 || law.wall == Grip::rolls) return;
     const double most = law.floorFriction * rolling.floorForce[0];
     const Direction e = startOfSlip(rolling.floorPush.aside[0], rolling.floorPush.along[0], 2.5, 3.5, most);
-    now.floorSlip = kStart * e.along;
-    now.wallSlipUp = now.up - kStart * e.aside;
+    now.floorSlip = start * e.along;
+    now.wallSlipUp = now.up - start * e.aside;
 }
 
 void startWallSlip(WallLaw &law, WallState &now, const WallMotion &rolling) {
     law.wall = Grip::slips;
     law.wallSense = -senseOf(rolling.wallPush.along[0]);
-    now.wallSlip = kStart * law.wallSense;
+    const double start = startOf(now);
+    now.wallSlip = start * law.wallSense;
     const bool flies = law.floor == Grip::none;
     if (law.floor == Grip::rolls || (law.curvature == 0.0 && !flies)) return;
     const double most = law.wallFriction * rolling.wallForce[0];
     const Direction e = startOfSlip(rolling.wallPush.aside[0], rolling.wallPush.along[0], flies ? 3.5 : 2.5, 3.5, most);
-    now.wallSlip = kStart * e.along;
-    now.wallSlipUp = kStart * e.aside;
+    now.wallSlip = start * e.along;
+    now.wallSlipUp = start * e.aside;
 }
 
 } // namespace

@@ -12,6 +12,11 @@ double constantTerm(double value, int k) { return k == 0 ? value : 0.0; }
 
 } // namespace
 
+double WallState::rounding() const {
+    const double surface = length({length({floorSlip - along, wallSlipUp - up}), along - wallSlip}); // R |om|
+    return kRolls * (length({along, up}) + surface);
+}
+
 WallMotion::WallMotion(const WallLaw &law, const WallState &now, int order)
     : m_law(law) {
     along[0] = now.along;

@@ -15,12 +15,21 @@ enum class Grip {
     rolls   ///< as much as keeps the slip at zero
 };
 
+/// A slip below this, relative to the speeds whose difference it is, is their rounding.
+inline constexpr double kRolls = 8.0 * kRounding;
+
 /// The motion at a moment, in the axes n (the wall's normal), along (level: z x n or its opposite) and up.
 struct WallState {
     double along = 0.0, up = 0.0;                   ///< velocity of the centre
     double floorSlip = 0.0;                         ///< along; across the wall it is up - wallSlipUp
     double wallSlip = 0.0, wallSlipUp = 0.0;        ///< along and up
     double gravityAcross = 0.0, gravityAlong = 0.0; ///< along n, and along
+
+    /// The slip that floor and wall share, but for its sign: across the wall there, up here.
+    double shared() const { return wallSlipUp - up; }
+
+    /// Largest slip that is none but for rounding.
+    double rounding() const;
 };
 
 /// What stays the same in a phase.
