@@ -277,7 +277,7 @@ std::optional<Recording> parseRecording(const QByteArray &text, const Registry &
         const qsizetype end = text.indexOf('\n', begin);
         if (end < 0 && number > 1) break; // what an interrupted program left of a line
         QByteArray line = text.mid(begin, end < 0 ? -1 : end - begin);
-        if (line.endsWith('\r')) line.chop(1); // mailed
+        while (line.endsWith('\r')) line.chop(1); // mailed
         try {
             reader.read(line);
         } catch (const WrongLine &wrong) {
