@@ -5,6 +5,11 @@
 
 namespace inspector {
 
+TradeWorker::TradeWorker(QObject *parent)
+    : QObject(parent) {
+    connect(this, &TradeWorker::posted, this, &TradeWorker::takeNews, Qt::QueuedConnection);
+}
+
 void TradeWorker::start(TradePlan plan, const QString &schedule, double duration) {
     m_thread = {}; // stops and joins
     ++m_run;
@@ -19,15 +24,23 @@ void TradeWorker::start(TradePlan plan, const QString &schedule, double duration
 
 void TradeWorker::cancel() { m_thread.request_stop(); }
 
-template<typename Action>
-void TradeWorker::post(Action action) {
-    // m_run changes only while no thread runs.
-    QMetaObject::invokeMethod(
-        this,
-        [this, run = m_run, action = std::move(action)] {
-            if (run == m_run) action();
-        },
-        Qt::QueuedConnection);
+void TradeWorker::post(std::function<void()> act) {
+    {
+        const std::lock_guard guard(m_lock);
+        m_news.push_back({m_run, std::move(act)});
+    }
+    emit posted(QPrivateSignal());
+}
+
+void TradeWorker::takeNews() {
+    std::vector<News> news;
+    {
+        const std::lock_guard guard(m_lock);
+        news.swap(m_news);
+    }
+    for (const News &item : news) {
+        if (item.run == m_run) item.act();
+    }
 }
 
 void TradeWorker::measure(TradePlan plan, const QString &schedule, double duration, const std::stop_token &stop) {

@@ -6,7 +6,10 @@
 
 #include <QObject>
 
+#include <functional>
+#include <mutex>
 #include <thread>
+#include <vector>
 
 namespace inspector {
 
@@ -14,7 +17,7 @@ class TradeWorker : public QObject {
     Q_OBJECT
 
 public:
-    using QObject::QObject;
+    explicit TradeWorker(QObject *parent = nullptr);
 
     // From the thread that owns this object. Ends a measurement that runs. plan: its schedule is made from the words
     // (trade_options.h), for at most so long.
@@ -31,17 +34,26 @@ signals:
     void progressed(double share, const QString &what);
     void ended(const QString &error); // empty if it came to its end or was cancelled
 
+    void posted(QPrivateSignal); // there is news to take
+
 private:
+    struct News {
+        uint64_t run; // that it is of
+        std::function<void()> act;
+    };
+
     void measure(TradePlan plan, const QString &schedule, double duration, const std::stop_token &stop);
-    // In the owner's thread, unless another measurement was started meanwhile.
-    template<typename Action>
-    void post(Action action);
+    // Acts in the owner's thread, unless another measurement was started meanwhile.
+    void post(std::function<void()> act);
+    void takeNews();
 
     TradePlan m_plan;
     TradeResult m_result;
     bool m_isRunning = false;
-    uint64_t m_run = 0;    // the owner's
-    std::jthread m_thread; // last: ends before anything above it goes
+    uint64_t m_run = 0; // changes only while no thread runs
+    std::mutex m_lock;
+    std::vector<News> m_news; // guarded by m_lock
+    std::jthread m_thread;    // last: ends before anything above it goes
 };
 
 } // namespace inspector
