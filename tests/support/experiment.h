@@ -52,7 +52,7 @@ private:
     StepperPtr m_stepper;
     QByteArray m_id;
     phys_error m_error{};
-    std::array<phys_event, 256> m_events{};
+    std::array<phys_event, 1024> m_events{};
 };
 
 } // namespace support
