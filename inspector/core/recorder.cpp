@@ -11,6 +11,12 @@ namespace {
 constexpr std::chrono::milliseconds kFlushPeriod{100};
 constexpr qsizetype kFlushSize = 65536; // bytes
 
+// Bits, unlike ==: 0 and -0 are two inputs. None of these types has padding.
+template<class Plain>
+bool isSameBits(const Plain &a, const Plain &b) {
+    return std::memcmp(&a, &b, sizeof a) == 0; // NOLINT(bugprone-suspicious-memory-comparison)
+}
+
 } // namespace
 
 Origin originOf(const Registry &registry, const QByteArray &stepper, const QString &maze) {
@@ -52,7 +58,7 @@ void Recorder::setOrigin(const Origin &origin) {
 
 bool Recorder::hasNewConditions(const Engine &engine) const {
     if (m_originIsNew || !m_conditions || m_conditions->dt != engine.dt()) return true;
-    return std::memcmp(&m_conditions->inputs, &engine.inputs(), sizeof(Inputs)) != 0;
+    return !isSameBits(m_conditions->inputs, engine.inputs());
 }
 
 void Recorder::putConditions(const Engine &engine) {
@@ -68,7 +74,7 @@ void Recorder::putConditions(const Engine &engine) {
 // What is new at the step that began at this state.
 void Recorder::putNews(const Engine &engine, const phys_state &from) {
     if (hasNewConditions(engine)) putConditions(engine);
-    if (!m_state || std::memcmp(&*m_state, &from, sizeof from) != 0) put(stateText(from));
+    if (!m_state || !isSameBits(*m_state, from)) put(stateText(from));
     m_state = from;
 }
 
