@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Runs without a window: the table they write, when they end, what they return.
-#include "core/command_line.h"
 #include "core/csv_writer.h"
-#include "core/headless.h"
+#include "headless_run.h"
 #include "scenes.h"
 
-#include <QBuffer>
 #include <QTemporaryDir>
 
 #include <clocale>
@@ -34,28 +32,7 @@ private slots:
 
 namespace {
 
-struct Result {
-    int status;
-    QByteArray out;
-    QString messages;
-
-    QByteArrayList rows() const {
-        QByteArrayList lines = out.trimmed().split('\n');
-        lines.removeIf([](const QByteArray &line) { return line.startsWith('#'); });
-        return lines.mid(1); // without the header
-    }
-};
-
-Result runOf(const QString &words) {
-    const CommandLine line = parseCommandLine(("physics-inspector --headless " + words).split(' '));
-    if (line.exitStatus) return {*line.exitStatus, {}, line.error};
-    QBuffer out;
-    out.open(QIODevice::WriteOnly);
-    QString text;
-    QTextStream messages(&text);
-    const int status = runHeadless(line.options, out, messages);
-    return {status, out.data(), text};
-}
+Result runOf(const QString &words) { return inspector::runOf(("--headless " + words).split(' ')); }
 
 } // namespace
 

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Recordings: what is written comes back bit by bit, replays the same, and tells exactly the first step that doesn't.
-#include "core/command_line.h"
-#include "core/headless.h"
 #include "core/recorder.h"
 #include "core/recording_schedule.h"
 #include "core/replay.h"
 #include "core/session.h"
+#include "headless_run.h"
 #include "scenes.h"
 
-#include <QBuffer>
 #include <QTemporaryDir>
 
 #include <cstring>
@@ -48,23 +46,6 @@ private:
 };
 
 namespace {
-
-struct Result {
-    int status;
-    QByteArray out;
-    QString messages;
-};
-
-Result runOf(const QStringList &words) {
-    const CommandLine line = parseCommandLine(QStringList{"physics-inspector"} + words);
-    if (line.exitStatus) return {*line.exitStatus, {}, line.error};
-    QBuffer out;
-    out.open(QIODevice::WriteOnly);
-    QString text;
-    QTextStream messages(&text);
-    const int status = runHeadless(line.options, out, messages);
-    return {status, out.data(), text};
-}
 
 Result checkOf(const QString &file) { return runOf({"--replay", file, "--check"}); }
 

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Recordings that can't be read, followed or written: one line each that says where, what was expected, what was found.
-#include "core/command_line.h"
-#include "core/headless.h"
 #include "core/recorder.h"
 #include "core/simulation.h"
+#include "headless_run.h"
 #include "scenes.h"
 
-#include <QBuffer>
 #include <QTemporaryDir>
 
 using namespace inspector;
@@ -35,23 +33,6 @@ private:
 };
 
 namespace {
-
-struct Result {
-    int status;
-    QByteArray out;
-    QString messages;
-};
-
-Result runOf(const QStringList &words) {
-    const CommandLine line = parseCommandLine(QStringList{"physics-inspector"} + words);
-    if (line.exitStatus) return {*line.exitStatus, {}, line.error};
-    QBuffer out;
-    out.open(QIODevice::WriteOnly);
-    QString text;
-    QTextStream messages(&text);
-    const int status = runHeadless(line.options, out, messages);
-    return {status, out.data(), text};
-}
 
 void write(const QString &path, const QByteArray &text) {
     QFile file(path);

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// A run without a window, as the program makes it of its command line.
+#pragma once
+
+#include "core/command_line.h"
+#include "core/headless.h"
+
+#include <QBuffer>
+#include <QByteArrayList>
+#include <QStringList>
+#include <QTextStream>
+
+namespace inspector {
+
+struct Result {
+    int status;
+    QByteArray out;
+    QString messages;
+
+    QByteArrayList rows() const {
+        QByteArrayList lines = out.trimmed().split('\n');
+        lines.removeIf([](const QByteArray &line) { return line.startsWith('#'); });
+        return lines.mid(1); // without the header
+    }
+};
+
+inline Result runOf(const QStringList &words) {
+    const CommandLine line = parseCommandLine(QStringList{"physics-inspector"} + words);
+    if (line.exitStatus) return {*line.exitStatus, {}, line.error};
+    QBuffer out;
+    out.open(QIODevice::WriteOnly);
+    QString text;
+    QTextStream messages(&text);
+    const int status = runHeadless(line.options, out, messages);
+    return {status, out.data(), text};
+}
+
+} // namespace inspector
