@@ -79,26 +79,6 @@ inline bool isModerate(const phys_vec3 &v) {
     return std::abs(v.x) <= kLargestNumber && std::abs(v.y) <= kLargestNumber && std::abs(v.z) <= kLargestNumber;
 }
 
-/// Whether all lie between -kLargestNumber and kLargestNumber: times 2^924 these stay finite, others and NaN don't, and
-/// x - x is 0 for a finite x and NaN otherwise.
-template<size_t Count>
-inline bool allModerate(const double *values) {
-    static_assert(Count % 2 == 0);
-#if defined(__SSE2__)
-    const __m128d scale = _mm_set1_pd(0x1p924);
-    __m128d sum = _mm_setzero_pd();
-    for (size_t i = 0; i < Count; i += 2) {
-        const __m128d pair = _mm_mul_pd(scale, _mm_loadu_pd(values + i));
-        sum = _mm_add_pd(sum, _mm_sub_pd(pair, pair));
-    }
-    return _mm_movemask_pd(_mm_cmpeq_pd(sum, _mm_setzero_pd())) == 3;
-#else
-    double sum = 0.0;
-    for (size_t i = 0; i < Count; ++i) sum += 0x1p924 * values[i] - 0x1p924 * values[i];
-    return sum == 0.0;
-#endif
-}
-
 /// Stores (x, y) in one piece and z in another. A step later they are read so: a processor hands a number on from a
 /// store to a load at once only if one store has all of it.
 inline void storeVector(double x, double y, double z, double *out) {

@@ -28,11 +28,11 @@ namespace phys {
 
 namespace {
 
-/// A state's numbers but the time lie side by side, the orientation last.
-inline bool numbersAreModerate(const phys_state &state) {
-    static_assert(offsetof(phys_state, orientation) == offsetof(phys_state, position) + 9 * sizeof(double));
-    const double others = 0x1p924 * (state.orientation[3] + state.time);
-    return allModerate<12>(&state.position.x) && others - others == 0.0;
+/// Each of them: told where the glance below is not enough, or to say what is wrong.
+bool numbersAreModerate(const phys_state &state) {
+    const double(&q)[4] = state.orientation;
+    return isModerate(state.position) && isModerate(state.velocity) && isModerate(state.spin) &&
+           isModerate({q[0], q[1], q[2]}) && isModerate({q[3], state.time, 0.0});
 }
 
 inline bool isUnit(const double (&q)[4]) {
