@@ -99,7 +99,7 @@ void MainWindow::makeCentre() {
 
 void MainWindow::makeDocks() {
     m_parameters = new ParameterPanel(m_session, *m_undo);
-    m_plot = new PlotPanel(m_session.simulation().samples());
+    m_plot = new PlotPanel(new VelocityPlot(m_session.simulation().samples()), QStringLiteral("plot"));
     m_levels = new LevelPanel(m_session);
     static const DockRow rows[] = {
         {kDockNames[0], QT_TR_NOOP("Parameters"), Qt::RightDockWidgetArea,

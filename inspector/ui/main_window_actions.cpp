@@ -10,8 +10,8 @@
 #include "ui/plot_panel.h"
 #include "ui/settings_keys.h"
 #include "ui/theme.h"
+#include "ui/time_plot.h"
 #include "ui/transport_bar.h"
-#include "ui/velocity_plot.h"
 
 #include <QActionGroup>
 #include <QDockWidget>

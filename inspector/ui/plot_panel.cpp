@@ -2,7 +2,7 @@
 #include "ui/plot_panel.h"
 
 #include "ui/path_icon.h"
-#include "ui/velocity_plot.h"
+#include "ui/time_plot.h"
 
 #include <QHBoxLayout>
 #include <QToolButton>
@@ -11,9 +11,9 @@ namespace inspector::ui {
 
 namespace {
 
-QToolButton *addButton(QBoxLayout &layout, Glyph glyph, const char *name, const QString &tip) {
+QToolButton *addButton(QBoxLayout &layout, Glyph glyph, const QString &name, const QString &tip) {
     auto *button = new QToolButton;
-    button->setObjectName(QLatin1String(name));
+    button->setObjectName(name);
     button->setIcon(glyphIcon(glyph));
     button->setToolTip(tip);
     button->setAutoRaise(true);
@@ -24,24 +24,28 @@ QToolButton *addButton(QBoxLayout &layout, Glyph glyph, const char *name, const 
 
 } // namespace
 
-PlotPanel::PlotPanel(const SampleRing &samples, QWidget *parent)
+PlotPanel::PlotPanel(TimePlot *plot, const QString &prefix, QWidget *parent)
     : QWidget(parent)
-    , m_plot(new VelocityPlot(samples)) {
+    , m_plot(plot) {
     auto *buttons = new QVBoxLayout;
     buttons->setSpacing(2);
-    QToolButton *follow = addButton(*buttons, Glyph::Follow, "plot_follow", tr("Follow the newest values"));
-    QToolButton *pause = addButton(*buttons, Glyph::Pause, "plot_pause", tr("Hold the plot; the simulation goes on"));
-    QToolButton *clear = addButton(*buttons, Glyph::Clear, "plot_clear", tr("Forget what was up to now"));
-    QToolButton *save = addButton(*buttons, Glyph::Save, "plot_save", tr("Save as CSV, PNG or PDF…"));
+    QToolButton *follow =
+        addButton(*buttons, Glyph::Follow, prefix + QLatin1String("_follow"), tr("Follow the newest values"));
+    QToolButton *pause = addButton(*buttons, Glyph::Pause, prefix + QLatin1String("_pause"),
+                                   tr("Hold the plot; the simulation goes on"));
+    QToolButton *clear =
+        addButton(*buttons, Glyph::Clear, prefix + QLatin1String("_clear"), tr("Forget what was up to now"));
+    QToolButton *save =
+        addButton(*buttons, Glyph::Save, prefix + QLatin1String("_save"), tr("Save as CSV, PNG or PDF…"));
     buttons->addStretch();
     follow->setCheckable(true);
     follow->setChecked(m_plot->isFollowing());
     pause->setCheckable(true);
-    connect(follow, &QToolButton::clicked, m_plot, &VelocityPlot::setFollowing);
-    connect(m_plot, &VelocityPlot::followingChanged, follow, &QToolButton::setChecked);
-    connect(pause, &QToolButton::clicked, m_plot, &VelocityPlot::setPaused);
-    connect(m_plot, &VelocityPlot::pausedChanged, pause, &QToolButton::setChecked);
-    connect(clear, &QToolButton::clicked, m_plot, &VelocityPlot::clear);
+    connect(follow, &QToolButton::clicked, m_plot, &TimePlot::setFollowing);
+    connect(m_plot, &TimePlot::followingChanged, follow, &QToolButton::setChecked);
+    connect(pause, &QToolButton::clicked, m_plot, &TimePlot::setPaused);
+    connect(m_plot, &TimePlot::pausedChanged, pause, &QToolButton::setChecked);
+    connect(clear, &QToolButton::clicked, m_plot, &TimePlot::clear);
     connect(save, &QToolButton::clicked, this, &PlotPanel::saveWanted);
 
     auto *layout = new QHBoxLayout(this);

@@ -6,30 +6,26 @@
 class QAction;
 class QToolBar;
 
-namespace inspector {
-class SampleRing;
-}
-
 namespace inspector::ui {
 
-class VelocityPlot;
+class TimePlot;
 
-// The plot with its buttons.
+// A plot with its buttons.
 class PlotPanel : public QWidget {
     Q_OBJECT
 
 public:
-    // samples: outlives the panel.
-    explicit PlotPanel(const SampleRing &samples, QWidget *parent = nullptr);
+    // The panel owns the plot. The buttons' names begin with `prefix`.
+    PlotPanel(TimePlot *plot, const QString &prefix, QWidget *parent = nullptr);
 
-    VelocityPlot &plot() { return *m_plot; }
+    TimePlot &plot() { return *m_plot; }
     QSize sizeHint() const override { return {700, 220}; }
 
 signals:
     void saveWanted();
 
 private:
-    VelocityPlot *m_plot;
+    TimePlot *m_plot;
 };
 
 } // namespace inspector::ui

@@ -1,91 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/sample_ring.h"
-
-#include <optional>
-#include <vector>
-
-#include <qcustomplot.h>
+#include "ui/time_plot.h"
 
 namespace inspector::ui {
 
-// The ball's velocity over time: components and magnitude. Fed from the ring with what is visible and no more.
-// While it follows, the newest sample stays at the right border and the values fill the height. Wheel: zoom of time;
-// drag: pan; over the value axis (or with Ctrl) both act on values; double click: follow again.
-class VelocityPlot : public QCustomPlot {
+// The ball's velocity over time: components and magnitude.
+class VelocityPlot : public TimePlot {
     Q_OBJECT
 
 public:
     // samples: outlives the plot.
     explicit VelocityPlot(const SampleRing &samples, QWidget *parent = nullptr);
 
-    // Shows what is new; called about 30 times a second, never per sample.
-    void refresh();
-
-    bool isFollowing() const { return m_isFollowing; }
-    void setFollowing(bool isOn);
-    // Stands still although samples go on coming.
-    bool isPaused() const { return m_pausedAt.has_value(); }
-    void setPaused(bool isOn);
-    // Forgets what was up to now.
-    void clear();
-
-    // Writes what the name's ending says: .csv (all samples since clear()), .png or .pdf (the picture). False and one
-    // line in `error` (or nullptr) if that fails.
-    bool save(const QString &path, QString *error);
-
-    // The sample under the cursor, while there is one.
-    std::optional<Sample> readOut() const { return m_readOut; }
-
-signals:
-    void followingChanged(bool isOn);
-    void pausedChanged(bool isOn);
-
 protected:
-    void mousePressEvent(QMouseEvent *event) override;
-    void mouseMoveEvent(QMouseEvent *event) override;
-    void mouseDoubleClickEvent(QMouseEvent *event) override;
-    void wheelEvent(QWheelEvent *event) override;
-    void leaveEvent(QEvent *event) override;
-    void resizeEvent(QResizeEvent *event) override;
-    void changeEvent(QEvent *event) override;
-
-private:
-    struct Curve {
-        Channel channel;
-        QCPGraph *graph;
-        QCPItemTracer *dot;
-    };
-
-    void addCurves();
-    void addReadOut();
-    void takeColours();
-    std::optional<double> newestTime() const;
-    void noticeNewRun();
-    void showTimeUpTo(double time);
-    QCPRange load(const Curve &curve);
-    void fitValues(QCPRange values);
-    void updateReadOut();
-    void placeReadOut(const Sample &sample);
-    std::optional<Sample> sampleAt(double time) const;
-    Qt::Orientations orientationAt(QPointF position, Qt::KeyboardModifiers modifiers) const;
-    bool saveTable(const QString &path, QString *error) const;
-
-    const SampleRing &m_samples;
-    std::vector<Curve> m_curves;
-    QCPItemStraightLine *m_cursorLine;
-    QCPItemText *m_cursorText;
-    std::optional<QPointF> m_cursor;
-    std::optional<Sample> m_readOut;
-    std::optional<double> m_pausedAt; // s
-    double m_clearedAt = 0.0;         // s
-    double m_window = 10.0;           // s of time in view while following
-    bool m_isFollowing = true;
-    bool m_fitsValues = true;
-    uint64_t m_generation = 0;
-    uint64_t m_shown = 0; // samples at the last picture
-    bool m_isStale = true;
+    void fitValues() override;
+    QString textOf(const Sample &sample) const override;
 };
 
 } // namespace inspector::ui

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the plot becomes a file.
 #include "core/csv_writer.h"
-#include "ui/velocity_plot.h"
+#include "ui/time_plot.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -21,7 +21,7 @@ bool fail(QString *error, const QString &line) {
 
 } // namespace
 
-bool VelocityPlot::save(const QString &path, QString *error) {
+bool TimePlot::save(const QString &path, QString *error) {
     refresh();
     const QString suffix = QFileInfo(path).suffix().toLower();
     if (suffix == QLatin1String("csv")) return saveTable(path, error);
@@ -31,7 +31,7 @@ bool VelocityPlot::save(const QString &path, QString *error) {
     return isSaved || fail(error, tr("%1: the plot can't be written").arg(path));
 }
 
-bool VelocityPlot::saveTable(const QString &path, QString *error) const {
+bool TimePlot::saveTable(const QString &path, QString *error) const {
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly)) return fail(error, QStringLiteral("%1: %2").arg(path, file.errorString()));
     file.write(csvHeader());
