@@ -101,6 +101,14 @@ void addOptions(QCommandLineParser &parser, const std::vector<const phys_param_r
          text("Run a recording's inputs again, without a window, and write the table; status 1 if a step differs."),
          "file"},
         {"check", text("With --replay: print 'same' or the first step that differs, instead of the table.")},
+        {"compare",
+         text("Compare with a second ball, which this stepper moves under the same inputs: without a window by columns "
+              "of the table, in the window as a ghost."),
+         text("id")},
+        {"compare-substeps",
+         text("With --compare: so many steps of the second ball, of dt over so many, for each of the first. Default "
+              "1."),
+         text("number")},
         {"grab", text("Save a picture of the window at the end of the run, and quit."), "file.png"},
         {"all-levels", text("Play all levels without a window by the autopilot, print a line for each; status 1 unless "
                             "all are won.")},
@@ -189,6 +197,28 @@ void readOutputs(const QCommandLineParser &parser, Options &options) {
         throw WrongUse{QStringLiteral("--all-levels: takes neither --csv nor --level")};
 }
 
+void readComparison(const QCommandLineParser &parser, Options &options) {
+    if (!parser.isSet("compare")) {
+        if (parser.isSet("compare-substeps")) throw WrongUse{QStringLiteral("--compare-substeps: needs --compare")};
+        return;
+    }
+    for (const char *name : {"replay", "all-levels", "trade"})
+        if (parser.isSet(name)) throw WrongUse{QStringLiteral("--compare: doesn't go with --%1").arg(name)};
+    Opponent opponent{parser.value("compare").toUtf8()};
+    phys_stepper_info info;
+    phys_error failure;
+    if (phys_registry_find(options.registry.get(), opponent.stepper.constData(), &info, &failure) != PHYS_OK)
+        throw WrongUse{QStringLiteral("--compare: ") + QString::fromUtf8(failure.text)};
+    if (parser.isSet("compare-substeps")) {
+        const double substeps = numberOf(parser, "compare-substeps", 1, Opponent::kMostSubsteps);
+        if (substeps != std::floor(substeps))
+            throw WrongUse{QStringLiteral("--compare-substeps: expected a whole number, found '%1'")
+                               .arg(parser.value("compare-substeps"))};
+        opponent.substeps = int(substeps);
+    }
+    options.comparison = opponent;
+}
+
 void readRecordings(const QCommandLineParser &parser, const std::vector<const phys_param_row *> &rows,
                     Options &options) {
     for (const char *name : {"replay", "all-levels", "trade"})
@@ -260,6 +290,7 @@ Options readOptions(const QCommandLineParser &parser, const std::vector<const ph
     if (parser.isSet("speed")) options.speed = numberOf(parser, "speed", Simulation::kSlowest, Simulation::kFastest);
     if (parser.isSet("duration")) options.duration = numberOf(parser, "duration", 0.0, 1e9);
     readOutputs(parser, options);
+    readComparison(parser, options);
     readRecordings(parser, rows, options);
     readTrade(parser, options);
     readParameters(parser, rows, options);

@@ -5,7 +5,25 @@
 
 #include <QFile>
 
+#include <cmath>
+
 namespace inspector {
+
+namespace {
+
+// Those of the comparison come last.
+size_t countOf(Columns columns) { return columns == Columns::Ball ? kBallChannelCount : kChannelCount; }
+
+QByteArray comparisonLines(const Options &options) {
+    if (!options.comparison) return {};
+    const auto &[id, substeps] = *options.comparison;
+    phys_stepper_info info{};
+    phys_registry_find(options.registry.get(), id.constData(), &info, nullptr);
+    return "# compare " + id + " " + (info.version ? info.version : "") + "\n# compare-substeps " +
+           QByteArray::number(substeps) + "\n";
+}
+
+} // namespace
 
 QByteArray csvPreamble(const Options &options) {
     Parameters parameters;
@@ -18,6 +36,7 @@ QByteArray csvPreamble(const Options &options) {
     text += "# level " + options.level.name.toUtf8() + "\n";
     text += "# stepper " + options.stepper + " " + (info.version ? info.version : "") + "\n";
     text += "# dt " + exactText(options.dt) + " s\n# autopilot " + QByteArray(options.autopilot ? "on" : "off") + "\n";
+    text += comparisonLines(options);
     for (int i = 0; i < parameters.count(); ++i) {
         const phys_param_row &row = parameters.row(i);
         text += "# " + QByteArray(row.id) + " " + exactText(parameters.value(i));
@@ -26,31 +45,36 @@ QByteArray csvPreamble(const Options &options) {
     return text;
 }
 
-QByteArray csvHeader() {
+QByteArray csvHeader(Columns columns) {
     QByteArray line = "time [s],step";
-    for (const ChannelInfo &info : channelInfos()) {
+    for (size_t i = 0; i < countOf(columns); ++i) {
+        const ChannelInfo &info = channelInfos()[i];
         line += "," + QByteArray(info.id);
         if (info.unit[0]) line += " [" + QByteArray(info.unit) + "]";
     }
     return line + "\n";
 }
 
-QByteArray csvRow(const Sample &sample) {
+QByteArray csvRow(const Sample &sample, Columns columns) {
     QByteArray line;
     line.reserve(400);
     line += exactText(sample.time) + "," + QByteArray::number(qulonglong(sample.step));
-    for (const double value : sample.values) line += ',' + exactText(value);
+    for (size_t i = 0; i < countOf(columns); ++i) {
+        const double value = sample.values[i];
+        line += ',' + (std::isnan(value) ? QByteArray() : exactText(value));
+    }
     return line + "\n";
 }
 
 CsvWriter::CsvWriter(QIODevice &out, const Options &options)
     : m_out(out)
+    , m_columns(options.comparison ? Columns::BallAndGhost : Columns::Ball)
     , m_every(options.csvEvery) {
-    put(csvPreamble(options) + csvHeader());
+    put(csvPreamble(options) + csvHeader(m_columns));
 }
 
 void CsvWriter::write(const Sample &sample) {
-    if (sample.step % m_every == 0) put(csvRow(sample));
+    if (sample.step % m_every == 0) put(csvRow(sample, m_columns));
 }
 
 void CsvWriter::put(const QByteArray &text) {

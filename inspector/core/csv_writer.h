@@ -13,9 +13,12 @@ namespace inspector {
 
 // The lines before the header: program, level, stepper, dt and every parameter.
 QByteArray csvPreamble(const Options &options);
+enum class Columns { Ball, BallAndGhost }; // without or with those of the comparison
+
 // The line that names the columns.
-QByteArray csvHeader();
-QByteArray csvRow(const Sample &sample);
+QByteArray csvHeader(Columns columns = Columns::Ball);
+// A field without a value is empty.
+QByteArray csvRow(const Sample &sample, Columns columns = Columns::Ball);
 
 class CsvWriter {
 public:
@@ -31,6 +34,7 @@ private:
     void put(const QByteArray &text);
 
     QIODevice &m_out;
+    Columns m_columns;
     uint64_t m_every;
     bool m_isGood = true;
 };

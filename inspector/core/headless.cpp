@@ -2,14 +2,17 @@
 #include "headless.h"
 
 #include "autopilot.h"
+#include "companion.h"
 #include "csv_writer.h"
 #include "recorder.h"
 #include "replay.h"
 
 #include <QFile>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 namespace inspector {
 
@@ -72,6 +75,45 @@ bool endRecording(Recorder *recorder, const Engine &engine, const Outcome &outco
     return recorder->isGood();
 }
 
+// The second ball of a run, if the options ask for one, and what is said of it at the end.
+class ComparedBall {
+public:
+    // False, and one line, if it can't be made.
+    bool open(const Options &options, const Engine &engine, QTextStream &messages) {
+        if (!options.comparison) return true;
+        m_id = QString::fromUtf8(options.comparison->stepper);
+        const auto means = makeMeans(options.registry, *options.comparison, engine.scene(), &m_refusal);
+        if (means) m_companion.emplace(engine, *means, options.stepper);
+        if (!means) messages << "physics-inspector: --compare: " << m_refusal << '\n';
+        return means.has_value();
+    }
+
+    // After a step of the engine.
+    void follow(const Engine &engine, Sample &sample) {
+        if (!m_companion || !m_companion->follow(engine, &m_refusal)) return;
+        m_companion->addTo(sample);
+        m_largest = std::max(m_largest, m_companion->deviation().distance);
+    }
+
+    // False if it wasn't there to the end.
+    bool tell(QTextStream &messages) const {
+        if (!m_companion) return true;
+        messages << QStringLiteral("distance to %1: %2 mm at the end, at most %3 mm\n")
+                        .arg(m_id)
+                        .arg(m_companion->deviation().distance * 1e3, 0, 'g', 4)
+                        .arg(m_largest * 1e3, 0, 'g', 4);
+        if (m_refusal.isEmpty()) return true;
+        messages << "physics-inspector: --compare: " << m_refusal << '\n';
+        return false;
+    }
+
+private:
+    QString m_id;
+    std::optional<Companion> m_companion;
+    double m_largest = 0.0; // distance, m
+    QString m_refusal;
+};
+
 } // namespace
 
 std::unique_ptr<Engine> makeEngine(const Options &options, const Level &level, QString *error) {
@@ -121,6 +163,8 @@ int runHeadless(const Options &options, QIODevice &out, QTextStream &messages) {
         messages << "physics-inspector: " << error << '\n';
         return 2;
     }
+    ComparedBall other;
+    if (!other.open(options, *engine, messages)) return 2;
     QFile file;
     if (!openTable(options, file, messages)) return 2;
     QIODevice &table = options.csv.isEmpty() ? out : file;
@@ -129,18 +173,21 @@ int runHeadless(const Options &options, QIODevice &out, QTextStream &messages) {
     CsvWriter writer(table, options);
     const Limits limits{durationOf(options), options.duration.has_value()};
     const Outcome outcome = play(*engine, limits, [&](const Engine &now) {
-        writer.write(now.sample());
+        Sample sample = now.sample();
+        other.follow(now, sample);
+        writer.write(sample);
         if (recorder) recorder->note(now);
         return writer.isGood();
     });
     const bool isRecorded = endRecording(recorder.get(), *engine, outcome, messages);
     messages << outcomeLine(options.level, outcome) << '\n';
+    const bool isCompared = other.tell(messages);
     if (!writer.isGood() || !(options.csv.isEmpty() || file.flush())) {
         messages << "physics-inspector: the table can't be written: " << table.errorString() << '\n';
         return 1;
     }
     const bool hadToWin = options.autopilot && !options.duration;
-    return !outcome.error.isEmpty() || !isRecorded || (hadToWin && !outcome.isOut) ? 1 : 0;
+    return !outcome.error.isEmpty() || !isRecorded || !isCompared || (hadToWin && !outcome.isOut) ? 1 : 0;
 }
 
 } // namespace inspector

@@ -2,6 +2,7 @@
 // What the command line asks for.
 #pragma once
 
+#include "companion.h"
 #include "engine.h"
 #include "handles.h"
 #include "levels.h"
@@ -35,8 +36,9 @@ struct Options {
     QString record;                 // file to write a recording to; empty: none
     QString replay;                 // recording, of Action::Replay
     bool check = false;             // say whether the replay is the same, instead of writing its table
-    TradeOptions trade;             // of Action::Trade
-    QString grab;                   // file; empty: none
+    std::optional<Opponent> comparison;
+    TradeOptions trade; // of Action::Trade
+    QString grab;       // file; empty: none
 };
 
 } // namespace inspector

@@ -2,6 +2,7 @@
 #include "sample.h"
 
 #include <cmath>
+#include <limits>
 
 namespace inspector {
 
@@ -23,6 +24,12 @@ const std::array<ChannelInfo, kChannelCount> &channelInfos() {
         {"substeps", "Substeps", ""},
         {"penetration", "Penetration", "m"},
         {"flags", "Flags", ""},
+        {"ghost_x", "Ghost x", "m"},
+        {"ghost_y", "Ghost y", "m"},
+        {"ghost_z", "Ghost z", "m"},
+        {"distance", "Distance", "m"},
+        {"speed_difference", "Speed difference", "m/s"},
+        {"energy_difference", "Energy difference per mass", "J/kg"},
     }};
     return infos;
 }
@@ -31,6 +38,7 @@ Sample makeSample(const phys_state &state, const Inputs &inputs, const phys_repo
     const phys_vec3 &p = state.position;
     const phys_vec3 &v = state.velocity;
     const phys_vec3 &w = state.spin;
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     Sample sample;
     sample.time = state.time;
     sample.step = state.step;
@@ -49,7 +57,13 @@ Sample makeSample(const phys_state &state, const Inputs &inputs, const phys_repo
                      degrees(inputs.tilt.y),
                      double(report.substeps),
                      report.penetration,
-                     double(state.flags)};
+                     double(state.flags),
+                     kNone,
+                     kNone,
+                     kNone,
+                     kNone,
+                     kNone,
+                     kNone};
     return sample;
 }
 

@@ -27,9 +27,17 @@ enum class Channel {
     Substeps,
     Penetration,
     Flags,
+    // Of the comparison with a second ball: NaN in steps without one.
+    GhostX,
+    GhostY,
+    GhostZ,
+    Distance,
+    SpeedDifference,
+    EnergyDifference,
 };
 
-inline constexpr size_t kChannelCount = size_t(Channel::Flags) + 1;
+inline constexpr size_t kBallChannelCount = size_t(Channel::Flags) + 1; // that every step has
+inline constexpr size_t kChannelCount = size_t(Channel::EnergyDifference) + 1;
 
 struct ChannelInfo {
     const char *id;    // for columns and settings: velocity_x
@@ -46,8 +54,10 @@ struct Sample {
     std::array<double, kChannelCount> values{};
 
     double operator[](Channel channel) const { return values[size_t(channel)]; }
+    double &operator[](Channel channel) { return values[size_t(channel)]; }
 };
 
+// Without a comparison.
 Sample makeSample(const phys_state &state, const Inputs &inputs, const phys_report &report);
 
 } // namespace inspector

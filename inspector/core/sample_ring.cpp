@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 namespace inspector {
 
@@ -108,7 +109,7 @@ SampleRing::Extremes SampleRing::extremesBelow(uint64_t limit, size_t channel, u
             const double value = load(m_cells[(begin % m_capacity) * kWidth + kFirstChannelCell + channel]);
             part = {value, value};
         }
-        result = {std::min(result.min, part.min), std::max(result.max, part.max)};
+        result = {std::fmin(result.min, part.min), std::fmax(result.max, part.max)}; // of a number and none: the number
         begin += widest ? widest->span : 1;
     }
     return result;

@@ -10,7 +10,7 @@
 
 namespace inspector {
 
-// Extremes of a channel over the samples of one column of a plot.
+// Extremes of a channel over the samples of one column of a plot; NaN if none of them has a value.
 struct Column {
     double time = 0.0; // of its first sample, s
     double min = 0.0;

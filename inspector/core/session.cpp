@@ -27,6 +27,7 @@ std::unique_ptr<Session> Session::open(const Options &options, QSettings &settin
     session->m_simulation->setSpeed(options.speed);
     session->sendInputs();
     if (!options.record.isEmpty()) session->startRecording(options.record);
+    if (options.comparison) session->comparison().start(*options.comparison);
     session->showPrompt();
     return session;
 }
@@ -41,7 +42,8 @@ Session::Session(const Options &options, QSettings &settings, const Scene &scene
     , m_dt(options.dt)
     , m_speed(options.speed)
     , m_game(std::max(1, int(options.levels.size())), settings)
-    , m_simulation(std::make_unique<Simulation>(scene, stepper)) {
+    , m_simulation(std::make_unique<Simulation>(scene, stepper))
+    , m_comparison(std::make_unique<Comparison>(*this)) {
     connect(&m_parameters, &Parameters::changed, this, &Session::sendInputs);
     connect(m_simulation.get(), &Simulation::failed, this, &Session::failed);
     connect(m_simulation.get(), &Simulation::recordingFailed, this, [this](const QString &line) {

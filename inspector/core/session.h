@@ -2,6 +2,7 @@
 // The inspector without its window: what is open, joined together. Whoever shows it holds nothing of it.
 #pragma once
 
+#include "comparison.h"
 #include "game.h"
 #include "handles.h"
 #include "levels.h"
@@ -37,6 +38,7 @@ public:
     Parameters &parameters() { return m_parameters; }
     Simulation &simulation() { return *m_simulation; }
     Game &game() { return m_game; }
+    Comparison &comparison() { return *m_comparison; }
     QSettings &settings() { return m_settings; }
     const std::vector<Level> &levels() const { return m_levels; }
     const Level &level() const { return m_level; } // that is open; maybe a file that isn't in the list
@@ -104,6 +106,7 @@ private:
     Parameters m_parameters;
     Game m_game;
     std::unique_ptr<Simulation> m_simulation;
+    std::unique_ptr<Comparison> m_comparison;
 };
 
 } // namespace inspector

@@ -41,6 +41,7 @@ struct Simulation::Worker {
     uint64_t impacts = 0;
     phys_event lastImpact{};
     std::optional<Recorder> recorder{};
+    std::optional<Companion> companion{};
     double leftAt = std::numeric_limits<double>::infinity(); // when the ball left the maze, s
 
     void obey(const GivenInputs &given);
@@ -51,6 +52,7 @@ struct Simulation::Worker {
     void record(const QString &failure);
     void dropBadRecorder();
     void endRecording();
+    void leadCompanion();
     void noteEvents();
     void noteLeaving();
     void publish(Clock::time_point due);
@@ -83,6 +85,7 @@ void Simulation::Worker::beginRun() {
     lastImpact = {};
     leftAt = std::numeric_limits<double>::infinity();
     if (engine.state().flags & PHYS_OUT) leftAt = engine.state().time;
+    if (companion) companion->meet(engine);
     pacer.forgetLostTime();
     startPacing();
     owner.m_samples.clear();
@@ -99,7 +102,10 @@ void Simulation::Worker::step(Clock::time_point due) {
         return;
     }
     meter.count(Clock::now(), engine.dt());
-    owner.m_samples.append(engine.sample());
+    leadCompanion();
+    Sample sample = engine.sample();
+    if (companion) companion->addTo(sample);
+    owner.m_samples.append(sample);
     noteEvents();
     noteLeaving();
     publish(due);
@@ -126,6 +132,12 @@ void Simulation::Worker::endRecording() {
     recorder->close();
     dropBadRecorder();
     recorder.reset();
+}
+
+// Last of all that a step does to the state: nothing of the ball depends on it.
+void Simulation::Worker::leadCompanion() {
+    QString line;
+    if (companion && !companion->follow(engine, &line)) emit owner.comparisonRefused(line);
 }
 
 void Simulation::Worker::noteEvents() {
@@ -160,6 +172,8 @@ void Simulation::Worker::publish(Clock::time_point due) {
     snapshot.dt = engine.dt();
     snapshot.run = run;
     snapshot.running = running;
+    if (companion && companion->isThere())
+        snapshot.ghost = {companion->previous(), companion->state(), companion->metAt(), companion->deviation()};
     snapshot.statistics = {meter.stepsPerSecond(), speed, meter.speed(), pacer.lostTime(), impacts};
     owner.m_snapshots.publish(snapshot);
 }
@@ -211,6 +225,7 @@ void Simulation::restart() {
 void Simulation::setScene(const Scene &scene, const Stepper &stepper, const Origin &origin) {
     post([scene, stepper, origin](Worker &worker) {
         worker.setRunning(false);
+        worker.companion.reset(); // its stepper is of the other scene
         worker.engine.setScene(scene, stepper);
         if (worker.recorder) worker.recorder->setOrigin(origin);
         worker.beginRun();
@@ -221,6 +236,7 @@ void Simulation::setStepper(const Stepper &stepper, const Inputs &inputs, const 
     post([stepper, origin, given = GivenInputs{inputs, ++m_givenCount}](Worker &worker) {
         if (worker.recorder) worker.recorder->setOrigin(origin);
         worker.engine.setStepper(stepper);
+        if (worker.companion) worker.companion->setLeaderStepper(origin.stepper.id);
         worker.obey(given);
     });
 }
@@ -262,6 +278,14 @@ void Simulation::startRecording(const QString &file, const Origin &origin) {
 
 void Simulation::stopRecording() {
     post([](Worker &worker) { worker.endRecording(); });
+}
+
+void Simulation::compareWith(const CompanionMeans &means, const QByteArray &leaderId) {
+    post([means, leaderId](Worker &worker) { worker.companion.emplace(worker.engine, means, leaderId); });
+}
+
+void Simulation::endComparison() {
+    post([](Worker &worker) { worker.companion.reset(); });
 }
 
 void Simulation::setInputs(const Inputs &inputs) {

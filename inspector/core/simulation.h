@@ -3,6 +3,7 @@
 // mailbox, states come out through a latest-value slot, samples through a ring; commands are taken between two steps.
 #pragma once
 
+#include "companion.h"
 #include "engine.h"
 #include "latest_value.h"
 #include "recorder.h"
@@ -38,7 +39,7 @@ public:
     // Pauses at its start. origin: for the recorder, if there is one.
     void setScene(const Scene &scene, const Stepper &stepper, const Origin &origin = {});
     // Goes on from the same state; made for the same scene. With its inputs, because a stepper's own values fit no
-    // other.
+    // other. origin: for the recorder and the companion, if there are any.
     void setStepper(const Stepper &stepper, const Inputs &inputs, const Origin &origin = {});
     void setState(const phys_state &state);
     void setDt(double dt);       // s, > 0
@@ -47,6 +48,11 @@ public:
     // Notes every step from now on, in the place of a recording before, until one can't be written.
     void startRecording(const QString &file, const Origin &origin);
     void stopRecording();
+
+    // A companion meets the ball and follows it from now on, in the place of one before. At a restart and when a state
+    // is set they meet again; with another scene it is gone. leaderId: of the present stepper.
+    void compareWith(const CompanionMeans &means, const QByteArray &leaderId);
+    void endComparison();
 
     // Latest wins: from the next step on.
     void setInputs(const Inputs &inputs);
@@ -64,6 +70,8 @@ signals: // queued: sent by the thread that steps
     void runningChanged(bool running);
     // The recording can't be written and ends; the simulation goes on.
     void recordingFailed(const QString &line);
+    // The companion's stepper refused a step; there is no ghost until the next meeting. The simulation goes on.
+    void comparisonRefused(const QString &line);
 
 private:
     struct Worker; // all that belongs to the thread

@@ -24,15 +24,14 @@ void mixOrientation(const double a[4], const double b[4], double t, double out[4
     for (int i = 0; i < 4; ++i) out[i] /= std::sqrt(length);
 }
 
-} // namespace
-
-phys_state interpolated(const Snapshot &snapshot, Clock::time_point now) {
-    if (snapshot.interval <= Clock::duration::zero()) return snapshot.current;
+// Share of the step up to `current` that is over at `now`.
+double shareOf(const Snapshot &snapshot, Clock::time_point now) {
     const std::chrono::duration<double> passed = now - snapshot.due;
     const std::chrono::duration<double> interval = snapshot.interval;
-    const double t = std::clamp(passed / interval, 0.0, 1.0);
-    const phys_state &a = snapshot.previous;
-    const phys_state &b = snapshot.current;
+    return std::clamp(passed / interval, 0.0, 1.0);
+}
+
+phys_state between(const phys_state &a, const phys_state &b, double t) {
     phys_state result = b;
     result.time = a.time + t * (b.time - a.time);
     result.position = mixed(a.position, b.position, t);
@@ -40,6 +39,19 @@ phys_state interpolated(const Snapshot &snapshot, Clock::time_point now) {
     result.spin = mixed(a.spin, b.spin, t);
     mixOrientation(a.orientation, b.orientation, t, result.orientation);
     return result;
+}
+
+} // namespace
+
+phys_state interpolated(const Snapshot &snapshot, Clock::time_point now) {
+    if (snapshot.interval <= Clock::duration::zero()) return snapshot.current;
+    return between(snapshot.previous, snapshot.current, shareOf(snapshot, now));
+}
+
+std::optional<phys_state> interpolatedGhost(const Snapshot &snapshot, Clock::time_point now) {
+    if (!snapshot.ghost) return std::nullopt;
+    if (snapshot.interval <= Clock::duration::zero()) return snapshot.ghost->current;
+    return between(snapshot.ghost->previous, snapshot.ghost->current, shareOf(snapshot, now));
 }
 
 } // namespace inspector

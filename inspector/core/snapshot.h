@@ -2,8 +2,11 @@
 // What the thread that steps shows to the one that draws.
 #pragma once
 
+#include "companion.h"
 #include "inputs.h"
 #include "pacer.h"
+
+#include <optional>
 
 namespace inspector {
 
@@ -13,6 +16,14 @@ struct Statistics {
     double speedReached = 0.0;   // over the last half second; 0 while paused
     double lostTime = 0.0;       // dropped since the start of the run, s of the clock
     uint64_t impacts = 0;        // since the start of the run
+};
+
+// The companion, as the ball is shown.
+struct Ghost {
+    phys_state previous{}; // at the same moments as the ball's
+    phys_state current{};
+    double metAt = 0.0; // s: since then it goes its own way
+    Deviation deviation;
 };
 
 struct Snapshot {
@@ -26,10 +37,13 @@ struct Snapshot {
     double dt = 0.0;            // s
     uint64_t run = 0;           // counts restarts, levels and states set
     bool running = false;
+    std::optional<Ghost> ghost; // while there is a comparison that isn't refused
     Statistics statistics;
 };
 
 // The ball at `now`, between the two states: drawing runs one step behind and never guesses ahead.
 phys_state interpolated(const Snapshot &snapshot, Clock::time_point now);
+// The ghost at that moment; nothing without one.
+std::optional<phys_state> interpolatedGhost(const Snapshot &snapshot, Clock::time_point now);
 
 } // namespace inspector
