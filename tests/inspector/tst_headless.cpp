@@ -65,10 +65,10 @@ void TestHeadless::rowPerStepReadsBackExactly() {
         QVERIFY(engine->step(nullptr));
         const Sample sample = engine->sample();
         const QByteArrayList fields = row.split(',');
-        QCOMPARE(size_t(fields.size()), 2 + kChannelCount);
+        QCOMPARE(size_t(fields.size()), 2 + kBallChannelCount);
         QVERIFY(fields[0].toDouble() == sample.time); // the same bits, no tolerance
         QCOMPARE(fields[1].toULongLong(), sample.step);
-        for (size_t i = 0; i < kChannelCount; ++i) QVERIFY(fields[qsizetype(2 + i)].toDouble() == sample.values[i]);
+        for (size_t i = 0; i < kBallChannelCount; ++i) QVERIFY(fields[qsizetype(2 + i)].toDouble() == sample.values[i]);
     }
 }
 
