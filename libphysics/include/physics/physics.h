@@ -1,34 +1,35 @@
-/* SPDX-License-Identifier: MIT
+/* SPDX-License-Identifier: MIT */
+/** @file
+ *  libphysics: physics steps for one ball rolling in a maze of axis-aligned boxes.
  *
- * libphysics: physics steps for one ball rolling in a maze of axis-aligned boxes.
+ *  An immutable scene, a plain complete state and the parameters of this very step go in, the next state comes out:
  *
- * An immutable scene, a plain complete state and the parameters of this very step go in, the next state comes out:
+ *      phys_scene *scene;  phys_stepper *stepper;  phys_state state;  phys_params params;
+ *      phys_scene_load("mazes/levels/01.txt", &scene, NULL);
+ *      phys_stepper_create(NULL, PHYS_STEPPER_DEFAULT, scene, &stepper, NULL);
+ *      phys_scene_start(scene, &state);
+ *      phys_params_init(&params, sizeof params);
+ *      phys_gravity_from_tilt(0.05, 0.0, 9.81, &params.gravity);
+ *      while (!(state.flags & PHYS_OUT) && state.time < 60.0)
+ *          phys_step(stepper, &params, 0.01, &state, &state, NULL, NULL);
+ *      phys_stepper_destroy(stepper);
+ *      phys_scene_destroy(scene);
  *
- *     phys_scene *scene;  phys_stepper *stepper;  phys_state state;  phys_params params;
- *     phys_scene_load("mazes/levels/01.txt", &scene, NULL);
- *     phys_stepper_create(NULL, PHYS_STEPPER_DEFAULT, scene, &stepper, NULL);
- *     phys_scene_start(scene, &state);
- *     phys_params_init(&params, sizeof params);
- *     phys_gravity_from_tilt(0.05, 0.0, 9.81, &params.gravity);
- *     while (!(state.flags & PHYS_OUT) && state.time < 60.0)
- *         phys_step(stepper, &params, 0.01, &state, &state, NULL, NULL);
- *     phys_stepper_destroy(stepper);
- *     phys_scene_destroy(scene);
+ *  Units are SI: m, s, m/s, rad/s; energies are per mass, J/kg = m^2/s^2, because the mass cancels everywhere.
+ *  Frame: the board's own; x to the right, y away from the viewer, z up from the floor. The board never moves in this
+ *  frame: tilting it turns gravity. Formulas are derived in docs/model.md.
  *
- * Units are SI: m, s, m/s, rad/s; energies are per mass, J/kg = m^2/s^2, because the mass cancels everywhere.
- * Frame: the board's own; x to the right, y away from the viewer, z up from the floor. The board never moves in this
- * frame: tilting it turns gravity. Formulas are derived in docs/model.md.
- *
- * Rules that hold for every function, so that each line below need not repeat them:
- * - A function that can fail returns a phys_status: PHYS_OK or a negative code. On failure every output is untouched.
- * - `err` may be NULL. On failure it receives one line: what, which value, what was allowed. On success it's untouched.
- * - Pointers must not be NULL unless the line says "or NULL". A NULL is reported as PHYS_ERROR_ARGUMENT.
- * - Structs marked frozen never change. Appendable ones start with their size, get new members at their end only,
- *   and are filled by their *_init function. An older program's shorter one counts as if the members that it lacks were
- *   as that function leaves them; one that is longer than the library knows is refused.
- * - Nothing prints, exits, aborts or throws. Only *_create, *_load and their *_destroy allocate and free memory.
- * - Scenes and registries are immutable once made and shared freely between threads; a stepper serves one thread at a
- *   time. There are no globals.
+ *  Rules that hold for every function, so that each line below need not repeat them:
+ *  - A function that can fail returns a phys_status: PHYS_OK or a negative code. On failure every output is untouched.
+ *  - `err` may be NULL. On failure it receives one line: what, which value, what was allowed. On success it's
+ * untouched.
+ *  - Pointers must not be NULL unless the line says "or NULL". A NULL is reported as PHYS_ERROR_ARGUMENT.
+ *  - Structs marked frozen never change. Appendable ones start with their size, get new members at their end only,
+ *    and are filled by their *_init function. An older program's shorter one counts as if the members that it lacks
+ * were as that function leaves them; one that is longer than the library knows is refused.
+ *  - Nothing prints, exits, aborts or throws. Only *_create, *_load and their *_destroy allocate and free memory.
+ *  - Scenes and registries are immutable once made and shared freely between threads; a stepper serves one thread at a
+ *    time. There are no globals.
  */
 #ifndef PHYS_PHYSICS_H
 #define PHYS_PHYSICS_H
@@ -53,9 +54,9 @@ extern "C" {
 /** Number of the binary interface; equals the library's SONAME. Changes only when an old program would break. */
 #define PHYS_ABI_VERSION 1
 
-#define PHYS_VERSION_MAJOR 1
-#define PHYS_VERSION_MINOR 0
-#define PHYS_VERSION_PATCH 0
+#define PHYS_VERSION_MAJOR 1 /**< of the header that a program is compiled with */
+#define PHYS_VERSION_MINOR 0 /**< likewise: grows when functions or members are added */
+#define PHYS_VERSION_PATCH 0 /**< likewise */
 
 /** The running library's version, for instance "1.0.0". Static text, never NULL. Any thread. Since 1.0. */
 PHYS_API const char *phys_version(void);
@@ -96,21 +97,24 @@ PHYS_API const char *phys_status_name(phys_status status);
 
 /** What went wrong: frozen. The caller owns it; no need to initialise it. */
 typedef struct phys_error {
-    phys_status status;
-    int32_t reserved; /* 0 */
-    char text[248];   /* one line, NUL-terminated, UTF-8, cut if longer */
+    phys_status status; /**< as the function returned it */
+    int32_t reserved;   /**< 0 */
+    char text[248];     /**< one line, NUL-terminated, UTF-8, cut if longer */
 } phys_error;
 
 /* -------------------------------------------------------------------------------------------- vectors and boxes -- */
 
-/** Frozen. */
+/** A point, vector or axis in the board frame; frozen. */
 typedef struct phys_vec3 {
-    double x, y, z;
+    double x; /**< along the board, in the slope of tilt_x */
+    double y; /**< along the board, in the slope of tilt_y */
+    double z; /**< up from the floor */
 } phys_vec3;
 
 /** An axis-aligned box, min <= max in each component; frozen. m */
 typedef struct phys_box {
-    phys_vec3 min, max;
+    phys_vec3 min; /**< corner of the least coordinates */
+    phys_vec3 max; /**< corner of the greatest */
 } phys_box;
 
 /** The gravity vector (m/s^2, board frame) of a board tilted by two angles.
@@ -126,11 +130,11 @@ typedef struct phys_scene phys_scene;
 
 /** What a scene is made of: appendable. The boxes are copied. Boxes may touch and overlap. */
 typedef struct phys_scene_desc {
-    uint32_t struct_size;  /* sizeof(phys_scene_desc), set by phys_scene_desc_init */
-    uint32_t box_count;    /* 0 .. 1,000,000 */
-    const phys_box *boxes; /* box_count of them, or NULL if there are none; |coordinates| <= 1e9 m */
-    double radius;         /* of the ball, m, 1e-9 .. 1e6 */
-    phys_vec3 start;       /* centre of the ball at the start, m */
+    uint32_t struct_size;  /**< sizeof(phys_scene_desc), set by phys_scene_desc_init */
+    uint32_t box_count;    /**< 0 .. 1,000,000 */
+    const phys_box *boxes; /**< box_count of them, or NULL if there are none; |coordinates| <= 1e9 m */
+    double radius;         /**< of the ball, m, 1e-9 .. 1e6 */
+    phys_vec3 start;       /**< centre of the ball at the start, m */
 } phys_scene_desc;
 
 /** Fills a description: no boxes, radius 0.006 m, start (0, 0, radius). size = sizeof(phys_scene_desc). Since 1.0. */
@@ -170,11 +174,11 @@ enum { PHYS_FEATURE_FACE = 1, PHYS_FEATURE_EDGE = 2, PHYS_FEATURE_CORNER = 3, PH
 
 /** A box near the ball: frozen. */
 typedef struct phys_contact {
-    phys_vec3 point;  /* nearest point of the box's surface, m */
-    phys_vec3 normal; /* unit, from the box to the ball's centre */
-    double gap;       /* distance between ball and box, m; negative: penetration */
-    uint32_t box;     /* number of the box */
-    uint32_t feature; /* PHYS_FEATURE_* */
+    phys_vec3 point;  /**< nearest point of the box's surface, m */
+    phys_vec3 normal; /**< unit, from the box to the ball's centre */
+    double gap;       /**< distance between ball and box, m; negative: penetration */
+    uint32_t box;     /**< number of the box */
+    uint32_t feature; /**< PHYS_FEATURE_* */
 } phys_contact;
 
 /** All boxes, floors included, whose gap to a ball centred at `centre` is at most `reach` (m, >= 0, finite), in order
@@ -187,22 +191,22 @@ PHYS_API phys_status phys_scene_contacts(const phys_scene *scene, const phys_vec
 
 /** Flags of a state. They follow from the step that made the state; steppers never read them. */
 enum {
-    PHYS_AT_REST = 1,  /* v = 0, and with unchanged gravity it stays so */
-    PHYS_AIRBORNE = 2, /* not supported by a floor */
-    PHYS_OUT = 4,      /* the centre has left the bounds of all boxes seen from above: out of the maze */
-    PHYS_SLIPPING = 8, /* rigid model: the floor contact slips */
+    PHYS_AT_REST = 1,  /**< v = 0, and with unchanged gravity it stays so */
+    PHYS_AIRBORNE = 2, /**< not supported by a floor */
+    PHYS_OUT = 4,      /**< the centre has left the bounds of all boxes seen from above: out of the maze */
+    PHYS_SLIPPING = 8, /**< rigid model: the floor contact slips */
     PHYS_STATE_FLAGS = 15
 };
 
 /** Everything that a ball is: frozen, 128 bytes, no padding; memcpy, memcmp and hash it. No number beyond 2^100. */
 typedef struct phys_state {
-    double time;           /* s since the start */
-    uint64_t step;         /* steps since the start; phys_step adds one (none for dt = 0) */
-    phys_vec3 position;    /* of the centre, m */
-    phys_vec3 velocity;    /* m/s */
-    phys_vec3 spin;        /* angular velocity, rad/s; rolling model on the floor: follows from the velocity */
-    double orientation[4]; /* unit quaternion x y z w; for drawing: no motion depends on it */
-    uint64_t flags;        /* PHYS_AT_REST | ... */
+    double time;           /**< s since the start */
+    uint64_t step;         /**< steps since the start; phys_step adds one (none for dt = 0) */
+    phys_vec3 position;    /**< of the centre, m */
+    phys_vec3 velocity;    /**< m/s */
+    phys_vec3 spin;        /**< angular velocity, rad/s; rolling model on the floor: follows from the velocity */
+    double orientation[4]; /**< unit quaternion x y z w; for drawing: no motion depends on it */
+    uint64_t flags;        /**< PHYS_AT_REST | ... */
 } phys_state;
 
 /** The state at the start: at rest, time 0, no rotation. Any thread. Since 1.0. */
@@ -214,32 +218,33 @@ PHYS_API uint64_t phys_state_hash(const phys_state *state);
 /* --------------------------------------------------------------------------------------------------- parameters -- */
 
 enum {
-    PHYS_MODEL_ROLLING = 0, /* the ball always rolls on the floor: spin follows from velocity (model.md 2.1) */
-    PHYS_MODEL_RIGID = 1    /* slip, spin and friction's torque (model.md 2.2) */
+    PHYS_MODEL_ROLLING = 0, /**< the ball always rolls on the floor: spin follows from velocity (model.md 2.1) */
+    PHYS_MODEL_RIGID = 1    /**< slip, spin and friction's torque (model.md 2.2) */
 };
 
 /** Bits of phys_params.options. */
 enum {
-    PHYS_OPTION_ORIENTATION = 1, /* also integrate state.orientation (only drawing needs it) */
-    PHYS_OPTION_ALL_STAGES = 2,  /* run every stage even if not required; for tests and benchmarks: no bit changes */
+    PHYS_OPTION_ORIENTATION = 1, /**< also integrate state.orientation (only drawing needs it) */
+    PHYS_OPTION_ALL_STAGES = 2,  /**< run every stage even if not required; for tests and benchmarks: no bit changes */
     PHYS_OPTIONS = 3
 };
 
+/** Most parameters of its own that a stepper can have. */
 #define PHYS_STEPPER_VALUES 8
 
 /** What a step obeys: appendable. Allowed ranges: the rows of phys_param_rows. */
 typedef struct phys_params {
-    uint32_t struct_size;     /* sizeof(phys_params), set by phys_params_init */
-    uint32_t model;           /* PHYS_MODEL_ROLLING or PHYS_MODEL_RIGID */
-    phys_vec3 gravity;        /* m/s^2 in the board frame: this is how tilt arrives; z < 0 while a floor supports */
-    double restitution_wall;  /* 0 .. 1 */
-    double restitution_floor; /* 0 .. 1: landing */
-    double rolling_friction;  /* >= 0: resistance = this times the normal force; rigid: <= sliding_friction */
-    double sliding_friction;  /* >= 0: ball on floor, rigid model */
-    double wall_friction;     /* >= 0: ball on wall, rigid model */
-    uint32_t options;         /* PHYS_OPTION_* */
-    uint32_t reserved;        /* 0 */
-    double stepper[PHYS_STEPPER_VALUES]; /* what the stepper's own rows point at; 0 unless it has such rows */
+    uint32_t struct_size;     /**< sizeof(phys_params), set by phys_params_init */
+    uint32_t model;           /**< PHYS_MODEL_ROLLING or PHYS_MODEL_RIGID */
+    phys_vec3 gravity;        /**< m/s^2 in the board frame: this is how tilt arrives; z < 0 while a floor supports */
+    double restitution_wall;  /**< 0 .. 1 */
+    double restitution_floor; /**< 0 .. 1: landing */
+    double rolling_friction;  /**< >= 0: resistance = this times the normal force; rigid: <= sliding_friction */
+    double sliding_friction;  /**< >= 0: ball on floor, rigid model */
+    double wall_friction;     /**< >= 0: ball on wall, rigid model */
+    uint32_t options;         /**< PHYS_OPTION_* */
+    uint32_t reserved;        /**< 0 */
+    double stepper[PHYS_STEPPER_VALUES]; /**< what the stepper's own rows point at; 0 unless it has such rows */
 } phys_params;
 
 /** Fills params with each row's initial value, gravity (0, 0, -9.81), the rolling model, no options.
@@ -248,25 +253,27 @@ PHYS_API phys_status phys_params_init(phys_params *params, size_t size);
 
 /** Bits of phys_param_row.flags. */
 enum {
-    PHYS_ROW_CHOICE = 1, /* whole numbers from min to max, stored as uint32_t; `choices` names them */
-    PHYS_ROW_INPUT = 2,  /* driven by the board's tilt rather than set by hand: gravity */
-    PHYS_ROW_RIGID = 4,  /* has an effect in the rigid model only */
-    PHYS_ROW_SWITCH = 8  /* 0 or 1, stored as double */
+    PHYS_ROW_CHOICE = 1, /**< whole numbers from min to max, stored as uint32_t; `choices` names them */
+    PHYS_ROW_INPUT = 2,  /**< driven by the board's tilt rather than set by hand: gravity */
+    PHYS_ROW_RIGID = 4,  /**< has an effect in the rigid model only */
+    PHYS_ROW_SWITCH = 8  /**< 0 or 1, stored as double */
 };
 
 /** All there is to know about one parameter: frozen. Texts are static, English, UTF-8, never NULL. */
 typedef struct phys_param_row {
-    const char *id;      /* for ever; for settings, options and columns: rolling_friction */
-    const char *label;   /* for people: Rolling friction */
-    const char *unit;    /* "" if it has none */
-    const char *help;    /* what it does, its default, how to choose it */
-    const char *choices; /* names separated by '\n' for PHYS_ROW_CHOICE, otherwise "" */
-    double min, max;     /* allowed, both ends included */
-    double low, high;    /* the range that a slider should offer */
-    double initial;      /* default */
-    double step;         /* one notch */
-    uint32_t offset;     /* of the double (or uint32_t, see flags) in phys_params, bytes */
-    uint32_t flags;      /* PHYS_ROW_* */
+    const char *id;      /**< for ever; for settings, options and columns: rolling_friction */
+    const char *label;   /**< for people: Rolling friction */
+    const char *unit;    /**< "" if it has none */
+    const char *help;    /**< what it does, its default, how to choose it */
+    const char *choices; /**< names separated by '\n' for PHYS_ROW_CHOICE, otherwise "" */
+    double min;          /**< least allowed value */
+    double max;          /**< greatest allowed value */
+    double low;          /**< the range that a slider should offer begins here */
+    double high;         /**< and ends here */
+    double initial;      /**< default */
+    double step;         /**< one notch */
+    uint32_t offset;     /**< of the double (or uint32_t, see flags) in phys_params, bytes */
+    uint32_t flags;      /**< PHYS_ROW_* */
 } phys_param_row;
 
 /** The library's own rows, in the order in which to show them; writes their number to `count`. Static. Since 1.0. */
@@ -286,48 +293,49 @@ PHYS_API phys_status phys_params_check(const phys_params *params, phys_error *er
 /* ------------------------------------------------------------------------------------------------------- report -- */
 
 enum {
-    PHYS_EVENT_IMPACT = 1,  /* bounced off a wall */
-    PHYS_EVENT_LANDING = 2, /* bounced off or came down on a floor */
-    PHYS_EVENT_TAKEOFF = 3, /* left the floor */
-    PHYS_EVENT_STOP = 4,    /* came to rest */
-    PHYS_EVENT_ROLL = 5,    /* slip ended: rolls from here on */
-    PHYS_EVENT_CONTACT = 6, /* "exact" only: stays in contact with a wall from here on */
-    PHYS_EVENT_RELEASE = 7  /* "exact" only: left a wall it was in contact with, without an impact */
+    PHYS_EVENT_IMPACT = 1,  /**< bounced off a wall */
+    PHYS_EVENT_LANDING = 2, /**< bounced off or came down on a floor */
+    PHYS_EVENT_TAKEOFF = 3, /**< left the floor */
+    PHYS_EVENT_STOP = 4,    /**< came to rest */
+    PHYS_EVENT_ROLL = 5,    /**< slip ended: rolls from here on */
+    PHYS_EVENT_CONTACT = 6, /**< "exact" only: stays in contact with a wall from here on */
+    PHYS_EVENT_RELEASE = 7  /**< "exact" only: left a wall it was in contact with, without an impact */
 };
 
 /** Something that happened during a step: frozen. */
 typedef struct phys_event {
-    double time;         /* s since the start, as state.time */
-    phys_vec3 point;     /* of contact, m (the centre for events without one) */
-    phys_vec3 normal;    /* unit, from the box to the ball (zero for events without one) */
-    double speed_before; /* impacts: along the normal, < 0 (towards the box); others: |velocity|. m/s */
-    double speed_after;  /* impacts: along the normal, >= 0; others: |velocity|. m/s */
-    uint32_t kind;       /* PHYS_EVENT_* */
-    uint32_t box;        /* number of the box, PHYS_NO_BOX for events without one */
+    double time;         /**< s since the start, as state.time */
+    phys_vec3 point;     /**< of contact, m (the centre for events without one) */
+    phys_vec3 normal;    /**< unit, from the box to the ball (zero for events without one) */
+    double speed_before; /**< impacts: along the normal, < 0 (towards the box); others: |velocity|. m/s */
+    double speed_after;  /**< impacts: along the normal, >= 0; others: |velocity|. m/s */
+    uint32_t kind;       /**< PHYS_EVENT_* */
+    uint32_t box;        /**< number of the box, PHYS_NO_BOX for events without one */
 } phys_event;
 
+/** phys_event.box of an event without one. */
 #define PHYS_NO_BOX 0xffffffffu
 
 /** What a step did: appendable. Set up by phys_report_init, then events and event_capacity by the caller; the rest is
  *  written anew by each successful step (after a failed one the content of the event buffer is undefined). Energies per
  * mass, J/kg. They balance: energy_before + energy_scheme = energy_after + lost_impact + lost_rolling + lost_slip. */
 typedef struct phys_report {
-    uint32_t struct_size;    /* sizeof(phys_report), set by phys_report_init */
-    uint32_t event_capacity; /* room in events */
-    phys_event *events;      /* the caller's buffer, or NULL with event_capacity 0 */
-    uint32_t event_count;    /* written to events, in order of time */
-    uint32_t events_lost;    /* happened too, but found no room */
-    uint32_t substeps;       /* the step was cut into; 1 for exact, 0 for dt = 0 */
-    uint32_t substep_cap;    /* above this the step fails with PHYS_ERROR_SUBSTEP_CAP; 0 where it has no cap */
-    uint32_t passes;         /* most passes that resolving contacts took at one moment */
-    uint32_t pass_cap;       /* above this the step fails with PHYS_ERROR_STUCK */
-    double penetration;      /* deepest seen before it was resolved, m, >= 0 */
-    double energy_before;    /* phys_energy of the given state with the step's gravity */
-    double energy_after;     /* phys_energy of the new state */
-    double lost_impact;      /* to impacts with walls and floors */
-    double lost_rolling;     /* to rolling resistance */
-    double lost_slip;     /* to friction at a slipping contact; the rolling model's landing counts here, either sign */
-    double energy_scheme; /* made (> 0) or lost (< 0) by the stepper's own error: what remains in the balance */
+    uint32_t struct_size;    /**< sizeof(phys_report), set by phys_report_init */
+    uint32_t event_capacity; /**< room in events */
+    phys_event *events;      /**< the caller's buffer, or NULL with event_capacity 0 */
+    uint32_t event_count;    /**< written to events, in order of time */
+    uint32_t events_lost;    /**< happened too, but found no room */
+    uint32_t substeps;       /**< the step was cut into; 1 for exact, 0 for dt = 0 */
+    uint32_t substep_cap;    /**< above this the step fails with PHYS_ERROR_SUBSTEP_CAP; 0 where it has no cap */
+    uint32_t passes;         /**< most passes that resolving contacts took at one moment */
+    uint32_t pass_cap;       /**< above this the step fails with PHYS_ERROR_STUCK */
+    double penetration;      /**< deepest seen before it was resolved, m, >= 0 */
+    double energy_before;    /**< phys_energy of the given state with the step's gravity */
+    double energy_after;     /**< phys_energy of the new state */
+    double lost_impact;      /**< to impacts with walls and floors */
+    double lost_rolling;     /**< to rolling resistance */
+    double lost_slip; /**< to friction at a slipping contact; the rolling model's landing counts here, either sign */
+    double energy_scheme; /**< made (> 0) or lost (< 0) by the stepper's own error: what remains in the balance */
 } phys_report;
 
 /** Fills a report: no event buffer, all zero. size = sizeof(phys_report). Since 1.0. */
@@ -343,25 +351,26 @@ PHYS_API phys_status phys_energy(const phys_scene *scene, const phys_params *par
 /** The steppers that can be made: the built-in ones and those of loaded plugins. Opaque. */
 typedef struct phys_registry phys_registry;
 
+/** Id of the stepper to take without a reason for another one. */
 #define PHYS_STEPPER_DEFAULT "symplectic-euler"
 
 /** Bits of phys_stepper_info.flags. */
 enum {
-    PHYS_STEPPER_EXACT_IN_DT = 1,     /* one step of any dt is as good as many small ones */
-    PHYS_STEPPER_BITS_EVERYWHERE = 2, /* only + - x / sqrt: same bits from every compiler at every optimisation */
-    PHYS_STEPPER_PLUGIN = 4           /* comes from a plugin */
+    PHYS_STEPPER_EXACT_IN_DT = 1,     /**< one step of any dt is as good as many small ones */
+    PHYS_STEPPER_BITS_EVERYWHERE = 2, /**< only + - x / sqrt: same bits from every compiler at every optimisation */
+    PHYS_STEPPER_PLUGIN = 4           /**< comes from a plugin */
 };
 
 /** What is known of a stepper before it is made: frozen. Texts live as long as the registry, never NULL. */
 typedef struct phys_stepper_info {
-    const char *id;                    /* for ever */
-    const char *name;                  /* for people */
-    const char *version;               /* changes when trajectories change */
-    const char *summary;               /* a sentence: what it's for */
-    const char *file;                  /* of the plugin; "" for built-in ones */
-    const phys_param_row *const *rows; /* of its own, row_count pointers */
-    uint32_t row_count;
-    uint32_t flags; /* PHYS_STEPPER_* */
+    const char *id;                    /**< for ever */
+    const char *name;                  /**< for people */
+    const char *version;               /**< changes when trajectories change */
+    const char *summary;               /**< a sentence: what it's for */
+    const char *file;                  /**< of the plugin; "" for built-in ones */
+    const phys_param_row *const *rows; /**< of its own, row_count pointers */
+    uint32_t row_count;                /**< 0 .. PHYS_STEPPER_VALUES */
+    uint32_t flags;                    /**< PHYS_STEPPER_* */
 } phys_stepper_info;
 
 /** Makes a registry with the built-in steppers. Errors: MEMORY. Free it with phys_registry_destroy. Since 1.0. */
@@ -431,9 +440,9 @@ enum { PHYS_STAGE_LIST(PHYS_STAGE_ENUMERATOR) PHYS_STAGE_COUNT = 6 };
 
 /** Which stages the next step runs, and why: frozen. */
 typedef struct phys_requirements {
-    uint32_t stages;                     /* PHYS_STAGE_* bits of the stages that run */
-    uint32_t substeps;                   /* the step would be cut into */
-    char reasons[PHYS_STAGE_COUNT][120]; /* a sentence for each stage: why it runs or why not */
+    uint32_t stages;                     /**< PHYS_STAGE_* bits of the stages that run */
+    uint32_t substeps;                   /**< the step would be cut into */
+    char reasons[PHYS_STAGE_COUNT][120]; /**< a sentence for each stage: why it runs or why not */
 } phys_requirements;
 
 /** Says which stages the step with these arguments needs. Errors as phys_step's before it moves the ball, and

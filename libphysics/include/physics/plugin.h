@@ -1,11 +1,11 @@
-/* SPDX-License-Identifier: MIT
- *
- * What a plugin hands to libphysics: one exported constant table of steppers. A plugin links to nothing of ours; the
- * built-in steppers fill the very same table. A plugin is a shared object that defines
+/* SPDX-License-Identifier: MIT */
+/** @file
+ *  What a plugin hands to libphysics: one exported constant table of steppers. A plugin links to nothing of ours; the
+ *  built-in steppers fill the very same table. A plugin is a shared object that defines
  *
  *     const phys_plugin phys_plugin_entry = { PHYS_ABI_VERSION, sizeof(phys_plugin), 1, 0, steppers };
  *
- * Everything is checked before any of its code is called, and what its step returns is checked before anyone sees it.
+ *  Everything is checked before any of its code is called, and what its step returns is checked before anyone sees it.
  */
 #ifndef PHYS_PLUGIN_H
 #define PHYS_PLUGIN_H
@@ -19,12 +19,12 @@ extern "C" {
 /** What a stepper sees of a scene: appendable. Lives longer than the stepper made from it. All members may be read by
  *  any thread at any time. */
 typedef struct phys_scene_view {
-    uint32_t struct_size;
-    uint32_t box_count;    /* boxes as given to phys_scene_create */
-    const phys_box *boxes; /* box_count of them, m; NULL if there are none */
-    double radius;         /* of the ball, m */
-    double floor_top;      /* height of the floor's top, m; NaN if the start isn't over a floor */
-    const void *scene;     /* handed back to the two functions below */
+    uint32_t struct_size;  /**< sizeof(phys_scene_view) */
+    uint32_t box_count;    /**< boxes as given to phys_scene_create */
+    const phys_box *boxes; /**< box_count of them, m; NULL if there are none */
+    double radius;         /**< of the ball, m */
+    double floor_top;      /**< height of the floor's top, m; NaN if the start isn't over a floor */
+    const void *scene;     /**< handed back to the two functions below */
 
     /** Numbers of the boxes that overlap or touch region, in ascending order: writes the lowest, at most capacity of
      *  them, to out (or NULL if capacity is 0) and returns how many there are; 0 for a region that isn't a box. */
@@ -38,15 +38,15 @@ typedef struct phys_scene_view {
 /** One stepper: appendable, texts static. All functions are called by one thread at a time for one self; none may
  *  throw, exit or keep a pointer that it is given, except create the view. Required unless marked optional. */
 typedef struct phys_stepper_api {
-    uint32_t struct_size;              /* sizeof(phys_stepper_api) */
-    uint32_t flags;                    /* PHYS_STEPPER_* without PHYS_STEPPER_PLUGIN */
-    const char *id;                    /* for ever, unique: lower case letters, digits and '-', 1 .. 63 bytes */
-    const char *name;                  /* for people, 1 .. 127 bytes */
-    const char *version;               /* changes when trajectories change, 1 .. 31 bytes */
-    const char *summary;               /* a sentence: what it's for, 0 .. 255 bytes */
-    const phys_param_row *const *rows; /* its own; offsets point into phys_params.stepper; NULL if there are none */
-    uint32_t row_count;                /* 0 .. PHYS_STEPPER_VALUES */
-    uint32_t reserved;                 /* 0 */
+    uint32_t struct_size;              /**< sizeof(phys_stepper_api) */
+    uint32_t flags;                    /**< PHYS_STEPPER_* without PHYS_STEPPER_PLUGIN */
+    const char *id;                    /**< for ever, unique: lower case letters, digits and '-', 1 .. 63 bytes */
+    const char *name;                  /**< for people, 1 .. 127 bytes */
+    const char *version;               /**< changes when trajectories change, 1 .. 31 bytes */
+    const char *summary;               /**< a sentence: what it's for, 0 .. 255 bytes */
+    const phys_param_row *const *rows; /**< its own; offsets point into phys_params.stepper; NULL if there are none */
+    uint32_t row_count;                /**< 0 .. PHYS_STEPPER_VALUES */
+    uint32_t reserved;                 /**< 0 */
 
     /** Makes what the stepper needs in this scene and stores it in *self (it may stay NULL). */
     phys_status (*create)(const phys_scene_view *scene, void **self, phys_error *err);
@@ -70,11 +70,11 @@ typedef struct phys_stepper_api {
 
 /** A plugin's table: appendable. */
 typedef struct phys_plugin {
-    uint32_t abi_version; /* PHYS_ABI_VERSION that it was compiled with */
-    uint32_t struct_size; /* sizeof(phys_plugin) */
-    uint32_t stepper_count;
-    uint32_t reserved;                       /* 0 */
-    const phys_stepper_api *const *steppers; /* stepper_count pointers */
+    uint32_t abi_version;                    /**< PHYS_ABI_VERSION that it was compiled with */
+    uint32_t struct_size;                    /**< sizeof(phys_plugin) */
+    uint32_t stepper_count;                  /**< 1 or more */
+    uint32_t reserved;                       /**< 0 */
+    const phys_stepper_api *const *steppers; /**< stepper_count pointers */
 } phys_plugin;
 
 /** Visible even where PHYS_API isn't, as in a host that links libphysics statically. */
