@@ -222,7 +222,7 @@ void TestConvergence::firstIntegralIsKeptToThePromisedOrder() {
     QFETCH(QByteArray, stepper);
     // model.md 3.1: B|v| + A.v + (B^2 - a^2) t.
     const Arc &arc = kFirst;
-    const auto integral = [&arc](const phys_state &state) {
+    const auto integral = [](const phys_state &state) {
         const double speed = std::hypot(state.velocity.x, state.velocity.y);
         return arc.B * speed + arc.ax * state.velocity.x + arc.ay * state.velocity.y +
                (arc.B * arc.B - arc.ax * arc.ax - arc.ay * arc.ay) * state.time;
