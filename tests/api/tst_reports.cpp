@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 using namespace support;
 
@@ -28,6 +29,8 @@ private slots:
     void changeNoBitOfABallThatRollsCloseBesideAWall();
     void changeNoBitOfABallThatHitsARoughWall_data() { addStepperAndModelRows(); }
     void changeNoBitOfABallThatHitsARoughWall();
+    void changeNoBitOfABallThatRollsAlongAnAxis_data() { addStepperAndModelRows(); }
+    void changeNoBitOfABallThatRollsAlongAnAxis();
 
 private:
     static void compareSteps(Experiment &ball);
@@ -77,6 +80,19 @@ void Reports::changeNoBitOfABallThatHitsARoughWall() {
     ball.setLaw(-0.5, 0.25, 0x1p-7);
     ball.roll(-1e-5, 1e-4);
     compareSteps(ball);
+}
+
+/// Zeros have a sign too.
+void Reports::changeNoBitOfABallThatRollsAlongAnAxis() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    for (const auto &[vx, vy] : {std::pair{1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}) {
+        Experiment ball(squareRoom(4.0), stepper, model);
+        ball.setPosition(2.0, 2.0);
+        ball.setLaw(0.0, 0.0, 0x1p-7);
+        ball.roll(vx, vy);
+        compareSteps(ball);
+    }
 }
 
 QTEST_GUILESS_MAIN(Reports)
