@@ -4,6 +4,8 @@
 
 #include <QtTest>
 
+#include <cstring>
+
 using exact::kU;
 using exact::Run;
 
@@ -25,6 +27,7 @@ private slots:
     void thousandTouchingBoxes();
     void restIsForEver();
     void fallsPastTheLowerEndOfAWall();
+    void bouncesOnALevelEdgeEndHoweverFastItGoesAlong();
 };
 
 namespace {
@@ -182,6 +185,19 @@ void ExactExtremes::fallsPastTheLowerEndOfAWall() {
     QVERIFY(std::abs(run.state.velocity.x - 0.125) <= 2.0 * kU);
     QVERIFY(std::abs(run.state.position.z - (1.0 - 4.0 * 0.5625)) <= 2.0 * kU);
     QCOMPARE(run.eventsOf(PHYS_EVENT_RELEASE).size(), size_t(1));
+}
+
+/// Pulled from below straight into the edge at x = 0.5, z = 1. An edge is curved only across itself. What comes after
+/// the last bounce is refused.
+void ExactExtremes::bouncesOnALevelEdgeEndHoweverFastItGoesAlong() {
+    Run run({exact::floorOver(-2, -2, -1, 2), {{0.5, -128, 1}, {1, 128, 2}}}, 0.125, {0.25, 0, 0.75}, {0, 64, 0});
+    run.params.gravity = {8, 0, 8};
+    run.params.restitution_wall = 0.5;
+    const phys_state before = run.state;
+    phys_error error{};
+    QCOMPARE(run.tryStep(1.5, &error), phys_status(PHYS_ERROR_UNSUPPORTED));
+    QCOMPARE(error.text, "box 1: the ball stays in contact with its top or bottom, which stepper 'exact' can't follow");
+    QVERIFY(std::memcmp(&run.state, &before, sizeof before) == 0);
 }
 
 QTEST_GUILESS_MAIN(ExactExtremes)
