@@ -3,6 +3,7 @@
 
 #include "gl/maze_view.h"
 #include "ui/board_picture.h"
+#include "ui/comparison_dock.h"
 #include "ui/game_keys.h"
 #include "ui/game_overlay.h"
 #include "ui/grab.h"
@@ -32,8 +33,9 @@ namespace {
 constexpr int kRefreshPeriod = 33; // ms
 constexpr QSize kUsualSize(1280, 800);
 constexpr double kScreenShare = 0.75; // of a larger screen
-constexpr double kTradeShare = 0.42;  // of the window's height, when the trade is shown
-constexpr int kLayoutVersion = 1;     // another number forgets layouts of windows with other docks
+constexpr double kTradeShare = 0.42;  // of the window's height, when the dock is shown
+constexpr double kComparisonShare = 0.34;
+constexpr int kLayoutVersion = 2; // another number forgets layouts of windows with other docks
 
 } // namespace
 
@@ -42,12 +44,15 @@ struct MainWindow::DockRow {
     const char *name;
     const char *title;
     Qt::DockWidgetArea area;
+    double
+        share; // on call, in the place of the plot: of the window's height that it then gets; 0: there from the start
     QWidget *(*widget)(MainWindow &window);
 };
 
 namespace {
-const char *const kDockNames[] = {"parameters_dock", "levels_dock", "plot_dock", "trade_dock"};
-}
+const char *const kDockNames[] = {"parameters_dock", "levels_dock", "plot_dock"}; // there from the start
+const char *const kComparisonDock = "comparison_dock";
+} // namespace
 
 MainWindow::MainWindow(Session &session)
     : m_session(session)
@@ -63,6 +68,7 @@ MainWindow::MainWindow(Session &session)
     makeMenus();
     connectSession();
     restoreLook();
+    if (m_session.comparison().isOn()) QTimer::singleShot(0, this, &MainWindow::showComparisonDock);
     openLevel();
     m_refresh.start(kRefreshPeriod);
 }
@@ -101,15 +107,18 @@ void MainWindow::makeDocks() {
     m_parameters = new ParameterPanel(m_session, *m_undo);
     m_plot = new PlotPanel(new VelocityPlot(m_session.simulation().samples()), QStringLiteral("plot"));
     m_levels = new LevelPanel(m_session);
+    m_comparison = new ComparisonDock(m_session, {action("compare"), action("meet_again")});
     static const DockRow rows[] = {
-        {kDockNames[0], QT_TR_NOOP("Parameters"), Qt::RightDockWidgetArea,
+        {kDockNames[0], QT_TR_NOOP("Parameters"), Qt::RightDockWidgetArea, 0.0,
          [](MainWindow &window) -> QWidget * { return window.m_parameters; }},
-        {kDockNames[1], QT_TR_NOOP("Levels"), Qt::RightDockWidgetArea,
+        {kDockNames[1], QT_TR_NOOP("Levels"), Qt::RightDockWidgetArea, 0.0,
          [](MainWindow &window) -> QWidget * { return window.m_levels; }},
-        {kDockNames[2], QT_TR_NOOP("Velocity plot"), Qt::BottomDockWidgetArea,
+        {kDockNames[2], QT_TR_NOOP("Velocity plot"), Qt::BottomDockWidgetArea, 0.0,
          [](MainWindow &window) -> QWidget * { return window.m_plot; }},
-        {kDockNames[3], QT_TR_NOOP("Trade"), Qt::BottomDockWidgetArea,
+        {"trade_dock", QT_TR_NOOP("Trade"), Qt::BottomDockWidgetArea, kTradeShare,
          [](MainWindow &window) -> QWidget * { return new TradeDock(window.m_session, *window.m_undo); }},
+        {kComparisonDock, QT_TR_NOOP("Comparison"), Qt::BottomDockWidgetArea, kComparisonShare,
+         [](MainWindow &window) -> QWidget * { return window.m_comparison; }},
     };
     int number = 0;
     for (const DockRow &row : rows) {
@@ -117,28 +126,43 @@ void MainWindow::makeDocks() {
         dock->setObjectName(QLatin1String(row.name));
         dock->setWidget(row.widget(*this));
         addDockWidget(row.area, dock);
-        addDockAction(*dock, ++number);
+        addDockAction(*dock, ++number, row.share);
+        if (row.share == 0.0) continue;
+        tabifyDockWidget(findChild<QDockWidget *>(QLatin1String(kDockNames[2])), dock);
+        dock->hide();
     }
-    // On call, in the place of the plot.
-    auto *trade = findChild<QDockWidget *>(QLatin1String(kDockNames[3]));
-    tabifyDockWidget(findChild<QDockWidget *>(QLatin1String(kDockNames[2])), trade);
-    trade->hide();
-    // There it needs more room than a plot.
-    connect(trade->toggleViewAction(), &QAction::triggered, this, [this, trade](bool isShown) {
-        if (isShown && !trade->isFloating()) resizeDocks({trade}, {int(kTradeShare * height())}, Qt::Vertical);
-    });
 }
 
-// Shown by its key, a dock also gets the keyboard.
-void MainWindow::addDockAction(QDockWidget &dock, int number) {
-    QAction *toggle = dock.toggleViewAction();
+// Its key closes a dock that is seen, and shows one that is closed or lies behind another.
+void MainWindow::addDockAction(QDockWidget &dock, int number, double share) {
+    auto *toggle = new QAction(dock.windowTitle(), this);
+    toggle->setObjectName(QStringLiteral("show_") + dock.objectName());
+    toggle->setCheckable(true);
     toggle->setShortcut(QKeySequence(QStringLiteral("Ctrl+%1").arg(number)));
-    connect(toggle, &QAction::triggered, &dock, [&dock](bool isShown) {
-        if (!isShown) return;
-        dock.raise();
-        dock.widget()->setFocus();
+    const auto showState = [&dock, toggle] { toggle->setChecked(!dock.isHidden()); };
+    connect(&dock, &QDockWidget::visibilityChanged, toggle, showState);
+    connect(toggle, &QAction::triggered, &dock, [this, &dock, share, showState] {
+        const bool isSeen = dock.isVisible() && !dock.visibleRegion().isEmpty();
+        if (isSeen)
+            dock.close();
+        else
+            showDock(dock, share);
+        if (!isSeen) dock.widget()->setFocus();
+        showState();
     });
     addAction(toggle); // to be listed with the others
+}
+
+void MainWindow::showDock(QDockWidget &dock, double share) {
+    const bool isResized = share > 0.0 && dock.isHidden() && !dock.isFloating();
+    dock.show();
+    dock.raise();
+    if (isResized) resizeDocks({&dock}, {int(share * height())}, Qt::Vertical);
+}
+
+// Once the window is there: before, tabs can't be raised.
+void MainWindow::showComparisonDock() {
+    showDock(*findChild<QDockWidget *>(QLatin1String(kComparisonDock)), kComparisonShare);
 }
 
 void MainWindow::connectSession() {
@@ -147,6 +171,8 @@ void MainWindow::connectSession() {
     connect(&m_session, &Session::recordingFailed, m_messages, &MessageBar::showLine);
     connect(&m_session, &Session::recordingChanged, action("record"), &QAction::setChecked);
     connect(&m_session, &Session::autopilotChanged, action("autopilot"), &QAction::setChecked);
+    connect(&m_session.comparison(), &Comparison::changed, this, &MainWindow::showComparison);
+    connect(&m_session.comparison(), &Comparison::refused, m_messages, &MessageBar::showLine);
     connect(&m_session.simulation(), &Simulation::runningChanged, this, &MainWindow::showRunning);
     connect(m_parameters, &ParameterPanel::refused, m_messages, &MessageBar::showLine);
     connect(m_view, &gl::MazeView::problem, m_messages, &MessageBar::showLine);
@@ -154,6 +180,7 @@ void MainWindow::connectSession() {
     connect(&m_refresh, &QTimer::timeout, this, &MainWindow::refresh);
     action("autopilot")->setChecked(m_session.hasAutopilot());
     action("record")->setChecked(m_session.isRecording());
+    showComparison();
 }
 
 void MainWindow::openLevel() {
@@ -169,6 +196,7 @@ void MainWindow::refresh() {
     m_status->showSnapshot(now);
     m_overlay->setText(overlayText(m_session, now));
     m_plot->plot().refresh();
+    m_comparison->refresh();
     if (m_session.hasAutopilot()) m_parameters->showFlownTilt(now.inputs.tilt);
 }
 
@@ -177,8 +205,15 @@ void MainWindow::showRunning(bool isRunning) {
     action("run")->setText(isRunning ? tr("Pause") : tr("Run"));
 }
 
+void MainWindow::showComparison() {
+    const bool isOn = m_session.comparison().isOn();
+    action("compare")->setChecked(isOn);
+    action("meet_again")->setEnabled(isOn);
+}
+
 bool MainWindow::grabTo(const QString &path, QString *error) {
     refresh();
+    for (QCustomPlot *plot : findChildren<QCustomPlot *>()) plot->replot(); // at once
     return grabToFile(*this, path, error);
 }
 

@@ -18,6 +18,7 @@ class MazeView;
 
 namespace inspector::ui {
 
+class ComparisonDock;
 class GameOverlay;
 class LevelPanel;
 class MessageBar;
@@ -55,7 +56,9 @@ private:
     void makeActions();
     void makeCentre();
     void makeDocks();
-    void addDockAction(QDockWidget &dock, int number);
+    void addDockAction(QDockWidget &dock, int number, double share);
+    void showDock(QDockWidget &dock, double share);
+    void showComparisonDock();
     void makeMenus();
     void addUndoActions(QMenu &menu);
     void addViewChoices(QMenu &menu);
@@ -66,6 +69,7 @@ private:
 
     void openLevel();
     void showRunning(bool isRunning);
+    void showComparison();
     void restoreLook();
     void arrangeDocks();
     int quality() const;
@@ -89,6 +93,8 @@ private:
     void stepOnce();
     void restart();
     void toggleAutopilot();
+    void toggleComparison();
+    void meetAgain();
     void showKeys();
     void showAbout();
 
@@ -99,6 +105,7 @@ private:
     MessageBar *m_messages = nullptr;
     ParameterPanel *m_parameters = nullptr;
     PlotPanel *m_plot = nullptr;
+    ComparisonDock *m_comparison = nullptr;
     LevelPanel *m_levels = nullptr;
     TransportBar *m_transport = nullptr;
     StatusLine *m_status = nullptr;

@@ -77,6 +77,18 @@ const std::vector<MainWindow::ActionRow> &MainWindow::actionRows() {
          &MainWindow::restart},
         {"autopilot", QT_TR_NOOP("Autopilot"), "A", QT_TR_NOOP("Let the program tilt the board"), Glyph::Autopilot,
          &MainWindow::toggleAutopilot},
+        {"compare",
+         QT_TR_NOOP("Compare"),
+         "C",
+         QT_TR_NOOP("Let a second ball, moved by another stepper, start where the ball is"),
+         {},
+         &MainWindow::toggleComparison},
+        {"meet_again",
+         QT_TR_NOOP("Meet again"),
+         "M",
+         QT_TR_NOOP("Put the ghost back onto the ball"),
+         {},
+         &MainWindow::meetAgain},
         {"keys", QT_TR_NOOP("Keys"), "F1", "", {}, &MainWindow::showKeys},
         {"about", QT_TR_NOOP("About"), "", "", {}, &MainWindow::showAbout},
     };
@@ -96,6 +108,7 @@ void MainWindow::makeActions() {
     }
     action("autopilot")->setCheckable(true);
     action("record")->setCheckable(true);
+    action("compare")->setCheckable(true);
 }
 
 void MainWindow::makeMenus() {
@@ -107,7 +120,8 @@ void MainWindow::makeMenus() {
         {QT_TR_NOOP("&File"), {"open", "", "save_plot", "screenshot", "record", "", "quit"}},
         {QT_TR_NOOP("&Edit"), {"", "reset_parameters"}},
         {QT_TR_NOOP("&View"), {"", "camera_reset", "camera_top"}},
-        {QT_TR_NOOP("&Game"), {"play", "", "run", "pause", "step", "restart", "", "autopilot"}},
+        {QT_TR_NOOP("&Game"),
+         {"play", "", "run", "pause", "step", "restart", "", "autopilot", "", "compare", "meet_again"}},
         {QT_TR_NOOP("&Help"), {"keys", "about"}},
     };
     std::vector<QMenu *> menus;
@@ -134,7 +148,8 @@ void MainWindow::addUndoActions(QMenu &menu) {
 
 void MainWindow::addViewChoices(QMenu &menu) {
     QAction *const first = menu.actions().constFirst();
-    for (const QDockWidget *dock : findChildren<QDockWidget *>()) menu.insertAction(first, dock->toggleViewAction());
+    for (const QDockWidget *dock : findChildren<QDockWidget *>())
+        menu.insertAction(first, findChild<QAction *>(QStringLiteral("show_") + dock->objectName()));
     menu.insertAction(first, m_transport->toggleViewAction());
     menu.insertAction(first, action("reset_layout"));
 
@@ -226,6 +241,9 @@ void MainWindow::toggleAutopilot() {
     m_session.setAutopilot(!m_session.hasAutopilot());
     action("autopilot")->setChecked(m_session.hasAutopilot()); // also after a refusal
 }
+
+void MainWindow::toggleComparison() { m_session.comparison().setOn(!m_session.comparison().isOn()); }
+void MainWindow::meetAgain() { m_session.comparison().meetAgain(); }
 
 void MainWindow::lookFromAbove() {
     gl::OrbitCamera &camera = m_view->camera();

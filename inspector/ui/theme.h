@@ -19,6 +19,7 @@ bool isDark(const QPalette &palette);
 struct Accents {
     QColor x, y, total; // components and magnitude of a vector
     QColor warning;     // background of a message
+    QColor ball, ghost; // in a comparison: trails and legend
 };
 Accents accentsFor(const QPalette &palette);
 

@@ -64,6 +64,12 @@ void TimePlot::addCurve(Channel channel, QColor Accents::*colour) {
     takeColours();
 }
 
+QCPGraph *TimePlot::addKey(QColor Accents::*colour) {
+    m_keys.push_back({addGraph(), colour});
+    takeColours();
+    return m_keys.back().graph;
+}
+
 void TimePlot::addReadOut() {
     m_cursorText->setPadding(QMargins(6, 4, 6, 4));
     m_cursorText->setTextAlignment(Qt::AlignLeft);
@@ -99,6 +105,7 @@ void TimePlot::takeColours() {
         curve.dot->setPen(QPen(base, 1.0));
         curve.dot->setBrush(accents.*curve.colour);
     }
+    for (const Key &key : m_keys) key.graph->setPen(QPen(accents.*key.colour, 3.0));
     m_cursorLine->setPen(QPen(mixed(base, text, 0.6), 1.0, Qt::DashLine));
     m_cursorText->setColor(text);
     m_cursorText->setBrush(mixed(base, text, 0.08));
@@ -137,6 +144,8 @@ void TimePlot::refresh() {
     if (m_isFollowing && !isPaused() && newest) showTimeUpTo(*newest);
     for (const Curve &curve : m_curves) load(curve);
     if (m_fitsValues && newest) fitValues();
+    for (const Curve &curve : m_curves)
+        for (QCPGraphData &point : *curve.graph->data()) point.value = drawn(point.value);
     updateReadOut();
     replot(QCustomPlot::rpQueuedReplot);
 }
@@ -269,7 +278,8 @@ void TimePlot::placeReadOut(const Sample &sample) {
     m_cursorLine->point1->setCoords(sample.time, 0.0);
     m_cursorLine->point2->setCoords(sample.time, 1.0);
     const QString text = tr("Time  %1 s").arg(sample.time, 0, 'f', 4);
-    for (const Curve &curve : m_curves) curve.dot->position->setCoords(sample.time, plotted(sample[curve.channel]));
+    for (const Curve &curve : m_curves)
+        curve.dot->position->setCoords(sample.time, drawn(plotted(sample[curve.channel])));
     m_cursorText->setText(text + QLatin1Char('\n') + textOf(sample));
     // Beside the line, on the side where there is more room.
     const bool isRight = xAxis->coordToPixel(sample.time) > axisRect()->center().x();

@@ -52,11 +52,14 @@ protected:
     // samples: outlives the plot.
     explicit TimePlot(const SampleRing &samples, QWidget *parent);
     void addCurve(Channel channel, QColor Accents::*colour); // in the constructor of a kind of plot
+    QCPGraph *addKey(QColor Accents::*colour);               // an entry of the legend without a curve
     const std::vector<Curve> &curves() const { return m_curves; }
     const SampleRing &samples() const { return m_samples; }
 
     // A value in the unit of the value axis; NaN where there is none.
     virtual double plotted(double value) const { return value; }
+    // Where on the value axis, as it is just now, a plotted value is drawn.
+    virtual double drawn(double plotted) const { return plotted; }
     // Moves the value axis to what the curves show just now. Not called once a person has moved it.
     virtual void fitValues() = 0;
     // What is said of the sample under the cursor, below its time.
@@ -85,7 +88,13 @@ private:
     bool saveTable(const QString &path, QString *error) const;
 
     const SampleRing &m_samples;
+    struct Key {
+        QCPGraph *graph;
+        QColor Accents::*colour;
+    };
+
     std::vector<Curve> m_curves;
+    std::vector<Key> m_keys;
     QCPItemStraightLine *m_cursorLine;
     QCPItemText *m_cursorText;
     std::optional<QPointF> m_cursor;

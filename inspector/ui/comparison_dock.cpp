@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/comparison_dock.h"
+
+#include "core/trade_table.h"
+#include "ui/deviation_text.h"
+#include "ui/distance_plot.h"
+#include "ui/elided_label.h"
+#include "ui/plot_panel.h"
+
+#include <QAction>
+#include <QBoxLayout>
+#include <QComboBox>
+#include <QLabel>
+#include <QSpinBox>
+#include <QToolButton>
+
+namespace inspector::ui {
+
+namespace {
+
+QToolButton *buttonFor(QAction *action) {
+    auto *button = new QToolButton;
+    button->setObjectName(QStringLiteral("comparison_") + action->objectName());
+    button->setDefaultAction(action);
+    button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    button->setFocusPolicy(Qt::TabFocus); // a click leaves the keyboard to the game
+    return button;
+}
+
+} // namespace
+
+ComparisonDock::ComparisonDock(Session &session, const QList<QAction *> &actions, QWidget *parent)
+    : QWidget(parent)
+    , m_session(session)
+    , m_stepper(new QComboBox)
+    , m_substeps(new QSpinBox)
+    , m_figures(new ElidedLabel)
+    , m_plot(new DistancePlot(session.simulation().samples())) {
+    setObjectName(QStringLiteral("comparison"));
+    m_figures->setObjectName(QStringLiteral("comparison_figures"));
+    m_figures->setToolTip(tr("Speed and energy: the ball's minus the ghost's"));
+    auto *panel = new PlotPanel(m_plot, QStringLiteral("distance"));
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(4, 2, 4, 0);
+    layout->setSpacing(2);
+    layout->addWidget(makeControls(actions));
+    layout->addWidget(m_figures);
+    layout->addWidget(panel, 1);
+
+    connect(panel, &PlotPanel::saveWanted, this, &ComparisonDock::saveWanted);
+    connect(m_stepper, &QComboBox::activated, this, &ComparisonDock::choose);
+    connect(m_substeps, &QSpinBox::valueChanged, this, &ComparisonDock::choose);
+    connect(&session.comparison(), &Comparison::changed, this, &ComparisonDock::showComparison);
+    for (const auto signal : {&Session::stepperChanged, &Session::paceChanged, &Session::levelOpened})
+        connect(&session, signal, this, &ComparisonDock::showComparison);
+    showComparison();
+}
+
+QWidget *ComparisonDock::makeControls(const QList<QAction *> &actions) {
+    m_stepper->setObjectName(QStringLiteral("comparison_stepper"));
+    m_stepper->setToolTip(tr("The stepper that moves the ghost"));
+    m_stepper->setFocusPolicy(Qt::TabFocus);
+    addSteppers();
+    m_substeps->setObjectName(QStringLiteral("comparison_substeps"));
+    m_substeps->setToolTip(tr("The ghost's time step, as a part of the ball's"));
+    m_substeps->setPrefix(tr("dt / "));
+    m_substeps->setSpecialValueText(tr("the same dt"));
+    m_substeps->setRange(1, Opponent::kMostSubsteps);
+    m_substeps->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    m_substeps->setKeyboardTracking(false);
+
+    auto *controls = new QWidget;
+    auto *layout = new QHBoxLayout(controls);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(buttonFor(actions[0]));
+    layout->addWidget(new QLabel(tr("with")));
+    layout->addWidget(m_stepper);
+    layout->addWidget(new QLabel(tr("at")));
+    layout->addWidget(m_substeps);
+    for (QAction *action : actions.mid(1)) layout->addWidget(buttonFor(action));
+    layout->addStretch();
+    return controls;
+}
+
+void ComparisonDock::addSteppers() {
+    const phys_registry *registry = m_session.registry().get();
+    for (uint32_t index = 0; index < phys_registry_count(registry); ++index) {
+        phys_stepper_info info;
+        if (phys_registry_info(registry, index, &info) != PHYS_OK) continue;
+        m_stepper->addItem(QString::fromUtf8(info.name), QByteArray(info.id));
+        m_stepper->setItemData(m_stepper->count() - 1, QString::fromUtf8(info.summary), Qt::ToolTipRole);
+    }
+}
+
+void ComparisonDock::choose() {
+    m_session.comparison().setOpponent({m_stepper->currentData().toByteArray(), m_substeps->value()});
+}
+
+void ComparisonDock::showComparison() {
+    const Opponent &opponent = m_session.comparison().opponent();
+    const QSignalBlocker blocker(m_substeps); // only a person chooses
+    m_stepper->setCurrentIndex(m_stepper->findData(opponent.stepper));
+    m_substeps->setValue(opponent.substeps);
+    const auto name = [&](const QByteArray &id, double dt) {
+        return QStringLiteral("%1, %2").arg(m_stepper->itemText(m_stepper->findData(id)), stepSizeText(dt));
+    };
+    m_plot->setRadius(phys_scene_radius(m_session.scene().get()));
+    m_plot->setNames(tr("Ball: %1").arg(name(m_session.stepperId(), m_session.dt())),
+                     tr("Ghost: %1").arg(name(opponent.stepper, m_session.dt() / opponent.substeps)));
+}
+
+void ComparisonDock::refresh() {
+    if (!isVisible()) return;
+    m_figures->setText(summary(m_session.simulation().latest()));
+    m_plot->refresh();
+}
+
+QString ComparisonDock::summary(const Snapshot &now) const {
+    const Comparison &comparison = m_session.comparison();
+    if (!comparison.isOn()) return tr("A second ball starts where the ball is, under the same tilts.");
+    if (!now.ghost) return comparison.refusal();
+    const Deviation &deviation = now.ghost->deviation;
+    const QString figures = tr("%1 s after they met: distance %2, speed %3, energy %4")
+                                .arg(now.current.time - now.ghost->metAt, 0, 'f', 2)
+                                .arg(distanceText(deviation.distance, phys_scene_radius(m_session.scene().get())),
+                                     speedDifferenceText(deviation.speed), energyDifferenceText(deviation.energy));
+    return now.ghost->current.flags & PHYS_OUT ? tr("%1; the ghost is out of the maze").arg(figures) : figures;
+}
+
+} // namespace inspector::ui

@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: MIT
+// The second ball, led by hand: it starts with the first, obeys what that obeys, and is nothing that the first feels.
+#include "core/companion.h"
+#include "scenes.h"
+#include "support/compare.h"
+#include "support/stepper_rows.h"
+
+#include <cmath>
+
+using namespace inspector;
+
+class TestCompanion : public QObject {
+    Q_OBJECT
+
+private slots:
+    void sameStepperStaysOnTheBall_data();
+    void sameStepperStaysOnTheBall();
+    void companionIsWhatTheLibraryComputes_data();
+    void companionIsWhatTheLibraryComputes();
+    void deviationIsThatOfBothStates();
+    void deviationOfEulerIsThatOfTheory();
+    void finerStepsEndAtTheSameTime_data();
+    void finerStepsEndAtTheSameTime();
+    void meetingPutsItOntoTheBall();
+    void meetingGoesOnAsFromThere();
+    void stepSizeOfTheBallCanChange();
+    void sameStepperObeysTheBallsOwnValues();
+    void otherStepperHasInitialOwnValues();
+    void refusalEndsItUntilTheNextMeeting();
+    void refusalLeavesTheBallAlone();
+    void missingStepperGivesOneLine();
+    void sceneThatTheStepperCantDoGivesOneLine();
+
+private:
+    QString m_error;
+};
+
+namespace {
+
+const Registry &registry() {
+    static const Registry made = makeRegistry(nullptr);
+    return made;
+}
+
+Engine ballOf(const Scene &scene, const QByteArray &id) { return {scene, makeStepper(registry(), id, scene, nullptr)}; }
+
+Companion companionOf(const Engine &ball, const Opponent &opponent, const QByteArray &ballsId) {
+    QString error;
+    const auto means = makeMeans(registry(), opponent, ball.scene(), &error);
+    if (!means) qFatal("%s", qPrintable(error));
+    return {ball, *means, ballsId};
+}
+
+// Tilts by where it is: both balls would get different tilts if each had a pilot of its own.
+class PlacePilot : public Pilot {
+public:
+    Tilt tilt(const phys_state &state) const override {
+        return {radians(8.0 * std::sin(200.0 * state.position.x)), radians(8.0 * std::cos(130.0 * state.position.y))};
+    }
+};
+
+// A wall to fall on: a flying ball that comes to rest on its top is nothing that `exact` has a closed form for.
+Scene wallOnFloor() {
+    const phys_box boxes[] = {{{-1.0, -1.0, -0.01}, {1.0, 1.0, 0.0}}, {{0.1, -0.5, 0.0}, {0.5, 0.5, 0.02}}};
+    phys_scene_desc description;
+    phys_scene_desc_init(&description, sizeof description);
+    description.boxes = boxes;
+    description.box_count = 2;
+    return makeScene(description, nullptr);
+}
+
+phys_state aboveTheWall(const Engine &ball) {
+    phys_state state = ball.state();
+    state.position = {0.3, 0.0, 0.05};
+    return state;
+}
+
+Inputs withoutBounce() {
+    Inputs inputs = initialInputs();
+    inputs.params.restitution_floor = 0.0;
+    return inputs;
+}
+
+} // namespace
+
+void TestCompanion::sameStepperStaysOnTheBall_data() { support::addStepperAndModelRows(); }
+
+void TestCompanion::sameStepperStaysOnTheBall() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    Engine ball = ballOf(levelScene(4), stepper);
+    Inputs inputs = initialInputs();
+    inputs.params.model = model;
+    ball.setInputs(inputs);
+    ball.setPilot(std::make_shared<PlacePilot>());
+    Companion companion = companionOf(ball, {stepper, 1}, stepper);
+    int impacts = 0;
+    for (int i = 0; i < 400; ++i) {
+        QVERIFY2(ball.step(&m_error), qPrintable(m_error));
+        QVERIFY2(companion.follow(ball, &m_error), qPrintable(m_error));
+        for (const phys_event &event : ball.events()) impacts += event.kind == PHYS_EVENT_IMPACT;
+        QVERIFY(support::sameBits(companion.state(), ball.state()));
+        COMPARE_EXACT(companion.deviation().distance, 0.0);
+        COMPARE_EXACT(companion.deviation().energy, 0.0);
+    }
+    QVERIFY(impacts > 5);
+}
+
+void TestCompanion::companionIsWhatTheLibraryComputes_data() {
+    QTest::addColumn<QByteArray>("stepper");
+    QTest::addColumn<int>("substeps");
+    for (const QByteArray &id : support::stepperIds())
+        for (const int substeps : {1, 3}) QTest::addRow("%s, dt/%d", id.constData(), substeps) << id << substeps;
+}
+
+// The same by calls of the library alone, with the tilts that the ball's pilot chose.
+void TestCompanion::companionIsWhatTheLibraryComputes() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(int, substeps);
+    const Scene scene = levelScene(4);
+    Engine ball = ballOf(scene, "symplectic-euler");
+    ball.setPilot(std::make_shared<PlacePilot>());
+    Companion companion = companionOf(ball, {stepper, substeps}, "symplectic-euler");
+    const Stepper plain = makeStepper(registry(), stepper, scene, nullptr);
+    phys_state state;
+    QCOMPARE(phys_scene_start(scene.get(), &state), PHYS_OK);
+    double largest = 0.0;
+    for (int i = 0; i < 400; ++i) {
+        QVERIFY(ball.step(&m_error));
+        QVERIFY2(companion.follow(ball, &m_error), qPrintable(m_error));
+        const phys_params params = ball.inputs().params;
+        for (int j = 0; j < substeps; ++j)
+            QCOMPARE(phys_step(plain.get(), &params, 0.01 / substeps, &state, &state, nullptr, nullptr), PHYS_OK);
+        QVERIFY(support::sameBits(companion.state(), state));
+        const phys_vec3 &a = ball.state().position;
+        const double distance = std::sqrt(std::pow(a.x - state.position.x, 2) + std::pow(a.y - state.position.y, 2) +
+                                          std::pow(a.z - state.position.z, 2));
+        COMPARE_WITHIN(companion.deviation().distance, distance, 1e-15 * distance); // 4 roundings
+        largest = std::max(largest, distance);
+    }
+    const bool isSame = stepper == "symplectic-euler" && substeps == 1;
+    QCOMPARE(largest == 0.0, isSame);
+}
+
+void TestCompanion::deviationIsThatOfBothStates() {
+    Engine ball = ballOf(levelScene(1), "explicit-euler");
+    ball.setInputs(tilted(3.0, 4.0));
+    Companion companion = companionOf(ball, {"exact", 1}, "explicit-euler");
+    for (int i = 0; i < 50; ++i) QVERIFY(ball.step(&m_error) && companion.follow(ball, &m_error));
+    const auto speed = [](const phys_state &state) { return std::hypot(state.velocity.x, state.velocity.y); };
+    const auto energy = [&](const phys_state &state) {
+        double result = 0.0;
+        phys_energy(ball.scene().get(), &ball.inputs().params, &state, &result);
+        return result;
+    };
+    // The differences of numbers below 1.
+    COMPARE_WITHIN(companion.deviation().speed, speed(ball.state()) - speed(companion.state()), 1e-15);
+    COMPARE_EXACT(companion.deviation().energy, energy(ball.state()) - energy(companion.state()));
+    Sample sample = ball.sample();
+    companion.addTo(sample);
+    COMPARE_EXACT(sample[Channel::GhostX], companion.state().position.x);
+    COMPARE_EXACT(sample[Channel::GhostY], companion.state().position.y);
+    COMPARE_EXACT(sample[Channel::GhostZ], companion.state().position.z);
+    COMPARE_EXACT(sample[Channel::Distance], companion.deviation().distance);
+    COMPARE_EXACT(sample[Channel::SpeedDifference], companion.deviation().speed);
+    COMPARE_EXACT(sample[Channel::EnergyDifference], companion.deviation().energy);
+}
+
+// Under a constant acceleration a symplectic Euler is ahead of the parabola by a dt t / 2: sum of i a dt^2 for i up to
+// n is a t^2 / 2 + a dt t / 2. Rolling freely, a = 5/7 g sin(tilt).
+void TestCompanion::deviationOfEulerIsThatOfTheory() {
+    Engine ball = ballOf(openFloor(), "symplectic-euler");
+    Inputs inputs = tilted(5.0, 0.0);
+    inputs.params.rolling_friction = 0.0;
+    ball.setInputs(inputs);
+    Companion companion = companionOf(ball, {"exact", 1}, "symplectic-euler");
+    const double acceleration = 5.0 / 7.0 * 9.81 * std::sin(radians(5.0));
+    for (int i = 1; i <= 100; ++i) {
+        QVERIFY(ball.step(&m_error) && companion.follow(ball, &m_error));
+        // Rounding of positions up to 0.3 m, added up over the steps.
+        COMPARE_WITHIN(companion.deviation().distance, acceleration * 0.01 * (0.01 * i) / 2.0, 1e-15 * i);
+    }
+}
+
+void TestCompanion::finerStepsEndAtTheSameTime_data() {
+    QTest::addColumn<int>("substeps");
+    for (const int substeps : {1, 3, 7, 10, 1000}) QTest::addRow("dt/%d", substeps) << substeps;
+}
+
+// Counted, not summed: a ball at 1 m/s would be off by what times differ.
+void TestCompanion::finerStepsEndAtTheSameTime() {
+    QFETCH(int, substeps);
+    Engine ball = ballOf(openFloor(), "symplectic-euler");
+    for (int i = 0; i < 30; ++i) QVERIFY(ball.step(&m_error));
+    Companion companion = companionOf(ball, {"symplectic-euler", substeps}, "symplectic-euler");
+    for (int i = 0; i < 300; ++i) {
+        QVERIFY(ball.step(&m_error) && companion.follow(ball, &m_error));
+        COMPARE_WITHIN(companion.state().time, ball.state().time, 1e-15 * ball.state().time); // of both products
+    }
+}
+
+void TestCompanion::meetingPutsItOntoTheBall() {
+    Engine ball = ballOf(levelScene(3), "symplectic-euler");
+    ball.setInputs(tilted(3.0, 4.0));
+    Companion companion = companionOf(ball, {"exact", 1}, "symplectic-euler");
+    for (int i = 0; i < 40; ++i) QVERIFY(ball.step(&m_error) && companion.follow(ball, &m_error));
+    QVERIFY(companion.deviation().distance > 0.0);
+    companion.meet(ball);
+    QVERIFY(support::sameBits(companion.state(), ball.state()));
+    QVERIFY(support::sameBits(companion.previous(), ball.previous())); // drawn between both, as the ball is
+    COMPARE_EXACT(companion.deviation().distance, 0.0);
+    COMPARE_EXACT(companion.deviation().speed, 0.0);
+    COMPARE_EXACT(companion.deviation().energy, 0.0);
+    COMPARE_EXACT(companion.metAt(), 0.4);
+}
+
+void TestCompanion::meetingGoesOnAsFromThere() {
+    Engine ball = ballOf(levelScene(3), "symplectic-euler");
+    ball.setInputs(tilted(3.0, 4.0));
+    Companion companion = companionOf(ball, {"rk4", 1}, "symplectic-euler");
+    for (int i = 0; i < 40; ++i) QVERIFY(ball.step(&m_error) && companion.follow(ball, &m_error));
+    companion.meet(ball);
+    Engine other = ballOf(ball.scene(), "rk4");
+    other.setInputs(tilted(3.0, 4.0));
+    other.setState(ball.state());
+    for (int i = 0; i < 40; ++i) {
+        QVERIFY(ball.step(&m_error) && companion.follow(ball, &m_error) && other.step(&m_error));
+        QVERIFY(support::sameBits(companion.state(), other.state()));
+        QVERIFY(support::sameBits(companion.previous(), other.previous()));
+    }
+}
+
+void TestCompanion::stepSizeOfTheBallCanChange() {
+    Engine ball = ballOf(levelScene(3), "symplectic-euler");
+    ball.setInputs(tilted(3.0, 4.0));
+    Companion companion = companionOf(ball, {"symplectic-euler", 1}, "symplectic-euler");
+    for (const double dt : {0.01, 0.004, 0.0125}) {
+        ball.setDt(dt);
+        for (int i = 0; i < 100; ++i) {
+            QVERIFY(ball.step(&m_error) && companion.follow(ball, &m_error));
+            QVERIFY(support::sameBits(companion.state(), ball.state()));
+        }
+    }
+}
+
+// Against a wall, where as_reported makes a difference.
+void TestCompanion::sameStepperObeysTheBallsOwnValues() {
+    Engine ball = ballOf(levelScene(1), "symplectic-euler");
+    Inputs inputs = tilted(-8.0, 0.0);
+    inputs.params.stepper[0] = 1.0;
+    ball.setInputs(inputs);
+    Companion companion = companionOf(ball, {"symplectic-euler", 1}, "symplectic-euler");
+    for (int i = 0; i < 100; ++i) QVERIFY(ball.step(&m_error) && companion.follow(ball, &m_error));
+    QVERIFY(support::sameBits(companion.state(), ball.state()));
+}
+
+void TestCompanion::otherStepperHasInitialOwnValues() {
+    Engine ball = ballOf(levelScene(1), "symplectic-euler");
+    Inputs inputs = tilted(-8.0, 0.0);
+    inputs.params.stepper[0] = 1.0;
+    ball.setInputs(inputs);
+    Companion companion = companionOf(ball, {"symplectic-euler", 1}, "symplectic-euler");
+    companion.setLeaderStepper("exact"); // the ball's values now mean something else
+    Engine plain = ballOf(ball.scene(), "symplectic-euler");
+    plain.setInputs(tilted(-8.0, 0.0));
+    for (int i = 0; i < 100; ++i)
+        QVERIFY(ball.step(&m_error) && companion.follow(ball, &m_error) && plain.step(&m_error));
+    QVERIFY(support::sameBits(companion.state(), plain.state()));
+    QVERIFY(!support::sameBits(companion.state(), ball.state()));
+}
+
+void TestCompanion::refusalEndsItUntilTheNextMeeting() {
+    Engine ball = ballOf(wallOnFloor(), "symplectic-euler");
+    ball.setInputs(withoutBounce());
+    const phys_state start = ball.state();
+    ball.setState(aboveTheWall(ball));
+    Companion companion = companionOf(ball, {"exact", 1}, "symplectic-euler");
+    int steps = 0;
+    while (companion.isThere() && ++steps < 100) {
+        QVERIFY(ball.step(&m_error));
+        companion.follow(ball, &m_error);
+    }
+    QVERIFY(!companion.isThere());
+    QVERIFY2(m_error.contains("box 1: the ball comes to rest on it"), qPrintable(m_error));
+    Sample sample = ball.sample();
+    companion.addTo(sample);
+    QVERIFY(std::isnan(sample[Channel::GhostX]) && std::isnan(sample[Channel::Distance]));
+    QVERIFY(ball.step(&m_error));
+    QVERIFY(companion.follow(ball, &m_error)); // said once
+
+    ball.setState(start);
+    companion.meet(ball);
+    QVERIFY(companion.isThere());
+    QVERIFY(ball.step(&m_error) && companion.follow(ball, &m_error) && companion.isThere());
+}
+
+void TestCompanion::refusalLeavesTheBallAlone() {
+    Engine ball = ballOf(wallOnFloor(), "symplectic-euler");
+    Engine alone = ballOf(ball.scene(), "symplectic-euler");
+    for (Engine *engine : {&ball, &alone}) {
+        engine->setInputs(withoutBounce());
+        engine->setState(aboveTheWall(*engine));
+    }
+    Companion companion = companionOf(ball, {"exact", 1}, "symplectic-euler");
+    for (int i = 0; i < 100; ++i) {
+        QVERIFY(ball.step(&m_error) && alone.step(&m_error));
+        companion.follow(ball, &m_error);
+        QVERIFY(support::sameBits(ball.state(), alone.state()));
+    }
+    QVERIFY(!companion.isThere());
+}
+
+void TestCompanion::missingStepperGivesOneLine() {
+    QVERIFY(!makeMeans(registry(), {"none", 1}, openFloor(), &m_error));
+    QVERIFY2(m_error.startsWith("no stepper has the id 'none'"), qPrintable(m_error));
+}
+
+void TestCompanion::sceneThatTheStepperCantDoGivesOneLine() {
+    const phys_box boxes[] = {{{-1.0, -1.0, -0.01}, {1.0, 1.0, 0.0}}, {{0.1, -0.5, 0.0}, {0.5, 0.5, 0.003}}};
+    phys_scene_desc description;
+    phys_scene_desc_init(&description, sizeof description);
+    description.boxes = boxes;
+    description.box_count = 2;
+    const Scene kerb = makeScene(description, nullptr);
+    QVERIFY(!makeMeans(registry(), {"exact", 1}, kerb, &m_error));
+    QVERIFY2(m_error.contains("box 1"), qPrintable(m_error));
+}
+
+QTEST_GUILESS_MAIN(TestCompanion)
+#include "tst_companion.moc"
