@@ -14,8 +14,9 @@ namespace {
 /// More events than this in one call end it with an error: only a ball caught between walls gets there.
 constexpr uint32_t kEventCap = 1'000'000;
 
-/// And so do more than this without any time between them: nothing would ever change.
+/// And so do more than this at one moment: they would never come to an end.
 constexpr uint32_t kMomentCap = 1'000;
+constexpr double kMoment = 1e-13; // of the step: as good as no time at all
 
 } // namespace
 
@@ -40,9 +41,10 @@ phys_status Run::advance(phys_state &out) {
     }
     if (const phys_status status = pushOut()) return status;
     if (const phys_status status = resolve()) return status;
+    const double moment = kMoment * m_left;
     double leftBefore = m_left;
     for (uint32_t events = 0, atOnce = 0; m_left > 0.0; ++events) {
-        atOnce = m_left < leftBefore ? 0 : atOnce + 1;
+        atOnce = leftBefore - m_left > moment ? 0 : atOnce + 1;
         leftBefore = m_left;
         if (atOnce > kMomentCap) {
             return fail(m_err, PHYS_ERROR_EVENT_CAP, "more than %u events at one moment, %.9g s before the step's end",
