@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "handles.h"
 
+#include <cstring>
+
 namespace inspector {
 
 void tell(QString *error, const phys_error &failure) {
@@ -46,6 +48,19 @@ Stepper makeStepper(const Registry &registry, const QByteArray &id, const Scene 
     }
     // The deleter's copies keep registry and scene alive as long as the stepper.
     return {stepper, [registry, scene](phys_stepper *dead) { phys_stepper_destroy(dead); }};
+}
+
+uint32_t stepperIndex(const Registry &registry, const char *id) {
+    phys_stepper_info info;
+    for (uint32_t i = 0; phys_registry_info(registry.get(), i, &info) == PHYS_OK; ++i)
+        if (id && std::strcmp(info.id, id) == 0) return i;
+    return kNoStepper;
+}
+
+QString stepperName(const Registry &registry, uint32_t index) {
+    phys_stepper_info info;
+    const bool isThere = phys_registry_info(registry.get(), index, &info) == PHYS_OK;
+    return isThere ? QString::fromUtf8(info.id) : QString();
 }
 
 bool loadPlugin(const Registry &registry, const QString &path, QString *error) {

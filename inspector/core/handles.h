@@ -22,6 +22,11 @@ Scene loadScene(const QString &path, QString *error);
 Scene makeScene(const phys_scene_desc &description, QString *error);
 Stepper makeStepper(const Registry &registry, const QByteArray &id, const Scene &scene, QString *error);
 
+// Place of a stepper in the registry's order, and its id there. kNoStepper and "" for what isn't there. Any thread.
+inline constexpr uint32_t kNoStepper = 0xffffffff;
+uint32_t stepperIndex(const Registry &registry, const char *id);
+QString stepperName(const Registry &registry, uint32_t index);
+
 // Loads one plugin file into the registry. Only while no other thread uses it.
 bool loadPlugin(const Registry &registry, const QString &path, QString *error);
 

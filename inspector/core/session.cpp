@@ -42,7 +42,7 @@ Session::Session(const Options &options, QSettings &settings, const Scene &scene
     , m_dt(options.dt)
     , m_speed(options.speed)
     , m_game(std::max(1, int(options.levels.size())), settings)
-    , m_simulation(std::make_unique<Simulation>(scene, stepper))
+    , m_simulation(std::make_unique<Simulation>(scene, stepper, origin()))
     , m_comparison(std::make_unique<Comparison>(*this)) {
     connect(&m_parameters, &Parameters::changed, this, &Session::sendInputs);
     connect(m_simulation.get(), &Simulation::failed, this, &Session::failed);

@@ -20,6 +20,8 @@ namespace {
 // How long the ball goes on falling after it left the maze, s of simulated time.
 constexpr double kFallTime = 0.4;
 
+uint32_t stepperOf(const Origin &origin) { return stepperIndex(origin.registry, origin.stepper.id); }
+
 // Linux delays timers by up to 50 us to save energy; a lot for steps of 1 ms.
 void askForExactTimers() {
 #ifdef __linux__
@@ -32,6 +34,7 @@ void askForExactTimers() {
 struct Simulation::Worker {
     Simulation &owner;
     Engine engine;
+    uint32_t stepper; // index in the registry
     Pacer pacer{};
     RateMeter meter{};
     double speed = 1.0;
@@ -89,6 +92,7 @@ void Simulation::Worker::beginRun() {
     pacer.forgetLostTime();
     startPacing();
     owner.m_samples.clear();
+    owner.m_events.clear();
 }
 
 void Simulation::Worker::step(Clock::time_point due) {
@@ -141,6 +145,7 @@ void Simulation::Worker::leadCompanion() {
 }
 
 void Simulation::Worker::noteEvents() {
+    owner.m_events.note(engine, stepper);
     for (const phys_event &event : engine.events()) {
         if (event.kind != PHYS_EVENT_IMPACT) continue;
         ++impacts;
@@ -178,11 +183,11 @@ void Simulation::Worker::publish(Clock::time_point due) {
     owner.m_snapshots.publish(snapshot);
 }
 
-Simulation::Simulation(const Scene &scene, const Stepper &stepper, QObject *parent)
+Simulation::Simulation(const Scene &scene, const Stepper &stepper, const Origin &origin, QObject *parent)
     : QObject(parent)
     , m_inputs(GivenInputs{initialInputs()})
     , m_snapshots(Snapshot{})
-    , m_worker(new Worker{*this, Engine(scene, stepper)}) {
+    , m_worker(new Worker{*this, Engine(scene, stepper), stepperOf(origin)}) {
     m_worker->publish(Clock::now());
     m_thread = std::jthread([this](const std::stop_token &stop) { work(stop); });
 }
@@ -227,6 +232,7 @@ void Simulation::setScene(const Scene &scene, const Stepper &stepper, const Orig
         worker.setRunning(false);
         worker.companion.reset(); // its stepper is of the other scene
         worker.engine.setScene(scene, stepper);
+        worker.stepper = stepperOf(origin);
         if (worker.recorder) worker.recorder->setOrigin(origin);
         worker.beginRun();
     });
@@ -237,6 +243,7 @@ void Simulation::setStepper(const Stepper &stepper, const Inputs &inputs, const 
         if (worker.recorder) worker.recorder->setOrigin(origin);
         worker.engine.setStepper(stepper);
         if (worker.companion) worker.companion->setLeaderStepper(origin.stepper.id);
+        worker.stepper = stepperOf(origin);
         worker.obey(given);
     });
 }

@@ -5,6 +5,7 @@
 
 #include "companion.h"
 #include "engine.h"
+#include "event_log.h"
 #include "latest_value.h"
 #include "recorder.h"
 #include "sample_ring.h"
@@ -27,8 +28,8 @@ public:
     static constexpr double kSlowest = 1.0 / 16.0; // simulated seconds per second
     static constexpr double kFastest = 16.0;
 
-    // Paused at the scene's start.
-    Simulation(const Scene &scene, const Stepper &stepper, QObject *parent = nullptr);
+    // Paused at the scene's start. origin: for the events' stepper, and the recorder's.
+    Simulation(const Scene &scene, const Stepper &stepper, const Origin &origin = {}, QObject *parent = nullptr);
     ~Simulation() override; // ends the thread
 
     // Commands, from the thread that owns this object; they return at once and take effect before the next step.
@@ -36,7 +37,7 @@ public:
     void pause();
     void stepOnce(); // pauses, too
     void restart();  // at the scene's start; goes on running or stays paused
-    // Pauses at its start. origin: for the recorder, if there is one.
+    // Pauses at its start. origin: as above.
     void setScene(const Scene &scene, const Stepper &stepper, const Origin &origin = {});
     // Goes on from the same state; made for the same scene. With its inputs, because a stepper's own values fit no
     // other. origin: for the recorder and the companion, if there are any.
@@ -61,6 +62,8 @@ public:
     const Snapshot &latest();
     // All samples of this run. Any thread.
     const SampleRing &samples() const { return m_samples; }
+    // What happened in this run. Any thread.
+    const EventLog &events() const { return m_events; }
 
 signals: // queued: sent by the thread that steps
     // A step failed; the simulation is paused, the state is the one before it. `line` is the library's.
@@ -94,6 +97,7 @@ private:
     LatestValue<GivenInputs> m_inputs;
     LatestValue<Snapshot> m_snapshots;
     SampleRing m_samples;
+    EventLog m_events;
 
     std::mutex m_mutex; // guards m_commands
     std::condition_variable_any m_wake;

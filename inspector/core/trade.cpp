@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "trade.h"
 
+#include "counted_impact.h"
 #include "trade_reference.h"
 #include "trade_run.h"
 

@@ -53,8 +53,7 @@ struct TradeError {
     std::vector<ErrorRecord> growth;      // of positionLargest, each larger than the one before
 };
 
-inline constexpr double kWrong = 0.1;          // radii
-inline constexpr double kCountedImpact = 0.05; // m/s: slower ones, of a ball that leans on a wall, aren't compared
+inline constexpr double kWrong = 0.1; // radii
 
 struct TradePoint {
     QByteArray stepper;
