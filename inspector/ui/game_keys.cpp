@@ -2,6 +2,7 @@
 #include "ui/game_keys.h"
 
 #include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
@@ -43,6 +44,8 @@ bool GameKeys::isForGame(const QKeyEvent &event) const {
     if (!isArrow(event.key()) || (event.modifiers() & ~Qt::KeypadModifier)) return false;
     if (QApplication::activeWindow() != &m_window || QApplication::activePopupWidget()) return false;
     const QWidget *focus = QApplication::focusWidget();
+    const bool isList = qobject_cast<const QAbstractItemView *>(focus);
+    if (isList && (m_session.hasAutopilot() || !m_session.simulation().latest().running)) return false;
     return m_session.game().phase() == Game::Phase::Playing || !focus || focus == &m_view || focus == &m_window;
 }
 

@@ -3,6 +3,7 @@
 
 #include "gl/maze_view.h"
 #include "ui/board_picture.h"
+#include "ui/bounce_dock.h"
 #include "ui/comparison_dock.h"
 #include "ui/game_keys.h"
 #include "ui/game_overlay.h"
@@ -35,7 +36,8 @@ constexpr QSize kUsualSize(1280, 800);
 constexpr double kScreenShare = 0.75; // of a larger screen
 constexpr double kTradeShare = 0.42;  // of the window's height, when the dock is shown
 constexpr double kComparisonShare = 0.34;
-constexpr int kLayoutVersion = 2; // another number forgets layouts of windows with other docks
+constexpr double kBouncesShare = 0.42;
+constexpr int kLayoutVersion = 3; // another number forgets layouts of windows with other docks
 
 } // namespace
 
@@ -52,6 +54,7 @@ struct MainWindow::DockRow {
 namespace {
 const char *const kDockNames[] = {"parameters_dock", "levels_dock", "plot_dock"}; // there from the start
 const char *const kComparisonDock = "comparison_dock";
+const char *const kBouncesDock = "bounces_dock";
 } // namespace
 
 MainWindow::MainWindow(Session &session)
@@ -83,7 +86,7 @@ void MainWindow::makeCentre() {
     m_view->setObjectName(QStringLiteral("view"));
     m_view->setFocusPolicy(Qt::StrongFocus);
     m_view->setLargestTilt(radians(kPlayTilt));
-    m_view->setFrameSource([this] { return currentFrame(m_session); });
+    m_view->setFrameSource([this] { return frame(); });
     m_overlay = new GameOverlay(m_view);
     new GameKeys(m_session, *this, *m_view); // the window owns it
 
@@ -108,6 +111,7 @@ void MainWindow::makeDocks() {
     m_plot = new PlotPanel(new VelocityPlot(m_session.simulation().samples()), QStringLiteral("plot"));
     m_levels = new LevelPanel(m_session);
     m_comparison = new ComparisonDock(m_session, {action("compare"), action("meet_again")});
+    m_bounces = new BounceDock(m_session);
     static const DockRow rows[] = {
         {kDockNames[0], QT_TR_NOOP("Parameters"), Qt::RightDockWidgetArea, 0.0,
          [](MainWindow &window) -> QWidget * { return window.m_parameters; }},
@@ -119,6 +123,8 @@ void MainWindow::makeDocks() {
          [](MainWindow &window) -> QWidget * { return new TradeDock(window.m_session, *window.m_undo); }},
         {kComparisonDock, QT_TR_NOOP("Comparison"), Qt::BottomDockWidgetArea, kComparisonShare,
          [](MainWindow &window) -> QWidget * { return window.m_comparison; }},
+        {kBouncesDock, QT_TR_NOOP("Bounces"), Qt::BottomDockWidgetArea, kBouncesShare,
+         [](MainWindow &window) -> QWidget * { return window.m_bounces; }},
     };
     int number = 0;
     for (const DockRow &row : rows) {
@@ -178,9 +184,36 @@ void MainWindow::connectSession() {
     connect(m_view, &gl::MazeView::problem, m_messages, &MessageBar::showLine);
     connect(m_plot, &PlotPanel::saveWanted, this, &MainWindow::savePlot);
     connect(&m_refresh, &QTimer::timeout, this, &MainWindow::refresh);
+    connectBounces();
     action("autopilot")->setChecked(m_session.hasAutopilot());
     action("record")->setChecked(m_session.isRecording());
     showComparison();
+}
+
+void MainWindow::connectBounces() {
+    connect(m_view, &gl::MazeView::clicked, this, &MainWindow::selectBounceAt);
+    connect(m_bounces, &BounceDock::changed, this, [this] {
+        const std::optional<LoggedEvent> selected = m_bounces->selected();
+        m_plot->plot().showBounces(m_bounces->bounceTimes(),
+                                   selected ? std::optional(selected->event.time) : std::nullopt);
+    });
+}
+
+// A click on nothing lets go of what was selected.
+void MainWindow::selectBounceAt(const gl::Ray &ray) {
+    std::optional<uint64_t> found;
+    if (m_showsBounces->isChecked()) found = markAt(*m_view, ray, m_bounces->marks(), m_session.scene().get());
+    if (!found) return m_bounces->clearSelection();
+    m_bounces->select(*found);
+    auto *dock = findChild<QDockWidget *>(QLatin1String(kBouncesDock));
+    dock->show();
+    dock->raise();
+}
+
+gl::Frame MainWindow::frame() const {
+    gl::Frame frame = currentFrame(m_session);
+    if (m_showsBounces->isChecked()) addMarks(frame.strokes, m_bounces->marks(), m_session.scene().get());
+    return frame;
 }
 
 void MainWindow::openLevel() {
@@ -195,6 +228,7 @@ void MainWindow::refresh() {
     const Snapshot &now = m_session.simulation().latest();
     m_status->showSnapshot(now);
     m_overlay->setText(overlayText(m_session, now));
+    m_bounces->refresh();
     m_plot->plot().refresh();
     m_comparison->refresh();
     if (m_session.hasAutopilot()) m_parameters->showFlownTilt(now.inputs.tilt);

@@ -14,10 +14,13 @@ class QUndoStack;
 
 namespace inspector::gl {
 class MazeView;
-}
+struct Frame;
+struct Ray;
+} // namespace inspector::gl
 
 namespace inspector::ui {
 
+class BounceDock;
 class ComparisonDock;
 class GameOverlay;
 class LevelPanel;
@@ -67,11 +70,14 @@ private:
     void connectSession();
     QAction *action(const char *name) const;
 
+    void connectBounces();
+    void selectBounceAt(const gl::Ray &ray);
     void openLevel();
     void showRunning(bool isRunning);
     void showComparison();
     void restoreLook();
     void arrangeDocks();
+    gl::Frame frame() const;
     int quality() const;
     void chooseQuality(int number);
     int theme() const;
@@ -87,6 +93,7 @@ private:
     void resetLayout();
     void resetCamera();
     void lookFromAbove();
+    void toggleBounces();
     void confirm();
     void toggleRunning();
     void pause();
@@ -107,6 +114,8 @@ private:
     PlotPanel *m_plot = nullptr;
     ComparisonDock *m_comparison = nullptr;
     LevelPanel *m_levels = nullptr;
+    BounceDock *m_bounces = nullptr;
+    QAction *m_showsBounces = nullptr;
     TransportBar *m_transport = nullptr;
     StatusLine *m_status = nullptr;
     QByteArray m_firstLayout; // of docks and bars, before anyone moved them

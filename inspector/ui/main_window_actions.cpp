@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Menus and what they do: one table of actions, and a few menus of choices.
 #include "gl/maze_view.h"
+#include "ui/bounce_dock.h"
 #include "ui/file_chooser.h"
 #include "ui/help_dialogs.h"
 #include "ui/main_window.h"
@@ -68,6 +69,12 @@ const std::vector<MainWindow::ActionRow> &MainWindow::actionRows() {
          {},
          &MainWindow::resetCamera},
         {"camera_top", QT_TR_NOOP("Camera: from above"), "T", "", {}, &MainWindow::lookFromAbove},
+        {"bounces",
+         QT_TR_NOOP("Show bounces"),
+         "B",
+         QT_TR_NOOP("A mark where the ball has bounced; click it"),
+         {},
+         &MainWindow::toggleBounces},
         {"play", QT_TR_NOOP("Start, or next level"), "Return; Enter", "", {}, &MainWindow::confirm},
         {"run", QT_TR_NOOP("Run"), "Space", QT_TR_NOOP("Run or pause"), Glyph::Run, &MainWindow::toggleRunning},
         {"pause", QT_TR_NOOP("Pause"), "Esc", "", {}, &MainWindow::pause},
@@ -109,6 +116,9 @@ void MainWindow::makeActions() {
     action("autopilot")->setCheckable(true);
     action("record")->setCheckable(true);
     action("compare")->setCheckable(true);
+    m_showsBounces = action("bounces");
+    m_showsBounces->setCheckable(true);
+    m_showsBounces->setChecked(m_session.settings().value(settings_keys::kShowBounces, true).toBool());
 }
 
 void MainWindow::makeMenus() {
@@ -119,7 +129,7 @@ void MainWindow::makeMenus() {
     const MenuRow rows[] = {
         {QT_TR_NOOP("&File"), {"open", "", "save_plot", "screenshot", "record", "", "quit"}},
         {QT_TR_NOOP("&Edit"), {"", "reset_parameters"}},
-        {QT_TR_NOOP("&View"), {"", "camera_reset", "camera_top"}},
+        {QT_TR_NOOP("&View"), {"", "camera_reset", "camera_top", "", "bounces"}},
         {QT_TR_NOOP("&Game"),
          {"play", "", "run", "pause", "step", "restart", "", "autopilot", "", "compare", "meet_again"}},
         {QT_TR_NOOP("&Help"), {"keys", "about"}},
@@ -223,8 +233,19 @@ void MainWindow::toggleRecording() {
 void MainWindow::quit() { close(); }
 void MainWindow::resetParameters() { m_parameters->resetAll(); }
 void MainWindow::resetCamera() { m_view->resetCamera(); }
+
+void MainWindow::toggleBounces() {
+    m_session.settings().setValue(settings_keys::kShowBounces, m_showsBounces->isChecked());
+}
+
 void MainWindow::confirm() { m_session.game().confirm(); }
-void MainWindow::pause() { m_session.simulation().pause(); }
+
+// The second Esc, when all stands still, lets go of what is selected.
+void MainWindow::pause() {
+    if (!m_session.simulation().latest().running) m_bounces->clearSelection();
+    m_session.simulation().pause();
+}
+
 void MainWindow::stepOnce() { m_session.simulation().stepOnce(); }
 
 void MainWindow::toggleRunning() {

@@ -11,5 +11,7 @@ inline const QString kLayout = QStringLiteral("window/layout");
 inline const QString kTheme = QStringLiteral("window/theme");     // number of a Theme
 inline const QString kQuality = QStringLiteral("window/quality"); // number of a gl::Quality; absent: the view chooses
 inline const QString kFolder = QStringLiteral("window/folder");   // that a file was last chosen in
+inline const QString kShowBounces = QStringLiteral("window/show_bounces"); // in the view
+inline const QString kBounces = QStringLiteral("bounces/");                // and the name of a box of the dock
 
 } // namespace inspector::ui::settings_keys

@@ -20,6 +20,7 @@ struct Accents {
     QColor x, y, total; // components and magnitude of a vector
     QColor warning;     // background of a message
     QColor ball, ghost; // in a comparison: trails and legend
+    QColor selected;    // the bounce that is looked at
 };
 Accents accentsFor(const QPalette &palette);
 

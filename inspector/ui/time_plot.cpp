@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/time_plot.h"
 
+#include "ui/bounce_ticks.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -23,6 +25,7 @@ QColor mixed(const QColor &a, const QColor &b, double share) {
 TimePlot::TimePlot(const SampleRing &samples, QWidget *parent)
     : QCustomPlot(parent)
     , m_samples(samples)
+    , m_ticks(new BounceTicks(this))
     , m_cursorLine(new QCPItemStraightLine(this))
     , m_cursorText(new QCPItemText(this)) {
     setMinimumSize(200, 120);
@@ -106,6 +109,7 @@ void TimePlot::takeColours() {
         curve.dot->setBrush(accents.*curve.colour);
     }
     for (const Key &key : m_keys) key.graph->setPen(QPen(accents.*key.colour, 3.0));
+    m_ticks->setColours(mixed(base, accents.selected, 0.7), accents.selected);
     m_cursorLine->setPen(QPen(mixed(base, text, 0.6), 1.0, Qt::DashLine));
     m_cursorText->setColor(text);
     m_cursorText->setBrush(mixed(base, text, 0.08));
@@ -146,6 +150,7 @@ void TimePlot::refresh() {
     if (m_fitsValues && newest) fitValues();
     for (const Curve &curve : m_curves)
         for (QCPGraphData &point : *curve.graph->data()) point.value = drawn(point.value);
+    m_ticks->setRange(m_clearedAt, m_pausedAt.value_or(newest.value_or(0.0)));
     updateReadOut();
     replot(QCustomPlot::rpQueuedReplot);
 }
@@ -187,6 +192,10 @@ void TimePlot::setPaused(bool isOn) {
     if (isPaused() == isOn) return;
     m_pausedAt = isOn ? std::optional(newestTime().value_or(0.0)) : std::nullopt;
     emit pausedChanged(isOn);
+}
+
+void TimePlot::showBounces(std::vector<double> times, std::optional<double> selected) {
+    if (m_ticks->show(std::move(times), selected)) m_isStale = true;
 }
 
 void TimePlot::clear() {

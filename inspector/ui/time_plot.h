@@ -11,6 +11,8 @@
 
 namespace inspector::ui {
 
+class BounceTicks;
+
 // Channels of the ring over time, fed with what is visible and no more; which ones, and how their values are shown, is
 // said by the kinds of plot below it. While it follows, the newest sample stays at the right border and the values fill
 // the height. Wheel: zoom of time; drag: pan; over the value axis (or with Ctrl) both act on values; double click:
@@ -29,6 +31,9 @@ public:
     void setPaused(bool isOn);
     // Forgets what was up to now.
     void clear();
+
+    // Ticks at the times of bounces, s, rising; the selected one, maybe none of them, is a line all the way up.
+    void showBounces(std::vector<double> times, std::optional<double> selected);
 
     // Writes what the name's ending says: .csv (all samples since clear()), .png or .pdf (the picture). False and one
     // line in `error` (or nullptr) if that fails.
@@ -95,6 +100,7 @@ private:
 
     std::vector<Curve> m_curves;
     std::vector<Key> m_keys;
+    BounceTicks *m_ticks;
     QCPItemStraightLine *m_cursorLine;
     QCPItemText *m_cursorText;
     std::optional<QPointF> m_cursor;

@@ -108,6 +108,7 @@ void TestWindowDocks::keyOpensADockAndGivesItTheKeyboard_data() {
     QTest::newRow("levels") << "levels_dock" << Qt::Key_2;
     QTest::newRow("plot") << "plot_dock" << Qt::Key_3;
     QTest::newRow("trade") << "trade_dock" << Qt::Key_4;
+    QTest::newRow("bounces") << "bounces_dock" << Qt::Key_6;
 }
 
 void TestWindowDocks::keyOpensADockAndGivesItTheKeyboard() {

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <qcustomplot.h>
+
+namespace inspector::ui {
+
+// Marks on a plot's time axis: short lines up from its lower border; the selected one goes all the way up.
+class BounceTicks : public QCPAbstractItem {
+    Q_OBJECT
+
+public:
+    explicit BounceTicks(QCustomPlot *plot);
+
+    // s, rising; selected: maybe none of them. False if nothing changes.
+    bool show(std::vector<double> times, std::optional<double> selected);
+    // Only those between are drawn, s.
+    void setRange(double from, double to);
+    void setColours(const QColor &tick, const QColor &selected);
+
+    const std::vector<double> &times() const { return m_times; }
+    std::optional<double> selected() const { return m_selected; }
+
+    double selectTest(const QPointF &, bool, QVariant *) const override { return -1.0; }
+
+protected:
+    void draw(QCPPainter *painter) override;
+
+private:
+    std::vector<double> m_times;
+    std::optional<double> m_selected;
+    double m_from = 0.0;
+    double m_to = 0.0;
+    QColor m_tick;
+    QColor m_selectedColour;
+};
+
+} // namespace inspector::ui
