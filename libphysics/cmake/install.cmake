@@ -35,6 +35,8 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/physics.pc
 install(FILES README.md DESTINATION ${physics_document_dir} COMPONENT development)
 install(DIRECTORY docs examples DESTINATION ${physics_document_dir} COMPONENT development
     PATTERN __pycache__ EXCLUDE)
+install(FILES ${PROJECT_SOURCE_DIR}/mazes/levels/01.txt DESTINATION ${physics_document_dir}/examples
+    COMPONENT development)
 
 foreach(package libphysics1:runtime libphysics-dev:development)
     string(REPLACE ":" ";" package ${package})
