@@ -98,9 +98,11 @@ void addOptions(QCommandLineParser &parser, const std::vector<const phys_param_r
               "other levels until the program ends."),
          "file"},
         {"replay",
-         text("Run a recording's inputs again, without a window, and write the table; status 1 if a step differs."),
+         text("Open the window with this recording and play it; --headless: run its inputs again without a window and "
+              "write the table; status 1 if a step differs."),
          "file"},
-        {"check", text("With --replay: print 'same' or the first step that differs, instead of the table.")},
+        {"check",
+         text("With --replay, without a window: print 'same' or the first step that differs, instead of the table.")},
         {"compare",
          text("Compare with a second ball, which this stepper moves under the same inputs: without a window by columns "
               "of the table, in the window as a ghost."),
@@ -109,7 +111,10 @@ void addOptions(QCommandLineParser &parser, const std::vector<const phys_param_r
          text("With --compare: so many steps of the second ball, of dt over so many, for each of the first. Default "
               "1."),
          text("number")},
-        {"grab", text("Save a picture of the window at the end of the run, and quit."), "file.png"},
+        {"grab",
+         text("Save a picture of the window at the end of the run, and quit. With --replay: of the recording's end, or "
+              "at --duration."),
+         "file.png"},
         {"all-levels", text("Play all levels without a window by the autopilot, print a line for each; status 1 unless "
                             "all are won.")},
         {"trade",
@@ -202,8 +207,10 @@ void readComparison(const QCommandLineParser &parser, Options &options) {
         if (parser.isSet("compare-substeps")) throw WrongUse{QStringLiteral("--compare-substeps: needs --compare")};
         return;
     }
-    for (const char *name : {"replay", "all-levels", "trade"})
+    for (const char *name : {"all-levels", "trade"})
         if (parser.isSet(name)) throw WrongUse{QStringLiteral("--compare: doesn't go with --%1").arg(name)};
+    if (parser.isSet("replay") && (options.headless || parser.isSet("check")))
+        throw WrongUse{QStringLiteral("--compare: goes with --replay in the window only")};
     Opponent opponent{parser.value("compare").toUtf8()};
     phys_stepper_info info;
     phys_error failure;
@@ -231,16 +238,18 @@ void readRecordings(const QCommandLineParser &parser, const std::vector<const ph
         if (options.check) throw WrongUse{QStringLiteral("--check: needs --replay")};
         return;
     }
-    QStringList others{"level", "stepper", "dt", "speed", "autopilot", "duration", "grab", "all-levels", "trade"};
+    const bool isWatched = !options.headless && !options.check;
+    QStringList others{"level", "stepper", "dt", "autopilot", "all-levels", "trade"};
+    others += isWatched ? QStringList{"csv"} : QStringList{"speed", "duration", "grab"};
     for (const phys_param_row *row : rows) others += optionName(*row);
     for (const QString &name : others)
         if (parser.isSet(name))
-            throw WrongUse{QStringLiteral("--replay: the recording says all; doesn't go with --%1").arg(name)};
-    if (!options.headless && !options.check)
-        throw WrongUse{QStringLiteral("--replay: needs --headless (a table) or --check (same or not): a window doesn't "
-                                      "replay")};
+            throw WrongUse{QStringLiteral("--replay: %1; doesn't go with --%2")
+                               .arg(isWatched && name == QLatin1String("csv") ? "its table needs --headless"
+                                                                              : "the recording says all",
+                                    name)};
     options.action = Options::Action::Replay;
-    options.headless = true;
+    options.headless = !isWatched;
 }
 
 // Options that need --trade, and those that can't go with it.
@@ -341,9 +350,9 @@ CommandLine parseCommandLine(const QStringList &arguments) {
 }
 
 bool isWindowless(int argc, const char *const *argv) {
-    constexpr std::array<std::string_view, 12> kWords{
-        "--headless",        "--all-levels", "--replay", "--check",   "--trade", "--list-steppers",
-        "--list-parameters", "--help",       "-h",       "--version", "-v",      "--help-all"};
+    constexpr std::array<std::string_view, 11> kWords{
+        "--headless", "--all-levels", "--check",   "--trade", "--list-steppers", "--list-parameters",
+        "--help",     "-h",           "--version", "-v",      "--help-all"};
     return std::any_of(argv + 1, argv + argc, [&](const char *word) {
         const QByteArray name = QByteArray(word).replace('_', '-').split('=').first(); // --trade=3
         return std::find(kWords.begin(), kWords.end(), std::string_view(name.constData())) != kWords.end();

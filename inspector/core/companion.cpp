@@ -21,7 +21,7 @@ Deviation deviationOf(const Engine &ball, const Engine &other) {
 
 std::optional<CompanionMeans> makeMeans(const Registry &registry, const Opponent &opponent, const Scene &scene,
                                         QString *error) {
-    CompanionMeans means{{}, {}, opponent.substeps};
+    CompanionMeans means{scene, {}, {}, opponent.substeps};
     phys_error failure;
     if (phys_registry_find(registry.get(), opponent.stepper.constData(), &means.info, &failure) != PHYS_OK) {
         tell(error, failure);

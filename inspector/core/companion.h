@@ -28,7 +28,8 @@ struct Deviation {
 
 // What moves a companion.
 struct CompanionMeans {
-    Stepper stepper; // made for the leader's scene
+    Scene scene;     // the leader's
+    Stepper stepper; // made for it
     phys_stepper_info info;
     int substeps;
 };
@@ -51,6 +52,7 @@ public:
     // the companion is gone until the next meeting.
     bool follow(const Engine &leader, QString *error);
 
+    const Scene &scene() const { return m_engine.scene(); }
     bool isThere() const { return m_isThere; }
     const phys_state &state() const { return m_engine.state(); }
     const phys_state &previous() const { return m_previous; } // before the leader's last step

@@ -42,6 +42,13 @@ void Game::prompt(int level) {
     enter(Phase::Prompt);
 }
 
+void Game::goOn(int level) {
+    if (level >= 0 && level < m_levelCount) m_level = level;
+    m_time = 0.0;
+    m_isRecord = false;
+    enter(Phase::Playing);
+}
+
 void Game::leaveMaze(double time, bool isAssisted) {
     if (m_phase != Phase::Playing) return;
     m_time = time;

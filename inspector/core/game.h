@@ -36,6 +36,8 @@ public:
     void choose(int level);
     // A level is open: its prompt is shown.
     void prompt(int level);
+    // A level is being played already; one that isn't in the list (-1) keeps the place in it.
+    void goOn(int level);
     // The ball left the maze, `time` s after the start. Counts only while playing; assisted runs set no record.
     void leaveMaze(double time, bool isAssisted);
 

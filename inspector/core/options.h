@@ -34,7 +34,7 @@ struct Options {
     QString csv;                    // file; empty: standard output
     uint64_t csvEvery = 1;          // steps from one row to the next
     QString record;                 // file to write a recording to; empty: none
-    QString replay;                 // recording, of Action::Replay
+    QString replay;                 // recording, of Action::Replay, in the window unless headless
     bool check = false;             // say whether the replay is the same, instead of writing its table
     std::optional<Opponent> comparison;
     TradeOptions trade; // of Action::Trade

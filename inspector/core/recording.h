@@ -21,6 +21,8 @@ inline constexpr char kRecordingMark[] = "physics-recording"; // first word of t
 
 // FNV-1a, as phys_state_hash.
 uint64_t hashOf(const QByteArray &bytes);
+// 16 hexadecimal digits.
+QByteArray hashText(uint64_t hash);
 
 // A maze text file and the hash of its bytes.
 struct MazeSource {

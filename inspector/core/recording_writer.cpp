@@ -9,8 +9,6 @@ namespace inspector {
 
 namespace {
 
-QByteArray hexadecimal(uint64_t number) { return QByteArray::number(qulonglong(number), 16).rightJustified(16, '0'); }
-
 QByteArray line(const QByteArray &word, std::initializer_list<double> numbers) {
     QByteArray text = word;
     for (const double number : numbers) text += ' ' + exactText(number);
@@ -46,6 +44,8 @@ uint64_t hashOf(const QByteArray &bytes) {
     return hash;
 }
 
+QByteArray hashText(uint64_t hash) { return QByteArray::number(qulonglong(hash), 16).rightJustified(16, '0'); }
+
 uint64_t Recording::stepCount() const {
     uint64_t count = 0;
     for (const Stretch &stretch : stretches) count += stretch.hashes.size();
@@ -74,7 +74,7 @@ QByteArray recordingHead() {
 QByteArray conditionsText(const Conditions *before, const Conditions &now, const phys_stepper_info &info) {
     QByteArray text;
     if (!before || !(before->maze == now.maze))
-        text += "level " + hexadecimal(now.maze.hash) + ' ' + oneLine(now.maze.path) + '\n';
+        text += "level " + hashText(now.maze.hash) + ' ' + oneLine(now.maze.path) + '\n';
     const bool isNewStepper = !before || !(before->stepper == now.stepper);
     if (isNewStepper) text += "stepper " + now.stepper.id + ' ' + now.stepper.version + '\n';
     if (!before || !isSame(before->dt, now.dt)) text += line("dt", {now.dt});
@@ -94,7 +94,7 @@ QByteArray stateText(const phys_state &state) {
     return text + ' ' + QByteArray::number(qulonglong(state.flags)) + '\n';
 }
 
-QByteArray stepText(const phys_state &after) { return hexadecimal(phys_state_hash(&after)) + '\n'; }
+QByteArray stepText(const phys_state &after) { return hashText(phys_state_hash(&after)) + '\n'; }
 
 QByteArray failureText(const QString &line) { return "failed " + oneLine(line) + '\n'; }
 

@@ -2,141 +2,20 @@
 #include "replay.h"
 
 #include "csv_writer.h"
-#include "recorder.h"
 #include "tables.h"
 
-#include <QDir>
-#include <QFileInfo>
-
-#include <algorithm>
+#include <QFile>
 
 namespace inspector {
 
 namespace {
 
-QString hexadecimal(uint64_t hash) { return QStringLiteral("%1").arg(hash, 16, 16, QLatin1Char('0')); }
-
-// Where the file could be on this machine.
-QStringList placesOf(const QString &path, const QString &recording, const std::vector<Level> &levels) {
-    const QString name = QFileInfo(path).fileName();
-    QStringList places{path, QFileInfo(recording).dir().filePath(name)};
-    for (const Level &level : levels)
-        if (QFileInfo(level.path).fileName() == name) places += level.path;
-    return places;
-}
-
-// The maze with the recorded bytes. Nothing and one line in `error` if there is none.
-QString findMaze(const MazeSource &maze, const QString &recording, const std::vector<Level> &levels, QString *error) {
-    QString found;
-    for (const QString &place : placesOf(maze.path, recording, levels)) {
-        QFile file(place);
-        if (!file.open(QIODevice::ReadOnly)) continue;
-        const uint64_t hash = hashOf(file.readAll());
-        if (hash == maze.hash) return place;
-        if (found.isEmpty())
-            found = QStringLiteral("expected a maze file with the hash %1, found '%2' with %3")
-                        .arg(hexadecimal(maze.hash), place, hexadecimal(hash));
-    }
-    *error = found.isEmpty() ? QStringLiteral("expected the maze file '%1' there, beside the recording or among the "
-                                              "levels, found none")
-                                   .arg(maze.path)
-                             : found;
-    return {};
-}
-
-class Replay {
-public:
-    Replay(const Recording &recording, const Registry &registry, const std::vector<Level> &levels)
-        : m_recording(recording)
-        , m_registry(registry)
-        , m_levels(levels) {}
-
-    ReplayOutcome run(const std::function<bool(const Engine &)> &visit) {
-        for (const Stretch &stretch : m_recording.stretches)
-            if (!setUp(stretch) || !play(stretch, visit)) break;
-        return std::move(m_outcome);
-    }
-
-private:
-    // False: the replay can't go on, and m_outcome says why.
-    bool setUp(const Stretch &stretch);
-    bool openMaze(const MazeSource &maze, QString *error);
-    bool play(const Stretch &stretch, const std::function<bool(const Engine &)> &visit);
-    void playFailure(const Stretch &stretch);
-    void compare(const phys_state &before, const QString &expected, const QString &found);
-
-    const Recording &m_recording;
-    const Registry &m_registry;
-    const std::vector<Level> &m_levels;
-    Conditions m_conditions;
-    Scene m_scene;
-    std::unique_ptr<Engine> m_engine;
-    ReplayOutcome m_outcome;
-};
-
-bool Replay::openMaze(const MazeSource &maze, QString *error) {
-    const QString path = findMaze(maze, m_recording.file, m_levels, error);
-    if (path.isEmpty()) return false;
-    m_scene = loadScene(path, error);
-    return m_scene != nullptr;
-}
-
-bool Replay::setUp(const Stretch &stretch) {
-    const Conditions &now = stretch.conditions;
-    const auto refuse = [&](int line, const QString &reason) {
-        m_outcome.error = QStringLiteral("%1:%2: %3").arg(m_recording.file).arg(line).arg(reason);
-        return false;
-    };
-    QString error;
-    const bool isNewMaze = !m_engine || !(m_conditions.maze == now.maze);
-    if (isNewMaze && !openMaze(now.maze, &error)) return refuse(stretch.mazeLine, error);
-    if (isNewMaze || !(m_conditions.stepper == now.stepper)) {
-        const Stepper stepper = makeStepper(m_registry, now.stepper.id, m_scene, &error);
-        if (!stepper) return refuse(stretch.stepperLine, error);
-        if (isNewMaze)
-            m_engine = std::make_unique<Engine>(m_scene, stepper);
-        else
-            m_engine->setStepper(stepper);
-    }
-    m_conditions = now;
-    m_engine->setDt(now.dt);
-    m_engine->setInputs(now.inputs);
-    if (stretch.from) m_engine->setState(*stretch.from);
-    return true;
-}
-
-bool Replay::play(const Stretch &stretch, const std::function<bool(const Engine &)> &visit) {
-    for (const uint64_t expected : stretch.hashes) {
-        QString error;
-        const phys_state before = m_engine->state();
-        if (!m_engine->step(&error)) {
-            compare(before, hexadecimal(expected), error);
-            return false;
-        }
-        compare(before, hexadecimal(expected), hexadecimal(phys_state_hash(&m_engine->state())));
-        ++m_outcome.steps;
-        if (!visit(*m_engine)) return false;
-    }
-    if (!stretch.failure.isEmpty()) playFailure(stretch);
-    return true;
-}
-
-// A failed step left the state as it was, and the run went on from there.
-void Replay::playFailure(const Stretch &stretch) {
-    QString error;
-    const phys_state before = m_engine->state();
-    const bool hasStepped = m_engine->step(&error);
-    compare(before, stretch.failure, hasStepped ? hexadecimal(phys_state_hash(&m_engine->state())) : error);
-    if (hasStepped) m_engine->setState(before);
-}
-
-void Replay::compare(const phys_state &before, const QString &expected, const QString &found) {
-    if (m_outcome.difference || expected == found) return;
-    m_outcome.difference = {m_outcome.steps + 1, before.step + 1, before.time, expected, found};
-}
+QString text(uint64_t hash) { return QString::fromLatin1(hashText(hash)); }
 
 // The versions that aren't those of the recording; each begins with a separator.
-QString otherVersions(const Recording &recording, const Registry &registry) {
+QString otherVersions(const PlayableRecording &playable) {
+    const Recording &recording = playable.recording();
+    const Registry &registry = playable.registry();
     QStringList others;
     const QString library = QString::fromUtf8(phys_version());
     if (recording.library != library)
@@ -160,18 +39,10 @@ Options tableOptions(const Options &options, const Recording &recording) {
     Options result = options;
     if (recording.stretches.empty()) return result;
     const Conditions &first = recording.stretches.front().conditions;
-    const Inputs &inputs = first.inputs;
     result.level = levelOfFile(first.maze.path);
     result.stepper = first.stepper.id;
     result.dt = first.dt;
-    result.settings = {{QStringLiteral("tilt_x"), degrees(inputs.tilt.x)},
-                       {QStringLiteral("tilt_y"), degrees(inputs.tilt.y)},
-                       {QStringLiteral("gravity"), inputs.gravity}};
-    phys_stepper_info info;
-    if (phys_registry_find(options.registry.get(), first.stepper.id.constData(), &info, nullptr) != PHYS_OK)
-        return result;
-    for (const phys_param_row *row : recordedRows(info))
-        result.settings.push_back({QString::fromUtf8(row->id), phys_param_get(&inputs.params, row)});
+    result.settings = settingsOf(first, options.registry);
     return result;
 }
 
@@ -186,13 +57,108 @@ QIODevice *openTable(const Options &options, QFile &file, QIODevice &out, QStrin
 
 } // namespace
 
-ReplayOutcome replay(const Recording &recording, const Registry &registry, const std::vector<Level> &levels,
-                     const std::function<bool(const Engine &)> &visit) {
-    return Replay(recording, registry, levels).run(visit);
+Replay::Replay(std::shared_ptr<const PlayableRecording> recording)
+    : m_recording(std::move(recording)) {
+    if (!m_recording->recording().stretches.empty()) enter(0);
 }
 
-QString verdict(const Recording &recording, const Registry &registry, const ReplayOutcome &outcome) {
-    const QString cut = recording.isWhole ? QString() : QStringLiteral(" (the recording is cut off after them)");
+void Replay::moveTo(const Keyframe &place) {
+    m_stretch = place.stretch;
+    m_position = place.position;
+    m_isStuck = false;
+    takeConditions(m_stretch);
+    m_engine->setState(place.state);
+}
+
+bool Replay::step() {
+    if (m_isStuck || !prepare()) return false;
+    const uint64_t expected = m_recording->stretch(m_stretch).hashes[m_position - m_recording->begin(m_stretch)];
+    const phys_state before = m_engine->state();
+    QString failure;
+    if (!m_engine->step(&failure)) {
+        compare(before, text(expected), failure);
+        m_isStuck = true;
+        return false;
+    }
+    const uint64_t found = phys_state_hash(&m_engine->state());
+    if (found != expected) compare(before, text(expected), text(found));
+    ++m_position;
+    if (m_position == m_recording->end(m_stretch)) failAsRecorded();
+    return true;
+}
+
+bool Replay::prepare() {
+    const size_t count = m_recording->recording().stretches.size();
+    if (count == 0) return false;
+    while (m_position == m_recording->end(m_stretch)) {
+        if (m_stretch + 1 == count) return false;
+        enter(m_stretch + 1);
+    }
+    return true;
+}
+
+void Replay::enter(size_t stretch) {
+    const Stretch &now = m_recording->stretch(stretch);
+    m_stretch = stretch;
+    takeConditions(stretch);
+    if (now.from) m_engine->setState(*now.from);
+    if (now.hashes.empty()) failAsRecorded();
+}
+
+void Replay::takeConditions(size_t stretch) {
+    const Conditions &now = m_recording->stretch(stretch).conditions;
+    const Scene &scene = m_recording->scene(stretch);
+    const Stepper &stepper = m_recording->stepper(stretch);
+    if (!m_engine)
+        m_engine = std::make_unique<Engine>(scene, stepper);
+    else if (m_engine->scene() != scene)
+        m_engine->setScene(scene, stepper);
+    else
+        m_engine->setStepper(stepper);
+    m_engine->setDt(now.dt);
+    m_engine->setInputs(now.inputs);
+}
+
+// A step that failed left the state as it was, and the run went on from there.
+void Replay::failAsRecorded() {
+    const QString &expected = m_recording->stretch(m_stretch).failure;
+    if (expected.isEmpty()) return;
+    QString failure;
+    const phys_state before = m_engine->state();
+    const bool hasStepped = m_engine->step(&failure);
+    compare(before, expected, hasStepped ? text(phys_state_hash(&m_engine->state())) : failure);
+    if (hasStepped) m_engine->setState(before);
+}
+
+void Replay::compare(const phys_state &before, const QString &expected, const QString &found) {
+    if (m_difference || expected == found) return;
+    m_difference = {m_position + 1, before.step + 1, before.time, expected, found};
+}
+
+ReplayOutcome replay(const std::shared_ptr<const PlayableRecording> &recording,
+                     const std::function<bool(const Engine &)> &visit) {
+    Replay replay(recording);
+    while (replay.step() && visit(replay.engine())) {
+    }
+    return {replay.position(), replay.difference()};
+}
+
+std::vector<Setting> settingsOf(const Conditions &conditions, const Registry &registry) {
+    const Inputs &inputs = conditions.inputs;
+    std::vector<Setting> settings{{QStringLiteral("tilt_x"), degrees(inputs.tilt.x)},
+                                  {QStringLiteral("tilt_y"), degrees(inputs.tilt.y)},
+                                  {QStringLiteral("gravity"), inputs.gravity}};
+    phys_stepper_info info;
+    if (phys_registry_find(registry.get(), conditions.stepper.id.constData(), &info, nullptr) != PHYS_OK)
+        return settings;
+    for (const phys_param_row *row : recordedRows(info))
+        settings.push_back({QString::fromUtf8(row->id), phys_param_get(&inputs.params, row)});
+    return settings;
+}
+
+QString verdict(const PlayableRecording &recording, const ReplayOutcome &outcome) {
+    const QString cut =
+        recording.recording().isWhole ? QString() : QStringLiteral(" (the recording is cut off after them)");
     if (!outcome.difference) return QStringLiteral("same: %1 steps").arg(outcome.steps) + cut;
     const Difference &difference = *outcome.difference;
     return QStringLiteral("differs: step %1 of the recording, step %2 since the start, from %3 s on: expected %4, "
@@ -200,7 +166,7 @@ QString verdict(const Recording &recording, const Registry &registry, const Repl
                .arg(difference.number)
                .arg(difference.step)
                .arg(QString::fromUtf8(exactText(difference.time)), difference.expected, difference.found) +
-           otherVersions(recording, registry);
+           otherVersions(recording);
 }
 
 int runReplay(const Options &options, QIODevice &out, QTextStream &messages) {
@@ -209,20 +175,19 @@ int runReplay(const Options &options, QIODevice &out, QTextStream &messages) {
         return 2;
     };
     QString error;
-    const std::optional<Recording> recording = readRecording(options.replay, options.registry, &error);
+    const auto recording = openRecording(options.replay, options.registry, options.levels, &error);
     if (!recording) return refuse(QStringLiteral("--replay: ") + error);
     QFile file;
     QIODevice *table = openTable(options, file, out, &error);
     if (!error.isEmpty()) return refuse(error);
 
     std::optional<CsvWriter> writer;
-    if (table) writer.emplace(*table, tableOptions(options, *recording));
-    const ReplayOutcome outcome = replay(*recording, options.registry, options.levels, [&](const Engine &now) {
+    if (table) writer.emplace(*table, tableOptions(options, recording->recording()));
+    const ReplayOutcome outcome = replay(recording, [&](const Engine &now) {
         if (writer) writer->write(now.sample());
         return !writer || writer->isGood();
     });
-    if (!outcome.error.isEmpty()) return refuse(QStringLiteral("--replay: ") + outcome.error);
-    const QString line = verdict(*recording, options.registry, outcome) + QLatin1Char('\n');
+    const QString line = verdict(*recording, outcome) + QLatin1Char('\n');
     if (options.check)
         out.write(line.toUtf8());
     else

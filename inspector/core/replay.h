@@ -2,12 +2,14 @@
 // Runs the inputs of a recording through the library again and compares the hash of every state.
 #pragma once
 
+#include "engine.h"
 #include "options.h"
-#include "recording.h"
+#include "playable_recording.h"
 
 #include <QTextStream>
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 namespace inspector {
@@ -21,19 +23,60 @@ struct Difference {
     QString found;
 };
 
+// A place in a recording to which a replay can go back.
+struct Keyframe {
+    uint64_t position = 0;
+    size_t stretch = 0; // of the step before
+    phys_state state{};
+};
+
+// Makes a recording's steps again, one by one, and compares the hash of every state.
+class Replay {
+public:
+    // At the recording's beginning.
+    explicit Replay(std::shared_ptr<const PlayableRecording> recording);
+
+    // Takes the conditions of the next step, and its state if it doesn't go on from the one before. False at the end.
+    bool prepare();
+    // Makes the next step. False at the end, which is also where a step fails that didn't: `difference` tells it.
+    bool step();
+    uint64_t position() const { return m_position; } // steps made
+    size_t stretch() const { return m_stretch; }     // of the last step
+    // As after the last step; there is one if the recording has a stretch.
+    const Engine &engine() const { return *m_engine; }
+    const std::optional<Difference> &difference() const { return m_difference; } // the first that was met
+
+    Keyframe keyframe() const { return {m_position, m_stretch, m_engine->state()}; }
+    void moveTo(const Keyframe &place); // of this recording
+
+private:
+    void enter(size_t stretch);
+    void takeConditions(size_t stretch);
+    void failAsRecorded();
+    void compare(const phys_state &before, const QString &expected, const QString &found);
+
+    std::shared_ptr<const PlayableRecording> m_recording;
+    std::unique_ptr<Engine> m_engine;
+    size_t m_stretch = 0;
+    uint64_t m_position = 0;
+    bool m_isStuck = false; // the next step fails although it didn't
+    std::optional<Difference> m_difference;
+};
+
 struct ReplayOutcome {
     uint64_t steps = 0; // that ran
     std::optional<Difference> difference;
-    QString error; // why the recording can't be followed: its file, line and reason; empty if it can
 };
 
-// Shows each step to `visit`, which ends the replay by returning false. A maze is looked for where the recording says,
-// then beside the recording, then among the levels; one with the recorded hash is taken.
-ReplayOutcome replay(const Recording &recording, const Registry &registry, const std::vector<Level> &levels,
+// From beginning to end; shows each step to `visit`, which ends the replay by returning false.
+ReplayOutcome replay(const std::shared_ptr<const PlayableRecording> &recording,
                      const std::function<bool(const Engine &)> &visit);
 
+// What a person would set to have these conditions.
+std::vector<Setting> settingsOf(const Conditions &conditions, const Registry &registry);
+
 // "same: 812 steps", or what differs first and, in the same line, which versions differ.
-QString verdict(const Recording &recording, const Registry &registry, const ReplayOutcome &outcome);
+QString verdict(const PlayableRecording &recording, const ReplayOutcome &outcome);
 
 // Does what --replay asks for: the table to `out` or --csv, the verdict to `messages`; with --check the verdict to
 // `out`, a table only to --csv. The program's exit status: 0 if all is the same; 1 if a step differs or the table can't

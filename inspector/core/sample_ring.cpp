@@ -30,14 +30,15 @@ SampleRing::SampleRing(size_t capacity)
 }
 
 void SampleRing::append(const Sample &sample) {
-    const uint64_t number = m_last.load(std::memory_order_relaxed);
+    const uint64_t number = m_written;
     m_begun.store(number + 1, std::memory_order_relaxed);
     Cell *cells = &m_cells[(number % m_capacity) * kWidth];
     store(cells[kTimeCell], sample.time);
     store(cells[kStepCell], double(sample.step));
     for (size_t i = 0; i < kChannelCount; ++i) store(cells[kFirstChannelCell + i], sample.values[i]);
     closeNodes(number + 1);
-    m_last.store(number + 1, std::memory_order_release);
+    m_written = number + 1;
+    if (!m_isHeld) m_last.store(m_written, std::memory_order_release);
 }
 
 // Writes the nodes whose last sample was just appended, from the samples up.
@@ -55,8 +56,23 @@ void SampleRing::closeNodes(uint64_t count) {
 }
 
 void SampleRing::clear() {
-    m_cleared.store(m_last.load(std::memory_order_relaxed), std::memory_order_release);
-    m_generation.fetch_add(1, std::memory_order_release);
+    m_wiped = m_written;
+    ++m_clears;
+    if (!m_isHeld) show();
+}
+
+void SampleRing::hold() { m_isHeld = true; }
+
+void SampleRing::release() {
+    m_isHeld = false;
+    show();
+}
+
+// First what is gone, then what is new: samples from before and after a clear() are never seen together.
+void SampleRing::show() {
+    m_cleared.store(m_wiped, std::memory_order_release);
+    m_last.store(m_written, std::memory_order_release);
+    m_generation.store(m_clears, std::memory_order_release);
 }
 
 uint64_t SampleRing::first() const {

@@ -29,6 +29,9 @@ public:
     // Writer's side. Times must not fall between two clear().
     void append(const Sample &sample);
     void clear();
+    // What is done between the two is seen by nobody before the second, and then all at once.
+    void hold();
+    void release();
 
     // Readers' side. Numbers [first(), last()) can be read just now.
     size_t capacity() const { return m_capacity; }
@@ -63,13 +66,20 @@ private:
     double timeOf(uint64_t number) const;
     Extremes extremesBelow(uint64_t limit, size_t channel, uint64_t begin, uint64_t end) const;
     void closeNodes(uint64_t count);
+    void show();
 
     size_t m_capacity;
     std::unique_ptr<Cell[]> m_cells; // [slot][kWidth]
     std::vector<Level> m_levels;
-    std::atomic<uint64_t> m_last{0};    // samples appended
+    // The writer's own: what there is to see once it isn't held back any more.
+    uint64_t m_written = 0; // samples appended
+    uint64_t m_wiped = 0;   // m_written at the last clear()
+    uint64_t m_clears = 0;
+    bool m_isHeld = false;
+    // What is seen.
+    std::atomic<uint64_t> m_last{0};    // as m_written
     std::atomic<uint64_t> m_begun{0};   // m_last, or one more while a sample is being written
-    std::atomic<uint64_t> m_cleared{0}; // m_last at the last clear()
+    std::atomic<uint64_t> m_cleared{0}; // as m_wiped
     std::atomic<uint64_t> m_generation{0};
 };
 

@@ -29,6 +29,10 @@ std::unique_ptr<Session> Session::open(const Options &options, QSettings &settin
     if (!options.record.isEmpty()) session->startRecording(options.record);
     if (options.comparison) session->comparison().start(*options.comparison);
     session->showPrompt();
+    if (!options.replay.isEmpty() && !session->startReplay(options.replay, error)) {
+        if (error) error->prepend(QStringLiteral("--replay: "));
+        return nullptr;
+    }
     return session;
 }
 
@@ -51,8 +55,13 @@ Session::Session(const Options &options, QSettings &settings, const Scene &scene
         emit recordingFailed(line);
     });
     connect(m_simulation.get(), &Simulation::leftMaze, this,
-            [this](double time) { m_game.leaveMaze(time, m_hasAutopilot || levelIndex() < 0); });
+            [this](double time) { m_game.leaveMaze(time, m_hasAutopilot || m_isTakenOver || levelIndex() < 0); });
+    connect(m_simulation.get(), &Simulation::differenceFound, this, &Session::noteDifference);
+    connect(m_simulation.get(), &Simulation::differenceReached, this, [this](uint64_t replay) {
+        if (m_replay && m_replay->number == replay) emit replayDiffers(m_replay->difference);
+    });
     connect(&m_game, &Game::started, this, [this] {
+        m_isTakenOver = false;
         m_simulation->restart();
         m_simulation->run();
     });
@@ -78,12 +87,19 @@ bool Session::report(const QString &line) {
     return false;
 }
 
+bool Session::refuseInReplay() {
+    return report(tr("a recording is shown as it was; Go on from here makes it yours to change"));
+}
+
 bool Session::openLevel(const Level &level) {
     QString error;
     const Scene scene = loadScene(level.path, &error);
     if (!scene) return report(error);
-    const Stepper stepper = makeStepper(m_registry, m_stepperId, scene, &error);
+    const QByteArray id = m_replay ? m_replay->before.stepper : m_stepperId;
+    const Stepper stepper = makeStepper(m_registry, id, scene, &error);
     if (!stepper) return report(error);
+    if (m_replay) leaveReplay();
+    m_isTakenOver = false;
     m_scene = scene;
     m_level = level;
     m_simulation->setScene(scene, stepper, origin());
@@ -99,6 +115,7 @@ bool Session::openLevel(const Level &level) {
 }
 
 bool Session::setStepper(const QByteArray &id) {
+    if (m_replay) return refuseInReplay();
     QString error;
     phys_stepper_info info;
     phys_error failure;
@@ -114,6 +131,7 @@ bool Session::setStepper(const QByteArray &id) {
 }
 
 bool Session::setDt(double dt) {
+    if (m_replay) return refuseInReplay();
     if (!(dt >= Engine::kSmallestDt && dt <= Engine::kLargestDt))
         return report(tr("dt: expected %1 to %2 s, found %3").arg(Engine::kSmallestDt).arg(Engine::kLargestDt).arg(dt));
     m_dt = dt;
@@ -132,6 +150,7 @@ Stepping Session::stepping() const {
 }
 
 bool Session::setStepping(const Stepping &stepping) {
+    if (m_replay) return refuseInReplay();
     const Stepping before = this->stepping();
     if (stepping == before) return true;
     if ((stepping.stepper == m_stepperId || setStepper(stepping.stepper)) && setDt(stepping.dt)) {
@@ -164,6 +183,7 @@ bool Session::fly(QString *error) {
 }
 
 bool Session::setAutopilot(bool isOn) {
+    if (m_replay) return refuseInReplay();
     if (isOn == m_hasAutopilot) return true;
     QString error;
     if (isOn && !fly(&error)) return report(error);
@@ -188,7 +208,7 @@ void Session::setTilt(Tilt tilt) {
 }
 
 void Session::advanceKeys(double seconds) {
-    if (m_hasAutopilot) return;
+    if (m_hasAutopilot || m_replay) return;
     if (!m_keysTilt) {
         if (!m_tiltControl.keys().any()) return;
         m_keysTilt = true;
@@ -215,6 +235,9 @@ void Session::showRecording(bool isOn) {
 
 Origin Session::origin() const { return originOf(m_registry, m_stepperId, m_level.path); }
 
-void Session::sendInputs() { m_simulation->setInputs(m_parameters.inputs()); }
+// What a replay shows isn't the live ball's.
+void Session::sendInputs() {
+    if (!m_replay) m_simulation->setInputs(m_parameters.inputs());
+}
 
 } // namespace inspector

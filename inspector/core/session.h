@@ -63,6 +63,25 @@ public:
     void stopRecording();
     bool isRecording() const { return m_isRecording; }
 
+    // ---- recordings are watched in place of the live ball ----
+
+    // Plays a recording from its beginning. False, nothing changed and failed() with one line if that can't be done.
+    bool openRecording(const QString &path);
+    // Back to the level that was open before, at its start, with the parameters from before.
+    void closeRecording();
+    // Ends the replay; the game goes on from the moment shown, with its parameters.
+    void goOnFromHere();
+    bool isReplaying() const { return m_replay.has_value(); }
+    // Of the replay, while there is one; level, stepper, dt and parameters are those of the moment last followed.
+    const PlayableRecording &recording() const { return *m_replay->recording; }
+    // Level, stepper, dt and parameters become those of the moment shown; called about 30 times a second.
+    void followReplay();
+    // Where the replay is, or is about to be; nothing before its first picture.
+    std::optional<ReplayPlace> replayPlace();
+    void seek(uint64_t position);
+    // "same", "same so far" or what differs first, in one line.
+    QString replayVerdict();
+
     // Keys of the game: arrow keys as held, and the time since the last call (about 60 times a second). While a key is
     // held, and until the board is level again, the tilt parameters follow the keys.
     void setKeys(TiltKeys keys) { m_tiltControl.setKeys(keys); }
@@ -77,6 +96,8 @@ signals:
     void failed(const QString &line);          // also the simulation's
     void recordingFailed(const QString &line); // and ended; the simulation goes on
     void recordingChanged(bool isOn);
+    void replayChanged(bool isOn);
+    void replayDiffers(const QString &line); // when it is known, and when it is reached and the replay pauses
 
 private:
     Session(const Options &options, QSettings &settings, const Scene &scene, const Stepper &stepper);
@@ -84,12 +105,29 @@ private:
     int levelIndex() const; // in the list; -1 for a file that isn't in it
     void showPrompt();
     bool report(const QString &line); // sends it; always false
+    bool refuseInReplay();
     bool fly(QString *error);
     void levelBoard();
     void setTilt(Tilt tilt);
     void sendInputs();
     void showRecording(bool isOn);
     Origin origin() const;
+
+    struct Replaying {
+        std::shared_ptr<const PlayableRecording> recording;
+        uint64_t number; // as in snapshots
+        Level levelBefore;
+        Stepping before;               // with all parameters
+        std::optional<size_t> stretch; // last followed
+        uint64_t sought = 0;           // position
+        uint64_t seeks = 0;            // number of the last one
+        QString difference;            // the line
+    };
+    bool startReplay(const QString &path, QString *error);
+    void noteDifference(uint64_t replay, const Difference &difference);
+    Stepping steppingWithAll() const;
+    void show(const Stepping &stepping);
+    void leaveReplay();
 
     QSettings &m_settings;
     Registry m_registry;
@@ -102,7 +140,9 @@ private:
     bool m_hasAutopilot = false;
     bool m_isRecording = false;
     TiltControl m_tiltControl;
-    bool m_keysTilt = false; // the board's tilt is the keys' just now
+    std::optional<Replaying> m_replay;
+    bool m_isTakenOver = false; // from a replay: such a run sets no record
+    bool m_keysTilt = false;    // the board's tilt is the keys' just now
     Parameters m_parameters;
     Game m_game;
     std::unique_ptr<Simulation> m_simulation;

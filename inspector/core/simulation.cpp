@@ -20,6 +20,12 @@ namespace {
 // How long the ball goes on falling after it left the maze, s of simulated time.
 constexpr double kFallTime = 0.4;
 
+// Steps before the place sought in a replay that plots and trails get to see.
+constexpr uint64_t kStepsBefore = 8192;
+// A replay is checked ahead in pieces, between which there is time for steps and commands.
+constexpr std::chrono::milliseconds kCheckSlice{1};
+constexpr int kStepsPerLook = 32; // at the clock
+
 uint32_t stepperOf(const Origin &origin) { return stepperIndex(origin.registry, origin.stepper.id); }
 
 // Linux delays timers by up to 50 us to save energy; a lot for steps of 1 ms.
@@ -46,12 +52,31 @@ struct Simulation::Worker {
     std::optional<Recorder> recorder{};
     std::optional<Companion> companion{};
     double leftAt = std::numeric_limits<double>::infinity(); // when the ball left the maze, s
+    // A replay is shown in place of the engine's ball.
+    struct Seek {
+        uint64_t position, number;
+    };
+    std::optional<Player> player{};
+    uint64_t replay = 0;          // its number
+    std::optional<Seek> sought{}; // to be shown as soon as all before it is checked
+    uint64_t seeks = 0;           // number of the last one done
+    double pacedDt = 0.0;         // s
 
+    const Engine &shown() const { return player ? player->engine() : engine; }
+    bool isChecking() const { return player && !player->isChecked(); }
     void obey(const GivenInputs &given);
     void startPacing();
     void setRunning(bool isRunning);
     void beginRun();
     void step(Clock::time_point due);
+    void noteStep();
+    void replayStep(Clock::time_point due);
+    std::optional<uint64_t> differenceAt() const;
+    void checkAhead();
+    void goToSought();
+    void showUpTo(uint64_t position);
+    ReplayPlace replayPlace() const;
+    void goOnLive();
     void record(const QString &failure);
     void dropBadRecorder();
     void endRecording();
@@ -70,7 +95,8 @@ void Simulation::Worker::obey(const GivenInputs &given) {
 // Rates and deadlines count from now; what was lost in this run stays counted.
 void Simulation::Worker::startPacing() {
     const Clock::time_point now = Clock::now();
-    pacer.start(now, engine.dt(), speed);
+    pacedDt = shown().dt();
+    pacer.start(now, pacedDt, speed);
     meter.start(now);
 }
 
@@ -87,8 +113,9 @@ void Simulation::Worker::beginRun() {
     impacts = 0;
     lastImpact = {};
     leftAt = std::numeric_limits<double>::infinity();
-    if (engine.state().flags & PHYS_OUT) leftAt = engine.state().time;
-    if (companion) companion->meet(engine);
+    if (shown().state().flags & PHYS_OUT) leftAt = shown().state().time;
+    if (companion && companion->scene() != shown().scene()) companion.reset(); // its stepper is of the other
+    if (companion) companion->meet(shown());
     pacer.forgetLostTime();
     startPacing();
     owner.m_samples.clear();
@@ -96,6 +123,7 @@ void Simulation::Worker::beginRun() {
 }
 
 void Simulation::Worker::step(Clock::time_point due) {
+    if (player) return replayStep(due);
     QString line;
     const bool hasStepped = engine.step(&line);
     record(line);
@@ -105,14 +133,18 @@ void Simulation::Worker::step(Clock::time_point due) {
         emit owner.failed(line);
         return;
     }
-    meter.count(Clock::now(), engine.dt());
+    noteStep();
+    noteLeaving();
+    publish(due);
+}
+
+void Simulation::Worker::noteStep() {
+    meter.count(Clock::now(), shown().dt());
     leadCompanion();
-    Sample sample = engine.sample();
+    Sample sample = shown().sample();
     if (companion) companion->addTo(sample);
     owner.m_samples.append(sample);
     noteEvents();
-    noteLeaving();
-    publish(due);
 }
 
 // failure: the library's line if the step failed, else empty.
@@ -141,12 +173,14 @@ void Simulation::Worker::endRecording() {
 // Last of all that a step does to the state: nothing of the ball depends on it.
 void Simulation::Worker::leadCompanion() {
     QString line;
-    if (companion && !companion->follow(engine, &line)) emit owner.comparisonRefused(line);
+    if (!companion) return;
+    if (player) companion->setLeaderStepper(player->recording().stretch(player->stretch()).conditions.stepper.id);
+    if (!companion->follow(shown(), &line)) emit owner.comparisonRefused(line);
 }
 
 void Simulation::Worker::noteEvents() {
-    owner.m_events.note(engine, stepper);
-    for (const phys_event &event : engine.events()) {
+    owner.m_events.note(shown(), player ? player->recording().stepperPlace(player->stretch()) : stepper);
+    for (const phys_event &event : shown().events()) {
         if (event.kind != PHYS_EVENT_IMPACT) continue;
         ++impacts;
         lastImpact = event;
@@ -164,23 +198,101 @@ void Simulation::Worker::noteLeaving() {
 }
 
 void Simulation::Worker::publish(Clock::time_point due) {
+    const Engine &now = shown();
     Snapshot snapshot;
-    snapshot.previous = engine.previous();
-    snapshot.current = engine.state();
+    snapshot.previous = now.previous();
+    snapshot.current = now.state();
     snapshot.due = due;
     snapshot.interval = running ? pacer.interval() : Clock::duration::zero();
-    snapshot.inputs = engine.inputs();
-    snapshot.report = engine.report();
+    snapshot.inputs = now.inputs();
+    snapshot.report = now.report();
     snapshot.report.events = nullptr;
     snapshot.report.event_capacity = 0;
     snapshot.lastImpact = lastImpact;
-    snapshot.dt = engine.dt();
+    snapshot.dt = now.dt();
     snapshot.run = run;
     snapshot.running = running;
     if (companion && companion->isThere())
         snapshot.ghost = {companion->previous(), companion->state(), companion->metAt(), companion->deviation()};
     snapshot.statistics = {meter.stepsPerSecond(), speed, meter.speed(), pacer.lostTime(), impacts};
+    if (player) snapshot.replay = replayPlace();
     owner.m_snapshots.publish(snapshot);
+}
+
+ReplayPlace Simulation::Worker::replayPlace() const {
+    return {replay,         player->position(), player->end(), player->checked(), player->isChecked(),
+            differenceAt(), player->stretch(),  seeks};
+}
+
+// Where the first difference shows: after that step, or at the end if the step fails.
+std::optional<uint64_t> Simulation::Worker::differenceAt() const {
+    if (!player->difference()) return std::nullopt;
+    return std::min(player->difference()->number, player->end());
+}
+
+// A ball that has left the maze goes on as recorded.
+void Simulation::Worker::replayStep(Clock::time_point due) {
+    if (player->enterRun()) beginRun();
+    if (player->next()) {
+        if (shown().dt() != pacedDt) startPacing();
+        noteStep();
+    }
+    const bool isDifferent = differenceAt() == player->position();
+    if (isDifferent || player->position() == player->end()) setRunning(false);
+    publish(due);
+    if (isDifferent) emit owner.differenceReached(replay);
+}
+
+// While no step is due.
+void Simulation::Worker::checkAhead() {
+    const bool wasSame = !player->difference();
+    Clock::time_point end = Clock::now() + kCheckSlice;
+    if (running) end = std::min(end, pacer.deadline());
+    do {
+        for (int i = 0; i < kStepsPerLook; ++i) player->check();
+    } while (!player->isChecked() && Clock::now() < end);
+    if (!running) publish(Clock::now());
+    if (wasSame && player->difference()) emit owner.differenceFound(replay, *player->difference());
+}
+
+// Once all before it is checked; commands are obeyed between the pieces of that.
+void Simulation::Worker::goToSought() {
+    if (sought->position > player->checked() && !player->isChecked()) return checkAhead();
+    const Seek seek = *std::exchange(sought, std::nullopt);
+    showUpTo(seek.position);
+    seeks = seek.number;
+    publish(Clock::now());
+}
+
+// Plots and trails then show what they do when it is played: what was before it in its run is made again, too.
+void Simulation::Worker::showUpTo(uint64_t position) {
+    const uint64_t end = std::min(position, player->end());
+    const uint64_t start = player->recording().beginOfRun(end);
+    const uint64_t begin = std::max(start, end - std::min(end, kStepsBefore));
+    const bool goesOn = player->position() > start && player->position() >= begin && player->position() <= end;
+    owner.m_samples.hold();
+    if (!goesOn) {
+        player->seek(begin);
+        player->enterRun();
+        beginRun();
+    }
+    while (player->position() < end && player->next()) noteStep();
+    startPacing();
+    owner.m_samples.release();
+}
+
+// The engine gets all that the replay's last step had: its next one is what that one's would be.
+void Simulation::Worker::goOnLive() {
+    const PlayableRecording &recording = player->recording();
+    const Engine &from = player->engine();
+    engine.setScene(from.scene(), recording.stepper(player->stretch()));
+    engine.setDt(from.dt());
+    engine.setInputs(from.inputs());
+    engine.setState(from.state());
+    player.reset();
+    sought.reset();
+    leftAt = engine.state().flags & PHYS_OUT ? engine.state().time : std::numeric_limits<double>::infinity();
+    startPacing();
 }
 
 Simulation::Simulation(const Scene &scene, const Stepper &stepper, const Origin &origin, QObject *parent)
@@ -206,7 +318,12 @@ void Simulation::post(Command command) {
 }
 
 void Simulation::run() {
-    post([](Worker &worker) { worker.setRunning(true); });
+    post([](Worker &worker) {
+        // At its end a replay begins again.
+        if (worker.player && !worker.sought && worker.player->position() == worker.player->end())
+            worker.sought = {0, worker.seeks};
+        worker.setRunning(true);
+    });
 }
 
 void Simulation::pause() {
@@ -216,12 +333,19 @@ void Simulation::pause() {
 void Simulation::stepOnce() {
     post([](Worker &worker) {
         worker.setRunning(false);
-        worker.step(Clock::now());
+        if (worker.sought)
+            ++worker.sought->position;
+        else
+            worker.step(Clock::now());
     });
 }
 
 void Simulation::restart() {
     post([](Worker &worker) {
+        if (worker.player) {
+            worker.sought = {0, worker.seeks};
+            return;
+        }
         worker.engine.restart();
         worker.beginRun();
     });
@@ -288,11 +412,62 @@ void Simulation::stopRecording() {
 }
 
 void Simulation::compareWith(const CompanionMeans &means, const QByteArray &leaderId) {
-    post([means, leaderId](Worker &worker) { worker.companion.emplace(worker.engine, means, leaderId); });
+    post([means, leaderId](Worker &worker) {
+        worker.companion.reset();
+        // A replay may have gone on to another scene; then this is asked for again.
+        if (means.scene == worker.shown().scene()) worker.companion.emplace(worker.shown(), means, leaderId);
+    });
 }
 
 void Simulation::endComparison() {
     post([](Worker &worker) { worker.companion.reset(); });
+}
+
+uint64_t Simulation::startReplay(std::shared_ptr<const PlayableRecording> recording) {
+    post([recording = std::move(recording), number = ++m_replayCount](Worker &worker) {
+        worker.setRunning(false);
+        worker.player.emplace(recording);
+        worker.replay = number;
+        worker.sought.reset();
+        worker.beginRun();
+        worker.setRunning(true);
+    });
+    return m_replayCount;
+}
+
+uint64_t Simulation::seek(uint64_t position) {
+    post([position, number = ++m_seekCount](Worker &worker) {
+        if (worker.player) worker.sought = {position, number};
+    });
+    return m_seekCount;
+}
+
+void Simulation::stepBack() {
+    post([](Worker &worker) {
+        if (!worker.player) return;
+        worker.setRunning(false);
+        const Worker::Seek now = worker.sought.value_or(Worker::Seek{worker.player->position(), worker.seeks});
+        worker.sought = {now.position - std::min<uint64_t>(now.position, 1), now.number};
+    });
+}
+
+void Simulation::endReplay() {
+    post([](Worker &worker) {
+        worker.setRunning(false);
+        worker.player.reset();
+        worker.sought.reset();
+        worker.beginRun();
+    });
+}
+
+void Simulation::goOnFrom(uint64_t position, const Origin &origin) {
+    post([position, origin](Worker &worker) {
+        if (!worker.player) return;
+        if (worker.player->position() != position) worker.showUpTo(position);
+        worker.goOnLive();
+        worker.stepper = stepperOf(origin);
+        if (worker.recorder) worker.recorder->setOrigin(origin);
+    });
 }
 
 void Simulation::setInputs(const Inputs &inputs) {
@@ -312,11 +487,12 @@ const Snapshot &Simulation::latest() {
 // old stepper and the values of the new one.
 Simulation::Work Simulation::nextWork(const std::stop_token &stop) {
     const bool isDue = m_worker->running && m_worker->pacer.isDue(Clock::now());
+    const bool canWait = !isDue && !m_worker->isChecking() && !m_worker->sought;
     const auto hasWork = [this] { return !m_commands.empty() || m_inputs.isFresh(); };
     std::unique_lock lock(m_mutex);
-    if (!m_worker->running)
+    if (canWait && !m_worker->running)
         m_wake.wait(lock, stop, hasWork);
-    else if (!isDue)
+    else if (canWait)
         m_wake.wait_until(lock, stop, m_worker->pacer.deadline(), hasWork);
     const bool hasInputs = m_inputs.take();
     return {hasInputs, std::exchange(m_commands, {})};
@@ -329,12 +505,16 @@ void Simulation::work(const std::stop_token &stop) {
         const auto [hasInputs, commands] = nextWork(stop);
         if (hasInputs) worker.obey(m_inputs.value());
         for (const Command &command : commands) command(worker);
-        if (worker.running && worker.pacer.isDue(Clock::now())) {
+        if (worker.sought) {
+            worker.goToSought();
+        } else if (worker.running && worker.pacer.isDue(Clock::now())) {
             const Clock::time_point due = worker.pacer.deadline();
             worker.pacer.advance();
             worker.step(due);
         } else if (hasInputs || !commands.empty()) {
             worker.publish(Clock::now());
+        } else if (worker.isChecking()) {
+            worker.checkAhead();
         }
         if (!worker.running && worker.recorder) {
             worker.recorder->flush(); // it may stay paused for long

@@ -7,6 +7,7 @@
 #include "engine.h"
 #include "event_log.h"
 #include "latest_value.h"
+#include "player.h"
 #include "recorder.h"
 #include "sample_ring.h"
 #include "snapshot.h"
@@ -55,6 +56,17 @@ public:
     void compareWith(const CompanionMeans &means, const QByteArray &leaderId);
     void endComparison();
 
+    // Shows a recording, which has steps, in place of the live ball, which waits, and runs it. Returns the replay's
+    // number, as in its snapshots. run(), pause(), stepOnce(), restart() and setSpeed() then act on the replay.
+    uint64_t startReplay(std::shared_ptr<const PlayableRecording> recording);
+    // Shows this position as soon as all before it is checked; goes on running or stays paused. Returns the seek's
+    // number: the snapshot says how many are done.
+    uint64_t seek(uint64_t position);
+    void stepBack();  // pauses, too
+    void endReplay(); // the live ball again, paused
+    // The live ball goes on from this position of the replay, under its conditions; goes on running or stays paused.
+    void goOnFrom(uint64_t position, const Origin &origin);
+
     // Latest wins: from the next step on.
     void setInputs(const Inputs &inputs);
 
@@ -75,6 +87,10 @@ signals: // queued: sent by the thread that steps
     void recordingFailed(const QString &line);
     // The companion's stepper refused a step; there is no ghost until the next meeting. The simulation goes on.
     void comparisonRefused(const QString &line);
+    // The first step of this replay that differs is known; once.
+    void differenceFound(uint64_t replay, const Difference &difference);
+    // The replay has come to it and is paused.
+    void differenceReached(uint64_t replay);
 
 private:
     struct Worker; // all that belongs to the thread
@@ -94,6 +110,8 @@ private:
     void work(const std::stop_token &stop);
 
     uint64_t m_givenCount = 0; // the owner's
+    uint64_t m_replayCount = 0;
+    uint64_t m_seekCount = 0;
     LatestValue<GivenInputs> m_inputs;
     LatestValue<Snapshot> m_snapshots;
     SampleRing m_samples;

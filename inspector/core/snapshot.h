@@ -26,6 +26,18 @@ struct Ghost {
     Deviation deviation;
 };
 
+// Where a replay is.
+struct ReplayPlace {
+    uint64_t number = 0;                // of the replay, from 1; 0: what is shown is live
+    uint64_t position = 0;              // steps made
+    uint64_t end = 0;                   // the last position
+    uint64_t checked = 0;               // steps whose hashes are compared
+    bool isChecked = false;             // all of them
+    std::optional<uint64_t> difference; // position where the first one shows
+    size_t stretch = 0;                 // of the recording, of the last step
+    uint64_t seeks = 0;                 // number of the last one done
+};
+
 struct Snapshot {
     phys_state previous{}; // one step earlier; the same as `current` right after a restart
     phys_state current{};
@@ -39,6 +51,7 @@ struct Snapshot {
     bool running = false;
     std::optional<Ghost> ghost; // while there is a comparison that isn't refused
     Statistics statistics;
+    ReplayPlace replay;
 };
 
 // The ball at `now`, between the two states: drawing runs one step behind and never guesses ahead.

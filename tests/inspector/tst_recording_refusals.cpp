@@ -166,8 +166,10 @@ void TestRecordingRefusals::changedMazeIsRefused() {
 void TestRecordingRefusals::wordsThatDontGoTogether_data() {
     QTest::addColumn<QString>("words");
     QTest::addColumn<QString>("line");
-    QTest::newRow("a window") << "--replay r"
-                              << "--replay: needs --headless";
+    QTest::newRow("a table of a window") << "--replay r --csv t"
+                                         << "--replay: its table needs --headless; doesn't go with --csv";
+    QTest::newRow("a picture without a window") << "--replay r --check --grab p.png"
+                                                << "doesn't go with --grab";
     QTest::newRow("check alone") << "--check"
                                  << "--check: needs --replay";
     QTest::newRow("a level") << "--replay r --check --level 2"
