@@ -42,6 +42,7 @@ GameKeys::GameKeys(Session &session, QWidget &window, QWidget &view)
 
 bool GameKeys::isForGame(const QKeyEvent &event) const {
     if (!isArrow(event.key()) || (event.modifiers() & ~Qt::KeypadModifier)) return false;
+    if (m_session.isReplaying()) return false;
     if (QApplication::activeWindow() != &m_window || QApplication::activePopupWidget()) return false;
     const QWidget *focus = QApplication::focusWidget();
     const bool isList = qobject_cast<const QAbstractItemView *>(focus);

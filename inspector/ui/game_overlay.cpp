@@ -46,6 +46,10 @@ OverlayText overlayText(Session &session, const Snapshot &now) {
     const Game &game = session.game();
     const QString title = levelTitle(session);
     OverlayText text;
+    if (session.isReplaying()) {
+        text.clock = clockText(now.current.time);
+        return text;
+    }
     switch (game.phase()) {
     case Game::Phase::Prompt:
         // Whoever just lets the ball roll, without the game, needs no prompt.

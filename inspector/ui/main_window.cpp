@@ -13,6 +13,7 @@
 #include "ui/parameter_panel.h"
 #include "ui/path_icon.h"
 #include "ui/plot_panel.h"
+#include "ui/replay_bar.h"
 #include "ui/settings_keys.h"
 #include "ui/status_line.h"
 #include "ui/theme.h"
@@ -23,6 +24,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QDockWidget>
+#include <QFileInfo>
 #include <QScreen>
 #include <QUndoStack>
 #include <QVBoxLayout>
@@ -62,6 +64,7 @@ MainWindow::MainWindow(Session &session)
     , m_undo(new QUndoStack(this)) {
     setObjectName(QStringLiteral("main_window"));
     setWindowTitle(tr("Physics inspector"));
+    setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     applyTheme(Theme(theme()));
@@ -73,6 +76,7 @@ MainWindow::MainWindow(Session &session)
     restoreLook();
     if (m_session.comparison().isOn()) QTimer::singleShot(0, this, &MainWindow::showComparisonDock);
     openLevel();
+    showReplay(m_session.isReplaying());
     m_refresh.start(kRefreshPeriod);
 }
 
@@ -89,6 +93,9 @@ void MainWindow::makeCentre() {
     m_view->setFrameSource([this] { return frame(); });
     m_overlay = new GameOverlay(m_view);
     new GameKeys(m_session, *this, *m_view); // the window owns it
+    m_replay =
+        new ReplayBar(m_session, {action("restart"), action("step_back"), action("run"), action("step"), action("end")},
+                      {action("go_on"), action("close_recording")});
 
     auto *centre = new QWidget;
     auto *layout = new QVBoxLayout(centre);
@@ -96,6 +103,7 @@ void MainWindow::makeCentre() {
     layout->setSpacing(0);
     layout->addWidget(m_messages);
     layout->addWidget(m_view, 1);
+    layout->addWidget(m_replay);
     setCentralWidget(centre);
     m_view->setFocus();
 
@@ -174,6 +182,10 @@ void MainWindow::showComparisonDock() {
 void MainWindow::connectSession() {
     connect(&m_session, &Session::levelOpened, this, &MainWindow::openLevel);
     connect(&m_session, &Session::failed, m_messages, &MessageBar::showLine);
+    connect(&m_session, &Session::replayChanged, this, &MainWindow::showReplay);
+    connect(&m_session, &Session::replayDiffers, m_messages, [this](const QString &line) {
+        if (m_messages->line() != line) m_messages->showLine(line);
+    });
     connect(&m_session, &Session::recordingFailed, m_messages, &MessageBar::showLine);
     connect(&m_session, &Session::recordingChanged, action("record"), &QAction::setChecked);
     connect(&m_session, &Session::autopilotChanged, action("autopilot"), &QAction::setChecked);
@@ -221,12 +233,20 @@ void MainWindow::openLevel() {
     m_view->setMaze(mazeMesh(m_session.level(), m_session.scene(), &error));
     m_view->setBall(ballMesh(&error));
     if (!error.isEmpty()) m_messages->showLine(error);
-    setWindowTitle(tr("%1 – Physics inspector").arg(levelTitle(m_session)));
+    showTitle();
+}
+
+void MainWindow::showTitle() {
+    const QString title = tr("%1 – Physics inspector").arg(levelTitle(m_session));
+    if (!m_session.isReplaying()) return setWindowTitle(title);
+    setWindowTitle(QStringLiteral("%1 – %2").arg(QFileInfo(m_session.recording().recording().file).fileName(), title));
 }
 
 void MainWindow::refresh() {
+    m_session.followReplay();
     const Snapshot &now = m_session.simulation().latest();
     m_status->showSnapshot(now);
+    m_replay->refresh();
     m_overlay->setText(overlayText(m_session, now));
     m_bounces->refresh();
     m_plot->plot().refresh();

@@ -27,6 +27,7 @@ class LevelPanel;
 class MessageBar;
 class ParameterPanel;
 class PlotPanel;
+class ReplayBar;
 class StatusLine;
 class TransportBar;
 
@@ -49,6 +50,8 @@ public:
 
 protected:
     void closeEvent(QCloseEvent *event) override;
+    void dragEnterEvent(QDragEnterEvent *event) override;
+    void dropEvent(QDropEvent *event) override;
 
 private:
     struct ActionRow;
@@ -73,6 +76,9 @@ private:
     void connectBounces();
     void selectBounceAt(const gl::Ray &ray);
     void openLevel();
+    void openFile(const QString &path);
+    void showReplay(bool isOn);
+    void showTitle();
     void showRunning(bool isRunning);
     void showComparison();
     void restoreLook();
@@ -85,6 +91,8 @@ private:
 
     // One for each row of the table of actions.
     void openMazeFile();
+    void openRecording();
+    void closeRecording();
     void savePlot();
     void saveScreenshot();
     void toggleRecording();
@@ -102,6 +110,9 @@ private:
     void toggleAutopilot();
     void toggleComparison();
     void meetAgain();
+    void stepBack();
+    void goToEnd();
+    void goOnFromHere();
     void showKeys();
     void showAbout();
 
@@ -117,6 +128,7 @@ private:
     BounceDock *m_bounces = nullptr;
     QAction *m_showsBounces = nullptr;
     TransportBar *m_transport = nullptr;
+    ReplayBar *m_replay = nullptr;
     StatusLine *m_status = nullptr;
     QByteArray m_firstLayout; // of docks and bars, before anyone moved them
     QTimer m_refresh;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Menus and what they do: one table of actions, and a few menus of choices.
+#include "core/recording_schedule.h"
 #include "gl/maze_view.h"
 #include "ui/bounce_dock.h"
 #include "ui/file_chooser.h"
@@ -9,6 +10,7 @@
 #include "ui/parameter_panel.h"
 #include "ui/path_icon.h"
 #include "ui/plot_panel.h"
+#include "ui/replay_bar.h"
 #include "ui/settings_keys.h"
 #include "ui/theme.h"
 #include "ui/time_plot.h"
@@ -16,13 +18,25 @@
 
 #include <QActionGroup>
 #include <QDockWidget>
+#include <QDropEvent>
 #include <QMenu>
 #include <QMenuBar>
+#include <QMimeData>
 #include <QUndoStack>
 
 #include <optional>
 
 namespace inspector::ui {
+
+namespace {
+
+// The one local file that is dragged; empty if it is something else.
+QString droppedFile(const QMimeData &data) {
+    const QList<QUrl> urls = data.urls();
+    return urls.size() == 1 ? urls.constFirst().toLocalFile() : QString();
+}
+
+} // namespace
 
 struct MainWindow::ActionRow {
     const char *name;
@@ -41,6 +55,14 @@ const std::vector<MainWindow::ActionRow> &MainWindow::actionRows() {
          QT_TR_NOOP("A maze as a text file"),
          {},
          &MainWindow::openMazeFile},
+        {"open_recording",
+         QT_TR_NOOP("Open recording…"),
+         "Ctrl+Shift+O",
+         QT_TR_NOOP("Watch a recorded run"),
+         {},
+         &MainWindow::openRecording},
+        {"close_recording", QT_TR_NOOP("Close recording"), "Ctrl+W",
+         QT_TR_NOOP("Back to the start of the level from before"), Glyph::Close, &MainWindow::closeRecording},
         {"save_plot", QT_TR_NOOP("Save plot…"), "Ctrl+S", QT_TR_NOOP("As CSV, PNG or PDF"), {}, &MainWindow::savePlot},
         {"screenshot", QT_TR_NOOP("Save picture of the window…"), "Ctrl+P", "", {}, &MainWindow::saveScreenshot},
         {"record",
@@ -80,8 +102,16 @@ const std::vector<MainWindow::ActionRow> &MainWindow::actionRows() {
         {"pause", QT_TR_NOOP("Pause"), "Esc", "", {}, &MainWindow::pause},
         {"step", QT_TR_NOOP("Single step"), ".", QT_TR_NOOP("Make one step of dt and pause"), Glyph::Step,
          &MainWindow::stepOnce},
-        {"restart", QT_TR_NOOP("Restart"), "R", QT_TR_NOOP("The ball back to the start"), Glyph::Restart,
+        {"step_back", QT_TR_NOOP("Recording: a step back"), ",", "", Glyph::StepBack, &MainWindow::stepBack},
+        {"restart", QT_TR_NOOP("Restart"), "R; Ctrl+Home", QT_TR_NOOP("Back to the start"), Glyph::Restart,
          &MainWindow::restart},
+        {"end", QT_TR_NOOP("Recording: to its end"), "Ctrl+End", "", Glyph::End, &MainWindow::goToEnd},
+        {"go_on",
+         QT_TR_NOOP("Go on from here"),
+         "G",
+         QT_TR_NOOP("End the replay and play on from the moment shown"),
+         {},
+         &MainWindow::goOnFromHere},
         {"autopilot", QT_TR_NOOP("Autopilot"), "A", QT_TR_NOOP("Let the program tilt the board"), Glyph::Autopilot,
          &MainWindow::toggleAutopilot},
         {"compare",
@@ -127,11 +157,13 @@ void MainWindow::makeMenus() {
         std::vector<const char *> actions; // "" is a separator
     };
     const MenuRow rows[] = {
-        {QT_TR_NOOP("&File"), {"open", "", "save_plot", "screenshot", "record", "", "quit"}},
+        {QT_TR_NOOP("&File"),
+         {"open", "open_recording", "close_recording", "", "save_plot", "screenshot", "record", "", "quit"}},
         {QT_TR_NOOP("&Edit"), {"", "reset_parameters"}},
         {QT_TR_NOOP("&View"), {"", "camera_reset", "camera_top", "", "bounces"}},
         {QT_TR_NOOP("&Game"),
-         {"play", "", "run", "pause", "step", "restart", "", "autopilot", "", "compare", "meet_again"}},
+         {"play", "", "run", "pause", "step", "step_back", "restart", "end", "go_on", "", "autopilot", "", "compare",
+          "meet_again"}},
         {QT_TR_NOOP("&Help"), {"keys", "about"}},
     };
     std::vector<QMenu *> menus;
@@ -204,6 +236,46 @@ void MainWindow::openMazeFile() {
                [this](const QString &path) { m_session.openLevel(levelOfFile(path)); });
 }
 
+void MainWindow::openRecording() {
+    chooseFile(*this, m_session.settings(),
+               {tr("Open recording"), tr("Recordings (*.rec);;All files (*)"), {}, FileUse::Read},
+               [this](const QString &path) { m_session.openRecording(path); });
+}
+
+void MainWindow::closeRecording() { m_session.closeRecording(); }
+
+void MainWindow::openFile(const QString &path) {
+    if (isRecordingFile(path))
+        m_session.openRecording(path);
+    else
+        m_session.openLevel(levelOfFile(path));
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent *event) {
+    if (!droppedFile(*event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent *event) {
+    event->acceptProposedAction();
+    openFile(droppedFile(*event->mimeData()));
+}
+
+// What a replay offers, and what the live ball does.
+void MainWindow::showReplay(bool isOn) {
+    for (const char *name : {"close_recording", "step_back", "end", "go_on"}) action(name)->setEnabled(isOn);
+    for (const char *name : {"play", "autopilot", "reset_parameters"}) action(name)->setEnabled(!isOn);
+    findChild<QDockWidget *>(QStringLiteral("parameters_dock"))
+        ->setWindowTitle(isOn ? tr("Parameters, as recorded") : tr("Parameters"));
+    m_undo->clear(); // what it would change isn't there any more
+    m_replay->reset();
+    showTitle();
+    m_view->setFocus();
+    if (!isOn || m_session.recording().recording().isWhole) return;
+    m_messages->showLine(tr("%1: the recording was interrupted; it ends after %2 steps")
+                             .arg(m_session.recording().recording().file)
+                             .arg(m_session.recording().length()));
+}
+
 void MainWindow::savePlot() {
     const QString filter = tr("Table of all samples (*.csv);;Picture (*.png);;Document (*.pdf)");
     chooseFile(*this, m_session.settings(), {tr("Save plot"), filter, tr("velocity.csv"), FileUse::Write},
@@ -247,6 +319,10 @@ void MainWindow::pause() {
 }
 
 void MainWindow::stepOnce() { m_session.simulation().stepOnce(); }
+
+void MainWindow::stepBack() { m_session.simulation().stepBack(); }
+void MainWindow::goToEnd() { m_session.seek(m_session.recording().length()); }
+void MainWindow::goOnFromHere() { m_session.goOnFromHere(); }
 
 void MainWindow::toggleRunning() {
     Simulation &simulation = m_session.simulation();

@@ -4,6 +4,7 @@
 #include "ui/parameter_command.h"
 #include "ui/parameter_row.h"
 
+#include <QEvent>
 #include <QGridLayout>
 #include <QPushButton>
 #include <QScrollBar>
@@ -19,6 +20,18 @@ bool isTilt(const phys_param_row &row) {
     const QLatin1String id(row.id);
     return id == QLatin1String("tilt_x") || id == QLatin1String("tilt_y");
 }
+
+// What can't be changed just now but is there to be read: fainter than what can, stronger than what has no effect.
+QPalette readable(const QPalette &palette) {
+    QPalette result;
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
+        QColor colour = palette.color(QPalette::Active, role);
+        colour.setAlphaF(0.75F);
+        result.setColor(QPalette::Disabled, role, colour);
+    }
+    return result;
+}
+
 } // namespace
 
 ParameterPanel::ParameterPanel(Session &session, QUndoStack &undo, QWidget *parent)
@@ -33,11 +46,17 @@ ParameterPanel::ParameterPanel(Session &session, QUndoStack &undo, QWidget *pare
     connect(&m_parameters, &Parameters::changed, this, &ParameterPanel::showValue);
     connect(&m_parameters, &Parameters::rowsChanged, this, &ParameterPanel::rebuild);
     connect(&m_session, &Session::autopilotChanged, this, &ParameterPanel::showAutopilot);
+    connect(&m_session, &Session::replayChanged, this, &ParameterPanel::updateLocks);
     rebuild();
 }
 
 QSize ParameterPanel::sizeHint() const {
     return widget()->sizeHint() + QSize(verticalScrollBar()->sizeHint().width(), 2 * frameWidth());
+}
+
+void ParameterPanel::changeEvent(QEvent *event) {
+    QScrollArea::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange && !m_rows.empty()) updateLocks(); // another theme
 }
 
 void ParameterPanel::rebuild() {
@@ -98,8 +117,8 @@ void ParameterPanel::resetAll() {
 
 void ParameterPanel::showValue(int index, double value) {
     const phys_param_row &row = m_parameters.row(index);
-    // The spring behind the keys passes through angles of any number of digits.
-    const bool isPassing = isTilt(row) && m_session.isTiltedByKeys();
+    // The spring behind the keys passes through angles of any number of digits, live or recorded.
+    const bool isPassing = isTilt(row) && (m_session.isTiltedByKeys() || m_session.isReplaying());
     m_rows[size_t(index)]->showValue(isPassing ? std::round(value / row.step) * row.step : value);
     if (row.flags & PHYS_ROW_CHOICE) updateLocks(); // the model may be another one
 }
@@ -122,9 +141,12 @@ void ParameterPanel::showAutopilot() {
 void ParameterPanel::updateLocks() {
     for (int index = 0; index < m_parameters.count(); ++index)
         m_rows[size_t(index)]->setLocked(lockOf(m_parameters.row(index)));
+    widget()->setPalette(m_session.isReplaying() ? readable(palette()) : QPalette());
+    widget()->findChild<QPushButton *>(QStringLiteral("reset_all"))->setEnabled(!m_session.isReplaying());
 }
 
 QString ParameterPanel::lockOf(const phys_param_row &row) const {
+    if (m_session.isReplaying()) return tr("As recorded; Go on from here makes it yours to change.");
     if ((row.flags & PHYS_ROW_RIGID) && m_parameters.inputs().params.model != PHYS_MODEL_RIGID)
         return tr("Acts in the rigid model only; choose it under Model.");
     if (isTilt(row) && m_session.hasAutopilot()) return tr("The autopilot tilts the board; A switches it off.");

@@ -30,6 +30,9 @@ signals:
     // A value was refused; the library's line.
     void refused(const QString &line);
 
+protected:
+    void changeEvent(QEvent *event) override;
+
 private:
     void rebuild();
     void edit(int index, double value);

@@ -58,12 +58,20 @@ Drawing drawingOf(Glyph glyph) {
         drawing.filled.addRect(9.0, 3.0, 3.0, 10.0);
         break;
     case Glyph::Step:
-        drawing.filled = triangle(3.0, 10.0);
+        drawing.filled.addRect(3.0, 3.0, 2.0, 10.0);
+        drawing.filled.addPath(triangle(6.0, 13.0));
+        break;
+    case Glyph::StepBack:
         drawing.filled.addRect(11.0, 3.0, 2.0, 10.0);
+        drawing.filled.addPath(triangle(10.0, 3.0));
         break;
     case Glyph::Restart:
         drawing.filled.addRect(3.0, 3.0, 2.0, 10.0);
         drawing.filled.addPath(triangle(13.0, 6.0));
+        break;
+    case Glyph::End:
+        drawing.filled.addRect(11.0, 3.0, 2.0, 10.0);
+        drawing.filled.addPath(triangle(3.0, 10.0));
         break;
     case Glyph::Autopilot: // a way through
         drawing.stroked = line({{3.0, 13.0}, {3.0, 7.0}, {9.0, 7.0}, {9.0, 3.0}, {13.0, 3.0}});

@@ -5,7 +5,22 @@
 
 namespace inspector::ui {
 
-enum class Glyph { Run, Pause, Step, Restart, Autopilot, Reset, Close, Warning, Clear, Save, Open, Follow };
+enum class Glyph {
+    Run,
+    Pause,
+    Step,
+    StepBack,
+    Restart,
+    End,
+    Autopilot,
+    Reset,
+    Close,
+    Warning,
+    Clear,
+    Save,
+    Open,
+    Follow
+};
 
 // A line drawing in the current palette's text colour, sharp at every size and resolution.
 QIcon glyphIcon(Glyph glyph);

@@ -80,9 +80,9 @@ bool isDark(const QPalette &palette) {
 Accents accentsFor(const QPalette &palette) {
     if (isDark(palette))
         return {QColor(0x5aa9f5), QColor(0xf5a04a), QColor(0xd8dadd), QColor(0x5c4a12),
-                QColor(0xff8a3c), QColor(0x57a8ff), QColor(0xff5aa8)};
+                QColor(0xff8a3c), QColor(0x57a8ff), QColor(0xff5aa8), QColor(0xff7b72)};
     return {QColor(0x1f6fc0), QColor(0xc96a0c), QColor(0x3a3f45), QColor(0xffefc2),
-            QColor(0xd64a00), QColor(0x0a5fd0), QColor(0xc2185b)};
+            QColor(0xd64a00), QColor(0x0a5fd0), QColor(0xc2185b), QColor(0xc62828)};
 }
 
 } // namespace inspector::ui

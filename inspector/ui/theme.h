@@ -21,6 +21,7 @@ struct Accents {
     QColor warning;     // background of a message
     QColor ball, ghost; // in a comparison: trails and legend
     QColor selected;    // the bounce that is looked at
+    QColor alarm;       // a mark where something is wrong
 };
 Accents accentsFor(const QPalette &palette);
 

@@ -53,6 +53,10 @@ TransportBar::TransportBar(Session &session, QUndoStack &undo, const QList<QActi
     addTimeSteps();
     connect(&session, &Session::paceChanged, this, &TransportBar::showPace);
     connect(&session, &Session::stepperChanged, this, &TransportBar::showStepper);
+    connect(&session, &Session::replayChanged, m_stepper, &QWidget::setDisabled);
+    connect(&session, &Session::replayChanged, m_timeStep, &QWidget::setDisabled);
+    m_stepper->setDisabled(session.isReplaying());
+    m_timeStep->setDisabled(session.isReplaying());
     showPace();
     showStepper();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/unattended_run.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace inspector::ui {
@@ -19,13 +20,16 @@ UnattendedRun::UnattendedRun(Session &session, const Options &options, QObject *
     , m_session(session)
     , m_duration(options.duration)
     , m_plays(options.autopilot)
-    , m_ends(!options.grab.isEmpty() || options.duration.has_value()) {
+    , m_ends(!options.grab.isEmpty() || options.duration.has_value())
+    , m_grabs(!options.grab.isEmpty()) {
     m_timer.setInterval(kPeriod);
     connect(&m_timer, &QTimer::timeout, this, &UnattendedRun::look);
 }
 
 void UnattendedRun::start() {
-    if (m_plays) {
+    if (m_session.isReplaying()) {
+        startReplay();
+    } else if (m_plays) {
         m_session.game().confirm();
     } else if (m_duration) {
         m_session.simulation().run();
@@ -38,15 +42,31 @@ void UnattendedRun::start() {
 void UnattendedRun::look() {
     ++m_looks;
     if (!isOver()) return;
-    if (!m_session.simulation().latest().running) return finish({});
+    if (!m_session.simulation().latest().running) return finish(m_difference);
     m_session.simulation().pause(); // first, so that everything in the picture is of one moment
 }
 
 bool UnattendedRun::isOver() {
+    if (m_session.isReplaying()) return isReplayOver();
     const Snapshot &now = m_session.simulation().latest();
     if (m_duration && now.current.time >= *m_duration) return true;
     if (now.current.flags & PHYS_OUT) return true; // time doesn't go on for long
     return !m_plays && !m_duration && m_looks >= kLooksAtRest;
+}
+
+void UnattendedRun::startReplay() {
+    const PlayableRecording &recording = m_session.recording();
+    m_lastPosition = m_duration ? recording.positionAt(*m_duration) : recording.length();
+    connect(&m_session, &Session::replayDiffers, this, [this](const QString &line) { m_difference = line; });
+    if (!m_grabs) return;
+    m_session.simulation().pause();
+    m_session.seek(m_lastPosition);
+}
+
+bool UnattendedRun::isReplayOver() {
+    const ReplayPlace &now = m_session.simulation().latest().replay;
+    const bool isThere = now.number > 0 && now.position >= std::min(m_lastPosition, now.end);
+    return isThere && (!m_grabs || m_looks >= kLooksAtRest);
 }
 
 void UnattendedRun::finish(const QString &error) {
