@@ -103,7 +103,7 @@ public:
                         .arg(m_companion->deviation().distance * 1e3, 0, 'g', 4)
                         .arg(m_largest * 1e3, 0, 'g', 4);
         if (m_refusal.isEmpty()) return true;
-        messages << "physics-inspector: --compare: " << m_refusal << '\n';
+        messages << "physics-inspector: --compare: at " << m_companion->state().time << " s: " << m_refusal << '\n';
         return false;
     }
 

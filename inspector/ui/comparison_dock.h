@@ -24,6 +24,7 @@ public:
     ComparisonDock(Session &session, const QList<QAction *> &actions, QWidget *parent = nullptr);
 
     QSize sizeHint() const override { return {700, 300}; }
+    DistancePlot &plot() { return *m_plot; }
     // Shows the present moment; called about 30 times a second.
     void refresh();
 

@@ -22,6 +22,7 @@ protected:
     double plotted(double value) const override;
     double drawn(double plotted) const override;
     void fitValues() override;
+    Columns columns() const override { return Columns::BallAndGhost; }
     QString textOf(const Sample &sample) const override;
 
 private:

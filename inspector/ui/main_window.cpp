@@ -5,6 +5,7 @@
 #include "ui/board_picture.h"
 #include "ui/bounce_dock.h"
 #include "ui/comparison_dock.h"
+#include "ui/distance_plot.h"
 #include "ui/game_keys.h"
 #include "ui/game_overlay.h"
 #include "ui/grab.h"
@@ -195,6 +196,8 @@ void MainWindow::connectSession() {
     connect(m_parameters, &ParameterPanel::refused, m_messages, &MessageBar::showLine);
     connect(m_view, &gl::MazeView::problem, m_messages, &MessageBar::showLine);
     connect(m_plot, &PlotPanel::saveWanted, this, &MainWindow::savePlot);
+    connect(m_comparison, &ComparisonDock::saveWanted, this,
+            [this] { savePlotAs(m_comparison->plot(), tr("distance.csv")); });
     connect(&m_refresh, &QTimer::timeout, this, &MainWindow::refresh);
     connectBounces();
     action("autopilot")->setChecked(m_session.hasAutopilot());

@@ -29,6 +29,7 @@ class ParameterPanel;
 class PlotPanel;
 class ReplayBar;
 class StatusLine;
+class TimePlot;
 class TransportBar;
 
 // The window: composes view, docks, bars and menus over a session and forwards between them.
@@ -72,6 +73,7 @@ private:
                    void (MainWindow::*choose)(int));
     void connectSession();
     QAction *action(const char *name) const;
+    void savePlotAs(TimePlot &plot, const QString &name);
 
     void connectBounces();
     void selectBounceAt(const gl::Ray &ray);

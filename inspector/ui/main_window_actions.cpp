@@ -276,12 +276,14 @@ void MainWindow::showReplay(bool isOn) {
                              .arg(m_session.recording().length()));
 }
 
-void MainWindow::savePlot() {
+void MainWindow::savePlot() { savePlotAs(m_plot->plot(), tr("velocity.csv")); }
+
+void MainWindow::savePlotAs(TimePlot &plot, const QString &name) {
     const QString filter = tr("Table of all samples (*.csv);;Picture (*.png);;Document (*.pdf)");
-    chooseFile(*this, m_session.settings(), {tr("Save plot"), filter, tr("velocity.csv"), FileUse::Write},
-               [this](const QString &path) {
+    chooseFile(*this, m_session.settings(), {tr("Save plot"), filter, name, FileUse::Write},
+               [this, &plot](const QString &path) {
                    QString error;
-                   if (!m_plot->plot().save(path, &error)) m_messages->showLine(error);
+                   if (!plot.save(path, &error)) m_messages->showLine(error);
                });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/csv_writer.h"
 #include "core/sample_ring.h"
 #include "ui/theme.h"
 
@@ -67,6 +68,8 @@ protected:
     virtual double drawn(double plotted) const { return plotted; }
     // Moves the value axis to what the curves show just now. Not called once a person has moved it.
     virtual void fitValues() = 0;
+    // Those of its table.
+    virtual Columns columns() const { return Columns::Ball; }
     // What is said of the sample under the cursor, below its time.
     virtual QString textOf(const Sample &sample) const = 0;
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the plot becomes a file.
-#include "core/csv_writer.h"
 #include "ui/time_plot.h"
 
 #include <QFile>
@@ -34,11 +33,11 @@ bool TimePlot::save(const QString &path, QString *error) {
 bool TimePlot::saveTable(const QString &path, QString *error) const {
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly)) return fail(error, QStringLiteral("%1: %2").arg(path, file.errorString()));
-    file.write(csvHeader());
+    file.write(csvHeader(columns()));
     Sample sample;
     const uint64_t last = m_samples.last();
     for (uint64_t number = std::max(m_samples.first(), m_samples.find(m_clearedAt)); number < last; ++number)
-        if (m_samples.read(number, sample)) file.write(csvRow(sample));
+        if (m_samples.read(number, sample)) file.write(csvRow(sample, columns()));
     return file.commit() || fail(error, QStringLiteral("%1: %2").arg(path, file.errorString()));
 }
 

@@ -103,8 +103,9 @@ void TestCommandLine::helpNamesEveryOptionWithItsUnit() {
         const QString option = QString("--%1 <").arg(QString(row.id).replace('_', '-'));
         QVERIFY2(line.output.contains(option + (row.unit[0] ? QString(row.unit) + ">" : QString())), row.id);
     }
-    for (const char *option : {"--level", "--stepper", "--dt <s>", "--speed", "--headless", "--autopilot",
-                               "--duration <s>", "--csv", "--grab", "--all-levels", "--list-steppers"})
+    for (const char *option :
+         {"--level", "--stepper", "--dt <s>", "--speed", "--headless", "--autopilot", "--duration <s>", "--csv",
+          "--compare <id>", "--compare-substeps", "--grab", "--all-levels", "--list-steppers"})
         QVERIFY2(line.output.contains(option), option);
 }
 
@@ -131,6 +132,20 @@ void TestCommandLine::versionIsThatOfProgramAndLibrary() {
 void TestCommandLine::wrongUseGivesOneLineAndStatus2_data() {
     QTest::addColumn<QString>("words");
     QTest::addColumn<QString>("said"); // what the line must contain: the option and what was found
+    QTest::newRow("unknown opponent") << "--compare none"
+                                      << "--compare: no stepper has the id 'none'";
+    QTest::newRow("substeps of nothing") << "--compare-substeps 2"
+                                         << "--compare-substeps: needs --compare";
+    QTest::newRow("no whole number of substeps") << "--compare exact --compare-substeps 1.5"
+                                                 << "'1.5'";
+    QTest::newRow("too many substeps") << "--compare exact --compare-substeps 1001"
+                                       << "from 1 to 1000, found '1001'";
+    QTest::newRow("comparison of a replay") << "--replay x --check --compare exact"
+                                            << "doesn't go with --replay";
+    QTest::newRow("comparison of all levels") << "--all-levels --compare exact"
+                                              << "doesn't go with --all-levels";
+    QTest::newRow("comparison of a trade") << "--trade 1 --compare exact"
+                                           << "doesn't go with --trade";
     QTest::newRow("unknown option") << "--colour"
                                     << "colour";
     QTest::newRow("stray word") << "maze.txt"

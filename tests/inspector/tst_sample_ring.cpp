@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <thread>
 
@@ -24,6 +25,7 @@ private slots:
     void columnsNeverExceedWhatWasAskedFor();
     void columnsStayWhereTheyAreWhileThePlotScrolls();
     void emptyRingHasNoColumns();
+    void missingValuesCountInNoColumn();
     void readingWhileAnotherThreadAppendsGivesOnlyWholeSamples();
 };
 
@@ -174,6 +176,30 @@ void TestSampleRing::emptyRingHasNoColumns() {
 }
 
 // Invariant: what read() and columns() return is never older than what the ring then still holds, and never torn.
+// Values in the samples 100 to 199 of 300 only, at every zoom.
+void TestSampleRing::missingValuesCountInNoColumn() {
+    SampleRing ring(1024);
+    constexpr uint64_t kCount = 300;
+    for (uint64_t i = 0; i < kCount; ++i) {
+        Sample sample = sampleOf(i);
+        if (i < 100 || i >= 200) sample[Channel::Distance] = std::nan("");
+        ring.append(sample);
+    }
+    for (const size_t columns : {1, 3, 10, 40, 300}) {
+        double min = std::nan("");
+        double max = std::nan("");
+        for (const Column &column : ring.columns(Channel::Distance, 0.0, kCount * kDt, columns)) {
+            QCOMPARE(std::isnan(column.min), std::isnan(column.max));
+            min = std::fmin(min, column.min);
+            max = std::fmax(max, column.max);
+        }
+        QCOMPARE(min, sampleOf(100)[Channel::Distance]);
+        QCOMPARE(max, sampleOf(199)[Channel::Distance]);
+    }
+    for (const Column &column : ring.columns(Channel::Distance, 0.0, kCount * kDt, 300))
+        QCOMPARE(std::isnan(column.min), column.time < sampleOf(100).time || column.time > sampleOf(199).time);
+}
+
 void TestSampleRing::readingWhileAnotherThreadAppendsGivesOnlyWholeSamples() {
     constexpr int kReads = 20000;
     SampleRing ring(256);

@@ -15,7 +15,10 @@ class TestSnapshot : public QObject {
 private slots:
     void drawnBallIsBetweenTheTwoStates_data();
     void drawnBallIsBetweenTheTwoStates();
+    void drawnGhostIsOfTheSameMoment_data();
+    void drawnGhostIsOfTheSameMoment();
     void pausedBallIsTheCurrentState();
+    void withoutAComparisonThereIsNoGhost();
     void orientationTakesTheShorterWayAndStaysUnit();
 };
 
@@ -51,6 +54,23 @@ void TestSnapshot::drawnBallIsBetweenTheTwoStates() {
     const Snapshot snapshot = snapshotOf(1.0, 3.0);
     QCOMPARE(interpolated(snapshot, kDue + std::chrono::milliseconds(milliseconds)).position.x, x);
 }
+
+void TestSnapshot::drawnGhostIsOfTheSameMoment_data() { drawnBallIsBetweenTheTwoStates_data(); }
+
+void TestSnapshot::drawnGhostIsOfTheSameMoment() {
+    QFETCH(int, milliseconds);
+    QFETCH(double, x);
+    Snapshot snapshot = snapshotOf(0.0, 0.0);
+    const Snapshot other = snapshotOf(1.0, 3.0);
+    snapshot.ghost = Ghost{other.previous, other.current, 0.0, {}};
+    const auto ghost = interpolatedGhost(snapshot, kDue + std::chrono::milliseconds(milliseconds));
+    QVERIFY(ghost);
+    QCOMPARE(ghost->position.x, x);
+    snapshot.interval = Clock::duration::zero();
+    QCOMPARE(interpolatedGhost(snapshot, kDue)->position.x, 3.0);
+}
+
+void TestSnapshot::withoutAComparisonThereIsNoGhost() { QVERIFY(!interpolatedGhost(snapshotOf(1.0, 3.0), kDue)); }
 
 void TestSnapshot::pausedBallIsTheCurrentState() {
     Snapshot snapshot = snapshotOf(1.0, 3.0);

@@ -1,0 +1,408 @@
+// SPDX-License-Identifier: MIT
+// The second ball on the simulation's thread, in a session, and in a table: there when asked for, and else no trace.
+#include "core/autopilot.h"
+#include "core/session.h"
+#include "headless_run.h"
+#include "scenes.h"
+#include "support/compare.h"
+
+#include <QDeadlineTimer>
+#include <QTemporaryDir>
+#include <QThread>
+
+#include <cmath>
+
+using namespace inspector;
+
+class TestComparison : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init();
+    void threadGivesTheSameBitsAsStepsByHand();
+    void samplesBeforeAndAfterHaveNoGhost();
+    void comparisonsComeAndGoWhileStepsRun();
+    void recordingIsTheSameWithAndWithout();
+    void restartBringsThemTogether();
+    void stateSetBackBringsThemTogether();
+    void meetAgainBringsThemTogether();
+    void otherOpponentMeetsTheBall();
+    void otherStepperOfTheBallGoesOn();
+    void otherLevelIsComparedFromItsStart();
+    void optionSwitchesItOn();
+    void refusedStepIsSaidOnceAndTheBallGoesOn();
+    void refusedSceneIsSaidAndMeetingTriesAgain();
+    void tableHasItsColumnsLast();
+    void tableOfTheSameStepperHasZeros();
+    void tableWithoutAnOpponentIsAsBefore();
+    void refusedRunHasEmptyFieldsAndStatus1();
+    void sceneThatIsRefusedGivesOneLineAndStatus2();
+
+private:
+    std::unique_ptr<Session> open(const Options &options);
+    QString path(const QString &name) const { return m_folder->filePath(name); }
+    QString mazeOf(const QByteArray &boxes);
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<QSettings> m_settings;
+};
+
+namespace {
+
+const QByteArray kFloor = "box -0.1 -0.1 -0.01 0.05 0.1 0\n";
+// Beside the floor's end, lower: the ball rolls off, falls and comes to rest on it, which `exact` can't.
+const QByteArray kLedge = "box 0.05 -0.1 -0.06 0.5 0.1 -0.05\n";
+const QByteArray kKerb = "box 0.03 -0.1 0 0.04 0.1 0.002\n"; // lower than the ball's centre
+
+Options optionsOf(int level) {
+    Options options;
+    options.registry = makeRegistry(nullptr);
+    options.levels = levelsIn(LEVELS_FOLDER);
+    options.level = options.levels.at(size_t(level) - 1);
+    options.speed = Simulation::kFastest;
+    options.settings = {{"tilt_x", 3.0}, {"tilt_y", 4.0}};
+    return options;
+}
+
+void makeSteps(Session &session, uint64_t count) {
+    const uint64_t end = session.simulation().latest().current.step + count;
+    for (uint64_t i = 0; i < count; ++i) session.simulation().stepOnce();
+    QTRY_COMPARE(session.simulation().latest().current.step, end);
+}
+
+double distanceIn(Session &session) {
+    const Snapshot &now = session.simulation().latest();
+    return now.ghost ? now.ghost->deviation.distance : std::nan("");
+}
+
+bool isTogether(Session &session) {
+    const Snapshot &now = session.simulation().latest();
+    return now.ghost && support::sameBits(now.ghost->current, now.current);
+}
+
+// What a signal of any thread brought, received in this thread's event loop.
+template<typename Sender>
+class Lines {
+public:
+    Lines(Sender &sender, void (Sender::*signal)(const QString &)) {
+        QObject::connect(&sender, signal, &m_here, [this](const QString &line) { m_lines.append(line); });
+    }
+    qsizetype count() const { return m_lines.size(); }
+    QString operator[](qsizetype i) const { return m_lines[i]; }
+
+private:
+    QObject m_here;
+    QStringList m_lines;
+};
+
+} // namespace
+
+void TestComparison::init() {
+    m_folder = std::make_unique<QTemporaryDir>();
+    m_settings = std::make_unique<QSettings>(path("settings.ini"), QSettings::IniFormat);
+}
+
+std::unique_ptr<Session> TestComparison::open(const Options &options) {
+    QString error;
+    auto session = Session::open(options, *m_settings, &error);
+    if (!session) qFatal("%s", qPrintable(error));
+    return session;
+}
+
+QString TestComparison::mazeOf(const QByteArray &boxes) {
+    QFile file(path("maze.txt"));
+    if (!file.open(QIODevice::WriteOnly)) qFatal("%s", qPrintable(file.errorString()));
+    file.write("physics-maze 1\nunits m\nball 0.006\nstart 0 0 0.006\n" + boxes);
+    return file.fileName();
+}
+
+void TestComparison::threadGivesTheSameBitsAsStepsByHand() {
+    Options options = optionsOf(4);
+    options.comparison = Opponent{"exact", 2};
+    options.autopilot = true;
+    const auto session = open(options);
+    makeSteps(*session, 300);
+
+    const Scene scene = levelScene(4);
+    Engine ball(scene, defaultStepper(scene));
+    ball.setPilot(Autopilot::create(scene.get(), nullptr));
+    QString error;
+    Companion companion(ball, *makeMeans(options.registry, {"exact", 2}, scene, &error), PHYS_STEPPER_DEFAULT);
+    for (uint64_t i = 0; i < 300; ++i) {
+        QVERIFY(ball.step(&error) && companion.follow(ball, &error));
+        Sample expected = ball.sample();
+        companion.addTo(expected);
+        Sample sample;
+        QVERIFY(session->simulation().samples().read(i, sample));
+        QVERIFY(support::sameBits(sample.values, expected.values));
+    }
+    const Snapshot &now = session->simulation().latest();
+    QVERIFY(now.ghost);
+    QVERIFY(support::sameBits(now.ghost->current, companion.state()));
+    QVERIFY(support::sameBits(now.ghost->previous, companion.previous()));
+    QVERIFY(now.ghost->deviation.distance > 0.0);
+}
+
+void TestComparison::samplesBeforeAndAfterHaveNoGhost() {
+    const auto session = open(optionsOf(1));
+    makeSteps(*session, 10);
+    session->comparison().setOn(true);
+    makeSteps(*session, 10);
+    session->comparison().setOn(false);
+    makeSteps(*session, 10);
+    Sample sample;
+    for (uint64_t i = 0; i < 30; ++i) {
+        QVERIFY(session->simulation().samples().read(i, sample));
+        for (size_t channel = kBallChannelCount; channel < kChannelCount; ++channel)
+            QCOMPARE(std::isnan(sample.values[channel]), i < 10 || i >= 20);
+    }
+    QVERIFY(!session->simulation().latest().ghost);
+}
+
+// Under the thread sanitizer this also says that nothing is shared without a word.
+void TestComparison::comparisonsComeAndGoWhileStepsRun() {
+    const auto session = open(optionsOf(3));
+    Simulation &simulation = session->simulation();
+    session->setDt(0.001);
+    simulation.run();
+    bool wasThere = false;
+    const QDeadlineTimer deadline(30000);
+    for (int i = 0; !deadline.hasExpired() && (i < 100 || !wasThere); ++i) {
+        session->comparison().setOn(i % 3 != 0);
+        session->comparison().setOpponent({i % 2 ? "exact" : "rk4", 1 + i % 3});
+        if (i % 5 == 0) session->comparison().meetAgain();
+        const uint64_t end = simulation.samples().last() + 5;
+        while (simulation.samples().last() < end && !deadline.hasExpired()) {
+            wasThere = wasThere || simulation.latest().ghost;
+            simulation.samples().columns(Channel::Distance, 0.0, 10.0, 50);
+            QThread::yieldCurrentThread();
+        }
+    }
+    QVERIFY(wasThere);
+    simulation.pause();
+    QTRY_VERIFY(!simulation.latest().running);
+    const phys_state reached = simulation.latest().current;
+    const auto alone = engineOn(levelScene(3));
+    alone->setDt(0.001);
+    alone->setInputs(tilted(3.0, 4.0));
+    while (alone->state().step < reached.step) QVERIFY(alone->step(nullptr));
+    QVERIFY(support::sameBits(alone->state(), reached));
+}
+
+void TestComparison::recordingIsTheSameWithAndWithout() {
+    QByteArrayList recordings;
+    for (const char *name : {"with.rec", "without.rec"}) {
+        Options options = optionsOf(5);
+        options.settings.clear();
+        options.autopilot = true;
+        options.record = path(name);
+        if (recordings.isEmpty()) options.comparison = Opponent{"exact", 3};
+        const auto session = open(options);
+        makeSteps(*session, 200);
+        session->setStepper("rk4");
+        session->comparison().meetAgain();
+        makeSteps(*session, 50);
+        QCOMPARE(bool(session->simulation().latest().ghost), recordings.isEmpty());
+        session->stopRecording();
+        QFile file(path(name));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QByteArray text;
+        const auto isWhole = [&] {
+            file.seek(0);
+            text = file.readAll();
+            return text.endsWith("end\n");
+        };
+        QTRY_VERIFY(isWhole());
+        recordings.append(text);
+    }
+    QVERIFY(recordings[0].count('\n') > 250);
+    QCOMPARE(recordings[0], recordings[1]);
+}
+
+void TestComparison::restartBringsThemTogether() {
+    Options options = optionsOf(3);
+    options.comparison = Opponent{};
+    const auto session = open(options);
+    makeSteps(*session, 20);
+    QVERIFY(distanceIn(*session) > 0.0);
+    session->simulation().restart();
+    QTRY_COMPARE(session->simulation().latest().run, 1u);
+    QVERIFY(isTogether(*session));
+    COMPARE_EXACT(distanceIn(*session), 0.0);
+    COMPARE_EXACT(session->simulation().latest().ghost->metAt, 0.0);
+}
+
+void TestComparison::stateSetBackBringsThemTogether() {
+    Options options = optionsOf(3);
+    options.comparison = Opponent{};
+    const auto session = open(options);
+    makeSteps(*session, 20);
+    const phys_state kept = session->simulation().latest().current;
+    makeSteps(*session, 20);
+    session->simulation().setState(kept);
+    QTRY_COMPARE(session->simulation().latest().run, 1u);
+    QVERIFY(isTogether(*session));
+    COMPARE_EXACT(session->simulation().latest().ghost->metAt, 0.2);
+}
+
+void TestComparison::meetAgainBringsThemTogether() {
+    Options options = optionsOf(3);
+    options.comparison = Opponent{};
+    const auto session = open(options);
+    makeSteps(*session, 20);
+    const uint64_t before = phys_state_hash(&session->simulation().latest().current);
+    session->comparison().meetAgain();
+    QTRY_VERIFY(isTogether(*session));
+    QCOMPARE(phys_state_hash(&session->simulation().latest().current), before);
+    makeSteps(*session, 1);
+    QVERIFY(distanceIn(*session) > 0.0);
+}
+
+void TestComparison::otherOpponentMeetsTheBall() {
+    const auto session = open(optionsOf(3));
+    session->comparison().setOpponent({"explicit-euler", 1});
+    session->comparison().setOn(true);
+    makeSteps(*session, 20);
+    QVERIFY(distanceIn(*session) > 0.0);
+    session->comparison().setOpponent({"symplectic-euler", 1}); // which the ball has as well
+    makeSteps(*session, 20);
+    QVERIFY(isTogether(*session));
+    session->comparison().setOpponent({"symplectic-euler", 2});
+    makeSteps(*session, 20);
+    QVERIFY(distanceIn(*session) > 0.0);
+}
+
+void TestComparison::otherStepperOfTheBallGoesOn() {
+    Options options = optionsOf(3);
+    options.comparison = Opponent{"symplectic-euler", 1};
+    const auto session = open(options);
+    makeSteps(*session, 20);
+    QVERIFY(isTogether(*session));
+    QVERIFY(session->setStepper("exact"));
+    makeSteps(*session, 20);
+    QVERIFY(distanceIn(*session) > 0.0);
+    COMPARE_EXACT(session->simulation().latest().ghost->metAt, 0.0);
+}
+
+void TestComparison::otherLevelIsComparedFromItsStart() {
+    Options options = optionsOf(3);
+    options.comparison = Opponent{};
+    const auto session = open(options);
+    makeSteps(*session, 20);
+    QVERIFY(session->openLevel(session->levels().at(6)));
+    QTRY_VERIFY(isTogether(*session) && session->simulation().latest().run == 1);
+    phys_state start;
+    phys_scene_start(session->scene().get(), &start);
+    QVERIFY(support::sameBits(session->simulation().latest().ghost->current, start));
+}
+
+void TestComparison::optionSwitchesItOn() {
+    Options options = optionsOf(1);
+    options.comparison = Opponent{"rk4", 10};
+    const auto session = open(options);
+    QVERIFY(session->comparison().isOn());
+    QCOMPARE(session->comparison().opponent(), *options.comparison);
+    QTRY_VERIFY(session->simulation().latest().ghost);
+    QVERIFY(!open(optionsOf(1))->comparison().isOn());
+}
+
+void TestComparison::refusedStepIsSaidOnceAndTheBallGoesOn() {
+    Options options = optionsOf(1);
+    options.level = levelOfFile(mazeOf(kFloor + kLedge));
+    options.settings = {{"tilt_x", 3.0}, {"restitution_floor", 0.0}};
+    const auto alone = open(options);
+    makeSteps(*alone, 150);
+    options.comparison = Opponent{};
+    const auto session = open(options);
+    Lines refused(session->comparison(), &Comparison::refused);
+    Lines failed(*session, &Session::failed);
+    makeSteps(*session, 50);
+    QVERIFY(session->simulation().latest().ghost);
+    QVERIFY(session->comparison().refusal().isEmpty());
+    makeSteps(*session, 100);
+    QVERIFY(!session->simulation().latest().ghost);
+    QTRY_COMPARE(refused.count(), 1);
+    QVERIFY2(refused[0].startsWith("comparison with exact: box 1: "), qPrintable(refused[0]));
+    QCOMPARE(session->comparison().refusal(), refused[0]);
+    QVERIFY(session->comparison().isOn());
+    QCOMPARE(failed.count(), 0);
+    QVERIFY(support::sameBits(session->simulation().latest().current, alone->simulation().latest().current));
+
+    session->simulation().restart();
+    QTRY_VERIFY(isTogether(*session));
+    makeSteps(*session, 50);
+    QVERIFY(session->simulation().latest().ghost);
+}
+
+void TestComparison::refusedSceneIsSaidAndMeetingTriesAgain() {
+    Options options = optionsOf(1);
+    options.comparison = Opponent{};
+    const auto session = open(options);
+    Lines refused(session->comparison(), &Comparison::refused);
+    QVERIFY(session->openLevel(levelOfFile(mazeOf(kFloor + kKerb))));
+    QCOMPARE(refused.count(), 1);
+    QVERIFY2(refused[0].startsWith("comparison with exact: box 1"), qPrintable(refused[0]));
+    makeSteps(*session, 5);
+    QVERIFY(!session->simulation().latest().ghost);
+    session->comparison().meetAgain();
+    QCOMPARE(refused.count(), 2);
+    session->comparison().setOpponent({"rk4", 1});
+    QVERIFY(session->comparison().refusal().isEmpty());
+    QTRY_VERIFY(isTogether(*session));
+}
+
+void TestComparison::tableHasItsColumnsLast() {
+    const QStringList words{"--headless", "--duration", "0.5", "--tilt-x", "3"};
+    const Result with = runOf(words + QStringList{"--compare", "rk4", "--compare-substeps", "2"});
+    const Result without = runOf(words);
+    QCOMPARE(with.status, 0);
+    QVERIFY2(with.out.contains("# compare rk4 1\n# compare-substeps 2\n"), with.out.constData());
+    QVERIFY(with.out.contains(",flags,ghost_x [m],ghost_y [m],ghost_z [m],distance [m],speed_difference [m/s],"
+                              "energy_difference [J/kg]\n"));
+    QVERIFY2(with.messages.contains("\ndistance to rk4: "), qPrintable(with.messages));
+    QCOMPARE(with.rows().size(), without.rows().size());
+    for (qsizetype i = 0; i < with.rows().size(); ++i) {
+        const QByteArrayList fields = with.rows()[i].split(',');
+        QCOMPARE(size_t(fields.size()), 2 + kChannelCount);
+        QCOMPARE(fields.mid(0, 2 + kBallChannelCount).join(','), without.rows()[i]);
+        const double x = fields[2].toDouble() - fields[2 + kBallChannelCount].toDouble();
+        // Along x alone: the rounding of one difference.
+        COMPARE_WITHIN(fields[2 + qsizetype(Channel::Distance)].toDouble(), std::abs(x), 1e-17);
+    }
+    QVERIFY(with.rows().last().split(',')[2 + qsizetype(Channel::Distance)].toDouble() > 0.0);
+}
+
+void TestComparison::tableOfTheSameStepperHasZeros() {
+    const Result result = runOf({"--headless", "--autopilot", "--as-reported", "1", "--compare", "symplectic-euler"});
+    QCOMPARE(result.status, 0);
+    for (const QByteArray &row : result.rows()) QVERIFY2(row.endsWith(",0,0,0"), row.constData());
+}
+
+void TestComparison::tableWithoutAnOpponentIsAsBefore() {
+    const Result result = runOf({"--headless", "--duration", "0.1"});
+    QVERIFY(!result.out.contains("ghost") && !result.out.contains("compare") && !result.messages.contains("distance"));
+}
+
+void TestComparison::refusedRunHasEmptyFieldsAndStatus1() {
+    const QStringList words{"--headless", "--level",    mazeOf(kFloor + kLedge),
+                            "--tilt-x",   "3",          "--restitution-floor",
+                            "0",          "--duration", "1.5"};
+    const Result result = runOf(words + QStringList{"--compare", "exact"});
+    QCOMPARE(result.status, 1);
+    QVERIFY2(result.messages.contains("physics-inspector: --compare: at 0."), qPrintable(result.messages));
+    QVERIFY2(result.messages.contains("s: box 1: "), qPrintable(result.messages));
+    QCOMPARE(result.rows().size(), 150);
+    QVERIFY(!result.rows().first().endsWith(','));
+    QVERIFY2(result.rows().last().endsWith(",,,,,,"), result.rows().last().constData());
+}
+
+void TestComparison::sceneThatIsRefusedGivesOneLineAndStatus2() {
+    const Result result = runOf({"--headless", "--level", mazeOf(kFloor + kKerb), "--compare", "exact"});
+    QCOMPARE(result.status, 2);
+    QVERIFY(result.out.isEmpty());
+    QVERIFY2(result.messages.startsWith("physics-inspector: --compare: box 1"), qPrintable(result.messages));
+    QCOMPARE(result.messages.count('\n'), 1);
+}
+
+QTEST_GUILESS_MAIN(TestComparison)
+#include "tst_comparison.moc"
