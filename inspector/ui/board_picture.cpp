@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace inspector::ui {
 
@@ -68,7 +69,9 @@ void addGhost(gl::Frame &frame, const SampleRing &samples, const phys_state &sta
     const QColor colour = accentsFor(QGuiApplication::palette()).ghost;
     gl::GhostBall ghost{ballOf(state, kGhostSize * frame.ball.radius), toGlm(colour, kGhostAlpha)};
     frame.ghosts.push_back(ghost);
-    const double begin = std::max(state.time - kComparedTrailTime, metAt);
+    // The sample of the meeting itself still tells where the ghost was before.
+    const double afterMeeting = std::nextafter(metAt, std::numeric_limits<double>::infinity());
+    const double begin = std::max(state.time - kComparedTrailTime, afterMeeting);
     const Way way{Channel::GhostX, Channel::GhostY, Channel::GhostZ, begin, state};
     frame.trails.push_back({pointsOf(samples, way), toGlm(colour, kTrailAlpha), kGhostTrailWidth});
 }

@@ -9,6 +9,7 @@
 
 #include <QAction>
 #include <QBoxLayout>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QSpinBox>
@@ -18,18 +19,30 @@ namespace inspector::ui {
 
 namespace {
 
-QToolButton *buttonFor(QAction *action) {
+// A click on either leaves the keyboard to the game.
+QToolButton *buttonFor(QAction &action) {
     auto *button = new QToolButton;
-    button->setObjectName(QStringLiteral("comparison_") + action->objectName());
-    button->setDefaultAction(action);
+    button->setObjectName(QStringLiteral("comparison_") + action.objectName());
+    button->setDefaultAction(&action);
     button->setToolButtonStyle(Qt::ToolButtonTextOnly);
-    button->setFocusPolicy(Qt::TabFocus); // a click leaves the keyboard to the game
+    button->setFocusPolicy(Qt::TabFocus);
     return button;
+}
+
+QCheckBox *switchFor(QAction &action) {
+    auto *box = new QCheckBox(action.text());
+    box->setObjectName(QStringLiteral("comparison_") + action.objectName());
+    box->setToolTip(action.toolTip());
+    box->setChecked(action.isChecked());
+    box->setFocusPolicy(Qt::TabFocus);
+    QObject::connect(box, &QCheckBox::clicked, &action, &QAction::trigger);
+    QObject::connect(&action, &QAction::toggled, box, &QCheckBox::setChecked);
+    return box;
 }
 
 } // namespace
 
-ComparisonDock::ComparisonDock(Session &session, const QList<QAction *> &actions, QWidget *parent)
+ComparisonDock::ComparisonDock(Session &session, const Actions &actions, QWidget *parent)
     : QWidget(parent)
     , m_session(session)
     , m_stepper(new QComboBox)
@@ -56,7 +69,7 @@ ComparisonDock::ComparisonDock(Session &session, const QList<QAction *> &actions
     showComparison();
 }
 
-QWidget *ComparisonDock::makeControls(const QList<QAction *> &actions) {
+QWidget *ComparisonDock::makeControls(const Actions &actions) {
     m_stepper->setObjectName(QStringLiteral("comparison_stepper"));
     m_stepper->setToolTip(tr("The stepper that moves the ghost"));
     m_stepper->setFocusPolicy(Qt::TabFocus);
@@ -72,12 +85,12 @@ QWidget *ComparisonDock::makeControls(const QList<QAction *> &actions) {
     auto *controls = new QWidget;
     auto *layout = new QHBoxLayout(controls);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(buttonFor(actions[0]));
+    layout->addWidget(switchFor(actions.compare));
     layout->addWidget(new QLabel(tr("with")));
     layout->addWidget(m_stepper);
     layout->addWidget(new QLabel(tr("at")));
     layout->addWidget(m_substeps);
-    for (QAction *action : actions.mid(1)) layout->addWidget(buttonFor(action));
+    layout->addWidget(buttonFor(actions.meetAgain));
     layout->addStretch();
     return controls;
 }
@@ -120,10 +133,10 @@ QString ComparisonDock::summary(const Snapshot &now) const {
     if (!comparison.isOn()) return tr("A second ball starts where the ball is, under the same tilts.");
     if (!now.ghost) return comparison.refusal();
     const Deviation &deviation = now.ghost->deviation;
-    const QString figures = tr("%1 s after they met: distance %2, speed %3, energy %4")
-                                .arg(now.current.time - now.ghost->metAt, 0, 'f', 2)
+    const QString figures = tr("Distance %1, speed %2, energy %3, %4 s after they met")
                                 .arg(distanceText(deviation.distance, phys_scene_radius(m_session.scene().get())),
-                                     speedDifferenceText(deviation.speed), energyDifferenceText(deviation.energy));
+                                     speedDifferenceText(deviation.speed), energyDifferenceText(deviation.energy),
+                                     QString::number(now.current.time - now.ghost->metAt, 'f', 2));
     return now.ghost->current.flags & PHYS_OUT ? tr("%1; the ghost is out of the maze").arg(figures) : figures;
 }
 

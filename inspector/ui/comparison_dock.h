@@ -20,8 +20,13 @@ class ComparisonDock : public QWidget {
     Q_OBJECT
 
 public:
-    // session and actions (to switch the comparison, and to meet again) outlive the dock.
-    ComparisonDock(Session &session, const QList<QAction *> &actions, QWidget *parent = nullptr);
+    struct Actions {
+        QAction &compare; // checkable
+        QAction &meetAgain;
+    };
+
+    // session and actions outlive the dock.
+    ComparisonDock(Session &session, const Actions &actions, QWidget *parent = nullptr);
 
     QSize sizeHint() const override { return {700, 300}; }
     DistancePlot &plot() { return *m_plot; }
@@ -32,7 +37,7 @@ signals:
     void saveWanted();
 
 private:
-    QWidget *makeControls(const QList<QAction *> &actions);
+    QWidget *makeControls(const Actions &actions);
     void addSteppers();
     void choose();         // what the controls say
     void showComparison(); // what the session says

@@ -49,6 +49,7 @@ DistancePlot::DistancePlot(const SampleRing &samples, QWidget *parent)
     , m_ghost(addKey(&Accents::ghost)) {
     setObjectName(QStringLiteral("distance_plot"));
     addCurve(Channel::Distance, &Accents::total);
+    curves().front().graph->removeFromLegend(); // the axis says it
     makeLogarithmic(*yAxis, tr("Distance [mm]"));
     makeLogarithmic(*yAxis2, tr("Distance [R]"));
     yAxis2->setVisible(true);

@@ -119,7 +119,7 @@ void MainWindow::makeDocks() {
     m_parameters = new ParameterPanel(m_session, *m_undo);
     m_plot = new PlotPanel(new VelocityPlot(m_session.simulation().samples()), QStringLiteral("plot"));
     m_levels = new LevelPanel(m_session);
-    m_comparison = new ComparisonDock(m_session, {action("compare"), action("meet_again")});
+    m_comparison = new ComparisonDock(m_session, ComparisonDock::Actions{*action("compare"), *action("meet_again")});
     m_bounces = new BounceDock(m_session);
     static const DockRow rows[] = {
         {kDockNames[0], QT_TR_NOOP("Parameters"), Qt::RightDockWidgetArea, 0.0,

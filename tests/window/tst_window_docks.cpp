@@ -40,6 +40,8 @@ private slots:
     void dockClosesByItsButtonAndReopensByTheMenu();
     void keyOpensADockAndGivesItTheKeyboard_data();
     void keyOpensADockAndGivesItTheKeyboard();
+    void keyRaisesADockThatLiesBehindAnother();
+    void viewMenuTicksWhatIsOpen();
     void resetLayoutBringsEveryDockBack();
     void layoutIsRemembered();
     void viewIsTheLargestPart();
@@ -97,7 +99,7 @@ void TestWindowDocks::dockClosesByItsButtonAndReopensByTheMenu() {
     QVERIFY(dock->isVisible());
     click(dock->findChild<QAbstractButton *>("qt_dockwidget_closebutton"));
     QTRY_VERIFY(!dock->isVisible());
-    dock->toggleViewAction()->trigger();
+    m_fixture->trigger("show_" + name);
     QTRY_VERIFY(dock->isVisible());
 }
 
@@ -108,6 +110,7 @@ void TestWindowDocks::keyOpensADockAndGivesItTheKeyboard_data() {
     QTest::newRow("levels") << "levels_dock" << Qt::Key_2;
     QTest::newRow("plot") << "plot_dock" << Qt::Key_3;
     QTest::newRow("trade") << "trade_dock" << Qt::Key_4;
+    QTest::newRow("comparison") << "comparison_dock" << Qt::Key_5;
     QTest::newRow("bounces") << "bounces_dock" << Qt::Key_6;
 }
 
@@ -121,6 +124,33 @@ void TestWindowDocks::keyOpensADockAndGivesItTheKeyboard() {
     QVERIFY(dock->isAncestorOf(QApplication::focusWidget()));
     m_fixture->press(key, Qt::ControlModifier);
     QVERIFY(!dock->isVisible());
+}
+
+void TestWindowDocks::keyRaisesADockThatLiesBehindAnother() {
+    auto *plot = m_fixture->find<QDockWidget>("plot_dock");
+    auto *trade = m_fixture->find<QDockWidget>("trade_dock");
+    const auto isSeen = [](const QDockWidget *dock) { return dock->isVisible() && !dock->visibleRegion().isEmpty(); };
+    m_fixture->press(Qt::Key_4, Qt::ControlModifier);
+    QTRY_VERIFY(isSeen(trade) && !isSeen(plot));
+    m_fixture->press(Qt::Key_3, Qt::ControlModifier);
+    QTRY_VERIFY(isSeen(plot) && !isSeen(trade));
+    QVERIFY(plot->isAncestorOf(QApplication::focusWidget()));
+    QVERIFY(!trade->isHidden()); // behind
+    m_fixture->press(Qt::Key_3, Qt::ControlModifier);
+    QTRY_VERIFY(plot->isHidden() && isSeen(trade));
+}
+
+// Also of a dock behind another, which its entry brings to the front.
+void TestWindowDocks::viewMenuTicksWhatIsOpen() {
+    for (const QDockWidget *dock : m_fixture->window().findChildren<QDockWidget *>())
+        QCOMPARE(m_fixture->find<QAction>("show_" + dock->objectName())->isChecked(), !dock->isHidden());
+    auto *entry = m_fixture->find<QAction>("show_plot_dock");
+    m_fixture->press(Qt::Key_4, Qt::ControlModifier);
+    QVERIFY(entry->isChecked());
+    entry->trigger();
+    QVERIFY(entry->isChecked());
+    entry->trigger();
+    QVERIFY(!entry->isChecked());
 }
 
 void TestWindowDocks::resetLayoutBringsEveryDockBack() {

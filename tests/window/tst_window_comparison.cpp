@@ -1,0 +1,397 @@
+// SPDX-License-Identifier: MIT
+// The ball beside its ghost: switched on by key and dock, drawn where it is, plotted as it goes away.
+#include "gl/maze_view.h"
+#include "support/compare.h"
+#include "ui/board_picture.h"
+#include "ui/distance_plot.h"
+#include "ui/message_bar.h"
+#include "ui/theme.h"
+#include "window_fixture.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QFile>
+#include <QLabel>
+#include <QSpinBox>
+#include <QToolButton>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
+using namespace window_test;
+using inspector::Channel;
+using inspector::Opponent;
+using inspector::Sample;
+using inspector::Snapshot;
+
+class TestWindowComparison : public QObject {
+    Q_OBJECT
+
+public:
+    static void initMain() { prepare(); }
+
+private slots:
+    void init();
+    void cleanup();
+    void cSwitchesTheComparison();
+    void boxInTheDockSwitchesTheComparison();
+    void chosenStepperMovesTheGhost();
+    void typedSubstepsMoveTheGhost();
+    void mBringsThemTogether();
+    void rBringsThemTogether();
+    void figuresAreThoseOfTheMoment();
+    void plotShowsTheDistance();
+    void zeroHasAPlaceOnTheAxis();
+    void gapsAreWhereThereWasNoGhost();
+    void radiiAreAtTheRightBorder();
+    void legendNamesBoth();
+    void readOutIsInBothUnits();
+    void savedTableHasTheGhost();
+    void ghostIsDrawnWhereItIs();
+    void ghostOnTheBallIsHidden();
+    void trailsAreBoundedAndOfTheLegendsColours();
+    void coloursCanBeTold_data();
+    void coloursCanBeTold();
+    void refusalIsOneLineInBarAndDock();
+    void optionOpensTheDock();
+
+private:
+    const Snapshot &now() { return m_fixture->simulation().latest(); }
+    double distance() { return now().ghost ? now().ghost->deviation.distance : std::nan(""); }
+    void compareWith(const Opponent &opponent);
+    void makeSteps(uint64_t count);
+    QImage picture();
+    QString figures();
+
+    std::unique_ptr<Fixture> m_fixture;
+    inspector::ui::DistancePlot *m_plot = nullptr;
+};
+
+// Steps by hand: the same in every run.
+void TestWindowComparison::init() {
+    m_fixture = std::make_unique<Fixture>(3);
+    QVERIFY(m_fixture->isReady());
+    m_plot = m_fixture->find<inspector::ui::DistancePlot>("distance_plot");
+    m_fixture->parameters().set({{"tilt_x", 3.0}, {"tilt_y", 4.0}});
+    m_fixture->window().setAnimated(false); // pictures of the view are to be of one size
+    m_fixture->press(Qt::Key_5, Qt::ControlModifier);
+    QTRY_VERIFY(m_plot->isVisible());
+    const auto *dock = m_fixture->find<QDockWidget>("comparison_dock");
+    QTRY_VERIFY(dock->height() > m_fixture->window().height() / 4); // and the view is as small as it will be
+}
+
+void TestWindowComparison::cleanup() { m_fixture.reset(); }
+
+void TestWindowComparison::compareWith(const Opponent &opponent) {
+    m_fixture->session().comparison().start(opponent);
+    QTRY_VERIFY(now().ghost);
+}
+
+void TestWindowComparison::makeSteps(uint64_t count) {
+    const uint64_t end = now().current.step + count;
+    for (uint64_t i = 0; i < count; ++i) m_fixture->trigger("step");
+    QTRY_COMPARE(now().current.step, end);
+    m_fixture->window().refresh();
+}
+
+QImage TestWindowComparison::picture() { return m_fixture->window().view().grabFramebuffer(); }
+
+QString TestWindowComparison::figures() {
+    m_fixture->window().refresh();
+    return m_fixture->find<QLabel>("comparison_figures")->text();
+}
+
+void TestWindowComparison::cSwitchesTheComparison() {
+    QVERIFY(!m_fixture->find<QAction>("meet_again")->isEnabled());
+    m_fixture->press(Qt::Key_C);
+    QTRY_VERIFY(now().ghost);
+    QVERIFY(m_fixture->find<QAction>("compare")->isChecked());
+    QVERIFY(m_fixture->find<QCheckBox>("comparison_compare")->isChecked());
+    QVERIFY(m_fixture->find<QAction>("meet_again")->isEnabled());
+    m_fixture->press(Qt::Key_C);
+    QTRY_VERIFY(!now().ghost);
+    QVERIFY(!m_fixture->find<QAction>("compare")->isChecked());
+    QVERIFY(!m_fixture->find<QCheckBox>("comparison_compare")->isChecked());
+}
+
+void TestWindowComparison::boxInTheDockSwitchesTheComparison() {
+    auto *box = m_fixture->find<QCheckBox>("comparison_compare");
+    QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
+    QTRY_VERIFY(now().ghost);
+    QVERIFY(m_fixture->find<QAction>("compare")->isChecked());
+    QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
+    QTRY_VERIFY(!now().ghost);
+}
+
+// By keyboard: Home is the crudest, then down.
+void TestWindowComparison::chosenStepperMovesTheGhost() {
+    auto *box = m_fixture->find<QComboBox>("comparison_stepper");
+    QCOMPARE(box->currentData().toByteArray(), QByteArray("exact"));
+    m_fixture->press(Qt::Key_C);
+    box->setFocus(Qt::TabFocusReason);
+    box->showPopup();
+    QWidget *list = QApplication::activePopupWidget();
+    QVERIFY(list);
+    QWidget *keys = list->focusWidget() ? list->focusWidget() : list;
+    QTest::keyClick(keys, Qt::Key_Home);
+    QTest::keyClick(keys, Qt::Key_Down);
+    QTest::keyClick(keys, Qt::Key_Return);
+    QCOMPARE(m_fixture->session().comparison().opponent().stepper, QByteArray("symplectic-euler"));
+    makeSteps(20);
+    COMPARE_EXACT(distance(), 0.0); // the ball's own
+}
+
+void TestWindowComparison::typedSubstepsMoveTheGhost() {
+    compareWith({"symplectic-euler", 1});
+    auto *box = m_fixture->find<QSpinBox>("comparison_substeps");
+    QCOMPARE(box->text(), QString("the same dt"));
+    box->setFocus(Qt::TabFocusReason);
+    box->selectAll();
+    QTest::keyClicks(box, "10");
+    QTest::keyClick(box, Qt::Key_Return);
+    QCOMPARE(m_fixture->session().comparison().opponent(), (Opponent{"symplectic-euler", 10}));
+    QCOMPARE(m_fixture->game().phase(), inspector::Game::Phase::Prompt); // Enter was the box's
+    QCOMPARE(box->text(), QString("dt / 10"));
+    makeSteps(20);
+    QVERIFY(distance() > 0.0);
+    QCOMPARE(now().ghost->current.step, uint64_t(200));
+}
+
+void TestWindowComparison::mBringsThemTogether() {
+    compareWith({});
+    makeSteps(20);
+    QVERIFY(distance() > 0.0);
+    m_fixture->press(Qt::Key_M);
+    QTRY_COMPARE(distance(), 0.0);
+    QVERIFY(support::sameBits(now().ghost->current, now().current));
+    QCOMPARE(now().current.step, uint64_t(20));
+}
+
+void TestWindowComparison::rBringsThemTogether() {
+    compareWith({});
+    makeSteps(20);
+    m_fixture->press(Qt::Key_R);
+    QTRY_COMPARE(now().current.step, uint64_t(0));
+    QVERIFY(support::sameBits(now().ghost->current, now().current));
+}
+
+void TestWindowComparison::figuresAreThoseOfTheMoment() {
+    QVERIFY2(figures().startsWith("A second ball"), qPrintable(figures()));
+    compareWith({});
+    makeSteps(20);
+    const QString expected =
+        QString("Distance %1 mm = %2 R, speed ").arg(distance() * 1e3, 0, 'g', 4).arg(distance() / 0.006, 0, 'g', 3);
+    QVERIFY2(figures().startsWith(expected), qPrintable(figures() + " / " + expected));
+    QVERIFY2(figures().endsWith("0.20 s after they met"), qPrintable(figures()));
+}
+
+void TestWindowComparison::plotShowsTheDistance() {
+    compareWith({});
+    makeSteps(30);
+    const auto data = m_plot->graph(m_plot->graphCount() - 1)->data();
+    QCOMPARE(data->size(), 30);
+    Sample sample;
+    for (int i = 0; i < 30; ++i) {
+        QVERIFY(m_fixture->simulation().samples().read(uint64_t(i), sample));
+        QVERIFY(sample[Channel::Distance] > 0.0);
+        QCOMPARE(data->at(i)->key, sample.time);
+        COMPARE_EXACT(data->at(i)->value, sample[Channel::Distance] * 1e3);
+        QVERIFY(m_plot->yAxis->range().contains(data->at(i)->value));
+    }
+    QCOMPARE(m_plot->yAxis->scaleType(), QCPAxis::stLogarithmic);
+    QVERIFY(m_plot->yAxis->label().contains("[mm]"));
+}
+
+// Below all others, at a tick that says so.
+void TestWindowComparison::zeroHasAPlaceOnTheAxis() {
+    compareWith({"symplectic-euler", 1});
+    makeSteps(10);
+    const auto data = m_plot->graph(m_plot->graphCount() - 1)->data();
+    const double zero = data->at(0)->value;
+    QVERIFY(zero > m_plot->yAxis->range().lower);
+    m_fixture->session().comparison().setOpponent({"exact", 1});
+    makeSteps(10);
+    m_plot->replot();
+    const double border = m_plot->yAxis->range().lower;
+    const double low = data->at(0)->value;
+    for (int i = 0; i < 10; ++i) COMPARE_EXACT(data->at(i)->value, low);
+    for (int i = 10; i < 20; ++i) QVERIFY(data->at(i)->value >= 10.0 * low);
+    QVERIFY(low > border);
+    const QVector<double> ticks = m_plot->yAxis->tickVector();
+    const QVector<QString> labels = m_plot->yAxis->tickVectorLabels();
+    const qsizetype place = labels.indexOf("0");
+    QVERIFY(place >= 0);
+    COMPARE_WITHIN(ticks[place], low, 1e-9 * low); // powers of ten by different ways
+}
+
+void TestWindowComparison::gapsAreWhereThereWasNoGhost() {
+    makeSteps(10);
+    compareWith({});
+    makeSteps(10);
+    const auto data = m_plot->graph(m_plot->graphCount() - 1)->data();
+    for (const QCPGraphData &point : *data) QCOMPARE(std::isnan(point.value), point.key < 0.105);
+}
+
+void TestWindowComparison::radiiAreAtTheRightBorder() {
+    compareWith({});
+    makeSteps(10);
+    QVERIFY(m_plot->yAxis2->visible());
+    QVERIFY(m_plot->yAxis2->label().contains("[R]"));
+    const double place = m_plot->yAxis->coordToPixel(6.0);          // 6 mm are a radius
+    COMPARE_WITHIN(m_plot->yAxis2->coordToPixel(1.0), place, 1e-6); // px
+}
+
+void TestWindowComparison::legendNamesBoth() {
+    compareWith({"exact", 10});
+    const auto texts = [this] {
+        QStringList names;
+        for (int i = 0; i < m_plot->legend->itemCount(); ++i)
+            names << static_cast<QCPPlottableLegendItem *>(m_plot->legend->item(i))->plottable()->name();
+        return names;
+    };
+    QCOMPARE(texts(), QStringList({"Ball: Symplectic Euler, 10 ms", "Ghost: Exact, 1 ms"}));
+    m_fixture->session().setDt(0.005);
+    m_fixture->session().setStepper("rk4");
+    QCOMPARE(texts(), QStringList({"Ball: Runge-Kutta 4, 5 ms", "Ghost: Exact, 0.5 ms"}));
+}
+
+void TestWindowComparison::readOutIsInBothUnits() {
+    compareWith({});
+    m_fixture->session().setDt(0.1);
+    makeSteps(30);
+    const QPoint middle = m_plot->axisRect()->rect().center();
+    hover(m_plot, QPoint(int(m_plot->xAxis->coordToPixel(2.0)), middle.y()));
+    m_fixture->window().refresh();
+    QVERIFY(m_plot->readOut());
+    COMPARE_WITHIN(m_plot->readOut()->time, 2.0, 0.05); // the nearest sample
+}
+
+void TestWindowComparison::savedTableHasTheGhost() {
+    compareWith({});
+    makeSteps(5);
+    const QString file = m_fixture->path("distance.csv");
+    QString error;
+    QVERIFY2(m_plot->save(file, &error), qPrintable(error));
+    QFile table(file);
+    QVERIFY(table.open(QIODevice::ReadOnly));
+    const QByteArrayList lines = table.readAll().trimmed().split('\n');
+    QCOMPARE(lines.size(), 6);
+    QVERIFY(lines[0].contains(",ghost_x [m],"));
+    QCOMPARE(lines[5].split(',').value(2 + qsizetype(Channel::Distance)).toDouble(), distance());
+}
+
+// Where the ghost is, the picture becomes bluer when it appears; away from it and from the trails no pixel changes.
+void TestWindowComparison::ghostIsDrawnWhereItIs() {
+    QVERIFY(m_fixture->session().openLevel(m_fixture->session().levels().at(1)));
+    m_fixture->parameters().set({{"tilt_x", 8.0}, {"tilt_y", 8.0}});
+    m_fixture->session().setDt(0.1);
+    compareWith({"explicit-euler", 1});
+    for (int i = 0; i < 40 && distance() < 2.5 * 0.006; ++i) makeSteps(1);
+    QVERIFY(distance() >= 2.5 * 0.006); // nothing of the ghost is behind the ball
+
+    const inspector::gl::MazeView &view = m_fixture->window().view();
+    const QImage with = picture();
+    const auto placeOf = [&](const glm::dvec3 &point) {
+        return (view.positionOf(point) * view.devicePixelRatioF()).toPoint();
+    };
+    const inspector::gl::Frame frame = inspector::ui::currentFrame(m_fixture->session());
+    const glm::dvec3 centre = frame.ghosts.at(0).ball.position;
+    const QPoint place = placeOf(centre);
+    const int radius = int(QLineF(place, placeOf(centre + glm::dvec3(0.006, 0.0, 0.0))).length());
+    QRect changed(place, place);
+    for (const inspector::gl::Trail &trail : frame.trails)
+        for (const glm::dvec3 &point : trail.points) changed |= QRect(placeOf(point), QSize(1, 1));
+    changed.adjust(-2 * radius, -2 * radius, 2 * radius, 2 * radius);
+
+    m_fixture->press(Qt::Key_C);
+    QTRY_VERIFY(!now().ghost);
+    const QImage without = picture();
+    QVERIFY(with.rect().contains(place));
+    const auto blue = [](QRgb colour) { return qBlue(colour) - qRed(colour); };
+    QVERIFY(blue(with.pixel(place)) > blue(without.pixel(place)) + 40);
+    for (int y = 0; y < with.height(); ++y)
+        for (int x = 0; x < with.width(); ++x)
+            if (!changed.contains(x, y)) QCOMPARE(with.pixel(x, y), without.pixel(x, y));
+}
+
+void TestWindowComparison::ghostOnTheBallIsHidden() {
+    const QImage without = picture();
+    compareWith({});
+    const QImage with = picture();
+    QCOMPARE(with, without);
+}
+
+void TestWindowComparison::trailsAreBoundedAndOfTheLegendsColours() {
+    m_fixture->session().setDt(0.1);
+    compareWith({"explicit-euler", 1});
+    makeSteps(40); // 4 s
+    const inspector::gl::Frame frame = inspector::ui::currentFrame(m_fixture->session());
+    QCOMPARE(frame.ghosts.size(), size_t(1));
+    QCOMPARE(frame.trails.size(), size_t(2));
+    Sample sample;
+    QVERIFY(m_fixture->simulation().samples().read(m_fixture->simulation().samples().find(0.99), sample));
+    const glm::dvec3 oldest[] = {{sample[Channel::PositionX], sample[Channel::PositionY], sample[Channel::PositionZ]},
+                                 {sample[Channel::GhostX], sample[Channel::GhostY], sample[Channel::GhostZ]}};
+    for (size_t i = 0; i < 2; ++i) {
+        const inspector::gl::Trail &trail = frame.trails[i];
+        QVERIFY(trail.points.size() <= 32); // 3 s and the end
+        QVERIFY(glm::distance(trail.points.front(), oldest[i]) == 0.0);
+        const QColor legend = m_plot->graph(int(i))->pen().color();
+        QCOMPARE(QColor::fromRgbF(trail.colour.r, trail.colour.g, trail.colour.b).rgb(), legend.rgb());
+    }
+    QVERIFY(frame.trails[0].points.back() != frame.trails[1].points.back());
+    m_fixture->press(Qt::Key_M);
+    QTRY_COMPARE(distance(), 0.0);
+    QVERIFY(inspector::ui::currentFrame(m_fixture->session()).trails[1].points.size() <= 1); // begins anew
+}
+
+void TestWindowComparison::coloursCanBeTold_data() {
+    QTest::addColumn<QString>("theme");
+    for (const char *theme : {"theme_1", "theme_2"}) QTest::newRow(theme) << theme;
+}
+
+// WCAG 2.1, 1.4.11: lines have 3 times the luminance of their background, or the other way round.
+void TestWindowComparison::coloursCanBeTold() {
+    QFETCH(QString, theme);
+    m_fixture->trigger(theme);
+    compareWith({});
+    const auto luminance = [](const QColor &colour) {
+        const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
+        return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
+    };
+    const double back = luminance(m_plot->palette().color(QPalette::Base));
+    for (int i = 0; i < m_plot->graphCount(); ++i) {
+        const double front = luminance(m_plot->graph(i)->pen().color());
+        QVERIFY((std::max(front, back) + 0.05) / (std::min(front, back) + 0.05) >= 3.0);
+    }
+}
+
+void TestWindowComparison::refusalIsOneLineInBarAndDock() {
+    QFile file(m_fixture->path("kerb.txt"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("physics-maze 1\nunits m\nball 0.006\nstart 0 0 0.006\nbox -0.1 -0.1 -0.01 0.1 0.1 0\n"
+               "box 0.03 -0.1 0 0.04 0.1 0.002\n");
+    file.close();
+    compareWith({});
+    QVERIFY(m_fixture->session().openLevel(inspector::levelOfFile(file.fileName())));
+    QTRY_VERIFY(!now().ghost);
+    const QString line = m_fixture->window().messages().line();
+    QVERIFY2(line.startsWith("comparison with exact: box 1"), qPrintable(line));
+    QCOMPARE(figures(), line);
+    makeSteps(3);
+}
+
+void TestWindowComparison::optionOpensTheDock() {
+    m_fixture->find<QDockWidget>("comparison_dock")->close();
+    compareWith({}); // as a session has it that was opened with the option
+    m_fixture->reopen();
+    QVERIFY(m_fixture->isReady());
+    const auto *dock = m_fixture->find<QDockWidget>("comparison_dock");
+    QTRY_VERIFY(dock->isVisible() && !dock->visibleRegion().isEmpty());
+    QVERIFY(m_fixture->find<QAction>("compare")->isChecked());
+}
+
+QTEST_MAIN(TestWindowComparison)
+#include "tst_window_comparison.moc"
