@@ -209,8 +209,9 @@ void MainWindow::connectBounces() {
     connect(m_view, &gl::MazeView::clicked, this, &MainWindow::selectBounceAt);
     connect(m_bounces, &BounceDock::changed, this, [this] {
         const std::optional<LoggedEvent> selected = m_bounces->selected();
-        m_plot->plot().showBounces(m_bounces->bounceTimes(),
-                                   selected ? std::optional(selected->event.time) : std::nullopt);
+        const std::optional<double> time = selected ? std::optional(selected->event.time) : std::nullopt;
+        m_plot->plot().showBounces(m_bounces->bounceTimes(), time);
+        m_comparison->plot().showBounces(m_bounces->bounceTimes(), time); // where distances leap
     });
 }
 
