@@ -141,7 +141,7 @@ void TestCommandLine::wrongUseGivesOneLineAndStatus2_data() {
     QTest::newRow("too many substeps") << "--compare exact --compare-substeps 1001"
                                        << "from 1 to 1000, found '1001'";
     QTest::newRow("comparison of a replay") << "--replay x --check --compare exact"
-                                            << "doesn't go with --replay";
+                                            << "--replay in the window only";
     QTest::newRow("comparison of all levels") << "--all-levels --compare exact"
                                               << "doesn't go with --all-levels";
     QTest::newRow("comparison of a trade") << "--trade 1 --compare exact"
