@@ -265,7 +265,13 @@ void TestWindowComparison::readOutIsInBothUnits() {
     hover(m_plot, QPoint(int(m_plot->xAxis->coordToPixel(2.0)), middle.y()));
     m_fixture->window().refresh();
     QVERIFY(m_plot->readOut());
-    COMPARE_WITHIN(m_plot->readOut()->time, 2.0, 0.05); // the nearest sample
+    const double shown = (*m_plot->readOut())[Channel::Distance];
+    QString text;
+    for (int i = 0; i < m_plot->itemCount(); ++i)
+        if (const auto *item = qobject_cast<const QCPItemText *>(m_plot->item(i))) text += item->text();
+    const QString expected =
+        QString("Distance  %1 mm = %2 R\n").arg(shown * 1e3, 0, 'g', 4).arg(shown / 0.006, 0, 'g', 3);
+    QVERIFY2(text.contains(expected), qPrintable(text));
 }
 
 void TestWindowComparison::savedTableHasTheGhost() {
