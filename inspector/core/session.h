@@ -124,6 +124,7 @@ private:
         QString difference;            // the line
     };
     bool startReplay(const QString &path, QString *error);
+    void follow(size_t stretch);
     void noteDifference(uint64_t replay, const Difference &difference);
     Stepping steppingWithAll() const;
     void show(const Stepping &stepping);

@@ -24,6 +24,8 @@ bool Session::startReplay(const QString &path, QString *error) {
     m_replay.emplace(Replaying{recording, m_simulation->startReplay(recording), level, before, {}, 0, 0, {}});
     showPrompt(); // whatever was played is over
     emit replayChanged(true);
+    follow(0); // so that a comparison begins where the recording does
+    m_simulation->run();
     return true;
 }
 
@@ -42,7 +44,7 @@ void Session::leaveReplay() {
 
 void Session::goOnFromHere() {
     followReplay();
-    if (!m_replay || !m_replay->stretch) return; // nothing was shown yet
+    if (!replayPlace()) return; // nothing was shown yet
     const uint64_t position = m_simulation->latest().replay.position;
     m_replay.reset();
     m_isTakenOver = true;
@@ -55,11 +57,14 @@ void Session::goOnFromHere() {
 
 void Session::followReplay() {
     const Snapshot &now = m_simulation->latest();
-    if (!m_replay || now.replay.number != m_replay->number || m_replay->stretch == now.replay.stretch) return;
-    const size_t index = now.replay.stretch;
+    if (m_replay && now.replay.number == m_replay->number) follow(now.replay.stretch);
+}
+
+void Session::follow(size_t index) {
+    if (m_replay->stretch == index) return;
+    m_replay->stretch = index;
     const PlayableRecording &recording = *m_replay->recording;
     const Conditions &conditions = recording.stretch(index).conditions;
-    m_replay->stretch = index;
     show({conditions.stepper.id, conditions.dt, settingsOf(conditions, m_registry)});
     if (m_scene == recording.scene(index)) return;
     m_scene = recording.scene(index);

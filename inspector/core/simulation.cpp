@@ -430,7 +430,6 @@ uint64_t Simulation::startReplay(std::shared_ptr<const PlayableRecording> record
         worker.replay = number;
         worker.sought.reset();
         worker.beginRun();
-        worker.setRunning(true);
     });
     return m_replayCount;
 }

@@ -66,7 +66,7 @@ void UnattendedRun::startReplay() {
 bool UnattendedRun::isReplayOver() {
     const ReplayPlace &now = m_session.simulation().latest().replay;
     const bool isThere = now.number > 0 && now.position >= std::min(m_lastPosition, now.end);
-    return isThere && (!m_grabs || m_looks >= kLooksAtRest);
+    return isThere && (!m_grabs || (now.isChecked && m_looks >= kLooksAtRest));
 }
 
 void UnattendedRun::finish(const QString &error) {

@@ -10,7 +10,8 @@
 namespace inspector::ui {
 
 // A run that nobody watches: with --autopilot the level starts by itself, with --grab or --duration it ends by itself.
-// Of a recording --grab shows the end, or the moment that --duration says, without playing up to there.
+// Of a recording --grab shows the end, or the moment that --duration says, without playing up to there; all of it is
+// checked before.
 class UnattendedRun : public QObject {
     Q_OBJECT
 

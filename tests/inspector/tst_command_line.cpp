@@ -208,6 +208,8 @@ void TestCommandLine::windowIsNeededUnlessTheArgumentsSayOtherwise() {
     };
     QVERIFY(!windowless({}));
     QVERIFY(!windowless({"--autopilot", "--level", "3"}));
+    QVERIFY(!windowless({"--replay", "r", "--grab", "p.png"}));
+    QVERIFY(windowless({"--replay", "r", "--check"}));
     for (const char *word : {"--headless", "--all-levels", "--all_levels", "--list-steppers", "--help", "--version"})
         QVERIFY2(windowless({"--level", "3", word}), word);
 }

@@ -323,6 +323,7 @@ void TestPlayer::simulationShowsTheRecordedSamples() {
     const auto simulation = simulationOnLevel1();
     simulation->setSpeed(Simulation::kFastest);
     simulation->startReplay(recording);
+    simulation->run();
     QTRY_COMPARE(simulation->latest().replay.position, uint64_t(2400));
     QTRY_VERIFY(!simulation->latest().running);
     const Snapshot &end = simulation->latest();
@@ -345,7 +346,6 @@ void TestPlayer::seekShowsTheSamplesOfTheRunUpToThere() {
     recordManyThings();
     const auto simulation = simulationOnLevel1();
     simulation->startReplay(opened());
-    simulation->pause();
     const SampleRing &samples = simulation->samples();
     for (const uint64_t position : {2400, 1300, 1350, 1200, 1, 600, 0}) {
         const uint64_t number = simulation->seek(position);
@@ -393,6 +393,7 @@ void TestPlayer::replayPausesAtTheFirstDifference() {
             [&](uint64_t, const Difference &difference) { found.push_back(difference); });
     connect(simulation.get(), &Simulation::differenceReached, this, [&](uint64_t) { ++reached; });
     simulation->startReplay(PlayableRecording::make(text, makeRegistry(nullptr), {}, nullptr));
+    simulation->run();
     QTRY_COMPARE(reached, 1);
     QVERIFY(!simulation->latest().running);
     QCOMPARE(simulation->latest().replay.position, uint64_t(24));
@@ -407,7 +408,6 @@ void TestPlayer::replayOfItsEndBeginsAgain() {
     recordManyThings();
     const auto simulation = simulationOnLevel1();
     simulation->startReplay(opened());
-    simulation->pause();
     simulation->seek(2400);
     QTRY_COMPARE(simulation->latest().replay.position, uint64_t(2400));
     simulation->run();
@@ -428,7 +428,6 @@ void TestPlayer::goingOnGivesTheBitsOfAnEngineFromThere() {
 
         const auto simulation = simulationOnLevel1();
         simulation->startReplay(recording);
-        simulation->pause();
         simulation->seek(position);
         QTRY_COMPARE(simulation->latest().replay.position, position);
         simulation->goOnFrom(position, {});
@@ -452,6 +451,7 @@ void TestPlayer::liveBallIsWhereItWasAfterAReplay() {
     QTRY_COMPARE(simulation->latest().current.step, uint64_t(5));
     const phys_state before = simulation->latest().current;
     simulation->startReplay(opened());
+    simulation->run();
     QTRY_VERIFY(simulation->latest().replay.position > 10);
     simulation->endReplay();
     QTRY_COMPARE(simulation->latest().replay.number, uint64_t(0));
@@ -468,7 +468,6 @@ void TestPlayer::ghostFollowsAReplayAsItFollowsTheLiveBall() {
     const auto means = makeMeans(recording->registry(), {"velocity-verlet", 2}, recording->scene(0), nullptr);
     QVERIFY(means);
     simulation->startReplay(recording);
-    simulation->pause();
     simulation->compareWith(*means, PHYS_STEPPER_DEFAULT);
     simulation->seek(1201); // a step after a restart
     for (int i = 0; i < 250; ++i) simulation->stepOnce();

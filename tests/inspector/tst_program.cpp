@@ -69,6 +69,9 @@ void TestProgram::windowWithoutADisplayGivesStatus2AndOneLine() {
     QCOMPARE(result.status, 2);
     QVERIFY2(result.messages.startsWith("physics-inspector: no display"), result.messages.constData());
     QCOMPARE(result.messages.count('\n'), 1);
+    const Result replay = runOf({"--replay", "some.rec"});
+    QCOMPARE(replay.status, 2);
+    QVERIFY2(replay.messages.startsWith("physics-inspector: no display"), replay.messages.constData());
 }
 
 QTEST_GUILESS_MAIN(TestProgram)

@@ -168,6 +168,8 @@ void TestRecordingRefusals::wordsThatDontGoTogether_data() {
     QTest::addColumn<QString>("line");
     QTest::newRow("a table of a window") << "--replay r --csv t"
                                          << "--replay: its table needs --headless; doesn't go with --csv";
+    QTest::newRow("a ghost without a window") << "--replay r --check --compare exact"
+                                              << "--compare: goes with --replay in the window only";
     QTest::newRow("a picture without a window") << "--replay r --check --grab p.png"
                                                 << "doesn't go with --grab";
     QTest::newRow("check alone") << "--check"

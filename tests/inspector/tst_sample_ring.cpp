@@ -26,6 +26,7 @@ private slots:
     void columnsStayWhereTheyAreWhileThePlotScrolls();
     void emptyRingHasNoColumns();
     void missingValuesCountInNoColumn();
+    void heldSamplesAreSeenAllAtOnce();
     void readingWhileAnotherThreadAppendsGivesOnlyWholeSamples();
 };
 
@@ -175,7 +176,26 @@ void TestSampleRing::emptyRingHasNoColumns() {
     QCOMPARE(ring.find(0.0), uint64_t(0));
 }
 
-// Invariant: what read() and columns() return is never older than what the ring then still holds, and never torn.
+void TestSampleRing::heldSamplesAreSeenAllAtOnce() {
+    SampleRing ring(256);
+    fill(ring, 50);
+    ring.hold();
+    ring.clear();
+    ring.append(sampleOf(0));
+    ring.append(sampleOf(1));
+    Sample sample;
+    QCOMPARE(ring.last() - ring.first(), uint64_t(50));
+    QCOMPARE(ring.generation(), uint64_t(0));
+    QVERIFY(ring.read(49, sample));
+    QVERIFY(!ring.read(50, sample));
+    ring.release();
+    QCOMPARE(ring.first(), uint64_t(50));
+    QCOMPARE(ring.last(), uint64_t(52));
+    QCOMPARE(ring.generation(), uint64_t(1));
+    QVERIFY(!ring.read(49, sample));
+    QVERIFY(ring.read(51, sample) && sample.time == sampleOf(1).time);
+}
+
 // Values in the samples 100 to 199 of 300 only, at every zoom.
 void TestSampleRing::missingValuesCountInNoColumn() {
     SampleRing ring(1024);
@@ -200,6 +220,7 @@ void TestSampleRing::missingValuesCountInNoColumn() {
         QCOMPARE(std::isnan(column.min), column.time < sampleOf(100).time || column.time > sampleOf(199).time);
 }
 
+// Invariant: what read() and columns() return is never older than what the ring then still holds, and never torn.
 void TestSampleRing::readingWhileAnotherThreadAppendsGivesOnlyWholeSamples() {
     constexpr int kReads = 20000;
     SampleRing ring(256);

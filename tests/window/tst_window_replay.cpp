@@ -5,6 +5,7 @@
 #include "ui/game_overlay.h"
 #include "ui/message_bar.h"
 #include "ui/seek_slider.h"
+#include "ui/unattended_run.h"
 #include "window_fixture.h"
 
 #include <QComboBox>
@@ -52,6 +53,10 @@ private slots:
     void refusalLeavesTheSessionAsItWas_data();
     void refusalLeavesTheSessionAsItWas();
     void interruptedRecordingIsToldAndPlayed();
+    void ghostGoesWithTheReplay();
+    void pictureIsOfTheMomentAskedFor_data();
+    void pictureIsOfTheMomentAskedFor();
+    void recordingThatIsRefusedOpensNoSession();
 
 private:
     QString recorded();
@@ -80,6 +85,14 @@ QByteArray contentOf(const QString &path) {
 void write(const QString &path, const QByteArray &text) {
     QFile file(path);
     if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size()) qFatal("can't write the test's file");
+}
+
+// Another hash at a step of the recording, from 1.
+void flipHash(const QString &file, int step) {
+    QByteArrayList lines = contentOf(file).split('\n');
+    for (QByteArray &line : lines)
+        if (line.size() == 16 && !line.contains(' ') && --step == 0) line[0] = line[0] == '0' ? '1' : '0';
+    write(file, lines.join('\n'));
 }
 
 QPoint handleOf(const QSlider &slider) {
@@ -360,11 +373,8 @@ void TestWindowReplay::anotherRecordingTakesThePlace() {
 
 void TestWindowReplay::differencePausesIsToldAndMarked() {
     const QString file = recorded();
-    QByteArrayList lines = contentOf(file).split('\n');
-    int number = 0;
-    for (QByteArray &line : lines)
-        if (line.size() == 16 && !line.contains(' ') && ++number == 57) line[0] = line[0] == '0' ? '1' : '0';
-    write(file, lines.join('\n').replace("library ", "library 0."));
+    flipHash(file, 57);
+    write(file, contentOf(file).replace("library ", "library 0."));
     open(file);
     QTRY_COMPARE(place().position, uint64_t(57));
     QTRY_VERIFY(!m_fixture->simulation().latest().running);
@@ -428,6 +438,67 @@ void TestWindowReplay::interruptedRecordingIsToldAndPlayed() {
     QCOMPARE(message(), file + ": the recording was interrupted; it ends after 499 steps");
     goTo(499);
     QCOMPARE(text("replay_verdict"), QString("same, cut off"));
+}
+
+// On the recording's level, and back on the one from before.
+void TestWindowReplay::ghostGoesWithTheReplay() {
+    m_fixture->session().comparison().start({"exact", 1});
+    open(recorded());
+    goTo(40); // on its way
+    QVERIFY(m_fixture->simulation().latest().ghost);
+    QCOMPARE(m_fixture->simulation().latest().ghost->metAt, 0.0);
+    QVERIFY(m_fixture->simulation().latest().ghost->deviation.distance > 0.0);
+    QVERIFY2(message().isEmpty(), qPrintable(message()));
+    m_fixture->trigger("close_recording");
+    QTRY_COMPARE(m_fixture->simulation().latest().replay.number, uint64_t(0));
+    QTRY_VERIFY(m_fixture->simulation().latest().ghost);
+}
+
+void TestWindowReplay::pictureIsOfTheMomentAskedFor_data() {
+    QTest::addColumn<double>("duration"); // s; < 0: not given
+    QTest::addColumn<uint64_t>("position");
+    QTest::addColumn<bool>("isSame");
+    QTest::newRow("in the first run") << 1.5 << uint64_t(150) << true;
+    QTest::newRow("in the second run") << 3.5 << uint64_t(400) << true;
+    QTest::newRow("end") << -1.0 << uint64_t(500) << true;
+    QTest::newRow("before a difference") << 0.1 << uint64_t(10) << false;
+}
+
+void TestWindowReplay::pictureIsOfTheMomentAskedFor() {
+    QFETCH(double, duration);
+    QFETCH(uint64_t, position);
+    QFETCH(bool, isSame);
+    inspector::Options options;
+    options.registry = m_fixture->session().registry();
+    options.levels = m_fixture->session().levels();
+    options.level = options.levels[0];
+    options.replay = recorded();
+    options.grab = m_fixture->path("picture.png");
+    if (duration >= 0.0) options.duration = duration;
+    if (!isSame) flipHash(options.replay, 57);
+    QSettings settings(m_fixture->path("third.ini"), QSettings::IniFormat);
+    const auto session = inspector::Session::open(options, settings, nullptr);
+    QVERIFY(session);
+    inspector::ui::UnattendedRun run(*session, options);
+    QString error = "not yet";
+    connect(&run, &inspector::ui::UnattendedRun::finished, this, [&](const QString &line) { error = line; });
+    run.start();
+    QTRY_VERIFY(error != "not yet");
+    QCOMPARE(session->simulation().latest().replay.position, position);
+    QVERIFY(!session->simulation().latest().running);
+    QCOMPARE(error.isEmpty(), isSame);
+    QVERIFY2(isSame || error.startsWith("differs: step "), qPrintable(error));
+}
+
+void TestWindowReplay::recordingThatIsRefusedOpensNoSession() {
+    inspector::Options options;
+    options.registry = m_fixture->session().registry();
+    options.levels = m_fixture->session().levels();
+    options.level = options.levels[0];
+    options.replay = m_fixture->path("nowhere.rec");
+    QString error;
+    QVERIFY(!inspector::Session::open(options, m_fixture->settings(), &error));
+    QVERIFY2(error.startsWith("--replay: can't read '" + options.replay), qPrintable(error));
 }
 
 QTEST_MAIN(TestWindowReplay)
