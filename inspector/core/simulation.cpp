@@ -48,7 +48,6 @@ struct Simulation::Worker {
     uint64_t run = 0;
     uint64_t obeyed = 0; // number of the inputs that count
     uint64_t impacts = 0;
-    phys_event lastImpact{};
     std::optional<Recorder> recorder{};
     std::optional<Companion> companion{};
     double leftAt = std::numeric_limits<double>::infinity(); // when the ball left the maze, s
@@ -111,7 +110,6 @@ void Simulation::Worker::setRunning(bool isRunning) {
 void Simulation::Worker::beginRun() {
     ++run;
     impacts = 0;
-    lastImpact = {};
     leftAt = std::numeric_limits<double>::infinity();
     if (shown().state().flags & PHYS_OUT) leftAt = shown().state().time;
     if (companion && companion->scene() != shown().scene()) companion.reset(); // its stepper is of the other
@@ -180,11 +178,8 @@ void Simulation::Worker::leadCompanion() {
 
 void Simulation::Worker::noteEvents() {
     owner.m_events.note(shown(), player ? player->recording().stepperPlace(player->stretch()) : stepper);
-    for (const phys_event &event : shown().events()) {
-        if (event.kind != PHYS_EVENT_IMPACT) continue;
-        ++impacts;
-        lastImpact = event;
-    }
+    for (const phys_event &event : shown().events())
+        if (event.kind == PHYS_EVENT_IMPACT) ++impacts;
 }
 
 void Simulation::Worker::noteLeaving() {
@@ -208,7 +203,6 @@ void Simulation::Worker::publish(Clock::time_point due) {
     snapshot.report = now.report();
     snapshot.report.events = nullptr;
     snapshot.report.event_capacity = 0;
-    snapshot.lastImpact = lastImpact;
     snapshot.dt = now.dt();
     snapshot.run = run;
     snapshot.running = running;

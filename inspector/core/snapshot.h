@@ -45,7 +45,6 @@ struct Snapshot {
     Clock::duration interval{}; // to the next step; 0 while paused
     Inputs inputs{};            // of the last step
     phys_report report{};       // of the last step; its events are not here
-    phys_event lastImpact{};    // of this run; kind 0 if there was none
     double dt = 0.0;            // s
     uint64_t run = 0;           // counts restarts, levels and states set
     bool running = false;

@@ -190,6 +190,11 @@ void BounceDock::select(uint64_t number) {
     m_table->scrollTo(index);
 }
 
+void BounceDock::selectAt(double time) {
+    for (const LoggedEvent &event : m_events->events())
+        if (event.isBounce() && !event.isSlow() && event.event.time == time) return select(event.number);
+}
+
 void BounceDock::clearSelection() {
     m_table->clearSelection();
     m_table->setCurrentIndex({});

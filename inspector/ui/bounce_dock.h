@@ -32,6 +32,7 @@ public:
 
     std::optional<LoggedEvent> selected() const;
     void select(uint64_t number); // an entry of the log, also one that the list hides just now
+    void selectAt(double time);   // the bounce at that very time
     void clearSelection();
 
     // The last bounces that aren't slow, and the selected event.

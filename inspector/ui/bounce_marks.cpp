@@ -129,15 +129,17 @@ std::optional<uint64_t> markAt(const gl::MazeView &view, const gl::Ray &ray, con
     const QPointF pixel = view.positionOf(ray.origin + ray.direction);
     std::optional<uint64_t> best;
     double nearest = kReach;
-    // The newest first: of two in one place it is the one that is drawn on top.
-    for (auto event = marks.recent.rbegin(); event != marks.recent.rend(); ++event) {
-        const auto [foot, tip] = endsOf(*event, radius);
+    const auto consider = [&](const LoggedEvent &event) {
+        const auto [foot, tip] = endsOf(event, radius);
         const double distance = distanceTo(pixel, view.positionOf(foot), view.positionOf(tip));
-        if (distance >= nearest) continue;
-        if (!isVisible(ray.origin, foot, scene) && !isVisible(ray.origin, tip, scene)) continue;
+        if (distance >= nearest) return;
+        if (!isVisible(ray.origin, foot, scene) && !isVisible(ray.origin, tip, scene)) return;
         nearest = distance;
-        best = event->number;
-    }
+        best = event.number;
+    };
+    // The one that is drawn on top of others in its place comes first.
+    if (marks.selected) consider(*marks.selected);
+    std::for_each(marks.recent.rbegin(), marks.recent.rend(), consider);
     return best;
 }
 

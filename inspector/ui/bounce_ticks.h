@@ -21,6 +21,9 @@ public:
     void setRange(double from, double to);
     void setColours(const QColor &tick, const QColor &selected);
 
+    // Of the tick at this pixel, or within a few pixels of it.
+    std::optional<double> timeAt(const QPointF &pixel) const;
+
     const std::vector<double> &times() const { return m_times; }
     std::optional<double> selected() const { return m_selected; }
 

@@ -32,6 +32,7 @@ QString keysTable(const QWidget &window) {
     const QString gestures[][2] = {
         {Help::tr("View: drag"), Help::tr("Turn; with the right button move")},
         {Help::tr("View: wheel"), Help::tr("Come closer to what is under the cursor")},
+        {Help::tr("View: click"), Help::tr("Look at the bounce there, or at none")},
         {Help::tr("View: double click"), Help::tr("Show the whole board again")},
         {Help::tr("Plot: drag, wheel"), Help::tr("Move and zoom the time; with Ctrl or over the axis the values")},
         {Help::tr("Plot: double click"), Help::tr("Follow the newest values again")},

@@ -207,6 +207,7 @@ void MainWindow::connectSession() {
 
 void MainWindow::connectBounces() {
     connect(m_view, &gl::MazeView::clicked, this, &MainWindow::selectBounceAt);
+    connect(&m_plot->plot(), &TimePlot::bounceClicked, m_bounces, &BounceDock::selectAt);
     connect(m_bounces, &BounceDock::changed, this, [this] {
         const std::optional<LoggedEvent> selected = m_bounces->selected();
         const std::optional<double> time = selected ? std::optional(selected->event.time) : std::nullopt;

@@ -212,6 +212,7 @@ Qt::Orientations TimePlot::orientationAt(QPointF position, Qt::KeyboardModifiers
 
 void TimePlot::mousePressEvent(QMouseEvent *event) {
     axisRect()->setRangeDrag(orientationAt(event->position(), event->modifiers()));
+    m_pressedAt = event->position();
     QCustomPlot::mousePressEvent(event);
 }
 
@@ -223,6 +224,12 @@ void TimePlot::mouseMoveEvent(QMouseEvent *event) {
     // Dragged values stay where they were put; a dragged time no longer follows.
     if (axisRect()->rangeDrag() == Qt::Vertical) m_fitsValues = false;
     if (axisRect()->rangeDrag() == Qt::Horizontal) setFollowing(false);
+}
+
+void TimePlot::mouseReleaseEvent(QMouseEvent *event) {
+    QCustomPlot::mouseReleaseEvent(event);
+    if (event->button() != Qt::LeftButton || event->position() != m_pressedAt) return;
+    if (const std::optional<double> time = m_ticks->timeAt(event->position())) emit bounceClicked(*time);
 }
 
 void TimePlot::mouseDoubleClickEvent(QMouseEvent *event) {

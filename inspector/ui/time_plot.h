@@ -44,6 +44,7 @@ public:
     std::optional<Sample> readOut() const { return m_readOut; }
 
 signals:
+    void bounceClicked(double time); // of its tick, s
     void followingChanged(bool isOn);
     void pausedChanged(bool isOn);
 
@@ -75,6 +76,7 @@ protected:
 
     void mousePressEvent(QMouseEvent *event) override;
     void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
     void mouseDoubleClickEvent(QMouseEvent *event) override;
     void wheelEvent(QWheelEvent *event) override;
     void leaveEvent(QEvent *event) override;
@@ -107,6 +109,7 @@ private:
     QCPItemStraightLine *m_cursorLine;
     QCPItemText *m_cursorText;
     std::optional<QPointF> m_cursor;
+    QPointF m_pressedAt;
     std::optional<Sample> m_readOut;
     std::optional<double> m_pausedAt; // s
     double m_clearedAt = 0.0;         // s

@@ -18,6 +18,7 @@
 #include <QTableView>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace window_test;
 using inspector::LoggedEvent;
@@ -55,6 +56,7 @@ private slots:
     void restartEmptiesTheList();
     void plotHasATickForEachBounce();
     void selectedBounceIsMarkedInThePlot();
+    void clickOnATickSelectsItsBounce();
     void lostEventsAreTold();
     void detailHasTheLawWithItsNumbers();
 
@@ -411,6 +413,18 @@ void TestWindowBounces::selectedBounceIsMarkedInThePlot() {
     QCOMPARE(ticks->selected(), std::optional(mark.event.time));
     clickAt(emptyPlace());
     QVERIFY(!ticks->selected());
+}
+
+void TestWindowBounces::clickOnATickSelectsItsBounce() {
+    play(3);
+    auto *plot = m_fixture->find<inspector::ui::TimePlot>("velocity_plot");
+    const double time = plot->findChild<inspector::ui::BounceTicks *>()->times().front();
+    const QPoint tick(int(std::lround(plot->xAxis->coordToPixel(time))), plot->axisRect()->bottom() - 4);
+    QTest::mouseClick(plot, Qt::LeftButton, {}, tick - QPoint(0, 60)); // above it is nothing
+    QVERIFY(!m_bounces->selected());
+    QTest::mouseClick(plot, Qt::LeftButton, {}, tick);
+    QVERIFY(m_bounces->selected());
+    QCOMPARE(m_bounces->selected()->event.time, time);
 }
 
 // One step of 10 s, in which a ball that hardly loses speed bounces far more often than a report has room for.
