@@ -156,10 +156,22 @@ void BounceDock::makeTable() {
 void BounceDock::refresh() {
     const QScrollBar *bar = m_table->verticalScrollBar();
     const bool follows = bar->value() == bar->maximum() && !m_table->selectionModel()->hasSelection();
+    const std::optional<LoggedEvent> before = selected();
     if (!m_events->refresh()) return;
+    if (before && !selected()) m_awaited = before;
+    selectAwaited();
     if (follows) m_table->scrollToBottom();
     showCount();
     showSelected(); // a row of slow impacts may have grown
+}
+
+// A run that is made again, as by going back in a recording, has the same events.
+void BounceDock::selectAwaited() {
+    if (!m_awaited) return;
+    const phys_event &awaited = m_awaited->event;
+    for (const LoggedEvent &event : m_events->events())
+        if (event.event.time == awaited.time && event.event.kind == awaited.kind && event.event.box == awaited.box)
+            return select(event.number);
 }
 
 void BounceDock::applyFilter() { m_filter->setShown(m_slow->isChecked(), m_others->isChecked()); }
@@ -196,12 +208,14 @@ void BounceDock::selectAt(double time) {
 }
 
 void BounceDock::clearSelection() {
+    m_awaited.reset();
     m_table->clearSelection();
     m_table->setCurrentIndex({});
 }
 
 void BounceDock::showSelected() {
     const std::optional<LoggedEvent> event = selected();
+    if (event) m_awaited.reset();
     const QString text =
         event ? html(eventLines(*event, m_session.scene().get(), m_session.registry()))
               : tr("Click a bounce in the list or in the view: when, where, how fast, and the law that it obeys.");

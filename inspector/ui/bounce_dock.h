@@ -54,6 +54,7 @@ private:
     void applyFilter();
     void showSelected();
     void showCount();
+    void selectAwaited();
     void copy() const;
     void findMarks();
 
@@ -66,6 +67,7 @@ private:
     QTableView *m_table;
     QLabel *m_detail;
     BounceMarks m_marks;
+    std::optional<LoggedEvent> m_awaited; // was selected in the run before
 };
 
 } // namespace inspector::ui

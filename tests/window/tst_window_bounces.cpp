@@ -54,6 +54,7 @@ private slots:
     void listStaysWhereItIsWhileARowIsSelected();
     void selectionStaysOnItsEventWhileRowsCome();
     void restartEmptiesTheList();
+    void selectionComesBackWithItsEvent();
     void plotHasATickForEachBounce();
     void selectedBounceIsMarkedInThePlot();
     void clickOnATickSelectsItsBounce();
@@ -388,6 +389,19 @@ void TestWindowBounces::restartEmptiesTheList() {
     QTRY_COMPARE(rows(), 0);
     QVERIFY(!m_bounces->selected());
     QVERIFY(m_bounces->marks().recent.empty());
+}
+
+// The same steps again, as a recording makes them when it goes back.
+void TestWindowBounces::selectionComesBackWithItsEvent() {
+    play(3);
+    const LoggedEvent mark = lonelyMarks().front();
+    clickAt(pixelOf(mark));
+    m_fixture->trigger("restart");
+    QTRY_COMPARE(rows(), 0);
+    QVERIFY(!m_bounces->selected());
+    play(3);
+    QVERIFY(m_bounces->selected());
+    QCOMPARE(m_bounces->selected()->event.time, mark.event.time);
 }
 
 void TestWindowBounces::plotHasATickForEachBounce() {
