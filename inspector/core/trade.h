@@ -6,6 +6,7 @@
 #include "handles.h"
 #include "trade_schedule.h"
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <stop_token>
@@ -74,7 +75,7 @@ struct TradeSpan {
 };
 
 struct TradeResult {
-    TradeSpan spans[2];             // by model
+    std::array<TradeSpan, 2> spans; // by model
     std::vector<TradePoint> points; // stepper by stepper, from long to short steps; the rolling model's first
     bool isComplete = false;        // not cancelled
 
