@@ -42,8 +42,14 @@ void UnattendedRun::start() {
 void UnattendedRun::look() {
     ++m_looks;
     if (!isOver()) return;
-    if (!m_session.simulation().latest().running) return finish(m_difference);
-    m_session.simulation().pause(); // first, so that everything in the picture is of one moment
+    if (m_session.simulation().latest().running) {
+        m_session.simulation().pause(); // first, so that everything in the picture is of one moment
+        return;
+    }
+    m_timer.stop();
+    // Behind what the simulation has told about this moment: a win, a difference.
+    QMetaObject::invokeMethod(
+        this, [this] { finish(m_difference); }, Qt::QueuedConnection);
 }
 
 bool UnattendedRun::isOver() {

@@ -141,7 +141,7 @@ void TestParameterEffects::parameterHasItsEffect() {
     const Effect &expected = kEffects[static_cast<size_t>(effect)];
     const phys_param_row *const row = rowWithId(expected.row);
     QVERIFY(row);
-    double outcomes[2];
+    double outcomes[2] = {};
     for (const int i : {0, 1}) {
         Experiment ball(leftWall(), stepper, expected.model);
         ball.params.rolling_friction = 0.005;

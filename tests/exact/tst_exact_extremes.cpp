@@ -4,8 +4,6 @@
 
 #include <QtTest>
 
-#include <cstring>
-
 using exact::kU;
 using exact::Run;
 
@@ -193,11 +191,11 @@ void ExactExtremes::bouncesOnALevelEdgeEndHoweverFastItGoesAlong() {
     Run run({exact::floorOver(-2, -2, -1, 2), {{0.5, -128, 1}, {1, 128, 2}}}, 0.125, {0.25, 0, 0.75}, {0, 64, 0});
     run.params.gravity = {8, 0, 8};
     run.params.restitution_wall = 0.5;
-    const phys_state before = run.state;
+    const uint64_t hash = phys_state_hash(&run.state);
     phys_error error{};
     QCOMPARE(run.tryStep(1.5, &error), phys_status(PHYS_ERROR_UNSUPPORTED));
     QCOMPARE(error.text, "box 1: the ball stays in contact with its top or bottom, which stepper 'exact' can't follow");
-    QVERIFY(std::memcmp(&run.state, &before, sizeof before) == 0);
+    QCOMPARE(phys_state_hash(&run.state), hash);
 }
 
 QTEST_GUILESS_MAIN(ExactExtremes)
