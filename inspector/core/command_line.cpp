@@ -6,6 +6,7 @@
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
+#include <QFileInfo>
 #include <QLocale>
 
 #include <algorithm>
@@ -115,6 +116,10 @@ void addOptions(QCommandLineParser &parser, const std::vector<const phys_param_r
          text("Save a picture of the window at the end of the run, and quit. With --replay: of the recording's end, or "
               "at --duration."),
          "file.png"},
+        {"shaders",
+         text("Draw with the GLSL files in this folder instead of the embedded ones of the same names; a file that is "
+              "saved takes effect at once."),
+         text("folder")},
         {"all-levels", text("Play all levels without a window by the autopilot, print a line for each; status 1 unless "
                             "all are won.")},
         {"trade",
@@ -198,6 +203,11 @@ void readOutputs(const QCommandLineParser &parser, Options &options) {
     if (parser.isSet("csv-every")) options.csvEvery = uint64_t(numberOf(parser, "csv-every", 1, 1e9));
     if (options.headless && parser.isSet("grab"))
         throw WrongUse{QStringLiteral("--grab: there is no picture without a window; leave out --headless")};
+    if (options.headless && parser.isSet("shaders"))
+        throw WrongUse{QStringLiteral("--shaders: nothing is drawn without a window; leave out --headless")};
+    options.shaders = parser.value("shaders");
+    if (parser.isSet("shaders") && !QFileInfo(options.shaders).isDir())
+        throw WrongUse{QStringLiteral("--shaders: expected a folder, found '%1'").arg(options.shaders)};
     if (parser.isSet("all-levels") && (parser.isSet("csv") || parser.isSet("level")))
         throw WrongUse{QStringLiteral("--all-levels: takes neither --csv nor --level")};
 }
@@ -257,7 +267,7 @@ void checkTradeWords(const QCommandLineParser &parser) {
     const bool trades = parser.isSet("trade");
     for (const char *name : {"schedule", "steps", "under", "for", "within", "plot"})
         if (!trades && parser.isSet(name)) throw WrongUse{QStringLiteral("--%1: needs --trade").arg(name)};
-    for (const char *name : {"level", "stepper", "dt", "all-levels", "autopilot", "csv-every", "grab"})
+    for (const char *name : {"level", "stepper", "dt", "all-levels", "autopilot", "csv-every", "grab", "shaders"})
         if (trades && parser.isSet(name)) throw WrongUse{QStringLiteral("--trade: doesn't go with --%1").arg(name)};
     if (parser.isSet("within") && (parser.isSet("under") || parser.isSet("for")))
         throw WrongUse{QStringLiteral("--within: takes neither --under nor --for")};

@@ -39,6 +39,7 @@ struct Options {
     std::optional<Opponent> comparison;
     TradeOptions trade; // of Action::Trade
     QString grab;       // file; empty: none
+    QString shaders;    // folder of files that replace the embedded ones; empty: none
 };
 
 } // namespace inspector

@@ -2,6 +2,7 @@
 #include "ui/application.h"
 
 #include "core/session.h"
+#include "gl/maze_view.h"
 #include "gl/surface_format.h"
 #include "ui/main_window.h"
 #include "ui/unattended_run.h"
@@ -16,6 +17,7 @@ void prepareApplication() { QSurfaceFormat::setDefaultFormat(gl::surfaceFormat()
 
 int runWindow(Session &session, const Options &options) {
     MainWindow window(session);
+    if (!options.shaders.isEmpty()) window.view().setShaderDirectory(options.shaders);
     window.show();
     UnattendedRun run(session, options);
     QObject::connect(&run, &UnattendedRun::finished, &window, [&window, &options](QString error) {

@@ -186,6 +186,10 @@ void TestCommandLine::wrongUseGivesOneLineAndStatus2_data() {
                                         << "rolling_friction";
     QTest::newRow("picture without window") << "--headless --grab a.png"
                                             << "--grab";
+    QTest::newRow("shaders without window") << "--headless --shaders ."
+                                            << "--shaders: nothing is drawn";
+    QTest::newRow("no folder of shaders") << "--shaders /nowhere"
+                                          << "--shaders: expected a folder, found '/nowhere'";
     QTest::newRow("one level and all") << "--all-levels --level 2"
                                        << "--all-levels";
 }
