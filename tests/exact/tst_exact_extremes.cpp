@@ -25,6 +25,7 @@ private slots:
     void thousandTouchingBoxes();
     void restIsForEver();
     void fallsPastTheLowerEndOfAWall();
+    void restOnAWallsTopAgainstAnotherIsRefused();
     void bouncesOnALevelEdgeEndHoweverFastItGoesAlong();
 };
 
@@ -183,6 +184,17 @@ void ExactExtremes::fallsPastTheLowerEndOfAWall() {
     QVERIFY(std::abs(run.state.velocity.x - 0.125) <= 2.0 * kU);
     QVERIFY(std::abs(run.state.position.z - (1.0 - 4.0 * 0.5625)) <= 2.0 * kU);
     QCOMPARE(run.eventsOf(PHYS_EVENT_RELEASE).size(), size_t(1));
+}
+
+/// Two walls of different heights: what carries the ball is the lower one's top, which is no floor.
+void ExactExtremes::restOnAWallsTopAgainstAnotherIsRefused() {
+    const std::vector<phys_box> boxes{
+        exact::floorOver(-2, -2, -1, 2), {{-0.5, -1, 0}, {0.5, 1, 0.5}}, exact::wall(0.125, -1, 1, 1)};
+    Run run(boxes, 0.125, {0, 0, 0.625});
+    run.params.gravity = {2, 0, -8};
+    phys_error error{};
+    QCOMPARE(run.tryStep(1.0, &error), phys_status(PHYS_ERROR_UNSUPPORTED));
+    QCOMPARE(error.text, "box 1: the ball comes to rest on it, which stepper 'exact' can't follow");
 }
 
 /// Pulled from below straight into the edge at x = 0.5, z = 1. An edge is curved only across itself. What comes after

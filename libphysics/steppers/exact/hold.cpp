@@ -163,8 +163,9 @@ Hold holdResting(const Board &board, const Touches &touches, const Vec3 &p, cons
         hold.start = length({length(inPlane(left)), left.z});
         return hold;
     }
+    // Named for what carries it, if anything does: between upright walls alone it falls.
     for (const Touch &touch : touches) {
-        if (glm::dot(drive.A, touch.normal) < 0.0) hold.touch = touch;
+        if (hold.touch.normal.z == 0.0 && glm::dot(drive.A, touch.normal) < 0.0) hold.touch = touch;
     }
     hold.kind = Hold::Kind::wedged;
     return hold;
