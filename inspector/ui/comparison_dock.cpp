@@ -6,6 +6,7 @@
 #include "ui/distance_plot.h"
 #include "ui/elided_label.h"
 #include "ui/plot_panel.h"
+#include "ui/stepper_items.h"
 
 #include <QAction>
 #include <QBoxLayout>
@@ -73,7 +74,7 @@ QWidget *ComparisonDock::makeControls(const Actions &actions) {
     m_stepper->setObjectName(QStringLiteral("comparison_stepper"));
     m_stepper->setToolTip(tr("The stepper that moves the ghost"));
     m_stepper->setFocusPolicy(Qt::TabFocus);
-    addSteppers();
+    addStepperItems(*m_stepper, m_session.registry());
     m_substeps->setObjectName(QStringLiteral("comparison_substeps"));
     m_substeps->setToolTip(tr("The ghost's time step, as a part of the ball's"));
     m_substeps->setPrefix(tr("dt / "));
@@ -93,16 +94,6 @@ QWidget *ComparisonDock::makeControls(const Actions &actions) {
     layout->addWidget(buttonFor(actions.meetAgain));
     layout->addStretch();
     return controls;
-}
-
-void ComparisonDock::addSteppers() {
-    const phys_registry *registry = m_session.registry().get();
-    for (uint32_t index = 0; index < phys_registry_count(registry); ++index) {
-        phys_stepper_info info;
-        if (phys_registry_info(registry, index, &info) != PHYS_OK) continue;
-        m_stepper->addItem(QString::fromUtf8(info.name), QByteArray(info.id));
-        m_stepper->setItemData(m_stepper->count() - 1, QString::fromUtf8(info.summary), Qt::ToolTipRole);
-    }
 }
 
 void ComparisonDock::choose() {

@@ -38,7 +38,6 @@ signals:
 
 private:
     QWidget *makeControls(const Actions &actions);
-    void addSteppers();
     void choose();         // what the controls say
     void showComparison(); // what the session says
     QString summary(const Snapshot &now) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/transport_bar.h"
 
+#include "ui/stepper_items.h"
 #include "ui/stepping_command.h"
 
 #include <QComboBox>
@@ -87,13 +88,7 @@ void TransportBar::addSpeeds() {
 
 void TransportBar::addSteppers() {
     m_stepper = addChooser(tr("Stepper"), "stepper", tr("How a step is computed."));
-    const phys_registry *registry = m_session.registry().get();
-    for (uint32_t index = 0; index < phys_registry_count(registry); ++index) {
-        phys_stepper_info info;
-        if (phys_registry_info(registry, index, &info) != PHYS_OK) continue;
-        m_stepper->addItem(QString::fromUtf8(info.name), QByteArray(info.id));
-        m_stepper->setItemData(int(index), QString::fromUtf8(info.summary), Qt::ToolTipRole);
-    }
+    addStepperItems(*m_stepper, m_session.registry());
     connect(m_stepper, &QComboBox::activated, this, [this](int index) {
         const Stepping wanted{m_stepper->itemData(index).toByteArray(), m_session.dt(), {}};
         changeStepping(m_session, m_undo, wanted, tr("choice of %1").arg(m_stepper->itemText(index)));
