@@ -21,7 +21,7 @@ namespace {
 constexpr double kFallTime = 0.4;
 
 // Steps before the place sought in a replay that plots and trails get to see.
-constexpr uint64_t kStepsBefore = 8192;
+constexpr uint64_t kStepsBefore = 10000; // the 10 s of a plot at 1 ms
 // A replay is checked ahead in pieces, between which there is time for steps and commands.
 constexpr std::chrono::milliseconds kCheckSlice{1};
 constexpr int kStepsPerLook = 32; // at the clock
