@@ -72,11 +72,11 @@ void EventLog::append(const phys_event &event, const StepFacts &step) {
         store(*entry);
         return announce();
     }
-    const uint64_t number = m_last.load(std::memory_order_relaxed);
+    const uint64_t number = m_counts.last;
     LoggedEvent &entry = m_newest[number % kReach];
     entry = {number, event, 1, event.time, std::abs(event.speed_before), step};
     store(entry);
-    m_last.store(number + 1, std::memory_order_release);
+    m_counts.last = number + 1;
     announce();
 }
 
@@ -87,8 +87,8 @@ bool EventLog::isOneMore(const LoggedEvent &entry, const phys_event &event, doub
 
 // The newest entry of the same kind and box decides: after a fast impact a new row of slow ones begins.
 LoggedEvent *EventLog::entryToGrow(const phys_event &event, double dt) {
-    const uint64_t end = m_last.load(std::memory_order_relaxed);
-    const uint64_t begin = std::max(m_cleared.load(std::memory_order_relaxed), end > kReach ? end - kReach : 0);
+    const uint64_t end = m_counts.last;
+    const uint64_t begin = std::max(m_counts.cleared, end > kReach ? end - kReach : 0);
     for (uint64_t number = end; number-- > begin;) {
         LoggedEvent &entry = m_newest[number % kReach];
         if (entry.event.kind != event.kind || entry.event.box != event.box) continue;
@@ -110,18 +110,35 @@ void EventLog::store(const LoggedEvent &entry) {
 }
 
 void EventLog::announce() {
-    m_revision.store(m_revision.load(std::memory_order_relaxed) + 1, std::memory_order_release);
+    ++m_counts.revision;
+    if (!m_isHeld) show();
+}
+
+// First what is gone, then what is new: entries from before and after a clear() are never seen together.
+void EventLog::show() {
+    m_cleared.store(m_counts.cleared, std::memory_order_release);
+    m_last.store(m_counts.last, std::memory_order_release);
+    m_lost.store(m_counts.lost, std::memory_order_release);
+    m_generation.store(m_counts.generation, std::memory_order_release);
+    m_revision.store(m_counts.revision, std::memory_order_release);
+}
+
+void EventLog::hold() { m_isHeld = true; }
+
+void EventLog::release() {
+    m_isHeld = false;
+    show();
 }
 
 void EventLog::noteLost(uint64_t count) {
-    m_lost.store(m_lost.load(std::memory_order_relaxed) + count, std::memory_order_release);
+    m_counts.lost += count;
     announce();
 }
 
 void EventLog::clear() {
-    m_cleared.store(m_last.load(std::memory_order_relaxed), std::memory_order_release);
-    m_lost.store(0, std::memory_order_release);
-    m_generation.fetch_add(1, std::memory_order_release);
+    m_counts.cleared = m_counts.last;
+    m_counts.lost = 0;
+    ++m_counts.generation;
     announce();
 }
 
@@ -131,7 +148,10 @@ uint64_t EventLog::first() const {
     return std::max(oldest, m_cleared.load(std::memory_order_acquire));
 }
 
-uint64_t EventLog::dropped() const { return first() - m_cleared.load(std::memory_order_acquire); }
+uint64_t EventLog::dropped() const {
+    const uint64_t cleared = m_cleared.load(std::memory_order_acquire);
+    return std::max(first(), cleared) - cleared;
+}
 
 bool EventLog::read(uint64_t number, LoggedEvent &out) const {
     if (number < first() || number >= last()) return false;

@@ -57,6 +57,9 @@ public:
     void append(const phys_event &event, const StepFacts &step);
     void noteLost(uint64_t count);
     void clear();
+    // What is done between the two is seen by nobody before the second, and then all at once.
+    void hold();
+    void release();
 
     // Readers' side. Entries [first(), last()) can be read just now.
     size_t capacity() const { return m_capacity; }
@@ -88,12 +91,25 @@ private:
     LoggedEvent *entryToGrow(const phys_event &event, double dt);
     void store(const LoggedEvent &entry);
     void announce();
+    void show();
+
+    // The writer's own: what there is to see once it isn't held back any more.
+    struct Counts {
+        uint64_t last = 0;    // entries begun
+        uint64_t cleared = 0; // last at the last clear()
+        uint64_t lost = 0;
+        uint64_t generation = 0;
+        uint64_t revision = 0;
+    };
 
     size_t m_capacity;
     std::unique_ptr<Slot[]> m_slots;
-    std::vector<LoggedEvent> m_newest;  // the writer's own copies of the newest kReach
-    std::atomic<uint64_t> m_last{0};    // entries begun
-    std::atomic<uint64_t> m_cleared{0}; // m_last at the last clear()
+    std::vector<LoggedEvent> m_newest; // the writer's own copies of the newest kReach
+    Counts m_counts;
+    bool m_isHeld = false;
+    // What is seen.
+    std::atomic<uint64_t> m_last{0};
+    std::atomic<uint64_t> m_cleared{0};
     std::atomic<uint64_t> m_lost{0};
     std::atomic<uint64_t> m_generation{0};
     std::atomic<uint64_t> m_revision{0};

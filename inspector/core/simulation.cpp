@@ -265,6 +265,7 @@ void Simulation::Worker::showUpTo(uint64_t position) {
     const uint64_t begin = std::max(start, end - std::min(end, kStepsBefore));
     const bool goesOn = player->position() > start && player->position() >= begin && player->position() <= end;
     owner.m_samples.hold();
+    owner.m_events.hold();
     if (!goesOn) {
         player->seek(begin);
         player->enterRun();
@@ -273,6 +274,7 @@ void Simulation::Worker::showUpTo(uint64_t position) {
     while (player->position() < end && player->next()) noteStep();
     startPacing();
     owner.m_samples.release();
+    owner.m_events.release();
 }
 
 // The engine gets all that the replay's last step had: its next one is what that one's would be.

@@ -19,6 +19,7 @@ private slots:
     void entriesReadBackInOrder();
     void oldestAreOverwritten();
     void clearStartsAnewButNumbersGoOn();
+    void heldEntriesAreSeenAllAtOnce();
     void revisionTellsOfEveryChange();
     void slowImpactsInARowAreOneEntry();
     void fastImpactsAreNeverFolded();
@@ -135,6 +136,27 @@ void TestEventLog::clearStartsAnewButNumbersGoOn() {
     append(log, impact(0.0, kFast)); // time may fall back now
     QCOMPARE(log.first(), uint64_t(100));
     QCOMPARE(log.last(), uint64_t(101));
+}
+
+void TestEventLog::heldEntriesAreSeenAllAtOnce() {
+    EventLog log(64);
+    for (uint64_t i = 0; i < 10; ++i) append(log, impact(double(i), kFast));
+    const uint64_t revision = log.revision();
+    log.hold();
+    log.clear();
+    append(log, impact(0.0, kFast));
+    log.noteLost(3);
+    QCOMPARE(log.last() - log.first(), uint64_t(10));
+    QCOMPARE(log.generation(), uint64_t(0));
+    QCOMPARE(log.revision(), revision);
+    QCOMPARE(log.lost(), uint64_t(0));
+    log.release();
+    QCOMPARE(log.first(), uint64_t(10));
+    QCOMPARE(log.last(), uint64_t(11));
+    QCOMPARE(log.generation(), uint64_t(1));
+    QVERIFY(log.revision() != revision);
+    QCOMPARE(log.lost(), uint64_t(3));
+    QCOMPARE(entriesOf(log).size(), size_t(1));
 }
 
 void TestEventLog::revisionTellsOfEveryChange() {
