@@ -70,9 +70,12 @@ void UnattendedRun::startReplay() {
 }
 
 bool UnattendedRun::isReplayOver() {
-    const ReplayPlace &now = m_session.simulation().latest().replay;
+    const Snapshot &snapshot = m_session.simulation().latest();
+    const ReplayPlace &now = snapshot.replay;
+    if (now.difference && m_difference.isEmpty()) return false; // its line is on its way
     const bool isThere = now.number > 0 && now.position >= std::min(m_lastPosition, now.end);
-    return isThere && (!m_grabs || (now.isChecked && m_looks >= kLooksAtRest));
+    if (m_grabs) return isThere && now.isChecked && m_looks >= kLooksAtRest;
+    return isThere || (!snapshot.running && now.difference == now.position); // it pauses where a step differs
 }
 
 void UnattendedRun::finish(const QString &error) {

@@ -54,6 +54,7 @@ private slots:
     void refusalLeavesTheSessionAsItWas();
     void interruptedRecordingIsToldAndPlayed();
     void ghostGoesWithTheReplay();
+    void unattendedReplayEndsAtADifference();
     void pictureIsOfTheMomentAskedFor_data();
     void pictureIsOfTheMomentAskedFor();
     void recordingThatIsRefusedOpensNoSession();
@@ -452,6 +453,26 @@ void TestWindowReplay::ghostGoesWithTheReplay() {
     m_fixture->trigger("close_recording");
     QTRY_COMPARE(m_fixture->simulation().latest().replay.number, uint64_t(0));
     QTRY_VERIFY(m_fixture->simulation().latest().ghost);
+}
+
+// Where it pauses: nobody is there to let it go on.
+void TestWindowReplay::unattendedReplayEndsAtADifference() {
+    inspector::Options options;
+    options.registry = m_fixture->session().registry();
+    options.levels = m_fixture->session().levels();
+    options.level = options.levels[0];
+    options.replay = recorded();
+    options.duration = 4.0;
+    flipHash(options.replay, 57);
+    QSettings settings(m_fixture->path("third.ini"), QSettings::IniFormat);
+    const auto session = inspector::Session::open(options, settings, nullptr);
+    QVERIFY(session);
+    inspector::ui::UnattendedRun run(*session, options);
+    QString error;
+    connect(&run, &inspector::ui::UnattendedRun::finished, this, [&](const QString &line) { error = line; });
+    run.start();
+    QTRY_VERIFY2(error.startsWith("differs: step 57 of the recording"), qPrintable(error));
+    QCOMPARE(session->simulation().latest().replay.position, uint64_t(57));
 }
 
 void TestWindowReplay::pictureIsOfTheMomentAskedFor_data() {
