@@ -88,6 +88,7 @@ private:
     std::optional<uint32_t> m_held;  // the solid that held the ball in the last phase
     bool m_meets = false;            // the last phase ended at a solid or a floor
     bool m_cornered = false;         // the present phase has been looked at as one between two walls
+    uint32_t m_levelTouches = 0;     // phases since the last bounce that ended so, round an edge in the air
 
     // begin and end of the step: run.cpp
     void enter();

@@ -59,6 +59,7 @@ void Run::snapToFaces() {
 }
 
 void Run::bounce(const Touch &touch) {
+    m_levelTouches = 0;
     const double before = glm::dot(m_ball.velocity, touch.normal);
     double after = -m_params.restitution_wall * before;
     if (isLastBounce(touch, after)) after = 0.0;

@@ -19,6 +19,9 @@ Vec3 rolledTurn(const Vec3 &way, double radius) { return rollingSpin(inPlane(way
 /// Parts that the turn of a curved way is made of, for drawing.
 constexpr int kTurnParts = 16;
 
+/// More would be a ball that slips past: what it hits it comes within rounding of in a few dozen.
+constexpr uint32_t kMostLevelTouches = 100;
+
 } // namespace
 
 Drive Run::drive() const {
@@ -311,6 +314,10 @@ phys_status Run::pivotOnEdge(const Hold &hold) {
     const double speed = swung.speed * std::sqrt(R * a);
 
     m_meets = swung.angle == touch;
+    // The arc is level. Of a ball that rises or falls beside it, what is in the way is found step by step or never.
+    m_levelTouches = !m_floor && m_meets ? m_levelTouches + 1 : 0;
+    if (m_levelTouches > kMostLevelTouches)
+        return refuse("the ball flies along it beside the top or bottom of another wall", hold.touch);
     turnOnArc(arc, swung.angle, t);
     const bool atQuarter = swung.angle == quarter.angle;
     const Vec2 n = atQuarter ? quarter.normal : arc.normalAt(swung.angle);
