@@ -140,7 +140,7 @@ QString eventKindName(uint32_t kind) {
 }
 
 QString eventText(const LoggedEvent &event) {
-    const QString name = eventKindName(event.event.kind);
+    QString name = eventKindName(event.event.kind);
     if (event.count == 1) return name;
     const QString time = QStringLiteral("%1 s").arg(event.until - event.event.time, 0, 'f', 2);
     if (event.event.kind == PHYS_EVENT_IMPACT)

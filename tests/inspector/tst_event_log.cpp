@@ -212,7 +212,8 @@ void TestEventLog::waitBetweenSlowImpactsMakesAnotherEntry() {
 
 void TestEventLog::slowImpactsInTurnsOnTwoBoxesAreTwoEntries() {
     EventLog log(64);
-    for (uint32_t i = 0; i < 100; ++i) append(log, impact(double(i / 2) * kDt, kSlow, i % 2));
+    for (uint32_t step = 0; step < 50; ++step)
+        for (const uint32_t box : {0U, 1U}) append(log, impact(step * kDt, kSlow, box));
     const std::vector<LoggedEvent> entries = entriesOf(log);
     QCOMPARE(entries.size(), size_t(2));
     QCOMPARE(entries[0].count, uint64_t(50));
