@@ -40,12 +40,15 @@ private slots:
     void menuOpensAndPlaysToTheEnd();
     void droppedRecordingIsPlayedAndDroppedMazeIsOpened();
     void everythingShowsTheMoment();
-    void keysStepAndGoToBothEnds();
+    void keysStepBackAndForward();
+    void keysGoToBothEndsAndPlay();
     void sliderIsDraggedByTheMouse();
     void sliderFollowsTheReplay();
     void keyboardMovesTheSlider();
     void whatWasRecordedCantBeChanged();
+    void goingOnKeepsTheMoment();
     void goingOnGivesTheBoardToTheArrowKeys();
+    void goingOnFreesTheSliders();
     void closingGoesBackToTheLevelFromBefore();
     void choosingALevelEndsTheReplay();
     void anotherRecordingTakesThePlace();
@@ -116,7 +119,7 @@ void TestWindowReplay::init() {
 // 300 steps of 10 ms on level 3 with tilts and a restitution that change, then 200 of 5 ms by another stepper from its
 // start again; made by another session. Returns the file.
 QString TestWindowReplay::recorded() {
-    const QString file = m_fixture->path("run.rec");
+    QString file = m_fixture->path("run.rec");
     inspector::Options options;
     options.registry = inspector::makeRegistry(nullptr);
     options.levels = m_fixture->session().levels();
@@ -218,7 +221,7 @@ void TestWindowReplay::everythingShowsTheMoment() {
     QCOMPARE(m_fixture->simulation().samples().last() - m_fixture->simulation().samples().first(), uint64_t(100));
 }
 
-void TestWindowReplay::keysStepAndGoToBothEnds() {
+void TestWindowReplay::keysStepBackAndForward() {
     open(recorded());
     goTo(95);
     m_fixture->press(Qt::Key_Comma);
@@ -228,6 +231,11 @@ void TestWindowReplay::keysStepAndGoToBothEnds() {
     QTRY_COMPARE(place().position, uint64_t(92));
     m_fixture->press(Qt::Key_Period);
     QTRY_COMPARE(place().position, uint64_t(93));
+}
+
+void TestWindowReplay::keysGoToBothEndsAndPlay() {
+    open(recorded());
+    goTo(95);
     m_fixture->press(Qt::Key_End, Qt::ControlModifier);
     QTRY_COMPARE(place().position, uint64_t(500));
     m_fixture->press(Qt::Key_Home, Qt::ControlModifier);
@@ -298,7 +306,7 @@ void TestWindowReplay::whatWasRecordedCantBeChanged() {
     QCOMPARE(text("status_tilt"), QString("Tilt: 2.0° 3.0°"));
 }
 
-void TestWindowReplay::goingOnGivesTheBoardToTheArrowKeys() {
+void TestWindowReplay::goingOnKeepsTheMoment() {
     open(recorded());
     goTo(95);
     const phys_state moment = m_fixture->simulation().latest().current;
@@ -311,14 +319,24 @@ void TestWindowReplay::goingOnGivesTheBoardToTheArrowKeys() {
     QCOMPARE(m_fixture->simulated("restitution_wall"), 0.25);
     QCOMPARE(m_fixture->simulated("tilt_y"), 3.0);
     QCOMPARE(m_fixture->game().phase(), Game::Phase::Playing);
-    QVERIFY(m_fixture->find<QWidget>("tilt_x_slider")->isEnabled());
+}
 
+void TestWindowReplay::goingOnGivesTheBoardToTheArrowKeys() {
+    open(recorded());
+    goTo(95);
+    m_fixture->press(Qt::Key_G);
     m_fixture->press(Qt::Key_Space);
-    QTRY_VERIFY(m_fixture->simulation().latest().current.step > moment.step);
+    QTRY_VERIFY(m_fixture->simulation().latest().current.step > 95);
     QTest::keyPress(&m_fixture->window(), Qt::Key_Left);
     QTRY_VERIFY(m_fixture->simulated("tilt_x") < -6.0);
     QTest::keyRelease(&m_fixture->window(), Qt::Key_Left);
-    m_fixture->press(Qt::Key_Space);
+}
+
+void TestWindowReplay::goingOnFreesTheSliders() {
+    open(recorded());
+    goTo(95);
+    m_fixture->press(Qt::Key_G);
+    QVERIFY(m_fixture->find<QWidget>("tilt_x_slider")->isEnabled());
     auto *restitution = m_fixture->find<QSlider>("restitution_wall_slider");
     restitution->setFocus();
     QTest::keyClick(restitution, Qt::Key_End);
