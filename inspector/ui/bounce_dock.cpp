@@ -94,7 +94,7 @@ BounceDock::BounceDock(Session &session, QWidget *parent)
     auto *halves = new QSplitter;
     halves->addWidget(m_table);
     halves->addWidget(area);
-    halves->setSizes({440, 560}); // per mille
+    halves->setSizes({500, 500}); // per mille
     halves->setChildrenCollapsible(false);
     auto *top = new QHBoxLayout;
     top->addWidget(m_slow);
@@ -139,7 +139,7 @@ void BounceDock::makeTable() {
     header->setHighlightSections(false);
     header->setStretchLastSection(true);
     // As wide as the longest that is to be expected: the columns stay where they are while rows come.
-    const QStringList widest{QStringLiteral("0000.0000"), tr("Leaning: 00.00 s, 000 impacts")};
+    const QStringList widest{QStringLiteral("000.0000"), tr("Leaning: 0.00 s, 000 impacts"), QStringLiteral("000")};
     for (int column = 0; column < m_events->columnCount(); ++column) {
         const QString title = m_events->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
         const QString text = widest.value(column, QStringLiteral("00.0000"));
