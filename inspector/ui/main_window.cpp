@@ -75,7 +75,8 @@ MainWindow::MainWindow(Session &session)
     makeMenus();
     connectSession();
     restoreLook();
-    if (m_session.comparison().isOn()) QTimer::singleShot(0, this, &MainWindow::showComparisonDock);
+    if (m_session.comparison().isOn())
+        connect(&m_refresh, &QTimer::timeout, this, &MainWindow::showComparisonDock, Qt::SingleShotConnection);
     openLevel();
     showReplay(m_session.isReplaying());
     m_refresh.start(kRefreshPeriod);
