@@ -250,7 +250,7 @@ void readRecordings(const QCommandLineParser &parser, const std::vector<const ph
     }
     const bool isWatched = !options.headless && !options.check;
     QStringList others{"level", "stepper", "dt", "autopilot", "all-levels", "trade"};
-    others += isWatched ? QStringList{"csv"} : QStringList{"speed", "duration", "grab"};
+    others += isWatched ? QStringList{"csv"} : QStringList{"speed", "duration", "grab", "shaders"};
     for (const phys_param_row *row : rows) others += optionName(*row);
     for (const QString &name : others)
         if (parser.isSet(name))
