@@ -56,8 +56,8 @@ public:
     void compareWith(const CompanionMeans &means, const QByteArray &leaderId);
     void endComparison();
 
-    // Shows a recording, which has steps, at its beginning and paused; the live ball waits. Returns the replay's number,
-    // as in its snapshots. run(), pause(), stepOnce(), restart() and setSpeed() then act on the replay.
+    // Shows a recording, which has steps, at its beginning and paused; the live ball waits. Returns the replay's
+    // number, as in its snapshots. run(), pause(), stepOnce(), restart() and setSpeed() then act on the replay.
     uint64_t startReplay(std::shared_ptr<const PlayableRecording> recording);
     // Shows this position as soon as all before it is checked; goes on running or stays paused. Returns the seek's
     // number: the snapshot says how many are done.
