@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/distance_plot.h"
 
+#include "ui/chart_style.h"
 #include "ui/deviation_text.h"
 
 #include <algorithm>
@@ -31,14 +32,6 @@ private:
     double m_zero = 0.0;
 };
 
-void makeLogarithmic(QCPAxis &axis, const QString &label) {
-    axis.setLabel(label);
-    axis.setScaleType(QCPAxis::stLogarithmic);
-    axis.setTicker(QSharedPointer<ZeroTicker>::create());
-    axis.setNumberFormat(QStringLiteral("eb"));
-    axis.setNumberPrecision(0);
-}
-
 double powerOfTen(double exponent) { return std::pow(10.0, exponent); }
 
 } // namespace
@@ -52,6 +45,7 @@ DistancePlot::DistancePlot(const SampleRing &samples, QWidget *parent)
     curves().front().graph->removeFromLegend(); // the axis says it
     makeLogarithmic(*yAxis, tr("Distance [mm]"));
     makeLogarithmic(*yAxis2, tr("Distance [R]"));
+    for (QCPAxis *axis : {yAxis, yAxis2}) axis->setTicker(QSharedPointer<ZeroTicker>::create());
     yAxis2->setVisible(true);
     connect(yAxis, qOverload<const QCPRange &>(&QCPAxis::rangeChanged), this, &DistancePlot::showRadii);
     yAxis->setRange(kUsual);

@@ -2,6 +2,7 @@
 #include "ui/time_plot.h"
 
 #include "ui/bounce_ticks.h"
+#include "ui/chart_style.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,13 +13,6 @@ namespace {
 
 constexpr double kShortestWindow = 0.01; // s
 constexpr double kLongestWindow = 3600.0;
-
-// The plot's colours; alpha keeps a line's own.
-QColor mixed(const QColor &a, const QColor &b, double share) {
-    return QColor::fromRgbF(float(a.redF() + share * (b.redF() - a.redF())),
-                            float(a.greenF() + share * (b.greenF() - a.greenF())),
-                            float(a.blueF() + share * (b.blueF() - a.blueF())));
-}
 
 } // namespace
 
@@ -86,22 +80,7 @@ void TimePlot::takeColours() {
     const QPalette &colours = palette();
     const QColor base = colours.color(QPalette::Base);
     const QColor text = colours.color(QPalette::Text);
-    const QColor faint = mixed(base, text, 0.15);
-    setBackground(base);
-    for (QCPAxis *axis : {xAxis, yAxis, yAxis2}) {
-        for (const auto setter : {&QCPAxis::setBasePen, &QCPAxis::setTickPen, &QCPAxis::setSubTickPen})
-            (axis->*setter)(QPen(mixed(base, text, 0.5)));
-        axis->setTickLabelColor(text);
-        axis->setLabelColor(text);
-        axis->setTickLabelFont(font());
-        axis->setLabelFont(font());
-        axis->grid()->setPen(QPen(faint));
-        axis->grid()->setZeroLinePen(QPen(mixed(base, text, 0.4)));
-    }
-    legend->setFont(font());
-    legend->setTextColor(text);
-    legend->setBrush(Qt::NoBrush);
-    legend->setBorderPen(Qt::NoPen);
+    applyChartStyle(*this);
     const Accents accents = accentsFor(colours);
     for (const Curve &curve : m_curves) {
         curve.graph->setPen(QPen(accents.*curve.colour, 1.5));
@@ -113,7 +92,7 @@ void TimePlot::takeColours() {
     m_cursorLine->setPen(QPen(mixed(base, text, 0.6), 1.0, Qt::DashLine));
     m_cursorText->setColor(text);
     m_cursorText->setBrush(mixed(base, text, 0.08));
-    m_cursorText->setPen(QPen(faint));
+    m_cursorText->setPen(QPen(mixed(base, text, 0.15)));
     m_cursorText->setFont(font());
     m_isStale = true;
 }

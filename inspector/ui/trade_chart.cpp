@@ -4,6 +4,7 @@
 #include "core/trade_answer.h"
 #include "core/trade_svg.h"
 #include "core/trade_table.h"
+#include "ui/chart_style.h"
 #include "ui/parameter_row.h"
 
 #include <QToolTip>
@@ -19,19 +20,6 @@ constexpr double kReach = 12.0; // px, of the mouse
 
 double costOf(const TradePoint &point) { return point.cost.perSecond * 1e6; }
 double errorOf(const TradePoint &point) { return std::max(point.error.positionLargest, kSmallestDrawnError); }
-
-QColor mixed(const QColor &a, const QColor &b, float share) {
-    return QColor::fromRgbF(a.redF() + share * (b.redF() - a.redF()), a.greenF() + share * (b.greenF() - a.greenF()),
-                            a.blueF() + share * (b.blueF() - a.blueF()));
-}
-
-void makeLogarithmic(QCPAxis &axis, const QString &label) {
-    axis.setLabel(label);
-    axis.setScaleType(QCPAxis::stLogarithmic);
-    axis.setTicker(QSharedPointer<QCPAxisTickerLog>::create());
-    axis.setNumberFormat(QStringLiteral("eb"));
-    axis.setNumberPrecision(0);
-}
 
 // Around the values, with some air.
 QCPRange rangeOf(const std::vector<double> &values) {
@@ -177,27 +165,12 @@ void TradeChart::changeEvent(QEvent *event) {
 }
 
 void TradeChart::takeColours() {
-    const QColor base = palette().color(QPalette::Base);
-    const QColor text = palette().color(QPalette::Text);
-    setBackground(base);
-    for (QCPAxis *axis : {xAxis, yAxis}) {
-        for (const auto setter : {&QCPAxis::setBasePen, &QCPAxis::setTickPen, &QCPAxis::setSubTickPen})
-            (axis->*setter)(QPen(mixed(base, text, 0.5F)));
-        axis->setTickLabelColor(text);
-        axis->setLabelColor(text);
-        axis->setTickLabelFont(font());
-        axis->setLabelFont(font());
-        axis->grid()->setPen(QPen(mixed(base, text, 0.15F)));
-    }
-    legend->setFont(font());
-    legend->setTextColor(text);
-    legend->setBrush(Qt::NoBrush);
-    legend->setBorderPen(Qt::NoPen);
-    QPen pen(mixed(base, QColor(0xf0, 0xb8, 0x20), 0.6F), 9.0);
+    applyChartStyle(*this);
+    QPen pen(mixed(palette().color(QPalette::Base), QColor(0xf0, 0xb8, 0x20), 0.6), 9.0);
     pen.setCapStyle(Qt::RoundCap);
     pen.setJoinStyle(Qt::RoundJoin);
     m_front->setPen(pen);
-    m_ring->setPen(QPen(text, 2.0));
+    m_ring->setPen(QPen(palette().color(QPalette::Text), 2.0));
     m_ring->setBrush(Qt::NoBrush);
 }
 

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What all charts look like, made from the palette.
+#pragma once
+
+#include <QColor>
+
+class QCPAxis;
+class QCustomPlot;
+
+namespace inspector::ui {
+
+// From a (share 0) to b (share 1).
+QColor mixed(const QColor &a, const QColor &b, double share);
+
+// Background, axes, grid and legend in the colours and the font of the widget.
+void applyChartStyle(QCustomPlot &chart);
+
+// Powers of ten, written as such.
+void makeLogarithmic(QCPAxis &axis, const QString &label);
+
+} // namespace inspector::ui
