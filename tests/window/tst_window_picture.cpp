@@ -83,8 +83,8 @@ void TestWindowPicture::init() {
 void TestWindowPicture::cleanup() { m_fixture.reset(); }
 
 QImage TestWindowPicture::picture() {
-    m_fixture->window().refresh();
-    return m_fixture->window().grab().toImage().convertToFormat(QImage::Format_RGB32);
+    const QString path = m_fixture->path("now.png"); // as --grab, which waits for no plot's queue
+    return m_fixture->window().grabTo(path, nullptr) ? QImage(path).convertToFormat(QImage::Format_RGB32) : QImage();
 }
 
 void TestWindowPicture::startLooksAsItDid() {
