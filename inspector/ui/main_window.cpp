@@ -273,7 +273,8 @@ void MainWindow::showComparison() {
 
 bool MainWindow::grabTo(const QString &path, QString *error) {
     refresh();
-    for (QCustomPlot *plot : findChildren<QCustomPlot *>()) plot->replot(); // at once
+    for (QCustomPlot *plot : findChildren<QCustomPlot *>())
+        for (int pass = 0; pass < 2; ++pass) plot->replot(); // at once; margins fit what is drawn only the second time
     return grabToFile(*this, path, error);
 }
 
