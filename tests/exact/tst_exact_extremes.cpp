@@ -4,6 +4,8 @@
 
 #include <QtTest>
 
+#include <limits>
+
 using exact::kU;
 using exact::Run;
 
@@ -25,6 +27,7 @@ private slots:
     void thousandTouchingBoxes();
     void restIsForEver();
     void fallsPastTheLowerEndOfAWall();
+    void hardlyAnyGravityPressesOnAWall();
     void restOnAWallsTopAgainstAnotherIsRefused();
     void bouncesOnALevelEdgeEndHoweverFastItGoesAlong();
 };
@@ -184,6 +187,17 @@ void ExactExtremes::fallsPastTheLowerEndOfAWall() {
     QVERIFY(std::abs(run.state.velocity.x - 0.125) <= 2.0 * kU);
     QVERIFY(std::abs(run.state.position.z - (1.0 - 4.0 * 0.5625)) <= 2.0 * kU);
     QCOMPARE(run.eventsOf(PHYS_EVENT_RELEASE).size(), size_t(1));
+}
+
+/// So little that its units would overflow: the ball flies on beside the rough wall as if it weren't there.
+void ExactExtremes::hardlyAnyGravityPressesOnAWall() {
+    Run run({exact::floorOver(-2, -2, -1, 2), exact::wall(-1, -1, 8, 0)}, 0.125, {0, 0.125, 2}, {4, 0, 0});
+    run.params.model = PHYS_MODEL_RIGID;
+    run.params.gravity = {0, -std::numeric_limits<double>::min(), 0};
+    run.params.wall_friction = 4.0;
+    run.step(0.5);
+    QCOMPARE(run.state.position.x, 2.0);
+    QCOMPARE(run.state.velocity.x, 4.0);
 }
 
 /// Two walls of different heights: what carries the ball is the lower one's top, which is no floor.

@@ -5,6 +5,7 @@
 
 #include "arc.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace phys {
@@ -13,6 +14,10 @@ namespace {
 
 /// Parts that the turn of a curved way is made of, for drawing.
 constexpr int kTurnParts = 16;
+
+/// Least unit of acceleration, in units of the speed per second: less changes no speed in any step, and the time and
+/// the length that go with it would overflow.
+constexpr double kLeastAcceleration = 0x1p-400;
 
 void scale(WallState &now, double speed, double acceleration) {
     for (double *value : {&now.along, &now.up, &now.floorSlip, &now.wallSlip, &now.wallSlipUp}) *value *= speed;
@@ -30,7 +35,8 @@ bool Run::isRough(const Hold &hold) const {
 Run::Units Run::unitsFor(double fastest) const {
     const phys_vec3 &g = m_params.gravity;
     const double acceleration = unitOf(length({length(inPlane(g)), g.z}));
-    return {unitOf(fastest > 0.0 ? fastest : std::sqrt(acceleration * m_board.radius())), acceleration};
+    const double speed = unitOf(fastest > 0.0 ? fastest : std::sqrt(acceleration * m_board.radius()));
+    return {speed, std::max(acceleration, kLeastAcceleration * speed)};
 }
 
 /// A slip below this, in units of the speed, is none: where a slip ends all speeds may be zero.
@@ -112,7 +118,8 @@ Run::WallEnd Run::endAtWall(const Hold &hold, const AtWall &wall, const WallMoti
     const WallLaw &law = wall.law;
     const double left = m_left / wall.units.time();
     WallEnd end{motion.goodFor(), series};
-    if (!motion.slipsTurn()) end.s = std::min(end.s, left); // s is the time
+    if (!motion.slipsTurn()) end.s = std::min(end.s, left);     // s is the time
+    if (std::isinf(end.s)) end.s = 2.0 * left / motion.time[1]; // nothing but the time changes
     end.cut(remains(left, motion.time), time);
     end.cut(motion.wallForce, force);
     end.cut(motion.along, stop);

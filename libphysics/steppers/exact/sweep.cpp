@@ -105,7 +105,7 @@ double Sweep::firstTouch(const Motion &motion, double until, const Plane *plane)
         collect(motion, now, from, windowEnd, plane);
         const double hit = firstHit(motion, windowEnd, until);
         if (hit <= windowEnd) return hit;
-        if (windowEnd >= until) return kNever;
+        if (!(windowEnd < until)) return kNever; // a NaN must end the search, too
         if (m_candidates.empty()) reach *= 2.0;
         from = windowEnd;
         now = motion.at(from);
@@ -190,7 +190,7 @@ double Sweep::firstHit(const Motion &motion, double windowEnd, double until) {
     while (!m_candidates.empty()) {
         Candidate &next = *std::min_element(m_candidates.begin(), m_candidates.end(), earlier);
         const double t = next.safe;
-        if (t > windowEnd) break;
+        if (!(t <= windowEnd)) break;
         const Motion::Point now = motion.at(t);
         const Nearest close = nearest(m_board.scene().solids[next.solid], now.position);
         const double h = safeTime(m_board, motion, close, now);
