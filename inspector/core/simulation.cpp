@@ -75,7 +75,7 @@ struct Simulation::Worker {
     void goToSought();
     void showUpTo(uint64_t position);
     ReplayPlace replayPlace() const;
-    void goOnLive();
+    void goOnLive(uint64_t number);
     void record(const QString &failure);
     void dropBadRecorder();
     void endRecording();
@@ -277,13 +277,14 @@ void Simulation::Worker::showUpTo(uint64_t position) {
     owner.m_events.release();
 }
 
-// The engine gets all that the replay's last step had: its next one is what that one's would be.
-void Simulation::Worker::goOnLive() {
+// The engine gets all that the replay's last step had: its next one is what that one's would be. Inputs that were given
+// after the command, but came before it, stay. number: of what counts as given by the command.
+void Simulation::Worker::goOnLive(uint64_t number) {
     const PlayableRecording &recording = player->recording();
     const Engine &from = player->engine();
     engine.setScene(from.scene(), recording.stepper(player->stretch()));
     engine.setDt(from.dt());
-    engine.setInputs(from.inputs());
+    obey({from.inputs(), number});
     engine.setState(from.state());
     player.reset();
     sought.reset();
@@ -456,10 +457,10 @@ void Simulation::endReplay() {
 }
 
 void Simulation::goOnFrom(uint64_t position, const Origin &origin) {
-    post([position, origin](Worker &worker) {
+    post([position, origin, number = ++m_givenCount](Worker &worker) {
         if (!worker.player) return;
         if (worker.player->position() != position) worker.showUpTo(position);
-        worker.goOnLive();
+        worker.goOnLive(number);
         worker.stepper = stepperOf(origin);
         if (worker.recorder) worker.recorder->setOrigin(origin);
     });
