@@ -72,6 +72,10 @@ private slots:
     void slidesAlongTheWallAsIfItWereFree();
     void leavesTheWallWhenGravityTurns_data() { addStepperAndModelRows(); }
     void leavesTheWallWhenGravityTurns();
+    void leavesTheFloorThatGravityPullsItFrom_data() { addStepperAndModelRows(); }
+    void leavesTheFloorThatGravityPullsItFrom();
+    void leavesAWallsTopThatGravityPullsItFrom_data() { addStepperAndModelRows(); }
+    void leavesAWallsTopThatGravityPullsItFrom();
     void restsInACornerWhateverTheTilt_data() { addStepperAndModelRows(); }
     void restsInACornerWhateverTheTilt();
     void wallTakesItsPartOfTheDriveBeforeStiction_data() { addStepperAndModelRows(); }
@@ -237,6 +241,42 @@ void TestRestingContact::leavesTheWallWhenGravityTurns() {
     // After one second: the free motion from rest, 0.625 and half of it, first order at worst.
     COMPARE_EXACT(ball.state.velocity.x, 0.625);
     COMPARE_WITHIN(ball.state.position.x, 0.0625 + 0.3125, 0.625 * kDt);
+}
+
+/// It comes down against gravity, loses that speed on the floor, and neither rolls there nor is held.
+void TestRestingContact::leavesTheFloorThatGravityPullsItFrom() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    // The wall is near enough for substeps.
+    const auto scene = SceneBuilder().ball(0.0625).floor(-1, -1, 2, 1).wall(-1, 0.5, 2, 1).start({0.0, 0.0, 0.3125});
+    Experiment ball(scene, stepper, model);
+    ball.state.velocity = {1.0, 0.0, -1.0};
+    ball.state.spin = {0.0, 16.0, 0.0}; // rolling
+    ball.params.gravity = {0.0, 0.0, 1.0};
+    ball.params.restitution_floor = 0.0;
+    ball.params.rolling_friction = 0.25;
+    // At once: between two steps such a ball on the floor is refused.
+    QVERIFY2(ball.step(1.0), ball.error());
+    QVERIFY(ball.state.flags & PHYS_AIRBORNE);
+    COMPARE_EXACT(ball.state.velocity.x, 1.0);
+    const double up = ball.state.velocity.z, height = ball.state.position.z - 0.0625;
+    QVERIFY(up > 0.5);
+    const double substep = 1.0 / ball.report.substeps;
+    COMPARE_WITHIN(up * up, 2.0 * height, 2.0 * up * substep); // from rest on the floor, first order at worst
+}
+
+void TestRestingContact::leavesAWallsTopThatGravityPullsItFrom() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    const phys_box wall{{-1.0, -1.0, 0.0}, {1.0, 1.0, 1.0}};
+    Experiment ball(SceneBuilder().ball(0.0625).floor(-2, -2, 2, 2).box(wall).start(-1.5, 0.0), stepper, model);
+    ball.state.position = {0.0, 0.0, 1.0625};
+    ball.params.gravity = {0.5, 0.0, 0.25};
+    ball.params.rolling_friction = 0.25;
+    QVERIFY2(ball.stepTimes(128, kDt), ball.error());
+    QVERIFY(ball.state.flags & PHYS_AIRBORNE);
+    COMPARE_EXACT(ball.state.velocity.x, 0.5);
+    COMPARE_EXACT(ball.state.velocity.z, 0.25);
 }
 
 void TestRestingContact::restsInACornerWhateverTheTilt() {

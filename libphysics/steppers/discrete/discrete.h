@@ -27,9 +27,7 @@ public:
                     h} {}
 
     /// Whether the floor or a solid's flat top carries the ball.
-    bool supports(const Ball &ball) const {
-        return isOnFloor(ball) || isCarried(lookAround(m_context, ball.position), ball);
-    }
+    bool supports(const Ball &ball) const { return isSupported(lookAround(m_context, ball.position), ball); }
 
     /// One substep that ends `after` seconds into the step. False if the ball is stuck.
     bool run(double after, Ball &ball) {
@@ -46,7 +44,7 @@ public:
 
     /// The smooth motion alone, as if there was nothing ahead. Returns the acceleration that drives it.
     Vec3 move(const Surroundings &around, Ball &ball) {
-        ball.supported = isOnFloor(ball) || isCarried(around, ball);
+        ball.supported = isSupported(around, ball);
         if (!ball.supported) return fly(ball);
         ball.velocity.z = 0.0;
         const Vec2 drive = m_context.rigid ? moveRigid(around, ball) : moveRolling(around, ball);
@@ -58,7 +56,7 @@ public:
     bool rests(const Ball &ball) const {
         if (ball.velocity != Vec3(0.0)) return false;
         const Surroundings around = lookAround(m_context, ball.position);
-        if (!isOnFloor(ball) && !isCarried(around, ball)) return false;
+        if (!isSupported(around, ball)) return false;
         const phys_params &params = m_context.params;
         const bool frictionless = m_context.rigid && params.sliding_friction == 0.0;
         if (m_context.rigid && !frictionless && inPlane(ball.spin) != Vec2(0.0)) return false;
@@ -77,8 +75,10 @@ private:
                scene.overFloor(p.x, p.y);
     }
 
-    bool isCarried(const Surroundings &around, const Ball &ball) const {
-        return ball.velocity.z <= 0.0 && carriedBySolid(m_context, around, ball.position);
+    /// By what gravity presses the ball on.
+    bool isSupported(const Surroundings &around, const Ball &ball) const {
+        if (m_context.params.gravity.z >= 0.0 || ball.velocity.z > 0.0) return false;
+        return isOnFloor(ball) || carriedBySolid(m_context, around, ball.position);
     }
 
     /// In the rolling model the spin of a supported ball follows its velocity, model.md 2.1 R7.

@@ -202,8 +202,8 @@ void land(const StepContext &context, double speedAfter, double after, Ball &bal
     bounce(context, contact, box, PHYS_EVENT_LANDING, speedAfter, after, ball);
     if (ball.velocity.z > 0.0) return;
     ball.velocity.z = 0.0;
-    ball.supported = true;
-    if (context.rigid) return;
+    ball.supported = context.params.gravity.z < 0.0;
+    if (context.rigid || !ball.supported) return;
     // The rolling model knows no spin of its own: the floor gives the ball the one that rolls.
     const double radius = context.scene.radius;
     const Vec3 rolling = rollingSpin(inPlane(ball.velocity), radius);

@@ -100,7 +100,9 @@ bool Run::resolveFloor() {
     return true;
 }
 
-double Run::smallestHop() const { return kSmallestHop * std::sqrt(-m_params.gravity.z * m_board.radius()); }
+double Run::smallestHop() const {
+    return kSmallestHop * std::sqrt(std::max(0.0, -m_params.gravity.z) * m_board.radius());
+}
 
 void Run::land() {
     const Scene &scene = m_board.scene();
@@ -115,7 +117,7 @@ void Run::land() {
     m_report.lostImpact(loss.impact);
     m_report.lostSlip(loss.slip);
     m_ball.velocity.z = after;
-    m_ball.supported = after == 0.0;
+    m_ball.supported = after == 0.0 && m_params.gravity.z < 0.0;
     if (m_ball.supported && isRolling()) followVelocity();
     if (!m_report.wanted()) return;
     const Vec3 point = m_ball.position - Vec3(0.0, 0.0, m_board.radius());
