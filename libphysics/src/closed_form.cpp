@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace phys {
 
@@ -38,7 +39,10 @@ double firstFall(double gap, double rate, double acceleration) {
         return discriminant < 0.0 ? kNever : 2.0 * gap / (std::sqrt(discriminant) - rate);
     }
     if (acceleration >= 0.0) return kNever;
-    return (rate + std::sqrt(rate * rate - 2.0 * acceleration * gap)) / -acceleration;
+    const double squaredEnd = rate * rate - 2.0 * acceleration * gap;
+    if (squaredEnd >= std::numeric_limits<double>::min()) return (rate + std::sqrt(squaredEnd)) / -acceleration;
+    const double top = rate / -acceleration; // the products underflow: by times instead
+    return top + std::sqrt(top * top + 2.0 * (gap / -acceleration));
 }
 
 ResistedLaw::ResistedLaw(const Vec2 &v0, const Vec2 &A, double B)

@@ -28,8 +28,10 @@ private slots:
     void restIsForEver();
     void fallsPastTheLowerEndOfAWall();
     void hardlyAnyGravityPressesOnAWall();
+    void gravityOfNoFullPrecisionPressesOnAWall();
     void restOnAWallsTopAgainstAnotherIsRefused();
     void bouncesOnALevelEdgeEndHoweverFastItGoesAlong();
+    void meetsALevelEdgeHoweverFastItGoesAlong();
 };
 
 namespace {
@@ -200,6 +202,15 @@ void ExactExtremes::hardlyAnyGravityPressesOnAWall() {
     QCOMPARE(run.state.velocity.x, 4.0);
 }
 
+/// A subnormal number, whose products with lengths are zero: the search for walls still comes to its end.
+void ExactExtremes::gravityOfNoFullPrecisionPressesOnAWall() {
+    Run run({exact::floorOver(-2, -2, -1, 2), exact::wall(-1, -1, 8, 0)}, 0.125, {8, 0.125, 2}, {4, 0, 0});
+    run.params.gravity = {0, -8e-317, 0};
+    run.step(0.5); // off the end of the face
+    QCOMPARE(run.state.position.x, 10.0);
+    QCOMPARE(run.state.position.y, 0.125);
+}
+
 /// Two walls of different heights: what carries the ball is the lower one's top, which is no floor.
 void ExactExtremes::restOnAWallsTopAgainstAnotherIsRefused() {
     const std::vector<phys_box> boxes{
@@ -222,6 +233,18 @@ void ExactExtremes::bouncesOnALevelEdgeEndHoweverFastItGoesAlong() {
     QCOMPARE(run.tryStep(1.5, &error), phys_status(PHYS_ERROR_UNSUPPORTED));
     QCOMPARE(error.text, "box 1: the ball stays in contact with its top or bottom, which stepper 'exact' can't follow");
     QCOMPARE(phys_state_hash(&run.state), hash);
+}
+
+/// 1e-8 m/s towards the edge is no grazing of it at 8 m/s along it.
+void ExactExtremes::meetsALevelEdgeHoweverFastItGoesAlong() {
+    const double gap = 1e-9, speed = 1e-8;
+    Run run({{{-1, -8, -1}, {0, 8, 0}}}, 0.125, {0.6 * (0.125 + gap), -4, 0.8 * (0.125 + gap)},
+            {-0.6 * speed, 8, -0.8 * speed});
+    run.params.gravity = {0, 0, 0};
+    run.params.restitution_wall = 1.0;
+    run.step(0.5); // meets it after 0.1 s
+    QCOMPARE(run.eventsOf(PHYS_EVENT_IMPACT).size(), size_t(1));
+    QVERIFY(std::abs(0.6 * run.state.velocity.x + 0.8 * run.state.velocity.z - speed) <= 1e-12 * speed);
 }
 
 QTEST_GUILESS_MAIN(ExactExtremes)

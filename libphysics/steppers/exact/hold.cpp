@@ -80,17 +80,6 @@ bool parallel(const Board &board, const Vec3 &a, const Vec3 &b) {
     return glm::length(glm::cross(a, b)) <= board.sameNormal();
 }
 
-/// The part of a velocity that leads round what is touched: none on a face, and on an edge what goes across it.
-Vec3 velocityRound(const Touch &touch, const Vec3 &v) {
-    if (touch.feature == PHYS_FEATURE_FACE) return Vec3(0.0);
-    const Vec3 &n = touch.normal;
-    Vec3 round = v - glm::dot(v, n) * n;
-    for (int axis = 0; axis < 3; ++axis) { // two zeros: the end of a face, whose edge isn't known
-        if (n[axis] == 0.0 && n[(axis + 1) % 3] != 0.0 && n[(axis + 2) % 3] != 0.0) round[axis] = 0.0;
-    }
-    return round;
-}
-
 Vec3 unit(const Vec3 &v) {
     const double size = length({length(inPlane(v)), v.z});
     return size > 0.0 ? v / size : Vec3(0.0);
@@ -101,7 +90,7 @@ Vec3 unit(const Vec3 &v) {
 Hold holdAt(const Board &board, const Touch &touch, const Vec3 &p) { return holdBy(board, touch, p, Vec3(0.0)); }
 
 double pressing(const Board &board, const Touch &touch, const Vec3 &v, const Drive &drive) {
-    const Vec3 round = velocityRound(touch, v);
+    const Vec3 round = velocityRound(touch.normal, touch.feature, v);
     return -(glm::dot(drive.A, touch.normal) + glm::dot(round, round) / board.radius());
 }
 

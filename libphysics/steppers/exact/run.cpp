@@ -30,6 +30,7 @@ Run::Run(const Board &board, Sweep &sweep, const phys_params &params, double dt,
     , m_ball{toVec(in.position), toVec(in.velocity), toVec(in.spin), false}
     , m_left(dt) {
     std::copy(std::begin(in.orientation), std::end(in.orientation), m_orientation);
+    m_sweep.begin();
 }
 
 phys_status Run::advance(phys_state &out) {
@@ -56,6 +57,11 @@ phys_status Run::advance(phys_state &out) {
         }
         m_meets = false;
         if (const phys_status status = phase()) return status;
+        if (m_sweep.isGivenUp()) {
+            return fail(m_err, PHYS_ERROR_EVENT_CAP,
+                        "the next contact isn't found in %u looks at walls, %.9g s before the step's end",
+                        Sweep::kMostLooks, leftBefore);
+        }
         // What a phase met at the very end of the step is resolved in this step.
         if (m_left == 0.0 && !m_meets) break;
         if (const phys_status status = resolve()) return status;

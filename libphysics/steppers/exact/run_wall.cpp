@@ -19,6 +19,9 @@ constexpr int kTurnParts = 16;
 /// the length that go with it would overflow.
 constexpr double kLeastAcceleration = 0x1p-400;
 
+/// Least unit of speed, in units of that of a fall through a radius: the inverse of less would overflow.
+constexpr double kLeastSpeed = 0x1p-200;
+
 void scale(WallState &now, double speed, double acceleration) {
     for (double *value : {&now.along, &now.up, &now.floorSlip, &now.wallSlip, &now.wallSlipUp}) *value *= speed;
     for (double *value : {&now.gravityAcross, &now.gravityAlong}) *value *= acceleration;
@@ -35,7 +38,8 @@ bool Run::isRough(const Hold &hold) const {
 Run::Units Run::unitsFor(double fastest) const {
     const phys_vec3 &g = m_params.gravity;
     const double acceleration = unitOf(length({length(inPlane(g)), g.z}));
-    const double speed = unitOf(fastest > 0.0 ? fastest : std::sqrt(acceleration * m_board.radius()));
+    const double fall = std::sqrt(acceleration * m_board.radius());
+    const double speed = unitOf(fastest > 0.0 ? std::max(fastest, kLeastSpeed * fall) : fall);
     return {speed, std::max(acceleration, kLeastAcceleration * speed)};
 }
 

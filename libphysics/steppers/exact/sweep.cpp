@@ -68,16 +68,16 @@ double safeTime(const Board &board, const Motion &motion, const Nearest &close, 
     }
     // Just released, or grazing: a step that falls within the tolerance gets the search going. What it falls too far is
     // less than a bounce that model.md 6.4 lets live.
-    const bool hardlyRises = rate < 0.0 || rate * rate < -least * board.tolerance();
+    const bool hardlyRises = rate <= 0.0 || rate * rate < -least * board.tolerance();
     if (gap > board.tolerance() || !hardlyRises) return time;
     return std::max(time, firstFall(0.25 * board.tolerance(), rate, least));
 }
 
-/// Rate (v.n) that counts as zero. On an edge the ball goes no deeper than v.n^2 R / (2 v^2), which is within two
-/// tolerances then: it grazes, model.md 5.4.
-double zeroRate(const Board &board, uint32_t feature, const Vec3 &v) {
-    const double angle = feature == PHYS_FEATURE_FACE ? 4.0 * kRounding : board.grazing();
-    return angle * glm::length(v);
+/// Rate (v.n) that counts as zero. Going round an edge with v the ball gets no deeper than v.n^2 R / (2 v^2), which is
+/// within two tolerances then: it grazes, model.md 5.4. What it does along the edge changes nothing in that.
+double zeroRate(const Board &board, const Vec3 &normal, uint32_t feature, const Vec3 &v) {
+    if (feature == PHYS_FEATURE_FACE) return 4.0 * kRounding * glm::length(v);
+    return board.grazing() * glm::length(velocityRound(normal, feature, v));
 }
 
 double timeToCover(double distance, const Motion &motion, const Motion::Point &now) {
@@ -86,8 +86,18 @@ double timeToCover(double distance, const Motion &motion, const Motion::Point &n
 
 } // namespace
 
+Vec3 velocityRound(const Vec3 &normal, uint32_t feature, const Vec3 &v) {
+    if (feature == PHYS_FEATURE_FACE) return Vec3(0.0);
+    const Vec3 &n = normal;
+    Vec3 round = v - glm::dot(v, n) * n;
+    for (int axis = 0; axis < 3; ++axis) { // two zeros: the end of a face, whose edge isn't known
+        if (n[axis] == 0.0 && n[(axis + 1) % 3] != 0.0 && n[(axis + 2) % 3] != 0.0) round[axis] = 0.0;
+    }
+    return round;
+}
+
 bool approaches(const Board &board, const Vec3 &normal, uint32_t feature, const Vec3 &v) {
-    return glm::dot(v, normal) < -zeroRate(board, feature, v);
+    return glm::dot(v, normal) < -zeroRate(board, normal, feature, v);
 }
 
 Sweep::Sweep(const Board &board)
@@ -105,7 +115,7 @@ double Sweep::firstTouch(const Motion &motion, double until, const Plane *plane)
         collect(motion, now, from, windowEnd, plane);
         const double hit = firstHit(motion, windowEnd, until);
         if (hit <= windowEnd) return hit;
-        if (!(windowEnd < until)) return kNever; // a NaN must end the search, too
+        if (++m_looks > kMostLooks || !(windowEnd < until)) return kNever; // a NaN must end the search, too
         if (m_candidates.empty()) reach *= 2.0;
         from = windowEnd;
         now = motion.at(from);
@@ -190,7 +200,7 @@ double Sweep::firstHit(const Motion &motion, double windowEnd, double until) {
     while (!m_candidates.empty()) {
         Candidate &next = *std::min_element(m_candidates.begin(), m_candidates.end(), earlier);
         const double t = next.safe;
-        if (!(t <= windowEnd)) break;
+        if (!(t <= windowEnd) || ++m_looks > kMostLooks) break;
         const Motion::Point now = motion.at(t);
         const Nearest close = nearest(m_board.scene().solids[next.solid], now.position);
         const double h = safeTime(m_board, motion, close, now);

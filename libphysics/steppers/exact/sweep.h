@@ -12,6 +12,15 @@ class Sweep {
 public:
     explicit Sweep(const Board &board);
 
+    /// Searches of one step may take so many looks at a solid in all; a thousand steps of a ball take fewer.
+    static constexpr uint32_t kMostLooks = 20'000'000;
+
+    /// Before the first search of a step.
+    void begin() { m_looks = 0; }
+
+    /// A search was given up for too many looks: what it returned isn't true.
+    bool isGivenUp() const { return m_looks > kMostLooks; }
+
     /// First time in [0, until] at which the ball touches a solid and moves towards it; kNever if it doesn't.
     /// plane: the one the ball slides on, whose solids it can't hit; nullptr if there is none.
     double firstTouch(const Motion &motion, double until, const Plane *plane);
@@ -30,6 +39,7 @@ private:
 
     const Board &m_board;
     std::vector<Candidate> m_candidates;
+    uint32_t m_looks = 0; // in the present step
 
     void collect(const Motion &motion, const Motion::Point &now, double from, double until, const Plane *plane);
     std::span<const uint32_t> withinReach(const Motion &motion, const Motion::Point &now, double until, double duration,
@@ -47,6 +57,9 @@ double firstExit(const phys_box &floor, const Motion &motion, double from, doubl
 
 /// Puts a centre that leaves the floor exactly on the border that it crosses.
 void snapToBorder(const phys_box &floor, double tolerance, const Vec3 &velocity, Vec3 &p);
+
+/// The part of a velocity that leads round what is touched: none on a face, and on an edge what goes across it.
+Vec3 velocityRound(const Vec3 &normal, uint32_t feature, const Vec3 &v);
 
 /// Whether the ball moves towards what it touches: v.n < 0 by more than the rounding of the normal.
 bool approaches(const Board &board, const Vec3 &normal, uint32_t feature, const Vec3 &v);
