@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace phys {
 
@@ -39,7 +40,9 @@ Nearest nearest(const phys_box &box, const Vec3 &p) {
         const double distance = std::abs(d.x + d.y + d.z);
         return {point, d / distance, distance, PHYS_FEATURE_FACE};
     }
-    const double distance = std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
+    const double squared = d.x * d.x + d.y * d.y + d.z * d.z;
+    if (squared < std::numeric_limits<double>::min()) return nearestFace(box, p); // no direction comes out of that
+    const double distance = std::sqrt(squared);
     return {point, d / distance, distance, outside == 2 ? PHYS_FEATURE_EDGE : PHYS_FEATURE_CORNER};
 }
 

@@ -35,6 +35,8 @@ private slots:
     void cornerTurnsBothComponentsBack();
     void recedingBallIsNotPulledBack_data() { addStepperAndModelRows(); }
     void recedingBallIsNotPulledBack();
+    void comesOutBesideACornerFromNextToNothing_data() { addStepperAndModelRows(); }
+    void comesOutBesideACornerFromNextToNothing();
     void grazingAnEdgeChangesNothing_data() { addStepperAndModelRows(); }
     void grazingAnEdgeChangesNothing();
     void seamOfFlushWallsIsNotFelt_data() { addStepperAndModelRows(); }
@@ -108,6 +110,17 @@ void TestImpacts::recedingBallIsNotPulledBack() {
     COMPARE_EXACT(ball.state.velocity.x, 0.5);
     COMPARE_EXACT(ball.state.velocity.y, -0.25);
     QCOMPARE(ball.report.event_count, 0U);
+}
+
+/// The centre is off a wall's corner by a length whose square is no number but zero.
+void TestImpacts::comesOutBesideACornerFromNextToNothing() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    Experiment ball(SceneBuilder().ball(0.0625).floor(-1, -1, 1, 1).wall(0, 0, 1, 1).start(-0.5, -0.5), stepper, model);
+    ball.setPosition(-1e-200, -1e-200);
+    QVERIFY2(ball.step(0.0078125), ball.error());
+    const phys_vec3 &p = ball.state.position;
+    COMPARE_EXACT(std::min(p.x, p.y), -0.0625);
 }
 
 void TestImpacts::grazingAnEdgeChangesNothing() {
