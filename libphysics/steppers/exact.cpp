@@ -41,11 +41,11 @@ phys_status create(const phys_scene_view *view, void **self, phys_error *err) {
 
 void destroy(void *self) { delete static_cast<Exact *>(self); }
 
-/// Less gravity than this moves no ball by anything in the longest step, but its products with lengths underflow, and
-/// what divides by them overflows.
-constexpr double kLeastGravity = 0x1p-400;
+/// Less gravity (m/s^2) than this moves no ball by anything in the longest step, and nothing moves in less time (s):
+/// but their products with lengths underflow, and what divides by them overflows.
+constexpr double kNegligible = 0x1p-400;
 
-bool isNegligible(double component) { return component != 0.0 && std::abs(component) < kLeastGravity; }
+bool isNegligible(double value) { return value != 0.0 && std::abs(value) < kNegligible; }
 
 phys_params withoutNegligibleGravity(phys_params params) {
     for (double *component : {&params.gravity.x, &params.gravity.y, &params.gravity.z}) {
@@ -57,12 +57,13 @@ phys_params withoutNegligibleGravity(phys_params params) {
 phys_status step(void *self, const phys_params *params, double dt, const phys_state *in, phys_state *out,
                  phys_report *report, phys_error *err) {
     Exact &exact = *static_cast<Exact *>(self);
+    const double duration = isNegligible(dt) ? 0.0 : dt;
     const phys_vec3 &g = params->gravity;
     if (isNegligible(g.x) || isNegligible(g.y) || isNegligible(g.z)) [[unlikely]] {
         const phys_params clean = withoutNegligibleGravity(*params);
-        return Run(exact.board, exact.sweep, clean, dt, *in, report, err).advance(*out);
+        return Run(exact.board, exact.sweep, clean, duration, *in, report, err).advance(*out);
     }
-    return Run(exact.board, exact.sweep, *params, dt, *in, report, err).advance(*out);
+    return Run(exact.board, exact.sweep, *params, duration, *in, report, err).advance(*out);
 }
 
 phys_status requirements(void *self, const phys_params *params, double dt, const phys_state *state,

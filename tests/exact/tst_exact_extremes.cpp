@@ -32,6 +32,10 @@ private slots:
     void restOnAWallsTopAgainstAnotherIsRefused();
     void bouncesOnALevelEdgeEndHoweverFastItGoesAlong();
     void meetsALevelEdgeHoweverFastItGoesAlong();
+    void restOnACornerIsRefused();
+    void risesBesideAnEdgeItRestsOn();
+    void inTheFloorAndPulledUpItFlies();
+    void leastTimeMovesNothing();
 };
 
 namespace {
@@ -245,6 +249,40 @@ void ExactExtremes::meetsALevelEdgeHoweverFastItGoesAlong() {
     run.step(0.5); // meets it after 0.1 s
     QCOMPARE(run.eventsOf(PHYS_EVENT_IMPACT).size(), size_t(1));
     QVERIFY(std::abs(0.6 * run.state.velocity.x + 0.8 * run.state.velocity.z - speed) <= 1e-12 * speed);
+}
+
+/// Straight onto a corner, bounce after bounce: nothing but rounding is left of the last one.
+void ExactExtremes::restOnACornerIsRefused() {
+    Run run({{{1, 1, 1}, {2, 2, 2}}}, 0.125, {0, 0, 0}, {1, 1, 1});
+    run.params.gravity = {1, 1, 1};
+    run.params.restitution_wall = 0.25;
+    QCOMPARE(run.tryStep(10.0), PHYS_ERROR_UNSUPPORTED);
+}
+
+/// At an edge, without a level part of gravity that could turn it round the edge.
+void ExactExtremes::risesBesideAnEdgeItRestsOn() {
+    Run run({exact::wall(0, 0, 1, 1)}, 0.125, {-0.075, -0.1, 1});
+    run.params.gravity = {0, 0, 2};
+    run.step(0.5);
+    QCOMPARE(run.state.position.z, 1.25);
+    QCOMPARE(run.state.position.x, -0.075);
+}
+
+void ExactExtremes::inTheFloorAndPulledUpItFlies() {
+    Run run({kFloor}, 0.125, {0, 0, 0.0625}, {1, 0, 0});
+    run.params.gravity = {0, 0, 2};
+    run.params.rolling_friction = 0.5;
+    run.step(0.5);
+    QCOMPARE(run.state.position.z, 0.375); // pushed out of the floor first
+    QCOMPARE(run.state.velocity.x, 1.0);
+}
+
+void ExactExtremes::leastTimeMovesNothing() {
+    Run run({kFloor, exact::wall(0.125, -1, 1, 1)}, 0.125, {0, 0, 0.125}, {1, 0.5, 0});
+    run.params.model = PHYS_MODEL_RIGID;
+    run.params.wall_friction = 0.5;
+    run.step(std::numeric_limits<double>::denorm_min());
+    QCOMPARE(run.state.position.y, 0.0);
 }
 
 QTEST_GUILESS_MAIN(ExactExtremes)

@@ -18,10 +18,16 @@ struct Look {
     bool closes; ///< it is zero within the tolerance, and shrinks
 };
 
+/// More would be an arc that runs along something within the tolerance.
+constexpr int kMostPasses = 1'000;
+
+/// Given up after many passes it returns how far the arc is known to be free: the way goes on from there.
 template<class Function>
 double advance(Function look, double radius, double tolerance, double end) {
     bool polished = false;
-    for (double angle = 0.0; angle <= end;) {
+    double angle = 0.0;
+    for (int pass = 0; angle <= end; ++pass) {
+        if (pass == kMostPasses) return angle;
         const Look now = look(angle);
         double step = firstFall(std::max(0.0, now.gap), now.rate, -radius);
         if (now.closes) {

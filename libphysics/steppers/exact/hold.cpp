@@ -114,6 +114,13 @@ Hold holdMoving(const Board &board, const Touches &touches, const Vec3 &p, Vec3 
         deepest = along;
         best = hold;
     }
+    if (best.kind != Hold::Kind::face) return best;
+    // What the face turns the ball's way onto holds it, too.
+    const Drive held{drive.A - deepest * best.touch.normal, drive.B};
+    for (const Touch &touch : touches) {
+        if (touch.normal.z == 0.0 || approaches(board, -touch.normal, touch.feature, v)) continue;
+        if (pressing(board, touch, v, held) > 0.0) return holdBy(board, touch, p, direction);
+    }
     return best;
 }
 
@@ -135,7 +142,8 @@ Hold holdResting(const Board &board, const Touches &touches, const Vec3 &p, cons
         hold.start = size;
         // Along a face that it doesn't press on either, the face guides it: no rounding drives it in.
         for (const Touch &touch : touches) {
-            if (glm::dot(drive.A, touch.normal) != 0.0 || size == 0.0) continue;
+            const bool isAlong = touch.feature == PHYS_FEATURE_FACE && glm::dot(drive.A, touch.normal) == 0.0;
+            if (!isAlong || size == 0.0) continue;
             const double start = hold.start;
             hold = holdBy(board, touch, p, hold.direction);
             hold.start = start;

@@ -14,9 +14,8 @@ namespace {
 /// More events than this in one call end it with an error: only a ball caught between walls gets there.
 constexpr uint32_t kEventCap = 1'000'000;
 
-/// And so do more than this at one moment: they would never come to an end.
+/// And so do more than this at one moment: at that pace the step wouldn't come to its end.
 constexpr uint32_t kMomentCap = 1'000;
-constexpr double kMoment = 1e-13; // of the step: as good as no time at all
 
 } // namespace
 
@@ -42,25 +41,16 @@ phys_status Run::advance(phys_state &out) {
     }
     if (const phys_status status = pushOut()) return status;
     if (const phys_status status = resolve()) return status;
-    const double moment = kMoment * m_left;
-    double leftBefore = m_left;
-    for (uint32_t events = 0, atOnce = 0; m_left > 0.0; ++events) {
-        atOnce = leftBefore - m_left > moment ? 0 : atOnce + 1;
-        leftBefore = m_left;
-        if (atOnce > kMomentCap) {
-            return fail(m_err, PHYS_ERROR_EVENT_CAP, "more than %u events at one moment, %.9g s before the step's end",
-                        kMomentCap, m_left);
-        }
-        if (events == kEventCap) {
-            return fail(m_err, PHYS_ERROR_EVENT_CAP, "more than %u events in one step, %.9g s of it still to go",
-                        kEventCap, m_left);
-        }
+    Pace pace(m_left);
+    while (m_left > 0.0) {
+        if (const phys_status status = keep(pace)) return status;
         m_meets = false;
+        const double before = m_left;
         if (const phys_status status = phase()) return status;
         if (m_sweep.isGivenUp()) {
             return fail(m_err, PHYS_ERROR_EVENT_CAP,
                         "the next contact isn't found in %u looks at walls, %.9g s before the step's end",
-                        Sweep::kMostLooks, leftBefore);
+                        Sweep::kMostLooks, before);
         }
         // What a phase met at the very end of the step is resolved in this step.
         if (m_left == 0.0 && !m_meets) break;
@@ -72,6 +62,23 @@ phys_status Run::advance(phys_state &out) {
         return fail(m_err, PHYS_ERROR_INTERNAL, "the step's result isn't a number");
     }
     leave(out);
+    return PHYS_OK;
+}
+
+/// Refuses a step that doesn't come to its end, or not in any time worth waiting for.
+phys_status Run::keep(Pace &pace) {
+    if (pace.momentStart - m_left > pace.moment) {
+        pace.momentStart = m_left;
+        pace.eventsInMoment = 0;
+    }
+    if (++pace.eventsInMoment > kMomentCap) {
+        return fail(m_err, PHYS_ERROR_EVENT_CAP, "more than %u events at one moment, %.9g s before the step's end",
+                    kMomentCap, m_left);
+    }
+    if (++pace.events > kEventCap) {
+        return fail(m_err, PHYS_ERROR_EVENT_CAP, "more than %u events in one step, %.9g s of it still to go", kEventCap,
+                    m_left);
+    }
     return PHYS_OK;
 }
 
@@ -87,7 +94,8 @@ void Run::enter() {
         m_report.penetration(scene.supportedZ - p.z);
         p.z = scene.supportedZ;
     }
-    m_ball.supported = overFloor && (atHeight || inFloor) && m_ball.velocity.z == 0.0;
+    const bool pressed = m_params.gravity.z < 0.0; // one that is pulled off isn't carried
+    m_ball.supported = overFloor && (atHeight || inFloor) && pressed && m_ball.velocity.z == 0.0;
     if (!m_ball.supported) return;
     p.z = scene.supportedZ;
     if (isRolling()) followVelocity();

@@ -34,6 +34,17 @@ private:
         bool lands;
     };
 
+    /// How the events of a step get on.
+    struct Pace {
+        explicit Pace(double left)
+            : moment(1e-9 * left)
+            , momentStart(left) {}
+
+        double moment;      ///< s
+        double momentStart; ///< s of the step still to go then
+        uint32_t events = 0, eventsInMoment = 0;
+    };
+
     /// Units in which speeds and accelerations are near 1; powers of two, so that they cost no rounding.
     struct Units {
         double speed, acceleration;
@@ -91,6 +102,7 @@ private:
     uint32_t m_levelTouches = 0;     // phases since the last bounce that ended so, round an edge in the air
 
     // begin and end of the step: run.cpp
+    phys_status keep(Pace &pace);
     void enter();
     phys_status pushOut();
     void leave(phys_state &out);
@@ -153,7 +165,8 @@ private:
     AtWall lookAtWall(const Hold &hold) const;
     phys_status stayAtWall(const Hold &hold);
     Units unitsFor(double fastest) const;
-    double smallestSlip(const Units &units) const;
+    double unitOfAcceleration() const;
+    double leastSpeed() const;
     WallEnd endAtWall(const Hold &hold, const AtWall &wall, const WallMotion &motion) const;
     void cutFall(WallEnd &end, const Taylor &height, double unit, const Vec3 &normal) const;
     WallWay wayAlong(const Hold &hold, const AtWall &wall, double reach);

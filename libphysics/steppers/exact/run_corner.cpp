@@ -83,7 +83,7 @@ std::optional<Run::AtCorner> Run::lookAtCorner(const Touch &first, const Touch &
     law.contacts[1] = {second.normal, friction};
     law.onFloor = m_floor.has_value();
     if (law.onFloor) law.contacts[2] = {{0.0, 0.0, 1.0}, m_params.sliding_friction};
-    if (!settle(law, corner.now, smallestSlip(corner.units))) return std::nullopt;
+    if (!settle(law, corner.now, leastSpeed() / corner.units.speed)) return std::nullopt;
 
     const CornerMotion probe(law, corner.now, 2);
     if (!probe.isSolvable()) return std::nullopt;
@@ -109,7 +109,7 @@ void Run::followCorner(const AtCorner &corner) {
     const double t = end.cause == time ? m_left : motion.time.at(end.s) * corner.units.time();
     CornerState now = motion.at(end.s);
     CornerLaw law = corner.law;
-    settle(law, now, smallestSlip(corner.units));
+    settle(law, now, leastSpeed() / corner.units.speed);
     const bool slipped = slipVelocity() != Vec2(0.0);
     const Vec3 before = m_ball.spin;
     m_ball.spin = corner.units.speed / m_board.radius() * now.spin;

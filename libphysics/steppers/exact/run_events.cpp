@@ -69,6 +69,12 @@ void Run::bounce(const Touch &touch) {
                           : reflectWithFriction(m_ball, touch.normal, after, m_params.wall_friction, m_board.radius());
     m_report.lostImpact(loss.impact);
     m_report.lostSlip(loss.slip);
+    // Nothing but rounding is left of a velocity that led straight into it, but for what leads along an edge.
+    const Vec3 round = velocityRound(touch.normal, touch.feature, m_ball.velocity);
+    const bool stops = after == 0.0 && glm::length(round) <= 4.0 * kRounding * -before;
+    for (int axis = 0; stops && axis < 3; ++axis) {
+        if (touch.normal[axis] != 0.0) m_ball.velocity[axis] = 0.0;
+    }
     if (isRolling() && wasSupported) roll();
     contactEvent(PHYS_EVENT_IMPACT, touch, before, after);
     // A rough wall also pushes the ball up, or into the floor: model.md 4.

@@ -19,8 +19,9 @@ constexpr int kTurnParts = 16;
 /// the length that go with it would overflow.
 constexpr double kLeastAcceleration = 0x1p-400;
 
-/// Least unit of speed, in units of that of a fall through a radius: the inverse of less would overflow.
-constexpr double kLeastSpeed = 0x1p-200;
+/// Least speed, in units of that of a fall through a radius: a slip below it is none (where a slip ends all speeds may
+/// be zero), and the squares and inverses of less would under- and overflow.
+constexpr double kLeastSpeed = 1e-18;
 
 void scale(WallState &now, double speed, double acceleration) {
     for (double *value : {&now.along, &now.up, &now.floorSlip, &now.wallSlip, &now.wallSlipUp}) *value *= speed;
@@ -35,17 +36,18 @@ bool Run::isRough(const Hold &hold) const {
     return glm::dot(toVec(m_params.gravity), hold.touch.normal) < 0.0;
 }
 
-Run::Units Run::unitsFor(double fastest) const {
+double Run::unitOfAcceleration() const {
     const phys_vec3 &g = m_params.gravity;
-    const double acceleration = unitOf(length({length(inPlane(g)), g.z}));
-    const double fall = std::sqrt(acceleration * m_board.radius());
-    const double speed = unitOf(fastest > 0.0 ? std::max(fastest, kLeastSpeed * fall) : fall);
-    return {speed, std::max(acceleration, kLeastAcceleration * speed)};
+    return unitOf(length({length(inPlane(g)), g.z}));
 }
 
-/// A slip below this, in units of the speed, is none: where a slip ends all speeds may be zero.
-double Run::smallestSlip(const Units &units) const {
-    return 1e-18 * std::sqrt(units.acceleration * m_board.radius()) / units.speed;
+double Run::leastSpeed() const { return kLeastSpeed * std::sqrt(unitOfAcceleration() * m_board.radius()); }
+
+Run::Units Run::unitsFor(double fastest) const {
+    const double acceleration = unitOfAcceleration();
+    const double fall = std::sqrt(acceleration * m_board.radius());
+    const double speed = unitOf(fastest > 0.0 ? std::max(fastest, leastSpeed()) : fall);
+    return {speed, std::max(acceleration, kLeastAcceleration * speed)};
 }
 
 /// The ball as a wall with that normal sees it.
@@ -70,10 +72,10 @@ Run::AtWall Run::lookAtWall(const Hold &hold) const {
     const Vec2 normal = inPlane(hold.touch.normal);
     AtWall wall{{normal, {-normal.y, normal.x}}, {}, {}, seenFrom(normal)};
     WallState &now = wall.now;
-    const double rounding = now.rounding();
+    const double rounding = std::max(now.rounding(), leastSpeed());
     const bool slipsOnFloor = slipVelocity() != Vec2(0.0) && length({now.floorSlip, now.wallSlipUp}) > rounding;
     const bool rollsOnFloor = m_floor && !slides() && !slipsOnFloor;
-    if (m_floor && std::abs(now.wallSlipUp) <= rounding) now.wallSlipUp = 0.0;
+    if (std::abs(now.up) <= rounding && std::abs(now.wallSlipUp) <= rounding) now.up = now.wallSlipUp = 0.0;
     if (rollsOnFloor) now.floorSlip = now.wallSlipUp = 0.0;
     const bool rollsOnWall = length({now.wallSlip, now.wallSlipUp}) <= rounding;
     if (rollsOnWall) now.wallSlip = now.wallSlipUp = 0.0;
@@ -161,7 +163,8 @@ bool Run::meetsEnds(const AtWall &wall, const WallMotion &motion, double end) co
     if (m_floor) return false;
     const double R = m_board.radius(), z = m_ball.position.z, unit = wall.units.length();
     double low = z, high = z;
-    for (const double s : {end, firstFall(motion.up, end), firstFall(-1.0 * motion.up, end)}) {
+    const bool falls = motion.up[0] < 0.0 || (motion.up[0] == 0.0 && motion.up[1] < 0.0);
+    for (const double s : {end, firstFall(falls ? -1.0 * motion.up : motion.up, end)}) {
         if (s > end) continue;
         low = std::min(low, z + unit * motion.height.at(s));
         high = std::max(high, z + unit * motion.height.at(s));
@@ -228,7 +231,7 @@ void Run::follow(const Hold &hold, const AtWall &wall, const WallMotion &motion,
 
     WallState now = motion.at(end.s);
     if (end.cause == WallEnd::Cause::stop) now.along = 0.0;
-    const bool rolls = settleSlips(wall.law, end.cause, smallestSlip(wall.units), wall.now, now);
+    const bool rolls = settleSlips(wall.law, end.cause, leastSpeed() / wall.units.speed, wall.now, now);
     scale(now, wall.units.speed, wall.units.acceleration);
     const WallAxes axes = axesAfter(hold, wall, length, atWayEnd && way.end == WallWay::End::contour);
     if (hold.kind == Hold::Kind::edge) {
