@@ -2,6 +2,7 @@
 // Mesh files: what is read from good ones, what is said about bad ones; no screen needed.
 #include "gl/mesh_builder.h"
 #include "gl/mesh_file.h"
+#include "support/files.h"
 
 #include <QDir>
 #include <QFile>
@@ -11,17 +12,12 @@
 #include <glm/geometric.hpp>
 
 using namespace inspector::gl;
+using support::write;
 
 namespace {
 
 constexpr char kMaterials[] = "newmtl red\nKd 1 0 0\nKs 0.5 0.5 0.5\nNs 30\nnewmtl green\nKd 0 1 0\nKe 0 0.5 0\n";
 constexpr char kCorners[] = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\n"; // lines 1 to 6
-
-void write(const QString &path, const QByteArray &content) {
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write(content);
-}
 
 } // namespace
 

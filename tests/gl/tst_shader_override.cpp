@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Shaders changed on disk while running.
 #include "offscreen_picture.h"
+#include "support/files.h"
 
 #include <QDir>
 #include <QFile>
@@ -10,17 +11,12 @@
 #include <QTest>
 
 using namespace inspector::gl;
+using support::write;
 
 namespace {
 
 constexpr char kAllRed[] = "#version 330 core\nout vec4 colour;\nvoid main() { colour = vec4(1.0, 0.0, 0.0, 1.0); }\n";
 constexpr char kBroken[] = "#version 330 core\nout vec4 colour;\nvoid main() { colour = nonsense; }\n";
-
-void write(const QString &path, const QByteArray &content) {
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write(content);
-}
 
 } // namespace
 

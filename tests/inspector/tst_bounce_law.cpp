@@ -4,6 +4,7 @@
 #include "core/bounce_law.h"
 #include "core/event_table.h"
 #include "scenes.h"
+#include "wall_ahead.h"
 
 #include <cmath>
 #include <set>
@@ -34,6 +35,7 @@ private slots:
 
 namespace {
 
+constexpr double kRadius = 0.006;  // m, by default
 constexpr double kDistance = 0.25; // m, of the ball's front from the wall
 constexpr double kTilt = 5.0;      // degrees
 constexpr double kRestitution = 0.5;
@@ -41,19 +43,6 @@ constexpr double kRestitution = 0.5;
 Registry builtIn() {
     static const Registry registry = makeRegistry(nullptr);
     return registry;
-}
-
-Scene wallAhead() {
-    phys_scene_desc description;
-    phys_scene_desc_init(&description, sizeof description);
-    const double face = kDistance + description.radius;
-    const phys_box boxes[] = {{{-1.0, -1.0, -0.01}, {1.0, 1.0, 0.0}}, {{face, -1.0, 0.0}, {face + 0.1, 1.0, 0.05}}};
-    description.boxes = boxes;
-    description.box_count = 2;
-    QString error;
-    Scene scene = makeScene(description, &error);
-    if (!scene) qFatal("%s", qPrintable(error));
-    return scene;
 }
 
 Inputs inputsOf(uint32_t model, double wallFriction) {
@@ -72,7 +61,7 @@ double timeToWall() { return std::sqrt(2.0 * kDistance / acceleration()); }
 
 // The first impact of a run from rest.
 LoggedEvent firstImpact(const QByteArray &stepper, uint32_t model, double wallFriction = 0.0) {
-    const Scene scene = wallAhead();
+    const Scene scene = wallAhead(kDistance + kRadius);
     QString error;
     Engine engine(scene, makeStepper(builtIn(), stepper, scene, &error));
     engine.setInputs(inputsOf(model, wallFriction));

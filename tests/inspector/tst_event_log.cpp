@@ -4,6 +4,7 @@
 #include "core/event_log.h"
 #include "core/simulation.h"
 #include "scenes.h"
+#include "wall_ahead.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,19 +71,7 @@ std::vector<LoggedEvent> entriesOf(const EventLog &log) {
     return entries;
 }
 
-// A floor of 2 m, and a wall 0.1 m to the right of the ball, which rolls towards it.
-Scene wallAhead() {
-    const phys_box boxes[] = {{{-1.0, -1.0, -0.01}, {1.0, 1.0, 0.0}}, {{0.1, -1.0, 0.0}, {0.2, 1.0, 0.05}}};
-    phys_scene_desc description;
-    phys_scene_desc_init(&description, sizeof description);
-    description.boxes = boxes;
-    description.box_count = 2;
-    QString error;
-    Scene scene = makeScene(description, &error);
-    if (!scene) qFatal("%s", qPrintable(error));
-    return scene;
-}
-
+constexpr double kFace = 0.1;             // m, of the wall ahead of the ball
 constexpr uint64_t kStepsToTheWall = 100; // of 10 ms at 5 degrees: s = 0.3 m without the wall
 
 bool isSame(const LoggedEvent &a, const LoggedEvent &b) {
@@ -240,7 +229,7 @@ void TestEventLog::lostEventsAreCountedUntilTheNextRun() {
 }
 
 void TestEventLog::entryHoldsTheStepThatMadeIt() {
-    const auto engine = engineOn(wallAhead());
+    const auto engine = engineOn(wallAhead(kFace));
     engine->setInputs(tilted(5.0, 0.0));
     EventLog log(64);
     while (log.last() == 0 && engine->state().step < kStepsToTheWall) {
@@ -280,7 +269,7 @@ void TestEventLog::leavingTheMazeIsAnEntry() {
 }
 
 void TestEventLog::threadLogsTheSameAsStepsByHand() {
-    const Scene scene = wallAhead();
+    const Scene scene = wallAhead(kFace);
     const auto engine = engineOn(scene);
     engine->setInputs(tilted(5.0, 2.0));
     EventLog expected;
@@ -300,7 +289,7 @@ void TestEventLog::threadLogsTheSameAsStepsByHand() {
 }
 
 void TestEventLog::restartEmptiesTheLog() {
-    const Scene scene = wallAhead();
+    const Scene scene = wallAhead(kFace);
     Simulation simulation(scene, defaultStepper(scene));
     simulation.setInputs(tilted(5.0, 0.0));
     for (uint64_t i = 0; i < kStepsToTheWall; ++i) simulation.stepOnce();

@@ -6,12 +6,15 @@
 #include "core/session.h"
 #include "headless_run.h"
 #include "scenes.h"
+#include "support/files.h"
 
 #include <QTemporaryDir>
 
 #include <cstring>
 
 using namespace inspector;
+using support::contentOf;
+using support::write;
 
 class TestRecording : public QObject {
     Q_OBJECT
@@ -48,17 +51,6 @@ private:
 namespace {
 
 Result checkOf(const QString &file) { return runOf({"--replay", file, "--check"}); }
-
-QByteArray contentOf(const QString &path) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) qFatal("%s isn't there", qPrintable(path));
-    return file.readAll();
-}
-
-void write(const QString &path, const QByteArray &text) {
-    QFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size()) qFatal("can't write the test's file");
-}
 
 QByteArrayList rowsOf(const QByteArray &table) {
     QByteArrayList lines = table.split('\n');

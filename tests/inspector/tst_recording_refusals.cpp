@@ -4,10 +4,13 @@
 #include "core/simulation.h"
 #include "headless_run.h"
 #include "scenes.h"
+#include "support/files.h"
 
 #include <QTemporaryDir>
 
 using namespace inspector;
+using support::contentOf;
+using support::write;
 
 class TestRecordingRefusals : public QObject {
     Q_OBJECT
@@ -34,11 +37,6 @@ private:
 
 namespace {
 
-void write(const QString &path, const QByteArray &text) {
-    QFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size()) qFatal("can't write the test's file");
-}
-
 // The text with the first line that begins so replaced; `to` is without its line break.
 QByteArray changed(const QByteArray &text, const QByteArray &begin, const QByteArray &to) {
     QByteArrayList lines = text.split('\n');
@@ -58,9 +56,7 @@ int lineOf(const QByteArray &text, const QByteArray &begin) {
 
 void TestRecordingRefusals::initTestCase() {
     runOf({"--headless", "--tilt-x", "3", "--duration", "0.03", "--record", path("good")});
-    QFile file(path("good"));
-    QVERIFY(file.open(QIODevice::ReadOnly));
-    m_good = file.readAll();
+    m_good = contentOf(path("good"));
     QVERIFY(m_good.endsWith("\nend\n"));
 }
 

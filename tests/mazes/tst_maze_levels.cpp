@@ -2,6 +2,7 @@
 // What is checked in under mazes/levels, level by level.
 #include "disc_flood.h"
 #include "maze_text.h"
+#include "support/files.h"
 
 #include "generator/levels.h"
 
@@ -19,17 +20,13 @@
 #include <map>
 #include <set>
 
+using support::contentOf;
+
 namespace {
 
 constexpr Nanometres kStep = 500'000; // half a millimetre: outlines and cells' centres lie on it
 
 QString levelFile(const QString &name) { return QStringLiteral(LEVELS_FOLDER "/") + name; }
-
-QByteArray contentOf(const QString &path) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) return {};
-    return file.readAll();
-}
 
 struct Mesh {
     QString problem;

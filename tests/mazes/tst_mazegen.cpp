@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The command line as a user meets it: the program is run, its words, files and exit status are looked at.
+#include "support/files.h"
+
 #include <QDir>
 #include <QFile>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
+
+using support::contentOf;
 
 namespace {
 
@@ -26,12 +30,6 @@ Outcome run(const QString &folder, const QStringList &arguments) {
 
 QStringList filesIn(const QString &folder) {
     return QDir(folder).entryList(QDir::AllEntries | QDir::NoDotAndDotDot | QDir::Hidden, QDir::Name);
-}
-
-QByteArray contentOf(const QString &path) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) return {};
-    return file.readAll();
 }
 
 const QStringList kMaze = {"--seed", "7", "--cells", "5x4"};

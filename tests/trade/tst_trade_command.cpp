@@ -5,12 +5,14 @@
 #include "core/trade_svg.h"
 #include "core/trade_table.h"
 #include "support/compare.h"
+#include "support/files.h"
 
 #include <QFile>
 #include <QTemporaryDir>
 #include <QXmlStreamReader>
 
 using namespace inspector;
+using support::contentOf;
 
 class TestTradeCommand : public QObject {
     Q_OBJECT
@@ -64,11 +66,6 @@ Result runOf(const QString &words) {
 }
 
 const QString kShort = QStringLiteral("--trade 1 --schedule random:3 --duration 0.5 --steps 0.05,0.01 ");
-
-QByteArray contentOf(const QString &path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
 
 } // namespace
 

@@ -2,6 +2,7 @@
 // A recording is watched in the window: opened in every way there is, moved through by mouse and keys, taken over.
 #include "core/recording.h"
 #include "gl/maze_view.h"
+#include "support/files.h"
 #include "ui/game_overlay.h"
 #include "ui/message_bar.h"
 #include "ui/seek_slider.h"
@@ -28,6 +29,8 @@ using namespace window_test;
 using inspector::Game;
 using inspector::ReplayPlace;
 using inspector::Simulation;
+using support::contentOf;
+using support::write;
 
 class TestWindowReplay : public QObject {
     Q_OBJECT
@@ -79,17 +82,6 @@ private:
 };
 
 namespace {
-
-QByteArray contentOf(const QString &path) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) qFatal("%s isn't there", qPrintable(path));
-    return file.readAll();
-}
-
-void write(const QString &path, const QByteArray &text) {
-    QFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size()) qFatal("can't write the test's file");
-}
 
 // Another hash at a step of the recording, from 1.
 void flipHash(const QString &file, int step) {
