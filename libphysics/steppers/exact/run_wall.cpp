@@ -19,9 +19,11 @@ constexpr int kTurnParts = 16;
 /// the length that go with it would overflow.
 constexpr double kLeastAcceleration = 0x1p-400;
 
-/// Least speed, in units of that of a fall through a radius: a slip below it is none (where a slip ends all speeds may
-/// be zero), and the squares and inverses of less would under- and overflow.
+/// Least unit of speed, in units of that of a fall through a radius: where a slip ends all speeds may be zero.
 constexpr double kLeastSpeed = 1e-18;
+
+/// A slip below this, in least units of speed, is none: its square would underflow. No slip starts that small.
+constexpr double kLeastSlip = 0x1p-60;
 
 void scale(WallState &now, double speed, double acceleration) {
     for (double *value : {&now.along, &now.up, &now.floorSlip, &now.wallSlip, &now.wallSlipUp}) *value *= speed;
@@ -72,7 +74,7 @@ Run::AtWall Run::lookAtWall(const Hold &hold) const {
     const Vec2 normal = inPlane(hold.touch.normal);
     AtWall wall{{normal, {-normal.y, normal.x}}, {}, {}, seenFrom(normal)};
     WallState &now = wall.now;
-    const double rounding = std::max(now.rounding(), leastSpeed());
+    const double rounding = std::max(now.rounding(), kLeastSlip * leastSpeed());
     const bool slipsOnFloor = slipVelocity() != Vec2(0.0) && length({now.floorSlip, now.wallSlipUp}) > rounding;
     const bool rollsOnFloor = m_floor && !slides() && !slipsOnFloor;
     if (std::abs(now.up) <= rounding && std::abs(now.wallSlipUp) <= rounding) now.up = now.wallSlipUp = 0.0;
