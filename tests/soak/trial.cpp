@@ -85,7 +85,7 @@ public:
 
 private:
     bool goesOn() const {
-        return m_outcome.problem.empty() && !m_outcome.isDeclined && m_outcome.steps < m_plan.steps &&
+        return m_outcome.problem.empty() && m_outcome.declined.empty() && m_outcome.steps < m_plan.steps &&
                !(m_state.flags & PHYS_OUT);
     }
 
@@ -127,8 +127,8 @@ private:
         phys_error error{};
         tilt(before.step);
         const phys_status status = phys_step(m_stepper.get(), &m_params, m_dt, &before, &m_state, &m_report, &error);
-        m_outcome.isDeclined = status == PHYS_ERROR_UNSUPPORTED || status == PHYS_ERROR_EVENT_CAP;
-        if (status && !m_outcome.isDeclined) m_outcome.problem = error.text;
+        const bool isDeclined = status == PHYS_ERROR_UNSUPPORTED || status == PHYS_ERROR_EVENT_CAP;
+        if (status) (isDeclined ? m_outcome.declined : m_outcome.problem) = error.text;
         if (status) return;
         ++m_outcome.steps;
         m_outcome.impacts += m_report.events_lost; // no buffer: all events count as lost

@@ -17,7 +17,7 @@ struct Outcome {
     double deepest = 0.0;    ///< in a wall at the end of a step, m
     double mostGained = 0.0; ///< by one step, J/kg
     double fastest = 0.0;    ///< m/s
-    bool isDeclined = false; ///< ended by a step that this stepper can't do and says so: UNSUPPORTED, EVENT_CAP
+    std::string declined;    ///< what a step that this stepper can't do says, which ended it: UNSUPPORTED, EVENT_CAP
     std::string problem;
 };
 

@@ -3,6 +3,7 @@
 #include <physics/plugin.h>
 
 #include <cstring>
+#include <iterator>
 
 namespace {
 
@@ -63,6 +64,11 @@ phys_status giveUp(Self &, const phys_params &, double, phys_state &, phys_error
     return PHYS_ERROR_STUCK;
 }
 
+phys_status decline(Self &, const phys_params &, double, phys_state &, phys_error &error) {
+    std::strcpy(error.text, "too steep");
+    return PHYS_ERROR_UNSUPPORTED;
+}
+
 template<StepFunction *function>
 phys_status step(void *self, const phys_params *params, double dt, const phys_state *, phys_state *out, phys_report *,
                  phys_error *err) {
@@ -77,10 +83,12 @@ constexpr phys_stepper_api doing(const char *id) {
 
 constexpr phys_stepper_api kTables[] = {
     doing<sink>("sinks"),         doing<tunnel>("tunnels"),  doing<gain>("gains"),
-    doing<remember>("remembers"), doing<giveUp>("gives-up"),
+    doing<remember>("remembers"), doing<giveUp>("gives-up"), doing<decline>("declines"),
 };
-constexpr const phys_stepper_api *kPointers[] = {&kTables[0], &kTables[1], &kTables[2], &kTables[3], &kTables[4]};
+constexpr const phys_stepper_api *kPointers[] = {&kTables[0], &kTables[1], &kTables[2],
+                                                 &kTables[3], &kTables[4], &kTables[5]};
 
 } // namespace
 
-constinit const phys_plugin phys_plugin_entry = {PHYS_ABI_VERSION, sizeof(phys_plugin), 5, 0, kPointers};
+constinit const phys_plugin phys_plugin_entry = {PHYS_ABI_VERSION, sizeof(phys_plugin), std::size(kTables), 0,
+                                                 kPointers};
