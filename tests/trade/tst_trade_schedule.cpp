@@ -30,7 +30,7 @@ private:
 };
 
 QString TestTradeSchedule::write(const QByteArray &text) {
-    const QString path = m_folder.filePath("schedule.txt");
+    QString path = m_folder.filePath("schedule.txt");
     QFile file(path);
     if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size()) qFatal("can't write %s", qPrintable(path));
     return path;

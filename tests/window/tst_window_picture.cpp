@@ -25,7 +25,7 @@ const QString kVersions = QStringLiteral(GOLDEN_FOLDER "/start.versions");
 QString versionsNow(inspector::gl::MazeView &view) {
     view.makeCurrent();
     const auto *version = reinterpret_cast<const char *>(view.context()->functions()->glGetString(GL_VERSION));
-    const QString text = QStringLiteral("%1\nQt %2\n").arg(QLatin1String(version), QLatin1String(qVersion()));
+    QString text = QStringLiteral("%1\nQt %2\n").arg(QLatin1String(version), QLatin1String(qVersion()));
     view.doneCurrent();
     return text;
 }
