@@ -12,7 +12,7 @@ class Sweep {
 public:
     explicit Sweep(const Board &board);
 
-    /// Searches of one step may take so many looks at a solid in all; a thousand steps of a ball take fewer.
+    /// Searches for a touch in one step may take so many looks at a solid in all: some 20 for each of a million events.
     static constexpr uint32_t kMostLooks = 20'000'000;
 
     /// Before the first search of a step.
