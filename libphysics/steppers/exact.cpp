@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The reference: closed forms from event to event, model.md 8. Its error is rounding times the motion's sensitivity.
+#include "base/error.h"
 #include "discrete/requirements.h"
-#include "error.h"
 #include "exact/run.h"
 #include "steppers.h"
 

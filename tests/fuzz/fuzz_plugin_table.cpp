@@ -2,7 +2,7 @@
 // Any numbers, texts and NULLs in a plugin's table: taken in or refused with one line, before any of it is called.
 #include "input.h"
 
-#include "plugin_check.h"
+#include "registry/plugin_check.h"
 
 #include <string>
 #include <vector>

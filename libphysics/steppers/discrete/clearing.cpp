@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "clearing.h"
 
-#include "contact.h"
+#include "scene/nearest.h"
 
 #include <algorithm>
 #include <utility>

@@ -2,8 +2,8 @@
 // Where nothing needs to be looked up: a rectangle of places in which the ball touches nothing.
 #pragma once
 
-#include "pairs.h"
-#include "scene.h"
+#include "base/pairs.h"
+#include "scene/scene.h"
 
 namespace phys {
 

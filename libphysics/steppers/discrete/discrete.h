@@ -5,10 +5,10 @@
 //     template<class V> static Advance<V> advance(const Law<V> &law, const V &velocity, double h);
 #pragma once
 
-#include "error.h"
-#include "law.h"
-#include "orientation.h"
+#include "base/error.h"
+#include "base/orientation.h"
 #include "requirements.h"
+#include "shared/law.h"
 #include "surroundings.h"
 #include "wall_slide.h"
 

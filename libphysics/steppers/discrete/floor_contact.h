@@ -2,9 +2,9 @@
 // How a ball on the floor moves where no wall interferes: it rolls, slides without friction, or slips.
 #pragma once
 
-#include "law.h"
-#include "response.h"
-#include "scene.h"
+#include "contact/response.h"
+#include "scene/scene.h"
+#include "shared/law.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "stepper.h"
 
-#include "orientation.h"
+#include "base/orientation.h"
 
 namespace phys {
 

@@ -2,10 +2,10 @@
 // What a ball touches at one moment, and how overlaps are resolved: definition D of model.md 10.
 #pragma once
 
-#include "contact.h"
-#include "report.h"
-#include "response.h"
-#include "scene.h"
+#include "contact/response.h"
+#include "registry/report.h"
+#include "scene/nearest.h"
+#include "scene/scene.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "arc.h"
 
-#include "closed_form.h"
+#include "shared/closed_form.h"
 #include "sweep.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 // What the exact stepper asks of a scene: contacts at a point, how far a face or a floor reaches, ways out of boxes.
 #pragma once
 
-#include "contact.h"
-#include "scene.h"
+#include "scene/nearest.h"
+#include "scene/scene.h"
 
 #include <array>
 #include <optional>

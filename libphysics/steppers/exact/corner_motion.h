@@ -3,8 +3,8 @@
 // and at most the vertical left to move in.
 #pragma once
 
+#include "base/vec.h"
 #include "taylor.h"
-#include "vec.h"
 
 #include <array>
 

@@ -2,7 +2,7 @@
 // The ball's way between two events: a closed form in the time since the phase began, model.md 3.
 #pragma once
 
-#include "closed_form.h"
+#include "shared/closed_form.h"
 
 namespace phys {
 

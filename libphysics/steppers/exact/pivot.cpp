@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pivot.h"
 
-#include "closed_form.h"
+#include "shared/closed_form.h"
 
 #include <algorithm>
 #include <array>

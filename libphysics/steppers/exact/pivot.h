@@ -3,7 +3,7 @@
 // something happens come from its energy, the times from a Taylor series.
 #pragma once
 
-#include "vec.h"
+#include "base/vec.h"
 
 namespace phys {
 

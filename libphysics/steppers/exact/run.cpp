@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "run.h"
 
-#include "error.h"
-#include "orientation.h"
+#include "base/error.h"
+#include "base/orientation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,10 +3,10 @@
 #pragma once
 
 #include "arc.h"
+#include "contact/response.h"
 #include "corner_motion.h"
 #include "hold.h"
-#include "report.h"
-#include "response.h"
+#include "registry/report.h"
 #include "sweep.h"
 #include "wall_grip.h"
 

@@ -2,7 +2,7 @@
 // Impacts, landings, take-offs: what happens in no time. model.md 2.1 and 2.2, 5.5, 6.4.
 #include "run.h"
 
-#include "error.h"
+#include "base/error.h"
 
 #include <algorithm>
 #include <cmath>

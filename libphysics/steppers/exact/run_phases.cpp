@@ -3,8 +3,8 @@
 #include "run.h"
 
 #include "arc.h"
-#include "law.h"
 #include "pivot.h"
+#include "shared/law.h"
 
 #include <algorithm>
 #include <cmath>

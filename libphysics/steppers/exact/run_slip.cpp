@@ -2,7 +2,7 @@
 // The rigid model on the floor: a ball whose contact point slips. model.md 2.2, 3.6, 6.5.
 #include "run.h"
 
-#include "law.h"
+#include "shared/law.h"
 
 #include <cmath>
 

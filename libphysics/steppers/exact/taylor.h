@@ -2,8 +2,8 @@
 // Taylor series in one variable, built term by term: the recurrences of a product, a quotient and a square root.
 #pragma once
 
-#include "closed_form.h"
-#include "scene.h"
+#include "scene/scene.h"
+#include "shared/closed_form.h"
 
 #include <algorithm>
 #include <array>

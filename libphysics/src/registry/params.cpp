@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "registry/params.h"
+
+#include "base/appendable.h"
+#include "base/error.h"
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace phys {
+
+namespace {
+
+void write(phys_params &params, const phys_param_row &row, double value) {
+    char *place = reinterpret_cast<char *>(&params) + row.offset;
+    if (row.flags & PHYS_ROW_CHOICE) {
+        const auto choice = static_cast<uint32_t>(value);
+        std::memcpy(place, &choice, sizeof choice);
+        return;
+    }
+    std::memcpy(place, &value, sizeof value);
+}
+
+/// Bytes of phys_params up to the row's value.
+size_t endOf(const phys_param_row &row) {
+    return row.offset + (row.flags & PHYS_ROW_CHOICE ? sizeof(uint32_t) : sizeof(double));
+}
+
+/// Whether the caller's struct is long enough to have the row's value.
+bool hasRow(const phys_params &params, const phys_param_row &row) { return endOf(row) <= params.struct_size; }
+
+phys_status checkValue(double value, const phys_param_row &row, phys_error *err) {
+    if (isAllowed(value, row)) return PHYS_OK;
+    const char *unit = row.unit[0] ? " " : "";
+    return fail(err, PHYS_ERROR_RANGE, "%s is %.9g%s%s; allowed is %s%.9g .. %.9g%s%s", row.id, value, unit, row.unit,
+                mustBeWhole(row) ? "a whole number, " : "", row.min, row.max, unit, row.unit);
+}
+
+} // namespace
+
+phys_status explainParams(const phys_params &params, phys_error *err) {
+    if (params.struct_size != sizeof params) {
+        return fail(err, PHYS_ERROR_ARGUMENT, "params.struct_size is %u; expected %zu: call phys_params_init first",
+                    params.struct_size, sizeof params);
+    }
+    if (params.options & ~static_cast<uint32_t>(PHYS_OPTIONS)) {
+        return fail(err, PHYS_ERROR_RANGE, "params.options is 0x%x; allowed bits are 0x%x", params.options,
+                    PHYS_OPTIONS);
+    }
+    for (const phys_param_row &row : kRows) {
+        if (const phys_status status = checkValue(readRow(params, row), row, err)) return status;
+    }
+    if (!rigidFrictionsAgree(params)) {
+        return fail(err, PHYS_ERROR_RANGE,
+                    "rolling_friction is %.9g; in the rigid model it must not exceed sliding_friction, which is %.9g",
+                    params.rolling_friction, params.sliding_friction);
+    }
+    return PHYS_OK;
+}
+
+phys_status checkOwnRows(const phys_params &params, std::span<const phys_param_row *const> rows, phys_error *err) {
+    for (const phys_param_row *row : rows) {
+        if (const phys_status status = checkValue(readRow(params, *row), *row, err)) return status;
+    }
+    return PHYS_OK;
+}
+
+} // namespace phys
+
+phys_status phys_params_init(phys_params *params, size_t size) {
+    if (!params || !phys::isKnownSize<phys_params>(size)) return PHYS_ERROR_ARGUMENT;
+    phys_params whole{};
+    for (const phys_param_row &row : phys::kRows) phys::write(whole, row, row.initial);
+    phys::store(whole, size, params);
+    return PHYS_OK;
+}
+
+const phys_param_row *phys_param_rows(uint32_t *count) {
+    if (count) *count = phys::kRowCount;
+    return phys::kRows;
+}
+
+double phys_param_get(const phys_params *params, const phys_param_row *row) {
+    if (!params || !row) return std::numeric_limits<double>::quiet_NaN();
+    if (!phys::hasRow(*params, *row)) return row->initial;
+    return phys::readRow(*params, *row);
+}
+
+phys_status phys_param_set(phys_params *params, const phys_param_row *row, double value, phys_error *err) {
+    if (!params || !row) return phys::fail(err, PHYS_ERROR_ARGUMENT, "%s is NULL", params ? "row" : "params");
+    if (!phys::hasRow(*params, *row)) {
+        return phys::fail(err, PHYS_ERROR_ARGUMENT, "params.struct_size is %u; %s needs %zu", params->struct_size,
+                          row->id, phys::endOf(*row));
+    }
+    if (const phys_status status = phys::checkValue(value, *row, err)) return status;
+    phys::write(*params, *row, value);
+    return PHYS_OK;
+}
+
+phys_status phys_params_check(const phys_params *params, phys_error *err) {
+    if (!params) return phys::fail(err, PHYS_ERROR_ARGUMENT, "params is NULL");
+    if (phys::isOlder(*params)) return phys::explainParams(phys::completed(*params, phys_params_init), err);
+    return phys::explainParams(*params, err);
+}
+
+phys_status phys_gravity_from_tilt(double tilt_x, double tilt_y, double strength, phys_vec3 *out) {
+    constexpr double kQuarterTurn = 1.5707963267948966;
+    const bool valid = out && std::abs(tilt_x) < kQuarterTurn && std::abs(tilt_y) < kQuarterTurn && strength >= 0.0 &&
+                       std::isfinite(strength);
+    if (!valid) return PHYS_ERROR_ARGUMENT;
+    const double slopeX = std::tan(tilt_x);
+    const double slopeY = std::tan(tilt_y);
+    const double scale = strength / std::sqrt((slopeX * slopeX + slopeY * slopeY) + 1.0);
+    *out = {scale * slopeX, scale * slopeY, -scale};
+    return PHYS_OK;
+}

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// The table of parameter rows, and the check of parameters that every step makes.
+#pragma once
+
+#include "base/pairs.h"
+
+#include <physics/physics.h>
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <iterator>
+#include <span>
+
+namespace phys {
+
+#define PHYS_OFFSET(member) static_cast<uint32_t>(offsetof(phys_params, member))
+
+/// The only place that knows labels, units, ranges and defaults.
+inline constexpr phys_param_row kRows[] = {
+    {"model", "Model", "",
+     "Rolling: the ball always rolls, the cheap model. Rigid: it can slip and keeps its spin through impacts. "
+     "Default: Rolling.",
+     "Rolling\nRigid", 0, 1, 0, 1, PHYS_MODEL_ROLLING, 1, PHYS_OFFSET(model), PHYS_ROW_CHOICE},
+    {"restitution_wall", "Restitution, walls", "",
+     "Share of the normal speed that a wall gives back: 0 sticks, 1 loses nothing. Steel on wood: about 0.5. "
+     "Default: 0.5.",
+     "", 0, 1, 0, 1, 0.5, 0.01, PHYS_OFFSET(restitution_wall), 0},
+    {"restitution_floor", "Restitution, floor", "",
+     "Share of the vertical speed that the floor gives back when the ball lands. Default: 0.3.", "", 0, 1, 0, 1, 0.3,
+     0.01, PHYS_OFFSET(restitution_floor), 0},
+    {"rolling_friction", "Rolling friction", "",
+     "Resistance to rolling as a share of the normal force: the ball rests up to a slope of atan of it. Steel on wood: "
+     "0.001 to 0.01. Rigid model: at most the sliding friction. Default: 0.002.",
+     "", 0, 1e6, 0, 0.05, 0.002, 0.0005, PHYS_OFFSET(rolling_friction), 0},
+    {"sliding_friction", "Sliding friction", "",
+     "Coulomb friction between ball and floor: how fast slip ends; the ball rolls up to a slope of atan of 7/2 of it. "
+     "Steel on wood: about 0.3. Default: 0.3.",
+     "", 0, 1e6, 0, 1, 0.3, 0.01, PHYS_OFFSET(sliding_friction), PHYS_ROW_RIGID},
+    {"wall_friction", "Wall friction", "",
+     "Coulomb friction between ball and wall: turns a rolling ball's spin at an impact and lifts it off the floor. "
+     "0 is smooth. Default: 0.",
+     "", 0, 1e6, 0, 1, 0.0, 0.01, PHYS_OFFSET(wall_friction), PHYS_ROW_RIGID},
+    {"gravity_x", "Gravity along x", "m/s^2", "Component of gravity along the board's x. Default: 0.", "", -1e6, 1e6,
+     -9.81, 9.81, 0.0, 0.01, PHYS_OFFSET(gravity.x), PHYS_ROW_INPUT},
+    {"gravity_y", "Gravity along y", "m/s^2", "Component of gravity along the board's y. Default: 0.", "", -1e6, 1e6,
+     -9.81, 9.81, 0.0, 0.01, PHYS_OFFSET(gravity.y), PHYS_ROW_INPUT},
+    {"gravity_z", "Gravity along z", "m/s^2",
+     "Component of gravity along the board's z, negative while a floor supports the ball. Default: -9.81.", "", -1e6,
+     1e6, -19.62, 0, -9.81, 0.01, PHYS_OFFSET(gravity.z), PHYS_ROW_INPUT},
+};
+#undef PHYS_OFFSET
+
+inline constexpr size_t kRowCount = std::size(kRows);
+
+/// The doubles of phys_params that have rows lie side by side: their limits, in the same order.
+inline constexpr size_t kFirstDouble = offsetof(phys_params, gravity);
+inline constexpr size_t kDoubleCount = (offsetof(phys_params, options) - kFirstDouble) / sizeof(double);
+
+constexpr auto limits(double phys_param_row::*limit) {
+    std::array<double, kDoubleCount> values{};
+    for (const phys_param_row &row : kRows) {
+        if (!(row.flags & PHYS_ROW_CHOICE)) values[(row.offset - kFirstDouble) / sizeof(double)] = row.*limit;
+    }
+    return values;
+}
+inline constexpr auto kMin = limits(&phys_param_row::min);
+inline constexpr auto kMax = limits(&phys_param_row::max);
+static_assert(kDoubleCount + 1 == kRowCount, "every double before options has a row, and the model has one");
+
+inline double readRow(const phys_params &params, const phys_param_row &row) {
+    const char *place = reinterpret_cast<const char *>(&params) + row.offset;
+    if (row.flags & PHYS_ROW_CHOICE) {
+        uint32_t value = 0;
+        std::memcpy(&value, place, sizeof value);
+        return value;
+    }
+    double value = 0.0;
+    std::memcpy(&value, place, sizeof value);
+    return value;
+}
+
+inline bool isWithin(double value, const phys_param_row &row) {
+    return value >= row.min && value <= row.max;
+} // NaN: false
+
+inline bool mustBeWhole(const phys_param_row &row) { return row.flags & (PHYS_ROW_CHOICE | PHYS_ROW_SWITCH); }
+
+inline bool isAllowed(double value, const phys_param_row &row) {
+    // The ranges of whole rows are small: the conversion can't overflow.
+    return isWithin(value, row) && (!mustBeWhole(row) || value == static_cast<double>(static_cast<int32_t>(value)));
+}
+
+inline bool rigidFrictionsAgree(const phys_params &params) {
+    return params.model != PHYS_MODEL_RIGID || params.rolling_friction <= params.sliding_friction;
+}
+
+/// Whether all values are within their rows and agree with each other; the hot path's yes or no.
+inline bool paramsAreValid(const phys_params &params) {
+    return params.struct_size == sizeof params && (params.options & ~static_cast<uint32_t>(PHYS_OPTIONS)) == 0 &&
+           params.model <= PHYS_MODEL_RIGID && allWithin<kDoubleCount>(&params.gravity.x, kMin.data(), kMax.data()) &&
+           rigidFrictionsAgree(params);
+}
+
+/// As paramsAreValid for the values that a stepper's own rows stand for.
+inline bool ownRowsAreValid(const phys_params &params, std::span<const phys_param_row *const> rows) {
+    for (const phys_param_row *row : rows) {
+        if (!isAllowed(readRow(params, *row), *row)) return false;
+    }
+    return true;
+}
+
+/// As paramsAreValid, with the reason.
+phys_status explainParams(const phys_params &params, phys_error *err);
+
+/// As ownRowsAreValid, with the reason.
+phys_status checkOwnRows(const phys_params &params, std::span<const phys_param_row *const> rows, phys_error *err);
+
+} // namespace phys

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Calls into a plugin: whatever it does wrong becomes one status and one line.
+#pragma once
+
+#include "base/error.h"
+
+#include <physics/plugin.h>
+
+#include <exception>
+
+namespace phys {
+
+/// Passes a plugin's failure on with a code and a text that the caller can rely on. own: what the plugin wrote.
+phys_status passOn(const phys_stepper_api &api, const char *function, phys_status status, phys_error &own,
+                   phys_error *err);
+
+/// An exception that left a plugin. reason: nullptr if it has none.
+phys_status refuseException(const phys_stepper_api &api, const char *function, const char *reason, phys_error *err);
+
+/// Calls call(own) with an error of the plugin's own, as plugin.h promises it, and lets nothing but a status out.
+/// function: its name in phys_stepper_api, for the message.
+template<class Call>
+phys_status callPlugin(const phys_stepper_api &api, const char *function, phys_error *err, Call call) noexcept {
+    try {
+        phys_error own{};
+        const phys_status status = call(own);
+        return status == PHYS_OK ? PHYS_OK : passOn(api, function, status, own, err);
+    } catch (const std::exception &exception) {
+        return refuseException(api, function, exception.what(), err);
+    } catch (...) {
+        return refuseException(api, function, nullptr, err);
+    }
+}
+
+} // namespace phys

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+// From a file to steppers in the registry: open, find the table, check it, and only then take it in.
+// Files by POSIX's functions: those of std::filesystem that take an error_code end the process when memory runs out.
+#include "base/error.h"
+#include "registry/plugin_check.h"
+#include "registry/registry.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <dirent.h>
+#include <dlfcn.h>
+#include <memory>
+#include <new>
+#include <sys/stat.h>
+
+namespace phys {
+
+namespace {
+
+constexpr const char *kSearchVariable = "PHYS_PLUGIN_PATH";
+constexpr const char *kFolderBesideLibrary = "physics-1"; // 1: PHYS_ABI_VERSION
+constexpr size_t kShownPath = 64;                         // bytes; leaves most of a message to the reason
+
+/// A shared object that is closed again unless it is kept.
+class SharedObject {
+public:
+    /// dlopen would look for a name without a slash in the system's folders.
+    explicit SharedObject(const std::string &path)
+        : m_handle(dlopen((path.find('/') == path.npos ? "./" + path : path).c_str(), RTLD_NOW | RTLD_LOCAL)) {}
+    ~SharedObject() {
+        if (m_handle) dlclose(m_handle);
+    }
+    SharedObject(const SharedObject &) = delete;
+    SharedObject &operator=(const SharedObject &) = delete;
+
+    bool isOpen() const { return m_handle != nullptr; }
+    const void *symbol(const char *name) const { return dlsym(m_handle, name); }
+    /// Loaded until the process ends: its texts and code are in use from here on.
+    void keep() { m_handle = nullptr; }
+
+private:
+    void *m_handle;
+};
+
+/// The end of a long path, which is what tells files apart.
+std::string shown(const std::string &path) {
+    return path.size() <= kShownPath ? path : "..." + path.substr(path.size() - kShownPath);
+}
+
+phys_status checkFile(const std::string &path, const std::string &name, phys_error *err) {
+    struct stat status {};
+    if (stat(path.c_str(), &status) != 0) return fail(err, PHYS_ERROR_FILE, "%s: no such file", name.c_str());
+    if (!S_ISREG(status.st_mode)) return fail(err, PHYS_ERROR_FILE, "%s: not a file", name.c_str());
+    return PHYS_OK;
+}
+
+/// The plugins' names in a folder, sorted. False if the folder can't be read.
+bool listPlugins(const std::string &folder, std::vector<std::string> &names) {
+    const std::unique_ptr<DIR, int (*)(DIR *)> entries(opendir(folder.c_str()), closedir);
+    if (!entries) return false;
+    while (const dirent *entry = readdir(entries.get())) {
+        const std::string name = entry->d_name;
+        if (name.size() > 3 && name.ends_with(".so")) names.push_back(name);
+    }
+    std::sort(names.begin(), names.end());
+    return true;
+}
+
+void add(phys_registry &registry, const phys_plugin &plugin, const std::string &path) {
+    const auto file = std::make_shared<const std::string>(path);
+    std::vector<PluginStepper> steppers = registry.plugins;
+    for (uint32_t i = 0; i < plugin.stepper_count; ++i) steppers.push_back({plugin.steppers[i], file});
+    registry.plugins.swap(steppers); // all of them or none
+}
+
+phys_status load(phys_registry &registry, const std::string &path, phys_error *err) {
+    const std::string name = shown(path);
+    if (const phys_status status = checkFile(path, name, err)) return status;
+    SharedObject object(path);
+    if (!object.isOpen()) {
+        const char *reason = dlerror();
+        return fail(err, PHYS_ERROR_PLUGIN_REFUSED, "%s: expected a shared object that loads; found: %s", name.c_str(),
+                    reason ? reason : "unknown");
+    }
+    const auto *plugin = static_cast<const phys_plugin *>(object.symbol("phys_plugin_entry"));
+    if (!plugin) {
+        return fail(err, PHYS_ERROR_PLUGIN_REFUSED, "%s: expected the symbol phys_plugin_entry; found none",
+                    name.c_str());
+    }
+    if (const phys_status status = checkPlugin(*plugin, name.c_str(), registry, err)) return status;
+    add(registry, *plugin, path);
+    object.keep();
+    return PHYS_OK;
+}
+
+/// What a scan knows: where the plugins go, and who wants to hear of each file.
+struct Scan {
+    phys_registry &registry;
+    phys_scan_function report;
+    void *context;
+
+    void tell(const std::string &path, phys_status status, const std::string &text) const {
+        if (report) report(context, path.c_str(), status, text.c_str());
+    }
+
+    void loadOne(const std::string &path) const {
+        const size_t before = registry.plugins.size();
+        phys_error error{};
+        if (const phys_status status = load(registry, path, &error)) return tell(path, status, error.text);
+        std::string ids = "loaded";
+        for (size_t i = before; i < registry.plugins.size(); ++i) {
+            ids += (i > before ? ", " : " ") + std::string(registry.plugins[i].api->id);
+        }
+        tell(path, PHYS_OK, ids);
+    }
+
+    /// False if the folder can't be read.
+    bool loadFolder(const std::string &folder) const {
+        std::vector<std::string> names;
+        if (!listPlugins(folder, names)) return false;
+        const std::string prefix = folder.ends_with('/') ? folder : folder + '/';
+        for (const std::string &name : names) loadOne(prefix + name);
+        return true;
+    }
+
+    void loadSearchPath(const std::string &list) const {
+        for (size_t begin = 0; begin <= list.size();) {
+            const size_t end = std::min(list.find(':', begin), list.size());
+            const std::string folder = list.substr(begin, end - begin);
+            begin = end + 1;
+            if (folder.empty() || loadFolder(folder)) continue;
+            tell(folder, PHYS_ERROR_FILE, shown(folder) + ": a folder of " + kSearchVariable + " that can't be read");
+        }
+    }
+};
+
+/// The folder that this library (or the program that it is linked into) was loaded from; empty if unknown.
+std::string ownFolder() {
+    Dl_info info{};
+    if (!dladdr(reinterpret_cast<const void *>(&phys_version), &info) || !info.dli_fname) return {};
+    // A program that was found through PATH is known by its bare name only.
+    const bool isBareName = !std::strchr(info.dli_fname, '/');
+    const std::unique_ptr<char, void (*)(void *)> file(
+        realpath(isBareName ? "/proc/self/exe" : info.dli_fname, nullptr), std::free);
+    if (!file) return {};
+    const std::string path = file.get();
+    return path.substr(0, path.rfind('/'));
+}
+
+phys_status scan(const Scan &scan, const char *folder, phys_error *err) {
+    if (folder) {
+        if (scan.loadFolder(folder)) return PHYS_OK;
+        return fail(err, PHYS_ERROR_FILE, "%s: expected a folder that can be read", shown(folder).c_str());
+    }
+    if (const char *list = std::getenv(kSearchVariable)) scan.loadSearchPath(list);
+    const std::string own = ownFolder();
+    if (!own.empty()) scan.loadFolder(own + '/' + kFolderBesideLibrary); // that it isn't there is no mistake
+    return PHYS_OK;
+}
+
+} // namespace
+
+} // namespace phys
+
+phys_status phys_registry_load_file(phys_registry *registry, const char *path, phys_error *err) try {
+    if (!registry || !path) {
+        return phys::fail(err, PHYS_ERROR_ARGUMENT, "%s is NULL", registry ? "path" : "registry");
+    }
+    return phys::load(*registry, path, err);
+} catch (const std::bad_alloc &) {
+    return phys::fail(err, PHYS_ERROR_MEMORY, "out of memory for a plugin");
+} catch (...) {
+    return phys::fail(err, PHYS_ERROR_INTERNAL, "an exception while a plugin was loaded");
+}
+
+phys_status phys_registry_scan(phys_registry *registry, const char *folder, phys_scan_function report, void *context,
+                               phys_error *err) try {
+    if (!registry) return phys::fail(err, PHYS_ERROR_ARGUMENT, "registry is NULL");
+    return phys::scan({*registry, report, context}, folder, err);
+} catch (const std::bad_alloc &) {
+    return phys::fail(err, PHYS_ERROR_MEMORY, "out of memory for a plugin");
+} catch (...) {
+    return phys::fail(err, PHYS_ERROR_INTERNAL, "an exception while plugins were scanned");
+}

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "registry/registry.h"
+
+#include "base/error.h"
+#include "registry/params.h"
+#include "steppers.h"
+
+#include <cstring>
+#include <new>
+
+namespace phys {
+
+namespace {
+
+/// From crude to exact.
+const phys_stepper_api *const kBuiltIn[] = {
+    &kExplicitEuler, &kSymplecticEuler, &kVelocityVerlet, &kRk4, &kSwept, &kExact,
+};
+
+uint32_t builtInCount() { return static_cast<uint32_t>(std::size(kBuiltIn)); }
+
+/// index below phys_registry_count(registry).
+phys_stepper_info describe(const phys_registry *registry, uint32_t index) {
+    const bool isPlugin = index >= builtInCount();
+    const PluginStepper *plugin = isPlugin ? &registry->plugins[index - builtInCount()] : nullptr;
+    const phys_stepper_api &api = isPlugin ? *plugin->api : *kBuiltIn[index];
+    return {api.id,
+            api.name,
+            api.version,
+            api.summary,
+            isPlugin ? plugin->file->c_str() : "",
+            api.rows,
+            api.row_count,
+            api.flags | (isPlugin ? static_cast<uint32_t>(PHYS_STEPPER_PLUGIN) : 0U)};
+}
+
+/// All ids, for a message.
+std::string knownIds(const phys_registry *registry) {
+    std::string ids;
+    for (uint32_t i = 0; i < phys_registry_count(registry); ++i) {
+        ids += (i ? ", " : "") + std::string(describe(registry, i).id);
+    }
+    return ids;
+}
+
+phys_status refuseUnknown(const phys_registry *registry, const char *id, phys_error *err) {
+    return fail(err, PHYS_ERROR_UNKNOWN_STEPPER, "no stepper has the id '%.60s'; known are %s", id,
+                knownIds(registry).c_str());
+}
+
+} // namespace
+
+FoundStepper findStepper(const phys_registry *registry, const char *id) {
+    for (const phys_stepper_api *api : kBuiltIn) {
+        if (std::strcmp(api->id, id) == 0) return {api, false};
+    }
+    if (!registry) return {nullptr, false};
+    for (const PluginStepper &plugin : registry->plugins) {
+        if (std::strcmp(plugin.api->id, id) == 0) return {plugin.api, true};
+    }
+    return {nullptr, false};
+}
+
+} // namespace phys
+
+phys_status phys_registry_create(phys_registry **out, phys_error *err) {
+    if (!out) return phys::fail(err, PHYS_ERROR_ARGUMENT, "out is NULL");
+    auto *registry = new (std::nothrow) phys_registry;
+    if (!registry) return phys::fail(err, PHYS_ERROR_MEMORY, "out of memory for a registry");
+    *out = registry;
+    return PHYS_OK;
+}
+
+void phys_registry_destroy(phys_registry *registry) { delete registry; }
+
+uint32_t phys_registry_count(const phys_registry *registry) {
+    const size_t plugins = registry ? registry->plugins.size() : 0;
+    return phys::builtInCount() + static_cast<uint32_t>(plugins);
+}
+
+phys_status phys_registry_info(const phys_registry *registry, uint32_t index, phys_stepper_info *out) {
+    if (!out || index >= phys_registry_count(registry)) return PHYS_ERROR_ARGUMENT;
+    *out = phys::describe(registry, index);
+    return PHYS_OK;
+}
+
+phys_status phys_registry_find(const phys_registry *registry, const char *id, phys_stepper_info *out,
+                               phys_error *err) try {
+    if (!id || !out) return phys::fail(err, PHYS_ERROR_ARGUMENT, "%s is NULL", id ? "out" : "id");
+    for (uint32_t i = 0; i < phys_registry_count(registry); ++i) {
+        const phys_stepper_info info = phys::describe(registry, i);
+        if (std::strcmp(info.id, id) != 0) continue;
+        *out = info;
+        return PHYS_OK;
+    }
+    return phys::refuseUnknown(registry, id, err);
+} catch (const std::bad_alloc &) {
+    return phys::fail(err, PHYS_ERROR_MEMORY, "out of memory");
+}
+
+phys_status phys_stepper_info_init_params(const phys_stepper_info *info, phys_params *params) {
+    if (!info || !params) return PHYS_ERROR_ARGUMENT;
+    std::memset(params->stepper, 0, sizeof params->stepper);
+    for (uint32_t i = 0; i < info->row_count; ++i) {
+        if (const phys_status status = phys_param_set(params, info->rows[i], info->rows[i]->initial, nullptr)) {
+            return status;
+        }
+    }
+    return PHYS_OK;
+}

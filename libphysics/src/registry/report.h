@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// What steppers write into a report. Every call does nothing when the caller wants no report.
+#pragma once
+
+#include "base/vec.h"
+
+#include <cstdint>
+
+namespace phys {
+
+class Reporter {
+public:
+    /// report: or nullptr. startTime: state.time at the start of the step.
+    Reporter(phys_report *report, double startTime)
+        : m_report(report)
+        , m_startTime(startTime) {}
+
+    bool wanted() const { return m_report != nullptr; }
+
+    /// `after` seconds into the step. For events without a contact: zero vectors and PHYS_NO_BOX.
+    void event(uint32_t kind, double after, const Vec3 &point, const Vec3 &normal, double speedBefore,
+               double speedAfter, uint32_t box);
+
+    void lostImpact(double energy) {
+        if (m_report) m_report->lost_impact += energy;
+    }
+    void lostRolling(double energy) {
+        if (m_report) m_report->lost_rolling += energy;
+    }
+    void lostSlip(double energy) {
+        if (m_report) m_report->lost_slip += energy;
+    }
+    void penetration(double depth) {
+        if (m_report && depth > m_report->penetration) m_report->penetration = depth;
+    }
+    void passes(uint32_t count) {
+        if (m_report && count > m_report->passes) m_report->passes = count;
+    }
+    void substeps(uint32_t count, uint32_t cap) {
+        if (!m_report) return;
+        m_report->substeps = count;
+        m_report->substep_cap = cap;
+    }
+    void passCap(uint32_t cap) {
+        if (m_report) m_report->pass_cap = cap;
+    }
+
+private:
+    phys_report *m_report;
+    double m_startTime;
+};
+
+} // namespace phys

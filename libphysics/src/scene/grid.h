@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// A uniform grid over the board: which boxes a ball can touch, from the place of its centre alone.
+#pragma once
+
+#include "base/vec.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace phys {
+
+class Grid {
+public:
+    /// Each cell (cellSize m wide, more in huge scenes) lists the boxes within `reach` (m) of it, seen from above.
+    void build(std::span<const phys_box> boxes, double reach, double cellSize);
+
+    /// Boxes within reach of a centre at (x, y): a superset, ascending.
+    std::span<const uint32_t> near(double x, double y) const {
+        const double column = (x - m_x0) * m_perCell;
+        const double row = (y - m_y0) * m_perCell;
+        // Negated so that a NaN finds no cell either.
+        if (!(column >= 0.0 && column < m_columns && row >= 0.0 && row < m_rows)) return {};
+        const int64_t cell = static_cast<int64_t>(row) * m_columnCount + static_cast<int64_t>(column);
+        return {m_items.data() + m_first[cell], m_first[cell + 1] - m_first[cell]};
+    }
+
+    /// Boxes within reach of any centre in the rectangle: a superset, ascending, each once.
+    /// Returns how many there are; writes only the first out.size() of them.
+    uint32_t overlapping(const Vec2 &low, const Vec2 &high, std::span<uint32_t> out) const;
+
+    /// Calls visit(box) for the boxes that `overlapping` would name, each once, in no particular order.
+    template<class Visit>
+    void visitOverlapping(const Vec2 &low, const Vec2 &high, Visit visit) const;
+
+private:
+    struct Cells {
+        uint32_t column0, row0, column1, row1; // both ends included
+    };
+    Cells cellsOf(const Vec2 &low, const Vec2 &high) const;
+    Cells cellsOf(const phys_box &box) const;
+
+    double m_x0 = 0.0, m_y0 = 0.0, m_perCell = 0.0;
+    double m_columns = 0.0, m_rows = 0.0; // as doubles, for the hot comparison
+    int64_t m_columnCount = 0;
+    double m_reach = 0.0;
+    std::vector<uint32_t> m_first, m_items; // the lists, one after another, and where each cell's begins
+    std::vector<Cells> m_boxCells;
+};
+
+template<class Visit>
+void Grid::visitOverlapping(const Vec2 &low, const Vec2 &high, Visit visit) const {
+    if (m_items.empty()) return;
+    const Cells query = cellsOf(low, high);
+    for (uint32_t row = query.row0; row <= query.row1; ++row) {
+        for (uint32_t column = query.column0; column <= query.column1; ++column) {
+            const size_t cell = row * m_columnCount + column;
+            for (uint32_t item = m_first[cell]; item < m_first[cell + 1]; ++item) {
+                const uint32_t box = m_items[item];
+                // A box in several cells of the query counts in the first of them only.
+                const Cells &own = m_boxCells[box];
+                if (row == std::max(query.row0, own.row0) && column == std::max(query.column0, own.column0)) visit(box);
+            }
+        }
+    }
+}
+
+} // namespace phys

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "scene/maze_file.h"
+
+#include "base/error.h"
+
+#include <cerrno>
+#include <charconv>
+#include <cstdarg>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <string_view>
+#include <system_error>
+
+namespace phys {
+
+namespace {
+
+constexpr std::string_view kSpace = " \t\r";
+
+/// Reads one file: where it is, and what it has found so far.
+class Reader {
+public:
+    Reader(const char *path, phys_error *err)
+        : m_path(path)
+        , m_err(err) {}
+
+    phys_status read(std::string_view text) {
+        while (!text.empty()) {
+            ++m_line;
+            const size_t end = text.find('\n');
+            if (const phys_status status = readLine(text.substr(0, end))) return status;
+            text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+        }
+        if (!m_isMaze) return refuse("expected 'physics-maze 1' as the first line, found an empty file");
+        if (!m_hasUnits) return refuse("'units m' is missing");
+        if (!m_hasBall) return refuse("'ball RADIUS' is missing");
+        if (!m_hasStart) return refuse("'start X Y Z' is missing");
+        return PHYS_OK;
+    }
+
+    phys_status makeScene(Scene &out) const {
+        phys_scene_desc desc{sizeof desc, static_cast<uint32_t>(m_boxes.size()), m_boxes.data(), m_radius, m_start};
+        phys_error reason{};
+        const phys_status status = phys::makeScene(desc, out, &reason);
+        return status ? fail(m_err, status, "%s: %s", m_path, reason.text) : PHYS_OK;
+    }
+
+private:
+    [[gnu::format(printf, 2, 3)]] phys_status refuse(const char *format, ...) const {
+        char text[180];
+        va_list arguments;
+        va_start(arguments, format);
+        std::vsnprintf(text, sizeof text, format, arguments);
+        va_end(arguments);
+        return fail(m_err, PHYS_ERROR_SYNTAX, "%s:%u: %s", m_path, m_line, text);
+    }
+
+    phys_status readLine(std::string_view line) {
+        line = line.substr(0, line.find('#'));
+        const std::string_view key = nextWord(line);
+        if (key.empty()) return PHYS_OK;
+        if (!m_isMaze) return readVersion(key, line);
+        if (key == "units") return readUnits(line);
+        if (key == "generator") return PHYS_OK;
+        if (key == "ball") return readOnce("ball", m_hasBall, &m_radius, 1, line);
+        if (key == "start") return readOnce("start", m_hasStart, &m_start.x, 3, line);
+        if (key == "box") return readBox(line);
+        return refuse("expected units, generator, ball, start or box, found '%.*s'", shown(key), key.data());
+    }
+
+    phys_status readVersion(std::string_view key, std::string_view line) {
+        const std::string_view version = nextWord(line);
+        if (key != "physics-maze") {
+            return refuse("expected 'physics-maze 1', found '%.*s'", shown(key), key.data());
+        }
+        if (version != "1") {
+            return refuse("expected version 1, found '%.*s'", shown(version), version.data());
+        }
+        m_isMaze = true;
+        return expectEnd(line);
+    }
+
+    phys_status readUnits(std::string_view line) {
+        const std::string_view unit = nextWord(line);
+        if (unit != "m") return refuse("expected 'units m', found '%.*s'", shown(unit), unit.data());
+        m_hasUnits = true;
+        return expectEnd(line);
+    }
+
+    phys_status readOnce(const char *key, bool &seen, double *numbers, int count, std::string_view line) {
+        if (seen) return refuse("'%s' is given twice", key);
+        seen = true;
+        return readNumbers(key, numbers, count, line);
+    }
+
+    phys_status readBox(std::string_view line) {
+        double n[6];
+        if (const phys_status status = readNumbers("box", n, 6, line)) return status;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (n[axis] <= n[axis + 3]) continue;
+            return refuse("box: the lower corner's %c = %.9g is above the upper one's %.9g", "xyz"[axis], n[axis],
+                          n[axis + 3]);
+        }
+        m_boxes.push_back({{n[0], n[1], n[2]}, {n[3], n[4], n[5]}});
+        return PHYS_OK;
+    }
+
+    phys_status readNumbers(const char *key, double *numbers, int count, std::string_view line) {
+        for (int i = 0; i < count; ++i) {
+            const std::string_view word = nextWord(line);
+            if (word.empty()) return refuse("%s: expected %d numbers in m, found %d", key, count, i);
+            const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), numbers[i]);
+            const bool isNumber = error == std::errc() && end == word.data() + word.size();
+            if (!isNumber) return refuse("%s: expected a number in m, found '%.*s'", key, shown(word), word.data());
+        }
+        return expectEnd(line);
+    }
+
+    phys_status expectEnd(std::string_view line) const {
+        const std::string_view rest = nextWord(line);
+        if (rest.empty()) return PHYS_OK;
+        return refuse("expected the end of the line, found '%.*s'", shown(rest), rest.data());
+    }
+
+    static std::string_view nextWord(std::string_view &line) {
+        const size_t begin = line.find_first_not_of(kSpace);
+        if (begin == std::string_view::npos) return {};
+        const size_t end = std::min(line.find_first_of(kSpace, begin), line.size());
+        const std::string_view word = line.substr(begin, end - begin);
+        line.remove_prefix(end);
+        return word;
+    }
+
+    /// Length of a word as shown in a message.
+    static int shown(std::string_view word) { return static_cast<int>(std::min<size_t>(word.size(), 40)); }
+
+    const char *m_path;
+    phys_error *m_err;
+    uint32_t m_line = 0;
+    bool m_isMaze = false, m_hasUnits = false, m_hasBall = false, m_hasStart = false;
+    double m_radius = 0.0;
+    phys_vec3 m_start{};
+    std::vector<phys_box> m_boxes;
+};
+
+/// The whole file, or why it can't be had.
+phys_status readFile(const char *path, std::string &out, phys_error *err) {
+    const auto refuse = [&] { return fail(err, PHYS_ERROR_FILE, "%s: %s", path, std::strerror(errno)); };
+    const std::unique_ptr<std::FILE, int (*)(std::FILE *)> file(std::fopen(path, "rb"), std::fclose);
+    if (!file) return refuse();
+    char buffer[65536];
+    while (const size_t count = std::fread(buffer, 1, sizeof buffer, file.get())) out.append(buffer, count);
+    return std::ferror(file.get()) ? refuse() : PHYS_OK;
+}
+
+} // namespace
+
+phys_status loadScene(const char *path, Scene &out, phys_error *err) {
+    std::string text;
+    if (const phys_status status = readFile(path, text, err)) return status;
+    Reader reader(path, err);
+    if (const phys_status status = reader.read(text)) return status;
+    return reader.makeScene(out);
+}
+
+} // namespace phys

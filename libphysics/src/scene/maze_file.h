@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// Reads a maze text file; the format is described in mazes/README.md.
+#pragma once
+
+#include "scene/scene.h"
+
+namespace phys {
+
+/// Reads, checks and makes the scene. Throws std::bad_alloc only.
+phys_status loadScene(const char *path, Scene &out, phys_error *err);
+
+} // namespace phys

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Where a ball is nearest to a box: model.md 5.1 and 5.7, in three dimensions.
+#pragma once
+
+#include "base/pairs.h"
+#include "base/vec.h"
+
+#include <algorithm>
+
+namespace phys {
+
+/// Nearest point of a box to the ball's centre.
+struct Nearest {
+    Vec3 point;
+    Vec3 normal;      ///< unit, from the box to the centre
+    double distance;  ///< from the point to the centre, m; negative: the centre is inside, so deep under the surface
+    uint32_t feature; ///< PHYS_FEATURE_*
+};
+
+/// As std::clamp, by value: two instructions instead of two jumps.
+inline double limited(double x, double low, double high) { return std::min(std::max(x, low), high); }
+
+/// Square of the distance from p to the box; 0 inside.
+inline double squaredDistance(const phys_box &box, const Vec3 &p) {
+    const Vec3 d{p.x - limited(p.x, box.min.x, box.max.x), p.y - limited(p.y, box.min.y, box.max.y),
+                 p.z - limited(p.z, box.min.z, box.max.z)};
+    return d.x * d.x + d.y * d.y + d.z * d.z;
+}
+
+/// As squaredDistance, with heights left out.
+inline double squaredDistanceFromAbove(const phys_box &box, const Vec2 &p) {
+    return squaredDistanceToRectangle(&p.x, &box.min.x, &box.max.x);
+}
+
+/// The general case; with the centre inside the way out is through the nearest face (ties: -x +x -y +y -z +z).
+Nearest nearest(const phys_box &box, const Vec3 &p);
+
+} // namespace phys

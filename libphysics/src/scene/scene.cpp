@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "scene/scene.h"
+
+#include "base/error.h"
+#include "scene/merge.h"
+#include "scene/nearest.h"
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <numeric>
+
+namespace phys {
+
+namespace {
+
+constexpr double kLargestCoordinate = 1e9;
+constexpr double kSmallestRadius = 1e-9;
+constexpr double kLargestRadius = 1e6;
+constexpr uint32_t kMostBoxes = 1'000'000;
+
+bool isCoordinate(double value) { return std::abs(value) <= kLargestCoordinate; } // false for NaN
+bool isPoint(const phys_vec3 &p) { return isCoordinate(p.x) && isCoordinate(p.y) && isCoordinate(p.z); }
+
+phys_status checkBox(const phys_box &box, uint32_t number, phys_error *err) {
+    if (!isPoint(box.min) || !isPoint(box.max)) {
+        return fail(err, PHYS_ERROR_SCENE, "box %u: coordinates must be numbers within +-%g m", number,
+                    kLargestCoordinate);
+    }
+    const char axisNames[] = {'x', 'y', 'z'};
+    for (int axis = 0; axis < 3; ++axis) {
+        const double low = (&box.min.x)[axis];
+        const double high = (&box.max.x)[axis];
+        if (low <= high) continue;
+        return fail(err, PHYS_ERROR_SCENE, "box %u: min.%c = %.9g is above max.%c = %.9g", number, axisNames[axis], low,
+                    axisNames[axis], high);
+    }
+    return PHYS_OK;
+}
+
+phys_status checkDescription(const phys_scene_desc &desc, phys_error *err) {
+    if (desc.box_count > kMostBoxes) {
+        return fail(err, PHYS_ERROR_SCENE, "box_count is %u; at most %u are allowed", desc.box_count, kMostBoxes);
+    }
+    if (desc.box_count > 0 && !desc.boxes) {
+        return fail(err, PHYS_ERROR_ARGUMENT, "boxes is NULL, but box_count is %u", desc.box_count);
+    }
+    if (!(desc.radius >= kSmallestRadius && desc.radius <= kLargestRadius)) {
+        return fail(err, PHYS_ERROR_SCENE, "radius is %.9g m; allowed is %g .. %g m", desc.radius, kSmallestRadius,
+                    kLargestRadius);
+    }
+    if (!isPoint(desc.start)) {
+        return fail(err, PHYS_ERROR_SCENE, "start is (%.9g, %.9g, %.9g); each must be within +-%g m", desc.start.x,
+                    desc.start.y, desc.start.z, kLargestCoordinate);
+    }
+    for (uint32_t number = 0; number < desc.box_count; ++number) {
+        if (const phys_status status = checkBox(desc.boxes[number], number, err)) return status;
+    }
+    return PHYS_OK;
+}
+
+double largestCoordinate(const phys_box &box) {
+    return std::max({std::abs(box.min.x), std::abs(box.min.y), std::abs(box.min.z), std::abs(box.max.x),
+                     std::abs(box.max.y), std::abs(box.max.z)});
+}
+
+void measure(Scene &scene) {
+    double largest =
+        std::max({std::abs(scene.start.x), std::abs(scene.start.y), std::abs(scene.start.z), scene.radius});
+    for (const phys_box &box : scene.given) largest = std::max(largest, largestCoordinate(box));
+    scene.tolerance = 4.0 * kRounding * largest;
+
+    if (scene.given.empty()) return;
+    scene.bounds = scene.given.front();
+    for (const phys_box &box : scene.given) {
+        scene.bounds.min = fromVec(glm::min(toVec(scene.bounds.min), toVec(box.min)));
+        scene.bounds.max = fromVec(glm::max(toVec(scene.bounds.max), toVec(box.max)));
+    }
+}
+
+/// The floor's plane is the highest top under the start, not above the ball's centre.
+void findFloor(Scene &scene) {
+    scene.floorTop = std::numeric_limits<double>::quiet_NaN();
+    const Vec3 &p = scene.start;
+    for (const phys_box &box : scene.given) {
+        const bool under = p.x >= box.min.x && p.x <= box.max.x && p.y >= box.min.y && p.y <= box.max.y;
+        if (!under || box.max.z > p.z) continue;
+        if (!scene.hasFloor || box.max.z > scene.floorTop) scene.floorTop = box.max.z;
+        scene.hasFloor = true;
+    }
+    scene.supportedZ = scene.floorTop + scene.radius;
+}
+
+void classify(Scene &scene) {
+    std::vector<uint32_t> floorMembers, solidMembers;
+    for (uint32_t number = 0; number < scene.given.size(); ++number) {
+        const bool isFloor = std::abs(scene.given[number].max.z - scene.floorTop) <= scene.tolerance;
+        (isFloor ? floorMembers : solidMembers).push_back(number);
+    }
+    Merged floors = mergeFlush(scene.given, floorMembers);
+    scene.floors = std::move(floors.boxes);
+    scene.floorFirst = std::move(floors.first);
+    scene.floorParts = std::move(floors.parts);
+    Merged solids = mergeFlush(scene.given, solidMembers);
+    scene.solids = std::move(solids.boxes);
+    scene.solidFirst = std::move(solids.first);
+    scene.solidParts = std::move(solids.parts);
+    scene.allSolids.resize(scene.solids.size());
+    std::iota(scene.allSolids.begin(), scene.allSolids.end(), 0U);
+}
+
+/// model.md 0: a solid that a supported ball can touch must reach to its equator.
+void checkPlanar(Scene &scene) {
+    if (!scene.hasFloor) return;
+    const double top = scene.supportedZ + scene.radius;
+    for (uint32_t i = 0; i < scene.solids.size(); ++i) {
+        const phys_box &box = scene.solids[i];
+        const bool withinReach = box.max.z > scene.floorTop + scene.tolerance && box.min.z < top - scene.tolerance;
+        if (!withinReach || (box.min.z <= scene.supportedZ && box.max.z >= scene.supportedZ)) continue;
+        char text[200];
+        const bool low = box.max.z < scene.supportedZ;
+        std::snprintf(text, sizeof text, "box %u %s at z = %.9g m, %s the ball's centre at %.9g m: the ball would %s",
+                      scene.solidParts[scene.solidFirst[i]], low ? "ends" : "begins", low ? box.max.z : box.min.z,
+                      low ? "below" : "above", scene.supportedZ, low ? "climb it" : "be pressed down by it");
+        scene.nonPlanarReason = text;
+        return;
+    }
+}
+
+uint32_t nearestPart(const Scene &scene, std::span<const uint32_t> parts, const Vec3 &point) {
+    const auto distance = [&](uint32_t part) { return squaredDistance(scene.given[part], point); };
+    return *std::min_element(parts.begin(), parts.end(),
+                             [&](uint32_t a, uint32_t b) { return distance(a) < distance(b); });
+}
+
+} // namespace
+
+uint32_t Scene::givenSolid(uint32_t solid, const Vec3 &point) const {
+    const std::span<const uint32_t> parts(solidParts);
+    return nearestPart(*this, parts.subspan(solidFirst[solid], solidFirst[solid + 1] - solidFirst[solid]), point);
+}
+
+uint32_t Scene::givenFloor(uint32_t floor, const Vec3 &point) const {
+    const std::span<const uint32_t> parts(floorParts);
+    return nearestPart(*this, parts.subspan(floorFirst[floor], floorFirst[floor + 1] - floorFirst[floor]), point);
+}
+
+uint32_t Scene::givenFloorAt(double x, double y) const {
+    for (uint32_t i = 0; i < floors.size(); ++i) {
+        if (isOver(floors[i], x, y)) return givenFloor(i, {x, y, floorTop});
+    }
+    return PHYS_NO_BOX;
+}
+
+bool Scene::overOneOfFloors(double x, double y) const {
+    const auto candidates = floorGrid.near(x, y);
+    return std::any_of(candidates.begin(), candidates.end(), [&](uint32_t i) { return isOver(floors[i], x, y); });
+}
+
+phys_status makeScene(const phys_scene_desc &desc, Scene &out, phys_error *err) {
+    if (const phys_status status = checkDescription(desc, err)) return status;
+    if (desc.box_count > 0) out.given.assign(desc.boxes, desc.boxes + desc.box_count);
+    out.radius = desc.radius;
+    out.start = toVec(desc.start);
+    measure(out);
+    findFloor(out);
+    classify(out);
+    checkPlanar(out);
+    out.solidGrid.build(out.solids, kCandidateReach * out.radius, 2.0 * out.radius);
+    out.hasOneFloor = out.floors.size() == 1;
+    out.needsGrid = out.solids.size() > kHandful;
+    if (out.floors.size() > 1) out.floorGrid.build(out.floors, 0.0, 2.0 * out.radius);
+    return PHYS_OK;
+}
+
+} // namespace phys

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Closed forms of the smooth phases between two events: model.md 3.
+#pragma once
+
+#include "base/vec.h"
+
+#include <limits>
+
+namespace phys {
+
+inline constexpr double kNever = std::numeric_limits<double>::infinity();
+
+/// Euclidean length without underflow or overflow; the same bits for (x, y) and (y, x).
+double length(const Vec2 &v);
+
+/// First h >= 0 at which gap + rate h + acceleration h^2 / 2 falls through zero; kNever if it doesn't. gap >= 0.
+double firstFall(double gap, double rate, double acceleration);
+
+/// The law v' = A - B v/|v| of a rolling or slipping ball, model.md 3.1, from v0 at x = 0, t = 0.
+/// Everything is an integral of exponentials of xi = integral of dt/|v|.
+class ResistedLaw {
+public:
+    struct Point {
+        Vec2 x, v;   ///< displacement and velocity
+        double path; ///< length of the way, m
+    };
+
+    ResistedLaw() = default;
+    ResistedLaw(const Vec2 &v0, const Vec2 &A, double B);
+
+    /// When the ball stops, model.md 3.2; kNever if it doesn't.
+    double stopTime() const { return m_stopTime; }
+
+    /// Where it is after t seconds; at and after the stop time: where it stopped.
+    Point at(double t) const;
+
+private:
+    Vec2 m_v0{0.0, 0.0};
+    double m_a = 0.0, m_B = 0.0; // |A|, B
+    Vec2 m_e{1.0, 0.0};          // direction of A (of v0 if A = 0)
+    double m_P = 0.0, m_M = 0.0; // (|v0| + v0.e)/2, (|v0| - v0.e)/2
+    double m_vt = 0.0;           // v0 across e
+    double m_stopTime = kNever;
+    bool m_fromRest = false;
+
+    double xiAt(double t) const;
+    Point atXi(double xi, double t) const;
+    Point atStop() const;
+    Vec2 turned(double along, double across) const;
+};
+
+} // namespace phys
