@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "contact/contact.h"
+
+#include "scene/nearest.h"
+
+#include <cmath>
+#include <tuple>
+
+namespace phys {
+
+namespace {
+
+/// Normals this near to each other are one, model.md 13.1.
+constexpr double kSameNormal = 1e-9;
+
+bool isSameNormal(const Vec3 &a, const Vec3 &b) {
+    return std::abs(a.x - b.x) <= kSameNormal && std::abs(a.y - b.y) <= kSameNormal &&
+           std::abs(a.z - b.z) <= kSameNormal;
+}
+
+/// The side of a box on which a centre is along one axis. On a border (within the tolerance) it belongs to the side it
+/// moves to, and to the box if it doesn't.
+int sideOf(double centre, double low, double high, double speed, double tolerance, double negligible) {
+    if (centre < low - tolerance) return -1;
+    if (centre > high + tolerance) return 1;
+    if (centre <= low + tolerance && speed < -negligible) return -1;
+    if (centre >= high - tolerance && speed > negligible) return 1;
+    return 0;
+}
+
+/// From the box's nearest point to the centre along one axis; a border counts as reached.
+double offset(double centre, double low, double high, double tolerance) {
+    if (centre < low - tolerance) return centre - low;
+    if (centre > high + tolerance) return centre - high;
+    return 0.0;
+}
+
+/// The coefficients go by the feature alone, model.md 13.1.
+void setCoefficients(const Setting &setting, Contact &contact) {
+    const phys_params &params = setting.params;
+    contact.isTop = contact.sides == std::array{0, 0, 1};
+    contact.isGlued = contact.isTop && !setting.isRigid();
+    contact.restitution = contact.isTop ? params.restitution_floor : params.restitution_wall;
+    contact.friction = !setting.isRigid() ? 0.0 : contact.isTop ? params.sliding_friction : params.wall_friction;
+}
+
+/// Calls visit(box, number) for the boxes within `reach` of a centre.
+template<class Visit>
+void visitNear(const Scene &scene, const Vec3 &position, double reach, Visit visit) {
+    const auto solidCount = static_cast<uint32_t>(scene.solids.size());
+    const auto visitSolid = [&](uint32_t i) { visit(scene.solids[i], i); };
+    const auto visitFloor = [&](uint32_t i) { visit(scene.floors[i], solidCount + i); };
+    const Vec2 centre = inPlane(position);
+    if (!scene.needsGrid || reach > kCandidateReach * scene.radius) {
+        for (uint32_t i = 0; i < solidCount; ++i) visitSolid(i);
+    } else {
+        for (const uint32_t i : scene.solidsNear(centre.x, centre.y, true)) visitSolid(i);
+    }
+    if (scene.floors.size() == 1) return visitFloor(0);
+    scene.floorGrid.visitOverlapping(centre - reach, centre + reach, visitFloor);
+}
+
+} // namespace
+
+void Contacts::add(const Contact &contact, double tolerance) {
+    for (Contact &other : *this) {
+        if (!isSameNormal(contact.normal, other.normal)) continue;
+        const bool isFlush = std::abs(contact.gap - other.gap) <= tolerance;
+        const bool isPreferred =
+            isFlush && contact.axes() != other.axes() ? contact.axes() < other.axes() : contact.gap < other.gap;
+        if (isPreferred) other = contact;
+        return;
+    }
+    if (m_count < kMost) {
+        m_contacts[m_count++] = contact;
+        return;
+    }
+    Contact &farthest =
+        *std::max_element(begin(), end(), [](const Contact &a, const Contact &b) { return a.gap < b.gap; });
+    if (contact.gap < farthest.gap) farthest = contact;
+}
+
+void Contacts::dropHidden(double tolerance) {
+    drop([&](const Contact &contact) {
+        if (contact.isFace()) return false;
+        return std::any_of(begin(), end(), [&](const Contact &face) {
+            return face.isFace() && glm::dot(contact.point - face.point, face.normal) <= tolerance;
+        });
+    });
+}
+
+void Contacts::sort(const Motion &motion, const Vec3 &gravity, double radius) {
+    if (m_count < 2) return;
+    const auto key = [&](const Contact &contact) {
+        const Vec3 slip = slipAt(motion, contact.normal, radius);
+        return std::tuple(contact.gap, glm::dot(motion.velocity, contact.normal), glm::dot(gravity, contact.normal),
+                          glm::dot(slip, slip), contact.axes());
+    };
+    std::array<decltype(key(m_contacts[0])), kMost> keys;
+    for (uint32_t i = 0; i < m_count; ++i) {
+        const Contact contact = m_contacts[i];
+        const auto own = key(contact);
+        uint32_t place = i;
+        for (; place > 0 && own < keys[place - 1]; --place) {
+            keys[place] = keys[place - 1];
+            m_contacts[place] = m_contacts[place - 1];
+        }
+        keys[place] = own;
+        m_contacts[place] = contact;
+    }
+    for (uint32_t i = 0; i < m_count; ++i) m_tiesWithPrevious[i] = i > 0 && keys[i] == keys[i - 1];
+}
+
+bool Contacts::reverseTies() {
+    bool any = false;
+    for (uint32_t first = 0, last = 1; first < m_count; first = last++) {
+        while (last < m_count && m_tiesWithPrevious[last]) ++last;
+        any = any || last - first > 1;
+        std::reverse(begin() + first, begin() + last);
+    }
+    return any;
+}
+
+void findContacts(const Setting &setting, const Vec3 &position, const Motion &motion, const Vec3 &way, Contacts &out) {
+    const Scene &scene = setting.scene;
+    const double tolerance = scene.tolerance;
+    const double reach = scene.radius + tolerance + glm::length(way);
+    out.clear();
+    double negligible = -1.0; // not needed before something is near
+    visitNear(scene, position, reach, [&](const phys_box &box, uint32_t number) {
+        if (squaredDistance(box, position) > reach * reach) return;
+        if (negligible < 0.0) negligible = negligibleSpeed(motion, scene.radius);
+        Contact contact;
+        Vec3 d;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double low = (&box.min.x)[axis];
+            const double high = (&box.max.x)[axis];
+            contact.sides[axis] = sideOf(position[axis], low, high, motion.velocity[axis], tolerance, negligible);
+            d[axis] = offset(position[axis], low, high, tolerance);
+            contact.point[axis] = limited(position[axis], low, high);
+        }
+        const int outside = (d.x != 0.0) + (d.y != 0.0) + (d.z != 0.0);
+        if (outside == 0) return;
+        // A face's distance is exact: not rounded by a square root.
+        const double distance = outside == 1 ? std::abs(d.x + d.y + d.z) : glm::length(d);
+        contact.normal = d / distance;
+        contact.gap = distance - scene.radius;
+        if (contact.gap > tolerance + std::max(0.0, -glm::dot(way, contact.normal))) return;
+        contact.box = number;
+        setCoefficients(setting, contact);
+        out.add(contact, tolerance);
+    });
+    out.sort(motion, setting.gravity(), scene.radius);
+}
+
+uint32_t givenBox(const Scene &scene, const Contact &contact) {
+    const auto solidCount = static_cast<uint32_t>(scene.solids.size());
+    if (contact.box < solidCount) return scene.givenSolid(contact.box, contact.point);
+    return scene.givenFloor(contact.box - solidCount, contact.point);
+}
+
+} // namespace phys

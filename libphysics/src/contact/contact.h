@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// Which features of which boxes a ball touches, and what holds there: model.md 13.1.
+#pragma once
+
+#include "base/vec.h"
+#include "scene/scene.h"
+
+#include <array>
+#include <cstdint>
+#include <utility>
+
+namespace phys {
+
+/// What impulses change.
+struct Motion {
+    Vec3 velocity;
+    Vec3 spin;
+};
+
+/// Velocity of the ball's surface across a contact's normal.
+inline Vec3 slipAt(const Motion &motion, const Vec3 &normal, double radius) {
+    const Vec3 surface = motion.velocity - radius * glm::cross(motion.spin, normal);
+    return surface - glm::dot(surface, normal) * normal;
+}
+
+/// Speeds along a normal below this are rounding: "tolv" in model.md 13.2.
+inline double negligibleSpeed(const Motion &motion, double radius) {
+    return 64.0 * kRounding * (glm::length(motion.velocity) + radius * glm::length(motion.spin));
+}
+
+/// A ball and the one feature of a box that is nearest to it: a box is convex, so that it never has a second contact.
+struct Contact {
+    Vec3 point;               ///< of the box, nearest to the centre
+    Vec3 normal;              ///< unit, from the point to the centre
+    double gap;               ///< m; negative: overlaps
+    std::array<int, 3> sides; ///< per axis: the centre lies below (-1), in (0) or above (+1) the box
+    double restitution;
+    double friction; ///< 0 in the rolling model
+    bool isTop;      ///< a top face: carries the ball, which rolls on it
+    bool isGlued;    ///< a top face in the rolling model: the spin there follows the velocity
+    uint32_t box;    ///< a number for boxNumber
+
+    /// 1: a face, 2: an edge, 3: a corner.
+    int axes() const { return std::abs(sides[0]) + std::abs(sides[1]) + std::abs(sides[2]); }
+    bool isFace() const { return axes() == 1; }
+
+    /// The part of a vector that turns the normal: across an edge, any at a corner.
+    Vec3 across(const Vec3 &v) const { return {sides[0] ? v.x : 0.0, sides[1] ? v.y : 0.0, sides[2] ? v.z : 0.0}; }
+    /// The second derivative of the gap (m/s^2) that the ball's way round the feature makes; 0 at a face.
+    double curving(const Vec3 &velocity, double radius) const {
+        if (isFace()) return 0.0;
+        const Vec3 turning = across(velocity);
+        return glm::dot(turning, turning) / radius;
+    }
+};
+
+/// The contacts of one moment, each normal once.
+class Contacts {
+public:
+    /// Beyond these the nearest ones are kept. Three normals carry any force; no ball touches many more.
+    static constexpr uint32_t kMost = 32;
+
+    uint32_t count() const { return m_count; }
+    bool empty() const { return m_count == 0; }
+    Contact *begin() { return m_contacts.data(); }
+    Contact *end() { return begin() + m_count; }
+    const Contact *begin() const { return m_contacts.data(); }
+    const Contact *end() const { return begin() + m_count; }
+    Contact &operator[](uint32_t i) { return m_contacts[i]; }
+    const Contact &operator[](uint32_t i) const { return m_contacts[i]; }
+
+    void clear() { m_count = 0; }
+    /// Adds one. Of two with the same normal the nearer one stays, within the tolerance the one with the fewest axes.
+    void add(const Contact &contact, double tolerance);
+    /// Removes edges and corners that a face keeps the ball from: those that don't stand out of its plane.
+    void dropHidden(double tolerance);
+    /// Removes the contacts for which `isUnwanted` is true.
+    template<class Predicate>
+    void drop(Predicate isUnwanted) {
+        uint32_t kept = 0;
+        for (uint32_t i = 0; i < m_count; ++i) {
+            if (!isUnwanted(m_contacts[i])) m_contacts[kept++] = m_contacts[i];
+        }
+        m_count = kept;
+    }
+    /// Sorts by what neither the numbering of boxes nor mirrors nor quarter turns change.
+    void sort(const Motion &motion, const Vec3 &gravity, double radius);
+    /// Reverses the order of those that `sort` could not tell apart. False if there are none.
+    bool reverseTies();
+
+private:
+    std::array<Contact, kMost> m_contacts;
+    std::array<bool, kMost> m_tiesWithPrevious{};
+    uint32_t m_count = 0;
+};
+
+/// What decides about contacts besides the ball.
+struct Setting {
+    const Scene &scene;
+    const phys_params &params;
+
+    bool isRigid() const { return params.model == PHYS_MODEL_RIGID; }
+    Vec3 gravity() const { return toVec(params.gravity); }
+};
+
+/// Finds what a ball at `position` touches, or would reach on a straight `way` (m), in the order of Contacts::sort.
+/// Boxes that the centre is inside are none: the ball must be pushed out of them first.
+void findContacts(const Setting &setting, const Vec3 &position, const Motion &motion, const Vec3 &way, Contacts &out);
+
+/// The given box that a contact was made of: what events call it.
+uint32_t givenBox(const Scene &scene, const Contact &contact);
+
+} // namespace phys
