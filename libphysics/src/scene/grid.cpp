@@ -7,13 +7,6 @@
 
 namespace phys {
 
-namespace {
-
-/// More cells than this in one direction only cost memory: a step of the ball is smaller than a cell anyway.
-constexpr double kMostCells = 1024.0;
-
-} // namespace
-
 Grid::Cells Grid::cellsOf(const Vec2 &low, const Vec2 &high) const {
     const auto cell = [this](double coordinate, double origin, double count) {
         // Not negative after the clamp: the conversion rounds down.
@@ -32,7 +25,12 @@ void Grid::build(std::span<const phys_box> boxes, double reach, double cellSize)
     if (boxes.empty()) return;
     // A rounding step more than the reach, so that a box exactly at reach is never lost to rounding.
     m_reach = reach * (1.0 + 1e-9);
+    chooseCells(boxes, cellSize);
+    fill(boxes);
+}
 
+/// The finest cells, in powers of two of cellSize, that the budget allows. With one cell for all it is always kept.
+void Grid::chooseCells(std::span<const phys_box> boxes, double cellSize) {
     Vec2 low{INFINITY}, high{-INFINITY};
     for (const phys_box &box : boxes) {
         low = {std::min(low.x, box.min.x), std::min(low.y, box.min.y)};
@@ -40,37 +38,50 @@ void Grid::build(std::span<const phys_box> boxes, double reach, double cellSize)
     }
     low -= m_reach;
     high += m_reach;
-    const double extent = std::max(high.x - low.x, high.y - low.y);
-    const double size = std::max(cellSize, extent / kMostCells);
+    const auto most = mostEntries(boxes.size());
+    layOut(low, high, cellSize);
+    while (entryCount(boxes, most) > most) {
+        cellSize *= 2.0;
+        layOut(low, high, cellSize);
+    }
+}
+
+void Grid::layOut(const Vec2 &low, const Vec2 &high, double cellSize) {
     m_x0 = low.x;
     m_y0 = low.y;
-    m_perCell = 1.0 / size;
+    m_perCell = 1.0 / cellSize;
     m_columns = std::floor((high.x - low.x) * m_perCell) + 1.0;
     m_rows = std::floor((high.y - low.y) * m_perCell) + 1.0;
-    m_columnCount = static_cast<int64_t>(m_columns);
+}
 
-    // Counting sort by cell: count, sum up, fill; filling in order of the boxes keeps each list ascending.
+/// Cells and list entries together; counting ends once they are more than `most`.
+uint64_t Grid::entryCount(std::span<const phys_box> boxes, uint64_t most) const {
+    // As doubles: next to a tiny ball a huge board has more cells than an integer counts.
+    if (m_columns * m_rows > static_cast<double>(most)) return most + 1;
+    auto count = static_cast<uint64_t>(m_columns * m_rows);
+    for (size_t i = 0; i < boxes.size() && count <= most; ++i) count += cellsOf(boxes[i]).count();
+    return count;
+}
+
+/// Counting sort by cell: count, sum up, fill. Filling in order of the boxes keeps each list ascending.
+void Grid::fill(std::span<const phys_box> boxes) {
+    m_columnCount = static_cast<int64_t>(m_columns);
     const size_t cellCount = m_columnCount * static_cast<int64_t>(m_rows);
-    m_first.assign(cellCount + 1, 0);
+    const auto visitCells = [this](const Cells &cells, auto visit) {
+        for (int64_t row = cells.row0; row <= cells.row1; ++row) {
+            for (int64_t column = cells.column0; column <= cells.column1; ++column) visit(row * m_columnCount + column);
+        }
+    };
+    m_first.assign(cellCount + 1, 0); // 32 bits hold any number of entries that the budget allows
     m_boxCells.reserve(boxes.size());
     for (const phys_box &box : boxes) {
-        const Cells cells = m_boxCells.emplace_back(cellsOf(box));
-        for (int64_t row = cells.row0; row <= cells.row1; ++row) {
-            for (int64_t column = cells.column0; column <= cells.column1; ++column) {
-                ++m_first[row * m_columnCount + column + 1];
-            }
-        }
+        visitCells(m_boxCells.emplace_back(cellsOf(box)), [this](int64_t cell) { ++m_first[cell + 1]; });
     }
     std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
     m_items.resize(m_first.back());
     std::vector<uint32_t> next(m_first.begin(), m_first.end() - 1);
     for (uint32_t index = 0; index < boxes.size(); ++index) {
-        const Cells &cells = m_boxCells[index];
-        for (int64_t row = cells.row0; row <= cells.row1; ++row) {
-            for (int64_t column = cells.column0; column <= cells.column1; ++column) {
-                m_items[next[row * m_columnCount + column]++] = index;
-            }
-        }
+        visitCells(m_boxCells[index], [&](int64_t cell) { m_items[next[cell]++] = index; });
     }
 }
 

@@ -13,7 +13,8 @@ namespace phys {
 
 class Grid {
 public:
-    /// Each cell (cellSize m wide, more in huge scenes) lists the boxes within `reach` (m) of it, seen from above.
+    /// Each cell lists the boxes within `reach` (m) of it, seen from above. Cells are cellSize m wide, or 2, 4, 8, ...
+    /// times that: as much as keeps cells and lists together within mostEntries(boxes.size()).
     void build(std::span<const phys_box> boxes, double reach, double cellSize);
 
     /// Boxes within reach of a centre at (x, y): a superset, ascending.
@@ -34,10 +35,19 @@ public:
     template<class Visit>
     void visitOverlapping(const Vec2 &low, const Vec2 &high, Visit visit) const;
 
+    /// Most cells and list entries of a grid of so many boxes: it is never larger than a small one or 64 bytes a box.
+    static constexpr uint64_t mostEntries(uint64_t boxes) { return 65'536 + 16 * boxes; }
+
 private:
     struct Cells {
         uint32_t column0, row0, column1, row1; // both ends included
+
+        uint64_t count() const { return uint64_t{column1 - column0 + 1} * (row1 - row0 + 1); }
     };
+    void chooseCells(std::span<const phys_box> boxes, double cellSize);
+    void layOut(const Vec2 &low, const Vec2 &high, double cellSize);
+    uint64_t entryCount(std::span<const phys_box> boxes, uint64_t most) const;
+    void fill(std::span<const phys_box> boxes);
     Cells cellsOf(const Vec2 &low, const Vec2 &high) const;
     Cells cellsOf(const phys_box &box) const;
 

@@ -5,7 +5,9 @@
 #include <bit>
 #include <initializer_list>
 #include <numeric>
+#include <set>
 #include <tuple>
+#include <utility>
 
 namespace phys {
 
@@ -38,17 +40,25 @@ uint64_t hashCrossSection(const phys_box &box, int axis) {
 struct Piece {
     phys_box box;
     uint32_t root; // lowest number of the given boxes in it
+    bool hasGrown; // made of several
 };
 
 struct Entry {
     uint64_t section; // hash of the piece's cross-section
     double low;
-    uint32_t root, piece;
+    uint32_t piece;
 
     bool operator<(const Entry &other) const {
-        return std::tie(section, low, root) < std::tie(other.section, other.low, other.root);
+        return std::tie(section, low, piece) < std::tie(other.section, other.low, other.piece);
     }
 };
+
+Entry entryOf(const std::vector<Piece> &pieces, uint32_t number, int axis) {
+    const Piece &piece = pieces[number];
+    return {hashCrossSection(piece.box, axis), lowEnd(piece.box, axis), number};
+}
+
+size_t bucketOf(const Entry &entry, size_t buckets) { return entry.section & (buckets - 1); }
 
 /// The pieces in an order in which those that may be flush along `axis` follow each other. Spreading them over buckets
 /// by their hash first leaves little to sort.
@@ -57,13 +67,12 @@ std::vector<Entry> lineUp(int axis, const std::vector<Piece> &pieces) {
     std::vector<Entry> entries(pieces.size()), sorted(pieces.size());
     std::vector<uint32_t> first(buckets + 1);
     for (uint32_t i = 0; i < pieces.size(); ++i) {
-        const phys_box &box = pieces[i].box;
-        entries[i] = {hashCrossSection(box, axis), lowEnd(box, axis), pieces[i].root, i};
-        ++first[(entries[i].section & (buckets - 1)) + 1];
+        entries[i] = entryOf(pieces, i, axis);
+        ++first[bucketOf(entries[i], buckets) + 1];
     }
     std::partial_sum(first.begin(), first.end(), first.begin());
     std::vector<uint32_t> next(first.begin(), first.end() - 1);
-    for (const Entry &entry : entries) sorted[next[entry.section & (buckets - 1)]++] = entry;
+    for (const Entry &entry : entries) sorted[next[bucketOf(entry, buckets)]++] = entry;
     for (size_t bucket = 0; bucket < buckets; ++bucket) {
         if (first[bucket + 1] - first[bucket] < 2) continue;
         std::sort(sorted.begin() + first[bucket], sorted.begin() + first[bucket + 1]);
@@ -71,32 +80,128 @@ std::vector<Entry> lineUp(int axis, const std::vector<Piece> &pieces) {
     return sorted;
 }
 
-/// Joins pieces that touch or overlap along one axis and share their cross-section. Returns whether any did.
-bool mergeAlong(int axis, std::vector<Piece> &pieces, std::vector<uint32_t> &parent) {
-    const std::vector<Entry> line = lineUp(axis, pieces);
-    bool any = false;
-    uint32_t last = line.front().piece;
-    for (size_t i = 1; i < line.size(); ++i) {
-        Piece &into = pieces[last];
-        Piece &piece = pieces[line[i].piece];
-        const bool flush = line[i].section == line[i - 1].section &&
-                           lowEnd(piece.box, axis) <= highEnd(into.box, axis) &&
-                           sameCrossSection(into.box, piece.box, axis);
-        if (!flush) {
-            last = line[i].piece;
-            continue;
-        }
-        (&into.box.max.x)[axis] = std::max(highEnd(into.box, axis), highEnd(piece.box, axis));
-        const uint32_t root = std::min(into.root, piece.root);
-        parent[into.root] = root;
-        parent[piece.root] = root;
-        into.root = root;
-        piece.root = kGone;
-        any = true;
-    }
-    if (any) std::erase_if(pieces, [](const Piece &piece) { return piece.root == kGone; });
-    return any;
+/// Whether the second of two pieces, in the order of their entries, continues the first along `axis`.
+bool isFlush(const phys_box &lower, const phys_box &upper, int axis) {
+    return lowEnd(upper, axis) <= highEnd(lower, axis) && sameCrossSection(lower, upper, axis);
 }
+
+/// Merges pieces to the end. What two joined pieces make possible is found at the place where they joined: each join
+/// costs the logarithm of the number of pieces, whatever the order in which joins follow from each other.
+class Merger {
+public:
+    Merger(std::vector<Piece> pieces, size_t numbers)
+        : m_pieces(std::move(pieces))
+        , m_parent(numbers) {
+        for (const Piece &piece : m_pieces) m_parent[piece.root] = piece.root;
+    }
+
+    void run() {
+        // One look at everything; in most scenes that is all.
+        const size_t before = m_pieces.size();
+        for (int axis = 0; axis < 3; ++axis) joinLines(axis);
+        if (m_pieces.size() > 1 && m_pieces.size() < before) joinWhatChanged();
+        dropGone();
+    }
+
+    size_t pieceCount() const { return m_pieces.size(); }
+    std::vector<Piece> takePieces() { return std::move(m_pieces); }
+    /// For each number of a given box a lower one of the same piece, or itself.
+    std::vector<uint32_t> takeParents() { return std::move(m_parent); }
+
+private:
+    using Line = std::set<Entry>;
+
+    /// Makes two pieces that are flush along `axis` one: the lower.
+    void grow(Piece &lower, Piece &upper, int axis) {
+        (&lower.box.max.x)[axis] = std::max(highEnd(lower.box, axis), highEnd(upper.box, axis));
+        const uint32_t root = std::min(lower.root, upper.root);
+        m_parent[lower.root] = root;
+        m_parent[upper.root] = root;
+        lower.root = root;
+        upper.root = kGone;
+        lower.hasGrown = true;
+    }
+
+    /// Joins all pieces that are flush along `axis`.
+    void joinLines(int axis) {
+        const std::vector<Entry> line = lineUp(axis, m_pieces);
+        uint32_t last = line.front().piece;
+        for (size_t i = 1; i < line.size(); ++i) {
+            const uint32_t piece = line[i].piece;
+            if (line[i].section == line[i - 1].section && isFlush(m_pieces[last].box, m_pieces[piece].box, axis)) {
+                grow(m_pieces[last], m_pieces[piece], axis);
+            } else {
+                last = piece;
+            }
+        }
+        dropGone();
+    }
+
+    void dropGone() {
+        std::erase_if(m_pieces, [](const Piece &piece) { return piece.root == kGone; });
+    }
+
+    void joinWhatChanged() {
+        for (int axis = 0; axis < 3; ++axis) {
+            m_places[axis].resize(m_pieces.size());
+            for (const Entry &entry : lineUp(axis, m_pieces)) {
+                m_places[axis][entry.piece] = m_lines[axis].insert(m_lines[axis].end(), entry);
+                if (m_pieces[entry.piece].hasGrown) m_changed[axis].push_back(entry.piece);
+            }
+        }
+        // A round of all three axes in which nothing changed is the end.
+        for (int axis = 0, quiet = 0; quiet < 3; axis = (axis + 1) % 3) {
+            quiet = m_changed[axis].empty() ? quiet + 1 : 0;
+            for (const uint32_t piece : std::exchange(m_changed[axis], {})) {
+                if (m_pieces[piece].root != kGone) joinNeighbours(piece, axis);
+            }
+        }
+    }
+
+    /// Joins to a piece whatever is flush with it along `axis`.
+    void joinNeighbours(uint32_t piece, int axis) {
+        const Line &line = m_lines[axis];
+        bool any = false;
+        for (;; any = true) {
+            const Line::iterator self = m_places[axis][piece];
+            const Line::iterator next = std::next(self);
+            if (self != line.begin() && areFlush(std::prev(self)->piece, piece, axis)) {
+                const uint32_t lower = std::prev(self)->piece;
+                join(lower, piece, axis);
+                piece = lower;
+            } else if (next != line.end() && areFlush(piece, next->piece, axis)) {
+                join(piece, next->piece, axis);
+            } else {
+                break;
+            }
+        }
+        if (!any) return;
+        m_changed[(axis + 1) % 3].push_back(piece);
+        m_changed[(axis + 2) % 3].push_back(piece);
+    }
+
+    bool areFlush(uint32_t lower, uint32_t upper, int axis) const {
+        return isFlush(m_pieces[lower].box, m_pieces[upper].box, axis);
+    }
+
+    /// Along `axis` the lower piece keeps its place; along the others its cross-section is a new one.
+    void join(uint32_t lower, uint32_t upper, int axis) {
+        for (int i = 0; i < 3; ++i) {
+            m_lines[i].erase(m_places[i][upper]);
+            if (i != axis) m_lines[i].erase(m_places[i][lower]);
+        }
+        grow(m_pieces[lower], m_pieces[upper], axis);
+        for (int i = 0; i < 3; ++i) {
+            if (i != axis) m_places[i][lower] = m_lines[i].insert(entryOf(m_pieces, lower, i)).first;
+        }
+    }
+
+    std::vector<Piece> m_pieces;
+    std::vector<uint32_t> m_parent;
+    Line m_lines[3];                         ///< all pieces, lined up along each axis
+    std::vector<Line::iterator> m_places[3]; ///< of each piece in them
+    std::vector<uint32_t> m_changed[3];      ///< pieces to look at along each axis
+};
 
 /// Nothing was flush: each box has itself as its only part.
 Merged eachItself(std::span<const phys_box> given, std::span<const uint32_t> members) {
@@ -109,26 +214,9 @@ Merged eachItself(std::span<const phys_box> given, std::span<const uint32_t> mem
     return merged;
 }
 
-} // namespace
-
-Merged mergeFlush(std::span<const phys_box> given, std::span<const uint32_t> members) {
-    Merged merged;
-    merged.first.push_back(0);
-    if (members.empty()) return merged;
-
-    std::vector<Piece> pieces;
-    std::vector<uint32_t> parent(given.size());
-    pieces.reserve(members.size());
-    for (const uint32_t member : members) {
-        pieces.push_back({given[member], member});
-        parent[member] = member;
-    }
-    // A round of all three axes in which nothing merges is the end.
-    for (int axis = 0, quiet = 0; quiet < 3 && pieces.size() > 1; axis = (axis + 1) % 3) {
-        quiet = mergeAlong(axis, pieces, parent) ? 0 : quiet + 1;
-    }
-
-    if (pieces.size() == members.size()) return eachItself(given, members);
+/// The pieces and their parts, both in ascending order. parent: for each number a lower one of the same piece, or
+/// itself.
+Merged gather(std::vector<Piece> pieces, std::vector<uint32_t> parent, std::span<const uint32_t> members) {
     std::sort(pieces.begin(), pieces.end(), [](const Piece &a, const Piece &b) { return a.root < b.root; });
     std::vector<std::pair<uint32_t, uint32_t>> rootAndPart;
     rootAndPart.reserve(members.size());
@@ -138,15 +226,29 @@ Merged mergeFlush(std::span<const phys_box> given, std::span<const uint32_t> mem
         rootAndPart.emplace_back(parent[member], member);
     }
     std::sort(rootAndPart.begin(), rootAndPart.end());
+    Merged merged;
+    merged.boxes.reserve(pieces.size());
+    for (const Piece &piece : pieces) merged.boxes.push_back(piece.box);
+    merged.parts.reserve(members.size());
     for (const auto &[root, part] : rootAndPart) {
-        if (merged.parts.empty() || root != parent[merged.parts.back()]) {
-            merged.boxes.push_back(pieces[merged.boxes.size()].box);
-            if (!merged.parts.empty()) merged.first.push_back(static_cast<uint32_t>(merged.parts.size()));
-        }
+        if (root == part) merged.first.push_back(static_cast<uint32_t>(merged.parts.size()));
         merged.parts.push_back(part);
     }
     merged.first.push_back(static_cast<uint32_t>(merged.parts.size()));
     return merged;
+}
+
+} // namespace
+
+Merged mergeFlush(std::span<const phys_box> given, std::span<const uint32_t> members) {
+    if (members.empty()) return {{}, {0}, {}};
+    std::vector<Piece> pieces;
+    pieces.reserve(members.size());
+    for (const uint32_t member : members) pieces.push_back({given[member], member, false});
+    Merger merger(std::move(pieces), given.size());
+    merger.run();
+    if (merger.pieceCount() == members.size()) return eachItself(given, members);
+    return gather(merger.takePieces(), merger.takeParents(), members);
 }
 
 } // namespace phys
