@@ -17,4 +17,8 @@ public:
 /// Blocks that this thread made minus those it freed.
 long liveBlocks();
 
+/// The most bytes that this thread had at once since `restartPeak`, beyond those that it had then.
+long peakBytes();
+void restartPeak();
+
 } // namespace support

@@ -2,6 +2,7 @@
 #include "scene/scene.h"
 
 #include "base/error.h"
+#include "scene/lowest.h"
 #include "scene/merge.h"
 #include "scene/nearest.h"
 
@@ -18,6 +19,9 @@ constexpr double kLargestCoordinate = 1e9;
 constexpr double kSmallestRadius = 1e-9;
 constexpr double kLargestRadius = 1e6;
 constexpr uint32_t kMostBoxes = 1'000'000;
+
+/// Beside a coordinate this many times its radius, a ball is next to nothing: steps would be lost in rounding.
+constexpr double kMostRadii = 1e12;
 
 bool isCoordinate(double value) { return std::abs(value) <= kLargestCoordinate; } // false for NaN
 bool isPoint(const phys_vec3 &p) { return isCoordinate(p.x) && isCoordinate(p.y) && isCoordinate(p.z); }
@@ -64,12 +68,19 @@ double largestCoordinate(const phys_box &box) {
                      std::abs(box.max.y), std::abs(box.max.z)});
 }
 
-void measure(Scene &scene) {
+phys_status measure(Scene &scene, phys_error *err) {
     double largest =
         std::max({std::abs(scene.start.x), std::abs(scene.start.y), std::abs(scene.start.z), scene.radius});
     for (const phys_box &box : scene.given) largest = std::max(largest, largestCoordinate(box));
+    if (largest > kMostRadii * scene.radius) {
+        return fail(err, PHYS_ERROR_SCENE, "radius is %.9g m beside a coordinate of %.9g m; expected at least %.9g m",
+                    scene.radius, largest, largest / kMostRadii);
+    }
     scene.tolerance = 4.0 * kRounding * largest;
+    return PHYS_OK;
+}
 
+void findBounds(Scene &scene) {
     if (scene.given.empty()) return;
     scene.bounds = scene.given.front();
     for (const phys_box &box : scene.given) {
@@ -89,6 +100,18 @@ void findFloor(Scene &scene) {
         scene.hasFloor = true;
     }
     scene.supportedZ = scene.floorTop + scene.radius;
+}
+
+void merge(Scene &scene) {
+    std::vector<uint32_t> all(scene.given.size());
+    std::iota(all.begin(), all.end(), 0U);
+    Merged merged = mergeFlush(scene.given, all);
+    scene.boxes = std::move(merged.boxes);
+    scene.firstPart = std::move(merged.first);
+    scene.parts = std::move(merged.parts);
+    all.resize(scene.boxes.size());
+    scene.allBoxes = std::move(all);
+    scene.hasManyBoxes = scene.boxes.size() > kHandful;
 }
 
 void classify(Scene &scene) {
@@ -135,14 +158,26 @@ uint32_t nearestPart(const Scene &scene, std::span<const uint32_t> parts, const 
 
 } // namespace
 
+uint32_t Scene::givenBox(uint32_t box, const Vec3 &point) const { return nearestPart(*this, partsOf(box), point); }
+
+uint32_t Scene::boxesWithin(const Vec3 &centre, double reach, std::span<uint32_t> out) const {
+    Lowest<uint32_t> found(out);
+    const double furthest = reach * (1.0 + 1e-12);
+    visitBoxes(centre - furthest, centre + furthest, [&](uint32_t box) {
+        if (squaredDistance(boxes[box], centre) <= furthest * furthest) found.add(box);
+    });
+    found.sort();
+    return found.count();
+}
+
 uint32_t Scene::givenSolid(uint32_t solid, const Vec3 &point) const {
-    const std::span<const uint32_t> parts(solidParts);
-    return nearestPart(*this, parts.subspan(solidFirst[solid], solidFirst[solid + 1] - solidFirst[solid]), point);
+    const std::span<const uint32_t> all(solidParts);
+    return nearestPart(*this, all.subspan(solidFirst[solid], solidFirst[solid + 1] - solidFirst[solid]), point);
 }
 
 uint32_t Scene::givenFloor(uint32_t floor, const Vec3 &point) const {
-    const std::span<const uint32_t> parts(floorParts);
-    return nearestPart(*this, parts.subspan(floorFirst[floor], floorFirst[floor + 1] - floorFirst[floor]), point);
+    const std::span<const uint32_t> all(floorParts);
+    return nearestPart(*this, all.subspan(floorFirst[floor], floorFirst[floor + 1] - floorFirst[floor]), point);
 }
 
 uint32_t Scene::givenFloorAt(double x, double y) const {
@@ -162,7 +197,10 @@ phys_status makeScene(const phys_scene_desc &desc, Scene &out, phys_error *err) 
     if (desc.box_count > 0) out.given.assign(desc.boxes, desc.boxes + desc.box_count);
     out.radius = desc.radius;
     out.start = toVec(desc.start);
-    measure(out);
+    if (const phys_status status = measure(out, err)) return status;
+    findBounds(out);
+    merge(out);
+    out.grid.build(out.boxes, kCandidateReach * out.radius + out.tolerance, 2.0 * out.radius);
     findFloor(out);
     classify(out);
     checkPlanar(out);

@@ -24,7 +24,13 @@ inline constexpr double kCandidateReach = 1.5;
 inline constexpr double kRounding = 2.220446049250313e-16;
 
 struct Scene {
-    std::vector<phys_box> given;     ///< as the caller gave them; their numbers are the public ones
+    std::vector<phys_box> given; ///< as the caller gave them; their numbers are the public ones
+    std::vector<phys_box> boxes; ///< all of them merged, floors and walls alike (model.md 5.6), in order of lowest part
+    std::vector<uint32_t> allBoxes;         ///< 0, 1, 2, ...: the boxes' list where no grid is needed
+    std::vector<uint32_t> firstPart, parts; ///< partsOf(i) is [firstPart[i], firstPart[i + 1]) of parts
+    Grid grid;                              ///< of boxes; reach: kCandidateReach radii
+
+    // What steppers read that take floors and walls apart.
     std::vector<phys_box> floors;    ///< merged boxes whose top is the floor's plane
     std::vector<phys_box> solids;    ///< all other merged boxes: walls, kerbs, steps
     std::vector<uint32_t> allSolids; ///< 0, 1, 2, ...: the solids' list where no grid is needed
@@ -41,7 +47,8 @@ struct Scene {
     double supportedZ = 0.0; ///< height of a supported centre: floorTop + radius
     double tolerance = 0.0;  ///< m: 4 rounding steps of the largest coordinate, model.md 5.2
 
-    bool needsGrid = false; ///< more than a handful of solids
+    bool needsGrid = false;    ///< more than a handful of solids
+    bool hasManyBoxes = false; ///< more than a handful
     bool isPlanar() const { return nonPlanarReason.empty(); }
 
     Grid solidGrid; ///< reach: kCandidateReach radii
@@ -49,6 +56,34 @@ struct Scene {
 
     // Why the scene isn't planar (model.md 0); empty if it is.
     std::string nonPlanarReason;
+
+    /// Boxes within kCandidateReach radii of a centre at (x, y), seen from above: a superset, ascending.
+    std::span<const uint32_t> boxesNear(double x, double y, bool useGrid) const {
+        return useGrid ? grid.near(x, y) : std::span<const uint32_t>(allBoxes);
+    }
+
+    /// Boxes that are `reach` (m, from the centre) or less away from a centre, ascending; one a rounding step further
+    /// may be among them. Returns how many there are; writes the first out.size() of them.
+    uint32_t boxesWithin(const Vec3 &centre, double reach, std::span<uint32_t> out) const;
+
+    /// Calls visit(box) for the boxes that overlap or touch the region between two corners, each once, in any order.
+    template<class Visit>
+    void visitBoxes(const Vec3 &low, const Vec3 &high, Visit visit) const {
+        grid.visitOverlapping(inPlane(low), inPlane(high), [&](uint32_t i) {
+            const phys_box &box = boxes[i];
+            const bool outside = box.max.x < low.x || box.min.x > high.x || box.max.y < low.y || box.min.y > high.y ||
+                                 box.max.z < low.z || box.min.z > high.z;
+            if (!outside) visit(i);
+        });
+    }
+
+    /// Numbers of the given boxes that a merged one was made of, ascending.
+    std::span<const uint32_t> partsOf(uint32_t box) const {
+        return std::span(parts).subspan(firstPart[box], firstPart[box + 1] - firstPart[box]);
+    }
+
+    /// Number of the given box that gave a merged one the place nearest to `point`; the lowest of equals.
+    uint32_t givenBox(uint32_t box, const Vec3 &point) const;
 
     /// Solids that a ball with its centre at (x, y) can touch: a superset, ascending.
     std::span<const uint32_t> solidsNear(double x, double y, bool useGrid) const {
@@ -61,7 +96,7 @@ struct Scene {
         return hasOneFloor ? isOver(floors.front(), x, y) : overOneOfFloors(x, y);
     }
 
-    /// Number of the given box that gave a merged one the place nearest to `point`; the lowest of equals.
+    /// As givenBox.
     uint32_t givenSolid(uint32_t solid, const Vec3 &point) const;
     uint32_t givenFloor(uint32_t floor, const Vec3 &point) const;
 

@@ -2,6 +2,7 @@
 // The C functions on scenes.
 #include "base/appendable.h"
 #include "base/error.h"
+#include "scene/lowest.h"
 #include "scene/maze_file.h"
 #include "scene/nearest.h"
 #include "scene/scene.h"
@@ -34,29 +35,8 @@ phys_status createScene(phys_scene **out, phys_error *err, Fill fill) try {
     return fail(err, PHYS_ERROR_MEMORY, "out of memory for a scene");
 }
 
-/// Keeps the contacts of the lowest box numbers, sorted, in the caller's buffer.
-class ContactList {
-public:
-    ContactList(phys_contact *out, uint32_t capacity)
-        : m_out(out)
-        , m_capacity(capacity) {}
-
-    void add(const phys_contact &contact) {
-        ++m_count;
-        uint32_t place = std::min(m_stored, m_capacity);
-        while (place > 0 && m_out[place - 1].box > contact.box) --place;
-        if (place == m_capacity) return;
-        if (m_stored < m_capacity) ++m_stored;
-        std::copy_backward(m_out + place, m_out + m_stored - 1, m_out + m_stored);
-        m_out[place] = contact;
-    }
-    uint32_t count() const { return m_count; }
-
-private:
-    phys_contact *m_out;
-    uint32_t m_capacity;
-    uint32_t m_stored = 0;
-    uint32_t m_count = 0;
+struct ByBox {
+    bool operator()(const phys_contact &a, const phys_contact &b) const { return a.box < b.box; }
 };
 
 phys_contact describe(const Nearest &nearest, double radius, uint32_t box) {
@@ -122,25 +102,14 @@ phys_status phys_scene_contacts(const phys_scene *scene, const phys_vec3 *centre
     if (!valid || !phys::isModerate(*centre)) return PHYS_ERROR_ARGUMENT;
     const phys::Vec3 p = phys::toVec(*centre);
     const double distance = scene->radius + reach;
-    phys::ContactList list(out, capacity);
-    const auto consider = [&](const phys_box &box, auto numberAt) {
-        if (phys::squaredDistance(box, p) > distance * distance) return;
-        const phys::Nearest nearest = phys::nearest(box, p);
-        list.add(phys::describe(nearest, scene->radius, numberAt(nearest.point)));
-    };
-    for (uint32_t i = 0; i < scene->floors.size(); ++i) {
-        consider(scene->floors[i], [&](const phys::Vec3 &point) { return scene->givenFloor(i, point); });
-    }
-    const auto considerSolid = [&](uint32_t i) {
-        consider(scene->solids[i], [&](const phys::Vec3 &point) { return scene->givenSolid(i, point); });
-    };
-    // Nearby the grid knows; further away only all of them.
-    if (distance <= phys::kCandidateReach * scene->radius) {
-        for (const uint32_t i : scene->solidsNear(p.x, p.y, scene->needsGrid)) considerSolid(i);
-    } else {
-        for (const uint32_t i : scene->allSolids) considerSolid(i);
-    }
-    *count = list.count();
+    phys::Lowest<phys_contact, phys::ByBox> found({out, capacity});
+    scene->visitBoxes(p - distance, p + distance, [&](uint32_t box) {
+        if (phys::squaredDistance(scene->boxes[box], p) > distance * distance) return;
+        const phys::Nearest nearest = phys::nearest(scene->boxes[box], p);
+        found.add(phys::describe(nearest, scene->radius, scene->givenBox(box, nearest.point)));
+    });
+    found.sort();
+    *count = found.count();
     return PHYS_OK;
 }
 

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// The lowest of many values that come in any order, in a buffer of the caller's.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+
+namespace phys {
+
+/// A heap with the highest of the kept values on top. Counts all that were added.
+template<class T, class Less = std::less<>>
+class Lowest {
+public:
+    explicit Lowest(std::span<T> out)
+        : m_out(out) {}
+
+    void add(const T &value) {
+        ++m_count;
+        if (m_stored < m_out.size()) {
+            m_out[m_stored++] = value;
+            std::push_heap(m_out.begin(), end(), Less{});
+        } else if (m_stored > 0 && Less{}(value, m_out.front())) {
+            std::pop_heap(m_out.begin(), end(), Less{});
+            m_out[m_stored - 1] = value;
+            std::push_heap(m_out.begin(), end(), Less{});
+        }
+    }
+    /// Puts the kept values in ascending order, once all are added.
+    void sort() { std::sort_heap(m_out.begin(), end(), Less{}); }
+    uint32_t count() const { return m_count; }
+
+private:
+    auto end() const { return m_out.begin() + static_cast<std::ptrdiff_t>(m_stored); }
+
+    std::span<T> m_out;
+    size_t m_stored = 0;
+    uint32_t m_count = 0;
+};
+
+} // namespace phys
