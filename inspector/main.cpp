@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Decides between window and no window before any application object exists, and hands over.
-#include "core/command_line.h"
-#include "core/csv_writer.h"
-#include "core/headless.h"
-#include "core/session.h"
-#include "core/trade_command.h"
-#include "ui/application.h"
-#include "ui/trade_chart.h"
+#include "core/program/command_line.h"
+#include "core/program/csv_writer.h"
+#include "core/program/headless.h"
+#include "core/program/trade_command.h"
+#include "core/session/session.h"
+#include "ui/trade/trade_chart.h"
+#include "ui/window/application.h"
 
 #include <QApplication>
 #include <QFile>

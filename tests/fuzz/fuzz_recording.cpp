@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Any bytes as a recording: what it says, within the ranges it promises and the same when written and read again, or
 // one line that says why not.
-#include "core/engine.h"
-#include "core/recording.h"
+#include "core/engine/engine.h"
+#include "core/recording/recording.h"
 #include "input.h"
 
 #include <cmath>

@@ -2,8 +2,8 @@
 // A run without a window, as the program makes it of its command line.
 #pragma once
 
-#include "core/command_line.h"
-#include "core/headless.h"
+#include "core/program/command_line.h"
+#include "core/program/headless.h"
 
 #include <QBuffer>
 #include <QByteArrayList>

@@ -2,7 +2,7 @@
 // Scenes and runs that several suites of the inspector's core start from.
 #pragma once
 
-#include "core/engine.h"
+#include "core/engine/engine.h"
 
 #include <QTest>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The autopilot and what it knows of the maze.
-#include "core/autopilot.h"
-#include "core/headless.h"
+#include "core/pilot/autopilot.h"
+#include "core/program/headless.h"
 #include "scenes.h"
 
 #include <algorithm>

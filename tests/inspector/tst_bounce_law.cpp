@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The law of a bounce with the numbers put in: a ball that rolls head-on into a wall with e = 0.5, against closed
 // forms.
-#include "core/bounce_law.h"
-#include "core/event_table.h"
+#include "core/events/bounce_law.h"
+#include "core/events/event_table.h"
 #include "scenes.h"
 #include "wall_ahead.h"
 

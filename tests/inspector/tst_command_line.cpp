@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // From words to options, and what is said of words that mean nothing.
-#include "core/command_line.h"
+#include "core/program/command_line.h"
 
 #include <QTest>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The second ball, led by hand: it starts with the first, obeys what that obeys, and is nothing that the first feels.
-#include "core/companion.h"
+#include "core/engine/companion.h"
 #include "scenes.h"
 #include "support/compare.h"
 #include "support/stepper_rows.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The second ball on the simulation's thread, in a session, and in a table: there when asked for, and else no trace.
-#include "core/autopilot.h"
-#include "core/session.h"
+#include "core/pilot/autopilot.h"
+#include "core/session/session.h"
 #include "headless_run.h"
 #include "scenes.h"
 #include "support/compare.h"

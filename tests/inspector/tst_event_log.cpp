@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The log of events: what is kept, what is folded together, and that a reader beside the writer sees whole entries.
-#include "core/counted_impact.h"
-#include "core/event_log.h"
-#include "core/simulation.h"
+#include "core/events/counted_impact.h"
+#include "core/events/event_log.h"
+#include "core/simulation/simulation.h"
 #include "scenes.h"
 #include "wall_ahead.h"
 

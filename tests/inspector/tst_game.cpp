@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The rules of the game.
-#include "core/game.h"
+#include "core/session/game.h"
 
 #include <QSettings>
 #include <QSignalSpy>

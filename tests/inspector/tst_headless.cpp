@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Runs without a window: the table they write, when they end, what they return.
-#include "core/csv_writer.h"
+#include "core/program/csv_writer.h"
 #include "headless_run.h"
 #include "scenes.h"
 

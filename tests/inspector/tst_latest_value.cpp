@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The latest-value slot: the newest wins, nothing is torn, nobody waits.
-#include "core/latest_value.h"
+#include "core/simulation/latest_value.h"
 
 #include <QTest>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Where levels come from.
-#include "core/levels.h"
+#include "core/setup/levels.h"
 
 #include <QDir>
 #include <QTemporaryDir>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Deadlines: absolute, with a limited backlog. Times are given, so nothing here waits.
-#include "core/pacer.h"
-#include "core/rate_meter.h"
+#include "core/engine/pacer.h"
+#include "core/engine/rate_meter.h"
 
 #include <QTest>
 

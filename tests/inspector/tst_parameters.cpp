@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Parameters are made from rows and nothing else.
-#include "core/handles.h"
-#include "core/parameters.h"
+#include "core/setup/handles.h"
+#include "core/setup/parameters.h"
 
 #include <QSignalSpy>
 #include <QTest>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A recording can be shown at any of its places: the states there are the recorded ones, however one gets there.
-#include "core/player.h"
-#include "core/recorder.h"
-#include "core/simulation.h"
+#include "core/recording/player.h"
+#include "core/recording/recorder.h"
+#include "core/simulation/simulation.h"
 #include "scenes.h"
 #include "support/random.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Recordings: what is written comes back bit by bit, replays the same, and tells exactly the first step that doesn't.
-#include "core/recorder.h"
-#include "core/recording_schedule.h"
-#include "core/replay.h"
-#include "core/session.h"
+#include "core/recording/recorder.h"
+#include "core/recording/replay.h"
+#include "core/session/session.h"
+#include "core/trade/recording_schedule.h"
 #include "headless_run.h"
 #include "scenes.h"
 #include "support/files.h"

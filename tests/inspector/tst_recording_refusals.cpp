@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Recordings that can't be read, followed or written: one line each that says where, what was expected, what was found.
-#include "core/recorder.h"
-#include "core/simulation.h"
+#include "core/recording/recorder.h"
+#include "core/simulation/simulation.h"
 #include "headless_run.h"
 #include "scenes.h"
 #include "support/files.h"

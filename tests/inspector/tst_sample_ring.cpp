@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The ring of samples: what is kept, and that the pyramid tells the same extremes as the samples.
-#include "core/sample_ring.h"
+#include "core/simulation/sample_ring.h"
 
 #include <QTest>
 

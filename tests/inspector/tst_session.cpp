@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is open, joined together: as the window uses it.
-#include "core/session.h"
+#include "core/session/session.h"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>

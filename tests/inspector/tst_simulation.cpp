@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The engine on its thread: the same bits, nothing lost, nobody waits. No test here depends on how fast it runs.
-#include "core/simulation.h"
+#include "core/simulation/simulation.h"
 #include "scenes.h"
 #include "support/compare.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is drawn between two steps.
-#include "core/snapshot.h"
+#include "core/simulation/snapshot.h"
 
 #include <QTest>
 

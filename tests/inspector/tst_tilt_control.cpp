@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Arrow keys to tilt.
-#include "core/tilt_control.h"
+#include "core/pilot/tilt_control.h"
 
 #include <QTest>
 

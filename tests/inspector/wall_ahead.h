@@ -2,7 +2,7 @@
 // The scene of a bounce: a floor of 2 m, and a wall to the right of the ball at its start.
 #pragma once
 
-#include "core/handles.h"
+#include "core/setup/handles.h"
 
 namespace inspector {
 

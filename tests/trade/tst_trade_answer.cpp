@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Which points are best for their cost, and which one is recommended: on points made by hand.
-#include "core/counted_impact.h"
-#include "core/trade_answer.h"
-#include "core/trade_command.h"
-#include "core/trade_reference.h"
+#include "core/events/counted_impact.h"
+#include "core/program/trade_command.h"
+#include "core/trade/trade_answer.h"
+#include "core/trade/trade_reference.h"
 
 #include <QTest>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The trade on the command line: words, table, files, recommendation, exit status.
-#include "core/command_line.h"
-#include "core/trade_command.h"
-#include "core/trade_svg.h"
-#include "core/trade_table.h"
+#include "core/program/command_line.h"
+#include "core/program/trade_command.h"
+#include "core/trade/trade_svg.h"
+#include "core/trade/trade_table.h"
 #include "support/compare.h"
 #include "support/files.h"
 

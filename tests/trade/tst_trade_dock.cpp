@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The trade in the window: measured in the background, chosen by hand, put to use.
-#include "ui/trade_dock.h"
+#include "ui/trade/trade_dock.h"
 
-#include "core/command_line.h"
-#include "ui/trade_chart.h"
+#include "core/program/command_line.h"
+#include "ui/trade/trade_chart.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>

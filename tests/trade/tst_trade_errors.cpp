@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What a stepper is said to be wrong by, against closed forms where there are any.
-#include "core/trade.h"
-#include "core/trade_answer.h"
-#include "core/trade_reference.h"
-#include "core/trade_table.h"
+#include "core/trade/trade.h"
+#include "core/trade/trade_answer.h"
+#include "core/trade/trade_reference.h"
+#include "core/trade/trade_table.h"
 #include "inspector/scenes.h"
 #include "support/compare.h"
 

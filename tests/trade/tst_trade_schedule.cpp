@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The same tilts for every stepper, and steps that meet every switch.
-#include "core/trade_options.h"
-#include "core/trade_reference.h"
+#include "core/trade/trade_options.h"
+#include "core/trade/trade_reference.h"
 #include "inspector/scenes.h"
 
 #include <QTemporaryDir>

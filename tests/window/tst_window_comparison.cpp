@@ -2,10 +2,10 @@
 // The ball beside its ghost: switched on by key and dock, drawn where it is, plotted as it goes away.
 #include "gl/maze_view.h"
 #include "support/compare.h"
-#include "ui/board_picture.h"
-#include "ui/distance_plot.h"
-#include "ui/message_bar.h"
-#include "ui/theme.h"
+#include "ui/comparison/distance_plot.h"
+#include "ui/parts/message_bar.h"
+#include "ui/parts/theme.h"
+#include "ui/window/board_picture.h"
 #include "window_fixture.h"
 
 #include <QCheckBox>

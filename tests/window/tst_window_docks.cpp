@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Docks, bars and menus: closed, opened, moved, remembered and put back.
 #include "gl/maze_view.h"
-#include "ui/message_bar.h"
+#include "ui/parts/message_bar.h"
 #include "window_fixture.h"
 
 #include <QComboBox>

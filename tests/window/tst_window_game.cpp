@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The game from the first prompt to the tenth level, and what is said when something goes wrong.
-#include "ui/game_overlay.h"
-#include "ui/message_bar.h"
-#include "ui/unattended_run.h"
+#include "ui/game/game_overlay.h"
+#include "ui/parts/message_bar.h"
+#include "ui/window/unattended_run.h"
 #include "window_fixture.h"
 
 #include <QComboBox>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Every parameter, moved by hand, is what the simulation obeys.
 #include "gl/board_pose.h"
-#include "ui/board_picture.h"
-#include "ui/message_bar.h"
+#include "ui/parts/message_bar.h"
+#include "ui/window/board_picture.h"
 #include "window_fixture.h"
 
 #include <QCheckBox>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Level 1, won by hand: arrow keys pressed and released as somebody does who sees the ball and the way out.
-#include "ui/clock_text.h"
-#include "ui/game_overlay.h"
+#include "ui/game/clock_text.h"
+#include "ui/game/game_overlay.h"
 #include "window_fixture.h"
 
 #include <QComboBox>

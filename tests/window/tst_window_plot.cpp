@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The live plot shows the ring's samples, and hands find their way in it.
-#include "ui/message_bar.h"
-#include "ui/velocity_plot.h"
+#include "ui/parts/message_bar.h"
+#include "ui/plots/velocity_plot.h"
 #include "window_fixture.h"
 
 #include <QDialogButtonBox>

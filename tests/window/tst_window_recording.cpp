@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Recording from the menu: asked for a name, ticked while it lasts, ended by the same entry, a failure in the bar.
-#include "core/recording.h"
-#include "ui/message_bar.h"
+#include "core/recording/recording.h"
+#include "ui/parts/message_bar.h"
 #include "window_fixture.h"
 
 #include <QAction>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // A recording is watched in the window: opened in every way there is, moved through by mouse and keys, taken over.
-#include "core/recording.h"
+#include "core/recording/recording.h"
 #include "gl/maze_view.h"
 #include "support/files.h"
-#include "ui/game_overlay.h"
-#include "ui/message_bar.h"
-#include "ui/seek_slider.h"
-#include "ui/unattended_run.h"
+#include "ui/game/game_overlay.h"
+#include "ui/parts/message_bar.h"
+#include "ui/transport/seek_slider.h"
+#include "ui/window/unattended_run.h"
 #include "window_fixture.h"
 
 #include <QComboBox>

@@ -2,8 +2,8 @@
 // A window over a level, with settings of its own, and hands to use it with: real mouse and key events.
 #pragma once
 
-#include "core/session.h"
-#include "ui/main_window.h"
+#include "core/session/session.h"
+#include "ui/window/main_window.h"
 
 #include <QAction>
 #include <QTemporaryDir>

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/engine/companion.h"
+
+#include <cmath>
+
+namespace inspector {
+
+namespace {
+
+double lengthOf(const phys_vec3 &v) { return std::hypot(v.x, v.y, v.z); }
+
+} // namespace
+
+Deviation deviationOf(const Engine &ball, const Engine &other) {
+    const phys_state &a = ball.state();
+    const phys_state &b = other.state();
+    const phys_vec3 apart{a.position.x - b.position.x, a.position.y - b.position.y, a.position.z - b.position.z};
+    return {lengthOf(apart), lengthOf(a.velocity) - lengthOf(b.velocity),
+            ball.report().energy_after - other.report().energy_after};
+}
+
+std::optional<CompanionMeans> makeMeans(const Registry &registry, const Opponent &opponent, const Scene &scene,
+                                        QString *error) {
+    CompanionMeans means{scene, {}, {}, opponent.substeps};
+    phys_error failure;
+    if (phys_registry_find(registry.get(), opponent.stepper.constData(), &means.info, &failure) != PHYS_OK) {
+        tell(error, failure);
+        return std::nullopt;
+    }
+    means.stepper = makeStepper(registry, opponent.stepper, scene, error);
+    if (!means.stepper) return std::nullopt;
+    return means;
+}
+
+Companion::Companion(const Engine &leader, const CompanionMeans &means, const QByteArray &leaderId)
+    : m_engine(leader.scene(), means.stepper)
+    , m_info(means.info)
+    , m_substeps(means.substeps) {
+    setLeaderStepper(leaderId);
+    meet(leader);
+}
+
+void Companion::meet(const Engine &leader) {
+    phys_state state = leader.state();
+    state.step *= uint64_t(m_substeps); // so that its time goes on being counted in steps: model.md 10.6
+    m_engine.setState(state);
+    m_previous = leader.previous();
+    m_metAt = state.time;
+    m_deviation = {};
+    m_isThere = true;
+}
+
+bool Companion::follow(const Engine &leader, QString *error) {
+    if (!m_isThere) return true;
+    Inputs inputs = leader.inputs();
+    if (!m_sharesValues) phys_stepper_info_init_params(&m_info, &inputs.params);
+    m_engine.setInputs(inputs);
+    m_engine.setDt(leader.dt() / m_substeps);
+    const phys_state before = m_engine.state();
+    for (int i = 0; i < m_substeps && m_isThere; ++i) m_isThere = m_engine.step(error);
+    if (!m_isThere) return false;
+    m_previous = before;
+    m_deviation = deviationOf(leader, m_engine);
+    return true;
+}
+
+void Companion::addTo(Sample &sample) const {
+    if (!m_isThere) return;
+    const phys_vec3 &position = m_engine.state().position;
+    sample[Channel::GhostX] = position.x;
+    sample[Channel::GhostY] = position.y;
+    sample[Channel::GhostZ] = position.z;
+    sample[Channel::Distance] = m_deviation.distance;
+    sample[Channel::SpeedDifference] = m_deviation.speed;
+    sample[Channel::EnergyDifference] = m_deviation.energy;
+}
+
+} // namespace inspector

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One simulation stepped by hand: stepper, state, inputs and dt. No thread, no clock, the same bits in every run.
+// Two engines on one scene are two balls; Simulation puts one on a thread.
+#pragma once
+
+#include "core/engine/sample.h"
+#include "core/pilot/pilot.h"
+#include "core/setup/handles.h"
+#include "core/setup/inputs.h"
+
+#include <array>
+#include <memory>
+#include <span>
+
+namespace inspector {
+
+class Engine {
+public:
+    static constexpr double kDefaultDt = 0.01;  // s
+    static constexpr double kSmallestDt = 1e-6; // s, what a person may choose
+    static constexpr double kLargestDt = 10.0;  // s
+    static constexpr uint32_t kEventCapacity = 64;
+    static constexpr double kControlPeriod = 0.02; // s of simulated time between two questions to the pilot
+
+    // At the scene's start, with the library's defaults.
+    Engine(Scene scene, Stepper stepper);
+
+    const Scene &scene() const { return m_scene; }
+    // Starts anew, without a pilot.
+    void setScene(Scene scene, Stepper stepper);
+    // Goes on from the same state; the stepper was made for the same scene.
+    void setStepper(Stepper stepper) { m_stepper = std::move(stepper); }
+
+    void setInputs(const Inputs &inputs);
+    const Inputs &inputs() const { return m_inputs; }  // of the last step, pilot's tilt included
+    void setPilot(std::shared_ptr<const Pilot> pilot); // or nullptr: the tilt of the inputs counts
+    void setDt(double dt) { m_dt = dt; }               // s, >= 0
+    double dt() const { return m_dt; }
+
+    void restart();
+    void setState(const phys_state &state);
+    const phys_state &state() const { return m_state; }
+    const phys_state &previous() const { return m_previous; }
+
+    // One step of dt. On failure the state stays as it was and `error` gets the library's line.
+    bool step(QString *error);
+
+    const phys_report &report() const { return m_report; } // of the last step; all zero before the first
+    std::span<const phys_event> events() const { return {m_events.data(), m_report.event_count}; }
+    Sample sample() const;
+
+private:
+    void askPilot();
+
+    Scene m_scene;
+    Stepper m_stepper;
+    std::shared_ptr<const Pilot> m_pilot;
+    bool m_pilotIsNew = false; // not asked yet
+    Inputs m_given = initialInputs();
+    Inputs m_inputs = m_given;
+    double m_dt = kDefaultDt;
+    phys_state m_state{};
+    phys_state m_previous{};
+    std::array<phys_event, kEventCapacity> m_events{};
+    phys_report m_report{};
+};
+
+} // namespace inspector

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/events/bounce_law.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace inspector {
+
+namespace {
+
+// Differences below this are rounding, share of the speed.
+constexpr double kRounding = 1e-13;
+
+double dot(const phys_vec3 &a, const phys_vec3 &b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+double length(const phys_vec3 &a) { return std::sqrt(dot(a, a)); }
+
+phys_vec3 cross(const phys_vec3 &a, const phys_vec3 &b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+// a + factor b
+phys_vec3 plus(const phys_vec3 &a, double factor, const phys_vec3 &b) {
+    return {a.x + factor * b.x, a.y + factor * b.y, a.z + factor * b.z};
+}
+
+phys_vec3 across(const phys_vec3 &a, const phys_vec3 &normal) { return plus(a, -dot(a, normal), normal); }
+
+double share(double part, double whole) { return whole > 0.0 ? part / whole : part; }
+
+bool isRigid(const LoggedEvent &bounce) { return bounce.step.params.model == PHYS_MODEL_RIGID; }
+
+// What gravity and friction can change of the velocity along the contact within the step, m/s. Of the drive, 5/7 where
+// the ball rolls (model.md 2.1). In the rigid model friction works on the slip with 7/2 mu gn (3.6), of which an impact
+// that sticks takes 2/7.
+double allowanceOf(const LoggedEvent &bounce, const phys_vec3 &normal) {
+    const phys_params &params = bounce.step.params;
+    const bool isInAir = (bounce.step.before.flags | bounce.step.after.flags) & PHYS_AIRBORNE;
+    const phys_vec3 drive{params.gravity.x, params.gravity.y, isInAir ? params.gravity.z : 0.0};
+    const double pull = length(across(drive, normal));
+    const double press = std::abs(params.gravity.z);
+    if (isRigid(bounce)) return bounce.step.dt * (9.0 / 7.0 * pull + 2.0 * params.sliding_friction * press);
+    return bounce.step.dt * (isInAir ? pull : 5.0 / 7.0 * (pull + params.rolling_friction * press));
+}
+
+QString number(double value) { return QString::number(value, 'g', 4); }
+QString speed(double value) { return QStringLiteral("%1 m/s").arg(number(value)); }
+
+QString verdict(double deviation) {
+    if (deviation == 0.0) return QStringLiteral("to the last bit");
+    if (deviation < kRounding) return QStringLiteral("to rounding (%1)").arg(QString::number(deviation, 'g', 1));
+    return QStringLiteral("off by %1 %").arg(QString::number(100.0 * deviation, 'g', 2));
+}
+
+QString normalText(const LoggedEvent &bounce, const NormalLaw &law) {
+    const bool isLanding = bounce.event.kind == PHYS_EVENT_LANDING;
+    const QString section = isRigid(bounce) ? QStringLiteral("2.2 F3")
+                            : isLanding     ? QStringLiteral("2.1 R6")
+                                            : QStringLiteral("2.1 R2");
+    QString text = QStringLiteral("v'n = -e vn: %1 %2 %3 × %4   (model.md %5)")
+                       .arg(speed(law.found), law.ends ? QStringLiteral("instead of") : QStringLiteral("="),
+                            number(law.restitution), speed(law.before), section);
+    if (law.ends) return text + QStringLiteral("; too slow to come off again, so it stays in contact (6.4, 10.3 b)");
+    return text + QStringLiteral("; ") + verdict(law.deviation);
+}
+
+QString frictionText(const AlongLaw &law) {
+    return QStringLiteral("jt = min(mu j, 2/7 |uc|) = min(%1 × %2, 2/7 × %3) = %4: %5   (model.md 2.2 F3)")
+        .arg(number(law.friction), speed(law.impulse), speed(law.slip), speed(law.tangential),
+             law.friction == 0.0 ? QStringLiteral("smooth")
+             : law.sticks        ? QStringLiteral("sticks")
+                                 : QStringLiteral("slides"));
+}
+
+QString alongText(const LoggedEvent &bounce, const AlongLaw &law) {
+    const bool isLanding = bounce.event.kind == PHYS_EVENT_LANDING;
+    const QString rule = isRigid(bounce) ? QStringLiteral("v't = vt - jt hat(uc)")
+                         : isLanding     ? QStringLiteral("v't = vt   (model.md 2.1 R6)")
+                                         : QStringLiteral("v't = vt   (model.md 2.1 R2)");
+    QString text =
+        QStringLiteral("%1: %2 after this step, expected %3; ").arg(rule, speed(law.found), speed(law.expected));
+    const bool isWithin = law.off <= law.allowance;
+    text += isWithin ? QStringLiteral("within the %1 that gravity and friction can do in it").arg(speed(law.allowance))
+                     : QStringLiteral("off by %1, gravity and friction can do %2 in it")
+                           .arg(speed(law.off), speed(law.allowance));
+    const uint32_t others = bounce.step.eventCount - 1;
+    if (others == 0) return text;
+    return text + QStringLiteral("; %1 more in the same step").arg(others);
+}
+
+} // namespace
+
+Surface surfaceOf(const phys_event &event) {
+    const bool isFlat = event.normal.z > std::sqrt(0.5);
+    return event.kind == PHYS_EVENT_LANDING || isFlat ? Surface::Floor : Surface::Wall;
+}
+
+double restitutionOf(const LoggedEvent &bounce) {
+    const phys_params &params = bounce.step.params;
+    return surfaceOf(bounce.event) == Surface::Floor ? params.restitution_floor : params.restitution_wall;
+}
+
+double frictionOf(const LoggedEvent &bounce) {
+    const phys_params &params = bounce.step.params;
+    return surfaceOf(bounce.event) == Surface::Floor ? params.sliding_friction : params.wall_friction;
+}
+
+Motion motionOf(const phys_state &state, const phys_vec3 &normal) {
+    Motion motion{};
+    motion.normal = dot(state.velocity, normal);
+    motion.along = across(state.velocity, normal);
+    motion.alongSpeed = length(motion.along);
+    motion.spin = state.spin;
+    return motion;
+}
+
+NormalLaw normalLaw(const LoggedEvent &bounce) {
+    NormalLaw law{};
+    law.restitution = restitutionOf(bounce);
+    law.before = -bounce.event.speed_before;
+    law.expected = law.restitution * law.before;
+    law.found = bounce.event.speed_after;
+    law.ends = law.found == 0.0 && law.expected > 0.0;
+    law.deviation = law.ends ? 0.0 : share(std::abs(law.found - law.expected), law.before);
+    return law;
+}
+
+// model.md 2.2 F3, from the state before the step: its velocity and spin aren't quite those right before the impact.
+AlongLaw alongLaw(const LoggedEvent &bounce, double radius) {
+    const phys_vec3 &normal = bounce.event.normal;
+    const Motion before = motionOf(bounce.step.before, normal);
+    const Motion after = motionOf(bounce.step.after, normal);
+    phys_vec3 expected = before.along;
+    AlongLaw law{};
+    if (isRigid(bounce)) {
+        // The contact point moves with v - R (om x n).
+        const phys_vec3 slip = across(plus(bounce.step.before.velocity, -radius, cross(before.spin, normal)), normal);
+        law.friction = frictionOf(bounce);
+        law.impulse = bounce.event.speed_after - bounce.event.speed_before;
+        law.slip = length(slip);
+        law.sticks = law.friction * law.impulse >= 2.0 / 7.0 * law.slip;
+        law.tangential = std::min(law.friction * law.impulse, 2.0 / 7.0 * law.slip);
+        if (law.slip > 0.0) expected = plus(expected, -law.tangential / law.slip, slip);
+    }
+    law.expected = length(expected);
+    law.found = after.alongSpeed;
+    law.off = length(plus(after.along, -1.0, expected));
+    law.allowance = allowanceOf(bounce, normal);
+    return law;
+}
+
+double lateness(const LoggedEvent &bounce) {
+    const double speed = -bounce.event.speed_before;
+    return speed > 0.0 ? bounce.step.penetration / speed : 0.0;
+}
+
+std::vector<LawLine> lawLines(const LoggedEvent &bounce, double radius) {
+    if (!bounce.isBounce()) return {};
+    const AlongLaw along = alongLaw(bounce, radius);
+    std::vector<LawLine> lines{{QStringLiteral("Law"), normalText(bounce, normalLaw(bounce))}};
+    if (isRigid(bounce)) lines.push_back({QStringLiteral("Friction"), frictionText(along)});
+    lines.push_back({QStringLiteral("Along"), alongText(bounce, along)});
+    return lines;
+}
+
+} // namespace inspector

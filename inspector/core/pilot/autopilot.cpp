@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pilot/autopilot.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace inspector {
+
+namespace {
+
+constexpr double kGravity = 9.81;          // m/s^2; with another strength the pilot is just bolder or shyer
+constexpr double kRolling = 5.0 / 7.0;     // of the slope's force accelerates a rolling ball, model.md 2.1
+constexpr double kBrakingShare = 0.35;     // of the acceleration at full tilt that the speed plan counts on
+constexpr double kSlowest = 0.05;          // m/s: fast enough to get going against rolling friction
+constexpr double kFastest = 0.45;          // m/s
+constexpr double kReaction = 0.12;         // s in which the velocity is led to the wanted one
+constexpr double kComfortableMargin = 0.4; // radii between a straight way and the walls
+
+} // namespace
+
+std::shared_ptr<const Autopilot> Autopilot::create(const phys_scene *scene, QString *error) {
+    std::shared_ptr<const Autopilot> pilot(new Autopilot(scene));
+    phys_state start;
+    phys_scene_start(scene, &start);
+    if (pilot->m_wayOut.exists(pilot->m_space.nearestFree({start.position.x, start.position.y}))) return pilot;
+    if (error)
+        *error = QStringLiteral("autopilot: no way leads out of the maze from its start (%1, %2) m")
+                     .arg(start.position.x)
+                     .arg(start.position.y);
+    return nullptr;
+}
+
+Autopilot::Autopilot(const phys_scene *scene)
+    : m_space(scene)
+    , m_wayOut(m_space) {}
+
+// The farthest cell of the way that can be reached in a straight line. Beside a wall or in a corner there may be none
+// with a comfortable margin: then with as much as there is at the ball itself.
+Autopilot::Aim Autopilot::aim(Point from) const {
+    FreeSpace::Cell cell = m_space.nearestFree(from);
+    if (cell == FreeSpace::kNowhere) return {from, true};
+    const double margin = std::min(kComfortableMargin * m_space.radius(), 0.5 * m_space.clearance(cell));
+    const Point start = m_space.isFree(m_space.cellAt(from)) ? from : m_space.centre(cell);
+    FreeSpace::Cell best = cell;
+    while ((cell = m_wayOut.next(cell)) != FreeSpace::kNowhere) {
+        if (!m_space.isClear(start, m_space.centre(cell), margin)) break;
+        best = cell;
+    }
+    return {m_space.centre(best), m_space.isOutside(best)};
+}
+
+Tilt Autopilot::tilt(const phys_state &state) const {
+    const Point here{state.position.x, state.position.y};
+    const Aim target = aim(here);
+    const double dx = target.point.x - here.x;
+    const double dy = target.point.y - here.y;
+    const double distance = std::hypot(dx, dy);
+
+    // The speed from which the ball still comes to a stand at the aim; out of the maze there is nothing to stop for.
+    const double limit = radians(kPlayTilt);
+    const double braking = kBrakingShare * kRolling * kGravity * std::tan(limit);
+    const double stoppable = target.isOutside ? kFastest : std::sqrt(2.0 * braking * distance);
+    const double speed = std::clamp(stoppable, kSlowest, kFastest);
+    const double share = distance > 0.0 ? speed / distance : 0.0;
+
+    const auto slope = [&](double wanted, double is) {
+        const double acceleration = (wanted - is) / kReaction;
+        return std::clamp(std::atan(acceleration / (kRolling * kGravity)), -limit, limit);
+    };
+    return {slope(dx * share, state.velocity.x), slope(dy * share, state.velocity.y)};
+}
+
+std::vector<Point> Autopilot::way(Point from) const {
+    std::vector<Point> points;
+    for (const FreeSpace::Cell cell : m_wayOut.cells(m_space.nearestFree(from))) points.push_back(m_space.centre(cell));
+    return points;
+}
+
+} // namespace inspector

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pilot/free_space.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace inspector {
+
+namespace {
+
+constexpr double kCellsPerRadius = 4.0;
+constexpr double kMostCells = 1e6;
+constexpr double kFarClearance = 2.0; // radii; more room than this makes no difference
+
+} // namespace
+
+FreeSpace::FreeSpace(const phys_scene *scene)
+    : m_radius(phys_scene_radius(scene)) {
+    phys_state start;
+    if (phys_scene_start(scene, &start) == PHYS_OK) m_start = start.position;
+    phys_scene_bounds(scene, &m_bounds);
+    layGrid();
+
+    // What the ball stands on at its start is floor (to a thousandth of its radius), what else it can touch is wall.
+    const double floor = m_start.z - m_radius;
+    const phys_box *boxes = phys_scene_boxes(scene);
+    std::vector<bool> hasFloor(m_clearance.size(), false);
+    for (uint32_t i = 0; i < phys_scene_box_count(scene); ++i) {
+        if (std::abs(boxes[i].max.z - floor) <= 1e-3 * m_radius)
+            visitAround(boxes[i], 0.0,
+                        [&](Cell cell, double gap) { hasFloor[size_t(cell)] = hasFloor[size_t(cell)] || gap <= 0.0; });
+        else
+            markWall(boxes[i]);
+    }
+    for (Cell cell = 0; cell < cellCount(); ++cell)
+        if (!hasFloor[size_t(cell)] && !isOutside(cell)) m_clearance[size_t(cell)] = -1.0F;
+}
+
+void FreeSpace::layGrid() {
+    const double margin = 3.0 * m_radius;
+    const double width = m_bounds.max.x - m_bounds.min.x + 2.0 * margin;
+    const double height = m_bounds.max.y - m_bounds.min.y + 2.0 * margin;
+    m_spacing = std::max(m_radius / kCellsPerRadius, std::sqrt(width * height / kMostCells));
+    m_origin = {m_bounds.min.x - margin, m_bounds.min.y - margin};
+    m_columns = int(std::ceil(width / m_spacing));
+    m_rows = int(std::ceil(height / m_spacing));
+    m_clearance.assign(size_t(cellCount()), float(kFarClearance * m_radius));
+}
+
+FreeSpace::Cell FreeSpace::cellAt(Point point) const {
+    const double column = std::floor((point.x - m_origin.x) / m_spacing);
+    const double row = std::floor((point.y - m_origin.y) / m_spacing);
+    if (!(column >= 0.0 && row >= 0.0 && column < m_columns && row < m_rows)) return kNowhere;
+    return Cell(row) * m_columns + Cell(column);
+}
+
+Point FreeSpace::centre(Cell cell) const {
+    const Cell column = cell % m_columns;
+    const Cell row = cell / m_columns;
+    return {m_origin.x + (column + 0.5) * m_spacing, m_origin.y + (row + 0.5) * m_spacing};
+}
+
+bool FreeSpace::isOutside(Cell cell) const {
+    const Point p = centre(cell);
+    return p.x < m_bounds.min.x || p.x > m_bounds.max.x || p.y < m_bounds.min.y || p.y > m_bounds.max.y;
+}
+
+// All cells within `reach` of the box seen from above, with their centre's distance to it.
+template<typename Visit>
+void FreeSpace::visitAround(const phys_box &box, double reach, const Visit &visit) const {
+    const auto column = [&](double x) { return std::clamp(int((x - m_origin.x) / m_spacing), 0, m_columns - 1); };
+    const auto row = [&](double y) { return std::clamp(int((y - m_origin.y) / m_spacing), 0, m_rows - 1); };
+    for (int r = row(box.min.y - reach); r <= row(box.max.y + reach); ++r) {
+        for (int c = column(box.min.x - reach); c <= column(box.max.x + reach); ++c) {
+            const Cell cell = r * m_columns + c;
+            const Point p = centre(cell);
+            const double dx = std::max({box.min.x - p.x, p.x - box.max.x, 0.0});
+            const double dy = std::max({box.min.y - p.y, p.y - box.max.y, 0.0});
+            visit(cell, std::hypot(dx, dy));
+        }
+    }
+}
+
+// Lowers the clearance of all cells that the box is near to: distance in space at the rolling ball's height, so a low
+// kerb counts by its edge.
+void FreeSpace::markWall(const phys_box &box) {
+    const double dz = std::max({box.min.z - m_start.z, m_start.z - box.max.z, 0.0});
+    visitAround(box, (1.0 + kFarClearance) * m_radius, [&](Cell cell, double gap) {
+        float &clearance = m_clearance[size_t(cell)];
+        clearance = std::min(clearance, float(std::hypot(gap, dz) - m_radius));
+    });
+}
+
+FreeSpace::Cell FreeSpace::nearestFree(Point point) const {
+    const Cell here = cellAt(point);
+    if (isFree(here)) return here;
+    Cell best = kNowhere;
+    double bestDistance = m_radius;
+    const int reach = int(std::ceil(m_radius / m_spacing));
+    for (int dr = -reach; dr <= reach; ++dr) {
+        for (int dc = -reach; dc <= reach; ++dc) {
+            const Cell cell = cellAt({point.x + dc * m_spacing, point.y + dr * m_spacing});
+            if (!isFree(cell)) continue;
+            const double distance = std::hypot(centre(cell).x - point.x, centre(cell).y - point.y);
+            if (distance >= bestDistance) continue;
+            best = cell;
+            bestDistance = distance;
+        }
+    }
+    return best;
+}
+
+bool FreeSpace::isClear(Point from, Point to, double clearance) const {
+    const double length = std::hypot(to.x - from.x, to.y - from.y);
+    const int count = int(std::ceil(length / (0.5 * m_spacing)));
+    for (int i = 1; i <= count; ++i) {
+        const double t = double(i) / count;
+        const Cell cell = cellAt({from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)});
+        if (cell == kNowhere || this->clearance(cell) < clearance) return false;
+    }
+    return true;
+}
+
+} // namespace inspector

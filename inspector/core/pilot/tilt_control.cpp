@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pilot/tilt_control.h"
+
+#include <cmath>
+
+namespace inspector {
+
+namespace {
+
+// Below these the board is level and still: a tenth of what can be seen.
+constexpr double kStillTilt = radians(1e-3);
+constexpr double kStillRate = radians(1e-2);
+
+// A critically damped spring towards `target`, solved exactly over the time, so the frame rate doesn't matter:
+// x - target = (c + d t) exp(-t / tau),  d = rate + c / tau.
+void follow(double target, double seconds, double &tilt, double &rate) {
+    const double tau = TiltControl::kResponse;
+    const double c = tilt - target;
+    const double d = rate + c / tau;
+    const double decay = std::exp(-seconds / tau);
+    tilt = target + (c + d * seconds) * decay;
+    rate = (d - (c + d * seconds) / tau) * decay;
+    if (target == 0.0 && std::abs(tilt) < kStillTilt && std::abs(rate) < kStillRate) tilt = rate = 0.0;
+}
+
+} // namespace
+
+void TiltControl::setTilt(Tilt tilt) {
+    m_tilt = tilt;
+    m_rate = {};
+}
+
+Tilt TiltControl::advance(double seconds) {
+    const double limit = radians(kPlayTilt);
+    follow(limit * (int(m_keys.right) - int(m_keys.left)), seconds, m_tilt.x, m_rate.x);
+    follow(limit * (int(m_keys.up) - int(m_keys.down)), seconds, m_tilt.y, m_rate.y);
+    return m_tilt;
+}
+
+} // namespace inspector

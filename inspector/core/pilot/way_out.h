@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The shortest way out of the maze from everywhere: for each cell of the free space the next one.
+#pragma once
+
+#include "core/pilot/free_space.h"
+
+#include <vector>
+
+namespace inspector {
+
+class WayOut {
+public:
+    // The space must outlive this.
+    explicit WayOut(const FreeSpace &space);
+
+    // The neighbour through which the way leads; kNowhere at its end, and where no way out exists.
+    FreeSpace::Cell next(FreeSpace::Cell cell) const { return m_next[size_t(cell)]; }
+    bool exists(FreeSpace::Cell from) const;
+    // All cells from `from` to the first one outside of the maze; empty if no way exists.
+    std::vector<FreeSpace::Cell> cells(FreeSpace::Cell from) const;
+
+private:
+    void search();
+    double price(FreeSpace::Cell cell) const;
+
+    const FreeSpace &m_space;
+    std::vector<FreeSpace::Cell> m_next;
+};
+
+} // namespace inspector

@@ -1,0 +1,372 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/program/command_line.h"
+
+#include "core/setup/tables.h"
+#include "core/simulation/simulation.h"
+
+#include <QCommandLineParser>
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QLocale>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+namespace inspector {
+
+namespace {
+
+// Wrong use: one line says what, what was expected and what was found.
+struct WrongUse {
+    QString line;
+};
+
+QString dashed(QString text) { return text.replace(QLatin1Char('_'), QLatin1Char('-')); }
+
+// --rolling_friction=1 and --rolling-friction=1 are the same option.
+QStringList normalised(const QStringList &arguments) {
+    QStringList result;
+    for (const QString &argument : arguments) {
+        const qsizetype end = argument.indexOf(QLatin1Char('='));
+        const QString name = argument.left(end < 0 ? argument.size() : end);
+        result += argument.startsWith(QLatin1String("--")) ? dashed(name) + argument.mid(name.size()) : argument;
+    }
+    return result;
+}
+
+// Plugins are loaded before the parser is made, because their steppers' rows become options, too.
+Registry registryWithPlugins(const QStringList &arguments) {
+    QString error;
+    Registry registry = makeRegistry(&error);
+    if (!registry) throw WrongUse{error};
+    const QString prefix = QStringLiteral("--plugin=");
+    for (qsizetype i = 1; i < arguments.size(); ++i) {
+        QString path;
+        if (arguments[i].startsWith(prefix)) path = arguments[i].mid(prefix.size());
+        if (arguments[i] == QLatin1String("--plugin") && i + 1 < arguments.size()) path = arguments[++i];
+        if (!path.isEmpty() && !loadPlugin(registry, path, &error))
+            throw WrongUse{QStringLiteral("--plugin: ") + error};
+    }
+    return registry;
+}
+
+// One row of each id: the board's, the library's and all steppers' own.
+std::vector<const phys_param_row *> allRows(const Registry &registry) {
+    const Parameters parameters;
+    std::vector<const phys_param_row *> rows;
+    rows.reserve(size_t(parameters.count()));
+    for (int i = 0; i < parameters.count(); ++i) rows.push_back(&parameters.row(i));
+    for (uint32_t i = 0; i < phys_registry_count(registry.get()); ++i) {
+        phys_stepper_info info;
+        if (phys_registry_info(registry.get(), i, &info) != PHYS_OK) continue;
+        for (uint32_t j = 0; j < info.row_count; ++j) {
+            const auto hasId = [&](const phys_param_row *row) { return std::string_view(row->id) == info.rows[j]->id; };
+            if (std::none_of(rows.begin(), rows.end(), hasId)) rows.push_back(info.rows[j]);
+        }
+    }
+    return rows;
+}
+
+QString optionName(const phys_param_row &row) { return dashed(QString::fromUtf8(row.id)); }
+
+QString valueName(const phys_param_row &row) {
+    if (row.flags & PHYS_ROW_CHOICE) return choicesOf(row).join(QLatin1Char('|'));
+    return row.unit[0] ? QString::fromUtf8(row.unit) : QStringLiteral("number");
+}
+
+void addOptions(QCommandLineParser &parser, const std::vector<const phys_param_row *> &rows) {
+    const auto text = [](const char *words) { return QString::fromUtf8(words); };
+    const QString seconds = QStringLiteral("s");
+    parser.addOptions({
+        {"level", text("Level to open: its number, or the path of a maze text file. Default 1."), text("number|file")},
+        {"stepper", text("Stepper to compute with; --list-steppers shows them. Default " PHYS_STEPPER_DEFAULT "."),
+         "id"},
+        {"dt", text("Length of a step in seconds, 1e-6 to 10. Default 0.01."), seconds},
+        {"speed", text("Simulated seconds per second, 1/16 to 16; no effect with --headless. Default 1."), "factor"},
+        {"plugin", text("Load the steppers of this plugin file; may be repeated."), "file"},
+        {"autopilot", text("Let the autopilot tilt the board.")},
+        {"duration",
+         text("End after so many simulated seconds. Default with --headless: when the ball is out of the "
+              "maze, after 60 s at the latest, with --autopilot 600 s."),
+         seconds},
+        {"headless", text("Run without a window, as fast as possible, and write a table of the steps (CSV).")},
+        {"csv", text("Write the table to this file. Default with --headless: standard output."), "file"},
+        {"csv-every", text("Write every so many-th step. Default 1."), "steps"},
+        {"record",
+         text("Record the run into this text file: inputs, versions and the hash of every state, through restarts and "
+              "other levels until the program ends."),
+         "file"},
+        {"replay",
+         text("Open the window with this recording and play it; --headless: run its inputs again without a window and "
+              "write the table; status 1 if a step differs."),
+         "file"},
+        {"check",
+         text("With --replay, without a window: print 'same' or the first step that differs, instead of the table.")},
+        {"compare",
+         text("Compare with a second ball, which this stepper moves under the same inputs: without a window by columns "
+              "of the table, in the window as a ghost."),
+         text("id")},
+        {"compare-substeps",
+         text("With --compare: so many steps of the second ball, of dt over so many, for each of the first. Default "
+              "1."),
+         text("number")},
+        {"grab",
+         text("Save a picture of the window at the end of the run, and quit. With --replay: of the recording's end, or "
+              "at --duration."),
+         "file.png"},
+        {"shaders",
+         text("Draw with the GLSL files in this folder instead of the embedded ones of the same names; a file that is "
+              "saved takes effect at once."),
+         text("folder")},
+        {"all-levels", text("Play all levels without a window by the autopilot, print a line for each; status 1 unless "
+                            "all are won.")},
+        {"trade",
+         text("Measure what every stepper and step size costs on this level, what it is wrong by against "
+              "stepper exact, and recommend a setting; without a window."),
+         text("number|file")},
+        {"schedule",
+         text("With --trade, how the board tilts: autopilot, random:SEED, or a file: times and tilts, a "
+              "table from --csv or a recording (its last run). Default autopilot."),
+         text("schedule")},
+        {"steps",
+         text("With --trade: these step sizes (0.01, 5ms, 1/60), or with a + before them these besides the "
+              "usual ones."),
+         text("list")},
+        {"under",
+         text("With --trade: recommend the cheapest that keeps the position error at or under this. Default "
+              "1mm."),
+         text("length, as 1mm or 0.1R")},
+        {"for", text("With --under: for so long. Default: as long as can be compared."), seconds},
+        {"within", text("With --trade: recommend the most accurate that takes at most so long for a step."),
+         text("ns")},
+        {"plot", text("With --trade: draw the chart into this file."), text("file.svg|pdf|png")},
+        {"list-steppers", text("Print the steppers that can be chosen.")},
+        {"list-parameters", text("Print the parameters with unit, range and default.")},
+    });
+    parser.addVersionOption();
+    parser.addOption({{"h", "help"}, text("Print this help.")});
+    for (const phys_param_row *row : rows) parser.addOption({optionName(*row), text(row->help), valueName(*row)});
+}
+
+double numberOf(const QCommandLineParser &parser, const QString &option, double min, double max) {
+    const QString text = parser.value(option);
+    bool isNumber = false;
+    const double number = QLocale::c().toDouble(text, &isNumber);
+    if (!isNumber || !(number >= min && number <= max))
+        throw WrongUse{QStringLiteral("--%1: expected a number from %2 to %3, found '%4'")
+                           .arg(option)
+                           .arg(min)
+                           .arg(max)
+                           .arg(text)};
+    return number;
+}
+
+double parameterOf(const QCommandLineParser &parser, const phys_param_row &row) {
+    const QString option = optionName(row);
+    const QString text = parser.value(option);
+    const qsizetype choice = choicesOf(row).indexOf(text.toLower());
+    if (choice >= 0) return row.min + double(choice);
+    bool isNumber = false;
+    const double number = QLocale::c().toDouble(text, &isNumber);
+    if (isNumber) return number; // its range is checked by the library, together with the others
+    throw WrongUse{QStringLiteral("--%1: expected %2, found '%3'").arg(option, expectedOf(row), text)};
+}
+
+void readParameters(const QCommandLineParser &parser, const std::vector<const phys_param_row *> &rows,
+                    Options &options) {
+    QString error;
+    phys_stepper_info info;
+    phys_error failure;
+    if (phys_registry_find(options.registry.get(), options.stepper.constData(), &info, &failure) != PHYS_OK)
+        throw WrongUse{QStringLiteral("--stepper: ") + QString::fromUtf8(failure.text)};
+    Parameters parameters;
+    parameters.setStepper(info);
+    for (const phys_param_row *row : rows) {
+        if (!parser.isSet(optionName(*row))) continue;
+        const QString id = QString::fromUtf8(row->id);
+        if (parameters.indexOf(id) < 0)
+            throw WrongUse{QStringLiteral("--%1: stepper '%2' has no such parameter")
+                               .arg(optionName(*row), QString::fromUtf8(options.stepper))};
+        options.settings.push_back({id, parameterOf(parser, *row)});
+    }
+    if (!parameters.set(options.settings, &error)) throw WrongUse{error};
+}
+
+void readOutputs(const QCommandLineParser &parser, Options &options) {
+    options.headless = parser.isSet("headless") || parser.isSet("all-levels");
+    options.autopilot = parser.isSet("autopilot") || parser.isSet("all-levels");
+    if (parser.isSet("all-levels")) options.action = Options::Action::PlayAllLevels;
+    options.csv = parser.value("csv");
+    options.grab = parser.value("grab");
+    if (parser.isSet("csv-every")) options.csvEvery = uint64_t(numberOf(parser, "csv-every", 1, 1e9));
+    if (options.headless && parser.isSet("grab"))
+        throw WrongUse{QStringLiteral("--grab: there is no picture without a window; leave out --headless")};
+    if (options.headless && parser.isSet("shaders"))
+        throw WrongUse{QStringLiteral("--shaders: nothing is drawn without a window; leave out --headless")};
+    options.shaders = parser.value("shaders");
+    if (parser.isSet("shaders") && !QFileInfo(options.shaders).isDir())
+        throw WrongUse{QStringLiteral("--shaders: expected a folder, found '%1'").arg(options.shaders)};
+    if (parser.isSet("all-levels") && (parser.isSet("csv") || parser.isSet("level")))
+        throw WrongUse{QStringLiteral("--all-levels: takes neither --csv nor --level")};
+}
+
+void readComparison(const QCommandLineParser &parser, Options &options) {
+    if (!parser.isSet("compare")) {
+        if (parser.isSet("compare-substeps")) throw WrongUse{QStringLiteral("--compare-substeps: needs --compare")};
+        return;
+    }
+    for (const char *name : {"all-levels", "trade"})
+        if (parser.isSet(name)) throw WrongUse{QStringLiteral("--compare: doesn't go with --%1").arg(name)};
+    if (parser.isSet("replay") && (options.headless || parser.isSet("check")))
+        throw WrongUse{QStringLiteral("--compare: goes with --replay in the window only")};
+    Opponent opponent{parser.value("compare").toUtf8()};
+    phys_stepper_info info;
+    phys_error failure;
+    if (phys_registry_find(options.registry.get(), opponent.stepper.constData(), &info, &failure) != PHYS_OK)
+        throw WrongUse{QStringLiteral("--compare: ") + QString::fromUtf8(failure.text)};
+    if (parser.isSet("compare-substeps")) {
+        const double substeps = numberOf(parser, "compare-substeps", 1, Opponent::kMostSubsteps);
+        if (substeps != std::floor(substeps))
+            throw WrongUse{QStringLiteral("--compare-substeps: expected a whole number, found '%1'")
+                               .arg(parser.value("compare-substeps"))};
+        opponent.substeps = int(substeps);
+    }
+    options.comparison = opponent;
+}
+
+void readRecordings(const QCommandLineParser &parser, const std::vector<const phys_param_row *> &rows,
+                    Options &options) {
+    for (const char *name : {"replay", "all-levels", "trade"})
+        if (parser.isSet("record") && parser.isSet(name))
+            throw WrongUse{QStringLiteral("--record: doesn't go with --%1").arg(name)};
+    options.record = parser.value("record");
+    options.replay = parser.value("replay");
+    options.check = parser.isSet("check");
+    if (!parser.isSet("replay")) {
+        if (options.check) throw WrongUse{QStringLiteral("--check: needs --replay")};
+        return;
+    }
+    const bool isWatched = !options.headless && !options.check;
+    QStringList others{"level", "stepper", "dt", "autopilot", "all-levels", "trade"};
+    others += isWatched ? QStringList{"csv"} : QStringList{"speed", "duration", "grab", "shaders"};
+    for (const phys_param_row *row : rows) others += optionName(*row);
+    for (const QString &name : others)
+        if (parser.isSet(name))
+            throw WrongUse{QStringLiteral("--replay: %1; doesn't go with --%2")
+                               .arg(isWatched && name == QLatin1String("csv") ? "its table needs --headless"
+                                                                              : "the recording says all",
+                                    name)};
+    options.action = Options::Action::Replay;
+    options.headless = !isWatched;
+}
+
+// Options that need --trade, and those that can't go with it.
+void checkTradeWords(const QCommandLineParser &parser) {
+    const bool trades = parser.isSet("trade");
+    for (const char *name : {"schedule", "steps", "under", "for", "within", "plot"})
+        if (!trades && parser.isSet(name)) throw WrongUse{QStringLiteral("--%1: needs --trade").arg(name)};
+    for (const char *name : {"level", "stepper", "dt", "all-levels", "autopilot", "csv-every", "grab", "shaders"})
+        if (trades && parser.isSet(name)) throw WrongUse{QStringLiteral("--trade: doesn't go with --%1").arg(name)};
+    if (parser.isSet("within") && (parser.isSet("under") || parser.isSet("for")))
+        throw WrongUse{QStringLiteral("--within: takes neither --under nor --for")};
+}
+
+void readTrade(const QCommandLineParser &parser, Options &options) {
+    checkTradeWords(parser);
+    if (!parser.isSet("trade")) return;
+    const auto wrong = [&](const char *name, const char *expected) {
+        return WrongUse{QStringLiteral("--%1: expected %2, found '%3'").arg(name, expected, parser.value(name))};
+    };
+    options.action = Options::Action::Trade;
+    options.headless = true;
+    TradeOptions &trade = options.trade;
+    if (parser.isSet("schedule")) trade.schedule = parser.value("schedule");
+    if (parser.isSet("steps")) trade.stepSizes = parseStepSizes(parser.value("steps"));
+    if (trade.stepSizes.empty()) throw wrong("steps", "step sizes from 1e-6 to 10 s, as 0.01,5ms,1/60");
+    const std::optional<Length> under = parser.isSet("under") ? parseLength(parser.value("under")) : Length();
+    if (!under) throw wrong("under", "a length above 0, as 1mm, 5um, 0.001m or 0.1R");
+    trade.under = *under;
+    if (parser.isSet("for")) trade.seconds = numberOf(parser, "for", 1e-3, 1e6);
+    if (parser.isSet("within")) trade.within = numberOf(parser, "within", 1.0, 1e12);
+    trade.plot = parser.value("plot");
+    const QString ending = trade.plot.section(QLatin1Char('.'), -1);
+    if (!trade.plot.isEmpty() && !QStringList{"svg", "pdf", "png"}.contains(ending))
+        throw wrong("plot", "a file name ending in .svg, .pdf or .png");
+}
+
+Options readOptions(const QCommandLineParser &parser, const std::vector<const phys_param_row *> &rows,
+                    Registry registry) {
+    Options options;
+    QString error;
+    options.registry = std::move(registry);
+    if (!parser.positionalArguments().isEmpty())
+        throw WrongUse{QStringLiteral("unexpected argument '%1'; --help lists the options")
+                           .arg(parser.positionalArguments().constFirst())};
+    if (parser.isSet("stepper")) options.stepper = parser.value("stepper").toUtf8();
+    if (parser.isSet("dt")) options.dt = numberOf(parser, "dt", Engine::kSmallestDt, Engine::kLargestDt);
+    if (parser.isSet("speed")) options.speed = numberOf(parser, "speed", Simulation::kSlowest, Simulation::kFastest);
+    if (parser.isSet("duration")) options.duration = numberOf(parser, "duration", 0.0, 1e9);
+    readOutputs(parser, options);
+    readComparison(parser, options);
+    readRecordings(parser, rows, options);
+    readTrade(parser, options);
+    readParameters(parser, rows, options);
+
+    options.levels = levelsIn(levelsFolder());
+    const QString option = parser.isSet("trade") ? QStringLiteral("trade") : QStringLiteral("level");
+    const QString wanted = parser.isSet(option) ? parser.value(option) : QStringLiteral("1");
+    const std::optional<Level> level = findLevel(options.levels, wanted, &error);
+    if (!level) throw WrongUse{QStringLiteral("--%1: ").arg(option) + error};
+    options.level = *level;
+    return options;
+}
+
+CommandLine ended(const QString &output) {
+    CommandLine result;
+    result.exitStatus = 0;
+    result.output = output;
+    return result;
+}
+
+CommandLine parseOrThrow(const QStringList &arguments) {
+    const Registry registry = registryWithPlugins(arguments);
+    const std::vector<const phys_param_row *> rows = allRows(registry);
+    QCommandLineParser parser;
+    parser.setApplicationDescription(QStringLiteral("Shows, plays and tunes one ball rolling through a maze."));
+    addOptions(parser, rows);
+    if (!parser.parse(arguments)) throw WrongUse{parser.errorText() + QStringLiteral(" --help lists the options")};
+    if (parser.isSet("help")) return ended(parser.helpText());
+    if (parser.isSet("version")) return ended(versionLine() + QLatin1Char('\n'));
+    if (parser.isSet("list-steppers")) return ended(stepperTable(registry));
+    if (parser.isSet("list-parameters")) return ended(parameterTable(rows));
+    CommandLine result;
+    result.options = readOptions(parser, rows, registry);
+    return result;
+}
+
+} // namespace
+
+CommandLine parseCommandLine(const QStringList &arguments) {
+    try {
+        return parseOrThrow(normalised(arguments));
+    } catch (const WrongUse &wrong) {
+        CommandLine result;
+        result.exitStatus = 2;
+        result.error = QStringLiteral("physics-inspector: ") + wrong.line + QLatin1Char('\n');
+        return result;
+    }
+}
+
+bool isWindowless(int argc, const char *const *argv) {
+    constexpr std::array<std::string_view, 11> kWords{
+        "--headless", "--all-levels", "--check",   "--trade", "--list-steppers", "--list-parameters",
+        "--help",     "-h",           "--version", "-v",      "--help-all"};
+    return std::any_of(argv + 1, argv + argc, [&](const char *word) {
+        const QByteArray name = QByteArray(word).replace('_', '-').split('=').first(); // --trade=3
+        return std::find(kWords.begin(), kWords.end(), std::string_view(name.constData())) != kWords.end();
+    });
+}
+
+} // namespace inspector

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/program/csv_writer.h"
+
+#include "core/setup/tables.h"
+
+#include <QFile>
+
+#include <cmath>
+
+namespace inspector {
+
+namespace {
+
+// Those of the comparison come last.
+size_t countOf(Columns columns) { return columns == Columns::Ball ? kBallChannelCount : kChannelCount; }
+
+QByteArray comparisonLines(const Options &options) {
+    if (!options.comparison) return {};
+    const auto &[id, substeps] = *options.comparison;
+    phys_stepper_info info{};
+    phys_registry_find(options.registry.get(), id.constData(), &info, nullptr);
+    return "# compare " + id + " " + (info.version ? info.version : "") + "\n# compare-substeps " +
+           QByteArray::number(substeps) + "\n";
+}
+
+} // namespace
+
+QByteArray csvPreamble(const Options &options) {
+    Parameters parameters;
+    phys_stepper_info info{};
+    if (phys_registry_find(options.registry.get(), options.stepper.constData(), &info, nullptr) == PHYS_OK)
+        parameters.setStepper(info);
+    parameters.set(options.settings);
+
+    QByteArray text = "# " + versionLine().toUtf8() + "\n";
+    text += "# level " + options.level.name.toUtf8() + "\n";
+    text += "# stepper " + options.stepper + " " + (info.version ? info.version : "") + "\n";
+    text += "# dt " + exactText(options.dt) + " s\n# autopilot " + QByteArray(options.autopilot ? "on" : "off") + "\n";
+    text += comparisonLines(options);
+    for (int i = 0; i < parameters.count(); ++i) {
+        const phys_param_row &row = parameters.row(i);
+        text += "# " + QByteArray(row.id) + " " + exactText(parameters.value(i));
+        text += row.unit[0] ? " " + QByteArray(row.unit) + "\n" : "\n";
+    }
+    return text;
+}
+
+QByteArray csvHeader(Columns columns) {
+    QByteArray line = "time [s],step";
+    for (size_t i = 0; i < countOf(columns); ++i) {
+        const ChannelInfo &info = channelInfos()[i];
+        line += "," + QByteArray(info.id);
+        if (info.unit[0]) line += " [" + QByteArray(info.unit) + "]";
+    }
+    return line + "\n";
+}
+
+QByteArray csvRow(const Sample &sample, Columns columns) {
+    QByteArray line;
+    line.reserve(400);
+    line += exactText(sample.time) + "," + QByteArray::number(qulonglong(sample.step));
+    for (size_t i = 0; i < countOf(columns); ++i) {
+        const double value = sample.values[i];
+        line += ',' + (std::isnan(value) ? QByteArray() : exactText(value));
+    }
+    return line + "\n";
+}
+
+CsvWriter::CsvWriter(QIODevice &out, const Options &options)
+    : m_out(out)
+    , m_columns(options.comparison ? Columns::BallAndGhost : Columns::Ball)
+    , m_every(options.csvEvery) {
+    put(csvPreamble(options) + csvHeader(m_columns));
+}
+
+void CsvWriter::write(const Sample &sample) {
+    if (sample.step % m_every == 0) put(csvRow(sample, m_columns));
+}
+
+void CsvWriter::put(const QByteArray &text) {
+    if (m_isGood) m_isGood = m_out.write(text) == text.size();
+}
+
+bool writeTable(const QString &path, const SampleRing &samples, const Options &options, QString *error) {
+    QFile file(path);
+    if (file.open(QIODevice::WriteOnly | QIODevice::Truncate)) {
+        CsvWriter writer(file, options);
+        Sample sample;
+        const uint64_t end = samples.last();
+        for (uint64_t number = samples.first(); number < end; ++number)
+            if (samples.read(number, sample)) writer.write(sample);
+        if (writer.isGood() && file.flush()) return true;
+    }
+    if (error) *error = QStringLiteral("can't write '%1': %2").arg(path, file.errorString());
+    return false;
+}
+
+} // namespace inspector

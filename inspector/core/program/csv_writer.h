@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Samples as a table of text: comment lines that say what made it, a header with units, a row per step. The same bytes
+// in every locale; the shortest numbers that read back exactly.
+#pragma once
+
+#include "core/program/options.h"
+#include "core/simulation/sample_ring.h"
+
+#include <QByteArray>
+#include <QIODevice>
+
+namespace inspector {
+
+// The lines before the header: program, level, stepper, dt and every parameter.
+QByteArray csvPreamble(const Options &options);
+enum class Columns { Ball, BallAndGhost }; // without or with those of the comparison
+
+// The line that names the columns.
+QByteArray csvHeader(Columns columns = Columns::Ball);
+// A field without a value is empty.
+QByteArray csvRow(const Sample &sample, Columns columns = Columns::Ball);
+
+class CsvWriter {
+public:
+    // out: open for writing; outlives the writer.
+    CsvWriter(QIODevice &out, const Options &options);
+
+    // Writes the sample if its step number is a multiple of options.csvEvery.
+    void write(const Sample &sample);
+    // False once something could not be written; the device knows why.
+    bool isGood() const { return m_isGood; }
+
+private:
+    void put(const QByteArray &text);
+
+    QIODevice &m_out;
+    Columns m_columns;
+    uint64_t m_every;
+    bool m_isGood = true;
+};
+
+// Writes all samples of a ring into a file. One line in `error` (or nullptr) if it
+// can't be written.
+bool writeTable(const QString &path, const SampleRing &samples, const Options &options, QString *error);
+
+} // namespace inspector

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the command line asks for.
+#pragma once
+
+#include "core/engine/companion.h"
+#include "core/engine/engine.h"
+#include "core/setup/handles.h"
+#include "core/setup/levels.h"
+#include "core/setup/parameters.h"
+#include "core/trade/trade_options.h"
+
+#include <QByteArray>
+#include <QString>
+
+#include <optional>
+#include <vector>
+
+namespace inspector {
+
+struct Options {
+    enum class Action { Run, PlayAllLevels, Trade, Replay };
+
+    Action action = Action::Run;
+    Registry registry;         // with the plugins loaded
+    std::vector<Level> levels; // the list
+    Level level;
+    QByteArray stepper = PHYS_STEPPER_DEFAULT;
+    double dt = Engine::kDefaultDt; // s
+    double speed = 1.0;             // simulated seconds per second
+    std::vector<Setting> settings;
+    bool headless = false;
+    bool autopilot = false;
+    std::optional<double> duration; // s of simulated time
+    QString csv;                    // file; empty: standard output
+    uint64_t csvEvery = 1;          // steps from one row to the next
+    QString record;                 // file to write a recording to; empty: none
+    QString replay;                 // recording, of Action::Replay, in the window unless headless
+    bool check = false;             // say whether the replay is the same, instead of writing its table
+    std::optional<Opponent> comparison;
+    TradeOptions trade; // of Action::Trade
+    QString grab;       // file; empty: none
+    QString shaders;    // folder of files that replace the embedded ones; empty: none
+};
+
+} // namespace inspector

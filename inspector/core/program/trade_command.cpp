@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/program/trade_command.h"
+
+#include "core/trade/trade_answer.h"
+#include "core/trade/trade_svg.h"
+#include "core/trade/trade_table.h"
+
+#include <QLocale>
+#include <QSaveFile>
+
+#include <algorithm>
+#include <cmath>
+
+namespace inspector {
+
+namespace {
+
+// A failure that ends the program, in one line.
+struct Failure {
+    int status;
+    QString line;
+};
+
+TradePlan planOf(const Options &options) {
+    QString error;
+    TradePlan plan;
+    plan.registry = options.registry;
+    plan.scene = loadScene(options.level.path, &error);
+    if (!plan.scene) throw Failure{2, error};
+    // The values of the command line; a stepper's own are its initial ones here, where all steppers run.
+    Parameters parameters;
+    phys_stepper_info info;
+    if (phys_registry_find(options.registry.get(), options.stepper.constData(), &info, nullptr) == PHYS_OK)
+        parameters.setStepper(info);
+    if (!parameters.set(options.settings, &error)) throw Failure{2, error};
+    plan.inputs = parameters.inputs();
+    plan.stepSizes = options.trade.stepSizes;
+    const double duration = options.duration.value_or(std::max(kTradeDuration, options.trade.seconds.value_or(0.0)));
+    plan.schedule = makeSchedule(options.trade.schedule, plan.registry, plan.scene, plan.inputs, duration, &error);
+    if (plan.schedule.switches.empty()) throw Failure{2, QStringLiteral("--schedule: ") + error};
+    return plan;
+}
+
+constexpr char kClearLine[] = "\r\x1b[K"; // to its beginning, and erase (ECMA-48)
+
+// One line that fits into the 80 columns of the narrowest usual terminal: a wrapped one couldn't be overwritten.
+void showProgress(QTextStream &terminal, double share, const QString &what) {
+    constexpr int kBar = 30;
+    constexpr int kText = 38;
+    const int full = int(std::lround(share * kBar));
+    const QString bar = QString(full, QLatin1Char('#')) + QString(kBar - full, QLatin1Char('.'));
+    const QString percent = QString::number(int(share * 100.0)).rightJustified(3);
+    terminal << kClearLine << '[' << bar << "] " << percent << " %  " << what.left(kText);
+    terminal.flush();
+}
+
+TradeResult measure(const TradePlan &plan, QTextStream *progress) {
+    QString error;
+    TradeListener listener;
+    if (progress)
+        listener.progressed = [progress](double share, const QString &what) { showProgress(*progress, share, what); };
+    std::optional<TradeResult> result = measureTrade(plan, listener, {}, &error);
+    if (progress) *progress << kClearLine << Qt::flush;
+    if (!result) throw Failure{2, error};
+    return std::move(*result);
+}
+
+void writeFile(const QString &option, const QString &path, const QByteArray &bytes) {
+    QSaveFile file(path);
+    if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit()) return;
+    throw Failure{1, QStringLiteral("%1: can't write '%2': %3").arg(option, path, file.errorString())};
+}
+
+void writeFiles(const Options &options, const TradePlan &plan, const TradeResult &result,
+                const TradePictureWriter &writePicture) {
+    const QString option = QStringLiteral("--plot");
+    const uint32_t model = plan.inputs.params.model;
+    const QString &plot = options.trade.plot;
+    if (!options.csv.isEmpty()) writeFile(QStringLiteral("--csv"), options.csv, tradeCsv(plan, result));
+    if (plot.isEmpty()) return;
+    if (plot.endsWith(QLatin1String(".svg"))) return writeFile(option, plot, tradeSvg(plan, result, model));
+    QString error;
+    if (!writePicture(plan, result, model, plot, &error)) throw Failure{1, option + QStringLiteral(": ") + error};
+}
+
+QString nameOf(const TradePoint &point) {
+    return QStringLiteral("--stepper %1 --dt %2")
+        .arg(QString::fromUtf8(point.stepper))
+        .arg(point.dt, 0, 'g', QLocale::FloatingPointShortest);
+}
+
+QString whyOf(const TradePoint &point, double seconds, double radius) {
+    const double error = errorUntil(point, seconds);
+    return QStringLiteral("error %1 mm = %2 R in %3 s, %4 ns a step, %5 µs a simulated second")
+        .arg(error * radius * 1e3, 0, 'g', 3)
+        .arg(error, 0, 'g', 3)
+        .arg(seconds, 0, 'g', 4)
+        .arg(point.cost.perStep * 1e9, 0, 'g', 3)
+        .arg(point.cost.perSecond * 1e6, 0, 'g', 3);
+}
+
+} // namespace
+
+Recommendation recommend(const TradeResult &result, uint32_t model, const TradeOptions &wish, double radius) {
+    const std::vector<TradePoint> points = result.valid(model);
+    const double compared = result.spans[model].compared;
+    const double seconds = std::min(wish.seconds.value_or(compared), compared);
+    const std::optional<size_t> best = wish.within ? mostAccurateWithin(points, *wish.within)
+                                                   : cheapestUnder(points, wish.under.inRadii(radius), seconds);
+    QString limit;
+    if (wish.seconds && *wish.seconds > compared)
+        limit = QStringLiteral(" (%1 s were asked for; beyond %2 s there is nothing to compare with)")
+                    .arg(*wish.seconds)
+                    .arg(compared);
+    if (best)
+        return {points[*best],
+                nameOf(points[*best]) + QStringLiteral("  # ") + whyOf(points[*best], seconds, radius) + limit};
+    if (wish.within) return {std::nullopt, QStringLiteral("none: no step takes %1 ns or less").arg(*wish.within)};
+    return {std::nullopt, QStringLiteral("none: nothing keeps the error at or under %1 R for %2 s")
+                                  .arg(wish.under.inRadii(radius), 0, 'g', 3)
+                                  .arg(seconds) +
+                              limit};
+}
+
+int runTrade(const Options &options, const TradeStreams &streams, const TradePictureWriter &writePicture) {
+    try {
+        const TradePlan plan = planOf(options);
+        const TradeResult result = measure(plan, streams.progress);
+        streams.out << "level " << options.level.name << ", " << tradeSummary(plan, result).join(QLatin1Char('\n'))
+                    << "\n\n"
+                    << tradeText(result) << '\n';
+        writeFiles(options, plan, result, writePicture);
+        const double radius = phys_scene_radius(plan.scene.get());
+        const Recommendation answer = recommend(result, plan.inputs.params.model, options.trade, radius);
+        streams.out << "recommended: " << answer.line << '\n';
+        return answer.point ? 0 : 1;
+    } catch (const Failure &failure) {
+        streams.messages << "physics-inspector: " << failure.line << '\n';
+        return failure.status;
+    }
+}
+
+} // namespace inspector

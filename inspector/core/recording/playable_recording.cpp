@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/recording/playable_recording.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+
+#include <algorithm>
+#include <cmath>
+
+namespace inspector {
+
+namespace {
+
+// Where the file could be on this machine; one of the list is that of the list.
+std::vector<Level> placesOf(const QString &path, const QString &recording, const std::vector<Level> &levels) {
+    const QString name = QFileInfo(path).fileName();
+    const QFileInfo recorded(path);
+    std::vector<Level> places;
+    for (const Level &level : levels)
+        if (QFileInfo(level.path) == recorded) places.push_back(level);
+    places.push_back(levelOfFile(path));
+    places.push_back(levelOfFile(QFileInfo(recording).dir().filePath(name)));
+    for (const Level &level : levels)
+        if (QFileInfo(level.path).fileName() == name) places.push_back(level);
+    return places;
+}
+
+// The maze with the recorded bytes. Nothing and one line in `error` if there is none.
+std::optional<Level> findMaze(const MazeSource &maze, const QString &recording, const std::vector<Level> &levels,
+                              QString *error) {
+    QString found;
+    for (const Level &place : placesOf(maze.path, recording, levels)) {
+        QFile file(place.path);
+        if (!file.open(QIODevice::ReadOnly)) continue;
+        const uint64_t hash = hashOf(file.readAll());
+        if (hash == maze.hash) return place;
+        if (found.isEmpty())
+            found = QStringLiteral("expected a maze file with the hash %1, found '%2' with %3")
+                        .arg(QString::fromLatin1(hashText(maze.hash)), place.path, QString::fromLatin1(hashText(hash)));
+    }
+    *error = found.isEmpty() ? QStringLiteral("expected the maze file '%1' there, beside the recording or among the "
+                                              "levels, found none")
+                                   .arg(maze.path)
+                             : found;
+    return std::nullopt;
+}
+
+} // namespace
+
+PlayableRecording::PlayableRecording(Recording recording, Registry registry)
+    : m_recording(std::move(recording))
+    , m_registry(std::move(registry)) {}
+
+std::shared_ptr<const PlayableRecording> PlayableRecording::make(Recording recording, const Registry &registry,
+                                                                 const std::vector<Level> &levels, QString *error) {
+    const std::shared_ptr<PlayableRecording> made(new PlayableRecording(std::move(recording), registry));
+    for (size_t index = 0; index < made->m_recording.stretches.size(); ++index)
+        if (!made->add(index, levels, error)) return nullptr;
+    return made;
+}
+
+bool PlayableRecording::add(size_t index, const std::vector<Level> &levels, QString *error) {
+    const Stretch &now = stretch(index);
+    const auto refuse = [&](int line, const QString &reason) {
+        if (error) *error = QStringLiteral("%1:%2: %3").arg(m_recording.file).arg(line).arg(reason);
+        return false;
+    };
+    QString reason;
+    const std::optional<size_t> maze = addMaze(now.conditions.maze, levels, &reason);
+    if (!maze) return refuse(now.mazeLine, reason);
+    const Stepper stepper = stepperFor(index, *maze, &reason);
+    if (!stepper) return refuse(now.stepperLine, reason);
+    m_places.push_back({m_length, *maze, stepper, stepperIndex(m_registry, now.conditions.stepper.id)});
+    if (now.from && (m_runs.empty() || m_runs.back() != m_length)) m_runs.push_back(m_length);
+    m_length += now.hashes.size();
+    return true;
+}
+
+std::optional<size_t> PlayableRecording::addMaze(const MazeSource &source, const std::vector<Level> &levels,
+                                                 QString *error) {
+    const auto known =
+        std::find_if(m_mazes.begin(), m_mazes.end(), [&](const Maze &maze) { return maze.source == source; });
+    if (known != m_mazes.end()) return size_t(known - m_mazes.begin());
+    const std::optional<Level> level = findMaze(source, m_recording.file, levels, error);
+    if (!level) return std::nullopt;
+    const Scene scene = loadScene(level->path, error);
+    if (!scene) return std::nullopt;
+    m_mazes.push_back({source, *level, scene});
+    return m_mazes.size() - 1;
+}
+
+// That of the stretch before, if it is the same: most stretches differ by a tilt.
+Stepper PlayableRecording::stepperFor(size_t index, size_t maze, QString *error) const {
+    const QByteArray &id = stretch(index).conditions.stepper.id;
+    const bool isSame = index > 0 && m_places.back().maze == maze && stretch(index - 1).conditions.stepper.id == id;
+    return isSame ? m_places.back().stepper : makeStepper(m_registry, id, m_mazes[maze].scene, error);
+}
+
+uint64_t PlayableRecording::positionAt(double seconds) const {
+    for (size_t index = 0; index < m_places.size(); ++index) {
+        const double dt = stretch(index).conditions.dt;
+        const double steps = std::round(seconds / dt); // rounded: 0.3 s are 30 steps of 0.01 s, not 29
+        if (steps < double(stretch(index).hashes.size())) return begin(index) + uint64_t(std::max(0.0, steps));
+        seconds -= dt * double(stretch(index).hashes.size());
+    }
+    return m_length;
+}
+
+uint64_t PlayableRecording::beginOfRun(uint64_t position) const {
+    const auto after = std::lower_bound(m_runs.begin(), m_runs.end(), position);
+    return after == m_runs.begin() ? 0 : *(after - 1);
+}
+
+std::shared_ptr<const PlayableRecording> openRecording(const QString &path, const Registry &registry,
+                                                       const std::vector<Level> &levels, QString *error) {
+    std::optional<Recording> recording = readRecording(path, registry, error);
+    return recording ? PlayableRecording::make(*std::move(recording), registry, levels, error) : nullptr;
+}
+
+} // namespace inspector

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/recording/player.h"
+
+#include <algorithm>
+
+namespace inspector {
+
+Player::Player(std::shared_ptr<const PlayableRecording> recording)
+    : m_recording(std::move(recording))
+    , m_check(m_recording)
+    , m_shown(m_recording)
+    , m_keyframes{m_check.keyframe()} {}
+
+bool Player::check() {
+    if (m_isChecked) return false;
+    m_isChecked = !m_check.step();
+    if (!m_isChecked && m_check.position() % kKeyframeInterval == 0) m_keyframes.push_back(m_check.keyframe());
+    return !m_isChecked;
+}
+
+bool Player::enterRun() { return m_recording->beginOfRun(position() + 1) == position() && m_shown.prepare(); }
+
+bool Player::next() {
+    if (position() == checked() && !check()) return false;
+    return m_shown.step();
+}
+
+// From the keyframe before, or from here if that is nearer. At least one step is made: it tells what there was before.
+uint64_t Player::seek(uint64_t position) {
+    position = std::min(position, checked());
+    if (position == m_shown.position()) return 0;
+    const Keyframe &keyframe = m_keyframes[position == 0 ? 0 : (position - 1) / kKeyframeInterval];
+    const bool isAhead = m_shown.position() < position && m_shown.position() >= keyframe.position;
+    if (!isAhead) m_shown.moveTo(keyframe);
+    uint64_t steps = 0;
+    for (; m_shown.position() < position && m_shown.step(); ++steps) {
+    }
+    return steps;
+}
+
+} // namespace inspector

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/recording/recorder.h"
+
+#include <cstring>
+
+namespace inspector {
+
+namespace {
+
+// A program that crashes loses at most so much of its recording.
+constexpr std::chrono::milliseconds kFlushPeriod{100};
+constexpr qsizetype kFlushSize = 65536; // bytes
+
+// Bits, unlike ==: 0 and -0 are two inputs. None of these types has padding.
+template<class Plain>
+bool isSameBits(const Plain &a, const Plain &b) {
+    return std::memcmp(&a, &b, sizeof a) == 0; // NOLINT(bugprone-suspicious-memory-comparison)
+}
+
+} // namespace
+
+Origin originOf(const Registry &registry, const QByteArray &stepper, const QString &maze) {
+    Origin origin{{maze, 0}, {}, registry};
+    phys_registry_find(registry.get(), stepper.constData(), &origin.stepper, nullptr);
+    QFile file(maze);
+    if (file.open(QIODevice::ReadOnly)) origin.maze.hash = hashOf(file.readAll());
+    return origin;
+}
+
+Recorder::Recorder(const QString &path)
+    : m_file(path) {
+    if (!m_file.open(QIODevice::WriteOnly | QIODevice::Truncate | QIODevice::Unbuffered)) fail();
+    put(recordingHead());
+    flush();
+}
+
+Recorder::~Recorder() { close(); }
+
+void Recorder::note(const Engine &engine) {
+    if (!isGood()) return;
+    putNews(engine, engine.previous());
+    m_state = engine.state();
+    put(stepText(*m_state));
+    if (isFlushDue()) flush();
+}
+
+void Recorder::noteFailure(const Engine &engine, const QString &line) {
+    if (!isGood()) return;
+    putNews(engine, engine.state());
+    put(failureText(line));
+    flush();
+}
+
+void Recorder::setOrigin(const Origin &origin) {
+    m_origin = origin;
+    m_originIsNew = true;
+}
+
+bool Recorder::hasNewConditions(const Engine &engine) const {
+    if (m_originIsNew || !m_conditions || m_conditions->dt != engine.dt()) return true;
+    return !isSameBits(m_conditions->inputs, engine.inputs());
+}
+
+void Recorder::putConditions(const Engine &engine) {
+    const StepperSource stepper{m_origin.stepper.id, m_origin.stepper.version};
+    const Conditions now{m_origin.maze, stepper, engine.dt(), engine.inputs()};
+    const bool isNewLevel = !m_conditions || !(m_conditions->maze == now.maze);
+    put(conditionsText(m_conditions ? &*m_conditions : nullptr, now, m_origin.stepper));
+    m_conditions = now;
+    m_originIsNew = false;
+    if (isNewLevel) m_state.reset();
+}
+
+// What is new at the step that began at this state.
+void Recorder::putNews(const Engine &engine, const phys_state &from) {
+    if (hasNewConditions(engine)) putConditions(engine);
+    if (!m_state || !isSameBits(*m_state, from)) put(stateText(from));
+    m_state = from;
+}
+
+void Recorder::put(const QByteArray &text) {
+    if (isGood()) m_waiting += text;
+}
+
+bool Recorder::isFlushDue() const {
+    return m_waiting.size() >= kFlushSize || std::chrono::steady_clock::now() - m_flushed >= kFlushPeriod;
+}
+
+void Recorder::flush() {
+    if (isGood() && m_file.write(m_waiting) != m_waiting.size()) fail();
+    m_waiting.clear();
+    m_flushed = std::chrono::steady_clock::now();
+}
+
+void Recorder::close() {
+    if (!m_file.isOpen()) return;
+    put(recordingEnd());
+    flush();
+    m_file.close();
+}
+
+// Kept, because closing the file forgets the reason.
+void Recorder::fail() {
+    m_error = QStringLiteral("can't record into '%1': %2").arg(m_file.fileName(), m_file.errorString());
+}
+
+} // namespace inspector

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A recording: all that went into a run's steps and the hash of each state that came out, as one text file. This is the
+// one place that knows its format; README.md of the inspector describes it. Numbers are written as the shortest
+// decimals that read back bit by bit, in every locale.
+#pragma once
+
+#include "core/setup/handles.h"
+#include "core/setup/inputs.h"
+
+#include <QByteArray>
+#include <QIODevice>
+#include <QString>
+
+#include <optional>
+#include <vector>
+
+namespace inspector {
+
+inline constexpr int kRecordingVersion = 1;
+inline constexpr char kRecordingMark[] = "physics-recording"; // first word of the file
+
+// FNV-1a, as phys_state_hash.
+uint64_t hashOf(const QByteArray &bytes);
+// 16 hexadecimal digits.
+QByteArray hashText(uint64_t hash);
+
+// A maze text file and the hash of its bytes.
+struct MazeSource {
+    QString path;
+    uint64_t hash = 0;
+    bool operator==(const MazeSource &) const = default;
+};
+
+// The stepper by what stays true elsewhere.
+struct StepperSource {
+    QByteArray id;
+    QByteArray version;
+    bool operator==(const StepperSource &) const = default;
+};
+
+// What a step obeys.
+struct Conditions {
+    MazeSource maze;
+    StepperSource stepper;
+    double dt = 0.0; // s
+    Inputs inputs = initialInputs();
+};
+
+// Steps in a row under the same conditions.
+struct Stretch {
+    Conditions conditions;
+    std::optional<phys_state> from; // before the first of them; nothing: goes on from the stretch before
+    std::vector<uint64_t> hashes;   // phys_state_hash after each step
+    QString failure;                // the library's line if the step after these failed; else empty
+    int mazeLine = 0;               // of the file
+    int stepperLine = 0;
+};
+
+struct Recording {
+    QString file;
+    QString program; // with its version
+    QString library; // its version
+    std::vector<Stretch> stretches;
+    bool isWhole = false; // ends as written by a program that wasn't interrupted
+
+    uint64_t stepCount() const;
+};
+
+// ---- writing ----
+
+// The rows of the library (but the board's gravity) and of the stepper: what `set` lines hold.
+std::vector<const phys_param_row *> recordedRows(const phys_stepper_info &info);
+
+QByteArray recordingHead();
+// Lines for what differs from `before`, or for everything if there is no `before`.
+QByteArray conditionsText(const Conditions *before, const Conditions &now, const phys_stepper_info &info);
+QByteArray stateText(const phys_state &state);
+QByteArray stepText(const phys_state &after);
+QByteArray failureText(const QString &line);
+QByteArray recordingEnd();
+
+// ---- reading ----
+
+// Whether what comes next in the file is a recording's first word.
+bool isRecording(QIODevice &file);
+
+// registry: knows the rows of the steppers named. Lines after the last whole one are left out. Nothing, and one line in
+// `error` that begins with the number of the file's line, if the text isn't a recording.
+std::optional<Recording> parseRecording(const QByteArray &text, const Registry &registry, QString *error);
+// The same from a file; the line begins with file and line.
+std::optional<Recording> readRecording(const QString &path, const Registry &registry, QString *error);
+
+} // namespace inspector

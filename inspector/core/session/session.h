@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The inspector without its window: what is open, joined together. Whoever shows it holds nothing of it.
+#pragma once
+
+#include "core/pilot/tilt_control.h"
+#include "core/program/options.h"
+#include "core/session/comparison.h"
+#include "core/session/game.h"
+#include "core/setup/handles.h"
+#include "core/setup/levels.h"
+#include "core/setup/parameters.h"
+#include "core/simulation/simulation.h"
+
+#include <QObject>
+#include <QSettings>
+
+#include <memory>
+#include <vector>
+
+namespace inspector {
+
+// How steps are made.
+struct Stepping {
+    QByteArray stepper;             // id
+    double dt = Engine::kDefaultDt; // s
+    std::vector<Setting> settings;  // the model, which stays if left out; the stepper's own, initial if left out
+    bool operator==(const Stepping &) const = default;
+};
+
+class Session : public QObject {
+    Q_OBJECT
+
+public:
+    // Opens what the options ask for. Null and one line in `error` if something isn't there or isn't allowed.
+    // settings: best times and the window's; outlives the session.
+    static std::unique_ptr<Session> open(const Options &options, QSettings &settings, QString *error);
+
+    Parameters &parameters() { return m_parameters; }
+    Simulation &simulation() { return *m_simulation; }
+    Game &game() { return m_game; }
+    Comparison &comparison() { return *m_comparison; }
+    QSettings &settings() { return m_settings; }
+    const std::vector<Level> &levels() const { return m_levels; }
+    const Level &level() const { return m_level; } // that is open; maybe a file that isn't in the list
+    const Scene &scene() const { return m_scene; } // of that level
+    const Registry &registry() const { return m_registry; }
+    QByteArray stepperId() const { return m_stepperId; }
+    double dt() const { return m_dt; }
+    Stepping stepping() const; // with all its settings
+    double speed() const { return m_speed; }
+    bool hasAutopilot() const { return m_hasAutopilot; }
+
+    // Each returns false, changes nothing and sends failed() with one line if it can't be done.
+    bool openLevel(const Level &level); // paused at its start; a level of the list also becomes the game's
+    bool setStepper(const QByteArray &id);
+    bool setDt(double dt); // s, Engine::kSmallestDt .. kLargestDt
+    bool setStepping(const Stepping &stepping);
+    bool setSpeed(double speed);
+    bool setAutopilot(bool isOn); // it flies from the present state on; off: the board goes level
+
+    // Records from the next step on, until it is stopped, can't be written or the session ends.
+    void startRecording(const QString &file);
+    void stopRecording();
+    bool isRecording() const { return m_isRecording; }
+
+    // ---- recordings are watched in place of the live ball ----
+
+    // Plays a recording from its beginning. False, nothing changed and failed() with one line if that can't be done.
+    bool openRecording(const QString &path);
+    // Back to the level that was open before, at its start, with the parameters from before.
+    void closeRecording();
+    // Ends the replay; the game goes on from the moment shown, with its parameters.
+    void goOnFromHere();
+    bool isReplaying() const { return m_replay.has_value(); }
+    // Of the replay, while there is one; level, stepper, dt and parameters are those of the moment last followed.
+    const PlayableRecording &recording() const { return *m_replay->recording; }
+    // Level, stepper, dt and parameters become those of the moment shown; called about 30 times a second.
+    void followReplay();
+    // Where the replay is, or is about to be; nothing before its first picture.
+    std::optional<ReplayPlace> replayPlace();
+    void seek(uint64_t position);
+    // "same", "same so far" or what differs first, in one line.
+    QString replayVerdict();
+
+    // Keys of the game: arrow keys as held, and the time since the last call (about 60 times a second). While a key is
+    // held, and until the board is level again, the tilt parameters follow the keys.
+    void setKeys(TiltKeys keys) { m_tiltControl.setKeys(keys); }
+    void advanceKeys(double seconds);
+    bool isTiltedByKeys() const { return m_keysTilt; }
+
+signals:
+    void levelOpened();
+    void stepperChanged();
+    void paceChanged(); // dt or speed
+    void autopilotChanged(bool isOn);
+    void failed(const QString &line);          // also the simulation's
+    void recordingFailed(const QString &line); // and ended; the simulation goes on
+    void recordingChanged(bool isOn);
+    void replayChanged(bool isOn);
+    void replayDiffers(const QString &line); // when it is known, and when it is reached and the replay pauses
+
+private:
+    Session(const Options &options, QSettings &settings, const Scene &scene, const Stepper &stepper);
+
+    int levelIndex() const; // in the list; -1 for a file that isn't in it
+    void showPrompt();
+    bool report(const QString &line); // sends it; always false
+    bool refuseInReplay();
+    bool fly(QString *error);
+    void levelBoard();
+    void setTilt(Tilt tilt);
+    void sendInputs();
+    void showRecording(bool isOn);
+    Origin origin() const;
+
+    struct Replaying {
+        std::shared_ptr<const PlayableRecording> recording;
+        uint64_t number; // as in snapshots
+        Level levelBefore;
+        Stepping before;               // with all parameters
+        std::optional<size_t> stretch; // last followed
+        uint64_t sought = 0;           // position
+        uint64_t seeks = 0;            // number of the last one
+        QString difference;            // the line
+    };
+    bool startReplay(const QString &path, QString *error);
+    void follow(size_t stretch);
+    void noteDifference(uint64_t replay, const Difference &difference);
+    Stepping steppingWithAll() const;
+    void show(const Stepping &stepping);
+    void leaveReplay();
+
+    QSettings &m_settings;
+    Registry m_registry;
+    std::vector<Level> m_levels;
+    Level m_level;
+    Scene m_scene;
+    QByteArray m_stepperId;
+    double m_dt = Engine::kDefaultDt;
+    double m_speed = 1.0;
+    bool m_hasAutopilot = false;
+    bool m_isRecording = false;
+    TiltControl m_tiltControl;
+    std::optional<Replaying> m_replay;
+    bool m_isTakenOver = false; // from a replay: such a run sets no record
+    bool m_keysTilt = false;    // the board's tilt is the keys' just now
+    Parameters m_parameters;
+    Game m_game;
+    std::unique_ptr<Simulation> m_simulation;
+    std::unique_ptr<Comparison> m_comparison;
+};
+
+} // namespace inspector

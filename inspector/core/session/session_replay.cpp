@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A recording in the session: the simulation shows it, and what a person would set follows the moment shown.
+#include "core/session/session.h"
+
+#include <algorithm>
+
+namespace inspector {
+
+bool Session::openRecording(const QString &path) {
+    QString error;
+    return startReplay(path, &error) || report(error);
+}
+
+bool Session::startReplay(const QString &path, QString *error) {
+    const auto recording = inspector::openRecording(path, m_registry, m_levels, error);
+    if (!recording) return false;
+    if (recording->length() == 0) {
+        if (error) *error = tr("%1: expected steps, found none").arg(path);
+        return false;
+    }
+    if (!m_replay && m_hasAutopilot) setAutopilot(false);
+    const Level level = m_replay ? m_replay->levelBefore : m_level;
+    const Stepping before = m_replay ? m_replay->before : steppingWithAll();
+    m_replay.emplace(Replaying{recording, m_simulation->startReplay(recording), level, before, {}, 0, 0, {}});
+    showPrompt(); // whatever was played is over
+    emit replayChanged(true);
+    follow(0); // so that a comparison begins where the recording does
+    m_simulation->run();
+    return true;
+}
+
+void Session::closeRecording() {
+    if (m_replay) openLevel(Level(m_replay->levelBefore)); // a copy: the replay goes
+}
+
+// The live simulation has waited with all that it had.
+void Session::leaveReplay() {
+    const Stepping before = m_replay->before;
+    m_replay.reset();
+    m_simulation->endReplay();
+    show(before);
+    emit replayChanged(false);
+}
+
+void Session::goOnFromHere() {
+    followReplay();
+    if (!replayPlace()) return; // nothing was shown yet
+    const uint64_t position = m_simulation->latest().replay.position;
+    m_replay.reset();
+    m_isTakenOver = true;
+    m_tiltControl = {};
+    m_keysTilt = false;
+    m_simulation->goOnFrom(position, origin());
+    m_game.goOn(levelIndex());
+    emit replayChanged(false);
+}
+
+void Session::followReplay() {
+    const Snapshot &now = m_simulation->latest();
+    if (m_replay && now.replay.number == m_replay->number) follow(now.replay.stretch);
+}
+
+void Session::follow(size_t index) {
+    if (m_replay->stretch == index) return;
+    m_replay->stretch = index;
+    const PlayableRecording &recording = *m_replay->recording;
+    const Conditions &conditions = recording.stretch(index).conditions;
+    show({conditions.stepper.id, conditions.dt, settingsOf(conditions, m_registry)});
+    if (m_scene == recording.scene(index)) return;
+    m_scene = recording.scene(index);
+    m_level = recording.level(index);
+    emit levelOpened();
+}
+
+Stepping Session::steppingWithAll() const {
+    Stepping now{m_stepperId, m_dt, {}};
+    for (int i = 0; i < m_parameters.count(); ++i)
+        now.settings.push_back({QString::fromUtf8(m_parameters.row(i).id), m_parameters.value(i)});
+    return now;
+}
+
+// To be seen; the simulation has it already. What is beyond the range of a row is shown at its end.
+void Session::show(const Stepping &stepping) {
+    phys_stepper_info info;
+    const bool isOther = stepping.stepper != m_stepperId;
+    if (isOther && phys_registry_find(m_registry.get(), stepping.stepper.constData(), &info, nullptr) == PHYS_OK) {
+        m_stepperId = stepping.stepper;
+        m_parameters.setStepper(info);
+        emit stepperChanged();
+    }
+    std::vector<Setting> settings = stepping.settings;
+    for (Setting &setting : settings) {
+        const phys_param_row &row = m_parameters.row(m_parameters.indexOf(setting.id));
+        setting.value = std::clamp(setting.value, row.min, row.max);
+    }
+    m_parameters.set(settings);
+    if (m_dt == stepping.dt) return;
+    m_dt = stepping.dt;
+    emit paceChanged();
+}
+
+std::optional<ReplayPlace> Session::replayPlace() {
+    if (!m_replay) return std::nullopt;
+    ReplayPlace place = m_simulation->latest().replay;
+    if (place.number != m_replay->number) return std::nullopt;
+    if (place.seeks < m_replay->seeks) place.position = std::min(m_replay->sought, place.end);
+    return place;
+}
+
+void Session::seek(uint64_t position) {
+    if (!m_replay) return;
+    m_replay->sought = position;
+    m_replay->seeks = m_simulation->seek(position);
+}
+
+void Session::noteDifference(uint64_t replay, const Difference &difference) {
+    if (!m_replay || m_replay->number != replay) return;
+    m_replay->difference = verdict(*m_replay->recording, {0, difference});
+    emit replayDiffers(m_replay->difference);
+}
+
+QString Session::replayVerdict() {
+    const std::optional<ReplayPlace> place = replayPlace();
+    if (!place) return {};
+    if (!m_replay->difference.isEmpty()) return m_replay->difference;
+    if (place->isChecked) return verdict(*m_replay->recording, {place->checked, std::nullopt});
+    return tr("same so far: %1 of %2 steps").arg(place->checked).arg(place->end);
+}
+
+} // namespace inspector

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the thread that steps shows to the one that draws.
+#pragma once
+
+#include "core/engine/companion.h"
+#include "core/engine/pacer.h"
+#include "core/setup/inputs.h"
+
+#include <optional>
+
+namespace inspector {
+
+struct Statistics {
+    double stepsPerSecond = 0.0; // over the last half second
+    double speedAsked = 1.0;     // simulated seconds per second
+    double speedReached = 0.0;   // over the last half second; 0 while paused
+    double lostTime = 0.0;       // dropped since the start of the run, s of the clock
+    uint64_t impacts = 0;        // since the start of the run
+};
+
+// The companion, as the ball is shown.
+struct Ghost {
+    phys_state previous{}; // at the same moments as the ball's
+    phys_state current{};
+    double metAt = 0.0; // s: since then it goes its own way
+    Deviation deviation;
+};
+
+// Where a replay is.
+struct ReplayPlace {
+    uint64_t number = 0;                // of the replay, from 1; 0: what is shown is live
+    uint64_t position = 0;              // steps made
+    uint64_t end = 0;                   // the last position
+    uint64_t checked = 0;               // steps whose hashes are compared
+    bool isChecked = false;             // all of them
+    std::optional<uint64_t> difference; // position where the first one shows
+    size_t stretch = 0;                 // of the recording, of the last step
+    uint64_t seeks = 0;                 // number of the last one done
+};
+
+struct Snapshot {
+    phys_state previous{}; // one step earlier; the same as `current` right after a restart
+    phys_state current{};
+    Clock::time_point due{};    // when `current` was due
+    Clock::duration interval{}; // to the next step; 0 while paused
+    Inputs inputs{};            // of the last step
+    phys_report report{};       // of the last step; its events are not here
+    double dt = 0.0;            // s
+    uint64_t run = 0;           // counts restarts, levels and states set
+    bool running = false;
+    std::optional<Ghost> ghost; // while there is a comparison that isn't refused
+    Statistics statistics;
+    ReplayPlace replay;
+};
+
+// The ball at `now`, between the two states: drawing runs one step behind and never guesses ahead.
+phys_state interpolated(const Snapshot &snapshot, Clock::time_point now);
+// The ghost at that moment; nothing without one.
+std::optional<phys_state> interpolatedGhost(const Snapshot &snapshot, Clock::time_point now);
+
+} // namespace inspector

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trade/recording_schedule.h"
+
+#include <QFile>
+
+#include <algorithm>
+
+namespace inspector {
+
+namespace {
+
+using Place = std::vector<Stretch>::const_iterator;
+
+// The first stretch of the last run that has steps; the end if none has.
+Place lastRun(const std::vector<Stretch> &stretches) {
+    Place result = stretches.end();
+    Place begin = stretches.begin();
+    for (Place place = stretches.begin(); place != stretches.end(); ++place) {
+        if (place->from) begin = place;
+        if (!place->hashes.empty()) result = begin;
+    }
+    return result;
+}
+
+// Up to the next one, the steps of a run follow each other without a gap; times are multiples of dt while dt stays.
+TiltSchedule tiltsOf(Place place, Place end, double duration) {
+    TiltSchedule result;
+    double since = 0.0; // when this dt began, s
+    uint64_t steps = 0; // of this dt
+    double dt = place->conditions.dt;
+    do {
+        const Conditions &now = place->conditions;
+        if (now.dt != dt) {
+            since += double(steps) * dt;
+            steps = 0;
+            dt = now.dt;
+        }
+        const double time = since + double(steps) * dt;
+        const bool isNew = result.switches.empty() || !(result.switches.back().tilt == now.inputs.tilt);
+        if (isNew && !place->hashes.empty() && time < duration) result.switches.push_back({time, now.inputs.tilt});
+        steps += place->hashes.size();
+        ++place;
+    } while (place != end && !place->from);
+    result.duration = std::min(duration, since + double(steps) * dt);
+    return result;
+}
+
+} // namespace
+
+bool isRecordingFile(const QString &path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) && isRecording(file);
+}
+
+TiltSchedule recordedSchedule(const QString &path, const Registry &registry, double duration, QString *error) {
+    const std::optional<Recording> recording = readRecording(path, registry, error);
+    if (!recording) return {};
+    const Place run = lastRun(recording->stretches);
+    if (run == recording->stretches.end()) {
+        *error = QStringLiteral("%1: expected steps, found none").arg(path);
+        return {};
+    }
+    TiltSchedule result = tiltsOf(run, recording->stretches.end(), duration);
+    result.name = path;
+    return result;
+}
+
+} // namespace inspector

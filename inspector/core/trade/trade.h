@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Speed against accuracy, measured: what each stepper and step size costs on this machine, and what it is wrong by
+// against stepper "exact", for a scene, its parameters and a schedule of tilts.
+#pragma once
+
+#include "core/setup/handles.h"
+#include "core/trade/trade_schedule.h"
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+namespace inspector {
+
+struct TradePlan {
+    Registry registry;
+    Scene scene;
+    Inputs inputs; // model, coefficients and strength of gravity; the tilt is the schedule's
+    TiltSchedule schedule;
+    std::vector<double> stepSizes; // s
+    int repeats = 5;               // of the timing of each point
+};
+
+// 1/60 s, 10, 5, 2, 1, 0.5 and 0.1 ms.
+const std::vector<double> &usualStepSizes();
+
+// CPU time of the thread, s.
+struct TradeCost {
+    double perStep = 0.0;
+    double perSecond = 0.0; // simulated
+    double spread = 0.0;    // between the quartiles of the repeats, share of the median
+    int repeats = 0;        // 0: not measured yet
+};
+
+// The largest position error up to a time.
+struct ErrorRecord {
+    double time;  // s
+    double error; // radii
+};
+
+// Against "exact" with the same model, up to the horizon.
+struct TradeError {
+    double positionLargest = 0.0;         // radii
+    double positionFinal = 0.0;           // radii
+    double velocityLargest = 0.0;         // m/s; large for a moment when a bounce comes early or late
+    double orientationLargest = 0.0;      // rad
+    double energyDrift = 0.0;             // J/kg, made (> 0) or lost (< 0) by the scheme itself
+    double penetrationLargest = 0.0;      // radii
+    std::optional<double> timeUntilWrong; // s, when the position error first passes kWrong radii
+    int wrongImpacts = 0;                 // missing or invented, or out of order
+    std::optional<double> model;          // radii: the rolling model's largest distance from the rigid one
+    std::vector<ErrorRecord> growth;      // of positionLargest, each larger than the one before
+};
+
+inline constexpr double kWrong = 0.1; // radii
+
+struct TradePoint {
+    QByteArray stepper;
+    double dt = 0.0; // s
+    uint32_t model = PHYS_MODEL_ROLLING;
+    bool isValid = false; // has errors, and got to the end
+    QString note;         // why not, in a line
+    uint64_t steps = 0;   // of the whole schedule
+    TradeError error;
+    TradeCost cost;
+};
+
+// How far the comparison goes for a model.
+struct TradeSpan {
+    double compared = 0.0;    // s: the horizon, or the end of the reference if that is sooner
+    bool isSensitive = false; // the horizon came first: from there on a push of a millionth of a radius shows
+    QString endReason;        // why the reference ends before the schedule; empty if it doesn't
+};
+
+struct TradeResult {
+    std::array<TradeSpan, 2> spans; // by model
+    std::vector<TradePoint> points; // stepper by stepper, from long to short steps; the rolling model's first
+    bool isComplete = false;        // not cancelled
+
+    // Of one model, those that a person can choose from.
+    std::vector<TradePoint> valid(uint32_t model) const;
+};
+
+// Called by the thread that measures. Any may be empty.
+struct TradeListener {
+    std::function<void(const TradeResult &)> began;                 // spans and points without figures
+    std::function<void(size_t index, const TradePoint &)> measured; // again after each repeat
+    std::function<void(double share, const QString &what)> progressed;
+};
+
+// Takes seconds. Stops soon after it is asked to. No result and one line in `error` if "exact" can't do the scene:
+// then there is nothing to compare with.
+std::optional<TradeResult> measureTrade(const TradePlan &plan, const TradeListener &listener,
+                                        const std::stop_token &stop, QString *error);
+
+// Impacts of one sequence that the other hasn't in the same order, both ways. Fast ones have to be found among the
+// other's impacts of at least half the speed, so that one near the limit isn't wrong by a rounding.
+struct Impact;
+int wrongImpacts(const std::vector<Impact> &expected, const std::vector<Impact> &found);
+
+} // namespace inspector

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trade/trade_table.h"
+
+#include "core/setup/tables.h"
+#include "core/trade/trade_reference.h"
+
+#include <QLocale>
+#include <QStringList>
+
+#include <algorithm>
+#include <cmath>
+
+namespace inspector {
+
+namespace {
+
+using Figure = std::optional<double>;
+
+Figure ifCompared(const TradePoint &point, double value) { return point.isValid ? Figure(value) : std::nullopt; }
+Figure ifTimed(const TradePoint &point, double value) { return point.cost.repeats > 0 ? Figure(value) : std::nullopt; }
+
+QByteArray exactly(double value) { return QByteArray::number(value, 'g', QLocale::FloatingPointShortest); }
+
+QString padded(const QString &text, int width) { return text.rightJustified(width); }
+
+QStringList cellsOf(const TradePoint &point) {
+    QStringList cells{QString::fromUtf8(point.stepper), stepSizeText(point.dt), modelName(point.model)};
+    for (const TradeColumn &column : tradeColumns()) cells += figureText(column, point);
+    return cells;
+}
+
+QString spanLine(uint32_t model, const TradeSpan &span) {
+    const QString name = modelName(model);
+    if (span.compared <= 0.0) return QStringLiteral("%1: no reference").arg(name);
+    const QString until = QStringLiteral("%1: compared up to %2 s").arg(name).arg(span.compared, 0, 'f', 2);
+    if (span.isSensitive)
+        return until +
+               QStringLiteral(", the horizon: a push of %1 radii every %2 s moves the ball by over %3 R after it")
+                   .arg(TradeReference::kPush)
+                   .arg(kScheduleHold)
+                   .arg(TradeReference::kVisible);
+    return until + (span.endReason.isEmpty() ? QStringLiteral(", the whole schedule; no horizon before its end")
+                                             : QStringLiteral(": ") + span.endReason);
+}
+
+} // namespace
+
+const std::vector<TradeColumn> &tradeColumns() {
+    using P = const TradePoint &;
+    constexpr double kDegrees = 57.29577951308232;
+    static const std::vector<TradeColumn> columns{
+        {"position_largest [R]", "max error", "R", "largest position error against exact, in radii", 1.0,
+         [](P p) { return ifCompared(p, p.error.positionLargest); }, false},
+        {"position_final [R]", "end error", "R", "position error at the end of the comparison, in radii", 1.0,
+         [](P p) { return ifCompared(p, p.error.positionFinal); }, false},
+        {"velocity_largest [m/s]", "velocity", "m/s",
+         "largest velocity error; large for a moment when a bounce comes early or late", 1.0,
+         [](P p) { return ifCompared(p, p.error.velocityLargest); }, false},
+        {"orientation_largest [deg]", "turn", "deg", "largest error of the orientation", kDegrees,
+         [](P p) { return ifCompared(p, p.error.orientationLargest); }, false},
+        {"energy_drift [J/kg]", "energy", "J/kg", "energy made (> 0) or lost (< 0) by the scheme itself", 1.0,
+         [](P p) { return ifCompared(p, p.error.energyDrift); }, false},
+        {"penetration_largest [R]", "overlap", "R", "deepest overlap with a box, in radii", 1.0,
+         [](P p) { return ifCompared(p, p.error.penetrationLargest); }, false},
+        {"time_until_wrong [s]", "right for", "s", "when the position error first passes 0.1 R; none: never", 1.0,
+         [](P p) { return p.isValid ? p.error.timeUntilWrong : std::nullopt; }, false},
+        {"wrong_impacts", "wrong hits", "", "impacts on walls that are missing, invented or out of order", 1.0,
+         [](P p) { return ifCompared(p, p.error.wrongImpacts); }, false},
+        {"model_error [R]", "model", "R",
+         "largest distance between the rolling and the rigid model, both exact: what the simpler model costs", 1.0,
+         [](P p) { return p.isValid ? p.error.model : std::nullopt; }, false},
+        {"steps", "steps", "", "of the whole schedule", 1.0,
+         [](P p) { return p.steps > 0 ? Figure(double(p.steps)) : std::nullopt; }, false},
+        {"cpu_per_step [ns]", "a step", "ns", "CPU time of a step, median of the repeats", 1e9,
+         [](P p) { return ifTimed(p, p.cost.perStep); }, true},
+        {"cpu_per_second [us]", "a second", "us", "CPU time of a simulated second, median of the repeats", 1e6,
+         [](P p) { return ifTimed(p, p.cost.perSecond); }, true},
+        {"cpu_spread [%]", "spread", "%", "between the quartiles of the repeats, share of the median", 100.0,
+         [](P p) { return ifTimed(p, p.cost.spread); }, true},
+        {"repeats", "repeats", "", "of the timing", 1.0, [](P p) { return Figure(p.cost.repeats); }, true},
+    };
+    return columns;
+}
+
+QString figureText(const TradeColumn &column, const TradePoint &point) {
+    const std::optional<double> value = column.value(point);
+    if (!value) return QStringLiteral("–");
+    const double figure = *value * column.scale;
+    const bool isWhole = !column.unit[0] || figure == 0.0 || (std::abs(figure) >= 1e3 && std::abs(figure) < 1e7);
+    return isWhole ? QString::number(figure, 'f', 0) : QString::number(figure, 'g', 3);
+}
+
+QStringList tradeSummary(const TradePlan &plan, const TradeResult &result) {
+    QStringList lines{
+        QStringLiteral("schedule %1, %2 s").arg(plan.schedule.name).arg(plan.schedule.duration, 0, 'g', 6)};
+    for (const uint32_t model : {PHYS_MODEL_ROLLING, PHYS_MODEL_RIGID}) lines += spanLine(model, result.spans[model]);
+    return lines;
+}
+
+QString tradeText(const TradeResult &result) {
+    QStringList header{QStringLiteral("stepper"), QStringLiteral("dt"), QStringLiteral("model")};
+    for (const TradeColumn &column : tradeColumns())
+        header += QString::fromUtf8(column.label) +
+                  (column.unit[0] ? QStringLiteral(" [%1]").arg(QString::fromUtf8(column.unit)) : QString());
+    std::vector<QStringList> rows{header};
+    for (const TradePoint &point : result.points) rows.push_back(cellsOf(point));
+    std::vector<int> widths(size_t(header.size()), 0);
+    for (const QStringList &row : rows)
+        for (size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], int(row[qsizetype(i)].size()));
+
+    QString text;
+    for (size_t r = 0; r < rows.size(); ++r) {
+        QString line = rows[r][0].leftJustified(widths[0]);
+        for (size_t i = 1; i < widths.size(); ++i)
+            line += QStringLiteral("  ") + padded(rows[r][qsizetype(i)], widths[i]);
+        if (r > 0 && !result.points[r - 1].note.isEmpty()) line += QStringLiteral("  ") + result.points[r - 1].note;
+        text += line + QLatin1Char('\n');
+    }
+    return text;
+}
+
+QByteArray tradeCsvHeader() {
+    QByteArray header = "stepper,dt [s],model";
+    for (const TradeColumn &column : tradeColumns()) header += ',' + QByteArray(column.id);
+    return header + ",note\n";
+}
+
+QByteArray tradeCsv(const TradePlan &plan, const TradeResult &result) {
+    QByteArray csv = "# " + versionLine().toUtf8() + '\n';
+    for (const QString &line : tradeSummary(plan, result)) csv += "# " + line.toUtf8() + '\n';
+    csv += tradeCsvHeader();
+    for (const TradePoint &point : result.points) {
+        csv += point.stepper + ',' + exactly(point.dt) + ',' + modelName(point.model).toUtf8();
+        for (const TradeColumn &column : tradeColumns()) {
+            const std::optional<double> value = column.value(point);
+            csv += ',' + (value ? exactly(*value * column.scale) : QByteArray());
+        }
+        QByteArray note = point.note.toUtf8();
+        csv += point.note.isEmpty() ? QByteArray(",\n") : ",\"" + note.replace('"', "\"\"") + "\"\n";
+    }
+    return csv;
+}
+
+} // namespace inspector

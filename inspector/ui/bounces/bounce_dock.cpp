@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/bounces/bounce_dock.h"
+
+#include "core/events/counted_impact.h"
+#include "core/events/event_table.h"
+#include "ui/bounces/bounce_table_model.h"
+#include "ui/parts/elided_label.h"
+#include "ui/parts/settings_keys.h"
+
+#include <QBoxLayout>
+#include <QCheckBox>
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMimeData>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QSortFilterProxyModel>
+#include <QSplitter>
+#include <QTableView>
+
+#include <algorithm>
+
+namespace inspector::ui {
+
+namespace {
+
+constexpr size_t kMarks = 20;
+
+QString html(const std::vector<LawLine> &lines) {
+    QString rows;
+    for (const LawLine &line : lines)
+        rows +=
+            QStringLiteral("<tr><td style='padding-right: 12px; white-space: nowrap'><b>%1</b></td><td>%2</td></tr>")
+                .arg(line.label.toHtmlEscaped(), line.text.toHtmlEscaped());
+    return QStringLiteral("<table cellspacing='1'>%1</table>").arg(rows);
+}
+
+} // namespace
+
+// Leaves out what isn't to be seen.
+class BounceFilter : public QSortFilterProxyModel {
+public:
+    BounceFilter(const BounceTableModel &events, QObject *parent)
+        : QSortFilterProxyModel(parent)
+        , m_events(events) {}
+
+    void setShown(bool slow, bool others) {
+        m_slow = slow;
+        m_others = others;
+        invalidateFilter();
+    }
+    bool shows(const LoggedEvent &event) const {
+        if (!event.isBounce()) return m_others;
+        return m_slow || !event.isSlow();
+    }
+
+protected:
+    bool filterAcceptsRow(int row, const QModelIndex &) const override { return shows(m_events.events()[size_t(row)]); }
+
+private:
+    const BounceTableModel &m_events;
+    bool m_slow = true;
+    bool m_others = true;
+};
+
+BounceDock::BounceDock(Session &session, QWidget *parent)
+    : QWidget(parent)
+    , m_session(session)
+    , m_events(new BounceTableModel(session.simulation().events(), session.registry(), this))
+    , m_filter(new BounceFilter(*m_events, this))
+    , m_slow(addFilter(tr("Slow impacts"), "bounces_slow",
+                       tr("Impacts below %1 m/s; those in a row on one box are one line").arg(kCountedImpact)))
+    , m_others(addFilter(tr("Other events"), "bounces_others", tr("Take-off, stop, rolling again, contact, release")))
+    , m_count(new ElidedLabel)
+    , m_table(new QTableView)
+    , m_detail(new QLabel) {
+    setObjectName(QStringLiteral("bounces"));
+    m_count->setObjectName(QStringLiteral("bounces_count"));
+    m_detail->setObjectName(QStringLiteral("bounces_detail"));
+    m_detail->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_detail->setWordWrap(true);
+    m_detail->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    m_detail->setContentsMargins(8, 2, 4, 2);
+    makeTable();
+
+    auto *area = new QScrollArea;
+    area->setWidget(m_detail);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setFocusPolicy(Qt::TabFocus);
+    auto *halves = new QSplitter;
+    halves->addWidget(m_table);
+    halves->addWidget(area);
+    halves->setSizes({500, 500}); // per mille
+    halves->setChildrenCollapsible(false);
+    auto *top = new QHBoxLayout;
+    top->addWidget(m_slow);
+    top->addWidget(m_others);
+    top->addWidget(m_count, 1);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(6, 4, 6, 6);
+    layout->addLayout(top);
+    layout->addWidget(halves, 1);
+    setFocusProxy(m_table);
+    applyFilter();
+    showSelected();
+    showCount();
+}
+
+// A box that leaves a kind of rows in or out, as the settings remember it.
+QCheckBox *BounceDock::addFilter(const QString &text, const char *name, const QString &tip) {
+    auto *box = new QCheckBox(text);
+    box->setObjectName(QLatin1String(name));
+    box->setToolTip(tip);
+    box->setFocusPolicy(Qt::TabFocus);
+    const QString key = settings_keys::kBounces + QLatin1String(name);
+    box->setChecked(m_session.settings().value(key, true).toBool());
+    connect(box, &QCheckBox::toggled, this, [this, key](bool isOn) {
+        m_session.settings().setValue(key, isOn);
+        applyFilter();
+    });
+    return box;
+}
+
+void BounceDock::makeTable() {
+    m_table->setObjectName(QStringLiteral("bounces_table"));
+    m_filter->setSourceModel(m_events);
+    m_table->setModel(m_filter);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    m_table->setAlternatingRowColors(true);
+    m_table->setWordWrap(false);
+    m_table->setTabKeyNavigation(false);
+    m_table->installEventFilter(this);
+    QHeaderView *header = m_table->horizontalHeader();
+    header->setHighlightSections(false);
+    header->setStretchLastSection(true);
+    // As wide as the longest that is to be expected: the columns stay where they are while rows come.
+    const QStringList widest{QStringLiteral("000.0000"), tr("Leaning: 0.00 s, 000 impacts"), QStringLiteral("000")};
+    for (int column = 0; column < m_events->columnCount(); ++column) {
+        const QString title = m_events->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+        const QString text = widest.value(column, QStringLiteral("00.0000"));
+        header->resizeSection(
+            column, std::max(fontMetrics().horizontalAdvance(title), fontMetrics().horizontalAdvance(text)) + 16);
+    }
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &BounceDock::showSelected);
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this, &BounceDock::showSelected);
+}
+
+// The newest stay in sight, unless someone looks at others.
+void BounceDock::refresh() {
+    const QScrollBar *bar = m_table->verticalScrollBar();
+    const bool follows = bar->value() == bar->maximum() && !m_table->selectionModel()->hasSelection();
+    const std::optional<LoggedEvent> before = selected();
+    if (!m_events->refresh()) return;
+    if (before && !selected()) m_awaited = before;
+    selectAwaited();
+    if (follows) m_table->scrollToBottom();
+    showCount();
+    showSelected(); // a row of slow impacts may have grown
+}
+
+// A run that is made again, as by going back in a recording, has the same events.
+void BounceDock::selectAwaited() {
+    if (!m_awaited) return;
+    const phys_event &awaited = m_awaited->event;
+    for (const LoggedEvent &event : m_events->events())
+        if (event.event.time == awaited.time && event.event.kind == awaited.kind && event.event.box == awaited.box)
+            return select(event.number);
+}
+
+void BounceDock::applyFilter() { m_filter->setShown(m_slow->isChecked(), m_others->isChecked()); }
+
+void BounceDock::showCount() {
+    const EventLog &log = m_session.simulation().events();
+    QStringList parts{tr("%n events", nullptr, int(m_events->events().size()))};
+    if (log.dropped() > 0) parts += tr("the last %1 are kept").arg(log.capacity());
+    if (log.lost() > 0)
+        parts += tr("%1 events lost: more than %2 in one step").arg(log.lost()).arg(Engine::kEventCapacity);
+    m_count->setText(parts.join(QStringLiteral("; ")));
+}
+
+std::optional<LoggedEvent> BounceDock::selected() const {
+    const QModelIndex current = m_table->currentIndex();
+    if (!current.isValid() || !m_table->selectionModel()->isRowSelected(current.row(), {})) return std::nullopt;
+    return m_events->events()[size_t(m_filter->mapToSource(current).row())];
+}
+
+void BounceDock::select(uint64_t number) {
+    const int row = m_events->rowOf(number);
+    if (row < 0) return;
+    const LoggedEvent &event = m_events->events()[size_t(row)];
+    if (!m_filter->shows(event)) (event.isBounce() ? m_slow : m_others)->setChecked(true);
+    const QModelIndex index = m_filter->mapFromSource(m_events->index(row, 0));
+    m_table->setCurrentIndex(index);
+    m_table->selectRow(index.row());
+    m_table->scrollTo(index);
+}
+
+void BounceDock::selectAt(double time) {
+    for (const LoggedEvent &event : m_events->events())
+        if (event.isBounce() && !event.isSlow() && event.event.time == time) return select(event.number);
+}
+
+void BounceDock::clearSelection() {
+    m_awaited.reset();
+    m_table->clearSelection();
+    m_table->setCurrentIndex({});
+}
+
+void BounceDock::showSelected() {
+    const std::optional<LoggedEvent> event = selected();
+    if (event) m_awaited.reset();
+    const QString text =
+        event ? html(eventLines(*event, m_session.scene().get(), m_session.registry()))
+              : tr("Click a bounce in the list or in the view: when, where, how fast, and the law that it obeys.");
+    if (text != m_detail->text()) m_detail->setText(text);
+    findMarks();
+    emit changed();
+}
+
+void BounceDock::findMarks() {
+    m_marks = {{}, selected()};
+    const std::deque<LoggedEvent> &events = m_events->events();
+    for (auto event = events.rbegin(); event != events.rend() && m_marks.recent.size() < kMarks; ++event)
+        if (event->isBounce() && !event->isSlow()) m_marks.recent.push_back(*event);
+    std::reverse(m_marks.recent.begin(), m_marks.recent.end());
+}
+
+std::vector<double> BounceDock::bounceTimes() const {
+    std::vector<double> times;
+    for (const LoggedEvent &event : m_events->events())
+        if (event.isBounce() && !event.isSlow()) times.push_back(event.event.time);
+    return times;
+}
+
+// Esc and Ctrl+C are the table's while it has the keyboard, the first only while there is something to leave.
+bool BounceDock::eventFilter(QObject *object, QEvent *event) {
+    const bool isOffer = event->type() == QEvent::ShortcutOverride;
+    if (object != m_table || (!isOffer && event->type() != QEvent::KeyPress)) return false;
+    auto *key = static_cast<QKeyEvent *>(event);
+    const bool hasSelection = m_table->selectionModel()->hasSelection();
+    const bool isCopy = key->matches(QKeySequence::Copy);
+    if (!hasSelection || !(isCopy || key->key() == Qt::Key_Escape)) return false;
+    if (!isOffer) isCopy ? copy() : clearSelection();
+    event->accept();
+    return true;
+}
+
+// For spreadsheets and editors: columns between tabs, and the same as CSV.
+void BounceDock::copy() const {
+    QModelIndexList rows = m_table->selectionModel()->selectedRows();
+    std::sort(rows.begin(), rows.end());
+    std::vector<LoggedEvent> events;
+    for (const QModelIndex &row : rows) events.push_back(m_events->events()[size_t(m_filter->mapToSource(row).row())]);
+    auto *copied = new QMimeData;
+    copied->setText(QString::fromUtf8(eventCsv(events, m_session.registry(), '\t')));
+    copied->setData(QStringLiteral("text/csv"), eventCsv(events, m_session.registry(), ','));
+    QGuiApplication::clipboard()->setMimeData(copied);
+}
+
+} // namespace inspector::ui

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/session.h"
+#include "ui/bounces/bounce_marks.h"
+
+#include <QWidget>
+
+#include <optional>
+#include <vector>
+
+class QCheckBox;
+class QLabel;
+class QTableView;
+
+namespace inspector::ui {
+
+class BounceFilter;
+class BounceTableModel;
+class ElidedLabel;
+
+// What happened in this run, one row an event, and all about the chosen one: the numbers and the law they obey.
+class BounceDock : public QWidget {
+    Q_OBJECT
+
+public:
+    // session: outlives the dock.
+    explicit BounceDock(Session &session, QWidget *parent = nullptr);
+
+    // Shows what is new; called about 30 times a second.
+    void refresh();
+
+    std::optional<LoggedEvent> selected() const;
+    void select(uint64_t number); // an entry of the log, also one that the list hides just now
+    void selectAt(double time);   // the bounce at that very time
+    void clearSelection();
+
+    // The last bounces that aren't slow, and the selected event.
+    const BounceMarks &marks() const { return m_marks; }
+    // When the bounces were that aren't slow, s.
+    std::vector<double> bounceTimes() const;
+
+    QSize sizeHint() const override { return {900, 260}; }
+
+signals:
+    void changed(); // events or selection
+
+protected:
+    bool eventFilter(QObject *object, QEvent *event) override;
+
+private:
+    QCheckBox *addFilter(const QString &text, const char *name, const QString &tip);
+    void makeTable();
+    void applyFilter();
+    void showSelected();
+    void showCount();
+    void selectAwaited();
+    void copy() const;
+    void findMarks();
+
+    Session &m_session;
+    BounceTableModel *m_events;
+    BounceFilter *m_filter;
+    QCheckBox *m_slow;
+    QCheckBox *m_others;
+    ElidedLabel *m_count;
+    QTableView *m_table;
+    QLabel *m_detail;
+    BounceMarks m_marks;
+    std::optional<LoggedEvent> m_awaited; // was selected in the run before
+};
+
+} // namespace inspector::ui

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/events/event_log.h"
+
+#include <QAbstractTableModel>
+
+#include <deque>
+
+namespace inspector::ui {
+
+// The entries of a run's log as rows, oldest first; a copy, so that a row stays what it was while it is looked at.
+class BounceTableModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    // log: outlives the model.
+    BounceTableModel(const EventLog &log, const Registry &registry, QObject *parent = nullptr);
+
+    // Takes what is new in the log; false if there is nothing.
+    bool refresh();
+
+    const std::deque<LoggedEvent> &events() const { return m_events; }
+    // Row of the entry with this number; -1 if it isn't there.
+    int rowOf(uint64_t number) const;
+
+    int rowCount(const QModelIndex &parent = {}) const override;
+    int columnCount(const QModelIndex &parent = {}) const override;
+    QVariant data(const QModelIndex &index, int role) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+private:
+    bool startAnew();
+    bool dropOldest();
+    bool growNewest();
+    bool appendNew();
+
+    const EventLog &m_log;
+    Registry m_registry;
+    std::deque<LoggedEvent> m_events;
+    uint64_t m_next = 0; // number of the first entry that isn't here yet
+    uint64_t m_generation = 0;
+    uint64_t m_revision = 0; // of the log as it is here
+};
+
+} // namespace inspector::ui

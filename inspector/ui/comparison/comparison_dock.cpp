@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/comparison/comparison_dock.h"
+
+#include "core/setup/tables.h"
+#include "ui/comparison/deviation_text.h"
+#include "ui/comparison/distance_plot.h"
+#include "ui/parts/elided_label.h"
+#include "ui/parts/stepper_items.h"
+#include "ui/plots/plot_panel.h"
+
+#include <QAction>
+#include <QBoxLayout>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QSpinBox>
+#include <QToolButton>
+
+namespace inspector::ui {
+
+namespace {
+
+// A click on either leaves the keyboard to the game.
+QToolButton *buttonFor(QAction &action) {
+    auto *button = new QToolButton;
+    button->setObjectName(QStringLiteral("comparison_") + action.objectName());
+    button->setDefaultAction(&action);
+    button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    button->setFocusPolicy(Qt::TabFocus);
+    return button;
+}
+
+QCheckBox *switchFor(QAction &action) {
+    auto *box = new QCheckBox(action.text());
+    box->setObjectName(QStringLiteral("comparison_") + action.objectName());
+    box->setToolTip(action.toolTip());
+    box->setChecked(action.isChecked());
+    box->setFocusPolicy(Qt::TabFocus);
+    QObject::connect(box, &QCheckBox::clicked, &action, &QAction::trigger);
+    QObject::connect(&action, &QAction::toggled, box, &QCheckBox::setChecked);
+    return box;
+}
+
+} // namespace
+
+ComparisonDock::ComparisonDock(Session &session, const Actions &actions, QWidget *parent)
+    : QWidget(parent)
+    , m_session(session)
+    , m_stepper(new QComboBox)
+    , m_substeps(new QSpinBox)
+    , m_figures(new ElidedLabel)
+    , m_plot(new DistancePlot(session.simulation().samples())) {
+    setObjectName(QStringLiteral("comparison"));
+    m_figures->setObjectName(QStringLiteral("comparison_figures"));
+    m_figures->setToolTip(tr("Speed and energy: the ball's minus the ghost's"));
+    auto *panel = new PlotPanel(m_plot, QStringLiteral("distance"));
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(4, 2, 4, 0);
+    layout->setSpacing(2);
+    layout->addWidget(makeControls(actions));
+    layout->addWidget(m_figures);
+    layout->addWidget(panel, 1);
+
+    connect(panel, &PlotPanel::saveWanted, this, &ComparisonDock::saveWanted);
+    connect(m_stepper, &QComboBox::activated, this, &ComparisonDock::choose);
+    connect(m_substeps, &QSpinBox::valueChanged, this, &ComparisonDock::choose);
+    connect(&session.comparison(), &Comparison::changed, this, &ComparisonDock::showComparison);
+    for (const auto signal : {&Session::stepperChanged, &Session::paceChanged, &Session::levelOpened})
+        connect(&session, signal, this, &ComparisonDock::showComparison);
+    showComparison();
+}
+
+QWidget *ComparisonDock::makeControls(const Actions &actions) {
+    m_stepper->setObjectName(QStringLiteral("comparison_stepper"));
+    m_stepper->setToolTip(tr("The stepper that moves the ghost"));
+    m_stepper->setFocusPolicy(Qt::TabFocus);
+    addStepperItems(*m_stepper, m_session.registry());
+    m_substeps->setObjectName(QStringLiteral("comparison_substeps"));
+    m_substeps->setToolTip(tr("The ghost's time step, as a part of the ball's"));
+    m_substeps->setPrefix(tr("dt / "));
+    m_substeps->setSpecialValueText(tr("the same dt"));
+    m_substeps->setRange(1, Opponent::kMostSubsteps);
+    m_substeps->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    m_substeps->setKeyboardTracking(false);
+
+    auto *controls = new QWidget;
+    auto *layout = new QHBoxLayout(controls);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(switchFor(actions.compare));
+    layout->addWidget(new QLabel(tr("with")));
+    layout->addWidget(m_stepper);
+    layout->addWidget(new QLabel(tr("at")));
+    layout->addWidget(m_substeps);
+    layout->addWidget(buttonFor(actions.meetAgain));
+    layout->addStretch();
+    return controls;
+}
+
+void ComparisonDock::choose() {
+    m_session.comparison().setOpponent({m_stepper->currentData().toByteArray(), m_substeps->value()});
+}
+
+void ComparisonDock::showComparison() {
+    const Opponent &opponent = m_session.comparison().opponent();
+    const QSignalBlocker blocker(m_substeps); // only a person chooses
+    m_stepper->setCurrentIndex(m_stepper->findData(opponent.stepper));
+    m_substeps->setValue(opponent.substeps);
+    const auto name = [&](const QByteArray &id, double dt) {
+        return QStringLiteral("%1, %2").arg(m_stepper->itemText(m_stepper->findData(id)), stepSizeText(dt));
+    };
+    m_plot->setRadius(phys_scene_radius(m_session.scene().get()));
+    m_plot->setNames(tr("Ball: %1").arg(name(m_session.stepperId(), m_session.dt())),
+                     tr("Ghost: %1").arg(name(opponent.stepper, m_session.dt() / opponent.substeps)));
+}
+
+void ComparisonDock::refresh() {
+    if (!isVisible()) return;
+    m_figures->setText(summary(m_session.simulation().latest()));
+    m_plot->refresh();
+}
+
+QString ComparisonDock::summary(const Snapshot &now) const {
+    const Comparison &comparison = m_session.comparison();
+    if (!comparison.isOn()) return tr("A second ball starts where the ball is, under the same tilts.");
+    if (!now.ghost) return comparison.refusal();
+    const Deviation &deviation = now.ghost->deviation;
+    const QString figures = tr("Distance %1, speed %2, energy %3, %4 s after they met")
+                                .arg(distanceText(deviation.distance, phys_scene_radius(m_session.scene().get())),
+                                     speedDifferenceText(deviation.speed), energyDifferenceText(deviation.energy),
+                                     QString::number(now.current.time - now.ghost->metAt, 'f', 2));
+    return now.ghost->current.flags & PHYS_OUT ? tr("%1; the ghost is out of the maze").arg(figures) : figures;
+}
+
+} // namespace inspector::ui

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/session.h"
+
+#include <QWidget>
+
+class QAction;
+class QComboBox;
+class QSpinBox;
+
+namespace inspector::ui {
+
+class DistancePlot;
+class ElidedLabel;
+class PlotPanel;
+
+// The ball beside a second one: which stepper moves that, how far both are apart now and over time.
+class ComparisonDock : public QWidget {
+    Q_OBJECT
+
+public:
+    struct Actions {
+        QAction &compare; // checkable
+        QAction &meetAgain;
+    };
+
+    // session and actions outlive the dock.
+    ComparisonDock(Session &session, const Actions &actions, QWidget *parent = nullptr);
+
+    QSize sizeHint() const override { return {700, 300}; }
+    DistancePlot &plot() { return *m_plot; }
+    // Shows the present moment; called about 30 times a second.
+    void refresh();
+
+signals:
+    void saveWanted();
+
+private:
+    QWidget *makeControls(const Actions &actions);
+    void choose();         // what the controls say
+    void showComparison(); // what the session says
+    QString summary(const Snapshot &now) const;
+
+    Session &m_session;
+    QComboBox *m_stepper;
+    QSpinBox *m_substeps;
+    ElidedLabel *m_figures;
+    DistancePlot *m_plot;
+};
+
+} // namespace inspector::ui

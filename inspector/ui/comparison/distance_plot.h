@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/plots/time_plot.h"
+
+namespace inspector::ui {
+
+// How far the ball is from the one that it is compared with, over time, on a logarithmic axis: in mm, and in radii at
+// the right border. Zeros are drawn one decade below everything else, at a tick that says 0.
+class DistancePlot : public TimePlot {
+    Q_OBJECT
+
+public:
+    // samples: outlives the plot.
+    explicit DistancePlot(const SampleRing &samples, QWidget *parent = nullptr);
+
+    void setRadius(double radius); // of the ball, m
+    // Who they are, for the legend.
+    void setNames(const QString &ball, const QString &ghost);
+
+protected:
+    double plotted(double value) const override;
+    double drawn(double plotted) const override;
+    void fitValues() override;
+    Columns columns() const override { return Columns::BallAndGhost; }
+    QString textOf(const Sample &sample) const override;
+
+private:
+    void showRadii();
+
+    double m_radius = 0.006; // m
+    double m_zero = 0.0;     // mm: the height that zeros are drawn at; 0 if there are none
+    QCPGraph *m_ball;        // entries of the legend
+    QCPGraph *m_ghost;
+};
+
+} // namespace inspector::ui

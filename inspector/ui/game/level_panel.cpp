@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/game/level_panel.h"
+
+#include "ui/game/clock_text.h"
+
+#include <QHeaderView>
+#include <QSignalBlocker>
+
+namespace inspector::ui {
+
+LevelPanel::LevelPanel(Session &session, QWidget *parent)
+    : QTreeWidget(parent)
+    , m_session(session) {
+    setObjectName(QStringLiteral("levels"));
+    setFrameShape(QFrame::NoFrame);
+    setRootIsDecorated(false);
+    setAlternatingRowColors(true);
+    setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the game
+    setHeaderLabels({tr("Level"), tr("Best time")});
+    header()->setStretchLastSection(true);
+    header()->setSectionsMovable(false);
+    setColumnWidth(0, 130);
+    setUniformRowHeights(true);
+    for (size_t i = 0; i < session.levels().size(); ++i) {
+        auto *item = new QTreeWidgetItem(this, {tr("Level %1").arg(i + 1)});
+        item->setSizeHint(0, {1, fontMetrics().height() + 7});
+    }
+
+    connect(this, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem *item) {
+        m_session.game().choose(indexOfTopLevelItem(item));
+        showState(); // also after a refusal
+    });
+    connect(&session, &Session::levelOpened, this, &LevelPanel::showState);
+    connect(&session.game(), &Game::phaseChanged, this, &LevelPanel::showState);
+    showState();
+}
+
+void LevelPanel::showState() {
+    const QSignalBlocker silent(this);
+    setCurrentItem(nullptr); // a file that isn't in the list
+    for (int i = 0; i < topLevelItemCount(); ++i) {
+        const std::optional<double> best = m_session.game().bestTime(i);
+        topLevelItem(i)->setText(1, best ? clockText(*best) : QStringLiteral("–"));
+        if (m_session.levels()[size_t(i)].path == m_session.level().path) setCurrentItem(topLevelItem(i));
+    }
+}
+
+} // namespace inspector::ui

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <physics/physics.h>
+
+#include <QObject>
+#include <QString>
+
+#include <functional>
+#include <vector>
+
+class QGridLayout;
+class QToolButton;
+class QWidget;
+
+namespace inspector::ui {
+
+// The widgets of one parameter in one line of a grid, made from its row: label, slider and spin box (or a list of
+// choices, or a check box), reset. They show what they are told and say what a person did; the value is elsewhere.
+class ParameterRow : public QObject {
+    Q_OBJECT
+
+public:
+    // Object names for styles and tests: the row's id + _slider, _spin, _choice, _switch, _reset.
+    ParameterRow(const phys_param_row &row, QGridLayout &grid, int line, QObject *parent);
+
+    void showValue(double value);
+    // reason: why it can't be edited just now; empty if it can.
+    void setLocked(const QString &reason);
+
+signals:
+    void edited(double value);
+    // What comes next is another edit than what was.
+    void gestureBegun();
+
+protected:
+    bool eventFilter(QObject *object, QEvent *event) override;
+
+private:
+    void addLabel(QGridLayout &grid, int line);
+    void addNumber(QGridLayout &grid, int line);
+    void addChoice(QGridLayout &grid, int line);
+    void addSwitch(QGridLayout &grid, int line);
+    void adopt(QWidget *widget, const char *suffix);
+    QString help() const;
+
+    phys_param_row m_row;
+    std::vector<QWidget *> m_widgets;
+    QToolButton *m_reset;
+    std::function<void(double)> m_show;
+    bool m_isInitial = true;
+    bool m_isLocked = false;
+};
+
+} // namespace inspector::ui

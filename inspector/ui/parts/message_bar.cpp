@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/parts/message_bar.h"
+
+#include "ui/parts/path_icon.h"
+#include "ui/parts/theme.h"
+
+#include <QApplication>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+
+namespace inspector::ui {
+
+MessageBar::MessageBar(QWidget *parent)
+    : QFrame(parent)
+    , m_icon(new QLabel)
+    , m_text(new QLabel) {
+    setObjectName(QStringLiteral("messages"));
+    setAutoFillBackground(true);
+    m_text->setObjectName(QStringLiteral("message"));
+    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_text->setTextFormat(Qt::PlainText);
+    m_text->setWordWrap(true);
+    m_icon->setPixmap(glyphIcon(Glyph::Warning).pixmap(16));
+
+    auto *close = new QToolButton;
+    close->setObjectName(QStringLiteral("dismiss"));
+    close->setIcon(glyphIcon(Glyph::Close));
+    close->setToolTip(tr("Hide this message"));
+    close->setAutoRaise(true);
+    close->setFocusPolicy(Qt::TabFocus);
+    connect(close, &QToolButton::clicked, this, &MessageBar::dismiss);
+
+    auto *layout = new QHBoxLayout(this);
+    layout->setContentsMargins(10, 4, 4, 4);
+    layout->addWidget(m_icon);
+    layout->addWidget(m_text, 1);
+    layout->addWidget(close);
+    takeColours();
+    hide();
+}
+
+void MessageBar::showLine(const QString &line) {
+    m_count = line == m_line ? m_count + 1 : 1;
+    m_line = line;
+    m_text->setText(m_count > 1 ? tr("%1  (%2 times)").arg(line).arg(m_count) : line);
+    show();
+    emit changed(m_line);
+}
+
+void MessageBar::dismiss() {
+    m_line.clear();
+    hide();
+    emit changed(m_line);
+}
+
+void MessageBar::changeEvent(QEvent *event) {
+    if (event->type() == QEvent::PaletteChange) takeColours();
+    QFrame::changeEvent(event);
+}
+
+// The plate's colour goes with that of the text, which is the window's.
+void MessageBar::takeColours() {
+    const QColor plate = accentsFor(QApplication::palette()).warning;
+    if (palette().color(QPalette::Window) == plate) return; // the change was this one
+    QPalette own;
+    own.setColor(QPalette::Window, plate);
+    setPalette(own);
+    m_icon->setPixmap(glyphIcon(Glyph::Warning).pixmap(16));
+}
+
+} // namespace inspector::ui

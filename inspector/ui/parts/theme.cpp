@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/parts/theme.h"
+
+#include <QApplication>
+#include <QPalette>
+#include <QStyle>
+
+namespace inspector::ui {
+
+namespace {
+
+struct SystemLook {
+    QPalette palette;
+    QString style;
+};
+
+// The desktop's, as it was before any theme was chosen.
+const SystemLook &systemLook() {
+    static const SystemLook look{QApplication::palette(), QApplication::style()->objectName()};
+    return look;
+}
+
+struct Shades {
+    QRgb window, base, alternate, button, text, faint, highlight, link, light, dark;
+};
+
+constexpr Shades kLight{0xfff3f4f5, 0xffffffff, 0xfff0f2f4, 0xfff8f9fa, 0xff1d2125,
+                        0xff8b9197, 0xff2f6fb0, 0xff2464a4, 0xffffffff, 0xffb4b9be};
+constexpr Shades kDark{0xff26292d, 0xff1b1d20, 0xff222529, 0xff32363b, 0xffe6e8ea,
+                       0xff7f868d, 0xff3d7fc4, 0xff7db4ec, 0xff454a50, 0xff15171a};
+
+QPalette paletteOf(const Shades &shades) {
+    QPalette palette(QColor(shades.button), QColor(shades.window));
+    const auto set = [&palette](QPalette::ColorRole role, QRgb colour) { palette.setColor(role, QColor(colour)); };
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText})
+        set(role, shades.text);
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+        palette.setColor(QPalette::Disabled, role, QColor(shades.faint));
+    set(QPalette::PlaceholderText, shades.faint);
+    set(QPalette::Base, shades.base);
+    set(QPalette::AlternateBase, shades.alternate);
+    set(QPalette::ToolTipBase, shades.button);
+    set(QPalette::Light, shades.light);
+    set(QPalette::Midlight, shades.button);
+    set(QPalette::Mid, shades.dark);
+    set(QPalette::Dark, shades.dark);
+    set(QPalette::Shadow, 0xff000000);
+    set(QPalette::Highlight, shades.highlight);
+    set(QPalette::HighlightedText, 0xffffffff);
+    palette.setColor(QPalette::Disabled, QPalette::Highlight, QColor(shades.faint));
+    set(QPalette::Link, shades.link);
+    return palette;
+}
+
+} // namespace
+
+void applyTheme(Theme theme) {
+    const SystemLook &system = systemLook();
+    if (theme == Theme::System) {
+        QApplication::setStyle(system.style);
+        QApplication::setPalette(system.palette);
+        return;
+    }
+    // Only Fusion follows any palette; styles of desktops bring their own colours.
+    QApplication::setStyle(QStringLiteral("fusion"));
+    const Shades &shades = theme == Theme::Dark ? kDark : kLight;
+    QApplication::setPalette(paletteOf(shades));
+    if (theme != Theme::Dark) return;
+    // Fusion frames an empty box with a darker shade of the window: it would hardly be seen.
+    QPalette boxes = paletteOf(shades);
+    boxes.setColor(QPalette::Base, QColor(shades.light));
+    QApplication::setPalette(boxes, "QCheckBox");
+}
+
+bool isDark(const QPalette &palette) {
+    return palette.color(QPalette::Window).lightnessF() < palette.color(QPalette::WindowText).lightnessF();
+}
+
+// Hues that colour-blind people tell apart (blue, orange, and grey for the whole).
+Accents accentsFor(const QPalette &palette) {
+    if (isDark(palette))
+        return {QColor(0x5aa9f5), QColor(0xf5a04a), QColor(0xd8dadd), QColor(0x5c4a12),
+                QColor(0xff8a3c), QColor(0x57a8ff), QColor(0xff5aa8), QColor(0xff7b72)};
+    return {QColor(0x1f6fc0), QColor(0xc96a0c), QColor(0x3a3f45), QColor(0xffefc2),
+            QColor(0xd64a00), QColor(0x0a5fd0), QColor(0xc2185b), QColor(0xc62828)};
+}
+
+} // namespace inspector::ui

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/program/csv_writer.h"
+#include "core/simulation/sample_ring.h"
+#include "ui/parts/theme.h"
+
+#include <optional>
+#include <vector>
+
+#include <qcustomplot.h>
+
+namespace inspector::ui {
+
+class BounceTicks;
+
+// Channels of the ring over time, fed with what is visible and no more; which ones, and how their values are shown, is
+// said by the kinds of plot below it. While it follows, the newest sample stays at the right border and the values fill
+// the height. Wheel: zoom of time; drag: pan; over the value axis (or with Ctrl) both act on values; double click:
+// follow again.
+class TimePlot : public QCustomPlot {
+    Q_OBJECT
+
+public:
+    // Shows what is new; called about 30 times a second, never per sample.
+    void refresh();
+
+    bool isFollowing() const { return m_isFollowing; }
+    void setFollowing(bool isOn);
+    // Stands still although samples go on coming.
+    bool isPaused() const { return m_pausedAt.has_value(); }
+    void setPaused(bool isOn);
+    // Forgets what was up to now.
+    void clear();
+
+    // Ticks at the times of bounces, s, rising; the selected one, maybe none of them, is a line all the way up.
+    void showBounces(std::vector<double> times, std::optional<double> selected);
+
+    // Writes what the name's ending says: .csv (all samples since clear()), .png or .pdf (the picture). False and one
+    // line in `error` (or nullptr) if that fails.
+    bool save(const QString &path, QString *error);
+
+    // The sample under the cursor, while there is one.
+    std::optional<Sample> readOut() const { return m_readOut; }
+
+signals:
+    void bounceClicked(double time); // of its tick, s
+    void followingChanged(bool isOn);
+    void pausedChanged(bool isOn);
+
+protected:
+    struct Curve {
+        Channel channel;
+        QColor Accents::*colour;
+        QCPGraph *graph;
+        QCPItemTracer *dot; // on the sample under the cursor
+    };
+
+    // samples: outlives the plot.
+    explicit TimePlot(const SampleRing &samples, QWidget *parent);
+    void addCurve(Channel channel, QColor Accents::*colour); // in the constructor of a kind of plot
+    QCPGraph *addKey(QColor Accents::*colour);               // an entry of the legend without a curve
+    const std::vector<Curve> &curves() const { return m_curves; }
+    const SampleRing &samples() const { return m_samples; }
+
+    // A value in the unit of the value axis; NaN where there is none.
+    virtual double plotted(double value) const { return value; }
+    // Where on the value axis, as it is just now, a plotted value is drawn.
+    virtual double drawn(double plotted) const { return plotted; }
+    // Moves the value axis to what the curves show just now. Not called once a person has moved it.
+    virtual void fitValues() = 0;
+    // Those of its table.
+    virtual Columns columns() const { return Columns::Ball; }
+    // What is said of the sample under the cursor, below its time.
+    virtual QString textOf(const Sample &sample) const = 0;
+
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void mouseDoubleClickEvent(QMouseEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
+    void leaveEvent(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+    void changeEvent(QEvent *event) override;
+
+private:
+    void layOutLegend();
+    void addReadOut();
+    void takeColours();
+    std::optional<double> newestTime() const;
+    void noticeNewRun();
+    void showTimeUpTo(double time);
+    void load(const Curve &curve);
+    void updateReadOut();
+    void placeReadOut(const Sample &sample);
+    std::optional<Sample> sampleAt(double time) const;
+    Qt::Orientations orientationAt(QPointF position, Qt::KeyboardModifiers modifiers) const;
+    bool saveTable(const QString &path, QString *error) const;
+
+    const SampleRing &m_samples;
+    struct Key {
+        QCPGraph *graph;
+        QColor Accents::*colour;
+    };
+
+    std::vector<Curve> m_curves;
+    std::vector<Key> m_keys;
+    BounceTicks *m_ticks;
+    QCPItemStraightLine *m_cursorLine;
+    QCPItemText *m_cursorText;
+    std::optional<QPointF> m_cursor;
+    QPointF m_pressedAt;
+    std::optional<Sample> m_readOut;
+    std::optional<double> m_pausedAt; // s
+    double m_clearedAt = 0.0;         // s
+    double m_window = 10.0;           // s of time in view while following
+    bool m_isFollowing = true;
+    bool m_fitsValues = true;
+    uint64_t m_generation = 0;
+    uint64_t m_shown = 0; // samples at the last picture
+    bool m_isStale = true;
+};
+
+} // namespace inspector::ui

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/trade/schedule_chooser.h"
+
+#include "ui/parts/file_chooser.h"
+#include "ui/parts/path_icon.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QSpinBox>
+
+#include <limits>
+
+namespace inspector::ui {
+
+ScheduleChooser::ScheduleChooser(QSettings &settings, QWidget *parent)
+    : QWidget(parent)
+    , m_settings(settings)
+    , m_kind(new QComboBox)
+    , m_seed(new QSpinBox)
+    , m_file(new QLineEdit) {
+    m_kind->setObjectName(QStringLiteral("trade_schedule"));
+    m_kind->addItems({tr("Autopilot"), tr("Random tilts"), tr("Tilts from a file")}); // in the order of Kind
+    m_kind->setToolTip(tr("How the board tilts while all steppers are measured"));
+    m_kind->setFocusPolicy(Qt::TabFocus); // a click leaves the keyboard to the game
+    m_seed->setObjectName(QStringLiteral("trade_seed"));
+    m_seed->setRange(0, std::numeric_limits<int>::max());
+    m_seed->setValue(1);
+    m_seed->setPrefix(tr("seed "));
+    m_seed->setToolTip(tr("The same seed gives the same tilts, everywhere"));
+    addFile();
+    auto *layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    for (QWidget *widget :
+         {static_cast<QWidget *>(m_kind), static_cast<QWidget *>(m_seed), static_cast<QWidget *>(m_file)})
+        layout->addWidget(widget);
+    connect(m_kind, &QComboBox::currentIndexChanged, this, &ScheduleChooser::showKind);
+    showKind();
+}
+
+void ScheduleChooser::addFile() {
+    m_file->setObjectName(QStringLiteral("trade_file"));
+    m_file->setPlaceholderText(tr("File with rows of time, tilt x, tilt y"));
+    m_file->setToolTip(tr("Rows of time [s], tilt x and tilt y [°]; or a table of a run, as --csv writes it"));
+    m_file->setMinimumWidth(fontMetrics().averageCharWidth() * 26);
+    QAction *open = m_file->addAction(glyphIcon(Glyph::Open), QLineEdit::TrailingPosition);
+    open->setToolTip(tr("Choose a file…"));
+    connect(open, &QAction::triggered, this, &ScheduleChooser::openFile);
+    connect(m_file, &QLineEdit::textChanged, this, &ScheduleChooser::changed);
+}
+
+QString ScheduleChooser::words() const {
+    const QString path = m_file->text().trimmed();
+    switch (Kind(m_kind->currentIndex())) {
+    case Autopilot:
+        return QStringLiteral("autopilot");
+    case Random:
+        return QStringLiteral("random:%1").arg(m_seed->value());
+    case File:
+        break;
+    }
+    return path.isEmpty() ? QString() : QFileInfo(path).absoluteFilePath(); // no word of the two above
+}
+
+void ScheduleChooser::showKind() {
+    m_seed->setVisible(m_kind->currentIndex() == Random);
+    m_file->setVisible(m_kind->currentIndex() == File);
+    emit changed();
+}
+
+void ScheduleChooser::openFile() {
+    chooseFile(*this, m_settings,
+               {tr("Tilts from a file"), tr("Tables of tilts (*.csv *.txt);;All files (*)"), {}, FileUse::Read},
+               [this](const QString &path) { m_file->setText(path); });
+}
+
+} // namespace inspector::ui

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/trade/trade_dock.h"
+
+#include "core/program/trade_command.h"
+#include "core/setup/tables.h"
+#include "core/trade/trade_table.h"
+#include "ui/parts/elided_label.h"
+#include "ui/parts/stepping_command.h"
+#include "ui/trade/schedule_chooser.h"
+#include "ui/trade/trade_chart.h"
+#include "ui/trade/trade_table_model.h"
+
+#include <QBoxLayout>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSlider>
+#include <QSortFilterProxyModel>
+#include <QSplitter>
+#include <QTableView>
+
+#include <algorithm>
+#include <cmath>
+
+namespace inspector::ui {
+
+namespace {
+
+// The slider counts twentieths of a decade from 1 mm: from a nanometre to a decimetre.
+constexpr int kPerDecade = 20;
+constexpr int kSmallest = -6 * kPerDecade;
+constexpr int kLargest = 2 * kPerDecade;
+constexpr int kRefreshPeriod = 200; // ms
+
+template<typename Widget>
+Widget *named(Widget *widget, const char *name) {
+    widget->setObjectName(QLatin1String(name));
+    return widget;
+}
+
+} // namespace
+
+TradeDock::TradeDock(Session &session, QUndoStack &undo, QWidget *parent)
+    : QWidget(parent)
+    , m_session(session)
+    , m_undo(undo)
+    , m_chart(new TradeChart)
+    , m_rows(new TradeTableModel(this))
+    , m_sorted(new QSortFilterProxyModel(this)) {
+    setObjectName(QStringLiteral("trade"));
+    makeControls();
+    leaveKeysToTheGame();
+    makeTable();
+    auto *halves = new QSplitter;
+    halves->addWidget(m_chart);
+    halves->addWidget(m_table);
+    halves->setSizes({550, 450}); // per mille
+    halves->setChildrenCollapsible(false);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(6, 4, 6, 6);
+    layout->addWidget(makeTop());
+    layout->addWidget(halves, 1);
+    layout->addWidget(makeBottom());
+
+    connect(m_schedule, &ScheduleChooser::changed, this, &TradeDock::showReady);
+    connect(m_measure, &QPushButton::clicked, this, &TradeDock::toggle);
+    connect(m_model, &QComboBox::currentIndexChanged, this, &TradeDock::showResult);
+    connect(&m_worker, &TradeWorker::changed, &m_refresh, [this] {
+        if (!m_refresh.isActive()) m_refresh.start(kRefreshPeriod);
+    });
+    m_refresh.setSingleShot(true);
+    connect(&m_refresh, &QTimer::timeout, this, &TradeDock::showResult);
+    connect(&m_worker, &TradeWorker::progressed, this, &TradeDock::showProgress);
+    connect(&m_worker, &TradeWorker::ended, this, &TradeDock::showEnd);
+    connect(m_chart, &TradeChart::chosen, this, &TradeDock::choose);
+    connect(m_tolerance, &QSlider::valueChanged, this, &TradeDock::showTolerance);
+    connect(m_use, &QPushButton::clicked, this, &TradeDock::use);
+    connect(&session, &Session::levelOpened, this, &TradeDock::forget);
+    showTolerance();
+}
+
+void TradeDock::makeControls() {
+    m_measure = named(new QPushButton(tr("Measure")), "trade_measure");
+    m_schedule = new ScheduleChooser(m_session.settings());
+    m_duration = named(new QDoubleSpinBox, "trade_duration");
+    m_duration->setRange(0.5, 600.0);
+    m_duration->setDecimals(1);
+    m_duration->setSuffix(tr(" s"));
+    m_duration->setValue(kTradeDuration);
+    m_duration->setToolTip(tr("Simulated time, at most"));
+    m_model = named(new QComboBox, "trade_model");
+    m_model->addItems({tr("Rolling model"), tr("Rigid model")}); // in the order of their numbers
+    m_progress = named(new QProgressBar, "trade_progress");
+    m_progress->setRange(0, 1000);
+    m_progress->setVisible(false);
+    m_remark = named(new ElidedLabel, "trade_remark");
+    m_remark->setText(tr("Measures every stepper and step size against stepper exact, beside the simulation."));
+    m_tolerance = named(new QSlider(Qt::Horizontal), "trade_tolerance");
+    m_tolerance->setRange(kSmallest, kLargest);
+    m_tolerance->setPageStep(kPerDecade);
+    m_toleranceText = new QLabel;
+    m_toleranceText->setMinimumWidth(fontMetrics().horizontalAdvance(tr("Error under 8.9e-05 mm = 8.9e-05 R")));
+    m_answer = named(new ElidedLabel, "trade_answer");
+    m_use = named(new QPushButton(tr("Use this")), "trade_use");
+    m_use->setToolTip(tr("Let the simulation go on with the chosen stepper, step size and model"));
+    m_use->setEnabled(false);
+}
+
+QString TradeDock::answerText(const TradePoint &point) const {
+    const double radius = phys_scene_radius(m_session.scene().get());
+    return tr("Cheapest: %1 at %2, off by %3 mm; %4 µs a simulated second")
+        .arg(QString::fromUtf8(point.stepper), stepSizeText(point.dt))
+        .arg(point.error.positionLargest * radius * 1e3, 0, 'g', 2)
+        .arg(point.cost.perSecond * 1e6, 0, 'g', 3);
+}
+
+// A click leaves the keyboard to the game.
+void TradeDock::leaveKeysToTheGame() {
+    for (QWidget *widget : {static_cast<QWidget *>(m_measure), static_cast<QWidget *>(m_model),
+                            static_cast<QWidget *>(m_tolerance), static_cast<QWidget *>(m_use)})
+        widget->setFocusPolicy(Qt::TabFocus);
+}
+
+QWidget *TradeDock::makeTop() {
+    auto *top = new QWidget;
+    auto *layout = new QHBoxLayout(top);
+    layout->setContentsMargins(0, 0, 0, 0);
+    for (QWidget *widget : {static_cast<QWidget *>(m_measure), static_cast<QWidget *>(m_schedule),
+                            static_cast<QWidget *>(m_duration), static_cast<QWidget *>(m_model)})
+        layout->addWidget(widget);
+    layout->addWidget(m_progress);
+    layout->addWidget(m_remark, 1);
+    return top;
+}
+
+QWidget *TradeDock::makeBottom() {
+    auto *bottom = new QWidget;
+    auto *layout = new QHBoxLayout(bottom);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_toleranceText);
+    layout->addWidget(m_tolerance, 1);
+    layout->addWidget(m_answer, 3);
+    layout->addWidget(m_use);
+    return bottom;
+}
+
+void TradeDock::makeTable() {
+    m_table = named(new QTableView, "trade_table");
+    m_sorted->setSourceModel(m_rows);
+    m_sorted->setSortRole(TradeTableModel::kSortRole);
+    m_sorted->setFilterKeyColumn(TradeTableModel::Model);
+    m_table->setModel(m_sorted);
+    m_table->setSortingEnabled(true);
+    m_table->sortByColumn(-1, Qt::AscendingOrder); // as measured
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setAlternatingRowColors(true);
+    m_table->setWordWrap(false);
+    m_table->setColumnHidden(TradeTableModel::Model, true); // it is chosen above
+    QHeaderView *header = m_table->horizontalHeader();
+    header->setHighlightSections(false);
+    // Cost and error side by side.
+    header->moveSection(TradeTableModel::columnOf("cpu_per_second [us]"), TradeTableModel::kNameColumns);
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
+        m_chart->choose(chosenIndex());
+        m_use->setEnabled(chosenIndex() && m_worker.result().points[*chosenIndex()].isValid);
+    });
+}
+
+void TradeDock::showReady() { m_measure->setEnabled(m_worker.isRunning() || !m_schedule->words().isEmpty()); }
+
+void TradeDock::toggle() {
+    if (m_worker.isRunning()) return m_worker.cancel();
+    TradePlan plan;
+    plan.registry = m_session.registry();
+    plan.scene = m_session.scene();
+    plan.inputs = m_session.parameters().inputs();
+    plan.stepSizes = usualStepSizes();
+    if (std::find(plan.stepSizes.begin(), plan.stepSizes.end(), m_session.dt()) == plan.stepSizes.end())
+        plan.stepSizes.push_back(m_session.dt());
+    m_model->setCurrentIndex(int(plan.inputs.params.model));
+    m_measure->setText(tr("Cancel"));
+    m_progress->setVisible(true);
+    m_progress->setValue(0);
+    m_worker.start(plan, m_schedule->words(), m_duration->value());
+}
+
+void TradeDock::showResult() {
+    const TradeResult &result = m_worker.result();
+    m_rows->show(result);
+    m_sorted->setFilterFixedString(modelName(model()));
+    m_table->resizeColumnsToContents();
+    m_chart->show(result, model());
+    showTolerance();
+}
+
+void TradeDock::showProgress(double share, const QString &what) {
+    m_progress->setValue(int(share * m_progress->maximum()));
+    const bool isDisturbed = m_session.simulation().latest().running;
+    m_remark->setText(
+        isDisturbed ? tr("The simulation runs beside and disturbs the cost figures; pause it. %1").arg(what) : what);
+}
+
+void TradeDock::showEnd(const QString &error) {
+    m_measure->setText(tr("Measure"));
+    showReady();
+    m_progress->setVisible(false);
+    showResult();
+    const TradeResult &result = m_worker.result();
+    if (!error.isEmpty()) return m_remark->setText(error);
+    const QString summary =
+        result.points.empty() ? QString() : tradeSummary(m_worker.plan(), result).join(QStringLiteral("; "));
+    m_remark->setText(result.isComplete ? summary : tr("Cancelled; figures as far as they are known. %1").arg(summary));
+}
+
+double TradeDock::tolerance() const { return 0.001 * std::pow(10.0, double(m_tolerance->value()) / kPerDecade); }
+
+uint32_t TradeDock::model() const { return uint32_t(m_model->currentIndex()); }
+
+void TradeDock::showTolerance() {
+    const double radius = phys_scene_radius(m_session.scene().get());
+    m_toleranceText->setText(
+        tr("Error under %1 mm = %2 R").arg(tolerance() * 1e3, 0, 'g', 2).arg(tolerance() / radius, 0, 'g', 2));
+    const TradeResult &result = m_worker.result();
+    TradeOptions wish;
+    wish.under = {tolerance(), false};
+    const Recommendation answer = recommend(result, model(), wish, radius);
+    m_answer->setText(result.points.empty() ? QString() : answer.point ? answerText(*answer.point) : answer.line);
+    m_table->clearSelection();
+    if (!answer.point) return;
+    const auto isIt = [&](const TradePoint &point) {
+        return point.stepper == answer.point->stepper && point.dt == answer.point->dt &&
+               point.model == answer.point->model;
+    };
+    choose(size_t(std::find_if(result.points.begin(), result.points.end(), isIt) - result.points.begin()));
+}
+
+void TradeDock::choose(size_t index) {
+    const QModelIndex row = m_sorted->mapFromSource(m_rows->index(int(index), 0));
+    m_table->selectRow(row.row());
+    m_table->scrollTo(row, QAbstractItemView::PositionAtCenter);
+}
+
+std::optional<size_t> TradeDock::chosenIndex() const {
+    const QModelIndexList rows = m_table->selectionModel()->selectedRows();
+    if (rows.isEmpty()) return std::nullopt;
+    return size_t(m_sorted->mapToSource(rows.first()).row());
+}
+
+void TradeDock::use() {
+    const std::optional<size_t> index = chosenIndex();
+    if (!index) return;
+    const TradePoint point = m_worker.result().points[*index];
+    const Stepping wanted{point.stepper, point.dt, {{QStringLiteral("model"), double(point.model)}}};
+    changeStepping(m_session, m_undo, wanted, tr("use of a measured setting"));
+}
+
+void TradeDock::forget() {
+    m_worker.cancel();
+    m_remark->setText(m_worker.result().points.empty() ? QString() : tr("These figures are of another level."));
+}
+
+} // namespace inspector::ui

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/session.h"
+#include "core/trade/trade_worker.h"
+
+#include <QTimer>
+#include <QWidget>
+
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QSlider;
+class QSortFilterProxyModel;
+class QTableView;
+class QUndoStack;
+
+namespace inspector::ui {
+
+class ElidedLabel;
+class ScheduleChooser;
+class TradeChart;
+class TradeTableModel;
+
+// Measures the trade of the open level in the background; chart, table, a wish for accuracy and the setting that meets
+// it, which can be put to use.
+class TradeDock : public QWidget {
+    Q_OBJECT
+
+public:
+    // Both outlive the dock.
+    TradeDock(Session &session, QUndoStack &undo, QWidget *parent = nullptr);
+
+    QSize sizeHint() const override { return {900, 360}; }
+
+private:
+    void makeControls();
+    void leaveKeysToTheGame();
+    QWidget *makeTop();
+    QWidget *makeBottom();
+    void makeTable();
+
+    void showReady(); // whether there is something to measure
+    void toggle();    // begins to measure, or cancels
+    void showResult();
+    void showProgress(double share, const QString &what);
+    void showEnd(const QString &error);
+    void showTolerance(); // recommends anew
+    void choose(size_t index);
+    void use();
+    void forget(); // the figures of another level
+
+    double tolerance() const; // m
+    std::optional<size_t> chosenIndex() const;
+    uint32_t model() const;
+    QString answerText(const TradePoint &point) const;
+
+    Session &m_session;
+    QUndoStack &m_undo;
+    TradeWorker m_worker;
+    QTimer m_refresh; // figures come faster than anyone reads
+    QPushButton *m_measure;
+    ScheduleChooser *m_schedule;
+    QDoubleSpinBox *m_duration;
+    QComboBox *m_model;
+    QProgressBar *m_progress;
+    ElidedLabel *m_remark;
+    TradeChart *m_chart;
+    TradeTableModel *m_rows;
+    QSortFilterProxyModel *m_sorted;
+    QTableView *m_table;
+    QSlider *m_tolerance;
+    QLabel *m_toleranceText;
+    ElidedLabel *m_answer;
+    QPushButton *m_use;
+};
+
+} // namespace inspector::ui

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/transport/replay_bar.h"
+
+#include "ui/parts/path_icon.h"
+#include "ui/parts/theme.h"
+#include "ui/transport/seek_slider.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QToolButton>
+
+#include <algorithm>
+#include <climits>
+#include <cmath>
+
+namespace inspector::ui {
+
+namespace {
+
+// A slider's numbers; 2^31 steps would be a recording of 36 GB.
+int notchOf(uint64_t position) { return int(std::min<uint64_t>(position, INT_MAX)); }
+
+QToolButton *buttonOf(QAction *action) {
+    auto *button = new QToolButton;
+    button->setObjectName(QStringLiteral("replay_") + action->objectName());
+    button->setDefaultAction(action);
+    button->setAutoRaise(!action->icon().isNull());
+    button->setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the view
+    return button;
+}
+
+} // namespace
+
+ReplayBar::ReplayBar(Session &session, const QList<QAction *> &playback, const QList<QAction *> &endings,
+                     QWidget *parent)
+    : QFrame(parent)
+    , m_session(session)
+    , m_slider(new SeekSlider)
+    , m_place(new QLabel)
+    , m_verdict(new QLabel)
+    , m_toDifference(new QToolButton) {
+    setObjectName(QStringLiteral("replay_bar"));
+    m_slider->setObjectName(QStringLiteral("replay_slider"));
+    m_place->setObjectName(QStringLiteral("replay_place"));
+    m_verdict->setObjectName(QStringLiteral("replay_verdict"));
+    m_toDifference->setObjectName(QStringLiteral("replay_to_difference"));
+    m_toDifference->setIcon(glyphIcon(Glyph::Warning));
+    m_toDifference->setToolTip(tr("Go to the first step that differs"));
+    m_toDifference->setAutoRaise(true);
+    m_toDifference->setFocusPolicy(Qt::TabFocus);
+    connect(m_slider, &QSlider::valueChanged, this, [this](int notch) { m_session.seek(uint64_t(notch)); });
+    connect(m_toDifference, &QToolButton::clicked, this, &ReplayBar::goToDifference);
+
+    auto *line = new QHBoxLayout;
+    line->setSpacing(2);
+    for (QAction *action : playback) line->addWidget(buttonOf(action));
+    line->addSpacing(8);
+    line->addWidget(m_place);
+    line->addStretch();
+    line->addWidget(m_toDifference);
+    line->addWidget(m_verdict);
+    line->addSpacing(8);
+    for (QAction *action : endings) line->addWidget(buttonOf(action));
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 4, 8, 4);
+    layout->setSpacing(2);
+    layout->addWidget(m_slider);
+    layout->addLayout(line);
+    hide();
+}
+
+void ReplayBar::reset() {
+    setVisible(m_session.isReplaying());
+    if (!m_session.isReplaying()) return;
+    const PlayableRecording &recording = m_session.recording();
+    const QSignalBlocker silent(m_slider);
+    m_slider->setRange(0, notchOf(recording.length()));
+    m_slider->setValue(0);
+    m_slider->setDifference(std::nullopt);
+    std::vector<int> runs;
+    for (size_t i = 1; i < recording.runs().size(); ++i) runs.push_back(notchOf(recording.runs()[i]));
+    m_slider->setRuns(std::move(runs));
+    m_toDifference->hide();
+    m_verdict->clear();
+    m_verdict->setPalette({});
+    // As wide as it gets, so that nothing moves while it runs.
+    m_place->setMinimumWidth(fontMetrics().horizontalAdvance(
+                                 tr("%1 s · step %2 of %2").arg(QStringLiteral("0000.000")).arg(recording.length())) +
+                             4);
+}
+
+void ReplayBar::refresh() {
+    const std::optional<ReplayPlace> place = m_session.replayPlace();
+    if (!place) return;
+    showPlace(*place);
+    showVerdict(*place);
+}
+
+void ReplayBar::showPlace(const ReplayPlace &place) {
+    const Snapshot &now = m_session.simulation().latest();
+    m_place->setText(tr("%1 s · step %2 of %3")
+                         .arg(now.current.time, 0, 'f', 3)
+                         .arg(now.replay.position)
+                         .arg(m_session.recording().length()));
+    const QSignalBlocker silent(m_slider);
+    m_slider->setPageStep(int(std::clamp(std::round(1.0 / now.dt), 1.0, 1e6)));
+    if (!m_slider->isSliderDown()) m_slider->setValue(notchOf(place.position));
+}
+
+void ReplayBar::showVerdict(const ReplayPlace &place) {
+    const bool isWhole = m_session.recording().recording().isWhole;
+    QString text = place.isChecked ? (isWhole ? tr("same") : tr("same, cut off")) : tr("same so far");
+    if (place.difference) text = tr("differs from step %1 on").arg(*place.difference);
+    m_verdict->setToolTip(m_session.replayVerdict());
+    m_toDifference->setVisible(place.difference.has_value());
+    if (m_verdict->text() == text) return;
+    m_verdict->setText(text);
+    if (!place.difference) return;
+    m_slider->setDifference(notchOf(*place.difference));
+    QPalette colours = palette();
+    colours.setColor(QPalette::WindowText, accentsFor(colours).alarm);
+    m_verdict->setPalette(colours);
+}
+
+void ReplayBar::goToDifference() {
+    const std::optional<ReplayPlace> place = m_session.replayPlace();
+    if (!place || !place->difference) return;
+    m_session.simulation().pause();
+    m_session.seek(*place->difference);
+}
+
+} // namespace inspector::ui

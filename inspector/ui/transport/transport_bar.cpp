@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/transport/transport_bar.h"
+
+#include "ui/parts/stepper_items.h"
+#include "ui/parts/stepping_command.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+
+#include <cmath>
+
+namespace inspector::ui {
+
+namespace {
+
+constexpr double kSpeeds[] = {1.0 / 16.0, 1.0 / 8.0, 1.0 / 4.0, 1.0 / 2.0, 1.0, 2.0, 4.0, 8.0, 16.0};
+constexpr double kTimeSteps[] = {1.0 / 60.0, 0.01, 0.005, 0.002, 0.001, 0.0005, 0.0001}; // s
+constexpr double kMilli = 1e-3;
+
+QString speedText(double speed) {
+    return speed < 1.0 ? QStringLiteral("1/%1 ×").arg(1.0 / speed) : QStringLiteral("%1 ×").arg(speed);
+}
+
+QString timeStepText(double dt) {
+    if (dt == 1.0 / 60.0) return QStringLiteral("1/60 s");
+    return QStringLiteral("%1 ms").arg(dt / kMilli, 0, 'g', 10);
+}
+
+// What a person types: "1/60 s", "5 ms", "5" (ms), "0.002 s". NaN if it isn't a time.
+double timeStepOf(QString text) {
+    text = text.trimmed();
+    const bool isSeconds = text.endsWith(QLatin1Char('s')) && !text.endsWith(QLatin1String("ms"));
+    while (!text.isEmpty() && text.back().isLetter()) text.chop(1);
+    const QStringList parts = text.split(QLatin1Char('/'));
+    bool isNumber = false;
+    double value = parts[0].trimmed().toDouble(&isNumber);
+    if (parts.size() == 2 && isNumber) value /= parts[1].trimmed().toDouble(&isNumber);
+    if (!isNumber || parts.size() > 2) return std::nan("");
+    return isSeconds || parts.size() == 2 ? value : value * kMilli;
+}
+
+} // namespace
+
+TransportBar::TransportBar(Session &session, QUndoStack &undo, const QList<QAction *> &playback, QWidget *parent)
+    : QToolBar(tr("Transport"), parent)
+    , m_session(session)
+    , m_undo(undo) {
+    setObjectName(QStringLiteral("transport"));
+    setIconSize({20, 20});
+    addActions(playback);
+    addSpeeds();
+    addSteppers();
+    addTimeSteps();
+    connect(&session, &Session::paceChanged, this, &TransportBar::showPace);
+    connect(&session, &Session::stepperChanged, this, &TransportBar::showStepper);
+    connect(&session, &Session::replayChanged, m_stepper, &QWidget::setDisabled);
+    connect(&session, &Session::replayChanged, m_timeStep, &QWidget::setDisabled);
+    m_stepper->setDisabled(session.isReplaying());
+    m_timeStep->setDisabled(session.isReplaying());
+    showPace();
+    showStepper();
+}
+
+QComboBox *TransportBar::addChooser(const QString &label, const char *name, const QString &tip) {
+    addSeparator();
+    auto *text = new QLabel(label);
+    text->setContentsMargins(6, 0, 6, 0);
+    auto *chooser = new QComboBox;
+    chooser->setObjectName(QLatin1String(name));
+    chooser->setToolTip(tip);
+    chooser->setFocusPolicy(Qt::TabFocus);
+    addWidget(text);
+    addWidget(chooser);
+    return chooser;
+}
+
+void TransportBar::addSpeeds() {
+    m_speed = addChooser(tr("Speed"), "speed",
+                         tr("Simulated seconds per second. It changes how many steps are made, never dt."));
+    for (const double speed : kSpeeds) m_speed->addItem(speedText(speed), speed);
+    m_speed->setMaxVisibleItems(m_speed->count());
+    connect(m_speed, &QComboBox::activated, this, [this](int index) {
+        m_session.setSpeed(m_speed->itemData(index).toDouble());
+        showPace();
+    });
+}
+
+void TransportBar::addSteppers() {
+    m_stepper = addChooser(tr("Stepper"), "stepper", tr("How a step is computed."));
+    addStepperItems(*m_stepper, m_session.registry());
+    connect(m_stepper, &QComboBox::activated, this, [this](int index) {
+        const Stepping wanted{m_stepper->itemData(index).toByteArray(), m_session.dt(), {}};
+        changeStepping(m_session, m_undo, wanted, tr("choice of %1").arg(m_stepper->itemText(index)));
+        showStepper(); // also after a refusal
+    });
+}
+
+void TransportBar::addTimeSteps() {
+    m_timeStep =
+        addChooser(tr("Time step"), "time_step", tr("Simulated time of one step; choose one or type your own, in ms."));
+    for (const double dt : kTimeSteps) m_timeStep->addItem(timeStepText(dt), dt);
+    m_timeStep->setEditable(true);
+    m_timeStep->setInsertPolicy(QComboBox::NoInsert);
+    m_timeStep->setCompleter(nullptr); // "1" is 1 ms and not the beginning of 10 ms
+    m_timeStep->setFocusPolicy(Qt::StrongFocus);
+    m_timeStep->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_timeStep->setMinimumContentsLength(9);
+    connect(m_timeStep, &QComboBox::activated, this, &TransportBar::readTimeStep);
+    connect(m_timeStep->lineEdit(), &QLineEdit::editingFinished, this, &TransportBar::readTimeStep);
+    connect(m_timeStep->lineEdit(), &QLineEdit::returnPressed, m_timeStep, &QWidget::clearFocus);
+}
+
+void TransportBar::readTimeStep() {
+    const QString text = m_timeStep->currentText();
+    if (text == timeStepText(m_session.dt())) return; // which may be rounded
+    Stepping wanted = m_session.stepping();
+    wanted.dt = timeStepOf(text);
+    changeStepping(m_session, m_undo, wanted, tr("change of Time step"));
+    showPace(); // also after a refusal
+}
+
+void TransportBar::showPace() {
+    m_speed->setCurrentIndex(m_speed->findData(m_session.speed()));
+    m_timeStep->setEditText(timeStepText(m_session.dt()));
+}
+
+void TransportBar::showStepper() { m_stepper->setCurrentIndex(m_stepper->findData(m_session.stepperId())); }
+
+} // namespace inspector::ui

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/session.h"
+
+#include <QToolBar>
+
+class QComboBox;
+class QUndoStack;
+
+namespace inspector::ui {
+
+// Run, step and restart, and how: speed, stepper, dt.
+class TransportBar : public QToolBar {
+    Q_OBJECT
+
+public:
+    // playback: the window's actions, shown first. session and undo: outlive the bar.
+    TransportBar(Session &session, QUndoStack &undo, const QList<QAction *> &playback, QWidget *parent = nullptr);
+
+private:
+    QComboBox *addChooser(const QString &label, const char *name, const QString &tip);
+    void addSpeeds();
+    void addSteppers();
+    void addTimeSteps();
+    void readTimeStep();
+    void showPace();
+    void showStepper();
+
+    Session &m_session;
+    QUndoStack &m_undo;
+    QComboBox *m_speed = nullptr;
+    QComboBox *m_stepper = nullptr;
+    QComboBox *m_timeStep = nullptr;
+};
+
+} // namespace inspector::ui

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/board_picture.h"
+
+#include "gl/mesh_builder.h"
+#include "gl/mesh_file.h"
+#include "ui/parts/theme.h"
+
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QPalette>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace inspector::ui {
+
+namespace {
+
+constexpr double kTrailTime = 1.5;         // s, simulated
+constexpr double kComparedTrailTime = 3.0; // s, simulated
+constexpr uint64_t kTrailPoints = 300;
+constexpr double kTrailAlpha = 0.9;
+constexpr float kTrailWidth = 3.0F;     // logical pixels
+constexpr float kBallTrailWidth = 4.0F; // beside a ghost's
+constexpr float kGhostTrailWidth = 2.0F;
+constexpr double kGhostAlpha = 0.55;
+constexpr double kGhostSize = 0.99; // of the ball, which hides it where they are in the same place
+
+glm::dvec3 toGlm(const phys_vec3 &v) { return {v.x, v.y, v.z}; }
+
+gl::Ball ballOf(const phys_state &state, double radius) {
+    gl::Ball ball;
+    ball.position = toGlm(state.position);
+    std::copy(std::begin(state.orientation), std::end(state.orientation), ball.orientation.begin());
+    ball.radius = radius;
+    return ball;
+}
+
+// One ball's way to `end`, from `begin` on.
+struct Way {
+    Channel x, y, z;
+    double begin; // s
+    phys_state end;
+};
+
+// Every n-th sample, n so that the number of points stays small, counted from 0 so that they don't creep.
+std::vector<glm::dvec3> pointsOf(const SampleRing &samples, const Way &way) {
+    std::vector<glm::dvec3> points;
+    const uint64_t last = samples.last();
+    const uint64_t begin = std::max(samples.first(), samples.find(way.begin));
+    if (begin >= last) return points;
+    const uint64_t stride = (last - begin) / kTrailPoints + 1;
+    Sample sample;
+    for (uint64_t number = (begin + stride - 1) / stride * stride; number < last; number += stride) {
+        if (!samples.read(number, sample) || sample.time > way.end.time || std::isnan(sample[way.x])) continue;
+        points.emplace_back(sample[way.x], sample[way.y], sample[way.z]);
+    }
+    points.push_back(toGlm(way.end.position));
+    return points;
+}
+
+gl::Colour toGlm(const QColor &colour, double alpha) {
+    return {colour.redF(), colour.greenF(), colour.blueF(), static_cast<float>(alpha)};
+}
+
+// The ghost with its trail, on top of the ball's and thinner, so that both are seen where they are the same.
+void addGhost(gl::Frame &frame, const SampleRing &samples, const phys_state &state, double metAt) {
+    const QColor colour = accentsFor(QGuiApplication::palette()).ghost;
+    gl::GhostBall ghost{ballOf(state, kGhostSize * frame.ball.radius), toGlm(colour, kGhostAlpha)};
+    frame.ghosts.push_back(ghost);
+    // The sample of the meeting itself still tells where the ghost was before.
+    const double afterMeeting = std::nextafter(metAt, std::numeric_limits<double>::infinity());
+    const double begin = std::max(state.time - kComparedTrailTime, afterMeeting);
+    const Way way{Channel::GhostX, Channel::GhostY, Channel::GhostZ, begin, state};
+    frame.trails.push_back({pointsOf(samples, way), toGlm(colour, kTrailAlpha), kGhostTrailWidth});
+}
+
+} // namespace
+
+gl::Frame currentFrame(Session &session) {
+    const Snapshot &now = session.simulation().latest();
+    const SampleRing &samples = session.simulation().samples();
+    const Clock::time_point moment = Clock::now();
+    const phys_state state = interpolated(now, moment);
+    const double trailTime = now.ghost ? kComparedTrailTime : kTrailTime;
+    const Way way{Channel::PositionX, Channel::PositionY, Channel::PositionZ, state.time - trailTime, state};
+    gl::Frame frame;
+    frame.tilt_x = now.inputs.tilt.x;
+    frame.tilt_y = now.inputs.tilt.y;
+    frame.ball = ballOf(state, phys_scene_radius(session.scene().get()));
+    frame.trails.push_back({pointsOf(samples, way), toGlm(accentsFor(QGuiApplication::palette()).ball, kTrailAlpha),
+                            now.ghost ? kBallTrailWidth : kTrailWidth});
+    if (const auto ghost = interpolatedGhost(now, moment)) addGhost(frame, samples, *ghost, now.ghost->metAt);
+    return frame;
+}
+
+gl::Mesh mazeMesh(const Level &level, const Scene &scene, QString *error) {
+    if (!level.mesh.isEmpty())
+        if (std::optional<gl::Mesh> mesh = gl::loadMesh(level.mesh, error)) return *std::move(mesh);
+    phys_state start;
+    phys_scene_start(scene.get(), &start);
+    const phys_box *boxes = phys_scene_boxes(scene.get());
+    const double floor = start.position.z - 0.5 * phys_scene_radius(scene.get());
+    std::vector<gl::MazeBox> pieces;
+    for (uint32_t i = 0; i < phys_scene_box_count(scene.get()); ++i) {
+        const bool isWall = boxes[i].max.z > floor;
+        pieces.push_back({toGlm(boxes[i].min), toGlm(boxes[i].max), isWall ? gl::BoxKind::Wall : gl::BoxKind::Floor});
+    }
+    return gl::mazeFromBoxes(pieces);
+}
+
+gl::Mesh ballMesh(QString *error) {
+    const QString path = levelsFolder() + QStringLiteral("/ball.obj");
+    if (QFileInfo::exists(path))
+        if (std::optional<gl::Mesh> mesh = gl::loadMesh(path, error)) return *std::move(mesh);
+    return gl::patternedBall();
+}
+
+} // namespace inspector::ui

@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/main_window.h"
+
+#include "gl/maze_view.h"
+#include "ui/bounces/bounce_dock.h"
+#include "ui/comparison/comparison_dock.h"
+#include "ui/comparison/distance_plot.h"
+#include "ui/game/game_keys.h"
+#include "ui/game/game_overlay.h"
+#include "ui/game/level_panel.h"
+#include "ui/parameters/parameter_panel.h"
+#include "ui/parts/message_bar.h"
+#include "ui/parts/path_icon.h"
+#include "ui/parts/settings_keys.h"
+#include "ui/parts/theme.h"
+#include "ui/plots/plot_panel.h"
+#include "ui/plots/velocity_plot.h"
+#include "ui/trade/trade_dock.h"
+#include "ui/transport/replay_bar.h"
+#include "ui/transport/transport_bar.h"
+#include "ui/window/board_picture.h"
+#include "ui/window/grab.h"
+#include "ui/window/status_line.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QScreen>
+#include <QUndoStack>
+#include <QVBoxLayout>
+
+namespace inspector::ui {
+
+namespace {
+
+constexpr int kRefreshPeriod = 33; // ms
+constexpr QSize kUsualSize(1280, 800);
+constexpr double kScreenShare = 0.75; // of a larger screen
+constexpr double kTradeShare = 0.42;  // of the window's height, when the dock is shown
+constexpr double kComparisonShare = 0.34;
+constexpr double kBouncesShare = 0.42;
+constexpr int kLayoutVersion = 3; // another number forgets layouts of windows with other docks
+
+} // namespace
+
+// A dock: what it is called and where it is at first.
+struct MainWindow::DockRow {
+    const char *name;
+    const char *title;
+    Qt::DockWidgetArea area;
+    double
+        share; // on call, in the place of the plot: of the window's height that it then gets; 0: there from the start
+    QWidget *(*widget)(MainWindow &window);
+};
+
+namespace {
+const char *const kDockNames[] = {"parameters_dock", "levels_dock", "plot_dock"}; // there from the start
+const char *const kComparisonDock = "comparison_dock";
+const char *const kBouncesDock = "bounces_dock";
+} // namespace
+
+MainWindow::MainWindow(Session &session)
+    : m_session(session)
+    , m_undo(new QUndoStack(this)) {
+    setObjectName(QStringLiteral("main_window"));
+    setWindowTitle(tr("Physics inspector"));
+    setAcceptDrops(true);
+    setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    applyTheme(Theme(theme()));
+    makeActions();
+    makeCentre();
+    makeDocks();
+    makeMenus();
+    connectSession();
+    restoreLook();
+    if (m_session.comparison().isOn())
+        connect(&m_refresh, &QTimer::timeout, this, &MainWindow::showComparisonDock, Qt::SingleShotConnection);
+    openLevel();
+    showReplay(m_session.isReplaying());
+    m_refresh.start(kRefreshPeriod);
+}
+
+MainWindow::~MainWindow() = default;
+
+QAction *MainWindow::action(const char *name) const { return findChild<QAction *>(QLatin1String(name)); }
+
+void MainWindow::makeCentre() {
+    m_messages = new MessageBar;
+    m_view = new gl::MazeView;
+    m_view->setObjectName(QStringLiteral("view"));
+    m_view->setFocusPolicy(Qt::StrongFocus);
+    m_view->setLargestTilt(radians(kPlayTilt));
+    m_view->setFrameSource([this] { return frame(); });
+    m_overlay = new GameOverlay(m_view);
+    new GameKeys(m_session, *this, *m_view); // the window owns it
+    m_replay =
+        new ReplayBar(m_session, {action("restart"), action("step_back"), action("run"), action("step"), action("end")},
+                      {action("go_on"), action("close_recording")});
+
+    auto *centre = new QWidget;
+    auto *layout = new QVBoxLayout(centre);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_messages);
+    layout->addWidget(m_view, 1);
+    layout->addWidget(m_replay);
+    setCentralWidget(centre);
+    m_view->setFocus();
+
+    m_transport =
+        new TransportBar(m_session, *m_undo, {action("run"), action("step"), action("restart"), action("autopilot")});
+    addToolBar(m_transport);
+    m_status = new StatusLine;
+    setStatusBar(m_status);
+}
+
+void MainWindow::makeDocks() {
+    m_parameters = new ParameterPanel(m_session, *m_undo);
+    m_plot = new PlotPanel(new VelocityPlot(m_session.simulation().samples()), QStringLiteral("plot"));
+    m_levels = new LevelPanel(m_session);
+    m_comparison = new ComparisonDock(m_session, ComparisonDock::Actions{*action("compare"), *action("meet_again")});
+    m_bounces = new BounceDock(m_session);
+    static const DockRow rows[] = {
+        {kDockNames[0], QT_TR_NOOP("Parameters"), Qt::RightDockWidgetArea, 0.0,
+         [](MainWindow &window) -> QWidget * { return window.m_parameters; }},
+        {kDockNames[1], QT_TR_NOOP("Levels"), Qt::RightDockWidgetArea, 0.0,
+         [](MainWindow &window) -> QWidget * { return window.m_levels; }},
+        {kDockNames[2], QT_TR_NOOP("Velocity plot"), Qt::BottomDockWidgetArea, 0.0,
+         [](MainWindow &window) -> QWidget * { return window.m_plot; }},
+        {"trade_dock", QT_TR_NOOP("Trade"), Qt::BottomDockWidgetArea, kTradeShare,
+         [](MainWindow &window) -> QWidget * { return new TradeDock(window.m_session, *window.m_undo); }},
+        {kComparisonDock, QT_TR_NOOP("Comparison"), Qt::BottomDockWidgetArea, kComparisonShare,
+         [](MainWindow &window) -> QWidget * { return window.m_comparison; }},
+        {kBouncesDock, QT_TR_NOOP("Bounces"), Qt::BottomDockWidgetArea, kBouncesShare,
+         [](MainWindow &window) -> QWidget * { return window.m_bounces; }},
+    };
+    int number = 0;
+    for (const DockRow &row : rows) {
+        auto *dock = new QDockWidget(tr(row.title), this);
+        dock->setObjectName(QLatin1String(row.name));
+        dock->setWidget(row.widget(*this));
+        addDockWidget(row.area, dock);
+        addDockAction(*dock, ++number, row.share);
+        if (row.share == 0.0) continue;
+        tabifyDockWidget(findChild<QDockWidget *>(QLatin1String(kDockNames[2])), dock);
+        dock->hide();
+    }
+}
+
+// Its key closes a dock that is seen, and shows one that is closed or lies behind another.
+void MainWindow::addDockAction(QDockWidget &dock, int number, double share) {
+    auto *toggle = new QAction(dock.windowTitle(), this);
+    toggle->setObjectName(QStringLiteral("show_") + dock.objectName());
+    toggle->setCheckable(true);
+    toggle->setShortcut(QKeySequence(QStringLiteral("Ctrl+%1").arg(number)));
+    const auto showState = [&dock, toggle] { toggle->setChecked(!dock.isHidden()); };
+    connect(&dock, &QDockWidget::visibilityChanged, toggle, showState);
+    connect(toggle, &QAction::triggered, &dock, [this, &dock, share, showState] {
+        const bool isSeen = dock.isVisible() && !dock.visibleRegion().isEmpty();
+        if (isSeen)
+            dock.close();
+        else
+            showDock(dock, share);
+        if (!isSeen) dock.widget()->setFocus();
+        showState();
+    });
+    addAction(toggle); // to be listed with the others
+}
+
+void MainWindow::showDock(QDockWidget &dock, double share) {
+    const bool isResized = share > 0.0 && dock.isHidden() && !dock.isFloating();
+    dock.show();
+    dock.raise();
+    if (isResized) resizeDocks({&dock}, {int(share * height())}, Qt::Vertical);
+}
+
+// Once the window is there: before, tabs can't be raised.
+void MainWindow::showComparisonDock() {
+    showDock(*findChild<QDockWidget *>(QLatin1String(kComparisonDock)), kComparisonShare);
+}
+
+void MainWindow::connectSession() {
+    connect(&m_session, &Session::levelOpened, this, &MainWindow::openLevel);
+    connect(&m_session, &Session::failed, m_messages, &MessageBar::showLine);
+    connect(&m_session, &Session::replayChanged, this, &MainWindow::showReplay);
+    connect(&m_session, &Session::replayDiffers, m_messages, [this](const QString &line) {
+        if (m_messages->line() != line) m_messages->showLine(line);
+    });
+    connect(&m_session, &Session::recordingFailed, m_messages, &MessageBar::showLine);
+    connect(&m_session, &Session::recordingChanged, action("record"), &QAction::setChecked);
+    connect(&m_session, &Session::autopilotChanged, action("autopilot"), &QAction::setChecked);
+    connect(&m_session.comparison(), &Comparison::changed, this, &MainWindow::showComparison);
+    connect(&m_session.comparison(), &Comparison::refused, m_messages, &MessageBar::showLine);
+    connect(&m_session.simulation(), &Simulation::runningChanged, this, &MainWindow::showRunning);
+    connect(m_parameters, &ParameterPanel::refused, m_messages, &MessageBar::showLine);
+    connect(m_view, &gl::MazeView::problem, m_messages, &MessageBar::showLine);
+    connect(m_plot, &PlotPanel::saveWanted, this, &MainWindow::savePlot);
+    connect(m_comparison, &ComparisonDock::saveWanted, this,
+            [this] { savePlotAs(m_comparison->plot(), tr("distance.csv")); });
+    connect(&m_refresh, &QTimer::timeout, this, &MainWindow::refresh);
+    connectBounces();
+    action("autopilot")->setChecked(m_session.hasAutopilot());
+    action("record")->setChecked(m_session.isRecording());
+    showComparison();
+}
+
+void MainWindow::connectBounces() {
+    connect(m_view, &gl::MazeView::clicked, this, &MainWindow::selectBounceAt);
+    connect(&m_plot->plot(), &TimePlot::bounceClicked, m_bounces, &BounceDock::selectAt);
+    connect(m_bounces, &BounceDock::changed, this, [this] {
+        const std::optional<LoggedEvent> selected = m_bounces->selected();
+        const std::optional<double> time = selected ? std::optional(selected->event.time) : std::nullopt;
+        m_plot->plot().showBounces(m_bounces->bounceTimes(), time);
+        m_comparison->plot().showBounces(m_bounces->bounceTimes(), time); // where distances leap
+    });
+}
+
+// A click on nothing lets go of what was selected.
+void MainWindow::selectBounceAt(const gl::Ray &ray) {
+    std::optional<uint64_t> found;
+    if (m_showsBounces->isChecked()) found = markAt(*m_view, ray, m_bounces->marks(), m_session.scene().get());
+    if (!found) return m_bounces->clearSelection();
+    m_bounces->select(*found);
+    auto *dock = findChild<QDockWidget *>(QLatin1String(kBouncesDock));
+    dock->show();
+    dock->raise();
+}
+
+gl::Frame MainWindow::frame() const {
+    gl::Frame frame = currentFrame(m_session);
+    if (m_showsBounces->isChecked()) addMarks(frame.strokes, m_bounces->marks(), m_session.scene().get());
+    return frame;
+}
+
+void MainWindow::openLevel() {
+    QString error;
+    m_view->setMaze(mazeMesh(m_session.level(), m_session.scene(), &error));
+    m_view->setBall(ballMesh(&error));
+    if (!error.isEmpty()) m_messages->showLine(error);
+    showTitle();
+}
+
+void MainWindow::showTitle() {
+    const QString title = tr("%1 – Physics inspector").arg(levelTitle(m_session));
+    if (!m_session.isReplaying()) return setWindowTitle(title);
+    setWindowTitle(QStringLiteral("%1 – %2").arg(QFileInfo(m_session.recording().recording().file).fileName(), title));
+}
+
+void MainWindow::refresh() {
+    m_session.followReplay();
+    const Snapshot &now = m_session.simulation().latest();
+    m_status->showSnapshot(now);
+    m_replay->refresh();
+    m_overlay->setText(overlayText(m_session, now));
+    m_bounces->refresh();
+    m_plot->plot().refresh();
+    m_comparison->refresh();
+    if (m_session.hasAutopilot()) m_parameters->showFlownTilt(now.inputs.tilt);
+}
+
+void MainWindow::showRunning(bool isRunning) {
+    action("run")->setIcon(glyphIcon(isRunning ? Glyph::Pause : Glyph::Run));
+    action("run")->setText(isRunning ? tr("Pause") : tr("Run"));
+}
+
+void MainWindow::showComparison() {
+    const bool isOn = m_session.comparison().isOn();
+    action("compare")->setChecked(isOn);
+    action("meet_again")->setEnabled(isOn);
+}
+
+bool MainWindow::grabTo(const QString &path, QString *error) {
+    refresh();
+    for (QCustomPlot *plot : findChildren<QCustomPlot *>())
+        for (int pass = 0; pass < 2; ++pass) plot->replot(); // at once; margins fit what is drawn only the second time
+    return grabToFile(*this, path, error);
+}
+
+void MainWindow::restoreLook() {
+    const QSettings &settings = m_session.settings();
+    const QSize available = screen()->availableSize();
+    resize(kUsualSize.expandedTo(available * kScreenShare).boundedTo(available));
+    arrangeDocks();
+    m_firstLayout = saveState(kLayoutVersion);
+    restoreGeometry(settings.value(settings_keys::kGeometry).toByteArray());
+    restoreState(settings.value(settings_keys::kLayout).toByteArray(), kLayoutVersion);
+    if (settings.contains(settings_keys::kQuality))
+        m_view->setQuality(gl::Quality(settings.value(settings_keys::kQuality).toInt()));
+}
+
+void MainWindow::resetLayout() {
+    restoreState(m_firstLayout, kLayoutVersion);
+    arrangeDocks();
+}
+
+// The view gets most of the window.
+void MainWindow::arrangeDocks() {
+    auto *parameters = findChild<QDockWidget *>(QLatin1String(kDockNames[0]));
+    auto *levels = findChild<QDockWidget *>(QLatin1String(kDockNames[1]));
+    auto *plot = findChild<QDockWidget *>(QLatin1String(kDockNames[2]));
+    const int side = m_parameters->sizeHint().width();
+    resizeDocks({parameters, levels}, {side, side}, Qt::Horizontal);
+    resizeDocks({parameters, levels}, {m_parameters->sizeHint().height() + 30, 240}, Qt::Vertical);
+    resizeDocks({plot}, {std::max(200, height() / 4)}, Qt::Vertical);
+}
+
+void MainWindow::closeEvent(QCloseEvent *event) {
+    QSettings &settings = m_session.settings();
+    settings.setValue(settings_keys::kGeometry, saveGeometry());
+    settings.setValue(settings_keys::kLayout, saveState(kLayoutVersion));
+    m_session.simulation().pause();
+    QMainWindow::closeEvent(event);
+}
+
+} // namespace inspector::ui

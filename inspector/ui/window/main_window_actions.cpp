@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Menus and what they do: one table of actions, and a few menus of choices.
+#include "core/trade/recording_schedule.h"
+#include "gl/maze_view.h"
+#include "ui/bounces/bounce_dock.h"
+#include "ui/parameters/parameter_panel.h"
+#include "ui/parts/file_chooser.h"
+#include "ui/parts/message_bar.h"
+#include "ui/parts/path_icon.h"
+#include "ui/parts/settings_keys.h"
+#include "ui/parts/theme.h"
+#include "ui/plots/plot_panel.h"
+#include "ui/plots/time_plot.h"
+#include "ui/transport/replay_bar.h"
+#include "ui/transport/transport_bar.h"
+#include "ui/window/help_dialogs.h"
+#include "ui/window/main_window.h"
+
+#include <QActionGroup>
+#include <QDockWidget>
+#include <QDropEvent>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QUndoStack>
+
+#include <optional>
+
+namespace inspector::ui {
+
+namespace {
+
+// The one local file that is dragged; empty if it is something else.
+QString droppedFile(const QMimeData &data) {
+    const QList<QUrl> urls = data.urls();
+    return urls.size() == 1 ? urls.constFirst().toLocalFile() : QString();
+}
+
+} // namespace
+
+struct MainWindow::ActionRow {
+    const char *name;
+    const char *text;
+    const char *keys; // as in QKeySequence, "; " between several
+    const char *tip;
+    std::optional<Glyph> glyph;
+    void (MainWindow::*run)();
+};
+
+const std::vector<MainWindow::ActionRow> &MainWindow::actionRows() {
+    static const std::vector<ActionRow> rows{
+        {"open",
+         QT_TR_NOOP("Open maze file…"),
+         "Ctrl+O",
+         QT_TR_NOOP("A maze as a text file"),
+         {},
+         &MainWindow::openMazeFile},
+        {"open_recording",
+         QT_TR_NOOP("Open recording…"),
+         "Ctrl+Shift+O",
+         QT_TR_NOOP("Watch a recorded run"),
+         {},
+         &MainWindow::openRecording},
+        {"close_recording", QT_TR_NOOP("Close recording"), "Ctrl+W",
+         QT_TR_NOOP("Back to the start of the level from before"), Glyph::Close, &MainWindow::closeRecording},
+        {"save_plot", QT_TR_NOOP("Save plot…"), "Ctrl+S", QT_TR_NOOP("As CSV, PNG or PDF"), {}, &MainWindow::savePlot},
+        {"screenshot", QT_TR_NOOP("Save picture of the window…"), "Ctrl+P", "", {}, &MainWindow::saveScreenshot},
+        {"record",
+         QT_TR_NOOP("Record…"),
+         "",
+         QT_TR_NOOP("Write the run into a file that repeats it, until chosen again"),
+         {},
+         &MainWindow::toggleRecording},
+        {"quit", QT_TR_NOOP("Quit"), "Ctrl+Q", "", {}, &MainWindow::quit},
+        {"reset_parameters",
+         QT_TR_NOOP("Reset all parameters"),
+         "Ctrl+R",
+         QT_TR_NOOP("Every parameter back to its default"),
+         {},
+         &MainWindow::resetParameters},
+        {"reset_layout",
+         QT_TR_NOOP("Reset layout"),
+         "",
+         QT_TR_NOOP("All docks back to where they were at first"),
+         {},
+         &MainWindow::resetLayout},
+        {"camera_reset",
+         QT_TR_NOOP("Camera: everything"),
+         "Home",
+         QT_TR_NOOP("Show the whole board from the front"),
+         {},
+         &MainWindow::resetCamera},
+        {"camera_top", QT_TR_NOOP("Camera: from above"), "T", "", {}, &MainWindow::lookFromAbove},
+        {"bounces",
+         QT_TR_NOOP("Show bounces"),
+         "B",
+         QT_TR_NOOP("A mark where the ball has bounced; click it"),
+         {},
+         &MainWindow::toggleBounces},
+        {"play", QT_TR_NOOP("Start, or next level"), "Return; Enter", "", {}, &MainWindow::confirm},
+        {"run", QT_TR_NOOP("Run"), "Space", QT_TR_NOOP("Run or pause"), Glyph::Run, &MainWindow::toggleRunning},
+        {"pause", QT_TR_NOOP("Pause"), "Esc", "", {}, &MainWindow::pause},
+        {"step", QT_TR_NOOP("Single step"), ".", QT_TR_NOOP("Make one step of dt and pause"), Glyph::Step,
+         &MainWindow::stepOnce},
+        {"step_back", QT_TR_NOOP("Recording: a step back"), ",", "", Glyph::StepBack, &MainWindow::stepBack},
+        {"restart", QT_TR_NOOP("Restart"), "R; Ctrl+Home", QT_TR_NOOP("Back to the start"), Glyph::Restart,
+         &MainWindow::restart},
+        {"end", QT_TR_NOOP("Recording: to its end"), "Ctrl+End", "", Glyph::End, &MainWindow::goToEnd},
+        {"go_on",
+         QT_TR_NOOP("Go on from here"),
+         "G",
+         QT_TR_NOOP("End the replay and play on from the moment shown"),
+         {},
+         &MainWindow::goOnFromHere},
+        {"autopilot", QT_TR_NOOP("Autopilot"), "A", QT_TR_NOOP("Let the program tilt the board"), Glyph::Autopilot,
+         &MainWindow::toggleAutopilot},
+        {"compare",
+         QT_TR_NOOP("Compare"),
+         "C",
+         QT_TR_NOOP("Let a second ball, moved by another stepper, start where the ball is"),
+         {},
+         &MainWindow::toggleComparison},
+        {"meet_again",
+         QT_TR_NOOP("Meet again"),
+         "M",
+         QT_TR_NOOP("Put the ghost back onto the ball"),
+         {},
+         &MainWindow::meetAgain},
+        {"keys", QT_TR_NOOP("Keys"), "F1", "", {}, &MainWindow::showKeys},
+        {"about", QT_TR_NOOP("About"), "", "", {}, &MainWindow::showAbout},
+    };
+    return rows;
+}
+
+void MainWindow::makeActions() {
+    for (const ActionRow &row : actionRows()) {
+        auto *made = new QAction(tr(row.text), this);
+        made->setObjectName(QLatin1String(row.name));
+        made->setShortcuts(QKeySequence::listFromString(QLatin1String(row.keys)));
+        if (row.glyph) made->setIcon(glyphIcon(*row.glyph));
+        const QString tip = tr(*row.tip ? row.tip : row.text);
+        made->setToolTip(*row.keys ? tr("%1 (%2)").arg(tip, made->shortcut().toString(QKeySequence::NativeText)) : tip);
+        connect(made, &QAction::triggered, this, row.run);
+        addAction(made);
+    }
+    action("autopilot")->setCheckable(true);
+    action("record")->setCheckable(true);
+    action("compare")->setCheckable(true);
+    m_showsBounces = action("bounces");
+    m_showsBounces->setCheckable(true);
+    m_showsBounces->setChecked(m_session.settings().value(settings_keys::kShowBounces, true).toBool());
+}
+
+void MainWindow::makeMenus() {
+    struct MenuRow {
+        const char *title;
+        std::vector<const char *> actions; // "" is a separator
+    };
+    const MenuRow rows[] = {
+        {QT_TR_NOOP("&File"),
+         {"open", "open_recording", "close_recording", "", "save_plot", "screenshot", "record", "", "quit"}},
+        {QT_TR_NOOP("&Edit"), {"", "reset_parameters"}},
+        {QT_TR_NOOP("&View"), {"", "camera_reset", "camera_top", "", "bounces"}},
+        {QT_TR_NOOP("&Game"),
+         {"play", "", "run", "pause", "step", "step_back", "restart", "end", "go_on", "", "autopilot", "", "compare",
+          "meet_again"}},
+        {QT_TR_NOOP("&Help"), {"keys", "about"}},
+    };
+    std::vector<QMenu *> menus;
+    for (const MenuRow &row : rows) {
+        QMenu *menu = menuBar()->addMenu(tr(row.title));
+        menus.push_back(menu);
+        for (const char *name : row.actions) {
+            if (*name) menu->addAction(action(name));
+            if (!*name) menu->addSeparator();
+        }
+    }
+    addUndoActions(*menus[1]);
+    addViewChoices(*menus[2]);
+}
+
+void MainWindow::addUndoActions(QMenu &menu) {
+    QAction *undo = m_undo->createUndoAction(this);
+    QAction *redo = m_undo->createRedoAction(this);
+    undo->setShortcuts(QKeySequence::Undo);
+    redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
+    menu.insertActions(menu.actions().constFirst(), {undo, redo});
+    addActions({undo, redo}); // to be listed with the others
+}
+
+void MainWindow::addViewChoices(QMenu &menu) {
+    QAction *const first = menu.actions().constFirst();
+    for (const QDockWidget *dock : findChildren<QDockWidget *>())
+        menu.insertAction(first, findChild<QAction *>(QStringLiteral("show_") + dock->objectName()));
+    menu.insertAction(first, m_transport->toggleViewAction());
+    menu.insertAction(first, action("reset_layout"));
+
+    menu.addSeparator();
+    addChoice(*menu.addMenu(tr("Quality")), "quality", {tr("Low"), tr("Medium"), tr("High")}, &MainWindow::quality,
+              &MainWindow::chooseQuality);
+    addChoice(*menu.addMenu(tr("Theme")), "theme", {tr("As the system"), tr("Light"), tr("Dark")}, &MainWindow::theme,
+              &MainWindow::chooseTheme);
+}
+
+void MainWindow::addChoice(QMenu &menu, const char *name, const QStringList &texts, int (MainWindow::*chosen)() const,
+                           void (MainWindow::*choose)(int)) {
+    auto *group = new QActionGroup(&menu);
+    for (int i = 0; i < texts.size(); ++i) {
+        QAction *choice = group->addAction(texts[i]);
+        choice->setObjectName(QStringLiteral("%1_%2").arg(QLatin1String(name)).arg(i));
+        choice->setCheckable(true);
+        connect(choice, &QAction::triggered, this, [this, choose, i] { (this->*choose)(i); });
+        menu.addAction(choice);
+    }
+    // The view may have chosen by itself.
+    connect(&menu, &QMenu::aboutToShow, this,
+            [this, group, chosen] { group->actions()[(this->*chosen)()]->setChecked(true); });
+}
+
+int MainWindow::quality() const { return int(m_view->quality()); }
+
+int MainWindow::theme() const { return m_session.settings().value(settings_keys::kTheme, int(Theme::System)).toInt(); }
+
+void MainWindow::chooseQuality(int number) {
+    m_session.settings().setValue(settings_keys::kQuality, number);
+    m_view->setQuality(gl::Quality(number));
+}
+
+void MainWindow::chooseTheme(int number) {
+    m_session.settings().setValue(settings_keys::kTheme, number);
+    applyTheme(Theme(number));
+}
+
+void MainWindow::openMazeFile() {
+    chooseFile(*this, m_session.settings(), {tr("Open maze file"), tr("Mazes (*.txt)"), {}, FileUse::Read},
+               [this](const QString &path) { m_session.openLevel(levelOfFile(path)); });
+}
+
+void MainWindow::openRecording() {
+    chooseFile(*this, m_session.settings(),
+               {tr("Open recording"), tr("Recordings (*.rec);;All files (*)"), {}, FileUse::Read},
+               [this](const QString &path) { m_session.openRecording(path); });
+}
+
+void MainWindow::closeRecording() { m_session.closeRecording(); }
+
+void MainWindow::openFile(const QString &path) {
+    if (isRecordingFile(path))
+        m_session.openRecording(path);
+    else
+        m_session.openLevel(levelOfFile(path));
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent *event) {
+    if (!droppedFile(*event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent *event) {
+    event->acceptProposedAction();
+    openFile(droppedFile(*event->mimeData()));
+}
+
+// What a replay offers, and what the live ball does.
+void MainWindow::showReplay(bool isOn) {
+    for (const char *name : {"close_recording", "step_back", "end", "go_on"}) action(name)->setEnabled(isOn);
+    for (const char *name : {"play", "autopilot", "reset_parameters"}) action(name)->setEnabled(!isOn);
+    findChild<QDockWidget *>(QStringLiteral("parameters_dock"))
+        ->setWindowTitle(isOn ? tr("Parameters, as recorded") : tr("Parameters"));
+    m_undo->clear(); // what it would change isn't there any more
+    m_replay->reset();
+    showTitle();
+    m_view->setFocus();
+    if (!isOn || m_session.recording().recording().isWhole) return;
+    m_messages->showLine(tr("%1: the recording was interrupted; it ends after %2 steps")
+                             .arg(m_session.recording().recording().file)
+                             .arg(m_session.recording().length()));
+}
+
+void MainWindow::savePlot() { savePlotAs(m_plot->plot(), tr("velocity.csv")); }
+
+void MainWindow::savePlotAs(TimePlot &plot, const QString &name) {
+    const QString filter = tr("Table of all samples (*.csv);;Picture (*.png);;Document (*.pdf)");
+    chooseFile(*this, m_session.settings(), {tr("Save plot"), filter, name, FileUse::Write},
+               [this, &plot](const QString &path) {
+                   QString error;
+                   if (!plot.save(path, &error)) m_messages->showLine(error);
+               });
+}
+
+void MainWindow::saveScreenshot() {
+    chooseFile(*this, m_session.settings(),
+               {tr("Save picture of the window"), tr("Picture (*.png)"), tr("inspector.png"), FileUse::Write},
+               [this](const QString &path) {
+                   QString error;
+                   if (!grabTo(path, &error)) m_messages->showLine(error);
+               });
+}
+
+void MainWindow::toggleRecording() {
+    if (m_session.isRecording()) return m_session.stopRecording();
+    action("record")->setChecked(false); // until a file is chosen
+    chooseFile(*this, m_session.settings(),
+               {tr("Record the run"), tr("Recording (*.rec)"), tr("run.rec"), FileUse::Write},
+               [this](const QString &path) { m_session.startRecording(path); });
+}
+
+void MainWindow::quit() { close(); }
+void MainWindow::resetParameters() { m_parameters->resetAll(); }
+void MainWindow::resetCamera() { m_view->resetCamera(); }
+
+void MainWindow::toggleBounces() {
+    m_session.settings().setValue(settings_keys::kShowBounces, m_showsBounces->isChecked());
+}
+
+void MainWindow::confirm() { m_session.game().confirm(); }
+
+// The second Esc, when all stands still, lets go of what is selected.
+void MainWindow::pause() {
+    if (!m_session.simulation().latest().running) m_bounces->clearSelection();
+    m_session.simulation().pause();
+}
+
+void MainWindow::stepOnce() { m_session.simulation().stepOnce(); }
+
+void MainWindow::stepBack() { m_session.simulation().stepBack(); }
+void MainWindow::goToEnd() { m_session.seek(m_session.recording().length()); }
+void MainWindow::goOnFromHere() { m_session.goOnFromHere(); }
+
+void MainWindow::toggleRunning() {
+    Simulation &simulation = m_session.simulation();
+    simulation.latest().running ? simulation.pause() : simulation.run();
+}
+
+void MainWindow::restart() {
+    m_session.simulation().restart();
+    if (m_session.game().phase() == Game::Phase::Won) m_session.game().prompt(m_session.game().level());
+}
+
+void MainWindow::toggleAutopilot() {
+    m_session.setAutopilot(!m_session.hasAutopilot());
+    action("autopilot")->setChecked(m_session.hasAutopilot()); // also after a refusal
+}
+
+void MainWindow::toggleComparison() { m_session.comparison().setOn(!m_session.comparison().isOn()); }
+void MainWindow::meetAgain() { m_session.comparison().meetAgain(); }
+
+void MainWindow::lookFromAbove() {
+    gl::OrbitCamera &camera = m_view->camera();
+    camera.reset();
+    camera.orbit({0.0, 1e4}); // as far as it goes
+    camera.fit();
+    m_view->update();
+}
+
+void MainWindow::showKeys() { showKeysDialog(*this); }
+void MainWindow::showAbout() { showAboutDialog(*this, m_view->rendererName()); }
+
+} // namespace inspector::ui

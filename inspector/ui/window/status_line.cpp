@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/status_line.h"
+
+#include "core/simulation/snapshot.h"
+
+#include <QCoreApplication>
+#include <QFontDatabase>
+#include <QLabel>
+
+namespace inspector::ui {
+
+namespace {
+
+QString translated(const char *text) { return QCoreApplication::translate("inspector::ui::StatusLine", text); }
+
+QString ballText(const Snapshot &snapshot) {
+    struct Name {
+        uint64_t flag;
+        const char *text;
+    };
+    static constexpr Name names[] = {
+        {PHYS_OUT, QT_TRANSLATE_NOOP("inspector::ui::StatusLine", "out of the maze")},
+        {PHYS_AIRBORNE, QT_TRANSLATE_NOOP("inspector::ui::StatusLine", "in the air")},
+        {PHYS_SLIPPING, QT_TRANSLATE_NOOP("inspector::ui::StatusLine", "slipping")},
+        {PHYS_AT_REST, QT_TRANSLATE_NOOP("inspector::ui::StatusLine", "at rest")},
+    };
+    if (snapshot.current.step == 0) return translated(QT_TRANSLATE_NOOP("inspector::ui::StatusLine", "at the start"));
+    for (const Name &name : names)
+        if (snapshot.current.flags & name.flag) return translated(name.text);
+    return translated(QT_TRANSLATE_NOOP("inspector::ui::StatusLine", "rolling"));
+}
+
+QString speedText(const Snapshot &snapshot) {
+    const Statistics &statistics = snapshot.statistics;
+    const QString asked = QStringLiteral("%1 ×").arg(statistics.speedAsked, 0, 'g', 4);
+    if (!snapshot.running) return translated(QT_TRANSLATE_NOOP("inspector::ui::StatusLine", "paused (%1)")).arg(asked);
+    return translated(QT_TRANSLATE_NOOP("inspector::ui::StatusLine", "%1 of %2"))
+        .arg(QString::number(statistics.speedReached, 'f', 2), asked);
+}
+
+struct Field {
+    const char *name;
+    const char *label;
+    const char *tip;
+    const char *widest;
+    QString (*text)(const Snapshot &);
+};
+
+#define FIELD_TEXT(text) QT_TRANSLATE_NOOP("inspector::ui::StatusLine", text)
+const Field kFields[] = {
+    {"status_ball", FIELD_TEXT("Ball"), FIELD_TEXT("What the last step left the ball doing"), "out of the maze",
+     ballText},
+    {"status_tilt", FIELD_TEXT("Tilt"), FIELD_TEXT("Slope of the board along x and y"), "-00.0° -00.0°",
+     [](const Snapshot &now) {
+         return QStringLiteral("%1° %2°")
+             .arg(degrees(now.inputs.tilt.x), 0, 'f', 1)
+             .arg(degrees(now.inputs.tilt.y), 0, 'f', 1);
+     }},
+    {"status_time", FIELD_TEXT("Simulated"), FIELD_TEXT("Simulated time since the start"), "0000.000 s",
+     [](const Snapshot &now) { return QStringLiteral("%1 s").arg(now.current.time, 0, 'f', 3); }},
+    {"status_rate", FIELD_TEXT("Steps/s"), FIELD_TEXT("Steps per second of the clock, over the last half second"),
+     "000000", [](const Snapshot &now) { return QString::number(now.statistics.stepsPerSecond, 'f', 0); }},
+    {"status_speed", FIELD_TEXT("Speed"), FIELD_TEXT("Real-time factor: reached, and asked for"), "paused (0.0625 ×)",
+     speedText},
+    {"status_lost", FIELD_TEXT("Lost"), FIELD_TEXT("Time that was dropped because steps came too late, in this run"),
+     "00.00 s", [](const Snapshot &now) { return QStringLiteral("%1 s").arg(now.statistics.lostTime, 0, 'f', 2); }},
+};
+#undef FIELD_TEXT
+
+} // namespace
+
+StatusLine::StatusLine(QWidget *parent)
+    : QStatusBar(parent) {
+    setObjectName(QStringLiteral("status"));
+    setSizeGripEnabled(false);
+    for (const Field &field : kFields) {
+        auto *label = new QLabel;
+        label->setObjectName(QLatin1String(field.name));
+        label->setToolTip(translated(field.tip));
+        label->setContentsMargins(4, 0, 4, 0);
+        const QString widest = translated(field.label) + QStringLiteral(":  ") + QString::fromUtf8(field.widest);
+        label->setMinimumWidth(fontMetrics().horizontalAdvance(widest) + 10);
+        addPermanentWidget(label);
+        m_fields.push_back(label);
+    }
+}
+
+void StatusLine::showSnapshot(const Snapshot &snapshot) {
+    for (size_t i = 0; i < m_fields.size(); ++i)
+        m_fields[i]->setText(QStringLiteral("%1: %2").arg(translated(kFields[i].label), kFields[i].text(snapshot)));
+}
+
+} // namespace inspector::ui

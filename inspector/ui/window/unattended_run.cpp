@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/unattended_run.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace inspector::ui {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kPeriod = 50ms;
+constexpr int kLooksAtRest = 20; // pictures that a window which only stands there gets before it is grabbed
+
+} // namespace
+
+UnattendedRun::UnattendedRun(Session &session, const Options &options, QObject *parent)
+    : QObject(parent)
+    , m_session(session)
+    , m_duration(options.duration)
+    , m_plays(options.autopilot)
+    , m_ends(!options.grab.isEmpty() || options.duration.has_value())
+    , m_grabs(!options.grab.isEmpty()) {
+    m_timer.setInterval(kPeriod);
+    connect(&m_timer, &QTimer::timeout, this, &UnattendedRun::look);
+}
+
+void UnattendedRun::start() {
+    if (m_session.isReplaying()) {
+        startReplay();
+    } else if (m_plays) {
+        m_session.game().confirm();
+    } else if (m_duration) {
+        m_session.simulation().run();
+    }
+    if (!m_ends) return;
+    connect(&m_session, &Session::failed, this, &UnattendedRun::finish);
+    m_timer.start();
+}
+
+void UnattendedRun::look() {
+    ++m_looks;
+    if (!isOver()) return;
+    if (m_session.simulation().latest().running) {
+        m_session.simulation().pause(); // first, so that everything in the picture is of one moment
+        return;
+    }
+    m_timer.stop();
+    // Behind what the simulation has told about this moment: a win, a difference.
+    QMetaObject::invokeMethod(
+        this, [this] { finish(m_difference); }, Qt::QueuedConnection);
+}
+
+bool UnattendedRun::isOver() {
+    if (m_session.isReplaying()) return isReplayOver();
+    const Snapshot &now = m_session.simulation().latest();
+    if (m_duration && now.current.time >= *m_duration) return true;
+    if (now.current.flags & PHYS_OUT) return true; // time doesn't go on for long
+    return !m_plays && !m_duration && m_looks >= kLooksAtRest;
+}
+
+void UnattendedRun::startReplay() {
+    const PlayableRecording &recording = m_session.recording();
+    m_lastPosition = m_duration ? recording.positionAt(*m_duration) : recording.length();
+    connect(&m_session, &Session::replayDiffers, this, [this](const QString &line) { m_difference = line; });
+    if (!m_grabs) return;
+    m_session.simulation().pause();
+    m_session.seek(m_lastPosition);
+}
+
+bool UnattendedRun::isReplayOver() {
+    const Snapshot &snapshot = m_session.simulation().latest();
+    const ReplayPlace &now = snapshot.replay;
+    if (now.difference && m_difference.isEmpty()) return false; // its line is on its way
+    const bool isThere = now.number > 0 && now.position >= std::min(m_lastPosition, now.end);
+    if (m_grabs) return isThere && now.isChecked && m_looks >= kLooksAtRest;
+    return isThere || (!snapshot.running && now.difference == now.position); // it pauses where a step differs
+}
+
+void UnattendedRun::finish(const QString &error) {
+    m_timer.stop();
+    disconnect(&m_session, nullptr, this, nullptr);
+    emit finished(error);
+}
+
+} // namespace inspector::ui
