@@ -80,10 +80,10 @@ phys_status requirements(void *self, const phys_params *params, double dt, const
 
 constinit const phys_stepper_api kExact = {
     .struct_size = sizeof(phys_stepper_api),
-    .flags = PHYS_STEPPER_EXACT_IN_DT,
+    .flags = PHYS_STEPPER_EXACT_IN_DT | PHYS_STEPPER_BITS_EVERYWHERE,
     .id = "exact",
     .name = "Exact",
-    .version = "1",
+    .version = "2",
     .summary = "The reference: every event in its place, closed forms between; error = rounding, any step.",
     .rows = nullptr,
     .row_count = 0,

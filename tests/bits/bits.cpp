@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Prints one line for each stepper that promises the same bits everywhere: id, version, and a hash of its states in all
-// levels and both models. Gravity comes as numbers, because a tangent isn't the same everywhere.
+// levels and both models.
 // Usage: bits LEVEL...
 #include <physics/physics.h>
 

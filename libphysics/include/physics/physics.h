@@ -358,7 +358,7 @@ typedef struct phys_registry phys_registry;
 /** Bits of phys_stepper_info.flags. */
 enum {
     PHYS_STEPPER_EXACT_IN_DT = 1,     /**< one step of any dt is as good as many small ones */
-    PHYS_STEPPER_BITS_EVERYWHERE = 2, /**< only + - x / sqrt: same bits from every compiler at every optimisation */
+    PHYS_STEPPER_BITS_EVERYWHERE = 2, /**< only + - x / sqrt, and what is made of them: same bits on every system */
     PHYS_STEPPER_PLUGIN = 4           /**< comes from a plugin */
 };
 

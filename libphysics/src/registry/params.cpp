@@ -2,6 +2,7 @@
 #include "registry/params.h"
 
 #include "base/appendable.h"
+#include "base/elementary.h"
 #include "base/error.h"
 
 #include <cmath>
@@ -109,9 +110,11 @@ phys_status phys_gravity_from_tilt(double tilt_x, double tilt_y, double strength
     const bool valid = out && std::abs(tilt_x) < kQuarterTurn && std::abs(tilt_y) < kQuarterTurn && strength >= 0.0 &&
                        std::isfinite(strength);
     if (!valid) return PHYS_ERROR_ARGUMENT;
-    const double slopeX = std::tan(tilt_x);
-    const double slopeY = std::tan(tilt_y);
-    const double scale = strength / std::sqrt((slopeX * slopeX + slopeY * slopeY) + 1.0);
-    *out = {scale * slopeX, scale * slopeY, -scale};
+    // (tan tilt_x, tan tilt_y, -1) times both cosines: nothing grows without bound towards a quarter turn.
+    const double cosineX = phys::elementary::cos(tilt_x), cosineY = phys::elementary::cos(tilt_y);
+    const double x = phys::elementary::sin(tilt_x) * cosineY, y = phys::elementary::sin(tilt_y) * cosineX;
+    const double z = cosineX * cosineY;
+    const double scale = strength / std::sqrt((x * x + y * y) + z * z);
+    *out = {scale * x, scale * y, -scale * z};
     return PHYS_OK;
 }

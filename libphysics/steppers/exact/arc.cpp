@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "arc.h"
 
+#include "base/elementary.h"
 #include "shared/closed_form.h"
 #include "sweep.h"
 
@@ -44,8 +45,12 @@ double advance(Function look, double radius, double tolerance, double end) {
 
 } // namespace
 
-Vec2 EdgeArc::normalAt(double angle) const { return std::cos(angle) * normal + std::sin(angle) * tangent; }
-Vec2 EdgeArc::tangentAt(double angle) const { return std::cos(angle) * tangent - std::sin(angle) * normal; }
+Vec2 EdgeArc::normalAt(double angle) const {
+    return elementary::cos(angle) * normal + elementary::sin(angle) * tangent;
+}
+Vec2 EdgeArc::tangentAt(double angle) const {
+    return elementary::cos(angle) * tangent - elementary::sin(angle) * normal;
+}
 Vec3 EdgeArc::centreAt(double angle) const { return {corner + radius * normalAt(angle), height}; }
 
 QuarterEnd quarterEnd(const EdgeArc &arc) {
@@ -56,7 +61,7 @@ QuarterEnd quarterEnd(const EdgeArc &arc) {
     Vec2 normal(0.0), tangent(0.0);
     normal[stays] = std::copysign(1.0, n[stays] != 0.0 ? n[stays] : t[stays]);
     tangent[shrinks] = -std::copysign(1.0, n[shrinks]);
-    return {std::atan2(std::abs(n[shrinks]), std::abs(t[shrinks])), normal, tangent};
+    return {elementary::atan2(std::abs(n[shrinks]), std::abs(t[shrinks])), normal, tangent};
 }
 
 double firstTouchOnArc(const Board &board, const EdgeArc &arc, double end) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pivot.h"
 
+#include "base/elementary.h"
 #include "shared/closed_form.h"
 
 #include <algorithm>
@@ -56,8 +57,8 @@ Series expand(const Pendulum &pendulum, double angle, double rate) {
     auto &y = series.angle;
     y[0] = angle;
     y[1] = rate;
-    sine[0] = std::sin(angle);
-    cosine[0] = std::cos(angle);
+    sine[0] = elementary::sin(angle);
+    cosine[0] = elementary::cos(angle);
     for (int k = 0; k + 2 <= kOrder; ++k) {
         if (k > 0) {
             double s = 0.0, c = 0.0;
@@ -74,13 +75,14 @@ Series expand(const Pendulum &pendulum, double angle, double rate) {
     return series;
 }
 
+constexpr double powerOfHalf(int exponent) { return exponent == 0 ? 1.0 : 0.5 * powerOfHalf(exponent - 1); }
+
 /// Longest step whose last two terms are below rounding.
 double goodFor(const Series &series) {
-    double h = 1.0;
-    while (std::abs(series.angle[kOrder]) * std::pow(h, kOrder) +
-               std::abs(series.angle[kOrder - 1]) * std::pow(h, kOrder - 1) >
-           1e-18) {
-        h *= 0.5;
+    double h = 1.0, last = std::abs(series.angle[kOrder]), next = std::abs(series.angle[kOrder - 1]);
+    for (; last + next > 1e-18; h *= 0.5) {
+        last *= powerOfHalf(kOrder);
+        next *= powerOfHalf(kOrder - 1);
     }
     return h;
 }
@@ -88,21 +90,25 @@ double goodFor(const Series &series) {
 } // namespace
 
 double Pendulum::squaredSpeed(double angle) const {
-    const double half = std::sin(0.5 * angle); // 1 - cos = 2 sin^2 of the half
-    const double work = across * std::sin(angle) + 2.0 * pressing * half * half - resistance * angle;
+    const double half = elementary::sin(0.5 * angle); // 1 - cos = 2 sin^2 of the half
+    const double work = across * elementary::sin(angle) + 2.0 * pressing * half * half - resistance * angle;
     return speed * speed + 2.0 * work;
 }
 
 double Pendulum::lift(double angle) const {
-    return squaredSpeed(angle) - (pressing * std::cos(angle) - across * std::sin(angle));
+    return squaredSpeed(angle) - (pressing * elementary::cos(angle) - across * elementary::sin(angle));
 }
 
 double Pendulum::stopAngle(double end) const {
-    const auto force = [this](double y) { return across * std::cos(y) + pressing * std::sin(y) - resistance; };
+    const auto force = [this](double y) {
+        return across * elementary::cos(y) + pressing * elementary::sin(y) - resistance;
+    };
     if (force(0.0) >= 0.0) return kNever;
     // The speed falls up to the angle at which gravity outweighs resistance.
     double slowest = end;
-    if (resistance < 1.0) slowest = std::min(end, std::asin(resistance) - std::atan2(across, pressing));
+    if (resistance < 1.0)
+        slowest = std::min(end, elementary::atan2(resistance, std::sqrt((1.0 - resistance) * (1.0 + resistance))) -
+                                    elementary::atan2(across, pressing));
     if (squaredSpeed(slowest) > 0.0) return kNever;
     return crossing([this](double y) { return -squaredSpeed(y); }, [&](double y) { return -2.0 * force(y); }, 0.0,
                     slowest);
@@ -111,7 +117,7 @@ double Pendulum::stopAngle(double end) const {
 double Pendulum::leaveAngle(double end) const {
     if (lift(end) < 0.0) return kNever;
     const auto slope = [this](double y) {
-        return 3.0 * (across * std::cos(y) + pressing * std::sin(y)) - 2.0 * resistance;
+        return 3.0 * (across * elementary::cos(y) + pressing * elementary::sin(y)) - 2.0 * resistance;
     };
     return crossing([this](double y) { return lift(y); }, slope, 0.0, end);
 }

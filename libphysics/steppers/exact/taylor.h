@@ -2,6 +2,7 @@
 // Taylor series in one variable, built term by term: the recurrences of a product, a quotient and a square root.
 #pragma once
 
+#include "base/elementary.h"
 #include "scene/scene.h"
 #include "shared/closed_form.h"
 
@@ -44,8 +45,8 @@ struct Taylor {
     /// Longest s up to which the last two terms stay below `size`.
     double goodFor(double size) const {
         const double last = std::abs(c[kOrder]), next = std::abs(c[kOrder - 1]);
-        return std::min(last > 0.0 ? std::pow(size / last, 1.0 / kOrder) : kNever,
-                        next > 0.0 ? std::pow(size / next, 1.0 / (kOrder - 1)) : kNever);
+        return std::min(last > 0.0 ? elementary::root(size / last, kOrder) : kNever,
+                        next > 0.0 ? elementary::root(size / next, kOrder - 1) : kNever);
     }
 };
 
@@ -63,7 +64,7 @@ inline Taylor remains(double whole, const Taylor &f) {
 }
 
 /// The largest power of two up to a size: a unit for it that costs no rounding.
-inline double unitOf(double size) { return size > 0.0 ? std::exp2(std::ilogb(size)) : 1.0; }
+inline double unitOf(double size) { return size > 0.0 ? std::ldexp(1.0, std::ilogb(size)) : 1.0; }
 
 /// Term k of a b.
 inline double productTerm(const Taylor &a, const Taylor &b, int k) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "shared/closed_form.h"
 
+#include "base/elementary.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,13 +18,13 @@ double integral(double c, double xi, double expm1OfCXi) {
     return std::abs(z) < 1e-17 ? xi : expm1OfCXi / c;
 }
 
-double integral(double c, double xi) { return integral(c, xi, std::expm1(c * xi)); }
+double integral(double c, double xi) { return integral(c, xi, elementary::expm1(c * xi)); }
 
 /// xi at which share * I(c) = t, where share * I(c) is one of the two positive parts of t(xi): an upper bound of xi.
 double xiOfShare(double share, double c, double t) {
     const double z = c * t / share;
     if (!(share > 0.0) || z <= -1.0) return kNever;
-    return std::abs(z) < 1e-17 ? t / share : std::log1p(z) / c;
+    return std::abs(z) < 1e-17 ? t / share : elementary::log1p(z) / c;
 }
 
 } // namespace
@@ -30,7 +32,7 @@ double xiOfShare(double share, double c, double t) {
 double length(const Vec2 &v) {
     const double squares = v.x * v.x + v.y * v.y;
     if (squares > 1e-280 && squares < 1e280) return std::sqrt(squares);
-    return std::hypot(v.x, v.y);
+    return elementary::hypot(v.x, v.y);
 }
 
 double firstFall(double gap, double rate, double acceleration) {
@@ -87,10 +89,10 @@ double ResistedLaw::xiAt(double t) const {
     const double c1 = m_a - m_B, c2 = -(m_a + m_B);
     double low = 0.0, high = std::min(xiOfShare(m_P, c1, t), xiOfShare(m_M, c2, t));
     // What is left of the time to the stop shrinks at least like e^(-(B-a) xi).
-    if (m_B > m_a) high = std::min(high, std::log1p(-t / m_stopTime) / c1);
+    if (m_B > m_a) high = std::min(high, elementary::log1p(-t / m_stopTime) / c1);
     double xi = high;
     for (int iteration = 0; iteration < 60; ++iteration) {
-        const double e1 = std::expm1(c1 * xi), e2 = std::expm1(c2 * xi);
+        const double e1 = elementary::expm1(c1 * xi), e2 = elementary::expm1(c2 * xi);
         const double excess = m_P * integral(c1, xi, e1) + m_M * integral(c2, xi, e2) - t;
         const double fast = m_P * (1.0 + e1), slow = m_M * (1.0 + e2); // |v| and A.v - B|v| are made of them
         const double speed = fast + slow;
@@ -108,7 +110,7 @@ double ResistedLaw::xiAt(double t) const {
 
 ResistedLaw::Point ResistedLaw::atXi(double xi, double t) const {
     const double c1 = m_a - m_B, c2 = -(m_a + m_B);
-    const double e1 = std::expm1(c1 * xi), e2 = std::expm1(c2 * xi);
+    const double e1 = elementary::expm1(c1 * xi), e2 = elementary::expm1(c2 * xi);
     const double slow = m_M + m_M * e2, slowTime = m_M * integral(c2, xi, e2);
     double fastTime = m_P * integral(c1, xi, e1), fast = m_P + m_P * e1;
     if (c1 > 0.0 && slowTime < 0.5 * t) {
@@ -122,8 +124,8 @@ ResistedLaw::Point ResistedLaw::atXi(double xi, double t) const {
     const double across = m_vt * (m_P * integral(m_a - 2.0 * m_B, xi) + m_M * integral(-m_a - 2.0 * m_B, xi));
     const double mixed = 2.0 * m_P * m_M * integral(-2.0 * m_B, xi);
     // While the velocity changes little, its change is known better than itself: many short phases keep their digits.
-    const Vec2 v = -c2 * xi < 0.5 ? m_v0 + turned(c1 * fastTime - c2 * slowTime, m_vt * std::expm1(-m_B * xi))
-                                  : turned(fast - slow, m_vt * std::exp(-m_B * xi));
+    const Vec2 v = -c2 * xi < 0.5 ? m_v0 + turned(c1 * fastTime - c2 * slowTime, m_vt * elementary::expm1(-m_B * xi))
+                                  : turned(fast - slow, m_vt * elementary::exp(-m_B * xi));
     return {turned(alongFast - alongSlow, across), v, alongFast + mixed + alongSlow};
 }
 
