@@ -71,7 +71,7 @@ typedef int32_t phys_status;
     X(PHYS_OK, 0, "success")                                                                                           \
     X(PHYS_ERROR_ARGUMENT, -1, "an argument is NULL, of the wrong size or not finite")                                 \
     X(PHYS_ERROR_RANGE, -2, "a parameter is outside its allowed range")                                                \
-    X(PHYS_ERROR_STATE, -3, "the given state is not one that a ball can have")                                         \
+    X(PHYS_ERROR_STATE, -3, "the state, before or after the step, is not one that a ball can have")                    \
     X(PHYS_ERROR_MEMORY, -4, "out of memory")                                                                          \
     X(PHYS_ERROR_FILE, -5, "a file can't be read")                                                                     \
     X(PHYS_ERROR_SYNTAX, -6, "a file doesn't follow its format")                                                       \

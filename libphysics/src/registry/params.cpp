@@ -23,11 +23,6 @@ void write(phys_params &params, const phys_param_row &row, double value) {
     std::memcpy(place, &value, sizeof value);
 }
 
-/// Bytes of phys_params up to the row's value.
-size_t endOf(const phys_param_row &row) {
-    return row.offset + (row.flags & PHYS_ROW_CHOICE ? sizeof(uint32_t) : sizeof(double));
-}
-
 /// Whether the caller's struct is long enough to have the row's value.
 bool hasRow(const phys_params &params, const phys_param_row &row) { return endOf(row) <= params.struct_size; }
 

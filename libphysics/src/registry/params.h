@@ -2,15 +2,14 @@
 // The table of parameter rows, and the check of parameters that every step makes.
 #pragma once
 
-#include "base/pairs.h"
-
 #include <physics/physics.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <iterator>
 #include <span>
+#include <utility>
 
 namespace phys {
 
@@ -53,20 +52,12 @@ inline constexpr phys_param_row kRows[] = {
 
 inline constexpr size_t kRowCount = std::size(kRows);
 
-/// The doubles of phys_params that have rows lie side by side: their limits, in the same order.
-inline constexpr size_t kFirstDouble = offsetof(phys_params, gravity);
-inline constexpr size_t kDoubleCount = (offsetof(phys_params, options) - kFirstDouble) / sizeof(double);
-
-constexpr auto limits(double phys_param_row::*limit) {
-    std::array<double, kDoubleCount> values{};
-    for (const phys_param_row &row : kRows) {
-        if (!(row.flags & PHYS_ROW_CHOICE)) values[(row.offset - kFirstDouble) / sizeof(double)] = row.*limit;
-    }
-    return values;
+/// Bytes of phys_params up to the end of the row's value.
+constexpr size_t endOf(const phys_param_row &row) {
+    return row.offset + (row.flags & PHYS_ROW_CHOICE ? sizeof(uint32_t) : sizeof(double));
 }
-inline constexpr auto kMin = limits(&phys_param_row::min);
-inline constexpr auto kMax = limits(&phys_param_row::max);
-static_assert(kDoubleCount + 1 == kRowCount, "every double before options has a row, and the model has one");
+static_assert(std::all_of(std::begin(kRows), std::end(kRows),
+                          [](const phys_param_row &row) { return endOf(row) <= sizeof(phys_params); }));
 
 inline double readRow(const phys_params &params, const phys_param_row &row) {
     const char *place = reinterpret_cast<const char *>(&params) + row.offset;
@@ -95,25 +86,23 @@ inline bool rigidFrictionsAgree(const phys_params &params) {
     return params.model != PHYS_MODEL_RIGID || params.rolling_friction <= params.sliding_friction;
 }
 
-/// Whether all values are within their rows and agree with each other; the hot path's yes or no.
+/// Whether the values of the library's rows are allowed, wherever in phys_params they lie. Unrolled by hand: offsets
+/// and limits become constants.
+template<size_t... Index>
+inline bool rowsAreValid(const phys_params &params, std::index_sequence<Index...>) {
+    return (isAllowed(readRow(params, kRows[Index]), kRows[Index]) && ...);
+}
+
+/// Whether all values are within their rows and agree with each other.
 inline bool paramsAreValid(const phys_params &params) {
     return params.struct_size == sizeof params && (params.options & ~static_cast<uint32_t>(PHYS_OPTIONS)) == 0 &&
-           params.model <= PHYS_MODEL_RIGID && allWithin<kDoubleCount>(&params.gravity.x, kMin.data(), kMax.data()) &&
-           rigidFrictionsAgree(params);
+           rowsAreValid(params, std::make_index_sequence<kRowCount>{}) && rigidFrictionsAgree(params);
 }
 
-/// As paramsAreValid for the values that a stepper's own rows stand for.
-inline bool ownRowsAreValid(const phys_params &params, std::span<const phys_param_row *const> rows) {
-    for (const phys_param_row *row : rows) {
-        if (!isAllowed(readRow(params, *row), *row)) return false;
-    }
-    return true;
-}
-
-/// As paramsAreValid, with the reason.
+/// Says why they aren't valid; PHYS_OK if they are.
 phys_status explainParams(const phys_params &params, phys_error *err);
 
-/// As ownRowsAreValid, with the reason.
+/// As explainParams for the values that a stepper's own rows stand for; PHYS_OK if they are valid.
 phys_status checkOwnRows(const phys_params &params, std::span<const phys_param_row *const> rows, phys_error *err);
 
 } // namespace phys

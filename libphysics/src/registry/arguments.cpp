@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "registry/arguments.h"
+
+#include "base/error.h"
+#include "base/numbers.h"
+#include "registry/params.h"
+
+#include <cmath>
+
+namespace phys {
+
+namespace {
+
+constexpr uint64_t kUnknownFlags = ~static_cast<uint64_t>(PHYS_STATE_FLAGS);
+
+bool numbersAreModerate(const phys_state &state) {
+    const double(&q)[4] = state.orientation;
+    return isModerate(state.position) && isModerate(state.velocity) && isModerate(state.spin) && isModerate(q[0]) &&
+           isModerate(q[1]) && isModerate(q[2]) && isModerate(q[3]) && isModerate(state.time);
+}
+
+bool isUnit(const double (&q)[4]) {
+    const double square = (q[0] * q[0] + q[1] * q[1]) + (q[2] * q[2] + q[3] * q[3]);
+    return std::abs(square - 1.0) <= 1e-6; // false for NaN
+}
+
+bool isCarried(const Scene &scene, const phys_state &state) {
+    return scene.hasFloor && std::abs(state.position.z - scene.supportedZ) <= scene.tolerance &&
+           state.velocity.z <= 0.0 && scene.overFloor(state.position.x, state.position.y);
+}
+
+} // namespace
+
+bool stateIsValid(const phys_state &state) {
+    return numbersAreModerate(state) && isUnit(state.orientation) && (state.flags & kUnknownFlags) == 0;
+}
+
+phys_status explainState(const phys_state &state, phys_status status, const char *whose, phys_error *err) {
+    const phys_vec3 &p = state.position;
+    const phys_vec3 &v = state.velocity;
+    const phys_vec3 &s = state.spin;
+    const double(&q)[4] = state.orientation;
+    if (!isModerate(p) || !isModerate(v) || !isModerate(s)) {
+        return fail(err, status,
+                    "%s has a number that isn't finite or beyond 2^100: position (%.9g, %.9g, %.9g), velocity (%.9g, "
+                    "%.9g, %.9g), spin (%.9g, %.9g, %.9g)",
+                    whose, p.x, p.y, p.z, v.x, v.y, v.z, s.x, s.y, s.z);
+    }
+    if (!isModerate(state.time)) {
+        return fail(err, status, "%s has the time %.9g s; expected a number within +-2^100", whose, state.time);
+    }
+    if (!isUnit(q)) {
+        return fail(err, status, "%s has the orientation (%.9g, %.9g, %.9g, %.9g); expected a unit quaternion", whose,
+                    q[0], q[1], q[2], q[3]);
+    }
+    return fail(err, status, "%s has the flags 0x%llx; known bits are 0x%x", whose,
+                static_cast<unsigned long long>(state.flags), PHYS_STATE_FLAGS);
+}
+
+phys_status checkDt(double dt, phys_error *err) {
+    if (dt >= 0.0 && dt <= kLargestNumber) return PHYS_OK; // false for NaN
+    return fail(err, PHYS_ERROR_ARGUMENT, "dt is %.9g s; expected a number from 0 to 2^100", dt);
+}
+
+phys_status checkParams(const phys_stepper_api &api, const phys_params &params, phys_error *err) {
+    if (!paramsAreValid(params)) return explainParams(params, err);
+    return api.row_count == 0 ? PHYS_OK : checkOwnRows(params, {api.rows, api.row_count}, err);
+}
+
+phys_status checkState(const phys_state &state, phys_error *err) {
+    return stateIsValid(state) ? PHYS_OK : explainState(state, PHYS_ERROR_STATE, "the given state", err);
+}
+
+phys_status checkPull(const Scene &scene, const phys_params &params, const phys_state &state, phys_error *err) {
+    if (params.gravity.z < 0.0 || !isCarried(scene, state)) return PHYS_OK;
+    return fail(err, PHYS_ERROR_RANGE, "gravity_z is %.9g m/s^2; while the floor carries the ball it must be below 0",
+                params.gravity.z);
+}
+
+} // namespace phys

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// A stepper in its scene, and one step whose arguments were checked.
+#pragma once
+
+#include "scene/scene.h"
+
+#include <physics/plugin.h>
+
+struct phys_stepper {
+    const phys_stepper_api *api;
+    void *self;
+    const phys::Scene *scene;
+    phys_scene_view view;
+    bool isPlugin;
+};
+
+namespace phys {
+
+/// One step of dt > 0 from `in` to `next`, which are not the same; `next` means something only after PHYS_OK. A plugin
+/// is not trusted: neither what it returns nor what it writes goes on unchecked.
+phys_status advance(const phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
+                    phys_state &next, phys_report *report, phys_error *err);
+
+} // namespace phys

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// Whatever a step returns with PHYS_OK is a state that the next one takes, also at the largest numbers.
+#include "support/experiment.h"
+#include "support/stepper_rows.h"
+
+#include <QTest>
+
+#include <cstring>
+
+using namespace support;
+
+namespace {
+
+constexpr double kLargest = 0x1p100;
+
+struct Extreme {
+    const char *name;
+    double dt;
+    void (*set)(Experiment &);
+};
+
+constexpr Extreme kExtremes[] = {
+    {"the longest step", kLargest, [](Experiment &ball) { ball.state.velocity.x = 1.0; }},
+    {"the highest speed", 10.0, [](Experiment &ball) { ball.state.velocity.x = kLargest; }},
+    {"the furthest place", 1e10,
+     [](Experiment &ball) {
+         ball.state.position.x = kLargest;
+         ball.state.velocity.x = 1e20;
+     }},
+    {"the strongest gravity", 1e20,
+     [](Experiment &ball) {
+         ball.params.gravity = {1e6, 1e6, -1e6};
+     }},
+    {"the latest time", 0.5 * kLargest, [](Experiment &ball) { ball.state.time = 0.999 * kLargest; }},
+};
+
+} // namespace
+
+class TestStepRange : public QObject {
+    Q_OBJECT
+
+private slots:
+    void resultIsAStateOrAStatus_data() {
+        QTest::addColumn<QByteArray>("stepper");
+        QTest::addColumn<int>("extreme");
+        for (const QByteArray &stepper : stepperIds()) {
+            for (int i = 0; i < static_cast<int>(std::size(kExtremes)); ++i) {
+                QTest::addRow("%s, %s", stepper.constData(), kExtremes[i].name) << stepper << i;
+            }
+        }
+    }
+    void resultIsAStateOrAStatus();
+};
+
+void TestStepRange::resultIsAStateOrAStatus() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(int, extreme);
+    Experiment ball(SceneBuilder().start({0, 0, 0}), stepper);
+    kExtremes[extreme].set(ball);
+    const phys_state before = ball.state;
+    if (ball.step(kExtremes[extreme].dt)) {
+        QVERIFY2(ball.step(0.0), ball.error());
+        return;
+    }
+    QVERIFY(QByteArray(ball.error()).contains("2^100"));
+    QCOMPARE(std::memcmp(&ball.state, &before, sizeof before), 0);
+}
+
+QTEST_GUILESS_MAIN(TestStepRange)
+#include "tst_step_range.moc"
