@@ -1,8 +1,18 @@
 /* SPDX-License-Identifier: MIT
  *
- * The binary layout of ABI 1 on 64-bit Linux, member by member. It compiles only while every line holds. Frozen structs
- * keep every line; appendable ones keep theirs and gain lines and size at their end. */
+ * The binary layout of ABI 1, member by member. It compiles only while every line holds. Frozen structs keep every
+ * line; appendable ones keep theirs and gain lines and size at their end. Two things differ between systems: the size P
+ * of a pointer, and what 8-byte numbers are aligned to inside a struct, which is 4 on x86 of 32 bits and 8 elsewhere.
+ */
 #include <physics/plugin.h>
+
+#define P sizeof(void *)
+struct aligned_number {
+    char before;
+    double number;
+};
+#define NUMBER_AT(offset)                                                                                              \
+    (((offset) + offsetof(struct aligned_number, number) - 1) & ~(offsetof(struct aligned_number, number) - 1))
 
 #define SIZE(type, bytes) _Static_assert(sizeof(type) == (bytes), "size of " #type)
 #define MEMBER(type, member, offset, bytes)                                                                            \
@@ -26,12 +36,12 @@ MEMBER(phys_box, min, 0, 24);
 MEMBER(phys_box, max, 24, 24);
 
 /* appendable */
-SIZE(phys_scene_desc, 48);
+SIZE(phys_scene_desc, NUMBER_AT(8 + P) + 32);
 MEMBER(phys_scene_desc, struct_size, 0, 4);
 MEMBER(phys_scene_desc, box_count, 4, 4);
-MEMBER(phys_scene_desc, boxes, 8, 8);
-MEMBER(phys_scene_desc, radius, 16, 8);
-MEMBER(phys_scene_desc, start, 24, 24);
+MEMBER(phys_scene_desc, boxes, 8, P);
+MEMBER(phys_scene_desc, radius, NUMBER_AT(8 + P), 8);
+MEMBER(phys_scene_desc, start, NUMBER_AT(8 + P) + 8, 24);
 
 /* frozen */
 SIZE(phys_contact, 64);
@@ -66,20 +76,20 @@ MEMBER(phys_params, reserved, 76, 4);
 MEMBER(phys_params, stepper, 80, 64);
 
 /* frozen */
-SIZE(phys_param_row, 96);
-MEMBER(phys_param_row, id, 0, 8);
-MEMBER(phys_param_row, label, 8, 8);
-MEMBER(phys_param_row, unit, 16, 8);
-MEMBER(phys_param_row, help, 24, 8);
-MEMBER(phys_param_row, choices, 32, 8);
-MEMBER(phys_param_row, min, 40, 8);
-MEMBER(phys_param_row, max, 48, 8);
-MEMBER(phys_param_row, low, 56, 8);
-MEMBER(phys_param_row, high, 64, 8);
-MEMBER(phys_param_row, initial, 72, 8);
-MEMBER(phys_param_row, step, 80, 8);
-MEMBER(phys_param_row, offset, 88, 4);
-MEMBER(phys_param_row, flags, 92, 4);
+SIZE(phys_param_row, NUMBER_AT(5 * P) + 56);
+MEMBER(phys_param_row, id, 0, P);
+MEMBER(phys_param_row, label, P, P);
+MEMBER(phys_param_row, unit, 2 * P, P);
+MEMBER(phys_param_row, help, 3 * P, P);
+MEMBER(phys_param_row, choices, 4 * P, P);
+MEMBER(phys_param_row, min, NUMBER_AT(5 * P), 8);
+MEMBER(phys_param_row, max, NUMBER_AT(5 * P) + 8, 8);
+MEMBER(phys_param_row, low, NUMBER_AT(5 * P) + 16, 8);
+MEMBER(phys_param_row, high, NUMBER_AT(5 * P) + 24, 8);
+MEMBER(phys_param_row, initial, NUMBER_AT(5 * P) + 32, 8);
+MEMBER(phys_param_row, step, NUMBER_AT(5 * P) + 40, 8);
+MEMBER(phys_param_row, offset, NUMBER_AT(5 * P) + 48, 4);
+MEMBER(phys_param_row, flags, NUMBER_AT(5 * P) + 52, 4);
 
 /* frozen */
 SIZE(phys_event, 80);
@@ -92,34 +102,34 @@ MEMBER(phys_event, kind, 72, 4);
 MEMBER(phys_event, box, 76, 4);
 
 /* appendable */
-SIZE(phys_report, 96);
+SIZE(phys_report, NUMBER_AT(32 + P) + 56);
 MEMBER(phys_report, struct_size, 0, 4);
 MEMBER(phys_report, event_capacity, 4, 4);
-MEMBER(phys_report, events, 8, 8);
-MEMBER(phys_report, event_count, 16, 4);
-MEMBER(phys_report, events_lost, 20, 4);
-MEMBER(phys_report, substeps, 24, 4);
-MEMBER(phys_report, substep_cap, 28, 4);
-MEMBER(phys_report, passes, 32, 4);
-MEMBER(phys_report, pass_cap, 36, 4);
-MEMBER(phys_report, penetration, 40, 8);
-MEMBER(phys_report, energy_before, 48, 8);
-MEMBER(phys_report, energy_after, 56, 8);
-MEMBER(phys_report, lost_impact, 64, 8);
-MEMBER(phys_report, lost_rolling, 72, 8);
-MEMBER(phys_report, lost_slip, 80, 8);
-MEMBER(phys_report, energy_scheme, 88, 8);
+MEMBER(phys_report, events, 8, P);
+MEMBER(phys_report, event_count, 8 + P, 4);
+MEMBER(phys_report, events_lost, 12 + P, 4);
+MEMBER(phys_report, substeps, 16 + P, 4);
+MEMBER(phys_report, substep_cap, 20 + P, 4);
+MEMBER(phys_report, passes, 24 + P, 4);
+MEMBER(phys_report, pass_cap, 28 + P, 4);
+MEMBER(phys_report, penetration, NUMBER_AT(32 + P), 8);
+MEMBER(phys_report, energy_before, NUMBER_AT(32 + P) + 8, 8);
+MEMBER(phys_report, energy_after, NUMBER_AT(32 + P) + 16, 8);
+MEMBER(phys_report, lost_impact, NUMBER_AT(32 + P) + 24, 8);
+MEMBER(phys_report, lost_rolling, NUMBER_AT(32 + P) + 32, 8);
+MEMBER(phys_report, lost_slip, NUMBER_AT(32 + P) + 40, 8);
+MEMBER(phys_report, energy_scheme, NUMBER_AT(32 + P) + 48, 8);
 
 /* frozen */
-SIZE(phys_stepper_info, 56);
-MEMBER(phys_stepper_info, id, 0, 8);
-MEMBER(phys_stepper_info, name, 8, 8);
-MEMBER(phys_stepper_info, version, 16, 8);
-MEMBER(phys_stepper_info, summary, 24, 8);
-MEMBER(phys_stepper_info, file, 32, 8);
-MEMBER(phys_stepper_info, rows, 40, 8);
-MEMBER(phys_stepper_info, row_count, 48, 4);
-MEMBER(phys_stepper_info, flags, 52, 4);
+SIZE(phys_stepper_info, 6 * P + 8);
+MEMBER(phys_stepper_info, id, 0, P);
+MEMBER(phys_stepper_info, name, P, P);
+MEMBER(phys_stepper_info, version, 2 * P, P);
+MEMBER(phys_stepper_info, summary, 3 * P, P);
+MEMBER(phys_stepper_info, file, 4 * P, P);
+MEMBER(phys_stepper_info, rows, 5 * P, P);
+MEMBER(phys_stepper_info, row_count, 6 * P, 4);
+MEMBER(phys_stepper_info, flags, 6 * P + 4, 4);
 
 /* frozen */
 SIZE(phys_requirements, 728);
@@ -128,40 +138,40 @@ MEMBER(phys_requirements, substeps, 4, 4);
 MEMBER(phys_requirements, reasons, 8, 720);
 
 /* appendable */
-SIZE(phys_scene_view, 56);
+SIZE(phys_scene_view, NUMBER_AT(NUMBER_AT(8 + P) + 16 + 3 * P));
 MEMBER(phys_scene_view, struct_size, 0, 4);
 MEMBER(phys_scene_view, box_count, 4, 4);
-MEMBER(phys_scene_view, boxes, 8, 8);
-MEMBER(phys_scene_view, radius, 16, 8);
-MEMBER(phys_scene_view, floor_top, 24, 8);
-MEMBER(phys_scene_view, scene, 32, 8);
-MEMBER(phys_scene_view, query, 40, 8);
-MEMBER(phys_scene_view, contacts, 48, 8);
+MEMBER(phys_scene_view, boxes, 8, P);
+MEMBER(phys_scene_view, radius, NUMBER_AT(8 + P), 8);
+MEMBER(phys_scene_view, floor_top, NUMBER_AT(8 + P) + 8, 8);
+MEMBER(phys_scene_view, scene, NUMBER_AT(8 + P) + 16, P);
+MEMBER(phys_scene_view, query, NUMBER_AT(8 + P) + 16 + P, P);
+MEMBER(phys_scene_view, contacts, NUMBER_AT(8 + P) + 16 + 2 * P, P);
 
 /* appendable */
-SIZE(phys_stepper_api, 96);
+SIZE(phys_stepper_api, 16 + 10 * P);
 MEMBER(phys_stepper_api, struct_size, 0, 4);
 MEMBER(phys_stepper_api, flags, 4, 4);
-MEMBER(phys_stepper_api, id, 8, 8);
-MEMBER(phys_stepper_api, name, 16, 8);
-MEMBER(phys_stepper_api, version, 24, 8);
-MEMBER(phys_stepper_api, summary, 32, 8);
-MEMBER(phys_stepper_api, rows, 40, 8);
-MEMBER(phys_stepper_api, row_count, 48, 4);
-MEMBER(phys_stepper_api, reserved, 52, 4);
-MEMBER(phys_stepper_api, create, 56, 8);
-MEMBER(phys_stepper_api, destroy, 64, 8);
-MEMBER(phys_stepper_api, step, 72, 8);
-MEMBER(phys_stepper_api, requirements, 80, 8);
-MEMBER(phys_stepper_api, extension, 88, 8);
+MEMBER(phys_stepper_api, id, 8, P);
+MEMBER(phys_stepper_api, name, 8 + P, P);
+MEMBER(phys_stepper_api, version, 8 + 2 * P, P);
+MEMBER(phys_stepper_api, summary, 8 + 3 * P, P);
+MEMBER(phys_stepper_api, rows, 8 + 4 * P, P);
+MEMBER(phys_stepper_api, row_count, 8 + 5 * P, 4);
+MEMBER(phys_stepper_api, reserved, 12 + 5 * P, 4);
+MEMBER(phys_stepper_api, create, 16 + 5 * P, P);
+MEMBER(phys_stepper_api, destroy, 16 + 6 * P, P);
+MEMBER(phys_stepper_api, step, 16 + 7 * P, P);
+MEMBER(phys_stepper_api, requirements, 16 + 8 * P, P);
+MEMBER(phys_stepper_api, extension, 16 + 9 * P, P);
 
 /* appendable */
-SIZE(phys_plugin, 24);
+SIZE(phys_plugin, 16 + P);
 MEMBER(phys_plugin, abi_version, 0, 4);
 MEMBER(phys_plugin, struct_size, 4, 4);
 MEMBER(phys_plugin, stepper_count, 8, 4);
 MEMBER(phys_plugin, reserved, 12, 4);
-MEMBER(phys_plugin, steppers, 16, 8);
+MEMBER(phys_plugin, steppers, 16, P);
 
 #define VALUE(name, value) _Static_assert((name) == (value), #name)
 

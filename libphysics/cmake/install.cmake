@@ -8,6 +8,7 @@ set(physics_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/physics)
 set(physics_document_dir ${CMAKE_INSTALL_DATADIR}/doc/libphysics-dev)
 
 install(TARGETS physics physics_headers EXPORT physics-targets
+    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime NAMELINK_COMPONENT development
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 install(DIRECTORY DESTINATION ${physics_plugin_dir} COMPONENT runtime)

@@ -6,23 +6,23 @@
 
 #include <physics/plugin.h>
 
+#include <cstddef>
 #include <cstring>
 
 namespace phys {
 
-/// Bytes of the first version of each appendable struct in ABI 1. These numbers never grow.
+/// Bytes of the first version of each appendable struct in ABI 1: up to the member that was its last one.
 template<class T>
 inline constexpr uint32_t kFirstSize = 0;
-template<>
-inline constexpr uint32_t kFirstSize<phys_scene_desc> = 48;
-template<>
-inline constexpr uint32_t kFirstSize<phys_params> = 144;
-template<>
-inline constexpr uint32_t kFirstSize<phys_report> = 96;
-template<>
-inline constexpr uint32_t kFirstSize<phys_stepper_api> = 96;
-template<>
-inline constexpr uint32_t kFirstSize<phys_plugin> = 24;
+#define PHYS_LAST_OF_FIRST_VERSION(type, member)                                                                       \
+    template<>                                                                                                         \
+    inline constexpr uint32_t kFirstSize<type> = offsetof(type, member) + sizeof(type::member)
+PHYS_LAST_OF_FIRST_VERSION(phys_scene_desc, start);
+PHYS_LAST_OF_FIRST_VERSION(phys_params, stepper);
+PHYS_LAST_OF_FIRST_VERSION(phys_report, energy_scheme);
+PHYS_LAST_OF_FIRST_VERSION(phys_stepper_api, extension);
+PHYS_LAST_OF_FIRST_VERSION(phys_plugin, steppers);
+#undef PHYS_LAST_OF_FIRST_VERSION
 
 /// Whether a struct of this size is of this version or an older one.
 template<class T>

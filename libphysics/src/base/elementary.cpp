@@ -2,6 +2,7 @@
 #include "base/elementary.h"
 
 #include "base/elementary_tables.h"
+#include "base/ieee_doubles.h"
 
 #include <bit>
 #include <cmath>

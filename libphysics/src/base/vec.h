@@ -2,6 +2,8 @@
 // Vectors in double, and the way between them and the C structs.
 #pragma once
 
+#include "base/ieee_doubles.h"
+
 #include <physics/physics.h>
 
 #include <glm/geometric.hpp>
