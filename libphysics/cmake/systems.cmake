@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # The systems that the library is for, and what its compilers are told there so that each operation is rounded to a
-# double by itself. src/base/ieee_doubles.h ends the compilation where that fails; tests/bits/everywhere builds, runs and
+# double by itself. src/base/ieee_doubles.h ends the compilation where that fails; tests/gates/bits/everywhere builds, runs and
 # compares the bits of all of these:
 #
 #   system             processors                                                     compilers

@@ -2,9 +2,9 @@
 // Elementary functions made of + - x / and sqrt alone. A C library's differ from system to system, and some choose
 // another variant on another processor; these give the same bits wherever doubles are IEEE 754's.
 //
-// Each result is within one unit in the last place of the exact value (tests/elementary/measure prints by how much).
-// The method is the same throughout: the argument is brought near an entry of a table, where a Taylor polynomial is
-// short, and what a rounding loses on the way is carried along as a tail.
+// Each result is within one unit in the last place of the exact value (tests/unit/elementary/measure prints by how
+// much). The method is the same throughout: the argument is brought near an entry of a table, where a Taylor polynomial
+// is short, and what a rounding loses on the way is carried along as a tail.
 #pragma once
 
 namespace phys::elementary {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Constants and tables of elementary.cpp, printed by tests/elementary/tables.py.
+// Constants and tables of elementary.cpp, printed by tests/unit/elementary/tables.py.
 // clang-format off
 #pragma once
 

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// The window at its start, compared with a picture that a person has looked at.
+// A wanted change: UPDATE_GOLDEN=1 build/dev/tests/inspector/window/tst_window_picture (under xvfb-run), look at the
+// new picture in tests/inspector/window/golden, and commit it with the change.
+#include "gl/maze_view.h"
+#include "window_fixture.h"
+
+#include <QImage>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+
+using namespace window_test;
+
+namespace {
+
+// llvmpipe gives the same bits in every run of one version, but compiles for the processor at hand: other instructions
+// may round another way. That moves a channel by a few levels, and a whole pixel where an edge crosses its centre.
+constexpr int kChannelTolerance = 8;
+constexpr double kPixelTolerance = 0.001; // share of pixels that may differ by more
+
+const QString kPicture = QStringLiteral(GOLDEN_FOLDER "/start.png");
+const QString kVersions = QStringLiteral(GOLDEN_FOLDER "/start.versions");
+
+// What the pixels depend on besides this project.
+QString versionsNow(inspector::gl::MazeView &view) {
+    view.makeCurrent();
+    const auto *version = reinterpret_cast<const char *>(view.context()->functions()->glGetString(GL_VERSION));
+    QString text = QStringLiteral("%1\nQt %2\n").arg(QLatin1String(version), QLatin1String(qVersion()));
+    view.doneCurrent();
+    return text;
+}
+
+bool differs(QRgb a, QRgb b) {
+    return std::abs(qRed(a) - qRed(b)) > kChannelTolerance || std::abs(qGreen(a) - qGreen(b)) > kChannelTolerance ||
+           std::abs(qBlue(a) - qBlue(b)) > kChannelTolerance;
+}
+
+int differentPixels(const QImage &a, const QImage &b) {
+    int count = 0;
+    for (int y = 0; y < a.height(); ++y)
+        for (int x = 0; x < a.width(); ++x) count += differs(a.pixel(x, y), b.pixel(x, y));
+    return count;
+}
+
+QString readText(const QString &path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+bool writeText(const QString &path, const QString &text) {
+    QFile file(path);
+    return file.open(QIODevice::WriteOnly) && file.write(text.toUtf8()) > 0;
+}
+
+} // namespace
+
+class TestWindowPicture : public QObject {
+    Q_OBJECT
+
+public:
+    static void initMain() { prepare(); }
+
+private slots:
+    void init();
+    void cleanup();
+    void startLooksAsItDid();
+    void sameSceneGivesTheSamePixels();
+
+private:
+    QImage picture();
+
+    std::unique_ptr<Fixture> m_fixture;
+};
+
+// Paused at the start, light, medium quality: nothing depends on the clock or the desktop.
+void TestWindowPicture::init() {
+    m_fixture = std::make_unique<Fixture>();
+    m_fixture->trigger("theme_1");
+    m_fixture->trigger("quality_1");
+    QVERIFY(m_fixture->isReady());
+}
+
+void TestWindowPicture::cleanup() { m_fixture.reset(); }
+
+QImage TestWindowPicture::picture() {
+    const QString path = m_fixture->path("now.png"); // as --grab, which waits for no plot's queue
+    return m_fixture->window().grabTo(path, nullptr) ? QImage(path).convertToFormat(QImage::Format_RGB32) : QImage();
+}
+
+void TestWindowPicture::startLooksAsItDid() {
+    const QString versions = versionsNow(m_fixture->window().view());
+    const QImage now = picture();
+    if (qEnvironmentVariableIsSet("UPDATE_GOLDEN")) {
+        QVERIFY(now.save(kPicture));
+        QVERIFY(writeText(kVersions, versions));
+        QSKIP("the golden picture was written, nothing was compared");
+    }
+    const QString recorded = readText(kVersions);
+    if (recorded != versions)
+        QSKIP(qPrintable(QStringLiteral("the golden picture is of %1, this is %2")
+                             .arg(recorded.simplified(), versions.simplified())));
+    const QImage golden = QImage(kPicture).convertToFormat(QImage::Format_RGB32);
+    QCOMPARE(now.size(), golden.size());
+    const int different = differentPixels(now, golden);
+    const QString seen = QDir::current().filePath(QStringLiteral("start_now.png"));
+    if (different > kPixelTolerance * now.width() * now.height()) now.save(seen);
+    QVERIFY2(different <= kPixelTolerance * now.width() * now.height(),
+             qPrintable(QStringLiteral("%1 pixels differ; see %2").arg(different).arg(seen)));
+}
+
+// What the comparison rests on; also where no golden picture applies.
+void TestWindowPicture::sameSceneGivesTheSamePixels() {
+    const QImage first = picture();
+    m_fixture = std::make_unique<Fixture>();
+    m_fixture->trigger("theme_1");
+    m_fixture->trigger("quality_1");
+    QVERIFY(m_fixture->isReady());
+    QCOMPARE(differentPixels(first, picture()), 0);
+}
+
+QTEST_MAIN(TestWindowPicture)
+#include "tst_window_picture.moc"
