@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/program/command_line.h"
 
+#include "core/setup/lines.h"
+#include "core/setup/numbers.h"
 #include "core/setup/tables.h"
 #include "core/simulation/simulation.h"
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
 #include <QFileInfo>
-#include <QLocale>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string_view>
 
 namespace inspector {
@@ -150,17 +150,21 @@ void addOptions(QCommandLineParser &parser, const std::vector<const phys_param_r
     for (const phys_param_row *row : rows) parser.addOption({optionName(*row), text(row->help), valueName(*row)});
 }
 
+double valueOf(const QString &option, const NumberReading &read) {
+    if (!read.value) throw WrongUse{QStringLiteral("--%1: ").arg(option) + read.problem};
+    return *read.value;
+}
+
 double numberOf(const QCommandLineParser &parser, const QString &option, double min, double max) {
-    const QString text = parser.value(option);
-    bool isNumber = false;
-    const double number = QLocale::c().toDouble(text, &isNumber);
-    if (!isNumber || !(number >= min && number <= max))
-        throw WrongUse{QStringLiteral("--%1: expected a number from %2 to %3, found '%4'")
-                           .arg(option)
-                           .arg(min)
-                           .arg(max)
-                           .arg(text)};
-    return number;
+    return valueOf(option, readNumber(parser.value(option), {min, max}));
+}
+
+double wholeNumberOf(const QCommandLineParser &parser, const QString &option, double min, double max) {
+    return valueOf(option, readWholeNumber(parser.value(option), {min, max}));
+}
+
+double durationOf(const QCommandLineParser &parser, const QString &option, double min, double max) {
+    return valueOf(option, readDuration(parser.value(option), min, max));
 }
 
 double parameterOf(const QCommandLineParser &parser, const phys_param_row &row) {
@@ -168,10 +172,10 @@ double parameterOf(const QCommandLineParser &parser, const phys_param_row &row) 
     const QString text = parser.value(option);
     const qsizetype choice = choicesOf(row).indexOf(text.toLower());
     if (choice >= 0) return row.min + double(choice);
-    bool isNumber = false;
-    const double number = QLocale::c().toDouble(text, &isNumber);
-    if (isNumber) return number; // its range is checked by the library, together with the others
-    throw WrongUse{QStringLiteral("--%1: expected %2, found '%3'").arg(option, expectedOf(row), text)};
+    const bool isNumber = choicesOf(row).isEmpty() && !(row.flags & PHYS_ROW_SWITCH);
+    const NumberReading read = readNumber(text, {row.min, row.max, QString::fromUtf8(row.unit)});
+    if (isNumber || read.value) return valueOf(option, read);
+    throw WrongUse{QStringLiteral("--%1: expected %2, found %3").arg(option, expectedOf(row), quoted(text))};
 }
 
 void readParameters(const QCommandLineParser &parser, const std::vector<const phys_param_row *> &rows,
@@ -200,7 +204,7 @@ void readOutputs(const QCommandLineParser &parser, Options &options) {
     if (parser.isSet("all-levels")) options.action = Options::Action::PlayAllLevels;
     options.csv = parser.value("csv");
     options.grab = parser.value("grab");
-    if (parser.isSet("csv-every")) options.csvEvery = uint64_t(numberOf(parser, "csv-every", 1, 1e9));
+    if (parser.isSet("csv-every")) options.csvEvery = uint64_t(wholeNumberOf(parser, "csv-every", 1, 1e9));
     if (options.headless && parser.isSet("grab"))
         throw WrongUse{QStringLiteral("--grab: there is no picture without a window; leave out --headless")};
     if (options.headless && parser.isSet("shaders"))
@@ -227,11 +231,7 @@ void readComparison(const QCommandLineParser &parser, Options &options) {
     if (phys_registry_find(options.registry.get(), opponent.stepper.constData(), &info, &failure) != PHYS_OK)
         throw WrongUse{QStringLiteral("--compare: ") + QString::fromUtf8(failure.text)};
     if (parser.isSet("compare-substeps")) {
-        const double substeps = numberOf(parser, "compare-substeps", 1, Opponent::kMostSubsteps);
-        if (substeps != std::floor(substeps))
-            throw WrongUse{QStringLiteral("--compare-substeps: expected a whole number, found '%1'")
-                               .arg(parser.value("compare-substeps"))};
-        opponent.substeps = int(substeps);
+        opponent.substeps = int(wholeNumberOf(parser, "compare-substeps", 1, Opponent::kMostSubsteps));
     }
     options.comparison = opponent;
 }
@@ -288,7 +288,7 @@ void readTrade(const QCommandLineParser &parser, Options &options) {
     const std::optional<Length> under = parser.isSet("under") ? parseLength(parser.value("under")) : Length();
     if (!under) throw wrong("under", "a length above 0, as 1mm, 5um, 0.001m or 0.1R");
     trade.under = *under;
-    if (parser.isSet("for")) trade.seconds = numberOf(parser, "for", 1e-3, 1e6);
+    if (parser.isSet("for")) trade.seconds = durationOf(parser, "for", 1e-3, 1e6);
     if (parser.isSet("within")) trade.within = numberOf(parser, "within", 1.0, 1e12);
     trade.plot = parser.value("plot");
     const QString ending = trade.plot.section(QLatin1Char('.'), -1);
@@ -305,9 +305,9 @@ Options readOptions(const QCommandLineParser &parser, const std::vector<const ph
         throw WrongUse{QStringLiteral("unexpected argument '%1'; --help lists the options")
                            .arg(parser.positionalArguments().constFirst())};
     if (parser.isSet("stepper")) options.stepper = parser.value("stepper").toUtf8();
-    if (parser.isSet("dt")) options.dt = numberOf(parser, "dt", Engine::kSmallestDt, Engine::kLargestDt);
+    if (parser.isSet("dt")) options.dt = durationOf(parser, "dt", Engine::kSmallestDt, Engine::kLargestDt);
     if (parser.isSet("speed")) options.speed = numberOf(parser, "speed", Simulation::kSlowest, Simulation::kFastest);
-    if (parser.isSet("duration")) options.duration = numberOf(parser, "duration", 0.0, 1e9);
+    if (parser.isSet("duration")) options.duration = durationOf(parser, "duration", 0.0, 1e9);
     readOutputs(parser, options);
     readComparison(parser, options);
     readRecordings(parser, rows, options);

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/setup/handles.h"
 
+#include "core/setup/files.h"
+#include "core/setup/lines.h"
+
 #include <cstring>
 
 namespace inspector {
 
 void tell(QString *error, const phys_error &failure) {
-    if (error) *error = QString::fromUtf8(failure.text);
+    if (error) *error = oneLine(decodePath(failure.text)); // it may quote a name of any bytes
 }
 
 Registry makeRegistry(QString *error) {
@@ -22,7 +25,7 @@ Registry makeRegistry(QString *error) {
 Scene loadScene(const QString &path, QString *error) {
     phys_scene *scene = nullptr;
     phys_error failure;
-    if (phys_scene_load(path.toUtf8().constData(), &scene, &failure) != PHYS_OK) {
+    if (phys_scene_load(encodePath(path).constData(), &scene, &failure) != PHYS_OK) {
         tell(error, failure);
         return {};
     }
@@ -65,7 +68,7 @@ QString stepperName(const Registry &registry, uint32_t index) {
 
 bool loadPlugin(const Registry &registry, const QString &path, QString *error) {
     phys_error failure;
-    if (phys_registry_load_file(registry.get(), path.toUtf8().constData(), &failure) == PHYS_OK) return true;
+    if (phys_registry_load_file(registry.get(), encodePath(path).constData(), &failure) == PHYS_OK) return true;
     tell(error, failure);
     return false;
 }

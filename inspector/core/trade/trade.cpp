@@ -230,11 +230,6 @@ void Measurement::tell(size_t index, const char *what) {
 
 } // namespace
 
-const std::vector<double> &usualStepSizes() {
-    static const std::vector<double> sizes{1.0 / 60.0, 0.01, 0.005, 0.002, 0.001, 0.0005, 0.0001};
-    return sizes;
-}
-
 std::vector<TradePoint> TradeResult::valid(uint32_t model) const {
     std::vector<TradePoint> result;
     for (const TradePoint &point : points)

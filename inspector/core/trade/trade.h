@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/setup/handles.h"
+#include "core/setup/numbers.h"
 #include "core/trade/trade_schedule.h"
 
 #include <array>
@@ -22,9 +23,6 @@ struct TradePlan {
     std::vector<double> stepSizes; // s
     int repeats = 5;               // of the timing of each point
 };
-
-// 1/60 s, 10, 5, 2, 1, 0.5 and 0.1 ms.
-const std::vector<double> &usualStepSizes();
 
 // CPU time of the thread, s.
 struct TradeCost {

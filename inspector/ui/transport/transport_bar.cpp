@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/transport/transport_bar.h"
 
+#include "core/setup/numbers.h"
 #include "ui/parts/stepper_items.h"
 #include "ui/parts/stepping_command.h"
 
@@ -8,36 +9,14 @@
 #include <QLabel>
 #include <QLineEdit>
 
-#include <cmath>
-
 namespace inspector::ui {
 
 namespace {
 
 constexpr double kSpeeds[] = {1.0 / 16.0, 1.0 / 8.0, 1.0 / 4.0, 1.0 / 2.0, 1.0, 2.0, 4.0, 8.0, 16.0};
-constexpr double kTimeSteps[] = {1.0 / 60.0, 0.01, 0.005, 0.002, 0.001, 0.0005, 0.0001}; // s
-constexpr double kMilli = 1e-3;
 
 QString speedText(double speed) {
     return speed < 1.0 ? QStringLiteral("1/%1 ×").arg(1.0 / speed) : QStringLiteral("%1 ×").arg(speed);
-}
-
-QString timeStepText(double dt) {
-    if (dt == 1.0 / 60.0) return QStringLiteral("1/60 s");
-    return QStringLiteral("%1 ms").arg(dt / kMilli, 0, 'g', 10);
-}
-
-// What a person types: "1/60 s", "5 ms", "5" (ms), "0.002 s". NaN if it isn't a time.
-double timeStepOf(QString text) {
-    text = text.trimmed();
-    const bool isSeconds = text.endsWith(QLatin1Char('s')) && !text.endsWith(QLatin1String("ms"));
-    while (!text.isEmpty() && text.back().isLetter()) text.chop(1);
-    const QStringList parts = text.split(QLatin1Char('/'));
-    bool isNumber = false;
-    double value = parts[0].trimmed().toDouble(&isNumber);
-    if (parts.size() == 2 && isNumber) value /= parts[1].trimmed().toDouble(&isNumber);
-    if (!isNumber || parts.size() > 2) return std::nan("");
-    return isSeconds || parts.size() == 2 ? value : value * kMilli;
 }
 
 } // namespace
@@ -99,7 +78,7 @@ void TransportBar::addSteppers() {
 void TransportBar::addTimeSteps() {
     m_timeStep =
         addChooser(tr("Time step"), "time_step", tr("Simulated time of one step; choose one or type your own, in ms."));
-    for (const double dt : kTimeSteps) m_timeStep->addItem(timeStepText(dt), dt);
+    for (const double dt : usualStepSizes()) m_timeStep->addItem(durationText(dt), dt);
     m_timeStep->setEditable(true);
     m_timeStep->setInsertPolicy(QComboBox::NoInsert);
     m_timeStep->setCompleter(nullptr); // "1" is 1 ms and not the beginning of 10 ms
@@ -113,16 +92,20 @@ void TransportBar::addTimeSteps() {
 
 void TransportBar::readTimeStep() {
     const QString text = m_timeStep->currentText();
-    if (text == timeStepText(m_session.dt())) return; // which may be rounded
+    if (text == durationText(m_session.dt())) return;
+    const NumberReading read = readDuration(text, Engine::kSmallestDt, Engine::kLargestDt, QStringLiteral("ms"));
     Stepping wanted = m_session.stepping();
-    wanted.dt = timeStepOf(text);
-    changeStepping(m_session, m_undo, wanted, tr("change of Time step"));
+    if (read.value) wanted.dt = *read.value;
+    if (read.value)
+        changeStepping(m_session, m_undo, wanted, tr("change of Time step"));
+    else
+        emit m_session.failed(tr("Time step: ") + read.problem);
     showPace(); // also after a refusal
 }
 
 void TransportBar::showPace() {
     m_speed->setCurrentIndex(m_speed->findData(m_session.speed()));
-    m_timeStep->setEditText(timeStepText(m_session.dt()));
+    m_timeStep->setEditText(durationText(m_session.dt()));
 }
 
 void TransportBar::showStepper() { m_stepper->setCurrentIndex(m_stepper->findData(m_session.stepperId())); }

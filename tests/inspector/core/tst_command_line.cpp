@@ -12,6 +12,7 @@ class TestCommandLine : public QObject {
 private slots:
     void defaultsAreThoseOfTheHelp();
     void optionsAreRead();
+    void durationsAreReadAsInTheWindow();
     void everyParameterRowIsAnOptionInBothSpellings();
     void choicesAreReadByNameAndNumber();
     void stepperOwnParametersAreOptions();
@@ -56,6 +57,14 @@ void TestCommandLine::optionsAreRead() {
     QCOMPARE(options.csv, QString("run.csv"));
     QCOMPARE(options.csvEvery, uint64_t(10));
     QVERIFY(options.headless && options.autopilot);
+}
+
+void TestCommandLine::durationsAreReadAsInTheWindow() {
+    QCOMPARE(parsed({"--dt", "5 us"}).options.dt, 5e-6);
+    QCOMPARE(parsed({"--dt", "1/60"}).options.dt, 1.0 / 60.0);
+    QCOMPARE(parsed({"--dt", "0,01"}).options.dt, 0.01);
+    QCOMPARE(parsed({"--duration", "2 min"}).options.duration, 120.0);
+    QCOMPARE(parsed({"--trade", "1", "--for", "500ms"}).options.trade.seconds, 0.5);
 }
 
 void TestCommandLine::everyParameterRowIsAnOptionInBothSpellings() {
@@ -163,11 +172,13 @@ void TestCommandLine::wrongUseGivesOneLineAndStatus2_data() {
     QTest::newRow("plugin that is none") << "--plugin=" LEVELS_FOLDER "/01.txt"
                                          << "01.txt";
     QTest::newRow("dt zero") << "--dt 0"
-                             << "--dt: expected a number from 1e-06 to 10, found '0'";
+                             << "--dt: expected a duration from 1e-06 s to 10 s (as 5 ms or 1/60), found '0'";
     QTest::newRow("dt not a number") << "--dt nan"
                                      << "'nan'";
-    QTest::newRow("dt with a comma") << "--dt 0,01"
-                                     << "'0,01'";
+    QTest::newRow("dt in metres") << "--dt 5m"
+                                  << "'5m', whose unit isn't one of: ns us ms s min";
+    QTest::newRow("every half step") << "--csv-every 2.5"
+                                     << "--csv-every: expected a whole number from 1 to 1e+09, found '2.5'";
     QTest::newRow("speed too high") << "--speed 17"
                                     << "--speed: expected a number from 0.0625 to 16, found '17'";
     QTest::newRow("duration negative") << "--duration -1"
@@ -177,9 +188,9 @@ void TestCommandLine::wrongUseGivesOneLineAndStatus2_data() {
     QTest::newRow("parameter no number") << "--tilt-x steep"
                                          << "--tilt-x: expected a number from -80 to 80 deg, found 'steep'";
     QTest::newRow("parameter out of range") << "--restitution-wall 1.5"
-                                            << "restitution_wall";
+                                            << "--restitution-wall: expected a number from 0 to 1, found '1.5'";
     QTest::newRow("parameter infinite") << "--rolling-friction inf"
-                                        << "rolling_friction";
+                                        << "--rolling-friction";
     QTest::newRow("choice unknown") << "--model square"
                                     << "--model: expected rolling or rigid, found 'square'";
     QTest::newRow("parameters at odds") << "--model rigid --rolling-friction 0.5"

@@ -60,8 +60,10 @@ void TestProgram::wrongUseGivesStatus2AndOneLine() {
     const Result result = runOf({"--headless", "--dt", "never"});
     QCOMPARE(result.status, 2);
     QVERIFY(result.out.isEmpty());
-    QCOMPARE(result.messages,
-             QByteArray("physics-inspector: --dt: expected a number from 1e-06 to 10, found 'never'\n"));
+    QCOMPARE(
+        result.messages,
+        QByteArray(
+            "physics-inspector: --dt: expected a duration from 1e-06 s to 10 s (as 5 ms or 1/60), found 'never'\n"));
 }
 
 void TestProgram::windowWithoutADisplayGivesStatus2AndOneLine() {

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+// Numbers and durations as people write them, and what is said of those that can't be read.
+#include "core/setup/numbers.h"
+
+#include <QTest>
+
+#include <cmath>
+
+using namespace inspector;
+
+class TestNumbers : public QObject {
+    Q_OBJECT
+
+private slots:
+    void durationsAreReadInSeconds_data();
+    void durationsAreReadInSeconds();
+    void durationsOfABoxOfMillisecondsAreItsUnlessTheySayOtherwise();
+    void numbersAreReadInTheUnitOfTheirRange_data();
+    void numbersAreReadInTheUnitOfTheirRange();
+    void whatCantBeReadIsRefusedWithTheReason_data();
+    void whatCantBeReadIsRefusedWithTheReason();
+    void wholeNumbersHaveNoFraction();
+    void everyCutOfARefusedTextIsReadOrRefusedInOneLine();
+    void textOfADurationReadsBackBitByBit();
+};
+
+namespace {
+
+constexpr double kAny = std::numeric_limits<double>::max();
+
+} // namespace
+
+void TestNumbers::durationsAreReadInSeconds_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<double>("seconds");
+    QTest::newRow("no unit") << "5" << 5.0;
+    QTest::newRow("s") << "5 s" << 5.0;
+    QTest::newRow("ms, the double nearest to 0.009") << "9ms" << 0.009;
+    QTest::newRow("us") << "5 us" << 5e-6;
+    QTest::newRow("micro sign") << QStringLiteral("5 \u00b5s") << 5e-6;
+    QTest::newRow("Greek mu") << QStringLiteral("5\u03bcs") << 5e-6;
+    QTest::newRow("ns") << "7 ns" << 7e-9;
+    QTest::newRow("min") << "2 min" << 120.0;
+    QTest::newRow("quotient") << "1/60" << 1.0 / 60.0;
+    QTest::newRow("quotient with unit") << "1 / 60 min" << 1.0;
+    QTest::newRow("exponent") << "1e-3" << 0.001;
+    QTest::newRow("comma") << "0,9 s" << 0.9;
+    QTest::newRow("point first") << ".5" << 0.5;
+    QTest::newRow("point last") << "5." << 5.0;
+    QTest::newRow("plus, spaces") << "  +5  ms " << 0.005;
+    QTest::newRow("minus as typeset") << QStringLiteral("\u2212"
+                                                        "5 ms")
+                                      << -0.005;
+    QTest::newRow("space that doesn't break") << QStringLiteral("5\u00a0ms") << 0.005;
+}
+
+void TestNumbers::durationsAreReadInSeconds() {
+    QFETCH(QString, text);
+    QFETCH(double, seconds);
+    const NumberReading read = readDuration(text, -kAny, kAny);
+    QVERIFY2(read.value, qPrintable(read.problem));
+    QVERIFY(*read.value == seconds);
+}
+
+void TestNumbers::durationsOfABoxOfMillisecondsAreItsUnlessTheySayOtherwise() {
+    const auto read = [](const char *text) { return readDuration(text, 0.0, kAny, "ms").value.value_or(-1.0); };
+    QVERIFY(read("5") == 0.005);
+    QVERIFY(read("5 us") == 5e-6);
+    QVERIFY(read("2 min") == 120.0);
+    QVERIFY(read("1/60") == 1.0 / 60.0); // of a second everywhere
+    QVERIFY(read("1/60 ms") == (1.0 / 60.0) / 1e3);
+}
+
+void TestNumbers::numbersAreReadInTheUnitOfTheirRange_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("unit");
+    QTest::addColumn<double>("value");
+    QTest::newRow("degrees") << "3 deg"
+                             << "deg" << 3.0;
+    QTest::newRow("degree sign") << QStringLiteral("3\u00b0") << "deg" << 3.0;
+    QTest::newRow("radians") << "3.141592653589793 rad"
+                             << "deg" << 180.0;
+    QTest::newRow("mm of metres") << "9 mm"
+                                  << "m" << 0.009;
+    QTest::newRow("mm/s") << "9 mm/s"
+                          << "m/s" << 0.009;
+    QTest::newRow("superscript") << QStringLiteral("9.81 m/s\u00b2") << "m/s^2" << 9.81;
+    QTest::newRow("quotient") << "1/3"
+                              << "" << 1.0 / 3.0;
+    QTest::newRow("eighth with comma") << "0,125"
+                                       << "" << 0.125;
+    QTest::newRow("four places") << "1,0000"
+                                 << "" << 1.0;
+    QTest::newRow("negative") << "-1e+2"
+                              << "" << -100.0;
+}
+
+void TestNumbers::numbersAreReadInTheUnitOfTheirRange() {
+    QFETCH(QString, text);
+    QFETCH(QString, unit);
+    QFETCH(double, value);
+    const NumberReading read = readNumber(text, {-kAny, kAny, unit});
+    QVERIFY2(read.value, qPrintable(read.problem));
+    QVERIFY(*read.value == value);
+}
+
+void TestNumbers::whatCantBeReadIsRefusedWithTheReason_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("unit");
+    QTest::addColumn<QString>("problem"); // after "expected a number from 0 to 10, found "
+    QTest::newRow("nothing") << ""
+                             << ""
+                             << "''";
+    QTest::newRow("word") << "fast"
+                          << ""
+                          << "'fast'";
+    QTest::newRow("too large") << "11"
+                               << ""
+                               << "'11'";
+    QTest::newRow("too small") << "-1"
+                               << ""
+                               << "'-1'";
+    QTest::newRow("nan") << "NaN"
+                         << ""
+                         << "'NaN', which isn't a finite number";
+    QTest::newRow("infinite") << "-inf"
+                              << ""
+                              << "'-inf', which isn't a finite number";
+    QTest::newRow("two meanings") << "1,000"
+                                  << ""
+                                  << "'1,000', which can mean two numbers: write a point, or no comma";
+    QTest::newRow("beyond doubles") << "1e999"
+                                    << ""
+                                    << "'1e999', which is beyond what a number can hold";
+    QTest::newRow("by zero") << "1/0"
+                             << ""
+                             << "'1/0', which divides by zero";
+    QTest::newRow("two quotients") << "1/2/3"
+                                   << ""
+                                   << "'1/2/3'";
+    QTest::newRow("hexadecimal") << "0x10"
+                                 << ""
+                                 << "'0x10', where no unit belongs";
+    QTest::newRow("two points") << "1.2.3"
+                                << ""
+                                << "'1.2.3'";
+    QTest::newRow("two numbers") << "1 2"
+                                 << ""
+                                 << "'1 2'";
+    QTest::newRow("unit") << "5 ms"
+                          << ""
+                          << "'5 ms', where no unit belongs";
+    QTest::newRow("unit of another kind") << "5 m"
+                                          << "s"
+                                          << "'5 m', whose unit isn't one of: ns us ms s min";
+    QTest::newRow("no unit at all") << "5 apples"
+                                    << "m/s^2"
+                                    << "'5 apples', whose unit isn't one of: m/s^2";
+    QTest::newRow("line break") << "1\n2"
+                                << ""
+                                << "'1\\n2'";
+    QTest::newRow("other digits") << QStringLiteral("\u0665") << "" << QStringLiteral("'\u0665'");
+}
+
+void TestNumbers::whatCantBeReadIsRefusedWithTheReason() {
+    QFETCH(QString, text);
+    QFETCH(QString, unit);
+    QFETCH(QString, problem);
+    const NumberReading read = readNumber(text, {0.0, 10.0, unit});
+    QVERIFY(!read.value);
+    QCOMPARE(read.problem,
+             QString("expected a number from 0 to 10%1, found %2").arg(unit.isEmpty() ? "" : " " + unit, problem));
+}
+
+void TestNumbers::wholeNumbersHaveNoFraction() {
+    QCOMPARE(readWholeNumber("1e3", {1, 1e9}).value, 1000.0);
+    QCOMPARE(readWholeNumber("2.5", {1, 1e9}).problem, QString("expected a whole number from 1 to 1e+09, found '2.5'"));
+}
+
+// The invariant of a refusal: no value, one line that quotes.
+void TestNumbers::everyCutOfARefusedTextIsReadOrRefusedInOneLine() {
+    const QString text = QStringLiteral("-1,5e+3/.5e-1 \u00b5s\n\u202e \u2212nan 1.2.3 \x1b[2J") + QString(100000, '1');
+    for (qsizetype begin = 0; begin < 40; ++begin)
+        for (qsizetype length = 0; length < 50; ++length) {
+            const NumberReading read = readDuration(text.mid(begin, length == 49 ? -1 : length), 1e-6, 10.0);
+            QVERIFY(read.value ? std::isfinite(*read.value) : read.problem.startsWith("expected a duration from"));
+            QVERIFY(!read.problem.contains('\n') && !read.problem.contains(QChar(0x1b)) && read.problem.size() < 600);
+        }
+}
+
+void TestNumbers::textOfADurationReadsBackBitByBit() {
+    QCOMPARE(durationText(0.005), QString("5 ms"));
+    QCOMPARE(durationText(1.0 / 60.0), QString("1/60 s"));
+    QCOMPARE(durationText(0.0001), QString("0.1 ms"));
+    for (const double seconds : {1e-6, 1.0 / 3.0, 0.1 + 0.2, 2.0 / 3.0, 0.0123456789012345678, 10.0, 1.0 / 44100.0})
+        QVERIFY2(readDuration(durationText(seconds), 0.0, kAny).value == seconds, qPrintable(durationText(seconds)));
+    for (const double seconds : usualStepSizes())
+        QVERIFY2(readDuration(durationText(seconds), 0.0, kAny).value == seconds, qPrintable(durationText(seconds)));
+}
+
+QTEST_GUILESS_MAIN(TestNumbers)
+#include "tst_numbers.moc"
