@@ -19,9 +19,9 @@ QString modelName(uint32_t model);
 // 16.67 ms
 QString stepSizeText(double dt);
 
-// Of this program: 1.0.0.
+// Of this program: 1.1.0.
 const char *programVersion();
-// physics-inspector 1.0.0, libphysics 1.0.0
+// physics-inspector 1.1.0, libphysics 1.0.0
 QString versionLine();
 
 // The choices of a row in lower case, in the order of their numbers; empty if it isn't a choice.

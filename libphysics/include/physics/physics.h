@@ -27,7 +27,7 @@
  *  - Structs marked frozen never change. Appendable ones start with their size, get new members at their end only,
  *    and are filled by their *_init function. An older program's shorter one counts as if the members that it lacks
  * were as that function leaves them; one that is longer than the library knows is refused.
- *  - Nothing prints, exits, aborts or throws. Only *_create, *_load and their *_destroy allocate and free memory.
+ *  - Nothing prints, exits, aborts or throws. Only *_create, *_load, *_parse and *_destroy allocate and free memory.
  *  - Scenes and registries are immutable once made and shared freely between threads; a stepper serves one thread at a
  *    time. There are no globals.
  */
@@ -55,10 +55,10 @@ extern "C" {
 #define PHYS_ABI_VERSION 1
 
 #define PHYS_VERSION_MAJOR 1 /**< of the header that a program is compiled with */
-#define PHYS_VERSION_MINOR 0 /**< likewise: grows when functions or members are added */
+#define PHYS_VERSION_MINOR 1 /**< likewise: grows when functions or members are added */
 #define PHYS_VERSION_PATCH 0 /**< likewise */
 
-/** The running library's version, for instance "1.0.0". Static text, never NULL. Any thread. Since 1.0. */
+/** The running library's version, for instance "1.1.0". Static text, never NULL. Any thread. Since 1.0. */
 PHYS_API const char *phys_version(void);
 
 /* ------------------------------------------------------------------------------------------------------ errors -- */
@@ -86,7 +86,7 @@ typedef int32_t phys_status;
     X(PHYS_ERROR_INTERNAL, -15, "an error inside the library")
 
 #define PHYS_STATUS_ENUMERATOR(name, value, text) name = value,
-enum { PHYS_STATUS_LIST(PHYS_STATUS_ENUMERATOR) PHYS_STATUS_LIST_END = 1 };
+enum { PHYS_STATUS_LIST(PHYS_STATUS_ENUMERATOR) };
 #undef PHYS_STATUS_ENUMERATOR
 
 /** What a status means, in a few words. Static text; "unknown status" for other numbers. Any thread. Since 1.0. */
@@ -149,6 +149,12 @@ PHYS_API phys_status phys_scene_create(const phys_scene_desc *desc, phys_scene *
 /** Makes a scene from a maze text file (format: mazes/README.md). path: UTF-8. Any thread.
  *  Errors: ARGUMENT, FILE, SYNTAX (with file and line), SCENE, MEMORY. Since 1.0. */
 PHYS_API phys_status phys_scene_load(const char *path, phys_scene **out, phys_error *err);
+
+/** Makes a scene from the text of a maze file in memory (format: mazes/README.md). text: `size` bytes, or NULL with
+ * size 0; needs no NUL. name: UTF-8, stands in messages where a file's path would; or NULL: "text". Any thread. Errors:
+ * ARGUMENT, SYNTAX (with name and line), SCENE, MEMORY. Since 1.1. */
+PHYS_API phys_status phys_scene_parse(const char *text, size_t size, const char *name, phys_scene **out,
+                                      phys_error *err);
 
 /** Frees a scene, or does nothing for NULL. No stepper made for it may be alive. Since 1.0. */
 PHYS_API void phys_scene_destroy(phys_scene *scene);
@@ -423,6 +429,43 @@ PHYS_API void phys_stepper_destroy(phys_stepper *stepper);
  *  Errors: ARGUMENT, RANGE, STATE, UNSUPPORTED, STUCK, SUBSTEP_CAP, EVENT_CAP, PLUGIN_RESULT. Since 1.0. */
 PHYS_API phys_status phys_step(phys_stepper *stepper, const phys_params *params, double dt, const phys_state *in,
                                phys_state *out, phys_report *report, phys_error *err);
+
+/* -------------------------------------------------------------------------------------- many balls, many steps -- */
+
+/** Balls that take steps of the same size in one scene: appendable. Set up by phys_batch_init, then filled by the
+ *  caller, who owns all arrays. Strides are the bytes from one element to the next, multiples of 8; what is only read
+ * may have the stride 0: one for all. */
+typedef struct phys_batch {
+    uint32_t struct_size;       /**< sizeof(phys_batch), set by phys_batch_init */
+    uint32_t stop_flags;        /**< a ball is done once its state has one of these, for instance PHYS_OUT; 0: never */
+    uint64_t ball_count;        /**< balls in the arrays below */
+    uint64_t step_count;        /**< most steps that a ball takes */
+    double dt;                  /**< of each step, s, 0 .. 2^100 */
+    const phys_params *params;  /**< of each ball */
+    size_t params_stride;       /**< from ball to ball */
+    const phys_vec3 *gravity;   /**< of each ball and step, m/s^2, in place of that of params; or NULL */
+    size_t gravity_ball_stride; /**< from ball to ball */
+    size_t gravity_step_stride; /**< from step to step */
+    phys_state *states;         /**< of each ball: in, its start; out, the last good state */
+    size_t states_stride;       /**< from ball to ball, at least sizeof(phys_state) */
+    phys_state *path;           /**< out, or NULL: each ball's state after path_every, 2 path_every, ... steps */
+    size_t path_ball_stride;    /**< from ball to ball; the states of one ball lie side by side */
+    uint64_t path_every;        /**< 1 or more with a path: it has step_count / path_every states a ball */
+    uint64_t *steps_done;       /**< out, of each ball, side by side; or NULL */
+    phys_status *statuses;      /**< out, of each ball, side by side: PHYS_OK or why it stopped early; or NULL */
+} phys_batch;
+
+/** Fills a batch: no balls, no steps, no arrays. size = sizeof(phys_batch). Any thread. Errors: ARGUMENT. Since 1.1. */
+PHYS_API phys_status phys_batch_init(phys_batch *batch, size_t size);
+
+/** Runs the balls first .. first + count - 1 of a batch: for each, the bits that phys_step gives in a loop. A ball that
+ *  fails keeps its last good state and its status, the others go on; what remains of its path, and of that of a ball
+ * that is done, repeats its last state. Allocates nothing. One thread at a time per stepper; threads with a stepper
+ * each may run disjoint ranges of one batch. On failure outputs are untouched, but for the last of these cases. Errors:
+ * ARGUMENT, RANGE (of parameters that all balls share); if statuses is NULL, the error of the first ball that fails,
+ * with its number, after all have run. Since 1.1. */
+PHYS_API phys_status phys_batch_run(phys_stepper *stepper, const phys_batch *batch, uint64_t first, uint64_t count,
+                                    phys_error *err);
 
 /* ------------------------------------------------------------------------------------------------- requirements -- */
 

@@ -71,8 +71,8 @@ phys_status checkState(const phys_state &state, phys_error *err) {
     return stateIsValid(state) ? PHYS_OK : explainState(state, PHYS_ERROR_STATE, "the given state", err);
 }
 
-phys_status checkPull(const Scene &scene, const phys_params &params, const phys_state &state, phys_error *err) {
-    if (params.gravity.z < 0.0 || !isCarried(scene, state)) return PHYS_OK;
+phys_status checkUpwardPull(const Scene &scene, const phys_params &params, const phys_state &state, phys_error *err) {
+    if (!isCarried(scene, state)) return PHYS_OK;
     return fail(err, PHYS_ERROR_RANGE, "gravity_z is %.9g m/s^2; while the floor carries the ball it must be below 0",
                 params.gravity.z);
 }

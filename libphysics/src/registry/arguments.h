@@ -21,7 +21,11 @@ phys_status checkParams(const phys_stepper_api &api, const phys_params &params, 
 
 phys_status checkState(const phys_state &state, phys_error *err);
 
+phys_status checkUpwardPull(const Scene &scene, const phys_params &params, const phys_state &state, phys_error *err);
+
 /// Only a ball that no floor carries may be pulled upwards. The state is valid.
-phys_status checkPull(const Scene &scene, const phys_params &params, const phys_state &state, phys_error *err);
+inline phys_status checkPull(const Scene &scene, const phys_params &params, const phys_state &state, phys_error *err) {
+    return params.gravity.z < 0.0 ? PHYS_OK : checkUpwardPull(scene, params, state, err);
+}
 
 } // namespace phys

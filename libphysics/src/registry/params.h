@@ -93,6 +93,15 @@ inline bool rowsAreValid(const phys_params &params, std::index_sequence<Index...
     return (isAllowed(readRow(params, kRows[Index]), kRows[Index]) && ...);
 }
 
+/// The part of paramsAreValid that the gravity of a step may fail.
+inline bool gravityIsValid(const phys_params &params) {
+    bool isValid = true;
+    for (const phys_param_row &row : kRows) {
+        if (row.flags & PHYS_ROW_INPUT) isValid = isValid && isAllowed(readRow(params, row), row);
+    }
+    return isValid;
+}
+
 /// Whether all values are within their rows and agree with each other.
 inline bool paramsAreValid(const phys_params &params) {
     return params.struct_size == sizeof params && (params.options & ~static_cast<uint32_t>(PHYS_OPTIONS)) == 0 &&

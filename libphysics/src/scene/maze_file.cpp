@@ -10,6 +10,7 @@
 #include <cstring>
 #include <memory>
 #include <string_view>
+#include <sys/stat.h>
 #include <system_error>
 
 namespace phys {
@@ -17,6 +18,9 @@ namespace phys {
 namespace {
 
 constexpr std::string_view kSpace = " \t\r";
+
+/// More than the longest lines of a million boxes need.
+constexpr size_t kMostBytes = 268'435'456;
 
 /// Reads one file: where it is, and what it has found so far.
 class Reader {
@@ -144,24 +148,35 @@ private:
     std::vector<phys_box> m_boxes;
 };
 
-/// The whole file, or why it can't be had.
+/// The whole file, or why it can't be had. A pipe or a device might never end.
 phys_status readFile(const char *path, std::string &out, phys_error *err) {
     const auto refuse = [&] { return fail(err, PHYS_ERROR_FILE, "%s: %s", path, std::strerror(errno)); };
+    struct stat status {};
+    if (stat(path, &status) != 0) return refuse();
+    if (!S_ISREG(status.st_mode)) return fail(err, PHYS_ERROR_FILE, "%s: not a regular file", path);
     const std::unique_ptr<std::FILE, int (*)(std::FILE *)> file(std::fopen(path, "rb"), std::fclose);
     if (!file) return refuse();
     char buffer[65536];
-    while (const size_t count = std::fread(buffer, 1, sizeof buffer, file.get())) out.append(buffer, count);
+    while (const size_t count = std::fread(buffer, 1, sizeof buffer, file.get())) {
+        out.append(buffer, count);
+        if (out.size() <= kMostBytes) continue;
+        return fail(err, PHYS_ERROR_FILE, "%s: larger than %zu bytes", path, kMostBytes);
+    }
     return std::ferror(file.get()) ? refuse() : PHYS_OK;
 }
 
 } // namespace
 
+phys_status parseScene(std::string_view text, const char *name, Scene &out, phys_error *err) {
+    Reader reader(name, err);
+    if (const phys_status status = reader.read(text)) return status;
+    return reader.makeScene(out);
+}
+
 phys_status loadScene(const char *path, Scene &out, phys_error *err) {
     std::string text;
     if (const phys_status status = readFile(path, text, err)) return status;
-    Reader reader(path, err);
-    if (const phys_status status = reader.read(text)) return status;
-    return reader.makeScene(out);
+    return parseScene(text, path, out, err);
 }
 
 } // namespace phys

@@ -4,9 +4,14 @@
 
 #include "scene/scene.h"
 
+#include <string_view>
+
 namespace phys {
 
 /// Reads, checks and makes the scene. Throws std::bad_alloc only.
 phys_status loadScene(const char *path, Scene &out, phys_error *err);
+
+/// As loadScene from the file's text; name: what messages call it.
+phys_status parseScene(std::string_view text, const char *name, Scene &out, phys_error *err);
 
 } // namespace phys

@@ -72,6 +72,13 @@ phys_status phys_scene_load(const char *path, phys_scene **out, phys_error *err)
     return phys::createScene(out, err, [&](phys_scene &scene) { return phys::loadScene(path, scene, err); });
 }
 
+phys_status phys_scene_parse(const char *text, size_t size, const char *name, phys_scene **out, phys_error *err) {
+    if ((!text && size > 0) || !out) return phys::fail(err, PHYS_ERROR_ARGUMENT, "%s is NULL", out ? "text" : "out");
+    const std::string_view view = text ? std::string_view(text, size) : std::string_view();
+    return phys::createScene(
+        out, err, [&](phys_scene &scene) { return phys::parseScene(view, name ? name : "text", scene, err); });
+}
+
 void phys_scene_destroy(phys_scene *scene) { delete scene; }
 
 double phys_scene_radius(const phys_scene *scene) { return scene ? scene->radius : 0.0; }

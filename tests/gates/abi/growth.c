@@ -75,6 +75,37 @@ static void roll(const phys_registry *registry, const char *id, const phys_scene
     check_untouched(report.behind, "report");
 }
 
+/* Two balls through a batch: the states that single steps give. */
+static void run_batch(const phys_registry *registry, const char *id, const phys_scene *scene) {
+    GUARDED(phys_batch) batch;
+    phys_params params;
+    phys_stepper_info info;
+    phys_stepper *stepper = NULL;
+    phys_state states[2];
+    phys_status statuses[2];
+    phys_error error;
+    memset(&batch, GUARD, sizeof batch);
+    check_init(phys_batch_init(&batch.it, sizeof batch.it), "batch");
+    check_init(phys_params_init(&params, sizeof params), "params");
+    check(phys_registry_find(registry, id, &info, &error), "find", &error);
+    check(phys_stepper_info_init_params(&info, &params), "init_params", &error);
+    check(phys_stepper_create(registry, id, scene, &stepper, &error), id, &error);
+    phys_scene_start(scene, &states[0]);
+    phys_scene_start(scene, &states[1]);
+    batch.it.ball_count = 2;
+    batch.it.step_count = 100;
+    batch.it.dt = 0.01;
+    batch.it.params = &params;
+    batch.it.states = states;
+    batch.it.states_stride = sizeof states[0];
+    batch.it.statuses = statuses;
+    check(phys_batch_run(stepper, &batch.it, 0, 2, &error), "batch_run", &error);
+    printf("%s batch %016" PRIx64 " %016" PRIx64 " %d %d\n", id, phys_state_hash(&states[0]),
+           phys_state_hash(&states[1]), statuses[0], statuses[1]);
+    phys_stepper_destroy(stepper);
+    check_untouched(batch.behind, "batch");
+}
+
 int main(int argc, char **argv) {
     GUARDED(phys_scene_desc) desc;
     phys_scene *scene = NULL;
@@ -95,7 +126,10 @@ int main(int argc, char **argv) {
     check(phys_scene_create(&desc.it, &scene, &error), "create", &error);
     check(phys_registry_create(&registry, &error), "registry", &error);
     check(phys_registry_load_file(registry, argv[2], &error), "plugin", &error);
-    for (uint32_t i = 0; phys_registry_info(registry, i, &info) == PHYS_OK; ++i) roll(registry, info.id, scene);
+    for (uint32_t i = 0; phys_registry_info(registry, i, &info) == PHYS_OK; ++i) {
+        roll(registry, info.id, scene);
+        run_batch(registry, info.id, scene);
+    }
     phys_registry_destroy(registry);
     phys_scene_destroy(scene);
     phys_scene_destroy(level);

@@ -135,7 +135,7 @@ void TestCommandLine::listsNameEverySteppersAndParametersId() {
 void TestCommandLine::versionIsThatOfProgramAndLibrary() {
     const CommandLine line = parsed({"--version"});
     QCOMPARE(line.exitStatus, 0);
-    QCOMPARE(line.output, QString("physics-inspector 1.0.0, libphysics %1\n").arg(phys_version()));
+    QCOMPARE(line.output, QString("physics-inspector 1.1.0, libphysics %1\n").arg(phys_version()));
 }
 
 void TestCommandLine::wrongUseGivesOneLineAndStatus2_data() {

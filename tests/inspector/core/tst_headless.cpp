@@ -47,7 +47,7 @@ void TestHeadless::preambleTellsHowToRepeatTheRun() {
     const QByteArray out = runOf("--level 2 --dt 0.005 --duration 0.01 --tilt-x 2.5 --stepper rk4").out;
     phys_stepper_info info;
     phys_registry_find(nullptr, "rk4", &info, nullptr);
-    const QByteArray expected = "# physics-inspector 1.0.0, libphysics " + QByteArray(phys_version()) +
+    const QByteArray expected = "# physics-inspector 1.1.0, libphysics " + QByteArray(phys_version()) +
                                 "\n# level 02\n# stepper rk4 " + info.version + "\n# dt 0.005 s\n# autopilot off\n" +
                                 "# tilt_x 2.5 deg\n# tilt_y 0 deg\n# gravity 9.81 m/s^2\n";
     QVERIFY2(out.startsWith(expected), out.constData());

@@ -45,7 +45,7 @@ void TestProgram::helpNeedsNoDisplay() {
 void TestProgram::tableGoesToStandardOutputAndMessagesDont() {
     const Result result = runOf({"--headless", "--duration", "0.03"});
     QCOMPARE(result.status, 0);
-    QVERIFY(result.out.startsWith("# physics-inspector 1.0.0"));
+    QVERIFY(result.out.startsWith("# physics-inspector 1.1.0"));
     QVERIFY(result.out.contains("\n0.03,3,"));
     QVERIFY(result.messages.startsWith("level 01 "));
 }

@@ -401,7 +401,7 @@ void TestRecording::otherVersionsAreNamedWhereAStepDiffers() {
     QCOMPARE(checkOf(path("r")).out, QByteArray("same: 100 steps\n"));
     write(path("r"), text.replace("set rolling_friction ", "set rolling_friction 1"));
     const QByteArray out = checkOf(path("r")).out;
-    QVERIFY2(out.contains("; libphysics was 0.9, is 1.0.0; stepper symplectic-euler was version 0."), out.constData());
+    QVERIFY2(out.contains("; libphysics was 0.9, is 1.1.0; stepper symplectic-euler was version 0."), out.constData());
     QCOMPARE(out.count('\n'), 1);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Any bytes as a maze file: a scene, or one line that says why not.
+// Any bytes as a maze file and as a maze in memory: a scene, or one line that says why not.
 #include "input.h"
 
 #include <physics/physics.h>
@@ -35,6 +35,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     phys_scene *scene = nullptr;
     phys_error error{};
     const phys_status status = phys_scene_load(file.path(), &scene, &error);
+    phys_scene *parsed = nullptr;
+    fuzz::demand(phys_scene_parse(reinterpret_cast<const char *>(data), size, nullptr, &parsed, nullptr) == status);
+    phys_scene_destroy(parsed);
     if (status) {
         fuzz::demand(!scene && error.status == status && error.text[0] != '\0');
         fuzz::demand(!std::strchr(error.text, '\n'));

@@ -62,6 +62,16 @@ phys_params paramsOf(fuzz::Input &input, const phys_stepper_info &info) {
 
 bool isFinite(const phys_vec3 &v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
+phys_status stepAsBatch(phys_stepper *stepper, const phys_params &params, double dt, phys_state &state) {
+    phys_batch batch;
+    phys_batch_init(&batch, sizeof batch);
+    batch.ball_count = batch.step_count = 1;
+    batch.dt = dt;
+    batch.params = &params;
+    batch.states = &state;
+    return phys_batch_run(stepper, &batch, 0, 1, nullptr);
+}
+
 /// Whether more steps are worth their time.
 bool stepOnce(phys_stepper *stepper, const phys_params &params, double dt, phys_state &state) {
     phys_event events[4];
@@ -74,6 +84,9 @@ bool stepOnce(phys_stepper *stepper, const phys_params &params, double dt, phys_
     phys_error error{};
     const phys_status status = phys_step(stepper, &params, dt, &before, &state, &report, &error);
     if (status) {
+        phys_state again = before;
+        fuzz::demand(stepAsBatch(stepper, params, dt, again) == status);
+        fuzz::demand(std::memcmp(&again, &before, sizeof again) == 0);
         fuzz::demand(error.status == status && error.text[0]);
         fuzz::demand(std::memcmp(&state, &before, sizeof state) == 0);
         fuzz::demand(std::memcmp(&report, &freshReport, sizeof report) == 0);
@@ -82,9 +95,12 @@ bool stepOnce(phys_stepper *stepper, const phys_params &params, double dt, phys_
     fuzz::demand(isFinite(state.position) && isFinite(state.velocity) && isFinite(state.spin));
     fuzz::demand(std::isfinite(state.time) && (state.flags & ~uint64_t(PHYS_STATE_FLAGS)) == 0);
     fuzz::demand(report.event_count <= report.event_capacity);
-    // The same again, in place and without a report: the same bits.
+    // The same again, in place and without a report, and as a batch of one: the same bits.
     phys_state again = before;
     fuzz::demand(phys_step(stepper, &params, dt, &again, &again, nullptr, nullptr) == PHYS_OK);
+    fuzz::demand(std::memcmp(&again, &state, sizeof again) == 0);
+    again = before;
+    fuzz::demand(stepAsBatch(stepper, params, dt, again) == PHYS_OK);
     fuzz::demand(std::memcmp(&again, &state, sizeof again) == 0);
     return report.substeps < kMostWork && report.events_lost < kMostWork;
 }

@@ -8,6 +8,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <cstring>
+#include <sys/stat.h>
+
 using namespace support;
 
 namespace {
@@ -45,6 +48,9 @@ private slots:
     void wrongSceneInAFileIsRefused();
     void missingFileIsRefused();
     void directoryIsRefused();
+    void pipeAndDeviceAreRefusedAtOnce();
+    void textInMemoryGivesTheSceneOfTheFile();
+    void wrongTextInMemoryIsRefusedByName();
     void binaryRubbishIsRefused();
     void everyLevelLoads_data();
     void everyLevelLoads();
@@ -206,6 +212,43 @@ void TestMazeFiles::directoryIsRefused() {
     QCOMPARE(phys_scene_load(path.constData(), &scene, &error), PHYS_ERROR_FILE);
     QVERIFY(!scene);
     QVERIFY2(QByteArray(error.text).startsWith(path), error.text);
+}
+
+void TestMazeFiles::pipeAndDeviceAreRefusedAtOnce() {
+    const QByteArray pipe = QFile::encodeName(m_folder.filePath("pipe"));
+    QCOMPARE(mkfifo(pipe.constData(), 0600), 0);
+    for (const QByteArray &path : {pipe, QByteArray("/dev/zero"), QByteArray("/dev/tty"), QByteArray(".")}) {
+        phys_scene *scene = nullptr;
+        phys_error error{};
+        QCOMPARE(phys_scene_load(path.constData(), &scene, &error), PHYS_ERROR_FILE);
+        QCOMPARE(QByteArray(error.text), path + ": not a regular file");
+    }
+}
+
+void TestMazeFiles::textInMemoryGivesTheSceneOfTheFile() {
+    const ScenePtr file = load(kGood);
+    QVERIFY2(file, m_error.text);
+    phys_scene *parsed = nullptr;
+    QCOMPARE(phys_scene_parse(kGood, sizeof kGood - 1, nullptr, &parsed, nullptr), PHYS_OK);
+    const ScenePtr scene(parsed);
+    QCOMPARE(phys_scene_radius(scene.get()), phys_scene_radius(file.get()));
+    QCOMPARE(phys_scene_box_count(scene.get()), phys_scene_box_count(file.get()));
+    QCOMPARE(std::memcmp(phys_scene_boxes(scene.get()), phys_scene_boxes(file.get()), sizeof(phys_box)), 0);
+    phys_state start, expected;
+    phys_scene_start(scene.get(), &start);
+    phys_scene_start(file.get(), &expected);
+    QCOMPARE(std::memcmp(&start, &expected, sizeof start), 0);
+}
+
+void TestMazeFiles::wrongTextInMemoryIsRefusedByName() {
+    phys_scene *scene = nullptr;
+    phys_error error{};
+    const QByteArray wrong = withLine(4, "ball big");
+    QCOMPARE(phys_scene_parse(wrong.constData(), wrong.size(), "editor", &scene, &error), PHYS_ERROR_SYNTAX);
+    QCOMPARE(QString(error.text), QString("editor:4: ball: expected a number in m, found 'big'"));
+    QCOMPARE(phys_scene_parse(nullptr, 0, nullptr, &scene, &error), PHYS_ERROR_SYNTAX);
+    QVERIFY(QByteArray(error.text).startsWith("text:"));
+    QVERIFY(!scene);
 }
 
 void TestMazeFiles::binaryRubbishIsRefused() {

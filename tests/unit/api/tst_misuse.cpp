@@ -41,6 +41,7 @@ struct Bench {
     Experiment ball{squareRoom(4.0), PHYS_STEPPER_DEFAULT};
     phys_box box{{0, 0, 0}, {1, 1, 1}};
     phys_scene_desc desc{};
+    phys_batch batch{};
     phys_vec3 centre{1, 1, 0.0625};
     Outputs out;
 
@@ -49,6 +50,7 @@ struct Bench {
         phys_report_init(&out.report, sizeof out.report);
         phys_params_init(&out.params, sizeof out.params);
         phys_scene_desc_init(&desc, sizeof desc);
+        phys_batch_init(&batch, sizeof batch);
         desc.boxes = &box;
         desc.box_count = 1;
     }
@@ -92,6 +94,14 @@ std::vector<Misuse> nullPointers() {
         {"phys_scene_load: path", refused,
          [](Bench &b, phys_error *e) { return phys_scene_load(nullptr, &b.out.scene, e); }},
         {"phys_scene_load: out", refused, [](Bench &, phys_error *e) { return phys_scene_load("x.txt", nullptr, e); }},
+        {"phys_scene_parse: text", refused,
+         [](Bench &b, phys_error *e) { return phys_scene_parse(nullptr, 1, "x", &b.out.scene, e); }},
+        {"phys_scene_parse: out", refused,
+         [](Bench &, phys_error *e) { return phys_scene_parse("", 0, "x", nullptr, e); }},
+        {"phys_batch_run: stepper", refused,
+         [](Bench &b, phys_error *e) { return phys_batch_run(nullptr, &b.batch, 0, 0, e); }},
+        {"phys_batch_run: batch", refused,
+         [](Bench &b, phys_error *e) { return phys_batch_run(b.ball.stepper(), nullptr, 0, 0, e); }},
         {"phys_scene_check_planar: scene", refused,
          [](Bench &, phys_error *e) { return phys_scene_check_planar(nullptr, e); }},
         {"phys_param_set: params", refused,
@@ -154,6 +164,10 @@ std::vector<Misuse> nullPointersOfTerseFunctions() {
          [](Bench &, phys_error *) { return phys_gravity_from_tilt(0, 0, 9.81, nullptr); }},
         {"phys_scene_desc_init: desc", refused,
          [](Bench &, phys_error *) { return phys_scene_desc_init(nullptr, sizeof(phys_scene_desc)); }},
+        {"phys_batch_init: batch", refused,
+         [](Bench &, phys_error *) { return phys_batch_init(nullptr, sizeof(phys_batch)); }},
+        {"phys_batch_init: size", refused,
+         [](Bench &b, phys_error *) { return phys_batch_init(&b.batch, sizeof(phys_batch) + 8); }},
         {"phys_scene_bounds: scene", refused,
          [](Bench &b, phys_error *) { return phys_scene_bounds(nullptr, &b.out.box); }},
         {"phys_scene_bounds: out", refused,
