@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "discrete/requirements.h"
 #include "exact/run.h"
-#include "steppers.h"
+#include "registry/built_in_steppers.h"
 
 #include <bit>
 #include <cmath>

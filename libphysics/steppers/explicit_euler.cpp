@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The bad example: in contact it gains energy in each step, and no cure helps (model.md 10.3).
 #include "discrete/stepper.h"
-#include "steppers.h"
+#include "registry/built_in_steppers.h"
 
 namespace phys {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Fourth order where the motion is smooth; across impacts no better than the others, which is why it is here.
 #include "discrete/stepper.h"
-#include "steppers.h"
+#include "registry/built_in_steppers.h"
 
 namespace phys {
 

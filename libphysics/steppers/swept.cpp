@@ -4,7 +4,7 @@
 #include "discrete/stepper.h"
 #include "discrete/sweep.h"
 #include "discrete/velocity_verlet.h"
-#include "steppers.h"
+#include "registry/built_in_steppers.h"
 
 namespace phys {
 

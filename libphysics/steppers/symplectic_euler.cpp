@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The default: cheap, first order, and stable in contact, because what its update overshoots never gives speed.
 #include "discrete/stepper.h"
-#include "steppers.h"
+#include "registry/built_in_steppers.h"
 
 namespace phys {
 

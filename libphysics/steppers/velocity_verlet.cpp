@@ -3,7 +3,7 @@
 #include "discrete/velocity_verlet.h"
 
 #include "discrete/stepper.h"
-#include "steppers.h"
+#include "registry/built_in_steppers.h"
 
 namespace phys {
 

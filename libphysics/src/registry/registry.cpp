@@ -2,8 +2,8 @@
 #include "registry/registry.h"
 
 #include "base/error.h"
+#include "registry/built_in_steppers.h"
 #include "registry/params.h"
-#include "steppers.h"
 
 #include <cstring>
 #include <new>
