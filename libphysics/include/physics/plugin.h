@@ -5,7 +5,8 @@
  *
  *     const phys_plugin phys_plugin_entry = { PHYS_ABI_VERSION, sizeof(phys_plugin), 1, 0, steppers };
  *
- *  Everything is checked before any of its code is called, and what its step returns is checked before anyone sees it.
+ *  The table is checked before any of its functions is called, and what a step returns before anyone sees it. But code
+ *  that runs when a shared object is loaded (constructors) has run by then: load only files that you trust.
  */
 #ifndef PHYS_PLUGIN_H
 #define PHYS_PLUGIN_H
@@ -34,6 +35,14 @@ typedef struct phys_scene_view {
     uint32_t (*contacts)(const void *scene, const phys_vec3 *centre, double reach, phys_contact *out,
                          uint32_t capacity);
 } phys_scene_view;
+
+/** Ids that no row of a stepper's own may have, nor those of phys_param_rows: programs have options, settings and
+ * columns of these names. */
+#define PHYS_RESERVED_ROW_IDS                                                                                          \
+    "autopilot", "box", "check", "compare", "csv", "dt", "duration", "energy", "event", "flags", "gravity", "grab",    \
+        "headless", "help", "kind", "level", "maze", "normal", "orientation", "plot", "plugin", "point", "position",   \
+        "record", "replay", "report", "scene", "schedule", "seed", "shaders", "speed", "spin", "start", "state",       \
+        "step", "stepper", "steps", "theme", "tilt", "time", "trade", "velocity", "version", "x", "y", "z"
 
 /** One stepper: appendable, texts static. All functions are called by one thread at a time for one self; none may
  *  throw, exit or keep a pointer that it is given, except create the view. Required unless marked optional. */

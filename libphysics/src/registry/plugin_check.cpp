@@ -17,6 +17,9 @@ constexpr uint32_t kMostSteppers = 256;
 constexpr uint32_t kStepperFlags = PHYS_STEPPER_EXACT_IN_DT | PHYS_STEPPER_BITS_EVERYWHERE;
 constexpr uint32_t kRowFlags = PHYS_ROW_CHOICE | PHYS_ROW_RIGID | PHYS_ROW_SWITCH;
 
+/// Names that programs have for options and columns of their own: plugin.h.
+constexpr const char *kReservedIds[] = {PHYS_RESERVED_ROW_IDS};
+
 struct Length {
     size_t least, most; // bytes, both included
 };
@@ -37,9 +40,7 @@ public:
         if (m_plugin.abi_version != PHYS_ABI_VERSION) {
             return refuse("abi_version is %u; expected %u", m_plugin.abi_version, PHYS_ABI_VERSION);
         }
-        if (m_plugin.struct_size < kFirstSize<phys_plugin>) {
-            return refuse("struct_size is %u; expected at least %u", m_plugin.struct_size, kFirstSize<phys_plugin>);
-        }
+        if (const phys_status status = checkSize<phys_plugin>(m_plugin.struct_size)) return status;
         if (m_plugin.reserved != 0) return refuse("reserved is %u; expected 0", m_plugin.reserved);
         if (m_plugin.stepper_count < 1 || m_plugin.stepper_count > kMostSteppers) {
             return refuse("stepper_count is %u; expected 1 .. %u", m_plugin.stepper_count, kMostSteppers);
@@ -66,10 +67,15 @@ private:
         return fail(m_err, PHYS_ERROR_PLUGIN_REFUSED, "%s: %s%s", m_file, m_where.c_str(), reason);
     }
 
+    /// A longer table is one of a later version: what it says at its end would be overlooked.
+    template<class Table>
+    phys_status checkSize(uint32_t size) {
+        if (isKnownSize<Table>(size)) return PHYS_OK;
+        return refuse("struct_size is %u; expected %u .. %zu", size, kFirstSize<Table>, sizeof(Table));
+    }
+
     phys_status checkStepper(const phys_stepper_api &api, uint32_t index) {
-        if (api.struct_size < kFirstSize<phys_stepper_api>) {
-            return refuse("struct_size is %u; expected at least %u", api.struct_size, kFirstSize<phys_stepper_api>);
-        }
+        if (const phys_status status = checkSize<phys_stepper_api>(api.struct_size)) return status;
         if (const phys_status status = checkText("id", api.id, kIdLength)) return status;
         if (const phys_status status = checkId("id", api.id, '-')) return status;
         m_where = "stepper '" + std::string(api.id) + "': ";
@@ -150,9 +156,12 @@ private:
         return checkText("choices", row.choices, {0, 511});
     }
 
-    /// Ids are names of settings and columns: unlike the library's and unlike each other. So are places.
+    /// Ids are names of settings, options and columns: unlike the library's and unlike each other. So are places.
     phys_status checkRowUnique(const phys_stepper_api &api, uint32_t index) {
         const phys_param_row &row = *api.rows[index];
+        for (const char *reserved : kReservedIds) {
+            if (std::strcmp(reserved, row.id) == 0) return refuse("the id is reserved; expected another");
+        }
         uint32_t count = 0;
         const phys_param_row *own = phys_param_rows(&count);
         for (uint32_t i = 0; i < count; ++i) {

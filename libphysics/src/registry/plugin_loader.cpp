@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "registry/plugin_check.h"
 #include "registry/registry.h"
+#include "registry/shared_object_file.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -12,7 +13,6 @@
 #include <dlfcn.h>
 #include <memory>
 #include <new>
-#include <sys/stat.h>
 
 namespace phys {
 
@@ -48,13 +48,6 @@ std::string shown(const std::string &path) {
     return path.size() <= kShownPath ? path : "..." + path.substr(path.size() - kShownPath);
 }
 
-phys_status checkFile(const std::string &path, const std::string &name, phys_error *err) {
-    struct stat status {};
-    if (stat(path.c_str(), &status) != 0) return fail(err, PHYS_ERROR_FILE, "%s: no such file", name.c_str());
-    if (!S_ISREG(status.st_mode)) return fail(err, PHYS_ERROR_FILE, "%s: not a file", name.c_str());
-    return PHYS_OK;
-}
-
 /// The plugins' names in a folder, sorted. False if the folder can't be read.
 bool listPlugins(const std::string &folder, std::vector<std::string> &names) {
     const std::unique_ptr<DIR, int (*)(DIR *)> entries(opendir(folder.c_str()), closedir);
@@ -76,7 +69,7 @@ void add(phys_registry &registry, const phys_plugin &plugin, const std::string &
 
 phys_status load(phys_registry &registry, const std::string &path, phys_error *err) {
     const std::string name = shown(path);
-    if (const phys_status status = checkFile(path, name, err)) return status;
+    if (const phys_status status = checkSharedObjectFile(path.c_str(), name.c_str(), err)) return status;
     SharedObject object(path);
     if (!object.isOpen()) {
         const char *reason = dlerror();

@@ -29,6 +29,7 @@ private slots:
     void aFileThatIsNotThereIsNamed();
     void aFolderIsNoPlugin();
     void aTextFileIsRefusedWithTheLoadersReason();
+    void aFileThatIsCutOffIsRefusedWhereverItIsCut();
     void aSecondLoadNamesTheFirst();
     void nullArgumentsAreNamed();
 
@@ -42,13 +43,15 @@ void PluginRefusal::givesTheReason_data() {
 
     addFixture("missing_symbol", "expected the symbol phys_plugin_entry; found none");
     addFixture("abi_version", "abi_version is 2; expected 1");
-    addFixture("plugin_size", "struct_size is 23; expected at least 24");
+    addFixture("plugin_size", "struct_size is 23; expected 24 .. 24");
+    addFixture("plugin_longer", "struct_size is 32; expected 24 .. 24");
     addFixture("plugin_reserved", "reserved is 7; expected 0");
     addFixture("no_steppers", "stepper_count is 0; expected 1 .. 256");
     addFixture("many_steppers", "stepper_count is 257; expected 1 .. 256");
     addFixture("null_steppers", "steppers is NULL; expected 1 pointers to tables");
     addFixture("null_stepper", "stepper 0: the pointer is NULL; expected a table");
-    addFixture("stepper_size", "stepper 0: struct_size is 95; expected at least 96");
+    addFixture("stepper_size", "stepper 0: struct_size is 95; expected 96 .. 96");
+    addFixture("stepper_longer", "stepper 0: struct_size is 104; expected 96 .. 96");
     addFixture("null_id", "stepper 0: id is NULL; expected a text");
     addFixture("empty_id", "stepper 0: id is empty; expected a text");
     addFixture("long_id", "stepper 0: id has over 63 bytes; that is the most");
@@ -72,6 +75,7 @@ void PluginRefusal::givesTheReason_data() {
     addFixture("row_id", "stepper 'good': row 0: id has the byte 0x2d; expected lower case letters, digits and '_'");
     addFixture("row_of_the_library",
                "stepper 'good': row 'rolling_friction': the library has a row of this id; expected another");
+    addFixture("row_reserved", "stepper 'good': row 'help': the id is reserved; expected another");
     addFixture("row_id_twice", "stepper 'good': row 'order': row 0 has this id too; expected another");
     addFixture("row_null_label", "stepper 'good': row 0: label is NULL; expected a text");
     addFixture("row_long_unit", "stepper 'good': row 0: unit has over 15 bytes; that is the most");
@@ -136,6 +140,33 @@ void PluginRefusal::aTextFileIsRefusedWithTheLoadersReason() {
     const QByteArray expected =
         shown(path) + ": expected a shared object that loads; found: " + path + ": invalid ELF header";
     QCOMPARE(QByteArray(error.text), expected.left(sizeof error.text - 1));
+}
+
+/// The system's loader would map pages behind the end, and the process would end when it touches them.
+void PluginRefusal::aFileThatIsCutOffIsRefusedWhereverItIsCut() {
+    QFile whole(FIXTURES "/good/good.so");
+    QVERIFY(whole.open(QIODevice::ReadOnly));
+    const QByteArray bytes = whole.readAll();
+    const QTemporaryDir folder;
+    int loaded = 0;
+    for (qsizetype size = 0; size < bytes.size(); size += 509) {
+        const QString path = folder.filePath(QString("%1.so").arg(size));
+        QFile cut(path);
+        QVERIFY(cut.open(QIODevice::WriteOnly) && cut.write(bytes.left(size)) == size);
+        cut.close();
+        phys_registry *registry = nullptr;
+        QCOMPARE(phys_registry_create(&registry, nullptr), PHYS_OK);
+        phys_error error{};
+        const phys_status status = phys_registry_load_file(registry, QFile::encodeName(path).constData(), &error);
+        phys_registry_destroy(registry);
+        if (status == PHYS_OK) {
+            ++loaded; // only what no segment needs is missing: debug information, names of sections
+            continue;
+        }
+        QCOMPARE(status, PHYS_ERROR_PLUGIN_REFUSED);
+        QVERIFY2(QByteArray(error.text).contains("expected"), error.text);
+    }
+    QVERIFY(loaded < bytes.size() / 509);
 }
 
 void PluginRefusal::aSecondLoadNamesTheFirst() {

@@ -12,7 +12,7 @@
 namespace {
 
 const QString kGood = QStringLiteral(FIXTURES "/good/good.so");
-const QString kLonger = QStringLiteral(FIXTURES "/good/longer.so");
+const QString kOther = QStringLiteral(FIXTURES "/good/other.so");
 const QString kRefused = QStringLiteral(FIXTURES "/refused/abi_version.so");
 
 /// One line of a scan: "name: status: text".
@@ -63,12 +63,12 @@ private:
 
 void PluginScan::aFolderIsReadInOrderOfNames() {
     QCOMPARE(scan(m_registry, FIXTURES "/good"),
-             (QByteArrayList{"good.so: PHYS_OK: loaded good", "longer.so: PHYS_OK: loaded longer"}));
+             (QByteArrayList{"good.so: PHYS_OK: loaded good", "other.so: PHYS_OK: loaded other"}));
     phys_stepper_info info;
     QCOMPARE(phys_registry_info(m_registry, m_builtIn, &info), PHYS_OK);
     QCOMPARE(info.id, "good");
     QCOMPARE(phys_registry_info(m_registry, m_builtIn + 1, &info), PHYS_OK);
-    QCOMPARE(info.id, "longer");
+    QCOMPARE(info.id, "other");
 }
 
 void PluginScan::aRefusedFileDoesNotEndTheScan() {
@@ -118,18 +118,18 @@ void PluginScan::aFolderThatIsNotThereIsAnError() {
 void PluginScan::theSearchPathIsWalkedInItsOrder() {
     const QTemporaryDir first;
     const QTemporaryDir second;
-    QVERIFY(QFile::link(kLonger, first.filePath(QStringLiteral("z.so"))));
+    QVERIFY(QFile::link(kOther, first.filePath(QStringLiteral("z.so"))));
     QVERIFY(QFile::link(kGood, second.filePath(QStringLiteral("a.so"))));
     qputenv("PHYS_PLUGIN_PATH", (first.path() + QLatin1Char(':') + second.path()).toUtf8());
     QCOMPARE(scan(m_registry, nullptr).mid(0, 2),
-             (QByteArrayList{"z.so: PHYS_OK: loaded longer", "a.so: PHYS_OK: loaded good"}));
+             (QByteArrayList{"z.so: PHYS_OK: loaded other", "a.so: PHYS_OK: loaded good"}));
 }
 
 void PluginScan::aMissingFolderOfTheSearchPathIsToldAndPassed() {
     qputenv("PHYS_PLUGIN_PATH", ":/nowhere/at/all::" FIXTURES "/good:");
     QCOMPARE(scan(m_registry, nullptr).mid(0, 3),
              (QByteArrayList{"all: PHYS_ERROR_FILE: /nowhere/at/all: a folder of PHYS_PLUGIN_PATH that can't be read",
-                             "good.so: PHYS_OK: loaded good", "longer.so: PHYS_OK: loaded longer"}));
+                             "good.so: PHYS_OK: loaded good", "other.so: PHYS_OK: loaded other"}));
 }
 
 void PluginScan::pluginsBesideTheLibraryAreFound() {
@@ -156,7 +156,7 @@ void PluginScan::aScanNeedsNoListener() {
 }
 
 void PluginScan::aTableLongerThanOursLoads() {
-    QCOMPARE(phys_registry_load_file(m_registry, kLonger.toUtf8().constData(), nullptr), PHYS_OK);
+    QCOMPARE(phys_registry_load_file(m_registry, kOther.toUtf8().constData(), nullptr), PHYS_OK);
 }
 
 void PluginScan::pluginsStayWhenTheirRegistryGoes() {

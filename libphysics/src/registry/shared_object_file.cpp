@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "registry/shared_object_file.h"
+
+#include "base/error.h"
+
+#include <sys/stat.h>
+
+#if __has_include(<link.h>)
+#include <cstdio>
+#include <cstring>
+#include <link.h>
+#include <memory>
+#endif
+
+namespace phys {
+
+namespace {
+
+#if __has_include(<link.h>)
+
+using File = std::unique_ptr<std::FILE, int (*)(std::FILE *)>;
+
+bool readAt(std::FILE *file, uint64_t offset, void *out, size_t size) {
+    return std::fseek(file, static_cast<long>(offset), SEEK_SET) == 0 && std::fread(out, 1, size, file) == size;
+}
+
+phys_status refuseShort(const char *name, uint64_t expected, uint64_t size, phys_error *err) {
+    return fail(err, PHYS_ERROR_PLUGIN_REFUSED, "%s: expected %llu bytes as its headers say; found %llu", name,
+                static_cast<unsigned long long>(expected), static_cast<unsigned long long>(size));
+}
+
+/// A file that isn't ELF is left to the system's loader, which says so.
+phys_status checkSegments(const char *path, const char *name, uint64_t size, phys_error *err) {
+    const File file(std::fopen(path, "rb"), std::fclose);
+    ElfW(Ehdr) header;
+    if (!file || !readAt(file.get(), 0, &header, sizeof header)) return PHYS_OK;
+    if (std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0 || header.e_phentsize != sizeof(ElfW(Phdr))) return PHYS_OK;
+    for (uint64_t i = 0; i < header.e_phnum; ++i) {
+        ElfW(Phdr) segment;
+        const uint64_t offset = header.e_phoff + i * sizeof segment;
+        if (offset > size || !readAt(file.get(), offset, &segment, sizeof segment)) {
+            return refuseShort(name, offset + sizeof segment, size, err);
+        }
+        const bool fits = segment.p_filesz <= size && segment.p_offset <= size - segment.p_filesz;
+        if (!fits) return refuseShort(name, segment.p_offset + segment.p_filesz, size, err);
+    }
+    return PHYS_OK;
+}
+
+#else
+
+phys_status checkSegments(const char *, const char *, uint64_t, phys_error *) { return PHYS_OK; }
+
+#endif
+
+} // namespace
+
+phys_status checkSharedObjectFile(const char *path, const char *name, phys_error *err) {
+    struct stat status {};
+    if (stat(path, &status) != 0) return fail(err, PHYS_ERROR_FILE, "%s: no such file", name);
+    if (!S_ISREG(status.st_mode)) return fail(err, PHYS_ERROR_FILE, "%s: not a file", name);
+    return checkSegments(path, name, static_cast<uint64_t>(status.st_size), err);
+}
+
+} // namespace phys
