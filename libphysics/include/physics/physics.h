@@ -108,13 +108,13 @@ typedef struct phys_error {
 typedef struct phys_vec3 {
     double x; /**< along the board, in the slope of tilt_x */
     double y; /**< along the board, in the slope of tilt_y */
-    double z; /**< up from the floor */
+    double z; /**< up from the floor, in the unit of x and y */
 } phys_vec3;
 
 /** An axis-aligned box, min <= max in each component; frozen. m */
 typedef struct phys_box {
-    phys_vec3 min; /**< corner of the least coordinates */
-    phys_vec3 max; /**< corner of the greatest */
+    phys_vec3 min; /**< corner of the least coordinates, m */
+    phys_vec3 max; /**< corner of the greatest, m */
 } phys_box;
 
 /** The gravity vector (m/s^2, board frame) of a board tilted by two angles.
@@ -137,7 +137,8 @@ typedef struct phys_scene_desc {
     phys_vec3 start;       /**< centre of the ball at the start, m */
 } phys_scene_desc;
 
-/** Fills a description: no boxes, radius 0.006 m, start (0, 0, radius). size = sizeof(phys_scene_desc). Since 1.0. */
+/** Fills a description: no boxes, radius 0.006 m, start (0, 0, radius). size = sizeof(phys_scene_desc). Any thread.
+ *  Errors: ARGUMENT. Since 1.0. */
 PHYS_API phys_status phys_scene_desc_init(phys_scene_desc *desc, size_t size);
 
 /** Makes a scene from a description: checks it, merges flush boxes, classifies floor and walls, builds the grid.
@@ -156,7 +157,8 @@ PHYS_API phys_status phys_scene_load(const char *path, phys_scene **out, phys_er
 PHYS_API phys_status phys_scene_parse(const char *text, size_t size, const char *name, phys_scene **out,
                                       phys_error *err);
 
-/** Frees a scene, or does nothing for NULL. No stepper made for it may be alive. Since 1.0. */
+/** Frees a scene, or does nothing for NULL. No stepper made for it may be alive. One thread: the last that uses it.
+ *  Since 1.0. */
 PHYS_API void phys_scene_destroy(phys_scene *scene);
 
 /** The ball's radius, m; 0 for NULL. Any thread. Since 1.0. */
@@ -169,11 +171,11 @@ PHYS_API uint32_t phys_scene_box_count(const phys_scene *scene);
  *  Box numbers in events, contacts and messages count in this array from 0. Any thread. Since 1.0. */
 PHYS_API const phys_box *phys_scene_boxes(const phys_scene *scene);
 
-/** The smallest box around all boxes; all zero without boxes. Any thread. Since 1.0. */
+/** The smallest box around all boxes; all zero without boxes. Any thread. Errors: ARGUMENT. Since 1.0. */
 PHYS_API phys_status phys_scene_bounds(const phys_scene *scene, phys_box *out);
 
 /** Whether the ball's contacts while it rolls on the floor are all horizontal, as stepper "exact" needs (model.md 0).
- *  PHYS_OK if so; PHYS_ERROR_UNSUPPORTED with the box and the reason in err if not. Any thread. Since 1.0. */
+ *  PHYS_OK if so. Any thread. Errors: ARGUMENT; UNSUPPORTED with the box and the reason if it isn't. Since 1.0. */
 PHYS_API phys_status phys_scene_check_planar(const phys_scene *scene, phys_error *err);
 
 /** Kinds of feature of a box that the ball touches. */
@@ -190,7 +192,7 @@ typedef struct phys_contact {
 
 /** All boxes, floors included, whose gap to a ball centred at `centre` is at most `reach` (m, >= 0, finite), in order
  *  of their numbers. Writes at most `capacity` of them to `out` (or NULL if capacity is 0) and how many there are to
- *  `count`. The centre's coordinates must be numbers within +-2^100 m. Any thread. Since 1.0. */
+ *  `count`. The centre's coordinates must be numbers within +-2^100 m. Any thread. Errors: ARGUMENT. Since 1.0. */
 PHYS_API phys_status phys_scene_contacts(const phys_scene *scene, const phys_vec3 *centre, double reach,
                                          phys_contact *out, uint32_t capacity, uint32_t *count);
 
@@ -216,7 +218,7 @@ typedef struct phys_state {
     uint64_t flags;        /**< PHYS_AT_REST | ... */
 } phys_state;
 
-/** The state at the start: at rest, time 0, no rotation. Any thread. Since 1.0. */
+/** The state at the start: at rest, time 0, no rotation. Any thread. Errors: ARGUMENT. Since 1.0. */
 PHYS_API phys_status phys_scene_start(const phys_scene *scene, phys_state *out);
 
 /** A 64-bit hash of all 128 bytes (FNV-1a); 0 for NULL. Any thread. Since 1.0. */
@@ -254,8 +256,8 @@ typedef struct phys_params {
     double stepper[PHYS_STEPPER_VALUES]; /**< what the stepper's own rows point at; 0 unless it has such rows */
 } phys_params;
 
-/** Fills params with each row's initial value, gravity (0, 0, -9.81), the rolling model, no options.
- *  size = sizeof(phys_params). Any thread. Since 1.0. */
+/** Fills params with each row's initial value, gravity (0, 0, -9.81), the rolling model, no options. size =
+ *  sizeof(phys_params). Any thread. Errors: ARGUMENT. Since 1.0. */
 PHYS_API phys_status phys_params_init(phys_params *params, size_t size);
 
 /** Bits of phys_param_row.flags. */
@@ -276,21 +278,23 @@ typedef struct phys_param_row {
     double min;          /**< least allowed value */
     double max;          /**< greatest allowed value */
     double low;          /**< the range that a slider should offer begins here */
-    double high;         /**< and ends here */
+    double high;         /**< the range that a slider should offer ends here */
     double initial;      /**< default */
     double step;         /**< one notch */
     uint32_t offset;     /**< of the double (or uint32_t, see flags) in phys_params, bytes */
     uint32_t flags;      /**< PHYS_ROW_* */
 } phys_param_row;
 
-/** The library's own rows, in the order in which to show them; writes their number to `count`. Static. Since 1.0. */
+/** The library's own rows, in the order in which to show them; writes their number to `count`. Static. Any thread.
+ *  Since 1.0. */
 PHYS_API const phys_param_row *phys_param_rows(uint32_t *count);
 
 /** Reads the value a row stands for: its initial one if params is too short to have it; NaN for NULL. Any thread.
  *  Since 1.0. */
 PHYS_API double phys_param_get(const phys_params *params, const phys_param_row *row);
 
-/** Writes the value a row stands for. Errors: ARGUMENT (also if params is too short to have it), RANGE. Since 1.0. */
+/** Writes the value a row stands for. Errors: ARGUMENT (also if params is too short to have it), RANGE. Any thread.
+ *  Since 1.0. */
 PHYS_API phys_status phys_param_set(phys_params *params, const phys_param_row *row, double value, phys_error *err);
 
 /** Whether a step would accept these parameters: sizes, ranges, and what holds between them. Errors: ARGUMENT, RANGE.
@@ -345,11 +349,11 @@ typedef struct phys_report {
     double energy_scheme; /**< made (> 0) or lost (< 0) by the stepper's own error: what remains in the balance */
 } phys_report;
 
-/** Fills a report: no event buffer, all zero. size = sizeof(phys_report). Since 1.0. */
+/** Fills a report: no event buffer, all zero. size = sizeof(phys_report). Any thread. Errors: ARGUMENT. Since 1.0. */
 PHYS_API phys_status phys_report_init(phys_report *report, size_t size);
 
 /** Energy per mass, J/kg: v^2/2 + (R spin)^2/5 - gravity . position (model.md 9). For a rolling ball the first two are
- *  7/10 v^2. The state's numbers and gravity must be within +-2^100. Any thread. Since 1.0. */
+ *  7/10 v^2. The state's numbers and gravity must be within +-2^100. Any thread. Errors: ARGUMENT. Since 1.0. */
 PHYS_API phys_status phys_energy(const phys_scene *scene, const phys_params *params, const phys_state *state,
                                  double *out);
 
@@ -380,10 +384,12 @@ typedef struct phys_stepper_info {
     uint32_t flags;                    /**< PHYS_STEPPER_* */
 } phys_stepper_info;
 
-/** Makes a registry with the built-in steppers. Errors: MEMORY. Free it with phys_registry_destroy. Since 1.0. */
+/** Makes a registry with the built-in steppers. Errors: MEMORY. Free it with phys_registry_destroy. Any thread.
+ *  Since 1.0. */
 PHYS_API phys_status phys_registry_create(phys_registry **out, phys_error *err);
 
-/** Frees a registry, or does nothing for NULL. No stepper made from it may be alive. Loaded plugins stay loaded. */
+/** Frees a registry, or does nothing for NULL. No stepper made from it may be alive. Loaded plugins stay loaded. One
+ *  thread: the last that uses it. Since 1.0. */
 PHYS_API void phys_registry_destroy(phys_registry *registry);
 
 /** Loads the plugin in one file and adds its steppers. Not while another thread uses the registry.
@@ -395,33 +401,36 @@ typedef void (*phys_scan_function)(void *context, const char *path, phys_status 
 
 /** Loads every *.so of a folder, in order of name. folder NULL: the folders of PHYS_PLUGIN_PATH (separated by ':'),
  *  then `physics-1` beside the library. A refused file doesn't end the scan; `report` (or NULL) hears of each.
- *  Errors: ARGUMENT, FILE (the folder named isn't there), MEMORY. Since 1.0. */
+ *  Errors: ARGUMENT, FILE (the folder named isn't there), MEMORY. Not while another thread uses the registry. Since
+ *  1.0. */
 PHYS_API phys_status phys_registry_scan(phys_registry *registry, const char *folder, phys_scan_function report,
                                         void *context, phys_error *err);
 
-/** Number of steppers; registry NULL: of the built-in ones. Since 1.0. */
+/** Number of steppers; registry NULL: of the built-in ones. Any thread. Since 1.0. */
 PHYS_API uint32_t phys_registry_count(const phys_registry *registry);
 
 /** Describes stepper `index`; built-in ones come first, from crude to exact. registry or NULL for the built-in ones.
- *  Errors: ARGUMENT. Since 1.0. */
+ *  Errors: ARGUMENT. Any thread. Since 1.0. */
 PHYS_API phys_status phys_registry_info(const phys_registry *registry, uint32_t index, phys_stepper_info *out);
 
-/** Describes the stepper with this id. registry or NULL. Errors: ARGUMENT, UNKNOWN_STEPPER. Since 1.0. */
+/** Describes the stepper with this id. registry or NULL. Errors: ARGUMENT, UNKNOWN_STEPPER. Any thread. Since 1.0. */
 PHYS_API phys_status phys_registry_find(const phys_registry *registry, const char *id, phys_stepper_info *out,
                                         phys_error *err);
 
-/** Sets the stepper's own values in params to their rows' initial ones and all other own values to 0. Since 1.0. */
+/** Sets the stepper's own values in params to their rows' initial ones and all other own values to 0. Any thread.
+ *  Errors: ARGUMENT, RANGE. Since 1.0. */
 PHYS_API phys_status phys_stepper_info_init_params(const phys_stepper_info *info, phys_params *params);
 
 /** Computes steps in one scene. Opaque. It keeps nothing from one step to the next. */
 typedef struct phys_stepper phys_stepper;
 
-/** Makes a stepper for a scene; both registry (or NULL: the built-in steppers) and scene must outlive it.
- *  Errors: ARGUMENT, UNKNOWN_STEPPER, UNSUPPORTED (the scene is not one it can do, with the box), MEMORY. Since 1.0. */
+/** Makes a stepper for a scene; both registry (or NULL: the built-in steppers) and scene must outlive it. Errors:
+ *  ARGUMENT, UNKNOWN_STEPPER, UNSUPPORTED (the scene is not one it can do, with the box), MEMORY. Any thread. Since
+ *  1.0. */
 PHYS_API phys_status phys_stepper_create(const phys_registry *registry, const char *id, const phys_scene *scene,
                                          phys_stepper **out, phys_error *err);
 
-/** Frees a stepper, or does nothing for NULL. Since 1.0. */
+/** Frees a stepper, or does nothing for NULL. One thread: the last that uses it. Since 1.0. */
 PHYS_API void phys_stepper_destroy(phys_stepper *stepper);
 
 /** One step of dt seconds (0 .. 2^100; 0 changes nothing). in and out may be the same; report or NULL.
@@ -489,8 +498,8 @@ typedef struct phys_requirements {
     char reasons[PHYS_STAGE_COUNT][120]; /**< a sentence for each stage: why it runs or why not */
 } phys_requirements;
 
-/** Says which stages the step with these arguments needs. Errors as phys_step's before it moves the ball, and
- *  UNSUPPORTED for a plugin that doesn't tell. Since 1.0. */
+/** Says which stages the step with these arguments needs. Errors: phys_step's before it moves the ball, and
+ *  UNSUPPORTED for a plugin that doesn't tell. One thread at a time per stepper. Since 1.0. */
 PHYS_API phys_status phys_stepper_requirements(const phys_stepper *stepper, const phys_params *params, double dt,
                                                const phys_state *state, phys_requirements *out, phys_error *err);
 
