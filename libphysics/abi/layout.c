@@ -132,24 +132,24 @@ MEMBER(phys_stepper_info, row_count, 6 * P, 4);
 MEMBER(phys_stepper_info, flags, 6 * P + 4, 4);
 
 /* appendable */
-SIZE(phys_batch, 128);
+SIZE(phys_batch, NUMBER_AT(NUMBER_AT(32 + 9 * P) + 8 + 2 * P));
 MEMBER(phys_batch, struct_size, 0, 4);
 MEMBER(phys_batch, stop_flags, 4, 4);
 MEMBER(phys_batch, ball_count, 8, 8);
 MEMBER(phys_batch, step_count, 16, 8);
 MEMBER(phys_batch, dt, 24, 8);
-MEMBER(phys_batch, params, 32, 8);
-MEMBER(phys_batch, params_stride, 40, 8);
-MEMBER(phys_batch, gravity, 48, 8);
-MEMBER(phys_batch, gravity_ball_stride, 56, 8);
-MEMBER(phys_batch, gravity_step_stride, 64, 8);
-MEMBER(phys_batch, states, 72, 8);
-MEMBER(phys_batch, states_stride, 80, 8);
-MEMBER(phys_batch, path, 88, 8);
-MEMBER(phys_batch, path_ball_stride, 96, 8);
-MEMBER(phys_batch, path_every, 104, 8);
-MEMBER(phys_batch, steps_done, 112, 8);
-MEMBER(phys_batch, statuses, 120, 8);
+MEMBER(phys_batch, params, 32, P);
+MEMBER(phys_batch, params_stride, 32 + P, P);
+MEMBER(phys_batch, gravity, 32 + 2 * P, P);
+MEMBER(phys_batch, gravity_ball_stride, 32 + 3 * P, P);
+MEMBER(phys_batch, gravity_step_stride, 32 + 4 * P, P);
+MEMBER(phys_batch, states, 32 + 5 * P, P);
+MEMBER(phys_batch, states_stride, 32 + 6 * P, P);
+MEMBER(phys_batch, path, 32 + 7 * P, P);
+MEMBER(phys_batch, path_ball_stride, 32 + 8 * P, P);
+MEMBER(phys_batch, path_every, NUMBER_AT(32 + 9 * P), 8);
+MEMBER(phys_batch, steps_done, NUMBER_AT(32 + 9 * P) + 8, P);
+MEMBER(phys_batch, statuses, NUMBER_AT(32 + 9 * P) + 8 + P, P);
 
 /* frozen */
 SIZE(phys_requirements, 728);

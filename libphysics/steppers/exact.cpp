@@ -7,7 +7,6 @@
 
 #include <bit>
 #include <cmath>
-#include <cstdio>
 #include <new>
 
 namespace phys {
@@ -72,7 +71,7 @@ phys_status requirements(void *self, const phys_params *params, double dt, const
     describePlan(input, planStep(input, Bounce::Plain, true), *out);
     char(&substeps)[120] = out->reasons[std::countr_zero(static_cast<uint32_t>(PHYS_STAGE_SUBSTEPS))];
     if (out->stages & PHYS_STAGE_SUBSTEPS) return PHYS_OK;
-    std::snprintf(substeps, sizeof substeps, "not needed: every event is found at its own time, whatever the step");
+    writeText(substeps, sizeof substeps, "not needed: every event is found at its own time, whatever the step");
     return PHYS_OK;
 }
 

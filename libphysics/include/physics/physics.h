@@ -27,6 +27,8 @@
  *  - Structs marked frozen never change. Appendable ones start with their size, get new members at their end only,
  *    and are filled by their *_init function. An older program's shorter one counts as if the members that it lacks
  * were as that function leaves them; one that is longer than the library knows is refused.
+ *  - The locale, the floating-point environment (rounding, flushed subnormals, trapped exceptions) and a small stack
+ *    (64 kB) change no result.
  *  - Nothing prints, exits, aborts or throws. Only *_create, *_load, *_parse and *_destroy allocate and free memory.
  *  - Scenes and registries are immutable once made and shared freely between threads; a stepper serves one thread at a
  *    time. There are no globals.

@@ -2,7 +2,6 @@
 #include "base/error.h"
 
 #include <cstdarg>
-#include <cstdio>
 
 namespace phys {
 
@@ -12,7 +11,7 @@ phys_status fail(phys_error *err, phys_status status, const char *format, ...) {
     err->reserved = 0;
     va_list arguments;
     va_start(arguments, format);
-    std::vsnprintf(err->text, sizeof err->text, format, arguments);
+    writeTextOf(err->text, sizeof err->text, format, arguments);
     va_end(arguments);
     return status;
 }

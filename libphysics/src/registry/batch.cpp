@@ -2,6 +2,7 @@
 // Many balls, many steps: what phys_step does in a loop, with everything that stays the same looked at once.
 #include "base/appendable.h"
 #include "base/error.h"
+#include "base/float_environment.h"
 #include "registry/arguments.h"
 #include "registry/params.h"
 #include "registry/stepper.h"
@@ -177,6 +178,7 @@ phys_status phys_batch_init(phys_batch *batch, size_t size) {
 
 phys_status phys_batch_run(phys_stepper *stepper, const phys_batch *batch, uint64_t first, uint64_t count,
                            phys_error *err) {
+    const phys::FloatEnvironment environment;
     if (!stepper || !batch) return phys::fail(err, PHYS_ERROR_ARGUMENT, "%s is NULL", stepper ? "batch" : "stepper");
     if (phys::isOlder(*batch)) {
         const phys_batch whole = phys::completed(*batch, phys_batch_init);

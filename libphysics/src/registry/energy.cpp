@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "registry/energy.h"
 
+#include "base/float_environment.h"
 #include "base/numbers.h"
 #include "base/vec.h"
 
@@ -16,6 +17,7 @@ double energyOf(const Scene &scene, const phys_params &params, const phys_state 
 } // namespace phys
 
 phys_status phys_energy(const phys_scene *scene, const phys_params *params, const phys_state *state, double *out) {
+    const phys::FloatEnvironment environment;
     if (!scene || !params || !state || !out) return PHYS_ERROR_ARGUMENT;
     const bool isValid = phys::isModerate(state->position) && phys::isModerate(state->velocity) &&
                          phys::isModerate(state->spin) && phys::isModerate(params->gravity);

@@ -4,6 +4,7 @@
 #include "base/appendable.h"
 #include "base/elementary.h"
 #include "base/error.h"
+#include "base/float_environment.h"
 
 #include <cmath>
 #include <cstring>
@@ -101,6 +102,7 @@ phys_status phys_params_check(const phys_params *params, phys_error *err) {
 }
 
 phys_status phys_gravity_from_tilt(double tilt_x, double tilt_y, double strength, phys_vec3 *out) {
+    const phys::FloatEnvironment environment;
     constexpr double kQuarterTurn = 1.5707963267948966;
     const bool valid = out && std::abs(tilt_x) < kQuarterTurn && std::abs(tilt_y) < kQuarterTurn && strength >= 0.0 &&
                        std::isfinite(strength);

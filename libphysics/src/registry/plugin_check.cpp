@@ -58,11 +58,11 @@ public:
     }
 
 private:
-    [[gnu::format(printf, 2, 3)]] phys_status refuse(const char *format, ...) {
+    [[PHYS_CHECKED_FORMAT(2, 3)]] phys_status refuse(const char *format, ...) {
         char reason[sizeof(phys_error::text)];
         va_list arguments;
         va_start(arguments, format);
-        std::vsnprintf(reason, sizeof reason, format, arguments);
+        writeTextOf(reason, sizeof reason, format, arguments);
         va_end(arguments);
         return fail(m_err, PHYS_ERROR_PLUGIN_REFUSED, "%s: %s%s", m_file, m_where.c_str(), reason);
     }

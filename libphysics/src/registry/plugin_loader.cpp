@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
 // From a file to steppers in the registry: open, find the table, check it, and only then take it in.
-// Files by POSIX's functions: those of std::filesystem that take an error_code end the process when memory runs out.
 #include "base/error.h"
+#include "base/system.h"
 #include "registry/plugin_check.h"
 #include "registry/registry.h"
 #include "registry/shared_object_file.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <cstring>
-#include <dirent.h>
-#include <dlfcn.h>
 #include <memory>
 #include <new>
 
@@ -22,27 +18,6 @@ constexpr const char *kSearchVariable = "PHYS_PLUGIN_PATH";
 constexpr const char *kFolderBesideLibrary = "physics-1"; // 1: PHYS_ABI_VERSION
 constexpr size_t kShownPath = 64;                         // bytes; leaves most of a message to the reason
 
-/// A shared object that is closed again unless it is kept.
-class SharedObject {
-public:
-    /// dlopen would look for a name without a slash in the system's folders.
-    explicit SharedObject(const std::string &path)
-        : m_handle(dlopen((path.find('/') == path.npos ? "./" + path : path).c_str(), RTLD_NOW | RTLD_LOCAL)) {}
-    ~SharedObject() {
-        if (m_handle) dlclose(m_handle);
-    }
-    SharedObject(const SharedObject &) = delete;
-    SharedObject &operator=(const SharedObject &) = delete;
-
-    bool isOpen() const { return m_handle != nullptr; }
-    const void *symbol(const char *name) const { return dlsym(m_handle, name); }
-    /// Loaded until the process ends: its texts and code are in use from here on.
-    void keep() { m_handle = nullptr; }
-
-private:
-    void *m_handle;
-};
-
 /// The end of a long path, which is what tells files apart.
 std::string shown(const std::string &path) {
     return path.size() <= kShownPath ? path : "..." + path.substr(path.size() - kShownPath);
@@ -50,12 +25,10 @@ std::string shown(const std::string &path) {
 
 /// The plugins' names in a folder, sorted. False if the folder can't be read.
 bool listPlugins(const std::string &folder, std::vector<std::string> &names) {
-    const std::unique_ptr<DIR, int (*)(DIR *)> entries(opendir(folder.c_str()), closedir);
-    if (!entries) return false;
-    while (const dirent *entry = readdir(entries.get())) {
-        const std::string name = entry->d_name;
-        if (name.size() > 3 && name.ends_with(".so")) names.push_back(name);
-    }
+    if (!system::listFolder(folder, names)) return false;
+    const std::string_view suffix = system::kObjectSuffix;
+    std::erase_if(names,
+                  [&](const std::string &name) { return name.size() <= suffix.size() || !name.ends_with(suffix); });
     std::sort(names.begin(), names.end());
     return true;
 }
@@ -69,12 +42,11 @@ void add(phys_registry &registry, const phys_plugin &plugin, const std::string &
 
 phys_status load(phys_registry &registry, const std::string &path, phys_error *err) {
     const std::string name = shown(path);
-    if (const phys_status status = checkSharedObjectFile(path.c_str(), name.c_str(), err)) return status;
-    SharedObject object(path);
+    if (const phys_status status = checkSharedObjectFile(path, name.c_str(), err)) return status;
+    system::SharedObject object(path);
     if (!object.isOpen()) {
-        const char *reason = dlerror();
         return fail(err, PHYS_ERROR_PLUGIN_REFUSED, "%s: expected a shared object that loads; found: %s", name.c_str(),
-                    reason ? reason : "unknown");
+                    object.reason().c_str());
     }
     const auto *plugin = static_cast<const phys_plugin *>(object.symbol("phys_plugin_entry"));
     if (!plugin) {
@@ -83,7 +55,7 @@ phys_status load(phys_registry &registry, const std::string &path, phys_error *e
     }
     if (const phys_status status = checkPlugin(*plugin, name.c_str(), registry, err)) return status;
     add(registry, *plugin, path);
-    object.keep();
+    object.keep(); // its texts and code are in use from here on
     return PHYS_OK;
 }
 
@@ -119,7 +91,7 @@ struct Scan {
 
     void loadSearchPath(const std::string &list) const {
         for (size_t begin = 0; begin <= list.size();) {
-            const size_t end = std::min(list.find(':', begin), list.size());
+            const size_t end = std::min(list.find(system::kPathSeparator, begin), list.size());
             const std::string folder = list.substr(begin, end - begin);
             begin = end + 1;
             if (folder.empty() || loadFolder(folder)) continue;
@@ -128,26 +100,13 @@ struct Scan {
     }
 };
 
-/// The folder that this library (or the program that it is linked into) was loaded from; empty if unknown.
-std::string ownFolder() {
-    Dl_info info{};
-    if (!dladdr(reinterpret_cast<const void *>(&phys_version), &info) || !info.dli_fname) return {};
-    // A program that was found through PATH is known by its bare name only.
-    const bool isBareName = !std::strchr(info.dli_fname, '/');
-    const std::unique_ptr<char, void (*)(void *)> file(
-        realpath(isBareName ? "/proc/self/exe" : info.dli_fname, nullptr), std::free);
-    if (!file) return {};
-    const std::string path = file.get();
-    return path.substr(0, path.rfind('/'));
-}
-
 phys_status scan(const Scan &scan, const char *folder, phys_error *err) {
     if (folder) {
         if (scan.loadFolder(folder)) return PHYS_OK;
         return fail(err, PHYS_ERROR_FILE, "%s: expected a folder that can be read", shown(folder).c_str());
     }
-    if (const char *list = std::getenv(kSearchVariable)) scan.loadSearchPath(list);
-    const std::string own = ownFolder();
+    scan.loadSearchPath(system::environmentVariable(kSearchVariable));
+    const std::string own = system::ownFolder();
     if (!own.empty()) scan.loadFolder(own + '/' + kFolderBesideLibrary); // that it isn't there is no mistake
     return PHYS_OK;
 }

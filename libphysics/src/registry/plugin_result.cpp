@@ -5,8 +5,6 @@
 #include "registry/arguments.h"
 #include "registry/plugin_call.h"
 
-#include <cstdio>
-
 namespace phys {
 
 namespace {
@@ -14,7 +12,7 @@ namespace {
 phys_status checkPluginState(const phys_stepper_api &api, const phys_state &expected, const phys_state &result,
                              phys_error *err) {
     char whose[96];
-    std::snprintf(whose, sizeof whose, "the result of plugin stepper '%s'", api.id);
+    writeText(whose, sizeof whose, "the result of plugin stepper '%s'", api.id);
     if (!stateIsValid(result)) return explainState(result, PHYS_ERROR_PLUGIN_RESULT, whose, err);
     if (result.time == expected.time && result.step == expected.step) return PHYS_OK;
     return fail(err, PHYS_ERROR_PLUGIN_RESULT, "%s has time %.17g s and step %llu; expected %.17g s and %llu", whose,

@@ -2,8 +2,7 @@
 #include "registry/shared_object_file.h"
 
 #include "base/error.h"
-
-#include <sys/stat.h>
+#include "base/system.h"
 
 #if __has_include(<link.h>)
 #include <cstdio>
@@ -30,10 +29,12 @@ phys_status refuseShort(const char *name, uint64_t expected, uint64_t size, phys
 }
 
 /// A file that isn't ELF is left to the system's loader, which says so.
-phys_status checkSegments(const char *path, const char *name, uint64_t size, phys_error *err) {
-    const File file(std::fopen(path, "rb"), std::fclose);
+phys_status checkSegments(const std::string &path, const char *name, phys_error *err) {
+    const File file(std::fopen(path.c_str(), "rb"), std::fclose);
+    if (!file || std::fseek(file.get(), 0, SEEK_END) != 0) return PHYS_OK;
+    const auto size = static_cast<uint64_t>(std::ftell(file.get()));
     ElfW(Ehdr) header;
-    if (!file || !readAt(file.get(), 0, &header, sizeof header)) return PHYS_OK;
+    if (!readAt(file.get(), 0, &header, sizeof header)) return PHYS_OK;
     if (std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0 || header.e_phentsize != sizeof(ElfW(Phdr))) return PHYS_OK;
     for (uint64_t i = 0; i < header.e_phnum; ++i) {
         ElfW(Phdr) segment;
@@ -49,17 +50,16 @@ phys_status checkSegments(const char *path, const char *name, uint64_t size, phy
 
 #else
 
-phys_status checkSegments(const char *, const char *, uint64_t, phys_error *) { return PHYS_OK; }
+phys_status checkSegments(const std::string &, const char *, phys_error *) { return PHYS_OK; }
 
 #endif
 
 } // namespace
 
-phys_status checkSharedObjectFile(const char *path, const char *name, phys_error *err) {
-    struct stat status {};
-    if (stat(path, &status) != 0) return fail(err, PHYS_ERROR_FILE, "%s: no such file", name);
-    if (!S_ISREG(status.st_mode)) return fail(err, PHYS_ERROR_FILE, "%s: not a file", name);
-    return checkSegments(path, name, static_cast<uint64_t>(status.st_size), err);
+phys_status checkSharedObjectFile(const std::string &path, const char *name, phys_error *err) {
+    const std::string reason = system::whyNoFile(path);
+    if (!reason.empty()) return fail(err, PHYS_ERROR_FILE, "%s: %s", name, reason.c_str());
+    return checkSegments(path, name, err);
 }
 
 } // namespace phys

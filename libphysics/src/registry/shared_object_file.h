@@ -5,10 +5,12 @@
 
 #include <physics/physics.h>
 
+#include <string>
+
 namespace phys {
 
 /// Checks that `path` is a regular file and, where shared objects are ELF files, that it has all that its headers say.
 /// name: what messages call it.
-phys_status checkSharedObjectFile(const char *path, const char *name, phys_error *err);
+phys_status checkSharedObjectFile(const std::string &path, const char *name, phys_error *err);
 
 } // namespace phys

@@ -4,6 +4,7 @@
 
 #include "base/appendable.h"
 #include "base/error.h"
+#include "base/float_environment.h"
 #include "registry/arguments.h"
 #include "registry/energy.h"
 #include "registry/plugin_call.h"
@@ -96,6 +97,7 @@ phys_status advance(const phys_stepper &stepper, const phys_params &params, doub
 
 phys_status phys_stepper_create(const phys_registry *registry, const char *id, const phys_scene *scene,
                                 phys_stepper **out, phys_error *err) try {
+    const phys::FloatEnvironment environment;
     if (!id || !scene || !out) {
         return phys::fail(err, PHYS_ERROR_ARGUMENT, "%s is NULL", !id ? "id" : !scene ? "scene" : "out");
     }
@@ -125,6 +127,7 @@ void phys_stepper_destroy(phys_stepper *stepper) {
 
 phys_status phys_step(phys_stepper *stepper, const phys_params *params, double dt, const phys_state *in,
                       phys_state *out, phys_report *report, phys_error *err) {
+    const phys::FloatEnvironment environment;
     if (!stepper || !params || !in || !out) {
         return phys::fail(err, PHYS_ERROR_ARGUMENT, "%s is NULL",
                           !stepper  ? "stepper"
@@ -143,6 +146,7 @@ phys_status phys_step(phys_stepper *stepper, const phys_params *params, double d
 
 phys_status phys_stepper_requirements(const phys_stepper *stepper, const phys_params *params, double dt,
                                       const phys_state *state, phys_requirements *out, phys_error *err) {
+    const phys::FloatEnvironment environment;
     if (!stepper || !params || !state || !out) {
         return phys::fail(err, PHYS_ERROR_ARGUMENT, "%s is NULL",
                           !stepper  ? "stepper"

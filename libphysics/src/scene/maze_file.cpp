@@ -2,16 +2,10 @@
 #include "scene/maze_file.h"
 
 #include "base/error.h"
+#include "base/system.h"
 
-#include <cerrno>
-#include <charconv>
 #include <cstdarg>
-#include <cstdio>
-#include <cstring>
-#include <memory>
 #include <string_view>
-#include <sys/stat.h>
-#include <system_error>
 
 namespace phys {
 
@@ -51,11 +45,11 @@ public:
     }
 
 private:
-    [[gnu::format(printf, 2, 3)]] phys_status refuse(const char *format, ...) const {
+    [[PHYS_CHECKED_FORMAT(2, 3)]] phys_status refuse(const char *format, ...) const {
         char text[180];
         va_list arguments;
         va_start(arguments, format);
-        std::vsnprintf(text, sizeof text, format, arguments);
+        writeTextOf(text, sizeof text, format, arguments);
         va_end(arguments);
         return fail(m_err, PHYS_ERROR_SYNTAX, "%s:%u: %s", m_path, m_line, text);
     }
@@ -114,9 +108,8 @@ private:
         for (int i = 0; i < count; ++i) {
             const std::string_view word = nextWord(line);
             if (word.empty()) return refuse("%s: expected %d numbers in m, found %d", key, count, i);
-            const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), numbers[i]);
-            const bool isNumber = error == std::errc() && end == word.data() + word.size();
-            if (!isNumber) return refuse("%s: expected a number in m, found '%.*s'", key, shown(word), word.data());
+            if (!parseNumber(word, numbers[i]))
+                return refuse("%s: expected a number in m, found '%.*s'", key, shown(word), word.data());
         }
         return expectEnd(line);
     }
@@ -148,21 +141,10 @@ private:
     std::vector<phys_box> m_boxes;
 };
 
-/// The whole file, or why it can't be had. A pipe or a device might never end.
+/// The whole file, or why it can't be had.
 phys_status readFile(const char *path, std::string &out, phys_error *err) {
-    const auto refuse = [&] { return fail(err, PHYS_ERROR_FILE, "%s: %s", path, std::strerror(errno)); };
-    struct stat status {};
-    if (stat(path, &status) != 0) return refuse();
-    if (!S_ISREG(status.st_mode)) return fail(err, PHYS_ERROR_FILE, "%s: not a regular file", path);
-    const std::unique_ptr<std::FILE, int (*)(std::FILE *)> file(std::fopen(path, "rb"), std::fclose);
-    if (!file) return refuse();
-    char buffer[65536];
-    while (const size_t count = std::fread(buffer, 1, sizeof buffer, file.get())) {
-        out.append(buffer, count);
-        if (out.size() <= kMostBytes) continue;
-        return fail(err, PHYS_ERROR_FILE, "%s: larger than %zu bytes", path, kMostBytes);
-    }
-    return std::ferror(file.get()) ? refuse() : PHYS_OK;
+    const std::string reason = system::readFile(path, kMostBytes, out);
+    return reason.empty() ? PHYS_OK : fail(err, PHYS_ERROR_FILE, "%s: %s", path, reason.c_str());
 }
 
 } // namespace

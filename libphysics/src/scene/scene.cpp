@@ -7,7 +7,6 @@
 #include "scene/nearest.h"
 
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numeric>
 
@@ -91,7 +90,7 @@ void findBounds(Scene &scene) {
 
 /// The floor's plane is the highest top under the start, not above the ball's centre.
 void findFloor(Scene &scene) {
-    scene.floorTop = std::numeric_limits<double>::quiet_NaN();
+    scene.floorTop = -std::numeric_limits<double>::infinity();
     const Vec3 &p = scene.start;
     for (const phys_box &box : scene.given) {
         const bool under = p.x >= box.min.x && p.x <= box.max.x && p.y >= box.min.y && p.y <= box.max.y;
@@ -142,9 +141,9 @@ void checkPlanar(Scene &scene) {
         if (!withinReach || (box.min.z <= scene.supportedZ && box.max.z >= scene.supportedZ)) continue;
         char text[200];
         const bool low = box.max.z < scene.supportedZ;
-        std::snprintf(text, sizeof text, "box %u %s at z = %.9g m, %s the ball's centre at %.9g m: the ball would %s",
-                      scene.solidParts[scene.solidFirst[i]], low ? "ends" : "begins", low ? box.max.z : box.min.z,
-                      low ? "below" : "above", scene.supportedZ, low ? "climb it" : "be pressed down by it");
+        writeText(text, sizeof text, "box %u %s at z = %.9g m, %s the ball's centre at %.9g m: the ball would %s",
+                  scene.solidParts[scene.solidFirst[i]], low ? "ends" : "begins", low ? box.max.z : box.min.z,
+                  low ? "below" : "above", scene.supportedZ, low ? "climb it" : "be pressed down by it");
         scene.nonPlanarReason = text;
         return;
     }

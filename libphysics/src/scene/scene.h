@@ -43,7 +43,7 @@ struct Scene {
     phys_box bounds{};
     bool hasFloor = false;
     bool hasOneFloor = false;
-    double floorTop = 0.0;   ///< m; NaN without a floor
+    double floorTop = 0.0;   ///< m; -infinity without a floor
     double supportedZ = 0.0; ///< height of a supported centre: floorTop + radius
     double tolerance = 0.0;  ///< m: 4 rounding steps of the largest coordinate, model.md 5.2
 

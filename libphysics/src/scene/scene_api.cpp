@@ -2,6 +2,7 @@
 // The C functions on scenes.
 #include "base/appendable.h"
 #include "base/error.h"
+#include "base/float_environment.h"
 #include "scene/lowest.h"
 #include "scene/maze_file.h"
 #include "scene/nearest.h"
@@ -17,6 +18,7 @@ namespace {
 /// Makes a scene with `fill` and hands it out; nothing leaks and nothing throws.
 template<class Fill>
 phys_status createScene(phys_scene **out, phys_error *err, Fill fill) try {
+    const FloatEnvironment environment;
     auto *scene = new phys_scene;
     phys_status status = PHYS_ERROR_MEMORY;
     try {
@@ -105,6 +107,7 @@ phys_status phys_scene_check_planar(const phys_scene *scene, phys_error *err) {
 
 phys_status phys_scene_contacts(const phys_scene *scene, const phys_vec3 *centre, double reach, phys_contact *out,
                                 uint32_t capacity, uint32_t *count) {
+    const phys::FloatEnvironment environment;
     const bool valid = scene && centre && count && (out || capacity == 0) && reach >= 0.0 && std::isfinite(reach);
     if (!valid || !phys::isModerate(*centre)) return PHYS_ERROR_ARGUMENT;
     const phys::Vec3 p = phys::toVec(*centre);

@@ -3,6 +3,8 @@
 
 #include "scene/lowest.h"
 
+#include <limits>
+
 namespace phys {
 
 namespace {
@@ -45,7 +47,7 @@ phys_scene_view viewOf(const Scene &scene) {
             static_cast<uint32_t>(scene.given.size()),
             scene.given.empty() ? nullptr : scene.given.data(),
             scene.radius,
-            scene.floorTop,
+            scene.hasFloor ? scene.floorTop : std::numeric_limits<double>::quiet_NaN(),
             &scene,
             queryBoxes,
             queryContacts};

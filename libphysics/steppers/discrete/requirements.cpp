@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "requirements.h"
 
+#include "base/text.h"
+
 #include <cmath>
-#include <cstdio>
 #include <string_view>
 
 namespace phys {
@@ -11,7 +12,7 @@ namespace {
 
 template<class... Part>
 void say(phys_requirements &out, int index, const char *format, Part... part) {
-    std::snprintf(out.reasons[index], sizeof out.reasons[index], format, part...);
+    writeText(out.reasons[index], sizeof out.reasons[index], format, part...);
 }
 
 /// Whether the ball's way lies wholly outside the bounds of all boxes, as when it has fallen off the board.

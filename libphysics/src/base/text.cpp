@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "base/text.h"
+
+#include "base/system.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <system_error>
+
+namespace phys {
+
+namespace {
+
+struct Arguments {
+    va_list list;
+};
+
+/// One % of a format, as far as it is known here.
+struct Conversion {
+    size_t width = 0;
+    int precision = -1; ///< not given
+    int longs = 0;      ///< 1: long, 2: long long
+    bool isSize = false;
+    char kind = '%';
+};
+
+/// Reads what follows a %; `format` goes on behind it. The precision may be an argument.
+Conversion readConversion(const char *&format, Arguments &arguments) {
+    Conversion conversion;
+    while (*format >= '0' && *format <= '9')
+        conversion.width = 10 * conversion.width + static_cast<size_t>(*format++ - '0');
+    if (*format == '.') {
+        ++format;
+        conversion.precision = 0;
+        if (*format == '*') {
+            ++format;
+            conversion.precision = va_arg(arguments.list, int);
+        }
+        while (*format >= '0' && *format <= '9') conversion.precision = 10 * conversion.precision + (*format++ - '0');
+    }
+    for (; *format == 'l'; ++format) ++conversion.longs;
+    if (*format == 'z') {
+        ++format;
+        conversion.isSize = true;
+    }
+    if (*format) conversion.kind = *format++;
+    return conversion;
+}
+
+#if defined(__cpp_lib_to_chars) // from_chars for double: libstdc++ has it, libc++ doesn't up to 19
+std::from_chars_result readDouble(const char *begin, const char *end, double &out) {
+    return std::from_chars(begin, end, out);
+}
+#else
+std::from_chars_result readDouble(const char *begin, const char *end, double &out) {
+    if (begin == end || *begin == '+') return {begin, std::errc::invalid_argument}; // as from_chars
+    const std::string text(begin, end);
+    char *rest = nullptr;
+    const double number = system::stringToDouble(text.c_str(), &rest);
+    const bool isZero = text.substr(0, text.find_first_of("eE")).find_first_of("123456789") == text.npos;
+    const bool isOut = std::abs(number) > std::numeric_limits<double>::max() || (number == 0.0 && !isZero);
+    out = number;
+    return {begin + (rest - text.c_str()), isOut ? std::errc::result_out_of_range : std::errc()};
+}
+#endif
+
+class Writer {
+public:
+    Writer(char *out, size_t size)
+        : m_out(out)
+        , m_room(size - 1) {}
+
+    void add(std::string_view text) {
+        const size_t taken = text.size() <= m_room - m_length ? text.size() : m_room - m_length;
+        std::memcpy(m_out + m_length, text.data(), taken);
+        m_length += taken;
+        m_isCut |= taken < text.size();
+    }
+
+    template<class Number, class... How>
+    void addNumber(size_t width, Number number, How... how) {
+        char digits[400];
+        const char *end = std::to_chars(digits, digits + sizeof digits, number, how...).ptr;
+        const auto length = static_cast<size_t>(end - digits);
+        for (size_t i = length; i < width; ++i) add("0");
+        add({digits, length});
+    }
+
+    void addConverted(const Conversion &conversion, Arguments &arguments) {
+        switch (conversion.kind) {
+        case 'c': {
+            const char character = static_cast<char>(va_arg(arguments.list, int));
+            return add({&character, 1});
+        }
+        case 's': {
+            const char *text = va_arg(arguments.list, const char *);
+            return add({text, conversion.precision < 0 ? std::strlen(text)
+                                                       : strnlen(text, static_cast<size_t>(conversion.precision))});
+        }
+        case 'g':
+            return addNumber(0, va_arg(arguments.list, double), std::chars_format::general,
+                             conversion.precision < 0 ? 6 : conversion.precision);
+        case 'd':
+            return addNumber(conversion.width, va_arg(arguments.list, int), 10);
+        case 'u':
+            return addNumber(conversion.width, unsignedArgument(conversion, arguments), 10);
+        case 'x':
+            return addNumber(conversion.width, unsignedArgument(conversion, arguments), 16);
+        default:
+            return add("%");
+        }
+    }
+
+    /// Drops a character whose last bytes found no room.
+    void finish() {
+        size_t begin = m_length;
+        while (m_isCut && begin > 0 && isContinuation(m_out[begin - 1])) --begin;
+        if (m_isCut && begin > 0 && bytesOf(m_out[begin - 1]) > m_length - begin + 1) m_length = begin - 1;
+        m_out[m_length] = '\0';
+    }
+
+private:
+    static bool isContinuation(char byte) { return (static_cast<unsigned char>(byte) & 0xc0) == 0x80; }
+
+    /// Of a character of UTF-8, by its first byte.
+    static size_t bytesOf(char first) {
+        const auto byte = static_cast<unsigned char>(first);
+        return byte >= 0xf0 ? 4 : byte >= 0xe0 ? 3 : byte >= 0xc0 ? 2 : 1;
+    }
+
+    static unsigned long long unsignedArgument(const Conversion &conversion, Arguments &arguments) {
+        if (conversion.isSize) return va_arg(arguments.list, size_t);
+        if (conversion.longs == 2) return va_arg(arguments.list, unsigned long long);
+        if (conversion.longs == 1) return va_arg(arguments.list, unsigned long);
+        return va_arg(arguments.list, unsigned);
+    }
+
+    char *m_out;
+    size_t m_room, m_length = 0;
+    bool m_isCut = false;
+};
+
+} // namespace
+
+void writeTextOf(char *out, size_t size, const char *format, va_list arguments) {
+    Writer writer(out, size);
+    Arguments left;
+    va_copy(left.list, arguments);
+    while (*format) {
+        const char *percent = std::strchr(format, '%');
+        const size_t plain = percent ? static_cast<size_t>(percent - format) : std::strlen(format);
+        writer.add({format, plain});
+        format += plain;
+        if (*format) writer.addConverted(readConversion(++format, left), left);
+    }
+    va_end(left.list);
+    writer.finish();
+}
+
+void writeText(char *out, size_t size, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    writeTextOf(out, size, format, arguments);
+    va_end(arguments);
+}
+
+bool parseNumber(std::string_view word, double &out) {
+    if (word.find_first_not_of("0123456789+-.eE") != word.npos) return false; // "inf", "nan" and what they begin
+    double number = 0.0;
+    const char *end = word.data() + word.size();
+    const auto [rest, error] = readDouble(word.data(), end, number);
+    if (error != std::errc() || rest != end) return false;
+    out = number;
+    return true;
+}
+
+} // namespace phys

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+// Hosts that round otherwise, flush subnormals to zero, trap floating-point exceptions or call from small stacks: the
+// same bits come out, and the host finds its own setting again.
+#include "support/handles.h"
+#include "support/scene_builder.h"
+#include "support/stepper_rows.h"
+
+#include <QtTest>
+
+#include <cfenv>
+#include <functional>
+#include <pthread.h>
+#include <vector>
+
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
+
+namespace {
+
+constexpr int kSteps = 400;
+constexpr double kDt = 0.004;
+
+support::ScenePtr level(int number) {
+    phys_scene *scene = nullptr;
+    phys_scene_load(qPrintable(QStringLiteral("%1/%2.txt").arg(LEVELS).arg(number, 2, 10, QLatin1Char('0'))), &scene,
+                    nullptr);
+    return support::ScenePtr(scene);
+}
+
+/// Scenes of all kinds: a level, nothing at all, a start beside the floor, a room without a floor, a start in the air.
+std::vector<support::ScenePtr> scenes() {
+    std::vector<support::ScenePtr> all;
+    all.push_back(level(3));
+    all.push_back(support::SceneBuilder().build());
+    all.push_back(support::SceneBuilder().floor(-1, -1, 1, 1).start(3, 0).build());
+    all.push_back(support::SceneBuilder().wall(1, -1, 2, 1).start(0, 0).build());
+    all.push_back(support::squareRoom(1.0).start({0.5, 0.5, 0.375}).build());
+    return all;
+}
+
+/// Everything that a program asks of one scene: hashes of all that comes out.
+std::vector<uint64_t> use(const phys_scene *scene, const QByteArray &id, uint32_t model, double speed) {
+    std::vector<uint64_t> results;
+    phys_stepper *raw = nullptr;
+    if (phys_stepper_create(nullptr, id, scene, &raw, nullptr)) return results;
+    const support::StepperPtr stepper(raw);
+    phys_state state;
+    phys_params params;
+    phys_report report;
+    phys_requirements requirements;
+    phys_scene_start(scene, &state);
+    state.velocity = {speed, 0.25 * speed, 0.0};
+    phys_params_init(&params, sizeof params);
+    phys_report_init(&report, sizeof report);
+    params.model = model;
+    params.options = PHYS_OPTION_ORIENTATION;
+    for (int step = 0; step < kSteps; ++step) {
+        const double lean = 0.02 * (step / 40 % 5 - 2);
+        phys_gravity_from_tilt(lean, -0.5 * lean, 9.81, &params.gravity);
+        phys_stepper_requirements(stepper.get(), &params, kDt, &state, &requirements, nullptr);
+        const phys_status status = phys_step(stepper.get(), &params, kDt, &state, &state, &report, nullptr);
+        double energy = 0.0;
+        phys_contact contacts[8];
+        uint32_t count = 0;
+        phys_energy(scene, &params, &state, &energy);
+        phys_scene_contacts(scene, &state.position, 0.01, contacts, 8, &count);
+        if (status) break;
+        phys_state mixed = state;
+        mixed.time = energy;
+        results.push_back(phys_state_hash(&mixed) + count);
+    }
+    return results;
+}
+
+using Setting = std::function<bool()>; ///< false: not on this system
+
+bool round(int direction) { return std::fesetround(direction) == 0; }
+
+bool flushSubnormals() {
+#if defined(__SSE2__)
+    _mm_setcsr(_mm_getcsr() | 0x8040); // results and arguments
+    return true;
+#else
+    return false;
+#endif
+}
+
+bool trap() { return feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW) != -1; }
+
+/// What a host could see of its setting.
+unsigned setting() {
+#if defined(__SSE2__)
+    return _mm_getcsr() & ~0x3fu;
+#else
+    return static_cast<unsigned>(std::fegetround());
+#endif
+}
+
+/// The default setting again, whatever a test does to it.
+class Restored {
+public:
+    Restored() { std::fegetenv(&m_before); }
+    ~Restored() { std::fesetenv(&m_before); }
+    Restored(const Restored &) = delete;
+    Restored &operator=(const Restored &) = delete;
+
+private:
+    std::fenv_t m_before;
+};
+
+} // namespace
+
+class HostsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everySettingGivesTheSameBitsAndIsKept_data() {
+        QTest::addColumn<Setting>("set");
+        QTest::newRow("rounds up") << Setting([] { return round(FE_UPWARD); });
+        QTest::newRow("rounds down") << Setting([] { return round(FE_DOWNWARD); });
+        QTest::newRow("rounds to zero") << Setting([] { return round(FE_TOWARDZERO); });
+        QTest::newRow("flushes subnormals") << Setting(flushSubnormals);
+        QTest::newRow("traps exceptions") << Setting(trap);
+    }
+    void everySettingGivesTheSameBitsAndIsKept() {
+        QFETCH(Setting, set);
+        for (const support::ScenePtr &scene : scenes()) {
+            for (const QByteArray &stepper : support::stepperIds()) {
+                for (const uint32_t model : {PHYS_MODEL_ROLLING, PHYS_MODEL_RIGID}) {
+                    for (const double speed : {0.5, 1e-300}) {
+                        const std::vector<uint64_t> expected = use(scene.get(), stepper, model, speed);
+                        const Restored restored;
+                        if (!set()) QSKIP("not on this system");
+                        const unsigned before = setting();
+                        const std::vector<uint64_t> results = use(scene.get(), stepper, model, speed);
+                        const unsigned after = setting();
+                        std::fesetenv(FE_DFL_ENV);
+                        QCOMPARE(results, expected);
+                        QCOMPARE(after, before);
+                    }
+                }
+            }
+        }
+    }
+
+    void scenesAreMadeAlikeInEverySetting() {
+        const support::ScenePtr expected = level(5);
+        for (const int direction : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+            const Restored restored;
+            round(direction);
+            const support::ScenePtr scene = level(5);
+            std::fesetenv(FE_DFL_ENV);
+            QCOMPARE(use(scene.get(), "exact", PHYS_MODEL_ROLLING, 0.5),
+                     use(expected.get(), "exact", PHYS_MODEL_ROLLING, 0.5));
+        }
+    }
+
+    void normalUseRaisesNoException_data() { support::addStepperAndModelRows(); }
+    void normalUseRaisesNoException() {
+        QFETCH(QByteArray, stepper);
+        QFETCH(uint32_t, model);
+        if (stepper == "exact") QSKIP("its search for events divides by zero rates");
+        std::feclearexcept(FE_ALL_EXCEPT);
+        for (const support::ScenePtr &scene : scenes()) {
+            for (const double speed : {0.0, 0.5, 1e-300}) {
+                use(scene.get(), stepper, model, speed);
+                QVERIFY2(!std::fetestexcept(FE_INVALID), qPrintable(QStringLiteral("at %1 m/s").arg(speed)));
+                QVERIFY2(!std::fetestexcept(FE_DIVBYZERO), qPrintable(QStringLiteral("at %1 m/s").arg(speed)));
+                QVERIFY2(!std::fetestexcept(FE_OVERFLOW), qPrintable(QStringLiteral("at %1 m/s").arg(speed)));
+            }
+        }
+    }
+
+    void aStackOf64KilobytesSuffices() {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+        QSKIP("sanitizers make the frames larger");
+#endif
+        const auto work = [](void *) -> void * {
+            for (const support::ScenePtr &scene : scenes()) {
+                for (const QByteArray &stepper : support::stepperIds()) {
+                    use(scene.get(), stepper, PHYS_MODEL_ROLLING, 0.5);
+                    use(scene.get(), stepper, PHYS_MODEL_RIGID, 0.5);
+                }
+            }
+            phys_registry *registry = nullptr;
+            phys_registry_create(&registry, nullptr);
+            phys_registry_scan(registry, nullptr, nullptr, nullptr, nullptr);
+            phys_registry_destroy(registry);
+            return nullptr;
+        };
+        pthread_attr_t attributes;
+        pthread_attr_init(&attributes);
+        QCOMPARE(pthread_attr_setstacksize(&attributes, size_t{64} * 1024), 0);
+        pthread_t thread;
+        QCOMPARE(pthread_create(&thread, &attributes, work, nullptr), 0);
+        pthread_join(thread, nullptr); // a stack that overflows ends the process
+        pthread_attr_destroy(&attributes);
+    }
+};
+
+Q_DECLARE_METATYPE(Setting)
+
+QTEST_GUILESS_MAIN(HostsTest)
+#include "tst_hosts.moc"

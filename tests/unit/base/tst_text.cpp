@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// Messages are what snprintf writes in the C locale, and numbers are read as from_chars reads them.
+#include "base/text.h"
+
+#include <QtTest>
+
+#include <bit>
+#include <cstdio>
+#include <limits>
+#include <random>
+
+class TextTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void numbersAreWrittenAsSnprintfDoes() {
+        std::mt19937_64 engine(1);
+        char ours[100], theirs[100];
+        for (int i = 0; i < 20000; ++i) {
+            const uint64_t bits = engine();
+            const double number = i % 2 ? std::bit_cast<double>(bits) : static_cast<double>(int64_t(bits)) * 0x1p-40;
+            const int whole = static_cast<int>(bits);
+            if (std::isnan(number)) continue;
+            const char *format = "%g|%.9g|%.17g|%d|%u|%x|%02x|%llu|%llx|%zu|%c|%%";
+            const auto write = [&](auto function, char *out) {
+                function(out, sizeof ours, format, number, number, number, whole, whole, whole, whole & 0xff,
+                         static_cast<unsigned long long>(bits), static_cast<unsigned long long>(bits), size_t(bits),
+                         'a' + i % 26);
+            };
+            write([](char *out, size_t size, const char *f, auto... part) { phys::writeText(out, size, f, part...); },
+                  ours);
+            write([](char *out, size_t size, const char *f, auto... part) { std::snprintf(out, size, f, part...); },
+                  theirs);
+            QCOMPARE(ours, theirs);
+        }
+    }
+
+    void stringsAreCutAtTheirPrecision() {
+        char text[40];
+        phys::writeText(text, sizeof text, "'%.*s' '%.3s' '%s'", 2, "wall", "maze", "ball");
+        QCOMPARE(text, "'wa' 'maz' 'ball'");
+    }
+
+    void whatFindsNoRoomIsCutBetweenCharacters_data() {
+        QTest::addColumn<int>("size");
+        QTest::addColumn<QByteArray>("expected");
+        const QByteArray text = "aλ€𝄞b"; // of 1, 2, 3, 4 and 1 bytes
+        for (int size = 1; size <= text.size() + 1; ++size) {
+            const int room = size - 1;
+            const int whole = room < 1 ? 0 : room < 3 ? 1 : room < 6 ? 3 : room < 10 ? 6 : room < 11 ? 10 : 11;
+            QTest::addRow("%d bytes", size) << size << text.left(whole);
+        }
+    }
+    void whatFindsNoRoomIsCutBetweenCharacters() {
+        QFETCH(int, size);
+        QFETCH(QByteArray, expected);
+        char text[20];
+        phys::writeText(text, static_cast<size_t>(size), "%s", "aλ€𝄞b");
+        QCOMPARE(QByteArray(text), expected);
+    }
+
+    void numbersAreReadBackToTheLastBit() {
+        std::mt19937_64 engine(2);
+        char text[40];
+        for (int i = 0; i < 20000; ++i) {
+            const double number = std::bit_cast<double>(engine());
+            if (!std::isfinite(number)) continue;
+            phys::writeText(text, sizeof text, "%.17g", number);
+            double read = 0.0;
+            QVERIFY2(phys::parseNumber(text, read), text);
+            QCOMPARE(std::bit_cast<uint64_t>(read), std::bit_cast<uint64_t>(number));
+        }
+    }
+
+    void whatIsNoNumberIsRefused_data() {
+        QTest::addColumn<QByteArray>("word");
+        for (const char *word : {"", "+1", "1e", "e5", "0x10", "inf", "nan", "1,5", " 1", "1 ", "1.5.2", "--1", "1e999",
+                                 "1e-999", ".", "-", "1d3"}) {
+            QTest::addRow("'%s'", word) << QByteArray(word);
+        }
+    }
+    void whatIsNoNumberIsRefused() {
+        QFETCH(QByteArray, word);
+        double number = 7.0;
+        QVERIFY(!phys::parseNumber({word.constData(), static_cast<size_t>(word.size())}, number));
+        QCOMPARE(number, 7.0);
+    }
+};
+
+QTEST_GUILESS_MAIN(TextTest)
+#include "tst_text.moc"
