@@ -39,7 +39,13 @@ install(DIRECTORY docs examples DESTINATION ${physics_document_dir} COMPONENT de
 install(FILES ${PROJECT_SOURCE_DIR}/mazes/levels/01.txt DESTINATION ${physics_document_dir}/examples
     COMPONENT development)
 
-foreach(package libphysics1:runtime libphysics-dev:development)
+install(DIRECTORY python/libphysics DESTINATION lib/python3/dist-packages COMPONENT python   # where Debian's Python looks
+    PATTERN __pycache__ EXCLUDE)
+install(FILES python/README.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-libphysics COMPONENT python)
+install(DIRECTORY python/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-libphysics COMPONENT python
+    USE_SOURCE_PERMISSIONS PATTERN __pycache__ EXCLUDE)
+
+foreach(package libphysics1:runtime libphysics-dev:development python3-libphysics:python)
     string(REPLACE ":" ";" package ${package})
     list(GET package 0 name)
     list(GET package 1 component)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# `cpack` makes Debian packages of what `cmake --install` installs: runtime, development, inspector.
+# `cpack` makes Debian packages of what `cmake --install` installs: runtime, development, Python, inspector.
 # Configure with -DCMAKE_INSTALL_PREFIX=/usr.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME physics)
@@ -7,7 +7,7 @@ set(CPACK_PACKAGE_VENDOR "physics")
 set(CPACK_PACKAGE_CONTACT "physics maintainers <physics@localhost>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
-set(CPACK_COMPONENTS_ALL runtime development)
+set(CPACK_COMPONENTS_ALL runtime development python)
 if(PHYS_BUILD_INSPECTOR)
     list(APPEND CPACK_COMPONENTS_ALL inspector)
 endif()
@@ -32,6 +32,15 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libphysics1 (= ${PROJECT_VERSION})
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Physics steps for a ball in a maze: development files
  Headers, CMake package, pkg-config file, model and examples, all that it
  takes to link the library or to write a stepper as a plugin.")
+
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-libphysics)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_ARCHITECTURE all)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS OFF)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "libphysics1 (>= ${PROJECT_VERSION}), python3, python3-numpy")
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Physics steps for a ball in a maze: Python package
+ The library for numpy: scenes, steps with their events, and many balls for
+ many steps at once.")
 
 set(CPACK_DEBIAN_INSPECTOR_PACKAGE_NAME physics-inspector)
 set(CPACK_DEBIAN_INSPECTOR_PACKAGE_SECTION science)

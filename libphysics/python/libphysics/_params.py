@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: MIT
+"""Parameters by name, with the library's ranges and defaults; one set or an array of them."""
+from __future__ import annotations
+
+from ctypes import byref
+from typing import Any
+
+import numpy as np
+
+from ._library import Error, ParamRow, address, check, lib, library_rows
+from ._records import params_dtype
+
+_CHOICE = 1
+_OPTIONS = {"orientation": 1, "all_stages": 2}
+
+
+def gravity_from_tilt(tilt_x: Any, tilt_y: Any, strength: Any = 9.81) -> np.ndarray:
+    """Gravity (m/s^2) of a board tilted by two angles (rad, within +-pi/2); the arguments broadcast.
+
+    Returns an array of their common shape + (3,): the bits of phys_gravity_from_tilt.
+    """
+    tilts = np.broadcast_arrays(*(np.asarray(value, "f8") for value in (tilt_x, tilt_y, strength)))
+    gravity = np.empty(tilts[0].shape + (3,))
+    place = address(gravity)
+    for i, (x, y, g) in enumerate(zip(*(tilt.ravel().tolist() for tilt in tilts))):
+        check(lib.phys_gravity_from_tilt(x, y, g, place + 24 * i))
+    return gravity
+
+
+class Params:
+    """What a step obeys: parameters by name, checked against their ranges as they are set.
+
+    Names are those of the library's rows (`restitution_wall`, `rolling_friction`, ...; `Params.rows()` lists them), of
+    the stepper's own (made by `Stepper.params`), `gravity` (m/s^2, shape + (3,)) and the switches `orientation` and
+    `all_stages`. Values may be arrays: the set then has their common shape, and `Stepper.run` broadcasts it.
+    """
+
+    __slots__ = ("record", "_rows")
+    record: np.ndarray  #: the C structs, dtype params_dtype
+
+    def __init__(self, own_rows: list[ParamRow] | None = None, **values: Any) -> None:
+        rows = {row.id.decode(): row for row in library_rows() + (own_rows or [])}
+        # A later library may have rows whose values lie behind the struct that this package knows.
+        rows = {name: row for name, row in rows.items() if row.offset + 4 <= params_dtype.itemsize}
+        object.__setattr__(self, "_rows", rows)
+        shapes = [np.shape(value)[:-1] if name == "gravity" else np.shape(value) for name, value in values.items()]
+        record = np.zeros(np.broadcast_shapes(*shapes), params_dtype)
+        first = np.zeros((), params_dtype)
+        check(lib.phys_params_init(address(first), params_dtype.itemsize))
+        for row in own_rows or []:
+            check(lib.phys_param_set(address(first), byref(row), row.initial, None))
+        record[...] = first
+        object.__setattr__(self, "record", record)
+        for name, value in values.items():
+            setattr(self, name, value)
+
+    @staticmethod
+    def rows() -> list[dict[str, Any]]:
+        """The library's rows: id, label, unit, help, choices, min, max, low, high, initial, step."""
+        names = [name for name, _ in ParamRow._fields_][:11]
+        values = ([getattr(row, name) for name in names] for row in library_rows())
+        return [{n: v.decode() if isinstance(v, bytes) else v for n, v in zip(names, row)} for row in values]
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """() for one set."""
+        return self.record.shape
+
+    def names(self) -> list[str]:
+        """All names that can be read and set."""
+        return [name for name in self._rows if not name.startswith("gravity_")] + ["gravity", *_OPTIONS]
+
+    def _view(self, row: ParamRow) -> np.ndarray:
+        kind = "u4" if row.flags & _CHOICE else "f8"
+        return np.ndarray(self.shape, kind, self.record, row.offset, self.record.strides)
+
+    def __getattr__(self, name: str) -> Any:
+        if name == "gravity":
+            return self.record["gravity"]
+        if name in _OPTIONS:
+            return (self.record["options"] & _OPTIONS[name]) != 0
+        if name not in self._rows:
+            raise AttributeError(self._unknown(name))
+        values = self._view(self._rows[name])
+        return values if self.shape else values.item()
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if name in _OPTIONS:
+            bit = np.uint32(_OPTIONS[name])
+            self.record["options"] = np.where(value, self.record["options"] | bit, self.record["options"] & ~bit)
+        elif name == "gravity":
+            value = np.asarray(value, "f8")
+            for axis, letter in enumerate("xyz"):
+                self._check(self._rows["gravity_" + letter], value[..., axis])
+            self.record["gravity"] = value
+        elif name in self._rows:
+            row = self._rows[name]
+            self._check(row, value)
+            self._view(row)[...] = value
+        else:
+            raise AttributeError(self._unknown(name))
+
+    def _check(self, row: ParamRow, value: Any) -> None:
+        """Asks the library about the values that are least likely to pass: each that isn't within the range."""
+        values = np.asarray(value, "f8").ravel()
+        whole = values == np.floor(values)
+        outside = values[~((values >= row.min) & (values <= row.max) & (whole | (row.flags & 9 == 0)))]
+        if outside.size:
+            scratch, error = np.array(self.record.ravel()[:1]), Error()
+            check(lib.phys_param_set(address(scratch), byref(row), float(outside[0]), byref(error)), error)
+
+    def _unknown(self, name: str) -> str:
+        return f"no parameter is called '{name}'; known are {', '.join(sorted(self.names()))}"
+
+    def copy(self) -> "Params":
+        other = object.__new__(Params)
+        object.__setattr__(other, "_rows", self._rows)
+        object.__setattr__(other, "record", self.record.copy())
+        return other
+
+    def __dir__(self) -> list[str]:
+        return sorted([*object.__dir__(self), *self.names()])
+
+    def __repr__(self) -> str:
+        shown = [f"{name}={getattr(self, name)!r}" for name in self.names()]
+        return f"Params({', '.join(shown)})" if not self.shape else f"<Params, shape {self.shape}>"
+
+
+def rows_of(info: Any) -> list[ParamRow]:
+    """The rows of a stepper's own."""
+    return [info.rows[i].contents for i in range(info.row_count)]

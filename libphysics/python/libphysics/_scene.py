@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: MIT
+"""Scenes: boxes, ball and start."""
+from __future__ import annotations
+
+import ctypes
+import os
+from ctypes import byref, c_double, c_uint32, c_void_p
+from typing import Any
+
+import numpy as np
+
+from ._library import Error, SceneDesc, address, check, lib
+from ._records import contact_dtype, state_dtype
+
+
+class Scene:
+    """An immutable scene, from a maze file, a maze's text, or boxes.
+
+    path: of a maze text file. text: of one in memory. boxes: shape (n, 2, 3), the lower and the upper corner of each, m;
+    with them radius (m) and start (m; default: where the library puts it). Just one of path, text and boxes.
+    """
+
+    __slots__ = ("_handle", "__weakref__")
+
+    def __init__(self, path: str | os.PathLike[str] | None = None, *, text: str | bytes | None = None, boxes: Any = None,
+                 radius: float | None = None, start: Any = None) -> None:
+        self._handle = c_void_p()
+        if (path is not None) + (text is not None) + (boxes is not None) != 1:
+            raise TypeError("Scene takes one of path, text and boxes")
+        if boxes is None and not (radius is None and start is None):
+            raise TypeError("radius and start go with boxes")
+        error = Error()
+        if path is not None:
+            check(lib.phys_scene_load(os.fsencode(path), byref(self._handle), byref(error)), error)
+        elif text is not None:
+            data = text.encode() if isinstance(text, str) else bytes(text)
+            check(lib.phys_scene_parse(data, len(data), None, byref(self._handle), byref(error)), error)
+        else:
+            self._create(boxes, radius, start, error)
+
+    def _create(self, boxes: Any, radius: float | None, start: Any, error: Error) -> None:
+        array = np.ascontiguousarray(boxes, "f8")
+        if array.size and array.shape[1:] != (2, 3):
+            raise ValueError(f"boxes has the shape {array.shape}; expected (n, 2, 3)")
+        desc = SceneDesc()
+        check(lib.phys_scene_desc_init(byref(desc), ctypes.sizeof(desc)))
+        desc.box_count, desc.boxes = array.size // 6, address(array) if array.size else None
+        if radius is not None:
+            desc.radius = radius
+            desc.start[:] = (0.0, 0.0, radius)
+        if start is not None:
+            desc.start[:] = tuple(start)
+        check(lib.phys_scene_create(byref(desc), byref(self._handle), byref(error)), error)
+
+    def __del__(self) -> None:
+        if self._handle:
+            lib.phys_scene_destroy(self._handle)
+
+    @property
+    def radius(self) -> float:
+        """Of the ball, m."""
+        return lib.phys_scene_radius(self._handle)
+
+    @property
+    def boxes(self) -> np.ndarray:
+        """As given, shape (n, 2, 3), m: a copy. Events and contacts count in it."""
+        count = lib.phys_scene_box_count(self._handle)
+        if count == 0:
+            return np.zeros((0, 2, 3))
+        memory = (c_double * (6 * count)).from_address(lib.phys_scene_boxes(self._handle))
+        return np.frombuffer(memory, "f8").reshape(count, 2, 3).copy()
+
+    @property
+    def bounds(self) -> np.ndarray:
+        """The smallest box around all boxes, shape (2, 3), m."""
+        out = np.zeros((2, 3))
+        check(lib.phys_scene_bounds(self._handle, address(out)))
+        return out
+
+    def start(self, shape: int | tuple[int, ...] = ()) -> np.ndarray:
+        """The state at the start, at rest: an array of state_dtype and this shape, each element the same."""
+        out = np.zeros((), state_dtype)
+        check(lib.phys_scene_start(self._handle, address(out)))
+        states = np.empty(shape, state_dtype)
+        states[...] = out
+        return states
+
+    def contacts(self, centre: Any, reach: float = 0.0) -> np.ndarray:
+        """All boxes whose gap to a ball at `centre` (3, m) is at most `reach` (m): an array of contact_dtype, by box."""
+        place, count = np.array(centre, "f8").reshape(3), c_uint32()
+        check(lib.phys_scene_contacts(self._handle, address(place), reach, None, 0, byref(count)))
+        out = np.zeros(count.value, contact_dtype)
+        if out.size:
+            check(lib.phys_scene_contacts(self._handle, address(place), reach, address(out), out.size, byref(count)))
+        return out
+
+    def why_not_planar(self) -> str:
+        """Empty if all contacts of a rolling ball are horizontal; else the box and the reason."""
+        error = Error()
+        return error.text.decode() if lib.phys_scene_check_planar(self._handle, byref(error)) else ""
+
+    def __repr__(self) -> str:
+        return f"<Scene, {lib.phys_scene_box_count(self._handle)} boxes, radius {self.radius:g} m>"
+
+
+def state_hash(state: np.ndarray) -> int:
+    """64-bit hash (FNV-1a) of one state's 128 bytes."""
+    state = np.ascontiguousarray(state, state_dtype)
+    if state.size != 1:
+        raise ValueError(f"{state.size} states; expected one")
+    return lib.phys_state_hash(address(state))

@@ -1,0 +1,340 @@
+# SPDX-License-Identifier: MIT
+"""The Python package against the library it calls: each fact by single steps, closed forms or the C function itself."""
+import os
+import subprocess
+import sys
+import tempfile
+import threading
+import unittest
+
+import numpy as np
+
+import libphysics as lp
+
+LEVEL = os.environ["LEVEL"]
+PLUGIN = os.environ["PLUGIN"]
+
+FLOOR = [(-2, -2, -1), (2, 2, 0)]
+WALL = [(1, -2, 0), (1.25, 2, 1)]
+MAZE = "physics-maze 1\nunits m\nball 0.125\nstart 0 0 0.125\nbox -2 -2 -1 2 2 0\nbox 1 -2 0 1.25 2 1\n"
+
+
+def room():
+    return lp.Scene(boxes=[FLOOR, WALL], radius=0.125)
+
+
+class SceneTest(unittest.TestCase):
+    def test_path_text_and_boxes_give_the_same_scene(self):
+        with tempfile.NamedTemporaryFile("w", suffix=".txt") as file:
+            file.write(MAZE)
+            file.flush()
+            scenes = [lp.Scene(file.name), lp.Scene(text=MAZE), lp.Scene(text=MAZE.encode()), room()]
+        for scene in scenes:
+            self.assertEqual(scene.radius, 0.125)
+            np.testing.assert_array_equal(scene.boxes, [FLOOR, WALL])
+            np.testing.assert_array_equal(scene.start()["position"], [0, 0, 0.125])
+            np.testing.assert_array_equal(scene.bounds, [(-2, -2, -1), (2, 2, 1)])
+
+    def test_just_one_source_is_taken(self):
+        for arguments in ({}, {"text": MAZE, "boxes": [FLOOR]}, {"text": MAZE, "radius": 1.0}):
+            with self.assertRaises(TypeError):
+                lp.Scene(**arguments)
+
+    def test_failure_has_status_name_and_the_library_s_line(self):
+        with self.assertRaises(lp.PhysicsError) as caught:
+            lp.Scene(text=MAZE.replace("ball 0.125", "ball big"))
+        self.assertEqual((caught.exception.status, caught.exception.name), (-6, "PHYS_ERROR_SYNTAX"))
+        self.assertEqual(str(caught.exception), "text:3: ball: expected a number in m, found 'big'")
+
+    def test_boxes_of_another_shape_are_refused(self):
+        with self.assertRaises(ValueError):
+            lp.Scene(boxes=np.zeros((3, 6)))
+
+    def test_scene_without_boxes(self):
+        scene = lp.Scene(boxes=[])
+        self.assertEqual(scene.boxes.shape, (0, 2, 3))
+        self.assertEqual(scene.contacts((0, 0, 0), 10.0).size, 0)
+
+    def test_contacts_by_box(self):
+        contacts = room().contacts((0.75, 0, 0.125), 0.25)
+        self.assertEqual(contacts["box"].tolist(), [0, 1])
+        self.assertEqual(contacts["gap"].tolist(), [0.0, 0.125])
+        np.testing.assert_array_equal(contacts["normal"], [(0, 0, 1), (-1, 0, 0)])
+
+    def test_start_of_many(self):
+        states = room().start((2, 3))
+        self.assertEqual((states.shape, states.dtype), ((2, 3), lp.state_dtype))
+        self.assertTrue((states["orientation"] == [0, 0, 0, 1]).all())
+
+    def test_planarity_is_explained(self):
+        self.assertEqual(room().why_not_planar(), "")
+        kerb = lp.Scene(boxes=[FLOOR, [(1, -2, 0), (2, 2, 0.0625)]], radius=0.125)
+        self.assertIn("box 1 ends", kerb.why_not_planar())
+
+    def test_hash_is_that_of_the_bytes(self):
+        state = room().start()
+        expected = 0xCBF29CE484222325
+        for byte in state.tobytes():
+            expected = (expected ^ byte) * 0x100000001B3 % 2**64
+        self.assertEqual(lp.state_hash(state), expected)
+
+
+class ParamsTest(unittest.TestCase):
+    def test_defaults_are_the_rows_initial_values(self):
+        params = lp.Params()
+        for row in lp.Params.rows():
+            if not row["id"].startswith("gravity"):
+                self.assertEqual(getattr(params, row["id"]), row["initial"], row["id"])
+        np.testing.assert_array_equal(params.gravity, [0, 0, -9.81])
+
+    def test_unknown_names_are_refused(self):
+        params = lp.Params()
+        for use in (lambda: params.restitution, lambda: setattr(params, "restitution", 0.5),
+                    lambda: lp.Params(restitution=0.5)):
+            with self.assertRaisesRegex(AttributeError, "restitution_wall"):
+                use()
+
+    def test_values_outside_their_range_are_refused_and_nothing_changes(self):
+        params = lp.Params()
+        for name, value in (("restitution_wall", 1.5), ("restitution_wall", float("nan")), ("model", 2),
+                            ("model", 0.5), ("gravity", (0, 0, 2e6)), ("rolling_friction", [0.1, -0.1])):
+            with self.assertRaises(lp.PhysicsError) as caught:
+                setattr(params, name, value)
+            self.assertEqual(caught.exception.name, "PHYS_ERROR_RANGE")
+        self.assertEqual(params.record.tobytes(), lp.Params().record.tobytes())
+
+    def test_arrays_broadcast_to_one_shape(self):
+        params = lp.Params(restitution_wall=np.linspace(0, 1, 5)[:, None], rolling_friction=[0.0, 0.01, 0.02])
+        self.assertEqual(params.shape, (5, 3))
+        self.assertEqual(params.restitution_wall[4, 0], 1.0)
+        self.assertEqual(params.rolling_friction[0].tolist(), [0.0, 0.01, 0.02])
+
+    def test_switches_are_bits_of_the_options(self):
+        params = lp.Params(orientation=True)
+        self.assertEqual((int(params.record["options"]), bool(params.orientation)), (1, True))
+        params.all_stages, params.orientation = True, False
+        self.assertEqual(int(params.record["options"]), 2)
+
+    def test_own_rows_belong_to_their_stepper(self):
+        params = lp.Stepper("rk4", room()).params(as_reported=1)
+        self.assertEqual(params.record["stepper"][0], 1.0)
+        with self.assertRaises(AttributeError):
+            lp.Params(as_reported=1)
+
+    def test_copy_is_independent(self):
+        params = lp.Params()
+        params.copy().restitution_wall = 0.25
+        self.assertEqual(params.restitution_wall, 0.5)
+
+    def test_gravity_from_tilt_broadcasts(self):
+        gravity = lp.gravity_from_tilt([0.1, 0.2], 0.0, 9.81)
+        self.assertEqual(gravity.shape, (2, 3))
+        np.testing.assert_allclose(gravity[1], 9.81 * np.array([np.sin(0.2), 0, -np.cos(0.2)]), rtol=1e-15)
+        with self.assertRaises(lp.PhysicsError):
+            lp.gravity_from_tilt(2.0, 0.0)
+
+
+class StepTest(unittest.TestCase):
+    def test_rolling_down_is_the_closed_form(self):
+        stepper = lp.Stepper("exact", room())
+        params = stepper.params(rolling_friction=0, gravity=(0.7, 0, -9.8))
+        after = stepper.step(room().start(), params, 1.0).state
+        self.assertAlmostEqual(after["position"][0], 0.25, 14)  # 5/7 g t^2/2
+        self.assertAlmostEqual(after["velocity"][0], 0.5, 14)
+
+    def test_report_and_events_of_an_impact(self):
+        stepper = lp.Stepper("swept", room())
+        state = room().start()
+        state["velocity"], state["spin"] = (1, 0, 0), (0, 8, 0)
+        step = stepper.step(state, stepper.params(rolling_friction=0), 1.0)
+        self.assertEqual(step.events["kind"].tolist(), [lp.EVENT_IMPACT])
+        self.assertEqual(step.events["box"].tolist(), [1])
+        self.assertAlmostEqual(step.events["time"][0], 0.875, 12)
+        self.assertAlmostEqual(step.events["speed_after"][0], 0.5, 12)
+        self.assertGreater(step.report["lost_impact"], 0)
+        self.assertEqual(state["time"], 0)  # the given state stays
+
+    def test_events_without_room_are_counted(self):
+        stepper = lp.Stepper("swept", room())
+        state = room().start()
+        state["velocity"], state["spin"] = (1, 0, 0), (0, 8, 0)
+        step = stepper.step(state, stepper.params(rolling_friction=0), 1.0, events=0)
+        self.assertEqual((step.events.size, step.report["events_lost"]), (0, 1))
+
+    def test_failure_names_the_value(self):
+        stepper = lp.Stepper("rk4", room())
+        with self.assertRaisesRegex(lp.PhysicsError, "dt is -1 s"):
+            stepper.step(room().start(), stepper.params(), -1.0)
+        with self.assertRaisesRegex(lp.PhysicsError, "known are"):
+            lp.Stepper("rk5", room())
+
+    def test_wrong_types_are_refused(self):
+        stepper = lp.Stepper("rk4", room())
+        for state, params in ((np.zeros(16), stepper.params()), (room().start(2), stepper.params()),
+                              (room().start(), {"restitution_wall": 1}), (room().start(), np.zeros(144, "u1"))):
+            with self.assertRaises(TypeError):
+                stepper.step(state, params, 0.01)
+
+    def test_energy_and_requirements(self):
+        stepper = lp.Stepper("rk4", room())
+        self.assertAlmostEqual(stepper.energy(room().start(), stepper.params()), 9.81 * 0.125, 12)
+        told = stepper.requirements(room().start(), stepper.params(), 0.01)
+        self.assertFalse(told["vertical motion"][0])
+        self.assertTrue(all(reason for _, reason in told.values()))
+
+    def test_every_repr_is_one_line(self):
+        scene = room()
+        stepper = lp.Stepper("rk4", scene)
+        for thing in (scene, stepper, stepper.params(), stepper.params(model=[0, 1]), lp.Registry()):
+            self.assertNotIn("\n", repr(thing))
+
+
+class RunTest(unittest.TestCase):
+    def setUp(self):
+        self.scene = lp.Scene(LEVEL)
+        self.stepper = lp.Stepper("symplectic-euler", self.scene)
+
+    def one_by_one(self, state, params, dt, gravities):
+        path = []
+        for gravity in gravities:
+            params.gravity = gravity
+            state = self.stepper.step(state, params, dt).state
+            path.append(state)
+        return np.array(path, lp.state_dtype)
+
+    def test_same_bits_as_single_steps(self):
+        random = np.random.default_rng(5)
+        gravity = lp.gravity_from_tilt(*random.uniform(-0.1, 0.1, (2, 3, 40)))
+        params = self.stepper.params(restitution_wall=[0.2, 0.5, 0.9])
+        run = self.stepper.run(self.scene.start(), params, 0.01, 40, gravity=gravity, every=4).check()
+        self.assertEqual((run.states.shape, run.path.shape), ((3,), (3, 10)))
+        for ball in range(3):
+            single = self.stepper.params(restitution_wall=params.restitution_wall[ball])
+            expected = self.one_by_one(self.scene.start(), single, 0.01, gravity[ball])
+            self.assertEqual(run.path[ball].tobytes(), expected[3::4].tobytes())
+            self.assertEqual(run.states[ball].tobytes(), expected[-1].tobytes())
+
+    def test_batch_has_the_shape_that_numpy_would_give(self):
+        params = self.stepper.params(restitution_wall=np.linspace(0, 1, 4)[:, None])
+        gravity = lp.gravity_from_tilt(np.linspace(0, 0.1, 3), 0.0)[:, None]
+        run = self.stepper.run(self.scene.start((2, 1, 1)), params, 0.01, 5, gravity=gravity)
+        self.assertEqual(run.states.shape, (2, 4, 3))
+        one = self.stepper.run(self.scene.start(), self.stepper.params(restitution_wall=params.restitution_wall[2, 0]),
+                               0.01, 5, gravity=gravity[1, 0])
+        self.assertEqual(run.states[1, 2, 1].tobytes(), one.states.tobytes())
+        with self.assertRaises(ValueError):
+            self.stepper.run(self.scene.start(5), params, 0.01, 5, gravity=gravity)
+
+    def test_given_states_stay_unless_they_are_the_output(self):
+        states = self.scene.start(4)
+        before = states.tobytes()
+        gravity = (1.0, 0.0, -9.75)
+        run = self.stepper.run(states, self.stepper.params(), 0.01, 7, gravity=gravity)
+        self.assertEqual(states.tobytes(), before)
+        self.stepper.run(states, self.stepper.params(), 0.01, 7, gravity=gravity, out=states)
+        self.assertEqual(states.tobytes(), run.states.tobytes())
+
+    def test_threads_change_nothing(self):
+        gravity = lp.gravity_from_tilt(np.linspace(-0.1, 0.1, 37), 0.05)[:, None]
+        runs = [self.stepper.run(self.scene.start(), self.stepper.params(), 0.01, 200, gravity=gravity, threads=threads,
+                                 every=50) for threads in (1, 2, 5, 100)]
+        for run in runs[1:]:
+            self.assertEqual(run.states.tobytes(), runs[0].states.tobytes())
+            self.assertEqual(run.path.tobytes(), runs[0].path.tobytes())
+
+    def test_other_python_threads_run_meanwhile(self):
+        ticks, over = [0], threading.Event()
+
+        def count():
+            while not over.is_set():
+                ticks[0] += 1
+
+        counter = threading.Thread(target=count)
+        counter.start()
+        before = ticks[0]
+        self.stepper.run(self.scene.start(200), self.stepper.params(), 0.01, 2000)
+        self.assertGreater(ticks[0], before)
+        over.set()
+        counter.join()
+
+    def test_stop_flags_end_a_ball(self):
+        scene = lp.Scene(boxes=[FLOOR], radius=0.125)
+        stepper = lp.Stepper("swept", scene)
+        run = stepper.run(scene.start(2), stepper.params(), 0.01, 1000, gravity=[[(2, 0, -9.75)], [(0, 0, -9.75)]],
+                          stop=lp.OUT, every=100)
+        self.assertLess(run.steps_done[0], 1000)
+        self.assertEqual(run.steps_done[1], 1000)
+        self.assertTrue(run.states["flags"][0] & lp.OUT)
+        self.assertEqual(run.path[0, -1].tobytes(), run.states[0].tobytes())
+
+    def test_failing_ball_has_its_status_and_the_others_go_on(self):
+        gravity = np.tile([0.0, 0.0, -9.75], (3, 10, 1))
+        gravity[1, 4] = (0, 0, 1)  # pulled off its floor
+        run = self.stepper.run(self.scene.start(), self.stepper.params(), 0.01, 10, gravity=gravity)
+        self.assertEqual(run.statuses.tolist(), [0, -2, 0])
+        self.assertEqual(run.steps_done.tolist(), [10, 4, 10])
+        with self.assertRaisesRegex(lp.PhysicsError, "ball 1 fails in step 4"):
+            run.check()
+
+    def test_wrong_arguments_raise(self):
+        states, params = self.scene.start(2), self.stepper.params()
+        wrong = [(ValueError, {"steps": -1}), (ValueError, {"gravity": np.zeros((2, 4, 3))}), (ValueError, {"every": -1}),
+                 (lp.PhysicsError, {"dt": -1.0}), (lp.PhysicsError, {"stop": 64}),
+                 (ValueError, {"out": np.zeros(3, lp.state_dtype)}), (ValueError, {"threads": -1})]
+        for error, change in wrong:
+            arguments = {"dt": 0.01, "steps": 5, **change}
+            with self.assertRaises(error):
+                self.stepper.run(states, params, **arguments)
+        with self.assertRaises(TypeError):
+            self.stepper.run(np.zeros(2), params, 0.01, 5)
+
+    def test_no_balls_and_no_steps(self):
+        self.assertEqual(self.stepper.run(self.scene.start(0), self.stepper.params(), 0.01, 5).states.shape, (0,))
+        run = self.stepper.run(self.scene.start(2), self.stepper.params(), 0.01, 0, gravity=np.zeros((2, 0, 3)))
+        self.assertEqual(run.steps_done.tolist(), [0, 0])
+
+
+class RegistryTest(unittest.TestCase):
+    def test_built_in_steppers_from_crude_to_exact(self):
+        ids = [info.id for info in lp.steppers()]
+        self.assertEqual((ids[0], ids[-1]), ("explicit-euler", "exact"))
+
+    def test_plugin_runs_with_its_own_rows(self):
+        scene = lp.Scene(LEVEL)
+        stepper = lp.Stepper("adaptive-drag", scene, plugin=PLUGIN)
+        self.assertEqual(stepper.info.file, PLUGIN)
+        params = stepper.params(air_drag=0.25)
+        single = stepper.step(scene.start(), params, 0.01).state
+        self.assertEqual(stepper.run(scene.start(), params, 0.01, 1).states.tobytes(), single.tobytes())
+
+    def test_scan_tells_what_it_refuses(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with open(os.path.join(folder, "no.so"), "w", encoding="utf-8") as file:
+                file.write("no shared object")
+            script = "import libphysics as lp; print(lp.Registry(scan=True).refused)"
+            environment = {**os.environ, "PHYS_PLUGIN_PATH": folder}
+            out = subprocess.run([sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=True)
+        self.assertIn("no.so", out.stdout)
+
+
+class PackageTest(unittest.TestCase):
+    def test_every_function_of_the_library_is_declared(self):
+        from libphysics import _library
+        with open(os.environ["SYMBOLS"], encoding="utf-8") as file:
+            self.assertEqual(set(file.read().split()), set(_library._FUNCTIONS))
+
+    def test_all_that_is_public_has_a_docstring(self):
+        for name in lp.__all__:
+            thing = getattr(lp, name)
+            if callable(thing):
+                self.assertTrue(thing.__doc__, name)
+
+    def test_missing_library_is_explained(self):
+        environment = {**os.environ, "PHYSICS_LIBRARY": "/nowhere/libphysics.so"}
+        out = subprocess.run([sys.executable, "-c", "import libphysics"], env=environment, capture_output=True, text=True)
+        self.assertNotEqual(out.returncode, 0)
+        self.assertIn("PHYSICS_LIBRARY", out.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
