@@ -4,7 +4,10 @@ include(GNUInstallDirs)
 
 # In a prefix of its own the library is found beside the program; in /usr the system finds it.
 if(NOT CMAKE_INSTALL_PREFIX STREQUAL "/usr")
-    set_target_properties(physics-inspector PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+    # One RUNPATH for both trees: CMake pads that of the build tree to the installed one's length with an empty entry, and
+    # that is the current folder.
+    set_target_properties(physics-inspector PROPERTIES BUILD_WITH_INSTALL_RPATH ON
+        INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR};$ORIGIN/../libphysics")
 endif()
 install(TARGETS physics-inspector RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT inspector)
 install(TARGETS mazegen RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT inspector)
