@@ -3,8 +3,10 @@
 
 #include "base/system.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <string>
@@ -89,20 +91,38 @@ public:
         add({digits, length});
     }
 
+    void addDouble(double number, int precision) {
+        if (std::isnan(number)) return add("nan"); // whatever its sign
+        addNumber(0, number, std::chars_format::general, precision);
+    }
+
+    /// A text of someone else's, which may have anything in it: what isn't a visible character is shown by its bytes,
+    /// so that a message stays one line of UTF-8 and nothing in it speaks to a terminal.
+    void addShown(std::string_view text) {
+        while (!text.empty()) {
+            const size_t length = visibleCharacter(text);
+            if (length > 0)
+                add(text.substr(0, length));
+            else
+                addByte(static_cast<unsigned char>(text.front()));
+            text.remove_prefix(std::max<size_t>(length, 1));
+        }
+    }
+
     void addConverted(const Conversion &conversion, Arguments &arguments) {
         switch (conversion.kind) {
         case 'c': {
             const char character = static_cast<char>(va_arg(arguments.list, int));
-            return add({&character, 1});
+            return addShown({&character, 1});
         }
         case 's': {
             const char *text = va_arg(arguments.list, const char *);
-            return add({text, conversion.precision < 0 ? std::strlen(text)
-                                                       : strnlen(text, static_cast<size_t>(conversion.precision))});
+            return addShown({text, conversion.precision < 0
+                                       ? std::strlen(text)
+                                       : strnlen(text, static_cast<size_t>(conversion.precision))});
         }
         case 'g':
-            return addNumber(0, va_arg(arguments.list, double), std::chars_format::general,
-                             conversion.precision < 0 ? 6 : conversion.precision);
+            return addDouble(va_arg(arguments.list, double), conversion.precision < 0 ? 6 : conversion.precision);
         case 'd':
             return addNumber(conversion.width, va_arg(arguments.list, int), 10);
         case 'u':
@@ -123,6 +143,31 @@ public:
     }
 
 private:
+    void addByte(unsigned char byte) {
+        if (byte == '\n') return add("\\n");
+        if (byte == '\r') return add("\\r");
+        if (byte == '\t') return add("\\t");
+        add("\\x");
+        addNumber(2, static_cast<unsigned>(byte), 16);
+    }
+
+    /// Bytes of the first character; 0 if it is a control character or no valid UTF-8.
+    static size_t visibleCharacter(std::string_view text) {
+        const auto first = static_cast<unsigned char>(text.front());
+        if (first < 0x80) return first >= 0x20 && first != 0x7f ? 1 : 0;
+        const size_t length = bytesOf(text.front());
+        if (length == 1 || first > 0xf4 || length > text.size()) return 0;
+        uint32_t character = first & (0x7fU >> length);
+        for (size_t i = 1; i < length; ++i) {
+            if (!isContinuation(text[i])) return 0;
+            character = (character << 6) | (static_cast<unsigned char>(text[i]) & 0x3fU);
+        }
+        constexpr uint32_t kLeast[] = {0, 0, 0xa0, 0x800, 0x10000}; // 0xa0: those below are control characters
+        const bool isLineEnd = character == 0x2028 || character == 0x2029;
+        const bool isSurrogate = character >= 0xd800 && character <= 0xdfff;
+        return character < kLeast[length] || character > 0x10ffff || isLineEnd || isSurrogate ? 0 : length;
+    }
+
     static bool isContinuation(char byte) { return (static_cast<unsigned char>(byte) & 0xc0) == 0x80; }
 
     /// Of a character of UTF-8, by its first byte.

@@ -16,7 +16,8 @@
 namespace phys {
 
 /// As snprintf, for what messages need: %c %d %g %s %u %x %zu %llu %%, with a precision for %g and %s and a width for
-/// %x. What finds no room is cut off between two characters of UTF-8. size > 0.
+/// %x. Of texts and characters what isn't visible is written as \n or \x1b. What finds no room is cut off between two
+/// characters of UTF-8. size > 0.
 [[PHYS_CHECKED_FORMAT(3, 4)]] void writeText(char *out, size_t size, const char *format, ...);
 [[PHYS_CHECKED_FORMAT(3, 0)]] void writeTextOf(char *out, size_t size, const char *format, va_list arguments);
 

@@ -95,7 +95,10 @@ struct Scan {
             const std::string folder = list.substr(begin, end - begin);
             begin = end + 1;
             if (folder.empty() || loadFolder(folder)) continue;
-            tell(folder, PHYS_ERROR_FILE, shown(folder) + ": a folder of " + kSearchVariable + " that can't be read");
+            phys_error error{};
+            fail(&error, PHYS_ERROR_FILE, "%s: a folder of %s that can't be read", shown(folder).c_str(),
+                 kSearchVariable);
+            tell(folder, error.status, error.text);
         }
     }
 };

@@ -59,6 +59,38 @@ private slots:
         QCOMPARE(QByteArray(text), expected);
     }
 
+    void whatIsNotVisibleIsShownByItsBytes_data() {
+        QTest::addColumn<QByteArray>("given");
+        QTest::addColumn<QByteArray>("shown");
+        const auto row = [](const char *name, const QByteArray &given, const QByteArray &shown) {
+            QTest::newRow(name) << given << shown;
+        };
+        row("letters of any script", "Käse λ€𝄞", "Käse λ€𝄞");
+        row("ends of lines", "a\nb\r\tc", "a\\nb\\r\\tc");
+        row("colours of a terminal", "\x1b[31m", "\\x1b[31m");
+        row("a control character of two bytes", "\xc2\x9b", "\\xc2\\x9b");
+        row("the end of a line in Unicode", "\xe2\x80\xa8", "\\xe2\\x80\\xa8");
+        row("Latin-1", "K\xe4se", "K\\xe4se");
+        row("half a character", "\xe2\x82", "\\xe2\\x82");
+        row("a long form", "\xc0\xaf", "\\xc0\\xaf");
+        row("a surrogate", "\xed\xa0\x80", "\\xed\\xa0\\x80");
+        row("a backslash", "a\\n", "a\\n");
+    }
+    void whatIsNotVisibleIsShownByItsBytes() {
+        QFETCH(QByteArray, given);
+        QFETCH(QByteArray, shown);
+        char text[80];
+        phys::writeText(text, sizeof text, "'%s'", given.constData());
+        QCOMPARE(QByteArray(text), "'" + shown + "'");
+    }
+
+    void whatIsNoNumberIsNamed() {
+        char text[40];
+        phys::writeText(text, sizeof text, "%g %g", std::numeric_limits<double>::quiet_NaN(),
+                        -std::numeric_limits<double>::quiet_NaN());
+        QCOMPARE(text, "nan nan");
+    }
+
     void numbersAreReadBackToTheLastBit() {
         std::mt19937_64 engine(2);
         char text[40];
