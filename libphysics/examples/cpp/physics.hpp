@@ -8,6 +8,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace physics {
@@ -62,6 +63,13 @@ inline phys_params defaultParams() {
     return params;
 }
 
+/// No balls, no steps, no arrays.
+inline phys_batch defaultBatch() {
+    phys_batch batch;
+    detail::checkCode(phys_batch_init(&batch, sizeof batch));
+    return batch;
+}
+
 /// tiltX, tiltY: rad; strength: m/s^2.
 inline phys_vec3 gravityFromTilt(double tiltX, double tiltY, double strength = 9.81) {
     phys_vec3 gravity;
@@ -87,6 +95,13 @@ public:
             [&](phys_scene **out, phys_error *err) { return phys_scene_create(&desc, out, err); });
     }
 
+    /// A maze's text in memory; messages call it by its name.
+    static Scene parse(const std::string &text, const std::string &name = "text") {
+        return Scene(detail::make<phys_scene, phys_scene_destroy>([&](phys_scene **out, phys_error *err) {
+            return phys_scene_parse(text.data(), text.size(), name.c_str(), out, err);
+        }));
+    }
+
     phys_state start() const {
         phys_state state;
         detail::checkCode(phys_scene_start(get(), &state));
@@ -101,7 +116,11 @@ public:
     const phys_scene *get() const noexcept { return m_scene.get(); }
 
 private:
-    detail::Owner<phys_scene, phys_scene_destroy> m_scene;
+    using Owner = detail::Owner<phys_scene, phys_scene_destroy>;
+    explicit Scene(Owner scene)
+        : m_scene(std::move(scene)) {}
+
+    Owner m_scene;
 };
 
 /// The built-in steppers and those of plugins.
@@ -139,6 +158,12 @@ public:
             [&](phys_error *err) { return phys_step(m_stepper.get(), &params, dt, &state, &next, report, err); });
         return next;
     }
+
+    /// Runs the balls first .. first + count - 1 of a batch. Threads with a stepper each may run disjoint ranges.
+    void run(const phys_batch &batch, uint64_t first, uint64_t count) {
+        detail::check([&](phys_error *err) { return phys_batch_run(m_stepper.get(), &batch, first, count, err); });
+    }
+    void run(const phys_batch &batch) { run(batch, 0, batch.ball_count); }
 
 private:
     detail::Owner<phys_stepper, phys_stepper_destroy> m_stepper;
