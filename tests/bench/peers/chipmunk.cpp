@@ -16,7 +16,7 @@ public:
     explicit ChipmunkEngine(const Scene &scene)
         : m_space(cpSpaceNew())
         , m_share(shareOfTilt(scene)) {
-        cpSpaceSetCollisionSlop(m_space, 1e-4); // its default of 0.1 m is made for pixels
+        cpSpaceSetCollisionSlop(m_space, 4e-4 * scene.radius); // its default of 0.1 m is made for pixels
         cpBody *ground = cpSpaceGetStaticBody(m_space);
         for (const Wall &wall : scene.walls) {
             cpShape *shape = cpBoxShapeNew2(ground, cpBBNew(wall.x0, wall.y0, wall.x1, wall.y1), 0);
@@ -72,9 +72,10 @@ private:
 } // namespace
 
 std::vector<EngineKind> chipmunkEngines() {
-    return {{"chipmunk", false, false,
-             "2D, top view without a floor; collision slop 1e-4 m; no speed threshold; no continuous detection exists",
-             [](const Scene &scene, double) { return std::make_unique<ChipmunkEngine>(scene); }}};
+    return {
+        {"chipmunk", false, false,
+         "2D, top view without a floor; collision slop 4e-4 radii; no speed threshold; no continuous detection exists",
+         [](const Scene &scene, double) { return std::make_unique<ChipmunkEngine>(scene); }}};
 }
 
 } // namespace bench
