@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "converge.h"
+
+#include "support/handles.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+
+namespace witness {
+
+namespace {
+
+constexpr int kStepCounts[kSizes] = {400, 800, 1600};
+constexpr Real kUsual = 6; ///< errors are below this times what a disturbance of the stepper's order does
+
+Motion motionOf(const phys_state &state) {
+    return {vectorOf(state.position), vectorOf(state.velocity), vectorOf(state.spin)};
+}
+
+Law lawAt(const Case &scene) {
+    phys_params params = scene.params;
+    params.gravity = scene.legs.front().gravity;
+    return lawOf(params, scene.radius);
+}
+
+/// The time in which a ball falls half its radius: of everything that a scene does on its own.
+Real timeScale(const Case &scene) {
+    return std::sqrt(scene.radius / (length(vectorOf(scene.legs.front().gravity)) + 1e-30L));
+}
+
+struct Path {
+    std::vector<Motion> motions;
+    phys_status status = PHYS_OK;
+    std::string text;
+};
+
+Path pathOf(const phys_registry *registry, const std::string &id, const Case &scene, int steps) {
+    phys_scene_desc desc;
+    phys_scene_desc_init(&desc, sizeof desc);
+    desc.boxes = scene.boxes.data();
+    desc.box_count = static_cast<uint32_t>(scene.boxes.size());
+    desc.radius = scene.radius;
+    desc.start = scene.start.position;
+    phys_scene *created = nullptr;
+    phys_stepper *made = nullptr;
+    phys_error error{};
+    Path path;
+    path.status = phys_scene_create(&desc, &created, &error);
+    const support::ScenePtr owner(created);
+    if (!path.status) path.status = phys_stepper_create(registry, id.c_str(), created, &made, &error);
+    const support::StepperPtr stepper(made);
+    phys_params params = scene.params;
+    params.gravity = scene.legs.front().gravity;
+    phys_stepper_info info;
+    if (!phys_registry_find(registry, id.c_str(), &info, nullptr)) phys_stepper_info_init_params(&info, &params);
+    phys_state state = scene.start;
+    const double dt = scene.duration() / steps;
+    for (int i = 1; i <= steps && !path.status; ++i) {
+        path.status = phys_step(made, &params, dt, &state, &state, nullptr, &error);
+        if (i % (steps / kCheckpoints) == 0) path.motions.push_back(motionOf(state));
+    }
+    if (path.status) path.text = error.text;
+    return path;
+}
+
+} // namespace
+
+Order orderOf(const std::string &stepper) {
+    static const std::map<std::string, Order> kOrders = {
+        {"explicit-euler", {1, 1}},  {"symplectic-euler", {1, 1}},
+        {"velocity-verlet", {1, 2}}, {"rk4", {1, 2}},
+        {"swept", {2, 2}},           {"exact", {0, 0}},
+    };
+    const auto found = kOrders.find(stepper);
+    return found == kOrders.end() ? Order{1, 1} : found->second;
+}
+
+std::vector<Motion> Truth::run(const Law &law, Motion motion, Real tolerance) const {
+    BruteForce force(m_scene.boxes, m_scene.radius, tolerance);
+    std::vector<Motion> motions;
+    for (int i = 0; i < kCheckpoints; ++i) {
+        if (!force.run(law, Real(m_scene.duration()) / kCheckpoints, motion)) return {};
+        motions.push_back(motion);
+    }
+    return motions;
+}
+
+std::optional<Truth> Truth::of(const Case &scene) {
+    Truth truth(scene);
+    const Law law = lawAt(scene);
+    Motion motion = motionOf(scene.start);
+    BruteForce force(scene.boxes, scene.radius);
+    for (int i = 0; i < kCheckpoints; ++i) {
+        if (!force.run(law, Real(scene.duration()) / kCheckpoints, motion)) return std::nullopt;
+        truth.m_motions.push_back(motion);
+    }
+    truth.m_hasImpacts = force.impacts() > 0;
+    const std::vector<Motion> coarser = truth.run(law, motionOf(scene.start), 1e-11L);
+    if (coarser.empty()) return std::nullopt;
+    for (int i = 0; i < kCheckpoints; ++i) {
+        truth.m_ownError = std::max(truth.m_ownError, length(coarser[i].place - truth.m_motions[i].place));
+    }
+    truth.m_fastest = length(law.gravity) * scene.duration() + length(vectorOf(scene.start.velocity)) +
+                      scene.radius * length(vectorOf(scene.start.spin));
+    return truth;
+}
+
+std::vector<Real> Truth::spread(Real disturbance) const {
+    std::vector<Real> most(kCheckpoints, 0);
+    const Motion start = motionOf(m_scene.start);
+    const auto disturb = [&](const Law &law, const Motion &motion) {
+        const std::vector<Motion> motions = run(law, motion, 1e-12L);
+        for (size_t i = 0; i < motions.size(); ++i) {
+            most[i] = std::max(most[i], length(motions[i].place - m_motions[i].place));
+        }
+    };
+    for (const Real sign : {-1, 1}) {
+        const Real off = sign * disturbance;
+        const Law law = lawAt(m_scene);
+        const Real push = off * length(law.gravity);
+        for (const Vector &direction : {Vector{1, 0, 0}, Vector{0, 1, 0}, Vector{0, 0, 1}}) {
+            Law other = law;
+            other.gravity += push * direction;
+            disturb(other, start);
+        }
+        Motion faster = start;
+        faster.velocity += off * start.velocity;
+        faster.spin += off * start.spin;
+        disturb(law, faster);
+        Motion turned = start;
+        turned.velocity += off * Vector{-start.velocity.y, start.velocity.x, 0};
+        turned.spin += off * Vector{-start.spin.y, start.spin.x, 0};
+        disturb(law, turned);
+    }
+    return most;
+}
+
+Convergence converge(const phys_registry *registry, const std::string &stepper, const Case &scene, const Truth &truth) {
+    Convergence result{};
+    const Order orders = orderOf(stepper);
+    const int order = truth.hasImpacts() ? orders.acrossImpacts : orders.betweenImpacts;
+    Real last[kCheckpoints] = {};
+    for (int size = 0; size < kSizes; ++size) {
+        const int steps = order == 0 ? kCheckpoints << size : kStepCounts[size];
+        const Path path = pathOf(registry, stepper, scene, steps);
+        result.stepSizes[size] = scene.duration() / steps;
+        if (path.status) {
+            result.status = path.status;
+            result.statusText = path.text;
+            return result;
+        }
+        for (int i = 0; i < kCheckpoints; ++i) {
+            last[i] = length(path.motions[i].place - truth.motions()[i].place);
+            result.errors[size] = std::max(result.errors[size], last[i]);
+        }
+    }
+    const Real h = result.stepSizes[kSizes - 1];
+    const Real part = h / timeScale(scene);
+    const Real disturbance = order == 0 ? 1e-11L : std::max<Real>(std::pow(part, Real(order)), 1e-11L);
+    const Real floor = 1e-8L * scene.radius + 10 * truth.ownError();
+    const Real base = order == 0 ? 0 : truth.fastest() * h * std::pow(part, Real(order - 1));
+    result.allowed = floor + kUsual * base;
+    const bool isClose =
+        std::all_of(last, last + kCheckpoints, [&](Real error) { return error <= result.allowed / 8; });
+    if (isClose) return result;
+    const std::vector<Real> spread = truth.spread(disturbance);
+    for (int i = 0; i < kCheckpoints; ++i) {
+        const Real allowed = floor + kUsual * (base / 8 + spread[i]);
+        if (last[i] <= allowed || result.isWrong) continue;
+        result.isWrong = true;
+        result.allowed = allowed;
+        char text[300];
+        std::snprintf(
+            text, sizeof text,
+            "after %d/%d of %.3g s %.3g m off; disturbances of its order make %.3g m; errors %.2g, %.2g, %.2g m "
+            "with steps of %.3g, %.3g, %.3g s",
+            i + 1, kCheckpoints, scene.duration(), static_cast<double>(last[i]), static_cast<double>(spread[i]),
+            static_cast<double>(result.errors[0]), static_cast<double>(result.errors[1]),
+            static_cast<double>(result.errors[2]), result.stepSizes[0], result.stepSizes[1], result.stepSizes[2]);
+        result.what = text;
+    }
+    return result;
+}
+
+} // namespace witness

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Does a stepper go where the law leads, at its order.
+#pragma once
+
+#include "brute_force.h"
+#include "case.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace witness {
+
+constexpr int kSizes = 3;
+constexpr int kCheckpoints = 4;
+
+/// How good a stepper says that it is: the power of the step size that its error follows. 0: none is left.
+struct Order {
+    int acrossImpacts;
+    int betweenImpacts;
+};
+/// accuracy.md, "How accurate each stepper is"; rk4 has its fourth order only where no contact does more than carry the
+/// ball, which these scenes don't promise. A stepper that isn't there is taken to be of first order.
+Order orderOf(const std::string &stepper);
+
+/// The motion by force, and how far it goes astray if it is disturbed a little.
+class Truth {
+public:
+    /// Empty if the brute force has no answer.
+    static std::optional<Truth> of(const Case &scene);
+
+    const std::vector<Motion> &motions() const { return m_motions; }
+    bool hasImpacts() const { return m_hasImpacts; }
+    /// How far each checkpoint moves if gravity and speed are off by the part `disturbance`, in a number of ways.
+    std::vector<Real> spread(Real disturbance) const;
+    /// What the brute force doesn't know itself.
+    Real ownError() const { return m_ownError; }
+    Real fastest() const { return m_fastest; }
+
+private:
+    explicit Truth(const Case &scene)
+        : m_scene(scene) {}
+    std::vector<Motion> run(const Law &law, Motion motion, Real tolerance) const;
+
+    const Case &m_scene;
+    std::vector<Motion> m_motions; ///< at the checkpoints, each a quarter of the time
+    bool m_hasImpacts = false;
+    Real m_ownError = 0;
+    Real m_fastest = 0;
+};
+
+struct Convergence {
+    double stepSizes[kSizes];
+    Real errors[kSizes]; ///< of the place at the worst checkpoint, m
+    Real allowed = 0;    ///< with the smallest steps
+    phys_status status = PHYS_OK;
+    std::string statusText;
+    bool isWrong = false;
+    std::string what;
+};
+
+Convergence converge(const phys_registry *registry, const std::string &stepper, const Case &scene, const Truth &truth);
+
+} // namespace witness

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: MIT
+// Steppers with one fault each, planted in a sound one: what the witness must find. The id says what is wrong.
+#include <physics/plugin.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <iterator>
+#include <vector>
+
+namespace {
+
+constexpr char kSound[] = "swept";
+
+struct Self {
+    phys_scene *scene = nullptr;
+    phys_stepper *sound = nullptr;
+    std::vector<phys_box> boxes;
+    double radius = 0.0;
+    uint64_t calls = 0;
+};
+
+/// All that a step is given.
+struct Step {
+    Self &self;
+    phys_params params;
+    double dt;
+    const phys_state &in;
+    phys_state &out;
+    phys_report *report;
+    phys_error *err;
+};
+
+phys_status soundStep(Step &step) {
+    return phys_step(step.self.sound, &step.params, step.dt, &step.in, &step.out, step.report, step.err);
+}
+
+void add(phys_vec3 &v, double factor, const phys_vec3 &w) {
+    v = {v.x + factor * w.x, v.y + factor * w.y, v.z + factor * w.z};
+}
+double dot(const phys_vec3 &a, const phys_vec3 &b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+std::vector<phys_contact> contactsAt(const Self &self, const phys_vec3 &place, double reach) {
+    std::array<phys_contact, 16> found{};
+    uint32_t count = 0;
+    phys_scene_contacts(self.scene, &place, reach, found.data(), found.size(), &count);
+    return {found.begin(), found.begin() + std::min<uint32_t>(count, found.size())};
+}
+
+// ------------------------------------------------------------------------------------------------ another law -- //
+
+phys_status halveWallFriction(Step &step) {
+    step.params.wall_friction /= 2;
+    return soundStep(step);
+}
+phys_status doubleFloorFriction(Step &step) {
+    step.params.sliding_friction *= 2;
+    return soundStep(step);
+}
+phys_status swapRestitutions(Step &step) {
+    std::swap(step.params.restitution_wall, step.params.restitution_floor);
+    return soundStep(step);
+}
+phys_status forgetResistance(Step &step) {
+    step.params.rolling_friction = 0;
+    return soundStep(step);
+}
+phys_status rollWithoutInertia(Step &step) { // the sliding block's acceleration, 1 instead of 5/7
+    step.params.gravity.x *= 1.4;
+    step.params.gravity.y *= 1.4;
+    return soundStep(step);
+}
+/// What leaves a wall leaves it as if its normal were turned by a thousandth.
+phys_status turnNormals(Step &step) {
+    const phys_status status = soundStep(step);
+    const phys_vec3 change = {step.out.velocity.x - step.in.velocity.x, step.out.velocity.y - step.in.velocity.y, 0};
+    const double most = 2 * std::hypot(step.params.gravity.x, step.params.gravity.y) * step.dt;
+    if (!status && std::hypot(change.x, change.y) > most) {
+        step.out.velocity.x -= 1e-3 * change.y;
+        step.out.velocity.y += 1e-3 * change.x;
+    }
+    return status;
+}
+
+// ------------------------------------------------------------------------------------------- broken invariants -- //
+
+phys_status gainEnergy(Step &step) {
+    const phys_status status = soundStep(step);
+    if (!status) add(step.out.velocity, 1e-6, step.out.velocity);
+    return status;
+}
+/// A hundred thousandth of the radius into the first box that the ball touches.
+phys_status endInside(Step &step) {
+    const phys_status status = soundStep(step);
+    if (status) return status;
+    const std::vector<phys_contact> contacts = contactsAt(step.self, step.out.position, 1e-9 * step.self.radius);
+    if (!contacts.empty()) add(step.out.position, -1e-5 * step.self.radius, contacts[0].normal);
+    return status;
+}
+/// The left isn't the right.
+phys_status preferRight(Step &step) {
+    const phys_status status = soundStep(step);
+    if (!status && step.out.velocity.x > 0) step.out.velocity.x = std::nextafter(step.out.velocity.x, 0);
+    return status;
+}
+phys_status preferX(Step &step) {
+    const phys_status status = soundStep(step);
+    if (!status) step.out.velocity.x *= 1 - 0x1p-52;
+    return status;
+}
+/// Slower beside the first box than beside all others.
+phys_status preferFirstBox(Step &step) {
+    const phys_status status = soundStep(step);
+    if (status) return status;
+    for (const phys_contact &contact : contactsAt(step.self, step.out.position, step.self.radius)) {
+        if (contact.box == 0) add(step.out.velocity, -1e-12, step.out.velocity);
+    }
+    return status;
+}
+phys_status countBoxes(Step &step) {
+    const phys_status status = soundStep(step);
+    if (status) return status;
+    add(step.out.velocity, -1e-12 * static_cast<double>(step.self.boxes.size()), step.out.velocity);
+    return status;
+}
+/// Below a speed in m/s the ball stands.
+phys_status stopByThreshold(Step &step) {
+    const phys_status status = soundStep(step);
+    if (!status && dot(step.out.velocity, step.out.velocity) < 1e-3) step.out.velocity = {0, 0, 0};
+    return status;
+}
+phys_status remember(Step &step) {
+    const phys_status status = soundStep(step);
+    if (!status && ++step.self.calls % 2 == 0) add(step.out.velocity, -1e-15, step.out.velocity);
+    return status;
+}
+phys_status obeyReport(Step &step) {
+    const phys_status status = soundStep(step);
+    if (!status && step.report) add(step.out.velocity, -1e-15, step.out.velocity);
+    return status;
+}
+phys_status claimLoss(Step &step) {
+    const phys_status status = soundStep(step);
+    if (!status && step.report) step.report->lost_impact -= 1.0;
+    return status;
+}
+phys_status claimRest(Step &step) {
+    const phys_status status = soundStep(step);
+    if (!status && dot(step.out.velocity, step.out.velocity) < 1e-2) step.out.flags |= PHYS_AT_REST;
+    return status;
+}
+/// Goes straight on where the step is long, whatever is in the way, and lands beside it.
+phys_status jump(Step &step) {
+    const double way = std::sqrt(dot(step.in.velocity, step.in.velocity)) * step.dt;
+    if (way < step.self.radius) return soundStep(step);
+    phys_vec3 ahead = step.in.position;
+    add(ahead, step.dt, step.in.velocity);
+    if (!contactsAt(step.self, ahead, 0).empty()) return soundStep(step);
+    step.out.position = ahead;
+    return PHYS_OK;
+}
+
+using StepFunction = phys_status(Step &);
+using KeepFunction = bool(const phys_box &, double floorTop);
+
+bool keepAll(const phys_box &, double) { return true; }
+bool keepWhatStandsOnTheFloor(const phys_box &box, double floorTop) {
+    return !(box.min.z > floorTop); // a roof is forgotten
+}
+/// As thin as it is, it can't matter.
+bool keepThick(const phys_box &box, double) {
+    return std::min({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z}) > 1e-5;
+}
+
+void destroy(void *pointer) {
+    Self *self = static_cast<Self *>(pointer);
+    phys_stepper_destroy(self->sound);
+    phys_scene_destroy(self->scene);
+    delete self;
+}
+
+template<KeepFunction *keep>
+phys_status create(const phys_scene_view *view, void **out, phys_error *err) {
+    Self *self = new Self;
+    self->radius = view->radius;
+    phys_scene_desc desc;
+    phys_scene_desc_init(&desc, sizeof desc);
+    desc.start = {0, 0, 1e3 * view->radius};
+    for (uint32_t i = 0; i < view->box_count; ++i) {
+        const phys_box &box = view->boxes[i];
+        if (keep(box, view->floor_top)) self->boxes.push_back(box);
+        if (box.max.z != view->floor_top) continue;
+        desc.start = {(box.min.x + box.max.x) / 2, (box.min.y + box.max.y) / 2, box.max.z + view->radius};
+    }
+    desc.boxes = self->boxes.data();
+    desc.box_count = static_cast<uint32_t>(self->boxes.size());
+    desc.radius = view->radius;
+    phys_status status = phys_scene_create(&desc, &self->scene, err);
+    if (!status) status = phys_stepper_create(nullptr, kSound, self->scene, &self->sound, err);
+    if (status) {
+        destroy(self);
+        return status;
+    }
+    *out = self;
+    return PHYS_OK;
+}
+
+template<StepFunction *function>
+phys_status step(void *self, const phys_params *params, double dt, const phys_state *in, phys_state *out,
+                 phys_report *report, phys_error *err) {
+    Step all{*static_cast<Self *>(self), *params, dt, *in, *out, report, err};
+    return function(all);
+}
+
+template<StepFunction *function, KeepFunction *keep = keepAll>
+constexpr phys_stepper_api doing(const char *id) {
+    return {sizeof(phys_stepper_api), 0,       id,     id, "1", "", nullptr, 0, 0, create<keep>, destroy,
+            step<function>,           nullptr, nullptr};
+}
+
+constexpr phys_stepper_api kTables[] = {
+    doing<soundStep>("sound"),
+    doing<halveWallFriction>("wall-friction-halved"),
+    doing<doubleFloorFriction>("floor-friction-doubled"),
+    doing<swapRestitutions>("restitution-of-the-other-feature"),
+    doing<forgetResistance>("resistance-forgotten"),
+    doing<rollWithoutInertia>("inertia-forgotten"),
+    doing<turnNormals>("normal-turned-1e-3"),
+    doing<soundStep, keepWhatStandsOnTheFloor>("roof-forgotten"),
+    doing<soundStep, keepThick>("thin-wall-forgotten"),
+    doing<gainEnergy>("energy-up-1e-6"),
+    doing<endInside>("ends-inside"),
+    doing<preferRight>("prefers-right"),
+    doing<preferX>("prefers-x"),
+    doing<preferFirstBox>("prefers-first-box"),
+    doing<countBoxes>("counts-boxes"),
+    doing<stopByThreshold>("stops-by-threshold"),
+    doing<remember>("remembers"),
+    doing<obeyReport>("obeys-report"),
+    doing<claimLoss>("claims-loss"),
+    doing<claimRest>("claims-rest"),
+    doing<jump>("jumps"),
+};
+constexpr size_t kCount = std::size(kTables);
+
+struct Pointers {
+    const phys_stepper_api *list[kCount];
+};
+constexpr Pointers pointers() {
+    Pointers pointers{};
+    for (size_t i = 0; i < kCount; ++i) pointers.list[i] = &kTables[i];
+    return pointers;
+}
+constexpr Pointers kPointers = pointers();
+
+} // namespace
+
+constinit const phys_plugin phys_plugin_entry = {PHYS_ABI_VERSION, sizeof(phys_plugin), kCount, 0, kPointers.list};

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Whether a way of bounded length leads from one place of the ball's centre to another without passing through a box.
+#pragma once
+
+#include "vector.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace witness {
+
+/// Where the centre can't be: each box swollen by the ball. These are boxes inside that shape, so that what they cut
+/// off is cut off: along one axis by R, along two by R/sqrt 2, along three by R/sqrt 3; less a margin for rounding.
+class FreeSpace {
+public:
+    FreeSpace(std::span<const phys_box> boxes, double radius);
+
+    /// False if every way from a to b that is no longer than `reach` passes through a box.
+    bool isReachable(const phys_vec3 &a, const phys_vec3 &b, double reach) const;
+
+private:
+    using Triple = std::array<double, 3>;
+    struct Block {
+        Triple low;
+        Triple high;
+    };
+
+    bool isStraightWayFree(const Triple &a, const Triple &b) const;
+    bool isFlooded(const Triple &a, const Triple &b, double reach) const;
+
+    std::vector<Block> m_blocks;
+};
+
+} // namespace witness

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "survey.h"
+
+#include "draw.h"
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+namespace witness {
+
+namespace {
+
+std::string nameOf(uint32_t model) { return model == PHYS_MODEL_RIGID ? "rigid" : "rolling"; }
+
+class Surveyor {
+public:
+    explicit Surveyor(const Plan &plan)
+        : m_plan(plan) {}
+
+    Survey run() {
+        const auto begin = std::chrono::steady_clock::now();
+        for (uint64_t seed = m_plan.firstSeed; m_survey.runs < m_plan.runs; ++seed) {
+            const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+            if (taken.count() > m_plan.seconds) break;
+            for (const size_t kind : m_plan.kinds) {
+                for (const uint32_t model : m_plan.models) runScene(kind, seed, model);
+            }
+        }
+        return m_survey;
+    }
+
+private:
+    void runScene(size_t kind, uint64_t seed, uint32_t model) {
+        const Case wild = drawCase(kind, seed, model);
+        for (const std::string &stepper : m_plan.steppers)
+            note(kind, wild, stepper, examine(m_plan.registry, stepper, wild));
+        if (!m_plan.withLaw || kinds()[kind] == "overlapping") return; // the law says nothing of an overlap
+        const Case tame = drawSmoothCase(kind, seed, model);
+        const std::optional<Truth> truth = Truth::of(tame);
+        if (!truth) ++m_survey.withoutAnswer;
+        if (!truth) return;
+        for (const std::string &stepper : m_plan.steppers) {
+            ++m_survey.rows[stepper + ' ' + nameOf(model)].compared;
+            note(kind, tame, stepper, judgeLaw(m_plan.registry, stepper, tame, *truth));
+        }
+    }
+
+    void note(size_t kind, const Case &scene, const std::string &stepper, const Verdict &verdict) {
+        const std::string model = nameOf(scene.params.model);
+        Row &row = m_survey.rows[stepper + ' ' + model];
+        ++row.runs;
+        ++m_survey.runs;
+        row.steps += verdict.steps;
+        row.slowest = std::max(row.slowest, verdict.seconds);
+        if (verdict.status) ++row.byStatus[phys_status_name(verdict.status)];
+        if (verdict.check.empty()) return;
+        if (m_plan.known.contain(stepper, model, kinds()[kind], verdict.check)) {
+            ++row.known;
+            return;
+        }
+        ++row.wrong;
+        ++m_survey.wrong;
+        ++row.byCheck[verdict.check];
+        const std::string id = stepper + ' ' + model + ' ' + kinds()[kind] + ' ' + verdict.check;
+        if (!m_seen.insert(id).second) return;
+        std::printf("FAIL %s: %s\n", id.c_str(), verdict.what.c_str());
+        std::printf(
+            "     %s, model %s: witness 1 --seed %s --kind %s --model %s --stepper %s --cases FOLDER shrinks it\n",
+            scene.name.c_str(), model.c_str(), scene.name.substr(scene.name.rfind('-') + 1).c_str(),
+            kinds()[kind].c_str(), model.c_str(), stepper.c_str());
+        std::fflush(stdout);
+        if (m_plan.caseFolder.empty()) return;
+        Case smallest = shrink(m_plan.registry, stepper, scene, verdict);
+        smallest.name = stepper + '-' + model + '-' + scene.name + '-' + verdict.check;
+        std::ofstream(m_plan.caseFolder + '/' + smallest.name + ".case") << textOf(smallest);
+    }
+
+    const Plan &m_plan;
+    Survey m_survey;
+    std::set<std::string> m_seen;
+};
+
+} // namespace
+
+KnownFaults::KnownFaults(const std::string &path) {
+    std::ifstream file(path);
+    if (!file) throw std::runtime_error(path + ": can't be read");
+    int number = 0;
+    for (std::string text; std::getline(file, text);) {
+        ++number;
+        std::istringstream line(text);
+        Fault fault;
+        std::string reason;
+        if (!(line >> fault.stepper) || fault.stepper[0] == '#') continue;
+        if (!(line >> fault.model >> fault.kind >> fault.check >> reason)) {
+            throw std::runtime_error(path + ':' + std::to_string(number) +
+                                     ": expected 'stepper model kind check reason'");
+        }
+        m_faults.push_back(fault);
+    }
+}
+
+bool KnownFaults::contain(const std::string &stepper, const std::string &model, const std::string &kind,
+                          const std::string &check) const {
+    const auto is = [](const std::string &pattern, const std::string &word) {
+        return pattern == "*" || pattern == word;
+    };
+    return std::any_of(m_faults.begin(), m_faults.end(), [&](const Fault &fault) {
+        return is(fault.stepper, stepper) && is(fault.model, model) && is(fault.kind, kind) && is(fault.check, check);
+    });
+}
+
+Survey survey(const Plan &plan) { return Surveyor(plan).run(); }
+
+void print(std::FILE *file, const Survey &survey) {
+    std::fprintf(file, "%-26s %8s %9s %8s %6s %6s  %s\n", "stepper model", "runs", "steps", "compared", "wrong",
+                 "known", "wrong by check; statuses; slowest step");
+    for (const auto &[name, row] : survey.rows) {
+        std::fprintf(file, "%-26s %8llu %9llu %8llu %6llu %6llu ", name.c_str(),
+                     static_cast<unsigned long long>(row.runs), static_cast<unsigned long long>(row.steps),
+                     static_cast<unsigned long long>(row.compared), static_cast<unsigned long long>(row.wrong),
+                     static_cast<unsigned long long>(row.known));
+        for (const auto &[check, count] : row.byCheck) {
+            std::fprintf(file, " %s %llu", check.c_str(), static_cast<unsigned long long>(count));
+        }
+        std::fprintf(file, ";");
+        for (const auto &[status, count] : row.byStatus) {
+            std::fprintf(file, " %s %llu", status.c_str() + 11, static_cast<unsigned long long>(count)); // PHYS_ERROR_
+        }
+        std::fprintf(file, "; %.3g s\n", row.slowest);
+    }
+    std::fprintf(file, "%s: %llu runs, %llu wrong, %llu scenes without an answer of the brute force\n",
+                 survey.wrong ? "FAIL" : "PASS", static_cast<unsigned long long>(survey.runs),
+                 static_cast<unsigned long long>(survey.wrong), static_cast<unsigned long long>(survey.withoutAnswer));
+}
+
+std::vector<std::string> stepperIds(const phys_registry *registry, uint32_t first) {
+    std::vector<std::string> ids;
+    phys_stepper_info info;
+    for (uint32_t i = first; phys_registry_info(registry, i, &info) == PHYS_OK; ++i) ids.push_back(info.id);
+    return ids;
+}
+
+} // namespace witness

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// Many scenes under many steppers, counted.
+#pragma once
+
+#include "judge.h"
+
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace witness {
+
+/// What steppers are known to do wrong, so that a run fails for new faults only: lines "stepper model kind check
+/// reason" with '*' for any.
+class KnownFaults {
+public:
+    KnownFaults() = default;
+    /// Throws std::runtime_error with file and line.
+    explicit KnownFaults(const std::string &path);
+    bool contain(const std::string &stepper, const std::string &model, const std::string &kind,
+                 const std::string &check) const;
+
+private:
+    struct Fault {
+        std::string stepper, model, kind, check;
+    };
+    std::vector<Fault> m_faults;
+};
+
+struct Plan {
+    const phys_registry *registry = nullptr;
+    std::vector<std::string> steppers;
+    std::vector<uint32_t> models = {PHYS_MODEL_ROLLING, PHYS_MODEL_RIGID};
+    std::vector<size_t> kinds;
+    uint64_t firstSeed = 1;
+    uint64_t runs = 0;      ///< scenes x steppers x models
+    bool withLaw = true;    ///< every tenth scene is held against the brute force
+    double seconds = 1e9;   ///< after which no new seed is begun
+    std::string caseFolder; ///< where to write failing cases, shrunk; "": they are named only
+    KnownFaults known;
+};
+
+struct Row {
+    uint64_t runs = 0;
+    uint64_t steps = 0;
+    uint64_t compared = 0; ///< with the brute force
+    uint64_t wrong = 0;
+    uint64_t known = 0;
+    std::map<std::string, uint64_t> byCheck;
+    std::map<std::string, uint64_t> byStatus;
+    double slowest = 0.0;
+};
+
+struct Survey {
+    std::map<std::string, Row> rows; ///< by "stepper model"
+    uint64_t runs = 0;
+    uint64_t wrong = 0; ///< and not known
+    uint64_t withoutAnswer = 0;
+};
+
+Survey survey(const Plan &plan);
+
+void print(std::FILE *file, const Survey &survey);
+
+/// All that a registry has: from `first` on.
+std::vector<std::string> stepperIds(const phys_registry *registry, uint32_t first = 0);
+
+} // namespace witness

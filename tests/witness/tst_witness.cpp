@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+// Is the witness itself right: its integrator against 25 digits, its geometry and its texts against what they say.
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "brute_force.h"
+#include "case.h"
+#include "draw.h"
+#include "free_space.h"
+#include "survey.h"
+
+#include <fstream>
+
+namespace {
+
+using namespace witness;
+
+const std::vector<Case> &references() {
+    static const std::vector<Case> kReferences = readCases(WITNESS_FOLDER "/references.cases");
+    return kReferences;
+}
+
+struct Miss {
+    Real place = 0;
+    Real velocity = 0;
+    bool isRestRight = true;
+};
+
+/// The largest differences from the samples of a reference.
+Miss missOf(const Case &scene, Real tolerance) {
+    BruteForce force(scene.boxes, scene.radius, tolerance);
+    Motion motion = {vectorOf(scene.start.position), vectorOf(scene.start.velocity), vectorOf(scene.start.spin)};
+    Miss miss;
+    Real time = 0;
+    Real begin = 0;
+    for (const Leg &leg : scene.legs) {
+        phys_params params = scene.params;
+        params.gravity = leg.gravity;
+        const Law law = lawOf(params, scene.radius);
+        const Real end = begin + leg.dt * leg.steps;
+        for (const Sample &sample : scene.samples) {
+            if (sample.time <= begin + 1e-12L || sample.time > end + 1e-12L) continue;
+            if (!force.run(law, sample.time - time, motion)) return {1, 1, false};
+            time = sample.time;
+            miss.place = std::max(miss.place, length(motion.place - sample.place));
+            miss.velocity = std::max({miss.velocity, length(motion.velocity - sample.velocity),
+                                      scene.radius * length(motion.spin - sample.spin)});
+            miss.isRestRight = miss.isRestRight && force.isAtRest(law, motion) == sample.isAtRest;
+        }
+        if (time < end && !force.run(law, end - time, motion)) return {1, 1, false};
+        time = begin = end;
+    }
+    return miss;
+}
+
+} // namespace
+
+class Witness : public QObject {
+    Q_OBJECT
+
+private slots:
+    void bruteForceConvergesToTheReferences_data();
+    void bruteForceConvergesToTheReferences();
+    void bruteForceNeverMakesEnergy();
+    void bruteForceFollowsTheMirror();
+    void aClosedWallCantBePassed();
+    void aWallWithAnEndCanBeWalkedAroundIfThereIsTime();
+    void aCaseReadsBackAsItWasWritten();
+    void aWrongLineOfACaseIsNamed();
+    void aKnownFaultIsMatchedByItsWords();
+    void theSameNumberDrawsTheSameScene();
+};
+
+void Witness::bruteForceConvergesToTheReferences_data() {
+    QTest::addColumn<int>("index");
+    for (size_t i = 0; i < references().size(); ++i) QTest::newRow(references()[i].name.c_str()) << int(i);
+}
+
+void Witness::bruteForceConvergesToTheReferences() {
+    QFETCH(int, index);
+    const Case &scene = references()[static_cast<size_t>(index)];
+    const Miss coarse = missOf(scene, 1e-7L);
+    const Miss fine = missOf(scene, 1e-13L);
+    const QByteArray figures = QByteArray::number(double(fine.place)) + " m, " +
+                               QByteArray::number(double(fine.velocity)) + " m/s; coarse " +
+                               QByteArray::number(double(coarse.place)) + " m";
+    QVERIFY2(fine.place < 1e-8L && fine.velocity < 1e-7L, figures);
+    QVERIFY2(fine.place <= coarse.place + 1e-9L, figures);
+    QVERIFY2(fine.isRestRight, "rest");
+}
+
+/// Over random scenes of all kinds: kinetic and potential energy after each hundredth of a second.
+void Witness::bruteForceNeverMakesEnergy() {
+    for (size_t kind = 0; kind < kinds().size(); ++kind) {
+        if (kinds()[kind] == "overlapping") continue;
+        const Case scene = drawSmoothCase(kind, 7, PHYS_MODEL_RIGID);
+        phys_params params = scene.params;
+        params.gravity = scene.legs[0].gravity;
+        const Law law = lawOf(params, scene.radius);
+        BruteForce force(scene.boxes, scene.radius);
+        Motion motion = {vectorOf(scene.start.position), vectorOf(scene.start.velocity), vectorOf(scene.start.spin)};
+        const auto energy = [&] {
+            const Real turning = scene.radius * length(motion.spin);
+            return dot(motion.velocity, motion.velocity) / 2 + turning * turning / 5 - dot(law.gravity, motion.place);
+        };
+        Real before = energy();
+        for (int i = 0; i < 10; ++i) {
+            QVERIFY(force.run(law, 0.01L, motion));
+            const Real after = energy();
+            QVERIFY2(after <= before + 1e-11L, (scene.name + ": " + std::to_string(double(after - before))).c_str());
+            before = after;
+        }
+    }
+}
+
+void Witness::bruteForceFollowsTheMirror() {
+    for (size_t kind = 0; kind < kinds().size(); ++kind) {
+        if (kinds()[kind] == "overlapping") continue;
+        const Case scene = drawSmoothCase(kind, 11, PHYS_MODEL_RIGID);
+        Case image = scene;
+        for (phys_box &box : image.boxes)
+            box = {{-box.max.x, box.min.y, box.min.z}, {-box.min.x, box.max.y, box.max.z}};
+        std::reverse(image.boxes.begin(), image.boxes.end());
+        Vector ends[2];
+        for (const bool isImage : {false, true}) {
+            const Case &one = isImage ? image : scene;
+            const Real sign = isImage ? -1 : 1;
+            phys_params params = scene.params;
+            params.gravity = scene.legs[0].gravity;
+            params.gravity.x *= double(sign);
+            const Vector v = vectorOf(scene.start.velocity);
+            const Vector w = vectorOf(scene.start.spin);
+            const Vector p = vectorOf(scene.start.position);
+            Motion motion = {{sign * p.x, p.y, p.z}, {sign * v.x, v.y, v.z}, {w.x, sign * w.y, sign * w.z}};
+            BruteForce force(one.boxes, one.radius);
+            QVERIFY(force.run(lawOf(params, one.radius), 0.05L, motion));
+            ends[isImage] = {sign * motion.place.x, motion.place.y, motion.place.z};
+        }
+        const Real off = length(ends[0] - ends[1]);
+        QVERIFY2(off < 1e-9L, (scene.name + ": " + std::to_string(double(off))).c_str());
+    }
+}
+
+void Witness::aClosedWallCantBePassed() {
+    const phys_box boxes[] = {{{0, -100, -100}, {0.001, 100, 100}}};
+    const FreeSpace space(boxes, 0.5);
+    QVERIFY(space.isReachable({-1, 0, 0}, {-2, 3, 0}, 10));
+    QVERIFY(!space.isReachable({-1, 0, 0}, {1, 0, 0}, 10));
+}
+
+void Witness::aWallWithAnEndCanBeWalkedAroundIfThereIsTime() {
+    const phys_box boxes[] = {{{0, -100, -100}, {0.001, 2, 100}}};
+    const FreeSpace space(boxes, 0.5);
+    QVERIFY(!space.isReachable({-1, 0, 0}, {1, 0, 0}, 2));
+    QVERIFY(space.isReachable({-1, 0, 0}, {1, 0, 0}, 3)); // past y = 2.5
+}
+
+void Witness::aCaseReadsBackAsItWasWritten() {
+    QTemporaryDir folder;
+    const std::string path = folder.filePath("a.case").toStdString();
+    for (size_t kind = 0; kind < kinds().size(); ++kind) {
+        Case scene = drawCase(kind, 3, PHYS_MODEL_RIGID);
+        scene.note = "two\nlines";
+        scene.check = "energy";
+        std::ofstream(path) << textOf(scene);
+        const std::vector<Case> read = readCases(path);
+        QCOMPARE(read.size(), size_t(1));
+        QCOMPARE(textOf(read[0]), textOf(scene));
+    }
+}
+
+void Witness::aWrongLineOfACaseIsNamed() {
+    QTemporaryDir folder;
+    const std::string path = folder.filePath("a.case").toStdString();
+    std::ofstream(path) << "case a\nradius 0,006\n";
+    try {
+        readCases(path);
+        QFAIL("read a wrong number");
+    } catch (const std::runtime_error &error) {
+        QCOMPARE(std::string(error.what()), path + ":2: expected a number, found '0,006'");
+    }
+}
+
+void Witness::aKnownFaultIsMatchedByItsWords() {
+    QTemporaryDir folder;
+    const std::string path = folder.filePath("known").toStdString();
+    std::ofstream(path) << "# comment\nexact * tiles inside floors are solid from above only\n";
+    const KnownFaults known(path);
+    QVERIFY(known.contain("exact", "rigid", "tiles", "inside"));
+    QVERIFY(!known.contain("exact", "rigid", "tiles", "law"));
+    QVERIFY(!known.contain("swept", "rigid", "tiles", "inside"));
+}
+
+void Witness::theSameNumberDrawsTheSameScene() {
+    QCOMPARE(textOf(drawCase(2, 5, PHYS_MODEL_RIGID)), textOf(drawCase(2, 5, PHYS_MODEL_RIGID)));
+    QVERIFY(textOf(drawCase(2, 5, PHYS_MODEL_RIGID)) != textOf(drawCase(2, 6, PHYS_MODEL_RIGID)));
+}
+
+QTEST_GUILESS_MAIN(Witness)
+#include "tst_witness.moc"

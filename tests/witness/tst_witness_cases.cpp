@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Scenes that once failed, shrunk: every stepper keeps every invariant in each, or the check that it names.
+#include <QDir>
+#include <QTest>
+
+#include "judge.h"
+#include "survey.h"
+
+class WitnessCases : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aCaseHolds_data();
+    void aCaseHolds();
+};
+
+void WitnessCases::aCaseHolds_data() {
+    QTest::addColumn<QByteArray>("path");
+    QTest::addColumn<QByteArray>("stepper");
+    const QDir folder(WITNESS_FOLDER "/seeds");
+    for (const QString &file : folder.entryList({"*.case"}, QDir::Files, QDir::Name)) {
+        for (const std::string &stepper : witness::stepperIds(nullptr)) {
+            const QByteArray tag = file.toUtf8() + ", " + stepper.c_str();
+            QTest::newRow(tag.constData()) << folder.filePath(file).toUtf8() << QByteArray(stepper.c_str());
+        }
+    }
+}
+
+void WitnessCases::aCaseHolds() {
+    QFETCH(QByteArray, path);
+    QFETCH(QByteArray, stepper);
+    for (const witness::Case &scene : witness::readCases(path.toStdString())) {
+        const witness::Verdict verdict = witness::judge(nullptr, stepper.toStdString(), scene);
+        QVERIFY2(verdict.check.empty(), (scene.name + ": " + verdict.check + ": " + verdict.what).c_str());
+    }
+}
+
+QTEST_GUILESS_MAIN(WitnessCases)
+#include "tst_witness_cases.moc"
