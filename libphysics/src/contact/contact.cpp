@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "contact/contact.h"
 
+#include "contact/near.h"
 #include "scene/nearest.h"
 
 #include <cmath>
@@ -42,22 +43,6 @@ void setCoefficients(const Setting &setting, Contact &contact) {
     contact.isGlued = contact.isTop && !setting.isRigid();
     contact.restitution = contact.isTop ? params.restitution_floor : params.restitution_wall;
     contact.friction = !setting.isRigid() ? 0.0 : contact.isTop ? params.sliding_friction : params.wall_friction;
-}
-
-/// Calls visit(box, number) for the boxes within `reach` of a centre.
-template<class Visit>
-void visitNear(const Scene &scene, const Vec3 &position, double reach, Visit visit) {
-    const auto solidCount = static_cast<uint32_t>(scene.solids.size());
-    const auto visitSolid = [&](uint32_t i) { visit(scene.solids[i], i); };
-    const auto visitFloor = [&](uint32_t i) { visit(scene.floors[i], solidCount + i); };
-    const Vec2 centre = inPlane(position);
-    if (!scene.needsGrid || reach > kCandidateReach * scene.radius) {
-        for (uint32_t i = 0; i < solidCount; ++i) visitSolid(i);
-    } else {
-        for (const uint32_t i : scene.solidsNear(centre.x, centre.y, true)) visitSolid(i);
-    }
-    if (scene.floors.size() == 1) return visitFloor(0);
-    scene.floorGrid.visitOverlapping(centre - reach, centre + reach, visitFloor);
 }
 
 } // namespace
@@ -121,14 +106,18 @@ bool Contacts::reverseTies() {
     return any;
 }
 
-void findContacts(const Setting &setting, const Vec3 &position, const Motion &motion, const Vec3 &way, Contacts &out) {
+bool findContacts(const Setting &setting, const Vec3 &position, const Motion &motion, const Vec3 &way, Contacts &out) {
     const Scene &scene = setting.scene;
-    const double tolerance = scene.tolerance;
-    const double reach = scene.radius + tolerance + glm::length(way);
+    const double tolerance = setting.tolerance;
+    const double touching = scene.radius + tolerance;
+    const double overlapping = scene.radius - tolerance;
+    const Vec3 end = position + way;
     out.clear();
+    bool isOutside = true;
     double negligible = -1.0; // not needed before something is near
-    visitNear(scene, position, reach, [&](const phys_box &box, uint32_t number) {
-        if (squaredDistance(box, position) > reach * reach) return;
+    visitNear(scene, position, touching + glm::length(way), [&](const phys_box &box, uint32_t number) {
+        const bool isTouched = squaredDistance(box, position) <= touching * touching;
+        if (!isTouched && squaredDistance(box, end) >= overlapping * overlapping) return;
         if (negligible < 0.0) negligible = negligibleSpeed(motion, scene.radius);
         Contact contact;
         Vec3 d;
@@ -140,23 +129,20 @@ void findContacts(const Setting &setting, const Vec3 &position, const Motion &mo
             contact.point[axis] = limited(position[axis], low, high);
         }
         const int outside = (d.x != 0.0) + (d.y != 0.0) + (d.z != 0.0);
-        if (outside == 0) return;
+        if (outside == 0) {
+            isOutside = false;
+            return;
+        }
         // A face's distance is exact: not rounded by a square root.
         const double distance = outside == 1 ? std::abs(d.x + d.y + d.z) : glm::length(d);
         contact.normal = d / distance;
         contact.gap = distance - scene.radius;
-        if (contact.gap > tolerance + std::max(0.0, -glm::dot(way, contact.normal))) return;
         contact.box = number;
         setCoefficients(setting, contact);
         out.add(contact, tolerance);
     });
     out.sort(motion, setting.gravity(), scene.radius);
-}
-
-uint32_t givenBox(const Scene &scene, const Contact &contact) {
-    const auto solidCount = static_cast<uint32_t>(scene.solids.size());
-    if (contact.box < solidCount) return scene.givenSolid(contact.box, contact.point);
-    return scene.givenFloor(contact.box - solidCount, contact.point);
+    return isOutside;
 }
 
 } // namespace phys

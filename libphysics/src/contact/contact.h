@@ -35,10 +35,11 @@ struct Contact {
     double gap;               ///< m; negative: overlaps
     std::array<int, 3> sides; ///< per axis: the centre lies below (-1), in (0) or above (+1) the box
     double restitution;
-    double friction; ///< 0 in the rolling model
-    bool isTop;      ///< a top face: carries the ball, which rolls on it
-    bool isGlued;    ///< a top face in the rolling model: the spin there follows the velocity
-    uint32_t box;    ///< a number for boxNumber
+    double restSpeed = 0.0; ///< m/s: slower approach doesn't bounce, but is part of lasting contact
+    double friction;        ///< 0 in the rolling model
+    bool isTop;             ///< a top face: carries the ball, which rolls on it
+    bool isGlued;           ///< a top face in the rolling model: the spin there follows the velocity
+    uint32_t box;           ///< its number in scene.boxes
 
     /// 1: a face, 2: an edge, 3: a corner.
     int axes() const { return std::abs(sides[0]) + std::abs(sides[1]) + std::abs(sides[2]); }
@@ -96,18 +97,21 @@ private:
 
 /// What decides about contacts besides the ball.
 struct Setting {
+    Setting(const Scene &ofScene, const phys_params &ofParams)
+        : scene(ofScene)
+        , params(ofParams)
+        , tolerance(ofScene.tolerance) {}
+
     const Scene &scene;
     const phys_params &params;
+    double tolerance; ///< m: gaps below it are none
 
     bool isRigid() const { return params.model == PHYS_MODEL_RIGID; }
     Vec3 gravity() const { return toVec(params.gravity); }
 };
 
-/// Finds what a ball at `position` touches, or would reach on a straight `way` (m), in the order of Contacts::sort.
-/// Boxes that the centre is inside are none: the ball must be pushed out of them first.
-void findContacts(const Setting &setting, const Vec3 &position, const Motion &motion, const Vec3 &way, Contacts &out);
-
-/// The given box that a contact was made of: what events call it.
-uint32_t givenBox(const Scene &scene, const Contact &contact);
+/// Finds what a ball at `position` touches, or would overlap after a `way` (m), in the order of Contacts::sort.
+/// False if the centre is inside a box: that is no contact, the ball must be pushed out first.
+bool findContacts(const Setting &setting, const Vec3 &position, const Motion &motion, const Vec3 &way, Contacts &out);
 
 } // namespace phys

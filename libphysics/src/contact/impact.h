@@ -16,8 +16,8 @@ struct Impacts {
     std::array<double, Contacts::kMost> approach{};
 };
 
-/// Gives contacts that approach their impulses, in rounds, until none does. Energy never rises; neither the order of
-/// contacts nor a mirror changes the result by a bit.
+/// Gives contacts that approach their impulses, in rounds, until none does: restitution holds above restSpeed only.
+/// Energy never rises; neither the order of contacts nor a mirror changes the result by a bit.
 Impacts resolveImpacts(const Contacts &contacts, double radius, Motion &motion);
 
 } // namespace phys

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "contact/push_out.h"
+
+#include "contact/contact.h"
+#include "contact/least_push.h"
+#include "contact/near.h"
+#include "scene/nearest.h"
+
+#include <cmath>
+
+namespace phys {
+
+namespace {
+
+/// More passes than this mean that there is no room this way.
+constexpr uint32_t kMostPasses = 32;
+
+/// Boxes that a ball overlaps at one place.
+struct Overlaps {
+    std::array<Push, Contacts::kMost> pushes;
+    uint32_t count = 0;
+    double depth = 0.0;
+    bool isCentreInside = false;
+
+    void add(const Nearest &nearest, double radius) {
+        const double overlap = radius - nearest.distance;
+        depth = std::max(depth, overlap);
+        isCentreInside = isCentreInside || nearest.feature == PHYS_FEATURE_INSIDE;
+        if (count < Contacts::kMost) pushes[count++] = {nearest.normal, overlap};
+    }
+};
+
+Overlaps overlapsAt(const Scene &scene, const Vec3 &position) {
+    Overlaps overlaps;
+    const double touching = scene.radius - scene.tolerance;
+    visitNear(scene, position, scene.radius, [&](const phys_box &box, uint32_t) {
+        if (squaredDistance(box, position) >= touching * touching) return;
+        overlaps.add(nearest(box, position), scene.radius);
+    });
+    // Mirrors and the numbering of boxes must not change the order.
+    std::sort(overlaps.pushes.begin(), overlaps.pushes.begin() + overlaps.count,
+              [](const Push &a, const Push &b) { return a.wanted > b.wanted; });
+    return overlaps;
+}
+
+/// The way along one axis (and one direction) to the next place with room for the ball.
+double wayOut(const Scene &scene, const Vec3 &start, int axis, double direction) {
+    const double touching = scene.radius - scene.tolerance;
+    Vec3 position = start;
+    // Each box in the way pushes the ball on to its far side; none can do so twice.
+    for (size_t i = 0; i <= scene.given.size(); ++i) {
+        double far = position[axis];
+        visitNear(scene, position, scene.radius, [&](const phys_box &box, uint32_t) {
+            if (squaredDistance(box, position) >= touching * touching) return;
+            Vec3 beside = position;
+            beside[axis] = limited(position[axis], (&box.min.x)[axis], (&box.max.x)[axis]);
+            const double across = squaredDistance(box, beside);
+            const double room = std::sqrt(std::max(0.0, scene.radius * scene.radius - across));
+            const double edge = direction > 0.0 ? (&box.max.x)[axis] + room : (&box.min.x)[axis] - room;
+            if ((edge - far) * direction > 0.0) far = edge;
+        });
+        if (far == position[axis]) return std::abs(position[axis] - start[axis]);
+        position[axis] = far;
+    }
+    return INFINITY;
+}
+
+/// Straight to the nearest place with room; equally near: -x, +x, -y, +y, -z, +z.
+bool escape(const Scene &scene, Vec3 &position) {
+    double nearest = INFINITY;
+    Vec3 place = position;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double direction : {-1.0, 1.0}) {
+            const double way = wayOut(scene, position, axis, direction);
+            if (way >= nearest) continue;
+            nearest = way;
+            place = position;
+            place[axis] += direction * way;
+        }
+    }
+    position = place;
+    return nearest < INFINITY;
+}
+
+} // namespace
+
+PushOut pushOut(const Scene &scene, Vec3 &position) {
+    PushOut result{true, 0, 0.0};
+    Vec3 place = position;
+    for (; result.passes < kMostPasses; ++result.passes) {
+        Overlaps overlaps = overlapsAt(scene, place);
+        result.depth = std::max(result.depth, overlaps.depth);
+        if (overlaps.count == 0) {
+            position = place;
+            return result;
+        }
+        if (overlaps.isCentreInside) {
+            result.isFree = result.passes == 0 && escape(scene, position);
+            result.passes = 1;
+            return result;
+        }
+        place += leastPush({overlaps.pushes.data(), overlaps.count}, 0.5 * scene.tolerance);
+    }
+    result.isFree = false;
+    return result;
+}
+
+} // namespace phys
