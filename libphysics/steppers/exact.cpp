@@ -68,7 +68,7 @@ phys_status step(void *self, const phys_params *params, double dt, const phys_st
 phys_status requirements(void *self, const phys_params *params, double dt, const phys_state *state,
                          phys_requirements *out, phys_error *) {
     const PlanInput input{static_cast<Exact *>(self)->board.scene(), *params, dt, *state};
-    describePlan(input, planStep(input, Bounce::Plain, true), *out);
+    describePlan(input, planStep(input, true), *out);
     char(&substeps)[120] = out->reasons[std::countr_zero(static_cast<uint32_t>(PHYS_STAGE_SUBSTEPS))];
     if (out->stages & PHYS_STAGE_SUBSTEPS) return PHYS_OK;
     writeText(substeps, sizeof substeps, "not needed: every event is found at its own time, whatever the step");

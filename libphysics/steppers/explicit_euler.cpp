@@ -9,7 +9,7 @@ namespace {
 
 /// model.md 10.1: the position moves with the old velocity.
 struct ExplicitEuler {
-    static constexpr Bounce kBounce = Bounce::Plain;
+    static constexpr Hold kHold = Hold::Explicit;
 
     template<class V>
     static Advance<V> advance(const Law<V> &law, const V &velocity, double h) {
@@ -20,6 +20,6 @@ struct ExplicitEuler {
 } // namespace
 
 constinit const phys_stepper_api kExplicitEuler = discreteStepper<ExplicitEuler>(
-    "explicit-euler", "Explicit Euler", "1", "A bad example to compare with: first order, and restless in contact.");
+    "explicit-euler", "Explicit Euler", "2", "A bad example to compare with: first order, and restless in contact.");
 
 } // namespace phys

@@ -9,7 +9,7 @@ namespace {
 
 /// model.md 10.1: the classical Runge-Kutta formula; positions come from the same four velocities.
 struct RungeKutta4 {
-    static constexpr Bounce kBounce = Bounce::EnergyCorrect;
+    static constexpr Hold kHold = Hold::SecondOrder;
 
     template<class V>
     static Advance<V> advance(const Law<V> &law, const V &v1, double h) {
@@ -28,6 +28,6 @@ struct RungeKutta4 {
 } // namespace
 
 constinit const phys_stepper_api kRk4 = discreteStepper<RungeKutta4>(
-    "rk4", "Runge-Kutta 4", "1", "Fourth order between impacts, first across them: order alone buys nothing there.");
+    "rk4", "Runge-Kutta 4", "2", "Fourth order between impacts, first across them: order alone buys nothing there.");
 
 } // namespace phys

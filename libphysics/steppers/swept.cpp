@@ -17,13 +17,10 @@ phys_status refuseEvents(phys_error *err) {
     return fail(err, PHYS_ERROR_EVENT_CAP, "this step has more than %u impacts: take a smaller dt", kEventCap);
 }
 
-/// Close beside a wall a sweep takes more than one phase, whose sum has other bits than one long step.
-constexpr int kRoomToGlide = 1;
-
 /// Sweeping takes the place of substeps, and no rest rule but the one for slow bounces applies.
 StepPlan planSweep(const PlanInput &input) {
-    StepPlan plan = planStep(input, Bounce::RestRule, true);
-    plan.bounce = Bounce::RestRule;
+    StepPlan plan = planStep(input, true);
+    plan.asReported = false;
     plan.stages |= PHYS_STAGE_SUBSTEPS;
     return plan;
 }
@@ -40,24 +37,23 @@ phys_status sweepStep(const PlanInput &input, phys_state &out, phys_report *repo
     Reporter reporter(report, in.time);
     reporter.substeps(1, 0);
     const StepPlan plan = planSweep(input);
-    DiscreteStep<VelocityVerlet> whole(scene, params, reporter, plan, dt);
+    DiscreteStep<VelocityVerlet> whole({scene, params}, reporter, plan, dt);
+    const StepContext context{{scene, params}, reporter};
 
     Ball before = loadBall(in);
-    before.supported = whole.supports(before);
+    if (!leaveOverlaps(context, before)) return refuseStuck(before.position, err);
+    if (before.velocity == Vec3(0.0) && whole.rests(before)) {
+        finishStep(whole, input, before, before, plan, reporter, out);
+        return PHYS_OK;
+    }
+    if (reporter.wanted()) before.supported = whole.supports(before);
     Sweep sweep(input, reporter, plan, before);
-    if (!sweep.leaveOverlaps()) return refuseStuck(before.position, err);
     for (uint32_t events = 0; !sweep.toNextEvent(); ++events) {
         if (events == kEventCap) return refuseEvents(err);
     }
-    if (!sweep.leaveOverlaps()) return refuseStuck(before.position, err);
-
-    const Ball &ball = sweep.ball();
-    uint64_t flags = whole.supports(ball) ? 0 : PHYS_AIRBORNE;
-    if (whole.rests(ball)) flags |= PHYS_AT_REST;
-    if (&out != &in) std::memcpy(out.orientation, in.orientation, sizeof out.orientation);
-    storeBall(scene, params, ball, flags, out);
-    if (plan.runs(PHYS_STAGE_ORIENTATION)) turn(before.spin, dt, out);
-    if (reporter.wanted()) reportTransitions(reporter, input, before, out);
+    Ball ball = sweep.ball();
+    if (!leaveOverlaps(context, ball)) return refuseStuck(before.position, err);
+    finishStep(whole, input, before, ball, plan, reporter, out);
     return PHYS_OK;
 }
 
@@ -65,8 +61,8 @@ phys_status step(void *self, const phys_params *params, double dt, const phys_st
                  phys_report *report, phys_error *err) {
     Clearing &clearing = *static_cast<Clearing *>(self);
     const PlanInput input{clearing.scene(), *params, dt, *in};
-    const bool glides = !report && (glide<VelocityVerlet, kRoomToGlide>(input, clearing, *out) ||
-                                    glideElsewhere<VelocityVerlet, kRoomToGlide>(input, clearing, *out));
+    const bool glides = !report && (stay(input, clearing, *out) || glide<VelocityVerlet>(input, clearing, *out) ||
+                                    glideElsewhere<VelocityVerlet>(input, clearing, *out));
     return glides ? PHYS_OK : sweepStep(input, *out, report, err);
 }
 
@@ -76,7 +72,7 @@ constinit const phys_stepper_api kSwept = {sizeof(phys_stepper_api),
                                            PHYS_STEPPER_BITS_EVERYWHERE,
                                            "swept",
                                            "Swept",
-                                           "1",
+                                           "2",
                                            "Second order throughout: every impact is found, moved to and reflected "
                                            "inside the step.",
                                            nullptr,

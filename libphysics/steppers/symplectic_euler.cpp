@@ -9,7 +9,7 @@ namespace {
 
 /// model.md 10.1: first the velocity, then the position with the new one.
 struct SymplecticEuler {
-    static constexpr Bounce kBounce = Bounce::RestRule;
+    static constexpr Hold kHold = Hold::Symplectic;
 
     template<class V>
     static Advance<V> advance(const Law<V> &law, const V &velocity, double h) {
@@ -21,6 +21,6 @@ struct SymplecticEuler {
 } // namespace
 
 constinit const phys_stepper_api kSymplecticEuler = discreteStepper<SymplecticEuler>(
-    "symplectic-euler", "Symplectic Euler", "1", "The default: the cheapest that is stable at rest; first order.");
+    "symplectic-euler", "Symplectic Euler", "2", "The default: the cheapest that is stable at rest; first order.");
 
 } // namespace phys

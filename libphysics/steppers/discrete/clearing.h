@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/pairs.h"
+#include "footing.h"
 #include "scene/scene.h"
 
 namespace phys {
@@ -12,9 +13,11 @@ namespace phys {
 class Clearing {
 public:
     explicit Clearing(const Scene &scene)
-        : m_scene(scene) {}
+        : m_scene(scene)
+        , m_footing(scene) {}
 
     const Scene &scene() const { return m_scene; }
+    LastFooting &footing() { return m_footing; }
 
     /// Whether a ball on the floor touches nothing wherever its centre is between two corners (m), and has the floor
     /// under it. May be false where that is so, but the rectangle that is kept doesn't show it.
@@ -27,6 +30,7 @@ public:
 
 private:
     const Scene &m_scene;
+    LastFooting m_footing;
     Vec2 m_low{INFINITY}, m_high{-INFINITY}; ///< holds nothing yet
 };
 

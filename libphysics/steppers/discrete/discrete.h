@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: MIT
-// A stepper of fixed substeps: move by the scheme's formula, then resolve overlaps (definition D of model.md 10).
-// A scheme is a struct with one function, its definition in the textbook:
+// A stepper of fixed substeps. Where nothing is near a substep is the scheme's formula; contacts follow the law of
+// contact (model.md 13.5). A scheme is a struct with its definition in the textbook, and how it goes on in contact:
 //
 //     template<class V> static Advance<V> advance(const Law<V> &law, const V &velocity, double h);
+//     static constexpr Hold kHold;
 #pragma once
 
 #include "base/error.h"
 #include "base/orientation.h"
+#include "between_walls.h"
+#include "contact/near.h"
+#include "contact_step.h"
+#include "overlap.h"
 #include "requirements.h"
+#include "scene/nearest.h"
 #include "shared/law.h"
-#include "surroundings.h"
-#include "wall_slide.h"
 
 #include <physics/plugin.h>
 
@@ -18,166 +22,239 @@
 
 namespace phys {
 
+/// Energy that a smooth motion takes, J/kg.
+struct SmoothLoss {
+    double rolling = 0.0;
+    double slip = 0.0;
+};
+
 template<class Scheme>
 class DiscreteStep {
 public:
-    DiscreteStep(const Scene &scene, const phys_params &params, Reporter &report, const StepPlan &plan, double h)
+    DiscreteStep(const Setting &setting, Reporter &report, const StepPlan &plan, double h)
         : m_plan(plan)
-        , m_context{scene, params, report, plan.bounce, params.model == PHYS_MODEL_RIGID, plan.runs(PHYS_STAGE_GRID),
-                    h} {}
+        , m_context{setting, report}
+        , m_h(h) {}
 
-    /// Whether the floor or a solid's flat top carries the ball.
-    bool supports(const Ball &ball) const { return isSupported(lookAround(m_context, ball.position), ball); }
+    /// Whether a top face carries the ball.
+    bool supports(const Ball &ball) const { return lookAround(ball).carrier; }
+
+    /// Whether the ball stays as it is.
+    bool rests(Ball &ball) const { return phys::rests(m_context, ball); }
 
     /// One substep that ends `after` seconds into the step. False if the ball is stuck.
     bool run(double after, Ball &ball) {
-        // It may have come down exactly on the floor with the last substep.
-        if (ball.velocity.z < 0.0 && isOnFloor(ball)) landAt(after - m_context.h, ball);
-        const Surroundings around = lookAround(m_context, ball.position);
-        const Ball before = ball;
-        const Vec3 drive = move(around, ball);
-        if (!ball.supported && fallsThroughFloor(before, ball)) landAt(after, ball);
-        const bool free = !canTouch(around, before, ball) || resolveOverlaps(m_context, before, drive, after, ball);
-        slaveSpin(ball);
-        return free;
+        const Around around = lookAround(ball);
+        Ball free = ball;
+        free.supported = around.carrier != nullptr;
+        const SmoothLoss loss = move(free);
+        const Vec3 way = free.position - ball.position;
+        if (m_plan.asReported) {
+            book(loss);
+            ball = free;
+            collideAsReported(m_context, m_h, after, ball);
+            return true;
+        }
+        if (!comesNear(around, ball, free)) {
+            book(loss);
+            ball = free;
+            return true;
+        }
+        return runInContact(after - m_h, way, ball);
     }
 
-    /// The smooth motion alone, as if there was nothing ahead. Returns the acceleration that drives it.
-    Vec3 move(const Surroundings &around, Ball &ball) {
-        ball.supported = isSupported(around, ball);
-        if (!ball.supported) return fly(ball);
+    /// The same where no box is within reach but the one that carries the ball: false, and nothing done, elsewhere.
+    bool runFarFromAnything(Ball &ball) {
+        const Around around = lookAround(ball);
+        Ball free = ball;
+        free.supported = around.carrier != nullptr;
+        const SmoothLoss loss = move(free);
+        const bool staysOn = !around.carrier || Scene::isOver(*around.carrier, free.position.x, free.position.y);
+        // The way may lead back: it stays in the triangle of its ends and this corner.
+        const Vec3 way = free.position - ball.position;
+        const Vec3 corner = 0.5 * m_h * ball.velocity;
+        if (!staysOn || !isFar(around, way) || !isFar(around, corner)) return false;
+        book(loss);
+        ball = free;
+        return true;
+    }
+
+    /// The smooth motion alone, as if there was nothing ahead.
+    SmoothLoss move(Ball &ball) {
+        if (!ball.supported) {
+            moveBy(flightLaw(m_context.params()), ball);
+            return {};
+        }
         ball.velocity.z = 0.0;
-        const Vec2 drive = m_context.rigid ? moveRigid(around, ball) : moveRolling(around, ball);
-        slaveSpin(ball);
-        return Vec3(drive, 0.0);
+        const phys_params &params = m_context.params();
+        const FloorContact contact = floorContact(params, m_context.radius(), inPlane(ball.velocity), ball.spin);
+        if (contact == FloorContact::Slips) return slipOn(ball);
+        return roll(contact, velocityLaw(contact, params), ball);
     }
 
-    /// Whether the ball stays as it is: v = 0 and the resistance holds what the walls leave, model.md 6.3.
-    bool rests(const Ball &ball) const {
-        if (ball.velocity != Vec3(0.0)) return false;
-        const Surroundings around = lookAround(m_context, ball.position);
-        if (!isSupported(around, ball)) return false;
-        const phys_params &params = m_context.params;
-        const bool frictionless = m_context.rigid && params.sliding_friction == 0.0;
-        if (m_context.rigid && !frictionless && inPlane(ball.spin) != Vec2(0.0)) return false;
-        const Law<Vec2> law = velocityLaw(frictionless ? FloorContact::Slides : FloorContact::Rolls, params);
-        const Vec2 drive = findPressing(m_context, around, ball, law.A).freePart(law.A);
-        // Where friction can't hold the ball, only walls that take the whole force can.
-        const double hold = m_context.rigid && !gripHolds(params) ? 0.0 : law.B;
-        return glm::dot(drive, drive) <= hold * hold;
+    /// The closed form where nothing but smooth upright walls are near a ball that rolls. False if it isn't that.
+    bool rollBetweenWalls(const Contacts &contacts, Ball &ball) {
+        const phys_params &params = m_context.params();
+        const double radius = m_context.radius();
+        std::optional<UprightWalls> walls = UprightWalls::find(m_context, contacts, ball);
+        if (!walls || params.gravity.z >= 0.0) return false;
+        const FloorContact contact = floorContact(params, radius, inPlane(ball.velocity), ball.spin);
+        if (contact == FloorContact::Slips) return false;
+        Law<Vec2> law = velocityLaw(contact, params);
+        Ball next = ball;
+        const std::optional<Vec2> drive = Scheme::kHold == Hold::SecondOrder
+                                              ? walls->keepDrive(law.A, m_context.scene().tolerance, next)
+                                              : walls->limitDrive(law.A, m_h, m_context.scene().tolerance, next);
+        if (!drive) return false;
+        const bool grips = m_context.isRigid() && contact == FloorContact::Rolls;
+        if (grips && glm::length(*drive) > 2.5 * params.sliding_friction * -params.gravity.z) return false;
+        const Vec2 taken = law.A - *drive;
+        law.A = *drive;
+        const SmoothLoss loss = roll(contact, law, next);
+        if (Scheme::kHold != Hold::SecondOrder) {
+            if (!walls->limitVelocity(taken, m_h, m_context.scene().tolerance, ball, next)) return false;
+            next.spin = spinAfter(contact, inPlane(next.velocity), next.spin, radius);
+        }
+        walls->arrive(m_context.scene(), next);
+        book(loss);
+        ball = next;
+        return true;
     }
 
 private:
-    bool isOnFloor(const Ball &ball) const {
-        const Scene &scene = m_context.scene;
+    struct Around {
+        const phys_box *carrier; ///< the box on whose top the ball lies, or nullptr
+        double nearestSquared;   ///< of the other boxes: square of the distance to the centre, m^2
+    };
+
+    Around lookAround(const Ball &ball) const {
+        const Scene &scene = m_context.scene();
         const Vec3 &p = ball.position;
-        return std::abs(p.z - scene.supportedZ) <= scene.tolerance && ball.velocity.z <= 0.0 && // false without a floor
-               scene.overFloor(p.x, p.y);
+        const bool mayRest = m_context.params().gravity.z < 0.0 && std::abs(ball.velocity.z) <= negligibleFall(ball);
+        Around around{nullptr, INFINITY};
+        visitNear(scene, p, kCandidateReach * scene.radius, [&](const phys_box &box, uint32_t) {
+            const bool carries = mayRest && std::abs(p.z - (box.max.z + scene.radius)) <= scene.tolerance &&
+                                 Scene::isOver(box, p.x, p.y);
+            if (carries)
+                around.carrier = &box;
+            else
+                around.nearestSquared = std::min(around.nearestSquared, squaredDistance(box, p));
+        });
+        return around;
     }
 
-    /// By what gravity presses the ball on.
-    bool isSupported(const Surroundings &around, const Ball &ball) const {
-        if (m_context.params.gravity.z >= 0.0 || ball.velocity.z > 0.0) return false;
-        return isOnFloor(ball) || carriedBySolid(m_context, around, ball.position);
+    /// Fall in a time too short to count.
+    double negligibleFall(const Ball &ball) const {
+        return ball.velocity.z == 0.0 ? 0.0 : negligibleSpeed(motionOf(ball), m_context.radius());
     }
 
-    /// In the rolling model the spin of a supported ball follows its velocity, model.md 2.1 R7.
-    void slaveSpin(Ball &ball) const {
-        if (!m_context.rigid && ball.supported) ball.spin = rollingSpin(inPlane(ball.velocity), m_context.scene.radius);
+    /// Whether nothing but what carries the ball is within the reach of its way.
+    bool isFar(const Around &around, const Vec3 &way) const {
+        const Scene &scene = m_context.scene();
+        const double reach = scene.radius + scene.tolerance + std::abs(way.x) + std::abs(way.y) + std::abs(way.z);
+        return reach <= kCandidateReach * scene.radius && reach * reach < around.nearestSquared;
     }
 
-    /// Leaves out the search for overlaps where the ball has not come as far as the nearest box was away.
-    bool canTouch(const Surroundings &around, const Ball &before, const Ball &ball) const {
-        if (m_plan.runs(PHYS_STAGE_SUBSTEPS) || !ball.supported) return true;
-        const double radius = m_context.scene.radius;
-        const Vec2 moved = inPlane(ball.position) - inPlane(before.position);
-        const double reach = radius + std::abs(moved.x) + std::abs(moved.y);
-        return reach > kCandidateReach * radius || reach * reach >= around.nearestSquared;
+    /// Whether the ball touches anything but what carries it, or would overlap it at the end.
+    bool comesNear(const Around &around, const Ball &ball, const Ball &free) const {
+        const Scene &scene = m_context.scene();
+        const double touching = scene.radius + scene.tolerance;
+        if (around.nearestSquared <= touching * touching) return true;
+        if (!m_plan.runs(PHYS_STAGE_SUBSTEPS) && isFar(around, free.position - ball.position)) return false;
+        const double overlapping = scene.radius - scene.tolerance;
+        bool overlaps = false;
+        visitNear(scene, free.position, scene.radius, [&](const phys_box &box, uint32_t) {
+            overlaps = overlaps || squaredDistance(box, free.position) < overlapping * overlapping;
+        });
+        return overlaps;
     }
 
-    Vec2 moveRolling(const Surroundings &around, Ball &ball) {
-        const Law<Vec2> law = rollingLaw(m_context.params);
-        roll(around, law, ball);
-        return law.A;
-    }
-
-    bool touches(const Surroundings &around) const {
-        const double reach = m_context.scene.radius + m_context.scene.tolerance;
-        return around.nearestSquared <= reach * reach;
-    }
-
-    /// The law on the free directions; v = 0 stays 0 up to the stiction limit, the limit included: model.md 2.1 R4.
-    void roll(const Surroundings &around, Law<Vec2> law, Ball &ball) {
-        if (m_context.bounce != Bounce::Plain && touches(around)) {
-            law.A = findPressing(m_context, around, ball, law.A).freePart(law.A);
-        }
+    /// v = 0 stays 0 up to the stiction limit, the limit included: model.md 2.1 R4.
+    SmoothLoss roll(FloorContact contact, Law<Vec2> law, Ball &ball) {
         law.resists = m_plan.runs(PHYS_STAGE_RESISTANCE);
         const Vec2 velocity = inPlane(ball.velocity);
-        if (velocity == Vec2(0.0) && glm::dot(law.A, law.A) <= law.B * law.B) return;
         const Vec3 start = ball.position;
-        if (m_plan.runs(PHYS_STAGE_VERTICAL)) {
+        const bool stays = velocity == Vec2(0.0) && glm::dot(law.A, law.A) <= law.B * law.B;
+        if (stays) {
+            // nothing moves
+        } else if (m_plan.runs(PHYS_STAGE_VERTICAL)) {
             moveBy(Law<Vec3>{Vec3(law.A, 0.0), law.B, law.resists}, ball);
         } else {
-            const Advance<Vec2> next = Scheme::advance(law, velocity, m_context.h);
+            const Advance<Vec2> next = Scheme::advance(law, velocity, m_h);
             ball.velocity = Vec3(next.velocity, 0.0);
             ball.position += Vec3(next.displacement, 0.0);
         }
-        if (m_context.report.wanted()) m_context.report.lostRolling(1.4 * law.B * glm::length(ball.position - start));
+        const double spinAcross = m_context.isRigid() ? ball.spin.z : 0.0;
+        ball.spin =
+            spinAfter(contact, inPlane(ball.velocity), {ball.spin.x, ball.spin.y, spinAcross}, m_context.radius());
+        return {m_context.report.wanted() ? 1.4 * law.B * glm::length(ball.position - start) : 0.0, 0.0};
     }
 
     void moveBy(const Law<Vec3> &law, Ball &ball) const {
-        const Advance<Vec3> next = Scheme::advance(law, ball.velocity, m_context.h);
+        const Advance<Vec3> next = Scheme::advance(law, ball.velocity, m_h);
         ball.velocity = next.velocity;
         ball.position += next.displacement;
     }
 
-    Vec2 moveRigid(const Surroundings &around, Ball &ball) {
-        const phys_params &params = m_context.params;
-        const double radius = m_context.scene.radius;
-        const FloorContact contact = floorContact(params, radius, inPlane(ball.velocity), ball.spin);
-        const bool slips = contact == FloorContact::Slips;
-        const Law<Vec2> law = velocityLaw(contact, params);
-        const Vec2 drive = slips ? slippingDrive(ball, params, radius) : law.A;
-        const Pressing pressing = findPressing(m_context, around, ball, drive);
-        if (pressing.any() && (slips || params.wall_friction > 0.0)) {
-            ball.position += Vec3(slideAlongWalls(m_context, pressing, ball), 0.0);
-        } else if (slips) {
-            slipOn(ball);
-        } else {
-            roll(around, law, ball);
-            ball.spin = spinAfter(contact, inPlane(ball.velocity), ball.spin, radius);
-        }
-        return drive;
-    }
-
-    void slipOn(Ball &ball) {
-        const phys_params &params = m_context.params;
+    SmoothLoss slipOn(Ball &ball) {
+        const phys_params &params = m_context.params();
         double path = 0.0;
-        const Advance<Vec2> next = slip<Scheme>(params, m_context.scene.radius, m_context.h, inPlane(ball.velocity),
-                                                ball.spin, m_context.report.wanted() ? &path : nullptr);
+        const Advance<Vec2> next = slip<Scheme>(params, m_context.radius(), m_h, inPlane(ball.velocity), ball.spin,
+                                                m_context.report.wanted() ? &path : nullptr);
         ball.velocity = Vec3(next.velocity, 0.0);
         ball.position += Vec3(next.displacement, 0.0);
-        m_context.report.lostSlip(params.sliding_friction * -params.gravity.z * path);
+        return {0.0, params.sliding_friction * -params.gravity.z * path};
     }
 
-    Vec3 fly(Ball &ball) const {
-        const Law<Vec3> law = flightLaw(m_context.params);
-        moveBy(law, ball);
-        return law.A;
+    /// All contacts of the substep that begins `start` seconds into the step. way: the ball's without them.
+    [[gnu::noinline]] bool runInContact(double start, const Vec3 &way, Ball &ball) {
+        const Ball before = ball;
+        Contacts contacts;
+        lookAhead(m_context, ball, way, m_h, contacts);
+        SpinOnFloor spin(m_context, contacts, ball);
+        hit(m_context, contacts, start, ball);
+        spin.follow(contacts, ball);
+        if (rollBetweenWalls(contacts, ball)) {
+            spin.settle(true, ball);
+        } else {
+            keepContacts(contacts, ball);
+            if (contacts.empty()) {
+                moveBy(flightLaw(m_context.params()), ball);
+                spin.settle(false, ball);
+            } else {
+                spin.settle(hold(m_context, contacts, Scheme::kHold, m_h, ball), ball);
+            }
+        }
+        if (leaveOverlaps(m_context, ball)) return true;
+        // It doesn't fit where it was going. Where it came from it did, unless it started inside something.
+        ball = before;
+        ball.velocity = Vec3(0.0);
+        ball.spin = Vec3(0.0);
+        return leaveOverlaps(m_context, ball);
     }
 
-    void landAt(double after, Ball &ball) const {
-        land(m_context, landingSpeed(m_context, -ball.velocity.z), after, ball);
+    /// Order 2 keeps only the contacts that the ball doesn't leave; it may touch them with a speed that is none.
+    void keepContacts(Contacts &contacts, Ball &ball) const {
+        if (Scheme::kHold != Hold::SecondOrder) return;
+        NormalSpan kept;
+        contacts.drop([&](const Contact &contact) {
+            const double speed = glm::dot(ball.velocity, contact.normal);
+            const bool isTouched = contact.gap <= m_context.scene().tolerance;
+            if (speed > 0.0 && (!isTouched || speed > contact.restSpeed)) return true;
+            if (isTouched) kept.add(contact.normal);
+            return false;
+        });
+        ball.velocity = kept.across(ball.velocity);
     }
 
-    bool fallsThroughFloor(const Ball &before, const Ball &ball) const {
-        const Scene &scene = m_context.scene;
-        return before.position.z >= scene.supportedZ && ball.position.z < scene.supportedZ && // false without a floor
-               scene.overFloor(ball.position.x, ball.position.y);
+    void book(const SmoothLoss &loss) const {
+        m_context.report.lostRolling(loss.rolling);
+        m_context.report.lostSlip(loss.slip);
     }
 
     StepPlan m_plan;
     StepContext m_context;
+    double m_h;
 };
 
 } // namespace phys

@@ -9,8 +9,29 @@
 
 namespace phys {
 
+/// The cheapest step: a ball that stands still stays where it is, as the full step would find too. False, with `out`
+/// untouched, if the ball moves or may begin to.
+[[gnu::always_inline]] inline bool stay(const PlanInput &input, Clearing &clearing, phys_state &out) {
+    if (input.params.options != 0 || input.params.stepper[0] != 0.0) return false;
+    const phys_state &in = input.state;
+    const bool isStill = in.velocity.x == 0.0 && in.velocity.y == 0.0 && in.velocity.z == 0.0 && in.spin.x == 0.0 &&
+                         in.spin.y == 0.0 && in.spin.z == 0.0;
+    if (!isStill || !clearing.footing().holds(input.params, in.position)) return false;
+    const phys_box &bounds = input.scene.bounds;
+    const bool isInside = in.position.x >= bounds.min.x && in.position.x <= bounds.max.x &&
+                          in.position.y >= bounds.min.y && in.position.y <= bounds.max.y;
+    if (&out != &in) {
+        out.position = in.position;
+        std::memcpy(out.orientation, in.orientation, sizeof out.orientation);
+    }
+    storeVector(0.0, 0.0, 0.0, &out.velocity.x);
+    storeVector(0.0, 0.0, 0.0, &out.spin.x);
+    out.flags = isInside ? PHYS_AT_REST : PHYS_AT_REST | PHYS_OUT;
+    return true;
+}
+
 /// Whether the step may be one free roll, slide or slip on the floor: one substep, no option.
-inline bool mayGlide(const PlanInput &input) { return input.params.options == 0 && isSlow(input); }
+inline bool mayGlide(const PlanInput &input) { return input.params.options == 0 && isSlow(input) && !spinsFast(input); }
 
 /// Ends a step that nothing interfered with. False, with `out` untouched, if something might have: a box near the way,
 /// or a ball that stays at rest or comes to rest, which needs to be told why. kRoom: how many lengths of the way must

@@ -15,6 +15,14 @@ void say(phys_requirements &out, int index, const char *format, Part... part) {
     writeText(out.reasons[index], sizeof out.reasons[index], format, part...);
 }
 
+/// Whether the ball rolls on a floor box that is all there is, and stays on it.
+bool staysOnOneFloor(const PlanInput &input, double reach) {
+    if (!input.isOnFloor() || input.scene.boxes.size() != 1) return false;
+    const phys_box &floor = input.scene.boxes.front();
+    const phys_vec3 &p = input.state.position;
+    return Scene::isOver(floor, p.x - reach, p.y - reach) && Scene::isOver(floor, p.x + reach, p.y + reach);
+}
+
 /// Whether the ball's way lies wholly outside the bounds of all boxes, as when it has fallen off the board.
 bool passesBy(const PlanInput &input) {
     const Vec3 from = toVec(input.state.position);
@@ -42,8 +50,10 @@ double substepsNeeded(const PlanInput &input) {
     const Scene &scene = input.scene;
     const double safe = 0.5 * scene.radius;
     const double reach = reachOfStep(input);
-    if (reach <= safe || scene.solids.empty() || passesBy(input)) return 1.0;
-    return std::ceil(reach / safe);
+    if (staysOnOneFloor(input, reach) || passesBy(input)) return 1.0;
+    const double forWay = reach <= safe ? 1.0 : std::ceil(reach / safe);
+    const double spin = glm::length(toVec(input.state.spin));
+    return spinsFast(input) ? std::max(forWay, std::ceil(spin * input.dt / kSafeTurn)) : forWay;
 }
 
 void describePlan(const PlanInput &input, const StepPlan &plan, phys_requirements &out) {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "floor_contact.h"
-#include "surroundings.h"
+#include "scene/scene.h"
 
 #include <cstdint>
 
@@ -14,7 +14,7 @@ inline constexpr uint32_t kSubstepCap = 10'000;
 
 /// What one step runs.
 struct StepPlan {
-    Bounce bounce;
+    bool asReported; ///< textbook collisions: definition D of model.md 10 as it is, without substeps
     uint32_t stages; ///< PHYS_STAGE_* bits
     double substeps; ///< 1, 2, ...; more than kSubstepCap: refused
 
@@ -61,15 +61,25 @@ inline bool isSlow(const PlanInput &input) {
     return (std::abs(v.x) + std::abs(v.y) + drive * input.dt) * input.dt <= 0.5 * input.scene.radius;
 }
 
+/// Friction may turn the spin of so many radians into a way of a quarter of the radius: 2/7 of it is speed.
+inline constexpr double kSafeTurn = 0.875;
+
+/// Whether a contact may turn spin into speed that the ball's own speed doesn't show; never for a ball that rolls and
+/// is slow.
+inline bool spinsFast(const PlanInput &input) {
+    if (input.params.model != PHYS_MODEL_RIGID) return false;
+    const Vec3 turn = input.dt * toVec(input.state.spin);
+    return glm::dot(turn, turn) > kSafeTurn * kSafeTurn;
+}
+
 /// Slip is part of the rigid model rather than of a scene: the rolling model has none to force.
 inline constexpr uint32_t kForcibleStages = ((1U << PHYS_STAGE_COUNT) - 1U) & ~static_cast<uint32_t>(PHYS_STAGE_SLIP);
 
-/// bounce: the stepper's own; asReported: without cures and without substeps (definition D of model.md 10 as it is).
-inline StepPlan planStep(const PlanInput &input, Bounce bounce, bool asReported) {
+inline StepPlan planStep(const PlanInput &input, bool asReported) {
     const auto stage = [](bool runs, uint32_t bit) { return runs ? bit : 0U; };
     const phys_params &params = input.params;
-    StepPlan plan{asReported ? Bounce::Plain : bounce, 0, 1.0};
-    if (!asReported && !isSlow(input)) plan.substeps = substepsNeeded(input);
+    StepPlan plan{asReported, 0, 1.0};
+    if (!asReported && (!isSlow(input) || spinsFast(input))) plan.substeps = substepsNeeded(input);
     plan.stages =
         stage(!input.isOnFloor() || !input.isPlanar(), PHYS_STAGE_VERTICAL) |
         stage(plan.substeps > 1.0, PHYS_STAGE_SUBSTEPS) | stage(params.rolling_friction > 0.0, PHYS_STAGE_RESISTANCE) |

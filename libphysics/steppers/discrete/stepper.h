@@ -46,6 +46,19 @@ void deleteClearing(void *self);
 phys_status refuseSubsteps(double substeps, phys_error *err);
 phys_status refuseStuck(const Vec3 &position, phys_error *err);
 
+/// Stores the ball after its last substep, with the flags that follow from it and the events that only show now.
+template<class Scheme>
+void finishStep(const DiscreteStep<Scheme> &substep, const PlanInput &input, const Ball &before, Ball &ball,
+                const StepPlan &plan, Reporter &reporter, phys_state &out) {
+    const bool mayRest = !plan.asReported || ball.velocity == Vec3(0.0);
+    uint64_t flags = mayRest && substep.rests(ball) ? PHYS_AT_REST : 0;
+    if (!substep.supports(ball)) flags |= PHYS_AIRBORNE;
+    if (&out != &input.state) std::memcpy(out.orientation, input.state.orientation, sizeof out.orientation);
+    storeBall(input.scene, input.params, ball, flags, out);
+    if (plan.runs(PHYS_STAGE_ORIENTATION)) turn(before.spin, input.dt, out);
+    if (reporter.wanted()) reportTransitions(reporter, input, before, out);
+}
+
 template<class Scheme>
 struct DiscreteStepper {
     static phys_status requirements(void *self, const phys_params *params, double dt, const phys_state *state,
@@ -69,7 +82,7 @@ private:
         Clearing &clearing = *static_cast<Clearing *>(self);
         const Scene &scene = clearing.scene();
         const PlanInput input{scene, *params, dt, *in};
-        if (!report && glideElsewhere<Scheme>(input, clearing, *out)) return PHYS_OK;
+        if (!report && (stay(input, clearing, *out) || glideElsewhere<Scheme>(input, clearing, *out))) return PHYS_OK;
         const StepPlan stepPlan = plan(input);
         if (stepPlan.substeps > kSubstepCap) return refuseSubsteps(stepPlan.substeps, err);
 
@@ -77,24 +90,23 @@ private:
         const double h = dt / stepPlan.substeps;
         Reporter reporter(report, in->time);
         reporter.substeps(substeps, kSubstepCap);
-        DiscreteStep<Scheme> substep(scene, *params, reporter, stepPlan, h);
+        DiscreteStep<Scheme> substep({scene, *params}, reporter, stepPlan, h);
 
         Ball before = loadBall(*in);
+        if (!stepPlan.asReported && before.velocity == Vec3(0.0) && substep.rests(before)) {
+            finishStep(substep, input, before, before, stepPlan, reporter, *out);
+            return PHYS_OK;
+        }
         if (reporter.wanted()) before.supported = substep.supports(before);
         Ball ball = before;
         for (uint32_t i = 1; i <= substeps; ++i) {
             if (!substep.run(i * h, ball)) return refuseStuck(before.position, err);
         }
-        uint64_t flags = substep.supports(ball) ? 0 : PHYS_AIRBORNE;
-        if (substep.rests(ball)) flags |= PHYS_AT_REST;
-        if (out != in) std::memcpy(out->orientation, in->orientation, sizeof out->orientation);
-        storeBall(scene, *params, ball, flags, *out);
-        if (stepPlan.runs(PHYS_STAGE_ORIENTATION)) turn(before.spin, dt, *out);
-        if (reporter.wanted()) reportTransitions(reporter, input, before, *out);
+        finishStep(substep, input, before, ball, stepPlan, reporter, *out);
         return PHYS_OK;
     }
 
-    static StepPlan plan(const PlanInput &input) { return planStep(input, Scheme::kBounce, asReported(input.params)); }
+    static StepPlan plan(const PlanInput &input) { return planStep(input, asReported(input.params)); }
 };
 
 /// A stepper's table: id, name, version, summary, and the rest from its scheme.

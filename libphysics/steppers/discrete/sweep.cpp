@@ -2,67 +2,59 @@
 #include "sweep.h"
 
 #include <cmath>
-#include <limits>
 
 namespace phys {
 
 namespace {
 
-/// Speeds along a normal below this share of the speed are rounding: model.md 5.5.
-constexpr double kNoSpeed = 1e-14;
+/// Speeds below this share of sqrt(g R) along a normal don't leave a contact.
+constexpr double kSlow = 1e-11;
 
-/// Bounces that rise less than this share of the radius end in contact: model.md 6.4. Far below the scheme's error.
-constexpr double kNoBounce = 1e-9;
+/// Bisection alone would take 53.
+constexpr int kMostRefinements = 80;
 
-/// Advancement converges quadratically, or halves the gap when grazing: model.md 5.2.
-constexpr int kMostAdvances = 200;
-
-constexpr uint32_t kMostPasses = 64;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// Bound of the acceleration in any phase of this step: model.md 5.2.
-double mostAcceleration(const phys_params &params, bool supported) {
-    const Vec3 gravity = toVec(params.gravity);
-    if (!supported) return glm::length(gravity);
-    const double friction = std::max(params.rolling_friction, params.sliding_friction);
-    return glm::length(inPlane(gravity)) + friction * -gravity.z;
+/// A contact that was just settled may be a few roundings away.
+Setting withTolerance(Setting setting) {
+    setting.tolerance = 2.0 * setting.scene.tolerance;
+    return setting;
 }
 
-/// Time for which a gap that changes at `rate` can't close: model.md 5.2.
-double safeTime(double gap, double rate, double acceleration) {
-    if (gap == 0.0) return acceleration > 0.0 ? 2.0 * rate / acceleration : kInfinity;
-    const double divisor = -rate + std::sqrt(rate * rate + 2.0 * acceleration * gap);
-    return divisor > 0.0 ? 2.0 * gap / divisor : kInfinity;
+/// The time in which a ball moves by half its radius at most, and by a quarter more if friction makes speed of its
+/// spin, s.
+double safeTime(const PlanInput &input, const Ball &ball) {
+    const double safe = 0.5 * input.scene.radius;
+    const double speed = glm::length(ball.velocity);
+    const double gravity = glm::length(toVec(input.params.gravity));
+    const double root = speed + std::sqrt(speed * speed + 4.0 * gravity * safe);
+    const double forWay = root > 0.0 ? 2.0 * safe / root : INFINITY;
+    const double spin = input.params.model == PHYS_MODEL_RIGID ? glm::length(ball.spin) : 0.0;
+    return spin > 0.0 ? std::min(forWay, kSafeTurn / spin) : forWay;
 }
-
-double size(const Vec3 &v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
 } // namespace
 
 Sweep::Sweep(const PlanInput &input, Reporter &reporter, const StepPlan &plan, const Ball &start)
-    : m_context{input.scene,
-                input.params,
-                reporter,
-                plan.bounce,
-                input.params.model == PHYS_MODEL_RIGID,
-                plan.runs(PHYS_STAGE_GRID),
-                input.dt}
-    , m_input(input)
+    : m_input(input)
     , m_plan(plan)
-    , m_ball(start)
-    , m_around(lookAround(m_context, start.position))
-    , m_mostAcceleration(mostAcceleration(input.params, false)) {}
-
-bool Sweep::leaveOverlaps() {
-    const Ball before = m_ball;
-    return resolveOverlaps(m_context, before, m_drive, m_done, m_ball);
-}
+    , m_context{withTolerance({input.scene, input.params}), reporter}
+    , m_substep(std::min(input.dt, safeTime(input, start)))
+    , m_slow(kSlow * std::sqrt(glm::length(toVec(input.params.gravity)) * input.scene.radius))
+    , m_ball(start) {}
 
 Ball Sweep::at(double t, Reporter &reporter) const {
-    DiscreteStep<VelocityVerlet> step(m_input.scene, m_input.params, reporter, m_plan, t);
+    Step step(m_context.setting, reporter, m_plan, t);
     Ball ball = m_ball;
-    step.move(m_around, ball);
+    if (m_isAlone || m_contacts.empty()) {
+        ball.supported = m_isAlone;
+        const SmoothLoss loss = step.move(ball);
+        reporter.lostRolling(loss.rolling);
+        reporter.lostSlip(loss.slip);
+    } else if (!step.rollBetweenWalls(m_contacts, ball)) {
+        const StepContext context{m_context.setting, reporter};
+        ball.supported = hold(context, m_contacts, Hold::SecondOrder, t, ball);
+    } else {
+        ball.supported = true;
+    }
     return ball;
 }
 
@@ -71,180 +63,223 @@ Ball Sweep::at(double t) const {
     return at(t, silent);
 }
 
-template<class Predicate>
-double Sweep::firstTime(double horizon, Predicate happens) const {
-    double low = 0.0;
-    double high = horizon;
-    for (double middle = 0.5 * high; middle > low && middle < high; middle = 0.5 * (low + high)) {
-        (happens(at(middle)) ? high : low) = middle;
-    }
-    return high;
-}
-
 bool Sweep::toNextEvent() {
-    resolveImpacts();
-    const bool arrived = std::abs(m_ball.position.z - m_input.scene.supportedZ) <= m_input.scene.tolerance &&
-                         m_ball.velocity.z < 0.0 && m_input.scene.overFloor(m_ball.position.x, m_ball.position.y);
-    if (arrived) landNow();
+    if (advanceFreely()) return true;
     beginPhase();
     const double rest = m_input.dt - m_done;
-    const double horizon = endOfFaces(endOfSupport(rest));
-    bool impact = false;
-    const double t = timeOfImpact(horizon, impact);
-
-    const Ball before = m_ball;
-    m_ball = at(t, m_context.report);
+    const double t = firstEvent(timeToStop(std::min(rest, horizon())));
+    finishPhase(t);
     m_done = t == rest ? m_input.dt : m_done + t;
-    const bool lands = !m_ball.supported && before.position.z >= m_input.scene.supportedZ &&
-                       m_ball.position.z < m_input.scene.supportedZ &&
-                       m_input.scene.overFloor(m_ball.position.x, m_ball.position.y);
-    if (lands) landNow();
-    if (impact) resolveImpacts();
     return m_done >= m_input.dt;
 }
 
+/// The whole step where nothing is near.
+bool Sweep::advanceFreely() {
+    if (m_done > 0.0 || !isSlow(m_input) || spinsFast(m_input)) return false;
+    Step step(m_context.setting, m_context.report, m_plan, m_input.dt);
+    return step.runFarFromAnything(m_ball);
+}
+
 void Sweep::beginPhase() {
-    m_around = lookAround(m_context, m_ball.position);
-    Reporter silent(nullptr, 0.0);
-    DiscreteStep<VelocityVerlet> step(m_input.scene, m_input.params, silent, m_plan, m_input.dt - m_done);
-    Ball ball = m_ball;
-    m_drive = step.move(m_around, ball);
-    m_ball.supported = ball.supported;
-    m_mostAcceleration = mostAcceleration(m_input.params, m_ball.supported);
-
-    // What is touched and neither approached nor left stays out of the advancement, which it would stop: model.md 5.2.
-    // A pressing force ends a rise that nobody could see.
-    m_ignored.count = 0;
-    m_faces.count = 0;
-    const double touching = m_input.scene.radius + 2.0 * m_input.scene.tolerance;
-    const double slow = 2.0 * m_mostAcceleration * kNoBounce * m_input.scene.radius;
-    for (const uint32_t solid : m_around.candidates) {
-        const phys_box &box = m_input.scene.solids[solid];
-        if (squaredDistance(box, m_ball.position) > touching * touching) continue;
-        const Nearest contact = nearest(box, m_ball.position);
-        const Vec3 &normal = contact.normal;
-        const double rate = glm::dot(m_ball.velocity, normal);
-        if (rate > kNoSpeed * size(m_ball.velocity) && rate * rate > slow) continue;
-        m_ignored.add(solid);
-        if (glm::dot(m_drive, normal) >= 0.0) continue;
-        if (rate > 0.0) m_ball.velocity -= rate * normal;
-        if (contact.feature == PHYS_FEATURE_FACE) m_faces.add(solid);
-    }
-}
-
-std::span<const uint32_t> Sweep::candidatesWithin(double horizon) {
-    const Scene &scene = m_input.scene;
-    if (!m_context.useGrid) return scene.allSolids;
-    const double reach = (glm::length(m_ball.velocity) + 0.5 * m_mostAcceleration * horizon) * horizon;
-    const Vec2 centre = inPlane(m_ball.position);
-    const uint32_t count = scene.solidGrid.overlapping(centre - reach, centre + reach, m_buffer.numbers);
-    if (count > kMost) return scene.allSolids;
-    return {m_buffer.numbers.data(), count};
-}
-
-/// A ball rolls until its centre has left the floor, and flies until it comes down on one: model.md 2.1 R6.
-double Sweep::endOfSupport(double horizon) const {
-    const Scene &scene = m_input.scene;
-    const Ball end = at(horizon);
-    if (m_ball.supported) {
-        const auto leaves = [&](const Ball &ball) {
-            return !scene.overFloor(ball.position.x, ball.position.y) &&
-                   !carriedBySolid(m_context, m_around, ball.position);
-        };
-        return leaves(end) ? firstTime(horizon, leaves) : horizon;
-    }
-    const bool falls = m_ball.position.z >= scene.supportedZ && end.position.z < scene.supportedZ;
-    if (!falls) return horizon;
-    return firstTime(horizon, [&](const Ball &ball) { return ball.position.z < scene.supportedZ; });
-}
-
-/// A face holds the ball only as far as it goes: model.md 6.1.
-double Sweep::endOfFaces(double horizon) const {
-    const auto leaves = [&](const Ball &ball) {
-        return std::any_of(m_faces.numbers.begin(), m_faces.numbers.begin() + m_faces.count, [&](uint32_t solid) {
-            return nearest(m_input.scene.solids[solid], ball.position).feature == PHYS_FEATURE_EDGE;
-        });
+    const Setting &setting = m_context.setting;
+    const auto lookHere = [&] {
+        findContacts(setting, m_ball.position, motionOf(m_ball), Vec3(0.0), m_contacts);
+        const double share =
+            2.0 * m_substep * m_substep * std::sqrt(glm::length(setting.gravity()) / m_context.radius());
+        for (Contact &contact : m_contacts) {
+            contact.restSpeed = share * std::max(0.0, -glm::dot(setting.gravity(), contact.normal));
+        }
     };
-    if (m_faces.count == 0 || !leaves(at(horizon))) return horizon;
-    return firstTime(horizon, leaves);
+    lookHere();
+    SpinOnFloor spin(m_context, m_contacts, m_ball);
+    // The velocity decides on which side of a border the ball is.
+    if (hit(m_context, m_contacts, m_done, m_ball)) lookHere();
+    spin.follow(m_contacts, m_ball);
+    spin.settle(true, m_ball);
+    dropWhatIsLeft();
 }
 
-double Sweep::timeOfImpact(double horizon, bool &impact) {
-    const auto candidates = candidatesWithin(horizon);
-    double t = 0.0;
-    Ball ball = m_ball;
-    for (int i = 0; i < kMostAdvances; ++i) {
-        const double step = safeStep(ball, i == 0, candidates, impact);
-        if (impact) return t;
-        if (!(t + step < horizon)) return horizon;
-        t += step;
-        ball = at(t);
+/// Slow contacts last, from here on without any speed along their normals; those that the ball leaves are none.
+void Sweep::dropWhatIsLeft() {
+    const Vec3 velocity = m_ball.velocity;
+    const auto speed = [&](const Contact &contact) { return glm::dot(velocity, contact.normal); };
+    // Friction, too, may press so that a bounce doesn't rise above rounding.
+    const double hop = std::sqrt(2.0 * glm::length(m_context.setting.gravity()) * m_context.scene().tolerance);
+    m_contacts.drop([&](const Contact &contact) {
+        return speed(contact) > std::max({contact.restSpeed, m_slow, hop});
+    });
+    NormalSpan kept;
+    bool hasHops = false;
+    for (const Contact &contact : m_contacts) {
+        kept.add(contact.normal);
+        hasHops = hasHops || speed(contact) > contact.restSpeed;
     }
-    return t;
+    m_ball.velocity = kept.across(velocity);
+    if (hasHops) dropWhatNothingPresses(velocity);
+    for (const Contact &contact : m_contacts) {
+        if (contact.isFace()) snapToFace(m_context, contact, m_ball);
+    }
+    m_isAlone = m_contacts.count() == 1 && m_contacts[0].isTop && m_context.params().gravity.z < 0.0;
+    m_resists = !m_isAlone && m_context.params().rolling_friction > 0.0 && m_ball.velocity != Vec3(0.0) &&
+                std::any_of(m_contacts.begin(), m_contacts.end(), [](const Contact &contact) { return contact.isTop; });
 }
 
-double Sweep::safeStep(const Ball &ball, bool atStart, std::span<const uint32_t> candidates, bool &touches) const {
-    const Scene &scene = m_input.scene;
-    double step = kInfinity;
-    for (const uint32_t solid : candidates) {
-        if (m_ignored.has(solid)) continue;
-        const Nearest contact = nearest(scene.solids[solid], ball.position);
-        const double gap = contact.distance - scene.radius;
-        const bool near = gap <= scene.tolerance;
-        if (near && !atStart) {
-            touches = true;
-            return 0.0;
+/// Of contacts that the ball leaves slowly those stay that press if the ball doesn't leave them.
+void Sweep::dropWhatNothingPresses(const Vec3 &velocity) {
+    Ball trial = m_ball;
+    Reporter silent(nullptr, 0.0);
+    std::array<bool, Contacts::kMost> presses;
+    hold({m_context.setting, silent}, m_contacts, Hold::SecondOrder, m_substep, trial, presses);
+    NormalSpan kept;
+    const bool *pressing = presses.data();
+    m_contacts.drop([&](const Contact &contact) {
+        const double speed = glm::dot(velocity, contact.normal);
+        const bool lasts = *pressing++ || speed <= contact.restSpeed;
+        if (lasts) kept.add(contact.normal);
+        return !lasts && speed > m_slow;
+    });
+    m_ball.velocity = kept.across(velocity);
+}
+
+void Sweep::finishPhase(double t) {
+    m_ball = at(t, m_context.report);
+    if (t == m_stop) {
+        m_ball.velocity = Vec3(0.0);
+        m_ball.spin = Vec3(0.0, 0.0, m_context.isRigid() ? m_ball.spin.z : 0.0);
+    }
+    const bool isSlaved = m_ball.supported && !m_context.isRigid();
+    if (isSlaved) m_ball.spin = rollingSpin(inPlane(m_ball.velocity), m_context.radius());
+}
+
+/// When resistance stops the ball, if that is before `end`; the speed falls linearly up to there, within the order.
+double Sweep::timeToStop(double end) {
+    m_stop = INFINITY;
+    if (!m_resists) return end;
+    const Vec3 direction = glm::normalize(m_ball.velocity);
+    const double speed = glm::length(m_ball.velocity);
+    constexpr double kStopped = 1e-9;
+    double t = end;
+    double left = glm::dot(at(t).velocity, direction);
+    if (left > kStopped * speed) return end;
+    for (int i = 0; i < 60 && left <= kStopped * speed; ++i) left = glm::dot(at(t *= 0.5).velocity, direction);
+    m_stop = std::min(end, t * speed / (speed - left));
+    return m_stop;
+}
+
+/// How far this phase may be looked at in one piece, s.
+double Sweep::horizon() const {
+    const double rest = m_input.dt - m_done;
+    const bool isParabola = m_isAlone || m_contacts.empty();
+    for (double t = rest; isParabola && t > m_substep; t *= 0.5) {
+        if (isClear(t)) return t;
+    }
+    return std::min(rest, safeTime(m_input, m_ball));
+}
+
+/// Whether the box around the way of t seconds holds nothing but the face that the ball is on.
+bool Sweep::isClear(double t) const {
+    const Vec3 end = at(t).position;
+    const Vec3 corner = m_ball.position + 0.5 * t * m_ball.velocity; // of the triangle around a parabola
+    const double margin = m_context.radius() + 2.0 * m_context.scene().tolerance;
+    const Vec3 low = glm::min(corner, glm::min(m_ball.position, end));
+    const Vec3 high = glm::max(corner, glm::max(m_ball.position, end));
+    bool isClear = true;
+    m_context.scene().visitBoxes(low - margin, high + margin, [&](uint32_t i) {
+        const phys_box &box = m_context.scene().boxes[i];
+        const bool carries = holds(i) && Scene::isOver(box, low.x, low.y) && Scene::isOver(box, high.x, high.y);
+        isClear = isClear && carries;
+    });
+    return isClear;
+}
+
+bool Sweep::holds(uint32_t box) const {
+    return std::any_of(m_contacts.begin(), m_contacts.end(),
+                       [&](const Contact &contact) { return contact.box == box; });
+}
+
+/// Times at which the phase is looked at, up to its end: quarters, and where the ball turns back along an axis.
+Sweep::Looks Sweep::looks(double end) const {
+    Looks looks;
+    for (int quarter = 1; quarter <= 3; ++quarter) looks.add(0.25 * quarter * end);
+    const Vec3 change = at(end).velocity - m_ball.velocity;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double speed = m_ball.velocity[axis];
+        if (speed * (speed + change[axis]) < 0.0) looks.add(-speed / change[axis] * end);
+    }
+    looks.add(end);
+    return looks;
+}
+
+/// The first event of the phase, or its end.
+double Sweep::firstEvent(double end) const {
+    const Looks looks = this->looks(end);
+    double before = 0.0;
+    double lateBefore = NAN; // not needed before an event
+    for (uint32_t i = 0; i < looks.count; ++i) {
+        const double late = lateness(at(looks.times[i]));
+        if (late > m_context.scene().tolerance) {
+            return root(before, i == 0 ? lateness(m_ball) : lateBefore, looks.times[i], late);
         }
-        const double rate = glm::dot(ball.velocity, contact.normal);
-        step = std::min(step, safeTime(near ? 0.0 : gap, rate, m_mostAcceleration));
+        before = looks.times[i];
+        lateBefore = late;
     }
-    return step;
+    return end;
 }
 
-void Sweep::landNow() {
-    const double bounced = m_input.params.restitution_floor * -m_ball.velocity.z;
-    land(m_context, endsInContact(bounced, -m_input.params.gravity.z) ? 0.0 : bounced, m_done, m_ball);
-}
-
-/// Bounces that nobody could see end in contact: model.md 6.4.
-bool Sweep::endsInContact(double bounced, double pressing) const {
-    return pressing > 0.0 && bounced * bounced <= 2.0 * pressing * kNoBounce * m_input.scene.radius;
-}
-
-/// Most negative normal speed first, lowest number among equals: model.md 5.5.
-void Sweep::resolveImpacts() {
-    const Scene &scene = m_input.scene;
-    const double touching = scene.radius + 2.0 * scene.tolerance;
-    Pressing ended;
-    m_around = lookAround(m_context, m_ball.position);
-    for (uint32_t pass = 1; pass <= kMostPasses; ++pass) {
-        double most = -kNoSpeed * size(m_ball.velocity);
-        Nearest contact{};
-        uint32_t solid = PHYS_NO_BOX;
-        for (const uint32_t candidate : m_around.candidates) {
-            if (squaredDistance(scene.solids[candidate], m_ball.position) > touching * touching) continue;
-            const Nearest other = nearest(scene.solids[candidate], m_ball.position);
-            const double speed = glm::dot(m_ball.velocity, other.normal);
-            if (speed >= most) continue;
-            most = speed;
-            contact = other;
-            solid = candidate;
+/// Where lateness changes sign: the late end, within rounding. Regula falsi that halves what doesn't move.
+double Sweep::root(double before, double lateBefore, double after, double lateAfter) const {
+    // A ball that leaves a contact may begin within rounding on its wrong side.
+    const double base = std::max(0.0, lateness(m_ball));
+    lateBefore = std::min(lateBefore - base, 0.0);
+    lateAfter -= base;
+    const Vec3 &p = m_ball.position;
+    const double rounding = kRounding * std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    for (int i = 0; i < kMostRefinements && lateAfter > rounding; ++i) {
+        const bool usesSecant = lateBefore < 0.0 && i % 3 != 2;
+        const double share = usesSecant ? lateBefore / (lateBefore - lateAfter) : 0.5;
+        const double t = before + share * (after - before);
+        if (!(t > before && t < after)) break;
+        const double late = lateness(at(t)) - base;
+        if (late > 0.0) {
+            after = t;
+            lateAfter = late;
+            lateBefore *= 0.5;
+        } else {
+            before = t;
+            lateBefore = late;
         }
-        if (solid == PHYS_NO_BOX) break;
-        m_context.report.passes(pass);
-
-        const double bounced = restitutionOf(m_input.params, contact.normal) * -most;
-        const double pressing = -glm::dot(m_drive, contact.normal);
-        const bool ends = endsInContact(bounced, pressing);
-        if (ends && contact.normal.z == 0.0) ended.add(inPlane(contact.normal));
-        const uint32_t box = m_context.report.wanted() ? scene.givenSolid(solid, contact.point) : 0;
-        bounce(m_context, contact, box, PHYS_EVENT_IMPACT, ends ? 0.0 : bounced, m_done, m_ball);
-        // A rough wall lifts the ball; a hop that nobody could see is none, or hops and impacts would follow for ever.
-        const bool hops = m_ball.supported && m_ball.velocity.z > 0.0;
-        if (hops && endsInContact(m_ball.velocity.z, -m_input.params.gravity.z)) m_ball.velocity.z = 0.0;
-        settleSupport(m_context, m_ball);
     }
-    stopBetween(ended, m_ball);
+    return after;
+}
+
+/// How far (m) the ball is past the phase's first event: above 0, by more than rounding, once one has happened.
+double Sweep::lateness(const Ball &ball) const { return std::max(overlap(ball), beyondFeature(ball)); }
+
+/// Into a box that it isn't in contact with.
+double Sweep::overlap(const Ball &ball) const {
+    const Scene &scene = m_context.scene();
+    double nearest = INFINITY;
+    visitNear(scene, ball.position, scene.radius, [&](const phys_box &box, uint32_t number) {
+        if (!holds(number)) nearest = std::min(nearest, squaredDistance(box, ball.position));
+    });
+    return scene.radius - std::sqrt(nearest);
+}
+
+/// Past the end of a face or an edge that it is in contact with.
+double Sweep::beyondFeature(const Ball &ball) const {
+    double beyond = -INFINITY;
+    for (const Contact &contact : m_contacts) {
+        const phys_box &box = m_context.scene().boxes[contact.box];
+        for (int axis = 0; axis < 3; ++axis) {
+            const double below = (&box.min.x)[axis] - ball.position[axis];
+            const double above = ball.position[axis] - (&box.max.x)[axis];
+            const double outside = contact.sides[axis] < 0   ? -below
+                                   : contact.sides[axis] > 0 ? -above
+                                                             : std::max(below, above);
+            beyond = std::max(beyond, outside);
+        }
+    }
+    return beyond;
 }
 
 } // namespace phys

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// From impact to impact inside one step: second-order conservative advancement along the scheme's path, model.md 5.2.
+// From event to event inside one step: impacts, contacts that begin and end, stops; second order throughout, model.md
+// 13.5.
 #pragma once
 
-#include "requirements.h"
+#include "discrete.h"
 #include "velocity_verlet.h"
-
-#include <array>
 
 namespace phys {
 
@@ -16,25 +15,21 @@ public:
 
     const Ball &ball() const { return m_ball; }
 
-    /// Pushes a ball that overlaps boxes out of them; false if it can't be freed.
-    bool leaveOverlaps();
-
-    /// Moves to the next impact, landing or floor edge and lets it happen. True once the step's end is reached.
+    /// Moves to the next event and lets it happen. True once the step's end is reached.
     bool toNextEvent();
 
 private:
-    static constexpr uint32_t kMost = 64;
+    using Step = DiscreteStep<VelocityVerlet>;
 
-    /// A short list of solids without allocation.
-    struct Solids {
-        std::array<uint32_t, kMost> numbers;
+    /// Ascending times.
+    struct Looks {
+        std::array<double, 7> times;
         uint32_t count = 0;
 
-        void add(uint32_t solid) {
-            if (count < kMost) numbers[count++] = solid;
-        }
-        bool has(uint32_t solid) const {
-            return std::find(numbers.begin(), numbers.begin() + count, solid) != numbers.begin() + count;
+        void add(double time) {
+            uint32_t place = count++;
+            for (; place > 0 && times[place - 1] > time; --place) times[place] = times[place - 1];
+            times[place] = time;
         }
     };
 
@@ -42,31 +37,33 @@ private:
     Ball at(double t, Reporter &reporter) const;
     Ball at(double t) const;
 
-    /// First time in [0, horizon] at which `happens` (false at 0, true at horizon) is true.
-    template<class Predicate>
-    double firstTime(double horizon, Predicate happens) const;
-
+    bool advanceFreely();
     void beginPhase();
-    std::span<const uint32_t> candidatesWithin(double horizon);
-    double endOfSupport(double horizon) const;
-    double endOfFaces(double horizon) const;
-    double timeOfImpact(double horizon, bool &impact);
-    double safeStep(const Ball &ball, bool atStart, std::span<const uint32_t> candidates, bool &touches) const;
-    void resolveImpacts();
-    void landNow();
-    bool endsInContact(double bounced, double pressing) const;
+    void dropWhatIsLeft();
+    void dropWhatNothingPresses(const Vec3 &velocity);
+    void finishPhase(double t);
+    double timeToStop(double end);
+    double horizon() const;
+    bool isClear(double t) const;
+    Looks looks(double end) const;
+    double firstEvent(double end) const;
+    double root(double before, double lateBefore, double after, double lateAfter) const;
+    double lateness(const Ball &ball) const;
+    double overlap(const Ball &ball) const;
+    double beyondFeature(const Ball &ball) const;
+    bool holds(uint32_t box) const;
 
-    StepContext m_context;
     PlanInput m_input;
     StepPlan m_plan;
+    StepContext m_context;
+    double m_substep; ///< s: longest way in contact at a time
+    double m_slow;    ///< m/s: slower is none, for a contact that lasts
     Ball m_ball;
-    double m_done = 0.0;       ///< s of the step that lie behind the ball
-    Surroundings m_around;     ///< at the phase's start
-    Vec3 m_drive{0.0};         ///< acceleration at the phase's start, m/s^2
-    double m_mostAcceleration; ///< bound of |p''|, m/s^2
-    Solids m_ignored;          ///< touched at the phase's start without approaching
-    Solids m_faces;            ///< those of them on whose faces the ball leans
-    Solids m_buffer;
+    double m_done = 0.0;    ///< s of the step that lie behind the ball
+    Contacts m_contacts;    ///< the contacts of this phase
+    bool m_isAlone = false; ///< nothing but one top face is touched
+    bool m_resists = false; ///< resistance may stop the ball, beside other contacts
+    double m_stop = 0.0;    ///< s into the phase at which it does
 };
 
 } // namespace phys

@@ -8,7 +8,7 @@ namespace phys {
 
 /// model.md 10.1; the second force is taken at the predicted velocity, or the order falls to one with resistance.
 struct VelocityVerlet {
-    static constexpr Bounce kBounce = Bounce::EnergyCorrect;
+    static constexpr Hold kHold = Hold::SecondOrder;
 
     template<class V>
     static Advance<V> advance(const Law<V> &law, const V &velocity, double h) {

@@ -15,11 +15,6 @@ inline Expected always(const QByteArray &text) {
     return [text](const QByteArray &, uint32_t) { return text; };
 }
 
-/// The same of all but explicit Euler, which gains energy in contact: model.md 10.3.
-inline Expected unlessHeating(const QByteArray &text, const QByteArray &heating) {
-    return [=](const QByteArray &stepper, uint32_t) { return support::promiseOf(stepper).heats ? heating : text; };
-}
-
 /// Steppers of fixed substeps against those that find the impact inside the step.
 inline Expected bySubsteps(const QByteArray &withSubsteps, const QByteArray &without) {
     return [=](const QByteArray &stepper, uint32_t) {

@@ -180,10 +180,11 @@ void TestRestingContact::restsInContactWithoutMoving() {
 void TestRestingContact::comesToRestFromAFastBounce_data() {
     QTest::addColumn<QByteArray>("stepper");
     QTest::addColumn<int>("lastStep");
-    // Cure (b) alone; bounces by the map V -> 0.8 (V - {2V}) from 10.3, with steps 20, 35, 46, 54, 60 and 64, the last
-    // one to 1.32 < 2 * 0.8.
-    QTest::newRow("symplectic-euler rests with step 64") << QByteArray("symplectic-euler") << 64;
-    QTest::newRow("velocity-verlet rests with step 94") << QByteArray("velocity-verlet") << 94;
+    // A bounce happens at the start of the substep that would overlap the wall, while the approach is above 2 a dt:
+    // symplectic Euler loses a little in flight, Verlet keeps the energy, so that V -> 0.8 V from 10.3
+    // to 2.16 (model.md 13.5).
+    QTest::newRow("symplectic-euler rests with step 49") << QByteArray("symplectic-euler") << 49;
+    QTest::newRow("velocity-verlet rests with step 86") << QByteArray("velocity-verlet") << 86;
 }
 
 void TestRestingContact::comesToRestFromAFastBounce() {
@@ -206,7 +207,7 @@ void TestRestingContact::explicitEulerCyclesWhateverTheCures() {
     QVERIFY2(ball.stepTimes(4000, kDt), ball.error());
     const Bouncing seen = watch(ball, 500);
     QVERIFY2(seen.isDone, ball.error());
-    QVERIFY(seen.fastest > 4.0);
+    QVERIFY2(seen.fastest > 2.0, QByteArray::number(seen.fastest)); // faster than what the rest rule ends
 }
 
 void TestRestingContact::slidesAlongTheWallAsIfItWereFree() {
@@ -262,7 +263,9 @@ void TestRestingContact::leavesTheFloorThatGravityPullsItFrom() {
     const double up = ball.state.velocity.z, height = ball.state.position.z - 0.0625;
     QVERIFY(up > 0.5);
     const double substep = 1.0 / ball.report.substeps;
-    COMPARE_WITHIN(up * up, 2.0 * height, 2.0 * up * substep); // from rest on the floor, first order at worst
+    // From rest on the floor, first order at worst: it may have landed up to one substep's way above it (model.md
+    // 13.5), with a speed that is at most the one it has now or 1, and rises with the same error.
+    COMPARE_WITHIN(up * up, 2.0 * height, 2.0 * (1.0 + up) * substep);
 }
 
 void TestRestingContact::leavesAWallsTopThatGravityPullsItFrom() {

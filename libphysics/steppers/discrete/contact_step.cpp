@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: MIT
+#include "contact_step.h"
+
+#include "footing.h"
+
+#include "contact/push_out.h"
+
+#include <cmath>
+
+namespace phys {
+
+namespace {
+
+/// Speeds below this share of sqrt(g R) are what rounding leaves of a ball that stopped.
+constexpr double kStill = 1e-12;
+
+/// Order 2: the end that fixes the normals and the normals that fix the end, in turns.
+constexpr int kMidpointPasses = 3;
+
+double spinEnergy(const Vec3 &spin, double radius) { return 0.2 * radius * radius * glm::dot(spin, spin); }
+
+Vec3 rollingSpinOf(const StepContext &context, const Ball &ball) {
+    return rollingSpin(inPlane(ball.velocity), context.radius());
+}
+
+bool touches(const StepContext &context, const Contact &contact) { return contact.gap <= context.setting.tolerance; }
+
+/// Normal of the same feature for another place of the centre.
+Vec3 normalAt(const Contact &contact, const Vec3 &position) {
+    return glm::normalize(contact.across(position - contact.point));
+}
+
+/// What friction and resistance took: each impulse times the mean motion that it met, model.md 13.5.
+void book(const StepContext &context, const LastingContacts &contacts, const Motion &before, const Motion &after) {
+    if (!context.report.wanted()) return;
+    const double radius = context.radius();
+    const Motion mean{0.5 * (before.velocity + after.velocity), 0.5 * (before.spin + after.spin)};
+    for (const Lasting &contact : contacts) {
+        const Vec3 slip = mean.velocity - radius * glm::cross(mean.spin, contact.lever);
+        context.report.lostSlip(-glm::dot(contact.rubbing, slip));
+        context.report.lostRolling(-0.4 * radius * radius * glm::dot(contact.resisting, mean.spin));
+    }
+}
+
+Lasting lastingOf(const Contact &contact, double slow) {
+    return {contact.normal, contact.normal, slow, contact.friction, contact.isTop, contact.isGlued};
+}
+
+/// The explicit rule: the old velocity, with the new one's part along the normals that press.
+Vec3 mixedVelocity(const LastingContacts &contacts, const Vec3 &before, const Vec3 &after) {
+    NormalSpan pressing;
+    for (const Lasting &contact : contacts) {
+        if (contact.reaction > 0.0) pressing.add(contact.lever);
+    }
+    return after - pressing.across(after - before);
+}
+
+LastingContacts holdFirstOrder(const StepContext &context, const Contacts &contacts, bool isExplicit, double h,
+                               Ball &ball) {
+    LastingContacts lasting(context.radius());
+    for (const Contact &contact : contacts) lasting.add(lastingOf(contact, -std::max(0.0, contact.gap) / h));
+    const Motion before = motionOf(ball);
+    Motion motion = before;
+    motion.velocity += h * context.setting.gravity();
+    lasting.solve(context.params().rolling_friction, Motion{Vec3(0.0), Vec3(0.0)}, motion);
+    book(context, lasting, before, motion);
+    const Vec3 moving = isExplicit ? mixedVelocity(lasting, before.velocity, motion.velocity) : motion.velocity;
+    ball.position += h * moving;
+    setMotion(motion, ball);
+    for (uint32_t i = 0; i < contacts.count(); ++i) {
+        const bool arrives = lasting.begin()[i].reaction > 0.0 && contacts[i].isFace();
+        if (arrives) snapToFace(context, contacts[i], ball);
+    }
+    return lasting;
+}
+
+/// Impulses act along the normals a quarter of the way on, conditions along those halfway to the end; friction against
+/// the mean slip: model.md 13.5.
+LastingContacts midpointContacts(const StepContext &context, const Contacts &contacts, const Ball &ball,
+                                 const Vec3 &velocityAtEnd, double h) {
+    const double radius = context.radius();
+    LastingContacts lasting(radius);
+    const Vec3 sum = ball.velocity + velocityAtEnd;
+    for (const Contact &contact : contacts) {
+        Lasting next = lastingOf(contact, 0.0);
+        next.slipBefore = slipAt(motionOf(ball), contact.normal, radius);
+        next.lever = normalAt(contact, ball.position + 0.25 * h * sum);
+        next.limit = normalAt(contact, ball.position + 0.5 * h * sum);
+        lasting.add(next);
+    }
+    return lasting;
+}
+
+/// What pressed to the end stays in contact.
+void settleOn(const StepContext &context, const Contact &contact, Ball &ball) {
+    if (contact.isFace()) return snapToFace(context, contact, ball);
+    const Vec3 offset = contact.across(ball.position - contact.point);
+    const double distance = glm::length(offset);
+    const Vec3 normal = offset / distance;
+    ball.position += (context.radius() - distance) * normal;
+    ball.velocity -= glm::dot(ball.velocity, normal) * normal;
+}
+
+LastingContacts holdSecondOrder(const StepContext &context, const Contacts &contacts, double h, Ball &ball) {
+    const Motion before = motionOf(ball);
+    Motion driven = before;
+    driven.velocity += h * context.setting.gravity();
+    Motion motion = before;
+    LastingContacts lasting(context.radius());
+    for (int pass = 0; pass < kMidpointPasses; ++pass) {
+        lasting = midpointContacts(context, contacts, ball, motion.velocity, h);
+        motion = driven;
+        lasting.solve(context.params().rolling_friction, before, motion);
+    }
+    book(context, lasting, before, motion);
+    ball.position += 0.5 * h * (before.velocity + motion.velocity);
+    setMotion(motion, ball);
+    for (uint32_t i = 0; i < contacts.count(); ++i) {
+        if (lasting.begin()[i].reaction > 0.0) settleOn(context, contacts[i], ball);
+    }
+    return lasting;
+}
+
+/// Whether contacts can hold a ball that stands still: friction and resistance included, model.md 13.5.
+bool canHold(const StepContext &context, const Contacts &contacts) {
+    const Vec3 gravity = context.setting.gravity();
+    LastingContacts lasting(context.radius());
+    for (const Contact &contact : contacts) {
+        if (contact.gap < -context.setting.tolerance) return false;
+        lasting.add(lastingOf(contact, 0.0));
+    }
+    // One second of gravity, as a velocity: what the contacts leave of it would be an acceleration.
+    Motion motion{gravity, Vec3(0.0)};
+    lasting.solve(context.params().rolling_friction, Motion{Vec3(0.0), Vec3(0.0)}, motion);
+    const double left = kStill * glm::length(gravity);
+    return glm::length(motion.velocity) <= left && context.radius() * glm::length(motion.spin) <= left;
+}
+
+} // namespace
+
+void snapToFace(const StepContext &context, const Contact &contact, Ball &ball) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (contact.sides[axis] == 0) continue;
+        ball.position[axis] = contact.point[axis] + contact.sides[axis] * context.radius();
+        if (touches(context, contact)) ball.velocity[axis] = 0.0;
+    }
+}
+
+void lookAhead(const StepContext &context, const Ball &ball, const Vec3 &way, double h, Contacts &contacts) {
+    findContacts(context.setting, ball.position, motionOf(ball), way, contacts);
+    contacts.dropHidden(context.setting.tolerance);
+    const Vec3 gravity = context.setting.gravity();
+    for (Contact &contact : contacts) {
+        const double pressing = std::max(0.0, -glm::dot(gravity, contact.normal));
+        contact.restSpeed = 2.0 * h * (pressing + contact.curving(ball.velocity, context.radius()));
+    }
+}
+
+bool hit(const StepContext &context, const Contacts &contacts, double after, Ball &ball) {
+    const bool any = std::any_of(contacts.begin(), contacts.end(), [&](const Contact &contact) {
+        return -glm::dot(ball.velocity, contact.normal) > contact.restSpeed;
+    });
+    if (!any) return false;
+    Motion motion = motionOf(ball);
+    const Impacts impacts = resolveImpacts(contacts, context.radius(), motion);
+    setMotion(motion, ball);
+    context.report.lostImpact(impacts.lostNormal);
+    context.report.lostSlip(impacts.lostSlip);
+    context.report.passes(impacts.rounds);
+    if (!context.report.wanted()) return true;
+    for (uint32_t i = 0; i < contacts.count(); ++i) {
+        const Contact &contact = contacts[i];
+        if (impacts.approach[i] == 0.0) continue;
+        context.report.event(contact.isTop ? PHYS_EVENT_LANDING : PHYS_EVENT_IMPACT, after, contact.point,
+                             contact.normal, impacts.approach[i],
+                             std::max(0.0, glm::dot(ball.velocity, contact.normal)),
+                             context.scene().givenBox(contact.box, contact.point));
+    }
+    return true;
+}
+
+SpinOnFloor::SpinOnFloor(const StepContext &context, const Contacts &contacts, const Ball &ball)
+    : m_context(context)
+    , m_before(ball.spin) {
+    const double negligible = negligibleSpeed(motionOf(ball), context.radius());
+    m_rolled = std::any_of(contacts.begin(), contacts.end(), [&](const Contact &contact) {
+        return contact.isGlued && touches(context, contact) && std::abs(ball.velocity.z) <= negligible;
+    });
+}
+
+void SpinOnFloor::follow(const Contacts &contacts, Ball &ball) {
+    m_follows = std::any_of(contacts.begin(), contacts.end(), [&](const Contact &contact) {
+        return contact.isGlued && ball.velocity.z <= contact.restSpeed;
+    });
+    if (!m_follows) return;
+    ball.spin = rollingSpinOf(m_context, ball);
+    m_jump = spinEnergy(m_before, m_context.radius()) - spinEnergy(ball.spin, m_context.radius());
+}
+
+void SpinOnFloor::settle(bool presses, Ball &ball) const {
+    if (!m_follows) return;
+    if (!presses) {
+        ball.spin = m_before;
+        return;
+    }
+    ball.spin = rollingSpinOf(m_context, ball);
+    // Of a rolling ball that hits a wall the spin has a share in the impact; at a landing friction gives or takes it.
+    m_rolled ? m_context.report.lostImpact(m_jump) : m_context.report.lostSlip(m_jump);
+}
+
+bool hold(const StepContext &context, const Contacts &contacts, Hold kind, double h, Ball &ball,
+          std::span<bool> presses) {
+    const LastingContacts lasting = kind == Hold::SecondOrder
+                                        ? holdSecondOrder(context, contacts, h, ball)
+                                        : holdFirstOrder(context, contacts, kind == Hold::Explicit, h, ball);
+    bool onTop = false;
+    for (size_t i = 0; const Lasting &contact : lasting) {
+        const bool isPressed = contact.reaction > 0.0;
+        onTop = onTop || (contact.isTop && isPressed);
+        if (!presses.empty()) presses[i++] = isPressed;
+    }
+    return onTop;
+}
+
+void NormalSpan::add(const Vec3 &normal) {
+    constexpr double kParallel = 1e-9;
+    Vec3 own = normal;
+    for (uint32_t i = 0; i < m_count; ++i) own -= glm::dot(own, m_basis[i]) * m_basis[i];
+    const double length = glm::length(own);
+    if (m_count < 3 && length > kParallel) m_basis[m_count++] = own / length;
+}
+
+Vec3 NormalSpan::across(Vec3 vector) const {
+    if (m_count == 3) return Vec3(0.0);
+    for (uint32_t i = 0; i < m_count; ++i) vector -= glm::dot(vector, m_basis[i]) * m_basis[i];
+    return vector;
+}
+
+bool leaveOverlaps(const StepContext &context, Ball &ball) {
+    PushOut pushed = pushOut(context.scene(), ball.position);
+    context.report.penetration(pushed.depth);
+    context.report.passes(pushed.passes);
+    return pushed.isFree;
+}
+
+bool rests(const StepContext &context, Ball &ball) {
+    const double radius = context.radius();
+    const double still = kStill * std::sqrt(glm::length(context.setting.gravity()) * radius);
+    if (glm::length(ball.velocity) > still) return false;
+    // The rolling model's spin is none of its own: it ends with the velocity.
+    if (context.isRigid() && radius * glm::length(ball.spin) > still) return false;
+    Contacts contacts;
+    if (!findContacts(context.setting, ball.position, motionOf(ball), Vec3(0.0), contacts)) return false;
+    const Footing footing = Footing::of(contacts, context.setting.tolerance);
+    // A ball that rolls on the floor alone keeps the slowest motion.
+    const bool isStill = ball.velocity == Vec3(0.0) && (!context.isRigid() || ball.spin == Vec3(0.0));
+    if (!isStill && contacts.count() == 1 && contacts[0].isTop) return false;
+    const bool isHeld = footing.isEasy(context.params()) ? footing.holds(context.params()) : canHold(context, contacts);
+    if (!isHeld) return false;
+    ball.velocity = Vec3(0.0);
+    ball.spin = Vec3(0.0);
+    return true;
+}
+
+} // namespace phys

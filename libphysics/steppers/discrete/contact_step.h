@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// What contacts do to a ball in a substep: the law of contact (model.md 13) in the form that fixed substeps need.
+#pragma once
+
+#include "contact/impact.h"
+#include "contact/lasting.h"
+#include "contact/response.h"
+#include "registry/report.h"
+
+namespace phys {
+
+/// What stays the same during one step.
+struct StepContext {
+    Setting setting;
+    Reporter &report;
+
+    const Scene &scene() const { return setting.scene; }
+    const phys_params &params() const { return setting.params; }
+    double radius() const { return setting.scene.radius; }
+    bool isRigid() const { return setting.isRigid(); }
+};
+
+inline Motion motionOf(const Ball &ball) { return {ball.velocity, ball.spin}; }
+
+inline void setMotion(const Motion &motion, Ball &ball) {
+    ball.velocity = motion.velocity;
+    ball.spin = motion.spin;
+}
+
+/// Finds what the ball touches or reaches within h (s) on its `way` (m).
+void lookAhead(const StepContext &context, const Ball &ball, const Vec3 &way, double h, Contacts &contacts);
+
+/// The impacts of this moment, `after` seconds into the step, and their events. False if nothing hits.
+bool hit(const StepContext &context, const Contacts &contacts, double after, Ball &ball);
+
+/// The rolling model's spin at a top face, which follows the velocity: model.md 13.1.
+class SpinOnFloor {
+public:
+    /// Before the impacts.
+    SpinOnFloor(const StepContext &context, const Contacts &contacts, const Ball &ball);
+    /// After them: what comes down on a top face rolls from here on.
+    void follow(const Contacts &contacts, Ball &ball);
+    /// After the motion. A face that didn't press in the end gives the ball back the spin that it had.
+    void settle(bool presses, Ball &ball) const;
+
+private:
+    const StepContext &m_context;
+    bool m_rolled = false;  ///< already before the impacts
+    bool m_follows = false; ///< does now
+    Vec3 m_before;          ///< spin before the impacts
+    double m_jump = 0.0;    ///< energy that the spin lost when it began to follow, J/kg
+};
+
+/// How a substep goes on with the motion that its lasting contacts leave.
+enum class Hold {
+    Symplectic,  ///< with the new velocity
+    Explicit,    ///< with the old one, but for what contacts take of it
+    SecondOrder, ///< with their mean
+};
+
+/// A substep with lasting contacts. Returns whether a top face pressed; presses: whether each contact did, or empty.
+bool hold(const StepContext &context, const Contacts &contacts, Hold kind, double h, Ball &ball,
+          std::span<bool> presses = {});
+
+/// Puts a ball onto a face exactly, where rounding would leave it beside; a touching one loses its speed along it.
+void snapToFace(const StepContext &context, const Contact &face, Ball &ball);
+
+/// What several normals span.
+class NormalSpan {
+public:
+    void add(const Vec3 &normal);
+    /// The part of a vector that is at right angles to all of them.
+    Vec3 across(Vec3 vector) const;
+
+private:
+    std::array<Vec3, 3> m_basis; ///< orthonormal
+    uint32_t m_count = 0;
+};
+
+/// Moves the ball out of all boxes. Its velocity stays. False if there is no room for it.
+bool leaveOverlaps(const StepContext &context, Ball &ball);
+
+/// Whether the ball stays as it is: it stands still, and its contacts can hold it. May take rounding from its motion.
+bool rests(const StepContext &context, Ball &ball);
+
+} // namespace phys

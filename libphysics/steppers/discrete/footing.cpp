@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "footing.h"
+
+namespace phys {
+
+Footing Footing::of(const Contacts &contacts, double tolerance) {
+    Footing footing;
+    bool isEasy = true;
+    for (const Contact &contact : contacts) {
+        const bool isUpright = contact.isFace() && contact.sides[2] == 0;
+        isEasy = isEasy && contact.gap >= -tolerance && (contact.isTop || isUpright);
+        footing.m_hasFloor = footing.m_hasFloor || contact.isTop;
+        if (!isUpright) continue;
+        footing.m_hasWalls = true;
+        const int axis = contact.sides[0] ? 0 : 1;
+        footing.m_isFree[2 * axis + (contact.sides[axis] < 0 ? 1 : 0)] = false;
+    }
+    footing.m_hasFloor = footing.m_hasFloor && isEasy;
+    return footing;
+}
+
+void LastFooting::lookAt(const phys_params &params, const Vec3 &place) {
+    Contacts contacts;
+    const Motion still{Vec3(0.0), Vec3(0.0)};
+    const bool isOutside = findContacts({m_scene, params}, place, still, Vec3(0.0), contacts);
+    m_place = place;
+    m_footing = isOutside ? Footing::of(contacts, m_scene.tolerance) : Footing();
+}
+
+} // namespace phys
