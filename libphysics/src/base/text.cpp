@@ -117,6 +117,7 @@ public:
         }
         case 's': {
             const char *text = va_arg(arguments.list, const char *);
+            if (!text) return; // an empty std::string_view's
             return addShown({text, conversion.precision < 0
                                        ? std::strlen(text)
                                        : strnlen(text, static_cast<size_t>(conversion.precision))});

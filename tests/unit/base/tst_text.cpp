@@ -39,6 +39,8 @@ private slots:
         char text[40];
         phys::writeText(text, sizeof text, "'%.*s' '%.3s' '%s'", 2, "wall", "maze", "ball");
         QCOMPARE(text, "'wa' 'maz' 'ball'");
+        phys::writeText(text, sizeof text, "'%.*s'", 0, std::string_view().data());
+        QCOMPARE(text, "''");
     }
 
     void whatFindsNoRoomIsCutBetweenCharacters_data() {
