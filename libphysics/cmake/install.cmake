@@ -3,7 +3,11 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(physics_plugin_dir ${CMAKE_INSTALL_LIBDIR}/physics-1)   # beside the library; 1: PHYS_ABI_VERSION
+set(physics_library_dir ${CMAKE_INSTALL_LIBDIR})
+if(WIN32)
+    set(physics_library_dir ${CMAKE_INSTALL_BINDIR})
+endif()
+set(physics_plugin_dir ${physics_library_dir}/physics-1)    # beside the library; 1: PHYS_ABI_VERSION
 set(physics_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/physics)
 set(physics_document_dir ${CMAKE_INSTALL_DATADIR}/doc/libphysics-dev)
 

@@ -41,6 +41,10 @@
 
 #if defined(PHYS_STATIC)
 #define PHYS_API
+#elif defined(_WIN32) && defined(PHYS_EXPORTS) /* while the library itself is compiled */
+#define PHYS_API __declspec(dllexport)
+#elif defined(_WIN32)
+#define PHYS_API __declspec(dllimport)
 #elif defined(__GNUC__)
 #define PHYS_API __attribute__((visibility("default")))
 #else
@@ -223,7 +227,8 @@ typedef struct phys_state {
 /** The state at the start: at rest, time 0, no rotation. Any thread. Errors: ARGUMENT. Since 1.0. */
 PHYS_API phys_status phys_scene_start(const phys_scene *scene, phys_state *out);
 
-/** A 64-bit hash of all 128 bytes (FNV-1a); 0 for NULL. Any thread. Since 1.0. */
+/** A 64-bit hash of all 128 bytes: FNV-1a over 16 words, each from its least significant byte on; 0 for NULL. Any
+ * thread. Since 1.0. */
 PHYS_API uint64_t phys_state_hash(const phys_state *state);
 
 /* --------------------------------------------------------------------------------------------------- parameters -- */
@@ -401,7 +406,8 @@ PHYS_API phys_status phys_registry_load_file(phys_registry *registry, const char
 /** Receives one line for each plugin file that a scan loads (PHYS_OK) or refuses. */
 typedef void (*phys_scan_function)(void *context, const char *path, phys_status status, const char *text);
 
-/** Loads every *.so of a folder, in order of name. folder NULL: the folders of PHYS_PLUGIN_PATH (separated by ':'),
+/** Loads every *.so (Windows: *.dll) of a folder, in order of name. Paths are UTF-8.
+ *  folder NULL: the folders of PHYS_PLUGIN_PATH (separated by ':', on Windows by ';'),
  *  then `physics-1` beside the library. A refused file doesn't end the scan; `report` (or NULL) hears of each.
  *  Errors: ARGUMENT, FILE (the folder named isn't there), MEMORY. Not while another thread uses the registry. Since
  *  1.0. */

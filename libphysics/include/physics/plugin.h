@@ -87,7 +87,9 @@ typedef struct phys_plugin {
 } phys_plugin;
 
 /** Visible even where PHYS_API isn't, as in a host that links libphysics statically. */
-#if defined(__GNUC__)
+#if defined(_WIN32)
+#define PHYS_PLUGIN_API __declspec(dllexport)
+#elif defined(__GNUC__)
 #define PHYS_PLUGIN_API __attribute__((visibility("default")))
 #else
 #define PHYS_PLUGIN_API

@@ -71,8 +71,12 @@ std::string whyNoFile(const std::string &path) {
 bool listFolder(const std::string &folder, std::vector<std::string> &names) {
     const std::unique_ptr<DIR, int (*)(DIR *)> entries(opendir(folder.c_str()), closedir);
     if (!entries) return false;
-    while (const dirent *entry = readdir(entries.get())) names.emplace_back(entry->d_name);
-    return true;
+    for (;;) {
+        errno = 0;
+        const dirent *entry = readdir(entries.get());
+        if (!entry) return errno == 0;
+        names.emplace_back(entry->d_name);
+    }
 }
 
 std::string ownFolder() {

@@ -172,9 +172,11 @@ phys_status phys_stepper_requirements(const phys_stepper *stepper, const phys_pa
 
 uint64_t phys_state_hash(const phys_state *state) {
     if (!state) return 0;
-    unsigned char bytes[sizeof *state];
-    std::memcpy(bytes, state, sizeof bytes);
+    uint64_t words[sizeof *state / sizeof(uint64_t)];
+    std::memcpy(words, state, sizeof words);
     uint64_t hash = 0xcbf29ce484222325U; // FNV-1a
-    for (const unsigned char byte : bytes) hash = (hash ^ byte) * 0x100000001b3U;
+    for (uint64_t word : words) {
+        for (int byte = 0; byte < 8; ++byte, word >>= 8) hash = (hash ^ (word & 0xff)) * 0x100000001b3U;
+    }
     return hash;
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Prints one line for each stepper that promises the same bits everywhere: id, version, and a hash of its states in all
-// levels and both models.
+// Prints one line for each stepper that promises the same bits everywhere, and each model: id, version, a hash of its
+// states in all levels, and a hash of everything that comes out of steps in random scenes.
 // Usage: bits LEVEL...
+#include "random_scene.h"
+
 #include <physics/physics.h>
 
 #include <cinttypes>
@@ -12,6 +14,8 @@ namespace {
 
 constexpr int kSteps = 3000;
 constexpr double kDt = 0.004;
+constexpr uint64_t kRandomScenes = 1000;
+constexpr int kRandomSteps = 12;
 
 /// The board leans to all sides in turn, never the same way twice.
 phys_vec3 gravityAt(int step) {
@@ -22,7 +26,7 @@ phys_vec3 gravityAt(int step) {
 }
 
 /// Mixes the states of one run into the hash; false if a step fails.
-bool run(const phys_stepper_info &info, const phys_scene *scene, uint32_t model, uint64_t &hash) {
+bool runLevel(const phys_stepper_info &info, const phys_scene *scene, uint32_t model, bits::Hash &hash) {
     phys_stepper *stepper = nullptr;
     phys_state state;
     phys_params params;
@@ -36,16 +40,56 @@ bool run(const phys_stepper_info &info, const phys_scene *scene, uint32_t model,
     for (int step = 0; step < kSteps && !status; ++step) {
         params.gravity = gravityAt(step);
         status = phys_step(stepper, &params, kDt, &state, &state, nullptr, nullptr);
-        hash = (hash ^ phys_state_hash(&state)) * 0x100000001b3U;
+        hash.add(phys_state_hash(&state));
     }
     phys_stepper_destroy(stepper);
     return status == PHYS_OK;
 }
 
+/// Everything that the library says about one random ball in its scene; failures count by their status.
+void runRandom(const phys_stepper_info &info, uint64_t seed, uint32_t model, bits::Hash &hash) {
+    bits::RandomScene random(seed);
+    phys_scene *scene = nullptr;
+    phys_stepper *stepper = nullptr;
+    hash.add(static_cast<uint64_t>(random.create(&scene)));
+    if (!scene) return;
+    phys_state state;
+    phys_params params;
+    phys_scene_start(scene, &state);
+    state.velocity = random.velocity();
+    const phys_status made = phys_stepper_create(nullptr, info.id, scene, &stepper, nullptr);
+    hash.add(static_cast<uint64_t>(made));
+    for (int step = 0; step < kRandomSteps && !made; ++step) {
+        if (step % 4 == 0) random.fill(info, model, params);
+        phys_event events[16];
+        phys_report report;
+        phys_report_init(&report, sizeof report);
+        report.events = events;
+        report.event_capacity = 16;
+        const phys_status status = phys_step(stepper, &params, random.dt(), &state, &state, &report, nullptr);
+        hash.add(static_cast<uint64_t>(status));
+        if (status) break;
+        hash.add(phys_state_hash(&state));
+        hash.add(report);
+        hash.addContacts(scene, state.position, random.length());
+    }
+    phys_stepper_destroy(stepper);
+    phys_scene_destroy(scene);
+}
+
+void print(const phys_stepper_info &info, uint32_t model, const std::vector<phys_scene *> &levels) {
+    bits::Hash inLevels, inScenes;
+    bool ran = true;
+    for (const phys_scene *level : levels) ran &= runLevel(info, level, model, inLevels);
+    for (uint64_t seed = 1; seed <= kRandomScenes; ++seed) runRandom(info, seed, model, inScenes);
+    std::printf("%s version %s model %u levels %s%016" PRIx64 " scenes %016" PRIx64 "\n", info.id, info.version,
+                static_cast<unsigned>(model), ran ? "" : "FAILED ", inLevels.value(), inScenes.value());
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
-    std::vector<phys_scene *> scenes;
+    std::vector<phys_scene *> levels;
     phys_error error{};
     for (int i = 1; i < argc; ++i) {
         phys_scene *scene = nullptr;
@@ -53,19 +97,13 @@ int main(int argc, char **argv) {
             std::fprintf(stderr, "bits: %s\n", error.text);
             return 2;
         }
-        scenes.push_back(scene);
+        levels.push_back(scene);
     }
     phys_stepper_info info;
     for (uint32_t i = 0; phys_registry_info(nullptr, i, &info) == PHYS_OK; ++i) {
         if (!(info.flags & PHYS_STEPPER_BITS_EVERYWHERE)) continue;
-        for (const uint32_t model : {PHYS_MODEL_ROLLING, PHYS_MODEL_RIGID}) {
-            uint64_t hash = 0xcbf29ce484222325U;
-            bool ran = true;
-            for (const phys_scene *scene : scenes) ran &= run(info, scene, model, hash);
-            std::printf("%s version %s model %u %s %016" PRIx64 "\n", info.id, info.version, model,
-                        ran ? "hash" : "FAILED", hash);
-        }
+        for (const uint32_t model : {PHYS_MODEL_ROLLING, PHYS_MODEL_RIGID}) print(info, model, levels);
     }
-    for (phys_scene *scene : scenes) phys_scene_destroy(scene);
+    for (phys_scene *level : levels) phys_scene_destroy(level);
     return 0;
 }
