@@ -16,6 +16,27 @@ install(FILES packaging/physics-inspector.desktop
     DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT inspector)
 install(FILES packaging/physics-inspector.svg
     DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps COMPONENT inspector)
-install(FILES packaging/physics-inspector.metainfo.xml
+install(FILES packaging/io.github.physics.inspector.metainfo.xml # by its id
     DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo COMPONENT inspector)
-install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/physics-inspector RENAME copyright COMPONENT inspector)
+install(FILES packaging/physics-inspector-types.xml
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages RENAME physics-inspector.xml COMPONENT inspector)
+foreach(program physics-inspector mazegen)
+    install(FILES packaging/completion.bash
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ${program} COMPONENT inspector)
+endforeach()
+
+# Manual pages are what the programs say of themselves; another machine's programs can't be asked.
+find_program(GZIP gzip)
+function(inspector_man_page program summary)
+    set(page ${CMAKE_CURRENT_BINARY_DIR}/${program}.1.gz)
+    add_custom_command(OUTPUT ${page} VERBATIM
+        COMMAND bash -c "set -o pipefail; \"$0\" \"$1\" \"$2\" \"$3\" | \"$4\" -9n >\"$5\""
+            ${CMAKE_CURRENT_SOURCE_DIR}/packaging/man_page $<TARGET_FILE:${program}> ${PROJECT_VERSION} ${summary} ${GZIP} ${page}
+        DEPENDS ${program} packaging/man_page)
+    add_custom_target(${program}_man_page ALL DEPENDS ${page})
+    install(FILES ${page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT inspector)
+endfunction()
+if(GZIP AND NOT CMAKE_CROSSCOMPILING AND NOT PHYS_SANITIZE)
+    inspector_man_page(physics-inspector "shows, plays and tunes a ball rolling through a maze")
+    inspector_man_page(mazegen "makes mazes for a rolling ball")
+endif()

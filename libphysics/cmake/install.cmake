@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: MIT
 # What `cmake --install` puts where: library, headers, CMake package, pkg-config file, plugin folder, documents.
+# Debian's folder of libraries, whatever the prefix: its packages are made of the same tree.
+if(EXISTS /etc/debian_version AND CMAKE_LIBRARY_ARCHITECTURE)
+    set(CMAKE_INSTALL_LIBDIR lib/${CMAKE_LIBRARY_ARCHITECTURE} CACHE PATH "Folder of libraries below the prefix")
+endif()
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -49,10 +53,24 @@ install(FILES python/README.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-
 install(DIRECTORY python/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-libphysics COMPONENT python
     USE_SOURCE_PERMISSIONS PATTERN __pycache__ EXCLUDE)
 
-foreach(package libphysics1:runtime libphysics-dev:development python3-libphysics:python)
+# Licences and changelog as Debian wants them in each package.
+configure_file(cmake/debian/changelog.in ${CMAKE_CURRENT_BINARY_DIR}/debian/changelog @ONLY)
+find_program(GZIP gzip)
+if(GZIP)
+    execute_process(COMMAND ${GZIP} -9nc ${CMAKE_CURRENT_BINARY_DIR}/debian/changelog
+        OUTPUT_FILE ${CMAKE_CURRENT_BINARY_DIR}/debian/changelog.gz COMMAND_ERROR_IS_FATAL ANY)
+endif()
+set(documented libphysics1:runtime libphysics-dev:development python3-libphysics:python)
+if(PHYS_BUILD_INSPECTOR)
+    list(APPEND documented physics-inspector:inspector)
+endif()
+foreach(package ${documented})
     string(REPLACE ":" ";" package ${package})
     list(GET package 0 name)
     list(GET package 1 component)
-    install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${name} RENAME copyright
-        COMPONENT ${component})
+    install(FILES cmake/debian/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${name} COMPONENT ${component})
+    if(GZIP)
+        install(FILES ${CMAKE_CURRENT_BINARY_DIR}/debian/changelog.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${name}
+            COMPONENT ${component})
+    endif()
 endforeach()

@@ -4,7 +4,7 @@
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME physics)
 set(CPACK_PACKAGE_VENDOR "physics")
-set(CPACK_PACKAGE_CONTACT "physics maintainers <physics@localhost>")
+set(CPACK_PACKAGE_CONTACT "physics maintainers <maintainers@physics.invalid>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_COMPONENTS_ALL runtime development python)
@@ -22,6 +22,8 @@ set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON)
 
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME libphysics1)          # 1: PHYS_ABI_VERSION
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION libs)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA
+    ${PROJECT_SOURCE_DIR}/libphysics/cmake/debian/triggers ${PROJECT_BINARY_DIR}/debian/symbols)
 set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "Physics steps for a ball in a maze: the library
  Computes the steps of one ball that rolls through a maze of boxes, behind a
  stable C interface, with steppers from the cheapest to the exact one.")
@@ -48,5 +50,23 @@ set(CPACK_DEBIAN_INSPECTOR_PACKAGE_DEPENDS "libphysics1 (>= ${PROJECT_VERSION})"
 set(CPACK_COMPONENT_INSPECTOR_DESCRIPTION "Physics steps for a ball in a maze: the inspector
  Shows a maze, tilts it, and plots what each stepper makes of the ball, with
  sliders for friction and restitution.")
+
+# Which version brought which symbol: what the header says of each function.
+function(physics_write_debian_symbols path)
+    file(READ ${PROJECT_SOURCE_DIR}/libphysics/include/physics/physics.h header)
+    file(STRINGS ${PROJECT_SOURCE_DIR}/libphysics/abi/symbols.txt names)
+    set(text "libphysics.so.1 libphysics1 #MINVER#\n PHYS_1@PHYS_1 1.0\n")
+    foreach(name ${names})
+        if(NOT header MATCHES "PHYS_API [^;]*[ *]${name}\\(")
+            message(FATAL_ERROR "physics.h: expected a declaration of ${name}")
+        endif()
+        string(FIND "${header}" "${CMAKE_MATCH_0}" place)
+        string(SUBSTRING "${header}" 0 ${place} before)
+        string(REGEX MATCH ".*Since ([0-9]+\\.[0-9]+)" since "${before}") # the last one
+        string(APPEND text " ${name}@PHYS_1 ${CMAKE_MATCH_1}\n")
+    endforeach()
+    file(CONFIGURE OUTPUT ${path} CONTENT "${text}" @ONLY)
+endfunction()
+physics_write_debian_symbols(${PROJECT_BINARY_DIR}/debian/symbols)
 
 include(CPack)

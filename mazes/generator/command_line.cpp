@@ -28,6 +28,9 @@ constexpr OptionRow kOut = {"--out", "PREFIX", "writes PREFIX.txt .obj .mtl .sca
 constexpr OptionRow kLevels = {"--levels", "FOLDER", "writes the game's ten levels there instead"};
 constexpr OptionRow kBall = {"--ball", "FOLDER", "writes the ball's mesh there, ball.obj and ball.mtl"};
 
+constexpr OptionRow kHelp = {"--help", "", "prints this help"};
+constexpr OptionRow kVersion = {"--version", "", "prints the version"};
+
 struct LengthRow {
     std::string_view name;
     Length Dimensions::*member;
@@ -170,8 +173,12 @@ void appendHelp(const LengthRow &row, std::string &text) {
 
 Command parseCommandLine(const std::vector<std::string_view> &arguments) {
     Command command;
-    command.help = std::find(arguments.begin(), arguments.end(), "--help") != arguments.end();
-    if (command.help) return command;
+    const auto isGiven = [&](std::string_view name) {
+        return std::find(arguments.begin(), arguments.end(), name) != arguments.end();
+    };
+    command.help = isGiven("--help");
+    command.version = !command.help && isGiven("--version");
+    if (command.help || command.version) return command;
 
     const Values values = gather(arguments);
     if (const auto folder = valueOf(values, kLevels.name)) command.levelsFolder = parseFolder(kLevels.name, *folder);
@@ -200,6 +207,7 @@ std::string helpText() {
     appendHelp(kLoops, text);
     for (const LengthRow &row : kLengths) appendHelp(row, text);
     for (const OptionRow &row : {kOut, kLevels, kBall}) appendHelp(row, text);
+    for (const OptionRow &row : {kHelp, kVersion}) appendHelp(row, text);
     text += "\nExit status: 0 done, 1 a file could not be written, 2 a wrong option; nothing is written then.\n";
     return text;
 }

@@ -15,6 +15,7 @@ namespace mazes {
 
 struct Command {
     bool help = false;
+    bool version = false;
     std::optional<Recipe> maze;
     std::filesystem::path prefix; // where the maze goes
     std::optional<std::filesystem::path> levelsFolder;

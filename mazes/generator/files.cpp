@@ -18,6 +18,17 @@ fs::path withSuffix(fs::path path, const char *suffix) { return path += suffix; 
 // Beside the file, because renaming is only atomic within one file system.
 fs::path temporaryOf(const OutputFile &file) { return withSuffix(file.path, ".part"); }
 
+// Whether what has the file's name, if anything, is of its kind, which the first bytes tell.
+bool isReplaceable(const OutputFile &file) {
+    constexpr std::size_t kMark = 9;
+    std::error_code error;
+    if (!fs::is_regular_file(file.path, error)) return true; // renaming tells
+    std::string mark(kMark, '\0');
+    std::ifstream stream(file.path, std::ios::binary);
+    stream.read(mark.data(), static_cast<std::streamsize>(mark.size()));
+    return stream.gcount() == 0 || mark == file.content.substr(0, kMark);
+}
+
 void writeTemporary(const OutputFile &file) {
     errno = 0;
     std::ofstream stream(temporaryOf(file), std::ios::binary | std::ios::trunc);
@@ -53,6 +64,8 @@ std::vector<OutputFile> ballFiles(const fs::path &folder) {
 }
 
 void writeFiles(const std::vector<OutputFile> &files) {
+    for (const OutputFile &file : files)
+        if (!isReplaceable(file)) throw FileError(file.path.string() + ": there is another file of this name already");
     try {
         for (const OutputFile &file : files) writeTemporary(file);
         for (const OutputFile &file : files) moveIntoPlace(file);

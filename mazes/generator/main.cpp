@@ -43,6 +43,7 @@ void writeBall(const std::filesystem::path &folder) {
 
 void run(const mazes::Command &command) {
     if (command.help) std::cout << mazes::helpText();
+    if (command.version) std::cout << "mazegen " MAZEGEN_VERSION "\n";
     if (command.maze) writeMaze(*command.maze, command.prefix);
     if (command.levelsFolder) writeLevels(*command.levelsFolder);
     if (command.ballFolder) writeBall(*command.ballFolder);
@@ -53,7 +54,9 @@ void run(const mazes::Command &command) {
 int main(int argc, char **argv) {
     try {
         run(mazes::parseCommandLine({argv + 1, argv + argc}));
-        return 0;
+        if (std::cout.flush()) return 0;
+        std::cerr << "mazegen: standard output: can't be written\n";
+        return 1;
     } catch (const mazes::OptionError &error) {
         std::cerr << "mazegen: " << error.what() << "\n";
         return 2;

@@ -39,10 +39,12 @@ typedef struct phys_scene_view {
 /** Ids that no row of a stepper's own may have, nor those of phys_param_rows: programs have options, settings and
  * columns of these names. */
 #define PHYS_RESERVED_ROW_IDS                                                                                          \
-    "autopilot", "box", "check", "compare", "csv", "dt", "duration", "energy", "event", "flags", "gravity", "grab",    \
-        "headless", "help", "kind", "level", "maze", "normal", "orientation", "plot", "plugin", "point", "position",   \
+    "all_levels", "autopilot", "box", "check", "compare", "compare_substeps", "csv", "csv_every", "dt", "duration",    \
+        "energy", "event", "flags", "for", "force", "grab", "gravity", "headless", "help", "kind", "level",            \
+        "list_parameters", "list_steppers", "maze", "normal", "orientation", "plot", "plugin", "point", "position",    \
         "record", "replay", "report", "scene", "schedule", "seed", "shaders", "speed", "spin", "start", "state",       \
-        "step", "stepper", "steps", "theme", "tilt", "time", "trade", "velocity", "version", "x", "y", "z"
+        "step", "stepper", "steps", "theme", "tilt", "tilt_x", "tilt_y", "time", "trade", "under", "velocity",         \
+        "version", "within", "x", "y", "z"
 
 /** One stepper: appendable, texts static. All functions are called by one thread at a time for one self; none may
  *  throw, exit or keep a pointer that it is given, except create the view. Required unless marked optional. */

@@ -49,6 +49,8 @@ private slots:
     void wrongOptionsGiveOneLineAndNoFile();
     void aFileThatCannotBeWrittenIsNamedAndNothingIsLeft();
     void helpListsEveryOption();
+    void versionIsThatOfTheProject();
+    void filesOfAnotherKindAreNotReplaced();
 };
 
 void TestMazegen::oneRunWritesFourFilesAndSaysSoInOneLine() {
@@ -210,6 +212,24 @@ void TestMazegen::helpListsEveryOption() {
         QVERIFY2(outcome.output.contains(option), option);
     QVERIFY(outcome.output.contains("default 0.036"));
     QCOMPARE(filesIn(folder.path()), QStringList());
+}
+
+void TestMazegen::versionIsThatOfTheProject() {
+    QTemporaryDir folder;
+    const Outcome outcome = run(folder.path(), {"--version"});
+    QCOMPARE(outcome.status, 0);
+    QVERIFY(QRegularExpression("^mazegen [0-9]+\\.[0-9]+\\.[0-9]+\n$").match(outcome.output).hasMatch());
+}
+
+void TestMazegen::filesOfAnotherKindAreNotReplaced() {
+    QTemporaryDir folder;
+    support::write(folder.filePath("notes.scad"), "cube(1);");
+    const Outcome outcome = run(folder.path(), QStringList(kMaze) << "--out"
+                                                                  << "notes");
+    QCOMPARE(outcome.status, 1);
+    QCOMPARE(outcome.errors, QString("mazegen: notes.scad: there is another file of this name already\n"));
+    QCOMPARE(filesIn(folder.path()), QStringList{"notes.scad"});
+    QCOMPARE(contentOf(folder.filePath("notes.scad")), QByteArray("cube(1);"));
 }
 
 QTEST_APPLESS_MAIN(TestMazegen)
