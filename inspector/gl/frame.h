@@ -20,6 +20,7 @@ enum class Quality {
     Medium, // 1024 x 1024 shadow map, small soft kernel
     High    // 2048 x 2048 shadow map, wide soft kernel; the view adds multisampling
 };
+inline constexpr int kQualityCount = 3;
 
 struct Ball {
     glm::dvec3 position{0.0};

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gl/mesh_file.h"
 
+#include "core/setup/files.h"
+#include "core/setup/lines.h"
 #include "gl/mesh_builder.h"
+#include "gl/obj_text.h"
 
 #include <algorithm>
 #include <cmath>
-
-#include <QFile>
-#include <QFileInfo>
-#include <QList>
+#include <map>
+#include <sstream>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -18,95 +19,52 @@ namespace inspector::gl {
 
 namespace {
 
-// tinyobjloader reads "v 1 abc 2" as (1, 0, 2) and skips faces with missing corners: what can be wrong in a file is
-// looked for here, with its line.
-class ObjCheck {
-public:
-    explicit ObjCheck(QString path)
-        : m_path(std::move(path))
-        , m_folder(QFileInfo(m_path).path()) {}
+constexpr qint64 kLargestMesh = 200 * kMegabyte;
+constexpr qint64 kLargestMaterials = 10 * kMegabyte;
 
-    // Empty, or the first problem.
-    QString run() {
-        QFile file(m_path);
-        if (!file.open(QIODevice::ReadOnly)) return QStringLiteral("%1: %2").arg(m_path, file.errorString());
-        for (m_line = 1; !file.atEnd(); ++m_line) {
-            const QString problem = checkLine(file.readLine().simplified());
-            if (!problem.isEmpty()) return QStringLiteral("%1:%2: %3").arg(m_path).arg(m_line).arg(problem);
-        }
-        if (m_faces == 0) return QStringLiteral("%1: expected at least one face, found none").arg(m_path);
-        return {};
+// What the loader made of the checked text.
+struct Loaded {
+    tinyobj::attrib_t attributes;
+    std::vector<tinyobj::shape_t> shapes;
+    std::vector<tinyobj::material_t> materials;
+};
+
+// Hands the checked materials over, whichever file is asked for.
+class CheckedMaterials : public tinyobj::MaterialReader {
+public:
+    explicit CheckedMaterials(const QByteArray &text)
+        : m_text(text.toStdString()) {}
+
+    bool operator()(const std::string &, std::vector<tinyobj::material_t> *materials, std::map<std::string, int> *map,
+                    std::string *warning, std::string *error) override {
+        tinyobj::LoadMtl(map, materials, &m_text, warning, error);
+        return true;
     }
 
 private:
-    QString checkLine(const QByteArray &line) {
-        const QList<QByteArray> words = line.split(' ');
-        if (words[0] == "v") return ++m_positions, checkNumbers(words);
-        if (words[0] == "vn") return ++m_normals, checkNumbers(words);
-        if (words[0] == "f") return ++m_faces, checkFace(words);
-        if (words[0] == "mtllib") return checkLibrary(line.mid(7));
-        if (words[0] == "usemtl" && !m_materials.contains(line.mid(7)))
-            return QStringLiteral("expected a material of the .mtl file, found '%1'")
-                .arg(QString::fromUtf8(line.mid(7)));
-        return {};
-    }
-
-    static QString checkNumbers(const QList<QByteArray> &words) {
-        bool is_good = words.size() >= 4;
-        for (qsizetype i = 1; is_good && i < 4; ++i) is_good = std::isfinite(words[i].toDouble(&is_good)) && is_good;
-        if (is_good) return {};
-        return QStringLiteral("expected three finite numbers, found '%1'").arg(QString::fromUtf8(words.join(' ')));
-    }
-
-    QString checkFace(const QList<QByteArray> &words) const {
-        if (words.size() < 4)
-            return QStringLiteral("expected a face of three or more corners, found %1").arg(words.size() - 1);
-        for (qsizetype i = 1; i < words.size(); ++i) {
-            const QList<QByteArray> indices = words[i].split('/'); // position / texture / normal
-            if (!isIndex(indices[0], m_positions) || (indices.size() > 2 && !isIndex(indices[2], m_normals)))
-                return QStringLiteral("expected indices of the %1 vertices and %2 normals above, found '%3'")
-                    .arg(m_positions)
-                    .arg(m_normals)
-                    .arg(QString::fromUtf8(words[i]));
-        }
-        return {};
-    }
-
-    // Counted from 1, or backwards from -1.
-    static bool isIndex(const QByteArray &word, qsizetype count) {
-        bool is_number = false;
-        const int index = word.toInt(&is_number);
-        return is_number && index != 0 && std::abs(index) <= count;
-    }
-
-    QString checkLibrary(const QByteArray &name) {
-        QFile file(m_folder + QLatin1Char('/') + QFile::decodeName(name));
-        if (!file.open(QIODevice::ReadOnly))
-            return QStringLiteral("material file '%1': %2").arg(file.fileName(), file.errorString());
-        while (!file.atEnd()) {
-            const QByteArray line = file.readLine().simplified();
-            if (line.startsWith("newmtl ")) m_materials.append(line.mid(7));
-        }
-        return {};
-    }
-
-    QString m_path;
-    QString m_folder;
-    int m_line = 0;
-    qsizetype m_positions = 0;
-    qsizetype m_normals = 0;
-    qsizetype m_faces = 0;
-    QList<QByteArray> m_materials;
+    std::istringstream m_text;
 };
+
+std::optional<Loaded> load(const CheckedObj &checked, QString *error) {
+    Loaded loaded;
+    std::istringstream shapes("mtllib checked\n" + checked.shapes.toStdString());
+    CheckedMaterials materials(checked.materials);
+    std::string warning; // about materials that aren't there, which is in the note
+    std::string reason;
+    if (tinyobj::LoadObj(&loaded.attributes, &loaded.shapes, &loaded.materials, &warning, &reason, &shapes, &materials))
+        return loaded;
+    *error = QStringLiteral(" ") + oneLine(QString::fromStdString(reason).simplified());
+    return std::nullopt;
+}
 
 Material materialOf(const tinyobj::material_t &source) {
     const auto strongest = [](const float *rgb) { return std::max({rgb[0], rgb[1], rgb[2]}); };
     Material material;
     material.name = source.name;
-    material.albedo = {source.diffuse[0], source.diffuse[1], source.diffuse[2]};
+    material.albedo = glm::clamp(glm::vec3(source.diffuse[0], source.diffuse[1], source.diffuse[2]), 0.0F, 1.0F);
     // Ks 0.5 means the 4 % that wood, paint and plastic reflect; Blinn's exponent becomes a roughness.
     material.reflectance = 0.08F * strongest(source.specular);
-    material.roughness = std::pow(2.0F / (source.shininess + 2.0F), 0.25F);
+    material.roughness = std::pow(2.0F / (std::max(source.shininess, 0.0F) + 2.0F), 0.25F);
     material.emission = strongest(source.emission) / std::max(strongest(source.diffuse), 0.05F);
     // Wood unless it shines by itself.
     material.grain = material.emission > 0.0F ? 0.0F : 1.0F;
@@ -116,6 +74,24 @@ Material materialOf(const tinyobj::material_t &source) {
 glm::vec3 vectorAt(const std::vector<tinyobj::real_t> &values, int index) {
     const auto first = static_cast<std::size_t>(index) * 3;
     return {values[first], values[first + 1], values[first + 2]};
+}
+
+// Whether all that is to be drawn is there: the loader counts and triangulates by itself.
+bool isComplete(const Loaded &loaded) {
+    const auto has = [](const std::vector<tinyobj::real_t> &values, int index) {
+        return index >= 0 && static_cast<std::size_t>(index) * 3 + 2 < values.size();
+    };
+    const auto isGood = [&](const tinyobj::index_t &index) {
+        return has(loaded.attributes.vertices, index.vertex_index) &&
+               (index.normal_index < 0 || has(loaded.attributes.normals, index.normal_index));
+    };
+    return std::all_of(loaded.shapes.begin(), loaded.shapes.end(), [&](const tinyobj::shape_t &shape) {
+        const std::size_t faces = shape.mesh.num_face_vertices.size();
+        const auto isKnown = [&](int id) { return id < static_cast<int>(loaded.materials.size()); };
+        return shape.mesh.indices.size() == 3 * faces && shape.mesh.material_ids.size() == faces &&
+               std::all_of(shape.mesh.indices.begin(), shape.mesh.indices.end(), isGood) &&
+               std::all_of(shape.mesh.material_ids.begin(), shape.mesh.material_ids.end(), isKnown);
+    });
 }
 
 Bounds shapeBounds(const tinyobj::attrib_t &attributes, const tinyobj::shape_t &shape) {
@@ -129,43 +105,74 @@ Bounds shapeBounds(const tinyobj::attrib_t &attributes, const tinyobj::shape_t &
     return {minimum, maximum};
 }
 
-void addTriangle(MeshBuilder &builder, const tinyobj::attrib_t &attributes, const tinyobj::index_t *corners) {
+// False for a sliver of no area, which has no normal and no pixels.
+bool addTriangle(MeshBuilder &builder, const tinyobj::attrib_t &attributes, const tinyobj::index_t *corners) {
     std::array<glm::vec3, 3> positions;
     std::array<glm::vec3, 3> normals;
     for (std::size_t i = 0; i < 3; ++i) positions[i] = vectorAt(attributes.vertices, corners[i].vertex_index);
-    const glm::vec3 area = glm::cross(positions[1] - positions[0], positions[2] - positions[0]);
-    if (glm::length(area) == 0.0F) return; // a sliver of no area has no normal and no pixels
+    // In double: the area of a small face has no room in a float.
+    const glm::dvec3 area = glm::cross(glm::dvec3(positions[1]) - glm::dvec3(positions[0]),
+                                       glm::dvec3(positions[2]) - glm::dvec3(positions[0]));
+    if (glm::length(area) == 0.0) return false;
     for (std::size_t i = 0; i < 3; ++i) {
         const int index = corners[i].normal_index;
-        normals[i] = glm::normalize(index < 0 ? area : vectorAt(attributes.normals, index));
+        const glm::dvec3 given = index < 0 ? area : glm::dvec3(vectorAt(attributes.normals, index));
+        normals[i] = glm::normalize(glm::length(given) > 0.0 ? given : area);
     }
     builder.triangle(positions, normals);
+    return true;
 }
 
-void addShape(MeshBuilder &builder, const tinyobj::ObjReader &reader, const tinyobj::shape_t &shape) {
-    const Bounds bounds = shapeBounds(reader.GetAttrib(), shape);
+// The number of faces without an area, which are left out.
+int addShape(MeshBuilder &builder, const Loaded &loaded, const tinyobj::shape_t &shape) {
+    const Bounds bounds = shapeBounds(loaded.attributes, shape);
     int current = -2; // no material of a file has this number
+    int slivers = 0;
     for (std::size_t face = 0; face < shape.mesh.num_face_vertices.size(); ++face) {
         const int id = shape.mesh.material_ids[face];
-        if (id != current) builder.beginPiece(id < 0 ? Material{} : materialOf(reader.GetMaterials()[id]), bounds);
+        if (id != current)
+            builder.beginPiece(id < 0 ? Material{} : materialOf(loaded.materials[static_cast<std::size_t>(id)]),
+                               bounds);
         current = id;
-        addTriangle(builder, reader.GetAttrib(), &shape.mesh.indices[3 * face]);
+        slivers += addTriangle(builder, loaded.attributes, &shape.mesh.indices[3 * face]) ? 0 : 1;
     }
+    return slivers;
 }
 
 } // namespace
 
-std::optional<Mesh> loadMesh(const QString &path, QString *error) {
-    *error = ObjCheck(path).run();
-    if (!error->isEmpty()) return std::nullopt;
-    tinyobj::ObjReader reader;
-    if (!reader.ParseFromFile(QFile::encodeName(path).toStdString())) {
-        *error = QStringLiteral("%1: %2").arg(path, QString::fromStdString(reader.Error()).simplified());
+std::optional<Mesh> parseMesh(const QByteArray &text, const MaterialSource &materials, QString *problem) {
+    const std::optional<CheckedObj> checked = checkObj(text, materials, problem);
+    const std::optional<Loaded> loaded = checked ? load(*checked, problem) : std::nullopt;
+    if (!loaded) return std::nullopt;
+    if (!isComplete(*loaded)) {
+        *problem = QStringLiteral(" the loader made other faces than are in the file");
         return std::nullopt;
     }
     MeshBuilder builder;
-    for (const tinyobj::shape_t &shape : reader.GetShapes()) addShape(builder, reader, shape);
-    return builder.take();
+    int slivers = 0;
+    for (const tinyobj::shape_t &shape : loaded->shapes) slivers += addShape(builder, *loaded, shape);
+    Mesh mesh = builder.take();
+    if (mesh.indices.empty()) {
+        *problem = QStringLiteral(" expected a face with an area, found none");
+        return std::nullopt;
+    }
+    *problem = checked->note;
+    if (problem->isEmpty() && slivers > 0) *problem = QStringLiteral(" %1 triangles have no area").arg(slivers);
+    return mesh;
+}
+
+std::optional<Mesh> loadMesh(const QString &path, QString *problem) {
+    const std::optional<QByteArray> text = readFile(path, kLargestMesh, problem);
+    if (!text) return std::nullopt;
+    const QString folder = path.left(path.lastIndexOf(QLatin1Char('/')) + 1);
+    const auto readMaterials = [&](const QString &name, QString *error) {
+        const bool isAbsolute = name.startsWith(QLatin1Char('/'));
+        return readFile(isAbsolute ? name : folder + name, kLargestMaterials, error);
+    };
+    std::optional<Mesh> mesh = parseMesh(*text, readMaterials, problem);
+    if (!problem->isEmpty()) problem->prepend(oneLine(path) + QLatin1Char(':'));
+    return mesh;
 }
 
 } // namespace inspector::gl

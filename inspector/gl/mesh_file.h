@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gl/mesh.h"
+#include "gl/obj_text.h"
 
 #include <optional>
 
@@ -9,8 +10,12 @@
 
 namespace inspector::gl {
 
-// Reads a Wavefront .obj with the .mtl it names. On failure returns nothing and sets `error` (not null) to one line:
-// file, line where there is one, what was expected, what was found.
-std::optional<Mesh> loadMesh(const QString &path, QString *error);
+// Reads a Wavefront .obj with the .mtl files it names. `problem` (not null) gets one line: file, line where there is
+// one, what was expected, what was found. On failure nothing is returned; with a mesh it says what was left out of it,
+// or is empty.
+std::optional<Mesh> loadMesh(const QString &path, QString *problem);
+
+// The same from memory; the line begins behind the file's name: "7: expected ...".
+std::optional<Mesh> parseMesh(const QByteArray &text, const MaterialSource &materials, QString *problem);
 
 } // namespace inspector::gl

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gl/shader_library.h"
 
+#include "core/setup/files.h"
+#include "core/setup/lines.h"
+
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -23,7 +26,7 @@ constexpr std::array<Recipe, 5> kRecipes{{{"maze.vert", {"maze.frag", "lighting.
 
 QString pathOf(const QString &directory, const char *name) {
     QString override_path = directory + QLatin1Char('/') + QLatin1String(name);
-    if (!directory.isEmpty() && QFileInfo::exists(override_path)) return override_path;
+    if (!directory.isEmpty() && (fileExists(override_path) || isFolder(override_path))) return override_path;
     return QLatin1String(":/shaders/") + QLatin1String(name);
 }
 
@@ -34,15 +37,22 @@ QByteArray withQuality(QByteArray source, Quality quality) {
     return source.insert(line_end, define);
 }
 
+// Embedded files are Qt's; those of a folder are read like every file from outside.
+std::optional<QByteArray> sourceOf(const QString &path, QString *log) {
+    constexpr qint64 kLargest = kMegabyte;
+    if (!path.startsWith(QLatin1Char(':'))) return readFile(path, kLargest, log);
+    QFile file(path);
+    if (file.open(QIODevice::ReadOnly)) return file.readAll();
+    *log = QStringLiteral("%1: %2").arg(path, file.errorString());
+    return std::nullopt;
+}
+
 bool addShader(QOpenGLShaderProgram &program, QOpenGLShader::ShaderType type, const QString &path, Quality quality,
                QString *log) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) {
-        *log = QStringLiteral("%1: %2").arg(path, file.errorString());
-        return false;
-    }
-    if (program.addShaderFromSourceCode(type, withQuality(file.readAll(), quality))) return true;
-    *log = QStringLiteral("%1: %2").arg(path, program.log().trimmed());
+    const std::optional<QByteArray> source = sourceOf(path, log);
+    if (!source) return false;
+    if (program.addShaderFromSourceCode(type, withQuality(*source, quality))) return true;
+    *log = QStringLiteral("%1: %2").arg(oneLine(path), program.log().trimmed());
     return false;
 }
 
@@ -77,13 +87,21 @@ void ShaderLibrary::setDirectory(const QString &path) {
     m_is_stale = true;
     if (!m_watcher.files().isEmpty()) m_watcher.removePaths(m_watcher.files());
     if (!m_watcher.directories().isEmpty()) m_watcher.removePaths(m_watcher.directories());
-    if (!path.isEmpty() && !QFileInfo(path).isDir())
+    if (!path.isEmpty() && !isFolder(path))
         emit failed(QStringLiteral("%1: expected a directory with shaders, found none").arg(path));
     watch();
 }
 
 void ShaderLibrary::watch() {
-    if (m_directory.isEmpty() || !QFileInfo(m_directory).isDir()) return;
+    if (m_directory.isEmpty()) return;
+    // Of a folder that is gone, the nearest that is there tells when it is made again.
+    QString there = QDir::cleanPath(QFileInfo(m_directory).absoluteFilePath());
+    while (!isFolder(there) && there.contains(QLatin1Char('/')))
+        there = there.left(there.lastIndexOf(QLatin1Char('/')));
+    if (!isFolder(m_directory)) {
+        m_watcher.addPath(there.isEmpty() ? QStringLiteral("/") : there);
+        return;
+    }
     QStringList paths{m_directory};
     for (const QFileInfo &file : QDir(m_directory).entryInfoList({"*.vert", "*.frag"}, QDir::Files))
         paths.append(file.filePath());

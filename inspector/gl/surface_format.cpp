@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include <QGuiApplication>
+#include <QOffscreenSurface>
 #include <QOpenGLContext>
 
 namespace inspector::gl {
@@ -35,6 +37,22 @@ QString contextProblem(const QOpenGLContext *context) {
     const auto [major, minor] = context->format().version();
     if (std::pair(major, minor) >= std::pair(kMajor, kMinor)) return {};
     return QStringLiteral("OpenGL: got version %1.%2; %3").arg(major).arg(minor).arg(needed);
+}
+
+QString displayProblem() {
+    // These either give no context, or give one and crash as soon as a widget is to be drawn by it.
+    const QString platform = QGuiApplication::platformName();
+    for (const char *without : {"offscreen", "minimal", "minimalegl", "vnc", "linuxfb"})
+        if (platform == QLatin1String(without))
+            return QStringLiteral("Qt's platform '%1' can't show OpenGL; a display is needed").arg(platform);
+    QOffscreenSurface surface;
+    surface.create();
+    QOpenGLContext context;
+    context.create();
+    const QString problem = contextProblem(&context);
+    if (!problem.isEmpty()) return problem + QStringLiteral("; a display that has it is needed");
+    if (context.makeCurrent(&surface)) return {};
+    return QStringLiteral("OpenGL: a context was made but can't be used; a display is needed");
 }
 
 } // namespace inspector::gl

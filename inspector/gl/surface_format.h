@@ -17,4 +17,7 @@ QSurfaceFormat surfaceFormat();
 // Empty when `context` (may be null) can draw; otherwise one line that says what was got and what is needed.
 QString contextProblem(const QOpenGLContext *context);
 
+// Empty when a QOpenGLWidget can draw on the application's display; otherwise one line. Needs the application object.
+QString displayProblem();
+
 } // namespace inspector::gl

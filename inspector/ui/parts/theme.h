@@ -10,6 +10,7 @@ class QPalette;
 namespace inspector::ui {
 
 enum class Theme { System, Light, Dark };
+inline constexpr int kThemeCount = 3;
 
 void applyTheme(Theme theme);
 

@@ -92,6 +92,29 @@ private slots:
         QCOMPARE(m_picture->draw(m_frame), good);
     }
 
+    void directoryMadeAgainIsWatchedAgain() {
+        const QString folder = m_folder->filePath("mine/shaders");
+        QVERIFY(QDir().mkpath(folder));
+        write(folder + "/backdrop.frag", kAllRed);
+        shaders().setDirectory(folder);
+        QCOMPARE(m_picture->draw(m_frame).pixel(2, 2), qRgb(255, 0, 0));
+        QVERIFY(QDir(m_folder->filePath("mine")).removeRecursively());
+        QTRY_VERIFY(m_picture->draw(m_frame).pixel(2, 2) != qRgb(255, 0, 0));
+        QVERIFY(QDir().mkpath(folder));
+        write(folder + "/backdrop.frag", kAllRed);
+        QTRY_COMPARE(m_picture->draw(m_frame).pixel(2, 2), qRgb(255, 0, 0));
+    }
+
+    void whatIsNoFileIsReported() {
+        QSignalSpy failed(&shaders(), &ShaderLibrary::failed);
+        QVERIFY(QDir(m_folder->path()).mkdir("maze.frag"));
+        shaders().setDirectory(m_folder->path());
+        m_picture->draw(m_frame);
+        QCOMPARE(failed.size(), 1);
+        QVERIFY2(failed[0][0].toString().contains("expected a file, found a folder"),
+                 qPrintable(failed[0][0].toString()));
+    }
+
     void missingDirectoryIsReported() {
         QSignalSpy failed(&shaders(), &ShaderLibrary::failed);
         shaders().setDirectory("/no/such/place");
