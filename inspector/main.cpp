@@ -1,110 +1,119 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Decides between window and no window before any application object exists, and hands over.
+// Reads the command line, decides between window and no window, and hands over. There is one application object at a
+// time: words are read, and everything without a window runs, beside one that needs no display.
 #include "core/program/command_line.h"
 #include "core/program/csv_writer.h"
+#include "core/program/ending.h"
 #include "core/program/headless.h"
+#include "core/program/outputs.h"
 #include "core/program/trade_command.h"
 #include "core/session/session.h"
+#include "core/setup/files.h"
+#include "core/setup/lines.h"
 #include "ui/trade/trade_chart.h"
 #include "ui/window/application.h"
 
 #include <QApplication>
-#include <QFile>
 #include <QTextStream>
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 
 namespace {
 
 using namespace inspector;
 
-// What the arguments ask for; prints what they ask to print, and why they can't be followed.
-CommandLine readArguments(QTextStream &messages) {
-    CommandLine line = parseCommandLine(QCoreApplication::arguments());
-    QTextStream(stdout) << line.output;
-    messages << line.error;
-    return line;
+// What is written to a standard stream that the caller has closed would end in the next file that is opened.
+void keepStandardDescriptors() {
+    int descriptor = ::open("/dev/null", O_RDONLY); // so that writing fails
+    while (descriptor >= 0 && descriptor <= STDERR_FILENO) descriptor = ::dup(descriptor);
+    if (descriptor >= 0) ::close(descriptor);
 }
 
-int runTradeOnTerminal(const Options &options) {
-    QTextStream out(stdout);
-    QTextStream messages(stderr);
-    QTextStream *progress = isatty(STDERR_FILENO) ? &messages : nullptr;
-    return runTrade(options, {out, messages, progress}, ui::writeTradePicture);
+// Qt's own options are left out: it takes --plugin for one of them.
+QStringList wordsOf(int argc, char **argv) {
+    QStringList words;
+    std::transform(argv, argv + argc, std::back_inserter(words), [](const char *word) { return decodePath(word); });
+    if (words.isEmpty()) words += QStringLiteral("physics-inspector");
+    return words;
 }
 
-// Curves as text are written by the core alone.
+// The status, unless standard output lost something. Who closed a pipe has read what there was to read.
+int finished(OutputFile &out, int status, QTextStream &messages) {
+    if (out.finish()) return status;
+    if (!out.isUnread()) report(messages, out.problem());
+    return std::max(status, 1);
+}
+
+int runTradeOnTerminal(const Options &options, QTextStream &messages) {
+    const std::unique_ptr<OutputFile> file = standardOutput();
+    int status = 0;
+    {
+        QTextStream out(file.get());
+        QTextStream *progress = isatty(STDERR_FILENO) ? &messages : nullptr;
+        status = runTrade(options, {out, messages, progress}, ui::writeTradePicture);
+    }
+    return finished(*file, status, messages);
+}
+
+// Curves as text are written by the core alone; pictures need an application that can draw, but no screen.
 bool needsToDraw(const Options &options) {
     const QString &plot = options.trade.plot;
     return !plot.isEmpty() && !plot.endsWith(QLatin1String(".svg"));
 }
 
-// Pictures need an application that can draw, but no screen.
-int runTradeOffscreen(int argc, char **argv, const Options &options) {
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    const QApplication application(argc, argv);
-    return runTradeOnTerminal(options);
+int runWithoutWindow(const Options &options, QTextStream &messages) {
+    if (options.action == Options::Action::Trade) return runTradeOnTerminal(options, messages);
+    const std::unique_ptr<OutputFile> out = standardOutput();
+    return finished(*out, runHeadless(options, *out, messages), messages);
 }
 
-int runWithoutWindow(int argc, char **argv) {
-    auto application = std::make_unique<QCoreApplication>(argc, argv);
-    QTextStream messages(stderr);
-    const CommandLine line = readArguments(messages);
-    if (line.exitStatus) return *line.exitStatus;
-    if (!line.options.headless) {
-        messages << "physics-inspector: no display; --headless needs none, and inspector/run plays without one\n";
-        return 2;
-    }
-    const bool isTrade = line.options.action == Options::Action::Trade;
-    if (isTrade && !needsToDraw(line.options)) return runTradeOnTerminal(line.options);
-    if (isTrade) {
-        application.reset(); // there can be only one
-        return runTradeOffscreen(argc, argv, line.options);
-    }
-    QFile out;
-    if (!out.open(stdout, QIODevice::WriteOnly)) return 1;
-    return runHeadless(line.options, out, messages);
-}
-
-int runWithWindow(int argc, char **argv) {
-    ui::prepareApplication();
-    const QApplication application(argc, argv);
-    QTextStream messages(stderr);
-    const CommandLine line = readArguments(messages);
-    if (line.exitStatus) return *line.exitStatus;
-
+int runWithWindow(const Options &options, QTextStream &messages) {
+    QString error = ui::displayProblem();
     QSettings settings;
-    QString error;
-    const std::unique_ptr<Session> session = Session::open(line.options, settings, &error);
+    const std::unique_ptr<Session> session = error.isEmpty() ? Session::open(options, settings, &error) : nullptr;
     if (!session) {
-        messages << "physics-inspector: " << error << '\n';
+        report(messages, error);
         return 2;
     }
-    QObject::connect(session.get(), &Session::recordingFailed, &application, [&messages](const QString &reason) {
-        messages << "physics-inspector: " << reason << '\n';
-        messages.flush();
+    bool isRecorded = true;
+    QObject::connect(session.get(), &Session::recordingFailed, session.get(), [&](const QString &reason) {
+        isRecorded = false;
+        report(messages, reason);
     });
-    const int status = ui::runWindow(*session, line.options);
-    if (line.options.csv.isEmpty()) return status;
-    if (writeTable(line.options.csv, session->simulation().samples(), line.options, &error)) return status;
-    messages << "physics-inspector: --csv: " << error << '\n';
-    return 1;
-}
-
-// Qt would abort the program without one, after several lines.
-bool hasDisplay() {
-    constexpr std::array<const char *, 3> kVariables{"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"};
-    return std::any_of(kVariables.begin(), kVariables.end(),
-                       [](const char *name) { return !qEnvironmentVariableIsEmpty(name); });
+    const int status = ui::runWindow(*session, options);
+    const bool isWritten =
+        options.csv.isEmpty() || writeTable(options.csv, session->simulation().samples(), options, &error);
+    if (!isWritten) report(messages, QStringLiteral("--csv: ") + error);
+    if (endingSignal()) return statusAfter(endingSignal());
+    return status == 0 && isWritten && (isRecorded || options.record.isEmpty()) ? 0 : std::max(status, 1);
 }
 
 } // namespace
 
 int main(int argc, char **argv) {
+    keepStandardDescriptors();
     QCoreApplication::setApplicationName(QStringLiteral("physics-inspector"));
     QCoreApplication::setOrganizationName(QStringLiteral("libphysics"));
-    return isWindowless(argc, argv) || !hasDisplay() ? runWithoutWindow(argc, argv) : runWithWindow(argc, argv);
+    const QStringList words = wordsOf(argc, argv);
+    QTextStream messages(stderr);
+    int count = std::min(argc, 1); // Qt gets the program's name alone
+
+    auto withoutDisplay = std::make_unique<QCoreApplication>(count, argv);
+    const CommandLine line = parseCommandLine(words);
+    messages << line.error << Qt::flush;
+    if (line.exitStatus) {
+        const std::unique_ptr<OutputFile> out = standardOutput();
+        out->write(line.output.toUtf8());
+        return finished(*out, *line.exitStatus, messages);
+    }
+    noteEndingSignals();
+    if (line.options.headless && !needsToDraw(line.options)) return runWithoutWindow(line.options, messages);
+
+    withoutDisplay.reset();
+    if (line.options.headless) qputenv("QT_QPA_PLATFORM", "offscreen");
+    const auto application = ui::makeApplication(count, argv);
+    return line.options.headless ? runWithoutWindow(line.options, messages) : runWithWindow(line.options, messages);
 }

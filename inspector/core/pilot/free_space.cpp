@@ -40,7 +40,9 @@ void FreeSpace::layGrid() {
     const double margin = 3.0 * m_radius;
     const double width = m_bounds.max.x - m_bounds.min.x + 2.0 * margin;
     const double height = m_bounds.max.y - m_bounds.min.y + 2.0 * margin;
-    m_spacing = std::max(m_radius / kCellsPerRadius, std::sqrt(width * height / kMostCells));
+    // At most kMostCells of them a side and, but for cut ones at the border, in all.
+    m_spacing = std::max({m_radius / kCellsPerRadius, std::sqrt(width) * std::sqrt(height / kMostCells),
+                          width / kMostCells, height / kMostCells});
     m_origin = {m_bounds.min.x - margin, m_bounds.min.y - margin};
     m_columns = int(std::ceil(width / m_spacing));
     m_rows = int(std::ceil(height / m_spacing));

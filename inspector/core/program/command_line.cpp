@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/program/command_line.h"
 
+#include "core/program/outputs.h"
+#include "core/recording/recording.h"
+#include "core/setup/files.h"
 #include "core/setup/lines.h"
 #include "core/setup/numbers.h"
 #include "core/setup/tables.h"
 #include "core/simulation/simulation.h"
 
 #include <QCommandLineParser>
-#include <QCoreApplication>
-#include <QFileInfo>
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 namespace inspector {
@@ -36,19 +36,42 @@ QStringList normalised(const QStringList &arguments) {
     return result;
 }
 
-// Plugins are loaded before the parser is made, because their steppers' rows become options, too.
-Registry registryWithPlugins(const QStringList &arguments) {
+// The files of --plugin.
+QStringList pluginsOf(const QStringList &arguments) {
+    const QString prefix = QStringLiteral("--plugin=");
+    QStringList paths;
+    for (qsizetype i = 1; i < arguments.size(); ++i) {
+        if (arguments[i].startsWith(prefix)) paths += arguments[i].mid(prefix.size());
+        if (arguments[i] == QLatin1String("--plugin") && i + 1 < arguments.size()) paths += arguments[++i];
+    }
+    return paths;
+}
+
+// Of the files of the plugin folders, what was refused.
+struct Refusals {
+    const QStringList &named; // by --plugin: those that are in a folder, too, are no news
+    QStringList lines;
+};
+
+void noteRefusal(void *context, const char *path, phys_status status, const char *text) {
+    auto *refusals = static_cast<Refusals *>(context);
+    const QString file = decodePath(path);
+    const auto isFile = [&](const QString &name) { return isSameFile(name, file); };
+    if (status == PHYS_OK || std::any_of(refusals->named.begin(), refusals->named.end(), isFile)) return;
+    refusals->lines += QStringLiteral("plugin left out: ") + oneLine(decodePath(text));
+}
+
+// Plugins are loaded before the parser is made, because their steppers' rows become options, too. refused: a line for
+// each file of the plugin folders that was left out.
+Registry registryWith(const QStringList &plugins, QStringList *refused) {
     QString error;
     Registry registry = makeRegistry(&error);
     if (!registry) throw WrongUse{error};
-    const QString prefix = QStringLiteral("--plugin=");
-    for (qsizetype i = 1; i < arguments.size(); ++i) {
-        QString path;
-        if (arguments[i].startsWith(prefix)) path = arguments[i].mid(prefix.size());
-        if (arguments[i] == QLatin1String("--plugin") && i + 1 < arguments.size()) path = arguments[++i];
-        if (!path.isEmpty() && !loadPlugin(registry, path, &error))
-            throw WrongUse{QStringLiteral("--plugin: ") + error};
-    }
+    for (const QString &path : plugins)
+        if (!loadPlugin(registry, path, &error)) throw WrongUse{QStringLiteral("--plugin: ") + error};
+    Refusals refusals{plugins, {}};
+    phys_registry_scan(registry.get(), nullptr, noteRefusal, &refusals, nullptr);
+    *refused = refusals.lines;
     return registry;
 }
 
@@ -83,16 +106,21 @@ void addOptions(QCommandLineParser &parser, const std::vector<const phys_param_r
         {"level", text("Level to open: its number, or the path of a maze text file. Default 1."), text("number|file")},
         {"stepper", text("Stepper to compute with; --list-steppers shows them. Default " PHYS_STEPPER_DEFAULT "."),
          "id"},
-        {"dt", text("Length of a step in seconds, 1e-6 to 10. Default 0.01."), seconds},
+        {"dt", text("Length of a step, 1e-6 to 10 s: as 0.01, 5ms, 20us or 1/60. Default 0.01."), seconds},
         {"speed", text("Simulated seconds per second, 1/16 to 16; no effect with --headless. Default 1."), "factor"},
-        {"plugin", text("Load the steppers of this plugin file; may be repeated."), "file"},
+        {"plugin",
+         text("Load the steppers of this plugin file; may be repeated. The plugins in the folders of PHYS_PLUGIN_PATH "
+              "and "
+              "in physics-1 beside the library are there without it."),
+         "file"},
         {"autopilot", text("Let the autopilot tilt the board.")},
         {"duration",
          text("End after so many simulated seconds. Default with --headless: when the ball is out of the "
               "maze, after 60 s at the latest, with --autopilot 600 s."),
          seconds},
         {"headless", text("Run without a window, as fast as possible, and write a table of the steps (CSV).")},
-        {"csv", text("Write the table to this file. Default with --headless: standard output."), "file"},
+        {"csv", text("Write the table to this file; -: to standard output. Default with --headless: standard output."),
+         "file"},
         {"csv-every", text("Write every so many-th step. Default 1."), "steps"},
         {"record",
          text("Record the run into this text file: inputs, versions and the hash of every state, through restarts and "
@@ -112,6 +140,8 @@ void addOptions(QCommandLineParser &parser, const std::vector<const phys_param_r
          text("With --compare: so many steps of the second ball, of dt over so many, for each of the first. Default "
               "1."),
          text("number")},
+        {"force",
+         text("Let --csv, --record, --grab and --plot take the place of a file of another kind, or of a recording.")},
         {"grab",
          text("Save a picture of the window at the end of the run, and quit. With --replay: of the recording's end, or "
               "at --duration."),
@@ -190,28 +220,36 @@ void readParameters(const QCommandLineParser &parser, const std::vector<const ph
     for (const phys_param_row *row : rows) {
         if (!parser.isSet(optionName(*row))) continue;
         const QString id = QString::fromUtf8(row->id);
-        if (parameters.indexOf(id) < 0)
+        const int index = parameters.indexOf(id);
+        if (index < 0)
             throw WrongUse{QStringLiteral("--%1: stepper '%2' has no such parameter")
                                .arg(optionName(*row), QString::fromUtf8(options.stepper))};
-        options.settings.push_back({id, parameterOf(parser, *row)});
+        options.settings.push_back({id, parameterOf(parser, parameters.row(index))}); // another's range may differ
     }
     if (!parameters.set(options.settings, &error)) throw WrongUse{error};
 }
 
 void readOutputs(const QCommandLineParser &parser, Options &options) {
+    options.force = parser.isSet("force");
     options.headless = parser.isSet("headless") || parser.isSet("all-levels");
     options.autopilot = parser.isSet("autopilot") || parser.isSet("all-levels");
     if (parser.isSet("all-levels")) options.action = Options::Action::PlayAllLevels;
     options.csv = parser.value("csv");
     options.grab = parser.value("grab");
+    if (parser.isSet("grab") && !options.grab.endsWith(QLatin1String(".png")))
+        throw WrongUse{
+            QStringLiteral("--grab: expected a file name ending in .png, found %1").arg(quoted(options.grab))};
+    for (const char *name : {"csv", "record", "replay", "grab", "plot"})
+        if (parser.isSet(name) && parser.value(name).isEmpty())
+            throw WrongUse{QStringLiteral("--%1: expected the name of a file, found ''").arg(name)};
     if (parser.isSet("csv-every")) options.csvEvery = uint64_t(wholeNumberOf(parser, "csv-every", 1, 1e9));
     if (options.headless && parser.isSet("grab"))
         throw WrongUse{QStringLiteral("--grab: there is no picture without a window; leave out --headless")};
     if (options.headless && parser.isSet("shaders"))
         throw WrongUse{QStringLiteral("--shaders: nothing is drawn without a window; leave out --headless")};
     options.shaders = parser.value("shaders");
-    if (parser.isSet("shaders") && !QFileInfo(options.shaders).isDir())
-        throw WrongUse{QStringLiteral("--shaders: expected a folder, found '%1'").arg(options.shaders)};
+    if (parser.isSet("shaders") && !isFolder(options.shaders))
+        throw WrongUse{QStringLiteral("--shaders: expected a folder, found %1").arg(quoted(options.shaders))};
     if (parser.isSet("all-levels") && (parser.isSet("csv") || parser.isSet("level")))
         throw WrongUse{QStringLiteral("--all-levels: takes neither --csv nor --level")};
 }
@@ -223,7 +261,7 @@ void readComparison(const QCommandLineParser &parser, Options &options) {
     }
     for (const char *name : {"all-levels", "trade"})
         if (parser.isSet(name)) throw WrongUse{QStringLiteral("--compare: doesn't go with --%1").arg(name)};
-    if (parser.isSet("replay") && (options.headless || parser.isSet("check")))
+    if (!options.replay.isEmpty() && (options.headless || parser.isSet("check")))
         throw WrongUse{QStringLiteral("--compare: goes with --replay in the window only")};
     Opponent opponent{parser.value("compare").toUtf8()};
     phys_stepper_info info;
@@ -238,13 +276,16 @@ void readComparison(const QCommandLineParser &parser, Options &options) {
 
 void readRecordings(const QCommandLineParser &parser, const std::vector<const phys_param_row *> &rows,
                     Options &options) {
-    for (const char *name : {"replay", "all-levels", "trade"})
+    for (const char *name : {"all-levels", "trade"})
         if (parser.isSet("record") && parser.isSet(name))
             throw WrongUse{QStringLiteral("--record: doesn't go with --%1").arg(name)};
+    if (parser.isSet("record") && !options.replay.isEmpty())
+        throw WrongUse{QStringLiteral("--record: doesn't go with --replay")};
     options.record = parser.value("record");
-    options.replay = parser.value("replay");
+    if (isStandardOutput(options.record) && parser.isSet("record"))
+        throw WrongUse{QStringLiteral("--record: expected the name of a file, found '-'")};
     options.check = parser.isSet("check");
-    if (!parser.isSet("replay")) {
+    if (options.replay.isEmpty()) {
         if (options.check) throw WrongUse{QStringLiteral("--check: needs --replay")};
         return;
     }
@@ -277,7 +318,7 @@ void readTrade(const QCommandLineParser &parser, Options &options) {
     checkTradeWords(parser);
     if (!parser.isSet("trade")) return;
     const auto wrong = [&](const char *name, const char *expected) {
-        return WrongUse{QStringLiteral("--%1: expected %2, found '%3'").arg(name, expected, parser.value(name))};
+        return WrongUse{QStringLiteral("--%1: expected %2, found %3").arg(name, expected, quoted(parser.value(name)))};
     };
     options.action = Options::Action::Trade;
     options.headless = true;
@@ -296,14 +337,29 @@ void readTrade(const QCommandLineParser &parser, Options &options) {
         throw wrong("plot", "a file name ending in .svg, .pdf or .png");
 }
 
+// The file that stands alone; empty if there is none.
+QString fileOf(const QCommandLineParser &parser) {
+    const QStringList words = parser.positionalArguments();
+    if (words.isEmpty()) return {};
+    if (words.size() > 1)
+        throw WrongUse{QStringLiteral("expected one file, found %1 and %2; --help lists the options")
+                           .arg(quoted(words[0]), quoted(words[1]))};
+    for (const char *name : {"level", "replay", "trade", "all-levels"})
+        if (parser.isSet(name))
+            throw WrongUse{QStringLiteral("--%1: doesn't go with the file %2").arg(name, quoted(words[0]))};
+    if (words[0].isEmpty()) throw WrongUse{QStringLiteral("expected the name of a file, found ''")};
+    return words[0];
+}
+
 Options readOptions(const QCommandLineParser &parser, const std::vector<const phys_param_row *> &rows,
-                    Registry registry) {
+                    const Registry &registry, const QStringList &plugins) {
     Options options;
     QString error;
-    options.registry = std::move(registry);
-    if (!parser.positionalArguments().isEmpty())
-        throw WrongUse{QStringLiteral("unexpected argument '%1'; --help lists the options")
-                           .arg(parser.positionalArguments().constFirst())};
+    options.registry = registry;
+    options.plugins = plugins;
+    const QString file = fileOf(parser);
+    if (isRecordingFile(file)) options.replay = file;
+    if (parser.isSet("replay")) options.replay = parser.value("replay");
     if (parser.isSet("stepper")) options.stepper = parser.value("stepper").toUtf8();
     if (parser.isSet("dt")) options.dt = durationOf(parser, "dt", Engine::kSmallestDt, Engine::kLargestDt);
     if (parser.isSet("speed")) options.speed = numberOf(parser, "speed", Simulation::kSlowest, Simulation::kFastest);
@@ -317,9 +373,12 @@ Options readOptions(const QCommandLineParser &parser, const std::vector<const ph
     options.levels = levelsIn(levelsFolder());
     const QString option = parser.isSet("trade") ? QStringLiteral("trade") : QStringLiteral("level");
     const QString wanted = parser.isSet(option) ? parser.value(option) : QStringLiteral("1");
-    const std::optional<Level> level = findLevel(options.levels, wanted, &error);
+    const bool isFile = !file.isEmpty() && options.replay.isEmpty();
+    const std::optional<Level> level = isFile ? levelOfFile(file) : findLevel(options.levels, wanted, &error);
     if (!level) throw WrongUse{QStringLiteral("--%1: ").arg(option) + error};
     options.level = *level;
+    const QString problem = outputProblem(options);
+    if (!problem.isEmpty()) throw WrongUse{problem};
     return options;
 }
 
@@ -331,18 +390,24 @@ CommandLine ended(const QString &output) {
 }
 
 CommandLine parseOrThrow(const QStringList &arguments) {
-    const Registry registry = registryWithPlugins(arguments);
+    QStringList refused;
+    const QStringList plugins = pluginsOf(arguments);
+    const Registry registry = registryWith(plugins, &refused);
     const std::vector<const phys_param_row *> rows = allRows(registry);
     QCommandLineParser parser;
     parser.setApplicationDescription(QStringLiteral("Shows, plays and tunes one ball rolling through a maze."));
+    parser.addPositionalArgument(QStringLiteral("file"), QStringLiteral("A maze or a recording to open."),
+                                 QStringLiteral("[file]"));
     addOptions(parser, rows);
     if (!parser.parse(arguments)) throw WrongUse{parser.errorText() + QStringLiteral(" --help lists the options")};
     if (parser.isSet("help")) return ended(parser.helpText());
     if (parser.isSet("version")) return ended(versionLine() + QLatin1Char('\n'));
-    if (parser.isSet("list-steppers")) return ended(stepperTable(registry));
-    if (parser.isSet("list-parameters")) return ended(parameterTable(rows));
-    CommandLine result;
-    result.options = readOptions(parser, rows, registry);
+    QString lists;
+    if (parser.isSet("list-steppers")) lists += stepperTable(registry);
+    if (parser.isSet("list-parameters")) lists += parameterTable(rows);
+    CommandLine result = lists.isEmpty() ? CommandLine{} : ended(lists);
+    for (const QString &line : refused) result.error += QStringLiteral("physics-inspector: %1\n").arg(line);
+    if (lists.isEmpty()) result.options = readOptions(parser, rows, registry, plugins);
     return result;
 }
 
@@ -354,19 +419,9 @@ CommandLine parseCommandLine(const QStringList &arguments) {
     } catch (const WrongUse &wrong) {
         CommandLine result;
         result.exitStatus = 2;
-        result.error = QStringLiteral("physics-inspector: ") + wrong.line + QLatin1Char('\n');
+        result.error = QStringLiteral("physics-inspector: %1\n").arg(oneLine(wrong.line));
         return result;
     }
-}
-
-bool isWindowless(int argc, const char *const *argv) {
-    constexpr std::array<std::string_view, 11> kWords{
-        "--headless", "--all-levels", "--check",   "--trade", "--list-steppers", "--list-parameters",
-        "--help",     "-h",           "--version", "-v",      "--help-all"};
-    return std::any_of(argv + 1, argv + argc, [&](const char *word) {
-        const QByteArray name = QByteArray(word).replace('_', '-').split('=').first(); // --trade=3
-        return std::find(kWords.begin(), kWords.end(), std::string_view(name.constData())) != kWords.end();
-    });
 }
 
 } // namespace inspector

@@ -10,17 +10,15 @@ namespace inspector {
 
 struct CommandLine {
     Options options;
-    // If set the program ends with this status, after `output` to standard output and `error` (one line) to standard
-    // error: 0 after help, version and lists, 2 after wrong use.
+    // If set the program ends with this status, after `output` to standard output: 0 after help, version and lists, 2
+    // after wrong use.
     std::optional<int> exitStatus;
     QString output;
-    QString error;
+    QString error; // for standard error: a line of wrong use, or one for each plugin that was left out
 };
 
-// arguments: the program's name first. Loads the plugins named. Needs a QCoreApplication.
+// arguments: the program's name first; file names by decodePath(). Loads plugins and opens, but doesn't change, the
+// files to be written. Needs a QCoreApplication.
 CommandLine parseCommandLine(const QStringList &arguments);
-
-// Whether these arguments call for no window; may be asked before any application object exists.
-bool isWindowless(int argc, const char *const *argv);
 
 } // namespace inspector

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/program/csv_writer.h"
 
+#include "core/program/outputs.h"
+#include "core/setup/lines.h"
 #include "core/setup/tables.h"
-
-#include <QFile>
 
 #include <cmath>
 
@@ -33,7 +33,7 @@ QByteArray csvPreamble(const Options &options) {
     parameters.set(options.settings);
 
     QByteArray text = "# " + versionLine().toUtf8() + "\n";
-    text += "# level " + options.level.name.toUtf8() + "\n";
+    text += "# level " + oneLine(options.level.name).toUtf8() + "\n";
     text += "# stepper " + options.stepper + " " + (info.version ? info.version : "") + "\n";
     text += "# dt " + exactText(options.dt) + " s\n# autopilot " + QByteArray(options.autopilot ? "on" : "off") + "\n";
     text += comparisonLines(options);
@@ -81,17 +81,21 @@ void CsvWriter::put(const QByteArray &text) {
     if (m_isGood) m_isGood = m_out.write(text) == text.size();
 }
 
+std::unique_ptr<OutputFile> openTable(const QString &path, QString *error) {
+    if (isStandardOutput(path)) return standardOutput();
+    return OutputFile::open(path, Existing::Replace, {}, error);
+}
+
 bool writeTable(const QString &path, const SampleRing &samples, const Options &options, QString *error) {
-    QFile file(path);
-    if (file.open(QIODevice::WriteOnly | QIODevice::Truncate)) {
-        CsvWriter writer(file, options);
-        Sample sample;
-        const uint64_t end = samples.last();
-        for (uint64_t number = samples.first(); number < end; ++number)
-            if (samples.read(number, sample)) writer.write(sample);
-        if (writer.isGood() && file.flush()) return true;
-    }
-    if (error) *error = QStringLiteral("can't write '%1': %2").arg(path, file.errorString());
+    const std::unique_ptr<OutputFile> file = openTable(path, error);
+    if (!file) return false;
+    CsvWriter writer(*file, options);
+    Sample sample;
+    const uint64_t end = samples.last();
+    for (uint64_t number = samples.first(); number < end && writer.isGood(); ++number)
+        if (samples.read(number, sample)) writer.write(sample);
+    if (file->finish() || file->isUnread()) return true;
+    if (error) *error = file->problem();
     return false;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/program/options.h"
+#include "core/setup/files.h"
 #include "core/simulation/sample_ring.h"
 
 #include <QByteArray>
@@ -19,6 +20,9 @@ enum class Columns { Ball, BallAndGhost }; // without or with those of the compa
 QByteArray csvHeader(Columns columns = Columns::Ball);
 // A field without a value is empty.
 QByteArray csvRow(const Sample &sample, Columns columns = Columns::Ball);
+
+// The file that --csv names, or standard output; null and one line in `error` (or nullptr) if it can't be opened.
+std::unique_ptr<OutputFile> openTable(const QString &path, QString *error);
 
 class CsvWriter {
 public:
@@ -39,7 +43,7 @@ private:
     bool m_isGood = true;
 };
 
-// Writes all samples of a ring into a file. One line in `error` (or nullptr) if it
+// Writes all samples of a ring to a file, or to standard output if it is "-". One line in `error` (or nullptr) if it
 // can't be written.
 bool writeTable(const QString &path, const SampleRing &samples, const Options &options, QString *error);
 

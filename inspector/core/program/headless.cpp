@@ -4,10 +4,11 @@
 #include "core/engine/companion.h"
 #include "core/pilot/autopilot.h"
 #include "core/program/csv_writer.h"
+#include "core/program/ending.h"
+#include "core/program/outputs.h"
 #include "core/program/replay_command.h"
 #include "core/recording/recorder.h"
-
-#include <QFile>
+#include "core/setup/lines.h"
 
 #include <algorithm>
 #include <chrono>
@@ -22,11 +23,11 @@ constexpr double kDefaultDuration = 60.0;    // s, simulated
 constexpr double kAutopilotDuration = 600.0; // s, simulated
 
 QString outcomeLine(const Level &level, const Outcome &outcome) {
-    const QString name = QStringLiteral("level %1 ").arg(level.name);
+    const QString name = QStringLiteral("level %1 ").arg(oneLine(level.name));
     if (!outcome.error.isEmpty()) return name + QStringLiteral("failed: ") + outcome.error;
     return name + QStringLiteral("%1 %2 s (simulated), %3 steps, %4 steps/s")
-                      .arg(outcome.isOut ? QStringLiteral("won in") : QStringLiteral("not won after"))
-                      .arg(outcome.time, 0, 'f', 2)
+                      .arg(outcome.isOut() ? QStringLiteral("won in") : QStringLiteral("not won after"))
+                      .arg(outcome.outAt.value_or(outcome.time), 0, 'f', 2)
                       .arg(outcome.steps)
                       .arg(outcome.stepsPerSecond(), 0, 'f', 0);
 }
@@ -41,22 +42,16 @@ int playAllLevels(const Options &options, QIODevice &out, QTextStream &messages)
         QString error;
         const std::unique_ptr<Engine> engine = makeEngine(options, level, &error);
         if (!engine) {
-            messages << "physics-inspector: " << error << '\n';
+            report(messages, error);
             return 2;
         }
-        const Outcome outcome = play(*engine, {durationOf(options), false}, [](const Engine &) { return true; });
-        won += outcome.isOut ? 1 : 0;
-        out.write(outcomeLine(level, outcome).toUtf8() + '\n');
+        const Outcome outcome =
+            play(*engine, {durationOf(options), false}, [](const Engine &) { return endingSignal() == 0; });
+        if (endingSignal()) return statusAfter(endingSignal());
+        won += outcome.isOut() ? 1 : 0;
+        if (out.write(outcomeLine(level, outcome).toUtf8() + '\n') < 0) return 1;
     }
     return won == int(options.levels.size()) ? 0 : 1;
-}
-
-bool openTable(const Options &options, QFile &file, QTextStream &messages) {
-    if (options.csv.isEmpty()) return true;
-    file.setFileName(options.csv);
-    if (file.open(QIODevice::WriteOnly | QIODevice::Truncate)) return true;
-    messages << "physics-inspector: --csv: can't write '" << options.csv << "': " << file.errorString() << '\n';
-    return false;
 }
 
 std::unique_ptr<Recorder> makeRecorder(const Options &options) {
@@ -71,7 +66,7 @@ bool endRecording(Recorder *recorder, const Engine &engine, const Outcome &outco
     if (!recorder) return true;
     if (!outcome.error.isEmpty()) recorder->noteFailure(engine, outcome.error);
     recorder->close();
-    if (!recorder->isGood()) messages << "physics-inspector: " << recorder->error() << '\n';
+    if (!recorder->isGood()) report(messages, recorder->error());
     return recorder->isGood();
 }
 
@@ -84,7 +79,7 @@ public:
         m_id = QString::fromUtf8(options.comparison->stepper);
         const auto means = makeMeans(options.registry, *options.comparison, engine.scene(), &m_refusal);
         if (means) m_companion.emplace(engine, *means, options.stepper);
-        if (!means) messages << "physics-inspector: --compare: " << m_refusal << '\n';
+        if (!means) report(messages, QStringLiteral("--compare: ") + m_refusal);
         return means.has_value();
     }
 
@@ -103,7 +98,7 @@ public:
                         .arg(m_companion->deviation().distance * 1e3, 0, 'g', 4)
                         .arg(m_largest * 1e3, 0, 'g', 4);
         if (m_refusal.isEmpty()) return true;
-        messages << "physics-inspector: --compare: at " << m_companion->state().time << " s: " << m_refusal << '\n';
+        report(messages, QStringLiteral("--compare: at %1 s: %2").arg(m_companion->state().time).arg(m_refusal));
         return false;
     }
 
@@ -143,10 +138,10 @@ Outcome play(Engine &engine, const Limits &limits, const std::function<bool(cons
     const auto begin = std::chrono::steady_clock::now();
     // Counted in whole steps: the last one reaches the duration, but for rounding.
     const double count = std::ceil(limits.duration / engine.dt() - 1e-6);
-    while (double(outcome.steps) < count && !(outcome.isOut && !limits.goesOn)) {
+    while (double(outcome.steps) < count && !(outcome.isOut() && !limits.goesOn)) {
         if (!engine.step(&outcome.error)) break;
         ++outcome.steps;
-        outcome.isOut = outcome.isOut || (engine.state().flags & PHYS_OUT) != 0;
+        if (!outcome.outAt && (engine.state().flags & PHYS_OUT)) outcome.outAt = engine.state().time;
         if (!visit(engine)) break;
     }
     outcome.time = engine.state().time;
@@ -160,14 +155,18 @@ int runHeadless(const Options &options, QIODevice &out, QTextStream &messages) {
     QString error;
     const std::unique_ptr<Engine> engine = makeEngine(options, options.level, &error);
     if (!engine) {
-        messages << "physics-inspector: " << error << '\n';
+        report(messages, error);
         return 2;
     }
     ComparedBall other;
     if (!other.open(options, *engine, messages)) return 2;
-    QFile file;
-    if (!openTable(options, file, messages)) return 2;
-    QIODevice &table = options.csv.isEmpty() ? out : file;
+    const bool hasFile = !isStandardOutput(options.csv);
+    const std::unique_ptr<OutputFile> file = hasFile ? openTable(options.csv, &error) : nullptr;
+    if (hasFile && !file) {
+        report(messages, QStringLiteral("--csv: ") + error);
+        return 2;
+    }
+    QIODevice &table = hasFile ? *file : out;
 
     const std::unique_ptr<Recorder> recorder = makeRecorder(options);
     CsvWriter writer(table, options);
@@ -177,17 +176,17 @@ int runHeadless(const Options &options, QIODevice &out, QTextStream &messages) {
         other.follow(now, sample);
         writer.write(sample);
         if (recorder) recorder->note(now);
-        return writer.isGood();
+        return writer.isGood() && endingSignal() == 0;
     });
     const bool isRecorded = endRecording(recorder.get(), *engine, outcome, messages);
     messages << outcomeLine(options.level, outcome) << '\n';
     const bool isCompared = other.tell(messages);
-    if (!writer.isGood() || !(options.csv.isEmpty() || file.flush())) {
-        messages << "physics-inspector: the table can't be written: " << table.errorString() << '\n';
-        return 1;
-    }
+    const bool isWritten = hasFile ? file->finish() : writer.isGood();
+    if (hasFile && !isWritten) report(messages, QStringLiteral("--csv: ") + file->problem());
+    if (endingSignal()) return statusAfter(endingSignal());
     const bool hadToWin = options.autopilot && !options.duration;
-    return !outcome.error.isEmpty() || !isRecorded || !isCompared || (hadToWin && !outcome.isOut) ? 1 : 0;
+    const bool hasFailed = !outcome.error.isEmpty() || (hadToWin && !outcome.isOut());
+    return hasFailed || !isWritten || !isRecorded || !isCompared ? 1 : 0;
 }
 
 } // namespace inspector

@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace inspector {
 
@@ -16,12 +17,13 @@ namespace inspector {
 std::unique_ptr<Engine> makeEngine(const Options &options, const Level &level, QString *error);
 
 struct Outcome {
-    bool isOut = false; // the ball left the maze
-    double time = 0.0;  // s, simulated, at the end
+    std::optional<double> outAt; // s, simulated, when the ball left the maze
+    double time = 0.0;           // s, simulated, at the end
     uint64_t steps = 0;
     double seconds = 0.0; // of the clock
     QString error;        // a step's failure; empty if there was none
 
+    bool isOut() const { return outAt.has_value(); }
     double stepsPerSecond() const { return seconds > 0.0 ? double(steps) / seconds : 0.0; }
 };
 
@@ -34,7 +36,8 @@ struct Limits {
 Outcome play(Engine &engine, const Limits &limits, const std::function<bool(const Engine &)> &visit);
 
 // Does what the options ask for. Tables go to `out`, messages to `messages`. The program's exit status: 0; 1 if the run
-// failed or the autopilot didn't win; 2 if something asked for can't be opened.
+// failed, the autopilot didn't win or a table can't be written; 2 if something asked for can't be opened; after a
+// signal what is the custom. What `out` lost is for its owner to tell.
 int runHeadless(const Options &options, QIODevice &out, QTextStream &messages);
 
 } // namespace inspector

@@ -22,6 +22,7 @@ struct Options {
 
     Action action = Action::Run;
     Registry registry;         // with the plugins loaded
+    QStringList plugins;       // files of --plugin
     std::vector<Level> levels; // the list
     Level level;
     QByteArray stepper = PHYS_STEPPER_DEFAULT;
@@ -31,7 +32,7 @@ struct Options {
     bool headless = false;
     bool autopilot = false;
     std::optional<double> duration; // s of simulated time
-    QString csv;                    // file; empty: standard output
+    QString csv;                    // file; "-": standard output; empty: that if headless, else nowhere
     uint64_t csvEvery = 1;          // steps from one row to the next
     QString record;                 // file to write a recording to; empty: none
     QString replay;                 // recording, of Action::Replay, in the window unless headless
@@ -39,6 +40,7 @@ struct Options {
     std::optional<Opponent> comparison;
     TradeOptions trade; // of Action::Trade
     QString grab;       // file; empty: none
+    bool force = false; // outputs may take the place of any file
     QString shaders;    // folder of files that replace the embedded ones; empty: none
 };
 

@@ -2,9 +2,10 @@
 #include "core/program/replay_command.h"
 
 #include "core/program/csv_writer.h"
+#include "core/program/ending.h"
+#include "core/program/outputs.h"
 #include "core/recording/replay.h"
-
-#include <QFile>
+#include "core/setup/lines.h"
 
 #include <optional>
 
@@ -24,44 +25,43 @@ Options tableOptions(const Options &options, const Recording &recording) {
     return result;
 }
 
-// Where the table goes; null if nowhere. `file` is opened if it is needed.
-QIODevice *openTable(const Options &options, QFile &file, QIODevice &out, QString *error) {
-    if (options.csv.isEmpty()) return options.check ? nullptr : &out;
-    file.setFileName(options.csv);
-    if (file.open(QIODevice::WriteOnly | QIODevice::Truncate)) return &file;
-    *error = QStringLiteral("--csv: can't write '%1': %2").arg(options.csv, file.errorString());
-    return nullptr;
+// Where the table goes.
+enum class Place { Nowhere, Output, File };
+
+Place placeOfTable(const Options &options) {
+    if (options.csv.isEmpty()) return options.check ? Place::Nowhere : Place::Output;
+    return isStandardOutput(options.csv) ? Place::Output : Place::File;
 }
 
 } // namespace
 
 int runReplay(const Options &options, QIODevice &out, QTextStream &messages) {
     const auto refuse = [&](const QString &line) {
-        messages << "physics-inspector: " << line << '\n';
+        report(messages, line);
         return 2;
     };
     QString error;
     const auto recording = openRecording(options.replay, options.registry, options.levels, &error);
     if (!recording) return refuse(QStringLiteral("--replay: ") + error);
-    QFile file;
-    QIODevice *table = openTable(options, file, out, &error);
-    if (!error.isEmpty()) return refuse(error);
+    const Place place = placeOfTable(options);
+    const std::unique_ptr<OutputFile> file = place == Place::File ? openTable(options.csv, &error) : nullptr;
+    if (place == Place::File && !file) return refuse(QStringLiteral("--csv: ") + error);
 
     std::optional<CsvWriter> writer;
-    if (table) writer.emplace(*table, tableOptions(options, recording->recording()));
+    if (place != Place::Nowhere) writer.emplace(file ? *file : out, tableOptions(options, recording->recording()));
     const ReplayOutcome outcome = replay(recording, [&](const Engine &now) {
         if (writer) writer->write(now.sample());
-        return !writer || writer->isGood();
+        return (!writer || writer->isGood()) && endingSignal() == 0;
     });
-    const QString line = verdict(*recording, outcome) + QLatin1Char('\n');
-    if (options.check)
+    if (endingSignal()) return statusAfter(endingSignal());
+    const bool isWritten = file ? file->finish() : !writer || writer->isGood();
+    if (file && !isWritten) report(messages, QStringLiteral("--csv: ") + file->problem());
+    if (!isWritten) return 1; // not all was compared
+    const QString line = oneLine(verdict(*recording, outcome)) + QLatin1Char('\n');
+    if (options.check && place != Place::Output)
         out.write(line.toUtf8());
     else
         messages << line;
-    if (writer && (!writer->isGood() || (file.isOpen() && !file.flush()))) {
-        messages << "physics-inspector: the table can't be written: " << table->errorString() << '\n';
-        return 1;
-    }
     return outcome.difference ? 1 : 0;
 }
 

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/program/trade_command.h"
 
+#include "core/program/ending.h"
+#include "core/program/outputs.h"
+#include "core/setup/files.h"
+#include "core/setup/lines.h"
 #include "core/trade/trade_answer.h"
 #include "core/trade/trade_svg.h"
 #include "core/trade/trade_table.h"
 
 #include <QLocale>
-#include <QSaveFile>
 
 #include <algorithm>
 #include <cmath>
@@ -57,18 +60,23 @@ void showProgress(QTextStream &terminal, double share, const QString &what) {
 TradeResult measure(const TradePlan &plan, QTextStream *progress) {
     QString error;
     TradeListener listener;
-    if (progress)
-        listener.progressed = [progress](double share, const QString &what) { showProgress(*progress, share, what); };
-    std::optional<TradeResult> result = measureTrade(plan, listener, {}, &error);
+    std::stop_source stop;
+    listener.progressed = [progress, &stop](double share, const QString &what) {
+        if (endingSignal()) stop.request_stop();
+        if (progress) showProgress(*progress, share, what);
+    };
+    std::optional<TradeResult> result = measureTrade(plan, listener, stop.get_token(), &error);
     if (progress) *progress << kClearLine << Qt::flush;
+    if (endingSignal()) throw Failure{statusAfter(endingSignal()), QStringLiteral("--trade: ended before its end")};
     if (!result) throw Failure{2, error};
     return std::move(*result);
 }
 
 void writeFile(const QString &option, const QString &path, const QByteArray &bytes) {
-    QSaveFile file(path);
-    if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit()) return;
-    throw Failure{1, QStringLiteral("%1: can't write '%2': %3").arg(option, path, file.errorString())};
+    QString error;
+    const auto file = OutputFile::open(path, Existing::Replace, {}, &error);
+    if (file && file->write(bytes) == bytes.size() && file->finish()) return;
+    throw Failure{1, option + QStringLiteral(": ") + (file ? file->problem() : error)};
 }
 
 void writeFiles(const Options &options, const TradePlan &plan, const TradeResult &result,
@@ -76,7 +84,7 @@ void writeFiles(const Options &options, const TradePlan &plan, const TradeResult
     const QString option = QStringLiteral("--plot");
     const uint32_t model = plan.inputs.params.model;
     const QString &plot = options.trade.plot;
-    if (!options.csv.isEmpty()) writeFile(QStringLiteral("--csv"), options.csv, tradeCsv(plan, result));
+    if (!isStandardOutput(options.csv)) writeFile(QStringLiteral("--csv"), options.csv, tradeCsv(plan, result));
     if (plot.isEmpty()) return;
     if (plot.endsWith(QLatin1String(".svg"))) return writeFile(option, plot, tradeSvg(plan, result, model));
     QString error;
@@ -126,16 +134,20 @@ int runTrade(const Options &options, const TradeStreams &streams, const TradePic
     try {
         const TradePlan plan = planOf(options);
         const TradeResult result = measure(plan, streams.progress);
-        streams.out << "level " << options.level.name << ", " << tradeSummary(plan, result).join(QLatin1Char('\n'))
-                    << "\n\n"
-                    << tradeText(result) << '\n';
+        // --csv - has standard output for the table that programs read; people then read messages.
+        const bool isCsv = options.csv == QLatin1String("-");
+        QTextStream &text = isCsv ? streams.messages : streams.out;
+        if (isCsv) streams.out << tradeCsv(plan, result);
+        text << "level " << oneLine(options.level.name) << ", " << tradeSummary(plan, result).join(QLatin1Char('\n'))
+             << "\n\n"
+             << tradeText(result) << '\n';
         writeFiles(options, plan, result, writePicture);
         const double radius = phys_scene_radius(plan.scene.get());
         const Recommendation answer = recommend(result, plan.inputs.params.model, options.trade, radius);
-        streams.out << "recommended: " << answer.line << '\n';
+        text << "recommended: " << answer.line << '\n';
         return answer.point ? 0 : 1;
     } catch (const Failure &failure) {
-        streams.messages << "physics-inspector: " << failure.line << '\n';
+        report(streams.messages, failure.line);
         return failure.status;
     }
 }

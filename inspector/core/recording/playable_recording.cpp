@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recording/playable_recording.h"
 
-#include <QDir>
-#include <QFile>
-#include <QFileInfo>
+#include "core/setup/files.h"
+#include "core/setup/lines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,15 +13,14 @@ namespace {
 
 // Where the file could be on this machine; one of the list is that of the list.
 std::vector<Level> placesOf(const QString &path, const QString &recording, const std::vector<Level> &levels) {
-    const QString name = QFileInfo(path).fileName();
-    const QFileInfo recorded(path);
+    const QString name = path.section(QLatin1Char('/'), -1);
     std::vector<Level> places;
     for (const Level &level : levels)
-        if (QFileInfo(level.path) == recorded) places.push_back(level);
+        if (isSameFile(level.path, path)) places.push_back(level);
     places.push_back(levelOfFile(path));
-    places.push_back(levelOfFile(QFileInfo(recording).dir().filePath(name)));
+    places.push_back(levelOfFile(recording.left(recording.lastIndexOf(QLatin1Char('/')) + 1) + name));
     for (const Level &level : levels)
-        if (QFileInfo(level.path).fileName() == name) places.push_back(level);
+        if (level.path.section(QLatin1Char('/'), -1) == name) places.push_back(level);
     return places;
 }
 
@@ -31,17 +29,18 @@ std::optional<Level> findMaze(const MazeSource &maze, const QString &recording, 
                               QString *error) {
     QString found;
     for (const Level &place : placesOf(maze.path, recording, levels)) {
-        QFile file(place.path);
-        if (!file.open(QIODevice::ReadOnly)) continue;
-        const uint64_t hash = hashOf(file.readAll());
+        const std::optional<QByteArray> text = readFile(place.path, kLargestMaze, nullptr);
+        if (!text) continue;
+        const uint64_t hash = hashOf(*text);
         if (hash == maze.hash) return place;
         if (found.isEmpty())
-            found = QStringLiteral("expected a maze file with the hash %1, found '%2' with %3")
-                        .arg(QString::fromLatin1(hashText(maze.hash)), place.path, QString::fromLatin1(hashText(hash)));
+            found = QStringLiteral("expected a maze file with the hash %1, found %2 with %3")
+                        .arg(QString::fromLatin1(hashText(maze.hash)), quoted(place.path),
+                             QString::fromLatin1(hashText(hash)));
     }
-    *error = found.isEmpty() ? QStringLiteral("expected the maze file '%1' there, beside the recording or among the "
+    *error = found.isEmpty() ? QStringLiteral("expected the maze file %1 there, beside the recording or among the "
                                               "levels, found none")
-                                   .arg(maze.path)
+                                   .arg(quoted(maze.path))
                              : found;
     return std::nullopt;
 }
@@ -63,7 +62,7 @@ std::shared_ptr<const PlayableRecording> PlayableRecording::make(Recording recor
 bool PlayableRecording::add(size_t index, const std::vector<Level> &levels, QString *error) {
     const Stretch &now = stretch(index);
     const auto refuse = [&](int line, const QString &reason) {
-        if (error) *error = QStringLiteral("%1:%2: %3").arg(m_recording.file).arg(line).arg(reason);
+        if (error) *error = QStringLiteral("%1:%2: %3").arg(oneLine(m_recording.file)).arg(line).arg(reason);
         return false;
     };
     QString reason;

@@ -22,14 +22,14 @@ bool isSameBits(const Plain &a, const Plain &b) {
 Origin originOf(const Registry &registry, const QByteArray &stepper, const QString &maze) {
     Origin origin{{maze, 0}, {}, registry};
     phys_registry_find(registry.get(), stepper.constData(), &origin.stepper, nullptr);
-    QFile file(maze);
-    if (file.open(QIODevice::ReadOnly)) origin.maze.hash = hashOf(file.readAll());
+    if (const auto bytes = readFile(maze, kLargestMaze, nullptr)) origin.maze.hash = hashOf(*bytes);
     return origin;
 }
 
-Recorder::Recorder(const QString &path)
-    : m_file(path) {
-    if (!m_file.open(QIODevice::WriteOnly | QIODevice::Truncate | QIODevice::Unbuffered)) fail();
+Recorder::Recorder(const QString &path) {
+    QString reason;
+    m_file = OutputFile::open(path, Existing::Replace, {}, &reason);
+    if (!m_file) fail(reason);
     put(recordingHead());
     flush();
 }
@@ -87,21 +87,19 @@ bool Recorder::isFlushDue() const {
 }
 
 void Recorder::flush() {
-    if (isGood() && m_file.write(m_waiting) != m_waiting.size()) fail();
+    if (isGood() && (m_file->write(m_waiting) != m_waiting.size() || !m_file->flush())) fail(m_file->problem());
     m_waiting.clear();
     m_flushed = std::chrono::steady_clock::now();
 }
 
 void Recorder::close() {
-    if (!m_file.isOpen()) return;
+    if (!m_file) return;
     put(recordingEnd());
     flush();
-    m_file.close();
+    if (!m_file->finish() && isGood()) fail(m_file->problem());
+    m_file.reset();
 }
 
-// Kept, because closing the file forgets the reason.
-void Recorder::fail() {
-    m_error = QStringLiteral("can't record into '%1': %2").arg(m_file.fileName(), m_file.errorString());
-}
+void Recorder::fail(const QString &reason) { m_error = QStringLiteral("can't record into ") + reason; }
 
 } // namespace inspector

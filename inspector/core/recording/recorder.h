@@ -5,10 +5,10 @@
 
 #include "core/engine/engine.h"
 #include "core/recording/recording.h"
-
-#include <QFile>
+#include "core/setup/files.h"
 
 #include <chrono>
+#include <memory>
 #include <optional>
 
 namespace inspector {
@@ -25,7 +25,7 @@ Origin originOf(const Registry &registry, const QByteArray &stepper, const QStri
 
 class Recorder {
 public:
-    // Opens the file; look at isGood().
+    // Opens the file, in the place of one that is there; look at isGood().
     explicit Recorder(const QString &path);
     ~Recorder(); // writes what is left
     Recorder(const Recorder &) = delete;
@@ -51,10 +51,10 @@ private:
     void putConditions(const Engine &engine);
     void putNews(const Engine &engine, const phys_state &from);
     void put(const QByteArray &text);
-    void fail();
+    void fail(const QString &reason);
     bool isFlushDue() const;
 
-    QFile m_file;
+    std::unique_ptr<OutputFile> m_file; // null once it is closed
     QByteArray m_waiting;
     std::chrono::steady_clock::time_point m_flushed;
     QString m_error;

@@ -8,7 +8,6 @@
 #include "core/setup/inputs.h"
 
 #include <QByteArray>
-#include <QIODevice>
 #include <QString>
 
 #include <optional>
@@ -81,8 +80,8 @@ QByteArray recordingEnd();
 
 // ---- reading ----
 
-// Whether what comes next in the file is a recording's first word.
-bool isRecording(QIODevice &file);
+// Whether the file begins with a recording's first word.
+bool isRecordingFile(const QString &path);
 
 // registry: knows the rows of the steppers named. Lines after the last whole one are left out. Nothing, and one line in
 // `error` that begins with the number of the file's line, if the text isn't a recording.

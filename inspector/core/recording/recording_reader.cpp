@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/engine/engine.h"
 #include "core/recording/recording.h"
+#include "core/setup/files.h"
+#include "core/setup/lines.h"
 #include "core/setup/tables.h"
-
-#include <QFile>
 
 #include <algorithm>
 #include <array>
@@ -20,10 +20,8 @@ struct WrongLine {
     QString reason;
 };
 
-QString shown(const QByteArray &text) { return QString::fromUtf8(text.left(60)); }
-
 [[noreturn]] void fail(const QString &expected, const QByteArray &found) {
-    throw WrongLine{QStringLiteral("expected %1, found '%2'").arg(expected, shown(found))};
+    throw WrongLine{QStringLiteral("expected %1, found %2").arg(expected, quoted(decodePath(found.left(60))))};
 }
 
 template<class Number, class... Base>
@@ -160,10 +158,22 @@ void Reader::readWord(const QByteArray &line) {
     if (isInput) m_isOpen = false;
 }
 
+// As pathText() wrote it.
+QString pathOf(const QByteArray &text) {
+    QByteArray bytes;
+    for (qsizetype i = 0; i < text.size(); ++i) {
+        const QByteArray escape = text.mid(i, 3);
+        const bool isEscape = escape == "%0A" || escape == "%0D" || escape == "%25";
+        bytes += isEscape ? QByteArray::fromHex(escape.mid(1)) : text.mid(i, 1);
+        if (isEscape) i += 2;
+    }
+    return decodePath(bytes);
+}
+
 void Reader::readLevel(const QByteArrayList &fields) {
     const qsizetype end = fields[0].indexOf(' ');
     if (end < 0 || end + 1 == fields[0].size()) fail(QStringLiteral("'level HASH FILE'"), "level " + fields[0]);
-    m_conditions.maze = {QString::fromUtf8(fields[0].mid(end + 1)), hash(fields[0].left(end))};
+    m_conditions.maze = {pathOf(fields[0].mid(end + 1)), hash(fields[0].left(end))};
     m_mazeLine = m_line;
     m_from.reset();
     m_needsState = true;
@@ -290,23 +300,20 @@ std::optional<Recording> parseRecording(const QByteArray &text, const Registry &
 }
 
 std::optional<Recording> readRecording(const QString &path, const Registry &registry, QString *error) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) {
-        if (error) *error = QStringLiteral("can't read '%1': %2").arg(path, file.errorString());
-        return std::nullopt;
-    }
-    const bool isOurs = isRecording(file);
-    std::optional<Recording> recording = parseRecording(isOurs ? file.readAll() : file.peek(60), registry, error);
+    constexpr qint64 kLargest = 1000 * kMegabyte; // 16 hours of steps of 1 ms
+    const std::optional<QByteArray> text = readFile(path, kLargest, error);
+    if (!text) return std::nullopt;
+    std::optional<Recording> recording = parseRecording(*text, registry, error);
     if (recording)
         recording->file = path;
     else if (error)
-        *error = path + QLatin1Char(':') + *error;
+        *error = oneLine(path) + QLatin1Char(':') + *error;
     return recording;
 }
 
-bool isRecording(QIODevice &file) {
+bool isRecordingFile(const QString &path) {
     const QByteArray mark(kRecordingMark);
-    return file.peek(mark.size()) == mark;
+    return beginningOf(path, mark.size()) == mark;
 }
 
 } // namespace inspector

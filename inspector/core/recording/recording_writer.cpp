@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recording/recording.h"
+#include "core/setup/files.h"
 #include "core/setup/tables.h"
 
 #include <bit>
@@ -15,11 +16,16 @@ QByteArray line(const QByteArray &word, std::initializer_list<double> numbers) {
     return text + '\n';
 }
 
-// A line break would end the line; no file of a user has one in its name.
-QByteArray oneLine(const QString &text) { return text.toUtf8().replace('\n', ' ').replace('\r', ' '); }
+// A line break would end the line.
+QByteArray unbroken(const QString &text) { return text.toUtf8().replace('\n', ' ').replace('\r', ' '); }
 
 // Unlike ==: 0 and -0 are two numbers.
 bool isSame(double a, double b) { return std::bit_cast<uint64_t>(a) == std::bit_cast<uint64_t>(b); }
+
+// The bytes of a name; line breaks and % as in a URL.
+QByteArray pathText(const QString &path) {
+    return encodePath(path).replace('%', "%25").replace('\n', "%0A").replace('\r', "%0D");
+}
 
 QByteArray boardText(const Inputs &inputs) {
     const phys_vec3 &g = inputs.params.gravity;
@@ -74,7 +80,7 @@ QByteArray recordingHead() {
 QByteArray conditionsText(const Conditions *before, const Conditions &now, const phys_stepper_info &info) {
     QByteArray text;
     if (!before || !(before->maze == now.maze))
-        text += "level " + hashText(now.maze.hash) + ' ' + oneLine(now.maze.path) + '\n';
+        text += "level " + hashText(now.maze.hash) + ' ' + pathText(now.maze.path) + '\n';
     const bool isNewStepper = !before || !(before->stepper == now.stepper);
     if (isNewStepper) text += "stepper " + now.stepper.id + ' ' + now.stepper.version + '\n';
     if (!before || !isSame(before->dt, now.dt)) text += line("dt", {now.dt});
@@ -96,7 +102,7 @@ QByteArray stateText(const phys_state &state) {
 
 QByteArray stepText(const phys_state &after) { return hashText(phys_state_hash(&after)) + '\n'; }
 
-QByteArray failureText(const QString &line) { return "failed " + oneLine(line) + '\n'; }
+QByteArray failureText(const QString &line) { return "failed " + unbroken(line) + '\n'; }
 
 QByteArray recordingEnd() { return "end\n"; }
 

@@ -1,29 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/game.h"
 
+#include "core/setup/stored_values.h"
+
 #include <QSettings>
 
 namespace inspector {
 
-namespace {
-QString bestTimeKey(int level) { return QStringLiteral("best_times/%1").arg(level + 1, 2, 10, QLatin1Char('0')); }
-} // namespace
-
-Game::Game(int levelCount, QSettings &settings, QObject *parent)
+Game::Game(const QStringList &mazes, QSettings &settings, QObject *parent)
     : QObject(parent)
-    , m_levelCount(levelCount)
+    , m_mazes(mazes)
     , m_settings(settings) {}
 
-std::optional<double> Game::bestTime(int level) const {
-    bool isNumber = false;
-    const double time = m_settings.value(bestTimeKey(level)).toDouble(&isNumber);
-    if (!isNumber || !(time > 0.0)) return std::nullopt;
-    return time;
-}
+QString Game::bestTimeKey(int level) const { return QStringLiteral("best_times/") + m_mazes.value(level); }
+
+std::optional<double> Game::bestTime(int level) const { return storedTime(m_settings, bestTimeKey(level)); }
 
 void Game::confirm() {
     if (m_phase == Phase::Won) {
-        emit levelWanted((m_level + 1) % m_levelCount);
+        emit levelWanted((m_level + 1) % levelCount());
     } else if (m_phase == Phase::Prompt) {
         enter(Phase::Playing);
         emit started();
@@ -31,11 +26,11 @@ void Game::confirm() {
 }
 
 void Game::choose(int level) {
-    if (level >= 0 && level < m_levelCount) emit levelWanted(level);
+    if (level >= 0 && level < levelCount()) emit levelWanted(level);
 }
 
 void Game::prompt(int level) {
-    if (level < 0 || level >= m_levelCount) return;
+    if (level < 0 || level >= levelCount()) return;
     m_level = level;
     m_time = 0.0;
     m_isRecord = false;
@@ -43,7 +38,7 @@ void Game::prompt(int level) {
 }
 
 void Game::goOn(int level) {
-    if (level >= 0 && level < m_levelCount) m_level = level;
+    if (level >= 0 && level < levelCount()) m_level = level;
     m_time = 0.0;
     m_isRecord = false;
     enter(Phase::Playing);
@@ -52,9 +47,11 @@ void Game::goOn(int level) {
 void Game::leaveMaze(double time, bool isAssisted) {
     if (m_phase != Phase::Playing) return;
     m_time = time;
+    m_settings.sync(); // another window may have had a better one
     const std::optional<double> best = bestTime(m_level);
     m_isRecord = !isAssisted && (!best || time < *best);
     if (m_isRecord) m_settings.setValue(bestTimeKey(m_level), time);
+    m_settings.sync();
     enter(Phase::Won);
 }
 

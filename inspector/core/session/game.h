@@ -4,6 +4,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
 
 #include <optional>
 
@@ -21,8 +22,9 @@ public:
         Won, // the time is shown, Enter goes on to the next level
     };
 
-    // levelCount: > 0. settings: where best times are kept; outlives the game.
-    Game(int levelCount, QSettings &settings, QObject *parent = nullptr);
+    // mazes: a text for each level that tells its maze from all others, at least one; best times are kept under it.
+    // settings: where they are kept; outlives the game.
+    Game(const QStringList &mazes, QSettings &settings, QObject *parent = nullptr);
 
     Phase phase() const { return m_phase; }
     int level() const { return m_level; }        // from 0
@@ -32,7 +34,7 @@ public:
 
     // Enter: starts the level, or goes on to the next one after a win (the first comes after the last).
     void confirm();
-    // Asks for a level, 0 .. levelCount - 1; others are ignored.
+    // Asks for a level of the list; others are ignored.
     void choose(int level);
     // A level is open: its prompt is shown.
     void prompt(int level);
@@ -47,9 +49,11 @@ signals:
     void started();              // the simulation is to run from the start
 
 private:
+    int levelCount() const { return int(m_mazes.size()); }
+    QString bestTimeKey(int level) const;
     void enter(Phase phase);
 
-    int m_levelCount;
+    QStringList m_mazes;
     QSettings &m_settings;
     Phase m_phase = Phase::Prompt;
     int m_level = 0;

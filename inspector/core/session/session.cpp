@@ -2,14 +2,28 @@
 #include "core/session/session.h"
 
 #include "core/pilot/autopilot.h"
+#include "core/recording/recording.h"
+#include "core/setup/files.h"
+#include "core/setup/lines.h"
 
 #include <algorithm>
 
 namespace inspector {
 
 namespace {
+
 const QString kModel = QStringLiteral("model"); // the row's id
+
+// What a maze is, is its file's bytes: another one of the same number has another best time.
+QStringList mazesOf(const std::vector<Level> &levels) {
+    QStringList mazes;
+    for (const Level &level : levels)
+        mazes +=
+            QString::fromLatin1(hashText(hashOf(readFile(level.path, kLargestMaze, nullptr).value_or(QByteArray()))));
+    return mazes.isEmpty() ? QStringList{QStringLiteral("none")} : mazes;
 }
+
+} // namespace
 
 std::unique_ptr<Session> Session::open(const Options &options, QSettings &settings, QString *error) {
     const Scene scene = loadScene(options.level.path, error);
@@ -45,7 +59,7 @@ Session::Session(const Options &options, QSettings &settings, const Scene &scene
     , m_stepperId(options.stepper)
     , m_dt(options.dt)
     , m_speed(options.speed)
-    , m_game(std::max(1, int(options.levels.size())), settings)
+    , m_game(mazesOf(options.levels), settings)
     , m_simulation(std::make_unique<Simulation>(scene, stepper, origin()))
     , m_comparison(std::make_unique<Comparison>(*this)) {
     connect(&m_parameters, &Parameters::changed, this, &Session::sendInputs);
@@ -219,6 +233,11 @@ void Session::advanceKeys(double seconds) {
 }
 
 void Session::startRecording(const QString &file) {
+    const bool isRead = isSameFile(file, m_level.path) || (m_replay && isSameFile(file, recording().recording().file));
+    if (isRead) {
+        emit recordingFailed(tr("can't record into %1: it is open here").arg(quoted(file)));
+        return;
+    }
     m_simulation->startRecording(file, origin());
     showRecording(true);
 }

@@ -75,12 +75,12 @@ public:
     // Of the replay, while there is one; level, stepper, dt and parameters are those of the moment last followed.
     const PlayableRecording &recording() const { return *m_replay->recording; }
     // Level, stepper, dt and parameters become those of the moment shown; called about 30 times a second.
-    void followReplay();
+    void followReplay(const Snapshot &now);
     // Where the replay is, or is about to be; nothing before its first picture.
-    std::optional<ReplayPlace> replayPlace();
+    std::optional<ReplayPlace> replayPlace(const Snapshot &now) const;
     void seek(uint64_t position);
     // "same", "same so far" or what differs first, in one line.
-    QString replayVerdict();
+    QString replayVerdict(const Snapshot &now) const;
 
     // Keys of the game: arrow keys as held, and the time since the last call (about 60 times a second). While a key is
     // held, and until the board is level again, the tilt parameters follow the keys.

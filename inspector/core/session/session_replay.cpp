@@ -43,9 +43,10 @@ void Session::leaveReplay() {
 }
 
 void Session::goOnFromHere() {
-    followReplay();
-    if (!replayPlace()) return; // nothing was shown yet
-    const uint64_t position = m_simulation->latest().replay.position;
+    const Snapshot now = m_simulation->latest(); // conditions and place of one moment
+    followReplay(now);
+    if (!replayPlace(now)) return; // nothing was shown yet
+    const uint64_t position = now.replay.position;
     m_replay.reset();
     m_isTakenOver = true;
     m_tiltControl = {};
@@ -55,8 +56,7 @@ void Session::goOnFromHere() {
     emit replayChanged(false);
 }
 
-void Session::followReplay() {
-    const Snapshot &now = m_simulation->latest();
+void Session::followReplay(const Snapshot &now) {
     if (m_replay && now.replay.number == m_replay->number) follow(now.replay.stretch);
 }
 
@@ -99,9 +99,9 @@ void Session::show(const Stepping &stepping) {
     emit paceChanged();
 }
 
-std::optional<ReplayPlace> Session::replayPlace() {
+std::optional<ReplayPlace> Session::replayPlace(const Snapshot &now) const {
     if (!m_replay) return std::nullopt;
-    ReplayPlace place = m_simulation->latest().replay;
+    ReplayPlace place = now.replay;
     if (place.number != m_replay->number) return std::nullopt;
     if (place.seeks < m_replay->seeks) place.position = std::min(m_replay->sought, place.end);
     return place;
@@ -119,8 +119,8 @@ void Session::noteDifference(uint64_t replay, const Difference &difference) {
     emit replayDiffers(m_replay->difference);
 }
 
-QString Session::replayVerdict() {
-    const std::optional<ReplayPlace> place = replayPlace();
+QString Session::replayVerdict(const Snapshot &now) const {
+    const std::optional<ReplayPlace> place = replayPlace(now);
     if (!place) return {};
     if (!m_replay->difference.isEmpty()) return m_replay->difference;
     if (place->isChecked) return verdict(*m_replay->recording, {place->checked, std::nullopt});

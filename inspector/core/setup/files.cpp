@@ -32,6 +32,10 @@ void say(QString *error, const QString &path, const QString &reason) {
     if (error) *error = quoted(path) + QStringLiteral(": ") + reason;
 }
 
+void sayTooLarge(QString *error, const QString &path, qint64 limit) {
+    say(error, path, QStringLiteral("expected a file of at most %1 MB, found a larger one").arg(limit / kMegabyte));
+}
+
 // A descriptor that is closed at the end of its scope; -1: none.
 class Descriptor {
 public:
@@ -154,14 +158,10 @@ std::optional<QByteArray> readFile(const QString &path, qint64 limit, QString *e
     qint64 size = 0;
     const Descriptor file(openToRead(path, &size, error));
     if (file.number() < 0) return std::nullopt;
-    const auto refuseLarge = [&] {
-        say(error, path, QStringLiteral("expected a file of at most %1 MB, found a larger one").arg(limit / kMegabyte));
-        return std::nullopt;
-    };
-    if (size > limit) return refuseLarge();
+    if (size > limit) return sayTooLarge(error, path, limit), std::nullopt;
     std::optional<QByteArray> bytes = readUpTo(file.number(), limit + 1);
-    if (bytes && bytes->size() > limit) return refuseLarge(); // it grows, or has no size (/proc)
-    if (!bytes) say(error, path, reasonOf(errno));
+    if (!bytes) return say(error, path, reasonOf(errno)), std::nullopt;
+    if (bytes->size() > limit) return sayTooLarge(error, path, limit), std::nullopt; // it grows, or is in /proc
     return bytes;
 }
 
@@ -270,6 +270,10 @@ bool OutputFile::finish() {
 
 QString OutputFile::problem() const {
     return m_failure ? quoted(m_name) + QStringLiteral(": ") + reasonOf(m_failure) : QString();
+}
+
+std::unique_ptr<OutputFile> standardOutput() {
+    return std::make_unique<OutputFile>(STDOUT_FILENO, QStringLiteral("standard output"));
 }
 
 bool OutputFile::isUnread() const { return m_failure == EPIPE; }

@@ -30,6 +30,7 @@ bool isSameFile(const QString &a, const QString &b);
 // ---- reading ----
 
 inline constexpr qint64 kMegabyte = 1'000'000;
+inline constexpr qint64 kLargestMaze = 200 * kMegabyte; // a million boxes
 
 // All bytes. Nothing, and one line in `error` (or nullptr) that begins with the name, for what is no regular file, is
 // larger than `limit` bytes, or can't be read.
@@ -62,6 +63,7 @@ public:
     OutputFile &operator=(const OutputFile &) = delete;
 
     QString name() const { return m_name; }
+    bool isRegular() const { return m_isRegular; } // no device, no pipe
     bool isSequential() const override { return true; }
 
     // Hands all bytes to the system. False once something was lost.
@@ -81,13 +83,16 @@ private:
     void begin();
 
     QString m_name;
-    int m_descriptor;         // -1 once it is finished
-    bool m_isOwn = false;     // to be closed
-    bool m_isNew = false;     // there was none of this name
-    bool m_isRegular = false; // no device, no pipe
-    bool m_hasBegun = false;  // something was written
+    int m_descriptor;     // -1 once it is finished
+    bool m_isOwn = false; // to be closed
+    bool m_isNew = false; // there was none of this name
+    bool m_isRegular = false;
+    bool m_hasBegun = false; // something was written
     QByteArray m_waiting;
     int m_failure = 0; // errno of the first write that failed
 };
+
+// Descriptor 1.
+std::unique_ptr<OutputFile> standardOutput();
 
 } // namespace inspector

@@ -1,33 +1,88 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/setup/levels.h"
 
+#include "core/setup/files.h"
+#include "core/setup/lines.h"
+
 #include <QCoreApplication>
 #include <QDir>
-#include <QFileInfo>
+
+#include <algorithm>
 
 namespace inspector {
 
+namespace {
+
+const QString kSuffix = QStringLiteral(".txt");
+
+// A maze says so in its first line, which comments may come before.
+bool isMaze(const QString &path) {
+    constexpr qint64 kBeginning = 4096; // bytes
+    return beginningOf(path, kBeginning).contains("physics-maze");
+}
+
+// Digits count as the number that they write: 2 before 10.
+bool isBefore(const QString &a, const QString &b) {
+    qsizetype i = 0;
+    qsizetype j = 0;
+    const auto isDigit = [](QChar character) { return character >= QLatin1Char('0') && character <= QLatin1Char('9'); };
+    const auto number = [&](const QString &name, qsizetype &place) {
+        const qsizetype begin = place;
+        while (place < name.size() && isDigit(name[place])) ++place;
+        QString digits = name.mid(begin, place - begin);
+        while (digits.size() > 1 && digits[0] == QLatin1Char('0')) digits.remove(0, 1);
+        return digits;
+    };
+    while (i < a.size() && j < b.size()) {
+        if (isDigit(a[i]) && isDigit(b[j])) {
+            const QString first = number(a, i);
+            const QString second = number(b, j);
+            if (first.size() != second.size()) return first.size() < second.size();
+            if (first != second) return first < second;
+        } else if (a[i] != b[j]) {
+            return a[i] < b[j];
+        } else {
+            ++i, ++j;
+        }
+    }
+    return a.size() - i != b.size() - j ? a.size() - i < b.size() - j : a < b;
+}
+
+// The number that a level's name is; 0 if it is none.
+int numberOf(const QString &name) {
+    bool isNumber = false;
+    const int number = name.toInt(&isNumber);
+    return isNumber && number > 0 ? number : 0;
+}
+
+} // namespace
+
 Level levelOfFile(const QString &path) {
-    const QFileInfo text(path);
-    const QFileInfo mesh(text.dir().filePath(text.completeBaseName() + QStringLiteral(".obj")));
-    return {text.completeBaseName(), path, mesh.exists() ? mesh.filePath() : QString()};
+    const qsizetype slash = path.lastIndexOf(QLatin1Char('/'));
+    const qsizetype point = path.lastIndexOf(QLatin1Char('.'));
+    const QString stem = point > slash + 1 ? path.left(point) : path;
+    const QString mesh = stem + QStringLiteral(".obj");
+    return {stem.mid(slash + 1), path, fileExists(mesh) ? mesh : QString()};
 }
 
 std::vector<Level> levelsIn(const QString &folder) {
-    if (folder.isEmpty()) return {}; // QDir would take it for the current one
-    const QDir directory(folder);
     std::vector<Level> levels;
-    for (const QString &name : directory.entryList({QStringLiteral("*.txt")}, QDir::Files, QDir::Name))
-        levels.push_back(levelOfFile(directory.filePath(name)));
+    if (folder.isEmpty()) return levels;
+    QStringList names = fileNamesIn(folder);
+    std::sort(names.begin(), names.end(), isBefore);
+    for (const QString &name : names) {
+        const QString path = folder + QLatin1Char('/') + name;
+        if (name.endsWith(kSuffix) && isMaze(path)) levels.push_back(levelOfFile(path));
+    }
     return levels;
 }
 
 QString levelsFolder() {
-    const QString own = qEnvironmentVariable("PHYSICS_LEVELS");
-    if (!own.isEmpty()) return own;
+    const QByteArray own = qgetenv("PHYSICS_LEVELS");
+    if (!own.isEmpty()) return decodePath(own);
     const QString installed = QCoreApplication::applicationDirPath() + QStringLiteral("/../share/physics/levels");
     for (const QString &folder : {installed, QStringLiteral(INSPECTOR_SOURCE_LEVELS)})
-        if (QFileInfo(folder).isDir()) return QDir::cleanPath(folder);
+        if (isFolder(folder)) return QDir::cleanPath(folder);
     return {};
 }
 
@@ -35,12 +90,27 @@ std::optional<Level> findLevel(const std::vector<Level> &levels, const QString &
     bool isNumber = false;
     const int number = text.toInt(&isNumber);
     if (!isNumber) return levelOfFile(text);
-    if (number >= 1 && size_t(number) <= levels.size()) return levels[size_t(number) - 1];
-    if (error)
-        *error = levels.empty() ? QStringLiteral("no levels found in the folder '%1' (PHYSICS_LEVELS names another)")
-                                      .arg(levelsFolder())
-                                : QStringLiteral("expected 1 to %1, found %2").arg(levels.size()).arg(number);
-    return std::nullopt;
+    const auto refuse = [&](const QString &expected) {
+        if (error) *error = QStringLiteral("expected %1, found %2").arg(expected).arg(number);
+        return std::nullopt;
+    };
+    // Names that are numbers are what levels are called by; else it is their place in the list.
+    const bool areNumbered =
+        std::all_of(levels.begin(), levels.end(), [](const Level &level) { return numberOf(level.name) > 0; });
+    for (const Level &level : levels)
+        if (areNumbered && numberOf(level.name) == number) return level;
+    if (!areNumbered && number >= 1 && size_t(number) <= levels.size()) return levels[size_t(number) - 1];
+    if (levels.empty()) {
+        if (error)
+            *error = QStringLiteral("no levels found in the folder %1 (PHYSICS_LEVELS names another)")
+                         .arg(quoted(levelsFolder()));
+        return std::nullopt;
+    }
+    const int first = areNumbered ? numberOf(levels.front().name) : 1;
+    const int last = areNumbered ? numberOf(levels.back().name) : int(levels.size());
+    const bool isComplete = last - first + 1 == int(levels.size());
+    return refuse(
+        (isComplete ? QStringLiteral("%1 to %2") : QStringLiteral("a level of %1 to %2")).arg(first).arg(last));
 }
 
 } // namespace inspector

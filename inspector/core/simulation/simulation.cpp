@@ -19,6 +19,8 @@ namespace {
 
 // How long the ball goes on falling after it left the maze, s of simulated time.
 constexpr double kFallTime = 0.4;
+// Of a step: 30 steps of 0.01 s are 0.3 s.
+constexpr double kRounding = 1e-6;
 
 // Steps before the place sought in a replay that plots and trails get to see.
 constexpr uint64_t kStepsBefore = 10000; // the 10 s of a plot at 1 ms
@@ -50,7 +52,8 @@ struct Simulation::Worker {
     uint64_t impacts = 0;
     std::optional<Recorder> recorder{};
     std::optional<Companion> companion{};
-    double leftAt = std::numeric_limits<double>::infinity(); // when the ball left the maze, s
+    double leftAt = std::numeric_limits<double>::infinity();  // when the ball left the maze, s
+    double pauseAt = std::numeric_limits<double>::infinity(); // s
     // A replay is shown in place of the engine's ball.
     struct Seek {
         uint64_t position, number;
@@ -133,6 +136,7 @@ void Simulation::Worker::step(Clock::time_point due) {
     }
     noteStep();
     noteLeaving();
+    if (engine.state().time >= pauseAt - kRounding * engine.dt()) setRunning(false);
     publish(due);
 }
 
@@ -327,6 +331,10 @@ void Simulation::pause() {
     post([](Worker &worker) { worker.setRunning(false); });
 }
 
+void Simulation::pauseAt(double time) {
+    post([time](Worker &worker) { worker.pauseAt = time; });
+}
+
 void Simulation::stepOnce() {
     post([](Worker &worker) {
         worker.setRunning(false);
@@ -473,7 +481,7 @@ void Simulation::setInputs(const Inputs &inputs) {
     m_wake.notify_one();
 }
 
-const Snapshot &Simulation::latest() {
+Snapshot Simulation::latest() {
     m_snapshots.take();
     return m_snapshots.value();
 }

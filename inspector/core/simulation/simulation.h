@@ -36,8 +36,9 @@ public:
     // Commands, from the thread that owns this object; they return at once and take effect before the next step.
     void run();
     void pause();
-    void stepOnce(); // pauses, too
-    void restart();  // at the scene's start; goes on running or stays paused
+    void pauseAt(double time); // s: when the ball has reached it, in whole steps; the live ball only
+    void stepOnce();           // pauses, too
+    void restart();            // at the scene's start; goes on running or stays paused
     // Pauses at its start. origin: as above.
     void setScene(const Scene &scene, const Stepper &stepper, const Origin &origin = {});
     // Goes on from the same state; made for the same scene. With its inputs, because a stepper's own values fit no
@@ -70,8 +71,8 @@ public:
     // Latest wins: from the next step on.
     void setInputs(const Inputs &inputs);
 
-    // The newest snapshot; a reference that stays until the next call. The owner's thread only.
-    const Snapshot &latest();
+    // The newest snapshot. What belongs together is to be taken from one. The owner's thread only.
+    Snapshot latest();
     // All samples of this run. Any thread.
     const SampleRing &samples() const { return m_samples; }
     // What happened in this run. Any thread.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trade/recording_schedule.h"
 
-#include <QFile>
+#include "core/setup/lines.h"
 
 #include <algorithm>
 
@@ -47,17 +47,12 @@ TiltSchedule tiltsOf(Place place, Place end, double duration) {
 
 } // namespace
 
-bool isRecordingFile(const QString &path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) && isRecording(file);
-}
-
 TiltSchedule recordedSchedule(const QString &path, const Registry &registry, double duration, QString *error) {
     const std::optional<Recording> recording = readRecording(path, registry, error);
     if (!recording) return {};
     const Place run = lastRun(recording->stretches);
     if (run == recording->stretches.end()) {
-        *error = QStringLiteral("%1: expected steps, found none").arg(path);
+        *error = QStringLiteral("%1: expected steps, found none").arg(oneLine(path));
         return {};
     }
     TiltSchedule result = tiltsOf(run, recording->stretches.end(), duration);

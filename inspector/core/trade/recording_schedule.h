@@ -7,9 +7,6 @@
 
 namespace inspector {
 
-// Whether there is a recording at this path.
-bool isRecordingFile(const QString &path);
-
 // The tilts of the last run in it, that is from the last start, restart or other state that steps follow, from time 0
 // on; ends with it, or at `duration` (s). Nothing in `switches` and one line in `error` if it can't be read.
 TiltSchedule recordedSchedule(const QString &path, const Registry &registry, double duration, QString *error);

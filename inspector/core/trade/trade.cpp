@@ -185,9 +185,9 @@ void Measurement::compareAll() {
 void Measurement::compare(TradePoint &point, const std::vector<Leg> &legs, const std::vector<phys_state> &states) {
     const TradeReference &reference = *m_references[point.model];
     const double until = m_result.spans[point.model].compared;
-    Comparison comparison{m_segments, legs, states, reference.impacts(), until};
+    const ReferenceMotion motion{m_segments, legs, states, reference.impacts(), until};
     TradeRun run{m_plan.registry, m_plan.scene, point.stepper, paramsOf(point)};
-    point.error = compareRun(run, comparison, m_stop, &point.note);
+    point.error = compareRun(run, motion, m_stop, &point.note);
     point.isValid = point.note.isEmpty() && !m_stop.stop_requested();
     for (const Leg &leg : legs) point.steps += leg.steps;
     m_done += 2.0 * double(point.steps);

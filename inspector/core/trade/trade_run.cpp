@@ -96,17 +96,17 @@ std::vector<Impact> impactsUntil(std::vector<Impact> impacts, double time) {
 
 } // namespace
 
-TradeError compareRun(const TradeRun &run, const Comparison &comparison, const std::stop_token &stop, QString *note) {
+TradeError compareRun(const TradeRun &run, const ReferenceMotion &motion, const std::stop_token &stop, QString *note) {
     Judged judged(run, note);
     if (!judged.isReady()) return {};
-    for (size_t i = 0; i < comparison.states.size() && !stop.stop_requested(); ++i) {
-        const Leg &leg = comparison.legs[i];
-        if (leg.end > comparison.until * (1.0 + 1e-12)) break;
-        if (!judged.advance(leg, comparison.segments[leg.segment].gravity, note)) break;
-        judged.compare(leg.end, comparison.states[i]);
+    for (size_t i = 0; i < motion.states.size() && !stop.stop_requested(); ++i) {
+        const Leg &leg = motion.legs[i];
+        if (leg.end > motion.until * (1.0 + 1e-12)) break;
+        if (!judged.advance(leg, motion.segments[leg.segment].gravity, note)) break;
+        judged.compare(leg.end, motion.states[i]);
     }
     TradeError error = judged.takeError();
-    error.wrongImpacts = wrongImpacts(impactsUntil(comparison.impacts, comparison.until), judged.impacts());
+    error.wrongImpacts = wrongImpacts(impactsUntil(motion.impacts, motion.until), judged.impacts());
     return error;
 }
 

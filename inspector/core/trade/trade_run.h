@@ -14,7 +14,8 @@ struct TradeRun {
     phys_params params;
 };
 
-struct Comparison {
+// What a run is compared with, and how far.
+struct ReferenceMotion {
     const std::vector<Segment> &segments;
     const std::vector<Leg> &legs;
     const std::vector<phys_state> &states; // of the reference at their ends
@@ -23,7 +24,7 @@ struct Comparison {
 };
 
 // One line in `note` if the run ended before that.
-TradeError compareRun(const TradeRun &run, const Comparison &comparison, const std::stop_token &stop, QString *note);
+TradeError compareRun(const TradeRun &run, const ReferenceMotion &motion, const std::stop_token &stop, QString *note);
 
 // CPU time of this thread for the whole schedule, s, with no report asked for. Nothing if a step failed.
 std::optional<double> timeRun(const TradeRun &run, const std::vector<Segment> &segments, const std::vector<Leg> &legs,

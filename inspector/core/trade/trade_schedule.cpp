@@ -2,8 +2,9 @@
 #include "core/trade/trade_schedule.h"
 
 #include "core/pilot/autopilot.h"
+#include "core/setup/files.h"
+#include "core/setup/lines.h"
 
-#include <QFile>
 #include <QLocale>
 #include <QRegularExpression>
 
@@ -139,20 +140,20 @@ TiltSchedule randomSchedule(uint64_t seed, double duration) {
 }
 
 TiltSchedule readSchedule(const QString &path, double duration, QString *error) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly | QIODevice::Text)) {
-        *error = QStringLiteral("can't read '%1': %2").arg(path, file.errorString());
-        return {};
-    }
+    constexpr qint64 kLargest = 500 * kMegabyte; // a table of an hour at 1 ms
+    const std::optional<QByteArray> text = readFile(path, kLargest, error);
+    if (!text) return {};
     Reader reader;
-    for (int number = 1; !file.atEnd(); ++number) {
+    int number = 0;
+    for (const QByteArray &line : text->split('\n')) {
         QString reason;
-        if (reader.read(QString::fromUtf8(file.readLine()), &reason)) continue;
-        *error = QStringLiteral("%1:%2: %3").arg(path).arg(number).arg(reason);
+        ++number;
+        if (reader.read(QString::fromUtf8(line), &reason)) continue;
+        *error = QStringLiteral("%1:%2: %3").arg(oneLine(path)).arg(number).arg(oneLine(reason));
         return {};
     }
     if (reader.isEmpty()) {
-        *error = QStringLiteral("%1: expected rows of 'time tilt_x tilt_y', found none").arg(path);
+        *error = QStringLiteral("%1: expected rows of 'time tilt_x tilt_y', found none").arg(oneLine(path));
         return {};
     }
     TiltSchedule result = reader.schedule(duration);

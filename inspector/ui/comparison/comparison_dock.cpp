@@ -113,9 +113,9 @@ void ComparisonDock::showComparison() {
                      tr("Ghost: %1").arg(name(opponent.stepper, m_session.dt() / opponent.substeps)));
 }
 
-void ComparisonDock::refresh() {
+void ComparisonDock::refresh(const Snapshot &now) {
     if (!isVisible()) return;
-    m_figures->setText(summary(m_session.simulation().latest()));
+    m_figures->setText(summary(now));
     m_plot->refresh();
 }
 

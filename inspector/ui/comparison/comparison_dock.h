@@ -30,8 +30,8 @@ public:
 
     QSize sizeHint() const override { return {700, 300}; }
     DistancePlot &plot() { return *m_plot; }
-    // Shows the present moment; called about 30 times a second.
-    void refresh();
+    // Called about 30 times a second.
+    void refresh(const Snapshot &now);
 
 signals:
     void saveWanted();

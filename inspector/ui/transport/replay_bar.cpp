@@ -91,15 +91,14 @@ void ReplayBar::reset() {
                              4);
 }
 
-void ReplayBar::refresh() {
-    const std::optional<ReplayPlace> place = m_session.replayPlace();
+void ReplayBar::refresh(const Snapshot &now) {
+    const std::optional<ReplayPlace> place = m_session.replayPlace(now);
     if (!place) return;
-    showPlace(*place);
-    showVerdict(*place);
+    showPlace(*place, now);
+    showVerdict(*place, now);
 }
 
-void ReplayBar::showPlace(const ReplayPlace &place) {
-    const Snapshot &now = m_session.simulation().latest();
+void ReplayBar::showPlace(const ReplayPlace &place, const Snapshot &now) {
     m_place->setText(tr("%1 s · step %2 of %3")
                          .arg(now.current.time, 0, 'f', 3)
                          .arg(now.replay.position)
@@ -109,11 +108,11 @@ void ReplayBar::showPlace(const ReplayPlace &place) {
     if (!m_slider->isSliderDown()) m_slider->setValue(notchOf(place.position));
 }
 
-void ReplayBar::showVerdict(const ReplayPlace &place) {
+void ReplayBar::showVerdict(const ReplayPlace &place, const Snapshot &now) {
     const bool isWhole = m_session.recording().recording().isWhole;
     QString text = place.isChecked ? (isWhole ? tr("same") : tr("same, cut off")) : tr("same so far");
     if (place.difference) text = tr("differs from step %1 on").arg(*place.difference);
-    m_verdict->setToolTip(m_session.replayVerdict());
+    m_verdict->setToolTip(m_session.replayVerdict(now));
     m_toDifference->setVisible(place.difference.has_value());
     if (m_verdict->text() == text) return;
     m_verdict->setText(text);
@@ -125,7 +124,7 @@ void ReplayBar::showVerdict(const ReplayPlace &place) {
 }
 
 void ReplayBar::goToDifference() {
-    const std::optional<ReplayPlace> place = m_session.replayPlace();
+    const std::optional<ReplayPlace> place = m_session.replayPlace(m_session.simulation().latest());
     if (!place || !place->difference) return;
     m_session.simulation().pause();
     m_session.seek(*place->difference);

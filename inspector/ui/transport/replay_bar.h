@@ -24,12 +24,12 @@ public:
 
     // Another recording.
     void reset();
-    // The present moment; called about 30 times a second.
-    void refresh();
+    // Called about 30 times a second.
+    void refresh(const Snapshot &now);
 
 private:
-    void showPlace(const ReplayPlace &place);
-    void showVerdict(const ReplayPlace &place);
+    void showPlace(const ReplayPlace &place, const Snapshot &now);
+    void showVerdict(const ReplayPlace &place, const Snapshot &now);
     void goToDifference();
 
     Session &m_session;

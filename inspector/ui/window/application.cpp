@@ -1,28 +1,77 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/application.h"
 
+#include "core/program/ending.h"
 #include "core/session/session.h"
+#include "core/setup/lines.h"
 #include "gl/maze_view.h"
 #include "gl/surface_format.h"
 #include "ui/window/main_window.h"
 #include "ui/window/unattended_run.h"
 
 #include <QApplication>
+#include <QSocketNotifier>
 #include <QSurfaceFormat>
 #include <QTextStream>
 
+#include <cstdlib>
+
 namespace inspector::ui {
 
-void prepareApplication() { QSurfaceFormat::setDefaultFormat(gl::surfaceFormat()); }
+namespace {
+
+const QString kWithout = QStringLiteral("; --headless needs none, and inspector/run plays without one");
+
+// While the application is made: Qt's last words before it aborts become ours.
+void endWithoutDisplay(QtMsgType type, const QMessageLogContext &, const QString &) {
+    if (type != QtFatalMsg) return;
+    QTextStream messages(stderr);
+    report(messages, QStringLiteral("no display can be opened") + kWithout);
+    std::_Exit(2);
+}
+
+// Qt would abort without one, after several lines.
+bool hasDisplay() {
+    const auto isSet = [](const char *name) { return !qEnvironmentVariableIsEmpty(name); };
+    return isSet("DISPLAY") || isSet("WAYLAND_DISPLAY") || isSet("QT_QPA_PLATFORM");
+}
+
+// Ends the event loop when the program is told to end.
+void watchEndingSignals(QObject &owner) {
+    if (endingDescriptor() < 0) return;
+    auto *notifier = new QSocketNotifier(endingDescriptor(), QSocketNotifier::Read, &owner);
+    QObject::connect(notifier, &QSocketNotifier::activated, &owner, [notifier] {
+        notifier->setEnabled(false);
+        QCoreApplication::quit();
+    });
+}
+
+} // namespace
+
+std::unique_ptr<QApplication> makeApplication(int &argc, char **argv) {
+    QSurfaceFormat::setDefaultFormat(gl::surfaceFormat());
+    const QtMessageHandler before = qInstallMessageHandler(endWithoutDisplay);
+    if (!hasDisplay()) qFatal("no display");
+    auto application = std::make_unique<QApplication>(argc, argv);
+    qInstallMessageHandler(before);
+    return application;
+}
+
+QString displayProblem() {
+    const QString problem = gl::displayProblem();
+    return problem.isEmpty() ? problem : problem + kWithout;
+}
 
 int runWindow(Session &session, const Options &options) {
     MainWindow window(session);
+    watchEndingSignals(window);
     if (!options.shaders.isEmpty()) window.view().setShaderDirectory(options.shaders);
     window.show();
     UnattendedRun run(session, options);
     QObject::connect(&run, &UnattendedRun::finished, &window, [&window, &options](QString error) {
         if (!options.grab.isEmpty()) window.grabTo(options.grab, error.isEmpty() ? &error : nullptr);
-        if (!error.isEmpty()) QTextStream(stderr) << "physics-inspector: " << error << '\n';
+        QTextStream messages(stderr);
+        if (!error.isEmpty()) report(messages, error);
         QCoreApplication::exit(error.isEmpty() ? 0 : 1);
     });
     run.start();

@@ -2,6 +2,12 @@
 // The program with a window, from the outside: what main() calls.
 #pragma once
 
+#include <QString>
+
+#include <memory>
+
+class QApplication;
+
 namespace inspector {
 class Session;
 struct Options;
@@ -9,8 +15,12 @@ struct Options;
 
 namespace inspector::ui {
 
-// Before the QApplication exists: the OpenGL that every view of this program asks for.
-void prepareApplication();
+// The application, whose views ask for the OpenGL that this program draws with. Where no display can be opened it ends
+// the program with status 2 and one line: Qt would abort. argc, argv: outlive it.
+std::unique_ptr<QApplication> makeApplication(int &argc, char **argv);
+
+// Empty if a window can be drawn on this display; else one line. Qt would crash in the window.
+QString displayProblem();
 
 // Shows the window and runs the event loop until it ends; the program's exit status. With --autopilot the game starts
 // by itself. With --grab or --duration the window closes by itself: after --duration if given, else when the level is

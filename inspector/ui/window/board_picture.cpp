@@ -79,7 +79,7 @@ void addGhost(gl::Frame &frame, const SampleRing &samples, const phys_state &sta
 } // namespace
 
 gl::Frame currentFrame(Session &session) {
-    const Snapshot &now = session.simulation().latest();
+    const Snapshot now = session.simulation().latest();
     const SampleRing &samples = session.simulation().samples();
     const Clock::time_point moment = Clock::now();
     const phys_state state = interpolated(now, moment);

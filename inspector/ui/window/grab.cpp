@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/grab.h"
 
+#include "core/setup/files.h"
+#include "core/setup/lines.h"
+
 #include <QCoreApplication>
 #include <QImageWriter>
 #include <QPixmap>
@@ -9,11 +12,15 @@
 namespace inspector::ui {
 
 bool grabToFile(QWidget &widget, const QString &path, QString *error) {
-    QImageWriter writer(path);
-    if (writer.write(widget.grab().toImage())) return true;
+    const std::unique_ptr<OutputFile> file = OutputFile::open(path, Existing::Replace, {}, error);
+    if (!file) return false;
+    QImageWriter writer(file.get(), path.section(QLatin1Char('.'), -1).toLower().toLatin1());
+    const bool isWritten = writer.write(widget.grab().toImage());
+    if (file->finish() && isWritten) return true;
+    const QString reason = file->problem();
     if (error)
-        *error =
-            QCoreApplication::translate("Grab", "%1: the picture can't be written: %2").arg(path, writer.errorString());
+        *error = QCoreApplication::translate("Grab", "the picture can't be written: %1")
+                     .arg(reason.isEmpty() ? quoted(path) + QStringLiteral(": ") + writer.errorString() : reason);
     return false;
 }
 

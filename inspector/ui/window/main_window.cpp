@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/main_window.h"
 
+#include "core/setup/lines.h"
+#include "core/setup/stored_values.h"
 #include "gl/maze_view.h"
 #include "ui/bounces/bounce_dock.h"
 #include "ui/comparison/comparison_dock.h"
@@ -27,6 +29,7 @@
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QScreen>
+#include <QTextStream>
 #include <QUndoStack>
 #include <QVBoxLayout>
 
@@ -235,10 +238,16 @@ gl::Frame MainWindow::frame() const {
 }
 
 void MainWindow::openLevel() {
-    QString error;
-    m_view->setMaze(mazeMesh(m_session.level(), m_session.scene(), &error));
-    m_view->setBall(ballMesh(&error));
-    if (!error.isEmpty()) m_messages->showLine(error);
+    QString ofMaze;
+    QString ofBall;
+    m_view->setMaze(mazeMesh(m_session.level(), m_session.scene(), &ofMaze));
+    m_view->setBall(ballMesh(&ofBall));
+    QTextStream messages(stderr); // for a picture by a script, in which nobody reads the message
+    for (const QString &problem : {ofBall, ofMaze}) {
+        if (problem.isEmpty()) continue;
+        m_messages->showLine(problem);
+        report(messages, problem);
+    }
     showTitle();
 }
 
@@ -249,14 +258,14 @@ void MainWindow::showTitle() {
 }
 
 void MainWindow::refresh() {
-    m_session.followReplay();
-    const Snapshot &now = m_session.simulation().latest();
+    const Snapshot now = m_session.simulation().latest(); // one moment, for everything in the window
+    m_session.followReplay(now);
     m_status->showSnapshot(now);
-    m_replay->refresh();
+    m_replay->refresh(now);
     m_overlay->setText(overlayText(m_session, now));
     m_bounces->refresh();
     m_plot->plot().refresh();
-    m_comparison->refresh();
+    m_comparison->refresh(now);
     if (m_session.hasAutopilot()) m_parameters->showFlownTilt(now.inputs.tilt);
 }
 
@@ -286,8 +295,8 @@ void MainWindow::restoreLook() {
     m_firstLayout = saveState(kLayoutVersion);
     restoreGeometry(settings.value(settings_keys::kGeometry).toByteArray());
     restoreState(settings.value(settings_keys::kLayout).toByteArray(), kLayoutVersion);
-    if (settings.contains(settings_keys::kQuality))
-        m_view->setQuality(gl::Quality(settings.value(settings_keys::kQuality).toInt()));
+    if (const auto quality = storedChoice(settings, settings_keys::kQuality, gl::kQualityCount))
+        m_view->setQuality(gl::Quality(*quality));
 }
 
 void MainWindow::resetLayout() {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Menus and what they do: one table of actions, and a few menus of choices.
+#include "core/setup/stored_values.h"
 #include "core/trade/recording_schedule.h"
 #include "gl/maze_view.h"
 #include "ui/bounces/bounce_dock.h"
@@ -219,7 +220,9 @@ void MainWindow::addChoice(QMenu &menu, const char *name, const QStringList &tex
 
 int MainWindow::quality() const { return int(m_view->quality()); }
 
-int MainWindow::theme() const { return m_session.settings().value(settings_keys::kTheme, int(Theme::System)).toInt(); }
+int MainWindow::theme() const {
+    return storedChoice(m_session.settings(), settings_keys::kTheme, kThemeCount).value_or(int(Theme::System));
+}
 
 void MainWindow::chooseQuality(int number) {
     m_session.settings().setValue(settings_keys::kQuality, number);

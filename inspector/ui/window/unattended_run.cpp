@@ -27,16 +27,21 @@ UnattendedRun::UnattendedRun(Session &session, const Options &options, QObject *
 }
 
 void UnattendedRun::start() {
-    if (m_session.isReplaying()) {
+    if (m_session.isReplaying())
         startReplay();
-    } else if (m_plays) {
-        m_session.game().confirm();
-    } else if (m_duration) {
-        m_session.simulation().run();
-    }
+    else if (m_duration != 0.0)
+        startLive();
     if (!m_ends) return;
     connect(&m_session, &Session::failed, this, &UnattendedRun::finish);
     m_timer.start();
+}
+
+void UnattendedRun::startLive() {
+    if (m_duration) m_session.simulation().pauseAt(*m_duration);
+    if (m_plays)
+        m_session.game().confirm();
+    else if (m_duration)
+        m_session.simulation().run();
 }
 
 void UnattendedRun::look() {
@@ -54,9 +59,10 @@ void UnattendedRun::look() {
 
 bool UnattendedRun::isOver() {
     if (m_session.isReplaying()) return isReplayOver();
-    const Snapshot &now = m_session.simulation().latest();
-    if (m_duration && now.current.time >= *m_duration) return true;
-    if (now.current.flags & PHYS_OUT) return true; // time doesn't go on for long
+    const Snapshot now = m_session.simulation().latest();
+    // Both end in a pause at the very step, so that a picture of it repeats.
+    if (m_duration && now.current.time >= *m_duration - 0.5 * now.dt) return !now.running;
+    if (now.current.flags & PHYS_OUT) return !now.running;
     return !m_plays && !m_duration && m_looks >= kLooksAtRest;
 }
 
@@ -70,7 +76,7 @@ void UnattendedRun::startReplay() {
 }
 
 bool UnattendedRun::isReplayOver() {
-    const Snapshot &snapshot = m_session.simulation().latest();
+    const Snapshot snapshot = m_session.simulation().latest();
     const ReplayPlace &now = snapshot.replay;
     if (now.difference && m_difference.isEmpty()) return false; // its line is on its way
     const bool isThere = now.number > 0 && now.position >= std::min(m_lastPosition, now.end);

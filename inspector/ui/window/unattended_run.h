@@ -31,6 +31,7 @@ private:
     void look();
     void finish(const QString &error);
     bool isOver();
+    void startLive();
     void startReplay();
     bool isReplayOver();
 

@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: MIT
 // From words to options, and what is said of words that mean nothing.
 #include "core/program/command_line.h"
+#include "core/setup/files.h"
 
+#include <physics/plugin.h>
+
+#include <QDir>
+#include <QFile>
+#include <QRegularExpression>
+#include <QTemporaryDir>
 #include <QTest>
 
 using namespace inspector;
@@ -17,16 +24,27 @@ private slots:
     void choicesAreReadByNameAndNumber();
     void stepperOwnParametersAreOptions();
     void helpNamesEveryOptionWithItsUnit();
+    void noRowOfAPluginCanHideAnOption();
     void listsNameEverySteppersAndParametersId();
     void versionIsThatOfProgramAndLibrary();
     void wrongUseGivesOneLineAndStatus2_data();
     void wrongUseGivesOneLineAndStatus2();
     void windowIsNeededUnlessTheArgumentsSayOtherwise();
+    void aFileAloneIsALevelOrARecording();
+    void listsAskedForTogetherArePrintedTogether();
+    void outputsThatWouldDestroyAFileAreRefused_data();
+    void outputsThatWouldDestroyAFileAreRefused();
+    void wrongWordsAreQuotedInOneLine();
 };
 
 namespace {
 
 CommandLine parsed(const QStringList &words) { return parseCommandLine(QStringList("physics-inspector") + words); }
+
+void put(const QString &path, const QByteArray &bytes) {
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
+}
 
 } // namespace
 
@@ -118,6 +136,22 @@ void TestCommandLine::helpNamesEveryOptionWithItsUnit() {
         QVERIFY2(line.output.contains(option), option);
 }
 
+// Rows become options of their ids: all others are reserved.
+void TestCommandLine::noRowOfAPluginCanHideAnOption() {
+    QStringList taken{PHYS_RESERVED_ROW_IDS};
+    uint32_t count = 0;
+    for (const phys_param_row *row = phys_param_rows(&count); count-- > 0; ++row) taken += row->id;
+    phys_stepper_info info;
+    for (uint32_t i = 0; phys_registry_info(nullptr, i, &info) == PHYS_OK; ++i)
+        for (uint32_t j = 0; j < info.row_count; ++j) taken += info.rows[j]->id;
+    static const QRegularExpression option("--([a-z][a-z-]+)");
+    for (const QString &line : parsed({"--help"}).output.split('\n')) {
+        if (!line.startsWith("  -")) continue;
+        const QString id = option.match(line).captured(1).replace('-', '_');
+        QVERIFY2(taken.contains(id), qPrintable(line));
+    }
+}
+
 void TestCommandLine::listsNameEverySteppersAndParametersId() {
     const CommandLine steppers = parsed({"--list-steppers"});
     QCOMPARE(steppers.exitStatus, 0);
@@ -157,8 +191,10 @@ void TestCommandLine::wrongUseGivesOneLineAndStatus2_data() {
                                            << "doesn't go with --trade";
     QTest::newRow("unknown option") << "--colour"
                                     << "colour";
-    QTest::newRow("stray word") << "maze.txt"
-                                << "'maze.txt'";
+    QTest::newRow("two files") << "a.txt b.txt"
+                               << "expected one file, found 'a.txt' and 'b.txt'";
+    QTest::newRow("a file and a level") << "a.txt --level 2"
+                                        << "--level: doesn't go with the file 'a.txt'";
     QTest::newRow("value missing") << "--dt"
                                    << "dt";
     QTest::newRow("value where none belongs") << "--headless=yes"
@@ -216,17 +252,115 @@ void TestCommandLine::wrongUseGivesOneLineAndStatus2() {
 }
 
 void TestCommandLine::windowIsNeededUnlessTheArgumentsSayOtherwise() {
-    const auto windowless = [](std::initializer_list<const char *> words) {
-        std::vector<const char *> argv{"physics-inspector"};
-        argv.insert(argv.end(), words);
-        return isWindowless(int(argv.size()), argv.data());
+    QVERIFY(!parsed({}).options.headless);
+    QVERIFY(!parsed({"--autopilot", "--level", "3"}).options.headless);
+    QVERIFY(!parsed({"--replay", "r", "--grab", "p.png"}).options.headless);
+    QVERIFY(parsed({"--replay", "r", "--check"}).options.headless);
+    for (const char *word : {"--headless", "--all-levels", "--all_levels"})
+        QVERIFY2(parsed({word}).options.headless, word);
+}
+
+void TestCommandLine::aFileAloneIsALevelOrARecording() {
+    const QTemporaryDir folder;
+    const QString recording = folder.filePath("run.rec");
+    put(recording, "physics-recording 1\n");
+    QCOMPARE(parsed({recording}).options.replay, recording);
+    QVERIFY(parsed({recording}).options.action == Options::Action::Replay);
+    const CommandLine level = parsed({"--dt", "5ms", LEVELS_FOLDER "/03.txt"});
+    QVERIFY2(!level.exitStatus, qPrintable(level.error));
+    QCOMPARE(level.options.level.name, QString("03"));
+    QVERIFY(level.options.level.mesh.endsWith("03.obj"));
+}
+
+void TestCommandLine::listsAskedForTogetherArePrintedTogether() {
+    const CommandLine both = parsed({"--list-steppers", "--list-parameters"});
+    QCOMPARE(both.output, parsed({"--list-steppers"}).output + parsed({"--list-parameters"}).output);
+}
+
+void TestCommandLine::outputsThatWouldDestroyAFileAreRefused_data() {
+    QTest::addColumn<QString>("words"); // FOLDER/level.txt, .obj, run.rec, table.csv and note.txt are there
+    QTest::addColumn<QString>("said");  // empty: not refused
+    const QString force = "--force ";
+    QTest::newRow("table onto the level") << "--level FOLDER/level.txt --csv FOLDER/level.txt"
+                                          << "--csv: 'FOLDER/level.txt' is read by this run";
+    QTest::newRow("by another name") << "--level FOLDER/level.txt --csv FOLDER/../NAME/level.txt"
+                                     << "is read by this run";
+    QTest::newRow("even if forced") << force + "--level FOLDER/level.txt --record FOLDER/level.txt"
+                                    << "--record: 'FOLDER/level.txt' is read by this run";
+    QTest::newRow("onto the mesh") << force + "--level FOLDER/level.txt --csv FOLDER/level.obj"
+                                   << "is read by this run";
+    QTest::newRow("onto the replay") << force + "--headless --replay FOLDER/run.rec --csv FOLDER/run.rec"
+                                     << "--csv: 'FOLDER/run.rec' is read by this run";
+    QTest::newRow("onto the schedule") << "--trade 1 --schedule FOLDER/table.csv --csv FOLDER/table.csv"
+                                       << "is read by this run";
+    QTest::newRow("two outputs, new") << "--csv FOLDER/new --record FOLDER/new"
+                                      << "--record: 'FOLDER/new' is written by this run already";
+    QTest::newRow("two outputs, there") << "--csv FOLDER/table.csv --record FOLDER/table.csv"
+                                        << "--record: 'FOLDER/table.csv' is written by this run already";
+    QTest::newRow("recording onto a recording") << "--record FOLDER/run.rec"
+                                                << "--record: 'FOLDER/run.rec': there is a file of this name already";
+    QTest::newRow("that, forced") << force + "--record FOLDER/run.rec"
+                                  << "";
+    QTest::newRow("table onto a note") << "--csv FOLDER/note.txt"
+                                       << "--force replaces it";
+    QTest::newRow("table onto a table") << "--csv FOLDER/table.csv"
+                                        << "";
+    QTest::newRow("picture onto a note") << "--grab FOLDER/note.png"
+                                         << "--force replaces it";
+    QTest::newRow("picture of another kind") << "--grab FOLDER/new.jpg"
+                                             << "--grab: expected a file name ending in .png, found 'FOLDER/new.jpg'";
+    QTest::newRow("no such folder") << "--csv FOLDER/none/t.csv"
+                                    << "--csv: 'FOLDER/none/t.csv': No such file or directory";
+    QTest::newRow("recording to nowhere") << "--record FOLDER/none/r"
+                                          << "--record: 'FOLDER/none/r': No such file or directory";
+    QTest::newRow("chart in no folder") << "--trade 1 --plot FOLDER/none/c.svg"
+                                        << "--plot: 'FOLDER/none/c.svg': No such file or directory";
+    QTest::newRow("a folder") << "--csv FOLDER"
+                              << "Is a directory";
+    QTest::newRow("to standard output") << "--csv -"
+                                        << "";
+    QTest::newRow("a device twice") << "--csv /dev/null --record /dev/null"
+                                    << "";
+}
+
+void TestCommandLine::outputsThatWouldDestroyAFileAreRefused() {
+    QFETCH(QString, words);
+    QFETCH(QString, said);
+    const QTemporaryDir folder;
+    const QString path = folder.path();
+    const QString level = path + "/level.txt";
+    QVERIFY(QFile::copy(LEVELS_FOLDER "/01.txt", level));
+    put(path + "/level.obj", "v 0 0 0\n");
+    put(path + "/run.rec", "physics-recording 1\n");
+    put(path + "/table.csv", "# physics-inspector 1.0.0\ntime [s]\n");
+    put(path + "/note.txt", "mine");
+    put(path + "/note.png", "mine");
+    const auto filled = [&](QString text) {
+        return text.replace("FOLDER", path).replace("NAME", QFileInfo(path).fileName());
     };
-    QVERIFY(!windowless({}));
-    QVERIFY(!windowless({"--autopilot", "--level", "3"}));
-    QVERIFY(!windowless({"--replay", "r", "--grab", "p.png"}));
-    QVERIFY(windowless({"--replay", "r", "--check"}));
-    for (const char *word : {"--headless", "--all-levels", "--all_levels", "--list-steppers", "--help", "--version"})
-        QVERIFY2(windowless({"--level", "3", word}), word);
+    const CommandLine line = parsed(filled(words).split(' '));
+    if (said.isEmpty()) {
+        QVERIFY2(!line.exitStatus, qPrintable(line.error));
+    } else {
+        QCOMPARE(line.exitStatus, 2);
+        QVERIFY2(line.error.contains(filled(said)), qPrintable(line.error));
+    }
+    // Nothing is changed and nothing is left.
+    QCOMPARE(QDir(path).entryList(QDir::Files).join(' '),
+             QString("level.obj level.txt note.png note.txt run.rec table.csv"));
+    QCOMPARE(readFile(path + "/note.txt", 100, nullptr), QByteArray("mine"));
+    QCOMPARE(QFileInfo(level).size(), QFileInfo(LEVELS_FOLDER "/01.txt").size());
+}
+
+void TestCommandLine::wrongWordsAreQuotedInOneLine() {
+    for (const QString &word :
+         {QStringLiteral("--dt=\n\x1b[2J"), QStringLiteral("--\nx"), QStringLiteral("--grab=a\nb"),
+          QStringLiteral("--shaders=\u202e"), QStringLiteral("--stepper=\n")}) {
+        const CommandLine line = parsed({word});
+        QCOMPARE(line.exitStatus, 2);
+        QCOMPARE(line.error.count('\n'), 1);
+        QVERIFY(!line.error.contains(QChar(0x1b)) && !line.error.contains(QChar(0x202e)));
+    }
 }
 
 QTEST_GUILESS_MAIN(TestCommandLine)

@@ -71,12 +71,12 @@ void makeSteps(Session &session, uint64_t count) {
 }
 
 double distanceIn(Session &session) {
-    const Snapshot &now = session.simulation().latest();
+    const Snapshot now = session.simulation().latest();
     return now.ghost ? now.ghost->deviation.distance : std::nan("");
 }
 
 bool isTogether(Session &session) {
-    const Snapshot &now = session.simulation().latest();
+    const Snapshot now = session.simulation().latest();
     return now.ghost && support::sameBits(now.ghost->current, now.current);
 }
 
@@ -136,7 +136,7 @@ void TestComparison::threadGivesTheSameBitsAsStepsByHand() {
         QVERIFY(session->simulation().samples().read(i, sample));
         QVERIFY(support::sameBits(sample.values, expected.values));
     }
-    const Snapshot &now = session->simulation().latest();
+    const Snapshot now = session->simulation().latest();
     QVERIFY(now.ghost);
     QVERIFY(support::sameBits(now.ghost->current, companion.state()));
     QVERIFY(support::sameBits(now.ghost->previous, companion.previous()));
@@ -250,10 +250,12 @@ void TestComparison::meetAgainBringsThemTogether() {
     options.comparison = Opponent{};
     const auto session = open(options);
     makeSteps(*session, 20);
-    const uint64_t before = phys_state_hash(&session->simulation().latest().current);
+    const Snapshot then = session->simulation().latest();
+    const uint64_t before = phys_state_hash(&then.current);
     session->comparison().meetAgain();
     QTRY_VERIFY(isTogether(*session));
-    QCOMPARE(phys_state_hash(&session->simulation().latest().current), before);
+    const Snapshot now = session->simulation().latest();
+    QCOMPARE(phys_state_hash(&now.current), before);
     makeSteps(*session, 1);
     QVERIFY(distanceIn(*session) > 0.0);
 }

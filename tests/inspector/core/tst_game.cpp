@@ -11,6 +11,12 @@
 
 using namespace inspector;
 
+namespace {
+
+const QStringList kMazes{"a", "b", "c", "d", "e", "f", "g", "h", "i", "j"};
+
+} // namespace
+
 class TestGame : public QObject {
     Q_OBJECT
 
@@ -30,6 +36,8 @@ private slots:
     void fasterTimeReplacesTheRecord();
     void assistedRunSetsNoRecord();
     void bestTimesOutliveTheGame();
+    void bestTimesBelongToTheMazeNotToItsNumber();
+    void theBetterOfTwoWindowsTimesStays();
     void spoiltSettingIsNoBestTime();
 
 private:
@@ -42,7 +50,7 @@ void TestGame::init() {
     m_game.reset();
     m_folder = std::make_unique<QTemporaryDir>();
     m_settings = std::make_unique<QSettings>(m_folder->filePath("settings.ini"), QSettings::IniFormat);
-    m_game = std::make_unique<Game>(10, *m_settings);
+    m_game = std::make_unique<Game>(kMazes, *m_settings);
 }
 
 void TestGame::beginsWithThePromptOfTheFirstLevel() {
@@ -159,14 +167,35 @@ void TestGame::bestTimesOutliveTheGame() {
     m_game->leaveMaze(7.25, false);
     m_settings->sync();
     QSettings again(m_settings->fileName(), QSettings::IniFormat);
-    const Game other(10, again);
+    const Game other(kMazes, again);
     QCOMPARE(other.bestTime(2), 7.25);
     QVERIFY(!other.bestTime(1));
 }
 
+void TestGame::bestTimesBelongToTheMazeNotToItsNumber() {
+    m_game->confirm();
+    m_game->leaveMaze(7.25, false);
+    const Game other({"z", "a"}, *m_settings);
+    QVERIFY(!other.bestTime(0));
+    QCOMPARE(other.bestTime(1), 7.25);
+}
+
+void TestGame::theBetterOfTwoWindowsTimesStays() {
+    QSettings settings(m_settings->fileName(), QSettings::IniFormat);
+    Game other(kMazes, settings);
+    QVERIFY(!other.bestTime(0)); // as it is when that window opens
+    m_game->confirm();
+    m_game->leaveMaze(5.0, false);
+    other.confirm();
+    other.leaveMaze(9.0, false);
+    QVERIFY(!other.isRecord());
+    const QSettings after(m_settings->fileName(), QSettings::IniFormat);
+    QCOMPARE(after.value("best_times/a").toDouble(), 5.0);
+}
+
 void TestGame::spoiltSettingIsNoBestTime() {
-    for (const char *text : {"soon", "-3", "0", "nan"}) {
-        m_settings->setValue("best_times/01", text);
+    for (const char *text : {"soon", "-3", "0", "nan", "inf", "1e999", ""}) {
+        m_settings->setValue("best_times/" + kMazes[0], text);
         QVERIFY2(!m_game->bestTime(0), text);
     }
 }

@@ -27,6 +27,7 @@ private slots:
     void missingLevelGivesOneLineAndStatus2();
     void unwritableTableGivesOneLineAndStatus2();
     void fullDiskGivesOneLineAndStatus1();
+    void timeOfWinningIsSaidWhenTheRunGoesOn();
     void tableOfARingHasTheSameRowsAsThatOfTheRun();
 };
 
@@ -151,9 +152,18 @@ void TestHeadless::unwritableTableGivesOneLineAndStatus2() {
 
 void TestHeadless::fullDiskGivesOneLineAndStatus1() {
     if (!QFile::exists("/dev/full")) QSKIP("this system has no /dev/full");
-    const Result result = runOf("--csv /dev/full --duration 10");
-    QCOMPARE(result.status, 1);
-    QVERIFY2(result.messages.contains("can't be written"), qPrintable(result.messages));
+    for (const char *duration : {"10", "0.01"}) { // also what fits into a buffer
+        const Result result = runOf(QString("--csv /dev/full --duration ") + duration);
+        QCOMPARE(result.status, 1);
+        QVERIFY2(result.messages.contains("--csv: '/dev/full': No space left"), qPrintable(result.messages));
+    }
+}
+
+void TestHeadless::timeOfWinningIsSaidWhenTheRunGoesOn() {
+    const QString won = runOf("--autopilot").messages.section(" s (simulated)", 0, 0);
+    const Result longer = runOf("--autopilot --duration 100 --csv-every 1000000");
+    QCOMPARE(longer.messages.section(" s (simulated)", 0, 0), won);
+    QVERIFY2(longer.messages.contains(" 10000 steps"), qPrintable(longer.messages));
 }
 
 void TestHeadless::tableOfARingHasTheSameRowsAsThatOfTheRun() {

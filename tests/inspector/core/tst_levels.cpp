@@ -19,6 +19,8 @@ private slots:
     void numberBeyondTheListIsRefused();
     void anythingElseIsAFile();
     void levelWithoutMeshHasNone();
+    void onlyMazesAreLevelsAndTwoComesBeforeTen();
+    void levelsThatAreNumbersAreCalledByThem();
 };
 
 void TestLevels::theTenLevelsAreFoundInOrderWithTheirMeshes() {
@@ -67,6 +69,41 @@ void TestLevels::levelWithoutMeshHasNone() {
     QFile file(folder.filePath("a.txt"));
     QVERIFY(file.open(QIODevice::WriteOnly));
     QVERIFY(levelOfFile(file.fileName()).mesh.isEmpty());
+}
+
+namespace {
+
+void put(const QTemporaryDir &folder, const QString &name, const QByteArray &bytes) {
+    QFile file(folder.filePath(name));
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
+}
+
+QStringList namesOf(const std::vector<Level> &levels) {
+    QStringList names;
+    for (const Level &level : levels) names += level.name;
+    return names;
+}
+
+} // namespace
+
+void TestLevels::onlyMazesAreLevelsAndTwoComesBeforeTen() {
+    const QTemporaryDir folder;
+    for (const char *name : {"10.txt", "2.txt", "b10.txt", "b9.txt", "b09.txt", "007.txt"})
+        put(folder, name, "# mine\nphysics-maze 1\n");
+    put(folder, "README.txt", "Levels of mine.\n");
+    put(folder, "1.txt.orig", "physics-maze 1\n");
+    QVERIFY(QDir(folder.path()).mkdir("3.txt"));
+    QCOMPARE(namesOf(levelsIn(folder.path())), QStringList({"2", "007", "10", "b09", "b9", "b10"}));
+}
+
+void TestLevels::levelsThatAreNumbersAreCalledByThem() {
+    const QTemporaryDir folder;
+    for (const char *name : {"2.txt", "10.txt"}) put(folder, name, "physics-maze 1\n");
+    const std::vector<Level> levels = levelsIn(folder.path());
+    QCOMPARE(findLevel(levels, "10", nullptr)->name, QString("10"));
+    QString error;
+    QVERIFY(!findLevel(levels, "1", &error));
+    QCOMPARE(error, QString("expected a level of 2 to 10, found 1"));
 }
 
 QTEST_GUILESS_MAIN(TestLevels)

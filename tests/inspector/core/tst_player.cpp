@@ -48,6 +48,8 @@ private:
 
 namespace {
 
+uint64_t hashOf(const Snapshot &snapshot) { return phys_state_hash(&snapshot.current); }
+
 constexpr const char *kMaze1 = LEVELS_FOLDER "/01.txt";
 constexpr const char *kMaze3 = LEVELS_FOLDER "/03.txt";
 
@@ -326,7 +328,7 @@ void TestPlayer::simulationShowsTheRecordedSamples() {
     simulation->run();
     QTRY_COMPARE(simulation->latest().replay.position, uint64_t(2400));
     QTRY_VERIFY(!simulation->latest().running);
-    const Snapshot &end = simulation->latest();
+    const Snapshot end = simulation->latest();
     QCOMPARE(phys_state_hash(&end.current), hashAt(*recording, 2400));
     QVERIFY(end.replay.isChecked && !end.replay.difference);
     QCOMPARE(end.dt, 0.001);
@@ -369,10 +371,10 @@ void TestPlayer::stepBackAndForwardAreOneStep() {
     for (int i = 0; i < 5; ++i) simulation->stepBack();
     QTRY_COMPARE(simulation->latest().replay.position, uint64_t(1196));
     QVERIFY(!simulation->latest().running);
-    QCOMPARE(phys_state_hash(&simulation->latest().current), hashAt(*recording, 1196));
+    QCOMPARE(hashOf(simulation->latest()), hashAt(*recording, 1196));
     for (int i = 0; i < 6; ++i) simulation->stepOnce(); // across a restart
     QTRY_COMPARE(simulation->latest().replay.position, uint64_t(1202));
-    QCOMPARE(phys_state_hash(&simulation->latest().current), hashAt(*recording, 1202));
+    QCOMPARE(hashOf(simulation->latest()), hashAt(*recording, 1202));
     simulation->stepBack();
     simulation->stepOnce(); // at once: the same place
     simulation->stepBack();

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The program itself, from the outside: output, messages, exit status; no display.
+#include <QFileInfo>
 #include <QProcess>
+#include <QTemporaryDir>
 #include <QTest>
+
+#include <csignal>
 
 class TestProgram : public QObject {
     Q_OBJECT
@@ -12,6 +16,17 @@ private slots:
     void allLevelsAreWon();
     void wrongUseGivesStatus2AndOneLine();
     void windowWithoutADisplayGivesStatus2AndOneLine();
+    void displayThatCantBeOpenedGivesStatus2AndOneLine_data();
+    void displayThatCantBeOpenedGivesStatus2AndOneLine();
+    void whatAFullStandardOutputLosesIsTold_data();
+    void whatAFullStandardOutputLosesIsTold();
+    void aClosedPipeEndsTheRunQuietlyAndItsRecordingWhole();
+    void aClosedStandardOutputIsNoOtherFile();
+    void aSignalLeavesTableAndRecordingWhole_data();
+    void aSignalLeavesTableAndRecordingWhole();
+    void filesOfAnyNameAreOpened();
+    void aSecondProgramRecordingIntoOneFileIsTold();
+    void pluginFoldersAreScannedAndWhatIsRefusedIsTold();
 };
 
 namespace {
@@ -21,16 +36,35 @@ struct Result {
     QByteArray out, messages;
 };
 
-Result runOf(const QStringList &arguments) {
-    QProcess process;
+QProcessEnvironment noDisplay() {
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.remove("DISPLAY");
-    environment.remove("WAYLAND_DISPLAY");
-    environment.remove("QT_QPA_PLATFORM");
-    process.setProcessEnvironment(environment);
-    process.start(INSPECTOR, arguments);
+    for (const char *name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "PHYS_PLUGIN_PATH"})
+        environment.remove(name);
+    return environment;
+}
+
+Result endOf(QProcess &process) {
     const bool hasEnded = process.waitForFinished(60000) && process.exitStatus() == QProcess::NormalExit;
     return {hasEnded ? process.exitCode() : -1, process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+Result runOf(const QStringList &arguments, const QProcessEnvironment &environment = noDisplay()) {
+    QProcess process;
+    process.setProcessEnvironment(environment);
+    process.start(INSPECTOR, arguments);
+    return endOf(process);
+}
+
+// By a shell, for redirections and names of any bytes: $0 is the program, $1 a folder.
+Result runByShell(const QByteArray &script, const QString &folder = {}) {
+    QProcess process;
+    process.setProcessEnvironment(noDisplay());
+    process.start("/bin/sh", {"-c", QString::fromLatin1(script), INSPECTOR, folder});
+    return endOf(process);
+}
+
+bool isOneLine(const QByteArray &messages) {
+    return messages.startsWith("physics-inspector: ") && messages.count('\n') == 1;
 }
 
 } // namespace
@@ -74,6 +108,147 @@ void TestProgram::windowWithoutADisplayGivesStatus2AndOneLine() {
     const Result replay = runOf({"--replay", "some.rec"});
     QCOMPARE(replay.status, 2);
     QVERIFY2(replay.messages.startsWith("physics-inspector: no display"), replay.messages.constData());
+}
+
+void TestProgram::displayThatCantBeOpenedGivesStatus2AndOneLine_data() {
+    QTest::addColumn<QString>("variable");
+    QTest::addColumn<QString>("value");
+    QTest::newRow("no such screen") << "DISPLAY"
+                                    << ":59999";
+    QTest::newRow("no such platform") << "QT_QPA_PLATFORM"
+                                      << "none";
+    QTest::newRow("platform without OpenGL") << "QT_QPA_PLATFORM"
+                                             << "offscreen";
+    QTest::newRow("no Wayland either") << "WAYLAND_DISPLAY"
+                                       << "nowhere";
+}
+
+void TestProgram::displayThatCantBeOpenedGivesStatus2AndOneLine() {
+    QFETCH(QString, variable);
+    QFETCH(QString, value);
+    QProcessEnvironment environment = noDisplay();
+    environment.insert(variable, value);
+    const Result result = runOf({}, environment);
+    QCOMPARE(result.status, 2);
+    QVERIFY2(isOneLine(result.messages) && result.messages.contains("--headless"), result.messages.constData());
+}
+
+void TestProgram::whatAFullStandardOutputLosesIsTold_data() {
+    QTest::addColumn<QByteArray>("words");
+    QTest::newRow("help") << QByteArray("--help");
+    QTest::newRow("version") << QByteArray("--version");
+    QTest::newRow("list") << QByteArray("--list-steppers");
+    QTest::newRow("short table") << QByteArray("--headless --duration 0.01");
+    QTest::newRow("long table") << QByteArray("--headless --duration 10");
+    QTest::newRow("levels") << QByteArray("--all-levels --dt 1/60");
+    QTest::newRow("verdict") << QByteArray("--replay \"$1/r\" --check");
+    QTest::newRow("table of a replay") << QByteArray("--replay \"$1/r\" --headless");
+}
+
+void TestProgram::whatAFullStandardOutputLosesIsTold() {
+    if (!QFile::exists("/dev/full")) QSKIP("this system has no /dev/full");
+    QFETCH(QByteArray, words);
+    const QTemporaryDir folder;
+    QCOMPARE(runOf({"--headless", "--duration", "0.1", "--record", folder.filePath("r")}).status, 0);
+    const Result result = runByShell("exec \"$0\" " + words + " >/dev/full", folder.path());
+    QCOMPARE(result.status, 1);
+    QVERIFY2(result.messages.contains("physics-inspector: 'standard output': No space left on device\n"),
+             result.messages.constData());
+}
+
+void TestProgram::aClosedPipeEndsTheRunQuietlyAndItsRecordingWhole() {
+    const QTemporaryDir folder;
+    const Result result = runByShell("\"$0\" --headless --duration 1e6 --record \"$1/r\" | head -n 1", folder.path());
+    QCOMPARE(result.status, 0); // of head
+    QCOMPARE(result.out, QByteArray(result.out).left(result.out.indexOf('\n') + 1));
+    QVERIFY2(!result.messages.contains("standard output"), result.messages.constData());
+    QVERIFY(runOf({"--replay", folder.filePath("r"), "--check"}).out.startsWith("same: "));
+}
+
+void TestProgram::aClosedStandardOutputIsNoOtherFile() {
+    const QTemporaryDir folder;
+    const Result result =
+        runByShell("exec \"$0\" --headless --duration 0.1 --record \"$1/r\" >&- 2>\"$1/said\"", folder.path());
+    QCOMPARE(result.status, 1);
+    const Result check = runOf({"--replay", folder.filePath("r"), "--check"});
+    QCOMPARE(check.status, 0);
+}
+
+void TestProgram::aSignalLeavesTableAndRecordingWhole_data() {
+    QTest::addColumn<int>("signal");
+    QTest::newRow("SIGINT") << SIGINT;
+    QTest::newRow("SIGTERM") << SIGTERM;
+    QTest::newRow("SIGHUP") << SIGHUP;
+}
+
+void TestProgram::aSignalLeavesTableAndRecordingWhole() {
+    QFETCH(int, signal);
+    const QTemporaryDir folder;
+    QProcess process;
+    process.setProcessEnvironment(noDisplay());
+    process.start(INSPECTOR, {"--headless", "--duration", "1e6", "--csv-every", "1000", "--csv", folder.filePath("t"),
+                              "--record", folder.filePath("r")});
+    QVERIFY(process.waitForStarted());
+    QTRY_VERIFY(QFileInfo(folder.filePath("r")).size() > 100000);
+    ::kill(pid_t(process.processId()), signal);
+    const Result result = endOf(process);
+    QCOMPARE(result.status, 128 + signal);
+    QFile table(folder.filePath("t"));
+    QVERIFY(table.open(QIODevice::ReadOnly));
+    const QByteArray text = table.readAll();
+    QVERIFY(text.startsWith("# physics-inspector") && text.endsWith('\n') && text.contains("\n10,1000,"));
+    QFile recording(folder.filePath("r"));
+    QVERIFY(recording.open(QIODevice::ReadOnly));
+    QVERIFY(recording.readAll().endsWith("\nend\n"));
+}
+
+void TestProgram::filesOfAnyNameAreOpened() {
+    const QTemporaryDir folder;
+    const QByteArray name = "\"$1/$(printf 'h\\366he \\033[31m\\nx.txt')\"";
+    const QByteArray prepare = "cp '" LEVELS_FOLDER "/01.txt' " + name + " && ";
+    const Result run =
+        runByShell(prepare + "\"$0\" --headless --duration 0.1 --level " + name + " --record \"$1/r\"", folder.path());
+    QCOMPARE(run.status, 0);
+    QCOMPARE(run.messages.count('\n'), 1);
+    QVERIFY2(run.messages.contains("level h\\xf6he \\x1b[31m\\nx not won"), run.messages.constData());
+    const Result again = runByShell("\"$0\" --replay \"$1/r\" --check; rm " + name, folder.path());
+    QVERIFY2(again.out.startsWith("same: 10 steps"), again.messages.constData());
+}
+
+void TestProgram::aSecondProgramRecordingIntoOneFileIsTold() {
+    const QTemporaryDir folder;
+    const QStringList words{"--headless", "--duration", "1e6",      "--csv-every",
+                            "1000000",    "--force",    "--record", folder.filePath("r")};
+    QProcess first;
+    first.setProcessEnvironment(noDisplay());
+    first.start(INSPECTOR, words);
+    QVERIFY(first.waitForStarted());
+    QTRY_VERIFY(QFileInfo(folder.filePath("r")).size() > 1000);
+    const Result second = runOf(words);
+    first.kill();
+    first.waitForFinished();
+    QCOMPARE(second.status, 2);
+    QVERIFY2(isOneLine(second.messages) && second.messages.contains("another program is writing to it"),
+             second.messages.constData());
+}
+
+void TestProgram::pluginFoldersAreScannedAndWhatIsRefusedIsTold() {
+    const QTemporaryDir folder;
+    QVERIFY(QFile::copy(ADAPTIVE_DRAG, folder.filePath("a.so")));
+    QFile broken(folder.filePath("b.so"));
+    QVERIFY(broken.open(QIODevice::WriteOnly) && broken.write("no plugin") > 0);
+    broken.close();
+    QProcessEnvironment environment = noDisplay();
+    environment.insert("PHYS_PLUGIN_PATH", folder.path());
+    const Result result = runOf({"--list-steppers"}, environment);
+    QCOMPARE(result.status, 0);
+    QVERIFY(result.out.contains("\nadaptive-drag "));
+    QVERIFY2(isOneLine(result.messages) && result.messages.contains("plugin left out: ") &&
+                 result.messages.contains("b.so"),
+             result.messages.constData());
+    // One that is named and in the folder, too, is no mistake.
+    const Result named = runOf({"--list-steppers", "--plugin", folder.filePath("a.so")}, environment);
+    QCOMPARE(named.messages.count("left out"), 1);
 }
 
 QTEST_GUILESS_MAIN(TestProgram)

@@ -17,6 +17,7 @@ class TestSimulation : public QObject {
 
 private slots:
     void startsPausedAtTheStart();
+    void aSnapshotStaysAsItWasWhenTaken();
     void threadGivesTheSameBitsAsStepsByHand();
     void blockedWindowThreadLosesNoStepAndNoSample();
     void speedChangesHowManyStepsRunButNeverDt_data();
@@ -39,6 +40,8 @@ private slots:
 };
 
 namespace {
+
+uint64_t hashOf(const Snapshot &snapshot) { return phys_state_hash(&snapshot.current); }
 
 std::unique_ptr<Simulation> simulationOf(const Scene &scene) {
     return std::make_unique<Simulation>(scene, defaultStepper(scene));
@@ -79,10 +82,20 @@ public:
 
 void TestSimulation::startsPausedAtTheStart() {
     const auto simulation = simulationOf(levelScene(1));
-    const Snapshot &snapshot = simulation->latest();
+    const Snapshot snapshot = simulation->latest();
     QVERIFY(!snapshot.running);
     QCOMPARE(snapshot.current.step, uint64_t(0));
     QCOMPARE(snapshot.current.position.x, -0.054); // start of level 01
+}
+
+void TestSimulation::aSnapshotStaysAsItWasWhenTaken() {
+    const auto simulation = simulationOf(levelScene(1));
+    const Snapshot &then = simulation->latest();
+    for (uint64_t step = 1; step <= 4; ++step) { // more than there are slots
+        simulation->stepOnce();
+        QTRY_COMPARE(simulation->latest().current.step, step);
+        QCOMPARE(then.current.step, uint64_t(0));
+    }
 }
 
 void TestSimulation::threadGivesTheSameBitsAsStepsByHand() {
@@ -220,11 +233,11 @@ void TestSimulation::stateCanBeSetBack() {
     const phys_state kept = simulation->latest().current;
     simulation->stepOnce();
     QTRY_COMPARE(simulation->latest().current.step, uint64_t(6));
-    const uint64_t expected = phys_state_hash(&simulation->latest().current);
+    const uint64_t expected = hashOf(simulation->latest());
     simulation->setState(kept);
     simulation->stepOnce();
     QTRY_VERIFY(simulation->latest().run == 1 && simulation->latest().current.step == 6);
-    QCOMPARE(phys_state_hash(&simulation->latest().current), expected);
+    QCOMPARE(hashOf(simulation->latest()), expected);
 }
 
 void TestSimulation::stepperChangesOnTheFly() {

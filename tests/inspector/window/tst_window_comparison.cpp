@@ -58,7 +58,7 @@ private slots:
     void optionOpensTheDock();
 
 private:
-    const Snapshot &now() { return m_fixture->simulation().latest(); }
+    Snapshot now() { return m_fixture->simulation().latest(); }
     double distance() { return now().ghost ? now().ghost->deviation.distance : std::nan(""); }
     void compareWith(const Opponent &opponent);
     void makeSteps(uint64_t count);

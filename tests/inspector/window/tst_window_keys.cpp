@@ -41,7 +41,7 @@ private slots:
     void noShortcutIsThereTwice();
 
 private:
-    const phys_state &ball() { return m_fixture->simulation().latest().current; }
+    phys_state ball() { return m_fixture->simulation().latest().current; }
     bool isRunning() { return m_fixture->simulation().latest().running; }
     void startGame();
 

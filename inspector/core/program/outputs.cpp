@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/program/outputs.h"
+
+#include "core/setup/files.h"
+#include "core/setup/lines.h"
+
+namespace inspector {
+
+namespace {
+
+struct Output {
+    QString option;
+    QString path;
+    QByteArray mark; // how such a file begins; empty: one that is there stays
+};
+
+QByteArray markOfChart(const QString &path) {
+    if (path.endsWith(QLatin1String(".svg"))) return "<svg";
+    return path.endsWith(QLatin1String(".pdf")) ? "%PDF" : "\x89PNG";
+}
+
+std::vector<Output> outputsOf(const Options &options) {
+    std::vector<Output> outputs;
+    const QString csv = isStandardOutput(options.csv) ? QString() : options.csv;
+    for (const Output &output : {Output{QStringLiteral("--csv"), csv, "# physics-inspector "},
+                                 Output{QStringLiteral("--record"), options.record, {}},
+                                 Output{QStringLiteral("--grab"), options.grab, "\x89PNG"},
+                                 Output{QStringLiteral("--plot"), options.trade.plot, markOfChart(options.trade.plot)}})
+        if (!output.path.isEmpty()) outputs.push_back(output);
+    return outputs;
+}
+
+QStringList inputsOf(const Options &options) {
+    QStringList inputs{options.level.path, options.level.mesh, options.replay, options.trade.schedule};
+    inputs += options.plugins;
+    inputs.removeAll(QString());
+    return inputs;
+}
+
+} // namespace
+
+bool isStandardOutput(const QString &csv) { return csv.isEmpty() || csv == QLatin1String("-"); }
+
+QString outputProblem(const Options &options) {
+    std::vector<std::unique_ptr<OutputFile>> opened; // until all are, so that a name given twice is found
+    for (const Output &output : outputsOf(options)) {
+        const auto refusal = [&](const QString &reason) { return output.option + QStringLiteral(": ") + reason; };
+        for (const QString &input : inputsOf(options))
+            if (isSameFile(output.path, input))
+                return refusal(QStringLiteral("%1 is read by this run").arg(quoted(output.path)));
+        for (const auto &other : opened)
+            if (isSameFile(output.path, other->name()) && other->isRegular())
+                return refusal(QStringLiteral("%1 is written by this run already").arg(quoted(output.path)));
+        const Existing other = output.mark.isEmpty() ? Existing::Keep : Existing::ReplaceOwn;
+        QString reason;
+        auto file = OutputFile::open(output.path, options.force ? Existing::Replace : other, output.mark, &reason);
+        if (!file) return refusal(reason);
+        opened.push_back(std::move(file));
+    }
+    return {};
+}
+
+} // namespace inspector

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/setup/stored_values.h"
+
+#include <QSettings>
+
+#include <cmath>
+
+namespace inspector {
+
+std::optional<int> storedChoice(const QSettings &settings, const QString &key, int count) {
+    bool isNumber = false;
+    const int number = settings.value(key).toString().toInt(&isNumber);
+    return isNumber && number >= 0 && number < count ? std::optional(number) : std::nullopt;
+}
+
+std::optional<double> storedTime(const QSettings &settings, const QString &key) {
+    bool isNumber = false;
+    const double time = settings.value(key).toString().toDouble(&isNumber);
+    return isNumber && std::isfinite(time) && time > 0.0 ? std::optional(time) : std::nullopt;
+}
+
+} // namespace inspector
