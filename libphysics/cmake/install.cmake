@@ -41,6 +41,13 @@ configure_file(cmake/physics.pc.in ${CMAKE_CURRENT_BINARY_DIR}/physics.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/physics.pc
     DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
 
+if(CMAKE_INSTALL_LIBDIR STREQUAL "lib/${CMAKE_LIBRARY_ARCHITECTURE}")
+    configure_file(cmake/links.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/links.cmake @ONLY)
+    foreach(component runtime development)
+        install(SCRIPT ${CMAKE_CURRENT_BINARY_DIR}/links.cmake COMPONENT ${component})
+    endforeach()
+endif()
+
 install(FILES README.md DESTINATION ${physics_document_dir} COMPONENT development)
 install(DIRECTORY docs examples DESTINATION ${physics_document_dir} COMPONENT development
     PATTERN __pycache__ EXCLUDE)
