@@ -1,44 +1,24 @@
 // SPDX-License-Identifier: MIT
 // The reference: closed forms from event to event, model.md 8. Its error is rounding times the motion's sensitivity.
-#include "base/error.h"
+#include "base/text.h"
 #include "discrete/requirements.h"
-#include "exact/run.h"
+#include "exact/exact_step.h"
 #include "registry/built_in_steppers.h"
 
 #include <bit>
 #include <cmath>
-#include <new>
 
 namespace phys {
 
 namespace {
 
-/// What follows from the scene; nothing is kept from one step to the next.
-struct Exact {
-    explicit Exact(const Scene &scene)
-        : board(scene)
-        , sweep(board) {}
-    Exact(const Exact &) = delete;
-    Exact &operator=(const Exact &) = delete;
-
-    Board board;
-    Sweep sweep;
-};
-
-phys_status create(const phys_scene_view *view, void **self, phys_error *err) {
-    const Scene &scene = *static_cast<const Scene *>(view->scene);
-    if (!scene.nonPlanarReason.empty()) {
-        return fail(err, PHYS_ERROR_UNSUPPORTED, "%s", scene.nonPlanarReason.c_str());
-    }
-    try {
-        *self = new Exact(scene);
-    } catch (const std::bad_alloc &) {
-        return fail(err, PHYS_ERROR_MEMORY, "out of memory for stepper 'exact'");
-    }
+/// The scene is all that a step needs; nothing is kept from one to the next.
+phys_status create(const phys_scene_view *view, void **self, phys_error *) {
+    *self = const_cast<void *>(view->scene);
     return PHYS_OK;
 }
 
-void destroy(void *self) { delete static_cast<Exact *>(self); }
+void destroy(void *) {}
 
 /// Less gravity (m/s^2) than this moves no ball by anything in the longest step, and nothing moves in less time (s):
 /// but their products with lengths underflow, and what divides by them overflows.
@@ -55,19 +35,19 @@ phys_params withoutNegligibleGravity(phys_params params) {
 
 phys_status step(void *self, const phys_params *params, double dt, const phys_state *in, phys_state *out,
                  phys_report *report, phys_error *err) {
-    Exact &exact = *static_cast<Exact *>(self);
+    const Scene &scene = *static_cast<const Scene *>(self);
     const double duration = isNegligible(dt) ? 0.0 : dt;
     const phys_vec3 &g = params->gravity;
     if (isNegligible(g.x) || isNegligible(g.y) || isNegligible(g.z)) [[unlikely]] {
         const phys_params clean = withoutNegligibleGravity(*params);
-        return Run(exact.board, exact.sweep, clean, duration, *in, report, err).advance(*out);
+        return ExactStep(scene, clean, duration, *in, report, err).advance(*out);
     }
-    return Run(exact.board, exact.sweep, *params, duration, *in, report, err).advance(*out);
+    return ExactStep(scene, *params, duration, *in, report, err).advance(*out);
 }
 
 phys_status requirements(void *self, const phys_params *params, double dt, const phys_state *state,
                          phys_requirements *out, phys_error *) {
-    const PlanInput input{static_cast<Exact *>(self)->board.scene(), *params, dt, *state};
+    const PlanInput input{*static_cast<const Scene *>(self), *params, dt, *state};
     describePlan(input, planStep(input, true), *out);
     char(&substeps)[120] = out->reasons[std::countr_zero(static_cast<uint32_t>(PHYS_STAGE_SUBSTEPS))];
     if (out->stages & PHYS_STAGE_SUBSTEPS) return PHYS_OK;
@@ -82,7 +62,7 @@ constinit const phys_stepper_api kExact = {
     .flags = PHYS_STEPPER_EXACT_IN_DT | PHYS_STEPPER_BITS_EVERYWHERE,
     .id = "exact",
     .name = "Exact",
-    .version = "2",
+    .version = "3",
     .summary = "The reference: every event in its place, closed forms between; error = rounding, any step.",
     .rows = nullptr,
     .row_count = 0,

@@ -180,7 +180,7 @@ PHYS_API const phys_box *phys_scene_boxes(const phys_scene *scene);
 /** The smallest box around all boxes; all zero without boxes. Any thread. Errors: ARGUMENT. Since 1.0. */
 PHYS_API phys_status phys_scene_bounds(const phys_scene *scene, phys_box *out);
 
-/** Whether the ball's contacts while it rolls on the floor are all horizontal, as stepper "exact" needs (model.md 0).
+/** Whether the ball's contacts while it rolls on the floor are all horizontal (model.md 0).
  *  PHYS_OK if so. Any thread. Errors: ARGUMENT; UNSUPPORTED with the box and the reason if it isn't. Since 1.0. */
 PHYS_API phys_status phys_scene_check_planar(const phys_scene *scene, phys_error *err);
 

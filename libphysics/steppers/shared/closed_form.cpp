@@ -11,6 +11,14 @@ namespace phys {
 
 namespace {
 
+/// exp(z) - 1. Most steps are short against the times in which velocities change: there a few terms do.
+double expm1(double z) {
+    if (std::abs(z) > 0.04) return elementary::expm1(z);
+    double sum = 1.0; // of z^k / (k+1)!, from the last term that matters
+    for (const double k : {9.0, 8.0, 7.0, 6.0, 5.0, 4.0, 3.0, 2.0}) sum = 1.0 + z * sum / k;
+    return z * sum;
+}
+
 /// I(c) = integral of exp(c s) from 0 to xi, given expm1(c xi).
 double integral(double c, double xi, double expm1OfCXi) {
     const double z = c * xi;
@@ -18,7 +26,7 @@ double integral(double c, double xi, double expm1OfCXi) {
     return std::abs(z) < 1e-17 ? xi : expm1OfCXi / c;
 }
 
-double integral(double c, double xi) { return integral(c, xi, elementary::expm1(c * xi)); }
+double integral(double c, double xi) { return integral(c, xi, expm1(c * xi)); }
 
 /// xi at which share * I(c) = t, where share * I(c) is one of the two positive parts of t(xi): an upper bound of xi.
 double xiOfShare(double share, double c, double t) {
@@ -84,15 +92,27 @@ ResistedLaw::Point ResistedLaw::at(double t) const {
     return atXi(xiAt(t), t);
 }
 
+/// A start for a time that is short: the inverse of t = s xi + q xi^2/2 + w xi^3/6. -1 for a time that isn't.
+double ResistedLaw::shortXi(double t) const {
+    const double c1 = m_a - m_B, c2 = -(m_a + m_B), s = m_P + m_M;
+    const double tau = t / s;
+    if (!(-c2 * tau < 0.1)) return -1.0;
+    const double q = (c1 * m_P + c2 * m_M) / s, w = (c1 * c1 * m_P + c2 * c2 * m_M) / s;
+    return tau * (1.0 + tau * (-0.5 * q + tau * (0.5 * q * q - w / 6.0)));
+}
+
 /// Newton's method inside the bracket of model.md 3.4: t(xi) rises strictly, dt/dxi = |v|.
 double ResistedLaw::xiAt(double t) const {
     const double c1 = m_a - m_B, c2 = -(m_a + m_B);
-    double low = 0.0, high = std::min(xiOfShare(m_P, c1, t), xiOfShare(m_M, c2, t));
-    // What is left of the time to the stop shrinks at least like e^(-(B-a) xi).
-    if (m_B > m_a) high = std::min(high, elementary::log1p(-t / m_stopTime) / c1);
-    double xi = high;
+    double low = 0.0, high = kNever, xi = shortXi(t);
+    if (xi < 0.0) {
+        high = std::min(xiOfShare(m_P, c1, t), xiOfShare(m_M, c2, t));
+        // What is left of the time to the stop shrinks at least like e^(-(B-a) xi).
+        if (m_B > m_a) high = std::min(high, elementary::log1p(-t / m_stopTime) / c1);
+        xi = high;
+    }
     for (int iteration = 0; iteration < 60; ++iteration) {
-        const double e1 = elementary::expm1(c1 * xi), e2 = elementary::expm1(c2 * xi);
+        const double e1 = expm1(c1 * xi), e2 = expm1(c2 * xi);
         const double excess = m_P * integral(c1, xi, e1) + m_M * integral(c2, xi, e2) - t;
         const double fast = m_P * (1.0 + e1), slow = m_M * (1.0 + e2); // |v| and A.v - B|v| are made of them
         const double speed = fast + slow;
@@ -110,7 +130,7 @@ double ResistedLaw::xiAt(double t) const {
 
 ResistedLaw::Point ResistedLaw::atXi(double xi, double t) const {
     const double c1 = m_a - m_B, c2 = -(m_a + m_B);
-    const double e1 = elementary::expm1(c1 * xi), e2 = elementary::expm1(c2 * xi);
+    const double e1 = expm1(c1 * xi), e2 = expm1(c2 * xi);
     const double slow = m_M + m_M * e2, slowTime = m_M * integral(c2, xi, e2);
     double fastTime = m_P * integral(c1, xi, e1), fast = m_P + m_P * e1;
     if (c1 > 0.0 && slowTime < 0.5 * t) {
@@ -124,7 +144,7 @@ ResistedLaw::Point ResistedLaw::atXi(double xi, double t) const {
     const double across = m_vt * (m_P * integral(m_a - 2.0 * m_B, xi) + m_M * integral(-m_a - 2.0 * m_B, xi));
     const double mixed = 2.0 * m_P * m_M * integral(-2.0 * m_B, xi);
     // While the velocity changes little, its change is known better than itself: many short phases keep their digits.
-    const Vec2 v = -c2 * xi < 0.5 ? m_v0 + turned(c1 * fastTime - c2 * slowTime, m_vt * elementary::expm1(-m_B * xi))
+    const Vec2 v = -c2 * xi < 0.5 ? m_v0 + turned(c1 * fastTime - c2 * slowTime, m_vt * expm1(-m_B * xi))
                                   : turned(fast - slow, m_vt * elementary::exp(-m_B * xi));
     return {turned(alongFast - alongSlow, across), v, alongFast + mixed + alongSlow};
 }

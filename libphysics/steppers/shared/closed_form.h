@@ -43,6 +43,7 @@ private:
     double m_stopTime = kNever;
     bool m_fromRest = false;
 
+    double shortXi(double t) const;
     double xiAt(double t) const;
     Point atXi(double xi, double t) const;
     Point atStop() const;

@@ -7,6 +7,7 @@
 
 #include <fstream>
 #include <functional>
+#include <limits>
 #include <sstream>
 
 using exact::kU;
@@ -174,6 +175,25 @@ void ExactReferences::followsTheReference() {
     }
 }
 
+/// The reference takes the impacts of one moment one after the other, the stepper takes them together: of each box the
+/// first one counts, and its speed afterwards only if it is alone.
+std::vector<Impact> firstOfEachBox(const std::vector<Impact> &impacts) {
+    std::vector<Impact> first;
+    for (const Impact &impact : impacts) {
+        bool isKnown = false;
+        for (Impact &other : first) {
+            if (other.time != impact.time) continue;
+            other.after = std::numeric_limits<double>::quiet_NaN();
+            isKnown = isKnown || other.box == impact.box;
+        }
+        if (isKnown) continue;
+        first.push_back(impact);
+        const bool isAlone = first.size() < 2 || first[first.size() - 2].time != impact.time;
+        if (!isAlone) first.back().after = std::numeric_limits<double>::quiet_NaN();
+    }
+    return first;
+}
+
 void ExactReferences::meetsTheSameWalls() {
     const Scene &scene = chosen();
     Start run(scene);
@@ -186,15 +206,17 @@ void ExactReferences::meetsTheSameWalls() {
             const bool counts = event.kind == PHYS_EVENT_IMPACT || event.kind == PHYS_EVENT_LANDING;
             if (counts && std::abs(event.speed_before) >= kWeakest) met.push_back(event);
         }
-        QCOMPARE(met.size(), step.impacts.size());
+        const std::vector<Impact> impacts = firstOfEachBox(step.impacts);
+        QCOMPARE(met.size(), impacts.size());
         events += run.events.size();
         for (size_t i = 0; i < met.size(); ++i) {
-            const Impact &impact = step.impacts[i];
+            const Impact &impact = impacts[i];
             QCOMPARE(met[i].kind, impact.kind);
-            if (impact.kind == PHYS_EVENT_IMPACT) QCOMPARE(met[i].box, impact.box);
+            if (impact.kind == PHYS_EVENT_IMPACT && !std::isnan(impact.after)) QCOMPARE(met[i].box, impact.box);
             // What is known to rounding is the place: the weaker an impact, the less do its time and speed matter.
             const double weight = std::min(1.0, std::abs(impact.before)), allowed = bound(step, events);
             QVERIFY(weight * std::abs(met[i].time - impact.time) <= allowed);
+            if (std::isnan(impact.after)) continue;
             QVERIFY(weight * std::abs(met[i].speed_before - impact.before) <= allowed);
             QVERIFY(weight * std::abs(met[i].speed_after - impact.after) <= allowed);
         }

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// A view of a moment that is the same for all mirror images and quarter turns of it: what is computed in it comes out
+// mirrored and turned to the bit. model.md 14.3.
+#pragma once
+
+#include "contact/modes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+namespace phys {
+
+class Mirror {
+public:
+    Mirror(const Moment &moment, std::span<const Held> held) {
+        const Vec3 &v = moment.velocity, &g = moment.gravity, &om = moment.spin;
+        Vec3 most(0.0), least(0.0);
+        for (const Held &contact : held) {
+            most = glm::max(most, contact.normal);
+            least = glm::min(least, contact.normal);
+        }
+        const Vec3 lean = most + least, reach = glm::max(most, -least);
+        m_flipX = isNegative({v.x, g.x, om.y, lean.x});
+        m_flipY = isNegative({v.y, g.y, -om.x, lean.y});
+        m_swaps = isNegative({std::abs(v.x) - std::abs(v.y), std::abs(g.x) - std::abs(g.y),
+                              std::abs(om.y) - std::abs(om.x), reach.x - reach.y});
+        // A turn about the vertical alone has a sense but no direction.
+        if (isUndecided({v.x, g.x, om.y, lean.x}) && om.z * handedness() < 0.0)
+            m_flipX = !m_flipX;
+        else if (isUndecided({v.y, g.y, om.x, lean.y}) && om.z * handedness() < 0.0)
+            m_flipY = !m_flipY;
+    }
+
+    Vec3 seen(Vec3 v) const {
+        if (m_flipX) v.x = -v.x;
+        if (m_flipY) v.y = -v.y;
+        if (m_swaps) std::swap(v.x, v.y);
+        return v;
+    }
+    Vec3 back(Vec3 v) const {
+        if (m_swaps) std::swap(v.x, v.y);
+        if (m_flipX) v.x = -v.x;
+        if (m_flipY) v.y = -v.y;
+        return v;
+    }
+
+    /// Of what turns: spins and torques.
+    Vec3 seenSpin(const Vec3 &om) const { return handedness() * seen(om); }
+    Vec3 backSpin(const Vec3 &om) const { return handedness() * back(om); }
+
+    Moment seen(const Moment &moment) const {
+        Moment image = moment;
+        image.velocity = seen(moment.velocity);
+        image.spin = seenSpin(moment.spin);
+        image.gravity = seen(moment.gravity);
+        return image;
+    }
+    Held seen(Held contact) const {
+        contact.normal = seen(contact.normal);
+        if (m_swaps) std::swap(contact.across.x, contact.across.y);
+        return contact;
+    }
+
+private:
+    bool m_flipX = false, m_flipY = false, m_swaps = false;
+
+    double handedness() const { return (m_flipX != m_flipY) != m_swaps ? -1.0 : 1.0; }
+
+    static bool isNegative(std::initializer_list<double> signs) {
+        for (const double sign : signs) {
+            if (sign != 0.0) return sign < 0.0;
+        }
+        return false;
+    }
+    static bool isUndecided(std::initializer_list<double> signs) {
+        return std::all_of(signs.begin(), signs.end(), [](double sign) { return sign == 0.0; });
+    }
+};
+
+/// Contacts in an order that no mirror and no shuffling of the boxes can see: that of their normals in the mirror.
+struct Sorted {
+    std::array<Held, kMostHeld> held{};
+    std::array<uint32_t, kMostHeld> index{}; ///< of each in the given list
+    uint32_t count = 0;
+
+    Sorted(const Mirror &mirror, std::span<const Held> given) {
+        for (uint32_t i = 0; i < given.size(); ++i) {
+            held[i] = mirror.seen(given[i]);
+            index[i] = i;
+        }
+        count = static_cast<uint32_t>(given.size());
+        const auto before = [](const Vec3 &a, const Vec3 &b) {
+            return std::tie(a.z, a.x, a.y) < std::tie(b.z, b.x, b.y);
+        };
+        for (uint32_t i = 1; i < count; ++i) { // by insertion: there are a handful
+            for (uint32_t j = i; j > 0 && before(held[j].normal, held[j - 1].normal); --j) {
+                std::swap(held[j], held[j - 1]);
+                std::swap(index[j], index[j - 1]);
+            }
+        }
+    }
+    std::span<const Held> list() const { return {held.data(), count}; }
+};
+
+} // namespace phys

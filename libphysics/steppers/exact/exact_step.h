@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// One step of the exact stepper: from event to event until the time is up, model.md 8.
+#pragma once
+
+#include "contact/contact.h"
+#include "contact/modes.h"
+#include "exact/resisted.h"
+#include "exact/search.h"
+#include "exact/series.h"
+#include "exact/uniform.h"
+#include "registry/report.h"
+
+#include <variant>
+
+namespace phys {
+
+using Phase = std::variant<Uniform, Resisted, Series>;
+
+class ExactStep {
+public:
+    ExactStep(const Scene &scene, const phys_params &params, double dt, const phys_state &in, phys_report *report,
+              phys_error *err);
+
+    /// Fills everything but the time and the number of the step.
+    phys_status advance(phys_state &out);
+
+private:
+    static constexpr uint32_t kManyBoxes = 0xffffffff;
+
+    /// How the events of a step get on.
+    struct Pace {
+        explicit Pace(double left)
+            : moment(1e-9 * left)
+            , momentStart(left) {}
+
+        double moment;      ///< s
+        double momentStart; ///< s of the step still to go then
+        uint32_t events = 0, eventsInMoment = 0;
+    };
+
+    const Scene &m_scene;
+    const phys_params &m_params;
+    const Setting m_setting;
+    Reporter m_report;
+    phys_error *m_err;
+    double m_left;          // s of the step still to go
+    double m_elapsed = 0.0; // s of the step gone by
+    double m_orientation[4];
+
+    Vec3 m_position;
+    Motion m_motion;
+    Contacts m_contacts;                       // touched now
+    std::array<uint32_t, kMostHeld> m_lasting; // of them, those without a velocity across
+    std::array<Held, kMostHeld> m_held;        // the same for the law
+    uint32_t m_heldCount = 0;
+    Response m_response;
+    bool m_isAnswered = false; // m_response is that of the present contacts
+    bool m_isSeries = false;   // the present phase
+    double m_openWay = 0.0;    // m that the ball surely goes no further than in this step, if nothing stops it
+    uint32_t m_nearBoxes = 0;  // that it can reach on this way
+    bool m_supported = false;  // reported last
+    uint32_t m_wall = PHYS_NO_BOX;
+
+    phys_status keep(Pace &pace);
+    phys_status pushOut();
+    void leave(phys_state &out);
+
+    phys_status resolve();
+    void touch();
+    bool collide(double negligible);
+    void endBounces(double negligible);
+    Vec3 actingAcceleration() const;
+    double lastBounce(const Contact &contact, const Vec3 &acting) const;
+    void collectHeld(double negligible);
+    void addHeld(uint32_t number);
+    void hold(double negligible);
+    void project();
+    bool isCarried(double negligible) const;
+    void roll(bool isImpact);
+    Moment moment() const;
+
+    phys_status choose(Phase &phase);
+    phys_status respondNow();
+    phys_status jam();
+    bool isUniform() const;
+    bool isAlone(uint32_t &closed) const;
+    bool restsNow() const;
+    void buildSeries(Series &series);
+    uint32_t countSticking() const;
+    void withoutResistance(uint32_t slipping);
+    void noteContacts();
+
+    template<class P>
+    End firstEvent(const P &phase, Border &border) const;
+    template<class P>
+    End ownEnd(const P &phase, double until) const;
+    template<class P>
+    void follow(const P &phase, const End &end, const Border &border);
+    bool isOpen(double acceleration) const;
+    void settle(const End &end, const Border &border);
+    void keepContacts();
+    void stick(uint32_t i, double most);
+    template<class P>
+    void turn(const P &phase, double t);
+
+    std::span<const Held> held() const { return {m_held.data(), m_heldCount}; }
+    const Contact &contactOf(uint32_t held) const { return m_contacts[m_lasting[held]]; }
+    bool isClosed(uint32_t held) const { return m_response.reactions[held].mode != Mode::open; }
+    uint32_t closedBits() const;
+    void event(uint32_t kind, double before, double after);
+};
+
+} // namespace phys

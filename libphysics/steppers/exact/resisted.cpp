@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "exact/resisted.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace phys {
+
+Vec2 Resisted::onFace(const Vec3 &v) const {
+    if (m_axis == 2) return {v.x, v.y};
+    return {m_axis == 0 ? v.y : v.x, v.z};
+}
+
+Vec3 Resisted::inSpace(const Vec2 &v) const {
+    if (m_axis == 2) return {v.x, v.y, 0.0};
+    return m_axis == 0 ? Vec3(0.0, v.x, v.y) : Vec3(v.x, 0.0, v.y);
+}
+
+Resisted Resisted::rolling(int axis, const Vec3 &velocity, const Vec3 &A, double B, double radius, const Vec3 &spin,
+                           const Vec3 &normal) {
+    Resisted phase;
+    phase.m_axis = axis;
+    phase.m_velocity = velocity;
+    phase.m_spin = spin;
+    phase.m_normal = normal;
+    phase.m_A = A;
+    phase.m_B = B;
+    phase.m_radius = radius;
+    phase.m_law = ResistedLaw(phase.onFace(velocity), phase.onFace(A), B);
+    phase.m_most = length(phase.onFace(A)) + B;
+    return phase;
+}
+
+// v = q + (2/7) u, where q grows by (5/7) g_t whatever friction does, and u obeys the one law.
+Resisted Resisted::slipping(int axis, const Vec3 &velocity, const Vec3 &slip, const Vec3 &gravity, double friction,
+                            double radius, const Vec3 &spin, const Vec3 &normal) {
+    Resisted phase;
+    phase.m_slips = true;
+    phase.m_axis = axis;
+    phase.m_velocity = velocity;
+    phase.m_spin = spin;
+    phase.m_normal = normal;
+    phase.m_A = gravity;
+    phase.m_B = 3.5 * friction;
+    phase.m_radius = radius;
+    phase.m_q = velocity - 2.0 / 7.0 * slip;
+    phase.m_qRate = 5.0 / 7.0 * gravity;
+    const Vec2 u = phase.onFace(slip), A = phase.onFace(gravity);
+    phase.m_law = ResistedLaw(u, A, phase.m_B);
+    const double a = length(A), speed = length(u);
+    phase.m_most = a + friction;
+    phase.m_slipEnd = a > 0.0 ? A / a : u / speed;
+    phase.m_slipStart = speed > 0.0 ? u / speed : phase.m_slipEnd;
+    return phase;
+}
+
+Way Resisted::at(double t) const {
+    if (t == 0.0) return {Vec3(0.0), m_velocity};
+    const ResistedLaw::Point point = m_law.at(t);
+    if (!m_slips) return {inSpace(point.x), inSpace(point.v)};
+    return {t * (m_q + 0.5 * t * m_qRate) + 2.0 / 7.0 * inSpace(point.x),
+            m_q + t * m_qRate + 2.0 / 7.0 * inSpace(point.v)};
+}
+
+Place Resisted::placeAt(double t) const {
+    if (t == 0.0) return {Vec3(0.0), m_velocity, m_spin};
+    const ResistedLaw::Point point = m_law.at(t);
+    const Vec3 x = inSpace(point.x), v = inSpace(point.v), drilling = glm::dot(m_spin, m_normal) * m_normal;
+    if (!m_slips) return {x, v, drilling + glm::cross(m_normal, v) / m_radius};
+    const Vec3 q = m_q + t * m_qRate;
+    return {t * (m_q + 0.5 * t * m_qRate) + 2.0 / 7.0 * x, q + 2.0 / 7.0 * v,
+            drilling + glm::cross(m_normal, q - 5.0 / 7.0 * v) / m_radius};
+}
+
+double Resisted::least(const Vec3 &n, double rate, double, double) const {
+    const double free = glm::dot(m_A, n);
+    if (m_slips) return free - 2.0 / 7.0 * m_B * mostSlipAlong(onFace(n));
+    // n.v changes its sign at most once (model.md 3.5), and resistance helps a velocity towards n's back: while rate <=
+    // 0 it only slows the fall, and a rate >= 0 under free >= 0 never falls.
+    return rate <= 0.0 || free >= 0.0 ? free : free - m_B;
+}
+
+/// The direction of slip turns from where it starts towards A by the smaller angle, model.md 3.1: the largest part
+/// along n that it takes on this way.
+double Resisted::mostSlipAlong(const Vec2 &n) const {
+    const auto cross = [](const Vec2 &a, const Vec2 &b) { return a.x * b.y - a.y * b.x; };
+    const double turn = cross(m_slipStart, m_slipEnd);
+    const bool passes = turn == 0.0 ? glm::dot(m_slipStart, m_slipEnd) < 0.0
+                                    : cross(m_slipStart, n) * turn >= 0.0 && cross(n, m_slipEnd) * turn >= 0.0;
+    return passes ? glm::length(n) : std::max(glm::dot(m_slipStart, n), glm::dot(m_slipEnd, n));
+}
+
+Losses Resisted::losses(double t) const {
+    const double path = m_law.at(t).path;
+    return m_slips ? Losses{m_B / 3.5 * path, 0.0} : Losses{0.0, 1.4 * m_B * path};
+}
+
+} // namespace phys

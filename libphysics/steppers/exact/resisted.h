@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// A ball on one face, rolling against resistance or slipping: the one law v' = A - B hat(v) in its plane. model.md 3.1
+// and 3.6.
+#pragma once
+
+#include "exact/phase.h"
+
+namespace phys {
+
+class Resisted {
+public:
+    /// axis: of the face's normal; velocity and A without a part along it.
+    static Resisted rolling(int axis, const Vec3 &velocity, const Vec3 &A, double B, double radius, const Vec3 &spin,
+                            const Vec3 &normal);
+    static Resisted slipping(int axis, const Vec3 &velocity, const Vec3 &slip, const Vec3 &gravity, double friction,
+                             double radius, const Vec3 &spin, const Vec3 &normal);
+
+    Way at(double t) const;
+    Place placeAt(double t) const;
+    Vec3 spinAt(double t) const { return placeAt(t).spin; }
+    double least(const Vec3 &n, double rate, double t, double until) const;
+    double mostAcceleration() const { return m_most; }
+    double horizon() const { return kNever; }
+    End end() const { return {m_law.stopTime(), m_slips ? Cause::grip : Cause::stop, 0}; }
+    Losses losses(double t) const;
+
+private:
+    bool m_slips = false;
+    int m_axis = 2;
+    Vec3 m_velocity{0.0}, m_spin{0.0}, m_normal{0.0};
+    Vec3 m_q{0.0}, m_qRate{0.0}; // slip: the velocity of rolling, and how it grows; else unused
+    Vec3 m_A{0.0};
+    double m_B = 0.0, m_most = 0.0, m_radius = 0.0;
+    ResistedLaw m_law;
+    Vec2 m_slipStart{0.0}, m_slipEnd{0.0};
+
+    Vec2 onFace(const Vec3 &v) const;
+    Vec3 inSpace(const Vec2 &v) const;
+    double mostSlipAlong(const Vec2 &n) const;
+};
+
+} // namespace phys

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "exact/search.h"
+
+namespace phys {
+
+namespace {
+
+constexpr double kSameNormal = 4e-9;
+
+double side(const phys_box &box, int axis, int sign) { return sign > 0 ? (&box.max.x)[axis] : (&box.min.x)[axis]; }
+
+} // namespace
+
+bool Outlook::isBehind(const Contact &face, const phys_box &other) const {
+    const phys_box &own = box(face.box);
+    for (int axis = 0; axis < 3; ++axis) {
+        const int sign = face.sides[axis];
+        if (sign != 0) return sign * (side(other, axis, sign) - side(own, axis, sign)) <= scene.tolerance;
+    }
+    return false;
+}
+
+bool Outlook::isBehindTouchedFace(const phys_box &other) const {
+    return std::any_of(contacts.begin(), contacts.end(),
+                       [&](const Contact &contact) { return contact.isFace() && isBehind(contact, other); });
+}
+
+bool Outlook::isTouched(const Vec3 &normal) const {
+    return std::any_of(contacts.begin(), contacts.end(),
+                       [&](const Contact &contact) { return glm::length(contact.normal - normal) <= kSameNormal; });
+}
+
+bool Outlook::isKept(uint32_t number, const phys_box &other) const {
+    for (uint32_t i = 0; i < contacts.count(); ++i) {
+        if (!(lasting >> i & 1U)) continue;
+        const Contact &contact = contacts[i];
+        if (contact.box == number) return true;
+        if (contact.isFace()) {
+            if (isBehind(contact, other)) return true;
+            continue;
+        }
+        const phys_box &own = box(contact.box);
+        bool isSame = true;
+        for (int axis = 0; axis < 3; ++axis) {
+            const int sign = contact.sides[axis];
+            const double low = (&other.min.x)[axis], high = (&other.max.x)[axis];
+            isSame = isSame && (sign != 0 ? std::abs(side(other, axis, sign) - side(own, axis, sign)) <= scene.tolerance
+                                          : position[axis] >= low && position[axis] <= high);
+        }
+        if (isSame) return true;
+    }
+    return false;
+}
+
+Target::Target(const Outlook &around, const phys_box &from)
+    : box{fromVec(toVec(from.min) - around.position), fromVec(toVec(from.max) - around.position)} {
+    const double R = around.scene.radius;
+    tolerance = around.scene.tolerance;
+    slight = 2.0 * std::sqrt(tolerance / R);
+    const Nearest close = nearest(box, Vec3(0.0));
+    if (std::abs(close.distance - R) > 2.0 * around.scene.tolerance) return;
+    isBehindFace = around.isBehindTouchedFace(from);
+    rate = glm::dot(close.normal, around.motion.velocity);
+    isTouched = isBehindFace || around.isTouched(close.normal);
+    if (!isTouched) return;
+    normal = close.normal;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double n = close.normal[axis];
+        if (n > 0.0) (&box.max.x)[axis] = -R * n;
+        if (n < 0.0) (&box.min.x)[axis] = -R * n;
+    }
+}
+
+double Target::gap(const Vec3 &way, double radius, Vec3 &n) const {
+    Vec3 away(0.0);
+    bool isSame = isTouched;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double x = way[axis];
+        away[axis] = x - limited(x, (&box.min.x)[axis], (&box.max.x)[axis]);
+        isSame = isSame && away[axis] * normal[axis] >= 0.0 && (away[axis] == 0.0) == (normal[axis] == 0.0);
+    }
+    const int outside = (away.x != 0.0) + (away.y != 0.0) + (away.z != 0.0);
+    if (outside == 0) {
+        const Nearest close = nearest(box, way);
+        n = close.normal;
+        return close.distance - radius;
+    }
+    const double distance = outside == 1 ? std::abs(away.x + away.y + away.z) : glm::length(away);
+    n = away / distance;
+    if (!isSame) return distance - radius;
+    if (outside == 1) return glm::dot(normal, way);
+    const Vec3 across{normal.x != 0.0 ? way.x : 0.0, normal.y != 0.0 ? way.y : 0.0, normal.z != 0.0 ? way.z : 0.0};
+    return (2.0 * radius * glm::dot(normal, way) + glm::dot(across, across)) / (distance + radius);
+}
+
+bool carriesOn(const Outlook &around, const Contact &face, const Vec3 &p, const Border &at, phys_box &box) {
+    const double tolerance = around.scene.tolerance;
+    const phys_box own = box;
+    double furthest = tolerance;
+    visitNear(around.scene, p, around.scene.radius + 2.0 * tolerance, [&](const phys_box &other, uint32_t) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const int sign = face.sides[axis];
+            if (sign != 0 && std::abs(side(other, axis, sign) - side(own, axis, sign)) > tolerance) return;
+            if (sign == 0 &&
+                (p[axis] < side(other, axis, -1) - tolerance || p[axis] > side(other, axis, 1) + tolerance))
+                return;
+        }
+        const double beyond =
+            at.inward < 0.0 ? side(other, at.axis, 1) - at.coordinate : at.coordinate - side(other, at.axis, -1);
+        if (beyond <= furthest) return;
+        furthest = beyond;
+        box = other;
+    });
+    return furthest > tolerance;
+}
+
+} // namespace phys

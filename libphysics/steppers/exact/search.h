@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// What a moving ball meets next: the one search of all phases, through all boxes near the way. model.md 8.2.
+#pragma once
+
+#include "contact/contact.h"
+#include "contact/near.h"
+#include "exact/phase.h"
+#include "scene/nearest.h"
+#include "shared/first_zero.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace phys {
+
+/// Where a phase starts, and what lasts during it.
+struct Outlook {
+    const Scene &scene;
+    Vec3 position;
+    Motion motion;
+    const Contacts &contacts; ///< all that are touched
+    uint32_t lasting = 0;     ///< bits of those that stay closed
+
+    const phys_box &box(uint32_t number) const { return scene.boxes[number]; }
+
+    /// Whether the ball can't meet a box while the lasting contacts last: it is one of them, lies behind one's face,
+    /// or has the same edge.
+    bool isKept(uint32_t number, const phys_box &box) const;
+
+    /// Whether a box lies behind a face that the ball touches, lasting or not.
+    bool isBehindTouchedFace(const phys_box &box) const;
+
+    /// Whether a contact has this normal.
+    bool isTouched(const Vec3 &normal) const;
+
+private:
+    bool isBehind(const Contact &face, const phys_box &box) const;
+};
+
+/// A box as the ball sees it from its start; one that it touches is put exactly at the radius.
+struct Target {
+    phys_box box;
+    bool isTouched = false;    ///< and not approached
+    bool isBehindFace = false; ///< of another box that is touched, too
+    double tolerance = 0.0;
+    double slight =
+        0.0;           ///< angle between a velocity and an edge's tangent at which the ball passes within the tolerance
+    Vec3 normal{0.0};  ///< at the start, if touched
+    double rate = 0.0; ///< n.v at the start, if touched
+
+    Target(const Outlook &around, const phys_box &from);
+
+    /// Of a centre that has moved by `way`. From a touched feature the gap is that of the way alone: no difference of
+    /// large numbers.
+    double gap(const Vec3 &way, double radius, Vec3 &n) const;
+
+    /// Whether the ball only brushes past an edge or corner that it meets: model.md 5.4.
+    bool grazes(double gap, double approach, const Vec3 &n, const Vec3 &velocity) const {
+        if (isTouched || approach >= 0.0 || gap > tolerance || gap < -tolerance) return false;
+        const bool isFace = std::abs(n.x) == 1.0 || std::abs(n.y) == 1.0 || std::abs(n.z) == 1.0;
+        return !isFace && approach >= -slight * glm::length(velocity);
+    }
+};
+
+template<class Phase>
+Look gapAt(const Target &target, const Phase &phase, double radius, double t, double until) {
+    const Way now = phase.at(t);
+    Vec3 n;
+    const double gap = target.gap(now.way, radius, n);
+    const double rate = glm::dot(n, now.velocity);
+    return {target.grazes(gap, rate, n, now.velocity) ? target.tolerance : gap, rate, phase.least(n, rate, t, until)};
+}
+
+/// From when on the gap to a touched box, which doesn't press, is surely open: its first terms in the time are zero, so
+/// that the search can't begin at the start. model.md 8.2.
+template<class Phase>
+double openingTime(const Target &target, const Phase &phase, const Outlook &around, double until) {
+    const double R = around.scene.radius, speed = glm::length(around.motion.velocity);
+    if (target.rate > negligibleSpeed(around.motion, R)) return 0.0;
+    double t = until;
+    if (speed > 0.0) t = std::min(t, R / speed);
+    const double a = phase.mostAcceleration();
+    if (a > 0.0) t = std::min(t, std::sqrt(R / a));
+    t *= 0x1p-5;
+    if (target.isBehindFace) return t;
+    for (int i = 0; i < 24; ++i, t *= 0.5) {
+        const Look now = gapAt(target, phase, R, t, until);
+        if (now.rate > 0.0 && now.value >= -around.scene.tolerance) return t;
+    }
+    return 0.0;
+}
+
+/// First time in [from, until] at which the ball touches this box and moves towards it.
+template<class Phase>
+double touchTime(const Outlook &around, const phys_box &box, const Phase &phase, double from, double until) {
+    const Target target(around, box);
+    const double R = around.scene.radius;
+    if (target.isTouched && from == 0.0) from = openingTime(target, phase, around, until);
+    return firstZero([&](double t) { return gapAt(target, phase, R, t, until); }, from, until,
+                     0.25 * around.scene.tolerance);
+}
+
+/// First time in [0, until] at which the ball touches a box and moves towards it; kNever if it doesn't.
+template<class Phase>
+double firstTouch(const Outlook &around, const Phase &phase, double until) {
+    const Scene &scene = around.scene;
+    const double a = phase.mostAcceleration();
+    double best = kNever, length = 0.48 * scene.radius;
+    // Windows of growing length: most ways end near, and only what is near needs to be looked at.
+    for (double from = 0.0; from < until && best == kNever; length *= 2.0) {
+        const Way start = phase.at(from);
+        const double v = glm::length(start.velocity);
+        const double window = a > 0.0 || v > 0.0 ? 2.0 * length / (v + std::sqrt(v * v + 2.0 * a * length)) : kNever;
+        const double end = from + window < until ? from + window : until;
+        const Vec3 centre = around.position + start.way;
+        const double reach = length + scene.radius * (1.0 + 1e-9) + scene.tolerance;
+        visitNear(scene, centre, reach, [&](const phys_box &box, uint32_t number) {
+            if (squaredDistance(box, centre) > reach * reach || around.isKept(number, box)) return;
+            best = std::min(best, touchTime(around, box, phase, from, end));
+        });
+        if (end == from) break;
+        from = end;
+    }
+    return best;
+}
+
+/// When the feature of a lasting contact ends: the centre crosses a border of its region.
+struct Border {
+    double after = kNever;
+    int axis = 0;
+    double coordinate = 0.0;
+    double inward = 1.0; ///< the direction along the axis in which the region lies
+};
+
+/// The box that carries a face on beyond a border that the centre has reached at p; false if none does.
+bool carriesOn(const Outlook &around, const Contact &face, const Vec3 &p, const Border &at, phys_box &box);
+
+/// When the centre leaves the region of a feature across one border of it.
+template<class Phase>
+double borderTime(const Outlook &around, const Phase &phase, const Border &border, double from, double until) {
+    const int axis = border.axis;
+    const double start = border.inward * (around.position[axis] - border.coordinate);
+    const double v = glm::length(around.motion.velocity), a = phase.mostAcceleration();
+    if (start > until * (v + 0.5 * a * until)) return kNever;
+    Vec3 n(0.0);
+    n[axis] = border.inward;
+    const auto depth = [&](double t) {
+        const Way now = phase.at(t);
+        const double rate = border.inward * now.velocity[axis];
+        return Look{start + border.inward * now.way[axis], rate, phase.least(n, rate, t, until)};
+    };
+    return firstZero(depth, from, until, 0.25 * around.scene.tolerance);
+}
+
+template<class Phase>
+Border firstBorder(const Outlook &around, const Contact &contact, const phys_box &box, const Phase &phase, double from,
+                   double until) {
+    Border first;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int side = contact.sides[axis];
+        if (contact.isFace() && side != 0) continue;
+        for (const double sign : {-1.0, 1.0}) {
+            // Over the box: its two ends. Beside it: the end that the centre is beside, from outside.
+            if (side != 0 && side != (sign > 0.0 ? 1 : -1)) continue;
+            Border border{kNever, axis, sign > 0.0 ? (&box.max.x)[axis] : (&box.min.x)[axis], side == 0 ? -sign : sign};
+            border.after = borderTime(around, phase, border, from, until);
+            if (border.after < first.after) first = border;
+        }
+    }
+    return first;
+}
+
+/// When the feature of a lasting contact ends. A face that another box carries on doesn't.
+template<class Phase>
+void cutAtBorder(const Outlook &around, const Contact &contact, const Phase &phase, double until, Border &first) {
+    phys_box box = around.box(contact.box);
+    Border border = firstBorder(around, contact, box, phase, 0.0, until);
+    for (int tile = 0; contact.isFace() && border.after < first.after && tile < 1000; ++tile) {
+        Vec3 p = around.position + phase.at(border.after).way;
+        p[border.axis] = border.coordinate;
+        if (!carriesOn(around, contact, p, border, box)) break;
+        border = firstBorder(around, contact, box, phase, border.after, until);
+    }
+    if (border.after < first.after) first = border;
+}
+
+} // namespace phys

@@ -1,0 +1,515 @@
+// SPDX-License-Identifier: MIT
+#include "exact/series.h"
+
+#include "base/elementary.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace phys {
+
+namespace {
+
+constexpr double kInertia = 2.5;   // m R^2 / I of a solid ball
+constexpr double kTail = 1e-17;    // relative size of the last terms
+constexpr double kNoForce = 1e-12; // relative to the accelerations
+constexpr double kDirectionNoise = 4.0 * 0x1p-52;
+constexpr double kSlipEnds = 2e-13;   // relative to the velocities that it is the difference of
+constexpr double kKeptFor = 0.25;     // of the unit: what sticks only by prestress is looked at again and again
+constexpr double kLookAhead = 0x1p-6; // of the horizon: where a force that is zero shows its sign
+
+Vec3 axisOf(uint32_t i) { return {i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0}; }
+
+Vec3 hat(const Vec3 &v) {
+    const double size = glm::length(v);
+    return size > 0.0 ? v / size : Vec3(0.0);
+}
+
+double goodFor(const VecJet &f, int last) {
+    const double scale = std::max({glm::length(f[0]), glm::length(f[1]), glm::length(f[2])});
+    double most = kNever;
+    for (const int k : {last - 1, last}) {
+        const double size = glm::length(f[k]);
+        if (size > 0.0) most = std::min(most, elementary::root(kTail * scale / size, k));
+    }
+    return most;
+}
+
+} // namespace
+
+void Series::build(const Moment &moment, std::span<const Held> held, const Response &response, double unit,
+                   uint32_t kept) {
+    m_mirror = Mirror(moment, held);
+    m_moment = m_mirror.seen(moment);
+    m_unit = unit;
+    const Sorted sorted(m_mirror, held);
+    m_count = m_unknowns = 0;
+    m_rolls = kMostHeld;
+    for (uint32_t i = 0; i < sorted.count; ++i) {
+        const Reaction &reaction = response.reactions[sorted.index[i]];
+        if (reaction.mode == Mode::open) continue;
+        Contact &contact = m_contacts[m_count];
+        m_index[m_count] = sorted.index[i];
+        contact.held = sorted.held[i];
+        contact.mode = reaction.mode;
+        contact.isKept = kept >> sorted.index[i] & 1U;
+        contact.n[0] = contact.held.normal;
+        contact.u[0] = reaction.mode == Mode::slipping ? m_mirror.seen(reaction.slip) : Vec3(0.0);
+        contact.r[0] = m_mirror.seen(reaction.force);
+        contact.N[0] = reaction.pressure;
+        contact.d[0] = m_mirror.seen(reaction.direction);
+        if (reaction.mode == Mode::spent) contact.d[0] = -hat(contact.r[0] - contact.N[0] * contact.n[0]);
+        contact.column = m_unknowns;
+        const bool isVector = reaction.mode == Mode::sticking || reaction.mode == Mode::spent;
+        m_unknowns += isVector ? 3 : reaction.mode == Mode::starting ? 4 : 1;
+        if (reaction.mode == Mode::sticking && contact.held.resistance > 0.0) m_rolls = m_count;
+        ++m_count;
+    }
+    begin(response);
+    for (int k = 1; k < kOrder; ++k) {
+        forces(k);
+        move(k);
+    }
+    m_a[kOrder] = m_al[kOrder] = Vec3(0.0);
+    for (Contact &contact : contacts()) {
+        contact.r[kOrder] = Vec3(0.0);
+        contact.N[kOrder] = 0.0;
+        m_rolling[kOrder] = Vec3(0.0);
+        if (contact.mode != Mode::slipping) contact.d[kOrder] = Vec3(0.0);
+    }
+    measure();
+    // A slip of few digits has a direction of few digits, and forces have as many.
+    m_noForce = kNoForce * accelerationScale(m_moment);
+    for (const Contact &contact : contacts()) {
+        if (contact.mode != Mode::slipping) continue;
+        m_noForce +=
+            contact.held.friction * contact.N[0] * kDirectionNoise * speedScale(m_moment) / glm::length(contact.u[0]);
+    }
+}
+
+void Series::begin(const Response &response) {
+    m_p[0] = Vec3(0.0);
+    m_v[0] = m_moment.velocity;
+    m_om[0] = m_moment.spin;
+    m_a[0] = m_mirror.seen(response.acceleration);
+    m_al[0] = m_mirror.seenSpin(response.spinAcceleration);
+    m_rolling[0] = m_mirror.seenSpin(response.rolling);
+    m_rollStarts = false;
+    if (m_rolls < m_count) {
+        const Vec3 n = m_contacts[m_rolls].held.normal;
+        const double turning = glm::length(m_om[0] - glm::dot(m_om[0], n) * n);
+        if (m_rolling[0] == Vec3(0.0))
+            m_rolls = kMostHeld;
+        else if (turning < 1e-140) // whose square is lost
+            m_rollStarts = true;
+        else
+            rollingDirection(0);
+    }
+    for (Contact &contact : contacts()) {
+        if (contact.mode == Mode::slipping) directions(contact, 0);
+        contact.rateKnown = m_a[0] - m_moment.radius * glm::cross(m_al[0], contact.n[0]) -
+                            glm::cross(m_om[0], contact.held.across * m_v[0]);
+    }
+    move(0);
+}
+
+/// From the accelerations of order k to the motion of order k + 1, and the directions that follow from it.
+void Series::move(int k) {
+    const double step = m_unit / (k + 1);
+    m_p[k + 1] = step * m_v[k];
+    m_v[k + 1] = step * m_a[k];
+    m_om[k + 1] = step * m_al[k];
+    for (Contact &contact : contacts()) {
+        contact.n[k + 1] = contact.held.across * m_p[k + 1] / m_moment.radius;
+        contact.u[k + 1] = Vec3(0.0);
+        if (contact.mode == Mode::slipping) {
+            contact.u[k + 1] = m_v[k + 1] - m_moment.radius * crossTerm(m_om, contact.n, k + 1);
+            directions(contact, k + 1);
+        } else if (contact.mode == Mode::starting) {
+            contact.u[k + 1] = step * contact.rateKnown;
+            directions(contact, k);
+        } else if (contact.mode == Mode::spent) {
+            if (k > 0) contact.u[k + 1] = step * contact.rateKnown;
+            directions(contact, k);
+        }
+    }
+    if (m_rolls < m_count) rollingDirection(m_rollStarts ? k : k + 1);
+}
+
+/// hat(om_t) of order k, or of om_t by the time where the ball starts from rest.
+void Series::rollingDirection(int k) {
+    const Vec3 n = m_contacts[m_rolls].held.normal;
+    const int shift = m_rollStarts ? 1 : 0;
+    const auto turning = [&](int j) { return m_om[j + shift] - glm::dot(m_om[j + shift], n) * n; };
+    double sum = 0.0;
+    for (int j = 0; j <= k; ++j) sum += glm::dot(turning(j), turning(k - j));
+    m_rollSquare[k] = sum;
+    m_rollInverse[k] = inverseRootTerm(m_rollSquare, m_rollInverse, k);
+    if (k == 0) return;
+    m_rolling[k] = Vec3(0.0);
+    for (int j = 0; j <= k; ++j) m_rolling[k] += m_rollInverse[k - j] * turning(j);
+}
+
+/// Of a ball that starts to roll: the resistance that turns with the spin acceleration takes part in it.
+Vec3 Series::steadied(const Vec3 &al, int k) const {
+    if (!m_rollStarts) return al;
+    const Contact &contact = m_contacts[m_rolls];
+    const double growth =
+        kInertia * contact.held.resistance / m_moment.radius * contact.N[0] * m_unit * m_rollInverse[0] / (k + 1);
+    const Vec3 &n = contact.held.normal;
+    const Vec3 across = al - glm::dot(al, n) * n - glm::dot(al, m_rolling[0]) * m_rolling[0];
+    return al - growth / (1.0 + growth) * across;
+}
+
+/// Direction of the slip, of order k.
+void Series::directions(Contact &contact, int k) {
+    if (contact.mode == Mode::spent) {
+        if (k == 0) return;
+        const Vec3 n0 = contact.n[0], d0 = contact.d[0], e = glm::cross(n0, d0);
+        double alongD = 0.0, alongE = 0.0, alongN = -glm::dot(d0, contact.n[k]);
+        Vec3 friction = contact.r[k];
+        for (int j = 0; j <= k; ++j) friction -= contact.N[k - j] * contact.n[j];
+        for (int j = 1; j < k; ++j) {
+            alongD -= 0.5 * glm::dot(contact.d[j], contact.d[k - j]);
+            alongE -= contact.N[k - j] * glm::dot(contact.d[j], e);
+            alongN -= glm::dot(contact.d[k - j], contact.n[j]);
+        }
+        alongE = (alongE - glm::dot(friction, e) / contact.held.friction) / contact.N[0];
+        contact.d[k] = alongD * d0 + alongE * e + alongN * n0;
+        return;
+    }
+    // The slip itself, or its quotient by the time where it starts.
+    const int shift = contact.mode == Mode::starting ? 1 : 0;
+    double sum = 0.0;
+    for (int j = 0; j <= k; ++j) sum += glm::dot(contact.u[j + shift], contact.u[k - j + shift]);
+    contact.square[k] = sum;
+    contact.inverse[k] = inverseRootTerm(contact.square, contact.inverse, k);
+    if (k == 0) return;
+    contact.d[k] = Vec3(0.0);
+    for (int j = 0; j <= k; ++j) contact.d[k] += contact.inverse[k - j] * contact.u[j + shift];
+}
+
+void Series::forces(int k) {
+    for (Contact &contact : contacts()) knownForces(contact, k);
+    knownAccelerations(k);
+    solveOrder(k);
+}
+
+/// What the terms of lower orders add to a contact's force of order k.
+void Series::knownForces(Contact &contact, int k) {
+    contact.r[k] = Vec3(0.0);
+    contact.N[k] = 0.0;
+    const double mu = contact.held.friction;
+    switch (contact.mode) {
+    case Mode::smooth:
+        for (int j = 1; j <= k; ++j) contact.r[k] += contact.N[k - j] * contact.n[j];
+        break;
+    case Mode::slipping:
+        for (int j = 1; j <= k; ++j) contact.r[k] += contact.N[k - j] * (contact.n[j] - mu * contact.d[j]);
+        break;
+    case Mode::starting: {
+        contact.u[k + 1] = Vec3(0.0);
+        directions(contact, k);
+        contact.directionKnown = Vec3(0.0);
+        for (int j = 1; j <= k; ++j) contact.directionKnown += contact.N[k - j] * (contact.n[j] - mu * contact.d[j]);
+        break;
+    }
+    default:
+        for (int j = 1; j <= k; ++j) contact.N[k] += glm::dot(contact.r[k - j], contact.n[j]);
+    }
+}
+
+/// The accelerations of order k and the slips' rates without what the unknowns add.
+void Series::knownAccelerations(int k) {
+    const double R = m_moment.radius;
+    m_a[k] = m_al[k] = Vec3(0.0);
+    for (const Contact &contact : contacts()) {
+        m_a[k] += contact.r[k];
+        m_al[k] -= kInertia / R * crossTerm(contact.n, contact.r, k);
+    }
+    if (m_rolls < m_count) {
+        const Contact &contact = m_contacts[m_rolls];
+        if (m_rollStarts) {
+            m_om[k + 1] = Vec3(0.0);
+            rollingDirection(k);
+        }
+        m_al[k] -= kInertia * contact.held.resistance / R * termOf(contact.N, m_rolling, k);
+        m_al[k] = steadied(m_al[k], k);
+    }
+    for (Contact &contact : contacts()) {
+        contact.rateKnown = m_a[k] - R * crossTerm(m_al, contact.n, k);
+        for (int j = 0; j <= k; ++j) contact.rateKnown -= glm::cross(m_om[j], contact.held.across * m_v[k - j]);
+    }
+}
+
+/// r per unit of a contact's unknown.
+Vec3 Series::basis(const Contact &contact, uint32_t part) const {
+    switch (contact.mode) {
+    case Mode::smooth:
+        return contact.n[0];
+    case Mode::slipping:
+        return contact.n[0] - contact.held.friction * contact.d[0];
+    default:
+        return part < 3 ? axisOf(part) : Vec3(0.0);
+    }
+}
+
+Vec3 Series::spinPerForce(const Contact &contact, const Vec3 &force, int k) const {
+    Vec3 spin = -kInertia / m_moment.radius * glm::cross(contact.n[0], force);
+    if (m_rolls < m_count && &contact == &m_contacts[m_rolls]) {
+        spin -= kInertia * contact.held.resistance / m_moment.radius * glm::dot(force, contact.n[0]) * m_rolling[0];
+    }
+    return steadied(spin, k);
+}
+
+void Series::addRows(const Contact &contact, int k, dense::Equations &equations) const {
+    const double R = m_moment.radius, mu = contact.held.friction;
+    const Vec3 n0 = contact.n[0];
+    // row: axis . (what a force changes) summed over all unknowns.
+    const auto add = [&](const Vec3 &axis, bool ofSlip, double value) -> dense::Row & {
+        dense::Row &row = equations.add();
+        for (const Contact &other : contacts()) {
+            const uint32_t width = other.mode == Mode::smooth || other.mode == Mode::slipping ? 1 : 3;
+            for (uint32_t part = 0; part < width; ++part) {
+                const Vec3 force = basis(other, part);
+                Vec3 change = force;
+                if (ofSlip) change -= R * glm::cross(spinPerForce(other, force, k), n0);
+                row.factors[other.column + part] = glm::dot(axis, change);
+            }
+        }
+        row.value = value;
+        return row;
+    };
+    if (contact.mode == Mode::sticking) {
+        for (uint32_t i = 0; i < 3; ++i) add(axisOf(i), true, -glm::dot(axisOf(i), contact.rateKnown));
+        return;
+    }
+    double apart = 0.0;
+    for (int j = 0; j <= k; ++j) {
+        apart += glm::dot(contact.n[j], m_a[k - j]);
+        apart += glm::dot(contact.held.across * m_v[j], contact.held.across * m_v[k - j]) / R;
+    }
+    add(n0, false, -apart);
+    if (contact.mode == Mode::starting) {
+        const double growth = m_unit * mu * contact.N[0] * contact.inverse[0] / (k + 1);
+        const Vec3 d0 = contact.d[0];
+        for (uint32_t i = 0; i < 3; ++i) {
+            const Vec3 across = axisOf(i) - d0[static_cast<int>(i)] * d0;
+            dense::Row &row = add(growth * across, true, 0.0);
+            row.value = contact.directionKnown[static_cast<int>(i)] - growth * glm::dot(across, contact.rateKnown);
+            row.factors[contact.column + i] += 1.0;
+            row.factors[contact.column + 3] -= n0[static_cast<int>(i)] - mu * d0[static_cast<int>(i)];
+        }
+    } else if (contact.mode == Mode::spent) {
+        const Vec3 d0 = contact.d[0], e = glm::cross(n0, d0);
+        double across = 0.0, along = 0.0;
+        for (int i = 2; i <= k; ++i) across += glm::dot(glm::cross(contact.u[i], contact.d[k + 1 - i]), n0);
+        add(e, true, (k + 1) / m_unit * across - glm::dot(e, contact.rateKnown));
+        for (int j = 1; j <= k; ++j) {
+            along += contact.N[k - j] * glm::dot(contact.n[j], d0) - mu * glm::dot(contact.r[k - j], contact.n[j]);
+            if (j == k) continue;
+            along -= mu * contact.N[k - j] * glm::dot(contact.d[j], d0);
+            along += 0.5 * mu * contact.N[0] * glm::dot(contact.d[j], contact.d[k - j]);
+        }
+        dense::Row &row = equations.add();
+        for (uint32_t part = 0; part < 3; ++part) {
+            row.factors[contact.column + part] = d0[static_cast<int>(part)] + mu * n0[static_cast<int>(part)];
+        }
+        row.value = along;
+    }
+}
+
+/// Two sticking contacts: of the forces that press them apart and move nothing, as many as make friction least, f_i.t_i
+/// + f_j.t_j = 0 with the tangents t of the line n_i - n_j through both. model.md 14.1.
+void Series::addGauge(uint32_t i, uint32_t j, int k, dense::Equations &equations) {
+    const Contact &a = m_contacts[i], &b = m_contacts[j];
+    Jet cosine;
+    for (int m = 0; m <= k; ++m) cosine[m] = dotTerm(a.n, b.n, m);
+    const auto tangents = [&](int m) {
+        return std::array{termOf(cosine, a.n, m) - b.n[m], termOf(cosine, b.n, m) - a.n[m]};
+    };
+    double known = 0.0;
+    for (int m = 1; m <= k; ++m) {
+        const auto [ofA, ofB] = tangents(m);
+        known += glm::dot(a.r[k - m], ofA) + glm::dot(b.r[k - m], ofB);
+    }
+    const auto [ofA, ofB] = tangents(0);
+    dense::Row &row = equations.add();
+    for (uint32_t part = 0; part < 3; ++part) {
+        row.factors[a.column + part] = ofA[static_cast<int>(part)];
+        row.factors[b.column + part] = ofB[static_cast<int>(part)];
+    }
+    row.value = -known;
+}
+
+void Series::solveOrder(int k) {
+    dense::Equations equations(m_unknowns);
+    for (const Contact &contact : contacts()) addRows(contact, k, equations);
+    for (uint32_t j = 0; j < m_count; ++j) {
+        for (uint32_t i = 0; i < j; ++i) {
+            if (m_contacts[i].mode == Mode::sticking && m_contacts[j].mode == Mode::sticking)
+                addGauge(i, j, k, equations);
+        }
+    }
+    const dense::Values x = equations.solve();
+    Vec3 a(0.0), al(0.0);
+    for (Contact &contact : contacts()) {
+        const bool isOne = contact.mode == Mode::smooth || contact.mode == Mode::slipping;
+        Vec3 force(0.0);
+        for (uint32_t part = 0; part < (isOne ? 1U : 3U); ++part)
+            force += x[contact.column + part] * basis(contact, part);
+        contact.r[k] += force;
+        if (isOne)
+            contact.N[k] = x[contact.column];
+        else if (contact.mode == Mode::starting)
+            contact.N[k] = x[contact.column + 3];
+        else
+            contact.N[k] += glm::dot(force, contact.n[0]);
+        a += force;
+        al += spinPerForce(contact, force, k);
+    }
+    m_a[k] += a;
+    m_al[k] += al;
+    for (Contact &contact : contacts()) contact.rateKnown += a - m_moment.radius * glm::cross(al, contact.n[0]);
+}
+
+void Series::measure() {
+    VecJet turning;
+    bool slips = false;
+    for (int k = 0; k <= kOrder; ++k) turning[k] = m_moment.radius * m_om[k];
+    double s = std::min(goodFor(m_v, kOrder), goodFor(turning, kOrder));
+    for (const Contact &contact : contacts()) slips = slips || contact.mode != Mode::sticking;
+    if (!slips) {
+        for (const Contact &contact : contacts()) s = std::min(s, goodFor(contact.r, kOrder - 1));
+    }
+    s = std::min(0.8 * s, 4.0);
+    for (const Contact &contact : contacts()) s = contact.isKept ? std::min(s, kKeptFor) : s;
+    m_horizon = s * m_unit;
+    double most = 0.0, jerk = 0.0;
+    for (int k = kOrder; k >= 0; --k) most = most * s + glm::length(m_a[k]);
+    for (int k = kOrder; k >= 1; --k) jerk = jerk * s + k * glm::length(m_a[k]);
+    m_most = most;
+    m_jerk = jerk / m_unit;
+}
+
+Way Series::at(double t) const {
+    const double s = t / m_unit;
+    return {m_mirror.back(m_p.at(s)), m_mirror.back(m_v.at(s))};
+}
+
+Vec3 Series::spinAt(double t) const { return m_mirror.backSpin(m_om.at(t / m_unit)); }
+
+double Series::least(const Vec3 &n, double, double t, double until) const {
+    return glm::dot(m_mirror.seen(n), m_a.at(t / m_unit)) - m_jerk * (until - t);
+}
+
+Jet Series::slipSpeed(const Contact &contact) const {
+    Jet speed;
+    for (int k = 0; k <= kOrder; ++k) speed[k] = dotTerm(contact.u, contact.d, k);
+    return speed;
+}
+
+/// (mu N)^2 less the square of the friction, without what rolling resistance needs: model.md 2.2.
+Jet Series::reserveOf(const Contact &contact) const {
+    VecJet friction;
+    for (int k = 0; k <= kOrder; ++k) friction[k] = contact.r[k] - termOf(contact.N, contact.n, k);
+    if (m_rolls < m_count && &contact == &m_contacts[m_rolls]) {
+        const double share = 5.0 / 7.0 * contact.held.resistance;
+        for (int k = 0; k <= kOrder; ++k) {
+            friction[k] += share * glm::cross(termOf(contact.N, m_rolling, k), contact.held.normal);
+        }
+    }
+    Jet left;
+    const double mu = contact.held.friction;
+    for (int k = 0; k <= kOrder; ++k) {
+        left[k] = mu * mu * termOf(contact.N, contact.N, k) - dotTerm(friction, friction, k);
+    }
+    left[kOrder] = 0.0;
+    return left;
+}
+
+uint32_t Series::opening() const {
+    uint32_t bits = 0;
+    const double zero = m_noForce;
+    for (uint32_t i = 0; i < m_count; ++i) {
+        const Jet &N = m_contacts[i].N;
+        if (N[0] <= zero && N.at(kLookAhead * m_horizon / m_unit) < -zero) bits |= 1U << given(i);
+    }
+    return bits;
+}
+
+uint32_t Series::spent() const {
+    uint32_t bits = 0;
+    for (uint32_t i = 0; i < m_count; ++i) {
+        const Contact &contact = m_contacts[i];
+        if (contact.mode != Mode::sticking || contact.held.isGlued || contact.isKept) continue;
+        const Jet left = reserveOf(contact);
+        const double zero = 2.0 * m_noForce * contact.held.friction * contact.N[0];
+        if (left[0] <= zero && left.at(kLookAhead * m_horizon / m_unit) < -zero) bits |= 1U << given(i);
+    }
+    return bits;
+}
+
+/// When a speed falls to zero. Where its direction turns to the last the series never reach that time: what is left of
+/// a speed that is small enough falls as it does now.
+End Series::zeroOf(const Jet &speed, double until, double small, Cause cause, uint32_t contact) const {
+    const double time = firstFall(speed, until);
+    if (time != kNever || speed[0] > small || speed[1] >= 0.0) return {m_unit * time, cause, contact};
+    return {0.0, cause, contact, m_unit * speed[0] / -speed[1]};
+}
+
+End Series::end(double until) const {
+    End end{m_horizon, Cause::time, 0};
+    const double s = std::min(until, m_horizon) / m_unit;
+    const double speed = speedScale(m_moment);
+    const double noForce = m_noForce;
+    for (uint32_t i = 0; i < m_count; ++i) {
+        const Contact &contact = m_contacts[i];
+        Jet force = contact.N;
+        if (force[0] <= noForce) force[0] += noForce;
+        end.cut({m_unit * firstFall(force, s), Cause::release, given(i)});
+        if (contact.mode == Mode::slipping) {
+            end.cut(zeroOf(slipSpeed(contact), s, kSlipEnds * speed, Cause::grip, given(i)));
+        } else if (contact.mode == Mode::sticking && !contact.held.isGlued && !contact.isKept) {
+            Jet left = reserveOf(contact);
+            const double zero = 2.0 * noForce * contact.held.friction * contact.N[0];
+            if (left[0] <= zero) left[0] += zero + noForce * noForce;
+            end.cut({m_unit * firstFall(left, s), Cause::spent, given(i)});
+        }
+    }
+    if (m_rolls < m_count && !m_rollStarts) {
+        Jet left;
+        for (int k = 0; k <= kOrder; ++k) left[k] = m_moment.radius * dotTerm(m_om, m_rolling, k);
+        end.cut(zeroOf(left, s, kSlipEnds * speed, Cause::stop, given(m_rolls)));
+    }
+    return end;
+}
+
+Losses Series::losses(double t) const {
+    const double s = t / m_unit;
+    const auto integral = [&](const Jet &power) {
+        double sum = 0.0;
+        for (int k = kOrder; k >= 0; --k) sum = (sum + power[k] / (k + 1)) * s;
+        return m_unit * sum;
+    };
+    Losses lost;
+    for (const Contact &contact : contacts()) {
+        if (contact.mode == Mode::sticking || contact.mode == Mode::smooth) continue;
+        const Jet speed = slipSpeed(contact);
+        Jet power;
+        for (int k = 0; k <= kOrder; ++k) power[k] = contact.held.friction * termOf(contact.N, speed, k);
+        lost.slip += integral(power);
+    }
+    if (m_rolls < m_count) {
+        const Contact &contact = m_contacts[m_rolls];
+        Jet turning, power;
+        for (int k = 0; k <= kOrder; ++k) turning[k] = dotTerm(m_om, m_rolling, k);
+        for (int k = 0; k <= kOrder; ++k) {
+            power[k] = contact.held.resistance * m_moment.radius * termOf(contact.N, turning, k);
+        }
+        lost.rolling += integral(power);
+    }
+    return lost;
+}
+
+} // namespace phys

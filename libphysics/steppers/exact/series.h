@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// The general phase: any lasting contacts with faces, edges and corners, smooth, sticking or slipping, as Taylor series
+// of the time. model.md 14.2.
+#pragma once
+
+#include "contact/dense.h"
+#include "contact/mirror.h"
+#include "contact/modes.h"
+#include "exact/jet.h"
+#include "exact/phase.h"
+
+namespace phys {
+
+class Series {
+public:
+    /// unit: the time that the series count in, s. kept: bits of contacts that stick as long as others press them.
+    void build(const Moment &moment, std::span<const Held> held, const Response &response, double unit, uint32_t kept);
+
+    /// Longest time for which the series are good to rounding, s.
+    double horizon() const { return m_horizon; }
+    /// The unit that suits the series, s.
+    double suitableUnit() const { return 2.0 * m_horizon; }
+    double unit() const { return m_unit; }
+
+    Way at(double t) const;
+    Place placeAt(double t) const {
+        const Way now = at(t);
+        return {now.way, now.velocity, spinAt(t)};
+    }
+    Vec3 spinAt(double t) const;
+    double least(const Vec3 &n, double rate, double t, double until) const;
+    double mostAcceleration() const { return m_most; }
+    Losses losses(double t) const;
+
+    /// Its own ends before `until`.
+    End end(double until) const;
+
+    /// Contacts whose force is zero and falls: they open now. Bits.
+    uint32_t opening() const;
+    /// Contacts whose friction is spent and is asked for more: they begin to slip without an acceleration. Bits.
+    uint32_t spent() const;
+
+private:
+    struct Contact {
+        Held held;
+        Mode mode;
+        bool isKept;
+        VecJet n, u, d, r;
+        Jet N;
+        Jet square, inverse; ///< of the slip, or of its rate when it starts
+        Vec3 rateKnown;      ///< of the slip at the present order, without what the unknowns add
+        Vec3 directionKnown;
+        uint32_t column = 0;
+    };
+
+    Mirror m_mirror{Moment{}, {}};
+    Moment m_moment;
+    std::array<Contact, kMostHeld> m_contacts;
+    std::array<uint32_t, kMostHeld> m_index{};
+    uint32_t m_count = 0, m_unknowns = 0;
+    uint32_t m_rolls = kMostHeld; ///< the contact at which resistance acts
+    double m_unit = 1.0, m_horizon = 0.0, m_most = 0.0, m_jerk = 0.0, m_noForce = 0.0;
+    VecJet m_p, m_v, m_om, m_a, m_al;
+    VecJet m_rolling;                ///< hat(om_t)
+    Jet m_rollSquare, m_rollInverse; ///< of om_t, or of its quotient by the time where the ball starts
+    bool m_rollStarts = false;
+
+    std::span<Contact> contacts() { return {m_contacts.data(), m_count}; }
+    std::span<const Contact> contacts() const { return {m_contacts.data(), m_count}; }
+    uint32_t given(uint32_t i) const { return m_index[i]; }
+
+    void begin(const Response &response);
+    void forces(int k);
+    void knownForces(Contact &contact, int k);
+    void knownAccelerations(int k);
+    void solveOrder(int k);
+    void addGauge(uint32_t i, uint32_t j, int k, dense::Equations &equations);
+    void addRows(const Contact &contact, int k, dense::Equations &equations) const;
+    Vec3 basis(const Contact &contact, uint32_t part) const;
+    Vec3 spinPerForce(const Contact &contact, const Vec3 &force, int k) const;
+    void move(int k);
+    void rollingDirection(int k);
+    Vec3 steadied(const Vec3 &al, int k) const;
+    void directions(Contact &contact, int k);
+    void measure();
+    Jet reserveOf(const Contact &contact) const;
+    End zeroOf(const Jet &speed, double until, double small, Cause cause, uint32_t contact) const;
+    Jet slipSpeed(const Contact &contact) const;
+};
+
+} // namespace phys

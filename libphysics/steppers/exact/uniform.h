@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// A phase of constant accelerations: flight, a straight way along a face, every way without resistance. model.md 3.
+#pragma once
+
+#include "exact/phase.h"
+
+namespace phys {
+
+struct Uniform {
+    Vec3 velocity, acceleration, spin, spinAcceleration;
+
+    Way at(double t) const { return {t * (velocity + 0.5 * t * acceleration), velocity + t * acceleration}; }
+    Place placeAt(double t) const {
+        const Way now = at(t);
+        return {now.way, now.velocity, spinAt(t)};
+    }
+    Vec3 spinAt(double t) const { return spin + t * spinAcceleration; }
+    double least(const Vec3 &n, double, double, double) const { return glm::dot(n, acceleration); }
+    double mostAcceleration() const { return glm::length(acceleration); }
+    double horizon() const { return kNever; }
+};
+
+} // namespace phys
