@@ -42,6 +42,7 @@ private:
     std::vector<Touch> touching(const Motion &motion) const;
     std::vector<Contact> lasting(const Law &law, const Motion &motion) const;
     Trial attempt(const Law &law, const Motion &start, Real h, const std::vector<Contact> &contacts) const;
+    void relax(const Law &law, std::vector<Contact> &contacts) const;
     Motion implicitEuler(const Law &law, const Motion &start, Real h, std::vector<Contact> &contacts) const;
     void lookWhereTheyEnd(const Law &law, const Vector &place, std::vector<Contact> &contacts) const;
     Vector rub(const Law &law, Contact &c, Motion &end) const;
@@ -50,6 +51,7 @@ private:
     Real firstOverlap(const Motion &start, const Motion &end, Real h, const std::vector<Contact> &contacts) const;
     bool changesFeature(const Motion &start, const Motion &end, const std::vector<Contact> &contacts) const;
     bool reverses(const Law &law, const Motion &start, const Trial &trial) const;
+    bool sticksTooSoon(const Law &law, const Motion &start, const Trial &trial, Real h) const;
     bool endsEarly(const Law &law, const Motion &start, const Trial &trial, Real h) const;
     Real bracket(const Law &law, const Motion &start, Real h, const std::vector<Contact> &contacts, Trial &trial) const;
     void settle(Motion &motion) const;

@@ -5,6 +5,7 @@
 #include "brute_force.h"
 #include "case.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,10 +27,12 @@ Order orderOf(const std::string &stepper);
 /// The motion by force, and how far it goes astray if it is disturbed a little.
 class Truth {
 public:
-    /// Empty if the brute force has no answer.
+    /// Empty if the ball starts inside a box, or if the brute force has no answer.
     static std::optional<Truth> of(const Case &scene);
 
     const std::vector<Motion> &motions() const { return m_motions; }
+    /// A hundred times as careful, for steppers that are better than that. Computed when it is first asked for.
+    const Truth &refined() const;
     bool hasImpacts() const { return m_hasImpacts; }
     /// How far each checkpoint moves if gravity and speed are off by the part `disturbance`, in a number of ways.
     std::vector<Real> spread(Real disturbance) const;
@@ -43,6 +46,7 @@ private:
     std::vector<Motion> run(const Law &law, Motion motion, Real tolerance) const;
 
     const Case &m_scene;
+    mutable std::shared_ptr<Truth> m_refined;
     std::vector<Motion> m_motions; ///< at the checkpoints, each a quarter of the time
     bool m_hasImpacts = false;
     Real m_ownError = 0;
@@ -52,7 +56,6 @@ private:
 struct Convergence {
     double stepSizes[kSizes];
     Real errors[kSizes]; ///< of the place at the worst checkpoint, m
-    Real allowed = 0;    ///< with the smallest steps
     phys_status status = PHYS_OK;
     std::string statusText;
     bool isWrong = false;
