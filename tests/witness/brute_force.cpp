@@ -147,6 +147,22 @@ Vector BruteForce::rollOn(const Law &law, Contact &c, Motion &end) const {
     return end.velocity - before.velocity;
 }
 
+/// Between two parallel faces as far apart as the ball is wide, sweeps may squeeze it: pressure that moves nothing, but
+/// that friction feeds on. The law takes the least. Whether there was any.
+bool BruteForce::releaseOpposite(std::vector<Contact> &contacts) const {
+    bool isReleased = false;
+    for (size_t i = 0; i < contacts.size(); ++i) {
+        for (size_t j = i + 1; j < contacts.size(); ++j) {
+            const Real squeeze = std::min(contacts[i].pressure, contacts[j].pressure);
+            if (squeeze <= 0 || !isSame(contacts[i].touch.normal, -contacts[j].touch.normal)) continue;
+            contacts[i].pressure -= squeeze;
+            contacts[j].pressure -= squeeze;
+            isReleased = true;
+        }
+    }
+    return isReleased;
+}
+
 /// Coulomb's law for all contacts together, one after the other until nothing changes.
 void BruteForce::sweep(const Law &law, Real scale, bool withResistance, std::vector<Contact> &contacts,
                        Motion &end) const {
@@ -162,7 +178,7 @@ void BruteForce::sweep(const Law &law, Real scale, bool withResistance, std::vec
             c.pressure = pressure;
             change = std::max(change, length(withResistance && c.isRolling ? rollOn(law, c, end) : rub(law, c, end)));
         }
-        if (change <= kUlp * scale) return;
+        if (!releaseOpposite(contacts) && change <= kUlp * scale) return;
     }
 }
 
@@ -445,6 +461,7 @@ bool BruteForce::run(const Law &law, Real duration, Motion &motion) {
         motion = trial.end;
         project(trial.contacts, motion);
         if (isHit) pushOut(motion);
+        m_events += isHit;
         left = h == left ? 0 : left - h;
     }
 }

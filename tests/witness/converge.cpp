@@ -106,7 +106,7 @@ std::optional<Truth> Truth::of(const Case &scene) {
         if (!force.run(law, Real(scene.duration()) / kCheckpoints, motion)) return std::nullopt;
         truth.m_motions.push_back(motion);
     }
-    truth.m_hasImpacts = force.impacts() > 0;
+    truth.m_hasEvents = force.events() > 0;
     const std::vector<Motion> coarser = truth.run(law, motionOf(scene.start), 1e-11L);
     if (coarser.empty()) return std::nullopt;
     for (int i = 0; i < kCheckpoints; ++i) {
@@ -174,7 +174,7 @@ Real largest(const std::vector<Real> &values) { return *std::max_element(values.
 Convergence converge(const phys_registry *registry, const std::string &stepper, const Case &scene, const Truth &truth) {
     Convergence result{};
     const Order orders = orderOf(stepper);
-    const int order = truth.hasImpacts() ? orders.acrossImpacts : orders.betweenImpacts;
+    const int order = truth.hasEvents() ? orders.acrossEvents : orders.betweenEvents;
     Path last;
     for (int size = 0; size < kSizes; ++size) {
         const int steps = order == 0 ? kCheckpoints << size : kStepCounts[size];
@@ -194,7 +194,15 @@ Convergence converge(const phys_registry *registry, const std::string &stepper, 
     const Truth &best = order == 0 ? truth.refined() : truth;
     const std::vector<Real> errors = errorsOf(last, best);
     const Real disturbance = order == 0 ? 1e-11L : std::max<Real>(std::pow(part, Real(order)), 1e-11L);
-    const std::vector<Real> spread = best.spread(disturbance);
+    // Larger disturbances too: ties and grazes are sensitive within a window that a small one may not leave.
+    std::vector<Real> spread(kCheckpoints, 0);
+    for (const Real factor : {1, 2, 4, 8}) {
+        const std::vector<Real> more = best.spread(factor * disturbance);
+        for (int i = 0; i < kCheckpoints; ++i) spread[i] = std::max(spread[i], more[i] / factor);
+        for (int i = 0; i < kCheckpoints; ++i) {
+            if (more[i] > 0.1L * scene.radius) spread[i] = more[i]; // another way was taken
+        }
+    }
     for (int i = 0; i < kCheckpoints && !result.isWrong; ++i) {
         const Real allowed = floor + base + 10 * best.ownError() + kUsual * spread[i];
         if (errors[i] <= allowed) continue;

@@ -17,8 +17,8 @@ constexpr int kCheckpoints = 4;
 
 /// How good a stepper says that it is: the power of the step size that its error follows. 0: none is left.
 struct Order {
-    int acrossImpacts;
-    int betweenImpacts;
+    int acrossEvents;
+    int betweenEvents;
 };
 /// accuracy.md, "How accurate each stepper is"; rk4 has its fourth order only where no contact does more than carry the
 /// ball, which these scenes don't promise. A stepper that isn't there is taken to be of first order.
@@ -33,7 +33,7 @@ public:
     const std::vector<Motion> &motions() const { return m_motions; }
     /// A hundred times as careful, for steppers that are better than that. Computed when it is first asked for.
     const Truth &refined() const;
-    bool hasImpacts() const { return m_hasImpacts; }
+    bool hasEvents() const { return m_hasEvents; }
     /// How far each checkpoint moves if gravity and speed are off by the part `disturbance`, in a number of ways.
     std::vector<Real> spread(Real disturbance) const;
     /// What the brute force doesn't know itself.
@@ -48,7 +48,7 @@ private:
     const Case &m_scene;
     mutable std::shared_ptr<Truth> m_refined;
     std::vector<Motion> m_motions; ///< at the checkpoints, each a quarter of the time
-    bool m_hasImpacts = false;
+    bool m_hasEvents = false;
     Real m_ownError = 0;
     Real m_fastest = 0;
 };
