@@ -45,9 +45,9 @@ public:
     void solve(double rollingFriction, const Motion &before, Motion &motion);
 
 private:
-    bool settle(const Motion &before, double rollingFriction, Motion &motion);
+    bool settle(const Motion &before, double rollingFriction, double negligible, Motion &motion);
     double relieve();
-    double sweep(const Motion &before, double rollingFriction, Motion &motion);
+    void sweep(const Motion &before, double rollingFriction, Motion &motion);
 
     double m_radius;
     std::array<Lasting, Contacts::kMost> m_contacts;

@@ -58,7 +58,11 @@ Vec3 mixedVelocity(const LastingContacts &contacts, const Vec3 &before, const Ve
 LastingContacts holdFirstOrder(const StepContext &context, const Contacts &contacts, bool isExplicit, double h,
                                Ball &ball) {
     LastingContacts lasting(context.radius());
-    for (const Contact &contact : contacts) lasting.add(lastingOf(contact, -std::max(0.0, contact.gap) / h));
+    for (const Contact &contact : contacts) {
+        // A gap of rounding is none: closing it would set friction against a speed that is rounding, too.
+        const double gap = contact.gap > context.setting.tolerance ? contact.gap : 0.0;
+        lasting.add(lastingOf(contact, -gap / h));
+    }
     const Motion before = motionOf(ball);
     Motion motion = before;
     motion.velocity += h * context.setting.gravity();
