@@ -25,7 +25,7 @@ signals:
     void changed();
 
 private:
-    enum Kind { Both, Autopilot, Busy, Random, File };
+    enum Kind { Autopilot, Random, File };
 
     void addFile();
     void showKind();

@@ -10,12 +10,10 @@
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
-class QLineEdit;
 class QProgressBar;
 class QPushButton;
 class QSlider;
 class QSortFilterProxyModel;
-class QSpinBox;
 class QTableView;
 class QUndoStack;
 
@@ -41,7 +39,6 @@ private:
     void makeControls();
     void leaveKeysToTheGame();
     QWidget *makeTop();
-    QWidget *makeUnknowns();
     QWidget *makeBottom();
     void makeTable();
 
@@ -51,16 +48,12 @@ private:
     void showProgress(double share, const QString &what);
     void showEnd(const QString &error);
     void showTolerance(); // recommends anew
-    void showGoodEnough();
     void choose(size_t index);
-    void use(); // the chosen one
-    void useGoodEnough();
-    void use(const TradePoint &point);
+    void use();
     void forget(); // the figures of another level
 
     double tolerance() const; // m
     std::optional<size_t> chosenIndex() const;
-    std::optional<Unknowns> unknowns(); // as they are written; says what is wrong with them
     uint32_t model() const;
     QString answerText(const TradePoint &point) const;
 
@@ -72,12 +65,6 @@ private:
     ScheduleChooser *m_schedule;
     QDoubleSpinBox *m_duration;
     QComboBox *m_model;
-    QLineEdit *m_unknowns;
-    QDoubleSpinBox *m_horizon;
-    QSpinBox *m_share;
-    QLabel *m_unknownsError;
-    ElidedLabel *m_goodEnough;
-    QPushButton *m_useGoodEnough;
     QProgressBar *m_progress;
     ElidedLabel *m_remark;
     TradeChart *m_chart;

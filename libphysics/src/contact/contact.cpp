@@ -56,10 +56,7 @@ void Contacts::add(const Contact &contact, double tolerance) {
         if (isPreferred) other = contact;
         return;
     }
-    if (m_count < kMost) {
-        m_contacts[m_count++] = contact;
-        return;
-    }
+    if (!isFull()) return ShortList::add(contact);
     Contact &farthest =
         *std::max_element(begin(), end(), [](const Contact &a, const Contact &b) { return a.gap < b.gap; });
     if (contact.gap < farthest.gap) farthest = contact;
@@ -75,31 +72,32 @@ void Contacts::dropHidden(double tolerance) {
 }
 
 void Contacts::sort(const Motion &motion, const Vec3 &gravity, double radius) {
-    if (m_count < 2) return;
+    if (count() == 1) m_tiesWithPrevious[0] = false;
+    if (count() < 2) return;
     const auto key = [&](const Contact &contact) {
         const Vec3 slip = slipAt(motion, contact.normal, radius);
         return std::tuple(contact.gap, glm::dot(motion.velocity, contact.normal), glm::dot(gravity, contact.normal),
                           glm::dot(slip, slip), contact.axes());
     };
-    std::array<decltype(key(m_contacts[0])), kMost> keys;
-    for (uint32_t i = 0; i < m_count; ++i) {
-        const Contact contact = m_contacts[i];
+    std::array<decltype(key((*this)[0])), kMost> keys;
+    for (uint32_t i = 0; i < count(); ++i) {
+        const Contact contact = (*this)[i];
         const auto own = key(contact);
         uint32_t place = i;
         for (; place > 0 && own < keys[place - 1]; --place) {
             keys[place] = keys[place - 1];
-            m_contacts[place] = m_contacts[place - 1];
+            (*this)[place] = (*this)[place - 1];
         }
         keys[place] = own;
-        m_contacts[place] = contact;
+        (*this)[place] = contact;
     }
-    for (uint32_t i = 0; i < m_count; ++i) m_tiesWithPrevious[i] = i > 0 && keys[i] == keys[i - 1];
+    for (uint32_t i = 0; i < count(); ++i) m_tiesWithPrevious[i] = i > 0 && keys[i] == keys[i - 1];
 }
 
 bool Contacts::reverseTies() {
     bool any = false;
-    for (uint32_t first = 0, last = 1; first < m_count; first = last++) {
-        while (last < m_count && m_tiesWithPrevious[last]) ++last;
+    for (uint32_t first = 0, last = 1; first < count(); first = last++) {
+        while (last < count() && m_tiesWithPrevious[last]) ++last;
         any = any || last - first > 1;
         std::reverse(begin() + first, begin() + last);
     }
@@ -137,6 +135,7 @@ bool findContacts(const Setting &setting, const Vec3 &position, const Motion &mo
         const double distance = outside == 1 ? std::abs(d.x + d.y + d.z) : glm::length(d);
         contact.normal = d / distance;
         contact.gap = distance - scene.radius;
+        contact.restSpeed = 0.0;
         contact.box = number;
         setCoefficients(setting, contact);
         out.add(contact, tolerance);

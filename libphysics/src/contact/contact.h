@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/vec.h"
+#include "contact/short_list.h"
 #include "scene/scene.h"
 
 #include <array>
@@ -35,11 +36,11 @@ struct Contact {
     double gap;               ///< m; negative: overlaps
     std::array<int, 3> sides; ///< per axis: the centre lies below (-1), in (0) or above (+1) the box
     double restitution;
-    double restSpeed = 0.0; ///< m/s: slower approach doesn't bounce, but is part of lasting contact
-    double friction;        ///< 0 in the rolling model
-    bool isTop;             ///< a top face: carries the ball, which rolls on it
-    bool isGlued;           ///< a top face in the rolling model: the spin there follows the velocity
-    uint32_t box;           ///< its number in scene.boxes
+    double restSpeed; ///< m/s: slower approach doesn't bounce, but is part of lasting contact
+    double friction;  ///< 0 in the rolling model
+    bool isTop;       ///< a top face: carries the ball, which rolls on it
+    bool isGlued;     ///< a top face in the rolling model: the spin there follows the velocity
+    uint32_t box;     ///< its number in scene.boxes
 
     /// 1: a face, 2: an edge, 3: a corner.
     int axes() const { return std::abs(sides[0]) + std::abs(sides[1]) + std::abs(sides[2]); }
@@ -56,43 +57,22 @@ struct Contact {
 };
 
 /// The contacts of one moment, each normal once.
-class Contacts {
+class Contacts : public ShortList<Contact> {
 public:
-    /// Beyond these the nearest ones are kept. Three normals carry any force; no ball touches many more.
-    static constexpr uint32_t kMost = 32;
+    static constexpr uint32_t kMost = kMostContacts;
 
-    uint32_t count() const { return m_count; }
-    bool empty() const { return m_count == 0; }
-    Contact *begin() { return m_contacts.data(); }
-    Contact *end() { return begin() + m_count; }
-    const Contact *begin() const { return m_contacts.data(); }
-    const Contact *end() const { return begin() + m_count; }
-    Contact &operator[](uint32_t i) { return m_contacts[i]; }
-    const Contact &operator[](uint32_t i) const { return m_contacts[i]; }
-
-    void clear() { m_count = 0; }
-    /// Adds one. Of two with the same normal the nearer one stays, within the tolerance the one with the fewest axes.
+    /// Adds one. Of two with the same normal the nearer one stays, within the tolerance the one with the fewest axes;
+    /// of too many the nearest.
     void add(const Contact &contact, double tolerance);
     /// Removes edges and corners that a face keeps the ball from: those that don't stand out of its plane.
     void dropHidden(double tolerance);
-    /// Removes the contacts for which `isUnwanted` is true.
-    template<class Predicate>
-    void drop(Predicate isUnwanted) {
-        uint32_t kept = 0;
-        for (uint32_t i = 0; i < m_count; ++i) {
-            if (!isUnwanted(m_contacts[i])) m_contacts[kept++] = m_contacts[i];
-        }
-        m_count = kept;
-    }
     /// Sorts by what neither the numbering of boxes nor mirrors nor quarter turns change.
     void sort(const Motion &motion, const Vec3 &gravity, double radius);
     /// Reverses the order of those that `sort` could not tell apart. False if there are none.
     bool reverseTies();
 
 private:
-    std::array<Contact, kMost> m_contacts;
-    std::array<bool, kMost> m_tiesWithPrevious{};
-    uint32_t m_count = 0;
+    std::array<bool, kMost> m_tiesWithPrevious; ///< of those that were sorted
 };
 
 /// What decides about contacts besides the ball.

@@ -27,89 +27,57 @@ double reactionOf(const Lasting &contact, const Motion &motion) {
     return std::max(0.0, contact.reaction + missing / glm::dot(contact.limit, contact.lever));
 }
 
-bool isWithinCone(const Lasting &contact, const Vec3 &rubbing) {
-    const double most = contact.friction * contact.reaction;
-    return glm::dot(rubbing, rubbing) <= most * most;
-}
-
 /// Friction that ends the slip, or as much of it as Coulomb's cone allows against the mean slip.
 Vec3 frictionOf(const Lasting &contact, const Motion &motion, double radius) {
     if (contact.reaction == 0.0 || (contact.friction == 0.0 && !contact.isGlued)) return Vec3(0.0);
     const Vec3 slip = slipAt(motion, contact.limit, radius);
     // An impulse of 1 changes the slip by 7/2.
     const Vec3 sticking = across(contact.rubbing - 2.0 / 7.0 * slip, contact.lever);
-    if (contact.isGlued || isWithinCone(contact, sticking)) return sticking;
-    return clipped(across(contact.rubbing - 2.0 / 7.0 * (contact.slipBefore + slip), contact.lever),
-                   contact.friction * contact.reaction);
-}
-
-struct Rolling {
-    Vec3 rubbing, resisting;
-};
-
-/// Friction and rolling resistance of a top face that sticks, both at once. One after the other they would take a
-/// hundred rounds to agree: with the slip ended, a resistance of 1 changes the spin by 2/7, and friction by 2R/7 across
-/// it. `before` shares in the direction, as in resistanceOf.
-Rolling rollingOf(const Lasting &contact, const Motion &before, const Motion &motion, double radius, double most) {
-    const Vec3 &normal = contact.lever;
-    const Vec3 slip = slipAt(motion, normal, radius);
-    const Vec3 ended = contact.rubbing - 2.0 / 7.0 * (slip + radius * glm::cross(contact.resisting, normal));
-    const Vec3 turned = glm::cross(normal, ended - contact.rubbing);
-    const Vec3 spin = across(motion.spin - contact.resisting - 2.5 / radius * turned, normal);
-    Vec3 resisting = -3.5 * spin;
-    if (glm::dot(resisting, resisting) > most * most) {
-        const Vec3 mean = across(before.spin, normal) + spin;
-        const double length = glm::length(mean);
-        resisting = length > 0.0 ? -most / length * mean : Vec3(0.0);
-    }
-    return {across(ended + 2.0 / 7.0 * radius * glm::cross(resisting, normal), normal), resisting};
+    const double most = contact.friction * contact.reaction;
+    if (contact.isGlued || glm::dot(sticking, sticking) <= most * most) return sticking;
+    return clipped(across(contact.rubbing - 2.0 / 7.0 * (contact.slipBefore + slip), contact.lever), most);
 }
 
 /// Resistance against the mean spin, at most what ends it.
-Vec3 resistanceOf(const Lasting &contact, const Motion &before, const Motion &motion, double most) {
+Vec3 resistanceOf(const Lasting &contact, const Motion &motion, double most) {
     const Vec3 holding = across(contact.resisting - motion.spin, contact.lever);
     if (glm::dot(holding, holding) <= most * most) return holding;
-    return clipped(across(contact.resisting - before.spin - motion.spin, contact.lever), most);
+    return clipped(across(contact.resisting - contact.spinBefore - motion.spin, contact.lever), most);
 }
 
 } // namespace
 
-/// One round of Gauss-Seidel, each contact in closed form.
-void LastingContacts::sweep(const Motion &before, double rollingFriction, Motion &motion) {
+/// One round of Gauss-Seidel, each contact in closed form. Returns the largest change, m/s.
+double LastingContacts::sweep(double rollingFriction, Motion &motion) {
+    double largest = 0.0;
     for (Lasting &contact : *this) {
         const double reaction = reactionOf(contact, motion);
         const double pushed = reaction - contact.reaction;
         motion.velocity += pushed * contact.lever;
         contact.reaction = reaction;
 
-        const double most = 2.5 * rollingFriction * contact.reaction / m_radius;
-        const bool resists = rollingFriction > 0.0 && contact.rolls;
-        Rolling answer{contact.rubbing, contact.resisting};
-        if (resists) answer = rollingOf(contact, before, motion, m_radius, most);
-        const bool sticks = resists && (contact.isGlued || isWithinCone(contact, answer.rubbing));
-        if (!sticks) answer = {frictionOf(contact, motion, m_radius), contact.resisting};
-        const Vec3 rubbed = answer.rubbing - contact.rubbing;
+        const Vec3 rubbing = frictionOf(contact, motion, m_radius);
+        const Vec3 rubbed = rubbing - contact.rubbing;
         motion.velocity += rubbed;
         motion.spin -= 2.5 / m_radius * glm::cross(contact.lever, rubbed);
-        contact.rubbing = answer.rubbing;
-        if (resists && !sticks) answer.resisting = resistanceOf(contact, before, motion, most);
-        const Vec3 resisted = answer.resisting - contact.resisting;
+        contact.rubbing = rubbing;
+        largest = std::max({largest, std::abs(pushed), size(rubbed)});
+
+        if (rollingFriction == 0.0 || !contact.rolls) continue;
+        const double most = 2.5 * rollingFriction * contact.reaction / m_radius;
+        const Vec3 resisting = resistanceOf(contact, motion, most);
+        const Vec3 resisted = resisting - contact.resisting;
         motion.spin += resisted;
-        contact.resisting = answer.resisting;
+        contact.resisting = resisting;
+        largest = std::max(largest, m_radius * size(resisted));
     }
+    return largest;
 }
 
-/// Rounds until the motion stays: contacts with nearly the same normal may pass their load to and fro for ever.
-/// negligible: m/s; changes below it are rounding.
-bool LastingContacts::settle(const Motion &before, double rollingFriction, double negligible, Motion &motion) {
+void LastingContacts::settle(double rollingFriction, double negligible, Motion &motion) {
     for (int i = 0; i < kMostSweeps; ++i) {
-        const Motion previous = motion;
-        sweep(before, rollingFriction, motion);
-        const double changed =
-            std::max(size(motion.velocity - previous.velocity), m_radius * size(motion.spin - previous.spin));
-        if (changed <= negligible) return true;
+        if (sweep(rollingFriction, motion) <= negligible) return;
     }
-    return false;
 }
 
 /// Two contacts that stick can be pressed against each other without moving anything, along the line between their
@@ -141,10 +109,14 @@ double LastingContacts::relieve() {
     return largest;
 }
 
-void LastingContacts::solve(double rollingFriction, const Motion &before, Motion &motion) {
-    // Of the motion that gravity alone would give: contacts may leave next to nothing of it, but its rounding.
+void LastingContacts::solve(double rollingFriction, Motion &motion) {
     const double negligible = kNegligible * (size(motion.velocity) + m_radius * size(motion.spin));
-    settle(before, 0.0, negligible, motion);
+    for (Lasting &contact : *this) {
+        contact.rubbing = across(contact.rubbing, contact.lever);
+        motion.velocity += contact.reaction * contact.lever + contact.rubbing;
+        motion.spin -= 2.5 / m_radius * glm::cross(contact.lever, contact.rubbing);
+    }
+    settle(0.0, negligible, motion);
     if (rollingFriction == 0.0) return;
     relieve();
     bool anyRolls = false;
@@ -156,7 +128,7 @@ void LastingContacts::solve(double rollingFriction, const Motion &before, Motion
     // The resistance depends on how contacts share their load.
     constexpr int kMostShares = 20;
     for (int i = 0; i < kMostShares; ++i) {
-        settle(before, rollingFriction, negligible, motion);
+        settle(rollingFriction, negligible, motion);
         if (relieve() <= negligible) return;
     }
 }

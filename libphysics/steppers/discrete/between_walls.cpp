@@ -41,7 +41,8 @@ bool UprightWalls::limitVelocity(const Vec2 &taken, double h, double tolerance, 
                                         [&](const Wall &wall) { return wall.contact->gap <= tolerance; });
     if (allTouched) return true;
     for (uint32_t i = 0; i < m_count; ++i) {
-        m_walls[i].least = -std::max(0.0, m_walls[i].contact->gap) / h;
+        const double gap = m_walls[i].contact->gap;
+        m_walls[i].least = gap <= tolerance ? 0.0 : -gap / h;
         m_walls[i].isActive = false;
     }
     const std::optional<Vec2> velocity = project(inPlane(ball.velocity) + h * taken);
@@ -57,6 +58,19 @@ bool UprightWalls::limitVelocity(const Vec2 &taken, double h, double tolerance, 
     return true;
 }
 
+bool UprightWalls::turns(const Ball &ball) const {
+    return std::any_of(m_walls.begin(), m_walls.begin() + m_count, [&](const Wall &wall) {
+        const Contact &contact = *wall.contact;
+        return !contact.isFace() && glm::dot(ball.velocity, contact.normal) <= contact.restSpeed;
+    });
+}
+
+bool UprightWalls::arrives(double tolerance, const Ball &ball) const {
+    return std::any_of(m_walls.begin(), m_walls.begin() + m_count, [&](const Wall &wall) {
+        return wall.contact->gap > tolerance && glm::dot(ball.velocity, wall.contact->normal) <= 0.0;
+    });
+}
+
 std::optional<Vec2> UprightWalls::keepDrive(const Vec2 &drive, double tolerance, Ball &ball) {
     uint32_t kept = 0;
     for (uint32_t i = 0; i < m_count; ++i) {
@@ -65,7 +79,6 @@ std::optional<Vec2> UprightWalls::keepDrive(const Vec2 &drive, double tolerance,
         const bool isTouched = contact.gap <= tolerance;
         const bool leaves = speed > 0.0 && (!isTouched || speed > contact.restSpeed);
         if (leaves) continue;
-        if (!isTouched || !contact.isFace()) return {};
         ball.velocity -= speed * contact.normal;
         m_walls[kept++] = m_walls[i];
     }

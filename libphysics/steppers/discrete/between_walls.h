@@ -20,8 +20,11 @@ public:
     /// And it comes at most as far as each wall: from `before` to `ball`. taken: what limitDrive took of the drive.
     /// False if the walls leave no such motion.
     bool limitVelocity(const Vec2 &taken, double h, double tolerance, const Ball &before, Ball &ball);
-    /// Order 2: the ball stays at the walls it touches; those it leaves are none. Nothing if it is about to come to
-    /// one, or follows an edge, whose normal turns.
+    /// Whether the ball follows an edge, whose normal turns.
+    bool turns(const Ball &ball) const;
+    /// Whether the ball comes slowly to a face that it doesn't touch yet.
+    bool arrives(double tolerance, const Ball &ball) const;
+    /// Order 2: the ball stays at the faces it touches; those it leaves are none. Nothing if they leave no such drive.
     std::optional<Vec2> keepDrive(const Vec2 &drive, double tolerance, Ball &ball);
 
     /// After the motion: onto the faces that limited the drive.

@@ -14,6 +14,9 @@ namespace {
 /// Speeds below this share of sqrt(g R) are what rounding leaves of a ball that stopped.
 constexpr double kStill = 1e-12;
 
+/// Slip below this share of the speeds is none.
+constexpr double kRolling = 1e-9;
+
 /// Order 2: the end that fixes the normals and the normals that fix the end, in turns.
 constexpr int kMidpointPasses = 3;
 
@@ -43,7 +46,9 @@ void book(const StepContext &context, const LastingContacts &contacts, const Mot
 }
 
 Lasting lastingOf(const Contact &contact, double slow) {
-    return {contact.normal, contact.normal, slow, contact.friction, contact.isTop, contact.isGlued};
+    const Vec3 none(0.0);
+    return {contact.normal, contact.normal, slow, contact.friction, contact.isTop, contact.isGlued, none, none, 0.0,
+            none,           none,           false};
 }
 
 /// The explicit rule: the old velocity, with the new one's part along the normals that press.
@@ -59,14 +64,12 @@ LastingContacts holdFirstOrder(const StepContext &context, const Contacts &conta
                                Ball &ball) {
     LastingContacts lasting(context.radius());
     for (const Contact &contact : contacts) {
-        // A gap of rounding is none: closing it would set friction against a speed that is rounding, too.
-        const double gap = contact.gap > context.setting.tolerance ? contact.gap : 0.0;
-        lasting.add(lastingOf(contact, -gap / h));
+        lasting.add(lastingOf(contact, touches(context, contact) ? 0.0 : -contact.gap / h));
     }
     const Motion before = motionOf(ball);
     Motion motion = before;
     motion.velocity += h * context.setting.gravity();
-    lasting.solve(context.params().rolling_friction, Motion{Vec3(0.0), Vec3(0.0)}, motion);
+    lasting.solve(context.params().rolling_friction, motion);
     book(context, lasting, before, motion);
     const Vec3 moving = isExplicit ? mixedVelocity(lasting, before.velocity, motion.velocity) : motion.velocity;
     ball.position += h * moving;
@@ -85,9 +88,11 @@ LastingContacts midpointContacts(const StepContext &context, const Contacts &con
     const double radius = context.radius();
     LastingContacts lasting(radius);
     const Vec3 sum = ball.velocity + velocityAtEnd;
+    const double rolling = kRolling * (glm::length(ball.velocity) + radius * glm::length(ball.spin));
     for (const Contact &contact : contacts) {
         Lasting next = lastingOf(contact, 0.0);
         next.slipBefore = slipAt(motionOf(ball), contact.normal, radius);
+        if (glm::length(next.slipBefore) <= rolling) next.spinBefore = ball.spin;
         next.lever = normalAt(contact, ball.position + 0.25 * h * sum);
         next.limit = normalAt(contact, ball.position + 0.5 * h * sum);
         lasting.add(next);
@@ -111,10 +116,18 @@ LastingContacts holdSecondOrder(const StepContext &context, const Contacts &cont
     driven.velocity += h * context.setting.gravity();
     Motion motion = before;
     LastingContacts lasting(context.radius());
-    for (int pass = 0; pass < kMidpointPasses; ++pass) {
-        lasting = midpointContacts(context, contacts, ball, motion.velocity, h);
+    // The normals of faces don't turn.
+    const bool turns =
+        std::any_of(contacts.begin(), contacts.end(), [](const Contact &contact) { return !contact.isFace(); });
+    for (int pass = 0; pass < (turns ? kMidpointPasses : 1); ++pass) {
+        LastingContacts next = midpointContacts(context, contacts, ball, motion.velocity, h);
+        for (Lasting *last = lasting.begin(), *contact = next.begin(); last != lasting.end(); ++last, ++contact) {
+            contact->reaction = last->reaction;
+            contact->rubbing = last->rubbing;
+        }
+        lasting = next;
         motion = driven;
-        lasting.solve(context.params().rolling_friction, before, motion);
+        lasting.solve(context.params().rolling_friction, motion);
     }
     book(context, lasting, before, motion);
     ball.position += 0.5 * h * (before.velocity + motion.velocity);
@@ -135,7 +148,7 @@ bool canHold(const StepContext &context, const Contacts &contacts) {
     }
     // One second of gravity, as a velocity: what the contacts leave of it would be an acceleration.
     Motion motion{gravity, Vec3(0.0)};
-    lasting.solve(context.params().rolling_friction, Motion{Vec3(0.0), Vec3(0.0)}, motion);
+    lasting.solve(context.params().rolling_friction, motion);
     const double left = kStill * glm::length(gravity);
     return glm::length(motion.velocity) <= left && context.radius() * glm::length(motion.spin) <= left;
 }

@@ -102,17 +102,19 @@ public:
         if (contact == FloorContact::Slips) return false;
         Law<Vec2> law = velocityLaw(contact, params);
         Ball next = ball;
-        const std::optional<Vec2> drive = Scheme::kHold == Hold::SecondOrder
-                                              ? walls->keepDrive(law.A, m_context.scene().tolerance, next)
-                                              : walls->limitDrive(law.A, m_h, m_context.scene().tolerance, next);
+        const double tolerance = m_context.scene().tolerance;
+        std::optional<Vec2> drive;
+        const bool keeps = Scheme::kHold == Hold::SecondOrder && !walls->arrives(tolerance, ball);
+        if (Scheme::kHold == Hold::SecondOrder && walls->turns(ball)) return false;
+        drive = keeps ? walls->keepDrive(law.A, tolerance, next) : walls->limitDrive(law.A, m_h, tolerance, next);
         if (!drive) return false;
         const bool grips = m_context.isRigid() && contact == FloorContact::Rolls;
         if (grips && glm::length(*drive) > 2.5 * params.sliding_friction * -params.gravity.z) return false;
         const Vec2 taken = law.A - *drive;
         law.A = *drive;
         const SmoothLoss loss = roll(contact, law, next);
-        if (Scheme::kHold != Hold::SecondOrder) {
-            if (!walls->limitVelocity(taken, m_h, m_context.scene().tolerance, ball, next)) return false;
+        if (!keeps) {
+            if (!walls->limitVelocity(taken, m_h, tolerance, ball, next)) return false;
             next.spin = spinAfter(contact, inPlane(next.velocity), next.spin, radius);
         }
         walls->arrive(m_context.scene(), next);
@@ -217,13 +219,7 @@ private:
         if (rollBetweenWalls(contacts, ball)) {
             spin.settle(true, ball);
         } else {
-            keepContacts(contacts, ball);
-            if (contacts.empty()) {
-                moveBy(flightLaw(m_context.params()), ball);
-                spin.settle(false, ball);
-            } else {
-                spin.settle(hold(m_context, contacts, Scheme::kHold, m_h, ball), ball);
-            }
+            spin.settle(holdContacts(contacts, ball), ball);
         }
         if (leaveOverlaps(m_context, ball)) return true;
         // It doesn't fit where it was going. Where it came from it did, unless it started inside something.
@@ -233,11 +229,50 @@ private:
         return leaveOverlaps(m_context, ball);
     }
 
-    /// Order 2 keeps only the contacts that the ball doesn't leave; it may touch them with a speed that is none.
-    void keepContacts(Contacts &contacts, Ball &ball) const {
-        if (Scheme::kHold != Hold::SecondOrder) return;
+    /// A substep of all contacts. Returns whether a top face pressed.
+    bool holdContacts(const Contacts &contacts, Ball &ball) {
+        if (Scheme::kHold != Hold::SecondOrder) return hold(m_context, contacts, Scheme::kHold, m_h, ball);
+        Ball start = ball;
+        const Contacts kept = keepContacts(contacts, start);
+        const bool arrives = kept.count() > 1 && std::any_of(kept.begin(), kept.end(), [&](const Contact &contact) {
+                                 return contact.gap > m_context.scene().tolerance;
+                             });
+        if (!arrives) {
+            Reporter silent(nullptr, 0.0);
+            Ball next = start;
+            const bool pressesOnTop = holdOrFly({m_context.setting, silent}, kept, next);
+            if (kept.empty() || !overlapsAnother(contacts, kept, next)) {
+                const bool presses = m_context.report.wanted() ? holdOrFly(m_context, kept, start) : pressesOnTop;
+                ball = m_context.report.wanted() ? start : next;
+                return presses;
+            }
+        }
+        // Held at one contact it comes to another within the substep: the rule that closes gaps meets both.
+        return hold(m_context, contacts, Hold::Symplectic, m_h, ball);
+    }
+
+    bool holdOrFly(const StepContext &context, const Contacts &contacts, Ball &ball) const {
+        if (!contacts.empty()) return hold(context, contacts, Hold::SecondOrder, m_h, ball);
+        moveBy(flightLaw(m_context.params()), ball);
+        return false;
+    }
+
+    /// Whether the ball overlaps a box that it came near to, but for those that it is held at.
+    bool overlapsAnother(const Contacts &contacts, const Contacts &held, const Ball &ball) const {
+        const Scene &scene = m_context.scene();
+        const double overlapping = scene.radius - scene.tolerance;
+        return std::any_of(contacts.begin(), contacts.end(), [&](const Contact &contact) {
+            const bool isHeld =
+                std::any_of(held.begin(), held.end(), [&](const Contact &other) { return other.box == contact.box; });
+            return !isHeld && squaredDistance(scene.boxes[contact.box], ball.position) < overlapping * overlapping;
+        });
+    }
+
+    /// The contacts that the ball doesn't leave; it may leave those it touches with a speed that is none.
+    Contacts keepContacts(const Contacts &contacts, Ball &ball) const {
+        Contacts result = contacts;
         NormalSpan kept;
-        contacts.drop([&](const Contact &contact) {
+        result.drop([&](const Contact &contact) {
             const double speed = glm::dot(ball.velocity, contact.normal);
             const bool isTouched = contact.gap <= m_context.scene().tolerance;
             if (speed > 0.0 && (!isTouched || speed > contact.restSpeed)) return true;
@@ -245,6 +280,7 @@ private:
             return false;
         });
         ball.velocity = kept.across(ball.velocity);
+        return result;
     }
 
     void book(const SmoothLoss &loss) const {

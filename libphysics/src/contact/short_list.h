@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// A list without allocation, as long as a ball's contacts at one moment. Only what it holds is written and copied.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <type_traits>
+
+namespace phys {
+
+/// Most contacts of one moment. Three normals carry any force; no ball touches many more.
+inline constexpr uint32_t kMostContacts = 32;
+
+template<class T>
+class ShortList {
+    static_assert(std::is_trivially_default_constructible_v<T>, "or all places would be written at once");
+
+public:
+    ShortList() {} // NOLINT(modernize-use-equals-default): a defaulted one may clear the places
+    ShortList(const ShortList &other) { *this = other; }
+    ShortList &operator=(const ShortList &other) {
+        m_count = other.m_count;
+        std::copy(other.begin(), other.end(), begin());
+        return *this;
+    }
+    ~ShortList() = default;
+
+    uint32_t count() const { return m_count; }
+    bool empty() const { return m_count == 0; }
+    bool isFull() const { return m_count == kMostContacts; }
+    T *begin() { return m_items.data(); }
+    T *end() { return begin() + m_count; }
+    const T *begin() const { return m_items.data(); }
+    const T *end() const { return begin() + m_count; }
+    T &operator[](uint32_t i) { return m_items[i]; }
+    const T &operator[](uint32_t i) const { return m_items[i]; }
+
+    void clear() { m_count = 0; }
+    void add(const T &item) { m_items[m_count++] = item; }
+    /// Removes the items for which `isUnwanted` is true; asks in order.
+    template<class Predicate>
+    void drop(Predicate isUnwanted) {
+        uint32_t kept = 0;
+        for (uint32_t i = 0; i < m_count; ++i) {
+            if (!isUnwanted(m_items[i])) m_items[kept++] = m_items[i];
+        }
+        m_count = kept;
+    }
+
+private:
+    std::array<T, kMostContacts> m_items;
+    uint32_t m_count = 0;
+};
+
+} // namespace phys
