@@ -11,12 +11,8 @@ namespace phys {
 
 namespace {
 
-/// Normals this near to each other are one, model.md 13.1.
-constexpr double kSameNormal = 1e-9;
-
-bool isSameNormal(const Vec3 &a, const Vec3 &b) {
-    return std::abs(a.x - b.x) <= kSameNormal && std::abs(a.y - b.y) <= kSameNormal &&
-           std::abs(a.z - b.z) <= kSameNormal;
+bool isSameNormal(const Vec3 &a, const Vec3 &b, double most) {
+    return std::abs(a.x - b.x) <= most && std::abs(a.y - b.y) <= most && std::abs(a.z - b.z) <= most;
 }
 
 /// The side of a box on which a centre is along one axis. On a border (within the tolerance) it belongs to the side it
@@ -47,9 +43,9 @@ void setCoefficients(const Setting &setting, Contact &contact) {
 
 } // namespace
 
-void Contacts::add(const Contact &contact, double tolerance) {
+void Contacts::add(const Contact &contact, double tolerance, double sameNormal) {
     for (Contact &other : *this) {
-        if (!isSameNormal(contact.normal, other.normal)) continue;
+        if (!isSameNormal(contact.normal, other.normal, sameNormal)) continue;
         const bool isFlush = std::abs(contact.gap - other.gap) <= tolerance;
         const bool isPreferred =
             isFlush && contact.axes() != other.axes() ? contact.axes() < other.axes() : contact.gap < other.gap;
@@ -138,7 +134,7 @@ bool findContacts(const Setting &setting, const Vec3 &position, const Motion &mo
         contact.restSpeed = 0.0;
         contact.box = number;
         setCoefficients(setting, contact);
-        out.add(contact, tolerance);
+        out.add(contact, tolerance, setting.sameNormal);
     });
     out.sort(motion, setting.gravity(), scene.radius);
     return isOutside;

@@ -56,6 +56,9 @@ struct Contact {
     }
 };
 
+/// Normals this near to each other are one, model.md 13.1; for a stepper that looks ahead.
+inline constexpr double kSameNormal = 1e-9;
+
 /// The contacts of one moment, each normal once.
 class Contacts : public ShortList<Contact> {
 public:
@@ -63,7 +66,7 @@ public:
 
     /// Adds one. Of two with the same normal the nearer one stays, within the tolerance the one with the fewest axes;
     /// of too many the nearest.
-    void add(const Contact &contact, double tolerance);
+    void add(const Contact &contact, double tolerance, double sameNormal = kSameNormal);
     /// Removes edges and corners that a face keeps the ball from: those that don't stand out of its plane.
     void dropHidden(double tolerance);
     /// Sorts by what neither the numbering of boxes nor mirrors nor quarter turns change.
@@ -84,7 +87,8 @@ struct Setting {
 
     const Scene &scene;
     const phys_params &params;
-    double tolerance; ///< m: gaps below it are none
+    double tolerance;                ///< m: gaps below it are none
+    double sameNormal = kSameNormal; ///< normals this near to each other are one
 
     bool isRigid() const { return params.model == PHYS_MODEL_RIGID; }
     Vec3 gravity() const { return toVec(params.gravity); }

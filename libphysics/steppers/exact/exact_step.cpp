@@ -57,6 +57,7 @@ ExactStep::ExactStep(const Scene &scene, const phys_params &params, double dt, c
     , m_left(dt)
     , m_position(toVec(in.position))
     , m_motion{toVec(in.velocity), toVec(in.spin)} {
+    m_setting.sameNormal = sameNormal(scene);
     std::copy(std::begin(in.orientation), std::end(in.orientation), m_orientation);
 }
 
@@ -266,6 +267,30 @@ void ExactStep::addHeld(uint32_t number) {
     m_lasting[m_heldCount++] = number;
 }
 
+/// Ends the bounce of one more contact, rather of one that doesn't drive the ball into another: false if none bounces
+/// so low.
+bool ExactStep::holdNext(double negligible) {
+    const Vec3 acting = actingAcceleration();
+    uint32_t next = Contacts::kMost;
+    for (uint32_t i = 0; i < m_contacts.count(); ++i) {
+        const double speed = glm::dot(m_motion.velocity, m_contacts[i].normal);
+        const auto held = m_lasting.begin() + m_heldCount;
+        if (std::find(m_lasting.begin(), held, i) != held) continue;
+        if (speed < 0.0 || speed > lastBounce(m_contacts[i], acting)) continue;
+        const Vec3 left = m_motion.velocity - speed * m_contacts[i].normal;
+        const bool isFree = std::none_of(m_contacts.begin(), m_contacts.end(), [&](const Contact &other) {
+            return glm::dot(left, other.normal) < -negligible;
+        });
+        if (isFree || next == Contacts::kMost) next = i;
+        if (!isFree) continue;
+        m_motion.velocity = left;
+        break;
+    }
+    if (next == Contacts::kMost) return false;
+    addHeld(next);
+    return true;
+}
+
 /// The contacts that last: exactly at the radius, without a velocity across, or with one whose bounce ends at once.
 void ExactStep::hold(double negligible) {
     for (Contact &contact : m_contacts) {
@@ -275,17 +300,7 @@ void ExactStep::hold(double negligible) {
         }
     }
     collectHeld(negligible);
-    for (bool isNew = m_heldCount < m_contacts.count(); isNew;) {
-        isNew = false;
-        const Vec3 acting = actingAcceleration();
-        for (uint32_t i = 0; i < m_contacts.count() && !isNew; ++i) {
-            const double speed = glm::dot(m_motion.velocity, m_contacts[i].normal);
-            const bool isHeld =
-                std::find(m_lasting.begin(), m_lasting.begin() + m_heldCount, i) != m_lasting.begin() + m_heldCount;
-            if (isHeld || speed < 0.0 || speed > lastBounce(m_contacts[i], acting)) continue;
-            addHeld(i);
-            isNew = m_heldCount < kMostHeld;
-        }
+    while (m_heldCount < std::min(m_contacts.count(), kMostHeld) && holdNext(negligible)) {
     }
     project();
 }

@@ -40,7 +40,7 @@ private:
 
     const Scene &m_scene;
     const phys_params &m_params;
-    const Setting m_setting;
+    Setting m_setting;
     Reporter m_report;
     phys_error *m_err;
     double m_left;          // s of the step still to go
@@ -73,6 +73,7 @@ private:
     double lastBounce(const Contact &contact, const Vec3 &acting) const;
     void collectHeld(double negligible);
     void addHeld(uint32_t number);
+    bool holdNext(double negligible);
     void hold(double negligible);
     void project();
     bool isCarried(double negligible) const;

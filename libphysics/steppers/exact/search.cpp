@@ -5,8 +5,6 @@ namespace phys {
 
 namespace {
 
-constexpr double kSameNormal = 4e-9;
-
 double side(const phys_box &box, int axis, int sign) { return sign > 0 ? (&box.max.x)[axis] : (&box.min.x)[axis]; }
 
 } // namespace
@@ -26,8 +24,16 @@ bool Outlook::isBehindTouchedFace(const phys_box &other) const {
 }
 
 bool Outlook::isTouched(const Vec3 &normal) const {
+    const double most = 4.0 * sameNormal(scene);
     return std::any_of(contacts.begin(), contacts.end(),
-                       [&](const Contact &contact) { return glm::length(contact.normal - normal) <= kSameNormal; });
+                       [&](const Contact &contact) { return glm::length(contact.normal - normal) <= most; });
+}
+
+bool Outlook::isBarred(int axis) const {
+    for (uint32_t i = 0; i < contacts.count(); ++i) {
+        if ((lasting >> i & 1U) && contacts[i].isFace() && contacts[i].sides[axis] != 0) return true;
+    }
+    return false;
 }
 
 bool Outlook::isKept(uint32_t number, const phys_box &other) const {

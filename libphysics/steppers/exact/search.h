@@ -13,6 +13,10 @@
 
 namespace phys {
 
+/// Normals of one flat contact differ by no more than rounding: features a little apart, as those of a narrow crack,
+/// are two.
+inline double sameNormal(const Scene &scene) { return 4.0 * (kRounding + scene.tolerance / scene.radius); }
+
 /// Where a phase starts, and what lasts during it.
 struct Outlook {
     const Scene &scene;
@@ -29,6 +33,9 @@ struct Outlook {
 
     /// Whether a box lies behind a face that the ball touches, lasting or not.
     bool isBehindTouchedFace(const phys_box &box) const;
+
+    /// Whether a face keeps the ball from moving along an axis.
+    bool isBarred(int axis) const;
 
     /// Whether a contact has this normal.
     bool isTouched(const Vec3 &normal) const;
@@ -83,6 +90,7 @@ double openingTime(const Target &target, const Phase &phase, const Outlook &arou
     if (a > 0.0) t = std::min(t, std::sqrt(R / a));
     t *= 0x1p-5;
     if (target.isBehindFace) return t;
+    if (target.rate < 0.0) return speed > 0.0 ? std::min(t, 8.0 * sameNormal(around.scene) * R / speed) : t;
     for (int i = 0; i < 24; ++i, t *= 0.5) {
         const Look now = gapAt(target, phase, R, t, until);
         if (now.rate > 0.0 && now.value >= -around.scene.tolerance) return t;
@@ -158,7 +166,7 @@ Border firstBorder(const Outlook &around, const Contact &contact, const phys_box
     Border first;
     for (int axis = 0; axis < 3; ++axis) {
         const int side = contact.sides[axis];
-        if (contact.isFace() && side != 0) continue;
+        if (around.isBarred(axis)) continue;
         for (const double sign : {-1.0, 1.0}) {
             // Over the box: its two ends. Beside it: the end that the centre is beside, from outside.
             if (side != 0 && side != (sign > 0.0 ? 1 : -1)) continue;

@@ -35,6 +35,13 @@ double goodFor(const VecJet &f, int last) {
     return most;
 }
 
+/// Whether what is zero, give or take, falls in the moments to come: the sign of the first value that isn't.
+bool falls(const Jet &f, double zero, double end) {
+    double s = 0x1p-30 * end;
+    while (s < end && std::abs(f.at(s)) <= 2.0 * zero) s *= 2.0;
+    return f.at(std::min(s, end)) < -zero;
+}
+
 } // namespace
 
 void Series::build(const Moment &moment, std::span<const Held> held, const Response &response, double unit,
@@ -433,7 +440,7 @@ uint32_t Series::opening() const {
     const double zero = m_noForce;
     for (uint32_t i = 0; i < m_count; ++i) {
         const Jet &N = m_contacts[i].N;
-        if (N[0] <= zero && N.at(kLookAhead * m_horizon / m_unit) < -zero) bits |= 1U << given(i);
+        if (N[0] <= zero && falls(N, zero, kLookAhead * m_horizon / m_unit)) bits |= 1U << given(i);
     }
     return bits;
 }
@@ -445,7 +452,7 @@ uint32_t Series::spent() const {
         if (contact.mode != Mode::sticking || contact.held.isGlued || contact.isKept) continue;
         const Jet left = reserveOf(contact);
         const double zero = 2.0 * m_noForce * contact.held.friction * contact.N[0];
-        if (left[0] <= zero && left.at(kLookAhead * m_horizon / m_unit) < -zero) bits |= 1U << given(i);
+        if (left[0] <= zero && falls(left, zero, kLookAhead * m_horizon / m_unit)) bits |= 1U << given(i);
     }
     return bits;
 }
