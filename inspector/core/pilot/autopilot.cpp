@@ -20,6 +20,10 @@ constexpr double kComfortableMargin = 0.4; // radii between a straight way and t
 
 std::shared_ptr<const Autopilot> Autopilot::create(const phys_scene *scene, QString *error) {
     std::shared_ptr<const Autopilot> pilot(new Autopilot(scene));
+    if (!pilot->m_space.isMarked()) {
+        if (error) *error = QStringLiteral("autopilot: the boxes overlap too often for a way to be looked for");
+        return nullptr;
+    }
     phys_state start;
     phys_scene_start(scene, &start);
     if (pilot->m_wayOut.exists(pilot->m_space.nearestFree({start.position.x, start.position.y}))) return pilot;

@@ -10,7 +10,9 @@ namespace {
 
 constexpr double kCellsPerRadius = 4.0;
 constexpr double kMostCells = 1e6;
-constexpr double kFarClearance = 2.0; // radii; more room than this makes no difference
+constexpr double kFarClearance = 2.0;          // radii; more room than this makes no difference
+constexpr double kReach = 1.0 + kFarClearance; // radii: from the ball's centre to a wall that makes one
+constexpr double kMostVisits = 3e8;            // of cells, for all boxes: some seconds
 
 } // namespace
 
@@ -21,16 +23,27 @@ FreeSpace::FreeSpace(const phys_scene *scene)
     phys_scene_bounds(scene, &m_bounds);
     layGrid();
 
-    // What the ball stands on at its start is floor (to a thousandth of its radius), what else it can touch is wall.
-    const double floor = m_start.z - m_radius;
+    double visits = 0.0;
     const phys_box *boxes = phys_scene_boxes(scene);
+    const uint32_t count = phys_scene_box_count(scene);
+    for (uint32_t i = 0; i < count; ++i) visits += cellsAround(boxes[i], kReach * m_radius);
+    m_isMarked = visits <= kMostVisits;
+    if (m_isMarked)
+        markBoxes({boxes, count});
+    else
+        m_clearance.assign(m_clearance.size(), -1.0F);
+}
+
+// What the ball stands on at its start is floor (to a thousandth of its radius), what else it can touch is wall.
+void FreeSpace::markBoxes(std::span<const phys_box> boxes) {
+    const double floor = m_start.z - m_radius;
     std::vector<bool> hasFloor(m_clearance.size(), false);
-    for (uint32_t i = 0; i < phys_scene_box_count(scene); ++i) {
-        if (std::abs(boxes[i].max.z - floor) <= 1e-3 * m_radius)
-            visitAround(boxes[i], 0.0,
+    for (const phys_box &box : boxes) {
+        if (std::abs(box.max.z - floor) <= 1e-3 * m_radius)
+            visitAround(box, 0.0,
                         [&](Cell cell, double gap) { hasFloor[size_t(cell)] = hasFloor[size_t(cell)] || gap <= 0.0; });
         else
-            markWall(boxes[i]);
+            markWall(box);
     }
     for (Cell cell = 0; cell < cellCount(); ++cell)
         if (!hasFloor[size_t(cell)] && !isOutside(cell)) m_clearance[size_t(cell)] = -1.0F;
@@ -67,13 +80,29 @@ bool FreeSpace::isOutside(Cell cell) const {
     return p.x < m_bounds.min.x || p.x > m_bounds.max.x || p.y < m_bounds.min.y || p.y > m_bounds.max.y;
 }
 
+FreeSpace::Range FreeSpace::columnsAround(const phys_box &box, double reach) const {
+    const auto column = [&](double x) { return std::clamp(int((x - m_origin.x) / m_spacing), 0, m_columns - 1); };
+    return {column(box.min.x - reach), column(box.max.x + reach)};
+}
+
+FreeSpace::Range FreeSpace::rowsAround(const phys_box &box, double reach) const {
+    const auto row = [&](double y) { return std::clamp(int((y - m_origin.y) / m_spacing), 0, m_rows - 1); };
+    return {row(box.min.y - reach), row(box.max.y + reach)};
+}
+
+double FreeSpace::cellsAround(const phys_box &box, double reach) const {
+    const Range columns = columnsAround(box, reach);
+    const Range rows = rowsAround(box, reach);
+    return double(columns.last - columns.first + 1) * double(rows.last - rows.first + 1);
+}
+
 // All cells within `reach` of the box seen from above, with their centre's distance to it.
 template<typename Visit>
 void FreeSpace::visitAround(const phys_box &box, double reach, const Visit &visit) const {
-    const auto column = [&](double x) { return std::clamp(int((x - m_origin.x) / m_spacing), 0, m_columns - 1); };
-    const auto row = [&](double y) { return std::clamp(int((y - m_origin.y) / m_spacing), 0, m_rows - 1); };
-    for (int r = row(box.min.y - reach); r <= row(box.max.y + reach); ++r) {
-        for (int c = column(box.min.x - reach); c <= column(box.max.x + reach); ++c) {
+    const Range columns = columnsAround(box, reach);
+    const Range rows = rowsAround(box, reach);
+    for (int r = rows.first; r <= rows.last; ++r) {
+        for (int c = columns.first; c <= columns.last; ++c) {
             const Cell cell = r * m_columns + c;
             const Point p = centre(cell);
             const double dx = std::max({box.min.x - p.x, p.x - box.max.x, 0.0});
@@ -87,7 +116,7 @@ void FreeSpace::visitAround(const phys_box &box, double reach, const Visit &visi
 // kerb counts by its edge.
 void FreeSpace::markWall(const phys_box &box) {
     const double dz = std::max({box.min.z - m_start.z, m_start.z - box.max.z, 0.0});
-    visitAround(box, (1.0 + kFarClearance) * m_radius, [&](Cell cell, double gap) {
+    visitAround(box, kReach * m_radius, [&](Cell cell, double gap) {
         float &clearance = m_clearance[size_t(cell)];
         clearance = std::min(clearance, float(std::hypot(gap, dz) - m_radius));
     });

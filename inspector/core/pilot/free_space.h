@@ -5,6 +5,7 @@
 #include <physics/physics.h>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace inspector {
@@ -31,6 +32,8 @@ public:
     Point centre(Cell cell) const;
     // Room between the ball's surface and the nearest wall, m, at most 2 radii; not positive where the ball can't be.
     double clearance(Cell cell) const { return m_clearance[size_t(cell)]; }
+    // False if the boxes cover the grid so often that marking them would take minutes; then no cell is free.
+    bool isMarked() const { return m_isMarked; }
     bool isFree(Cell cell) const { return cell != kNowhere && clearance(cell) > 0.0; }
     // Beyond the bounds of all boxes: there the ball has left the maze.
     bool isOutside(Cell cell) const;
@@ -41,6 +44,13 @@ public:
 
 private:
     void layGrid();
+    void markBoxes(std::span<const phys_box> boxes);
+    struct Range {
+        int first, last; // columns or rows, both included
+    };
+    Range columnsAround(const phys_box &box, double reach) const;
+    Range rowsAround(const phys_box &box, double reach) const;
+    double cellsAround(const phys_box &box, double reach) const;
     template<typename Visit>
     void visitAround(const phys_box &box, double reach, const Visit &visit) const;
     void markWall(const phys_box &box);
@@ -53,6 +63,7 @@ private:
     int m_columns = 0;
     int m_rows = 0;
     std::vector<float> m_clearance;
+    bool m_isMarked = false;
 };
 
 } // namespace inspector

@@ -25,7 +25,11 @@ Registry makeRegistry(QString *error) {
 Scene loadScene(const QString &path, QString *error) {
     phys_scene *scene = nullptr;
     phys_error failure;
-    if (phys_scene_load(encodePath(path).constData(), &scene, &failure) != PHYS_OK) {
+    // Read here, because only what is a file, and ends, is to be waited for.
+    const std::optional<QByteArray> text = readFile(path, kLargestMaze, error);
+    if (!text) return {};
+    const QByteArray name = encodePath(path);
+    if (phys_scene_parse(text->constData(), size_t(text->size()), name.constData(), &scene, &failure) != PHYS_OK) {
         tell(error, failure);
         return {};
     }

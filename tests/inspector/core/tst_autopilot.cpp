@@ -24,6 +24,7 @@ private slots:
     void wayKeepsOffTheWalls();
     void spaceOfAnyProportionsIsBounded_data();
     void spaceOfAnyProportionsIsBounded();
+    void boxesThatCoverEachOtherThousandfoldAreRefused();
     void everyLevelIsWonByEveryStepperInBothModels_data();
     void everyLevelIsWonByEveryStepperInBothModels();
     void tiltNeverExceedsAPersons();
@@ -135,7 +136,7 @@ void TestAutopilot::spaceOfAnyProportionsIsBounded_data() {
     QTest::addColumn<double>("length");
     QTest::addColumn<double>("width");
     QTest::addColumn<double>("radius");
-    for (const double length : {1e-3, 1e5, 1e10})
+    for (const double length : {1e-3, 1e5, 9e8})
         for (const double width : {1e-3, 1e5})
             for (const double radius : {1e-6, 1.0})
                 if (radius > 1e-11 * std::max(length, width)) // else it is lost in rounding and refused
@@ -154,6 +155,17 @@ void TestAutopilot::spaceOfAnyProportionsIsBounded() {
     QVERIFY2(scene, qPrintable(error));
     QVERIFY(FreeSpace(scene.get()).cellCount() <= 3'000'001);
     QVERIFY(Autopilot::create(scene.get(), &error) || error.startsWith("autopilot: "));
+}
+
+void TestAutopilot::boxesThatCoverEachOtherThousandfoldAreRefused() {
+    std::vector<phys_box> boxes;
+    for (int i = 1; i <= 2000; ++i) boxes.push_back({{-1.0 * i, i - 2001.0, -1.0}, {1.0 * i, 2001.0 - i, 0.0}});
+    const phys_scene_desc description{sizeof description, uint32_t(boxes.size()), boxes.data(), 0.01, {0.0, 0.0, 0.01}};
+    const Scene scene = makeScene(description, nullptr);
+    QVERIFY(scene);
+    QString error;
+    QVERIFY(!Autopilot::create(scene.get(), &error));
+    QCOMPARE(error, QString("autopilot: the boxes overlap too often for a way to be looked for"));
 }
 
 void TestAutopilot::everyLevelIsWonByEveryStepperInBothModels_data() {
