@@ -26,6 +26,7 @@ constexpr double kRounding = 1e-6;
 constexpr uint64_t kStepsBefore = 10000; // the 10 s of a plot at 1 ms
 // A replay is checked ahead in pieces, between which there is time for steps and commands.
 constexpr std::chrono::milliseconds kCheckSlice{1};
+constexpr std::chrono::milliseconds kShowSlice{20};
 constexpr int kStepsPerLook = 32; // at the clock
 
 uint32_t stepperOf(const Origin &origin) { return stepperIndex(origin.registry, origin.stepper.id); }
@@ -62,6 +63,7 @@ struct Simulation::Worker {
     uint64_t replay = 0;          // its number
     std::optional<Seek> sought{}; // to be shown as soon as all before it is checked
     uint64_t seeks = 0;           // number of the last one done
+    bool areSamplesHeld = false;  // a place sought is being shown
     double pacedDt = 0.0;         // s
 
     const Engine &shown() const { return player ? player->engine() : engine; }
@@ -76,7 +78,9 @@ struct Simulation::Worker {
     std::optional<uint64_t> differenceAt() const;
     void checkAhead();
     void goToSought();
-    void showUpTo(uint64_t position);
+    bool showUpTo(uint64_t position);
+    void holdSamples();
+    void releaseSamples();
     ReplayPlace replayPlace() const;
     void goOnLive(uint64_t number);
     void record(const QString &failure);
@@ -256,27 +260,43 @@ void Simulation::Worker::checkAhead() {
 // Once all before it is checked; commands are obeyed between the pieces of that.
 void Simulation::Worker::goToSought() {
     if (sought->position > player->checked() && !player->isChecked()) return checkAhead();
-    const Seek seek = *std::exchange(sought, std::nullopt);
-    showUpTo(seek.position);
-    seeks = seek.number;
+    if (!showUpTo(sought->position)) return;
+    seeks = std::exchange(sought, std::nullopt)->number;
     publish(Clock::now());
 }
 
-// Plots and trails then show what they do when it is played: what was before it in its run is made again, too.
-void Simulation::Worker::showUpTo(uint64_t position) {
+// Plots and trails then show what they do when it is played: what was before it in its run is made again, too. A piece
+// of that, because a fine ghost makes it long; true if it is done, or needs no more pieces.
+bool Simulation::Worker::showUpTo(uint64_t position) {
     const uint64_t end = std::min(position, player->end());
     const uint64_t start = player->recording().beginOfRun(end);
     const uint64_t begin = std::max(start, end - std::min(end, kStepsBefore));
     const bool goesOn = player->position() > start && player->position() >= begin && player->position() <= end;
-    owner.m_samples.hold();
-    owner.m_events.hold();
+    holdSamples();
     if (!goesOn) {
         player->seek(begin);
         player->enterRun();
         beginRun();
     }
-    while (player->position() < end && player->next()) noteStep();
+    const Clock::time_point until = Clock::now() + kShowSlice;
+    while (player->position() < end && player->next()) {
+        noteStep();
+        if (player->position() < end && Clock::now() >= until) return false;
+    }
     startPacing();
+    releaseSamples();
+    return true;
+}
+
+// Readers see what they are of before and after, and nothing between.
+void Simulation::Worker::holdSamples() {
+    owner.m_samples.hold();
+    owner.m_events.hold();
+    areSamplesHeld = true;
+}
+
+void Simulation::Worker::releaseSamples() {
+    if (!std::exchange(areSamplesHeld, false)) return;
     owner.m_samples.release();
     owner.m_events.release();
 }
@@ -467,7 +487,11 @@ void Simulation::endReplay() {
 void Simulation::goOnFrom(uint64_t position, const Origin &origin) {
     post([position, origin, number = ++m_givenCount](Worker &worker) {
         if (!worker.player) return;
-        if (worker.player->position() != position) worker.showUpTo(position);
+        if (worker.player->position() != position) {
+            worker.companion.reset(); // what it would have to do is long
+            while (!worker.showUpTo(position)) {
+            }
+        }
         worker.goOnLive(number);
         worker.stepper = stepperOf(origin);
         if (worker.recorder) worker.recorder->setOrigin(origin);
@@ -509,6 +533,7 @@ void Simulation::work(const std::stop_token &stop) {
         const auto [hasInputs, commands] = nextWork(stop);
         if (hasInputs) worker.obey(m_inputs.value());
         for (const Command &command : commands) command(worker);
+        if (!worker.sought) worker.releaseSamples(); // it was given up
         if (worker.sought) {
             worker.goToSought();
         } else if (worker.running && worker.pacer.isDue(Clock::now())) {

@@ -6,6 +6,7 @@
 #include "scenes.h"
 #include "support/random.h"
 
+#include <QSignalSpy>
 #include <QTemporaryDir>
 
 #include <algorithm>
@@ -31,6 +32,7 @@ private slots:
     void missingMazeOfALaterLevelIsFoundBeforeTheFirstStep();
     void simulationShowsTheRecordedSamples();
     void seekShowsTheSamplesOfTheRunUpToThere();
+    void aFineGhostDoesntKeepASeekFromBeingReplaced();
     void stepBackAndForwardAreOneStep();
     void replayPausesAtTheFirstDifference();
     void replayOfItsEndBeginsAgain();
@@ -360,6 +362,37 @@ void TestPlayer::seekShowsTheSamplesOfTheRunUpToThere() {
         QVERIFY(samples.read(samples.last() - 1, last));
         QVERIFY(last.time == simulation->latest().current.time);
     }
+}
+
+// A step of this ghost takes about a millisecond, and the first place is ten thousand steps away.
+void TestPlayer::aFineGhostDoesntKeepASeekFromBeingReplaced() {
+    const Registry registry = makeRegistry(nullptr);
+    const Scene scene = levelScene(1);
+    {
+        Recorder recorder(path("r"));
+        recorder.setOrigin(originOf(registry, PHYS_STEPPER_DEFAULT, kMaze1));
+        Engine engine(scene, makeStepper(registry, PHYS_STEPPER_DEFAULT, scene, nullptr));
+        engine.setInputs(tilted(3.0, 1.0));
+        stepRecorded(engine, recorder, 20000);
+    }
+    const auto simulation = simulationOnLevel1();
+    const auto recording = opened();
+    simulation->startReplay(recording);
+    QTRY_VERIFY(simulation->latest().replay.isChecked);
+    QString error;
+    const auto means = makeMeans(registry, {"exact", Opponent::kMostSubsteps}, recording->scene(0), &error);
+    QVERIFY2(means, qPrintable(error));
+    simulation->compareWith(*means, PHYS_STEPPER_DEFAULT);
+    QSignalSpy ran(simulation.get(), &Simulation::runningChanged);
+    simulation->seek(20000);
+    simulation->run(); // tells that the commands so far are taken
+    QTRY_COMPARE(ran.size(), 1);
+    simulation->pause();
+    const uint64_t number = simulation->seek(3);
+    QTRY_COMPARE(simulation->latest().replay.seeks, number);
+    QCOMPARE(simulation->latest().replay.position, uint64_t(3));
+    simulation->seek(20000);
+    // And then the end of the simulation, which waits for a piece of that at most.
 }
 
 void TestPlayer::stepBackAndForwardAreOneStep() {
