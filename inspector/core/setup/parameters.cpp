@@ -14,6 +14,9 @@ constexpr uint32_t boardOffset(size_t place) {
     return uint32_t(offsetof(phys_params, stepper) + place * sizeof(double));
 }
 
+// The floor carries the ball: without any gravity no step can be made.
+constexpr double kLeastGravity = 1e-6; // m/s^2
+
 constexpr size_t kTiltX = 0;
 constexpr size_t kTiltY = 1;
 constexpr size_t kGravity = 2;
@@ -27,8 +30,8 @@ const std::vector<phys_param_row> &boardRows() {
         {"tilt_y", "Tilt y", "deg",
          "Slope of the board along y; positive makes the ball roll away from the viewer. Default 0.", "", -80.0, 80.0,
          -kTiltLimit, kTiltLimit, 0.0, 0.1, boardOffset(kTiltY), 0},
-        {"gravity", "Gravity", "m/s^2", "Strength of gravity: 9.81 on Earth (default), 1.62 on the Moon.", "", 0.0,
-         1000.0, 0.0, 25.0, 9.81, 0.01, boardOffset(kGravity), 0},
+        {"gravity", "Gravity", "m/s^2", "Strength of gravity: 9.81 on Earth (default), 1.62 on the Moon.", "",
+         kLeastGravity, 1000.0, 0.01, 25.0, 9.81, 0.01, boardOffset(kGravity), 0},
     };
     return rows;
 }
