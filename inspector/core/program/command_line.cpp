@@ -157,8 +157,10 @@ void addOptions(QCommandLineParser &parser, const std::vector<const phys_param_r
               "stepper exact, and recommend a setting; without a window."),
          text("number|file")},
         {"schedule",
-         text("With --trade, how the board tilts: autopilot, random:SEED, or a file: times and tilts, a "
-              "table from --csv or a recording (its last run). Default autopilot."),
+         text(
+             "With --trade, how the board tilts: autopilot (hardly meets a wall), busy (random tilts that lead to many "
+             "walls), both of these, random:SEED, or a file: times and tilts, a table from --csv or a recording (its "
+             "last run). Default both."),
          text("schedule")},
         {"steps",
          text("With --trade: these step sizes (0.01, 5ms, 1/60), or with a + before them these besides the "
@@ -168,7 +170,17 @@ void addOptions(QCommandLineParser &parser, const std::vector<const phys_param_r
          text("With --trade: recommend the cheapest that keeps the position error at or under this. Default "
               "1mm."),
          text("length, as 1mm or 0.1R")},
-        {"for", text("With --under: for so long. Default: as long as can be compared."), seconds},
+        {"unknown",
+         text("With --trade: what isn't known exactly, tilt, start or a parameter by its name, and by how much; shows "
+              "how far off the ball is by that alone, and recommends the cheapest setting whose error stays below a "
+              "share of it. none: no such answer. Default ") +
+             usualUnknowns() + QLatin1Char('.'),
+         text("list")},
+        {"share", text("With --unknown: that share, above 0 to 1. Default 0.25."), text("number")},
+        {"with-orientation", text("With --trade: let steppers turn the ball, too, which only drawing needs.")},
+        {"for",
+         text("With --trade: ask for so long. Default with --unknown 1 s, with --under as long as can be compared."),
+         seconds},
         {"within", text("With --trade: recommend the most accurate that takes at most so long for a step."),
          text("ns")},
         {"plot", text("With --trade: draw the chart into this file."), text("file.svg|pdf|png")},
@@ -306,12 +318,22 @@ void readRecordings(const QCommandLineParser &parser, const std::vector<const ph
 // Options that need --trade, and those that can't go with it.
 void checkTradeWords(const QCommandLineParser &parser) {
     const bool trades = parser.isSet("trade");
-    for (const char *name : {"schedule", "steps", "under", "for", "within", "plot"})
+    for (const char *name :
+         {"schedule", "steps", "under", "for", "within", "plot", "unknown", "share", "with-orientation"})
         if (!trades && parser.isSet(name)) throw WrongUse{QStringLiteral("--%1: needs --trade").arg(name)};
     for (const char *name : {"level", "stepper", "dt", "all-levels", "autopilot", "csv-every", "grab", "shaders"})
         if (trades && parser.isSet(name)) throw WrongUse{QStringLiteral("--trade: doesn't go with --%1").arg(name)};
     if (parser.isSet("within") && (parser.isSet("under") || parser.isSet("for")))
         throw WrongUse{QStringLiteral("--within: takes neither --under nor --for")};
+}
+
+void readUnknowns(const QCommandLineParser &parser, TradeOptions &trade) {
+    QString error;
+    const QString words = parser.isSet("unknown") ? parser.value("unknown") : usualUnknowns();
+    const std::optional<Unknowns> unknowns = parseUnknowns(words, &error);
+    if (!unknowns) throw WrongUse{QStringLiteral("--unknown: ") + error};
+    trade.unknowns = *unknowns;
+    if (parser.isSet("share")) trade.share = numberOf(parser, "share", 1e-6, 1.0);
 }
 
 void readTrade(const QCommandLineParser &parser, Options &options) {
@@ -331,6 +353,8 @@ void readTrade(const QCommandLineParser &parser, Options &options) {
     trade.under = *under;
     if (parser.isSet("for")) trade.seconds = durationOf(parser, "for", 1e-3, 1e6);
     if (parser.isSet("within")) trade.within = numberOf(parser, "within", 1.0, 1e12);
+    readUnknowns(parser, trade);
+    trade.withOrientation = parser.isSet("with-orientation");
     trade.plot = parser.value("plot");
     const QString ending = trade.plot.section(QLatin1Char('.'), -1);
     if (!trade.plot.isEmpty() && !QStringList{"svg", "pdf", "png"}.contains(ending))

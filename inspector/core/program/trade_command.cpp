@@ -37,10 +37,14 @@ TradePlan planOf(const Options &options) {
         parameters.setStepper(info);
     if (!parameters.set(options.settings, &error)) throw Failure{2, error};
     plan.inputs = parameters.inputs();
-    plan.stepSizes = options.trade.stepSizes;
-    const double duration = options.duration.value_or(std::max(kTradeDuration, options.trade.seconds.value_or(0.0)));
-    plan.schedule = makeSchedule(options.trade.schedule, plan.registry, plan.scene, plan.inputs, duration, &error);
-    if (plan.schedule.switches.empty()) throw Failure{2, QStringLiteral("--schedule: ") + error};
+    const TradeOptions &wish = options.trade;
+    plan.stepSizes = wish.stepSizes;
+    plan.withOrientation = wish.withOrientation;
+    plan.unknowns = wish.unknowns;
+    plan.share = wish.share;
+    plan.horizon = wish.seconds.value_or(kTradeHorizon);
+    const double duration = options.duration.value_or(std::max(kTradeDuration, wish.seconds.value_or(0.0)));
+    if (!makeSchedules(wish.schedule, duration, plan, &error)) throw Failure{2, QStringLiteral("--schedule: ") + error};
     return plan;
 }
 
@@ -84,11 +88,12 @@ void writeFiles(const Options &options, const TradePlan &plan, const TradeResult
     const QString option = QStringLiteral("--plot");
     const uint32_t model = plan.inputs.params.model;
     const QString &plot = options.trade.plot;
-    if (!isStandardOutput(options.csv)) writeFile(QStringLiteral("--csv"), options.csv, tradeCsv(plan, result));
+    if (!isStandardOutput(options.csv)) writeFile(QStringLiteral("--csv"), options.csv, tradeCsv(result));
     if (plot.isEmpty()) return;
-    if (plot.endsWith(QLatin1String(".svg"))) return writeFile(option, plot, tradeSvg(plan, result, model));
+    const ChartDescription chart = describeChart(plan, result, model, shownSchedule(result));
+    if (plot.endsWith(QLatin1String(".svg"))) return writeFile(option, plot, tradeSvg(chart));
     QString error;
-    if (!writePicture(plan, result, model, plot, &error)) throw Failure{1, option + QStringLiteral(": ") + error};
+    if (!writePicture(chart, plot, &error)) throw Failure{1, option + QStringLiteral(": ") + error};
 }
 
 QString nameOf(const TradePoint &point) {
@@ -111,7 +116,7 @@ QString whyOf(const TradePoint &point, double seconds, double radius) {
 
 Recommendation recommend(const TradeResult &result, uint32_t model, const TradeOptions &wish, double radius) {
     const std::vector<TradePoint> points = result.valid(model);
-    const double compared = result.spans[model].compared;
+    const double compared = result.compared(model);
     const double seconds = std::min(wish.seconds.value_or(compared), compared);
     const std::optional<size_t> best = wish.within ? mostAccurateWithin(points, *wish.within)
                                                    : cheapestUnder(points, wish.under.inRadii(radius), seconds);
@@ -130,6 +135,22 @@ Recommendation recommend(const TradeResult &result, uint32_t model, const TradeO
                               limit};
 }
 
+Recommendation recommendForUnknowns(const TradePlan &plan, const TradeResult &result) {
+    if (!result.goodEnough)
+        return {std::nullopt, QStringLiteral("none: every error reaches %1 % of what isn't known after %2 s")
+                                  .arg(plan.share * 100.0)
+                                  .arg(plan.horizon)};
+    const TradePoint &point = result.points[result.goodEnough->point];
+    return {point,
+            nameOf(point) + QStringLiteral("  # error at most %1 % of what isn't known, in %2 s on %3 schedules; "
+                                           "%4 ns a step, %5 µs a simulated second")
+                                .arg(result.goodEnough->largest * 100.0, 0, 'g', 2)
+                                .arg(plan.horizon)
+                                .arg(result.goodEnough->rehearsals + int(plan.schedules.size()))
+                                .arg(point.cost.perStep * 1e9, 0, 'g', 3)
+                                .arg(point.cost.perSecond * 1e6, 0, 'g', 3)};
+}
+
 int runTrade(const Options &options, const TradeStreams &streams, const TradePictureWriter &writePicture) {
     try {
         const TradePlan plan = planOf(options);
@@ -137,13 +158,15 @@ int runTrade(const Options &options, const TradeStreams &streams, const TradePic
         // --csv - has standard output for the table that programs read; people then read messages.
         const bool isCsv = options.csv == QLatin1String("-");
         QTextStream &text = isCsv ? streams.messages : streams.out;
-        if (isCsv) streams.out << tradeCsv(plan, result);
-        text << "level " << oneLine(options.level.name) << ", " << tradeSummary(plan, result).join(QLatin1Char('\n'))
-             << "\n\n"
+        if (isCsv) streams.out << tradeCsv(result);
+        text << "level " << oneLine(options.level.name) << '\n'
+             << tradeSummary(plan, result).join(QLatin1Char('\n')) << "\n\n"
              << tradeText(result) << '\n';
         writeFiles(options, plan, result, writePicture);
         const double radius = phys_scene_radius(plan.scene.get());
         const Recommendation answer = recommend(result, plan.inputs.params.model, options.trade, radius);
+        if (!plan.unknowns.empty())
+            text << "good enough for what is known: " << recommendForUnknowns(plan, result).line << '\n';
         text << "recommended: " << answer.line << '\n';
         return answer.point ? 0 : 1;
     } catch (const Failure &failure) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/program/options.h"
+#include "core/trade/trade_chart.h"
 
 #include <QTextStream>
 
@@ -17,8 +18,7 @@ struct TradeStreams {
 };
 
 // Draws a result's chart into a file other than SVG; one line in the error if it can't.
-using TradePictureWriter =
-    std::function<bool(const TradePlan &, const TradeResult &, uint32_t model, const QString &path, QString *error)>;
+using TradePictureWriter = std::function<bool(const ChartDescription &, const QString &path, QString *error)>;
 
 // A setting and why, in one line: what --trade ends with and the window shows.
 struct Recommendation {
@@ -26,6 +26,8 @@ struct Recommendation {
     QString line;
 };
 Recommendation recommend(const TradeResult &result, uint32_t model, const TradeOptions &wish, double radius);
+// The cheapest that is good enough for what is known; the plan has unknowns.
+Recommendation recommendForUnknowns(const TradePlan &plan, const TradeResult &result);
 
 // The program's exit status: 0; 1 if no setting does what was asked or a file can't be written; 2 if something asked
 // for can't be opened or measured.

@@ -2,23 +2,20 @@
 #include "core/trade/trade.h"
 
 #include "core/events/counted_impact.h"
-#include "core/trade/trade_reference.h"
+#include "core/trade/good_enough.h"
+#include "core/trade/quantile.h"
 #include "core/trade/trade_run.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace inspector {
 
 namespace {
 
-double quantile(const std::vector<double> &sorted, double share) {
-    const double place = share * double(sorted.size() - 1);
-    const auto below = size_t(place);
-    const size_t above = std::min(below + 1, sorted.size() - 1);
-    return sorted[below] + (place - double(below)) * (sorted[above] - sorted[below]);
-}
+constexpr int kBandBalls = 200; // per band that is drawn
 
 TradeCost costOf(std::vector<double> seconds, uint64_t steps, double duration) {
     std::sort(seconds.begin(), seconds.end());
@@ -34,6 +31,23 @@ double modelError(const TradeReference &rolling, const TradeReference &rigid, do
     for (size_t i = 1; i < count && rolling.legs()[i - 1].end <= until; ++i)
         largest = std::max(largest, distance(rolling.states()[i].position, rigid.states()[i].position));
     return largest / radius;
+}
+
+std::optional<double> earlier(const std::optional<double> &a, const std::optional<double> &b) {
+    if (!a || !b) return a ? a : b;
+    return std::min(*a, *b);
+}
+
+// In order of time, without those that aren't larger than the one before.
+void keepRecords(std::vector<ErrorRecord> &growth) {
+    std::stable_sort(growth.begin(), growth.end(),
+                     [](const ErrorRecord &a, const ErrorRecord &b) { return a.time < b.time; });
+    double largest = 0.0;
+    std::erase_if(growth, [&](const ErrorRecord &record) {
+        if (!(record.error > largest)) return true;
+        largest = record.error;
+        return false;
+    });
 }
 
 // The length of the longest sequence of boxes that both have in their order.
@@ -57,14 +71,16 @@ std::vector<uint32_t> boxesHit(const std::vector<Impact> &impacts, double speed)
     return boxes;
 }
 
+// One schedule with what a ball does under it.
+struct Course {
+    std::vector<Segment> segments;
+    std::optional<TradeReference> references[2]; // by model
+};
+
 // What one measurement holds while it runs.
 class Measurement {
 public:
-    Measurement(const TradePlan &plan, const TradeListener &listener, const std::stop_token &stop)
-        : m_plan(plan)
-        , m_listener(listener)
-        , m_stop(stop)
-        , m_segments(segmentsOf(plan.schedule, plan.inputs.gravity)) {}
+    Measurement(const TradePlan &plan, const TradeListener &listener, const std::stop_token &stop);
 
     bool makeReferences(QString *error);
     void listPoints();
@@ -72,44 +88,81 @@ public:
     TradeResult takeResult() { return std::move(m_result); }
 
 private:
-    phys_params paramsOf(const TradePoint &point) const;
+    using Lanes = std::vector<ReferenceMotion>; // by schedule
+
+    bool makeReference(size_t schedule, uint32_t model, QString *error);
+    TradeSpan spanOf(const TradeReference &reference, uint32_t model) const;
     std::vector<size_t> order() const;
+    Lanes lanesOf(const TradePoint &point) const;
     void compareAll();
-    void compare(TradePoint &point, const std::vector<Leg> &legs, const std::vector<phys_state> &states);
+    void compare(TradePoint &point, const Lanes &lanes);
+    std::optional<double> modelErrorOf(size_t schedule, uint32_t model) const;
     void timeAll();
     void time(size_t index);
+    std::optional<double> timed(const TradePoint &point) const;
+    void chooseGoodEnough();
     void tell(size_t index, const char *what);
 
     const TradePlan &m_plan;
     const TradeListener &m_listener;
     const std::stop_token &m_stop;
-    std::vector<Segment> m_segments;
-    std::optional<TradeReference> m_references[2]; // by model
-    QString m_refusals[2];
+    std::vector<Course> m_courses;
+    QString m_refusals[2];   // why a model has no reference; empty if it has one for every schedule
+    double m_duration = 0.0; // s, of all schedules
     TradeResult m_result;
     std::vector<std::vector<double>> m_seconds; // of each point, s of CPU time
     double m_done = 0.0;                        // steps, counted for the progress
     double m_all = 0.0;
 };
 
+Measurement::Measurement(const TradePlan &plan, const TradeListener &listener, const std::stop_token &stop)
+    : m_plan(plan)
+    , m_listener(listener)
+    , m_stop(stop) {
+    for (const TiltSchedule &schedule : plan.schedules) {
+        m_courses.push_back({segmentsOf(schedule, plan.inputs.gravity), {}});
+        m_duration += schedule.duration;
+    }
+}
+
 bool Measurement::makeReferences(QString *error) {
-    if (m_segments.empty()) {
+    const bool hasNone =
+        std::any_of(m_courses.begin(), m_courses.end(), [](const Course &course) { return course.segments.empty(); });
+    if (m_courses.empty() || hasNone) {
         *error = QStringLiteral("the schedule is empty");
         return false;
     }
-    for (const uint32_t model : {PHYS_MODEL_ROLLING, PHYS_MODEL_RIGID}) {
-        phys_params params = m_plan.inputs.params;
-        params.model = model;
-        m_references[model] =
-            TradeReference::run(m_plan.registry, m_plan.scene, params, m_segments, &m_refusals[model]);
-        if (!m_references[model]) continue;
-        const double horizon = m_references[model]->horizon(m_stop);
-        const double end = m_references[model]->end();
-        m_result.spans[model] = {horizon, horizon < end, m_references[model]->endReason()};
-    }
-    if (m_references[0] || m_references[1]) return true;
+    m_result.spans.resize(m_courses.size());
+    for (const uint32_t model : {PHYS_MODEL_ROLLING, PHYS_MODEL_RIGID})
+        for (size_t i = 0; i < m_courses.size(); ++i)
+            if (!makeReference(i, model, &m_refusals[model])) break;
+    if (m_refusals[0].isEmpty() || m_refusals[1].isEmpty()) return true;
     *error = QStringLiteral("stepper 'exact', to compare with: ") + m_refusals[m_plan.inputs.params.model];
     return false;
+}
+
+bool Measurement::makeReference(size_t schedule, uint32_t model, QString *error) {
+    Course &course = m_courses[schedule];
+    course.references[model] =
+        TradeReference::run(m_plan.registry, m_plan.scene, paramsFor(m_plan, model), course.segments, error);
+    if (!course.references[model]) return false;
+    m_result.spans[schedule][model] = spanOf(*course.references[model], model);
+    return true;
+}
+
+TradeSpan Measurement::spanOf(const TradeReference &reference, uint32_t model) const {
+    TradeSpan span;
+    span.end = reference.end();
+    span.compared = reference.horizon(m_stop);
+    span.isSensitive = span.compared < span.end;
+    span.endReason = reference.endReason();
+    span.impacts = countedImpacts(reference.impacts(), span.end);
+    span.early = countedImpacts(reference.impacts(), m_plan.horizon);
+    span.knowable = reference.roundingHorizon(m_stop);
+    if (model != m_plan.inputs.params.model) return span;
+    const BandPlan band{m_plan.registry, m_plan.scene, m_plan.inputs, m_plan.unknowns, kBandBalls, span.end};
+    span.band = ignoranceBand(band, reference, m_stop);
+    return span;
 }
 
 void Measurement::listPoints() {
@@ -125,30 +178,22 @@ void Measurement::listPoints() {
                 point.stepper = info.id;
                 point.dt = dt;
                 point.model = model;
-                if (!m_references[model]) point.note = QStringLiteral("no reference: ") + m_refusals[model];
+                if (!m_refusals[model].isEmpty()) point.note = QStringLiteral("no reference: ") + m_refusals[model];
                 m_result.points.push_back(point);
             }
         }
     }
     m_seconds.resize(m_result.points.size());
     for (const TradePoint &point : m_result.points)
-        if (point.note.isEmpty()) m_all += (2.0 + m_plan.repeats) * std::ceil(m_plan.schedule.duration / point.dt);
+        if (point.note.isEmpty()) m_all += (2.0 + m_plan.repeats) * std::ceil(m_duration / point.dt);
     if (m_listener.began) m_listener.began(m_result);
 }
 
 void Measurement::run() {
     compareAll();
     for (int repeat = 0; repeat < m_plan.repeats; ++repeat) timeAll();
+    if (!m_plan.unknowns.empty()) chooseGoodEnough();
     m_result.isComplete = !m_stop.stop_requested();
-}
-
-phys_params Measurement::paramsOf(const TradePoint &point) const {
-    phys_params params = m_plan.inputs.params;
-    phys_stepper_info info;
-    if (phys_registry_find(m_plan.registry.get(), point.stepper.constData(), &info, nullptr) == PHYS_OK)
-        phys_stepper_info_init_params(&info, &params);
-    params.model = point.model;
-    return params;
 }
 
 // Points of one model and step size in a row: they share the states to compare with.
@@ -163,39 +208,50 @@ std::vector<size_t> Measurement::order() const {
     return indices;
 }
 
+Measurement::Lanes Measurement::lanesOf(const TradePoint &point) const {
+    Lanes lanes;
+    for (size_t i = 0; i < m_courses.size(); ++i)
+        lanes.push_back(
+            motionOf(*m_courses[i].references[point.model], point.dt, m_result.spans[i][point.model].compared));
+    return lanes;
+}
+
 void Measurement::compareAll() {
     const TradePoint *previous = nullptr;
-    std::vector<Leg> legs;
-    std::vector<phys_state> states;
+    Lanes lanes;
     for (const size_t index : order()) {
         TradePoint &point = m_result.points[index];
         if (m_stop.stop_requested()) return;
-        if (!m_references[point.model]) continue;
+        if (!m_refusals[point.model].isEmpty()) continue;
         tell(index, "error of");
-        if (!previous || previous->dt != point.dt || previous->model != point.model) {
-            legs = legsOf(m_segments, point.dt);
-            states = m_references[point.model]->statesAt(legs);
-        }
+        if (!previous || previous->dt != point.dt || previous->model != point.model) lanes = lanesOf(point);
         previous = &point;
-        compare(point, legs, states);
+        compare(point, lanes);
         time(index);
     }
 }
 
-void Measurement::compare(TradePoint &point, const std::vector<Leg> &legs, const std::vector<phys_state> &states) {
-    const TradeReference &reference = *m_references[point.model];
-    const double until = m_result.spans[point.model].compared;
-    const ReferenceMotion motion{m_segments, legs, states, reference.impacts(), until};
-    TradeRun run{m_plan.registry, m_plan.scene, point.stepper, paramsOf(point)};
-    point.error = compareRun(run, motion, m_stop, &point.note);
+void Measurement::compare(TradePoint &point, const Lanes &lanes) {
+    for (size_t i = 0; i < lanes.size(); ++i) {
+        QString note;
+        point.errors.push_back(compareRun(runOf(m_plan, point), lanes[i], m_stop, &note));
+        point.errors.back().model = modelErrorOf(i, point.model);
+        if (point.note.isEmpty()) point.note = note;
+        for (const Leg &leg : lanes[i].legs) point.steps += leg.steps;
+    }
+    point.error = worstOf(point.errors);
     point.isValid = point.note.isEmpty() && !m_stop.stop_requested();
-    for (const Leg &leg : legs) point.steps += leg.steps;
+    if (!m_result.spans[0][point.model].band.isEmpty()) point.share = shareOnSchedules(m_plan, m_result, point);
     m_done += 2.0 * double(point.steps);
-    if (!m_references[0] || !m_references[1]) return;
-    const double both = std::min(m_result.spans[0].compared, m_result.spans[1].compared);
-    point.error.model = point.model == PHYS_MODEL_RIGID ? 0.0
-                                                        : modelError(*m_references[0], *m_references[1], both,
-                                                                     phys_scene_radius(m_plan.scene.get()));
+}
+
+std::optional<double> Measurement::modelErrorOf(size_t schedule, uint32_t model) const {
+    if (!m_refusals[0].isEmpty() || !m_refusals[1].isEmpty()) return std::nullopt;
+    if (model == PHYS_MODEL_RIGID) return 0.0;
+    const auto &spans = m_result.spans[schedule];
+    const auto &references = m_courses[schedule].references;
+    return modelError(*references[0], *references[1], std::min(spans[0].compared, spans[1].compared),
+                      phys_scene_radius(m_plan.scene.get()));
 }
 
 // One after the other and then all again: a busy moment of the machine doesn't hit all repeats of one point.
@@ -208,16 +264,34 @@ void Measurement::time(size_t index) {
     TradePoint &point = m_result.points[index];
     tell(index, "cost of");
     if (point.isValid) {
-        const TradeRun run{m_plan.registry, m_plan.scene, point.stepper, paramsOf(point)};
-        const std::optional<double> seconds = timeRun(run, m_segments, legsOf(m_segments, point.dt), m_stop);
+        const std::optional<double> seconds = timed(point);
         if (m_stop.stop_requested()) return;
         point.isValid = seconds.has_value();
         if (!seconds) point.note = QStringLiteral("a step fails after the compared time");
         if (seconds) m_seconds[index].push_back(*seconds);
-        if (seconds) point.cost = costOf(m_seconds[index], point.steps, m_plan.schedule.duration);
+        if (seconds) point.cost = costOf(m_seconds[index], point.steps, m_duration);
     }
     m_done += double(point.steps);
     if (m_listener.measured) m_listener.measured(index, point);
+}
+
+// CPU time of all schedules, s.
+std::optional<double> Measurement::timed(const TradePoint &point) const {
+    double all = 0.0;
+    for (const Course &course : m_courses) {
+        const std::optional<double> seconds =
+            timeRun(runOf(m_plan, point), course.segments, legsOf(course.segments, point.dt), m_stop);
+        if (!seconds) return std::nullopt;
+        all += *seconds;
+    }
+    return all;
+}
+
+void Measurement::chooseGoodEnough() {
+    if (m_stop.stop_requested() || !m_refusals[m_plan.inputs.params.model].isEmpty()) return;
+    if (m_listener.progressed) m_listener.progressed(1.0, QStringLiteral("rehearsing"));
+    Rehearsals rehearsals(m_plan, m_stop);
+    m_result.goodEnough = cheapestGoodEnough(m_plan, m_result, rehearsals);
 }
 
 void Measurement::tell(size_t index, const char *what) {
@@ -229,6 +303,12 @@ void Measurement::tell(size_t index, const char *what) {
 }
 
 } // namespace
+
+double TradeResult::compared(uint32_t model) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto &span : spans) least = std::min(least, span[model].compared);
+    return spans.empty() ? 0.0 : least;
+}
 
 std::vector<TradePoint> TradeResult::valid(uint32_t model) const {
     std::vector<TradePoint> result;
@@ -243,6 +323,25 @@ int wrongImpacts(const std::vector<Impact> &expected, const std::vector<Impact> 
         return int(boxes.size()) - commonLength(boxes, boxesHit(all, 0.5 * kCountedImpact));
     };
     return unmatched(expected, found) + unmatched(found, expected);
+}
+
+TradeError worstOf(const std::vector<TradeError> &errors) {
+    TradeError worst = errors.front();
+    for (size_t i = 1; i < errors.size(); ++i) {
+        const TradeError &error = errors[i];
+        worst.positionLargest = std::max(worst.positionLargest, error.positionLargest);
+        worst.positionFinal = std::max(worst.positionFinal, error.positionFinal);
+        worst.velocityLargest = std::max(worst.velocityLargest, error.velocityLargest);
+        worst.orientationLargest = std::max(worst.orientationLargest, error.orientationLargest);
+        if (std::abs(error.energyDrift) > std::abs(worst.energyDrift)) worst.energyDrift = error.energyDrift;
+        worst.penetrationLargest = std::max(worst.penetrationLargest, error.penetrationLargest);
+        worst.timeUntilWrong = earlier(worst.timeUntilWrong, error.timeUntilWrong);
+        worst.wrongImpacts = std::max(worst.wrongImpacts, error.wrongImpacts);
+        if (worst.model && error.model) worst.model = std::max(*worst.model, *error.model);
+        worst.growth.insert(worst.growth.end(), error.growth.begin(), error.growth.end());
+    }
+    keepRecords(worst.growth);
+    return worst;
 }
 
 std::optional<TradeResult> measureTrade(const TradePlan &plan, const TradeListener &listener,

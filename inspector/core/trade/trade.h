@@ -5,7 +5,7 @@
 
 #include "core/setup/handles.h"
 #include "core/setup/numbers.h"
-#include "core/trade/trade_schedule.h"
+#include "core/trade/ignorance.h"
 
 #include <array>
 #include <functional>
@@ -18,10 +18,16 @@ namespace inspector {
 struct TradePlan {
     Registry registry;
     Scene scene;
-    Inputs inputs; // model, coefficients and strength of gravity; the tilt is the schedule's
-    TiltSchedule schedule;
-    std::vector<double> stepSizes; // s
-    int repeats = 5;               // of the timing of each point
+    Inputs inputs;                       // model, coefficients and strength of gravity; the tilt is the schedules'
+    std::vector<TiltSchedule> schedules; // a point's errors are the worst of them
+    std::vector<double> stepSizes;       // s
+    int repeats = 5;                     // of the timing of each point
+    bool withOrientation = false;        // steppers turn the ball, too, as a program that draws it lets them
+
+    Unknowns unknowns;    // none: no band, and no setting is good enough for what is known
+    double horizon = 1.0; // s that such a setting looks ahead
+    double share = 0.25;  // of the band's middle, that its error stays below
+    int rehearsals = 0;   // further schedules on which it has to
 };
 
 // CPU time of the thread, s.
@@ -43,7 +49,7 @@ struct TradeError {
     double positionLargest = 0.0;         // radii
     double positionFinal = 0.0;           // radii
     double velocityLargest = 0.0;         // m/s; large for a moment when a bounce comes early or late
-    double orientationLargest = 0.0;      // rad
+    double orientationLargest = 0.0;      // rad; 0 without orientation
     double energyDrift = 0.0;             // J/kg, made (> 0) or lost (< 0) by the scheme itself
     double penetrationLargest = 0.0;      // radii
     std::optional<double> timeUntilWrong; // s, when the position error first passes kWrong radii
@@ -58,24 +64,43 @@ struct TradePoint {
     QByteArray stepper;
     double dt = 0.0; // s
     uint32_t model = PHYS_MODEL_ROLLING;
-    bool isValid = false; // has errors, and got to the end
-    QString note;         // why not, in a line
-    uint64_t steps = 0;   // of the whole schedule
-    TradeError error;
+    bool isValid = false;           // has errors, and got to the end
+    QString note;                   // why not, in a line
+    uint64_t steps = 0;             // of the whole schedule
+    std::vector<TradeError> errors; // by schedule
+    TradeError error;               // each figure the worst of them
+    std::optional<double> share;    // of what isn't known, that the error is within the plan's horizon
     TradeCost cost;
 };
 
-// How far the comparison goes for a model.
+// How far the comparison goes for a model and a schedule, and what there is to compare with.
 struct TradeSpan {
     double compared = 0.0;    // s: the horizon, or the end of the reference if that is sooner
     bool isSensitive = false; // the horizon came first: from there on a push of a millionth of a radius shows
     QString endReason;        // why the reference ends before the schedule; empty if it doesn't
+    double end = 0.0;         // s, of the reference
+    int impacts = 0;          // counted ones up to the end
+    int early = 0;            // of these, those within the plan's horizon
+    double knowable; // s: until then the rounding of numbers moves the ball by less than a radius; at most the end
+    Band band;       // of the plan's model only
+};
+
+// The cheapest setting whose error stays below the plan's share of what isn't known, on every schedule that was looked
+// at.
+struct GoodEnough {
+    size_t point;   // its index
+    double largest; // of these shares
+    int rehearsals; // schedules that it was seen on besides the plan's
 };
 
 struct TradeResult {
-    std::array<TradeSpan, 2> spans; // by model
-    std::vector<TradePoint> points; // stepper by stepper, from long to short steps; the rolling model's first
-    bool isComplete = false;        // not cancelled
+    std::vector<std::array<TradeSpan, 2>> spans; // by schedule and model
+    std::vector<TradePoint> points;       // stepper by stepper, from long to short steps; the rolling model's first
+    std::optional<GoodEnough> goodEnough; // of the plan's model
+    bool isComplete = false;              // not cancelled
+
+    // s: as far as all schedules are compared.
+    double compared(uint32_t model) const;
 
     // Of one model, those that a person can choose from.
     std::vector<TradePoint> valid(uint32_t model) const;
@@ -95,7 +120,9 @@ std::optional<TradeResult> measureTrade(const TradePlan &plan, const TradeListen
 
 // Impacts of one sequence that the other hasn't in the same order, both ways. Fast ones have to be found among the
 // other's impacts of at least half the speed, so that one near the limit isn't wrong by a rounding.
-struct Impact;
 int wrongImpacts(const std::vector<Impact> &expected, const std::vector<Impact> &found);
+
+// Each figure the worst of several; at least one.
+TradeError worstOf(const std::vector<TradeError> &errors);
 
 } // namespace inspector

@@ -39,8 +39,10 @@ std::vector<size_t> paretoFront(std::span<const TradePoint> points) {
     return order;
 }
 
-double errorUntil(const TradePoint &point, double time) {
-    const std::vector<ErrorRecord> &growth = point.error.growth;
+double errorUntil(const TradePoint &point, double time) { return errorUntil(point.error, time); }
+
+double errorUntil(const TradeError &error, double time) {
+    const std::vector<ErrorRecord> &growth = error.growth;
     const auto after = std::upper_bound(growth.begin(), growth.end(), time,
                                         [](double limit, const ErrorRecord &record) { return limit < record.time; });
     return after == growth.begin() ? 0.0 : std::prev(after)->error;

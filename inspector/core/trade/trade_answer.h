@@ -13,7 +13,8 @@ namespace inspector {
 // cheap to accurate. Of points with equal figures the first.
 std::vector<size_t> paretoFront(std::span<const TradePoint> points);
 
-// The largest position error up to a time, radii.
+// The largest position error up to a time, radii; of a point on the worst of its schedules.
+double errorUntil(const TradeError &error, double time);
 double errorUntil(const TradePoint &point, double time);
 
 // The cheapest per simulated second that keeps the position error at or below `radii` for `seconds`, both inclusive.

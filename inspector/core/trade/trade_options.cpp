@@ -2,6 +2,7 @@
 #include "core/trade/trade_options.h"
 
 #include "core/engine/engine.h"
+#include "core/trade/busy_schedule.h"
 #include "core/trade/recording_schedule.h"
 
 #include <QStringList>
@@ -9,6 +10,27 @@
 #include <limits>
 
 namespace inspector {
+
+namespace {
+
+constexpr int kRehearsals = 40;
+
+TiltSchedule makeSchedule(const QString &words, const TradePlan &plan, double duration, QString *error) {
+    const QString random = QStringLiteral("random:");
+    if (words == QLatin1String("autopilot"))
+        return autopilotSchedule(plan.registry, plan.scene, plan.inputs, duration, error);
+    if (words == QLatin1String("busy"))
+        return busySchedule(plan.registry, plan.scene, plan.inputs, duration, plan.horizon, error);
+    if (isRecordingFile(words)) return recordedSchedule(words, plan.registry, duration, error);
+    if (!words.startsWith(random)) return readSchedule(words, duration, error);
+    bool isNumber = false;
+    const uint64_t seed = words.mid(random.size()).toULongLong(&isNumber);
+    if (isNumber) return randomSchedule(seed, duration);
+    *error = QStringLiteral("expected random: and a whole number, found '%1'").arg(words);
+    return {};
+}
+
+} // namespace
 
 std::optional<Length> parseLength(const QString &text) {
     const bool isInRadii = text.endsWith(QLatin1Char('R'));
@@ -29,17 +51,19 @@ std::vector<double> parseStepSizes(const QString &text) {
     return sizes;
 }
 
-TiltSchedule makeSchedule(const QString &words, const Registry &registry, const Scene &scene, const Inputs &inputs,
-                          double duration, QString *error) {
-    const QString random = QStringLiteral("random:");
-    if (words == QLatin1String("autopilot")) return autopilotSchedule(registry, scene, inputs, duration, error);
-    if (isRecordingFile(words)) return recordedSchedule(words, registry, duration, error);
-    if (!words.startsWith(random)) return readSchedule(words, duration, error);
-    bool isNumber = false;
-    const uint64_t seed = words.mid(random.size()).toULongLong(&isNumber);
-    if (isNumber) return randomSchedule(seed, duration);
-    *error = QStringLiteral("expected random: and a whole number, found '%1'").arg(words);
-    return {};
+bool makeSchedules(const QString &words, double duration, TradePlan &plan, QString *error) {
+    const bool isBoth = words == QLatin1String("both");
+    plan.schedules.clear();
+    for (const QString &word : isBoth ? QStringList{"autopilot", "busy"} : QStringList{words}) {
+        TiltSchedule schedule = makeSchedule(word, plan, duration, error);
+        if (schedule.switches.empty()) return false;
+        plan.schedules.push_back(std::move(schedule));
+    }
+    // A schedule of one's own is the one that matters; of a kind there are others.
+    const bool isFile = !isBoth && words != QLatin1String("autopilot") && words != QLatin1String("busy") &&
+                        !words.startsWith(QLatin1String("random:"));
+    plan.rehearsals = plan.unknowns.empty() || isFile ? 0 : kRehearsals;
+    return true;
 }
 
 } // namespace inspector

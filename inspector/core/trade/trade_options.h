@@ -14,15 +14,19 @@ struct Length {
 };
 
 struct TradeOptions {
-    QString schedule = QStringLiteral("autopilot"); // or random:SEED or a file
+    QString schedule = QStringLiteral("both"); // see makeSchedules()
     std::vector<double> stepSizes = usualStepSizes();
     Length under;                  // the error to keep
     std::optional<double> seconds; // for so long; the whole comparison without
     std::optional<double> within;  // ns: instead, the most accurate of steps this cheap
-    QString plot;                  // file; empty: none
+    Unknowns unknowns;             // of the board
+    double share = 0.25;           // of what isn't known, that an error may be
+    bool withOrientation = false;
+    QString plot; // file; empty: none
 };
 
 inline constexpr double kTradeDuration = 20.0; // s, simulated, unless asked otherwise
+inline constexpr double kTradeHorizon = 1.0;   // s that the answer for the unknowns looks ahead, unless asked otherwise
 
 // 1mm, 0.5um, 0.001m or 0.1R: greater than 0.
 std::optional<Length> parseLength(const QString &text);
@@ -31,8 +35,9 @@ std::optional<Length> parseLength(const QString &text);
 // ones. Empty if one of them is wrong.
 std::vector<double> parseStepSizes(const QString &text);
 
-// What the words name; nothing in `switches` and one line in `error` if that can't be had.
-TiltSchedule makeSchedule(const QString &words, const Registry &registry, const Scene &scene, const Inputs &inputs,
-                          double duration, QString *error);
+// What the words name, into the plan's schedules, with so many rehearsals as its answer needs: "autopilot" (which meets
+// hardly a wall), "busy" (random tilts that lead to many), "both" of these, "random:SEED", or a file. The plan's other
+// members come first. False and one line in `error` if it can't be had.
+bool makeSchedules(const QString &words, double duration, TradePlan &plan, QString *error);
 
 } // namespace inspector

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trade/trade_reference.h"
 
+#include "core/events/counted_impact.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <random>
 
 namespace inspector {
@@ -32,12 +35,18 @@ void appendImpacts(const phys_report &report, std::vector<Impact> &impacts) {
     }
 }
 
+int countedImpacts(const std::vector<Impact> &impacts, double until) {
+    return int(std::count_if(impacts.begin(), impacts.end(), [until](const Impact &impact) {
+        return impact.speed >= kCountedImpact && impact.time <= until;
+    }));
+}
+
 std::vector<Segment> segmentsOf(const TiltSchedule &schedule, double gravity) {
     std::vector<Segment> segments;
     for (size_t i = 0; i < schedule.switches.size(); ++i) {
         const TiltSwitch &now = schedule.switches[i];
         const double end = i + 1 < schedule.switches.size() ? schedule.switches[i + 1].time : schedule.duration;
-        Segment segment{now.time, end - now.time, {}};
+        Segment segment{now.time, end - now.time, now.tilt, {}};
         phys_gravity_from_tilt(now.tilt.x, now.tilt.y, gravity, &segment.gravity);
         if (segment.length > 0.0) segments.push_back(segment);
     }
@@ -67,9 +76,7 @@ std::vector<Leg> legsOf(const std::vector<Segment> &segments, double dt) {
 TradeReference::TradeReference(Stepper stepper, Scene scene, const phys_params &params)
     : m_stepper(std::move(stepper))
     , m_scene(std::move(scene))
-    , m_params(params) {
-    m_params.options |= PHYS_OPTION_ORIENTATION;
-}
+    , m_params(params) {}
 
 std::optional<TradeReference> TradeReference::run(const Registry &registry, const Scene &scene,
                                                   const phys_params &params, std::vector<Segment> segments,
@@ -93,7 +100,7 @@ std::optional<TradeReference> TradeReference::run(const Registry &registry, cons
         if (!result.step(leg.segment, leg.dt, state, &report, &result.m_endReason)) break;
         if (state.flags & PHYS_OUT) result.m_endReason = QStringLiteral("the ball leaves the maze");
         if (state.flags & PHYS_OUT) break;
-        if (result.turn(leg.segment, leg.dt, turned)) takeOrientation(state, turned);
+        if (result.isTurning() && result.turn(leg.segment, leg.dt, turned)) takeOrientation(state, turned);
         appendImpacts(report, result.m_impacts);
         result.m_states.push_back(state);
     }
@@ -135,7 +142,8 @@ std::vector<phys_state> TradeReference::statesAt(const std::vector<Leg> &legs) c
         if (piece == m_legs.size() && rest > rounding) break;
         phys_state state = m_states[piece];
         if (rest > rounding && !step(leg.segment, rest, state, nullptr, nullptr)) break;
-        if (rest > rounding && turn(leg.segment, leg.end - turnedUntil, turned)) takeOrientation(state, turned);
+        if (rest > rounding && isTurning() && turn(leg.segment, leg.end - turnedUntil, turned))
+            takeOrientation(state, turned);
         turnedUntil = leg.end;
         states.push_back(state);
     }
@@ -143,29 +151,41 @@ std::vector<phys_state> TradeReference::statesAt(const std::vector<Leg> &legs) c
 }
 
 double TradeReference::horizon(const std::stop_token &stop) const {
+    const double radius = phys_scene_radius(m_scene.get());
+    return pushedHorizon(kPush * radius, kVisible * radius, stop);
+}
+
+double TradeReference::roundingHorizon(const std::stop_token &stop) const {
+    phys_box bounds;
+    phys_scene_bounds(m_scene.get(), &bounds);
+    const double largest = std::max({std::abs(bounds.min.x), std::abs(bounds.min.y), std::abs(bounds.max.x),
+                                     std::abs(bounds.max.y), phys_scene_radius(m_scene.get())});
+    return pushedHorizon(largest * std::numeric_limits<double>::epsilon(), phys_scene_radius(m_scene.get()), stop);
+}
+
+double TradeReference::pushedHorizon(double length, double visible, const std::stop_token &stop) const {
     double result = end();
-    for (uint64_t seed = 1; seed <= kPushedRuns; ++seed) result = std::min(result, pushedHorizon(seed, stop));
+    for (uint64_t seed = 1; seed <= kPushedRuns; ++seed)
+        result = std::min(result, pushedHorizon(length, visible, seed, stop));
     return result;
 }
 
-double TradeReference::pushedHorizon(uint64_t seed, const std::stop_token &stop) const {
+double TradeReference::pushedHorizon(double length, double visible, uint64_t seed, const std::stop_token &stop) const {
     constexpr double kTurn = 6.283185307179586;
     std::mt19937_64 numbers(seed);
     phys_state state = m_states.front();
     double reached = 0.0;
     for (size_t i = 0; i < m_legs.size() && !stop.stop_requested(); ++i) {
-        push(state, kTurn * double(numbers() >> 11) * 0x1p-53);
+        push(state, length, kTurn * double(numbers() >> 11) * 0x1p-53);
         if (!step(m_legs[i].segment, m_legs[i].dt, state, nullptr, nullptr)) return reached;
-        const double apart = distance(state.position, m_states[i + 1].position);
-        if (apart > kVisible * phys_scene_radius(m_scene.get())) return reached;
+        if (distance(state.position, m_states[i + 1].position) > visible) return reached;
         reached = m_legs[i].end;
     }
     return reached;
 }
 
 // Sideways; not where a wall is in the way, which a ball in contact would be pushed into.
-void TradeReference::push(phys_state &state, double angle) const {
-    const double length = kPush * phys_scene_radius(m_scene.get());
+void TradeReference::push(phys_state &state, double length, double angle) const {
     std::array<phys_contact, 16> contacts;
     uint32_t count = 0;
     phys_scene_contacts(m_scene.get(), &state.position, 2.0 * length, contacts.data(), uint32_t(contacts.size()),

@@ -17,10 +17,11 @@ struct Impact {
     double speed; // along the normal, before, m/s, > 0
 };
 
-// Constant gravity from `begin` for `length` seconds.
+// Constant tilt from `begin` for `length` seconds.
 struct Segment {
     double begin;
     double length;
+    Tilt tilt;
     phys_vec3 gravity;
 };
 
@@ -37,13 +38,16 @@ struct Leg {
 // How far two compared states may be apart in time at least, s; smaller steps are compared every so many.
 inline constexpr double kComparePeriod = 0.005;
 
+// Impacts up to a time that are faster than kCountedImpact: of a ball that leans on a wall there are many slow ones.
+int countedImpacts(const std::vector<Impact> &impacts, double until);
+
 std::vector<Segment> segmentsOf(const TiltSchedule &schedule, double gravity);
 std::vector<Leg> legsOf(const std::vector<Segment> &segments, double dt);
 
 class TradeReference {
 public:
-    // params: their gravity is replaced by the segments'. Null and one line in `error` if "exact" can't do the scene or
-    // the parameters from the very start.
+    // params: their gravity is replaced by the segments'; orientations are right if they ask for them. Null and one
+    // line in `error` if "exact" can't do the scene or the parameters from the very start.
     static std::optional<TradeReference> run(const Registry &registry, const Scene &scene, const phys_params &params,
                                              std::vector<Segment> segments, QString *error);
 
@@ -59,18 +63,26 @@ public:
     // The states at the ends of these legs, as far as the reference goes.
     std::vector<phys_state> statesAt(const std::vector<Leg> &legs) const;
 
+    const std::vector<Segment> &segments() const { return m_segments; }
+
     // Up to here a comparison means something, s: until then a ball that is pushed by kPush radii every kScheduleHold,
     // in directions of its own, stays within kVisible radii of this one.
     static constexpr double kPush = 1e-6;
     static constexpr double kVisible = 0.1;
     double horizon(const std::stop_token &stop) const;
+    // The same for a push of a rounding of the coordinates and a distance of a radius: beyond it no program knows where
+    // the ball is, whatever the board.
+    double roundingHorizon(const std::stop_token &stop) const;
 
 private:
     TradeReference(Stepper stepper, Scene scene, const phys_params &params);
     bool step(size_t segment, double dt, phys_state &state, phys_report *report, QString *error) const;
     bool turn(size_t segment, double time, phys_state &state) const; // a step in small ones, for its orientation
-    double pushedHorizon(uint64_t seed, const std::stop_token &stop) const;
-    void push(phys_state &state, double angle) const;
+    // Lengths in m.
+    double pushedHorizon(double length, double visible, const std::stop_token &stop) const;
+    double pushedHorizon(double length, double visible, uint64_t seed, const std::stop_token &stop) const;
+    void push(phys_state &state, double length, double angle) const;
+    bool isTurning() const { return m_params.options & PHYS_OPTION_ORIENTATION; }
 
     Stepper m_stepper;
     Scene m_scene;

@@ -38,7 +38,6 @@ public:
         : m_stepper(makeStepper(run.registry, run.stepper, run.scene, note))
         , m_params(run.params)
         , m_radius(phys_scene_radius(run.scene.get())) {
-        m_params.options |= PHYS_OPTION_ORIENTATION;
         phys_scene_start(run.scene.get(), &m_state);
         phys_report_init(&m_report, sizeof m_report);
         m_report.events = m_events.data();
@@ -71,6 +70,7 @@ public:
         m_error.positionFinal = position;
         m_error.positionLargest = std::max(m_error.positionLargest, position);
         m_error.velocityLargest = std::max(m_error.velocityLargest, distance(m_state.velocity, expected.velocity));
+        if (!(m_params.options & PHYS_OPTION_ORIENTATION)) return;
         m_error.orientationLargest =
             std::max(m_error.orientationLargest, angleBetween(m_state.orientation, expected.orientation));
     }
@@ -96,6 +96,29 @@ std::vector<Impact> impactsUntil(std::vector<Impact> impacts, double time) {
 
 } // namespace
 
+phys_params paramsFor(const TradePlan &plan, uint32_t model) {
+    phys_params params = plan.inputs.params;
+    params.model = model;
+    params.options &= ~uint32_t(PHYS_OPTION_ORIENTATION);
+    if (plan.withOrientation) params.options |= PHYS_OPTION_ORIENTATION;
+    return params;
+}
+
+TradeRun runOf(const TradePlan &plan, const TradePoint &point) {
+    phys_params params = paramsFor(plan, point.model);
+    phys_stepper_info info;
+    if (phys_registry_find(plan.registry.get(), point.stepper.constData(), &info, nullptr) == PHYS_OK)
+        phys_stepper_info_init_params(&info, &params);
+    params.model = point.model;
+    return {plan.registry, plan.scene, point.stepper, params};
+}
+
+ReferenceMotion motionOf(const TradeReference &reference, double dt, double until) {
+    std::vector<Leg> legs = legsOf(reference.segments(), dt);
+    std::vector<phys_state> states = reference.statesAt(legs);
+    return {reference.segments(), std::move(legs), std::move(states), impactsUntil(reference.impacts(), until), until};
+}
+
 TradeError compareRun(const TradeRun &run, const ReferenceMotion &motion, const std::stop_token &stop, QString *note) {
     Judged judged(run, note);
     if (!judged.isReady()) return {};
@@ -106,7 +129,7 @@ TradeError compareRun(const TradeRun &run, const ReferenceMotion &motion, const 
         judged.compare(leg.end, motion.states[i]);
     }
     TradeError error = judged.takeError();
-    error.wrongImpacts = wrongImpacts(impactsUntil(motion.impacts, motion.until), judged.impacts());
+    error.wrongImpacts = wrongImpacts(motion.impacts, judged.impacts());
     return error;
 }
 

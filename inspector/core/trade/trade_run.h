@@ -14,14 +14,22 @@ struct TradeRun {
     phys_params params;
 };
 
-// What a run is compared with, and how far.
+// The plan's parameters, of this model.
+phys_params paramsFor(const TradePlan &plan, uint32_t model);
+// With the initial values of the stepper's own rows. The plan outlives it.
+TradeRun runOf(const TradePlan &plan, const TradePoint &point);
+
+// What a run is held against.
 struct ReferenceMotion {
-    const std::vector<Segment> &segments;
-    const std::vector<Leg> &legs;
-    const std::vector<phys_state> &states; // of the reference at their ends
-    const std::vector<Impact> &impacts;    // of the reference
-    double until;                          // s
+    std::vector<Segment> segments;
+    std::vector<Leg> legs;
+    std::vector<phys_state> states; // of the reference at their ends
+    std::vector<Impact> impacts;    // of the reference, up to `until`
+    double until;                   // s
 };
+
+// Of a run in steps of dt with a reference.
+ReferenceMotion motionOf(const TradeReference &reference, double dt, double until);
 
 // One line in `note` if the run ended before that.
 TradeError compareRun(const TradeRun &run, const ReferenceMotion &motion, const std::stop_token &stop, QString *note);

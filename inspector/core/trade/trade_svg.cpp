@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trade/trade_svg.h"
 
-#include "core/setup/tables.h"
-#include "core/trade/trade_answer.h"
-#include "core/trade/trade_table.h"
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace inspector {
 
 namespace {
 
-constexpr double kWidth = 900.0;
+constexpr double kWidth = 960.0;
 constexpr double kHeight = 560.0;
 constexpr double kLeft = 90.0;
 constexpr double kRight = 720.0;
@@ -55,115 +50,148 @@ private:
     double m_high = 1.0;
 };
 
-double cost(const TradePoint &point) { return std::max(point.cost.perSecond * 1e6, 1e-6); }
-double error(const TradePoint &point) { return std::max(point.error.positionLargest, kSmallestDrawnError); }
-
 QString decade(int exponent) {
     if (std::abs(exponent) <= 3) return QString::number(std::pow(10.0, exponent));
     return QStringLiteral("1e%1").arg(exponent);
 }
 
-QByteArray grid(const LogAxis &x, const LogAxis &y) {
+class Page {
+public:
+    explicit Page(const ChartDescription &chart)
+        : m_chart(chart)
+        , m_x(costs(), kLeft, kRight)
+        , m_y(errors(), kBottom, kTop) {}
+
+    QByteArray draw() {
+        QByteArray svg = text(kLeft, 28.0, "font-size=\"15\"", m_chart.title) + bandArea() + grid() + front();
+        for (const ChartCurve &curve : m_chart.curves) svg += draw(curve);
+        svg += legendLine("#f2d26b", "stroke-width=\"9\"", QStringLiteral("best for its cost"));
+        svg += bandLines();
+        svg += goodEnough();
+        return svg;
+    }
+
+private:
+    static constexpr const char *kBandColour = "#2a7f3f";
+
+    std::vector<double> costs() const {
+        std::vector<double> values;
+        for (const ChartPoint &point : m_chart.points()) values.push_back(point.cost);
+        return values;
+    }
+    std::vector<double> errors() const {
+        std::vector<double> values;
+        for (const ChartPoint &point : m_chart.points()) values.push_back(point.error);
+        if (m_chart.band)
+            for (const double value : {m_chart.band->low, m_chart.band->high, m_chart.band->limit})
+                values.push_back(std::max(value, kSmallestDrawnError));
+        return values;
+    }
+    double height(double error) const { return m_y.at(std::max(error, kSmallestDrawnError)); }
+
+    QByteArray grid() const;
+    QByteArray bandArea() const;
+    QByteArray bandLines();
+    QByteArray goodEnough();
+    QByteArray places(const std::vector<ChartPoint> &points) const;
+    QByteArray front() const;
+    QByteArray draw(const ChartCurve &curve);
+    QByteArray legendLine(const char *colour, const char *look, const QString &words);
+    double nextRow() { return kTop + 10.0 + 26.0 * m_rows++; }
+
+    const ChartDescription &m_chart;
+    LogAxis m_x;
+    LogAxis m_y;
+    int m_rows = 0; // of the legend
+};
+
+QByteArray Page::grid() const {
     QByteArray svg;
     const char *const faint = "stroke=\"#ddd\"";
-    for (int i = x.low(); i <= x.high(); ++i) {
-        const double place = x.at(std::pow(10.0, i));
+    for (int i = m_x.low(); i <= m_x.high(); ++i) {
+        const double place = m_x.at(std::pow(10.0, i));
         svg += line(place, kTop, place, kBottom, faint);
         svg += text(place, kBottom + 20.0, "text-anchor=\"middle\"", decade(i));
     }
-    const int every = y.high() - y.low() > 9 ? 2 : 1;
-    for (int i = y.low(); i <= y.high(); i += every) {
-        const double place = y.at(std::pow(10.0, i));
+    const int every = m_y.high() - m_y.low() > 9 ? 2 : 1;
+    for (int i = m_y.low(); i <= m_y.high(); i += every) {
+        const double place = m_y.at(std::pow(10.0, i));
         svg += line(kLeft, place, kRight, place, faint);
         svg += text(kLeft - 8.0, place + 4.0, "text-anchor=\"end\"", decade(i));
     }
     svg += line(kLeft, kBottom, kRight, kBottom, "stroke=\"black\"") +
            line(kLeft, kTop, kLeft, kBottom, "stroke=\"black\"");
-    svg += text(0.5 * (kLeft + kRight), kBottom + 48.0, "text-anchor=\"middle\"",
-                QStringLiteral("CPU time of a simulated second [µs]"));
-    svg += text(-0.5 * (kTop + kBottom), 26.0, "text-anchor=\"middle\" transform=\"rotate(-90)\"",
-                QStringLiteral("largest position error [radii]"));
+    svg += text(0.5 * (kLeft + kRight), kBottom + 48.0, "text-anchor=\"middle\"", m_chart.costLabel);
+    return svg +
+           text(-0.5 * (kTop + kBottom), 26.0, "text-anchor=\"middle\" transform=\"rotate(-90)\"", m_chart.errorLabel);
+}
+
+QByteArray Page::bandArea() const {
+    if (!m_chart.band) return {};
+    const double top = height(m_chart.band->high);
+    return "<rect x=\"" + number(kLeft) + "\" y=\"" + number(top) + "\" width=\"" + number(kRight - kLeft) +
+           "\" height=\"" + number(height(m_chart.band->low) - top) + "\" fill=\"" + kBandColour +
+           "\" fill-opacity=\"0.15\"/>\n";
+}
+
+QByteArray Page::bandLines() {
+    if (!m_chart.band) return {};
+    const auto across = [&](double error, const char *look, const QString &words) {
+        const QByteArray whole = QByteArray("stroke=\"") + kBandColour + "\" " + look;
+        return line(kLeft, height(error), kRight, height(error), whole.constData()) +
+               legendLine(kBandColour, look, words);
+    };
+    QByteArray svg = across(m_chart.band->middle, "stroke-width=\"2\"", m_chart.band->middleText);
+    svg += across(m_chart.band->limit, "stroke-width=\"2\" stroke-dasharray=\"7 4\"", m_chart.band->limitText);
     return svg;
 }
 
-class Page {
-public:
-    explicit Page(std::vector<TradePoint> points)
-        : m_points(std::move(points))
-        , m_x(valuesOf(cost), kLeft, kRight)
-        , m_y(valuesOf(error), kBottom, kTop) {}
+QByteArray Page::goodEnough() {
+    if (!m_chart.goodEnough) return {};
+    const auto ring = [](double x, double y) {
+        return "<circle cx=\"" + number(x) + "\" cy=\"" + number(y) + "\" r=\"9\" fill=\"none\" stroke=\"" +
+               kBandColour + "\" stroke-width=\"3\"/>\n";
+    };
+    const double row = nextRow();
+    return ring(m_x.at(m_chart.goodEnough->cost), height(m_chart.goodEnough->error)) + ring(kRight + 35.0, row) +
+           text(kRight + 58.0, row + 4.0, "", QStringLiteral("cheapest good enough"));
+}
 
-    QByteArray draw() const {
-        QByteArray svg = grid(m_x, m_y) + front();
-        std::vector<QByteArray> names;
-        for (const TradePoint &point : m_points)
-            if (std::find(names.begin(), names.end(), point.stepper) == names.end()) names.push_back(point.stepper);
-        for (size_t i = 0; i < names.size(); ++i) svg += curve(names[i], i);
-        svg += line(kRight + 20.0, kTop + 26.0 * double(names.size()) + 10.0, kRight + 50.0,
-                    kTop + 26.0 * double(names.size()) + 10.0, kFrontLook);
-        svg += text(kRight + 58.0, kTop + 26.0 * double(names.size()) + 14.0, "", QStringLiteral("best for its cost"));
-        return svg;
-    }
+QByteArray Page::places(const std::vector<ChartPoint> &points) const {
+    QByteArray result;
+    for (const ChartPoint &point : points)
+        result += number(m_x.at(point.cost)) + "," + number(height(point.error)) + ' ';
+    return result;
+}
 
-private:
-    static constexpr const char *kFrontLook = "fill=\"none\" stroke=\"#f2d26b\" stroke-width=\"9\" "
-                                              "stroke-linejoin=\"round\" stroke-linecap=\"round\"";
+QByteArray Page::front() const {
+    return "<polyline points=\"" + places(m_chart.front) +
+           "\" fill=\"none\" stroke=\"#f2d26b\" stroke-width=\"9\" stroke-linejoin=\"round\" "
+           "stroke-linecap=\"round\"/>\n";
+}
 
-    std::vector<double> valuesOf(double (*value)(const TradePoint &)) const {
-        std::vector<double> values;
-        for (const TradePoint &point : m_points) values.push_back(value(point));
-        return values;
-    }
+QByteArray Page::draw(const ChartCurve &curve) {
+    QByteArray svg = "<polyline points=\"" + places(curve.points) + "\" fill=\"none\" stroke=\"" + curve.colour +
+                     "\" stroke-width=\"2\"/>\n";
+    for (const ChartPoint &point : curve.points)
+        svg += "<circle cx=\"" + number(m_x.at(point.cost)) + "\" cy=\"" + number(height(point.error)) +
+               "\" r=\"4\" fill=\"" + curve.colour + "\"/>\n";
+    return svg + legendLine(curve.colour, "stroke-width=\"2\"", QString::fromUtf8(curve.stepper));
+}
 
-    QByteArray place(const TradePoint &point) const {
-        return number(m_x.at(cost(point))) + "," + number(m_y.at(error(point)));
-    }
-
-    QByteArray front() const {
-        QByteArray places;
-        for (const size_t i : paretoFront(m_points)) places += place(m_points[i]) + ' ';
-        return "<polyline points=\"" + places + "\" " + kFrontLook + "/>\n";
-    }
-
-    QByteArray curve(const QByteArray &stepper, size_t number_) const {
-        const QByteArray colour = curveColour(number_);
-        QByteArray places;
-        QByteArray marks;
-        for (const TradePoint &point : m_points) {
-            if (point.stepper != stepper) continue;
-            places += place(point) + ' ';
-            marks += "<circle cx=\"" + number(m_x.at(cost(point))) + "\" cy=\"" + number(m_y.at(error(point))) +
-                     "\" r=\"4\" fill=\"" + colour + "\"><title>" + point.stepper + ", " +
-                     stepSizeText(point.dt).toUtf8() + "</title></circle>\n";
-        }
-        const double row = kTop + 26.0 * double(number_) + 10.0;
-        const QByteArray look = "stroke=\"" + colour + "\" stroke-width=\"2\" fill=\"none\"";
-        return "<polyline points=\"" + places + "\" " + look + "/>\n" + marks +
-               line(kRight + 20.0, row, kRight + 50.0, row, look.constData()) +
-               text(kRight + 58.0, row + 4.0, "", QString::fromUtf8(stepper));
-    }
-
-    std::vector<TradePoint> m_points;
-    LogAxis m_x;
-    LogAxis m_y;
-};
+QByteArray Page::legendLine(const char *colour, const char *look, const QString &words) {
+    const double row = nextRow();
+    const QByteArray whole = QByteArray("stroke=\"") + colour + "\" " + look;
+    return line(kRight + 20.0, row, kRight + 50.0, row, whole.constData()) + text(kRight + 58.0, row + 4.0, "", words);
+}
 
 } // namespace
 
-const char *curveColour(size_t place) {
-    // Distinct for colour-blind eyes, too (Okabe and Ito).
-    static constexpr std::array<const char *, 7> kColours{"#d55e00", "#0072b2", "#009e73", "#cc79a7",
-                                                          "#56b4e9", "#000000", "#e69f00"};
-    return kColours[place % kColours.size()];
-}
-
-QByteArray tradeSvg(const TradePlan &plan, const TradeResult &result, uint32_t model) {
-    const QString title = QStringLiteral("%1 model, schedule %2, errors up to %3 s")
-                              .arg(modelName(model), plan.schedule.name)
-                              .arg(result.spans[model].compared, 0, 'f', 2);
+QByteArray tradeSvg(const ChartDescription &chart) {
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + number(kWidth) + ' ' + number(kHeight) +
-           "\" font-family=\"sans-serif\" font-size=\"13\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n" +
-           text(kLeft, 28.0, "font-size=\"15\"", title) + Page(result.valid(model)).draw() + "</svg>\n";
+           "\" font-family=\"sans-serif\" font-size=\"13\">\n"
+           "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n" +
+           Page(chart).draw() + "</svg>\n";
 }
 
 } // namespace inspector

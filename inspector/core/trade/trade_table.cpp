@@ -43,6 +43,37 @@ QString spanLine(uint32_t model, const TradeSpan &span) {
                                              : QStringLiteral(": ") + span.endReason);
 }
 
+QString impactsText(const TradeSpan &span, double horizon) {
+    const QString counts = QStringLiteral("%1 impacts in %2 s, %3 in %4 s")
+                               .arg(span.early)
+                               .arg(horizon)
+                               .arg(span.impacts)
+                               .arg(span.end, 0, 'g', 4);
+    return span.impacts > 0 ? counts : counts + QStringLiteral("; it meets no wall: says nothing of runs that do");
+}
+
+// How far ahead one can know at all.
+QString knowableText(const TradeSpan &span) {
+    const auto text = [&](const char *cause, const std::optional<double> &time) {
+        return time ? QStringLiteral("%1 moves the ball by a radius after %2 s").arg(cause).arg(*time, 0, 'f', 2)
+                    : QStringLiteral("%1 doesn't within %2 s").arg(cause).arg(span.end, 0, 'f', 2);
+    };
+    const std::optional<double> rounding = span.knowable < span.end ? std::optional(span.knowable) : std::nullopt;
+    if (span.band.isEmpty()) return text("rounding", rounding);
+    return text("what isn't known", span.band.timeUntil(1.0)) + QStringLiteral(", ") + text("rounding", rounding);
+}
+
+QString bandText(const TradePlan &plan, const Band &band) {
+    const double radius = phys_scene_radius(plan.scene.get());
+    QString text =
+        QStringLiteral("not known after %1 s: the ball is off by %2 mm, half the boards below and half above")
+            .arg(plan.horizon)
+            .arg(band.middleAt(plan.horizon) * radius * 1e3, 0, 'g', 3);
+    if (band.refused > 0)
+        text += QStringLiteral("; exact can't step %1 of %2 boards").arg(band.refused).arg(band.refused + band.balls);
+    return text;
+}
+
 } // namespace
 
 const std::vector<TradeColumn> &tradeColumns() {
@@ -51,13 +82,17 @@ const std::vector<TradeColumn> &tradeColumns() {
     static const std::vector<TradeColumn> columns{
         {"position_largest [R]", "max error", "R", "largest position error against exact, in radii", 1.0,
          [](P p) { return ifCompared(p, p.error.positionLargest); }, false},
+        {"share_of_unknown [%]", "of unknown", "%",
+         "largest position error within the horizon, as a share of how far the ball is off because the board isn't "
+         "known exactly",
+         100.0, [](P p) { return p.isValid ? p.share : std::nullopt; }, false},
         {"position_final [R]", "end error", "R", "position error at the end of the comparison, in radii", 1.0,
          [](P p) { return ifCompared(p, p.error.positionFinal); }, false},
         {"velocity_largest [m/s]", "velocity", "m/s",
          "largest velocity error; large for a moment when a bounce comes early or late", 1.0,
          [](P p) { return ifCompared(p, p.error.velocityLargest); }, false},
-        {"orientation_largest [deg]", "turn", "deg", "largest error of the orientation", kDegrees,
-         [](P p) { return ifCompared(p, p.error.orientationLargest); }, false},
+        {"orientation_largest [deg]", "turn", "deg", "largest error of the orientation; 0 if it isn't computed",
+         kDegrees, [](P p) { return ifCompared(p, p.error.orientationLargest); }, false},
         {"energy_drift [J/kg]", "energy", "J/kg", "energy made (> 0) or lost (< 0) by the scheme itself", 1.0,
          [](P p) { return ifCompared(p, p.error.energyDrift); }, false},
         {"penetration_largest [R]", "overlap", "R", "deepest overlap with a box, in radii", 1.0,
@@ -91,9 +126,21 @@ QString figureText(const TradeColumn &column, const TradePoint &point) {
 }
 
 QStringList tradeSummary(const TradePlan &plan, const TradeResult &result) {
-    QStringList lines{
-        QStringLiteral("schedule %1, %2 s").arg(plan.schedule.name).arg(plan.schedule.duration, 0, 'g', 6)};
-    for (const uint32_t model : {PHYS_MODEL_ROLLING, PHYS_MODEL_RIGID}) lines += spanLine(model, result.spans[model]);
+    QStringList lines;
+    const uint32_t model = plan.inputs.params.model;
+    if (!plan.unknowns.empty()) lines += QStringLiteral("unknown: ") + unknownsText(plan.unknowns);
+    for (size_t i = 0; i < result.spans.size(); ++i) {
+        const auto &spans = result.spans[i];
+        const TradeSpan &span = spans[model];
+        lines += QStringLiteral("schedule %1, %2 s: %3")
+                     .arg(plan.schedules[i].name)
+                     .arg(plan.schedules[i].duration, 0, 'g', 6)
+                     .arg(impactsText(span, plan.horizon));
+        for (const uint32_t each : {PHYS_MODEL_ROLLING, PHYS_MODEL_RIGID})
+            lines += QStringLiteral("  ") + spanLine(each, spans[each]);
+        if (span.compared > 0.0) lines += QStringLiteral("  ") + knowableText(span);
+        if (!span.band.isEmpty()) lines += QStringLiteral("  ") + bandText(plan, span.band);
+    }
     return lines;
 }
 
@@ -125,10 +172,8 @@ QByteArray tradeCsvHeader() {
     return header + ",note\n";
 }
 
-QByteArray tradeCsv(const TradePlan &plan, const TradeResult &result) {
-    QByteArray csv = "# " + versionLine().toUtf8() + '\n';
-    for (const QString &line : tradeSummary(plan, result)) csv += "# " + line.toUtf8() + '\n';
-    csv += tradeCsvHeader();
+QByteArray tradeCsv(const TradeResult &result) {
+    QByteArray csv = tradeCsvHeader();
     for (const TradePoint &point : result.points) {
         csv += point.stepper + ',' + exactly(point.dt) + ',' + modelName(point.model).toUtf8();
         for (const TradeColumn &column : tradeColumns()) {

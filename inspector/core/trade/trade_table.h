@@ -35,8 +35,8 @@ QStringList tradeSummary(const TradePlan &plan, const TradeResult &result);
 // For people, in columns.
 QString tradeText(const TradeResult &result);
 
-// Comment lines, header, a row per point: the shortest numbers that read back exactly.
-QByteArray tradeCsv(const TradePlan &plan, const TradeResult &result);
+// The header, a row per point: the shortest numbers that read back exactly.
+QByteArray tradeCsv(const TradeResult &result);
 QByteArray tradeCsvHeader();
 
 } // namespace inspector

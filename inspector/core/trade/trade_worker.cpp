@@ -45,7 +45,7 @@ void TradeWorker::takeNews() {
 
 void TradeWorker::measure(TradePlan plan, const QString &schedule, double duration, const std::stop_token &stop) {
     QString error;
-    plan.schedule = makeSchedule(schedule, plan.registry, plan.scene, plan.inputs, duration, &error);
+    const bool isReady = makeSchedules(schedule, duration, plan, &error);
     TradeListener listener;
     listener.began = [&](const TradeResult &result) {
         post([this, plan, result] {
@@ -64,10 +64,12 @@ void TradeWorker::measure(TradePlan plan, const QString &schedule, double durati
         post([this, share, what] { emit progressed(share, what); });
     };
     std::optional<TradeResult> result;
-    if (!plan.schedule.switches.empty()) result = measureTrade(plan, listener, stop, &error);
-    post([this, isComplete = result && result->isComplete, line = result ? QString() : error] {
+    if (isReady) result = measureTrade(plan, listener, stop, &error);
+    post([this, isComplete = result && result->isComplete, goodEnough = result ? result->goodEnough : std::nullopt,
+          line = result ? QString() : error] {
         m_isRunning = false;
         m_result.isComplete = isComplete;
+        m_result.goodEnough = goodEnough;
         emit ended(line);
     });
 }

@@ -19,7 +19,7 @@ class TradeWorker : public QObject {
 public:
     explicit TradeWorker(QObject *parent = nullptr);
 
-    // From the thread that owns this object. Ends a measurement that runs. plan: its schedule is made from the words
+    // From the thread that owns this object. Ends a measurement that runs. plan: its schedules are made from the words
     // (trade_options.h), for at most so long.
     void start(TradePlan plan, const QString &schedule, double duration);
     void cancel(); // returns at once; ended() follows
@@ -27,7 +27,7 @@ public:
 
     // As far as it is known; the owner's thread only.
     const TradeResult &result() const { return m_result; }
-    const TradePlan &plan() const { return m_plan; } // with its schedule once there is a result
+    const TradePlan &plan() const { return m_plan; } // with its schedules once there is a result
 
 signals:
     void changed(); // result() has new figures

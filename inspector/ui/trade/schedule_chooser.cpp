@@ -22,7 +22,8 @@ ScheduleChooser::ScheduleChooser(QSettings &settings, QWidget *parent)
     , m_seed(new QSpinBox)
     , m_file(new QLineEdit) {
     m_kind->setObjectName(QStringLiteral("trade_schedule"));
-    m_kind->addItems({tr("Autopilot"), tr("Random tilts"), tr("Tilts from a file")}); // in the order of Kind
+    m_kind->addItems({tr("Quiet and busy"), tr("Autopilot (quiet)"), tr("Busy"), tr("Random tilts"),
+                      tr("Tilts from a file")}); // in the order of Kind
     m_kind->setToolTip(tr("How the board tilts while all steppers are measured"));
     m_kind->setFocusPolicy(Qt::TabFocus); // a click leaves the keyboard to the game
     m_seed->setObjectName(QStringLiteral("trade_seed"));
@@ -54,6 +55,10 @@ void ScheduleChooser::addFile() {
 QString ScheduleChooser::words() const {
     const QString path = m_file->text().trimmed();
     switch (Kind(m_kind->currentIndex())) {
+    case Both:
+        return QStringLiteral("both");
+    case Busy:
+        return QStringLiteral("busy");
     case Autopilot:
         return QStringLiteral("autopilot");
     case Random:
@@ -61,7 +66,7 @@ QString ScheduleChooser::words() const {
     case File:
         break;
     }
-    return path.isEmpty() ? QString() : QFileInfo(path).absoluteFilePath(); // no word of the two above
+    return path.isEmpty() ? QString() : QFileInfo(path).absoluteFilePath(); // no word of those above
 }
 
 void ScheduleChooser::showKind() {

@@ -25,7 +25,7 @@ signals:
     void changed();
 
 private:
-    enum Kind { Autopilot, Random, File };
+    enum Kind { Both, Autopilot, Busy, Random, File };
 
     void addFile();
     void showKind();

@@ -2,8 +2,6 @@
 #include "ui/trade/trade_chart.h"
 
 #include "core/setup/tables.h"
-#include "core/trade/trade_answer.h"
-#include "core/trade/trade_svg.h"
 #include "core/trade/trade_table.h"
 #include "ui/parts/printed_unit.h"
 #include "ui/plots/chart_style.h"
@@ -19,8 +17,7 @@ namespace {
 
 constexpr double kReach = 12.0; // px, of the mouse
 
-double costOf(const TradePoint &point) { return point.cost.perSecond * 1e6; }
-double errorOf(const TradePoint &point) { return std::max(point.error.positionLargest, kSmallestDrawnError); }
+const QColor kBandColour(0x2a, 0x9f, 0x4f);
 
 // Around the values, with some air.
 QCPRange rangeOf(const std::vector<double> &values) {
@@ -44,17 +41,28 @@ QString tradePointText(const TradePoint &point) {
 TradeChart::TradeChart(QWidget *parent)
     : QCustomPlot(parent)
     , m_front(new QCPCurve(xAxis, yAxis))
-    , m_ring(new QCPItemTracer(this)) {
+    , m_ring(new QCPItemTracer(this))
+    , m_goodEnough(new QCPItemTracer(this))
+    , m_band(new QCPItemRect(this))
+    , m_middle(addGraph())
+    , m_limit(addGraph()) {
     setObjectName(QStringLiteral("trade_chart"));
     setMinimumSize(260, 180);
     setMouseTracking(true);
-    makeLogarithmic(*xAxis, tr("CPU time of a simulated second [µs]"));
-    makeLogarithmic(*yAxis, tr("Largest error [radii]"));
+    makeLogarithmic(*xAxis, {});
+    makeLogarithmic(*yAxis, {});
     m_front->setName(tr("best for its cost"));
-    m_ring->setStyle(QCPItemTracer::tsCircle);
+    for (QCPItemTracer *ring : {m_ring, m_goodEnough}) {
+        ring->setStyle(QCPItemTracer::tsCircle);
+        ring->setVisible(false);
+        ring->position->setType(QCPItemPosition::ptPlotCoords);
+    }
     m_ring->setSize(15);
-    m_ring->setVisible(false);
-    m_ring->position->setType(QCPItemPosition::ptPlotCoords);
+    m_goodEnough->setSize(21);
+    // As wide as the chart, whatever the costs.
+    m_band->topLeft->setTypeX(QCPItemPosition::ptAxisRectRatio);
+    m_band->bottomRight->setTypeX(QCPItemPosition::ptAxisRectRatio);
+    m_band->setVisible(false);
     auto *beside = new QCPLayoutGrid; // where the legend hides no curve
     plotLayout()->addElement(0, 1, beside);
     beside->addElement(0, 0, legend);
@@ -65,80 +73,103 @@ TradeChart::TradeChart(QWidget *parent)
     takeColours();
 }
 
-void TradeChart::show(const TradeResult &result, uint32_t model) {
-    m_result = result;
-    m_model = model;
-    m_shown.clear();
-    for (size_t i = 0; i < result.points.size(); ++i) {
-        const TradePoint &point = result.points[i];
-        if (point.model == model && point.isValid && point.cost.repeats > 0) m_shown.push_back(i);
-    }
+void TradeChart::show(const ChartDescription &chart, const TradeResult &result) {
+    m_description = chart;
+    m_points = result.points;
+    xAxis->setLabel(chart.costLabel);
+    yAxis->setLabel(chart.errorLabel);
     addFront();
     addCurves();
     fitAxes();
+    showBand();
+    showGoodEnough();
     choose(m_chosen);
 }
 
 void TradeChart::addFront() {
-    std::vector<TradePoint> points;
-    for (const size_t i : m_shown) points.push_back(m_result.points[i]);
     m_front->data()->clear();
-    for (const size_t i : paretoFront(points)) m_front->addData(costOf(points[i]), errorOf(points[i]));
+    for (const ChartPoint &point : m_description.front) m_front->addData(point.cost, point.error);
 }
 
 void TradeChart::addCurves() {
     for (QCPCurve *curve : m_curves) removePlottable(curve);
     m_curves.clear();
-    QByteArray stepper;
-    size_t place = 0;
-    for (const TradePoint &point : m_result.points) { // all, so that colours stay while results come in
-        if (point.model != m_model) continue;
-        if (m_curves.empty() || point.stepper != stepper) {
-            const QColor colour = QLatin1String(curveColour(place++));
-            const QColor line = colour == QColor(Qt::black) ? palette().color(QPalette::Text) : colour;
-            stepper = point.stepper;
-            m_curves.push_back(new QCPCurve(xAxis, yAxis));
-            m_curves.back()->setName(QString::fromUtf8(stepper));
-            m_curves.back()->setPen(QPen(line, 1.8));
-            m_curves.back()->setScatterStyle({QCPScatterStyle::ssDisc, line, 6.0});
-        }
-        if (point.isValid && point.cost.repeats > 0) m_curves.back()->addData(costOf(point), errorOf(point));
+    for (const ChartCurve &curve : m_description.curves) {
+        const QColor colour = QLatin1String(curve.colour);
+        const QColor line = colour == QColor(Qt::black) ? palette().color(QPalette::Text) : colour;
+        m_curves.push_back(new QCPCurve(xAxis, yAxis));
+        m_curves.back()->setName(QString::fromUtf8(curve.stepper));
+        m_curves.back()->setPen(QPen(line, 1.8));
+        m_curves.back()->setScatterStyle({QCPScatterStyle::ssDisc, line, 6.0});
+        for (const ChartPoint &point : curve.points) m_curves.back()->addData(point.cost, point.error);
     }
+}
+
+void TradeChart::showBand() {
+    const std::optional<ChartBand> &band = m_description.band;
+    m_band->setVisible(band.has_value());
+    for (QCPGraph *line : {m_middle, m_limit}) {
+        line->data()->clear();
+        line->removeFromLegend();
+    }
+    if (!band) return;
+    m_band->topLeft->setCoords(0.0, std::max(band->high, kSmallestDrawnError));
+    m_band->bottomRight->setCoords(1.0, std::max(band->low, kSmallestDrawnError));
+    const auto draw = [&](QCPGraph *line, double error, const QString &name) {
+        for (const double cost : {xAxis->range().lower, xAxis->range().upper})
+            line->addData(cost, std::max(error, kSmallestDrawnError));
+        line->setName(name);
+        line->addToLegend();
+    };
+    draw(m_middle, band->middle, band->middleText);
+    draw(m_limit, band->limit, band->limitText);
+}
+
+void TradeChart::showGoodEnough() {
+    const std::optional<ChartPoint> &point = m_description.goodEnough;
+    m_goodEnough->setVisible(point.has_value());
+    if (point) m_goodEnough->position->setCoords(point->cost, point->error);
 }
 
 void TradeChart::fitAxes() {
     std::vector<double> costs;
     std::vector<double> errors;
-    for (const size_t i : m_shown) {
-        costs.push_back(costOf(m_result.points[i]));
-        errors.push_back(errorOf(m_result.points[i]));
+    for (const ChartPoint &point : m_description.points()) {
+        costs.push_back(point.cost);
+        errors.push_back(point.error);
     }
+    if (const std::optional<ChartBand> &band = m_description.band)
+        for (const double error : {band->low, band->limit, band->high})
+            errors.push_back(std::max(error, kSmallestDrawnError));
     xAxis->setRange(rangeOf(costs));
     yAxis->setRange(rangeOf(errors));
 }
 
 void TradeChart::choose(std::optional<size_t> index) {
     m_chosen = index;
-    const bool isShown = index && std::find(m_shown.begin(), m_shown.end(), *index) != m_shown.end();
-    m_ring->setVisible(isShown);
-    if (isShown) m_ring->position->setCoords(costOf(m_result.points[*index]), errorOf(m_result.points[*index]));
+    const std::vector<ChartPoint> points = m_description.points();
+    const auto shown = std::find_if(points.begin(), points.end(),
+                                    [&](const ChartPoint &point) { return index && point.index == *index; });
+    m_ring->setVisible(shown != points.end());
+    if (shown != points.end()) m_ring->position->setCoords(shown->cost, shown->error);
     replot(rpQueuedReplot);
 }
 
-QPointF TradeChart::placeOf(size_t index) const {
-    const TradePoint &point = m_result.points[index];
-    return {xAxis->coordToPixel(costOf(point)), yAxis->coordToPixel(errorOf(point))};
+std::optional<QPointF> TradeChart::placeOf(size_t index) const {
+    for (const ChartPoint &point : m_description.points())
+        if (point.index == index) return QPointF(xAxis->coordToPixel(point.cost), yAxis->coordToPixel(point.error));
+    return std::nullopt;
 }
 
 std::optional<size_t> TradeChart::pointAt(const QPointF &place) const {
     std::optional<size_t> nearest;
     double reach = kReach;
-    for (const size_t i : m_shown) {
-        const QPointF apart = placeOf(i) - place;
+    for (const ChartPoint &point : m_description.points()) {
+        const QPointF apart = QPointF(xAxis->coordToPixel(point.cost), yAxis->coordToPixel(point.error)) - place;
         const double distance = std::hypot(apart.x(), apart.y());
         if (distance > reach) continue;
         reach = distance;
-        nearest = i;
+        nearest = point.index;
     }
     return nearest;
 }
@@ -146,7 +177,7 @@ std::optional<size_t> TradeChart::pointAt(const QPointF &place) const {
 void TradeChart::mouseMoveEvent(QMouseEvent *event) {
     const std::optional<size_t> index = pointAt(event->position());
     if (index) {
-        QToolTip::showText(event->globalPosition().toPoint(), tradePointText(m_result.points[*index]), this);
+        QToolTip::showText(event->globalPosition().toPoint(), tradePointText(m_points[*index]), this);
     } else {
         QToolTip::hideText();
     }
@@ -162,7 +193,8 @@ void TradeChart::changeEvent(QEvent *event) {
     QCustomPlot::changeEvent(event);
     if (event->type() != QEvent::PaletteChange) return;
     takeColours();
-    show(TradeResult(m_result), m_model);
+    addCurves();
+    replot(rpQueuedReplot);
 }
 
 void TradeChart::takeColours() {
@@ -173,20 +205,22 @@ void TradeChart::takeColours() {
     m_front->setPen(pen);
     m_ring->setPen(QPen(palette().color(QPalette::Text), 2.0));
     m_ring->setBrush(Qt::NoBrush);
+    m_goodEnough->setPen(QPen(kBandColour, 3.0));
+    m_goodEnough->setBrush(Qt::NoBrush);
+    m_band->setPen(Qt::NoPen);
+    m_band->setBrush(QColor(kBandColour.red(), kBandColour.green(), kBandColour.blue(), 45));
+    m_middle->setPen(QPen(kBandColour, 2.0));
+    m_limit->setPen(QPen(kBandColour, 2.0, Qt::DashLine));
 }
 
-bool writeTradePicture(const TradePlan &plan, const TradeResult &result, uint32_t model, const QString &path,
-                       QString *error) {
+bool writeTradePicture(const ChartDescription &description, const QString &path, QString *error) {
     constexpr int kWidth = 900;
     constexpr int kHeight = 560;
     TradeChart chart;
     chart.setPalette(QPalette(Qt::black, Qt::white));
-    chart.show(result, model);
-    const QString title = QObject::tr("%1 model, schedule %2, errors up to %3 s")
-                              .arg(modelName(model), plan.schedule.name)
-                              .arg(result.spans[model].compared, 0, 'f', 2);
+    chart.show(description, {});
     chart.plotLayout()->insertRow(0);
-    chart.plotLayout()->addElement(0, 0, new QCPTextElement(&chart, title));
+    chart.plotLayout()->addElement(0, 0, new QCPTextElement(&chart, description.title));
     const bool isWritten = path.endsWith(QLatin1String(".pdf")) ? chart.savePdf(path, kWidth, kHeight)
                                                                 : chart.savePng(path, kWidth, kHeight, 2.0);
     if (!isWritten) *error = QObject::tr("can't write '%1'").arg(path);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/trade/trade.h"
+#include "core/trade/trade_chart.h"
 
 #include <qcustomplot.h>
 
@@ -9,22 +9,22 @@
 
 namespace inspector::ui {
 
-// Cost against error, both logarithmic: a curve per stepper, the front highlighted, a point to read and to choose.
+// The trade's chart on the screen, with a point to read and to choose.
 class TradeChart : public QCustomPlot {
     Q_OBJECT
 
 public:
     explicit TradeChart(QWidget *parent = nullptr);
 
-    // The points of one model. Keeps the chosen point if it is still there.
-    void show(const TradeResult &result, uint32_t model);
+    // result: what the chart was described from; its points are told of. Keeps the chosen point if it is still there.
+    void show(const ChartDescription &chart, const TradeResult &result);
     // Rings the point with this index in the result's points, or none.
     void choose(std::optional<size_t> index);
 
     // The index, in the result's points, of the one at most some pixels away from there.
     std::optional<size_t> pointAt(const QPointF &place) const;
-    // Where a point is drawn, in the widget.
-    QPointF placeOf(size_t index) const;
+    // Where a point is drawn, in the widget; nothing if it isn't.
+    std::optional<QPointF> placeOf(size_t index) const;
 
 signals:
     void chosen(size_t index);
@@ -37,15 +37,20 @@ protected:
 private:
     void addFront();
     void addCurves();
+    void showBand();
+    void showGoodEnough();
     void fitAxes();
     void takeColours();
 
-    TradeResult m_result;
-    uint32_t m_model = PHYS_MODEL_ROLLING;
-    std::vector<size_t> m_shown; // indices of the points drawn
+    ChartDescription m_description;
+    std::vector<TradePoint> m_points; // of the result
     std::optional<size_t> m_chosen;
     QCPCurve *m_front;
     QCPItemTracer *m_ring;
+    QCPItemTracer *m_goodEnough;
+    QCPItemRect *m_band;
+    QCPGraph *m_middle; // of the band
+    QCPGraph *m_limit;  // below it a setting is good enough
     std::vector<QCPCurve *> m_curves;
 };
 
@@ -54,7 +59,6 @@ QString tradePointText(const TradePoint &point);
 
 // The chart alone, as .pdf or .png. Needs an application that can draw, no screen. False and one line in `error` if the
 // file can't be written.
-bool writeTradePicture(const TradePlan &plan, const TradeResult &result, uint32_t model, const QString &path,
-                       QString *error);
+bool writeTradePicture(const ChartDescription &chart, const QString &path, QString *error);
 
 } // namespace inspector::ui

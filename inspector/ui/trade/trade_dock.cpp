@@ -15,10 +15,12 @@
 #include <QDoubleSpinBox>
 #include <QHeaderView>
 #include <QLabel>
+#include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSlider>
 #include <QSortFilterProxyModel>
+#include <QSpinBox>
 #include <QSplitter>
 #include <QTableView>
 
@@ -62,6 +64,7 @@ TradeDock::TradeDock(Session &session, QUndoStack &undo, QWidget *parent)
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 4, 6, 6);
     layout->addWidget(makeTop());
+    layout->addWidget(makeUnknowns());
     layout->addWidget(halves, 1);
     layout->addWidget(makeBottom());
 
@@ -77,7 +80,9 @@ TradeDock::TradeDock(Session &session, QUndoStack &undo, QWidget *parent)
     connect(&m_worker, &TradeWorker::ended, this, &TradeDock::showEnd);
     connect(m_chart, &TradeChart::chosen, this, &TradeDock::choose);
     connect(m_tolerance, &QSlider::valueChanged, this, &TradeDock::showTolerance);
-    connect(m_use, &QPushButton::clicked, this, &TradeDock::use);
+    connect(m_use, &QPushButton::clicked, this, qOverload<>(&TradeDock::use));
+    connect(m_useGoodEnough, &QPushButton::clicked, this, &TradeDock::useGoodEnough);
+    connect(m_unknowns, &QLineEdit::textChanged, this, &TradeDock::showReady);
     connect(&session, &Session::levelOpened, this, &TradeDock::forget);
     showTolerance();
 }
@@ -93,6 +98,27 @@ void TradeDock::makeControls() {
     m_duration->setToolTip(tr("Simulated time, at most"));
     m_model = named(new QComboBox, "trade_model");
     m_model->addItems({tr("Rolling model"), tr("Rigid model")}); // in the order of their numbers
+    m_unknowns = named(new QLineEdit(usualUnknowns()), "trade_unknowns");
+    m_unknowns->setToolTip(tr("What isn't known exactly of the real board, and by how much: tilt, start or a parameter "
+                              "by its name; none: nothing"));
+    m_unknownsError = named(new QLabel, "trade_unknowns_error");
+    m_horizon = named(new QDoubleSpinBox, "trade_horizon");
+    m_horizon->setRange(0.1, 60.0);
+    m_horizon->setDecimals(1);
+    m_horizon->setPrefix(tr("for "));
+    m_horizon->setSuffix(tr(" s"));
+    m_horizon->setValue(kTradeHorizon);
+    m_horizon->setToolTip(tr("How far ahead a setting has to be good enough"));
+    m_share = named(new QSpinBox, "trade_share");
+    m_share->setRange(1, 100);
+    m_share->setPrefix(tr("error below "));
+    m_share->setSuffix(tr(" % of it"));
+    m_share->setValue(25);
+    m_share->setToolTip(tr("Errors below this share of what isn't known are good enough"));
+    m_goodEnough = named(new ElidedLabel, "trade_good_enough");
+    m_useGoodEnough = named(new QPushButton(tr("Use this")), "trade_use_good_enough");
+    m_useGoodEnough->setToolTip(tr("Let the simulation go on with the cheapest setting that is good enough"));
+    m_useGoodEnough->setEnabled(false);
     m_progress = named(new QProgressBar, "trade_progress");
     m_progress->setRange(0, 1000);
     m_progress->setVisible(false);
@@ -119,8 +145,9 @@ QString TradeDock::answerText(const TradePoint &point) const {
 
 // A click leaves the keyboard to the game.
 void TradeDock::leaveKeysToTheGame() {
-    for (QWidget *widget : {static_cast<QWidget *>(m_measure), static_cast<QWidget *>(m_model),
-                            static_cast<QWidget *>(m_tolerance), static_cast<QWidget *>(m_use)})
+    for (QWidget *widget :
+         {static_cast<QWidget *>(m_measure), static_cast<QWidget *>(m_model), static_cast<QWidget *>(m_tolerance),
+          static_cast<QWidget *>(m_use), static_cast<QWidget *>(m_useGoodEnough)})
         widget->setFocusPolicy(Qt::TabFocus);
 }
 
@@ -134,6 +161,22 @@ QWidget *TradeDock::makeTop() {
     layout->addWidget(m_progress);
     layout->addWidget(m_remark, 1);
     return top;
+}
+
+QWidget *TradeDock::makeUnknowns() {
+    auto *row = new QWidget;
+    auto *layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    auto *label = new QLabel(tr("&Not known:"));
+    label->setBuddy(m_unknowns);
+    m_unknowns->setMinimumWidth(fontMetrics().averageCharWidth() * 40);
+    for (QWidget *widget :
+         {static_cast<QWidget *>(label), static_cast<QWidget *>(m_unknowns), static_cast<QWidget *>(m_share),
+          static_cast<QWidget *>(m_horizon), static_cast<QWidget *>(m_unknownsError)})
+        layout->addWidget(widget);
+    layout->addWidget(m_goodEnough, 1);
+    layout->addWidget(m_useGoodEnough);
+    return row;
 }
 
 QWidget *TradeDock::makeBottom() {
@@ -172,7 +215,18 @@ void TradeDock::makeTable() {
     });
 }
 
-void TradeDock::showReady() { m_measure->setEnabled(m_worker.isRunning() || !m_schedule->words().isEmpty()); }
+std::optional<Unknowns> TradeDock::unknowns() {
+    QString error;
+    std::optional<Unknowns> result = parseUnknowns(m_unknowns->text().trimmed(), &error);
+    m_unknownsError->setText(error);
+    m_unknownsError->setVisible(!error.isEmpty());
+    return result;
+}
+
+void TradeDock::showReady() {
+    const bool isReady = unknowns() && !m_schedule->words().isEmpty();
+    m_measure->setEnabled(m_worker.isRunning() || isReady);
+}
 
 void TradeDock::toggle() {
     if (m_worker.isRunning()) return m_worker.cancel();
@@ -183,6 +237,9 @@ void TradeDock::toggle() {
     plan.stepSizes = usualStepSizes();
     if (std::find(plan.stepSizes.begin(), plan.stepSizes.end(), m_session.dt()) == plan.stepSizes.end())
         plan.stepSizes.push_back(m_session.dt());
+    plan.unknowns = unknowns().value_or(Unknowns());
+    plan.horizon = m_horizon->value();
+    plan.share = m_share->value() / 100.0;
     m_model->setCurrentIndex(int(plan.inputs.params.model));
     m_measure->setText(tr("Cancel"));
     m_progress->setVisible(true);
@@ -195,8 +252,27 @@ void TradeDock::showResult() {
     m_rows->show(result);
     m_sorted->setFilterFixedString(modelName(model()));
     m_table->resizeColumnsToContents();
-    m_chart->show(result, model());
+    if (!result.spans.empty())
+        m_chart->show(describeChart(m_worker.plan(), result, model(), shownSchedule(result)), result);
     showTolerance();
+    showGoodEnough();
+}
+
+// Of the model that was simulated when the measurement began.
+void TradeDock::showGoodEnough() {
+    const TradeResult &result = m_worker.result();
+    const bool isKnown = result.goodEnough && model() == m_worker.plan().inputs.params.model;
+    m_useGoodEnough->setEnabled(isKnown);
+    if (!isKnown) {
+        const bool hasNone = result.isComplete && !m_worker.plan().unknowns.empty() && !result.goodEnough;
+        return m_goodEnough->setText(hasNone ? recommendForUnknowns(m_worker.plan(), result).line : QString());
+    }
+    const TradePoint &point = result.points[result.goodEnough->point];
+    m_goodEnough->setText(tr("Good enough: %1 at %2, off by at most %3 % of it on %4 schedules; %5 µs a second")
+                              .arg(QString::fromUtf8(point.stepper), stepSizeText(point.dt))
+                              .arg(result.goodEnough->largest * 100.0, 0, 'g', 2)
+                              .arg(result.goodEnough->rehearsals + int(m_worker.plan().schedules.size()))
+                              .arg(point.cost.perSecond * 1e6, 0, 'g', 3));
 }
 
 void TradeDock::showProgress(double share, const QString &what) {
@@ -255,7 +331,15 @@ std::optional<size_t> TradeDock::chosenIndex() const {
 void TradeDock::use() {
     const std::optional<size_t> index = chosenIndex();
     if (!index) return;
-    const TradePoint point = m_worker.result().points[*index];
+    use(m_worker.result().points[*index]);
+}
+
+void TradeDock::useGoodEnough() {
+    const TradeResult &result = m_worker.result();
+    if (result.goodEnough) use(result.points[result.goodEnough->point]);
+}
+
+void TradeDock::use(const TradePoint &point) {
     const Stepping wanted{point.stepper, point.dt, {{QStringLiteral("model"), double(point.model)}}};
     changeStepping(m_session, m_undo, wanted, tr("use of a measured setting"));
 }

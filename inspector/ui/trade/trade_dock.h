@@ -10,10 +10,12 @@
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
+class QLineEdit;
 class QProgressBar;
 class QPushButton;
 class QSlider;
 class QSortFilterProxyModel;
+class QSpinBox;
 class QTableView;
 class QUndoStack;
 
@@ -39,6 +41,7 @@ private:
     void makeControls();
     void leaveKeysToTheGame();
     QWidget *makeTop();
+    QWidget *makeUnknowns();
     QWidget *makeBottom();
     void makeTable();
 
@@ -48,12 +51,16 @@ private:
     void showProgress(double share, const QString &what);
     void showEnd(const QString &error);
     void showTolerance(); // recommends anew
+    void showGoodEnough();
     void choose(size_t index);
-    void use();
+    void use(); // the chosen one
+    void useGoodEnough();
+    void use(const TradePoint &point);
     void forget(); // the figures of another level
 
     double tolerance() const; // m
     std::optional<size_t> chosenIndex() const;
+    std::optional<Unknowns> unknowns(); // as they are written; says what is wrong with them
     uint32_t model() const;
     QString answerText(const TradePoint &point) const;
 
@@ -65,6 +72,12 @@ private:
     ScheduleChooser *m_schedule;
     QDoubleSpinBox *m_duration;
     QComboBox *m_model;
+    QLineEdit *m_unknowns;
+    QDoubleSpinBox *m_horizon;
+    QSpinBox *m_share;
+    QLabel *m_unknownsError;
+    ElidedLabel *m_goodEnough;
+    QPushButton *m_useGoodEnough;
     QProgressBar *m_progress;
     ElidedLabel *m_remark;
     TradeChart *m_chart;

@@ -358,7 +358,7 @@ void TestRecording::lastRunIsAScheduleOfTheTrade() {
     recorder.close();
 
     QString error;
-    const TiltSchedule schedule = makeSchedule(path("r"), makeRegistry(nullptr), {}, initialInputs(), 20.0, &error);
+    const TiltSchedule schedule = recordedSchedule(path("r"), makeRegistry(nullptr), 20.0, &error);
     QVERIFY2(schedule.switches.size() == 2, qPrintable(error));
     QVERIFY(schedule.switches[0].time == 0.0);
     QVERIFY(schedule.switches[0].tilt == (Tilt{radians(1.0), 0.0}));
@@ -367,7 +367,7 @@ void TestRecording::lastRunIsAScheduleOfTheTrade() {
     QVERIFY(schedule.duration == 10 * 0.01 + 5 * 0.02);
 
     { const Recorder empty(path("empty")); }
-    QVERIFY(makeSchedule(path("empty"), makeRegistry(nullptr), {}, initialInputs(), 20.0, &error).switches.empty());
+    QVERIFY(recordedSchedule(path("empty"), makeRegistry(nullptr), 20.0, &error).switches.empty());
     QCOMPARE(error, path("empty") + ": expected steps, found none");
 }
 

@@ -113,7 +113,8 @@ void TestTradeAnswer::equallyAccurateStepsAreJudgedByTheCostOfASecond() {
 void TestTradeAnswer::nothingIsRecommendedWhereNothingFits() {
     TradeResult result;
     result.points = {point(1, 10, 0.5)};
-    result.spans[0].compared = 3.0;
+    result.spans.resize(1);
+    result.spans[0][PHYS_MODEL_ROLLING].compared = 3.0;
     TradeOptions wish;
     wish.under = {0.25, true};
     const Recommendation answer = recommend(result, PHYS_MODEL_ROLLING, wish, 0.006);
@@ -124,7 +125,8 @@ void TestTradeAnswer::nothingIsRecommendedWhereNothingFits() {
 void TestTradeAnswer::recommendationIsTheOptionsToTypeIn() {
     TradeResult result;
     result.points = {point(120, 10, 0.5)};
-    result.spans[0].compared = 3.0;
+    result.spans.resize(1);
+    result.spans[0][PHYS_MODEL_ROLLING].compared = 3.0;
     TradeOptions wish;
     wish.under = {0.004, false}; // 1 R, exactly
     const Recommendation answer = recommend(result, PHYS_MODEL_ROLLING, wish, 0.004);
@@ -135,7 +137,8 @@ void TestTradeAnswer::recommendationIsTheOptionsToTypeIn() {
 void TestTradeAnswer::timeBeyondTheComparisonIsSaid() {
     TradeResult result;
     result.points = {point(120, 10, 0.01)};
-    result.spans[0].compared = 3.0;
+    result.spans.resize(1);
+    result.spans[0][PHYS_MODEL_ROLLING].compared = 3.0;
     TradeOptions wish;
     wish.seconds = 60.0;
     const QString line = recommend(result, PHYS_MODEL_ROLLING, wish, 0.006).line;

@@ -58,14 +58,14 @@ Result runOf(const QString &words) {
     QTextStream messages(&result.messages);
     QTextStream progress(&result.progress);
     result.status = runTrade(line.options, {out, messages, &progress},
-                             [&](const TradePlan &, const TradeResult &, uint32_t, const QString &path, QString *) {
+                             [&](const ChartDescription &, const QString &path, QString *) {
                                  result.picture = path;
                                  return true;
                              });
     return result;
 }
 
-const QString kShort = QStringLiteral("--trade 1 --schedule random:3 --duration 0.5 --steps 0.05,0.01 ");
+const QString kShort = QStringLiteral("--trade 1 --schedule random:3 --duration 0.5 --steps 0.05,0.01 --unknown none ");
 
 } // namespace
 
@@ -113,6 +113,9 @@ void TestTradeCommand::wrongUseIsOneLine_data() {
     row("--trade 1 --within 0", "--within: expected a number from 1 to 1e+12, found '0'");
     row("--trade 1 --within 100 --under 1mm", "--within: takes neither --under nor --for");
     row("--trade 1 --stepper rk4", "--trade: doesn't go with --stepper");
+    row("--share 0.5", "--share: needs --trade");
+    row("--trade 1 --share 0", "--share: expected a number from 1e-06 to 1, found '0'");
+    row("--trade 1 --unknown tilt", "--unknown: expected an amount above 0, as tilt=0.1deg; found 'tilt'");
     row("--trade 99", "--trade: expected 1 to 10, found 99");
 }
 
@@ -137,11 +140,13 @@ void TestTradeCommand::tradeNeedsNoWindow() {
 }
 
 void TestTradeCommand::lastLineIsTheRecommendation() {
-    const Result result = runOf(kShort + "--under 10R");
+    const Result result =
+        runOf("--trade 1 --schedule random:3 --duration 0.5 --steps 0.05,0.01 --unknown tilt=0.1deg --under 10R");
     QVERIFY2(result.status == 0, qPrintable(result.messages));
     const QStringList lines = result.out.trimmed().split('\n');
-    QVERIFY2(lines.first().startsWith("level 01, schedule random:3, 0.5 s"), qPrintable(lines.first()));
+    QVERIFY2(lines[2].startsWith("schedule random:3, 0.5 s: "), qPrintable(result.out));
     QVERIFY2(lines.last().startsWith("recommended: --stepper "), qPrintable(lines.last()));
+    QVERIFY2(lines[lines.size() - 2].startsWith("good enough for what is known: --stepper "), qPrintable(result.out));
     QVERIFY(result.messages.isEmpty());
 }
 
@@ -154,17 +159,19 @@ void TestTradeCommand::progressFitsIntoALineAndIsErased() {
 }
 
 void TestTradeCommand::unreachableToleranceGivesStatus1() {
-    const Result result = runOf("--trade 1 --schedule random:3 --duration 0.5 --steps 0.01 --within 1");
+    const Result result = runOf("--trade 1 --schedule random:3 --duration 0.5 --steps 0.01 --unknown none --within 1");
     QCOMPARE(result.status, 1);
     QVERIFY2(result.out.endsWith("recommended: none: no step takes 1 ns or less\n"), qPrintable(result.out));
 }
 
 void TestTradeCommand::csvHeaderStaysAsItIs() {
-    QCOMPARE(tradeCsvHeader(),
-             QByteArray("stepper,dt [s],model,position_largest [R],position_final [R],velocity_largest [m/s],"
-                        "orientation_largest [deg],energy_drift [J/kg],penetration_largest [R],time_until_wrong [s],"
-                        "wrong_impacts,model_error [R],steps,cpu_per_step [ns],cpu_per_second [us],cpu_spread [%],"
-                        "repeats,note\n"));
+    QCOMPARE(
+        tradeCsvHeader(),
+        QByteArray(
+            "stepper,dt [s],model,position_largest [R],share_of_unknown [%],position_final [R],velocity_largest [m/s],"
+            "orientation_largest [deg],energy_drift [J/kg],penetration_largest [R],time_until_wrong [s],"
+            "wrong_impacts,model_error [R],steps,cpu_per_step [ns],cpu_per_second [us],cpu_spread [%],"
+            "repeats,note\n"));
 }
 
 void TestTradeCommand::csvHasARowForEachPoint() {
@@ -172,7 +179,6 @@ void TestTradeCommand::csvHasARowForEachPoint() {
     const Result result = runOf(kShort + "--csv " + path);
     QVERIFY2(result.messages.isEmpty(), qPrintable(result.messages));
     QByteArrayList lines = contentOf(path).trimmed().split('\n');
-    lines.removeIf([](const QByteArray &line) { return line.startsWith('#'); });
     QCOMPARE(lines.size(), 1 + qsizetype(phys_registry_count(nullptr)) * 2 * 2); // steps, models
     QVERIFY2(lines[1].startsWith("explicit-euler,0.05,rolling,"), lines[1].constData());
     for (const QByteArray &line : lines) QVERIFY(line.contains('"') || line.count(',') == lines[0].count(','));

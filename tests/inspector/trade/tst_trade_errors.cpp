@@ -18,6 +18,8 @@ private slots:
     void exactHasNoErrorAgainstItself();
     void exactInOtherStepsHasTheErrorOfRounding();
     void orientationIsComparedInSmallSteps();
+    void withoutOrientationNoTurnIsCompared();
+    void errorsAreTheWorstOfTheSchedules();
     void eulerIsWrongByHalfAStepOfTheVelocity_data();
     void eulerIsWrongByHalfAStepOfTheVelocity();
     void errorGrowsAsTheRecordsTell();
@@ -79,7 +81,7 @@ TradePlan TestTradeErrors::plan(const Scene &scene, TiltSchedule schedule, std::
     result.scene = scene;
     result.inputs = initialInputs();
     result.inputs.params.rolling_friction = 0.0;
-    result.schedule = std::move(schedule);
+    result.schedules = {std::move(schedule)};
     result.stepSizes = std::move(stepSizes);
     result.repeats = 1;
     return result;
@@ -121,11 +123,33 @@ void TestTradeErrors::exactInOtherStepsHasTheErrorOfRounding() {
 // tenth of a degree, in steps of 1 ms it and the others are 2500 times better.
 void TestTradeErrors::orientationIsComparedInSmallSteps() {
     TradePlan turning = plan(openFloor(), randomSchedule(5, 2.0), {0.001});
+    turning.withOrientation = true;
     const TradeResult result = measured(turning);
     for (const char *stepper : {"velocity-verlet", "rk4", "swept", "exact"}) {
         const double error = find(result, stepper, 0.001).error.orientationLargest;
         QVERIFY2(error < radians(0.01), qPrintable(QString("%1: %2 degrees").arg(stepper).arg(degrees(error))));
     }
+}
+
+void TestTradeErrors::withoutOrientationNoTurnIsCompared() {
+    const TradeResult result = measured(plan(openFloor(), oneTilt(), {0.05}));
+    for (const TradePoint &point : result.points) COMPARE_EXACT(point.error.orientationLargest, 0.0);
+}
+
+// Twice the tilt is twice the error; half the time, a quarter of the way, half the error of Euler.
+void TestTradeErrors::errorsAreTheWorstOfTheSchedules() {
+    TradePlan both = plan(openFloor(), oneTilt(), {0.05});
+    both.schedules.push_back({"short", {{0.0, {2.0 * kTilt, 0.0}}}, 0.5 * kDuration});
+    const TradeResult result = measured(both);
+    const TradePoint &point = find(result, "symplectic-euler", 0.05);
+    QCOMPARE(point.errors.size(), size_t(2));
+    COMPARE_EXACT(point.error.positionLargest,
+                  std::max(point.errors[0].positionLargest, point.errors[1].positionLargest));
+    for (const double time : {0.3, 0.7, 1.4})
+        COMPARE_EXACT(errorUntil(point, time),
+                      std::max(errorUntil(point.errors[0], time), errorUntil(point.errors[1], time)));
+    QCOMPARE(point.steps, uint64_t(30 + 15));
+    COMPARE_WITHIN(result.compared(PHYS_MODEL_ROLLING), 0.5 * kDuration, 1e-12);
 }
 
 void TestTradeErrors::eulerIsWrongByHalfAStepOfTheVelocity_data() {
@@ -220,8 +244,8 @@ void TestTradeErrors::sceneWithoutReferenceIsOneLine() {
 
 void TestTradeErrors::quietRunHasNoHorizon() {
     const TradeResult result = measured(plan(openFloor(), oneTilt(), {0.05}));
-    QVERIFY(!result.spans[PHYS_MODEL_ROLLING].isSensitive);
-    COMPARE_WITHIN(result.spans[PHYS_MODEL_ROLLING].compared, kDuration, 1e-12);
+    QVERIFY(!result.spans[0][PHYS_MODEL_ROLLING].isSensitive);
+    COMPARE_WITHIN(result.spans[0][PHYS_MODEL_ROLLING].compared, kDuration, 1e-12);
 }
 
 // Each bounce off an edge multiplies a push by about 1 + 2 L / R (L: free path, here 5 R): three and more make 1e-6 R
@@ -230,7 +254,7 @@ void TestTradeErrors::bouncesOffAPillarEndInAHorizon() {
     TradePlan bouncing = plan(pillarRoom(), randomSchedule(2, 30.0), {0.05});
     bouncing.inputs.params.restitution_wall = 1.0;
     const TradeResult result = measured(bouncing);
-    const TradeSpan &span = result.spans[PHYS_MODEL_ROLLING];
+    const TradeSpan &span = result.spans[0][PHYS_MODEL_ROLLING];
     QVERIFY(span.isSensitive);
     QVERIFY2(span.compared > 0.0 && span.compared < 30.0, qPrintable(QString::number(span.compared)));
 }

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trade/good_enough.h"
+
+#include "core/trade/trade_answer.h"
+
+#include <algorithm>
+
+namespace inspector {
+
+namespace {
+
+constexpr int kBalls = 40; // a band's middle from so many is right to a fifth
+constexpr uint64_t kFirstSeed = 1000;
+
+// Indices of the points to choose from, the cheapest first.
+std::vector<size_t> candidates(const TradePlan &plan, const TradeResult &result) {
+    std::vector<size_t> order;
+    for (size_t i = 0; i < result.points.size(); ++i) {
+        const TradePoint &point = result.points[i];
+        if (point.isValid && point.model == plan.inputs.params.model && point.cost.repeats > 0) order.push_back(i);
+    }
+    std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) {
+        return result.points[a].cost.perSecond < result.points[b].cost.perSecond;
+    });
+    return order;
+}
+
+} // namespace
+
+std::optional<double> errorOfSetting(const TradePlan &plan, const TradePoint &point, const TradeReference &reference,
+                                     double until, const std::stop_token &stop) {
+    QString note;
+    const TradeError error = compareRun(runOf(plan, point), motionOf(reference, point.dt, until), stop, &note);
+    return note.isEmpty() ? std::optional(error.positionLargest) : std::nullopt;
+}
+
+Rehearsals::Rehearsals(const TradePlan &plan, const std::stop_token &stop)
+    : m_plan(plan)
+    , m_stop(stop) {}
+
+const Rehearsals::Rehearsal &Rehearsals::prepared(int rehearsal) {
+    while (int(m_rehearsals.size()) <= rehearsal) {
+        const TiltSchedule schedule = randomSchedule(kFirstSeed + m_rehearsals.size(), m_plan.horizon);
+        Rehearsal next;
+        next.reference =
+            TradeReference::run(m_plan.registry, m_plan.scene, paramsFor(m_plan, m_plan.inputs.params.model),
+                                segmentsOf(schedule, m_plan.inputs.gravity), nullptr);
+        const BandPlan band{m_plan.registry, m_plan.scene, m_plan.inputs, m_plan.unknowns, kBalls, m_plan.horizon};
+        if (next.reference) next.band = ignoranceBand(band, *next.reference, m_stop).middleAt(m_plan.horizon);
+        m_rehearsals.push_back(std::move(next));
+    }
+    return m_rehearsals[size_t(rehearsal)];
+}
+
+std::optional<double> Rehearsals::shareOf(const TradePoint &point, int rehearsal) {
+    const Rehearsal &with = prepared(rehearsal);
+    if (!with.reference || !(with.band > 0.0)) return 0.0;
+    const std::optional<double> error = errorOfSetting(m_plan, point, *with.reference, m_plan.horizon, m_stop);
+    return error ? std::optional(*error / with.band) : std::nullopt;
+}
+
+double shareOnSchedules(const TradePlan &plan, const TradeResult &result, const TradePoint &point) {
+    double largest = 0.0;
+    for (size_t i = 0; i < point.errors.size(); ++i) {
+        const TradeSpan &span = result.spans[i][point.model];
+        const double until = std::min(plan.horizon, span.compared);
+        const double band = span.band.middleAt(until);
+        if (band > 0.0) largest = std::max(largest, errorUntil(point.errors[i], until) / band);
+    }
+    return largest;
+}
+
+std::optional<GoodEnough> cheapestGoodEnough(const TradePlan &plan, const TradeResult &result, Rehearsals &rehearsals) {
+    for (const size_t index : candidates(plan, result)) {
+        const TradePoint &point = result.points[index];
+        double largest = shareOnSchedules(plan, result, point);
+        bool isGood = largest < plan.share;
+        for (int i = 0; isGood && i < rehearsals.count(); ++i) {
+            const std::optional<double> share = rehearsals.shareOf(point, i);
+            isGood = share && *share < plan.share;
+            largest = std::max(largest, share.value_or(0.0));
+        }
+        if (isGood) return GoodEnough{index, largest, rehearsals.count()};
+    }
+    return std::nullopt;
+}
+
+} // namespace inspector

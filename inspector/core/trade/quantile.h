@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+namespace inspector {
+
+// Of values in ascending order, at least one; between two of them linearly. share: 0 the first .. 1 the last.
+double quantile(const std::vector<double> &sorted, double share);
+
+} // namespace inspector

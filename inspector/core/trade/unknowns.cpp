@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trade/unknowns.h"
+
+#include "core/setup/numbers.h"
+#include "core/setup/parameters.h"
+
+#include <QStringList>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <random>
+#include <span>
+
+namespace inspector {
+
+namespace {
+
+// A quantity that can be unknown: how its amount is read, and how a draw is changed by a deviation from what is set.
+struct Quantity {
+    QString id;
+    QString unit;  // of people
+    double scale;  // from it to Unknown::amount
+    bool hasShare; // has a value to take a percentage of
+    std::function<void(Draw &, const Inputs &, const Unknown &, const std::function<double()> &)> vary;
+};
+
+double clamped(double value, const phys_param_row &row) { return std::clamp(value, row.min, row.max); }
+
+double deviation(const Unknown &unknown, double value) {
+    return unknown.isShare ? unknown.amount * std::abs(value) : unknown.amount;
+}
+
+Quantity quantityOf(const phys_param_row &row) {
+    return {QString::fromUtf8(row.id), QString::fromUtf8(row.unit), 1.0, true,
+            [&row](Draw &draw, const Inputs &inputs, const Unknown &unknown, const std::function<double()> &next) {
+                const double value = phys_param_get(&inputs.params, &row);
+                phys_param_set(&draw.params, &row, clamped(value + deviation(unknown, value) * next(), row), nullptr);
+            }};
+}
+
+std::vector<Quantity> makeQuantities() {
+    using Next = const std::function<double()> &;
+    std::vector<Quantity> result{
+        {"tilt", QStringLiteral("deg"), 1.0, false,
+         [](Draw &draw, const Inputs &, const Unknown &unknown, Next next) {
+             draw.tiltOffset.x += radians(unknown.amount) * next();
+             draw.tiltOffset.y += radians(unknown.amount) * next();
+         }},
+        {"tilt_x", QStringLiteral("deg"), 1.0, false,
+         [](Draw &draw, const Inputs &, const Unknown &unknown, Next next) {
+             draw.tiltOffset.x += radians(unknown.amount) * next();
+         }},
+        {"tilt_y", QStringLiteral("deg"), 1.0, false,
+         [](Draw &draw, const Inputs &, const Unknown &unknown, Next next) {
+             draw.tiltOffset.y += radians(unknown.amount) * next();
+         }},
+        {"start", QStringLiteral("mm"), 1e-3, false,
+         [](Draw &draw, const Inputs &, const Unknown &unknown, Next next) {
+             draw.startOffset.x += unknown.amount * next();
+             draw.startOffset.y += unknown.amount * next();
+         }},
+        {"gravity", QStringLiteral("m/s^2"), 1.0, true,
+         [](Draw &draw, const Inputs &inputs, const Unknown &unknown, Next next) {
+             draw.gravity = std::max(0.0, inputs.gravity + deviation(unknown, inputs.gravity) * next());
+         }},
+    };
+    uint32_t count = 0;
+    const phys_param_row *rows = phys_param_rows(&count);
+    for (const phys_param_row &row : std::span(rows, count))
+        if (!(row.flags & (PHYS_ROW_CHOICE | PHYS_ROW_SWITCH | PHYS_ROW_INPUT))) result.push_back(quantityOf(row));
+    return result;
+}
+
+const std::vector<Quantity> &quantities() {
+    static const std::vector<Quantity> all = makeQuantities();
+    return all;
+}
+
+const Quantity *find(const QString &id) {
+    const auto found =
+        std::find_if(quantities().begin(), quantities().end(), [&](const Quantity &one) { return one.id == id; });
+    return found == quantities().end() ? nullptr : &*found;
+}
+
+QString names() {
+    QStringList names;
+    for (const Quantity &one : quantities()) names += one.id;
+    return names.join(QStringLiteral(", "));
+}
+
+std::optional<Unknown> parseAmount(const Quantity &quantity, const QString &text) {
+    const bool isShare = quantity.hasShare && text.endsWith(QLatin1Char('%'));
+    const NumberRange range{0.0, std::numeric_limits<double>::max(), isShare ? QString() : quantity.unit};
+    const std::optional<double> amount = readNumber(isShare ? text.chopped(1) : text, range).value;
+    if (!amount || !(*amount > 0.0)) return std::nullopt;
+    return Unknown{quantity.id, isShare ? 0.01 * *amount : quantity.scale * *amount, isShare};
+}
+
+QString expected(const Quantity &quantity) {
+    return QStringLiteral("%1=0.1%2%3")
+        .arg(quantity.id, quantity.unit, quantity.hasShare ? QStringLiteral(" or %1=10%").arg(quantity.id) : QString());
+}
+
+} // namespace
+
+const QString &usualUnknowns() {
+    static const QString words = QStringLiteral("tilt=0.1deg,rolling_friction=50%,restitution_wall=0.04,start=0.1mm");
+    return words;
+}
+
+std::optional<Unknowns> parseUnknowns(const QString &words, QString *error) {
+    Unknowns result;
+    if (words == QLatin1String("none")) return result;
+    for (const QString &word : words.split(QLatin1Char(','))) {
+        const QString id = word.section(QLatin1Char('='), 0, 0).trimmed().replace(QLatin1Char('-'), QLatin1Char('_'));
+        const Quantity *quantity = find(id);
+        if (!quantity) {
+            *error = QStringLiteral("expected one of %1, or none; found '%2'").arg(names(), id.left(60));
+            return std::nullopt;
+        }
+        const std::optional<Unknown> unknown = parseAmount(*quantity, word.section(QLatin1Char('='), 1).trimmed());
+        if (!unknown) {
+            *error = QStringLiteral("expected an amount above 0, as %1; found '%2'")
+                         .arg(expected(*quantity), word.trimmed().left(60));
+            return std::nullopt;
+        }
+        const bool isDouble =
+            std::any_of(result.begin(), result.end(), [&](const Unknown &before) { return before.id == id; });
+        if (isDouble) {
+            *error = QStringLiteral("'%1' is named twice").arg(id);
+            return std::nullopt;
+        }
+        result.push_back(*unknown);
+    }
+    return result;
+}
+
+QString unknownsText(const Unknowns &unknowns) {
+    if (unknowns.empty()) return QStringLiteral("none");
+    QStringList words;
+    for (const Unknown &unknown : unknowns) {
+        const Quantity &quantity = *find(unknown.id);
+        words +=
+            unknown.isShare
+                ? QStringLiteral("%1=%2%").arg(unknown.id).arg(unknown.amount * 100.0)
+                : QStringLiteral("%1=%2%3").arg(unknown.id).arg(unknown.amount / quantity.scale).arg(quantity.unit);
+    }
+    return words.join(QLatin1Char(','));
+}
+
+std::vector<Draw> drawBoards(const Unknowns &unknowns, const Inputs &inputs, int count, uint64_t seed) {
+    std::mt19937_64 numbers(seed);
+    // Between -1 and 1 from the upper 53 bits; the standard's distributions differ between libraries.
+    const auto next = [&] { return double(numbers() >> 11) * 0x1p-52 - 1.0; };
+    std::vector<Draw> draws;
+    for (int i = 0; i < count; ++i) {
+        Draw draw{inputs.params, inputs.gravity, {}, {}};
+        for (const Unknown &unknown : unknowns) find(unknown.id)->vary(draw, inputs, unknown, next);
+        // The rigid model takes no more resistance than the friction that carries it.
+        if (draw.params.model == PHYS_MODEL_RIGID)
+            draw.params.rolling_friction = std::min(draw.params.rolling_friction, draw.params.sliding_friction);
+        draws.push_back(draw);
+    }
+    return draws;
+}
+
+} // namespace inspector

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+// What isn't known of a board: words, boards drawn, and how far off the ball is, against closed forms.
+#include "core/trade/good_enough.h"
+#include "core/trade/trade_options.h"
+#include "inspector/core/scenes.h"
+#include "support/compare.h"
+
+#include <algorithm>
+
+using namespace inspector;
+
+class TestTradeUnknowns : public QObject {
+    Q_OBJECT
+
+private slots:
+    void wordsNameQuantitiesWithUnits_data();
+    void wordsNameQuantitiesWithUnits();
+    void wrongWordsAreOneLine_data();
+    void wrongWordsAreOneLine();
+    void textReadsBackTheSame();
+    void boardsLieWithinTheAmounts();
+    void boardsStayWithinTheRangesOfTheirRows();
+    void bandOfAnUnknownStartStaysWhatItIs();
+    void bandOfAnUnknownTiltGrowsWithTheSquareOfTime();
+    void nothingUnknownHasNoBand();
+    void bandTellsWhenItReachesALength();
+    void busyScheduleMeetsWalls();
+    void goodEnoughIsTheCheapestBelowTheShare();
+    void smallerShareIsNeverMetByACheaperSetting();
+};
+
+namespace {
+
+constexpr double kRadius = 0.006;
+
+Unknowns unknownsOf(const char *words) {
+    QString error;
+    const std::optional<Unknowns> unknowns = parseUnknowns(words, &error);
+    if (!unknowns) qFatal("%s", qPrintable(error));
+    return *unknowns;
+}
+
+Band bandOf(const Scene &scene, Tilt tilt, double duration, const char *words) {
+    const Registry registry = makeRegistry(nullptr);
+    Inputs inputs = initialInputs();
+    inputs.params.rolling_friction = 0.0;
+    QString error;
+    const auto reference = TradeReference::run(registry, scene, inputs.params,
+                                               segmentsOf({"tilt", {{0.0, tilt}}, duration}, inputs.gravity), &error);
+    if (!reference) qFatal("%s", qPrintable(error));
+    return ignoranceBand({registry, scene, inputs, unknownsOf(words), 400, duration}, *reference, {});
+}
+
+} // namespace
+
+void TestTradeUnknowns::wordsNameQuantitiesWithUnits_data() {
+    QTest::addColumn<QString>("words");
+    QTest::addColumn<double>("amount");
+    QTest::addColumn<bool>("isShare");
+    QTest::newRow("degrees") << "tilt=0.1deg" << 0.1 << false;
+    QTest::newRow("bare degrees") << "tilt_x=0.1" << 0.1 << false;
+    QTest::newRow("radians") << "tilt=0.01rad" << 0.01 * 180.0 / 3.141592653589793 << false;
+    QTest::newRow("percent") << "rolling_friction=50%" << 0.5 << true;
+    QTest::newRow("dashes") << "restitution-wall=0.04" << 0.04 << false;
+    QTest::newRow("millimetres") << "start=0.1mm" << 0.1 * 1e-3 << false;
+    QTest::newRow("gravity") << "gravity=0.02m/s^2" << 0.02 << false;
+}
+
+void TestTradeUnknowns::wordsNameQuantitiesWithUnits() {
+    QFETCH(QString, words);
+    QFETCH(double, amount);
+    QFETCH(bool, isShare);
+    const Unknowns unknowns = unknownsOf(qPrintable(words));
+    QCOMPARE(unknowns.size(), size_t(1));
+    COMPARE_EXACT(unknowns[0].amount, amount);
+    QCOMPARE(unknowns[0].isShare, isShare);
+}
+
+void TestTradeUnknowns::wrongWordsAreOneLine_data() {
+    QTest::addColumn<QString>("words");
+    QTest::addColumn<QString>("part");
+    QTest::newRow("no such") << "weight=1"
+                             << "found 'weight'";
+    QTest::newRow("choice") << "model=1"
+                            << "found 'model'";
+    QTest::newRow("no amount") << "tilt"
+                               << "as tilt=0.1deg; found 'tilt'";
+    QTest::newRow("zero") << "tilt=0"
+                          << "an amount above 0";
+    QTest::newRow("start has no percent") << "start=5%"
+                                          << "as start=0.1mm; found 'start=5%'";
+    QTest::newRow("wrong unit") << "rolling_friction=1deg"
+                                << "found 'rolling_friction=1deg'";
+    QTest::newRow("not finite") << "tilt=inf"
+                                << "an amount above 0";
+    QTest::newRow("twice") << "tilt=1,tilt=2"
+                           << "'tilt' is named twice";
+    QTest::newRow("nothing") << ""
+                             << "found ''";
+}
+
+void TestTradeUnknowns::wrongWordsAreOneLine() {
+    QFETCH(QString, words);
+    QFETCH(QString, part);
+    QString error;
+    QVERIFY(!parseUnknowns(words, &error));
+    QVERIFY2(error.contains(part) && !error.contains('\n'), qPrintable(error));
+}
+
+void TestTradeUnknowns::textReadsBackTheSame() {
+    const Unknowns unknowns = unknownsOf("tilt=0.1deg,rolling_friction=50%,restitution_wall=0.04,start=0.25mm");
+    QVERIFY(unknownsOf(qPrintable(unknownsText(unknowns))) == unknowns);
+    QVERIFY(unknownsOf(qPrintable(unknownsText({}))).empty());
+}
+
+// Uniform: the extremes of many draws come near the amounts and never pass them.
+void TestTradeUnknowns::boardsLieWithinTheAmounts() {
+    const Inputs inputs = initialInputs();
+    double largestTilt = 0.0;
+    double largestStart = 0.0;
+    for (const Draw &draw : drawBoards(unknownsOf("tilt=0.1deg,start=0.1mm,gravity=1%"), inputs, 1000, 7)) {
+        largestTilt = std::max({largestTilt, std::abs(draw.tiltOffset.x), std::abs(draw.tiltOffset.y)});
+        largestStart = std::max({largestStart, std::abs(draw.startOffset.x), std::abs(draw.startOffset.y)});
+        QVERIFY(std::abs(draw.gravity - inputs.gravity) <= 0.01 * inputs.gravity);
+        COMPARE_EXACT(draw.startOffset.z, 0.0);
+    }
+    QVERIFY(largestTilt <= radians(0.1) && largestTilt > 0.95 * radians(0.1));
+    QVERIFY(largestStart <= 0.0001 && largestStart > 0.95 * 0.0001);
+}
+
+void TestTradeUnknowns::boardsStayWithinTheRangesOfTheirRows() {
+    Inputs inputs = initialInputs();
+    inputs.params.model = PHYS_MODEL_RIGID;
+    inputs.params.restitution_wall = 0.99;
+    for (const Draw &draw :
+         drawBoards(unknownsOf("restitution_wall=0.2,rolling_friction=3,sliding_friction=0.2"), inputs, 300, 7)) {
+        phys_error failure;
+        QVERIFY2(phys_params_check(&draw.params, &failure) == PHYS_OK, failure.text);
+    }
+}
+
+// On a level board the ball stays: off by the distance of two numbers, each uniform within the amount. Within a circle
+// of radius r there are pi r^2 / 4 of the square: half of them at r = sqrt(2 / pi).
+void TestTradeUnknowns::bandOfAnUnknownStartStaysWhatItIs() {
+    const Band band = bandOf(openFloor(), {}, 1.0, "start=0.6mm");
+    const double middle = 0.1 * std::sqrt(2.0 / 3.141592653589793);                                      // radii
+    for (const double time : {0.0, 0.5, 1.0}) COMPARE_WITHIN(band.middleAt(time), middle, 0.1 * middle); // 400 draws
+    QCOMPARE(band.balls, 400);
+    QCOMPARE(band.refused, 0);
+}
+
+// 5/14 g (tan(tilt + d) - tan(tilt)) t^2 for small d: the same square.
+void TestTradeUnknowns::bandOfAnUnknownTiltGrowsWithTheSquareOfTime() {
+    const Band band = bandOf(openFloor(), {0.0, 0.0}, 1.0, "tilt=0.1deg");
+    const double middle = 5.0 / 14.0 * 9.81 * radians(0.1) * std::sqrt(2.0 / 3.141592653589793) / kRadius;
+    COMPARE_WITHIN(band.middleAt(1.0), middle, 0.1 * middle);
+    COMPARE_WITHIN(band.middleAt(0.5), 0.25 * band.middleAt(1.0), 1e-6);
+    for (size_t i = 0; i < band.times.size(); ++i)
+        QVERIFY(band.low[i] <= band.middle[i] && band.middle[i] <= band.high[i]);
+}
+
+void TestTradeUnknowns::nothingUnknownHasNoBand() {
+    const Band band = bandOf(openFloor(), {}, 1.0, "none");
+    QVERIFY(band.isEmpty());
+    COMPARE_EXACT(band.middleAt(1.0), 0.0);
+    QVERIFY(!band.timeUntil(1.0));
+}
+
+void TestTradeUnknowns::bandTellsWhenItReachesALength() {
+    Band band;
+    band.times = {0.0, 1.0, 2.0};
+    band.middle = {0.0, 0.5, 2.0};
+    COMPARE_EXACT(*band.timeUntil(0.5), 1.0);
+    COMPARE_EXACT(*band.timeUntil(1.0), 2.0);
+    QVERIFY(!band.timeUntil(3.0));
+    COMPARE_EXACT(band.middleAt(1.5), 1.25);
+    COMPARE_EXACT(band.middleAt(9.0), 2.0);
+}
+
+void TestTradeUnknowns::busyScheduleMeetsWalls() {
+    QString error;
+    TradePlan plan;
+    plan.registry = makeRegistry(&error);
+    plan.scene = loadScene(QStringLiteral(LEVELS_FOLDER "/03.txt"), &error);
+    QVERIFY2(plan.scene, qPrintable(error));
+    plan.inputs = initialInputs();
+    plan.stepSizes = {0.05};
+    plan.repeats = 1;
+    QVERIFY2(makeSchedules("busy", 2.0, plan, &error), qPrintable(error));
+    const auto result = measureTrade(plan, {}, {}, &error);
+    QVERIFY2(result, qPrintable(error));
+    QVERIFY(result->spans[0][PHYS_MODEL_ROLLING].early > 0);
+}
+
+void TestTradeUnknowns::goodEnoughIsTheCheapestBelowTheShare() {
+    QString error;
+    TradePlan plan;
+    plan.registry = makeRegistry(&error);
+    plan.scene = openFloor();
+    plan.inputs = initialInputs();
+    plan.schedules = {randomSchedule(3, 1.0)};
+    plan.stepSizes = {0.05, 0.01};
+    plan.repeats = 1;
+    plan.unknowns = unknownsOf("tilt=0.1deg");
+    const auto result = measureTrade(plan, {}, {}, &error);
+    QVERIFY2(result && result->goodEnough, qPrintable(error));
+    const TradePoint &best = result->points[result->goodEnough->point];
+    QVERIFY(*best.share < plan.share);
+    for (const TradePoint &point : result->valid(PHYS_MODEL_ROLLING))
+        QVERIFY(point.cost.perSecond >= best.cost.perSecond || *point.share >= plan.share);
+}
+
+// Only "exact" has no error: the share that a setting is asked for orders the answers.
+void TestTradeUnknowns::smallerShareIsNeverMetByACheaperSetting() {
+    QString error;
+    TradePlan plan;
+    plan.registry = makeRegistry(&error);
+    plan.scene = openFloor();
+    plan.inputs = initialInputs();
+    plan.schedules = {randomSchedule(3, 1.0)};
+    plan.stepSizes = {0.05, 0.01};
+    plan.repeats = 1;
+    plan.unknowns = unknownsOf("tilt=0.1deg");
+    const auto result = measureTrade(plan, {}, {}, &error);
+    QVERIFY2(result, qPrintable(error));
+    double before = 0.0;
+    for (const double share : {1.0, 0.1, 1e-3, 1e-6}) {
+        plan.share = share;
+        const std::stop_token stop;
+        Rehearsals rehearsals(plan, stop);
+        const std::optional<GoodEnough> answer = cheapestGoodEnough(plan, *result, rehearsals);
+        QVERIFY(answer);
+        const double cost = result->points[answer->point].cost.perSecond;
+        QVERIFY(cost >= before);
+        before = cost;
+    }
+}
+
+QTEST_GUILESS_MAIN(TestTradeUnknowns)
+#include "tst_trade_unknowns.moc"
