@@ -184,6 +184,23 @@ void addOptions(QCommandLineParser &parser, const std::vector<const phys_param_r
         {"within", text("With --trade: recommend the most accurate that takes at most so long for a step."),
          text("ns")},
         {"plot", text("With --trade: draw the chart into this file."), text("file.svg|pdf|png")},
+        {"fit",
+         text(
+             "Find the board on which the computed ball rolls like a measured one, with intervals and a verdict on the "
+             "models; without a window. The file is a table with columns t, x, y and, if measured, tilt_x, tilt_y."),
+         text("file.csv")},
+        {"fit-for",
+         text("With --fit: look for these; tilt is both offsets, frame is where the tracker's frame is on the board. "
+              "Default ") +
+             usualFitQuantities() + QLatin1Char('.'),
+         text("list")},
+        {"track-units",
+         text("With --fit: what the columns' names don't say, as t=ms, x=mm, tilt=rad, px=0.25mm, fps=60, mirror=y."),
+         text("list")},
+        {"track-frame",
+         text("With --fit: the tracker's frame on the board: place of its origin [mm], angle [deg], scale. Default "
+              "0,0,0,1."),
+         text("x,y,angle,scale")},
         {"list-steppers", text("Print the steppers that can be chosen.")},
         {"list-parameters", text("Print the parameters with unit, range and default.")},
     });
@@ -375,6 +392,41 @@ QString fileOf(const QCommandLineParser &parser) {
     return words[0];
 }
 
+TrackFrame readFrame(const QCommandLineParser &parser) {
+    const QStringList words = parser.value("track-frame").split(QLatin1Char(','));
+    std::vector<double> numbers;
+    for (const QString &word : words) {
+        const NumberReading reading = readNumber(word, {-1e6, 1e6});
+        if (reading.value) numbers.push_back(*reading.value);
+    }
+    if (words.size() != 4 || numbers.size() != 4 || !(numbers[3] > 0.0))
+        throw WrongUse{QStringLiteral("--track-frame: expected x,y,angle,scale as 12,-3,90,1, found '%1'")
+                           .arg(parser.value("track-frame"))};
+    return {numbers[3], radians(numbers[2]), numbers[0] * 1e-3, numbers[1] * 1e-3};
+}
+
+void readFit(const QCommandLineParser &parser, Options &options) {
+    const bool fits = parser.isSet("fit");
+    for (const char *name : {"fit-for", "track-units", "track-frame"})
+        if (!fits && parser.isSet(name)) throw WrongUse{QStringLiteral("--%1: needs --fit").arg(name)};
+    if (!fits) return;
+    for (const char *name : {"trade", "replay", "record", "compare", "stepper", "dt", "duration", "all-levels",
+                             "autopilot", "csv-every", "grab", "shaders"})
+        if (parser.isSet(name)) throw WrongUse{QStringLiteral("--fit: doesn't go with --%1").arg(name)};
+    QString error;
+    options.action = Options::Action::Fit;
+    options.headless = true;
+    options.fit.track = parser.value("fit");
+    const std::optional<TrackUnits> units = parseTrackUnits(parser.value("track-units"), &error);
+    if (!units) throw WrongUse{QStringLiteral("--track-units: ") + error};
+    options.fit.units = *units;
+    if (parser.isSet("track-frame")) options.fit.frame = readFrame(parser);
+    const QString words = parser.isSet("fit-for") ? parser.value("fit-for") : usualFitQuantities();
+    const std::optional<std::vector<FitQuantity>> quantities = parseFitQuantities(words, &error);
+    if (!quantities) throw WrongUse{QStringLiteral("--fit-for: ") + error};
+    options.fit.quantities = *quantities;
+}
+
 Options readOptions(const QCommandLineParser &parser, const std::vector<const phys_param_row *> &rows,
                     const Registry &registry, const QStringList &plugins) {
     Options options;
@@ -392,6 +444,7 @@ Options readOptions(const QCommandLineParser &parser, const std::vector<const ph
     readComparison(parser, options);
     readRecordings(parser, rows, options);
     readTrade(parser, options);
+    readFit(parser, options);
     readParameters(parser, rows, options);
 
     options.levels = levelsIn(levelsFolder());

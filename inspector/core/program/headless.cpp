@@ -5,6 +5,7 @@
 #include "core/pilot/autopilot.h"
 #include "core/program/csv_writer.h"
 #include "core/program/ending.h"
+#include "core/program/fit_command.h"
 #include "core/program/outputs.h"
 #include "core/program/replay_command.h"
 #include "core/recording/recorder.h"
@@ -152,6 +153,7 @@ Outcome play(Engine &engine, const Limits &limits, const std::function<bool(cons
 int runHeadless(const Options &options, QIODevice &out, QTextStream &messages) {
     if (options.action == Options::Action::PlayAllLevels) return playAllLevels(options, out, messages);
     if (options.action == Options::Action::Replay) return runReplay(options, out, messages);
+    if (options.action == Options::Action::Fit) return runFit(options, out, messages);
     QString error;
     const std::unique_ptr<Engine> engine = makeEngine(options, options.level, &error);
     if (!engine) {

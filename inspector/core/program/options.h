@@ -7,6 +7,8 @@
 #include "core/setup/handles.h"
 #include "core/setup/levels.h"
 #include "core/setup/parameters.h"
+#include "core/track/fit_quantity.h"
+#include "core/track/track_reader.h"
 #include "core/trade/trade_options.h"
 
 #include <QByteArray>
@@ -17,8 +19,16 @@
 
 namespace inspector {
 
+// What is said of a measured ball.
+struct FitOptions {
+    QString track; // file; empty: none
+    TrackUnits units;
+    TrackFrame frame;                    // where the tracker's is on the board, or where a fit of it begins
+    std::vector<FitQuantity> quantities; // that are looked for
+};
+
 struct Options {
-    enum class Action { Run, PlayAllLevels, Trade, Replay };
+    enum class Action { Run, PlayAllLevels, Trade, Fit, Replay };
 
     Action action = Action::Run;
     Registry registry;         // with the plugins loaded
@@ -39,6 +49,7 @@ struct Options {
     bool check = false;             // say whether the replay is the same, instead of writing its table
     std::optional<Opponent> comparison;
     TradeOptions trade; // of Action::Trade
+    FitOptions fit;     // of Action::Fit
     QString grab;       // file; empty: none
     bool force = false; // outputs may take the place of any file
     QString shaders;    // folder of files that replace the embedded ones; empty: none

@@ -31,7 +31,8 @@ std::vector<Output> outputsOf(const Options &options) {
 }
 
 QStringList inputsOf(const Options &options) {
-    QStringList inputs{options.level.path, options.level.mesh, options.replay, options.trade.schedule};
+    QStringList inputs{options.level.path, options.level.mesh, options.replay, options.trade.schedule,
+                       options.fit.track};
     inputs += options.plugins;
     inputs.removeAll(QString());
     return inputs;

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/program/fit_command.h"
+
+#include "core/program/outputs.h"
+#include "core/setup/files.h"
+#include "core/setup/lines.h"
+#include "core/track/fit_report.h"
+#include "core/track/track_reader.h"
+
+#include <algorithm>
+
+namespace inspector {
+
+namespace {
+
+// A failure that ends the program, in one line.
+struct Failure {
+    int status;
+    QString line;
+};
+
+FitPlan planOf(const Options &options) {
+    QString error;
+    FitPlan plan;
+    plan.registry = options.registry;
+    plan.scene = loadScene(options.level.path, &error);
+    if (!plan.scene) throw Failure{2, error};
+    std::optional<Track> track = readTrackFile(options.fit.track, options.fit.units, &error);
+    if (!track) throw Failure{2, QStringLiteral("--fit: ") + error};
+    plan.track = std::move(*track);
+    Parameters parameters;
+    if (!parameters.set(options.settings, &error)) throw Failure{2, error};
+    const Inputs inputs = parameters.inputs();
+    plan.begin = {inputs.params, inputs.gravity, {}, 0.0, options.fit.frame};
+    plan.quantities = options.fit.quantities;
+    const auto isModel = [](const Setting &setting) { return setting.id == QLatin1String("model"); };
+    if (std::any_of(options.settings.begin(), options.settings.end(), isModel)) plan.model = inputs.params.model;
+    return plan;
+}
+
+void writeTable(const QString &path, const QByteArray &table) {
+    QString error;
+    const std::unique_ptr<OutputFile> file = OutputFile::open(path, Existing::Replace, {}, &error);
+    if (!file) throw Failure{1, QStringLiteral("--csv: ") + error};
+    file->write(table);
+    if (!file->finish()) throw Failure{1, QStringLiteral("--csv: ") + file->problem()};
+}
+
+} // namespace
+
+int runFit(const Options &options, QIODevice &out, QTextStream &messages) {
+    try {
+        QString error;
+        const FitPlan plan = planOf(options);
+        const std::optional<TrackFit> fit = fitTrack(plan, {}, {}, &error);
+        if (!fit) throw Failure{2, QStringLiteral("--fit: ") + error};
+        // --csv - has standard output for the table that programs read; people then read messages.
+        const bool isCsv = options.csv == QLatin1String("-");
+        QTextStream standard(&out);
+        QTextStream &text = isCsv ? messages : standard;
+        for (const QString &line : fitReport(plan, *fit)) text << oneLine(line) << '\n';
+        text << "options: " << fitOptions(fit->best()) << '\n';
+        text.flush();
+        if (isCsv) out.write(fitCsv(fit->best()));
+        if (!isStandardOutput(options.csv)) writeTable(options.csv, fitCsv(fit->best()));
+        return fit->verdict == FitVerdict::Neither ? 1 : 0;
+    } catch (const Failure &failure) {
+        report(messages, failure.line);
+        return failure.status;
+    }
+}
+
+} // namespace inspector

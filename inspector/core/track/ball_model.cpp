@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/track/ball_model.h"
+
+#include <algorithm>
+#include <array>
+
+namespace inspector {
+
+namespace {
+
+// One run: the state and the reports of its steps.
+class Run {
+public:
+    Run(phys_stepper *stepper, const BoardGuess &board, const phys_state &state, std::vector<TrackImpact> *impacts)
+        : m_stepper(stepper)
+        , m_board(board)
+        , m_params(board.params)
+        , m_state(state)
+        , m_impacts(impacts) {
+        m_params.options &= ~uint32_t(PHYS_OPTION_ORIENTATION);
+        phys_report_init(&m_report, sizeof m_report);
+        m_report.events = m_events.data();
+        m_report.event_capacity = uint32_t(m_events.size());
+    }
+
+    const phys_vec3 &position() const { return m_state.position; }
+
+    void tilt(const Tilt &tilt) {
+        m_isRefused |= phys_gravity_from_tilt(tilt.x + m_board.tiltOffset.x, tilt.y + m_board.tiltOffset.y,
+                                              m_board.gravity, &m_params.gravity) != PHYS_OK;
+    }
+
+    bool step(double dt, double end) {
+        if (m_isRefused) return false;
+        phys_report *const report = m_impacts ? &m_report : nullptr;
+        m_isRefused = phys_step(m_stepper, &m_params, dt, &m_state, &m_state, report, nullptr) != PHYS_OK;
+        if (!m_isRefused && report) keepImpacts(end);
+        return !m_isRefused;
+    }
+
+private:
+    // The state's time is that since the piece's begin.
+    void keepImpacts(double end) {
+        for (uint32_t i = 0; i < m_report.event_count; ++i) {
+            const phys_event &event = m_events[i];
+            if (event.kind == PHYS_EVENT_IMPACT)
+                m_impacts->push_back({end + (event.time - m_state.time), m_state.position.x, m_state.position.y,
+                                      -event.speed_before, event.box});
+        }
+    }
+
+    phys_stepper *m_stepper;
+    const BoardGuess &m_board;
+    phys_params m_params;
+    phys_state m_state;
+    std::vector<TrackImpact> *m_impacts;
+    std::array<phys_event, 64> m_events;
+    phys_report m_report{};
+    bool m_isRefused = false;
+};
+
+} // namespace
+
+BallModel::BallModel(const Registry &registry, const Scene &scene, const Track &track, QString *error)
+    : m_track(track)
+    , m_scene(scene)
+    , m_stepper(makeStepper(registry, "exact", scene, error))
+    , m_tilts(track.tilts) {
+    if (m_tilts.empty()) m_tilts.push_back({track.begin(), {}});
+}
+
+bool BallModel::run(const BoardGuess &board, const StartGuess &start, size_t first, size_t last,
+                    std::vector<TrackPoint> &measured, std::vector<TrackImpact> *impacts) const {
+    Run run(m_stepper.get(), board, stateOf(start), impacts);
+    double time = m_track.points[first].time;
+    // The last change that the ball feels already; before the first it is tilted likewise.
+    size_t change = size_t(std::upper_bound(m_tilts.begin(), m_tilts.end(), time - board.delay,
+                                            [](double now, const TiltChange &one) { return now < one.time; }) -
+                           m_tilts.begin());
+    if (change > 0) --change;
+    run.tilt(m_tilts[change].tilt);
+    measured.clear();
+    bool isWhole = true;
+    for (size_t i = first; i <= last; ++i) {
+        const double end = m_track.points[i].time;
+        for (; change + 1 < m_tilts.size() && m_tilts[change + 1].time + board.delay < end; ++change) {
+            const double now = m_tilts[change + 1].time + board.delay;
+            if (now > time) isWhole &= run.step(now - time, now);
+            time = std::max(time, now);
+            run.tilt(m_tilts[change + 1].tilt);
+        }
+        if (end > time) isWhole &= run.step(end - time, end);
+        time = end;
+        TrackPoint point{end, 0.0, 0.0};
+        board.frame.toTrack(run.position().x, run.position().y, point.x, point.y);
+        measured.push_back(point);
+    }
+    return isWhole;
+}
+
+phys_state BallModel::stateOf(const StartGuess &start) const {
+    phys_state state;
+    phys_scene_start(m_scene.get(), &state);
+    state.position.x = start.x;
+    state.position.y = start.y;
+    pushOutOfWalls(state.position);
+    state.velocity = {start.vx, start.vy, 0.0};
+    const double radius = phys_scene_radius(m_scene.get());
+    state.spin = {-start.vy / radius, start.vx / radius, 0.0}; // rolls (model.md 2.1)
+    state.flags = 0;
+    return state;
+}
+
+// Measured with noise, a ball that leans on a wall seems to be in it.
+void BallModel::pushOutOfWalls(phys_vec3 &centre) const {
+    constexpr int kPasses = 4;
+    for (int pass = 0; pass < kPasses; ++pass) {
+        std::array<phys_contact, 16> contacts;
+        uint32_t count = 0;
+        phys_scene_contacts(m_scene.get(), &centre, 0.0, contacts.data(), uint32_t(contacts.size()), &count);
+        bool isFree = true;
+        for (uint32_t i = 0; i < std::min<uint32_t>(count, 16); ++i) {
+            const phys_contact &contact = contacts[i];
+            if (contact.gap >= 0.0 || contact.normal.z > 0.5) continue;
+            centre.x -= contact.gap * contact.normal.x * (1.0 + 1e-9);
+            centre.y -= contact.gap * contact.normal.y * (1.0 + 1e-9);
+            isFree = false;
+        }
+        if (isFree) return;
+    }
+}
+
+} // namespace inspector

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/track/fit_report.h"
+
+#include "core/setup/tables.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace inspector {
+
+namespace {
+
+constexpr double kMilli = 1e3;  // mm in a metre
+constexpr double kStrong = 0.8; // correlations above are told of
+
+QString unitText(const QString &unit) { return unit.isEmpty() ? QString() : QLatin1Char(' ') + unit; }
+
+// As many digits as the interval is known to: two of its own.
+QString rounded(double value, double interval) {
+    if (!(interval > 0.0) || !std::isfinite(interval)) return QString::number(value, 'g', 4);
+    const int digits = std::clamp(1 - int(std::floor(std::log10(interval))), 0, 9);
+    return QString::number(value, 'f', digits);
+}
+
+QString nameOf(uint32_t model) { return modelName(model) + QStringLiteral(" model"); }
+
+QString residualText(const ModelFit &fit) {
+    return QStringLiteral("residuals %1 mm within %2 s after a bounce, %3 mm elsewhere")
+        .arg(fit.rmsNearBounces * kMilli, 0, 'g', 2)
+        .arg(ModelFit::kNear)
+        .arg(fit.rmsElsewhere * kMilli, 0, 'g', 2);
+}
+
+QString breaksText(const ModelFit &fit) {
+    if (fit.pieces.empty()) return QStringLiteral("nowhere like the track");
+    if (fit.breaks == 0 && fit.pieces.size() == 1) return QStringLiteral("the whole track at once");
+    return QStringLiteral("computed and measured ball part %1 times").arg(fit.breaks);
+}
+
+// Where a model lacks something: bounces or the way between them.
+QString whereText(const ModelFit &fit, double noise) {
+    const QString text = residualText(fit);
+    if (fit.bounces.empty())
+        return text + QStringLiteral("; no wall is hit: what the ball does on the floor is missing");
+    if (fit.rmsNearBounces > 2.0 * fit.rmsElsewhere)
+        return text +
+               QStringLiteral("; what happens at walls is missing (spin, speed-dependent restitution, soft walls)");
+    if (fit.rmsElsewhere > 2.0 * noise)
+        return text +
+               QStringLiteral("; what happens on the floor is missing (other resistance, uneven board, wrong tilts)");
+    return text;
+}
+
+int matchedCount(const ModelFit &fit) {
+    return int(std::count_if(fit.bounces.begin(), fit.bounces.end(),
+                             [](const FittedBounce &bounce) { return bounce.isMatched; }));
+}
+
+void addValues(const ModelFit &fit, QStringList &lines) {
+    qsizetype width = 0;
+    for (const FittedValue &value : fit.values) width = std::max(width, value.quantity.id.size());
+    for (const FittedValue &value : fit.values)
+        lines += QStringLiteral("  %1  %2").arg(value.quantity.id.leftJustified(int(width)), valueText(value));
+    for (size_t i = 0; i < fit.values.size(); ++i)
+        for (size_t j = 0; j < i; ++j)
+            if (std::abs(fit.correlations[i][j]) > kStrong)
+                lines += QStringLiteral("  %1 and %2 are hard to tell apart: correlation %3")
+                             .arg(fit.values[j].quantity.id, fit.values[i].quantity.id)
+                             .arg(fit.correlations[i][j], 0, 'f', 2);
+}
+
+} // namespace
+
+QString valueText(const FittedValue &value) {
+    if (!value.isDetermined()) return QStringLiteral("not determined: ") + value.reason;
+    const double perUnit = value.quantity.perUnit;
+    const double interval = value.halfInterval() / perUnit;
+    return QStringLiteral("%1 ± %2%3")
+        .arg(rounded(value.value / perUnit, interval))
+        .arg(interval, 0, 'g', 2)
+        .arg(unitText(value.quantity.unit));
+}
+
+QString verdictText(const TrackFit &fit) {
+    const ModelFit &best = fit.best();
+    const QString residual = QStringLiteral("residuals %1 mm are the tracker's noise (%2 mm)")
+                                 .arg(best.rms * kMilli, 0, 'g', 3)
+                                 .arg(fit.noise * kMilli, 0, 'g', 3);
+    switch (fit.verdict) {
+    case FitVerdict::RollingSuffices:
+        return QStringLiteral("the rolling model suffices: ") + residual;
+    case FitVerdict::RigidNeeded:
+        return fit.fits.size() == 1 ? QStringLiteral("the rigid model fits: ") + residual
+                                    : QStringLiteral("the rigid model is needed: %1; with rolling, %2")
+                                          .arg(residual, breaksText(fit.fits.front()));
+    case FitVerdict::Neither:
+        break;
+    }
+    const QString who = fit.fits.size() == 1 ? QStringLiteral("the %1 doesn't explain").arg(nameOf(best.model))
+                                             : QStringLiteral("neither model explains");
+    return QStringLiteral("%1 the track: residuals %2 mm, noise %3 mm; %4")
+        .arg(who)
+        .arg(best.rms * kMilli, 0, 'g', 3)
+        .arg(fit.noise * kMilli, 0, 'g', 3)
+        .arg(whereText(best, fit.noise));
+}
+
+QStringList fitReport(const FitPlan &plan, const TrackFit &fit) {
+    const Track &track = plan.track;
+    const ModelFit &best = fit.best();
+    const double length = track.end() - track.begin();
+    QStringList lines{
+        QStringLiteral("track %1: %2 points in %3 s, %4 Hz, noise %5 mm%6")
+            .arg(track.name)
+            .arg(track.points.size())
+            .arg(length, 0, 'g', 4)
+            .arg(1.0 / track.period(), 0, 'g', 4)
+            .arg(fit.noise * kMilli, 0, 'g', 2)
+            .arg(track.tilts.empty() ? QStringLiteral("; tilts not measured: one is looked for") : QString())};
+    for (const QString &remark : track.remarks) lines += QStringLiteral("  ") + remark;
+    lines += QStringLiteral("verdict: ") + verdictText(fit);
+    lines += nameOf(best.model) + QStringLiteral(": ") + breaksText(best);
+    addValues(best, lines);
+    lines += QStringLiteral("bounces: %1 computed, %2 as measured; %3")
+                 .arg(best.bounces.size())
+                 .arg(matchedCount(best))
+                 .arg(residualText(best));
+    return lines;
+}
+
+QString fitOptions(const ModelFit &fit) {
+    QStringList words{QStringLiteral("--model %1").arg(modelName(fit.model))};
+    for (const FittedValue &value : fit.values) {
+        const bool isParameter = value.quantity.unit.isEmpty() && !value.quantity.id.startsWith(QLatin1String("frame"));
+        if (value.isDetermined() && isParameter)
+            words += QStringLiteral("--%1 %2")
+                         .arg(QString(value.quantity.id).replace(QLatin1Char('_'), QLatin1Char('-')))
+                         .arg(value.value, 0, 'g', 6);
+    }
+    return words.join(QLatin1Char(' '));
+}
+
+QByteArray fitCsv(const ModelFit &fit) {
+    QByteArray csv = "time [s],x [m],y [m],computed_x [m],computed_y [m],residual_x [m],residual_y [m]\n";
+    for (const FitResidual &residual : fit.residuals) {
+        const double numbers[]{residual.seen.time,
+                               residual.seen.x,
+                               residual.seen.y,
+                               residual.computed.x,
+                               residual.computed.y,
+                               residual.seen.x - residual.computed.x,
+                               residual.seen.y - residual.computed.y};
+        for (const double number : numbers) csv += exactText(number) + ',';
+        csv.back() = '\n';
+    }
+    return csv;
+}
+
+} // namespace inspector

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Least squares of positions over one piece of a track: numbers of the board and the piece's start.
+#pragma once
+
+#include "core/track/fit_quantity.h"
+#include "core/track/pieces.h"
+
+namespace inspector {
+
+// What is known of the quantities before a piece is looked at: normally distributed around a mean.
+struct BoardKnowledge {
+    std::vector<double> mean;
+    std::vector<std::vector<double>> covariance;
+
+    double deviation(size_t i) const;
+};
+
+// Next to nothing: each quantity about where it is set, as far off as the range that it may be in allows.
+BoardKnowledge weakKnowledge(const std::vector<FitQuantity> &quantities, const BoardGuess &board);
+
+struct PieceFit {
+    BoardGuess board;
+    Piece piece;
+    BoardKnowledge knowledge;      // after the piece
+    std::vector<double> residuals; // m, x and y of each point in turn
+
+    // The quantities and the start's four numbers, all as the solver scales them: where it ended, with their covariance
+    // and the residuals' slopes in units of the noise.
+    std::vector<double> numbers;
+    std::vector<std::vector<double>> covariance;
+    std::vector<std::vector<double>> slopes; // by residual
+};
+
+// By Levenberg and Marquardt's method from GSL, at most so many steps. Begins at the board and the start given; noise:
+// of a coordinate, m. Nothing if the linear algebra fails.
+std::optional<PieceFit> fitPiece(const BallModel &model, const std::vector<FitQuantity> &quantities,
+                                 const BoardKnowledge &before, const BoardGuess &board, const Piece &piece,
+                                 double noise, int steps);
+
+// Whether a fit told where the ball would be at points that were added since, and so nearly in proportion that its
+// deviations mean something: within its uncertainty no edge is hit or missed. before, after: of one piece and with the
+// same knowledge from before it.
+bool isPredicted(const BallModel &model, const std::vector<FitQuantity> &quantities, const BoardKnowledge &knowledge,
+                 const PieceFit &before, const PieceFit &after, double noise);
+
+} // namespace inspector

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/track/track_fit.h"
+
+#include "core/events/counted_impact.h"
+#include "core/setup/tables.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace inspector {
+
+namespace {
+
+constexpr double kLeastNoise = 1e-7;                                // m: a track without any still has rounding
+constexpr double kFirstLength = 0.3;                                // s, of a piece when it begins
+constexpr double kStride = 0.2;                                     // s, that a piece grows by at least
+constexpr double kGrowth = 0.1;                                     // of its length, that it grows by if that is more
+constexpr size_t kFewestPoints = 12;                                // that a piece begins with
+constexpr int kSteps = 12;                                          // of a fit, at most
+constexpr double kReach = 0.15;                                     // s, within which the next piece begins
+constexpr double kTrialLength = 4.0;                                // s, that a board to begin with has to explain
+constexpr std::array<double, 4> kTrialPlaces{0.0, 0.25, 0.5, 0.75}; // of the track
+constexpr int kMostClimbs = 2;                                      // along the whole track
+constexpr size_t kWindow = 40;                                      // residuals that are judged together
+constexpr double kChance = 4.0;        // standard deviations by which noise may look larger than it is
+constexpr double kNoiseDoubt = 1.04;   // it is known to some percent
+constexpr int kGivenUp = 6;            // breaks, after which a model is no longer tried
+constexpr double kMatched = 3.0;       // times the noise, near a matched bounce
+constexpr double kNearMatch = 0.05;    // s
+constexpr double kAllowedBreaks = 0.1; // of bounces, at which a model may fail: one may be told from noise by luck only
+
+double rmsOf(const std::vector<double> &residuals, size_t from, size_t to) {
+    double squares = 0.0;
+    for (size_t i = from; i < to; ++i) squares += residuals[i] * residuals[i];
+    return std::sqrt(squares / double(std::max<size_t>(to - from, 1)));
+}
+
+// One model along the track. A piece begins somewhere and grows, fitted anew each time, as long as its residuals are
+// noise: what was learned of the board so far tells the next moments well enough that a bounce isn't taken for another.
+// Where it can grow no more another piece begins, and what is known of the board is taken along.
+class Climb {
+public:
+    Climb(const FitPlan &plan, const BallModel &model, const BoardGuess &begin, double noise,
+          const std::stop_token &stop)
+        : m_model(model)
+        , m_track(model.track())
+        , m_board(begin)
+        , m_noise(noise)
+        , m_stop(stop) {
+        for (const FitQuantity &quantity : plan.quantities)
+            if (begin.params.model == PHYS_MODEL_RIGID || !quantity.isOfRigid) m_quantities.push_back(quantity);
+        m_knowledge = weakKnowledge(m_quantities, begin);
+    }
+
+    // From one point to before another, until so many breaks.
+    void run(size_t first, size_t end, int mostBreaks, const FitProgress &progress);
+    bool hasBegun() const { return !m_pieces.empty(); }
+    const BoardGuess &board() const { return m_board; }
+    int breaks() const { return m_breaks; }
+    ModelFit result() const;
+
+private:
+    bool isNoise(const PieceFit &fit) const;
+    std::optional<PieceFit> fitted(const Piece &piece, const BoardGuess &board) const;
+    std::optional<PieceFit> begun(size_t first) const;
+    void close(bool isParted);
+    std::optional<PieceFit> grown(const PieceFit &fit) const;
+    double length(size_t first, size_t last) const { return m_track.points[last].time - m_track.points[first].time; }
+    size_t pointAfter(size_t first, double time) const;
+    FittedValue valueOf(size_t i, const ModelFit &fit) const;
+    void addResiduals(ModelFit &fit) const;
+    void matchBounces(ModelFit &fit) const;
+
+    const BallModel &m_model;
+    const Track &m_track;
+    BoardGuess m_board;
+    double m_noise;
+    const std::stop_token &m_stop;
+    std::vector<FitQuantity> m_quantities;
+    BoardKnowledge m_knowledge;
+    std::vector<Piece> m_pieces;
+    std::optional<PieceFit> m_open; // that grows
+    int m_breaks = 0;
+    size_t m_next = 0; // point that hasn't been looked at
+};
+
+// As a whole and in every window: a bounce that isn't as measured shows in the latter.
+bool Climb::isNoise(const PieceFit &fit) const {
+    const size_t count = fit.residuals.size();
+    const auto isNoiseIn = [&](size_t from, size_t to) {
+        const double chance = 1.0 + kChance / std::sqrt(2.0 * double(to - from));
+        return rmsOf(fit.residuals, from, to) < m_noise * kNoiseDoubt * chance;
+    };
+    for (size_t from = 0; from < count; from += kWindow)
+        if (!isNoiseIn(count > from + kWindow ? from : count - std::min(count, kWindow),
+                       std::min(from + kWindow, count)))
+            return false;
+    return isNoiseIn(0, count);
+}
+
+std::optional<PieceFit> Climb::fitted(const Piece &piece, const BoardGuess &board) const {
+    std::optional<PieceFit> fit = fitPiece(m_model, m_quantities, m_knowledge, board, piece, m_noise, kSteps);
+    return fit && isNoise(*fit) ? fit : std::nullopt;
+}
+
+size_t Climb::pointAfter(size_t first, double time) const {
+    size_t point = first;
+    while (point + 1 < m_track.points.size() && length(first, point) < time) ++point;
+    return point;
+}
+
+std::optional<PieceFit> Climb::begun(size_t first) const {
+    const size_t last = std::max(pointAfter(first, kFirstLength), first + kFewestPoints);
+    if (last >= m_track.points.size()) return std::nullopt;
+    return fitted({first, last, startAt(m_track, m_board.frame, first)}, m_board);
+}
+
+// By its stride, or half or a quarter of it; nothing if none of these can be done.
+std::optional<PieceFit> Climb::grown(const PieceFit &fit) const {
+    const Piece &piece = fit.piece;
+    double stride = std::max(kStride, kGrowth * length(piece.first, piece.last));
+    for (int attempt = 0; attempt < 3; ++attempt, stride *= 0.5) {
+        Piece longer = piece;
+        longer.last = pointAfter(piece.last, stride);
+        if (std::optional<PieceFit> more = fitted(longer, fit.board)) return more;
+    }
+    return std::nullopt;
+}
+
+void Climb::run(size_t first, size_t end, int mostBreaks, const FitProgress &progress) {
+    const size_t count = std::min(end, m_track.points.size());
+    m_next = first;
+    while (m_next + kFewestPoints < count && m_breaks < mostBreaks && !m_stop.stop_requested()) {
+        m_open = begun(m_next);
+        if (!m_open) { // in a bounce, perhaps
+            m_next = std::max(m_next + 3, smoothestAfter(m_track, m_next + 1, kReach));
+            continue;
+        }
+        bool isParted = true;
+        while (m_open->piece.last + 1 < count && !m_stop.stop_requested()) {
+            std::optional<PieceFit> more = grown(*m_open);
+            if (!more) break;
+            // Edges drive neighbouring ways apart, and there are many minima close together: better begin anew.
+            isParted = m_open->piece.last - m_open->piece.first <= 3 * kFewestPoints ||
+                       isPredicted(m_model, m_quantities, m_knowledge, *m_open, *more, m_noise);
+            if (!isParted) break;
+            m_open = std::move(more);
+            if (progress)
+                progress(length(0, m_open->piece.last) / length(0, count - 1), modelName(m_board.params.model));
+        }
+        close(isParted && m_open->piece.last + 1 < count);
+    }
+}
+
+void Climb::close(bool isParted) {
+    if (isParted) ++m_breaks;
+    m_board = m_open->board;
+    m_knowledge = m_open->knowledge;
+    m_pieces.push_back(m_open->piece);
+    m_next = m_open->piece.last + 1;
+    if (m_next + kFewestPoints < m_track.points.size()) m_next = smoothestAfter(m_track, m_next, kReach);
+}
+
+ModelFit Climb::result() const {
+    ModelFit fit;
+    fit.model = m_board.params.model;
+    fit.board = m_board;
+    fit.pieces = m_pieces;
+    fit.breaks = m_breaks;
+    addResiduals(fit);
+    matchBounces(fit);
+    const double allowed = std::max(1.0, kAllowedBreaks * double(fit.bounces.size()));
+    fit.isGood = !m_pieces.empty() && m_breaks <= allowed;
+    for (size_t i = 0; i < m_quantities.size(); ++i) fit.values.push_back(valueOf(i, fit));
+    for (size_t i = 0; i < m_quantities.size(); ++i) {
+        fit.correlations.emplace_back();
+        for (size_t j = 0; j < m_quantities.size(); ++j)
+            fit.correlations[i].push_back(m_knowledge.covariance[i][j] /
+                                          (m_knowledge.deviation(i) * m_knowledge.deviation(j)));
+    }
+    return fit;
+}
+
+FittedValue Climb::valueOf(size_t i, const ModelFit &fit) const {
+    const FitQuantity &quantity = m_quantities[i];
+    FittedValue value{quantity, m_knowledge.mean[i], m_knowledge.deviation(i), {}};
+    const bool isOfWall =
+        quantity.id == QLatin1String("restitution_wall") || quantity.id == QLatin1String("wall_friction");
+    if (isOfWall && fit.bounces.empty())
+        value.reason = QStringLiteral("no wall is hit");
+    else if (value.deviation > 0.5 * quantity.doubt)
+        value.reason = quantity.id == QLatin1String("delay") ? QStringLiteral("the tilt doesn't change")
+                                                             : QStringLiteral("the track hardly feels it");
+    return value;
+}
+
+// With the board as it is known at the end, every piece from the start that suits it best.
+void Climb::addResiduals(ModelFit &fit) const {
+    std::vector<TrackPoint> computed;
+    std::vector<TrackImpact> impacts;
+    for (Piece &piece : fit.pieces) {
+        if (fit.pieces.size() > 1)
+            if (const auto again = fitPiece(m_model, {}, {}, fit.board, piece, m_noise, kSteps)) piece = again->piece;
+        m_model.run(fit.board, piece.start, piece.first, piece.last, computed, &impacts);
+        for (size_t i = 0; i < computed.size(); ++i)
+            fit.residuals.push_back({m_track.points[piece.first + i], computed[i]});
+    }
+    for (const TrackImpact &impact : impacts)
+        if (impact.speed >= kCountedImpact) fit.bounces.push_back({impact, false});
+}
+
+// Root mean square of a coordinate's residuals at the times that are wanted, m.
+template<typename Wanted>
+double rmsAt(const std::vector<FitResidual> &residuals, Wanted isWanted) {
+    double squares = 0.0;
+    int count = 0;
+    for (const FitResidual &residual : residuals) {
+        if (!isWanted(residual.seen.time)) continue;
+        squares +=
+            std::pow(residual.seen.x - residual.computed.x, 2) + std::pow(residual.seen.y - residual.computed.y, 2);
+        count += 2;
+    }
+    return count > 0 ? std::sqrt(squares / count) : 0.0;
+}
+
+void Climb::matchBounces(ModelFit &fit) const {
+    for (FittedBounce &bounce : fit.bounces)
+        bounce.isMatched = rmsAt(fit.residuals, [&](double time) {
+                               return std::abs(time - bounce.impact.time) <= kNearMatch;
+                           }) < kMatched * m_noise;
+    const auto isNear = [&](double time) {
+        return std::any_of(fit.bounces.begin(), fit.bounces.end(), [&](const FittedBounce &bounce) {
+            return time >= bounce.impact.time && time <= bounce.impact.time + ModelFit::kNear;
+        });
+    };
+    fit.rms = rmsAt(fit.residuals, [](double) { return true; });
+    fit.rmsNearBounces = rmsAt(fit.residuals, isNear);
+    fit.rmsElsewhere = rmsAt(fit.residuals, [&](double time) { return !isNear(time); });
+}
+
+// Where it is set, and with each other guess of a quantity in turn.
+std::vector<BoardGuess> guessesOf(const FitPlan &plan, const BoardGuess &begin) {
+    std::vector<BoardGuess> guesses{begin};
+    for (const FitQuantity &quantity : plan.quantities) {
+        for (const double guess : quantity.guesses) {
+            guesses.push_back(begin);
+            quantity.of(guesses.back()) = guess;
+        }
+    }
+    return guesses;
+}
+
+// From several places of the track and several guesses a model is tried a little way. Where it comes through, the board
+// found there is the one to begin the whole track with; of several such climbs the first that explains it, or the one
+// that gets farthest before it is given up.
+ModelFit fitModel(const FitPlan &plan, const BallModel &model, const BoardGuess &begin, double noise,
+                  const FitProgress &progress, const std::stop_token &stop) {
+    std::optional<ModelFit> best;
+    const auto climbFrom = [&](const BoardGuess &board) {
+        Climb climb(plan, model, board, noise, stop);
+        climb.run(0, plan.track.points.size(), kGivenUp, progress);
+        ModelFit fit = climb.result();
+        if (!best || fit.isGood || fit.residuals.size() > best->residuals.size()) best = std::move(fit);
+    };
+    int climbs = 0;
+    for (const BoardGuess &guess : guessesOf(plan, begin)) {
+        for (const double share : kTrialPlaces) {
+            if (stop.stop_requested() || (best && best->isGood) || climbs == kMostClimbs) break;
+            const auto from = size_t(share * double(plan.track.points.size()));
+            Climb trial(plan, model, guess, noise, stop);
+            trial.run(from, from + size_t(kTrialLength / plan.track.period()), 1, {});
+            if (!trial.hasBegun() || trial.breaks() > 0) continue;
+            climbFrom(trial.board());
+            ++climbs;
+        }
+    }
+    if (!best || !best->isGood) climbFrom(begin);
+    return *best;
+}
+
+FitVerdict verdictOf(const std::vector<ModelFit> &fits) {
+    for (const ModelFit &fit : fits)
+        if (fit.isGood) return fit.model == PHYS_MODEL_ROLLING ? FitVerdict::RollingSuffices : FitVerdict::RigidNeeded;
+    return FitVerdict::Neither;
+}
+
+} // namespace
+
+const ModelFit &TrackFit::best() const {
+    const auto better = [](const ModelFit &a, const ModelFit &b) {
+        return a.isGood != b.isGood ? a.isGood : a.breaks < b.breaks;
+    };
+    return *std::min_element(fits.begin(), fits.end(), better);
+}
+
+std::optional<TrackFit> fitTrack(const FitPlan &plan, const FitProgress &progress, const std::stop_token &stop,
+                                 QString *error) {
+    const BallModel model(plan.registry, plan.scene, plan.track, error);
+    if (!model.isReady()) return std::nullopt;
+    TrackFit result;
+    result.noise = std::max(noiseOf(plan.track), kLeastNoise);
+    std::vector<uint32_t> models{PHYS_MODEL_ROLLING, PHYS_MODEL_RIGID};
+    if (plan.model) models = {*plan.model};
+    BoardGuess begin = plan.begin;
+    for (const uint32_t kind : models) {
+        if (!result.fits.empty() && result.fits.back().isGood) break;
+        begin.params.model = kind;
+        result.fits.push_back(fitModel(plan, model, begin, result.noise, progress, stop));
+        // Tilt and delay are much the same in the other model.
+        begin.tiltOffset = result.fits.back().board.tiltOffset;
+        begin.delay = result.fits.back().board.delay;
+    }
+    if (stop.stop_requested()) {
+        *error = QStringLiteral("stopped");
+        return std::nullopt;
+    }
+    result.verdict = verdictOf(result.fits);
+    return result;
+}
+
+} // namespace inspector

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// Does the fit find what made a track, and say what it can't know? On tracks with known numbers.
+#include "core/track/fit_report.h"
+#include "inspector/core/scenes.h"
+#include "inspector/track/made_track.h"
+#include "support/compare.h"
+
+using namespace inspector;
+
+class TestTrackFit : public QObject {
+    Q_OBJECT
+
+private slots:
+    void modelRollsAsTheClosedForm();
+    void truthLiesNearItsIntervals();
+    void wrongModelIsNamed();
+    void withoutWallsRestitutionIsNotDetermined();
+    void frameIsFound();
+    void unknownQuantityIsOneLine();
+    void stoppedFitIsNone();
+
+private:
+    FitPlan plan(const Scene &scene, Track track, const char *quantities);
+    Registry m_registry = makeRegistry(nullptr);
+};
+
+namespace {
+
+Scene level(int number) {
+    QString error;
+    Scene scene = loadScene(QStringLiteral(LEVELS_FOLDER "/%1.txt").arg(number, 2, 10, QLatin1Char('0')), &error);
+    if (!scene) qFatal("%s", qPrintable(error));
+    return scene;
+}
+
+BoardGuess usual() { return {initialInputs().params, 9.81, {}, 0.0, {}}; }
+
+TrackFit fitted(const FitPlan &plan) {
+    QString error;
+    std::optional<TrackFit> fit = fitTrack(plan, {}, {}, &error);
+    if (!fit) qFatal("%s", qPrintable(error));
+    return std::move(*fit);
+}
+
+const FittedValue &valueOf(const ModelFit &fit, const char *id) {
+    for (const FittedValue &value : fit.values)
+        if (value.quantity.id == QLatin1String(id)) return value;
+    qFatal("no %s", id);
+}
+
+} // namespace
+
+FitPlan TestTrackFit::plan(const Scene &scene, Track track, const char *quantities) {
+    QString error;
+    FitPlan result{m_registry, scene, std::move(track), usual(), {}, {}};
+    const auto parsed = parseFitQuantities(quantities, &error);
+    if (!parsed) qFatal("%s", qPrintable(error));
+    result.quantities = *parsed;
+    return result;
+}
+
+// x = 5/14 g sin(tilt) t^2 from the moment at which the tilt is felt, without friction (model.md 2.1).
+void TestTrackFit::modelRollsAsTheClosedForm() {
+    Track track;
+    for (int i = 0; i <= 60; ++i) track.points.push_back({i / 60.0, 0.0, 0.0});
+    track.tilts = {{0.0, {}}, {0.2, {0.02, 0.0}}};
+    BoardGuess board = usual();
+    board.params.rolling_friction = 0.0;
+    board.delay = 0.1;
+    QString error;
+    const BallModel model(m_registry, openFloor(), track, &error);
+    std::vector<TrackPoint> seen;
+    QVERIFY(model.run(board, {0.0, 0.0, 0.0, 0.0}, 0, 60, seen));
+    COMPARE_WITHIN(seen.back().x, 5.0 / 14.0 * 9.81 * std::sin(0.02) * 0.7 * 0.7, 1e-12);
+    COMPARE_EXACT(seen[18].x, 0.0); // 0.3 s
+}
+
+// Intervals of 95 %: four of their halves away, chance doesn't lead.
+void TestTrackFit::truthLiesNearItsIntervals() {
+    const BoardGuess truth = support::drawTruth(PHYS_MODEL_ROLLING, 2);
+    const Scene scene = level(3);
+    const TrackFit fit = fitted(plan(scene, support::makeTrack(m_registry, scene, truth, {.duration = 8.0, .seed = 2}),
+                                     "rolling_friction,restitution_wall,tilt,delay"));
+    QCOMPARE(fit.verdict, FitVerdict::RollingSuffices);
+    COMPARE_WITHIN(fit.best().rms, 1e-4, 1e-5);
+    for (const FittedValue &value : fit.best().values) {
+        BoardGuess board = truth;
+        QVERIFY2(value.isDetermined(), qPrintable(value.quantity.id + ": " + value.reason));
+        QVERIFY2(std::abs(value.value - value.quantity.of(board)) < 4.0 * value.halfInterval(),
+                 qPrintable(value.quantity.id + ": " + valueText(value)));
+    }
+}
+
+void TestTrackFit::wrongModelIsNamed() {
+    const BoardGuess truth = support::drawTruth(PHYS_MODEL_RIGID, 3);
+    const Scene scene = level(4);
+    FitPlan wrong = plan(scene, support::makeTrack(m_registry, scene, truth, {.duration = 8.0, .seed = 3}),
+                         "rolling_friction,restitution_wall,tilt,delay");
+    wrong.model = PHYS_MODEL_ROLLING;
+    const TrackFit fit = fitted(wrong);
+    QCOMPARE(fit.verdict, FitVerdict::Neither);
+    QVERIFY2(verdictText(fit).startsWith("the rolling model doesn't explain the track"), qPrintable(verdictText(fit)));
+}
+
+void TestTrackFit::withoutWallsRestitutionIsNotDetermined() {
+    const BoardGuess truth = support::drawTruth(PHYS_MODEL_ROLLING, 4);
+    const TrackFit fit =
+        fitted(plan(openFloor(), support::makeTrack(m_registry, openFloor(), truth, {.duration = 4.0, .seed = 4}),
+                    "rolling_friction,restitution_wall,tilt,delay"));
+    QCOMPARE(fit.verdict, FitVerdict::RollingSuffices);
+    QCOMPARE(valueText(valueOf(fit.best(), "restitution_wall")), QString("not determined: no wall is hit"));
+    QVERIFY(valueOf(fit.best(), "rolling_friction").isDetermined());
+    QVERIFY(!fitOptions(fit.best()).contains("restitution"));
+}
+
+// A tracker whose picture is turned by 2 degrees and 1 % too small.
+void TestTrackFit::frameIsFound() {
+    BoardGuess truth = support::drawTruth(PHYS_MODEL_ROLLING, 2);
+    truth.frame.angle = radians(2.0);
+    truth.frame.scale = 1.01;
+    const Scene scene = level(3);
+    const TrackFit fit = fitted(plan(scene, support::makeTrack(m_registry, scene, truth, {.duration = 8.0, .seed = 2}),
+                                     "rolling_friction,restitution_wall,tilt,delay,frame"));
+    QCOMPARE(fit.verdict, FitVerdict::RollingSuffices);
+    const FittedValue &angle = valueOf(fit.best(), "frame_angle");
+    const FittedValue &scale = valueOf(fit.best(), "frame_scale");
+    QVERIFY2(std::abs(angle.value - truth.frame.angle) < 4.0 * angle.halfInterval(), qPrintable(valueText(angle)));
+    QVERIFY2(std::abs(scale.value - truth.frame.scale) < 4.0 * scale.halfInterval(), qPrintable(valueText(scale)));
+}
+
+void TestTrackFit::unknownQuantityIsOneLine() {
+    QString error;
+    QVERIFY(!parseFitQuantities("tilt,weight", &error));
+    QVERIFY2(error.endsWith("tilt, frame; found 'weight'"), qPrintable(error));
+}
+
+void TestTrackFit::stoppedFitIsNone() {
+    QString error;
+    std::stop_source stop;
+    stop.request_stop();
+    const Scene scene = level(3);
+    const FitPlan stopped =
+        plan(scene, support::makeTrack(m_registry, scene, usual(), {.duration = 2.0, .seed = 1}), "tilt");
+    QVERIFY(!fitTrack(stopped, {}, stop.get_token(), &error));
+    QCOMPARE(error, QString("stopped"));
+}
+
+QTEST_GUILESS_MAIN(TestTrackFit)
+#include "tst_track_fit.moc"
