@@ -346,7 +346,8 @@ typedef struct phys_report {
     uint32_t substeps;       /**< the step was cut into; 1 for exact, 0 for dt = 0 */
     uint32_t substep_cap;    /**< above this the step fails with PHYS_ERROR_SUBSTEP_CAP; 0 where it has no cap */
     uint32_t passes;         /**< most passes that resolving contacts took at one moment */
-    uint32_t pass_cap;       /**< above this the step fails with PHYS_ERROR_STUCK */
+    uint32_t pass_cap;       /**< most that are tried: then a ball without room fails with PHYS_ERROR_STUCK, and impacts
+                                  that still approach end without a bounce; 0: a plugin that has none */
     double penetration;      /**< deepest seen before it was resolved, m, >= 0 */
     double energy_before;    /**< phys_energy of the given state with the step's gravity */
     double energy_after;     /**< phys_energy of the new state */

@@ -10,8 +10,6 @@ namespace phys {
 
 namespace {
 
-constexpr uint32_t kMostRounds = 64;
-
 /// The contacts that take part in a round.
 struct Round {
     std::array<Push, Contacts::kMost> pushes;
@@ -81,7 +79,7 @@ Impacts resolveInThisOrder(const Contacts &contacts, double radius, Motion &moti
             double &approach = impacts.approach[round.contacts[i]];
             if (approach == 0.0) approach = glm::dot(motion.velocity, round.pushes[i].normal);
         }
-        if (impacts.rounds == kMostRounds) break;
+        if (impacts.rounds == kMostImpactRounds) break;
         pushApart(round, negligible, motion);
         impacts.lostNormal += lost();
         rub(contacts, round, radius, motion);

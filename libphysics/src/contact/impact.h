@@ -6,6 +6,9 @@
 
 namespace phys {
 
+/// Impacts that still approach after so many rounds end without a bounce.
+inline constexpr uint32_t kMostImpactRounds = 64;
+
 /// What the impacts of one moment did.
 struct Impacts {
     double lostNormal = 0.0; ///< J/kg taken by restitution

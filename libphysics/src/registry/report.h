@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/vec.h"
+#include "contact/impact.h"
 
 #include <cstdint>
 
@@ -13,7 +14,9 @@ public:
     /// report: or nullptr. startTime: state.time at the start of the step.
     Reporter(phys_report *report, double startTime)
         : m_report(report)
-        , m_startTime(startTime) {}
+        , m_startTime(startTime) {
+        if (report) report->pass_cap = kMostImpactRounds; // ways out of overlaps have fewer passes
+    }
 
     bool wanted() const { return m_report != nullptr; }
 
@@ -40,9 +43,6 @@ public:
         if (!m_report) return;
         m_report->substeps = count;
         m_report->substep_cap = cap;
-    }
-    void passCap(uint32_t cap) {
-        if (m_report) m_report->pass_cap = cap;
     }
 
 private:

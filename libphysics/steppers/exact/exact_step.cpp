@@ -224,7 +224,6 @@ bool ExactStep::collide(double negligible) {
     m_report.lostImpact(impacts.lostNormal);
     m_report.lostSlip(impacts.lostSlip);
     m_report.passes(impacts.rounds);
-    m_report.passCap(64);
     if (!m_report.wanted()) return true;
     for (uint32_t i = 0; i < m_contacts.count(); ++i) {
         const Contact &contact = m_contacts[i];

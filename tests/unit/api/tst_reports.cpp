@@ -7,6 +7,8 @@
 
 #include <QTest>
 
+#include <algorithm>
+
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -23,6 +25,8 @@ class Reports : public QObject {
     Q_OBJECT
 
 private slots:
+    void passesStayWithinTheirCap_data() { addStepperAndModelRows(); }
+    void passesStayWithinTheirCap();
     void changeNoBitOfABallThatAlmostTouchesAWall_data() { addStepperAndModelRows(); }
     void changeNoBitOfABallThatAlmostTouchesAWall();
     void changeNoBitOfABallThatRollsCloseBesideAWall_data() { addStepperAndModelRows(); }
@@ -37,6 +41,21 @@ private:
 };
 
 /// A step that can't be done, can't be done either way.
+/// Told whether or not anything was hit: a cap is a property of the stepper.
+void Reports::passesStayWithinTheirCap() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    Experiment ball(squareRoom(1.0).ball(0.0625).start(0.5, 0.5), stepper, model);
+    ball.roll(1.0, 1.0);
+    uint32_t most = 0;
+    for (int step = 0; step < 100; ++step) { // into a corner and back
+        QVERIFY2(ball.step(0.01), ball.error());
+        QCOMPARE(ball.report.pass_cap, 64U);
+        most = std::max(most, ball.report.passes);
+    }
+    QVERIFY(most >= 1 && most <= 64);
+}
+
 void Reports::compareSteps(Experiment &ball) {
     for (int step = 0; step < 20; ++step) {
         phys_state without = ball.state;
