@@ -14,8 +14,8 @@ namespace {
 /// exp(z) - 1. Most steps are short against the times in which velocities change: there a few terms do.
 double expm1(double z) {
     if (std::abs(z) > 0.04) return elementary::expm1(z);
-    double sum = 1.0; // of z^k / (k+1)!, from the last term that matters
-    for (const double k : {9.0, 8.0, 7.0, 6.0, 5.0, 4.0, 3.0, 2.0}) sum = 1.0 + z * sum / k;
+    double sum = 1.0 / 362880.0; // of z^k / (k + 1)!
+    for (const double factorial : {40320.0, 5040.0, 720.0, 120.0, 24.0, 6.0, 2.0, 1.0}) sum = sum * z + 1.0 / factorial;
     return z * sum;
 }
 
