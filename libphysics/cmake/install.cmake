@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 # What `cmake --install` puts where: library, headers, CMake package, pkg-config file, plugin folder, documents.
 # Debian's folder of libraries, whatever the prefix: its packages are made of the same tree.
-if(EXISTS /etc/debian_version AND CMAKE_LIBRARY_ARCHITECTURE)
-    set(CMAKE_INSTALL_LIBDIR lib/${CMAKE_LIBRARY_ARCHITECTURE} CACHE PATH "Folder of libraries below the prefix")
+# A plain lib is what an earlier configuration took by itself.
+if(EXISTS /etc/debian_version AND CMAKE_LIBRARY_ARCHITECTURE AND "${CMAKE_INSTALL_LIBDIR}" MATCHES "^(lib)?$")
+    set(CMAKE_INSTALL_LIBDIR lib/${CMAKE_LIBRARY_ARCHITECTURE} CACHE PATH "Folder of libraries below the prefix" FORCE)
 endif()
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)

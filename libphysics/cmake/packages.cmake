@@ -28,6 +28,8 @@ set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "Physics steps for a ball in a maze: the
  Computes the steps of one ball that rolls through a maze of boxes, behind a
  stable C interface, with steppers from the cheapest to the exact one.")
 
+set(CPACK_POST_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/libphysics/cmake/debian/finish.cmake)
+
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libphysics-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libphysics1 (= ${PROJECT_VERSION})")
