@@ -19,27 +19,27 @@ QByteArray comparisonLines(const Options &options) {
     const auto &[id, substeps] = *options.comparison;
     phys_stepper_info info{};
     phys_registry_find(options.registry.get(), id.constData(), &info, nullptr);
-    return "# compare " + id + " " + (info.version ? info.version : "") + "\n# compare-substeps " +
+    return "compare " + id + " " + (info.version ? info.version : "") + "\ncompare-substeps " +
            QByteArray::number(substeps) + "\n";
 }
 
 } // namespace
 
-QByteArray csvPreamble(const Options &options) {
+QByteArray tableSettings(const Options &options) {
     Parameters parameters;
     phys_stepper_info info{};
     if (phys_registry_find(options.registry.get(), options.stepper.constData(), &info, nullptr) == PHYS_OK)
         parameters.setStepper(info);
     parameters.set(options.settings);
 
-    QByteArray text = "# " + versionLine().toUtf8() + "\n";
-    text += "# level " + oneLine(options.level.name).toUtf8() + "\n";
-    text += "# stepper " + options.stepper + " " + (info.version ? info.version : "") + "\n";
-    text += "# dt " + exactText(options.dt) + " s\n# autopilot " + QByteArray(options.autopilot ? "on" : "off") + "\n";
+    QByteArray text = versionLine().toUtf8() + "\n";
+    text += "level " + oneLine(options.level.name).toUtf8() + "\n";
+    text += "stepper " + options.stepper + " " + (info.version ? info.version : "") + "\n";
+    text += "dt " + exactText(options.dt) + " s\nautopilot " + QByteArray(options.autopilot ? "on" : "off") + "\n";
     text += comparisonLines(options);
     for (int i = 0; i < parameters.count(); ++i) {
         const phys_param_row &row = parameters.row(i);
-        text += "# " + QByteArray(row.id) + " " + exactText(parameters.value(i));
+        text += QByteArray(row.id) + " " + exactText(parameters.value(i));
         text += row.unit[0] ? " " + QByteArray(row.unit) + "\n" : "\n";
     }
     return text;
@@ -70,7 +70,7 @@ CsvWriter::CsvWriter(QIODevice &out, const Options &options)
     : m_out(out)
     , m_columns(options.comparison ? Columns::BallAndGhost : Columns::Ball)
     , m_every(options.csvEvery) {
-    put(csvPreamble(options) + csvHeader(m_columns));
+    put(csvHeader(m_columns));
 }
 
 void CsvWriter::write(const Sample &sample) {
@@ -81,13 +81,22 @@ void CsvWriter::put(const QByteArray &text) {
     if (m_isGood) m_isGood = m_out.write(text) == text.size();
 }
 
-std::unique_ptr<OutputFile> openTable(const QString &path, QString *error) {
+std::unique_ptr<OutputFile> openTable(const QString &path, const Options &options, QString *error) {
     if (isStandardOutput(path)) return standardOutput();
-    return OutputFile::open(path, Existing::Replace, {}, error);
+    std::unique_ptr<OutputFile> table = OutputFile::open(path, Existing::Replace, {}, error);
+    if (!table) return nullptr;
+    const QByteArray settings = tableSettings(options);
+    const std::unique_ptr<OutputFile> beside =
+        OutputFile::open(path + QStringLiteral(".txt"), Existing::ReplaceOwn, "physics-inspector ", error);
+    if (!beside) return nullptr;
+    beside->write(settings);
+    if (beside->finish()) return table;
+    if (error) *error = beside->problem();
+    return nullptr;
 }
 
 bool writeTable(const QString &path, const SampleRing &samples, const Options &options, QString *error) {
-    const std::unique_ptr<OutputFile> file = openTable(path, error);
+    const std::unique_ptr<OutputFile> file = openTable(path, options, error);
     if (!file) return false;
     CsvWriter writer(*file, options);
     Sample sample;

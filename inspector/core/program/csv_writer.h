@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Samples as a table of text: comment lines that say what made it, a header with units, a row per step. The same bytes
-// in every locale; the shortest numbers that read back exactly.
+// Samples as a table of text: a header with units, a row per step, nothing else, so that any program reads it; what
+// made it stands in a file beside it. The same bytes in every locale; the shortest numbers that read back exactly.
 #pragma once
 
 #include "core/program/options.h"
@@ -12,8 +12,8 @@
 
 namespace inspector {
 
-// The lines before the header: program, level, stepper, dt and every parameter.
-QByteArray csvPreamble(const Options &options);
+// What made a table, a line each: program, level, stepper, dt and every parameter.
+QByteArray tableSettings(const Options &options);
 enum class Columns { Ball, BallAndGhost }; // without or with those of the comparison
 
 // The line that names the columns.
@@ -22,7 +22,8 @@ QByteArray csvHeader(Columns columns = Columns::Ball);
 QByteArray csvRow(const Sample &sample, Columns columns = Columns::Ball);
 
 // The file that --csv names, or standard output; null and one line in `error` (or nullptr) if it can't be opened.
-std::unique_ptr<OutputFile> openTable(const QString &path, QString *error);
+// Beside a file, with .txt after its name, stand the settings.
+std::unique_ptr<OutputFile> openTable(const QString &path, const Options &options, QString *error);
 
 class CsvWriter {
 public:

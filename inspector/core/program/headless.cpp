@@ -163,7 +163,7 @@ int runHeadless(const Options &options, QIODevice &out, QTextStream &messages) {
     ComparedBall other;
     if (!other.open(options, *engine, messages)) return 2;
     const bool hasFile = !isStandardOutput(options.csv);
-    const std::unique_ptr<OutputFile> file = hasFile ? openTable(options.csv, &error) : nullptr;
+    const std::unique_ptr<OutputFile> file = hasFile ? openTable(options.csv, options, &error) : nullptr;
     if (hasFile && !file) {
         report(messages, QStringLiteral("--csv: ") + error);
         return 2;

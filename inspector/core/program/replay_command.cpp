@@ -44,7 +44,7 @@ int runReplay(const Options &options, QIODevice &out, QTextStream &messages) {
     const auto recording = openRecording(options.replay, options.registry, options.levels, &error);
     if (!recording) return refuse(QStringLiteral("--replay: ") + error);
     const Place place = placeOfTable(options);
-    const std::unique_ptr<OutputFile> file = place == Place::File ? openTable(options.csv, &error) : nullptr;
+    const std::unique_ptr<OutputFile> file = place == Place::File ? openTable(options.csv, options, &error) : nullptr;
     if (place == Place::File && !file) return refuse(QStringLiteral("--csv: ") + error);
 
     std::optional<CsvWriter> writer;

@@ -18,9 +18,7 @@ struct Result {
     QString messages;
 
     QByteArrayList rows() const {
-        QByteArrayList lines = out.trimmed().split('\n');
-        lines.removeIf([](const QByteArray &line) { return line.startsWith('#'); });
-        return lines.mid(1); // without the header
+        return out.trimmed().split('\n').mid(1); // without the header
     }
 };
 

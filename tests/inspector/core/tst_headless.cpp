@@ -3,7 +3,9 @@
 #include "core/program/csv_writer.h"
 #include "headless_run.h"
 #include "scenes.h"
+#include "support/files.h"
 
+#include <QFile>
 #include <QTemporaryDir>
 
 #include <clocale>
@@ -15,7 +17,9 @@ class TestHeadless : public QObject {
 
 private slots:
     void headerNamesEveryColumnWithItsUnit();
-    void preambleTellsHowToRepeatTheRun();
+    void firstLineIsTheHeaderAndNothingIsAComment();
+    void fileBesideTheTableTellsHowToRepeatTheRun();
+    void fileOfAnotherKindBesideTheTableStays();
     void rowPerStepReadsBackExactly();
     void everySoManyStepsIsARow();
     void localeMakesNoDifference();
@@ -44,17 +48,38 @@ void TestHeadless::headerNamesEveryColumnWithItsUnit() {
                                      "flags\n"));
 }
 
-void TestHeadless::preambleTellsHowToRepeatTheRun() {
-    const QByteArray out = runOf("--level 2 --dt 0.005 --duration 0.01 --tilt-x 2.5 --stepper rk4").out;
+void TestHeadless::firstLineIsTheHeaderAndNothingIsAComment() {
+    const QByteArrayList lines = runOf("--level 2 --duration 0.05").out.trimmed().split('\n');
+    QVERIFY2(lines.first().startsWith("time [s],step,position_x [m],"), lines.first().constData());
+    for (const QByteArray &line : lines) QCOMPARE(line.count(','), lines.first().count(','));
+}
+
+void TestHeadless::fileBesideTheTableTellsHowToRepeatTheRun() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("t.csv");
+    runOf("--level 2 --dt 0.005 --duration 0.01 --tilt-x 2.5 --stepper rk4 --csv " + path);
+    const QByteArray settings = support::contentOf(path + ".txt");
     phys_stepper_info info;
     phys_registry_find(nullptr, "rk4", &info, nullptr);
-    const QByteArray expected = "# physics-inspector 1.1.0, libphysics " + QByteArray(phys_version()) +
-                                "\n# level 02\n# stepper rk4 " + info.version + "\n# dt 0.005 s\n# autopilot off\n" +
-                                "# tilt_x 2.5 deg\n# tilt_y 0 deg\n# gravity 9.81 m/s^2\n";
-    QVERIFY2(out.startsWith(expected), out.constData());
+    const QByteArray expected = "physics-inspector 1.1.0, libphysics " + QByteArray(phys_version()) +
+                                "\nlevel 02\nstepper rk4 " + info.version + "\ndt 0.005 s\nautopilot off\n" +
+                                "tilt_x 2.5 deg\ntilt_y 0 deg\ngravity 9.81 m/s^2\n";
+    QVERIFY2(settings.startsWith(expected), settings.constData());
     const Parameters parameters;
     for (int i = 0; i < parameters.count(); ++i)
-        QVERIFY2(out.contains("\n# " + QByteArray(parameters.row(i).id) + " "), parameters.row(i).id);
+        QVERIFY2(settings.contains('\n' + QByteArray(parameters.row(i).id) + ' '), parameters.row(i).id);
+}
+
+void TestHeadless::fileOfAnotherKindBesideTheTableStays() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("t.csv");
+    QFile other(path + ".txt");
+    QVERIFY(other.open(QIODevice::WriteOnly));
+    other.write("mine");
+    other.close();
+    const Result run = runOf("--duration 0.01 --csv " + path);
+    QVERIFY(run.status != 0);
+    QCOMPARE(support::contentOf(path + ".txt"), QByteArray("mine"));
 }
 
 void TestHeadless::rowPerStepReadsBackExactly() {
