@@ -11,29 +11,12 @@ namespace phys {
 
 namespace {
 
-constexpr uint64_t kUnknownFlags = ~static_cast<uint64_t>(PHYS_STATE_FLAGS);
-
-bool numbersAreModerate(const phys_state &state) {
-    const double(&q)[4] = state.orientation;
-    return isModerate(state.position) && isModerate(state.velocity) && isModerate(state.spin) && isModerate(q[0]) &&
-           isModerate(q[1]) && isModerate(q[2]) && isModerate(q[3]) && isModerate(state.time);
-}
-
-bool isUnit(const double (&q)[4]) {
-    const double square = (q[0] * q[0] + q[1] * q[1]) + (q[2] * q[2] + q[3] * q[3]);
-    return std::abs(square - 1.0) <= 1e-6; // false for NaN
-}
-
 bool isCarried(const Scene &scene, const phys_state &state) {
     return scene.hasFloor && std::abs(state.position.z - scene.supportedZ) <= scene.tolerance &&
            state.velocity.z <= 0.0 && scene.overFloor(state.position.x, state.position.y);
 }
 
 } // namespace
-
-bool stateIsValid(const phys_state &state) {
-    return numbersAreModerate(state) && isUnit(state.orientation) && (state.flags & kUnknownFlags) == 0;
-}
 
 phys_status explainState(const phys_state &state, phys_status status, const char *whose, phys_error *err) {
     const phys_vec3 &p = state.position;

@@ -2,14 +2,26 @@
 // What a step takes: parameters, step size and state, and what must hold of them.
 #pragma once
 
+#include "base/numbers.h"
 #include "scene/scene.h"
 
 #include <physics/plugin.h>
 
+#include <cmath>
+
 namespace phys {
 
+inline bool isUnit(const double (&q)[4]) {
+    const double square = (q[0] * q[0] + q[1] * q[1]) + (q[2] * q[2] + q[3] * q[3]);
+    return std::abs(square - 1.0) <= 1e-6; // false for NaN
+}
+
 /// Whether a ball can have this state: moderate numbers, a unit quaternion, known flags.
-bool stateIsValid(const phys_state &state);
+inline bool stateIsValid(const phys_state &state) {
+    return isModerate(state.position) && isModerate(state.velocity) && isModerate(state.spin) &&
+           isModerate(state.time) && isUnit(state.orientation) &&
+           (state.flags & ~static_cast<uint64_t>(PHYS_STATE_FLAGS)) == 0;
+}
 
 /// Says why it isn't. whose: how the message begins, "the given state".
 phys_status explainState(const phys_state &state, phys_status status, const char *whose, phys_error *err);

@@ -78,7 +78,8 @@ public:
         , m_batch(batch)
         , m_gravity(batch.gravity ? at(batch.gravity, batch.gravity_ball_stride, ball) : nullptr)
         , m_path(batch.path ? at(batch.path, batch.path_ball_stride, ball) : nullptr)
-        , m_state(*at(batch.states, batch.states_stride, ball))
+        , m_result(*at(batch.states, batch.states_stride, ball))
+        , m_states{m_result, {}}
         , m_pathSteps(batch.path_every) {}
 
     uint64_t stepsDone() const { return m_done; }
@@ -87,17 +88,19 @@ public:
     phys_status run(phys_params params, bool paramsAreChecked) {
         phys_status status = PHYS_OK;
         if (!isOver()) status = start(params, paramsAreChecked);
-        for (phys_state next; status == PHYS_OK && !isOver();) {
+        while (status == PHYS_OK && !isOver()) {
             if (m_gravity) params.gravity = *at(m_gravity, m_batch.gravity_step_stride, m_done);
-            status = step(params, next);
-            if (status == PHYS_OK) take(next);
+            status = step(params, m_states[1 - m_now]);
+            if (status == PHYS_OK) takeNext();
         }
+        m_result = state();
         fillPath();
         return status;
     }
 
 private:
-    bool isOver() const { return m_done == m_batch.step_count || (m_state.flags & m_batch.stop_flags); }
+    const phys_state &state() const { return m_states[m_now]; }
+    bool isOver() const { return m_done == m_batch.step_count || (state().flags & m_batch.stop_flags); }
 
     phys_status start(phys_params &params, bool paramsAreChecked) const {
         if (m_gravity) params.gravity = *m_gravity;
@@ -105,36 +108,38 @@ private:
             if (const phys_status status = checkParams(*m_stepper.api, params, nullptr)) return status;
         }
         if (m_gravity && !gravityIsValid(params)) return PHYS_ERROR_RANGE; // as in phys_step before the state
-        return checkState(m_state, nullptr);
+        return checkState(state(), nullptr);
     }
 
     phys_status step(const phys_params &params, phys_state &next) const {
         if (m_gravity && !gravityIsValid(params)) return PHYS_ERROR_RANGE;
-        if (const phys_status status = checkPull(*m_stepper.scene, params, m_state, nullptr)) return status;
-        if (m_batch.dt > 0.0) return advance(m_stepper, params, m_batch.dt, m_state, next, nullptr, nullptr);
-        next = m_state;
+        if (const phys_status status = checkPull(*m_stepper.scene, params, state(), nullptr)) return status;
+        if (m_batch.dt > 0.0) return advance(m_stepper, params, m_batch.dt, state(), next, nullptr, nullptr);
+        next = state();
         return PHYS_OK;
     }
 
-    void take(const phys_state &next) {
-        m_state = next;
+    void takeNext() {
+        m_now = 1 - m_now;
         ++m_done;
         if (!m_path || --m_pathSteps > 0) return;
         m_pathSteps = m_batch.path_every;
-        m_path[m_pathCount++] = next;
+        m_path[m_pathCount++] = state();
     }
 
     /// A ball that is done stays where it is.
     void fillPath() {
         const uint64_t length = pathLength(m_batch);
-        if (m_pathCount < length) std::fill(m_path + m_pathCount, m_path + length, m_state);
+        if (m_pathCount < length) std::fill(m_path + m_pathCount, m_path + length, state());
     }
 
     const phys_stepper &m_stepper;
     const phys_batch &m_batch;
     const phys_vec3 *m_gravity; ///< of this ball's first step; nullptr: that of the parameters
     phys_state *m_path;         ///< this ball's row, or nullptr
-    phys_state &m_state;        ///< the caller's: always the last good one
+    phys_state &m_result;       ///< the caller's
+    phys_state m_states[2];     ///< by turns the last good one and the next
+    int m_now = 0;              ///< which is the last good one
     uint64_t m_done = 0;
     uint64_t m_pathSteps; ///< until the next state of the path
     uint64_t m_pathCount = 0;
