@@ -62,7 +62,7 @@ phys_status step(void *self, const phys_params *params, double dt, const phys_st
     Clearing &clearing = *static_cast<Clearing *>(self);
     const PlanInput input{clearing.scene(), *params, dt, *in};
     const bool glides = !report && (stay(input, clearing, *out) || glide<VelocityVerlet>(input, clearing, *out) ||
-                                    glideElsewhere<VelocityVerlet>(input, clearing, *out));
+                                    (!mayStartToRoll(input) && glideElsewhere<VelocityVerlet>(input, clearing, *out)));
     return glides ? PHYS_OK : sweepStep(input, *out, report, err);
 }
 

@@ -15,6 +15,8 @@ bool isSameNormal(const Vec3 &a, const Vec3 &b, double most) {
     return std::abs(a.x - b.x) <= most && std::abs(a.y - b.y) <= most && std::abs(a.z - b.z) <= most;
 }
 
+bool isLess(const Vec3 &a, const Vec3 &b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
+
 /// The side of a box on which a centre is along one axis. On a border (within the tolerance) it belongs to the side it
 /// moves to, and to the box if it doesn't.
 int sideOf(double centre, double low, double high, double speed, double tolerance, double negligible) {
@@ -68,7 +70,7 @@ void Contacts::dropHidden(double tolerance) {
 }
 
 void Contacts::sort(const Motion &motion, const Vec3 &gravity, double radius) {
-    if (count() == 1) m_tiesWithPrevious[0] = false;
+    m_tiesWithPrevious[0] = false;
     if (count() < 2) return;
     const auto key = [&](const Contact &contact) {
         const Vec3 slip = slipAt(motion, contact.normal, radius);
@@ -80,7 +82,11 @@ void Contacts::sort(const Motion &motion, const Vec3 &gravity, double radius) {
         const Contact contact = (*this)[i];
         const auto own = key(contact);
         uint32_t place = i;
-        for (; place > 0 && own < keys[place - 1]; --place) {
+        // What ties goes by its normal, so that the numbering of boxes never matters.
+        const auto comesBefore = [&](uint32_t other) {
+            return own == keys[other] ? isLess(contact.normal, (*this)[other].normal) : own < keys[other];
+        };
+        for (; place > 0 && comesBefore(place - 1); --place) {
             keys[place] = keys[place - 1];
             (*this)[place] = (*this)[place - 1];
         }

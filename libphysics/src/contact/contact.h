@@ -71,6 +71,11 @@ public:
     void dropHidden(double tolerance);
     /// Sorts by what neither the numbering of boxes nor mirrors nor quarter turns change.
     void sort(const Motion &motion, const Vec3 &gravity, double radius);
+    /// Whether `sort` could not tell some apart.
+    bool hasTies() const {
+        return std::any_of(m_tiesWithPrevious.begin(), m_tiesWithPrevious.begin() + count(),
+                           [](bool ties) { return ties; });
+    }
     /// Reverses the order of those that `sort` could not tell apart. False if there are none.
     bool reverseTies();
 

@@ -7,6 +7,7 @@
 #include "scene/nearest.h"
 
 #include <cmath>
+#include <tuple>
 
 namespace phys {
 
@@ -38,8 +39,10 @@ Overlaps overlapsAt(const Scene &scene, const Vec3 &position) {
         overlaps.add(nearest(box, position), scene.radius);
     });
     // Mirrors and the numbering of boxes must not change the order.
-    std::sort(overlaps.pushes.begin(), overlaps.pushes.begin() + overlaps.count,
-              [](const Push &a, const Push &b) { return a.wanted > b.wanted; });
+    std::sort(overlaps.pushes.begin(), overlaps.pushes.begin() + overlaps.count, [](const Push &a, const Push &b) {
+        return std::tie(b.wanted, a.normal.x, a.normal.y, a.normal.z) <
+               std::tie(a.wanted, b.normal.x, b.normal.y, b.normal.z);
+    });
     return overlaps;
 }
 

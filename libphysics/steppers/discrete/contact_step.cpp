@@ -153,6 +153,11 @@ bool canHold(const StepContext &context, const Contacts &contacts) {
     return glm::length(motion.velocity) <= left && context.radius() * glm::length(motion.spin) <= left;
 }
 
+LastingContacts holdInThisOrder(const StepContext &context, const Contacts &contacts, Hold kind, double h, Ball &ball) {
+    if (kind == Hold::SecondOrder) return holdSecondOrder(context, contacts, h, ball);
+    return holdFirstOrder(context, contacts, kind == Hold::Explicit, h, ball);
+}
+
 } // namespace
 
 void snapToFace(const StepContext &context, const Contact &contact, Ball &ball) {
@@ -227,9 +232,19 @@ void SpinOnFloor::settle(bool presses, Ball &ball) const {
 
 bool hold(const StepContext &context, const Contacts &contacts, Hold kind, double h, Ball &ball,
           std::span<bool> presses) {
-    const LastingContacts lasting = kind == Hold::SecondOrder
-                                        ? holdSecondOrder(context, contacts, h, ball)
-                                        : holdFirstOrder(context, contacts, kind == Hold::Explicit, h, ball);
+    const Ball start = ball;
+    const LastingContacts lasting = holdInThisOrder(context, contacts, kind, h, ball);
+    if (contacts.hasTies()) {
+        // Contacts that nothing tells apart: the mean of both orders prefers none.
+        Contacts reversed = contacts;
+        reversed.reverseTies();
+        Reporter silent(nullptr, 0.0);
+        Ball other = start;
+        holdInThisOrder({context.setting, silent}, reversed, kind, h, other);
+        ball.position = 0.5 * (ball.position + other.position);
+        ball.velocity = 0.5 * (ball.velocity + other.velocity);
+        ball.spin = 0.5 * (ball.spin + other.spin);
+    }
     bool onTop = false;
     for (size_t i = 0; const Lasting &contact : lasting) {
         const bool isPressed = contact.reaction > 0.0;

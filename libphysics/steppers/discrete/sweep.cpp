@@ -10,6 +10,9 @@ namespace {
 /// Speeds below this share of sqrt(g R) along a normal don't leave a contact.
 constexpr double kSlow = 1e-11;
 
+/// Slip below this share of the speeds is none.
+constexpr double kRolling = 1e-9;
+
 /// Bisection alone would take 53.
 constexpr int kMostRefinements = 80;
 
@@ -67,7 +70,7 @@ bool Sweep::toNextEvent() {
     if (advanceFreely()) return true;
     beginPhase();
     const double rest = m_input.dt - m_done;
-    const double t = firstEvent(timeToStop(std::min(rest, horizon())));
+    const double t = firstEvent(timeToStopOrRoll(std::min(rest, horizon())));
     finishPhase(t);
     m_done = t == rest ? m_input.dt : m_done + t;
     return m_done >= m_input.dt;
@@ -75,7 +78,7 @@ bool Sweep::toNextEvent() {
 
 /// The whole step where nothing is near.
 bool Sweep::advanceFreely() {
-    if (m_done > 0.0 || !isSlow(m_input) || spinsFast(m_input)) return false;
+    if (m_done > 0.0 || !isSlow(m_input) || spinsFast(m_input) || mayStartToRoll(m_input)) return false;
     Step step(m_context.setting, m_context.report, m_plan, m_input.dt);
     return step.runFarFromAnything(m_ball);
 }
@@ -147,23 +150,52 @@ void Sweep::finishPhase(double t) {
         m_ball.velocity = Vec3(0.0);
         m_ball.spin = Vec3(0.0, 0.0, m_context.isRigid() ? m_ball.spin.z : 0.0);
     }
+    if (t == m_roll) {
+        // What the order left of the slip: 2/7 of it is speed, the rest spin, and no energy is made.
+        const Vec3 rest = 2.0 / 7.0 * slipOnTop(m_ball);
+        m_ball.velocity -= rest;
+        m_ball.spin += 2.5 / m_context.radius() * glm::cross(Vec3(0.0, 0.0, 1.0), rest);
+    }
     const bool isSlaved = m_ball.supported && !m_context.isRigid();
     if (isSlaved) m_ball.spin = rollingSpin(inPlane(m_ball.velocity), m_context.radius());
 }
 
-/// When resistance stops the ball, if that is before `end`; the speed falls linearly up to there, within the order.
-double Sweep::timeToStop(double end) {
-    m_stop = INFINITY;
-    if (!m_resists) return end;
-    const Vec3 direction = glm::normalize(m_ball.velocity);
-    const double speed = glm::length(m_ball.velocity);
-    constexpr double kStopped = 1e-9;
+/// When `left`, which falls linearly within the order from `start` on, comes to 0; INFINITY if not before `end`.
+template<class Left>
+double Sweep::timeToZero(double end, double start, Left left) const {
+    constexpr double kZero = 1e-9; // of start
+    constexpr int kMostHalvings = 60;
     double t = end;
-    double left = glm::dot(at(t).velocity, direction);
-    if (left > kStopped * speed) return end;
-    for (int i = 0; i < 60 && left <= kStopped * speed; ++i) left = glm::dot(at(t *= 0.5).velocity, direction);
-    m_stop = std::min(end, t * speed / (speed - left));
-    return m_stop;
+    double rest = left(at(t));
+    if (rest > kZero * start) return INFINITY;
+    for (int i = 0; i < kMostHalvings && rest <= kZero * start; ++i) rest = left(at(t *= 0.5));
+    return std::min(end, t * start / (start - rest));
+}
+
+/// Resistance ends with the ball's way, and begins with the end of a slip: neither may lie inside a phase.
+double Sweep::timeToStopOrRoll(double end) {
+    m_stop = m_roll = INFINITY;
+    if (m_context.params().rolling_friction == 0.0) return end;
+    const double speed = glm::length(m_ball.velocity);
+    if (m_resists && speed > 0.0) {
+        const Vec3 direction = m_ball.velocity / speed;
+        m_stop = timeToZero(end, speed, [&](const Ball &ball) { return glm::dot(ball.velocity, direction); });
+    }
+    const Vec3 slip = slipOnTop(m_ball);
+    const double slipSpeed = glm::length(slip);
+    if (slipSpeed > kRolling * (speed + m_context.radius() * glm::length(m_ball.spin))) {
+        const Vec3 direction = slip / slipSpeed;
+        m_roll = timeToZero(end, slipSpeed, [&](const Ball &ball) { return glm::dot(slipOnTop(ball), direction); });
+    }
+    return std::min({end, m_stop, m_roll});
+}
+
+/// Slip at the top face that carries the ball; 0 without one, and in the rolling model.
+Vec3 Sweep::slipOnTop(const Ball &ball) const {
+    const bool isOnTop =
+        std::any_of(m_contacts.begin(), m_contacts.end(), [](const Contact &contact) { return contact.isTop; });
+    if (!isOnTop || !m_context.isRigid()) return Vec3(0.0);
+    return slipAt(motionOf(ball), Vec3(0.0, 0.0, 1.0), m_context.radius());
 }
 
 /// How far this phase may be looked at in one piece, s.

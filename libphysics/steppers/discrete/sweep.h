@@ -8,6 +8,11 @@
 
 namespace phys {
 
+/// Whether a slip may end in this step, from where on rolling resistance works: that needs a phase of its own.
+inline bool mayStartToRoll(const PlanInput &input) {
+    return input.params.rolling_friction > 0.0 && input.contact() == FloorContact::Slips;
+}
+
 class Sweep {
 public:
     /// start: the ball at the step's start.
@@ -42,7 +47,10 @@ private:
     void dropWhatIsLeft();
     void dropWhatNothingPresses(const Vec3 &velocity);
     void finishPhase(double t);
-    double timeToStop(double end);
+    template<class Left>
+    double timeToZero(double end, double start, Left left) const;
+    double timeToStopOrRoll(double end);
+    Vec3 slipOnTop(const Ball &ball) const;
     double horizon() const;
     bool isClear(double t) const;
     Looks looks(double end) const;
@@ -64,6 +72,7 @@ private:
     bool m_isAlone = false; ///< nothing but one top face is touched
     bool m_resists = false; ///< resistance may stop the ball, beside other contacts
     double m_stop = 0.0;    ///< s into the phase at which it does
+    double m_roll = 0.0;    ///< s into the phase at which the floor's slip ends
 };
 
 } // namespace phys

@@ -95,6 +95,7 @@ private slots:
     void errorStaysWithinAnEnvelopeAcrossImpacts();
     void firstIntegralIsKeptToThePromisedOrder_data() { addStepperRows(); }
     void firstIntegralIsKeptToThePromisedOrder();
+    void sweptKeepsItsOrderWhereASlipEndsInResistance();
 };
 
 void TestConvergence::errorOfTheFirstCaseIsAsTabled_data() {
@@ -246,6 +247,22 @@ void TestConvergence::firstIntegralIsKeptToThePromisedOrder() {
         return;
     }
     COMPARE_WITHIN(worst[1], worst[0] * std::pow(2.0, -order), 0.1 * worst[1] + noise);
+}
+
+/// On the level: slips for 1/7 s, then rolls against resistance, model.md 3.6 and 3.2.
+void TestConvergence::sweptKeepsItsOrderWhereASlipEndsInResistance() {
+    const double slipEnd = 1.0 / 7.0, rollingSpeed = 5.0 / 7.0, drag = 5.0 / 7.0 * 0.0625 * support::kNormalGravity;
+    const double rest = 1.0 - slipEnd;
+    const double end = slipEnd - slipEnd * slipEnd + rollingSpeed * rest - 0.5 * drag * rest * rest;
+    for (const int n : {32, 64, 128, 256}) {
+        Experiment ball(openFloor(4.0), "swept", PHYS_MODEL_RIGID);
+        ball.params.sliding_friction = 0.25;
+        ball.params.rolling_friction = 0.0625;
+        ball.state.velocity.x = 1.0;
+        const double h = 1.0 / n;
+        QVERIFY2(ball.stepTimes(static_cast<uint64_t>(n), h), ball.error());
+        COMPARE_WITHIN(ball.state.position.x, end, 2.0 * h * h); // accelerations of 2 m/s^2
+    }
 }
 
 QTEST_GUILESS_MAIN(TestConvergence)
