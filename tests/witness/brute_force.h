@@ -21,6 +21,8 @@ public:
 
     uint64_t steps() const { return m_steps; }
     uint64_t impacts() const { return m_impacts; }
+    /// Impacts, changes of feature, ends of slips and rolls.
+    uint64_t events() const { return m_events + m_impacts; }
     bool isAtRest(const Law &law, const Motion &motion) const;
 
 private:
@@ -42,6 +44,8 @@ private:
     std::vector<Touch> touching(const Motion &motion) const;
     std::vector<Contact> lasting(const Law &law, const Motion &motion) const;
     Trial attempt(const Law &law, const Motion &start, Real h, const std::vector<Contact> &contacts) const;
+    bool releaseOpposite(std::vector<Contact> &contacts) const;
+    void relax(const Law &law, std::vector<Contact> &contacts) const;
     Motion implicitEuler(const Law &law, const Motion &start, Real h, std::vector<Contact> &contacts) const;
     void lookWhereTheyEnd(const Law &law, const Vector &place, std::vector<Contact> &contacts) const;
     Vector rub(const Law &law, Contact &c, Motion &end) const;
@@ -50,6 +54,7 @@ private:
     Real firstOverlap(const Motion &start, const Motion &end, Real h, const std::vector<Contact> &contacts) const;
     bool changesFeature(const Motion &start, const Motion &end, const std::vector<Contact> &contacts) const;
     bool reverses(const Law &law, const Motion &start, const Trial &trial) const;
+    bool sticksTooSoon(const Law &law, const Motion &start, const Trial &trial, Real h) const;
     bool endsEarly(const Law &law, const Motion &start, const Trial &trial, Real h) const;
     Real bracket(const Law &law, const Motion &start, Real h, const std::vector<Contact> &contacts, Trial &trial) const;
     void settle(Motion &motion) const;
@@ -65,6 +70,7 @@ private:
     Real m_touchTolerance; ///< and in what is computed here
     uint64_t m_steps = 0;
     uint64_t m_impacts = 0;
+    uint64_t m_events = 0;
     mutable uint64_t m_updates = 0; ///< of contacts, so far: what a run costs
     Real m_suggested = 1e-5L;
 };

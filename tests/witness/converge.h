@@ -5,6 +5,7 @@
 #include "brute_force.h"
 #include "case.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,8 +17,8 @@ constexpr int kCheckpoints = 4;
 
 /// How good a stepper says that it is: the power of the step size that its error follows. 0: none is left.
 struct Order {
-    int acrossImpacts;
-    int betweenImpacts;
+    int acrossEvents;
+    int betweenEvents;
 };
 /// accuracy.md, "How accurate each stepper is"; rk4 has its fourth order only where no contact does more than carry the
 /// ball, which these scenes don't promise. A stepper that isn't there is taken to be of first order.
@@ -26,11 +27,13 @@ Order orderOf(const std::string &stepper);
 /// The motion by force, and how far it goes astray if it is disturbed a little.
 class Truth {
 public:
-    /// Empty if the brute force has no answer.
+    /// Empty if the ball starts inside a box, or if the brute force has no answer.
     static std::optional<Truth> of(const Case &scene);
 
     const std::vector<Motion> &motions() const { return m_motions; }
-    bool hasImpacts() const { return m_hasImpacts; }
+    /// A hundred times as careful, for steppers that are better than that. Computed when it is first asked for.
+    const Truth &refined() const;
+    bool hasEvents() const { return m_hasEvents; }
     /// How far each checkpoint moves if gravity and speed are off by the part `disturbance`, in a number of ways.
     std::vector<Real> spread(Real disturbance) const;
     /// What the brute force doesn't know itself.
@@ -43,8 +46,9 @@ private:
     std::vector<Motion> run(const Law &law, Motion motion, Real tolerance) const;
 
     const Case &m_scene;
+    mutable std::shared_ptr<Truth> m_refined;
     std::vector<Motion> m_motions; ///< at the checkpoints, each a quarter of the time
-    bool m_hasImpacts = false;
+    bool m_hasEvents = false;
     Real m_ownError = 0;
     Real m_fastest = 0;
 };
@@ -52,7 +56,6 @@ private:
 struct Convergence {
     double stepSizes[kSizes];
     Real errors[kSizes]; ///< of the place at the worst checkpoint, m
-    Real allowed = 0;    ///< with the smallest steps
     phys_status status = PHYS_OK;
     std::string statusText;
     bool isWrong = false;

@@ -60,7 +60,9 @@ private:
                 isBetter = true;
             while (!isLaw && m_best.legs[i].steps > 1 && keepsChanged([&](Case &c) { --c.legs[i].steps; }))
                 isBetter = true;
-            while (isLaw && keepsChanged([&](Case &c) { c.legs[i].dt *= 0.7; })) isBetter = true;
+            while (isLaw && m_best.legs[i].dt > 0.01 && keepsChanged([&](Case &c) { c.legs[i].dt *= 0.7; })) {
+                isBetter = true;
+            }
         }
         return isBetter;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Draws scenes and holds steppers against them until so many runs (scenes x steppers x models) are done.
-// Usage: witness RUNS [--seed N] [--stepper ID] [--model rolling|rigid] [--kind KIND] [--plugin FILE] [--known FILE]
+// Usage: witness RUNS [--seed N] [--stepper ID]... [--model rolling|rigid] [--kind KIND] [--plugin FILE] [--known FILE]
 //                     [--cases FOLDER] [--seconds S]
 //        witness --replay FILE [--stepper ID] [--plugin FILE]      judges the cases of a file
 // Ends with 1 if anything was wrong that the list of known faults doesn't name.
@@ -20,7 +20,8 @@ using namespace witness;
 
 struct Arguments {
     double runs = 0;
-    std::string replay, plugin, known, cases, stepper, model, kind;
+    std::string replay, plugin, known, cases, model, kind;
+    std::vector<std::string> steppers;
     uint64_t seed = 1;
     double seconds = 1e9;
 };
@@ -44,7 +45,7 @@ Arguments parse(int argc, char **argv) {
         else if (word == "--cases")
             arguments.cases = value;
         else if (word == "--stepper")
-            arguments.stepper = value;
+            arguments.steppers.push_back(value);
         else if (word == "--model")
             arguments.model = value;
         else if (word == "--kind")
@@ -90,7 +91,7 @@ int run(int argc, char **argv) {
     Plan plan;
     plan.registry = registry.get();
     plan.steppers = stepperIds(registry.get(), arguments.plugin.empty() ? 0 : phys_registry_count(nullptr));
-    if (!arguments.stepper.empty()) plan.steppers = {arguments.stepper};
+    if (!arguments.steppers.empty()) plan.steppers = arguments.steppers;
     if (!arguments.replay.empty()) return replay(arguments, registry.get(), plan.steppers);
     if (!arguments.model.empty()) plan.models = {arguments.model == "rigid" ? 1U : 0U};
     for (size_t i = 0; i < kinds().size(); ++i) {

@@ -38,7 +38,7 @@ private:
         const Case wild = drawCase(kind, seed, model);
         for (const std::string &stepper : m_plan.steppers)
             note(kind, wild, stepper, examine(m_plan.registry, stepper, wild));
-        if (!m_plan.withLaw || kinds()[kind] == "overlapping") return; // the law says nothing of an overlap
+        if (!m_plan.withLaw) return;
         const Case tame = drawSmoothCase(kind, seed, model);
         const std::optional<Truth> truth = Truth::of(tame);
         if (!truth) ++m_survey.withoutAnswer;

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/engine/companion.h"
 
+#include "base/elementary.h"
+
 #include <cmath>
 
 namespace inspector {
 
 namespace {
 
-double lengthOf(const phys_vec3 &v) { return std::hypot(v.x, v.y, v.z); }
+double lengthOf(const phys_vec3 &v) { return phys::elementary::hypot(phys::elementary::hypot(v.x, v.y), v.z); }
 
 } // namespace
 

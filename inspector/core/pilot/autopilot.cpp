@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pilot/autopilot.h"
 
+#include "base/elementary.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -58,18 +60,19 @@ Tilt Autopilot::tilt(const phys_state &state) const {
     const Aim target = aim(here);
     const double dx = target.point.x - here.x;
     const double dy = target.point.y - here.y;
-    const double distance = std::hypot(dx, dy);
+    const double distance = phys::elementary::hypot(dx, dy);
 
     // The speed from which the ball still comes to a stand at the aim; out of the maze there is nothing to stop for.
     const double limit = radians(kPlayTilt);
-    const double braking = kBrakingShare * kRolling * kGravity * std::tan(limit);
+    const double braking =
+        kBrakingShare * kRolling * kGravity * (phys::elementary::sin(limit) / phys::elementary::cos(limit));
     const double stoppable = target.isOutside ? kFastest : std::sqrt(2.0 * braking * distance);
     const double speed = std::clamp(stoppable, kSlowest, kFastest);
     const double share = distance > 0.0 ? speed / distance : 0.0;
 
     const auto slope = [&](double wanted, double is) {
         const double acceleration = (wanted - is) / kReaction;
-        return std::clamp(std::atan(acceleration / (kRolling * kGravity)), -limit, limit);
+        return std::clamp(phys::elementary::atan2(acceleration, kRolling * kGravity), -limit, limit);
     };
     return {slope(dx * share, state.velocity.x), slope(dy * share, state.velocity.y)};
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pilot/free_space.h"
 
+#include "base/elementary.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -107,7 +109,7 @@ void FreeSpace::visitAround(const phys_box &box, double reach, const Visit &visi
             const Point p = centre(cell);
             const double dx = std::max({box.min.x - p.x, p.x - box.max.x, 0.0});
             const double dy = std::max({box.min.y - p.y, p.y - box.max.y, 0.0});
-            visit(cell, std::hypot(dx, dy));
+            visit(cell, phys::elementary::hypot(dx, dy));
         }
     }
 }
@@ -118,7 +120,7 @@ void FreeSpace::markWall(const phys_box &box) {
     const double dz = std::max({box.min.z - m_start.z, m_start.z - box.max.z, 0.0});
     visitAround(box, kReach * m_radius, [&](Cell cell, double gap) {
         float &clearance = m_clearance[size_t(cell)];
-        clearance = std::min(clearance, float(std::hypot(gap, dz) - m_radius));
+        clearance = std::min(clearance, float(phys::elementary::hypot(gap, dz) - m_radius));
     });
 }
 
@@ -132,7 +134,7 @@ FreeSpace::Cell FreeSpace::nearestFree(Point point) const {
         for (int dc = -reach; dc <= reach; ++dc) {
             const Cell cell = cellAt({point.x + dc * m_spacing, point.y + dr * m_spacing});
             if (!isFree(cell)) continue;
-            const double distance = std::hypot(centre(cell).x - point.x, centre(cell).y - point.y);
+            const double distance = phys::elementary::hypot(centre(cell).x - point.x, centre(cell).y - point.y);
             if (distance >= bestDistance) continue;
             best = cell;
             bestDistance = distance;
@@ -142,7 +144,7 @@ FreeSpace::Cell FreeSpace::nearestFree(Point point) const {
 }
 
 bool FreeSpace::isClear(Point from, Point to, double clearance) const {
-    const double length = std::hypot(to.x - from.x, to.y - from.y);
+    const double length = phys::elementary::hypot(to.x - from.x, to.y - from.y);
     const int count = int(std::ceil(length / (0.5 * m_spacing)));
     for (int i = 1; i <= count; ++i) {
         const double t = double(i) / count;

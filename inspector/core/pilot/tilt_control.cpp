@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pilot/tilt_control.h"
 
+#include "base/elementary.h"
+
 #include <cmath>
 
 namespace inspector {
@@ -17,7 +19,7 @@ void follow(double target, double seconds, double &tilt, double &rate) {
     const double tau = TiltControl::kResponse;
     const double c = tilt - target;
     const double d = rate + c / tau;
-    const double decay = std::exp(-seconds / tau);
+    const double decay = phys::elementary::exp(-seconds / tau);
     tilt = target + (c + d * seconds) * decay;
     rate = (d - (c + d * seconds) / tau) * decay;
     if (target == 0.0 && std::abs(tilt) < kStillTilt && std::abs(rate) < kStillRate) tilt = rate = 0.0;

@@ -84,10 +84,10 @@ void CsvWriter::put(const QByteArray &text) {
 std::unique_ptr<OutputFile> openTable(const QString &path, const Options &options, QString *error) {
     if (isStandardOutput(path)) return standardOutput();
     std::unique_ptr<OutputFile> table = OutputFile::open(path, Existing::Replace, {}, error);
-    if (!table) return nullptr;
+    if (!table || !table->isRegular()) return table; // beside a device there is no place for a file
     const QByteArray settings = tableSettings(options);
     const std::unique_ptr<OutputFile> beside =
-        OutputFile::open(path + QStringLiteral(".txt"), Existing::ReplaceOwn, "physics-inspector ", error);
+        OutputFile::open(settingsFileOf(path), Existing::Replace, {}, error); // outputProblem() has looked
     if (!beside) return nullptr;
     beside->write(settings);
     if (beside->finish()) return table;

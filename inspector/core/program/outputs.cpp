@@ -11,8 +11,15 @@ namespace {
 struct Output {
     QString option;
     QString path;
-    QByteArray mark; // how such a file begins; empty: one that is there stays
+    QByteArray mark;           // how such a file begins; empty: one that is there stays
+    bool isBesideLast = false; // goes beside the one before, if that is a file
 };
+
+// Tables begin with their header.
+QByteArray markOfTable(Options::Action action) {
+    if (action == Options::Action::Trade) return "stepper,dt [s],";
+    return action == Options::Action::Fit ? "time [s],x [m],y [m],computed_x" : "time [s],step,";
+}
 
 QByteArray markOfChart(const QString &path) {
     if (path.endsWith(QLatin1String(".svg"))) return "<svg";
@@ -22,7 +29,10 @@ QByteArray markOfChart(const QString &path) {
 std::vector<Output> outputsOf(const Options &options) {
     std::vector<Output> outputs;
     const QString csv = isStandardOutput(options.csv) ? QString() : options.csv;
-    for (const Output &output : {Output{QStringLiteral("--csv"), csv, "# physics-inspector "},
+    const bool isOfSteps = options.action == Options::Action::Run || options.action == Options::Action::Replay;
+    const QString settings = isOfSteps && !csv.isEmpty() ? settingsFileOf(csv) : QString();
+    for (const Output &output : {Output{QStringLiteral("--csv"), csv, markOfTable(options.action)},
+                                 Output{QStringLiteral("--csv"), settings, kSettingsMark, true},
                                  Output{QStringLiteral("--record"), options.record, {}},
                                  Output{QStringLiteral("--grab"), options.grab, "\x89PNG"},
                                  Output{QStringLiteral("--plot"), options.trade.plot, markOfChart(options.trade.plot)}})
@@ -40,11 +50,14 @@ QStringList inputsOf(const Options &options) {
 
 } // namespace
 
+QString settingsFileOf(const QString &csv) { return csv + QStringLiteral(".txt"); }
+
 bool isStandardOutput(const QString &csv) { return csv.isEmpty() || csv == QLatin1String("-"); }
 
 QString outputProblem(const Options &options) {
     std::vector<std::unique_ptr<OutputFile>> opened; // until all are, so that a name given twice is found
     for (const Output &output : outputsOf(options)) {
+        if (output.isBesideLast && !opened.back()->isRegular()) continue;
         const auto refusal = [&](const QString &reason) { return output.option + QStringLiteral(": ") + reason; };
         for (const QString &input : inputsOf(options))
             if (isSameFile(output.path, input))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trade/trade_reference.h"
 
+#include "base/elementary.h"
 #include "core/events/counted_impact.h"
 
 #include <algorithm>
@@ -26,7 +27,9 @@ void takeOrientation(phys_state &state, const phys_state &turned) {
 
 } // namespace
 
-double distance(const phys_vec3 &a, const phys_vec3 &b) { return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z); }
+double distance(const phys_vec3 &a, const phys_vec3 &b) {
+    return phys::elementary::hypot(phys::elementary::hypot(a.x - b.x, a.y - b.y), a.z - b.z);
+}
 
 void appendImpacts(const phys_report &report, std::vector<Impact> &impacts) {
     for (uint32_t i = 0; i < report.event_count; ++i) {
@@ -192,8 +195,8 @@ void TradeReference::push(phys_state &state, double length, double angle) const 
                         &count);
     const auto isWall = [](const phys_contact &contact) { return contact.normal.z < 0.5; };
     if (std::any_of(contacts.begin(), contacts.begin() + std::min<uint32_t>(count, 16), isWall)) return;
-    state.position.x += length * std::cos(angle);
-    state.position.y += length * std::sin(angle);
+    state.position.x += length * phys::elementary::cos(angle);
+    state.position.y += length * phys::elementary::sin(angle);
 }
 
 } // namespace inspector

@@ -634,7 +634,7 @@ Losses lossesOf(const Uniform &, double) { return {}; }
 template<class P>
 void ExactStep::follow(const P &phase, const End &end, const Border &border) {
     const double t = end.after;
-    if (m_report.wanted()) {
+    if (m_report.wanted() && t > 0.0) {
         Losses lost = lossesOf(phase, t);
         if constexpr (std::is_same_v<P, Uniform>) {
             for (uint32_t i = 0; i < m_heldCount; ++i) {
@@ -655,8 +655,8 @@ void ExactStep::follow(const P &phase, const End &end, const Border &border) {
         m_report.lostSlip(lost.slip);
         m_report.lostRolling(lost.rolling);
     }
-    turn(phase, t);
-    if (t > 0.0) {
+    if (t > 0.0) { // of no time, series whose terms are beyond all numbers say nothing
+        turn(phase, t);
         const Place place = phase.placeAt(t);
         m_position += place.way;
         m_motion = {place.velocity, place.spin};

@@ -305,6 +305,12 @@ void TestCommandLine::outputsThatWouldDestroyAFileAreRefused_data() {
                                        << "--force replaces it";
     QTest::newRow("table onto a table") << "--csv FOLDER/table.csv"
                                         << "";
+    QTest::newRow("table onto a measured track") << "--csv FOLDER/track.csv"
+                                                 << "--force replaces it";
+    QTest::newRow("settings of a table onto a note") << "--csv FOLDER/mine.csv"
+                                                     << "--csv: 'FOLDER/mine.csv.txt': there is a file of this name";
+    QTest::newRow("trade's table onto one of steps") << "--trade 1 --csv FOLDER/table.csv"
+                                                     << "--force replaces it";
     QTest::newRow("picture onto a note") << "--grab FOLDER/note.png"
                                          << "--force replaces it";
     QTest::newRow("picture of another kind") << "--grab FOLDER/new.jpg"
@@ -332,7 +338,9 @@ void TestCommandLine::outputsThatWouldDestroyAFileAreRefused() {
     QVERIFY(QFile::copy(LEVELS_FOLDER "/01.txt", level));
     put(path + "/level.obj", "v 0 0 0\n");
     put(path + "/run.rec", "physics-recording 1\n");
-    put(path + "/table.csv", "# physics-inspector 1.0.0\ntime [s]\n");
+    put(path + "/table.csv", "time [s],step,x [m]\n");
+    put(path + "/track.csv", "time [s],x [m],y [m]\n");
+    put(path + "/mine.csv.txt", "mine");
     put(path + "/note.txt", "mine");
     put(path + "/note.png", "mine");
     const auto filled = [&](QString text) {
@@ -347,7 +355,7 @@ void TestCommandLine::outputsThatWouldDestroyAFileAreRefused() {
     }
     // Nothing is changed and nothing is left.
     QCOMPARE(QDir(path).entryList(QDir::Files).join(' '),
-             QString("level.obj level.txt note.png note.txt run.rec table.csv"));
+             QString("level.obj level.txt mine.csv.txt note.png note.txt run.rec table.csv track.csv"));
     QCOMPARE(readFile(path + "/note.txt", 100, nullptr), QByteArray("mine"));
     QCOMPARE(QFileInfo(level).size(), QFileInfo(LEVELS_FOLDER "/01.txt").size());
 }
