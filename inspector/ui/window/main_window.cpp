@@ -17,6 +17,7 @@
 #include "ui/parts/theme.h"
 #include "ui/plots/plot_panel.h"
 #include "ui/plots/velocity_plot.h"
+#include "ui/track/track_dock.h"
 #include "ui/trade/trade_dock.h"
 #include "ui/transport/replay_bar.h"
 #include "ui/transport/transport_bar.h"
@@ -138,6 +139,8 @@ void MainWindow::makeDocks() {
          [](MainWindow &window) -> QWidget * { return window.m_comparison; }},
         {kBouncesDock, QT_TR_NOOP("Bounces"), Qt::BottomDockWidgetArea, kBouncesShare,
          [](MainWindow &window) -> QWidget * { return window.m_bounces; }},
+        {"track_dock", QT_TR_NOOP("Measured ball"), Qt::BottomDockWidgetArea, kTradeShare,
+         [](MainWindow &window) -> QWidget * { return new TrackDock(window.m_session, *window.m_undo); }},
     };
     int number = 0;
     for (const DockRow &row : rows) {

@@ -112,6 +112,7 @@ void TestWindowDocks::keyOpensADockAndGivesItTheKeyboard_data() {
     QTest::newRow("trade") << "trade_dock" << Qt::Key_4;
     QTest::newRow("comparison") << "comparison_dock" << Qt::Key_5;
     QTest::newRow("bounces") << "bounces_dock" << Qt::Key_6;
+    QTest::newRow("track") << "track_dock" << Qt::Key_7;
 }
 
 void TestWindowDocks::keyOpensADockAndGivesItTheKeyboard() {

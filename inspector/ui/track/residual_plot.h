@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/track/track_fit.h"
+
+#include <qcustomplot.h>
+
+namespace inspector::ui {
+
+// What a fit leaves of a track over time: measured minus computed, mm, with the tracker's noise as a band and the
+// bounces as ticks.
+class ResidualPlot : public QCustomPlot {
+    Q_OBJECT
+
+public:
+    explicit ResidualPlot(QWidget *parent = nullptr);
+
+    void show(const ModelFit &fit, double noise); // m
+    void clear();
+
+protected:
+    void changeEvent(QEvent *event) override;
+
+private:
+    QCPGraph *m_x;
+    QCPGraph *m_y;
+    QCPGraph *m_bounces;
+    QCPItemRect *m_noise; // two deviations on either side
+};
+
+} // namespace inspector::ui
