@@ -241,7 +241,8 @@ double ExactStep::lastBounce(const Contact &contact, const Vec3 &acting) const {
     const double speed = glm::dot(m_motion.velocity, contact.normal);
     const Vec3 round = m_motion.velocity - speed * contact.normal;
     const double back = -(glm::dot(acting, contact.normal) + contact.curving(round, R));
-    const bool isSmooth = (!contact.isTop && contact.friction == 0.0) || contact.restitution > kSlowDecay;
+    const bool isUpright = contact.normal.z == 0.0;
+    const bool isSmooth = (isUpright && contact.friction == 0.0) || contact.restitution > kSlowDecay;
     return std::sqrt(2.0 * std::max(0.0, back) *
                      (isSmooth ? std::max(m_scene.tolerance, kLastBounce * R) : kLastHop * R));
 }
