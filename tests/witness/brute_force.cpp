@@ -448,7 +448,9 @@ bool BruteForce::run(const Law &law, Real duration, Motion &motion) {
             if (++m_steps > kMostSteps || m_updates > kMostUpdates) return false;
             isHit = endsEarly(law, start, trial, h);
             if (isHit) h = bracket(law, start, h, contacts, trial);
-            if (sticksTooSoon(law, start, trial, h)) trial.error = std::max(trial.error, 2 * m_tolerance);
+            const bool isTooSoon = sticksTooSoon(law, start, trial, h);
+            if (isTooSoon) trial.error = std::max(trial.error, 2 * m_tolerance);
+            m_events += isTooSoon;
             if (trial.error <= m_tolerance || h <= kShortestStep) break;
             h = std::max(kShortestStep,
                          h * std::clamp<Real>(0.8L * std::pow(m_tolerance / trial.error, 0.25L), 0.1L, 0.5L));

@@ -130,7 +130,7 @@ const Truth &Truth::refined() const {
     return *m_refined;
 }
 
-std::vector<Real> Truth::spread(Real disturbance) const {
+std::vector<Real> Truth::spread(Real disturbance, Real shift) const {
     std::vector<Real> most(kCheckpoints, 0);
     const Motion start = motionOf(m_scene.start);
     const auto disturb = [&](const Law &law, const Motion &motion) {
@@ -152,6 +152,12 @@ std::vector<Real> Truth::spread(Real disturbance) const {
         faster.velocity += off * start.velocity;
         faster.spin += off * start.spin;
         disturb(law, faster);
+        // Which of two walls comes first hangs on the place.
+        for (const Vector &direction : {Vector{1, 0, 0}, Vector{0, 1, 0}}) {
+            Case moved = m_scene;
+            moved.start.position = rounded(start.place + sign * shift * direction);
+            if (isLawful(moved)) disturb(law, motionOf(moved.start));
+        }
         Motion turned = start;
         turned.velocity += off * Vector{-start.velocity.y, start.velocity.x, 0};
         turned.spin += off * Vector{-start.spin.y, start.spin.x, 0};
@@ -194,10 +200,11 @@ Convergence converge(const phys_registry *registry, const std::string &stepper, 
     const Truth &best = order == 0 ? truth.refined() : truth;
     const std::vector<Real> errors = errorsOf(last, best);
     const Real disturbance = order == 0 ? 1e-11L : std::max<Real>(std::pow(part, Real(order)), 1e-11L);
+    const Real shift = truth.fastest() * h * (order == 0 ? 0 : std::pow(part, Real(order - 1)));
     // Larger disturbances too: ties and grazes are sensitive within a window that a small one may not leave.
     std::vector<Real> spread(kCheckpoints, 0);
     for (const Real factor : {1, 2, 4, 8}) {
-        const std::vector<Real> more = best.spread(factor * disturbance);
+        const std::vector<Real> more = best.spread(factor * disturbance, factor * shift);
         for (int i = 0; i < kCheckpoints; ++i) spread[i] = std::max(spread[i], more[i] / factor);
         for (int i = 0; i < kCheckpoints; ++i) {
             if (more[i] > 0.1L * scene.radius) spread[i] = more[i]; // another way was taken

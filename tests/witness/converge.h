@@ -34,8 +34,9 @@ public:
     /// A hundred times as careful, for steppers that are better than that. Computed when it is first asked for.
     const Truth &refined() const;
     bool hasEvents() const { return m_hasEvents; }
-    /// How far each checkpoint moves if gravity and speed are off by the part `disturbance`, in a number of ways.
-    std::vector<Real> spread(Real disturbance) const;
+    /// How far each checkpoint moves if gravity and speed are off by the part `disturbance`, or the start by `shift`
+    /// metres, in a number of ways.
+    std::vector<Real> spread(Real disturbance, Real shift) const;
     /// What the brute force doesn't know itself.
     Real ownError() const { return m_ownError; }
     Real fastest() const { return m_fastest; }

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+#include "contract.h"
+
+#include "support/handles.h"
+
+#include <physics/plugin.h>
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <dlfcn.h>
+#include <exception>
+
+namespace plugin_check {
+
+namespace {
+
+constexpr double kRadius = 0.006;
+constexpr double kDt = 0.01;
+
+/// A floor and a wall, as a plugin sees them.
+class Host {
+public:
+    Host() {
+        phys_scene_desc desc;
+        phys_scene_desc_init(&desc, sizeof desc);
+        desc.boxes = m_boxes.data();
+        desc.box_count = static_cast<uint32_t>(m_boxes.size());
+        desc.radius = kRadius;
+        phys_scene *scene = nullptr;
+        phys_scene_create(&desc, &scene, nullptr);
+        m_scene.reset(scene);
+        m_view.struct_size = sizeof m_view;
+        m_view.box_count = desc.box_count;
+        m_view.boxes = m_boxes.data();
+        m_view.radius = kRadius;
+        m_view.scene = this;
+        m_view.query = query;
+        m_view.contacts = contacts;
+    }
+    const phys_scene_view *view() const { return &m_view; }
+
+private:
+    static bool overlap(const phys_box &a, const phys_box &b) {
+        return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y &&
+               a.min.z <= b.max.z && b.min.z <= a.max.z;
+    }
+    static uint32_t query(const void *host, const phys_box *region, uint32_t *out, uint32_t capacity) {
+        const Host &self = *static_cast<const Host *>(host);
+        uint32_t count = 0;
+        for (uint32_t i = 0; i < self.m_boxes.size(); ++i) {
+            if (!overlap(self.m_boxes[i], *region)) continue;
+            if (count < capacity) out[count] = i;
+            ++count;
+        }
+        return count;
+    }
+    static uint32_t contacts(const void *host, const phys_vec3 *centre, double reach, phys_contact *out,
+                             uint32_t capacity) {
+        uint32_t count = 0;
+        const Host &self = *static_cast<const Host *>(host);
+        phys_scene_contacts(self.m_scene.get(), centre, reach, out, capacity, &count);
+        return count;
+    }
+
+    std::array<phys_box, 2> m_boxes = {{{{-1, -1, -0.1}, {1, 1, 0}}, {{0.05, -1, 0}, {0.06, 1, 0.05}}}};
+    support::ScenePtr m_scene;
+    phys_scene_view m_view{};
+};
+
+bool isKnown(phys_status status) { return std::strcmp(phys_status_name(status), "unknown") != 0; }
+
+bool isFinite(const phys_state &state) {
+    for (const phys_vec3 *v : {&state.position, &state.velocity, &state.spin}) {
+        if (!std::isfinite(v->x) || !std::isfinite(v->y) || !std::isfinite(v->z)) return false;
+    }
+    return true;
+}
+
+/// The calls of one stepper's life, each breach noted.
+class Inspection {
+public:
+    explicit Inspection(const phys_stepper_api &api)
+        : m_api(api) {}
+
+    std::vector<std::string> run() {
+        void *self = nullptr;
+        if (!create(&self)) return m_breaches;
+        for (const bool withReport : {false, true}) step(self, withReport);
+        requirements(self);
+        guarded("destroy", [&] { m_api.destroy(self); });
+        return m_breaches;
+    }
+
+private:
+    void note(const std::string &breach) { m_breaches.push_back(breach); }
+
+    /// False if it threw.
+    template<class Call>
+    bool guarded(const char *function, const Call &call) {
+        try {
+            call();
+            return true;
+        } catch (const std::exception &exception) {
+            note(std::string(function) + " throws an exception: " + exception.what());
+        } catch (...) {
+            note(std::string(function) + " throws an exception");
+        }
+        return false;
+    }
+
+    bool create(void **self) {
+        phys_error error{};
+        phys_status status = PHYS_OK;
+        if (!guarded("create", [&] { status = m_api.create(m_host.view(), self, &error); })) return false;
+        if (status > 0 || !isKnown(status)) note("create returns the unknown status " + std::to_string(status));
+        if (status < 0) note(std::string("create refuses a floor with a wall: ") + error.text);
+        return status == PHYS_OK;
+    }
+
+    void step(void *self, bool withReport) {
+        phys_params params;
+        phys_params_init(&params, sizeof params);
+        for (uint32_t i = 0; i < m_api.row_count; ++i) {
+            phys_param_set(&params, m_api.rows[i], m_api.rows[i]->initial, nullptr);
+        }
+        phys_state in{};
+        in.position = {0, 0, kRadius};
+        in.velocity = {0.2, 0.1, 0};
+        in.spin = {-0.1 / kRadius, 0.2 / kRadius, 0};
+        in.orientation[3] = 1.0;
+        const phys_state given = in;
+        phys_state out = in;
+        out.time = kDt;
+        out.step = 1;
+        std::array<phys_event, 3> events{}; // one more than it is told of
+        phys_report report;
+        phys_report_init(&report, sizeof report);
+        report.events = events.data();
+        report.event_capacity = 2;
+        phys_error error{};
+        std::memset(error.text, 'x', sizeof error.text);
+        error.text[0] = '\0';
+        phys_status status = PHYS_OK;
+        const bool isDone = guarded("step", [&] {
+            status = m_api.step(self, &params, kDt, &in, &out, withReport ? &report : nullptr, &error);
+        });
+        if (std::memcmp(&in, &given, sizeof in) != 0) note("step writes to the state it is given");
+        if (!isDone) return;
+        if (status) {
+            if (status > 0 || !isKnown(status)) note("step returns the unknown status " + std::to_string(status));
+            if (!error.text[0]) note("step fails without a reason");
+            if (!std::memchr(error.text, '\0', sizeof error.text)) note("step's reason has no end");
+            if (status < 0 && isKnown(status))
+                note(std::string("step refuses a ball that rolls on a floor: ") + phys_status_name(status));
+            return;
+        }
+        checkState(out);
+        if (withReport) checkReport(report, events.data());
+    }
+
+    void checkState(const phys_state &out) {
+        if (out.time != kDt) note("step changes the time that the host has set");
+        if (out.step != 1) note("step changes the step number that the host has set");
+        if (!isFinite(out)) note("step writes a number that isn't finite");
+        if (out.flags & ~uint64_t{PHYS_STATE_FLAGS}) note("step sets unknown flags");
+        double norm = 0;
+        for (const double q : out.orientation) norm += q * q;
+        if (!(std::abs(norm - 1) < 1e-6)) note("step writes an orientation that is no unit quaternion");
+    }
+
+    void checkReport(const phys_report &report, const phys_event *events) {
+        if (report.events != events || report.event_capacity != 2 || report.struct_size != sizeof report) {
+            note("step changes the report's size or its event buffer");
+        }
+        if (report.event_count > 2) note("step reports more events than there is room for");
+        for (const double part : {report.penetration, report.lost_impact, report.lost_rolling, report.lost_slip}) {
+            if (!std::isfinite(part)) note("step reports a number that isn't finite");
+        }
+    }
+
+    void requirements(void *self) {
+        if (!PHYS_HAS_SLOT(phys_stepper_api, &m_api, requirements)) return;
+        phys_params params;
+        phys_params_init(&params, sizeof params);
+        phys_state state{};
+        state.position = {0, 0, kRadius};
+        state.orientation[3] = 1.0;
+        phys_requirements out{};
+        phys_error error{};
+        phys_status status = PHYS_OK;
+        if (!guarded("requirements", [&] { status = m_api.requirements(self, &params, kDt, &state, &out, &error); }))
+            return;
+        if (status) note(std::string("requirements fails: ") + phys_status_name(status));
+        for (const char(&reason)[120] : out.reasons) {
+            if (!std::memchr(reason, '\0', sizeof reason)) {
+                note("requirements writes a reason without an end");
+                return;
+            }
+        }
+    }
+
+    const phys_stepper_api &m_api;
+    Host m_host;
+    std::vector<std::string> m_breaches;
+};
+
+} // namespace
+
+std::vector<std::string> breaches(const std::string &file, const std::string &stepper) {
+    void *handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL); // stays loaded, as with the library's loader
+    const auto *plugin = handle ? static_cast<const phys_plugin *>(dlsym(handle, "phys_plugin_entry")) : nullptr;
+    if (!plugin) return {"phys_plugin_entry isn't there"};
+    for (uint32_t i = 0; i < plugin->stepper_count; ++i) {
+        if (plugin->steppers[i]->id == stepper) return Inspection(*plugin->steppers[i]).run();
+    }
+    return {"no stepper " + stepper};
+}
+
+} // namespace plugin_check

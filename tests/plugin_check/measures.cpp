@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: MIT
+#include "measures.h"
+
+#include "support/handles.h"
+#include "witness/draw.h"
+#include "witness/judge.h"
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <functional>
+#include <map>
+#include <thread>
+#include <vector>
+
+namespace plugin_check {
+
+namespace {
+
+using support::ScenePtr;
+using support::StepperPtr;
+using witness::Case;
+
+std::string format(const char *text, double a, double b = 0, double c = 0) {
+    std::array<char, 200> line{};
+    std::snprintf(line.data(), line.size(), text, a, b, c);
+    return line.data();
+}
+
+/// A floor, 6 mm of ball, gravity straight down.
+Case board(uint32_t model) {
+    Case scene = witness::emptyCase();
+    scene.boxes = {{{-1, -1, -0.1}, {1, 1, 0}}};
+    scene.params.model = model;
+    scene.params.sliding_friction = 0.3;
+    scene.start.position = {0, 0, 0.006};
+    scene.legs = {{{0, 0, -9.81}, 0.01, 1}};
+    return scene;
+}
+
+/// A scene, a stepper, parameters and a state, made ready.
+class Run {
+public:
+    Run(const Subject &subject, const Case &scene) {
+        phys_scene_desc desc;
+        phys_scene_desc_init(&desc, sizeof desc);
+        desc.boxes = scene.boxes.data();
+        desc.box_count = static_cast<uint32_t>(scene.boxes.size());
+        desc.radius = scene.radius;
+        desc.start = scene.start.position;
+        phys_scene *created = nullptr;
+        phys_stepper *made = nullptr;
+        m_status = phys_scene_create(&desc, &created, &m_error);
+        m_scene.reset(created);
+        if (!m_status) m_status = phys_stepper_create(subject.registry, subject.id.c_str(), created, &made, &m_error);
+        m_stepper.reset(made);
+        params = scene.params;
+        params.gravity = scene.legs[0].gravity;
+        phys_stepper_info info;
+        if (!phys_registry_find(subject.registry, subject.id.c_str(), &info, nullptr)) {
+            phys_stepper_info_init_params(&info, &params);
+        }
+        state = scene.start;
+    }
+
+    /// False once a step has failed.
+    bool step(double dt) {
+        if (!m_status) m_status = phys_step(m_stepper.get(), &params, dt, &state, &state, nullptr, &m_error);
+        return m_status == PHYS_OK;
+    }
+    double energy() const {
+        double value = 0;
+        phys_energy(m_scene.get(), &params, &state, &value);
+        return value;
+    }
+    phys_status status() const { return m_status; }
+    std::string why() const { return std::string(phys_status_name(m_status)) + ": " + m_error.text; }
+
+    phys_params params{};
+    phys_state state{};
+
+private:
+    ScenePtr m_scene;
+    StepperPtr m_stepper;
+    phys_status m_status = PHYS_OK;
+    phys_error m_error{};
+};
+
+/// The rigid model, or the rolling one for a stepper that knows no other.
+uint32_t modelOf(const Subject &subject) {
+    Run run(subject, board(PHYS_MODEL_RIGID));
+    run.step(0.001);
+    return run.status() == PHYS_ERROR_UNSUPPORTED ? PHYS_MODEL_ROLLING : PHYS_MODEL_RIGID;
+}
+
+/// The order that errors follow in a scene of half a second, against the brute force.
+Measure orderIn(const Subject &subject, Case scene) {
+    scene.legs[0].dt = 0.5;
+    witness::BruteForce force(scene.boxes, scene.radius);
+    witness::Motion motion = {witness::vectorOf(scene.start.position), witness::vectorOf(scene.start.velocity),
+                              witness::vectorOf(scene.start.spin)};
+    phys_params params = scene.params;
+    params.gravity = scene.legs[0].gravity;
+    if (!force.run(witness::lawOf(params, scene.radius), 0.5L, motion)) return {true, "no reference"};
+    std::array<double, 3> errors{};
+    for (int i = 0; i < 3; ++i) {
+        Run run(subject, scene);
+        const int steps = 50 << i;
+        for (int step = 0; step < steps; ++step) run.step(0.5 / steps);
+        if (run.status()) return {true, run.why()};
+        errors[i] = static_cast<double>(length(witness::vectorOf(run.state.position) - motion.place));
+    }
+    const std::string figures = format("errors %.2g, %.2g, %.2g m with 10, 5, 2.5 ms", errors[0], errors[1], errors[2]);
+    if (errors[2] < 1e-9) return {false, "none is left: " + figures};
+    const double order = std::log2(errors[0] / errors[2]) / 2;
+    return {order < 0.5,
+            (order < 0.5 ? "doesn't converge to the law's motion: " : format("order %.1f: ", order)) + figures};
+}
+
+} // namespace
+
+Measure smoothMotion(const Subject &subject) {
+    Case scene = board(PHYS_MODEL_ROLLING);
+    scene.params.rolling_friction = 0.01;
+    scene.legs[0].gravity = {0.8, -0.5, -9.7};
+    scene.start.velocity = {-0.1, 0.15, 0};
+    scene.start.spin = {-0.15 / 0.006, -0.1 / 0.006, 0};
+    return orderIn(subject, scene);
+}
+
+Measure impacts(const Subject &subject) {
+    Case scene = board(PHYS_MODEL_ROLLING);
+    scene.params.restitution_wall = 0.6;
+    scene.boxes.push_back({{0.05, -1, 0}, {0.06, 1, 0.05}});
+    scene.boxes.push_back({{-0.06, -1, 0}, {-0.05, 1, 0.05}});
+    scene.legs[0].gravity = {0.4, 0.2, -9.79};
+    scene.start.velocity = {0.37, 0.05, 0};
+    scene.start.spin = {-0.05 / 0.006, 0.37 / 0.006, 0};
+    return orderIn(subject, scene);
+}
+
+Measure invariants(const Subject &subject) {
+    std::map<std::string, std::string> found; // by check: the first of each
+    std::map<std::string, int> refused;
+    int runs = 0;
+    for (uint64_t seed = 1; seed <= 5; ++seed) {
+        for (const char *kind : {"boxes", "thin", "roof", "gap", "room", "kerb", "tiles"}) {
+            for (const uint32_t model : {PHYS_MODEL_ROLLING, PHYS_MODEL_RIGID}) {
+                size_t index = 0;
+                while (witness::kinds()[index] != kind) ++index;
+                const Case scene = witness::drawCase(index, seed, model);
+                const witness::Verdict verdict = witness::examine(subject.registry, subject.id, scene);
+                ++runs;
+                if (verdict.status) ++refused[phys_status_name(verdict.status)];
+                if (verdict.check.empty() || found.count(verdict.check)) continue;
+                found[verdict.check] = std::string("--seed ") + std::to_string(seed) + " --kind " + kind + " --model " +
+                                       (model ? "rigid" : "rolling") + ": " + verdict.what;
+            }
+        }
+    }
+    Measure measure;
+    measure.isWrong = !found.empty();
+    measure.text = format("%g scenes", runs);
+    for (const auto &[check, what] : found) measure.text += "\n        " + check + ": " + what;
+    for (const auto &[status, count] : refused)
+        measure.text += "\n        refused with " + status + ": " + std::to_string(count);
+    return measure;
+}
+
+Measure law(const Subject &subject) {
+    int compared = 0;
+    int wrong = 0;
+    std::string first;
+    for (uint64_t seed = 1; seed <= 4; ++seed) {
+        for (const char *kind : {"boxes", "thin", "gap", "pressed"}) {
+            size_t index = 0;
+            while (witness::kinds()[index] != kind) ++index;
+            const Case scene = witness::drawSmoothCase(index, seed, seed % 2 ? PHYS_MODEL_RIGID : PHYS_MODEL_ROLLING);
+            const std::optional<witness::Truth> truth = witness::Truth::of(scene);
+            if (!truth) continue;
+            const witness::Verdict verdict = witness::judgeLaw(subject.registry, subject.id, scene, *truth);
+            ++compared;
+            if (verdict.check.empty()) continue;
+            if (!wrong++) first = "; " + scene.name + ": " + verdict.what;
+        }
+    }
+    return {wrong > 0, format("goes elsewhere in %g of %g scenes", wrong, compared) + first};
+}
+
+Measure energyAtRest(const Subject &subject) {
+    double worst = 0;
+    for (const uint32_t model : {PHYS_MODEL_ROLLING, PHYS_MODEL_RIGID}) {
+        Run run(subject, board(model));
+        const double before = run.energy();
+        for (int i = 0; i < 1000; ++i) run.step(0.01);
+        if (run.status() == PHYS_ERROR_UNSUPPORTED && modelOf(subject) != model) continue; // said under invariants
+        if (run.status()) return {true, run.why()};
+        worst = std::max(worst, std::abs(run.energy() - before));
+    }
+    return {worst > 1e-9, format("changes by %.2g J/kg in 10 s", worst)};
+}
+
+Measure energyPerBounce(const Subject &subject) {
+    Case scene = board(PHYS_MODEL_ROLLING);
+    scene.params.restitution_wall = 1;
+    scene.params.rolling_friction = 0;
+    scene.boxes.push_back({{0.05, -1, 0}, {0.06, 1, 0.05}});
+    scene.start.velocity = {0.3, 0, 0};
+    scene.start.spin = {0, 0.3 / 0.006, 0};
+    Run run(subject, scene);
+    const double before = run.energy();
+    for (int i = 0; i < 30; ++i) run.step(0.01);
+    if (run.status()) return {true, run.why()};
+    const double change = (run.energy() - before) / before;
+    return {change > 1e-9, format("changes by the part %.2g at restitution 1", change)};
+}
+
+Measure tunnelling(const Subject &subject) {
+    for (double speed = 0.1; speed < 2000; speed *= 2) {
+        Case scene = board(PHYS_MODEL_ROLLING);
+        scene.boxes = {{{-100, -100, -1}, {100, 100, 0}}, {{0.05, -100, 0}, {0.051, 100, 10}}};
+        scene.start.velocity = {speed, 0, 0};
+        scene.start.spin = {0, speed / 0.006, 0};
+        Run run(subject, scene);
+        for (int i = 0; i < 100; ++i) {
+            run.step(0.01);
+            if (run.state.position.x > 0.05)
+                return {true, format("through 1 mm of wall at %.3g m/s, steps of 10 ms", speed)};
+        }
+        if (run.status()) return {false, format("none up to %.3g m/s, then ", speed) + run.why()};
+    }
+    return {false, "none up to 2000 m/s"};
+}
+
+Measure threads(const Subject &subject) {
+    const Case scene = witness::drawSmoothCase(0, 3, modelOf(subject));
+    std::array<phys_state, 5> ends{};
+    const auto work = [&](size_t index) {
+        Run run(subject, scene);
+        for (int i = 0; i < 200; ++i) run.step(0.002);
+        ends[index] = run.state;
+    };
+    work(0);
+    std::vector<std::thread> all;
+    for (size_t i = 1; i < ends.size(); ++i) all.emplace_back(work, i);
+    for (std::thread &thread : all) thread.join();
+    for (const phys_state &end : ends) {
+        if (std::memcmp(&end, &ends[0], sizeof end) != 0) return {true, "other bits on another thread"};
+    }
+    return {false, "same bits in a repeat and on four threads"};
+}
+
+Measure extremes(const Subject &subject) {
+    Measure measure;
+    const auto look = [&](const char *name, const Case &scene, double dt) {
+        Run run(subject, scene);
+        for (int i = 0; i < 3; ++i) run.step(dt);
+        const phys_vec3 &p = run.state.position;
+        const bool isFine = std::isfinite(p.x) && std::isfinite(p.y) && p.z > 0.99 * scene.radius;
+        const bool isRefused = run.status() != PHYS_OK;
+        if (!isFine || run.status() == PHYS_ERROR_PLUGIN_RESULT) measure.isWrong = true;
+        measure.text += (measure.text.empty() ? "" : ", ") + std::string(name) +
+                        (isRefused ? std::string(" ") + phys_status_name(run.status())
+                         : isFine  ? " ok"
+                                   : " through the floor");
+    };
+    Case scene = board(modelOf(subject));
+    scene.start.velocity = {0.1, 0, 0};
+    look("1 ns", scene, 1e-9);
+    look("1 s", scene, 1.0);
+    Case fast = scene;
+    fast.start.velocity = {1e4, 0, 0};
+    look("10 km/s", fast, 0.01);
+    Case small = scene;
+    small.radius = 1e-6;
+    small.start.position.z = 1e-6;
+    look("1 um of ball", small, 1e-3);
+    Case large = scene;
+    large.boxes = {{{-1e6, -1e6, -1e3}, {1e6, 1e6, 0}}};
+    large.radius = 1e3;
+    large.start.position.z = 1e3;
+    look("1 km of ball", large, 1.0);
+    return measure;
+}
+
+/// What a caller does wrong ends as a status, and nothing is written.
+Measure misuse(const Subject &subject) {
+    const Case scene = board(modelOf(subject));
+    Measure measure{false, "refused, outputs untouched"};
+    const auto refuses = [&](const char *what, double dt, const std::function<void(Run &)> &spoil) {
+        Run run(subject, scene);
+        spoil(run);
+        const phys_state before = run.state;
+        if (!run.step(dt) && std::memcmp(&before, &run.state, sizeof before) == 0) return;
+        measure = {true, std::string(what) + " isn't refused"};
+    };
+    refuses("a time step below zero", -0.01, [](Run &) {});
+    refuses("a time step that isn't a number", std::nan(""), [](Run &) {});
+    refuses("a place that isn't a number", 0.01, [](Run &run) { run.state.position.x = std::nan(""); });
+    refuses("restitution 2", 0.01, [](Run &run) { run.params.restitution_wall = 2; });
+    return measure;
+}
+
+Measure cost(const Subject &subject) {
+    Case scene = board(PHYS_MODEL_ROLLING);
+    scene.boxes = {{{-1, -1, -0.1}, {1, 1, 0}}, {{0.05, -1, 0}, {0.06, 1, 0.05}}, {{-0.06, -1, 0}, {-0.05, 1, 0.05}}};
+    scene.params.restitution_wall = 1;
+    scene.params.rolling_friction = 0;
+    const auto nanoseconds = [&](const std::string &id, const phys_registry *registry) {
+        double best = 1e300;
+        for (int repeat = 0; repeat < 3; ++repeat) {
+            Run run({registry, id}, scene);
+            run.state.velocity = {0.3, 0, 0};
+            const auto begin = std::chrono::steady_clock::now();
+            for (int i = 0; i < 2000; ++i) run.step(0.001);
+            const std::chrono::duration<double, std::nano> taken = std::chrono::steady_clock::now() - begin;
+            if (!run.status()) best = std::min(best, taken.count() / 2000);
+        }
+        return best;
+    };
+    Measure measure;
+    const double own = nanoseconds(subject.id, subject.registry);
+    measure.text = own < 1e300 ? format("%.0f ns a step; beside it", own) : std::string("refuses; beside it");
+    phys_stepper_info info;
+    for (uint32_t i = 0; phys_registry_info(nullptr, i, &info) == PHYS_OK; ++i) {
+        measure.text += std::string(" ") + info.id + format(" %.0f", nanoseconds(info.id, nullptr));
+    }
+    return measure;
+}
+
+} // namespace plugin_check

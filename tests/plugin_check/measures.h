@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// What the report card measures of a stepper. Each returns what it found; `isWrong` if that breaks a promise.
+#pragma once
+
+#include <physics/physics.h>
+
+#include <string>
+
+namespace plugin_check {
+
+struct Measure {
+    bool isWrong = false;
+    std::string text;
+};
+
+/// A stepper of a registry.
+struct Subject {
+    const phys_registry *registry;
+    std::string id;
+};
+
+Measure smoothMotion(const Subject &subject);
+Measure impacts(const Subject &subject);
+Measure invariants(const Subject &subject);
+Measure law(const Subject &subject);
+Measure energyAtRest(const Subject &subject);
+Measure energyPerBounce(const Subject &subject);
+Measure tunnelling(const Subject &subject);
+Measure threads(const Subject &subject);
+Measure extremes(const Subject &subject);
+Measure misuse(const Subject &subject);
+Measure cost(const Subject &subject);
+
+} // namespace plugin_check
