@@ -271,6 +271,7 @@ Measure extremes(const Subject &subject) {
     look("1 ns", scene, 1e-9);
     look("1 s", scene, 1.0);
     Case fast = scene;
+    fast.boxes = {{{-1e3, -1e3, -1}, {1e3, 1e3, 0}}}; // it goes 300 m
     fast.start.velocity = {1e4, 0, 0};
     look("10 km/s", fast, 0.01);
     Case small = scene;
