@@ -58,20 +58,23 @@ bool Companion::follow(const Engine &leader, QString *error) {
     if (!m_sharesValues) phys_stepper_info_init_params(&m_info, &inputs.params);
     m_engine.setInputs(inputs);
     m_engine.setDt(leader.dt() / m_substeps);
-    const phys_state before = m_engine.state();
+    m_previous = m_engine.state();
+    if (m_previous.flags & PHYS_OUT) return true; // it waits at the exit
     for (int i = 0; i < m_substeps && m_isThere; ++i) m_isThere = m_engine.step(error);
     if (!m_isThere) return false;
-    m_previous = before;
     m_deviation = deviationOf(leader, m_engine);
     return true;
 }
 
 void Companion::addTo(Sample &sample) const {
-    if (!m_isThere) return;
+    if (!m_isThere || (m_previous.flags & PHYS_OUT)) return;
     const phys_vec3 &position = m_engine.state().position;
     sample[Channel::GhostX] = position.x;
     sample[Channel::GhostY] = position.y;
     sample[Channel::GhostZ] = position.z;
+    const phys_vec3 &velocity = m_engine.state().velocity;
+    sample[Channel::GhostSpeed] = lengthOf(velocity);
+    sample[Channel::GhostEnergy] = m_engine.report().energy_after;
     sample[Channel::Distance] = m_deviation.distance;
     sample[Channel::SpeedDifference] = m_deviation.speed;
     sample[Channel::EnergyDifference] = m_deviation.energy;

@@ -49,7 +49,7 @@ public:
     // At the leader's present state, also after a refusal.
     void meet(const Engine &leader);
     // One step of the leader's dt, after the leader's. If the stepper refuses it `error` gets the library's line, and
-    // the companion is gone until the next meeting.
+    // the companion is gone until the next meeting. Out of the maze it waits where it left.
     bool follow(const Engine &leader, QString *error);
 
     const Scene &scene() const { return m_engine.scene(); }
@@ -58,7 +58,7 @@ public:
     const phys_state &previous() const { return m_previous; } // before the leader's last step
     double metAt() const { return m_metAt; }                  // s
     const Deviation &deviation() const { return m_deviation; }
-    // Fills in the channels of the comparison, if it is there.
+    // Fills in the channels of the comparison, if it is there and was in the maze.
     void addTo(Sample &sample) const;
 
 private:

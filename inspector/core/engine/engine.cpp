@@ -16,16 +16,19 @@ void Engine::setScene(Scene scene, Stepper stepper) {
     m_stepper = std::move(stepper);
     m_scene = std::move(scene);
     m_pilot = nullptr;
+    m_start.reset();
     restart();
 }
 
 void Engine::restart() {
+    if (m_start) return setState(*m_start);
     phys_state start;
     if (phys_scene_start(m_scene.get(), &start) == PHYS_OK) setState(start);
 }
 
 void Engine::setState(const phys_state &state) {
     m_state = m_previous = state;
+    m_lost = {};
     m_report = {};
     phys_report_init(&m_report, sizeof m_report);
     m_report.events = m_events.data();
@@ -63,9 +66,24 @@ bool Engine::step(QString *error) {
     }
     m_previous = m_state;
     m_state = next;
+    m_lost.impact += m_report.lost_impact;
+    m_lost.rolling += m_report.lost_rolling;
+    m_lost.slip += m_report.lost_slip;
+    m_lost.scheme += m_report.energy_scheme;
     return true;
 }
 
-Sample Engine::sample() const { return makeSample(m_state, m_inputs, m_report); }
+Sample Engine::sample() const {
+    Sample sample = makeSample(m_state, m_inputs, m_report);
+    const phys_vec3 &now = m_state.velocity;
+    const phys_vec3 &before = m_previous.velocity;
+    if (m_dt > 0.0)
+        sample[Channel::Acceleration] = std::hypot(now.x - before.x, now.y - before.y, now.z - before.z) / m_dt;
+    sample[Channel::LostImpact] = m_lost.impact;
+    sample[Channel::LostRolling] = m_lost.rolling;
+    sample[Channel::LostSlip] = m_lost.slip;
+    sample[Channel::Scheme] = m_lost.scheme;
+    return sample;
+}
 
 } // namespace inspector

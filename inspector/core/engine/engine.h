@@ -10,6 +10,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 
 namespace inspector {
@@ -37,7 +38,9 @@ public:
     void setDt(double dt) { m_dt = dt; }               // s, >= 0
     double dt() const { return m_dt; }
 
+    // At the scene's start, or at the one that was set.
     void restart();
+    void setStart(const std::optional<phys_state> &start) { m_start = start; } // nothing: the scene's
     void setState(const phys_state &state);
     const phys_state &state() const { return m_state; }
     const phys_state &previous() const { return m_previous; }
@@ -59,10 +62,15 @@ private:
     Inputs m_given = initialInputs();
     Inputs m_inputs = m_given;
     double m_dt = kDefaultDt;
+    std::optional<phys_state> m_start; // its own
     phys_state m_state{};
     phys_state m_previous{};
     std::array<phys_event, kEventCapacity> m_events{};
     phys_report m_report{};
+    // Summed up since the state was set, J/kg; the last is made, not lost.
+    struct {
+        double impact = 0.0, rolling = 0.0, slip = 0.0, scheme = 0.0;
+    } m_lost;
 };
 
 } // namespace inspector

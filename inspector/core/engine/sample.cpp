@@ -1,35 +1,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/engine/sample.h"
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 
 namespace inspector {
 
 const std::array<ChannelInfo, kChannelCount> &channelInfos() {
     static constexpr std::array<ChannelInfo, kChannelCount> infos{{
-        {"position_x", "Position x", "m"},
-        {"position_y", "Position y", "m"},
-        {"position_z", "Position z", "m"},
-        {"velocity_x", "Velocity x", "m/s"},
-        {"velocity_y", "Velocity y", "m/s"},
-        {"velocity_z", "Velocity z", "m/s"},
-        {"speed", "Speed", "m/s"},
-        {"spin_x", "Spin x", "rad/s"},
-        {"spin_y", "Spin y", "rad/s"},
-        {"spin_z", "Spin z", "rad/s"},
-        {"energy", "Energy per mass", "J/kg"},
-        {"tilt_x", "Tilt x", "deg"},
-        {"tilt_y", "Tilt y", "deg"},
-        {"substeps", "Substeps", ""},
-        {"penetration", "Penetration", "m"},
-        {"flags", "Flags", ""},
-        {"ghost_x", "Ghost x", "m"},
-        {"ghost_y", "Ghost y", "m"},
-        {"ghost_z", "Ghost z", "m"},
-        {"distance", "Distance", "m"},
-        {"speed_difference", "Speed difference", "m/s"},
-        {"energy_difference", "Energy difference per mass", "J/kg"},
+        {"position_x", "Position x", "m", "Position"},
+        {"position_y", "Position y", "m", "Position"},
+        {"position_z", "Position z", "m", "Position"},
+        {"velocity_x", "Velocity x", "m/s", "Velocity"},
+        {"velocity_y", "Velocity y", "m/s", "Velocity"},
+        {"velocity_z", "Velocity z", "m/s", "Velocity"},
+        {"speed", "Speed", "m/s", "Velocity"},
+        {"spin_x", "Spin x", "rad/s", "Spin"},
+        {"spin_y", "Spin y", "rad/s", "Spin"},
+        {"spin_z", "Spin z", "rad/s", "Spin"},
+        {"energy", "Energy per mass", "J/kg", "Energy"},
+        {"tilt_x", "Tilt x", "deg", "Board"},
+        {"tilt_y", "Tilt y", "deg", "Board"},
+        {"substeps", "Substeps", "", "Stepper"},
+        {"penetration", "Penetration", "m", "Stepper"},
+        {"flags", "Flags", "", "Stepper"},
+        {"ghost_x", "Ghost x", "m", "Ghost", true},
+        {"ghost_y", "Ghost y", "m", "Ghost", true},
+        {"ghost_z", "Ghost z", "m", "Ghost", true},
+        {"distance", "Distance", "m", "Ghost"},
+        {"speed_difference", "Speed difference", "m/s", "Ghost"},
+        {"energy_difference", "Energy difference per mass", "J/kg", "Ghost"},
+        {"acceleration", "Acceleration", "m/s^2", "Velocity"},
+        {"kinetic", "Kinetic energy", "J/kg", "Energy"},
+        {"potential", "Potential energy", "J/kg", "Energy"},
+        {"lost_impact", "Lost to impacts", "J/kg", "Energy"},
+        {"lost_rolling", "Lost to rolling", "J/kg", "Energy"},
+        {"lost_slip", "Lost to slip", "J/kg", "Energy"},
+        {"scheme", "Made by the stepper", "J/kg", "Energy"},
+        {"step_time", "Time a step takes", "us", "Stepper"},
+        {"ghost_speed", "Ghost speed", "m/s", "Ghost", true},
+        {"ghost_energy", "Ghost energy", "J/kg", "Ghost", true},
     }};
     return infos;
 }
@@ -38,32 +50,19 @@ Sample makeSample(const phys_state &state, const Inputs &inputs, const phys_repo
     const phys_vec3 &p = state.position;
     const phys_vec3 &v = state.velocity;
     const phys_vec3 &w = state.spin;
-    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     Sample sample;
     sample.time = state.time;
     sample.step = state.step;
-    sample.values = {p.x,
-                     p.y,
-                     p.z,
-                     v.x,
-                     v.y,
-                     v.z,
-                     std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z),
-                     w.x,
-                     w.y,
-                     w.z,
-                     report.energy_after,
-                     degrees(inputs.tilt.x),
-                     degrees(inputs.tilt.y),
-                     double(report.substeps),
-                     report.penetration,
-                     double(state.flags),
-                     kNone,
-                     kNone,
-                     kNone,
-                     kNone,
-                     kNone,
-                     kNone};
+    sample.values.fill(std::numeric_limits<double>::quiet_NaN());
+    const auto put = [&sample](Channel first, std::initializer_list<double> values) {
+        std::copy(values.begin(), values.end(), sample.values.begin() + size_t(first));
+    };
+    put(Channel::PositionX, {p.x, p.y, p.z, v.x, v.y, v.z, std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z)});
+    put(Channel::SpinX, {w.x, w.y, w.z, report.energy_after, degrees(inputs.tilt.x), degrees(inputs.tilt.y)});
+    put(Channel::Substeps, {double(report.substeps), report.penetration, double(state.flags)});
+    const phys_vec3 &g = inputs.params.gravity;
+    const double potential = -(g.x * p.x + g.y * p.y + g.z * p.z);
+    put(Channel::Kinetic, {report.energy_after - potential, potential});
     return sample;
 }
 

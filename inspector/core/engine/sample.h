@@ -34,15 +34,29 @@ enum class Channel {
     Distance,
     SpeedDifference,
     EnergyDifference,
+    // For plots; not in every table.
+    Acceleration,
+    Kinetic,
+    Potential,
+    LostImpact,
+    LostRolling,
+    LostSlip,
+    Scheme,
+    StepTime, // NaN where nobody looked at the clock
+    GhostSpeed,
+    GhostEnergy,
 };
 
-inline constexpr size_t kBallChannelCount = size_t(Channel::Flags) + 1; // that every step has
-inline constexpr size_t kChannelCount = size_t(Channel::EnergyDifference) + 1;
+inline constexpr size_t kBallChannelCount = size_t(Channel::Flags) + 1;             // that every step has
+inline constexpr size_t kTableChannelCount = size_t(Channel::EnergyDifference) + 1; // with a ghost's
+inline constexpr size_t kChannelCount = size_t(Channel::GhostEnergy) + 1;
 
 struct ChannelInfo {
     const char *id;    // for columns and settings: velocity_x
     const char *label; // for people: Velocity x
     const char *unit;  // "" if it has none
+    const char *group; // in menus
+    bool isGhost = false;
 };
 
 // In the order of the enumeration.
@@ -57,7 +71,7 @@ struct Sample {
     double &operator[](Channel channel) { return values[size_t(channel)]; }
 };
 
-// Without a comparison.
+// Without a comparison, and without what one state alone doesn't tell.
 Sample makeSample(const phys_state &state, const Inputs &inputs, const phys_report &report);
 
 } // namespace inspector

@@ -4,9 +4,7 @@
 #include "core/events/counted_impact.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstring>
 
 namespace inspector {
 
@@ -50,8 +48,7 @@ StepFacts factsOf(const Engine &engine, uint32_t stepper) {
 }
 
 EventLog::EventLog(size_t capacity)
-    : m_capacity(std::bit_ceil(std::max(capacity, size_t(2 * kReach))))
-    , m_slots(std::make_unique<Slot[]>(m_capacity))
+    : m_entries(std::max(capacity, size_t(2 * kReach)))
     , m_newest(kReach) {}
 
 void EventLog::note(const Engine &engine, uint32_t stepper) {
@@ -69,14 +66,13 @@ void EventLog::append(const phys_event &event, const StepFacts &step) {
         ++entry->count;
         entry->until = event.time;
         entry->fastest = std::max(entry->fastest, std::abs(event.speed_before));
-        store(*entry);
-        return announce();
+        m_entries.rewrite(entry->number, *entry);
+    } else {
+        const uint64_t number = m_entries.written();
+        LoggedEvent &newest = m_newest[number % kReach];
+        newest = {number, event, 1, event.time, std::abs(event.speed_before), step};
+        m_entries.append(newest);
     }
-    const uint64_t number = m_counts.last;
-    LoggedEvent &entry = m_newest[number % kReach];
-    entry = {number, event, 1, event.time, std::abs(event.speed_before), step};
-    store(entry);
-    m_counts.last = number + 1;
     announce();
 }
 
@@ -87,8 +83,8 @@ bool EventLog::isOneMore(const LoggedEvent &entry, const phys_event &event, doub
 
 // The newest entry of the same kind and box decides: after a fast impact a new row of slow ones begins.
 LoggedEvent *EventLog::entryToGrow(const phys_event &event, double dt) {
-    const uint64_t end = m_counts.last;
-    const uint64_t begin = std::max(m_counts.cleared, end > kReach ? end - kReach : 0);
+    const uint64_t end = m_entries.written();
+    const uint64_t begin = std::max(m_entries.cleared(), end > kReach ? end - kReach : 0);
     for (uint64_t number = end; number-- > begin;) {
         LoggedEvent &entry = m_newest[number % kReach];
         if (entry.event.kind != event.kind || entry.event.box != event.box) continue;
@@ -97,74 +93,41 @@ LoggedEvent *EventLog::entryToGrow(const phys_event &event, double dt) {
     return nullptr;
 }
 
-// A reader that meets a new word then also sees that the version has moved on: release and acquire on each word, which
-// cost nothing extra on x86 and ARM64.
-void EventLog::store(const LoggedEvent &entry) {
-    uint64_t words[kWords];
-    std::memcpy(words, &entry, sizeof words);
-    Slot &slot = m_slots[entry.number % m_capacity];
-    const uint64_t version = slot.version.load(std::memory_order_relaxed);
-    slot.version.store(version + 1, std::memory_order_relaxed);
-    for (size_t i = 0; i < kWords; ++i) slot.words[i].store(words[i], std::memory_order_release);
-    slot.version.store(version + 2, std::memory_order_release);
-}
-
 void EventLog::announce() {
-    ++m_counts.revision;
-    if (!m_isHeld) show();
+    ++m_changes;
+    if (!m_entries.isHeld()) show();
 }
 
-// First what is gone, then what is new: entries from before and after a clear() are never seen together.
 void EventLog::show() {
-    m_cleared.store(m_counts.cleared, std::memory_order_release);
-    m_last.store(m_counts.last, std::memory_order_release);
-    m_lost.store(m_counts.lost, std::memory_order_release);
-    m_generation.store(m_counts.generation, std::memory_order_release);
-    m_revision.store(m_counts.revision, std::memory_order_release);
+    m_lost.store(m_lostCount, std::memory_order_release);
+    m_revision.store(m_changes, std::memory_order_release);
 }
-
-void EventLog::hold() { m_isHeld = true; }
 
 void EventLog::release() {
-    m_isHeld = false;
+    m_entries.release();
     show();
 }
 
 void EventLog::noteLost(uint64_t count) {
-    m_counts.lost += count;
+    m_lostCount += count;
     announce();
 }
 
 void EventLog::clear() {
-    m_counts.cleared = m_counts.last;
-    m_counts.lost = 0;
-    ++m_counts.generation;
+    m_entries.clear();
+    m_lostCount = 0;
     announce();
 }
 
-uint64_t EventLog::first() const {
-    const uint64_t end = last();
-    const uint64_t oldest = end > m_capacity ? end - m_capacity : 0;
-    return std::max(oldest, m_cleared.load(std::memory_order_acquire));
-}
-
-uint64_t EventLog::dropped() const {
-    const uint64_t cleared = m_cleared.load(std::memory_order_acquire);
-    return std::max(first(), cleared) - cleared;
-}
-
-bool EventLog::read(uint64_t number, LoggedEvent &out) const {
-    if (number < first() || number >= last()) return false;
-    const Slot &slot = m_slots[number % m_capacity];
-    const uint64_t version = slot.version.load(std::memory_order_acquire);
-    uint64_t words[kWords];
-    for (size_t i = 0; i < kWords; ++i) words[i] = slot.words[i].load(std::memory_order_acquire);
-    if (version % 2 != 0 || slot.version.load(std::memory_order_relaxed) != version) return false;
+// What an entry that began before has grown by since stays in it.
+void EventLog::forgetAfter(double time) {
+    uint64_t number = m_entries.written();
     LoggedEvent entry;
-    std::memcpy(&entry, words, sizeof entry);
-    if (entry.number != number) return false; // overwritten meanwhile
-    out = entry;
-    return true;
+    while (number > m_entries.cleared() && m_entries.readOwn(number - 1, entry) && entry.event.time > time) --number;
+    m_entries.truncate(number);
+    for (uint64_t kept = number; kept-- > m_entries.cleared() && number - kept <= kReach;)
+        if (m_entries.readOwn(kept, entry)) m_newest[kept % kReach] = entry;
+    announce();
 }
 
 } // namespace inspector

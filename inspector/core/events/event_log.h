@@ -3,9 +3,9 @@
 #pragma once
 
 #include "core/engine/engine.h"
+#include "core/engine/slot_ring.h"
 
 #include <atomic>
-#include <memory>
 #include <vector>
 
 namespace inspector {
@@ -40,8 +40,8 @@ struct LoggedEvent {
 
 StepFacts factsOf(const Engine &engine, uint32_t stepper);
 
-// One thread writes, any others read at the same time; nobody waits and nothing is allocated. The oldest entries are
-// overwritten. The newest kReach may still grow by what is folded into them; all others stay as they are.
+// One thread writes, any others read at the same time, as SlotRing says. The newest kReach entries may still grow by
+// what is folded into them; all others stay as they are.
 class EventLog {
 public:
     static constexpr size_t kDefaultCapacity = 4096;
@@ -57,61 +57,35 @@ public:
     void append(const phys_event &event, const StepFacts &step);
     void noteLost(uint64_t count);
     void clear();
-    // What is done between the two is seen by nobody before the second, and then all at once.
-    void hold();
+    // Takes back what came after `time`, s.
+    void forgetAfter(double time);
+    void hold() { m_entries.hold(); }
     void release();
 
     // Readers' side. Entries [first(), last()) can be read just now.
-    size_t capacity() const { return m_capacity; }
-    uint64_t first() const;
-    uint64_t last() const { return m_last.load(std::memory_order_acquire); }
-    uint64_t dropped() const; // entries of this run that were overwritten
-    uint64_t lost() const {
-        return m_lost.load(std::memory_order_acquire);
-    } // events of this run that no step had room for
-    // How often clear() was called: a reader that sees another number starts anew.
-    uint64_t generation() const { return m_generation.load(std::memory_order_acquire); }
+    size_t capacity() const { return m_entries.capacity(); }
+    uint64_t first() const { return m_entries.first(); }
+    uint64_t last() const { return m_entries.last(); }
+    uint64_t dropped() const { return first() - m_entries.firstOfGeneration(); } // of this run, overwritten
+    uint64_t lost() const { return m_lost.load(std::memory_order_acquire); } // of this run, that no step had room for
+    // Another one: start anew.
+    uint64_t generation() const { return m_entries.generation() + m_entries.truncations(); }
     // Another number after every change.
     uint64_t revision() const { return m_revision.load(std::memory_order_acquire); }
-
     // Entry `number`; false if it is gone, not there yet, or just being written: then it is there a moment later.
-    bool read(uint64_t number, LoggedEvent &out) const;
+    bool read(uint64_t number, LoggedEvent &out) const { return m_entries.read(number, out); }
 
 private:
-    static constexpr size_t kWords = sizeof(LoggedEvent) / sizeof(uint64_t);
-    static_assert(sizeof(LoggedEvent) == kWords * sizeof(uint64_t) && std::is_trivially_copyable_v<LoggedEvent>);
-
-    // The version is odd while the words are being written.
-    struct Slot {
-        std::atomic<uint64_t> version{0};
-        std::atomic<uint64_t> words[kWords];
-    };
-
     bool isOneMore(const LoggedEvent &entry, const phys_event &event, double dt) const;
     LoggedEvent *entryToGrow(const phys_event &event, double dt);
-    void store(const LoggedEvent &entry);
     void announce();
     void show();
 
-    // The writer's own: what there is to see once it isn't held back any more.
-    struct Counts {
-        uint64_t last = 0;    // entries begun
-        uint64_t cleared = 0; // last at the last clear()
-        uint64_t lost = 0;
-        uint64_t generation = 0;
-        uint64_t revision = 0;
-    };
-
-    size_t m_capacity;
-    std::unique_ptr<Slot[]> m_slots;
+    SlotRing<LoggedEvent> m_entries;
     std::vector<LoggedEvent> m_newest; // the writer's own copies of the newest kReach
-    Counts m_counts;
-    bool m_isHeld = false;
-    // What is seen.
-    std::atomic<uint64_t> m_last{0};
-    std::atomic<uint64_t> m_cleared{0};
-    std::atomic<uint64_t> m_lost{0};
-    std::atomic<uint64_t> m_generation{0};
+    uint64_t m_lostCount = 0;          // the writer's own, too
+    uint64_t m_changes = 0;
+    std::atomic<uint64_t> m_lost{0}; // as seen
     std::atomic<uint64_t> m_revision{0};
 };
 

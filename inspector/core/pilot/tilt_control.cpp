@@ -25,6 +25,18 @@ void follow(double target, double seconds, double &tilt, double &rate) {
     if (target == 0.0 && std::abs(tilt) < kStillTilt && std::abs(rate) < kStillRate) tilt = rate = 0.0;
 }
 
+// To a billionth, so that a heading along an axis gives a tilt along that axis alone.
+double rounded(double share) { return std::round(share * 1e9) / 1e9; }
+
+Tilt wantedTilt(const TiltKeys &keys) {
+    const double limit = radians(kPlayTilt);
+    const double right = int(keys.right) - int(keys.left);
+    const double up = int(keys.up) - int(keys.down);
+    const double c = rounded(std::cos(keys.heading));
+    const double s = rounded(std::sin(keys.heading));
+    return {limit * (c * right + s * up), limit * (c * up - s * right)};
+}
+
 } // namespace
 
 void TiltControl::setTilt(Tilt tilt) {
@@ -33,9 +45,9 @@ void TiltControl::setTilt(Tilt tilt) {
 }
 
 Tilt TiltControl::advance(double seconds) {
-    const double limit = radians(kPlayTilt);
-    follow(limit * (int(m_keys.right) - int(m_keys.left)), seconds, m_tilt.x, m_rate.x);
-    follow(limit * (int(m_keys.up) - int(m_keys.down)), seconds, m_tilt.y, m_rate.y);
+    const Tilt wanted = wantedTilt(m_keys);
+    follow(wanted.x, seconds, m_tilt.x, m_rate.x);
+    follow(wanted.y, seconds, m_tilt.y, m_rate.y);
     return m_tilt;
 }
 

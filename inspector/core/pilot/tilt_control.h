@@ -8,6 +8,7 @@ namespace inspector {
 
 struct TiltKeys {
     bool left = false, right = false, up = false, down = false;
+    double heading = 0.0; // rad from y towards x: which way on the board `up` is; 0 is +y
     bool any() const { return left || right || up || down; }
 };
 

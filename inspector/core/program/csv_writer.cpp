@@ -11,8 +11,18 @@ namespace inspector {
 
 namespace {
 
-// Those of the comparison come last.
-size_t countOf(Columns columns) { return columns == Columns::Ball ? kBallChannelCount : kChannelCount; }
+// Each has the columns of the one before, and more after them.
+size_t countOf(Columns columns) {
+    switch (columns) {
+    case Columns::Ball:
+        return kBallChannelCount;
+    case Columns::BallAndGhost:
+        return kTableChannelCount;
+    case Columns::All:
+        break;
+    }
+    return kChannelCount;
+}
 
 QByteArray comparisonLines(const Options &options) {
     if (!options.comparison) return {};

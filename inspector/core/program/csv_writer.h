@@ -14,7 +14,7 @@ namespace inspector {
 
 // What made a table, a line each: program, level, stepper, dt and every parameter.
 QByteArray tableSettings(const Options &options);
-enum class Columns { Ball, BallAndGhost }; // without or with those of the comparison
+enum class Columns { Ball, BallAndGhost, All }; // without or with those of the comparison; whatever there is
 
 // The line that names the columns.
 QByteArray csvHeader(Columns columns = Columns::Ball);

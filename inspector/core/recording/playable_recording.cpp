@@ -59,6 +59,15 @@ std::shared_ptr<const PlayableRecording> PlayableRecording::make(Recording recor
     return made;
 }
 
+std::shared_ptr<const PlayableRecording> PlayableRecording::ofMazes(Recording recording, const Registry &registry,
+                                                                    std::vector<Maze> mazes, QString *error) {
+    const std::shared_ptr<PlayableRecording> made(new PlayableRecording(std::move(recording), registry));
+    made->m_mazes = std::move(mazes);
+    for (size_t index = 0; index < made->m_recording.stretches.size(); ++index)
+        if (!made->add(index, {}, error)) return nullptr;
+    return made;
+}
+
 bool PlayableRecording::add(size_t index, const std::vector<Level> &levels, QString *error) {
     const Stretch &now = stretch(index);
     const auto refuse = [&](int line, const QString &reason) {

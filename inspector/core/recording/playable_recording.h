@@ -15,6 +15,14 @@ namespace inspector {
 // many of its steps are made: 0 .. length().
 class PlayableRecording {
 public:
+    struct Maze {
+        MazeSource source;
+        Level level;
+        Scene scene;
+    };
+    // Of mazes that are open already; others are looked for nowhere.
+    static std::shared_ptr<const PlayableRecording> ofMazes(Recording recording, const Registry &registry,
+                                                            std::vector<Maze> mazes, QString *error);
     // A maze is looked for where the recording says, then beside the recording, then among the levels; one with the
     // recorded hash is taken. Null and one line in `error` that begins with file and line if something is missing.
     static std::shared_ptr<const PlayableRecording> make(Recording recording, const Registry &registry,
@@ -40,11 +48,6 @@ public:
     uint32_t stepperPlace(size_t index) const { return m_places[index].stepperPlace; } // in the registry
 
 private:
-    struct Maze {
-        MazeSource source;
-        Level level;
-        Scene scene;
-    };
     struct Place {
         uint64_t begin;
         size_t maze;

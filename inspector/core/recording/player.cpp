@@ -11,6 +11,14 @@ Player::Player(std::shared_ptr<const PlayableRecording> recording)
     , m_shown(m_recording)
     , m_keyframes{m_check.keyframe()} {}
 
+Player::Player(std::shared_ptr<const PlayableRecording> recording, std::vector<Keyframe> keyframes)
+    : m_recording(std::move(recording))
+    , m_check(m_recording)
+    , m_shown(m_recording)
+    , m_keyframes(std::move(keyframes))
+    , m_isKnown(true)
+    , m_isChecked(true) {}
+
 bool Player::check() {
     if (m_isChecked) return false;
     m_isChecked = !m_check.step();
@@ -29,7 +37,9 @@ bool Player::next() {
 uint64_t Player::seek(uint64_t position) {
     position = std::min(position, checked());
     if (position == m_shown.position()) return 0;
-    const Keyframe &keyframe = m_keyframes[position == 0 ? 0 : (position - 1) / kKeyframeInterval];
+    const auto isBefore = [](const Keyframe &each, uint64_t place) { return each.position < place; };
+    const auto after = std::lower_bound(m_keyframes.begin() + 1, m_keyframes.end(), position, isBefore);
+    const Keyframe &keyframe = *(after - 1);
     const bool isAhead = m_shown.position() < position && m_shown.position() >= keyframe.position;
     if (!isAhead) m_shown.moveTo(keyframe);
     uint64_t steps = 0;

@@ -18,6 +18,8 @@ public:
 
     // At the beginning of a recording that has a stretch.
     explicit Player(std::shared_ptr<const PlayableRecording> recording);
+    // Of one whose keyframes are known, the first at 0: nothing is left to be checked.
+    Player(std::shared_ptr<const PlayableRecording> recording, std::vector<Keyframe> keyframes);
 
     const PlayableRecording &recording() const { return *m_recording; }
 
@@ -25,8 +27,8 @@ public:
 
     // One step further; false if that is done.
     bool check();
-    uint64_t checked() const { return m_check.position(); } // steps
-    bool isChecked() const { return m_isChecked; }          // all that can be
+    uint64_t checked() const { return m_isKnown ? m_recording->length() : m_check.position(); } // steps
+    bool isChecked() const { return m_isChecked; }                                              // all that can be
     const std::optional<Difference> &difference() const { return m_check.difference(); }
     // The last position: the recording's length, or before a step that fails although it didn't.
     uint64_t end() const { return m_isChecked ? checked() : m_recording->length(); }
@@ -48,7 +50,8 @@ private:
     std::shared_ptr<const PlayableRecording> m_recording;
     Replay m_check;
     Replay m_shown;
-    std::vector<Keyframe> m_keyframes; // at multiples of the interval
+    std::vector<Keyframe> m_keyframes; // rising
+    bool m_isKnown = false;            // without a check
     bool m_isChecked = false;
 };
 

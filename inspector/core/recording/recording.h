@@ -77,6 +77,8 @@ QByteArray stateText(const phys_state &state);
 QByteArray stepText(const phys_state &after);
 QByteArray failureText(const QString &line);
 QByteArray recordingEnd();
+// A whole recording; its steppers are in the registry.
+QByteArray recordingText(const Recording &recording, const Registry &registry);
 
 // ---- reading ----
 

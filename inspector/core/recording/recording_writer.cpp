@@ -106,4 +106,19 @@ QByteArray failureText(const QString &line) { return "failed " + unbroken(line) 
 
 QByteArray recordingEnd() { return "end\n"; }
 
+QByteArray recordingText(const Recording &recording, const Registry &registry) {
+    QByteArray text = recordingHead();
+    const Conditions *before = nullptr;
+    for (const Stretch &stretch : recording.stretches) {
+        phys_stepper_info info{};
+        phys_registry_find(registry.get(), stretch.conditions.stepper.id.constData(), &info, nullptr);
+        text += conditionsText(before, stretch.conditions, info);
+        if (stretch.from) text += stateText(*stretch.from);
+        for (const uint64_t hash : stretch.hashes) text += hashText(hash) + '\n';
+        if (!stretch.failure.isEmpty()) text += failureText(stretch.failure);
+        before = &stretch.conditions;
+    }
+    return text + recordingEnd();
+}
+
 } // namespace inspector

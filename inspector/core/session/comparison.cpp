@@ -37,7 +37,7 @@ void Comparison::meetAgain() { begin(); }
 
 // A new stepper each time: it costs little, and one that couldn't be made is tried again.
 void Comparison::begin() {
-    if (!m_isOn) return;
+    if (!m_isOn || m_session.isInPast()) return; // of the past there are samples only
     m_refusal.clear();
     QString error;
     const auto means = makeMeans(m_session.registry(), m_opponent, m_session.scene(), &error);

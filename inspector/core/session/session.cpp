@@ -61,7 +61,8 @@ Session::Session(const Options &options, QSettings &settings, const Scene &scene
     , m_speed(options.speed)
     , m_game(mazesOf(options.levels), settings)
     , m_simulation(std::make_unique<Simulation>(scene, stepper, origin()))
-    , m_comparison(std::make_unique<Comparison>(*this)) {
+    , m_comparison(std::make_unique<Comparison>(*this))
+    , m_wayFinder(options.registry) {
     connect(&m_parameters, &Parameters::changed, this, &Session::sendInputs);
     connect(m_simulation.get(), &Simulation::failed, this, &Session::failed);
     connect(m_simulation.get(), &Simulation::recordingFailed, this, [this](const QString &line) {
@@ -69,13 +70,19 @@ Session::Session(const Options &options, QSettings &settings, const Scene &scene
         emit recordingFailed(line);
     });
     connect(m_simulation.get(), &Simulation::leftMaze, this,
-            [this](double time) { m_game.leaveMaze(time, m_hasAutopilot || m_isTakenOver || levelIndex() < 0); });
+            [this](double time) { m_game.leaveMaze(time, !whyNoBestTime().isEmpty()); });
+    connect(&m_parameters, &Parameters::changed, this, &Session::watchPhysics);
+    connect(this, &Session::stepperChanged, this, &Session::watchPhysics);
+    connect(this, &Session::paceChanged, this, &Session::watchPhysics);
     connect(m_simulation.get(), &Simulation::differenceFound, this, &Session::noteDifference);
     connect(m_simulation.get(), &Simulation::differenceReached, this, [this](uint64_t replay) {
         if (m_replay && m_replay->number == replay) emit replayDiffers(m_replay->difference);
     });
     connect(&m_game, &Game::started, this, [this] {
+        returnToPresent();
         m_isTakenOver = false;
+        m_hasUsualPhysics = true;
+        watchPhysics();
         m_simulation->restart();
         m_simulation->run();
     });
@@ -96,6 +103,25 @@ void Session::showPrompt() {
     m_game.prompt(index < 0 ? m_game.level() : index);
 }
 
+// Whoever changes the physics on the way doesn't win by the rules, even if it is changed back.
+void Session::watchPhysics() {
+    bool isUsual = m_stepperId == PHYS_STEPPER_DEFAULT && m_dt == Engine::kDefaultDt && m_speed == 1.0;
+    for (int i = 0; i < m_parameters.count(); ++i) {
+        const QLatin1String id(m_parameters.row(i).id);
+        const bool isSteering = id == QLatin1String("tilt_x") || id == QLatin1String("tilt_y");
+        isUsual = isUsual && (isSteering || m_parameters.isInitial(i));
+    }
+    m_hasUsualPhysics = m_hasUsualPhysics && isUsual;
+}
+
+QString Session::whyNoBestTime() const {
+    if (levelIndex() < 0) return tr("not one of the levels");
+    if (m_hasAutopilot) return tr("the autopilot's");
+    if (m_isTakenOver || m_hasOwnStart) return tr("the ball was taken over or placed by hand");
+    if (!m_hasUsualPhysics) return tr("parameters, stepper, time step and speed have to be the default ones");
+    return {};
+}
+
 bool Session::report(const QString &line) {
     emit failed(line);
     return false;
@@ -113,30 +139,40 @@ bool Session::openLevel(const Level &level) {
     const Stepper stepper = makeStepper(m_registry, id, scene, &error);
     if (!stepper) return report(error);
     if (m_replay) leaveReplay();
+    returnToPresent();
+    m_hasOwnStart = false;
     m_isTakenOver = false;
     m_scene = scene;
     m_level = level;
     m_simulation->setScene(scene, stepper, origin());
     levelBoard();
-    if (m_hasAutopilot && !fly(&error)) {
+    const bool isFlown = !m_hasAutopilot || fly(&error);
+    if (!isFlown) {
         m_hasAutopilot = false;
         emit autopilotChanged(false);
-        report(error);
     }
     emit levelOpened();
     showPrompt();
+    if (!isFlown) report(error);
     return true;
 }
 
 bool Session::setStepper(const QByteArray &id) {
     if (m_replay) return refuseInReplay();
+    takeOver();
     QString error;
+    return useStepper(id, &error) || report(error);
+}
+
+bool Session::useStepper(const QByteArray &id, QString *error) {
     phys_stepper_info info;
     phys_error failure;
-    if (phys_registry_find(m_registry.get(), id.constData(), &info, &failure) != PHYS_OK)
-        return report(QString::fromUtf8(failure.text));
-    const Stepper stepper = makeStepper(m_registry, id, m_scene, &error);
-    if (!stepper) return report(error);
+    if (phys_registry_find(m_registry.get(), id.constData(), &info, &failure) != PHYS_OK) {
+        tell(error, failure);
+        return false;
+    }
+    const Stepper stepper = makeStepper(m_registry, id, m_scene, error);
+    if (!stepper) return false;
     m_stepperId = id;
     m_parameters.setStepper(info);
     m_simulation->setStepper(stepper, m_parameters.inputs(), origin());
@@ -146,8 +182,16 @@ bool Session::setStepper(const QByteArray &id) {
 
 bool Session::setDt(double dt) {
     if (m_replay) return refuseInReplay();
-    if (!(dt >= Engine::kSmallestDt && dt <= Engine::kLargestDt))
-        return report(tr("dt: expected %1 to %2 s, found %3").arg(Engine::kSmallestDt).arg(Engine::kLargestDt).arg(dt));
+    takeOver();
+    QString error;
+    return useDt(dt, &error) || report(error);
+}
+
+bool Session::useDt(double dt, QString *error) {
+    if (!(dt >= Engine::kSmallestDt && dt <= Engine::kLargestDt)) {
+        *error = tr("dt: expected %1 to %2 s, found %3").arg(Engine::kSmallestDt).arg(Engine::kLargestDt).arg(dt);
+        return false;
+    }
     m_dt = dt;
     m_simulation->setDt(dt);
     emit paceChanged();
@@ -166,16 +210,19 @@ Stepping Session::stepping() const {
 bool Session::setStepping(const Stepping &stepping) {
     if (m_replay) return refuseInReplay();
     const Stepping before = this->stepping();
-    if (stepping == before) return true;
-    if ((stepping.stepper == m_stepperId || setStepper(stepping.stepper)) && setDt(stepping.dt)) {
-        std::vector<Setting> settings = m_parameters.initialOfStepper();
-        settings.insert(settings.end(), stepping.settings.begin(), stepping.settings.end()); // the last counts
-        QString error;
-        if (m_parameters.set(settings, &error)) return true;
-        report(error);
-    }
-    setStepping(before); // which was possible
-    return false;
+    QString error;
+    if (stepping != before) takeOver();
+    if (stepping == before || useStepping(stepping, &error)) return true;
+    useStepping(before, nullptr); // which was possible
+    return report(error);
+}
+
+bool Session::useStepping(const Stepping &stepping, QString *error) {
+    if (stepping.stepper != m_stepperId && !useStepper(stepping.stepper, error)) return false;
+    if (!useDt(stepping.dt, error)) return false;
+    std::vector<Setting> settings = m_parameters.initialOfStepper();
+    settings.insert(settings.end(), stepping.settings.begin(), stepping.settings.end()); // the last counts
+    return m_parameters.set(settings, error);
 }
 
 bool Session::setSpeed(double speed) {
@@ -199,6 +246,7 @@ bool Session::fly(QString *error) {
 bool Session::setAutopilot(bool isOn) {
     if (m_replay) return refuseInReplay();
     if (isOn == m_hasAutopilot) return true;
+    takeOver();
     QString error;
     if (isOn && !fly(&error)) return report(error);
     if (!isOn) {
@@ -223,6 +271,13 @@ void Session::setTilt(Tilt tilt) {
 
 void Session::advanceKeys(double seconds) {
     if (m_hasAutopilot || m_replay) return;
+    if (m_past && m_tiltControl.keys().any()) {
+        const TiltKeys keys = m_tiltControl.keys();
+        takeOver();
+        m_tiltControl.setKeys(keys);
+        m_simulation->run();
+    }
+    if (m_past) return;
     if (!m_keysTilt) {
         if (!m_tiltControl.keys().any()) return;
         m_keysTilt = true;
@@ -230,6 +285,36 @@ void Session::advanceKeys(double seconds) {
     }
     setTilt(m_tiltControl.advance(seconds));
     m_keysTilt = !m_tiltControl.isAtRest();
+}
+
+void Session::placeBall(const phys_state &state) {
+    if (m_replay) return;
+    takeOver();
+    m_isTakenOver = true;
+    m_simulation->setState(state);
+}
+
+void Session::setStart(const std::optional<phys_state> &start) {
+    m_hasOwnStart = start.has_value();
+    m_simulation->setStart(start);
+}
+
+void Session::showWayAhead(bool isOn) {
+    m_showsWay = isOn;
+    m_askedFor = 0;
+    m_way = {};
+    ++m_ways;
+}
+
+// A question for each other moment; answers come a little later.
+void Session::lookAhead(const Snapshot &now) {
+    if (!m_showsWay) return;
+    const uint64_t answers = m_wayFinder.answers();
+    if (answers != m_ways) m_way = m_wayFinder.latest();
+    m_ways = answers;
+    if (now.number == m_askedFor || (now.current.flags & PHYS_OUT)) return;
+    m_askedFor = now.number;
+    m_wayFinder.ask(m_scene, now.current, now.inputs.params);
 }
 
 void Session::startRecording(const QString &file) {
@@ -256,7 +341,9 @@ Origin Session::origin() const { return originOf(m_registry, m_stepperId, m_leve
 
 // What a replay shows isn't the live ball's.
 void Session::sendInputs() {
-    if (!m_replay) m_simulation->setInputs(m_parameters.inputs());
+    if (m_replay || (m_past && m_isFollowing)) return;
+    takeOver(); // by hand
+    m_simulation->setInputs(m_parameters.inputs());
 }
 
 } // namespace inspector

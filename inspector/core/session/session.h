@@ -4,12 +4,14 @@
 
 #include "core/pilot/tilt_control.h"
 #include "core/program/options.h"
+#include "core/session/ball_place.h"
 #include "core/session/comparison.h"
 #include "core/session/game.h"
 #include "core/setup/handles.h"
 #include "core/setup/levels.h"
 #include "core/setup/parameters.h"
 #include "core/simulation/simulation.h"
+#include "core/simulation/way_ahead.h"
 
 #include <QObject>
 #include <QSettings>
@@ -25,6 +27,25 @@ struct Stepping {
     double dt = Engine::kDefaultDt; // s
     std::vector<Setting> settings;  // the model, which stays if left out; the stepper's own, initial if left out
     bool operator==(const Stepping &) const = default;
+};
+
+// A run that is kept, from a start, a restart or the moment that it was taken over from.
+struct KeptRun {
+    uint64_t begin = 0; // steps since the program began
+    uint64_t end = 0;
+    Level level;
+    QByteArray stepper; // id, at its end
+    double dt = 0.0;    // s, at its end
+    double time = 0.0;  // s, at its end
+    bool isOut = false; // it got out of the maze
+};
+
+// Where the moment shown is in its run.
+struct RunPlace {
+    uint64_t begin = 0; // steps since the program began
+    uint64_t end = 0;
+    uint64_t first = 0; // that shows this run: where another ends, one more
+    uint64_t place = 0;
 };
 
 class Session : public QObject {
@@ -49,6 +70,8 @@ public:
     Stepping stepping() const; // with all its settings
     double speed() const { return m_speed; }
     bool hasAutopilot() const { return m_hasAutopilot; }
+    // Why a win now is none for the list of best times, in a few words; empty if it is one.
+    QString whyNoBestTime() const;
 
     // Each returns false, changes nothing and sends failed() with one line if it can't be done.
     bool openLevel(const Level &level); // paused at its start; a level of the list also becomes the game's
@@ -82,6 +105,37 @@ public:
     // "same", "same so far" or what differs first, in one line.
     QString replayVerdict(const Snapshot &now) const;
 
+    // ---- the ball in one's hand ----
+
+    // Puts the ball there; a new run begins. In the past that one is taken over first.
+    void placeBall(const phys_state &state);
+    // Where a restart brings the ball to; nothing: to the maze's start. Forgotten with another level.
+    void setStart(const std::optional<phys_state> &start);
+    bool hasOwnStart() const { return m_hasOwnStart; }
+
+    // Where the ball goes from the moment shown if nothing changes; empty while it isn't asked for.
+    void showWayAhead(bool isOn);
+    const WayAhead &wayAhead() const { return m_way; }
+    uint64_t waysAhead() const { return m_ways; } // another number: another way
+
+    // ---- the past: what was played lately is kept, and can be gone back to ----
+
+    bool isInPast() const { return m_past.has_value(); }
+    RunPlace runPlace();
+    // Shows this place of any run that is kept, paused; the end of the live run is the present.
+    void lookAt(uint64_t place);
+    // The same by the time in the run shown, s.
+    void lookAtTime(double time);
+    void returnToPresent();
+    // The game goes on from the moment shown, paused as it is. Whatever changes the physics does the same.
+    void takeOver();
+    // Oldest first; the last is the live one.
+    const std::vector<KeptRun> &runs() const { return m_runs; }
+    // What had come after the moment that was taken over last, thinned out.
+    const std::vector<Sample> &oldFuture() const { return m_oldFuture; }
+    // Writes the run shown as a recording. False and one line in `error` if that can't be done.
+    bool saveRun(const QString &path, QString *error);
+
     // Keys of the game: arrow keys as held, and the time since the last call (about 60 times a second). While a key is
     // held, and until the board is level again, the tilt parameters follow the keys.
     void setKeys(TiltKeys keys) { m_tiltControl.setKeys(keys); }
@@ -97,6 +151,7 @@ signals:
     void recordingFailed(const QString &line); // and ended; the simulation goes on
     void recordingChanged(bool isOn);
     void replayChanged(bool isOn);
+    void pastChanged(bool isIn);
     void replayDiffers(const QString &line); // when it is known, and when it is reached and the replay pauses
 
 private:
@@ -106,6 +161,11 @@ private:
     void showPrompt();
     bool report(const QString &line); // sends it; always false
     bool refuseInReplay();
+    // As the public ones, but nothing is sent; a failure may leave part of a stepping in use.
+    bool useStepper(const QByteArray &id, QString *error);
+    bool useDt(double dt, QString *error);
+    bool useStepping(const Stepping &stepping, QString *error);
+    void watchPhysics();
     bool fly(QString *error);
     void levelBoard();
     void setTilt(Tilt tilt);
@@ -124,7 +184,23 @@ private:
         QString difference;            // the line
     };
     bool startReplay(const QString &path, QString *error);
-    void follow(size_t stretch);
+    void follow(const PlayableRecording &recording, std::optional<size_t> &followed, size_t stretch);
+    // What is shown instead of the present.
+    struct LookingBack {
+        Past past;
+        uint64_t number; // as in snapshots
+        Level level;     // these three of the present
+        Scene scene;
+        Stepping stepping;
+        std::optional<size_t> stretch; // last followed
+        uint64_t sought = 0;           // place
+        uint64_t seeks = 0;            // number of the last one
+    };
+    bool lookBack();
+    bool isAtPresent(const RunPlace &run) const;
+    void watchRuns(const Snapshot &now);
+    void lookAhead(const Snapshot &now);
+    void keepOldFuture(uint64_t place);
     void noteDifference(uint64_t replay, const Difference &difference);
     Stepping steppingWithAll() const;
     void show(const Stepping &stepping);
@@ -142,12 +218,24 @@ private:
     bool m_isRecording = false;
     TiltControl m_tiltControl;
     std::optional<Replaying> m_replay;
-    bool m_isTakenOver = false; // from a replay: such a run sets no record
-    bool m_keysTilt = false;    // the board's tilt is the keys' just now
+    std::optional<LookingBack> m_past;
+    bool m_isFollowing = false; // parameters change because the moment shown does
+    bool m_hasOwnStart = false;
+    bool m_showsWay = false;
+    uint64_t m_askedFor = 0; // number of a snapshot
+    WayAhead m_way;
+    uint64_t m_ways = 0;
+    std::vector<KeptRun> m_runs;
+    std::vector<Sample> m_oldFuture;
+    uint64_t m_oldFutureRun = 0;   // of snapshots: with another one it is forgotten
+    bool m_isTakenOver = false;    // from a replay: such a run sets no record
+    bool m_hasUsualPhysics = true; // since the level was started
+    bool m_keysTilt = false;       // the board's tilt is the keys' just now
     Parameters m_parameters;
     Game m_game;
     std::unique_ptr<Simulation> m_simulation;
     std::unique_ptr<Comparison> m_comparison;
+    WayFinder m_wayFinder;
 };
 
 } // namespace inspector

@@ -3,6 +3,7 @@
 #include "core/session/session.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace inspector {
 
@@ -18,13 +19,14 @@ bool Session::startReplay(const QString &path, QString *error) {
         if (error) *error = tr("%1: expected steps, found none").arg(path);
         return false;
     }
+    returnToPresent();
     if (!m_replay && m_hasAutopilot) setAutopilot(false);
     const Level level = m_replay ? m_replay->levelBefore : m_level;
     const Stepping before = m_replay ? m_replay->before : steppingWithAll();
     m_replay.emplace(Replaying{recording, m_simulation->startReplay(recording), level, before, {}, 0, 0, {}});
     showPrompt(); // whatever was played is over
     emit replayChanged(true);
-    follow(0); // so that a comparison begins where the recording does
+    follow(*recording, m_replay->stretch, 0); // so that a comparison begins where the recording does
     m_simulation->run();
     return true;
 }
@@ -57,13 +59,18 @@ void Session::goOnFromHere() {
 }
 
 void Session::followReplay(const Snapshot &now) {
-    if (m_replay && now.replay.number == m_replay->number) follow(now.replay.stretch);
+    watchRuns(now);
+    lookAhead(now);
+    if (m_replay && now.replay.number == m_replay->number)
+        follow(*m_replay->recording, m_replay->stretch, now.replay.stretch);
+    if (!m_past || now.replay.number != m_past->number) return;
+    follow(*m_past->past.recording, m_past->stretch, now.replay.stretch);
+    if (!now.running && now.replay.seeks >= m_past->seeks && isAtPresent(runPlace())) returnToPresent();
 }
 
-void Session::follow(size_t index) {
-    if (m_replay->stretch == index) return;
-    m_replay->stretch = index;
-    const PlayableRecording &recording = *m_replay->recording;
+void Session::follow(const PlayableRecording &recording, std::optional<size_t> &followed, size_t index) {
+    if (followed == index) return;
+    followed = index;
     const Conditions &conditions = recording.stretch(index).conditions;
     show({conditions.stepper.id, conditions.dt, settingsOf(conditions, m_registry)});
     if (m_scene == recording.scene(index)) return;
@@ -88,12 +95,14 @@ void Session::show(const Stepping &stepping) {
         m_parameters.setStepper(info);
         emit stepperChanged();
     }
+    const bool wasFollowing = std::exchange(m_isFollowing, true);
     std::vector<Setting> settings = stepping.settings;
     for (Setting &setting : settings) {
         const phys_param_row &row = m_parameters.row(m_parameters.indexOf(setting.id));
         setting.value = std::clamp(setting.value, row.min, row.max);
     }
     m_parameters.set(settings);
+    m_isFollowing = wasFollowing;
     if (m_dt == stepping.dt) return;
     m_dt = stepping.dt;
     emit paceChanged();

@@ -197,6 +197,7 @@ QString durationText(double seconds) {
     for (int digits = 1; digits <= kMostDigits; ++digits) {
         if (digits > kFewDigits && 1.0 / rate == seconds) return QStringLiteral("1/%1 s").arg(rate, 0, 'f', 0);
         const QString text = milliseconds.arg(seconds * 1e3, 0, 'g', digits);
+        if (text.contains(QLatin1Char('e')) && digits < kFewDigits) continue; // 10 ms, not 1e+01 ms
         if (readDuration(text, -all, all).value == seconds) return text;
     }
     return withUnit(seconds, QStringLiteral("s"));

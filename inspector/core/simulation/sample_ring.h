@@ -3,9 +3,8 @@
 #pragma once
 
 #include "core/engine/sample.h"
+#include "core/engine/slot_ring.h"
 
-#include <atomic>
-#include <memory>
 #include <vector>
 
 namespace inspector {
@@ -17,31 +16,28 @@ struct Column {
     double max = 0.0;
 };
 
-// One thread appends, any others read at the same time; nobody waits. Samples are numbered from 0 for ever; the
-// oldest are overwritten. A read returns only samples that stayed whole while it was reading.
+// One thread appends, any others read at the same time, as SlotRing says.
 class SampleRing {
 public:
-    static constexpr size_t kDefaultCapacity = size_t(1) << 17; // 22 minutes at 10 ms
+    // 8.7 minutes at 1 ms; memory grows with the samples, to some 170 MB.
+    static constexpr size_t kDefaultCapacity = size_t(1) << 19;
 
     // capacity: rounded up to a power of two, at least 256.
     explicit SampleRing(size_t capacity = kDefaultCapacity);
 
     // Writer's side. Times must not fall between two clear().
     void append(const Sample &sample);
-    void clear();
-    // What is done between the two is seen by nobody before the second, and then all at once.
-    void hold();
-    void release();
+    void clear() { m_samples.clear(); }
+    void truncate(uint64_t number) { m_samples.truncate(number); }
+    void hold() { m_samples.hold(); }
+    void release() { m_samples.release(); }
 
     // Readers' side. Numbers [first(), last()) can be read just now.
-    size_t capacity() const { return m_capacity; }
-    uint64_t first() const;
-    uint64_t last() const { return m_last.load(std::memory_order_acquire); }
-    // How often clear() was called: a plot that sees another number starts anew.
-    uint64_t generation() const { return m_generation.load(std::memory_order_acquire); }
-
-    // Sample `number`; false if it is gone or not there yet.
-    bool read(uint64_t number, Sample &out) const;
+    size_t capacity() const { return m_samples.capacity(); }
+    uint64_t first() const { return m_samples.first(); }
+    uint64_t last() const { return m_samples.last(); }
+    uint64_t generation() const { return m_samples.generation(); } // another one: start anew
+    bool read(uint64_t number, Sample &out) const { return m_samples.read(number, out); }
     // Number of the first sample whose time is at least `time`; last() if there is none.
     uint64_t find(double time) const;
     // At most `columns` extremes of one channel over [from, to] seconds, in order of time. One sample to the left and
@@ -49,14 +45,16 @@ public:
     std::vector<Column> columns(Channel channel, double from, double to, size_t columns) const;
 
 private:
-    static constexpr size_t kFan = 16;                  // children of a node of the pyramid
-    static constexpr size_t kWidth = 2 + kChannelCount; // time, step, channels
-    using Cell = std::atomic<double>;
+    static constexpr size_t kFan = 16; // children of a node of the pyramid
 
     struct Level {
-        uint64_t span;                    // samples under one node
-        size_t nodes;                     // ring of so many nodes
-        std::unique_ptr<Cell[]> extremes; // [node][channel][min, max]
+        uint64_t span;        // samples under one node
+        size_t nodes;         // ring of so many nodes
+        SharedWords extremes; // [node][channel][min, max]
+
+        size_t place(uint64_t number, size_t channel) const {
+            return (size_t(number / span % nodes) * kChannelCount + channel) * 2;
+        }
     };
 
     struct Extremes {
@@ -64,23 +62,12 @@ private:
     };
 
     double timeOf(uint64_t number) const;
+    double valueOf(uint64_t number, size_t channel) const;
     Extremes extremesBelow(uint64_t limit, size_t channel, uint64_t begin, uint64_t end) const;
     void closeNodes(uint64_t count);
-    void show();
 
-    size_t m_capacity;
-    std::unique_ptr<Cell[]> m_cells; // [slot][kWidth]
+    SlotRing<Sample> m_samples;
     std::vector<Level> m_levels;
-    // The writer's own: what there is to see once it isn't held back any more.
-    uint64_t m_written = 0; // samples appended
-    uint64_t m_wiped = 0;   // m_written at the last clear()
-    uint64_t m_clears = 0;
-    bool m_isHeld = false;
-    // What is seen.
-    std::atomic<uint64_t> m_last{0};    // as m_written
-    std::atomic<uint64_t> m_begun{0};   // m_last, or one more while a sample is being written
-    std::atomic<uint64_t> m_cleared{0}; // as m_wiped
-    std::atomic<uint64_t> m_generation{0};
 };
 
 } // namespace inspector

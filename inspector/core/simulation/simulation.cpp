@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -24,6 +25,8 @@ constexpr double kRounding = 1e-6;
 
 // Steps before the place sought in a replay that plots and trails get to see.
 constexpr uint64_t kStepsBefore = 10000; // the 10 s of a plot at 1 ms
+// Steps of an earlier run that plots and trails get to see: a moment's work.
+constexpr uint64_t kStepsOfARun = 100000;
 // A replay is checked ahead in pieces, between which there is time for steps and commands.
 constexpr std::chrono::milliseconds kCheckSlice{1};
 constexpr std::chrono::milliseconds kShowSlice{20};
@@ -49,8 +52,10 @@ struct Simulation::Worker {
     double speed = 1.0;
     bool running = false;
     uint64_t run = 0;
+    uint64_t published = 0;
     uint64_t obeyed = 0; // number of the inputs that count
     uint64_t impacts = 0;
+    double stepTime = 0.0; // of the last live one, us
     std::optional<Recorder> recorder{};
     std::optional<Companion> companion{};
     double leftAt = std::numeric_limits<double>::infinity();  // when the ball left the maze, s
@@ -65,9 +70,15 @@ struct Simulation::Worker {
     uint64_t seeks = 0;           // number of the last one done
     bool areSamplesHeld = false;  // a place sought is being shown
     double pacedDt = 0.0;         // s
+    // What was played, kept; a replay may show that in place of a recording.
+    History history{};
+    std::optional<Past> past{};
+    uint64_t liveRun = 0;  // where the live run began, in the history
+    uint64_t shownRun = 0; // the one that samples and events are of
 
     const Engine &shown() const { return player ? player->engine() : engine; }
     bool isChecking() const { return player && !player->isChecked(); }
+    void setOrigin(const Origin &origin);
     void obey(const GivenInputs &given);
     void startPacing();
     void setRunning(bool isRunning);
@@ -83,6 +94,13 @@ struct Simulation::Worker {
     void releaseSamples();
     ReplayPlace replayPlace() const;
     void goOnLive(uint64_t number);
+    uint64_t pastPlace() const { return past->begin + player->position(); }
+    void pastStep(Clock::time_point due);
+    void showPastRun();
+    void refillSamples(uint64_t first);
+    void leavePast();
+    std::optional<Ghost> pastGhost() const;
+    HistoryPlace historyPlace() const;
     void record(const QString &failure);
     void dropBadRecorder();
     void endRecording();
@@ -91,6 +109,12 @@ struct Simulation::Worker {
     void noteLeaving();
     void publish(Clock::time_point due);
 };
+
+void Simulation::Worker::setOrigin(const Origin &origin) {
+    stepper = stepperOf(origin);
+    history.setOrigin(origin);
+    if (recorder) recorder->setOrigin(origin);
+}
 
 void Simulation::Worker::obey(const GivenInputs &given) {
     if (given.number < obeyed) return;
@@ -121,6 +145,7 @@ void Simulation::Worker::beginRun() {
     if (shown().state().flags & PHYS_OUT) leftAt = shown().state().time;
     if (companion && companion->scene() != shown().scene()) companion.reset(); // its stepper is of the other
     if (companion) companion->meet(shown());
+    if (!player) liveRun = shownRun = history.end();
     pacer.forgetLostTime();
     startPacing();
     owner.m_samples.clear();
@@ -128,9 +153,13 @@ void Simulation::Worker::beginRun() {
 }
 
 void Simulation::Worker::step(Clock::time_point due) {
+    if (past) return pastStep(due);
     if (player) return replayStep(due);
     QString line;
+    const Clock::time_point begin = Clock::now();
     const bool hasStepped = engine.step(&line);
+    stepTime = std::chrono::duration<double, std::micro>(Clock::now() - begin).count();
+    if (hasStepped) history.note(engine);
     record(line);
     if (!hasStepped) {
         setRunning(false);
@@ -146,9 +175,11 @@ void Simulation::Worker::step(Clock::time_point due) {
 
 void Simulation::Worker::noteStep() {
     meter.count(Clock::now(), shown().dt());
+    if (shown().previous().flags & PHYS_OUT) return; // out of the maze it only falls
     leadCompanion();
     Sample sample = shown().sample();
     if (companion) companion->addTo(sample);
+    if (!player) sample[Channel::StepTime] = stepTime;
     owner.m_samples.append(sample);
     noteEvents();
 }
@@ -212,12 +243,16 @@ void Simulation::Worker::publish(Clock::time_point due) {
     snapshot.report.events = nullptr;
     snapshot.report.event_capacity = 0;
     snapshot.dt = now.dt();
+    snapshot.number = ++published;
     snapshot.run = run;
     snapshot.running = running;
-    if (companion && companion->isThere())
+    if (past)
+        snapshot.ghost = pastGhost();
+    else if (companion && companion->isThere())
         snapshot.ghost = {companion->previous(), companion->state(), companion->metAt(), companion->deviation()};
     snapshot.statistics = {meter.stepsPerSecond(), speed, meter.speed(), pacer.lostTime(), impacts};
     if (player) snapshot.replay = replayPlace();
+    snapshot.history = historyPlace();
     owner.m_snapshots.publish(snapshot);
 }
 
@@ -257,10 +292,87 @@ void Simulation::Worker::checkAhead() {
     if (wasSame && player->difference()) emit owner.differenceFound(replay, *player->difference());
 }
 
+// ---- the past of the live ball ----
+
+HistoryPlace Simulation::Worker::historyPlace() const {
+    return {history.begin(), liveRun, history.end(), past ? pastPlace() : history.end()};
+}
+
+// To the end of the run that is shown.
+void Simulation::Worker::pastStep(Clock::time_point due) {
+    const uint64_t end = past->endOfRun(pastPlace());
+    if (pastPlace() < end && player->next() && shown().dt() != pacedDt) startPacing();
+    meter.count(Clock::now(), shown().dt());
+    if (pastPlace() == end) setRunning(false);
+    publish(due);
+}
+
+// Samples and events of the run that is gone to.
+void Simulation::Worker::showPastRun() {
+    const uint64_t wanted = past->beginOfRun(pastPlace());
+    if (wanted != std::max(shownRun, past->begin)) refillSamples(wanted);
+}
+
+// Made again from its beginning to its end; the player is where it was afterwards.
+void Simulation::Worker::refillSamples(uint64_t first) {
+    const uint64_t place = player->position();
+    const uint64_t end = std::min(past->endOfRun(first + 1), first + kStepsOfARun) - past->begin;
+    owner.m_samples.hold();
+    owner.m_events.hold();
+    owner.m_samples.clear();
+    owner.m_events.clear();
+    player->seek(first - past->begin);
+    while (player->position() < end && player->next()) {
+        if (shown().previous().flags & PHYS_OUT) continue;
+        owner.m_samples.append(shown().sample());
+        noteEvents();
+    }
+    player->seek(place);
+    owner.m_samples.release();
+    owner.m_events.release();
+    shownRun = first;
+}
+
+void Simulation::Worker::leavePast() {
+    if (!past) return;
+    setRunning(false);
+    const bool isLiveRun = std::max(shownRun, past->begin) == std::max(liveRun, past->begin);
+    if (!isLiveRun && liveRun < history.end()) refillSamples(std::max(liveRun, past->begin));
+    if (!isLiveRun && liveRun == history.end()) {
+        owner.m_samples.clear();
+        owner.m_events.clear();
+        shownRun = liveRun;
+    }
+    past.reset();
+    player.reset();
+    sought.reset();
+    startPacing();
+}
+
+// As the samples tell it.
+std::optional<Ghost> Simulation::Worker::pastGhost() const {
+    Sample sample;
+    const double time = shown().state().time;
+    const uint64_t number = owner.m_samples.find(time);
+    if (!owner.m_samples.read(number, sample) || std::isnan(sample[Channel::GhostX])) return std::nullopt;
+    Ghost ghost;
+    ghost.current = shown().state();
+    ghost.current.position = {sample[Channel::GhostX], sample[Channel::GhostY], sample[Channel::GhostZ]};
+    ghost.previous = ghost.current;
+    ghost.deviation = {sample[Channel::Distance], sample[Channel::SpeedDifference], sample[Channel::EnergyDifference]};
+    return ghost;
+}
+
 // Once all before it is checked; commands are obeyed between the pieces of that.
 void Simulation::Worker::goToSought() {
     if (sought->position > player->checked() && !player->isChecked()) return checkAhead();
-    if (!showUpTo(sought->position)) return;
+    if (past) {
+        player->seek(sought->position);
+        showPastRun();
+        startPacing();
+    } else if (!showUpTo(sought->position)) {
+        return;
+    }
     seeks = std::exchange(sought, std::nullopt)->number;
     publish(Clock::now());
 }
@@ -310,7 +422,15 @@ void Simulation::Worker::goOnLive(uint64_t number) {
     engine.setDt(from.dt());
     obey({from.inputs(), number});
     engine.setState(from.state());
+    if (past) {
+        owner.m_samples.truncate(owner.m_samples.find(std::nextafter(engine.state().time, HUGE_VAL)));
+        owner.m_events.forgetAfter(engine.state().time);
+    }
+    past.reset();
     player.reset();
+    liveRun = shownRun = history.end();
+    if (companion && companion->scene() != engine.scene()) companion.reset();
+    if (companion) companion->meet(engine);
     sought.reset();
     leftAt = engine.state().flags & PHYS_OUT ? engine.state().time : std::numeric_limits<double>::infinity();
     startPacing();
@@ -321,6 +441,7 @@ Simulation::Simulation(const Scene &scene, const Stepper &stepper, const Origin 
     , m_inputs(GivenInputs{initialInputs()})
     , m_snapshots(Snapshot{})
     , m_worker(new Worker{*this, Engine(scene, stepper), stepperOf(origin)}) {
+    m_worker->setOrigin(origin);
     m_worker->publish(Clock::now());
     m_thread = std::jthread([this](const std::stop_token &stop) { work(stop); });
 }
@@ -341,7 +462,7 @@ void Simulation::post(Command command) {
 void Simulation::run() {
     post([](Worker &worker) {
         // At its end a replay begins again.
-        if (worker.player && !worker.sought && worker.player->position() == worker.player->end())
+        if (worker.player && !worker.past && !worker.sought && worker.player->position() == worker.player->end())
             worker.sought = {0, worker.seeks};
         worker.setRunning(true);
     });
@@ -379,20 +500,19 @@ void Simulation::restart() {
 void Simulation::setScene(const Scene &scene, const Stepper &stepper, const Origin &origin) {
     post([scene, stepper, origin](Worker &worker) {
         worker.setRunning(false);
+        worker.leavePast();
         worker.companion.reset(); // its stepper is of the other scene
         worker.engine.setScene(scene, stepper);
-        worker.stepper = stepperOf(origin);
-        if (worker.recorder) worker.recorder->setOrigin(origin);
+        worker.setOrigin(origin);
         worker.beginRun();
     });
 }
 
 void Simulation::setStepper(const Stepper &stepper, const Inputs &inputs, const Origin &origin) {
     post([stepper, origin, given = GivenInputs{inputs, ++m_givenCount}](Worker &worker) {
-        if (worker.recorder) worker.recorder->setOrigin(origin);
+        worker.setOrigin(origin);
         worker.engine.setStepper(stepper);
         if (worker.companion) worker.companion->setLeaderStepper(origin.stepper.id);
-        worker.stepper = stepperOf(origin);
         worker.obey(given);
     });
 }
@@ -401,6 +521,17 @@ void Simulation::setState(const phys_state &state) {
     post([state](Worker &worker) {
         worker.engine.setState(state);
         worker.beginRun();
+    });
+}
+
+void Simulation::setStart(const std::optional<phys_state> &start) {
+    post([start](Worker &worker) {
+        std::optional<phys_state> first = start;
+        if (first) {
+            first->time = 0.0;
+            first->step = 0;
+        }
+        worker.engine.setStart(first);
     });
 }
 
@@ -487,15 +618,39 @@ void Simulation::endReplay() {
 void Simulation::goOnFrom(uint64_t position, const Origin &origin) {
     post([position, origin, number = ++m_givenCount](Worker &worker) {
         if (!worker.player) return;
-        if (worker.player->position() != position) {
+        if (worker.past) {
+            worker.player->seek(position);
+            worker.showPastRun();
+        } else if (worker.player->position() != position) {
             worker.companion.reset(); // what it would have to do is long
             while (!worker.showUpTo(position)) {
             }
         }
         worker.goOnLive(number);
-        worker.stepper = stepperOf(origin);
-        if (worker.recorder) worker.recorder->setOrigin(origin);
+        worker.setOrigin(origin);
     });
+}
+
+std::optional<Past> Simulation::past(QString *error, uint64_t from, uint64_t to) {
+    std::promise<std::optional<Past>> promise;
+    post([&](Worker &worker) { promise.set_value(worker.history.past(from, to, error)); });
+    return promise.get_future().get();
+}
+
+uint64_t Simulation::lookBack(const Past &past) {
+    post([past, number = ++m_replayCount](Worker &worker) {
+        worker.setRunning(false);
+        worker.player.emplace(past.recording, past.keyframes);
+        worker.past = past;
+        worker.replay = number;
+        worker.sought.reset();
+        worker.player->seek(past.recording->length());
+    });
+    return m_replayCount;
+}
+
+void Simulation::returnToPresent() {
+    post([](Worker &worker) { worker.leavePast(); });
 }
 
 void Simulation::setInputs(const Inputs &inputs) {

@@ -6,6 +6,7 @@
 #include "core/engine/companion.h"
 #include "core/engine/engine.h"
 #include "core/events/event_log.h"
+#include "core/recording/history.h"
 #include "core/recording/player.h"
 #include "core/recording/recorder.h"
 #include "core/simulation/latest_value.h"
@@ -45,7 +46,8 @@ public:
     // other. origin: for the recorder and the companion, if there are any.
     void setStepper(const Stepper &stepper, const Inputs &inputs, const Origin &origin = {});
     void setState(const phys_state &state);
-    void setDt(double dt);       // s, > 0
+    void setStart(const std::optional<phys_state> &start); // of restarts; nothing: the scene's
+    void setDt(double dt);                                 // s, > 0
     void setSpeed(double speed); // clamped to kSlowest .. kFastest; changes how many steps run, never dt
     void setPilot(std::shared_ptr<const Pilot> pilot); // or nullptr: the tilt of the inputs counts
     // Notes every step from now on, in the place of a recording before, until one can't be written.
@@ -67,6 +69,15 @@ public:
     void endReplay(); // the live ball again, paused
     // The live ball goes on from this position of the replay, under its conditions; goes on running or stays paused.
     void goOnFrom(uint64_t position, const Origin &origin);
+
+    // What is kept of [from, to), or all of it; nothing and one line in `error` if it can't be run again. Waits until
+    // the step at hand is made.
+    std::optional<Past> past(QString *error, uint64_t from = 0, uint64_t to = UINT64_MAX);
+    // Shows the past of the live ball, which waits, paused at its end; like a replay, but samples and events stay those
+    // of the run shown, all of it. Returns its number.
+    uint64_t lookBack(const Past &past);
+    // The live ball again, paused, as if nothing had been.
+    void returnToPresent();
 
     // Latest wins: from the next step on.
     void setInputs(const Inputs &inputs);

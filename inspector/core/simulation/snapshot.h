@@ -38,6 +38,14 @@ struct ReplayPlace {
     uint64_t seeks = 0;                 // number of the last one done
 };
 
+// What is kept of what was played: places count the steps since the program began.
+struct HistoryPlace {
+    uint64_t begin = 0; // the oldest step kept
+    uint64_t run = 0;   // where the live run began
+    uint64_t end = 0;   // the present
+    uint64_t place = 0; // shown
+};
+
 struct Snapshot {
     phys_state previous{}; // one step earlier; the same as `current` right after a restart
     phys_state current{};
@@ -46,11 +54,13 @@ struct Snapshot {
     Inputs inputs{};            // of the last step
     phys_report report{};       // of the last step; its events are not here
     double dt = 0.0;            // s
+    uint64_t number = 0;        // counts snapshots
     uint64_t run = 0;           // counts restarts, levels and states set
     bool running = false;
     std::optional<Ghost> ghost; // while there is a comparison that isn't refused
     Statistics statistics;
     ReplayPlace replay;
+    HistoryPlace history;
 };
 
 // The ball at `now`, between the two states: drawing runs one step behind and never guesses ahead.

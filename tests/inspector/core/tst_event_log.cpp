@@ -280,7 +280,7 @@ void TestEventLog::threadLogsTheSameAsStepsByHand() {
         expected.note(*engine, kNoStepper);
         simulation.stepOnce();
     }
-    QTRY_COMPARE(simulation.samples().last(), 3 * kStepsToTheWall);
+    QTRY_COMPARE(simulation.latest().current.step, uint64_t(3 * kStepsToTheWall));
     const std::vector<LoggedEvent> byHand = entriesOf(expected);
     QTRY_COMPARE(simulation.events().revision(), expected.revision());
     const std::vector<LoggedEvent> byThread = entriesOf(simulation.events());

@@ -34,6 +34,7 @@ private slots:
     void otherSceneStartsPaused();
     void failedStepPausesAndIsReportedOnce();
     void leavingTheMazeIsReportedOnceAndTheFallEnds();
+    void samplesEndAtTheExit();
     void pilotOnTheThreadGivesTheSameBitsAsByHand();
     void impactsAreCounted();
     void deletingARunningSimulationEndsItsThread();
@@ -117,6 +118,7 @@ void TestSimulation::threadGivesTheSameBitsAsStepsByHand() {
         QVERIFY(engine->step(nullptr));
         QVERIFY(simulation->samples().read(i, sample));
         QCOMPARE(sample.step, i + 1);
+        sample[Channel::StepTime] = engine->sample()[Channel::StepTime]; // nobody looked at the clock by hand
         QVERIFY(support::sameBits(sample.values, engine->sample().values));
     }
     QCOMPARE(phys_state_hash(&engine->state()), phys_state_hash(&reached));
@@ -315,6 +317,26 @@ void TestSimulation::leavingTheMazeIsReportedOnceAndTheFallEnds() {
     QTRY_VERIFY(!simulation->latest().running);
     QVERIFY(simulation->latest().current.flags & PHYS_OUT);
     QVERIFY(simulation->latest().current.position.z < 0.0);
+}
+
+// The fall after it is drawn, but is no part of the run.
+void TestSimulation::samplesEndAtTheExit() {
+    const auto simulation = simulationOf(openFloor());
+    phys_state state = simulation->latest().current;
+    state.position.x = 0.99;
+    state.velocity.x = 1.0;
+    simulation->setState(state);
+    simulation->setSpeed(Simulation::kFastest);
+    simulation->run();
+    QTRY_VERIFY(simulation->latest().current.flags & PHYS_OUT);
+    QTRY_VERIFY(!simulation->latest().running);
+    const uint64_t last = simulation->samples().last();
+    QVERIFY(last < simulation->latest().current.step);
+    Sample sample;
+    QVERIFY(simulation->samples().read(last - 1, sample));
+    QVERIFY(uint64_t(sample[Channel::Flags]) & PHYS_OUT);
+    QVERIFY(simulation->samples().read(last - 2, sample));
+    QVERIFY(!(uint64_t(sample[Channel::Flags]) & PHYS_OUT));
 }
 
 void TestSimulation::pilotOnTheThreadGivesTheSameBitsAsByHand() {

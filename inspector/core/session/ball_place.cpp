@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/ball_place.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace inspector {
+
+namespace {
+
+constexpr int kPushes = 64; // out of a corner takes several
+constexpr uint32_t kContacts = 64;
+constexpr double kTouch = 1e-9; // of the radius
+
+// The highest floor under this place: tops of boxes that a ball at the start could roll on.
+std::optional<double> floorBelow(const phys_scene *scene, const phys_vec3 &place) {
+    phys_state start;
+    phys_scene_start(scene, &start);
+    const double highest = start.position.z - 0.5 * phys_scene_radius(scene);
+    const phys_box *boxes = phys_scene_boxes(scene);
+    std::optional<double> found;
+    for (const phys_box *box = boxes; box != boxes + phys_scene_box_count(scene); ++box) {
+        const bool isBelow = box->max.z <= highest && box->min.x <= place.x && place.x <= box->max.x &&
+                             box->min.y <= place.y && place.y <= box->max.y;
+        if (isBelow && (!found || box->max.z > *found)) found = box->max.z;
+    }
+    return found;
+}
+
+// The deepest overlap to the side.
+std::optional<phys_contact> deepest(const phys_scene *scene, const phys_vec3 &place) {
+    std::array<phys_contact, kContacts> contacts{};
+    uint32_t count = 0;
+    if (phys_scene_contacts(scene, &place, 0.0, contacts.data(), kContacts, &count) != PHYS_OK) return std::nullopt;
+    std::optional<phys_contact> worst;
+    for (uint32_t i = 0; i < std::min(count, kContacts); ++i) {
+        const bool isAside = contacts[i].normal.z < 0.9 && contacts[i].gap < -kTouch * phys_scene_radius(scene);
+        if (isAside && (!worst || contacts[i].gap < worst->gap)) worst = contacts[i];
+    }
+    return worst;
+}
+
+} // namespace
+
+phys_vec3 freePlace(const phys_scene *scene, const phys_vec3 &wanted) {
+    phys_vec3 place = wanted;
+    for (int i = 0; i < kPushes; ++i) {
+        if (const std::optional<double> floor = floorBelow(scene, place)) place.z = *floor + phys_scene_radius(scene);
+        const std::optional<phys_contact> overlap = deepest(scene, place);
+        if (!overlap) break;
+        place.x -= overlap->gap * overlap->normal.x;
+        place.y -= overlap->gap * overlap->normal.y;
+    }
+    return place;
+}
+
+// v = spin x (R up): model.md 1.
+phys_vec3 rollingSpin(const phys_vec3 &velocity, double radius) {
+    return {-velocity.y / radius, velocity.x / radius, 0.0};
+}
+
+} // namespace inspector

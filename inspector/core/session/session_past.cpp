@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The past in the session: what was played lately, looked at and taken over.
+#include "core/session/session.h"
+
+#include <QSaveFile>
+
+#include <algorithm>
+
+namespace inspector {
+
+namespace {
+
+constexpr uint64_t kOldFuturePoints = 4000;
+
+}
+
+RunPlace Session::runPlace() {
+    const Snapshot &now = m_simulation->latest();
+    const HistoryPlace &kept = now.history;
+    const auto placeIn = [&kept](uint64_t begin, uint64_t end, uint64_t place) {
+        return RunPlace{begin, end, begin > kept.begin ? std::min(begin + 1, end) : begin, place};
+    };
+    if (!m_past) return placeIn(std::max(kept.run, kept.begin), kept.end, kept.end);
+    const bool isThere = now.replay.number == m_past->number && now.replay.seeks >= m_past->seeks;
+    const uint64_t place = isThere ? kept.place : m_past->sought;
+    return placeIn(m_past->past.beginOfRun(place), m_past->past.endOfRun(place), place);
+}
+
+// The end of the live run, which may have no step yet.
+bool Session::isAtPresent(const RunPlace &run) const {
+    const HistoryPlace kept = m_simulation->latest().history;
+    return run.place == m_past->past.end() && run.begin == std::max(kept.run, kept.begin);
+}
+
+// Paused at the present.
+bool Session::lookBack() {
+    if (m_past) return true;
+    if (m_replay) return false;
+    QString error;
+    m_simulation->pause(); // what is kept then stays as it is
+    std::optional<Past> past = m_simulation->past(&error);
+    if (!past) return report(error);
+    if (past->recording->length() == 0) return false;
+    const uint64_t number = m_simulation->lookBack(*past);
+    const uint64_t end = past->end();
+    m_past.emplace(LookingBack{std::move(*past), number, m_level, m_scene, steppingWithAll(), {}, end, 0});
+    emit pastChanged(true);
+    return true;
+}
+
+void Session::lookAt(uint64_t place) {
+    if (!lookBack()) return;
+    m_past->sought = std::clamp(place, m_past->past.begin, m_past->past.end());
+    m_past->seeks = m_simulation->seek(m_past->sought - m_past->past.begin);
+}
+
+void Session::lookAtTime(double time) {
+    if (!lookBack()) return;
+    lookAt(m_past->past.placeAt(time, runPlace().place));
+}
+
+void Session::returnToPresent() {
+    if (!m_past) return;
+    const LookingBack present = *std::move(m_past);
+    m_past.reset();
+    m_simulation->returnToPresent();
+    show(present.stepping);
+    if (m_scene != present.scene) {
+        m_scene = present.scene;
+        m_level = present.level;
+        emit levelOpened();
+    }
+    emit pastChanged(false);
+}
+
+void Session::takeOver() {
+    if (!m_past) return;
+    const uint64_t place = runPlace().place;
+    const uint64_t position = place - m_past->past.begin;
+    const bool isOtherLevel = m_scene != m_past->scene;
+    keepOldFuture(place);
+    m_past.reset();
+    m_isTakenOver = true;
+    m_tiltControl = {};
+    m_keysTilt = false;
+    m_simulation->goOnFrom(position, origin());
+    if (m_hasAutopilot) fly(nullptr);
+    m_simulation->setInputs(m_parameters.inputs()); // what is seen counts
+    if (isOtherLevel || m_game.phase() != Game::Phase::Prompt) m_game.goOn(levelIndex());
+    m_comparison->meetAgain();
+    emit pastChanged(false);
+}
+
+void Session::keepOldFuture(uint64_t place) {
+    m_oldFuture.clear();
+    const SampleRing &samples = m_simulation->samples();
+    const Snapshot &now = m_simulation->latest();
+    m_oldFutureRun = now.run;
+    if (now.history.place != place) return; // not shown yet: its samples may be another run's
+    const uint64_t begin = samples.find(now.current.time);
+    const uint64_t stride = (samples.last() - begin) / kOldFuturePoints + 1;
+    Sample sample;
+    for (uint64_t number = begin; number < samples.last(); number += stride)
+        if (samples.read(number, sample)) m_oldFuture.push_back(sample);
+}
+
+// Rows of runs that aren't kept any more go.
+void Session::watchRuns(const Snapshot &now) {
+    if (now.run != m_oldFutureRun) m_oldFuture.clear();
+    const HistoryPlace &kept = now.history;
+    std::erase_if(m_runs, [&](const KeptRun &run) { return run.end <= kept.begin; });
+    if (m_replay || m_past || now.replay.number != 0 || kept.end == kept.run) return;
+    if (m_runs.empty() || m_runs.back().begin != kept.run) m_runs.push_back({});
+    m_runs.back() = {
+        kept.run, kept.end, m_level, m_stepperId, now.dt, now.current.time, (now.current.flags & PHYS_OUT) != 0};
+}
+
+bool Session::saveRun(const QString &path, QString *error) {
+    const RunPlace run = runPlace();
+    const std::optional<Past> kept = m_simulation->past(error, run.begin, run.end);
+    if (!kept) return false;
+    QSaveFile file(path);
+    const QByteArray text = recordingText(kept->recording->recording(), m_registry);
+    if (file.open(QIODevice::WriteOnly) && file.write(text) == text.size() && file.commit()) return true;
+    if (error) *error = QStringLiteral("%1: %2").arg(path, file.errorString());
+    return false;
+}
+
+} // namespace inspector

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/way_ahead.h"
+
+#include <array>
+#include <chrono>
+#include <utility>
+
+namespace inspector {
+
+namespace {
+
+constexpr uint32_t kEvents = 32;
+constexpr double kImpactSpeed = 1e-3; // m/s: slower ones aren't worth a mark
+// A scene in which the exact stepper takes its time gets a shorter way.
+constexpr std::chrono::milliseconds kBudget{20};
+
+std::optional<phys_event> firstImpact(const phys_report &report) {
+    for (uint32_t i = 0; i < report.event_count; ++i)
+        if (report.events[i].kind == PHYS_EVENT_IMPACT && -report.events[i].speed_before > kImpactSpeed)
+            return report.events[i];
+    return std::nullopt;
+}
+
+} // namespace
+
+WayAhead wayAhead(const Stepper &stepper, const phys_state &state, const phys_params &params) {
+    const auto end = std::chrono::steady_clock::now() + kBudget;
+    std::array<phys_event, kEvents> events{};
+    phys_report report;
+    phys_report_init(&report, sizeof report);
+    report.events = events.data();
+    report.event_capacity = kEvents;
+    WayAhead way{{state.position}, {}};
+    phys_state now = state;
+    const auto count = int(WayFinder::kReach / WayFinder::kInterval + 0.5);
+    for (int i = 0; i < count && std::chrono::steady_clock::now() < end; ++i) {
+        if (phys_step(stepper.get(), &params, WayFinder::kInterval, &now, &now, &report, nullptr) != PHYS_OK) break;
+        way.points.push_back(now.position);
+        if (!way.impact) way.impact = firstImpact(report);
+        if (now.flags & (PHYS_OUT | PHYS_AT_REST)) break;
+    }
+    return way;
+}
+
+WayFinder::WayFinder(Registry registry)
+    : m_registry(std::move(registry))
+    , m_thread([this](const std::stop_token &stop) { work(stop); }) {}
+
+WayFinder::~WayFinder() {
+    m_thread.request_stop();
+    m_thread.join();
+}
+
+void WayFinder::ask(const Scene &scene, const phys_state &state, const phys_params &params) {
+    {
+        const std::lock_guard lock(m_mutex);
+        m_question = Question{scene, state, params};
+    }
+    m_wake.notify_one();
+}
+
+WayAhead WayFinder::latest() const {
+    const std::lock_guard lock(m_mutex);
+    return m_answer;
+}
+
+uint64_t WayFinder::answers() const {
+    const std::lock_guard lock(m_mutex);
+    return m_answers;
+}
+
+void WayFinder::work(const std::stop_token &stop) {
+    Scene scene;
+    Stepper stepper;
+    while (!stop.stop_requested()) {
+        std::optional<Question> question;
+        {
+            std::unique_lock lock(m_mutex);
+            m_wake.wait(lock, stop, [this] { return m_question.has_value(); });
+            question = std::exchange(m_question, std::nullopt);
+        }
+        if (!question) continue;
+        if (question->scene != scene) {
+            scene = question->scene;
+            stepper = makeStepper(m_registry, "exact", scene, nullptr);
+        }
+        WayAhead answer = stepper ? wayAhead(stepper, question->state, question->params) : WayAhead{};
+        const std::lock_guard lock(m_mutex);
+        m_answer = std::move(answer);
+        ++m_answers;
+    }
+}
+
+} // namespace inspector

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the ball goes from here if nothing changes: the next seconds, by the exact stepper, on a thread of its own.
+#pragma once
+
+#include "core/setup/handles.h"
+
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+namespace inspector {
+
+struct WayAhead {
+    std::vector<phys_vec3> points;    // m, at equal times, the present one first; ends where the ball leaves or rests
+    std::optional<phys_event> impact; // the next one
+};
+
+class WayFinder {
+public:
+    static constexpr double kReach = 2.0;           // s
+    static constexpr double kInterval = 1.0 / 60.0; // s, from one point to the next
+
+    explicit WayFinder(Registry registry);
+    ~WayFinder(); // ends the thread
+
+    // Latest wins; returns at once. Where the exact stepper refuses, the way ends.
+    void ask(const Scene &scene, const phys_state &state, const phys_params &params);
+    // The answer to the last question that has one. Another number: another answer.
+    WayAhead latest() const;
+    uint64_t answers() const;
+
+private:
+    struct Question {
+        Scene scene;
+        phys_state state;
+        phys_params params;
+    };
+    void work(const std::stop_token &stop);
+
+    Registry m_registry;
+    mutable std::mutex m_mutex; // guards the next three; never held while stepping
+    std::condition_variable_any m_wake;
+    std::optional<Question> m_question;
+    WayAhead m_answer;
+    uint64_t m_answers = 0;
+    std::jthread m_thread; // last: ends before anything above it goes
+};
+
+// The same, by the calling thread. stepper: `exact`, made for the scene.
+WayAhead wayAhead(const Stepper &stepper, const phys_state &state, const phys_params &params);
+
+} // namespace inspector

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// The way ahead is the exact stepper's; a hand puts the ball only where it fits.
+#include "core/session/ball_place.h"
+#include "core/simulation/way_ahead.h"
+#include "scenes.h"
+#include "support/compare.h"
+
+#include <array>
+#include <cmath>
+#include <random>
+
+using namespace inspector;
+
+class TestWayAhead : public QObject {
+    Q_OBJECT
+
+private slots:
+    void wayIsTheExactSteppersWay();
+    void nextImpactIsMarked();
+    void restingBallHasNoWay();
+    void latestQuestionIsAnswered();
+    void ballIsPutWhereItFits();
+    void ballBesideTheFloorStaysInTheAir();
+    void rollingSpinTouchesTheFloorAtRest();
+
+private:
+    static Stepper exactOn(const Scene &scene) {
+        Stepper stepper = makeStepper(makeRegistry(nullptr), "exact", scene, nullptr);
+        if (!stepper) qFatal("no exact stepper");
+        return stepper;
+    }
+    static phys_state startOf(const Scene &scene) {
+        phys_state start;
+        if (phys_scene_start(scene.get(), &start) != PHYS_OK) qFatal("no start");
+        return start;
+    }
+};
+
+// Rolling down a tilt: s = 5/7 (g sin a - c g cos a) t^2 / 2 (model.md 3); here against steps of another size, which
+// make no difference to an exact stepper but rounding.
+void TestWayAhead::wayIsTheExactSteppersWay() {
+    const Scene scene = openFloor();
+    const Stepper stepper = exactOn(scene);
+    const phys_params params = tilted(1.0, 0.0).params;
+    const WayAhead way = wayAhead(stepper, startOf(scene), params);
+    QCOMPARE(way.points.size(), size_t(121)); // 2 s
+    phys_state state = startOf(scene);
+    phys_step(stepper.get(), &params, WayFinder::kReach, &state, &state, nullptr, nullptr);
+    QVERIFY(std::abs(way.points.back().x - state.position.x) < 1e-9);
+    QVERIFY(way.points.back().x > 0.1);
+}
+
+void TestWayAhead::nextImpactIsMarked() {
+    const Scene scene = levelScene(1);
+    const WayAhead way = wayAhead(exactOn(scene), startOf(scene), tilted(-3.0, 5.0).params);
+    QVERIFY(way.impact.has_value());
+    QVERIFY(way.impact->time > 0.0 && way.impact->time < WayFinder::kReach);
+    QVERIFY(way.impact->speed_before < 0.0);
+}
+
+void TestWayAhead::restingBallHasNoWay() {
+    const Scene scene = openFloor();
+    const WayAhead way = wayAhead(exactOn(scene), startOf(scene), tilted(0.0, 0.0).params);
+    QCOMPARE(way.points.size(), size_t(2)); // it is at rest after the first step
+    QVERIFY(!way.impact);
+}
+
+void TestWayAhead::latestQuestionIsAnswered() {
+    const Scene scene = openFloor();
+    WayFinder finder(makeRegistry(nullptr));
+    for (int i = 0; i <= 20; ++i) finder.ask(scene, startOf(scene), tilted(0.1 * i, 0.0).params);
+    const WayAhead expected = wayAhead(exactOn(scene), startOf(scene), tilted(2.0, 0.0).params);
+    QTRY_VERIFY(finder.latest().points.size() == expected.points.size() &&
+                finder.latest().points.back().x == expected.points.back().x);
+}
+
+// Invariant: wherever it is wanted inside the board, it touches no wall and stands on the floor.
+void TestWayAhead::ballIsPutWhereItFits() {
+    const Scene scene = levelScene(3);
+    const double radius = phys_scene_radius(scene.get());
+    phys_box bounds;
+    QCOMPARE(phys_scene_bounds(scene.get(), &bounds), PHYS_OK);
+    constexpr unsigned kSeed = 4;
+    std::mt19937 random(kSeed);
+    std::uniform_real_distribution<double> share(0.02, 0.98);
+    for (int i = 0; i < 500; ++i) {
+        const phys_vec3 wanted{bounds.min.x + share(random) * (bounds.max.x - bounds.min.x),
+                               bounds.min.y + share(random) * (bounds.max.y - bounds.min.y), 0.0};
+        const phys_vec3 place = freePlace(scene.get(), wanted);
+        std::array<phys_contact, 64> contacts{};
+        uint32_t count = 0;
+        QCOMPARE(phys_scene_contacts(scene.get(), &place, 0.1 * radius, contacts.data(), 64, &count), PHYS_OK);
+        for (uint32_t c = 0; c < count; ++c)
+            QVERIFY2(contacts[c].gap > -1e-6 * radius,
+                     qPrintable(QStringLiteral("seed %1, place %2: %3 m").arg(kSeed).arg(i).arg(contacts[c].gap)));
+    }
+}
+
+void TestWayAhead::ballBesideTheFloorStaysInTheAir() {
+    const phys_vec3 place = freePlace(openFloor().get(), {5.0, 0.0, 0.3});
+    QCOMPARE(place.z, 0.3);
+}
+
+// v + spin x (-R up) = 0.
+void TestWayAhead::rollingSpinTouchesTheFloorAtRest() {
+    constexpr double kRadius = 0.006;
+    const phys_vec3 velocity{0.3, -0.2, 0.0};
+    const phys_vec3 spin = rollingSpin(velocity, kRadius);
+    QVERIFY(std::abs(velocity.x - spin.y * kRadius) < 1e-15);
+    QVERIFY(std::abs(velocity.y + spin.x * kRadius) < 1e-15);
+    QCOMPARE(spin.z, 0.0);
+}
+
+QTEST_GUILESS_MAIN(TestWayAhead)
+#include "tst_way_ahead.moc"
