@@ -47,7 +47,7 @@ MazeView::MazeView(QWidget *parent)
     m_pulse.setTimerType(Qt::PreciseTimer);
     m_pulse.setInterval(kPulseMilliseconds);
     connect(&m_pulse, &QTimer::timeout, this, [this] {
-        if (isVisible()) update();
+        if (isVisible() && m_is_new()) update();
     });
 }
 
@@ -94,8 +94,9 @@ void MazeView::setFrame(const Frame &frame) {
     update();
 }
 
-void MazeView::setFrameSource(std::function<Frame()> source) {
+void MazeView::setFrameSource(std::function<Frame()> source, std::function<bool()> isNew) {
     m_source = std::move(source);
+    m_is_new = std::move(isNew);
     if (m_source) {
         m_pulse.start();
     } else {
@@ -125,6 +126,8 @@ QPointF MazeView::positionOf(const glm::dvec3 &board_point) const {
     const glm::dvec2 pixel = m_camera.project(glm::dvec3(boardPose() * glm::dvec4(board_point, 1.0)));
     return {pixel.x, pixel.y};
 }
+
+Ray MazeView::rayAt(const QPointF &place) const { return m_camera.pickRay(toGlm(place), boardPose()); }
 
 glm::dmat4 MazeView::boardPose() const { return boardToWorld(m_frame.tilt_x, m_frame.tilt_y, boardPivot(m_bounds)); }
 
@@ -192,6 +195,7 @@ void MazeView::paintGL() {
     if (!m_renderer) return;
     QElapsedTimer timer;
     timer.start();
+    ++m_pictures;
     if (m_source) m_frame = m_source();
     uploadMeshes();
     const View view = currentView();
@@ -220,6 +224,26 @@ void MazeView::renderMultisampled(const View &view) {
     context()->functions()->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
 }
 
+// Drawn once more, into a framebuffer of its own, with as many samples as there are.
+QImage MazeView::picture(int scale) {
+    if (!m_renderer) return {};
+    makeCurrent();
+    View view = currentView();
+    view.pixel_ratio *= scale;
+    view.pixels *= scale;
+    const QSize size(view.pixels.x, view.pixels.y);
+    QOpenGLFramebufferObjectFormat format;
+    format.setSamples(kSamples);
+    format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
+    QOpenGLFramebufferObject target(size, format);
+    target.bind();
+    m_renderer->render(m_frame, view);
+    const QImage picture = target.toImage();
+    target.release();
+    doneCurrent();
+    return picture.convertToFormat(QImage::Format_RGB32);
+}
+
 void MazeView::mousePressEvent(QMouseEvent *event) {
     m_press_position = event->position();
     m_last_position = event->position();
@@ -244,7 +268,7 @@ void MazeView::mouseMoveEvent(QMouseEvent *event) {
 
 void MazeView::mouseReleaseEvent(QMouseEvent *event) {
     if (m_is_dragging || event->button() != Qt::LeftButton) return;
-    emit clicked(m_camera.pickRay(toGlm(event->position()), boardPose()));
+    emit clicked(rayAt(event->position()));
 }
 
 void MazeView::mouseDoubleClickEvent(QMouseEvent *event) {

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include <QImage>
 #include <QOpenGLWidget>
 #include <QPointF>
 #include <QString>
@@ -39,8 +40,12 @@ public:
 
     // Draws this frame once...
     void setFrame(const Frame &frame);
-    // ...or asks `source` for one before each picture, up to 60 times a second while visible; null ends that.
-    void setFrameSource(std::function<Frame()> source);
+    // ...or asks `source` for one before each picture, up to 60 times a second while visible and while `isNew` says
+    // that there is another one to show; null ends that.
+    void setFrameSource(
+        std::function<Frame()> source, std::function<bool()> isNew = [] { return true; });
+    // How many pictures were drawn.
+    uint64_t pictures() const { return m_pictures; }
 
     // Until called, the view chooses: Medium for a software renderer, High otherwise.
     void setQuality(Quality quality);
@@ -57,6 +62,10 @@ public:
     double lastFrameMilliseconds() const { return m_frame_milliseconds; }
     // What draws, for instance "llvmpipe (LLVM 15.0.6, 256 bits)"; empty before the first picture.
     QString rendererName() const { return m_renderer_name; }
+    // The picture as it is now, `scale` pixels for each of the device, 1 to 4; null before the first.
+    QImage picture(int scale);
+    // The ray under a place of this widget, in the board frame.
+    Ray rayAt(const QPointF &place) const;
     // Where a point of the board (board frame, m) is drawn, in logical pixels of this widget.
     QPointF positionOf(const glm::dvec3 &board_point) const;
 
@@ -88,6 +97,8 @@ private:
     OrbitCamera m_camera;
     Frame m_frame;
     std::function<Frame()> m_source;
+    std::function<bool()> m_is_new;
+    uint64_t m_pictures = 0;
     QTimer m_pulse;
     Mesh m_maze; // kept for the next context
     std::optional<Mesh> m_ball;
