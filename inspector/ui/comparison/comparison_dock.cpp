@@ -5,6 +5,7 @@
 #include "ui/comparison/deviation_text.h"
 #include "ui/comparison/distance_plot.h"
 #include "ui/parts/elided_label.h"
+#include "ui/parts/number_box.h"
 #include "ui/parts/stepper_items.h"
 #include "ui/plots/plot_panel.h"
 
@@ -13,7 +14,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
-#include <QSpinBox>
 #include <QToolButton>
 
 namespace inspector::ui {
@@ -47,13 +47,13 @@ ComparisonDock::ComparisonDock(Session &session, const Actions &actions, QWidget
     : QWidget(parent)
     , m_session(session)
     , m_stepper(new QComboBox)
-    , m_substeps(new QSpinBox)
+    , m_substeps(new NumberBox)
     , m_figures(new ElidedLabel)
     , m_plot(new DistancePlot(session.simulation().samples())) {
     setObjectName(QStringLiteral("comparison"));
     m_figures->setObjectName(QStringLiteral("comparison_figures"));
     m_figures->setToolTip(tr("Speed and energy: the ball's minus the ghost's"));
-    auto *panel = new PlotPanel(m_plot, QStringLiteral("distance"));
+    auto *panel = new PlotPanel(m_plot, m_plot->time(), QStringLiteral("distance"));
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(4, 2, 4, 0);
     layout->setSpacing(2);
@@ -61,9 +61,12 @@ ComparisonDock::ComparisonDock(Session &session, const Actions &actions, QWidget
     layout->addWidget(m_figures);
     layout->addWidget(panel, 1);
 
+    connect(panel, &PlotPanel::followWanted, m_plot, &TimePlot::setFollowing);
+    connect(panel, &PlotPanel::pauseWanted, m_plot, &TimePlot::setPaused);
+    connect(panel, &PlotPanel::clearWanted, m_plot, &TimePlot::clear);
     connect(panel, &PlotPanel::saveWanted, this, &ComparisonDock::saveWanted);
     connect(m_stepper, &QComboBox::activated, this, &ComparisonDock::choose);
-    connect(m_substeps, &QSpinBox::valueChanged, this, &ComparisonDock::choose);
+    connect(m_substeps, &NumberBox::entered, this, &ComparisonDock::chooseSubsteps);
     connect(&session.comparison(), &Comparison::changed, this, &ComparisonDock::showComparison);
     for (const auto signal : {&Session::stepperChanged, &Session::paceChanged, &Session::levelOpened})
         connect(&session, signal, this, &ComparisonDock::showComparison);
@@ -73,15 +76,13 @@ ComparisonDock::ComparisonDock(Session &session, const Actions &actions, QWidget
 QWidget *ComparisonDock::makeControls(const Actions &actions) {
     m_stepper->setObjectName(QStringLiteral("comparison_stepper"));
     m_stepper->setToolTip(tr("The stepper that moves the ghost"));
+    m_stepper->setAccessibleName(tr("The ghost's stepper"));
+    m_substeps->setAccessibleName(tr("Parts of the ball's time step"));
     m_stepper->setFocusPolicy(Qt::TabFocus);
     addStepperItems(*m_stepper, m_session.registry());
     m_substeps->setObjectName(QStringLiteral("comparison_substeps"));
     m_substeps->setToolTip(tr("The ghost's time step, as a part of the ball's"));
-    m_substeps->setPrefix(tr("dt / "));
-    m_substeps->setSpecialValueText(tr("the same dt"));
-    m_substeps->setRange(1, Opponent::kMostSubsteps);
-    m_substeps->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-    m_substeps->setKeyboardTracking(false);
+    m_substeps->setKind(wholeNumberKind(1, Opponent::kMostSubsteps));
 
     auto *controls = new QWidget;
     auto *layout = new QHBoxLayout(controls);
@@ -89,7 +90,7 @@ QWidget *ComparisonDock::makeControls(const Actions &actions) {
     layout->addWidget(switchFor(actions.compare));
     layout->addWidget(new QLabel(tr("with")));
     layout->addWidget(m_stepper);
-    layout->addWidget(new QLabel(tr("at")));
+    layout->addWidget(new QLabel(tr("at dt /")));
     layout->addWidget(m_substeps);
     layout->addWidget(buttonFor(actions.meetAgain));
     layout->addStretch();
@@ -97,12 +98,16 @@ QWidget *ComparisonDock::makeControls(const Actions &actions) {
 }
 
 void ComparisonDock::choose() {
-    m_session.comparison().setOpponent({m_stepper->currentData().toByteArray(), m_substeps->value()});
+    m_session.comparison().setOpponent({m_stepper->currentData().toByteArray(), int(m_substeps->value())});
+}
+
+void ComparisonDock::chooseSubsteps(double count) {
+    m_substeps->setValue(count);
+    choose();
 }
 
 void ComparisonDock::showComparison() {
     const Opponent &opponent = m_session.comparison().opponent();
-    const QSignalBlocker blocker(m_substeps); // only a person chooses
     m_stepper->setCurrentIndex(m_stepper->findData(opponent.stepper));
     m_substeps->setValue(opponent.substeps);
     const auto name = [&](const QByteArray &id, double dt) {

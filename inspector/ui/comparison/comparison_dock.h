@@ -7,12 +7,12 @@
 
 class QAction;
 class QComboBox;
-class QSpinBox;
 
 namespace inspector::ui {
 
 class DistancePlot;
 class ElidedLabel;
+class NumberBox;
 class PlotPanel;
 
 // The ball beside a second one: which stepper moves that, how far both are apart now and over time.
@@ -38,13 +38,14 @@ signals:
 
 private:
     QWidget *makeControls(const Actions &actions);
-    void choose();         // what the controls say
+    void choose(); // what the controls say
+    void chooseSubsteps(double count);
     void showComparison(); // what the session says
     QString summary(const Snapshot &now) const;
 
     Session &m_session;
     QComboBox *m_stepper;
-    QSpinBox *m_substeps;
+    NumberBox *m_substeps;
     ElidedLabel *m_figures;
     DistancePlot *m_plot;
 };

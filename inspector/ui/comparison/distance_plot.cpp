@@ -37,7 +37,7 @@ double powerOfTen(double exponent) { return std::pow(10.0, exponent); }
 } // namespace
 
 DistancePlot::DistancePlot(const SampleRing &samples, QWidget *parent)
-    : TimePlot(samples, parent)
+    : TimePlot(samples, nullptr, parent)
     , m_ball(addKey(&Accents::ball))
     , m_ghost(addKey(&Accents::ghost)) {
     setObjectName(QStringLiteral("distance_plot"));
@@ -96,7 +96,7 @@ void DistancePlot::fitValues() {
 
 QString DistancePlot::textOf(const Sample &sample) const {
     if (std::isnan(sample[Channel::Distance])) return tr("No ghost");
-    return tr("Distance  %1\nSpeed  %2\nEnergy  %3")
+    return tr("%1, speed %2, energy %3")
         .arg(distanceText(sample[Channel::Distance], m_radius), speedDifferenceText(sample[Channel::SpeedDifference]),
              energyDifferenceText(sample[Channel::EnergyDifference]));
 }

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/game/game_keys.h"
 
+#include "gl/maze_view.h"
+#include "ui/parts/number_box.h"
+
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
+#include <QDialog>
 #include <QKeyEvent>
-#include <QLineEdit>
 
 #include <algorithm>
 
@@ -21,13 +24,33 @@ constexpr double kLongestTurn = 0.1; // s: after a stall the board doesn't jump
 bool isArrow(int key) { return key >= Qt::Key_Left && key <= Qt::Key_Down; }
 bool isEnter(int key) { return key == Qt::Key_Return || key == Qt::Key_Enter; }
 
+// Where something is typed. The keys of a list to choose from, too, as long as it is open.
 bool isText(const QWidget *widget) {
-    return qobject_cast<const QLineEdit *>(widget) || qobject_cast<const QAbstractSpinBox *>(widget);
+    const auto *combo = qobject_cast<const QComboBox *>(widget);
+    return qobject_cast<const QLineEdit *>(widget) || qobject_cast<const QAbstractSpinBox *>(widget) ||
+           (combo && combo->isEditable()) || QApplication::activePopupWidget();
+}
+
+bool isList(const QWidget *widget) {
+    return qobject_cast<const QAbstractItemView *>(widget) || qobject_cast<const QComboBox *>(widget);
+}
+
+bool isInDialog(const QWidget *widget) {
+    for (; widget; widget = widget->parentWidget())
+        if (qobject_cast<const QDialog *>(widget)) return true;
+    return false;
+}
+
+// Says something that can't be read: whoever typed it is not done.
+bool isUnreadable(const QWidget *widget) {
+    const auto *combo = qobject_cast<const QComboBox *>(widget);
+    const auto *box = qobject_cast<const NumberBox *>(combo ? combo->lineEdit() : widget);
+    return box && box->isRefused();
 }
 
 } // namespace
 
-GameKeys::GameKeys(Session &session, QWidget &window, QWidget &view)
+GameKeys::GameKeys(Session &session, QWidget &window, gl::MazeView &view)
     : QObject(&window)
     , m_session(session)
     , m_window(window)
@@ -45,14 +68,15 @@ bool GameKeys::isForGame(const QKeyEvent &event) const {
     if (m_session.isReplaying()) return false;
     if (QApplication::activeWindow() != &m_window || QApplication::activePopupWidget()) return false;
     const QWidget *focus = QApplication::focusWidget();
-    const bool isList = qobject_cast<const QAbstractItemView *>(focus);
-    if (isList && (m_session.hasAutopilot() || !m_session.simulation().latest().running)) return false;
+    const bool isItems = qobject_cast<const QAbstractItemView *>(focus);
+    if (isItems && (m_session.hasAutopilot() || !m_session.simulation().latest().running)) return false;
     return m_session.game().phase() == Game::Phase::Playing || !focus || focus == &m_view || focus == &m_window;
 }
 
 // Keys that a widget needs although the window has a command for them.
 bool GameKeys::isForWidget(const QKeyEvent &event, const QWidget *widget) const {
-    if (isEnter(event.key())) return isText(widget);
+    if (isEnter(event.key())) return isText(widget) || isList(widget);
+    if (event.key() == Qt::Key_Escape) return isText(widget);
     const bool isPressed = qobject_cast<const QAbstractButton *>(widget) || qobject_cast<const QComboBox *>(widget);
     return event.key() == Qt::Key_Space && isPressed && m_session.game().phase() != Game::Phase::Playing;
 }
@@ -60,34 +84,68 @@ bool GameKeys::isForWidget(const QKeyEvent &event, const QWidget *widget) const 
 bool GameKeys::eventFilter(QObject *object, QEvent *event) {
     const QEvent::Type type = event->type();
     if (type != QEvent::KeyPress && type != QEvent::KeyRelease && type != QEvent::ShortcutOverride) return false;
-    auto *key = static_cast<QKeyEvent *>(event);
+    const auto *key = static_cast<const QKeyEvent *>(event);
+    const auto *widget = qobject_cast<const QWidget *>(object);
     if (type == QEvent::ShortcutOverride) {
-        if (!isForWidget(*key, qobject_cast<QWidget *>(object))) return false;
+        if (!isForWidget(*key, widget)) return false;
+        event->accept();
+        if (!QApplication::activePopupWidget()) return true;
+        if (isEnter(key->key())) returnKeyboardAfter(widget);
+        return false; // an open list chooses already now
+    }
+    if (takeArrow(*key)) {
         event->accept();
         return true;
     }
-    // A key that went down as the game's also comes up as the game's, or the board would stay tilted.
-    const bool isRelease = type == QEvent::KeyRelease;
-    if (!isForGame(*key) && !(isRelease && isArrow(key->key()) && m_keys.any())) return false;
-    if (!key->isAutoRepeat()) hold(key->key(), !isRelease);
-    event->accept();
+    const bool isEnd = isEnter(key->key()) || (key->key() == Qt::Key_Escape && isText(widget));
+    if (type == QEvent::KeyPress && isEnd && (isText(widget) || isList(widget)) && !isInDialog(widget))
+        returnKeyboardAfter(widget);
+    return false;
+}
+
+// A key that went down as the game's also comes up as the game's, or the board would stay tilted.
+bool GameKeys::takeArrow(const QKeyEvent &event) {
+    if (!isArrow(event.key())) return false;
+    unsigned &held = m_held[size_t(event.key() - Qt::Key_Left)];
+    const unsigned bit = event.modifiers() & Qt::KeypadModifier ? 2U : 1U;
+    const bool isRelease = event.type() == QEvent::KeyRelease;
+    if (!isForGame(event) && !(isRelease && (held & bit))) return false;
+    if (event.isAutoRepeat()) return true;
+    held = isRelease ? held & ~bit : held | bit;
+    sendKeys();
     return true;
 }
 
-void GameKeys::hold(int key, bool isDown) {
-    bool *const keys[] = {&m_keys.left, &m_keys.up, &m_keys.right, &m_keys.down}; // Qt's order
-    *keys[key - Qt::Key_Left] = isDown;
-    m_session.setKeys(m_keys);
+// Once the widget has had the key.
+void GameKeys::returnKeyboardAfter(const QWidget *editor) {
+    QMetaObject::invokeMethod(
+        this,
+        [this, editor] {
+            const QWidget *focus = QApplication::focusWidget();
+            if (QApplication::activePopupWidget() || QApplication::activeWindow() != &m_window) return;
+            const bool isLeft = focus && focus != editor && !isText(focus) && !isList(focus);
+            if (!isLeft && !isUnreadable(focus)) m_view.setFocus();
+        },
+        Qt::QueuedConnection);
+}
+
+// Seen from azimuth -90 degrees, where the camera starts, up on the screen is +y of the board.
+void GameKeys::sendKeys() {
+    TiltKeys keys{m_held[0] != 0, m_held[2] != 0, m_held[1] != 0, m_held[3] != 0, 0.0};
+    keys.heading = gl::OrbitCamera::kStartAzimuth - m_view.camera().azimuth();
+    m_session.setKeys(keys);
 }
 
 void GameKeys::releaseAll() {
-    m_keys = {};
-    m_session.setKeys(m_keys);
+    m_held = {};
+    sendKeys();
 }
 
 void GameKeys::advance() {
     const double seconds = 1e-9 * double(m_clock.nsecsElapsed());
     m_clock.restart();
+    if (QApplication::activeWindow() != &m_window) m_held = {}; // where they go up isn't heard
+    sendKeys();                                                 // the camera may have turned
     m_session.advanceKeys(std::min(seconds, kLongestTurn));
 }
 

@@ -91,7 +91,7 @@ void ParameterPanel::edit(int index, double value) {
     QString error;
     if (!m_parameters.set(index, value, &error)) {
         m_rows[size_t(index)]->showValue(before);
-        emit refused(error);
+        if (!m_rows[size_t(index)]->refuse(error)) emit refused(error);
         return;
     }
     const phys_param_row &row = m_parameters.row(index);
@@ -118,7 +118,8 @@ void ParameterPanel::resetAll() {
 void ParameterPanel::showValue(int index, double value) {
     const phys_param_row &row = m_parameters.row(index);
     // The spring behind the keys passes through angles of any number of digits, live or recorded.
-    const bool isPassing = isTilt(row) && (m_session.isTiltedByKeys() || m_session.isReplaying());
+    const bool isShown = m_session.isTiltedByKeys() || m_session.isReplaying() || m_session.isInPast();
+    const bool isPassing = isTilt(row) && isShown;
     m_rows[size_t(index)]->showValue(isPassing ? std::round(value / row.step) * row.step : value);
     if (row.flags & PHYS_ROW_CHOICE) updateLocks(); // the model may be another one
 }

@@ -1,44 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/parameters/parameter_row.h"
 
+#include "ui/parameters/fine_slider.h"
+#include "ui/parameters/slider_scale.h"
 #include "ui/parts/number_box.h"
 #include "ui/parts/path_icon.h"
-#include "ui/parts/printed_unit.h"
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QSignalBlocker>
-#include <QSlider>
 #include <QToolButton>
-
-#include <algorithm>
-#include <cmath>
 
 namespace inspector::ui {
 
 namespace {
 
 enum GridColumn { kLabel, kEditor, kNumber, kReset };
-
-// A slider counts in whole notches.
-struct Notches {
-    double low, high;
-    int count;
-
-    explicit Notches(const phys_param_row &row)
-        : low(row.low)
-        , high(row.high)
-        , count(int(std::clamp(std::round((row.high - row.low) / row.step), 1.0, 10000.0))) {}
-
-    int at(double value) const { return int(std::lround((std::clamp(value, low, high) - low) / (high - low) * count)); }
-    double value(int notch) const {
-        const double raw = low + (high - low) * notch / count;
-        return std::round(raw * 1e9) / 1e9; // 0.3, not 0.30000000000000004
-    }
-};
 
 } // namespace
 
@@ -69,6 +48,8 @@ ParameterRow::ParameterRow(const phys_param_row &row, QGridLayout &grid, int lin
 
 void ParameterRow::adopt(QWidget *widget, const char *suffix) {
     widget->setObjectName(QString::fromLatin1(m_row.id) + QLatin1String(suffix));
+    widget->setAccessibleName(QString::fromUtf8(m_row.label));
+    widget->setAccessibleDescription(QString::fromUtf8(m_row.help));
     m_widgets.push_back(widget);
 }
 
@@ -79,33 +60,24 @@ void ParameterRow::addLabel(QGridLayout &grid, int line) {
 }
 
 void ParameterRow::addNumber(QGridLayout &grid, int line) {
-    const Notches notches(m_row);
-    auto *slider = new QSlider(Qt::Horizontal);
-    slider->setRange(0, notches.count);
-    slider->setPageStep(std::max(1, notches.count / 20));
-    slider->setMinimumWidth(70);
+    const SliderScale scale(m_row);
+    auto *slider = new FineSlider(scale.last(), SliderScale::kFine);
     adopt(slider, "_slider");
-    auto *box = new NumberBox;
-    box->setRow(m_row.min, m_row.max, m_row.step);
-    box->setSuffix(m_row.unit[0] ? QLatin1Char(' ') + printedUnit(QString::fromUtf8(m_row.unit)) : QString());
-    adopt(box, "_spin");
+    m_box = new NumberBox;
+    m_box->setKind(numberKind({m_row.min, m_row.max, QString::fromUtf8(m_row.unit)}, m_row.step));
+    adopt(m_box, "_box");
 
-    for (QWidget *widget : {static_cast<QWidget *>(slider), static_cast<QWidget *>(box)}) {
-        widget->setFocusPolicy(Qt::StrongFocus);
-        widget->installEventFilter(this);
-    }
     connect(slider, &QSlider::sliderPressed, this, &ParameterRow::gestureBegun);
-    connect(slider, &QSlider::valueChanged, this, [this, notches](int notch) { emit edited(notches.value(notch)); });
-    connect(box, &QAbstractSpinBox::editingFinished, this, &ParameterRow::gestureBegun);
-    connect(box, &QDoubleSpinBox::valueChanged, this, &ParameterRow::edited);
-    m_show = [slider, box, notches](double value) {
-        const QSignalBlocker silentSlider(slider);
-        const QSignalBlocker silentBox(box);
-        slider->setValue(notches.at(value));
-        box->setValue(value);
+    connect(slider, &QSlider::valueChanged, this, [this, scale](int place) { emit edited(scale.valueAt(place)); });
+    connect(m_box, &QLineEdit::editingFinished, this, &ParameterRow::gestureBegun);
+    connect(m_box, &NumberBox::entered, this, &ParameterRow::edited);
+    m_show = [this, slider, scale](double value) {
+        const QSignalBlocker silent(slider);
+        slider->setValue(scale.placeOf(value));
+        m_box->setValue(value);
     };
     grid.addWidget(slider, line, kEditor);
-    grid.addWidget(box, line, kNumber);
+    grid.addWidget(m_box, line, kNumber);
 }
 
 void ParameterRow::addChoice(QGridLayout &grid, int line) {
@@ -133,18 +105,16 @@ void ParameterRow::addSwitch(QGridLayout &grid, int line) {
     grid.addWidget(box, line, kLabel, 1, 3);
 }
 
-// Scrolling the panel must not turn what happens to be under the cursor.
-bool ParameterRow::eventFilter(QObject *object, QEvent *event) {
-    const auto *widget = qobject_cast<const QWidget *>(object);
-    if (event->type() != QEvent::Wheel || !widget || widget->hasFocus()) return false;
-    event->ignore();
-    return true;
-}
-
 void ParameterRow::showValue(double value) {
     m_show(value);
     m_isInitial = value == m_row.initial;
     m_reset->setEnabled(!m_isInitial && !m_isLocked);
+}
+
+bool ParameterRow::refuse(const QString &reason) {
+    if (!m_box || !m_box->hasFocus()) return false;
+    m_box->refuse(reason);
+    return true;
 }
 
 void ParameterRow::setLocked(const QString &reason) {
@@ -157,6 +127,7 @@ void ParameterRow::setLocked(const QString &reason) {
     }
     m_reset->setEnabled(!m_isInitial && !m_isLocked);
     m_reset->setToolTip(tr("Back to %1").arg(m_row.initial));
+    m_reset->setAccessibleName(tr("%1: back to %2").arg(QString::fromUtf8(m_row.label)).arg(m_row.initial));
 }
 
 QString ParameterRow::help() const { return QString::fromUtf8(m_row.help).toHtmlEscaped(); }

@@ -15,16 +15,20 @@ class QWidget;
 
 namespace inspector::ui {
 
-// The widgets of one parameter in one line of a grid, made from its row: label, slider and spin box (or a list of
+class NumberBox;
+
+// The widgets of one parameter in one line of a grid, made from its row: label, slider and number (or a list of
 // choices, or a check box), reset. They show what they are told and say what a person did; the value is elsewhere.
 class ParameterRow : public QObject {
     Q_OBJECT
 
 public:
-    // Object names for styles and tests: the row's id + _slider, _spin, _choice, _switch, _reset.
+    // Object names for styles and tests: the row's id + _slider, _box, _choice, _switch, _reset.
     ParameterRow(const phys_param_row &row, QGridLayout &grid, int line, QObject *parent);
 
     void showValue(double value);
+    // The value just typed isn't allowed: said beside it. False if nothing was typed.
+    bool refuse(const QString &reason);
     // reason: why it can't be edited just now; empty if it can.
     void setLocked(const QString &reason);
 
@@ -32,9 +36,6 @@ signals:
     void edited(double value);
     // What comes next is another edit than what was.
     void gestureBegun();
-
-protected:
-    bool eventFilter(QObject *object, QEvent *event) override;
 
 private:
     void addLabel(QGridLayout &grid, int line);
@@ -46,6 +47,7 @@ private:
 
     phys_param_row m_row;
     std::vector<QWidget *> m_widgets;
+    NumberBox *m_box = nullptr; // of a row that is neither a choice nor a switch
     QToolButton *m_reset;
     std::function<void(double)> m_show;
     bool m_isInitial = true;

@@ -10,6 +10,8 @@
 #include <QLabel>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace inspector::ui {
 
 MessageBar::MessageBar(QWidget *parent)
@@ -41,18 +43,34 @@ MessageBar::MessageBar(QWidget *parent)
     hide();
 }
 
-void MessageBar::showLine(const QString &line) {
-    m_count = line == m_line ? m_count + 1 : 1;
-    m_line = line;
-    m_text->setText(m_count > 1 ? tr("%1  (%2 times)").arg(line).arg(m_count) : line);
-    show();
-    emit changed(m_line);
+void MessageBar::showLine(const QString &line, Cause cause) {
+    const auto same = std::find_if(m_messages.begin(), m_messages.end(),
+                                   [cause](const Message &message) { return message.cause == cause; });
+    Message message{line, cause, 1};
+    if (same != m_messages.end()) {
+        if (same->line == line) message.count = same->count + 1;
+        m_messages.erase(same);
+    }
+    m_messages.push_back(message);
+    showNewest();
+}
+
+void MessageBar::settle(Cause cause) {
+    if (std::erase_if(m_messages, [cause](const Message &message) { return message.cause == cause; }) > 0) showNewest();
 }
 
 void MessageBar::dismiss() {
-    m_line.clear();
-    hide();
-    emit changed(m_line);
+    m_messages.clear();
+    showNewest();
+}
+
+void MessageBar::showNewest() {
+    setVisible(!m_messages.empty());
+    if (!m_messages.empty()) {
+        const Message &newest = m_messages.back();
+        m_text->setText(newest.count > 1 ? tr("%1  (%2 times)").arg(newest.line).arg(newest.count) : newest.line);
+    }
+    emit changed(line());
 }
 
 void MessageBar::changeEvent(QEvent *event) {

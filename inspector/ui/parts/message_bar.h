@@ -3,20 +3,36 @@
 
 #include <QFrame>
 
+#include <vector>
+
 class QLabel;
 
 namespace inspector::ui {
 
-// A line across the window that says what went wrong, until it is closed. Nothing waits for it.
+// What a message is about: it goes when that is settled.
+enum class Cause {
+    Command,    // something that a person wanted: until the next that works
+    Parameter,  // a value of a slider
+    Level,      // the open level's files
+    View,       // shaders
+    Comparison, // a stepper that refused the ghost
+    Recording,  // the file that is written
+    Replay,     // the recording that is watched
+    File,       // a file that was to be saved
+};
+
+// A line across the window that says what went wrong, until it is closed or its cause has gone. Nothing waits for it.
 class MessageBar : public QFrame {
     Q_OBJECT
 
 public:
     explicit MessageBar(QWidget *parent = nullptr);
 
-    // The same line again is counted instead of repeated.
-    void showLine(const QString &line);
-    QString line() const { return m_line; } // empty while hidden
+    // The same line again is counted instead of repeated; a new one takes the place of one with the same cause.
+    void showLine(const QString &line, Cause cause);
+    // What was wrong isn't any more.
+    void settle(Cause cause);
+    QString line() const { return m_messages.empty() ? QString() : m_messages.back().line; } // empty while hidden
     void dismiss();
 
 signals:
@@ -26,12 +42,17 @@ protected:
     void changeEvent(QEvent *event) override;
 
 private:
+    struct Message {
+        QString line;
+        Cause cause;
+        int count;
+    };
+    void showNewest();
     void takeColours();
 
     QLabel *m_icon;
     QLabel *m_text;
-    QString m_line;
-    int m_count = 0;
+    std::vector<Message> m_messages; // oldest first; the newest is shown
 };
 
 } // namespace inspector::ui

@@ -1,16 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/parts/number_box.h"
 
+#include "ui/parts/printed_unit.h"
+#include "ui/parts/theme.h"
+
 #include <QKeyEvent>
-#include <QLineEdit>
+#include <QLabel>
 #include <QStyle>
-#include <QStyleOptionSpinBox>
+#include <QStyleOptionFrame>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace inspector::ui {
 
 namespace {
 
 constexpr int kMostDigits = 9;
+constexpr double kRounding = 1e-12; // of a value: nobody typed it
+constexpr double kFine = 0.1;       // of a notch, with Shift
+constexpr double kPage = 10.0;
+constexpr int kNoteWidth = 320; // logical pixels
 
 // Digits after the point that `number` needs, at most kMostDigits.
 int digitsOf(double number) {
@@ -20,48 +31,190 @@ int digitsOf(double number) {
     return int(end - 1 - text.indexOf('.'));
 }
 
+// With a notch's digits where that is the whole number, else with as many as it has.
+QString numberText(double value, double notch) {
+    const QString text = QString::number(value, 'f', digitsOf(notch));
+    const bool isWhole = std::abs(text.toDouble() - value) <= kRounding * std::abs(value);
+    return isWhole ? text : QString::number(value, 'g', QLocale::FloatingPointShortest);
+}
+
+double notchesOf(const QKeyEvent &event) {
+    const double size = event.modifiers() & Qt::ShiftModifier ? kFine : 1.0;
+    switch (event.key()) {
+    case Qt::Key_Up:
+        return size;
+    case Qt::Key_Down:
+        return -size;
+    case Qt::Key_PageUp:
+        return kPage * size;
+    case Qt::Key_PageDown:
+        return -kPage * size;
+    default:
+        return 0.0;
+    }
+}
+
 } // namespace
 
 NumberBox::NumberBox(QWidget *parent)
-    : QDoubleSpinBox(parent) {
-    setDecimals(kMostDigits);
-    setKeyboardTracking(false);
+    : QLineEdit(parent) {
     setAlignment(Qt::AlignRight);
+    setFocusPolicy(Qt::StrongFocus);
+    connect(this, &QLineEdit::textEdited, this, &NumberBox::accept); // judged again when it is entered
 }
 
-void NumberBox::setRow(double minimum, double maximum, double notch) {
-    m_digits = digitsOf(notch);
-    setRange(minimum, maximum);
-    setSingleStep(notch);
+void NumberBox::setKind(Kind kind) {
+    m_kind = std::move(kind);
+    updateGeometry();
 }
 
-QString NumberBox::textFromValue(double value) const {
-    QLocale plain = locale();
-    plain.setNumberOptions(QLocale::OmitGroupSeparator);
-    return plain.toString(value, 'f', std::max(m_digits, digitsOf(value)));
+void NumberBox::setValue(double value) {
+    m_value = value;
+    if (!isModified() && !isRefused()) setText(m_kind.show(value));
 }
 
-bool NumberBox::isBeingTyped() const { return lineEdit()->text() != textFromValue(value()) + suffix(); }
+void NumberBox::apply() {
+    if (!isModified()) return;
+    const NumberReading reading = m_kind.read(text());
+    if (!reading.value) return refuse(reading.problem);
+    setModified(false);
+    const QString typed = text();
+    if (*reading.value != m_value) emit entered(*reading.value);
+    setText(isRefused() ? typed : m_kind.show(m_value));
+    setModified(isRefused());
+}
 
-// A line takes the keys of undo for its letters. Once the number counts they are the window's.
+void NumberBox::refuse(const QString &reason) {
+    if (m_reason.isEmpty()) m_usual = {toolTip(), accessibleDescription()};
+    m_reason = reason;
+    setModified(true);
+    QPalette marked = palette();
+    marked.setColor(QPalette::Text, accentsFor(marked).alarm);
+    setPalette(marked);
+    setToolTip(reason);
+    setAccessibleDescription(reason);
+    if (hasFocus()) showReason();
+}
+
+// The text may be right again.
+void NumberBox::accept() {
+    if (m_note) m_note->hide();
+    if (m_reason.isEmpty()) return;
+    m_reason.clear();
+    setPalette({});
+    setToolTip(m_usual.tip);
+    setAccessibleDescription(m_usual.description);
+}
+
+void NumberBox::takeBack() {
+    accept();
+    setText(m_kind.show(m_value));
+}
+
+void NumberBox::stepBy(double notches) {
+    if (m_kind.notch <= 0.0) return;
+    apply();
+    if (isRefused()) return;
+    // On multiples of the finest notch, so that steps there and back meet.
+    const double finest = kFine * m_kind.notch;
+    const double stepped = std::round((m_value + notches * m_kind.notch) / finest) * finest;
+    const QString text = QString::number(stepped, 'g', 12);
+    const NumberReading reading = m_kind.read(text);
+    if (!reading.value || *reading.value == m_value) return;
+    emit entered(*reading.value);
+    if (!isRefused()) setText(m_kind.show(m_value));
+}
+
+void NumberBox::showReason() {
+    if (!m_note) {
+        m_note = new QLabel(window());
+        m_note->setObjectName(objectName() + QStringLiteral("_reason"));
+        m_note->setWordWrap(true);
+        m_note->setTextFormat(Qt::PlainText);
+        m_note->setMargin(5);
+        m_note->setFrameShape(QFrame::StyledPanel);
+        m_note->setAutoFillBackground(true);
+        m_note->setAttribute(Qt::WA_TransparentForMouseEvents);
+    }
+    QPalette plate = window()->palette();
+    plate.setColor(QPalette::Window, accentsFor(plate).warning);
+    m_note->setPalette(plate);
+    m_note->setText(m_reason);
+    const int width = std::min(kNoteWidth, window()->width());
+    m_note->resize(width, m_note->heightForWidth(width));
+    const QPoint below = mapTo(window(), rect().bottomRight()) + QPoint(0, 2);
+    m_note->move(std::max(0, below.x() - width), std::min(below.y(), window()->height() - m_note->height()));
+    m_note->show();
+    m_note->raise();
+}
+
+// A field takes the keys of undo for its letters. Once the number counts they are the window's.
 bool NumberBox::event(QEvent *event) {
-    if (event->type() == QEvent::ShortcutOverride && !isBeingTyped()) {
+    if (event->type() == QEvent::ShortcutOverride && !isModified()) {
         const auto *key = static_cast<QKeyEvent *>(event);
         if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
             event->ignore();
             return false;
         }
     }
-    return QDoubleSpinBox::event(event);
+    return QLineEdit::event(event);
+}
+
+void NumberBox::keyPressEvent(QKeyEvent *event) {
+    const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (isEnter) {
+        apply();
+        emit editingFinished();
+        return;
+    }
+    if (event->key() == Qt::Key_Escape) return takeBack();
+    if (const double notches = notchesOf(*event); notches != 0.0 && m_kind.notch > 0.0) return stepBy(notches);
+    QLineEdit::keyPressEvent(event);
+}
+
+void NumberBox::wheelEvent(QWheelEvent *event) {
+    if (!hasFocus() || m_kind.notch <= 0.0) return event->ignore();
+    const QPoint turned = event->angleDelta();
+    stepBy((turned.y() != 0 ? turned.y() : turned.x()) / 120.0 *
+           (event->modifiers() & Qt::ShiftModifier ? kFine : 1.0));
+    event->accept();
+}
+
+void NumberBox::focusOutEvent(QFocusEvent *event) {
+    apply();
+    if (m_note) m_note->hide();
+    QLineEdit::focusOutEvent(event);
+}
+
+void NumberBox::hideEvent(QHideEvent *event) {
+    if (m_note) m_note->hide();
+    QLineEdit::hideEvent(event);
 }
 
 // Wide enough for usual values, not for the largest that is allowed.
 QSize NumberBox::sizeHint() const {
-    QStyleOptionSpinBox option;
+    QStyleOptionFrame option;
     initStyleOption(&option);
-    const int width = fontMetrics().horizontalAdvance(QStringLiteral("-00.0000") + suffix()) + 6;
-    const QSize content(width, lineEdit()->sizeHint().height());
-    return style()->sizeFromContents(QStyle::CT_SpinBox, &option, content, this);
+    const int height = QLineEdit::sizeHint().height();
+    return {fontMetrics().horizontalAdvance(m_kind.widest) + 2 * option.lineWidth + 14, height};
+}
+
+NumberBox::Kind numberKind(const NumberRange &range, double notch) {
+    const QString unit = range.unit.isEmpty() ? QString() : QLatin1Char(' ') + printedUnit(range.unit);
+    return {[range](const QString &text) { return readNumber(text, range); },
+            [unit, notch](double value) { return numberText(value, notch) + unit; }, notch,
+            QStringLiteral("-00.0000") + unit};
+}
+
+NumberBox::Kind wholeNumberKind(int min, int max) {
+    const NumberRange range{double(min), double(max)};
+    return {[range](const QString &text) { return readWholeNumber(text, range); },
+            [](double value) { return QString::number(value, 'f', 0); }, 1.0, QString::number(max)};
+}
+
+NumberBox::Kind durationKind(double min, double max) {
+    return {[min, max](const QString &text) { return readDuration(text, min, max, QStringLiteral("ms")); },
+            durationText, 0.0, QStringLiteral("0.0166667 ms")};
 }
 
 } // namespace inspector::ui

@@ -65,7 +65,16 @@ Drawing drawingOf(Glyph glyph) {
         drawing.filled.addRect(11.0, 3.0, 2.0, 10.0);
         drawing.filled.addPath(triangle(10.0, 3.0));
         break;
+    case Glyph::BounceBack:
+        drawing.stroked = line({{4.0, 4.0}, {8.0, 12.5}, {12.0, 4.0}});
+        drawing.stroked.addPath(line({{2.5, 7.5}, {4.0, 4.0}, {7.5, 5.5}}));
+        break;
+    case Glyph::BounceOn:
+        drawing.stroked = line({{4.0, 4.0}, {8.0, 12.5}, {12.0, 4.0}});
+        drawing.stroked.addPath(line({{8.5, 5.5}, {12.0, 4.0}, {13.5, 7.5}}));
+        break;
     case Glyph::Restart:
+    case Glyph::Begin:
         drawing.filled.addRect(3.0, 3.0, 2.0, 10.0);
         drawing.filled.addPath(triangle(13.0, 6.0));
         break;
@@ -102,6 +111,10 @@ Drawing drawingOf(Glyph glyph) {
     case Glyph::Open:
         drawing.stroked = line({{2.0, 13.0}, {2.0, 3.5}, {6.5, 3.5}, {8.0, 5.5}, {12.5, 5.5}, {12.5, 7.5}});
         drawing.stroked.addPath(line({{2.0, 13.0}, {4.5, 7.5}, {14.5, 7.5}, {12.0, 13.0}, {2.0, 13.0}}));
+        break;
+    case Glyph::Add:
+        drawing.stroked = line({{8.0, 3.0}, {8.0, 13.0}});
+        drawing.stroked.addPath(line({{3.0, 8.0}, {13.0, 8.0}}));
         break;
     case Glyph::Follow:
         drawing.stroked = line({{2.0, 8.0}, {11.0, 8.0}});

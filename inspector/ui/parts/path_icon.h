@@ -10,6 +10,9 @@ enum class Glyph {
     Pause,
     Step,
     StepBack,
+    BounceBack,
+    BounceOn,
+    Begin,
     Restart,
     End,
     Autopilot,
@@ -19,7 +22,8 @@ enum class Glyph {
     Clear,
     Save,
     Open,
-    Follow
+    Follow,
+    Add
 };
 
 // A line drawing in the current palette's text colour, sharp at every size and resolution.

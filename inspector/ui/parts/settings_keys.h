@@ -10,8 +10,13 @@ inline const QString kGeometry = QStringLiteral("window/geometry");
 inline const QString kLayout = QStringLiteral("window/layout");
 inline const QString kTheme = QStringLiteral("window/theme");     // number of a Theme
 inline const QString kQuality = QStringLiteral("window/quality"); // number of a gl::Quality; absent: the view chooses
-inline const QString kFolder = QStringLiteral("window/folder");   // that a file was last chosen in
-inline const QString kShowBounces = QStringLiteral("window/show_bounces"); // in the view
-inline const QString kBounces = QStringLiteral("bounces/");                // and the name of a box of the dock
+inline const QString kPictureScale = QStringLiteral("window/picture_scale"); // 1 to 4 pixels per pixel of the view
+inline const QString kPlots = QStringLiteral("window/plots");                // what each shows
+inline const QString kPlotSizes = QStringLiteral("window/plot_sizes");       // a splitter's state
+inline const QString kWatched = QStringLiteral("window/watched");            // quantities
+inline const QString kFolder = QStringLiteral("window/folder");              // that a file was last chosen in
+inline const QString kShowBounces = QStringLiteral("window/show_bounces");   // in the view
+inline const QString kShowWayAhead = QStringLiteral("window/show_way_ahead");
+inline const QString kBounces = QStringLiteral("bounces/"); // and the name of a box of the dock
 
 } // namespace inspector::ui::settings_keys

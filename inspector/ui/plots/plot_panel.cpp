@@ -1,58 +1,53 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/plot_panel.h"
 
-#include "ui/parts/path_icon.h"
-#include "ui/plots/time_plot.h"
+#include "ui/plots/time_view.h"
 
 #include <QHBoxLayout>
 #include <QToolButton>
 
 namespace inspector::ui {
 
-namespace {
-
-QToolButton *addButton(QBoxLayout &layout, Glyph glyph, const QString &name, const QString &tip) {
-    auto *button = new QToolButton;
-    button->setObjectName(name);
-    button->setIcon(glyphIcon(glyph));
-    button->setToolTip(tip);
-    button->setAutoRaise(true);
-    button->setFocusPolicy(Qt::TabFocus);
-    layout.addWidget(button);
-    return button;
-}
-
-} // namespace
-
-PlotPanel::PlotPanel(TimePlot *plot, const QString &prefix, QWidget *parent)
+PlotPanel::PlotPanel(QWidget *content, TimeView &time, const QString &prefix, QWidget *parent)
     : QWidget(parent)
-    , m_plot(plot) {
-    auto *buttons = new QVBoxLayout;
-    buttons->setSpacing(2);
-    QToolButton *follow =
-        addButton(*buttons, Glyph::Follow, prefix + QLatin1String("_follow"), tr("Follow the newest values"));
-    QToolButton *pause = addButton(*buttons, Glyph::Pause, prefix + QLatin1String("_pause"),
-                                   tr("Hold the plot; the simulation goes on"));
-    QToolButton *clear =
-        addButton(*buttons, Glyph::Clear, prefix + QLatin1String("_clear"), tr("Forget what was up to now"));
-    QToolButton *save =
-        addButton(*buttons, Glyph::Save, prefix + QLatin1String("_save"), tr("Save as CSV, PNG or PDF…"));
-    buttons->addStretch();
+    , m_buttons(new QVBoxLayout) {
+    auto *side = new QVBoxLayout;
+    m_buttons->setSpacing(2);
+    side->addLayout(m_buttons);
+    side->addStretch();
+    QToolButton *follow = addButton(Glyph::Follow, prefix + QLatin1String("_follow"), tr("Follow the newest values"));
+    QToolButton *pause =
+        addButton(Glyph::Pause, prefix + QLatin1String("_pause"), tr("Hold the plots; the simulation goes on"));
+    QToolButton *clear = addButton(Glyph::Clear, prefix + QLatin1String("_clear"), tr("Forget what was up to now"));
+    QToolButton *save = addButton(Glyph::Save, prefix + QLatin1String("_save"), tr("Save as CSV, PNG or PDF…"));
     follow->setCheckable(true);
-    follow->setChecked(m_plot->isFollowing());
+    follow->setChecked(time.isFollowing());
     pause->setCheckable(true);
-    connect(follow, &QToolButton::clicked, m_plot, &TimePlot::setFollowing);
-    connect(m_plot, &TimePlot::followingChanged, follow, &QToolButton::setChecked);
-    connect(pause, &QToolButton::clicked, m_plot, &TimePlot::setPaused);
-    connect(m_plot, &TimePlot::pausedChanged, pause, &QToolButton::setChecked);
-    connect(clear, &QToolButton::clicked, m_plot, &TimePlot::clear);
+    connect(follow, &QToolButton::clicked, this, &PlotPanel::followWanted);
+    connect(&time, &TimeView::followingChanged, follow, &QToolButton::setChecked);
+    connect(pause, &QToolButton::clicked, this, &PlotPanel::pauseWanted);
+    connect(&time, &TimeView::pausedChanged, pause, &QToolButton::setChecked);
+    connect(clear, &QToolButton::clicked, this, &PlotPanel::clearWanted);
     connect(save, &QToolButton::clicked, this, &PlotPanel::saveWanted);
 
     auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(4, 0, 0, 0);
     layout->setSpacing(2);
-    layout->addLayout(buttons);
-    layout->addWidget(m_plot, 1);
+    layout->addLayout(side);
+    layout->addWidget(content, 1);
+}
+
+// A click leaves the keyboard to the game.
+QToolButton *PlotPanel::addButton(Glyph glyph, const QString &name, const QString &tip) {
+    auto *button = new QToolButton;
+    button->setObjectName(name);
+    button->setIcon(glyphIcon(glyph));
+    button->setToolTip(tip);
+    button->setAccessibleName(tip);
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::TabFocus);
+    m_buttons->addWidget(button);
+    return button;
 }
 
 } // namespace inspector::ui

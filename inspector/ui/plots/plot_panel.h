@@ -1,31 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/parts/path_icon.h"
+
 #include <QWidget>
 
-class QAction;
-class QToolBar;
+class QBoxLayout;
+class QToolButton;
 
 namespace inspector::ui {
 
-class TimePlot;
+class TimeView;
 
-// A plot with its buttons.
+// Plots over time with their buttons beside them: follow, pause, clear, save.
 class PlotPanel : public QWidget {
     Q_OBJECT
 
 public:
-    // The panel owns the plot. The buttons' names begin with `prefix`.
-    PlotPanel(TimePlot *plot, const QString &prefix, QWidget *parent = nullptr);
+    // content: the plots, which the panel owns from now on. time: theirs. prefix: of the buttons' names.
+    PlotPanel(QWidget *content, TimeView &time, const QString &prefix, QWidget *parent = nullptr);
 
-    TimePlot &plot() { return *m_plot; }
-    QSize sizeHint() const override { return {700, 220}; }
+    QToolButton *addButton(Glyph glyph, const QString &name, const QString &tip);
 
 signals:
+    void followWanted(bool isOn);
+    void pauseWanted(bool isOn);
+    void clearWanted();
     void saveWanted();
 
 private:
-    TimePlot *m_plot;
+    QBoxLayout *m_buttons;
 };
 
 } // namespace inspector::ui

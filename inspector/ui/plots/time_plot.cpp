@@ -6,50 +6,81 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace inspector::ui {
 
 namespace {
 
-constexpr double kShortestWindow = 0.01; // s
-constexpr double kLongestWindow = 3600.0;
+constexpr double kSmallestSpan = 1e-9; // of values
+constexpr double kLargestSpan = 1e9;
+constexpr int kLeftMargin = 74; // pixels, so that plots above each other are aligned
+constexpr float kOldAlpha = 0.35F;
+
+// As wide as allowed, around the same middle. A logarithmic axis is bounded by its values.
+QCPRange bounded(const QCPAxis &axis) {
+    const QCPRange range = axis.range();
+    if (axis.scaleType() == QCPAxis::stLogarithmic) return range.bounded(kSmallestSpan * kSmallestSpan, kLargestSpan);
+    const double half = 0.5 * std::clamp(range.size(), kSmallestSpan, kLargestSpan);
+    return {range.center() - half, range.center() + half};
+}
 
 } // namespace
 
-TimePlot::TimePlot(const SampleRing &samples, QWidget *parent)
+// Takes the room that there is instead of asking for it.
+class ReadOutText : public QCPTextElement {
+public:
+    explicit ReadOutText(QCustomPlot *plot)
+        : QCPTextElement(plot) {
+        setTextFlags(Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine);
+        setMargins(QMargins(12, 0, 4, 0));
+    }
+    QSize minimumOuterSizeHint() const override { return {0, 0}; }
+    QSize maximumOuterSizeHint() const override { return {QWIDGETSIZE_MAX, QWIDGETSIZE_MAX}; }
+};
+
+TimePlot::TimePlot(const SampleRing &samples, std::shared_ptr<TimeView> time, QWidget *parent)
     : QCustomPlot(parent)
     , m_samples(samples)
+    , m_time(time ? std::move(time) : std::make_shared<TimeView>())
     , m_ticks(new BounceTicks(this))
     , m_cursorLine(new QCPItemStraightLine(this))
-    , m_cursorText(new QCPItemText(this)) {
-    setMinimumSize(200, 120);
+    , m_momentLine(new QCPItemStraightLine(this))
+    , m_text(new ReadOutText(this)) {
+    setMinimumSize(160, 80);
     setMouseTracking(true);
     setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
     setNoAntialiasingOnDrag(true);
+    setLocale(QLocale::c());
     xAxis->setLabel(tr("Time [s]"));
-    xAxis->setRange(0.0, m_window);
+    axisRect()->setAutoMargins(QCP::msRight | QCP::msTop | QCP::msBottom);
+    axisRect()->setMargins(QMargins(kLeftMargin, 0, 0, 0));
     layOutLegend();
-    addReadOut();
     takeColours();
+    connect(m_time.get(), &TimeView::changed, this, [this] { m_isStale = true; });
+    connect(xAxis, qOverload<const QCPRange &>(&QCPAxis::rangeChanged), m_time.get(), &TimeView::setRange);
+    xAxis->setRange(m_time->range());
+    updateReadOut();
 }
 
-// Above the curves, in one line, where it hides none of them.
+// Above the curves, in one line with what is under the cursor, where it hides none of them.
 void TimePlot::layOutLegend() {
     legend->setVisible(true);
     auto *line = new QCPLayoutGrid;
     plotLayout()->insertRow(0);
     plotLayout()->addElement(0, 0, line);
     line->addElement(0, 0, legend);
-    line->addElement(0, 1, new QCPLayoutElement(this));
+    line->addElement(0, 1, m_text);
     line->setColumnStretchFactor(0, 0.001);
     plotLayout()->setRowStretchFactor(0, 0.001);
     plotLayout()->setRowSpacing(0);
     legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
-    legend->setMargins(QMargins(70, 4, 8, 0));
+    legend->setMargins(QMargins(kLeftMargin, 4, 8, 0));
     legend->setColumnSpacing(18);
 }
 
-void TimePlot::addCurve(Channel channel, QColor Accents::*colour) {
+void TimePlot::addCurve(Channel channel, QColor Accents::*colour, Qt::PenStyle style) {
     QCPGraph *graph = addGraph();
     graph->setName(QString::fromUtf8(channelInfos()[size_t(channel)].label));
     graph->setAdaptiveSampling(false); // the ring gives one column per pixel already
@@ -57,23 +88,24 @@ void TimePlot::addCurve(Channel channel, QColor Accents::*colour) {
     dot->setStyle(QCPItemTracer::tsCircle);
     dot->setSize(7);
     dot->setVisible(false);
-    m_curves.push_back({channel, colour, graph, dot});
+    m_curves.push_back({channel, colour, style, graph, nullptr, dot});
     takeColours();
+}
+
+void TimePlot::clearCurves() {
+    for (const Curve &curve : m_curves) {
+        removeItem(curve.dot);
+        removePlottable(curve.graph);
+        if (curve.old) removePlottable(curve.old);
+    }
+    m_curves.clear();
+    m_isStale = true;
 }
 
 QCPGraph *TimePlot::addKey(QColor Accents::*colour) {
     m_keys.push_back({addGraph(), colour});
     takeColours();
     return m_keys.back().graph;
-}
-
-void TimePlot::addReadOut() {
-    m_cursorText->setPadding(QMargins(6, 4, 6, 4));
-    m_cursorText->setTextAlignment(Qt::AlignLeft);
-    m_cursorText->position->setTypeX(QCPItemPosition::ptPlotCoords);
-    m_cursorText->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
-    m_cursorText->setClipToAxisRect(false);
-    updateReadOut();
 }
 
 void TimePlot::takeColours() {
@@ -83,17 +115,19 @@ void TimePlot::takeColours() {
     applyChartStyle(*this);
     const Accents accents = accentsFor(colours);
     for (const Curve &curve : m_curves) {
-        curve.graph->setPen(QPen(accents.*curve.colour, 1.5));
+        QColor colour = accents.*curve.colour;
+        curve.graph->setPen(QPen(colour, 1.5, curve.style));
         curve.dot->setPen(QPen(base, 1.0));
-        curve.dot->setBrush(accents.*curve.colour);
+        curve.dot->setBrush(colour);
+        colour.setAlphaF(kOldAlpha);
+        if (curve.old) curve.old->setPen(QPen(colour, 1.5, curve.style));
     }
     for (const Key &key : m_keys) key.graph->setPen(QPen(accents.*key.colour, 3.0));
     m_ticks->setColours(mixed(base, accents.selected, 0.7), accents.selected);
     m_cursorLine->setPen(QPen(mixed(base, text, 0.6), 1.0, Qt::DashLine));
-    m_cursorText->setColor(text);
-    m_cursorText->setBrush(mixed(base, text, 0.08));
-    m_cursorText->setPen(QPen(mixed(base, text, 0.15)));
-    m_cursorText->setFont(font());
+    m_momentLine->setPen(QPen(mixed(base, text, 0.8), 1.5));
+    m_text->setTextColor(text);
+    m_text->setFont(font());
     m_isStale = true;
 }
 
@@ -104,50 +138,38 @@ std::optional<double> TimePlot::newestTime() const {
     return sample.time;
 }
 
-// A restart begins at time 0 again: what was cleared or paused before means nothing any more.
-void TimePlot::noticeNewRun() {
-    const uint64_t generation = m_samples.generation();
-    if (generation == m_generation) return;
-    m_generation = generation;
-    m_clearedAt = 0.0;
-    m_isStale = true;
-    if (m_isFollowing) xAxis->setRange(0.0, m_window);
-    setPaused(false);
-}
-
 void TimePlot::refresh() {
-    noticeNewRun();
+    m_time->noticeRun(m_samples.generation());
     const uint64_t last = m_samples.last();
-    if (last == m_shown && !m_isStale) return;
-    if (isPaused() && !m_isStale) return;
+    if (!m_isStale && (last == m_shown || isPaused())) return;
     m_shown = last;
-    m_isStale = false;
 
     const std::optional<double> newest = newestTime();
-    if (m_isFollowing && !isPaused() && newest) showTimeUpTo(*newest);
-    for (const Curve &curve : m_curves) load(curve);
+    if (isFollowing() && !isPaused() && newest) m_time->follow(*newest);
+    xAxis->setRange(m_time->range());
+    for (const Curve &curve : m_curves) {
+        load(curve);
+        loadOldFuture(curve);
+    }
     if (m_fitsValues && newest) fitValues();
+    m_fitsAtOnce = false;
     for (const Curve &curve : m_curves)
         for (QCPGraphData &point : *curve.graph->data()) point.value = drawn(point.value);
-    m_ticks->setRange(m_clearedAt, m_pausedAt.value_or(newest.value_or(0.0)));
+    m_ticks->setRange(m_time->clearedAt(), m_time->pausedAt().value_or(newest.value_or(0.0)));
     updateReadOut();
+    m_isStale = false;
     replot(QCustomPlot::rpQueuedReplot);
-}
-
-void TimePlot::showTimeUpTo(double time) {
-    const double begin = std::max(m_clearedAt, time - m_window);
-    xAxis->setRange(begin, begin + m_window);
 }
 
 // Puts the visible part of a channel into its curve.
 void TimePlot::load(const Curve &curve) {
-    const double from = std::max(xAxis->range().lower, m_clearedAt);
-    const double to = std::min(xAxis->range().upper, m_pausedAt.value_or(xAxis->range().upper));
+    const double from = std::max(xAxis->range().lower, m_time->clearedAt());
+    const double to = std::min(xAxis->range().upper, m_time->pausedAt().value_or(xAxis->range().upper));
     const size_t pixels = size_t(std::max(1, int(axisRect()->width() * devicePixelRatioF())));
     QVector<QCPGraphData> points;
     if (from < to) {
         for (const Column &column : m_samples.columns(curve.channel, from, to, pixels)) {
-            if (column.time < m_clearedAt) continue;
+            if (column.time < m_time->clearedAt()) continue;
             points.append(QCPGraphData(column.time, plotted(column.min)));
             if (column.max != column.min) points.append(QCPGraphData(column.time, plotted(column.max)));
         }
@@ -155,31 +177,50 @@ void TimePlot::load(const Curve &curve) {
     curve.graph->data()->set(points, true);
 }
 
-void TimePlot::setFollowing(bool isOn) {
+void TimePlot::loadOldFuture(const Curve &curve) {
+    if (!curve.old) return;
+    QVector<QCPGraphData> points;
+    if (m_context.oldFuture)
+        for (const Sample &sample : *m_context.oldFuture)
+            points.append(QCPGraphData(sample.time, drawn(plotted(sample[curve.channel]))));
+    curve.old->data()->set(points, true);
+}
+
+void TimePlot::fitAgain() {
+    m_fitsValues = m_fitsAtOnce = true;
     m_isStale = true;
-    if (isOn) {
-        m_fitsValues = true;
-        setPaused(false);
-    }
-    if (m_isFollowing == isOn) return;
-    m_isFollowing = isOn;
-    emit followingChanged(isOn);
+}
+
+void TimePlot::setFollowing(bool isOn) {
+    if (isOn) fitAgain();
+    m_time->setFollowing(isOn);
 }
 
 void TimePlot::setPaused(bool isOn) {
-    m_isStale = true;
-    if (isPaused() == isOn) return;
-    m_pausedAt = isOn ? std::optional(newestTime().value_or(0.0)) : std::nullopt;
-    emit pausedChanged(isOn);
+    if (isPaused() != isOn) m_time->pauseAt(isOn ? std::optional(newestTime().value_or(0.0)) : std::nullopt);
 }
 
 void TimePlot::showBounces(std::vector<double> times, std::optional<double> selected) {
     if (m_ticks->show(std::move(times), selected)) m_isStale = true;
 }
 
+void TimePlot::setContext(const RunContext &context) {
+    const bool hasFuture = context.oldFuture && !context.oldFuture->empty();
+    const bool hadFuture = m_context.oldFuture && !m_context.oldFuture->empty();
+    if (hasFuture == hadFuture && context.moment == m_context.moment) return;
+    m_context = context;
+    for (Curve &curve : m_curves) {
+        if (!hasFuture || curve.old) continue;
+        curve.old = addGraph();
+        curve.old->removeFromLegend();
+        takeColours();
+    }
+    m_isStale = true;
+}
+
 void TimePlot::clear() {
     const std::optional<double> newest = newestTime();
-    if (newest) m_clearedAt = std::nextafter(*newest, std::numeric_limits<double>::infinity());
+    if (newest) m_time->clearAt(std::nextafter(*newest, std::numeric_limits<double>::infinity()));
     m_isStale = true;
     refresh();
 }
@@ -197,12 +238,13 @@ void TimePlot::mousePressEvent(QMouseEvent *event) {
 
 void TimePlot::mouseMoveEvent(QMouseEvent *event) {
     QCustomPlot::mouseMoveEvent(event);
-    m_cursor = event->position();
-    m_isStale = true;
+    const bool isOverPlot = axisRect()->rect().contains(event->position().toPoint());
+    m_time->setCursor(isOverPlot ? std::optional(xAxis->pixelToCoord(event->position().x())) : std::nullopt);
     if (!(event->buttons() & Qt::LeftButton)) return;
+    m_isStale = true;
     // Dragged values stay where they were put; a dragged time no longer follows.
     if (axisRect()->rangeDrag() == Qt::Vertical) m_fitsValues = false;
-    if (axisRect()->rangeDrag() == Qt::Horizontal) setFollowing(false);
+    if (axisRect()->rangeDrag() == Qt::Horizontal) m_time->setFollowing(false);
 }
 
 void TimePlot::mouseReleaseEvent(QMouseEvent *event) {
@@ -211,8 +253,10 @@ void TimePlot::mouseReleaseEvent(QMouseEvent *event) {
     if (const std::optional<double> time = m_ticks->timeAt(event->position())) emit bounceClicked(*time);
 }
 
+// Also while nothing moves that would bring a new picture.
 void TimePlot::mouseDoubleClickEvent(QMouseEvent *event) {
     setFollowing(true);
+    refresh();
     event->accept();
 }
 
@@ -220,19 +264,19 @@ void TimePlot::wheelEvent(QWheelEvent *event) {
     const Qt::Orientations orientation = orientationAt(event->position(), event->modifiers());
     m_isStale = true;
     event->accept();
-    if (orientation == Qt::Horizontal && m_isFollowing && !isPaused()) {
-        const double factor = std::pow(axisRect()->rangeZoomFactor(Qt::Horizontal), event->angleDelta().y() / 120.0);
-        m_window = std::clamp(m_window * factor, kShortestWindow, kLongestWindow);
+    if (orientation == Qt::Horizontal && isFollowing() && !isPaused()) {
+        m_time->zoom(std::pow(axisRect()->rangeZoomFactor(Qt::Horizontal), event->angleDelta().y() / 120.0));
         return;
     }
     if (orientation == Qt::Vertical) m_fitsValues = false;
     axisRect()->setRangeZoom(orientation);
     QCustomPlot::wheelEvent(event);
+    xAxis->setRange(m_time->range()); // which has limits
+    yAxis->setRange(bounded(*yAxis));
 }
 
 void TimePlot::leaveEvent(QEvent *event) {
-    m_cursor.reset();
-    m_isStale = true;
+    m_time->setCursor(std::nullopt);
     QCustomPlot::leaveEvent(event);
 }
 
@@ -244,7 +288,7 @@ void TimePlot::resizeEvent(QResizeEvent *event) {
 void TimePlot::changeEvent(QEvent *event) {
     QCustomPlot::changeEvent(event);
     const bool isLook = event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange;
-    if (isLook && !m_curves.empty()) takeColours();
+    if (isLook) takeColours();
 }
 
 std::optional<Sample> TimePlot::sampleAt(double time) const {
@@ -258,29 +302,24 @@ std::optional<Sample> TimePlot::sampleAt(double time) const {
     return left;
 }
 
-void TimePlot::updateReadOut() {
-    m_readOut.reset();
-    const bool isOverPlot = m_cursor && axisRect()->rect().contains(m_cursor->toPoint());
-    if (isOverPlot) m_readOut = sampleAt(xAxis->pixelToCoord(m_cursor->x()));
-    if (m_readOut && m_readOut->time < m_clearedAt) m_readOut.reset();
-    m_cursorLine->setVisible(m_readOut.has_value());
-    m_cursorText->setVisible(m_readOut.has_value());
-    for (const Curve &curve : m_curves) curve.dot->setVisible(m_readOut.has_value());
-    if (m_readOut) placeReadOut(*m_readOut);
-}
+QString TimePlot::readOutText() const { return m_text->text(); }
 
-void TimePlot::placeReadOut(const Sample &sample) {
-    m_cursorLine->point1->setCoords(sample.time, 0.0);
-    m_cursorLine->point2->setCoords(sample.time, 1.0);
-    const QString text = tr("Time  %1 s").arg(sample.time, 0, 'f', 4);
+void TimePlot::updateReadOut() {
+    m_readOut = m_time->cursor() ? sampleAt(*m_time->cursor()) : std::nullopt;
+    if (m_readOut && m_readOut->time < m_time->clearedAt()) m_readOut.reset();
+    m_cursorLine->setVisible(m_readOut.has_value());
+    m_momentLine->setVisible(m_context.moment.has_value());
+    if (m_context.moment) {
+        m_momentLine->point1->setCoords(*m_context.moment, 0.0);
+        m_momentLine->point2->setCoords(*m_context.moment, 1.0);
+    }
+    for (const Curve &curve : m_curves) curve.dot->setVisible(m_readOut.has_value());
+    m_text->setText(m_readOut ? tr("%1 s   %2").arg(m_readOut->time, 0, 'f', 4).arg(textOf(*m_readOut)) : QString());
+    if (!m_readOut) return;
+    m_cursorLine->point1->setCoords(m_readOut->time, 0.0);
+    m_cursorLine->point2->setCoords(m_readOut->time, 1.0);
     for (const Curve &curve : m_curves)
-        curve.dot->position->setCoords(sample.time, drawn(plotted(sample[curve.channel])));
-    m_cursorText->setText(text + QLatin1Char('\n') + textOf(sample));
-    // Beside the line, on the side where there is more room.
-    const bool isRight = xAxis->coordToPixel(sample.time) > axisRect()->center().x();
-    m_cursorText->setPositionAlignment(Qt::AlignTop | (isRight ? Qt::AlignRight : Qt::AlignLeft));
-    m_cursorText->position->setCoords(xAxis->pixelToCoord(xAxis->coordToPixel(sample.time) + (isRight ? -10 : 10)),
-                                      0.04);
+        curve.dot->position->setCoords(m_readOut->time, drawn(plotted((*m_readOut)[curve.channel])));
 }
 
 } // namespace inspector::ui

@@ -4,7 +4,9 @@
 #include "core/program/csv_writer.h"
 #include "core/simulation/sample_ring.h"
 #include "ui/parts/theme.h"
+#include "ui/plots/time_view.h"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -13,11 +15,18 @@
 namespace inspector::ui {
 
 class BounceTicks;
+class ReadOutText;
+
+// What is drawn behind a run beside its own samples.
+struct RunContext {
+    const std::vector<Sample> *oldFuture = nullptr; // what had come before another way was taken; or nullptr
+    std::optional<double> moment;                   // that is looked at in the past, s
+};
 
 // Channels of the ring over time, fed with what is visible and no more; which ones, and how their values are shown, is
 // said by the kinds of plot below it. While it follows, the newest sample stays at the right border and the values fill
 // the height. Wheel: zoom of time; drag: pan; over the value axis (or with Ctrl) both act on values; double click:
-// follow again.
+// follow again. What is under the cursor is said above the curves.
 class TimePlot : public QCustomPlot {
     Q_OBJECT
 
@@ -25,16 +34,17 @@ public:
     // Shows what is new; called about 30 times a second, never per sample.
     void refresh();
 
-    bool isFollowing() const { return m_isFollowing; }
+    TimeView &time() { return *m_time; }
+    bool isFollowing() const { return m_time->isFollowing(); }
     void setFollowing(bool isOn);
-    // Stands still although samples go on coming.
-    bool isPaused() const { return m_pausedAt.has_value(); }
+    bool isPaused() const { return m_time->pausedAt().has_value(); }
     void setPaused(bool isOn);
     // Forgets what was up to now.
     void clear();
 
     // Ticks at the times of bounces, s, rising; the selected one, maybe none of them, is a line all the way up.
     void showBounces(std::vector<double> times, std::optional<double> selected);
+    void setContext(const RunContext &context);
 
     // Writes what the name's ending says: .csv (all samples since clear()), .png or .pdf (the picture). False and one
     // line in `error` (or nullptr) if that fails.
@@ -42,26 +52,29 @@ public:
 
     // The sample under the cursor, while there is one.
     std::optional<Sample> readOut() const { return m_readOut; }
+    QString readOutText() const; // as it is said above the curves
 
 signals:
     void bounceClicked(double time); // of its tick, s
-    void followingChanged(bool isOn);
-    void pausedChanged(bool isOn);
 
 protected:
     struct Curve {
         Channel channel;
         QColor Accents::*colour;
+        Qt::PenStyle style;
         QCPGraph *graph;
+        QCPGraph *old;      // of the old future
         QCPItemTracer *dot; // on the sample under the cursor
     };
 
-    // samples: outlives the plot.
-    explicit TimePlot(const SampleRing &samples, QWidget *parent);
-    void addCurve(Channel channel, QColor Accents::*colour); // in the constructor of a kind of plot
-    QCPGraph *addKey(QColor Accents::*colour);               // an entry of the legend without a curve
+    // samples: outlives the plot. time: shared with others, or its own.
+    TimePlot(const SampleRing &samples, std::shared_ptr<TimeView> time, QWidget *parent);
+    void addCurve(Channel channel, QColor Accents::*colour, Qt::PenStyle style = Qt::SolidLine);
+    void clearCurves();
+    QCPGraph *addKey(QColor Accents::*colour); // an entry of the legend without a curve
     const std::vector<Curve> &curves() const { return m_curves; }
-    const SampleRing &samples() const { return m_samples; }
+    bool fitsAtOnce() const { return m_fitsAtOnce; }
+    void fitAgain();
 
     // A value in the unit of the value axis; NaN where there is none.
     virtual double plotted(double value) const { return value; }
@@ -71,7 +84,7 @@ protected:
     virtual void fitValues() = 0;
     // Those of its table.
     virtual Columns columns() const { return Columns::Ball; }
-    // What is said of the sample under the cursor, below its time.
+    // What is said of the sample under the cursor, after its time, in one line.
     virtual QString textOf(const Sample &sample) const = 0;
 
     void mousePressEvent(QMouseEvent *event) override;
@@ -85,19 +98,17 @@ protected:
 
 private:
     void layOutLegend();
-    void addReadOut();
     void takeColours();
     std::optional<double> newestTime() const;
-    void noticeNewRun();
-    void showTimeUpTo(double time);
     void load(const Curve &curve);
+    void loadOldFuture(const Curve &curve);
     void updateReadOut();
-    void placeReadOut(const Sample &sample);
     std::optional<Sample> sampleAt(double time) const;
     Qt::Orientations orientationAt(QPointF position, Qt::KeyboardModifiers modifiers) const;
     bool saveTable(const QString &path, QString *error) const;
 
     const SampleRing &m_samples;
+    std::shared_ptr<TimeView> m_time;
     struct Key {
         QCPGraph *graph;
         QColor Accents::*colour;
@@ -105,19 +116,16 @@ private:
 
     std::vector<Curve> m_curves;
     std::vector<Key> m_keys;
+    RunContext m_context;
     BounceTicks *m_ticks;
     QCPItemStraightLine *m_cursorLine;
-    QCPItemText *m_cursorText;
-    std::optional<QPointF> m_cursor;
+    QCPItemStraightLine *m_momentLine;
+    ReadOutText *m_text;
     QPointF m_pressedAt;
     std::optional<Sample> m_readOut;
-    std::optional<double> m_pausedAt; // s
-    double m_clearedAt = 0.0;         // s
-    double m_window = 10.0;           // s of time in view while following
-    bool m_isFollowing = true;
     bool m_fitsValues = true;
-    uint64_t m_generation = 0;
-    uint64_t m_shown = 0; // samples at the last picture
+    bool m_fitsAtOnce = false; // instead of little by little
+    uint64_t m_shown = 0;      // samples at the last picture
     bool m_isStale = true;
 };
 

@@ -36,7 +36,7 @@ bool TimePlot::saveTable(const QString &path, QString *error) const {
     file.write(csvHeader(columns()));
     Sample sample;
     const uint64_t last = m_samples.last();
-    for (uint64_t number = std::max(m_samples.first(), m_samples.find(m_clearedAt)); number < last; ++number)
+    for (uint64_t number = std::max(m_samples.first(), m_samples.find(m_time->clearedAt())); number < last; ++number)
         if (m_samples.read(number, sample)) file.write(csvRow(sample, columns()));
     return file.commit() || fail(error, QStringLiteral("%1: %2").arg(path, file.errorString()));
 }

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/transport/transport_bar.h"
 
-#include "core/setup/numbers.h"
+#include "ui/parts/number_box.h"
 #include "ui/parts/stepper_items.h"
 #include "ui/parts/stepping_command.h"
 
 #include <QComboBox>
 #include <QLabel>
-#include <QLineEdit>
 
 namespace inspector::ui {
 
@@ -48,6 +47,8 @@ QComboBox *TransportBar::addChooser(const QString &label, const char *name, cons
     auto *chooser = new QComboBox;
     chooser->setObjectName(QLatin1String(name));
     chooser->setToolTip(tip);
+    chooser->setAccessibleName(label);
+    chooser->setAccessibleDescription(tip);
     chooser->setFocusPolicy(Qt::TabFocus);
     addWidget(text);
     addWidget(chooser);
@@ -79,33 +80,34 @@ void TransportBar::addTimeSteps() {
     m_timeStep =
         addChooser(tr("Time step"), "time_step", tr("Simulated time of one step; choose one or type your own, in ms."));
     for (const double dt : usualStepSizes()) m_timeStep->addItem(durationText(dt), dt);
+    m_typedTimeStep = new NumberBox;
+    m_typedTimeStep->setObjectName(QStringLiteral("time_step_box"));
+    m_typedTimeStep->setAccessibleName(tr("Time step"));
+    m_typedTimeStep->setKind(durationKind(Engine::kSmallestDt, Engine::kLargestDt));
+    m_typedTimeStep->setAlignment(Qt::AlignLeft);
     m_timeStep->setEditable(true);
+    m_timeStep->setLineEdit(m_typedTimeStep);
     m_timeStep->setInsertPolicy(QComboBox::NoInsert);
     m_timeStep->setCompleter(nullptr); // "1" is 1 ms and not the beginning of 10 ms
     m_timeStep->setFocusPolicy(Qt::StrongFocus);
     m_timeStep->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_timeStep->setMinimumContentsLength(9);
-    connect(m_timeStep, &QComboBox::activated, this, &TransportBar::readTimeStep);
-    connect(m_timeStep->lineEdit(), &QLineEdit::editingFinished, this, &TransportBar::readTimeStep);
-    connect(m_timeStep->lineEdit(), &QLineEdit::returnPressed, m_timeStep, &QWidget::clearFocus);
+    connect(m_timeStep, &QComboBox::activated, this,
+            [this](int index) { changeTimeStep(m_timeStep->itemData(index).toDouble()); });
+    connect(m_typedTimeStep, &NumberBox::entered, this, &TransportBar::changeTimeStep);
 }
 
-void TransportBar::readTimeStep() {
-    const QString text = m_timeStep->currentText();
-    if (text == durationText(m_session.dt())) return;
-    const NumberReading read = readDuration(text, Engine::kSmallestDt, Engine::kLargestDt, QStringLiteral("ms"));
+void TransportBar::changeTimeStep(double dt) {
     Stepping wanted = m_session.stepping();
-    if (read.value) wanted.dt = *read.value;
-    if (read.value)
-        changeStepping(m_session, m_undo, wanted, tr("change of Time step"));
-    else
-        emit m_session.failed(tr("Time step: ") + read.problem);
+    wanted.dt = dt;
+    changeStepping(m_session, m_undo, wanted, tr("change of Time step"));
     showPace(); // also after a refusal
 }
 
 void TransportBar::showPace() {
     m_speed->setCurrentIndex(m_speed->findData(m_session.speed()));
-    m_timeStep->setEditText(durationText(m_session.dt()));
+    m_timeStep->setCurrentIndex(m_timeStep->findData(m_session.dt()));
+    m_typedTimeStep->setValue(m_session.dt());
 }
 
 void TransportBar::showStepper() { m_stepper->setCurrentIndex(m_stepper->findData(m_session.stepperId())); }

@@ -10,6 +10,8 @@ class QUndoStack;
 
 namespace inspector::ui {
 
+class NumberBox;
+
 // Run, step and restart, and how: speed, stepper, dt.
 class TransportBar : public QToolBar {
     Q_OBJECT
@@ -23,7 +25,7 @@ private:
     void addSpeeds();
     void addSteppers();
     void addTimeSteps();
-    void readTimeStep();
+    void changeTimeStep(double dt);
     void showPace();
     void showStepper();
 
@@ -32,6 +34,7 @@ private:
     QComboBox *m_speed = nullptr;
     QComboBox *m_stepper = nullptr;
     QComboBox *m_timeStep = nullptr;
+    NumberBox *m_typedTimeStep = nullptr;
 };
 
 } // namespace inspector::ui

@@ -24,6 +24,8 @@ constexpr double kTrailAlpha = 0.9;
 constexpr float kTrailWidth = 3.0F;     // logical pixels
 constexpr float kBallTrailWidth = 4.0F; // beside a ghost's
 constexpr float kGhostTrailWidth = 2.0F;
+constexpr double kWayAlpha = 0.8;
+constexpr double kOldAlpha = 0.45;
 constexpr double kGhostAlpha = 0.55;
 constexpr double kGhostSize = 0.99; // of the ball, which hides it where they are in the same place
 
@@ -76,6 +78,18 @@ void addGhost(gl::Frame &frame, const SampleRing &samples, const phys_state &sta
     frame.trails.push_back({pointsOf(samples, way), toGlm(colour, kTrailAlpha), kGhostTrailWidth});
 }
 
+// Where the ball had gone before another way was taken.
+void addOldFuture(gl::Frame &frame, const std::vector<Sample> &samples) {
+    if (samples.empty()) return;
+    gl::Trail trail{{}, toGlm(accentsFor(QGuiApplication::palette()).ball, kOldAlpha), kGhostTrailWidth};
+    const size_t stride = samples.size() / kTrailPoints + 1;
+    for (size_t i = samples.size(); i-- > 0;) // pale at its far end
+        if (i % stride == 0)
+            trail.points.emplace_back(samples[i][Channel::PositionX], samples[i][Channel::PositionY],
+                                      samples[i][Channel::PositionZ]);
+    frame.trails.push_back(std::move(trail));
+}
+
 } // namespace
 
 gl::Frame currentFrame(Session &session) {
@@ -91,8 +105,21 @@ gl::Frame currentFrame(Session &session) {
     frame.ball = ballOf(state, phys_scene_radius(session.scene().get()));
     frame.trails.push_back({pointsOf(samples, way), toGlm(accentsFor(QGuiApplication::palette()).ball, kTrailAlpha),
                             now.ghost ? kBallTrailWidth : kTrailWidth});
+    addOldFuture(frame, session.oldFuture());
     if (const auto ghost = interpolatedGhost(now, moment)) addGhost(frame, samples, *ghost, now.ghost->metAt);
     return frame;
+}
+
+void addWayAhead(gl::Frame &frame, const WayAhead &way) {
+    if (way.points.size() < 2) return;
+    const QColor colour = accentsFor(QGuiApplication::palette()).total;
+    gl::Trail trail{{}, toGlm(colour, kWayAlpha), kGhostTrailWidth};
+    for (auto point = way.points.rbegin(); point != way.points.rend(); ++point) trail.points.push_back(toGlm(*point));
+    frame.trails.push_back(std::move(trail));
+    if (!way.impact) return;
+    const gl::Colour mark = toGlm(colour, 1.0);
+    frame.strokes.point(toGlm(way.impact->point), mark, 7.0F);
+    frame.strokes.arrow(toGlm(way.impact->point), toGlm(way.impact->normal), frame.ball.radius, mark, 2.0F);
 }
 
 gl::Mesh mazeMesh(const Level &level, const Scene &scene, QString *error) {

@@ -11,6 +11,9 @@ namespace inspector::ui {
 // The board and ball at this moment, between two steps, with the way the ball came.
 gl::Frame currentFrame(Session &session);
 
+// A pale line ahead of the ball, and where it hits next.
+void addWayAhead(gl::Frame &frame, const WayAhead &way);
+
 // A level's mesh: its .obj, or made from the scene's boxes where there is none. Made from the boxes as well, with one
 // line in `error`, if the file can't be read.
 gl::Mesh mazeMesh(const Level &level, const Scene &scene, QString *error);

@@ -8,11 +8,16 @@
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QLabel>
+#include <QLineEdit>
+#include <QScreen>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 namespace inspector::ui {
 
 namespace {
+
+constexpr double kScreenShare = 0.8; // that a dialog takes at most
 
 struct Help {
     Q_DECLARE_TR_FUNCTIONS(Help)
@@ -23,21 +28,31 @@ QString row(const QString &left, const QString &right) {
         .arg(left.toHtmlEscaped(), right.toHtmlEscaped());
 }
 
-QString keysTable(const QWidget &window) {
-    QString rows = row(Help::tr("Arrow keys"), Help::tr("Tilt the board"));
+// Rows of the table in which this text occurs.
+QString keysTable(const QWidget &window, const QString &sought) {
+    QString rows;
+    const auto add = [&](const QString &left, const QString &right) {
+        const bool isWanted = left.contains(sought, Qt::CaseInsensitive) || right.contains(sought, Qt::CaseInsensitive);
+        if (isWanted) rows += row(left, right);
+    };
+    add(Help::tr("Arrow keys"), Help::tr("Tilt the board as the screen shows it"));
     for (const QAction *action : window.actions()) {
         if (action->shortcut().isEmpty()) continue;
-        rows += row(action->shortcut().toString(QKeySequence::NativeText), action->text().remove(QLatin1Char('&')));
+        add(action->shortcut().toString(QKeySequence::NativeText), action->text().remove(QLatin1Char('&')));
     }
     const QString gestures[][2] = {
         {Help::tr("View: drag"), Help::tr("Turn; with the right button move")},
         {Help::tr("View: wheel"), Help::tr("Come closer to what is under the cursor")},
+        {Help::tr("View: drag the ball"),
+         Help::tr("Put it elsewhere, while everything stands; with Ctrl its velocity")},
         {Help::tr("View: click"), Help::tr("Look at the bounce there, or at none")},
         {Help::tr("View: double click"), Help::tr("Show the whole board again")},
         {Help::tr("Plot: drag, wheel"), Help::tr("Move and zoom the time; with Ctrl or over the axis the values")},
         {Help::tr("Plot: double click"), Help::tr("Follow the newest values again")},
+        {Help::tr("Plot: right click"), Help::tr("Choose what it shows; add or remove plots")},
+        {Help::tr("Slider, number: with Shift"), Help::tr("Ten times finer")},
     };
-    for (const auto &gesture : gestures) rows += row(gesture[0], gesture[1]);
+    for (const auto &gesture : gestures) add(gesture[0], gesture[1]);
     return QStringLiteral("<table cellspacing='3'>%1</table>").arg(rows);
 }
 
@@ -55,24 +70,44 @@ QString partsTable(const QString &renderer) {
     return QStringLiteral("<table cellspacing='3'>%1</table>").arg(rows);
 }
 
-void showText(QWidget &window, const char *name, const QString &title, const QString &html) {
+// The label that shows it; it scrolls where the screen is low.
+QLabel *showText(QWidget &window, const char *name, const QString &title, const QString &html) {
     auto *dialog = new QDialog(&window);
     dialog->setObjectName(QLatin1String(name));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(title);
     auto *text = new QLabel(html);
     text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    auto *area = new QScrollArea;
+    area->setWidget(text);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::close);
     auto *layout = new QVBoxLayout(dialog);
-    layout->addWidget(text);
+    layout->addWidget(area);
     layout->addWidget(buttons);
+    const QSize wanted = text->sizeHint() + QSize(60, 110); // with the bars and buttons around
+    dialog->resize(wanted.boundedTo(window.screen()->availableSize() * kScreenShare));
     dialog->show();
+    return text;
 }
 
 } // namespace
 
-void showKeysDialog(QWidget &window) { showText(window, "keys_dialog", Help::tr("Keys"), keysTable(window)); }
+void showKeysDialog(QWidget &window) {
+    QLabel *text = showText(window, "keys_dialog", Help::tr("Keys"), keysTable(window, {}));
+    text->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    auto *sought = new QLineEdit;
+    sought->setObjectName(QStringLiteral("keys_sought"));
+    sought->setPlaceholderText(Help::tr("Search"));
+    sought->setAccessibleName(Help::tr("Search the keys"));
+    sought->setClearButtonEnabled(true);
+    QObject::connect(sought, &QLineEdit::textChanged, text,
+                     [text, &window](const QString &wanted) { text->setText(keysTable(window, wanted)); });
+    static_cast<QVBoxLayout *>(text->window()->layout())->insertWidget(0, sought);
+    sought->setFocus();
+}
 
 void showAboutDialog(QWidget &window, const QString &renderer) {
     const QString head = QStringLiteral("<h3>%1</h3><p>%2</p>")

@@ -4,35 +4,44 @@
 #include "core/setup/lines.h"
 #include "core/setup/stored_values.h"
 #include "gl/maze_view.h"
+#include "ui/ball/ball_dock.h"
+#include "ui/ball/ball_hand.h"
 #include "ui/bounces/bounce_dock.h"
 #include "ui/comparison/comparison_dock.h"
 #include "ui/comparison/distance_plot.h"
 #include "ui/game/game_keys.h"
-#include "ui/game/game_overlay.h"
+#include "ui/game/game_strip.h"
 #include "ui/game/level_panel.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/parts/message_bar.h"
 #include "ui/parts/path_icon.h"
 #include "ui/parts/settings_keys.h"
 #include "ui/parts/theme.h"
+#include "ui/parts/wheel_guard.h"
 #include "ui/plots/plot_panel.h"
-#include "ui/plots/velocity_plot.h"
+#include "ui/plots/plot_stack.h"
 #include "ui/track/track_dock.h"
 #include "ui/trade/trade_dock.h"
-#include "ui/transport/replay_bar.h"
+#include "ui/transport/time_bar.h"
 #include "ui/transport/transport_bar.h"
 #include "ui/window/board_picture.h"
 #include "ui/window/grab.h"
+#include "ui/window/run_dock.h"
 #include "ui/window/status_line.h"
+#include "ui/window/watch_list.h"
 
 #include <QAction>
 #include <QApplication>
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QMenu>
 #include <QScreen>
 #include <QTextStream>
+#include <QToolButton>
 #include <QUndoStack>
 #include <QVBoxLayout>
+
+#include <utility>
 
 namespace inspector::ui {
 
@@ -42,9 +51,10 @@ constexpr int kRefreshPeriod = 33; // ms
 constexpr QSize kUsualSize(1280, 800);
 constexpr double kScreenShare = 0.75; // of a larger screen
 constexpr double kTradeShare = 0.42;  // of the window's height, when the dock is shown
+constexpr double kPlotShare = 0.29;
 constexpr double kComparisonShare = 0.34;
 constexpr double kBouncesShare = 0.42;
-constexpr int kLayoutVersion = 3; // another number forgets layouts of windows with other docks
+constexpr int kLayoutVersion = 7; // another number forgets layouts of windows with other docks
 
 } // namespace
 
@@ -96,20 +106,24 @@ void MainWindow::makeCentre() {
     m_view->setObjectName(QStringLiteral("view"));
     m_view->setFocusPolicy(Qt::StrongFocus);
     m_view->setLargestTilt(radians(kPlayTilt));
-    m_view->setFrameSource([this] { return frame(); });
-    m_overlay = new GameOverlay(m_view);
-    new GameKeys(m_session, *this, *m_view); // the window owns it
-    m_replay =
-        new ReplayBar(m_session, {action("restart"), action("step_back"), action("run"), action("step"), action("end")},
-                      {action("go_on"), action("close_recording")});
+    m_view->setFrameSource([this] { return frame(); }, [this] { return hasNewFrame(); });
+    m_strip = new GameStrip;
+    new GameKeys(m_session, *this, *m_view); // the window owns both
+    new WheelGuard(*this);
+    m_hand = new BallHand(m_session, *m_view, *m_undo, this);
+    m_time = new TimeBar(m_session,
+                         {action("to_start"), action("bounce_back"), action("step_back"), action("run"), action("step"),
+                          action("bounce_on"), action("end")},
+                         {action("go_on"), action("close_recording")});
 
     auto *centre = new QWidget;
     auto *layout = new QVBoxLayout(centre);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(m_messages);
+    layout->addWidget(m_strip);
     layout->addWidget(m_view, 1);
-    layout->addWidget(m_replay);
+    layout->addWidget(m_time);
     setCentralWidget(centre);
     m_view->setFocus();
 
@@ -122,17 +136,21 @@ void MainWindow::makeCentre() {
 
 void MainWindow::makeDocks() {
     m_parameters = new ParameterPanel(m_session, *m_undo);
-    m_plot = new PlotPanel(new VelocityPlot(m_session.simulation().samples()), QStringLiteral("plot"));
+    m_plots = new PlotStack(m_session.simulation().samples(), m_session.settings());
+    m_plotPanel = new PlotPanel(m_plots, m_plots->time(), QStringLiteral("plot"));
     m_levels = new LevelPanel(m_session);
     m_comparison = new ComparisonDock(m_session, ComparisonDock::Actions{*action("compare"), *action("meet_again")});
     m_bounces = new BounceDock(m_session);
+    m_runs = new RunDock(m_session);
+    m_watched = new WatchList(m_session);
+    m_ball = new BallDock(m_session, *m_undo);
     static const DockRow rows[] = {
         {kDockNames[0], QT_TR_NOOP("Parameters"), Qt::RightDockWidgetArea, 0.0,
          [](MainWindow &window) -> QWidget * { return window.m_parameters; }},
         {kDockNames[1], QT_TR_NOOP("Levels"), Qt::RightDockWidgetArea, 0.0,
          [](MainWindow &window) -> QWidget * { return window.m_levels; }},
-        {kDockNames[2], QT_TR_NOOP("Velocity plot"), Qt::BottomDockWidgetArea, 0.0,
-         [](MainWindow &window) -> QWidget * { return window.m_plot; }},
+        {kDockNames[2], QT_TR_NOOP("Plots"), Qt::BottomDockWidgetArea, 0.0,
+         [](MainWindow &window) -> QWidget * { return window.m_plotPanel; }},
         {"trade_dock", QT_TR_NOOP("Trade"), Qt::BottomDockWidgetArea, kTradeShare,
          [](MainWindow &window) -> QWidget * { return new TradeDock(window.m_session, *window.m_undo); }},
         {kComparisonDock, QT_TR_NOOP("Comparison"), Qt::BottomDockWidgetArea, kComparisonShare,
@@ -141,6 +159,12 @@ void MainWindow::makeDocks() {
          [](MainWindow &window) -> QWidget * { return window.m_bounces; }},
         {"track_dock", QT_TR_NOOP("Measured ball"), Qt::BottomDockWidgetArea, kTradeShare,
          [](MainWindow &window) -> QWidget * { return new TrackDock(window.m_session, *window.m_undo); }},
+        {"runs_dock", QT_TR_NOOP("Runs"), Qt::BottomDockWidgetArea, kComparisonShare,
+         [](MainWindow &window) -> QWidget * { return window.m_runs; }},
+        {"watch_dock", QT_TR_NOOP("Watch"), Qt::RightDockWidgetArea, kComparisonShare,
+         [](MainWindow &window) -> QWidget * { return window.m_watched; }},
+        {"ball_dock", QT_TR_NOOP("Ball"), Qt::RightDockWidgetArea, kComparisonShare,
+         [](MainWindow &window) -> QWidget * { return window.m_ball; }},
     };
     int number = 0;
     for (const DockRow &row : rows) {
@@ -149,10 +173,19 @@ void MainWindow::makeDocks() {
         dock->setWidget(row.widget(*this));
         addDockWidget(row.area, dock);
         addDockAction(*dock, ++number, row.share);
-        if (row.share == 0.0) continue;
-        tabifyDockWidget(findChild<QDockWidget *>(QLatin1String(kDockNames[2])), dock);
-        dock->hide();
+        if (row.share > 0.0) dock->hide();
     }
+    arrangeOnCall(rows);
+}
+
+// Docks that are there on call lie behind the plots; but bounces beside them, so that a click on one shows its line.
+// That has to be said first: a dock with others behind it isn't split any more.
+void MainWindow::arrangeOnCall(std::span<const DockRow> rows) {
+    const auto dockOf = [this](const char *name) { return findChild<QDockWidget *>(QLatin1String(name)); };
+    splitDockWidget(dockOf(kDockNames[2]), dockOf(kBouncesDock), Qt::Horizontal);
+    for (const DockRow &row : rows)
+        if (row.share > 0.0 && row.area == Qt::BottomDockWidgetArea && row.name != kBouncesDock)
+            tabifyDockWidget(dockOf(kDockNames[2]), dockOf(row.name));
 }
 
 // Its key closes a dock that is seen, and shows one that is closed or lies behind another.
@@ -160,7 +193,7 @@ void MainWindow::addDockAction(QDockWidget &dock, int number, double share) {
     auto *toggle = new QAction(dock.windowTitle(), this);
     toggle->setObjectName(QStringLiteral("show_") + dock.objectName());
     toggle->setCheckable(true);
-    toggle->setShortcut(QKeySequence(QStringLiteral("Ctrl+%1").arg(number)));
+    toggle->setShortcut(QKeySequence(QStringLiteral("Ctrl+%1").arg(number % 10)));
     const auto showState = [&dock, toggle] { toggle->setChecked(!dock.isHidden()); };
     connect(&dock, &QDockWidget::visibilityChanged, toggle, showState);
     connect(toggle, &QAction::triggered, &dock, [this, &dock, share, showState] {
@@ -188,37 +221,85 @@ void MainWindow::showComparisonDock() {
 }
 
 void MainWindow::connectSession() {
+    connectMessages(); // first: what settles one may be told by the next
     connect(&m_session, &Session::levelOpened, this, &MainWindow::openLevel);
-    connect(&m_session, &Session::failed, m_messages, &MessageBar::showLine);
     connect(&m_session, &Session::replayChanged, this, &MainWindow::showReplay);
-    connect(&m_session, &Session::replayDiffers, m_messages, [this](const QString &line) {
-        if (m_messages->line() != line) m_messages->showLine(line);
-    });
-    connect(&m_session, &Session::recordingFailed, m_messages, &MessageBar::showLine);
+    connect(&m_session, &Session::pastChanged, this, &MainWindow::showPast);
     connect(&m_session, &Session::recordingChanged, action("record"), &QAction::setChecked);
     connect(&m_session, &Session::autopilotChanged, action("autopilot"), &QAction::setChecked);
     connect(&m_session.comparison(), &Comparison::changed, this, &MainWindow::showComparison);
-    connect(&m_session.comparison(), &Comparison::refused, m_messages, &MessageBar::showLine);
     connect(&m_session.simulation(), &Simulation::runningChanged, this, &MainWindow::showRunning);
-    connect(m_parameters, &ParameterPanel::refused, m_messages, &MessageBar::showLine);
-    connect(m_view, &gl::MazeView::problem, m_messages, &MessageBar::showLine);
-    connect(m_plot, &PlotPanel::saveWanted, this, &MainWindow::savePlot);
-    connect(m_comparison, &ComparisonDock::saveWanted, this,
-            [this] { savePlotAs(m_comparison->plot(), tr("distance.csv")); });
+    connectPlots();
     connect(&m_refresh, &QTimer::timeout, this, &MainWindow::refresh);
     connectBounces();
+    m_session.showWayAhead(action("way_ahead")->isChecked());
     action("autopilot")->setChecked(m_session.hasAutopilot());
     action("record")->setChecked(m_session.isRecording());
     showComparison();
 }
 
+void MainWindow::connectPlots() {
+    connect(m_plotPanel, &PlotPanel::followWanted, m_plots, &PlotStack::setFollowing);
+    connect(m_plotPanel, &PlotPanel::pauseWanted, m_plots, &PlotStack::setPaused);
+    connect(m_plotPanel, &PlotPanel::clearWanted, m_plots, &PlotStack::clear);
+    connect(m_plotPanel, &PlotPanel::saveWanted, this, &MainWindow::savePlot);
+    connect(m_comparison, &ComparisonDock::saveWanted, this, [this] {
+        askWhereToSavePlot(tr("distance"), [this](const QString &path, QString *error) {
+            return m_comparison->plot().save(path, error);
+        });
+    });
+    const QToolButton *add =
+        m_plotPanel->addButton(Glyph::Add, QStringLiteral("plot_add"), tr("Add a plot, or change one"));
+    connect(add, &QToolButton::clicked, this, [this, add] {
+        auto *menu = new QMenu(this);
+        menu->setAttribute(Qt::WA_DeleteOnClose);
+        m_plots->fillMenu(*menu, &m_plots->first());
+        menu->popup(add->mapToGlobal(add->rect().bottomLeft()));
+    });
+}
+
+// Each message with what settles it.
+void MainWindow::connectMessages() {
+    const auto say = [this](Cause cause) {
+        return [this, cause](const QString &line) { m_messages->showLine(line, cause); };
+    };
+    const auto settle = [this](Cause cause) { return [this, cause] { m_messages->settle(cause); }; };
+    connect(&m_session, &Session::failed, this, say(Cause::Command));
+    for (const auto signal : {&Session::levelOpened, &Session::stepperChanged, &Session::paceChanged})
+        connect(&m_session, signal, this, settle(Cause::Command));
+    for (const auto signal : {&Session::autopilotChanged, &Session::replayChanged})
+        connect(&m_session, signal, this, settle(Cause::Command));
+    connect(&m_session.parameters(), &Parameters::changed, this, settle(Cause::Command));
+    connect(&m_session.simulation(), &Simulation::runningChanged, this, [this](bool isRunning) {
+        if (isRunning) m_messages->settle(Cause::Command);
+    });
+
+    connect(m_parameters, &ParameterPanel::refused, this, say(Cause::Parameter));
+    connect(&m_session.parameters(), &Parameters::changed, this, settle(Cause::Parameter));
+    connect(m_view, &gl::MazeView::problem, this, say(Cause::View));
+    connect(m_view, &gl::MazeView::shadersRebuilt, this, settle(Cause::View));
+    connect(&m_session.comparison(), &Comparison::refused, this, say(Cause::Comparison));
+    connect(&m_session.comparison(), &Comparison::changed, this, [this] {
+        if (m_session.comparison().refusal().isEmpty()) m_messages->settle(Cause::Comparison);
+    });
+    connect(&m_session, &Session::recordingFailed, this, say(Cause::Recording));
+    connect(&m_session, &Session::recordingChanged, this, [this](bool isOn) {
+        if (isOn) m_messages->settle(Cause::Recording);
+    });
+    connect(&m_session, &Session::replayChanged, this, settle(Cause::Replay));
+    connect(&m_session, &Session::replayDiffers, m_messages, [this](const QString &line) {
+        if (m_messages->line() != line) m_messages->showLine(line, Cause::Replay);
+    });
+}
+
 void MainWindow::connectBounces() {
     connect(m_view, &gl::MazeView::clicked, this, &MainWindow::selectBounceAt);
-    connect(&m_plot->plot(), &TimePlot::bounceClicked, m_bounces, &BounceDock::selectAt);
+    connect(m_plots, &PlotStack::bounceClicked, m_bounces, &BounceDock::selectAt);
     connect(m_bounces, &BounceDock::changed, this, [this] {
         const std::optional<LoggedEvent> selected = m_bounces->selected();
         const std::optional<double> time = selected ? std::optional(selected->event.time) : std::nullopt;
-        m_plot->plot().showBounces(m_bounces->bounceTimes(), time);
+        m_view->update(); // the marks
+        m_plots->showBounces(m_bounces->bounceTimes(), time);
         m_comparison->plot().showBounces(m_bounces->bounceTimes(), time); // where distances leap
     });
 }
@@ -234,13 +315,23 @@ void MainWindow::selectBounceAt(const gl::Ray &ray) {
     dock->raise();
 }
 
+// While it runs the ball moves between two snapshots, too.
+bool MainWindow::hasNewFrame() {
+    const Snapshot &now = m_session.simulation().latest();
+    const uint64_t seen = now.number + m_session.waysAhead();
+    return now.running || seen != std::exchange(m_drawn, seen);
+}
+
 gl::Frame MainWindow::frame() const {
     gl::Frame frame = currentFrame(m_session);
+    addWayAhead(frame, m_session.wayAhead());
+    m_hand->addArrow(frame.strokes);
     if (m_showsBounces->isChecked()) addMarks(frame.strokes, m_bounces->marks(), m_session.scene().get());
     return frame;
 }
 
 void MainWindow::openLevel() {
+    m_messages->settle(Cause::Level);
     QString ofMaze;
     QString ofBall;
     m_view->setMaze(mazeMesh(m_session.level(), m_session.scene(), &ofMaze));
@@ -248,7 +339,7 @@ void MainWindow::openLevel() {
     QTextStream messages(stderr); // for a picture by a script, in which nobody reads the message
     for (const QString &problem : {ofBall, ofMaze}) {
         if (problem.isEmpty()) continue;
-        m_messages->showLine(problem);
+        m_messages->showLine(problem, Cause::Level);
         report(messages, problem);
     }
     showTitle();
@@ -263,13 +354,18 @@ void MainWindow::showTitle() {
 void MainWindow::refresh() {
     const Snapshot now = m_session.simulation().latest(); // one moment, for everything in the window
     m_session.followReplay(now);
+    if (now.run != std::exchange(m_run, now.run)) m_messages->settle(Cause::Command); // restarted
     m_status->showSnapshot(now);
-    m_replay->refresh(now);
-    m_overlay->setText(overlayText(m_session, now));
+    m_time->refresh(now);
+    m_strip->setText(gameText(m_session, now));
     m_bounces->refresh();
-    m_plot->plot().refresh();
+    const std::optional<double> moment = m_session.isInPast() ? std::optional(now.current.time) : std::nullopt;
+    m_plots->refresh({&m_session.oldFuture(), moment});
+    m_watched->refresh(now);
+    m_ball->refresh(now);
     m_comparison->refresh(now);
-    if (m_session.hasAutopilot()) m_parameters->showFlownTilt(now.inputs.tilt);
+    m_runs->refresh();
+    if (m_session.hasAutopilot() && !m_session.isInPast()) m_parameters->showFlownTilt(now.inputs.tilt);
 }
 
 void MainWindow::showRunning(bool isRunning) {
@@ -305,6 +401,7 @@ void MainWindow::restoreLook() {
 void MainWindow::resetLayout() {
     restoreState(m_firstLayout, kLayoutVersion);
     arrangeDocks();
+    m_plots->reset();
 }
 
 // The view gets most of the window.
@@ -315,7 +412,7 @@ void MainWindow::arrangeDocks() {
     const int side = m_parameters->sizeHint().width();
     resizeDocks({parameters, levels}, {side, side}, Qt::Horizontal);
     resizeDocks({parameters, levels}, {m_parameters->sizeHint().height() + 30, 240}, Qt::Vertical);
-    resizeDocks({plot}, {std::max(200, height() / 4)}, Qt::Vertical);
+    resizeDocks({plot}, {std::max(200, int(kPlotShare * height()))}, Qt::Vertical);
 }
 
 void MainWindow::closeEvent(QCloseEvent *event) {

@@ -6,6 +6,8 @@
 #include <QMainWindow>
 #include <QTimer>
 
+#include <functional>
+#include <span>
 #include <vector>
 
 class QDockWidget;
@@ -20,17 +22,22 @@ struct Ray;
 
 namespace inspector::ui {
 
+class BallDock;
+class BallHand;
 class BounceDock;
 class ComparisonDock;
-class GameOverlay;
+class GameStrip;
 class LevelPanel;
 class MessageBar;
 class ParameterPanel;
 class PlotPanel;
-class ReplayBar;
+class PlotStack;
+class TimeBar;
+class RunDock;
 class StatusLine;
 class TimePlot;
 class TransportBar;
+class WatchList;
 
 // The window: composes view, docks, bars and menus over a session and forwards between them.
 class MainWindow : public QMainWindow {
@@ -63,6 +70,7 @@ private:
     void makeActions();
     void makeCentre();
     void makeDocks();
+    void arrangeOnCall(std::span<const DockRow> rows);
     void addDockAction(QDockWidget &dock, int number, double share);
     void showDock(QDockWidget &dock, double share);
     void showComparisonDock();
@@ -72,22 +80,30 @@ private:
     void addChoice(QMenu &menu, const char *name, const QStringList &texts, int (MainWindow::*chosen)() const,
                    void (MainWindow::*choose)(int));
     void connectSession();
+    void connectMessages();
     QAction *action(const char *name) const;
-    void savePlotAs(TimePlot &plot, const QString &name);
+    void connectPlots();
+    void askWhereToSavePlot(const QString &name, const std::function<bool(const QString &path, QString *error)> &save);
+    void showSaved(const QString &error);
 
     void connectBounces();
     void selectBounceAt(const gl::Ray &ray);
     void openLevel();
     void openFile(const QString &path);
     void showReplay(bool isOn);
+    void showPast(bool isIn);
+    void jumpToBounce(int direction);
     void showTitle();
     void showRunning(bool isRunning);
     void showComparison();
     void restoreLook();
     void arrangeDocks();
+    bool hasNewFrame();
     gl::Frame frame() const;
     int quality() const;
     void chooseQuality(int number);
+    int pictureScale() const;
+    void choosePictureScale(int number);
     int theme() const;
     void chooseTheme(int number);
 
@@ -95,6 +111,7 @@ private:
     void openMazeFile();
     void openRecording();
     void closeRecording();
+    void saveRun();
     void savePlot();
     void saveScreenshot();
     void toggleRecording();
@@ -104,6 +121,7 @@ private:
     void resetCamera();
     void lookFromAbove();
     void toggleBounces();
+    void toggleWayAhead();
     void confirm();
     void toggleRunning();
     void pause();
@@ -113,6 +131,9 @@ private:
     void toggleComparison();
     void meetAgain();
     void stepBack();
+    void goToStart();
+    void bounceBack();
+    void bounceOn();
     void goToEnd();
     void goOnFromHere();
     void showKeys();
@@ -121,18 +142,25 @@ private:
     Session &m_session;
     QUndoStack *m_undo;
     gl::MazeView *m_view = nullptr;
-    GameOverlay *m_overlay = nullptr;
+    GameStrip *m_strip = nullptr;
     MessageBar *m_messages = nullptr;
     ParameterPanel *m_parameters = nullptr;
-    PlotPanel *m_plot = nullptr;
+    PlotStack *m_plots = nullptr;
+    PlotPanel *m_plotPanel = nullptr;
     ComparisonDock *m_comparison = nullptr;
     LevelPanel *m_levels = nullptr;
+    BallHand *m_hand = nullptr;
+    BallDock *m_ball = nullptr;
     BounceDock *m_bounces = nullptr;
+    RunDock *m_runs = nullptr;
+    WatchList *m_watched = nullptr;
     QAction *m_showsBounces = nullptr;
     TransportBar *m_transport = nullptr;
-    ReplayBar *m_replay = nullptr;
+    TimeBar *m_time = nullptr;
     StatusLine *m_status = nullptr;
     QByteArray m_firstLayout; // of docks and bars, before anyone moved them
+    uint64_t m_drawn = 0;     // numbers of what is in the view, together
+    uint64_t m_run = 0;       // of the simulation, at the last refresh
     QTimer m_refresh;
 };
 

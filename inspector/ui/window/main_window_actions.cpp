@@ -4,6 +4,7 @@
 #include "core/trade/recording_schedule.h"
 #include "gl/maze_view.h"
 #include "ui/bounces/bounce_dock.h"
+#include "ui/game/game_strip.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/parts/file_chooser.h"
 #include "ui/parts/message_bar.h"
@@ -11,11 +12,12 @@
 #include "ui/parts/settings_keys.h"
 #include "ui/parts/theme.h"
 #include "ui/plots/plot_panel.h"
-#include "ui/plots/time_plot.h"
-#include "ui/transport/replay_bar.h"
+#include "ui/plots/plot_stack.h"
+#include "ui/transport/time_bar.h"
 #include "ui/transport/transport_bar.h"
 #include "ui/window/help_dialogs.h"
 #include "ui/window/main_window.h"
+#include "ui/window/save_run.h"
 
 #include <QActionGroup>
 #include <QDockWidget>
@@ -25,6 +27,7 @@
 #include <QMimeData>
 #include <QUndoStack>
 
+#include <algorithm>
 #include <optional>
 
 namespace inspector::ui {
@@ -64,7 +67,18 @@ const std::vector<MainWindow::ActionRow> &MainWindow::actionRows() {
          &MainWindow::openRecording},
         {"close_recording", QT_TR_NOOP("Close recording"), "Ctrl+W",
          QT_TR_NOOP("Back to the start of the level from before"), Glyph::Close, &MainWindow::closeRecording},
-        {"save_plot", QT_TR_NOOP("Save plot…"), "Ctrl+S", QT_TR_NOOP("As CSV, PNG or PDF"), {}, &MainWindow::savePlot},
+        {"save_run",
+         QT_TR_NOOP("Save run…"),
+         "Ctrl+S",
+         QT_TR_NOOP("What was just seen, as a recording, a table of all samples or a picture"),
+         {},
+         &MainWindow::saveRun},
+        {"save_plot",
+         QT_TR_NOOP("Save plot…"),
+         "Ctrl+Shift+S",
+         QT_TR_NOOP("As CSV, PNG or PDF"),
+         {},
+         &MainWindow::savePlot},
         {"screenshot", QT_TR_NOOP("Save picture of the window…"), "Ctrl+P", "", {}, &MainWindow::saveScreenshot},
         {"record",
          QT_TR_NOOP("Record…"),
@@ -98,19 +112,33 @@ const std::vector<MainWindow::ActionRow> &MainWindow::actionRows() {
          QT_TR_NOOP("A mark where the ball has bounced; click it"),
          {},
          &MainWindow::toggleBounces},
+        {"way_ahead",
+         QT_TR_NOOP("Show the way ahead"),
+         "W",
+         QT_TR_NOOP("Where the ball goes in the next 2 s if nothing changes, by the exact stepper"),
+         {},
+         &MainWindow::toggleWayAhead},
         {"play", QT_TR_NOOP("Start, or next level"), "Return; Enter", "", {}, &MainWindow::confirm},
         {"run", QT_TR_NOOP("Run"), "Space", QT_TR_NOOP("Run or pause"), Glyph::Run, &MainWindow::toggleRunning},
         {"pause", QT_TR_NOOP("Pause"), "Esc", "", {}, &MainWindow::pause},
         {"step", QT_TR_NOOP("Single step"), ".", QT_TR_NOOP("Make one step of dt and pause"), Glyph::Step,
          &MainWindow::stepOnce},
-        {"step_back", QT_TR_NOOP("Recording: a step back"), ",", "", Glyph::StepBack, &MainWindow::stepBack},
-        {"restart", QT_TR_NOOP("Restart"), "R; Ctrl+Home", QT_TR_NOOP("Back to the start"), Glyph::Restart,
-         &MainWindow::restart},
-        {"end", QT_TR_NOOP("Recording: to its end"), "Ctrl+End", "", Glyph::End, &MainWindow::goToEnd},
+        {"step_back", QT_TR_NOOP("Step back"), ",", QT_TR_NOOP("Look at the step before"), Glyph::StepBack,
+         &MainWindow::stepBack},
+        {"bounce_back", QT_TR_NOOP("Previous bounce"), "Ctrl+Left", QT_TR_NOOP("Look at the bounce before"),
+         Glyph::BounceBack, &MainWindow::bounceBack},
+        {"bounce_on", QT_TR_NOOP("Next bounce"), "Ctrl+Right", QT_TR_NOOP("Look at the next bounce"), Glyph::BounceOn,
+         &MainWindow::bounceOn},
+        {"restart", QT_TR_NOOP("Restart"), "R", QT_TR_NOOP("The ball back to the start; the run is kept"),
+         Glyph::Restart, &MainWindow::restart},
+        {"to_start", QT_TR_NOOP("To the beginning"), "Ctrl+Home", QT_TR_NOOP("Look at the beginning of the run"),
+         Glyph::Begin, &MainWindow::goToStart},
+        {"end", QT_TR_NOOP("To the end"), "Ctrl+End", QT_TR_NOOP("Back to the present, or to the end of a recording"),
+         Glyph::End, &MainWindow::goToEnd},
         {"go_on",
          QT_TR_NOOP("Go on from here"),
          "G",
-         QT_TR_NOOP("End the replay and play on from the moment shown"),
+         QT_TR_NOOP("Play on from the moment shown"),
          {},
          &MainWindow::goOnFromHere},
         {"autopilot", QT_TR_NOOP("Autopilot"), "A", QT_TR_NOOP("Let the program tilt the board"), Glyph::Autopilot,
@@ -147,6 +175,8 @@ void MainWindow::makeActions() {
     action("autopilot")->setCheckable(true);
     action("record")->setCheckable(true);
     action("compare")->setCheckable(true);
+    action("way_ahead")->setCheckable(true);
+    action("way_ahead")->setChecked(m_session.settings().value(settings_keys::kShowWayAhead, true).toBool());
     m_showsBounces = action("bounces");
     m_showsBounces->setCheckable(true);
     m_showsBounces->setChecked(m_session.settings().value(settings_keys::kShowBounces, true).toBool());
@@ -159,12 +189,13 @@ void MainWindow::makeMenus() {
     };
     const MenuRow rows[] = {
         {QT_TR_NOOP("&File"),
-         {"open", "open_recording", "close_recording", "", "save_plot", "screenshot", "record", "", "quit"}},
+         {"open", "open_recording", "close_recording", "", "save_run", "save_plot", "screenshot", "record", "",
+          "quit"}},
         {QT_TR_NOOP("&Edit"), {"", "reset_parameters"}},
-        {QT_TR_NOOP("&View"), {"", "camera_reset", "camera_top", "", "bounces"}},
+        {QT_TR_NOOP("&View"), {"", "camera_reset", "camera_top", "", "bounces", "way_ahead"}},
         {QT_TR_NOOP("&Game"),
-         {"play", "", "run", "pause", "step", "step_back", "restart", "end", "go_on", "", "autopilot", "", "compare",
-          "meet_again"}},
+         {"play", "", "run", "pause", "restart", "", "step", "step_back", "bounce_back", "bounce_on", "to_start", "end",
+          "go_on", "", "autopilot", "", "compare", "meet_again"}},
         {QT_TR_NOOP("&Help"), {"keys", "about"}},
     };
     std::vector<QMenu *> menus;
@@ -199,6 +230,9 @@ void MainWindow::addViewChoices(QMenu &menu) {
     menu.addSeparator();
     addChoice(*menu.addMenu(tr("Quality")), "quality", {tr("Low"), tr("Medium"), tr("High")}, &MainWindow::quality,
               &MainWindow::chooseQuality);
+    addChoice(*menu.addMenu(tr("Size of saved pictures")), "picture_scale",
+              {tr("As the view"), tr("2 times"), tr("3 times"), tr("4 times")}, &MainWindow::pictureScale,
+              &MainWindow::choosePictureScale);
     addChoice(*menu.addMenu(tr("Theme")), "theme", {tr("As the system"), tr("Light"), tr("Dark")}, &MainWindow::theme,
               &MainWindow::chooseTheme);
 }
@@ -219,6 +253,14 @@ void MainWindow::addChoice(QMenu &menu, const char *name, const QStringList &tex
 }
 
 int MainWindow::quality() const { return int(m_view->quality()); }
+
+int MainWindow::pictureScale() const {
+    return std::clamp(m_session.settings().value(settings_keys::kPictureScale, 1).toInt(), 1, 4) - 1;
+}
+
+void MainWindow::choosePictureScale(int number) {
+    m_session.settings().setValue(settings_keys::kPictureScale, number + 1);
+}
 
 int MainWindow::theme() const {
     return storedChoice(m_session.settings(), settings_keys::kTheme, kThemeCount).value_or(int(Theme::System));
@@ -265,28 +307,46 @@ void MainWindow::dropEvent(QDropEvent *event) {
 
 // What a replay offers, and what the live ball does.
 void MainWindow::showReplay(bool isOn) {
-    for (const char *name : {"close_recording", "step_back", "end", "go_on"}) action(name)->setEnabled(isOn);
-    for (const char *name : {"play", "autopilot", "reset_parameters"}) action(name)->setEnabled(!isOn);
+    for (const char *name : {"close_recording", "go_on"}) action(name)->setEnabled(isOn);
+    for (const char *name : {"play", "autopilot", "reset_parameters", "save_run"}) action(name)->setEnabled(!isOn);
     findChild<QDockWidget *>(QStringLiteral("parameters_dock"))
         ->setWindowTitle(isOn ? tr("Parameters, as recorded") : tr("Parameters"));
     m_undo->clear(); // what it would change isn't there any more
-    m_replay->reset();
+    m_time->reset();
     showTitle();
     m_view->setFocus();
     if (!isOn || m_session.recording().recording().isWhole) return;
     m_messages->showLine(tr("%1: the recording was interrupted; it ends after %2 steps")
                              .arg(m_session.recording().recording().file)
-                             .arg(m_session.recording().length()));
+                             .arg(m_session.recording().length()),
+                         Cause::Replay);
 }
 
-void MainWindow::savePlot() { savePlotAs(m_plot->plot(), tr("velocity.csv")); }
+void MainWindow::showPast(bool isIn) { action("go_on")->setEnabled(isIn); }
 
-void MainWindow::savePlotAs(TimePlot &plot, const QString &name) {
+void MainWindow::saveRun() {
+    const QString filter =
+        tr("Recording that repeats it (*.rec);;Table of all samples (*.csv);;Picture of the view (*.png)");
+    chooseFile(*this, m_session.settings(), {tr("Save run"), filter, tr("run"), FileUse::Write},
+               [this](const QString &path) {
+                   QString error;
+                   ui::saveRun(m_session, *m_view, path, &error);
+                   showSaved(error);
+               });
+}
+
+void MainWindow::savePlot() {
+    askWhereToSavePlot(tr("plot"), [this](const QString &path, QString *error) { return m_plots->save(path, error); });
+}
+
+void MainWindow::askWhereToSavePlot(const QString &name,
+                                    const std::function<bool(const QString &path, QString *error)> &save) {
     const QString filter = tr("Table of all samples (*.csv);;Picture (*.png);;Document (*.pdf)");
     chooseFile(*this, m_session.settings(), {tr("Save plot"), filter, name, FileUse::Write},
-               [this, &plot](const QString &path) {
+               [this, save](const QString &path) {
                    QString error;
-                   if (!plot.save(path, &error)) m_messages->showLine(error);
+                   save(path, &error);
+                   showSaved(error);
                });
 }
 
@@ -295,8 +355,15 @@ void MainWindow::saveScreenshot() {
                {tr("Save picture of the window"), tr("Picture (*.png)"), tr("inspector.png"), FileUse::Write},
                [this](const QString &path) {
                    QString error;
-                   if (!grabTo(path, &error)) m_messages->showLine(error);
+                   grabTo(path, &error);
+                   showSaved(error);
                });
+}
+
+// error: why not, or empty.
+void MainWindow::showSaved(const QString &error) {
+    m_messages->settle(Cause::File);
+    if (!error.isEmpty()) m_messages->showLine(error, Cause::File);
 }
 
 void MainWindow::toggleRecording() {
@@ -313,21 +380,67 @@ void MainWindow::resetCamera() { m_view->resetCamera(); }
 
 void MainWindow::toggleBounces() {
     m_session.settings().setValue(settings_keys::kShowBounces, m_showsBounces->isChecked());
+    m_view->update();
+}
+
+void MainWindow::toggleWayAhead() {
+    const bool isOn = action("way_ahead")->isChecked();
+    m_session.settings().setValue(settings_keys::kShowWayAhead, isOn);
+    m_session.showWayAhead(isOn);
 }
 
 void MainWindow::confirm() { m_session.game().confirm(); }
 
-// The second Esc, when all stands still, lets go of what is selected.
+// Esc closes a result first; when all stands still it lets go of what is selected.
 void MainWindow::pause() {
+    if (m_strip->dismiss()) return;
+    if (m_session.isInPast() && !m_session.simulation().latest().running) return m_session.returnToPresent();
     if (!m_session.simulation().latest().running) m_bounces->clearSelection();
     m_session.simulation().pause();
 }
 
 void MainWindow::stepOnce() { m_session.simulation().stepOnce(); }
 
-void MainWindow::stepBack() { m_session.simulation().stepBack(); }
-void MainWindow::goToEnd() { m_session.seek(m_session.recording().length()); }
-void MainWindow::goOnFromHere() { m_session.goOnFromHere(); }
+void MainWindow::stepBack() {
+    if (m_session.isReplaying()) return m_session.simulation().stepBack();
+    const RunPlace run = m_session.runPlace();
+    if (run.place > run.first) m_session.lookAt(run.place - 1);
+}
+
+void MainWindow::goToStart() {
+    if (m_session.isReplaying()) return m_session.seek(0);
+    m_session.lookAt(m_session.runPlace().first);
+}
+
+void MainWindow::goToEnd() {
+    if (m_session.isReplaying()) return m_session.seek(m_session.recording().length());
+    m_session.returnToPresent();
+}
+
+void MainWindow::bounceBack() { jumpToBounce(-1); }
+void MainWindow::bounceOn() { jumpToBounce(1); }
+
+// The nearest before or after the moment shown; what the step there has done counts as at it.
+void MainWindow::jumpToBounce(int direction) {
+    const Snapshot &now = m_session.simulation().latest();
+    const std::vector<double> times = m_bounces->bounceTimes();
+    std::optional<double> found;
+    for (const double time : times) {
+        const bool isBefore = time <= now.previous.time;
+        const bool isAfter = time > now.current.time;
+        if (direction < 0 && isBefore) found = time;
+        if (direction > 0 && isAfter && !found) found = time;
+    }
+    if (!found) return;
+    m_session.lookAtTime(*found);
+    m_bounces->selectAt(*found);
+}
+
+void MainWindow::goOnFromHere() {
+    if (!m_session.isInPast()) return m_session.goOnFromHere();
+    m_session.takeOver();
+    m_session.simulation().run();
+}
 
 void MainWindow::toggleRunning() {
     Simulation &simulation = m_session.simulation();
@@ -335,6 +448,7 @@ void MainWindow::toggleRunning() {
 }
 
 void MainWindow::restart() {
+    m_session.returnToPresent();
     m_session.simulation().restart();
     if (m_session.game().phase() == Game::Phase::Won) m_session.game().prompt(m_session.game().level());
 }

@@ -4,12 +4,17 @@
 #include "ui/parts/message_bar.h"
 #include "window_fixture.h"
 
+#include <QAbstractButton>
+#include <QAbstractSlider>
+#include <QAccessible>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
+#include <QSignalSpy>
+#include <QTimer>
 #include <QToolButton>
 
 #include <algorithm>
@@ -58,6 +63,9 @@ private slots:
     void chosenStepperReachesTheSession();
     void statusSaysWhatTheSimulationDoes();
     void aboutNamesVersionsAndLicences();
+    void everyControlHasANameToBeRead();
+    void windowFitsASmallScreen();
+    void standingWindowDrawsNothing();
     void messageCanBeReadInEveryTheme_data();
     void messageCanBeReadInEveryTheme();
 
@@ -113,6 +121,8 @@ void TestWindowDocks::keyOpensADockAndGivesItTheKeyboard_data() {
     QTest::newRow("comparison") << "comparison_dock" << Qt::Key_5;
     QTest::newRow("bounces") << "bounces_dock" << Qt::Key_6;
     QTest::newRow("track") << "track_dock" << Qt::Key_7;
+    QTest::newRow("runs") << "runs_dock" << Qt::Key_8;
+    QTest::newRow("watch") << "watch_dock" << Qt::Key_9;
 }
 
 void TestWindowDocks::keyOpensADockAndGivesItTheKeyboard() {
@@ -281,6 +291,44 @@ void TestWindowDocks::aboutNamesVersionsAndLicences() {
     const QString text = m_fixture->find<QWidget>("about_dialog")->findChild<QLabel *>()->text();
     for (const char *part : {phys_version(), qVersion(), "GPL-3.0-or-later", "MIT", "LGPL-3.0", "QCustomPlot"})
         QVERIFY2(text.contains(part), part);
+}
+
+// By a screen reader; without tags.
+void TestWindowDocks::everyControlHasANameToBeRead() {
+    for (const QDockWidget *dock : m_fixture->window().findChildren<QDockWidget *>())
+        if (dock->isHidden()) m_fixture->trigger("show_" + dock->objectName());
+    for (QWidget *widget : m_fixture->window().findChildren<QWidget *>()) {
+        const bool isOurs = !widget->objectName().isEmpty() && !widget->objectName().startsWith("qt_");
+        const bool isControl = qobject_cast<QAbstractButton *>(widget) || qobject_cast<QAbstractSlider *>(widget) ||
+                               qobject_cast<QComboBox *>(widget) || qobject_cast<QLineEdit *>(widget);
+        if (!isOurs || !isControl || widget->focusPolicy() == Qt::NoFocus) continue;
+        const QAccessibleInterface *read = QAccessible::queryAccessibleInterface(widget);
+        QVERIFY2(!read->text(QAccessible::Name).isEmpty(), qPrintable(widget->objectName()));
+        QVERIFY2(!read->text(QAccessible::Description).contains('<'), qPrintable(widget->objectName()));
+    }
+}
+
+void TestWindowDocks::windowFitsASmallScreen() {
+    m_fixture->window().resize(800, 600);
+    QTRY_VERIFY2(
+        m_fixture->window().width() <= 800 && m_fixture->window().height() <= 600,
+        qPrintable(QStringLiteral("%1 x %2").arg(m_fixture->window().width()).arg(m_fixture->window().height())));
+    QVERIFY(m_fixture->window().view().height() >= 150);
+}
+
+// Until something is there to be seen.
+void TestWindowDocks::standingWindowDrawsNothing() {
+    QTimer ticks;
+    QSignalSpy tick(&ticks, &QTimer::timeout);
+    ticks.start(16);
+    const auto pass = [&](int count) { return QTest::qWaitFor([&] { return tick.count() >= count; }); };
+    QVERIFY(pass(20)); // what is still to be drawn of the start
+    const uint64_t before = m_fixture->window().view().pictures();
+    tick.clear();
+    QVERIFY(pass(20));
+    QCOMPARE(m_fixture->window().view().pictures(), before);
+    m_fixture->trigger("step");
+    QTRY_VERIFY(m_fixture->window().view().pictures() > before);
 }
 
 void TestWindowDocks::messageCanBeReadInEveryTheme_data() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The game from the first prompt to the tenth level, and what is said when something goes wrong.
-#include "ui/game/game_overlay.h"
+#include "gl/maze_view.h"
+#include "ui/game/game_strip.h"
 #include "ui/parts/message_bar.h"
 #include "ui/window/unattended_run.h"
 #include "window_fixture.h"
@@ -37,12 +38,22 @@ private slots:
     void fileThatIsNoMazeIsShownAndChangesNothing();
     void failedStepIsShownAndPauses();
     void messageIsDismissed();
+    void refusedCommandIsForgottenWithTheNextThatWorks();
+    void failedStepIsForgottenAtARestart();
+    void nothingTheGameSaysMovesTheView();
+    void escClosesTheResult();
+    void clickClosesTheResult();
+    void defaultPhysicsSetABestTime();
+    void otherPhysicsSetNoBestTimeAndSayWhy_data();
+    void otherPhysicsSetNoBestTimeAndSayWhy();
     void unattendedRunEndsWhenTheLevelIsWon();
     void windowIsGrabbedToAFile();
 
 private:
-    const inspector::ui::OverlayText &text();
+    const inspector::ui::GameText &text();
     void win();
+    void openBrokenFile();
+    void leaveByHand();
 
     std::unique_ptr<Fixture> m_fixture;
 };
@@ -54,9 +65,9 @@ void TestWindowGame::init() {
 
 void TestWindowGame::cleanup() { m_fixture.reset(); }
 
-const inspector::ui::OverlayText &TestWindowGame::text() {
+const inspector::ui::GameText &TestWindowGame::text() {
     m_fixture->window().refresh();
-    return m_fixture->find<inspector::ui::GameOverlay>("game_overlay")->text();
+    return m_fixture->find<inspector::ui::GameStrip>("game_strip")->text();
 }
 
 void TestWindowGame::win() {
@@ -74,7 +85,8 @@ void TestWindowGame::promptIsShownAtTheStart() {
 void TestWindowGame::clockIsShownWhilePlaying() {
     m_fixture->press(Qt::Key_Return);
     QTRY_VERIFY(text().clock > QString("0:00.00"));
-    QVERIFY(text().title.isEmpty());
+    QCOMPARE(text().title, QString("Level 1"));
+    QVERIFY(text().line.isEmpty());
 }
 
 void TestWindowGame::pauseIsSaid() {
@@ -86,7 +98,7 @@ void TestWindowGame::pauseIsSaid() {
 
 void TestWindowGame::promptHidesWhereTheBallRollsWithoutTheGame() {
     m_fixture->press(Qt::Key_Space);
-    QTRY_COMPARE(text(), inspector::ui::OverlayText{});
+    QTRY_COMPARE(text(), inspector::ui::GameText{});
 }
 
 void TestWindowGame::autopilotWinsALevel_data() {
@@ -142,12 +154,16 @@ void TestWindowGame::clickOnALevelOpensIt() {
     QTRY_COMPARE(text().title, QString("Level 3"));
 }
 
-void TestWindowGame::fileThatIsNoMazeIsShownAndChangesNothing() {
+void TestWindowGame::openBrokenFile() {
     QFile file(m_fixture->path("broken.txt"));
     QVERIFY(file.open(QIODevice::WriteOnly));
     file.write("physics-maze 1\nunits m\nball nonsense\n");
     file.close();
     QVERIFY(!m_fixture->session().openLevel(inspector::levelOfFile(file.fileName())));
+}
+
+void TestWindowGame::fileThatIsNoMazeIsShownAndChangesNothing() {
+    openBrokenFile();
     const QString line = m_fixture->window().messages().line();
     QVERIFY2(line.contains("broken.txt") && line.contains("3"), qPrintable(line));
     QVERIFY(m_fixture->window().messages().isVisible());
@@ -167,11 +183,98 @@ void TestWindowGame::failedStepIsShownAndPauses() {
 }
 
 void TestWindowGame::messageIsDismissed() {
-    m_fixture->window().messages().showLine("something");
+    m_fixture->window().messages().showLine("something", inspector::ui::Cause::Command);
     QVERIFY(m_fixture->window().messages().isVisible());
     click(m_fixture->find<QToolButton>("dismiss"));
     QVERIFY(!m_fixture->window().messages().isVisible());
     QVERIFY(m_fixture->window().messages().line().isEmpty());
+}
+
+void TestWindowGame::refusedCommandIsForgottenWithTheNextThatWorks() {
+    openBrokenFile();
+    QVERIFY(m_fixture->window().messages().isVisible());
+    m_fixture->game().choose(2);
+    QVERIFY(!m_fixture->window().messages().isVisible());
+}
+
+void TestWindowGame::failedStepIsForgottenAtARestart() {
+    phys_state state = m_fixture->simulation().latest().current;
+    state.velocity.x = 1e6;
+    m_fixture->simulation().setState(state);
+    m_fixture->trigger("step");
+    QTRY_VERIFY(m_fixture->window().messages().isVisible());
+    m_fixture->key(Qt::Key_R);
+    QTRY_VERIFY(!m_fixture->window().messages().isVisible());
+}
+
+// Nothing lies over the board, and nothing makes it jump.
+void TestWindowGame::nothingTheGameSaysMovesTheView() {
+    const QWidget &view = m_fixture->window().view();
+    const QRect place(view.mapTo(&m_fixture->window(), QPoint()), view.size());
+    const auto isSame = [&] {
+        m_fixture->window().refresh();
+        const auto *strip = m_fixture->find<QWidget>("game_strip");
+        const QRect said(strip->mapTo(&m_fixture->window(), QPoint()), strip->size());
+        return !said.intersects(place) && place == QRect(view.mapTo(&m_fixture->window(), QPoint()), view.size());
+    };
+    QVERIFY(isSame()); // the prompt
+    m_fixture->key(Qt::Key_Return);
+    QTRY_VERIFY(m_fixture->simulation().latest().running);
+    QVERIFY(isSame());
+    m_fixture->key(Qt::Key_Space);
+    QTRY_COMPARE(text().title, QString("Paused"));
+    QVERIFY(isSame());
+    leaveByHand();
+    QVERIFY(isSame());
+}
+
+// Out of the maze in one step of a game that a person plays.
+void TestWindowGame::leaveByHand() {
+    if (m_fixture->game().phase() != Game::Phase::Playing) m_fixture->key(Qt::Key_Return);
+    phys_state state = m_fixture->simulation().latest().current;
+    state.position.x += 10.0;
+    m_fixture->simulation().setState(state);
+    m_fixture->simulation().stepOnce();
+    QTRY_COMPARE(m_fixture->game().phase(), Game::Phase::Won);
+}
+
+void TestWindowGame::escClosesTheResult() {
+    leaveByHand();
+    QCOMPARE(text().title, QString("Level 1 done"));
+    m_fixture->key(Qt::Key_Escape);
+    QCOMPARE(text().title, QString());
+    QCOMPARE(text().title, QString()); // it stays closed
+}
+
+void TestWindowGame::clickClosesTheResult() {
+    leaveByHand();
+    QVERIFY(text().isResult);
+    click(m_fixture->find<QWidget>("game_strip"));
+    QVERIFY(!text().isResult);
+}
+
+void TestWindowGame::defaultPhysicsSetABestTime() {
+    leaveByHand();
+    QVERIFY(m_fixture->game().bestTime(0).has_value());
+    QVERIFY2(text().line.contains("best time"), qPrintable(text().line));
+}
+
+void TestWindowGame::otherPhysicsSetNoBestTimeAndSayWhy_data() {
+    QTest::addColumn<QString>("what");
+    for (const char *what : {"gravity", "stepper", "dt", "speed"}) QTest::newRow(what) << what;
+}
+
+void TestWindowGame::otherPhysicsSetNoBestTimeAndSayWhy() {
+    QFETCH(QString, what);
+    m_fixture->key(Qt::Key_Return);
+    if (what == "gravity") m_fixture->parameters().set({{what, 3.0}});
+    if (what == "stepper") m_fixture->session().setStepper("rk4");
+    if (what == "dt") m_fixture->session().setDt(0.005);
+    if (what == "speed") m_fixture->session().setSpeed(0.5);
+    m_fixture->parameters().resetAll(); // too late
+    leaveByHand();
+    QVERIFY(!m_fixture->game().bestTime(0).has_value());
+    QVERIFY2(text().line.contains("no best time"), qPrintable(text().line));
 }
 
 void TestWindowGame::unattendedRunEndsWhenTheLevelIsWon() {

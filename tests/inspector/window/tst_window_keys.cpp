@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Keys do what Help > Keys says, wherever the focus is.
 #include "gl/maze_view.h"
+#include "ui/parameters/slider_scale.h"
+#include "ui/parts/number_box.h"
 #include "window_fixture.h"
 
-#include <QDoubleSpinBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSlider>
 
 using namespace window_test;
 using inspector::Game;
+using inspector::ui::NumberBox;
 
 class TestWindowKeys : public QObject {
     Q_OBJECT
@@ -39,6 +42,7 @@ private slots:
     void ballRollsWhereTheArrowsPoint();
     void everyShortcutIsListed();
     void noShortcutIsThereTwice();
+    void keysCanBeSearched();
 
 private:
     phys_state ball() { return m_fixture->simulation().latest().current; }
@@ -99,7 +103,7 @@ void TestWindowKeys::releasedArrowLevelsTheBoard() {
 // On its way the tilt passes through numbers of any length.
 void TestWindowKeys::tiltOfTheKeysIsShownInTenths() {
     startGame();
-    auto *box = m_fixture->find<QDoubleSpinBox>("tilt_y_spin");
+    auto *box = m_fixture->find<NumberBox>("tilt_y_box");
     QTest::keyPress(&m_fixture->window(), Qt::Key_Up);
     for (int i = 0; i < 20; ++i) {
         const double before = box->value();
@@ -125,7 +129,7 @@ void TestWindowKeys::arrowsAreTheSlidersBeforeTheGame() {
     slider->setFocus();
     const int before = slider->value();
     QTest::keyClick(slider, Qt::Key_Right);
-    QCOMPARE(slider->value(), before + 1);
+    QCOMPARE(slider->value(), before + inspector::ui::SliderScale::kFine);
 }
 
 void TestWindowKeys::spaceRunsAndPauses() {
@@ -187,14 +191,14 @@ void TestWindowKeys::aTogglesTheAutopilot() {
 }
 
 void TestWindowKeys::enterInANumberIsNotTheGames() {
-    auto *box = m_fixture->find<QDoubleSpinBox>("gravity_spin");
+    auto *box = m_fixture->find<NumberBox>("gravity_box");
     box->setFocus();
     QTest::keyClick(box, Qt::Key_Return);
     QCOMPARE(m_fixture->game().phase(), Game::Phase::Prompt);
 }
 
 void TestWindowKeys::lettersInANumberAreNotCommands() {
-    auto *box = m_fixture->find<QDoubleSpinBox>("gravity_spin");
+    auto *box = m_fixture->find<NumberBox>("gravity_box");
     box->setFocus();
     box->selectAll();
     QTest::keyClicks(box, "3.5");
@@ -223,6 +227,17 @@ void TestWindowKeys::everyShortcutIsListed() {
         ++count;
     }
     QVERIFY(count > 10);
+}
+
+void TestWindowKeys::keysCanBeSearched() {
+    m_fixture->press(Qt::Key_F1);
+    auto *sought = m_fixture->find<QLineEdit>("keys_sought");
+    QVERIFY(QTest::qWaitForWindowActive(sought->window()));
+    QTest::keyClicks(sought, "autopilot");
+    const QString text = m_fixture->find<QWidget>("keys_dialog")->findChild<QLabel *>()->text();
+    QCOMPARE(text.count("<tr>"), 1);
+    QVERIFY(text.contains("<b>A</b>"));
+    QVERIFY(sought->window()->height() <= sought->screen()->availableSize().height());
 }
 
 void TestWindowKeys::noShortcutIsThereTwice() {

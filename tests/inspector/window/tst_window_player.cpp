@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Level 1, won by hand: arrow keys pressed and released as somebody does who sees the ball and the way out.
 #include "ui/game/clock_text.h"
-#include "ui/game/game_overlay.h"
+#include "ui/game/game_strip.h"
 #include "window_fixture.h"
 
 #include <QComboBox>
@@ -91,7 +91,7 @@ void TestWindowPlayer::arrowKeysWinLevelOne() {
     fixture.session().setSpeed(0.5);
     const auto text = [&] {
         fixture.window().refresh();
-        return fixture.find<inspector::ui::GameOverlay>("game_overlay")->text();
+        return fixture.find<inspector::ui::GameStrip>("game_strip")->text();
     };
     QCOMPARE(text().line, QString("Press Enter to start"));
     fixture.press(Qt::Key_Return);

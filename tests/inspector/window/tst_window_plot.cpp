@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: MIT
 // The live plot shows the ring's samples, and hands find their way in it.
 #include "ui/parts/message_bar.h"
-#include "ui/plots/velocity_plot.h"
+#include "ui/plots/plot_stack.h"
+#include "ui/plots/quantity_menu.h"
 #include "window_fixture.h"
 
 #include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QImage>
 #include <QLineEdit>
+#include <QMenu>
+#include <QMimeData>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QToolButton>
+#include <QTreeWidget>
 
 #include <cmath>
 
@@ -35,6 +39,8 @@ private slots:
     void wheelZoomsTheTime();
     void wheelOverTheAxisZoomsTheValues();
     void doubleClickFollowsAgain();
+    void zoomHasLimits();
+    void doubleClickRestoresBothAxesAtAStandstill();
     void pauseHoldsThePlotWhileTheBallRolls();
     void clearForgetsWhatWas();
     void restartShowsTheNewRun();
@@ -47,19 +53,30 @@ private slots:
     void fileThatCantBeWrittenIsShown();
     void saveAsksForAName();
     void darkPaletteGivesADarkPlot();
+    void addedPlotSharesTheTime();
+    void chosenQuantityIsPlotted();
+    void valuesOnALogarithmicAxisFitIt();
+    void quantityOverAnotherIsTheSamples();
+    void droppedQuantityIsAdded();
+    void plotsAreRememberedAndReset();
+    void watchedValueIsThatOfTheMoment();
+    void plotHasAQuarterOfTheWindow();
+    void bouncesLieBesideThePlots();
 
 private:
     void makeSteps(uint64_t count);
+    QMenu *menuOf(QWidget *plot);
+    inspector::ui::PlotStack &stack() { return *m_fixture->find<inspector::ui::PlotStack>("plots"); }
     QPoint middle() const { return m_plot->axisRect()->rect().center(); }
 
     std::unique_ptr<Fixture> m_fixture;
-    inspector::ui::VelocityPlot *m_plot = nullptr;
+    inspector::ui::QuantityPlot *m_plot = nullptr;
 };
 
 void TestWindowPlot::init() {
     m_fixture = std::make_unique<Fixture>();
     QVERIFY(m_fixture->isReady());
-    m_plot = m_fixture->find<inspector::ui::VelocityPlot>("velocity_plot");
+    m_plot = m_fixture->find<inspector::ui::QuantityPlot>("velocity_plot");
     inspector::Parameters &parameters = m_fixture->parameters();
     parameters.set(parameters.indexOf("tilt_y"), 5.0); // so that there is something to see
 }
@@ -152,6 +169,40 @@ void TestWindowPlot::doubleClickFollowsAgain() {
     QVERIFY(!m_plot->isFollowing());
     QTest::mouseDClick(m_plot, Qt::LeftButton, {}, middle());
     QVERIFY(m_plot->isFollowing());
+}
+
+// Of both axes, in both directions, following and not.
+void TestWindowPlot::zoomHasLimits() {
+    makeSteps(20);
+    const QPoint axis(m_plot->axisRect()->left() - 20, middle().y());
+    for (const bool isFollowing : {true, false}) {
+        m_plot->setFollowing(isFollowing);
+        for (const int notches : {1, -1}) {
+            for (int i = 0; i < 300; ++i) {
+                turnWheel(m_plot, middle(), notches);
+                turnWheel(m_plot, axis, notches);
+            }
+            m_fixture->window().refresh();
+            QVERIFY(m_plot->xAxis->range().size() >= 0.0099 && m_plot->xAxis->range().size() <= 3601.0);
+            QVERIFY(m_plot->yAxis->range().size() >= 0.99e-9 && m_plot->yAxis->range().size() <= 1.01e9);
+        }
+    }
+}
+
+void TestWindowPlot::doubleClickRestoresBothAxesAtAStandstill() {
+    makeSteps(20);
+    m_plot->setFollowing(false);
+    m_plot->setFollowing(true);
+    m_fixture->window().refresh();
+    const QCPRange times = m_plot->xAxis->range();
+    const QCPRange values = m_plot->yAxis->range();
+    drag(m_plot, middle(), middle() - QPoint(100, 0));
+    turnWheel(m_plot, QPoint(m_plot->axisRect()->left() - 20, middle().y()), 5);
+    QVERIFY(m_plot->yAxis->range().size() < 0.9 * values.size());
+    QTest::mouseDClick(m_plot, Qt::LeftButton, {}, middle());
+    QCOMPARE(m_plot->xAxis->range().lower, times.lower);
+    QCOMPARE(m_plot->yAxis->range().lower, values.lower);
+    QCOMPARE(m_plot->yAxis->range().upper, values.upper);
 }
 
 void TestWindowPlot::pauseHoldsThePlotWhileTheBallRolls() {
@@ -265,6 +316,121 @@ void TestWindowPlot::darkPaletteGivesADarkPlot() {
     QTRY_VERIFY(m_plot->toPixmap().toImage().pixelColor(2, 2).lightness() < 80);
     m_fixture->trigger("theme_1");
     QTRY_VERIFY(m_plot->toPixmap().toImage().pixelColor(2, 2).lightness() > 200);
+}
+
+// As a right click opens it.
+QMenu *TestWindowPlot::menuOf(QWidget *plot) {
+    const QPoint place = plot->rect().center();
+    QContextMenuEvent asked(QContextMenuEvent::Mouse, place, plot->mapToGlobal(place));
+    QApplication::sendEvent(plot, &asked);
+    auto *menu = qobject_cast<QMenu *>(QApplication::activePopupWidget());
+    if (!menu) qFatal("no menu");
+    return menu;
+}
+
+void TestWindowPlot::addedPlotSharesTheTime() {
+    makeSteps(20);
+    QMenu *menu = menuOf(m_plot);
+    for (QAction *entry : menu->findChildren<QAction *>())
+        if (entry->text() == "Energy") entry->trigger();
+    menu->close();
+    QCOMPARE(stack().plots().size(), size_t(2));
+    inspector::ui::QuantityPlot *added = stack().plots()[1];
+    QTRY_VERIFY(added->height() > 0);
+    drag(m_plot, middle(), middle() - QPoint(100, 0));
+    m_fixture->window().refresh();
+    QCOMPARE(added->xAxis->range(), m_plot->xAxis->range());
+    QVERIFY(!added->isFollowing());
+    hover(m_plot, middle());
+    m_fixture->window().refresh();
+    QCOMPARE(added->readOut().has_value(), m_plot->readOut().has_value());
+    QTest::mouseDClick(added, Qt::LeftButton, {}, added->axisRect()->center());
+    QVERIFY(m_plot->isFollowing());
+    QCOMPARE(added->axisRect()->left(), m_plot->axisRect()->left()); // aligned
+}
+
+void TestWindowPlot::chosenQuantityIsPlotted() {
+    makeSteps(20);
+    QMenu *menu = menuOf(m_plot);
+    menu->findChild<QMenu *>("Energy")->findChild<QAction *>("kinetic")->trigger();
+    menu->close();
+    m_fixture->window().refresh();
+    QCOMPARE(m_plot->graphCount(), 4);
+    Sample sample;
+    QVERIFY(m_fixture->simulation().samples().read(7, sample));
+    QCOMPARE(m_plot->graph(3)->data()->at(7)->value, sample[Channel::Kinetic]);
+    // E = v^2 / 2 + (R w)^2 / 5; a rolling ball's two are 7/10 v^2.
+    QVERIFY(std::abs(sample[Channel::Kinetic] - 0.7 * std::pow(sample[Channel::Speed], 2)) < 1e-12);
+}
+
+void TestWindowPlot::valuesOnALogarithmicAxisFitIt() {
+    makeSteps(20);
+    m_plot->setContent(inspector::ui::plotContentOf("log:speed"));
+    m_fixture->window().refresh();
+    Sample sample;
+    QVERIFY(m_fixture->simulation().samples().read(19, sample));
+    QVERIFY(m_plot->yAxis->range().upper >= sample[Channel::Speed]);
+    QVERIFY(m_plot->yAxis->range().upper <= 10.0 * sample[Channel::Speed]);
+    QVERIFY(m_plot->yAxis->range().lower > 0.0);
+}
+
+void TestWindowPlot::quantityOverAnotherIsTheSamples() {
+    makeSteps(20);
+    const inspector::ui::PhasePlot *phase = stack().addPhasePlot(Channel::PositionY, Channel::VelocityY);
+    m_fixture->window().refresh();
+    QCOMPARE(phase->curve().data()->size(), 20);
+    Sample sample;
+    QVERIFY(m_fixture->simulation().samples().read(7, sample));
+    QCOMPARE(phase->curve().data()->at(7)->key, sample[Channel::PositionY]);
+    QCOMPARE(phase->curve().data()->at(7)->value, sample[Channel::VelocityY]);
+}
+
+void TestWindowPlot::droppedQuantityIsAdded() {
+    QMimeData data;
+    data.setData(QLatin1String(inspector::ui::kQuantityMime), "spin_x");
+    QDragEnterEvent entered(middle(), Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(m_plot, &entered);
+    QVERIFY(entered.isAccepted());
+    QDropEvent dropped(middle(), Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(m_plot, &dropped);
+    QCOMPARE(m_plot->content().channels.back(), Channel::SpinX);
+}
+
+void TestWindowPlot::plotsAreRememberedAndReset() {
+    stack().addPlot(inspector::ui::plotContentOf("log:distance"));
+    stack().addPhasePlot(Channel::PositionX, Channel::PositionY);
+    m_fixture->reopen();
+    QVERIFY(m_fixture->isReady());
+    QCOMPARE(stack().plots().size(), size_t(2));
+    QCOMPARE(textOf(stack().plots()[1]->content()), QString("log:distance"));
+    QCOMPARE(stack().phasePlots().size(), size_t(1));
+    m_fixture->trigger("reset_layout");
+    QCOMPARE(stack().plots().size(), size_t(1));
+    QVERIFY(stack().phasePlots().empty());
+    QCOMPARE(textOf(stack().first().content()), QString("velocity_x,velocity_y,speed"));
+}
+
+void TestWindowPlot::watchedValueIsThatOfTheMoment() {
+    m_fixture->trigger("show_watch_dock");
+    makeSteps(20);
+    Sample sample;
+    QVERIFY(m_fixture->simulation().samples().read(19, sample));
+    const QTreeWidget *list = m_fixture->find<QTreeWidget>("watched");
+    const QList<QTreeWidgetItem *> rows = list->findItems("Speed", Qt::MatchExactly);
+    QCOMPARE(rows.size(), 1);
+    m_fixture->window().refresh();
+    QCOMPARE(rows[0]->text(1), QString::number(sample[Channel::Speed], 'g', 6));
+}
+
+void TestWindowPlot::plotHasAQuarterOfTheWindow() {
+    QTRY_VERIFY2(4 * m_plot->height() >= m_fixture->window().height(), qPrintable(QString::number(m_plot->height())));
+}
+
+void TestWindowPlot::bouncesLieBesideThePlots() {
+    m_fixture->press(Qt::Key_6, Qt::ControlModifier);
+    QTRY_VERIFY(m_fixture->find<QWidget>("bounces")->isVisible());
+    QVERIFY(!m_fixture->find<QWidget>("bounces")->visibleRegion().isEmpty());
+    QVERIFY(!m_plot->visibleRegion().isEmpty());
 }
 
 QTEST_MAIN(TestWindowPlot)

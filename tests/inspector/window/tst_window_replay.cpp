@@ -3,8 +3,9 @@
 #include "core/recording/recording.h"
 #include "gl/maze_view.h"
 #include "support/files.h"
-#include "ui/game/game_overlay.h"
+#include "ui/game/game_strip.h"
 #include "ui/parts/message_bar.h"
+#include "ui/parts/number_box.h"
 #include "ui/transport/seek_slider.h"
 #include "ui/window/unattended_run.h"
 #include "window_fixture.h"
@@ -71,7 +72,7 @@ private:
     void drop(const QString &file);
     ReplayPlace place() { return m_fixture->simulation().latest().replay; }
     void goTo(uint64_t position);
-    inspector::ui::SeekSlider *slider() { return m_fixture->find<inspector::ui::SeekSlider>("replay_slider"); }
+    inspector::ui::SeekSlider *slider() { return m_fixture->find<inspector::ui::SeekSlider>("time_slider"); }
     QString message() { return m_fixture->find<inspector::ui::MessageBar>("messages")->line(); }
     QString text(const char *label) {
         m_fixture->window().refresh();
@@ -173,12 +174,12 @@ void TestWindowReplay::menuOpensAndPlaysToTheEnd() {
     dialog->findChild<QLineEdit *>("fileNameEdit")->setText(file);
     click(dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Open));
     QTRY_VERIFY(m_fixture->session().isReplaying());
-    QVERIFY(m_fixture->find<QWidget>("replay_bar")->isVisible());
+    QVERIFY(m_fixture->find<QWidget>("time_bar")->isVisible());
     QTRY_COMPARE(place().position, uint64_t(500));
     QTRY_VERIFY(!m_fixture->simulation().latest().running);
-    QCOMPARE(text("replay_place"), QString("1.000 s · step 500 of 500"));
-    QCOMPARE(text("replay_verdict"), QString("same"));
-    QCOMPARE(m_fixture->find<QLabel>("replay_verdict")->toolTip(), QString("same: 500 steps"));
+    QCOMPARE(text("time_place"), QString("1.000 s · step 500 of 500"));
+    QCOMPARE(text("time_verdict"), QString("same"));
+    QCOMPARE(m_fixture->find<QLabel>("time_verdict")->toolTip(), QString("same: 500 steps"));
     QVERIFY(message().isEmpty());
 }
 
@@ -204,9 +205,9 @@ void TestWindowReplay::everythingShowsTheMoment() {
     QCOMPARE(m_fixture->session().dt(), 0.01);
     QCOMPARE(text("status_time"), QString("Simulated: 0.950 s"));
     QCOMPARE(text("status_tilt"), QString("Tilt: 2.0° 3.0°"));
-    QCOMPARE(m_fixture->find<inspector::ui::GameOverlay>("game_overlay")->text().clock, QString("0:00.95"));
-    QCOMPARE(m_fixture->find<QAbstractSpinBox>("tilt_x_spin")->text(), QString("2.0 °"));
-    QCOMPARE(m_fixture->find<QAbstractSpinBox>("restitution_wall_spin")->text(), QString("0.25"));
+    QCOMPARE(m_fixture->find<inspector::ui::GameStrip>("game_strip")->text().clock, QString("0:00.95"));
+    QCOMPARE(m_fixture->find<inspector::ui::NumberBox>("tilt_x_box")->text(), QString("2.0 °"));
+    QCOMPARE(m_fixture->find<inspector::ui::NumberBox>("restitution_wall_box")->text(), QString("0.25"));
     goTo(400);
     QCOMPARE(m_fixture->session().stepperId(), QByteArray("rk4"));
     QCOMPARE(m_fixture->session().dt(), 0.005);
@@ -286,7 +287,7 @@ void TestWindowReplay::keyboardMovesTheSlider() {
 void TestWindowReplay::whatWasRecordedCantBeChanged() {
     open(recorded());
     goTo(95);
-    for (const char *name : {"tilt_x_slider", "restitution_wall_spin", "reset_all", "stepper", "time_step"})
+    for (const char *name : {"tilt_x_slider", "restitution_wall_box", "reset_all", "stepper", "time_step"})
         QVERIFY2(!m_fixture->find<QWidget>(name)->isEnabled(), name);
     for (const char *name : {"play", "autopilot", "reset_parameters"})
         QVERIFY2(!m_fixture->find<QAction>(name)->isEnabled(), name);
@@ -304,9 +305,9 @@ void TestWindowReplay::goingOnKeepsTheMoment() {
     open(recorded());
     goTo(95);
     const phys_state moment = m_fixture->simulation().latest().current;
-    click(m_fixture->find<QToolButton>("replay_go_on"));
+    click(m_fixture->find<QToolButton>("time_go_on"));
     QVERIFY(!m_fixture->session().isReplaying());
-    QVERIFY(!m_fixture->find<QWidget>("replay_bar")->isVisible());
+    QVERIFY(!m_fixture->find<QAction>("close_recording")->isEnabled());
     QTRY_COMPARE(m_fixture->simulation().latest().replay.number, uint64_t(0));
     QCOMPARE(hashOf(m_fixture->simulation().latest()), phys_state_hash(&moment));
     QCOMPARE(m_fixture->session().level().name, QString("03"));
@@ -354,7 +355,7 @@ void TestWindowReplay::closingGoesBackToTheLevelFromBefore() {
     QCOMPARE(m_fixture->simulation().latest().dt, 0.002);
     QCOMPARE(m_fixture->simulation().latest().current.position.x, -0.054); // start of level 01
     QCOMPARE(m_fixture->game().phase(), Game::Phase::Prompt);
-    QVERIFY(!m_fixture->find<QAction>("step_back")->isEnabled());
+    QVERIFY(!m_fixture->find<QAction>("close_recording")->isEnabled());
     QCOMPARE(m_fixture->window().windowTitle(), QString("Level 1 – Physics inspector"));
     m_fixture->press(Qt::Key_Return);
     QTRY_VERIFY(m_fixture->simulation().latest().current.step > 0);
@@ -395,7 +396,7 @@ void TestWindowReplay::differencePausesIsToldAndMarked() {
         message().startsWith("differs: step 57 of the recording, step 57 since the start, from 0.56 s on: expected"),
         qPrintable(message()));
     QVERIFY2(message().contains("libphysics was 0."), qPrintable(message()));
-    QCOMPARE(text("replay_verdict"), QString("differs from step 57 on"));
+    QCOMPARE(text("time_verdict"), QString("differs from step 57 on"));
     goTo(200);
     const QImage picture = slider()->grab().toImage();
     const auto at = [&](int position) {
@@ -403,7 +404,7 @@ void TestWindowReplay::differencePausesIsToldAndMarked() {
     };
     QVERIFY2(at(57).red() > at(57).blue() + 60, qPrintable(at(57).name())); // the mark
     QVERIFY2(at(120).red() < at(120).blue() + 60, qPrintable(at(120).name()));
-    click(m_fixture->find<QToolButton>("replay_to_difference"));
+    click(m_fixture->find<QToolButton>("time_to_difference"));
     QTRY_COMPARE(place().position, uint64_t(57));
 }
 
@@ -437,7 +438,7 @@ void TestWindowReplay::refusalLeavesTheSessionAsItWas() {
     QVERIFY2(message().contains(file) && message().contains(reason), qPrintable(message()));
     QCOMPARE(message().count('\n'), 0);
     QVERIFY(!m_fixture->session().isReplaying());
-    QVERIFY(!m_fixture->find<QWidget>("replay_bar")->isVisible());
+    QVERIFY(!m_fixture->find<QAction>("close_recording")->isEnabled());
     QCOMPARE(m_fixture->game().phase(), Game::Phase::Playing);
     const uint64_t step = m_fixture->simulation().latest().current.step;
     QTRY_VERIFY(m_fixture->simulation().latest().current.step > step);
@@ -450,7 +451,7 @@ void TestWindowReplay::interruptedRecordingIsToldAndPlayed() {
     open(file);
     QCOMPARE(message(), file + ": the recording was interrupted; it ends after 499 steps");
     goTo(499);
-    QCOMPARE(text("replay_verdict"), QString("same, cut off"));
+    QCOMPARE(text("time_verdict"), QString("same, cut off"));
 }
 
 // On the recording's level, and back on the one from before.

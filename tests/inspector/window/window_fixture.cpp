@@ -24,12 +24,20 @@ inspector::Options optionsOf(int level) {
     return options;
 }
 
+QWidget *keyboardOwner(QWidget &window) {
+    QWidget *popup = QApplication::activePopupWidget();
+    QWidget *focus = popup ? popup->focusWidget() : QApplication::focusWidget();
+    if (focus) return focus;
+    return popup ? popup : &window;
+}
+
 } // namespace
 
 void prepare() { QSurfaceFormat::setDefaultFormat(inspector::gl::surfaceFormat()); }
 
 Fixture::Fixture(int level)
     : m_settings(m_folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat) {
+    m_settings.setValue(QStringLiteral("window/show_way_ahead"), false); // it comes when it comes
     QString error;
     m_session = inspector::Session::open(optionsOf(level), m_settings, &error);
     if (!m_session) qFatal("%s", qPrintable(error));
@@ -48,6 +56,14 @@ bool Fixture::isReady() {
     m_window->activateWindow();
     return QTest::qWaitForWindowActive(m_window.get()) &&
            QTest::qWaitFor([this] { return m_window->view().lastFrameMilliseconds() > 0.0; });
+}
+
+void Fixture::key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
+    QTest::keyClick(keyboardOwner(*m_window), key, modifiers);
+}
+
+void Fixture::type(const QString &text) {
+    for (const QChar letter : text) QTest::keyClick(keyboardOwner(*m_window), letter.toLatin1());
 }
 
 double Fixture::simulated(const QString &id) {

@@ -45,6 +45,10 @@ public:
     void trigger(const QString &action) { find<QAction>(action)->trigger(); }
     void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) { QTest::keyClick(m_window.get(), key, modifiers); }
 
+    // As the window system sends it: to whatever has the keyboard, which may be an open list.
+    void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {});
+    void type(const QString &text);
+
 private:
     [[noreturn]] void reportMissing(const QString &name) const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/transport/replay_bar.h"
+#include "ui/transport/time_bar.h"
 
 #include "ui/parts/path_icon.h"
 #include "ui/parts/theme.h"
@@ -24,7 +24,7 @@ int notchOf(uint64_t position) { return int(std::min<uint64_t>(position, INT_MAX
 
 QToolButton *buttonOf(QAction *action) {
     auto *button = new QToolButton;
-    button->setObjectName(QStringLiteral("replay_") + action->objectName());
+    button->setObjectName(QStringLiteral("time_") + action->objectName());
     button->setDefaultAction(action);
     button->setAutoRaise(!action->icon().isNull());
     button->setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the view
@@ -33,72 +33,104 @@ QToolButton *buttonOf(QAction *action) {
 
 } // namespace
 
-ReplayBar::ReplayBar(Session &session, const QList<QAction *> &playback, const QList<QAction *> &endings,
-                     QWidget *parent)
+TimeBar::TimeBar(Session &session, const QList<QAction *> &playback, const QList<QAction *> &endings, QWidget *parent)
     : QFrame(parent)
     , m_session(session)
     , m_slider(new SeekSlider)
     , m_place(new QLabel)
     , m_verdict(new QLabel)
+    , m_recording(new QLabel(tr("● recording")))
     , m_toDifference(new QToolButton) {
-    setObjectName(QStringLiteral("replay_bar"));
-    m_slider->setObjectName(QStringLiteral("replay_slider"));
-    m_place->setObjectName(QStringLiteral("replay_place"));
-    m_verdict->setObjectName(QStringLiteral("replay_verdict"));
-    m_toDifference->setObjectName(QStringLiteral("replay_to_difference"));
+    setObjectName(QStringLiteral("time_bar"));
+    m_slider->setAccessibleName(tr("Time"));
+    m_slider->setAccessibleDescription(tr("The moment shown of the run"));
+    m_slider->setObjectName(QStringLiteral("time_slider"));
+    m_place->setObjectName(QStringLiteral("time_place"));
+    m_verdict->setObjectName(QStringLiteral("time_verdict"));
+    m_toDifference->setObjectName(QStringLiteral("time_to_difference"));
     m_toDifference->setIcon(glyphIcon(Glyph::Warning));
     m_toDifference->setToolTip(tr("Go to the first step that differs"));
     m_toDifference->setAutoRaise(true);
     m_toDifference->setFocusPolicy(Qt::TabFocus);
-    connect(m_slider, &QSlider::valueChanged, this, [this](int notch) { m_session.seek(uint64_t(notch)); });
-    connect(m_toDifference, &QToolButton::clicked, this, &ReplayBar::goToDifference);
+    m_recording->setObjectName(QStringLiteral("time_recording"));
+    connect(m_slider, &QSlider::valueChanged, this, &TimeBar::goTo);
+    connect(m_toDifference, &QToolButton::clicked, this, &TimeBar::goToDifference);
 
     auto *line = new QHBoxLayout;
     line->setSpacing(2);
     for (QAction *action : playback) line->addWidget(buttonOf(action));
     line->addSpacing(8);
     line->addWidget(m_place);
+    line->addSpacing(8);
+    line->addWidget(m_recording);
     line->addStretch();
     line->addWidget(m_toDifference);
     line->addWidget(m_verdict);
     line->addSpacing(8);
-    for (QAction *action : endings) line->addWidget(buttonOf(action));
+    for (QAction *action : endings) {
+        QToolButton *button = buttonOf(action);
+        button->setVisible(action->isEnabled());
+        connect(action, &QAction::enabledChanged, button, &QWidget::setVisible);
+        line->addWidget(button);
+    }
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 4, 8, 4);
     layout->setSpacing(2);
     layout->addWidget(m_slider);
     layout->addLayout(line);
-    hide();
+    reset();
 }
 
-void ReplayBar::reset() {
-    setVisible(m_session.isReplaying());
-    if (!m_session.isReplaying()) return;
+void TimeBar::goTo(int notch) {
+    if (m_session.isReplaying()) return m_session.seek(uint64_t(notch));
+    const RunPlace run = m_session.runPlace();
+    m_session.lookAt(std::max(run.begin + uint64_t(notch), run.first));
+}
+
+void TimeBar::reset() {
+    m_slider->setDifference(std::nullopt);
+    m_slider->setRuns({});
+    m_toDifference->hide();
+    m_verdict->clear();
+    m_verdict->setPalette({});
+    m_place->setMinimumWidth(0);
+    if (!m_session.isReplaying()) return showRun(m_session.simulation().latest());
     const PlayableRecording &recording = m_session.recording();
     const QSignalBlocker silent(m_slider);
     m_slider->setRange(0, notchOf(recording.length()));
     m_slider->setValue(0);
-    m_slider->setDifference(std::nullopt);
     std::vector<int> runs;
     for (size_t i = 1; i < recording.runs().size(); ++i) runs.push_back(notchOf(recording.runs()[i]));
     m_slider->setRuns(std::move(runs));
-    m_toDifference->hide();
-    m_verdict->clear();
-    m_verdict->setPalette({});
     // As wide as it gets, so that nothing moves while it runs.
     m_place->setMinimumWidth(fontMetrics().horizontalAdvance(
                                  tr("%1 s · step %2 of %2").arg(QStringLiteral("0000.000")).arg(recording.length())) +
                              4);
 }
 
-void ReplayBar::refresh(const Snapshot &now) {
+void TimeBar::refresh(const Snapshot &now) {
+    m_recording->setVisible(m_session.isRecording());
+    if (!m_session.isReplaying()) return showRun(now);
     const std::optional<ReplayPlace> place = m_session.replayPlace(now);
     if (!place) return;
     showPlace(*place, now);
     showVerdict(*place, now);
 }
 
-void ReplayBar::showPlace(const ReplayPlace &place, const Snapshot &now) {
+void TimeBar::showRun(const Snapshot &now) {
+    const RunPlace run = m_session.runPlace();
+    const uint64_t place = run.place - run.begin;
+    const QSignalBlocker silent(m_slider);
+    m_slider->setPageStep(int(std::clamp(std::round(1.0 / now.dt), 1.0, 1e6)));
+    if (!m_slider->isSliderDown()) {
+        m_slider->setMaximum(notchOf(run.end - run.begin));
+        m_slider->setValue(notchOf(place));
+    }
+    const QString time = tr("%1 s · step %2").arg(now.current.time, 0, 'f', 3).arg(place);
+    m_place->setText(m_session.isInPast() ? tr("%1 of %2").arg(time).arg(run.end - run.begin) : time);
+}
+
+void TimeBar::showPlace(const ReplayPlace &place, const Snapshot &now) {
     m_place->setText(tr("%1 s · step %2 of %3")
                          .arg(now.current.time, 0, 'f', 3)
                          .arg(now.replay.position)
@@ -108,7 +140,7 @@ void ReplayBar::showPlace(const ReplayPlace &place, const Snapshot &now) {
     if (!m_slider->isSliderDown()) m_slider->setValue(notchOf(place.position));
 }
 
-void ReplayBar::showVerdict(const ReplayPlace &place, const Snapshot &now) {
+void TimeBar::showVerdict(const ReplayPlace &place, const Snapshot &now) {
     const bool isWhole = m_session.recording().recording().isWhole;
     QString text = place.isChecked ? (isWhole ? tr("same") : tr("same, cut off")) : tr("same so far");
     if (place.difference) text = tr("differs from step %1 on").arg(*place.difference);
@@ -123,7 +155,7 @@ void ReplayBar::showVerdict(const ReplayPlace &place, const Snapshot &now) {
     m_verdict->setPalette(colours);
 }
 
-void ReplayBar::goToDifference() {
+void TimeBar::goToDifference() {
     const std::optional<ReplayPlace> place = m_session.replayPlace(m_session.simulation().latest());
     if (!place || !place->difference) return;
     m_session.simulation().pause();

@@ -13,21 +13,25 @@ namespace inspector::ui {
 
 class SeekSlider;
 
-// Under the view while a recording is watched: where it is, whether it is the same so far, and ways to go elsewhere.
-class ReplayBar : public QFrame {
+// Under the view: where the moment shown is in its run, or in the recording that is watched, and ways to go elsewhere.
+// Of a recording it also says whether it is the same so far.
+class TimeBar : public QFrame {
     Q_OBJECT
 
 public:
-    // playback: the window's actions, shown first; endings: shown last. session: outlives the bar.
-    ReplayBar(Session &session, const QList<QAction *> &playback, const QList<QAction *> &endings,
-              QWidget *parent = nullptr);
+    // playback: the window's actions, shown first; endings: shown last, as long as they are enabled. session: outlives
+    // the bar.
+    TimeBar(Session &session, const QList<QAction *> &playback, const QList<QAction *> &endings,
+            QWidget *parent = nullptr);
 
-    // Another recording.
+    // Another recording, or none.
     void reset();
     // Called about 30 times a second.
     void refresh(const Snapshot &now);
 
 private:
+    void goTo(int notch);
+    void showRun(const Snapshot &now);
     void showPlace(const ReplayPlace &place, const Snapshot &now);
     void showVerdict(const ReplayPlace &place, const Snapshot &now);
     void goToDifference();
@@ -36,6 +40,7 @@ private:
     SeekSlider *m_slider;
     QLabel *m_place;
     QLabel *m_verdict;
+    QLabel *m_recording;
     QToolButton *m_toDifference;
 };
 

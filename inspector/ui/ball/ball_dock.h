@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/session.h"
+
+#include <QScrollArea>
+
+#include <vector>
+
+class QPushButton;
+class QUndoStack;
+
+namespace inspector::ui {
+
+class NumberBox;
+
+// The ball's position, velocity and spin as numbers, to be typed while everything stands, and where it starts.
+class BallDock : public QScrollArea {
+    Q_OBJECT
+
+public:
+    // Both outlive the dock.
+    BallDock(Session &session, QUndoStack &undo, QWidget *parent = nullptr);
+
+    // Shows the present moment; called about 30 times a second.
+    void refresh(const Snapshot &now);
+
+private:
+    void enter(size_t row, double value);
+
+    Session &m_session;
+    QUndoStack &m_undo;
+    std::vector<NumberBox *> m_boxes; // in the order of the rows
+    QPushButton *m_startHere;
+    QPushButton *m_usualStart;
+};
+
+} // namespace inspector::ui

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/game/game_strip.h"
+
+#include "ui/game/clock_text.h"
+#include "ui/parts/elided_label.h"
+#include "ui/parts/path_icon.h"
+
+#include <QCoreApplication>
+#include <QFontDatabase>
+#include <QHBoxLayout>
+#include <QToolButton>
+
+namespace inspector::ui {
+
+namespace {
+
+QString say(const char *text) { return QCoreApplication::translate("inspector::ui::GameStrip", text); }
+
+QString winLine(const Session &session, const Game &game) {
+    const QString time = clockText(game.time());
+    const QString obstacle = session.whyNoBestTime();
+    if (!obstacle.isEmpty())
+        return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "%1 – no best time: %2")).arg(time, obstacle);
+    if (game.isRecord()) return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "%1 – a new best time")).arg(time);
+    const std::optional<double> best = game.bestTime(game.level());
+    if (!best) return time;
+    return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "%1 – best time %2")).arg(time, clockText(*best));
+}
+
+QFont scaled(QFont font, double factor, bool isBold) {
+    font.setPointSizeF(font.pointSizeF() * factor);
+    font.setBold(isBold);
+    return font;
+}
+
+} // namespace
+
+QString levelTitle(const Session &session) {
+    const std::vector<Level> &levels = session.levels();
+    for (size_t index = 0; index < levels.size(); ++index)
+        if (levels[index].path == session.level().path)
+            return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Level %1")).arg(index + 1);
+    return session.level().name;
+}
+
+GameText gameText(Session &session, const Snapshot &now) {
+    const Game &game = session.game();
+    const QString title = levelTitle(session);
+    GameText text;
+    if (session.isReplaying()) {
+        text.clock = clockText(now.current.time);
+        return text;
+    }
+    if (session.isInPast()) {
+        text.title = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Looking back"));
+        text.line = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Space plays it · G goes on from here"));
+        text.hint = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "so does any change · Esc: the present"));
+        text.clock = clockText(now.current.time);
+        return text;
+    }
+    switch (game.phase()) {
+    case Game::Phase::Prompt:
+        // Whoever just lets the ball roll, without the game, needs no prompt.
+        if (now.running || now.current.step > 0) break;
+        text.title = title;
+        text.line = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Press Enter to start"));
+        text.hint =
+            session.hasAutopilot()
+                ? say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "The autopilot plays · A takes over"))
+                : say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Arrow keys tilt the board · roll the ball out"));
+        break;
+    case Game::Phase::Playing:
+        text.title = title;
+        text.clock = clockText(now.current.time);
+        if (now.running || now.current.step == 0) break;
+        text.title = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Paused"));
+        text.line = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Space goes on"));
+        text.hint = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "R restarts the level"));
+        break;
+    case Game::Phase::Won:
+        text.isResult = true;
+        text.title = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "%1 done")).arg(title);
+        text.line = winLine(session, game);
+        text.hint = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Enter: level %1 · R: again"))
+                        .arg((game.level() + 1) % int(std::max<size_t>(1, session.levels().size())) + 1);
+        break;
+    }
+    return text;
+}
+
+GameStrip::GameStrip(QWidget *parent)
+    : QFrame(parent)
+    , m_title(new QLabel)
+    , m_line(new QLabel)
+    , m_hint(new ElidedLabel)
+    , m_clock(new QLabel)
+    , m_close(new QToolButton) {
+    setObjectName(QStringLiteral("game_strip"));
+    m_title->setFont(scaled(font(), 1.15, true));
+    m_line->setFont(scaled(font(), 1.15, false));
+    m_hint->setForegroundRole(QPalette::PlaceholderText);
+    m_clock->setFont(scaled(QFontDatabase::systemFont(QFontDatabase::FixedFont), 1.3, true));
+    m_close->setObjectName(QStringLiteral("game_strip_close"));
+    m_close->setIcon(glyphIcon(Glyph::Close));
+    m_close->setToolTip(tr("Close (Esc)"));
+    m_close->setAutoRaise(true);
+    m_close->setFocusPolicy(Qt::NoFocus);
+    connect(m_close, &QToolButton::clicked, this, &GameStrip::dismiss);
+
+    auto *layout = new QHBoxLayout(this);
+    layout->setContentsMargins(10, 2, 6, 2);
+    layout->setSpacing(14);
+    layout->addWidget(m_title);
+    layout->addWidget(m_line);
+    layout->addWidget(m_hint, 1);
+    layout->addWidget(m_close);
+    layout->addWidget(m_clock);
+    setFixedHeight(std::max(m_clock->sizeHint().height(), m_close->sizeHint().height()) + 6);
+    show(GameText{});
+    QFrame::show();
+}
+
+void GameStrip::setText(const GameText &text) {
+    if (text != m_dismissed) m_dismissed = {};
+    const GameText shown = text == m_dismissed ? GameText{} : text;
+    if (shown != m_text) show(shown);
+}
+
+void GameStrip::show(const GameText &text) {
+    m_text = text;
+    m_title->setText(text.title);
+    m_line->setText(text.line);
+    m_hint->setText(text.hint);
+    m_clock->setText(text.clock);
+    m_close->setVisible(text.isResult);
+}
+
+bool GameStrip::dismiss() {
+    if (!m_text.isResult) return false;
+    m_dismissed = m_text;
+    show({});
+    return true;
+}
+
+void GameStrip::mousePressEvent(QMouseEvent *) { dismiss(); }
+
+} // namespace inspector::ui

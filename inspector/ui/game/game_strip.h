@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/session.h"
+
+#include <QFrame>
+
+class QLabel;
+class QToolButton;
+
+namespace inspector::ui {
+
+// What the game says above the view.
+struct GameText {
+    QString title;
+    QString line;
+    QString hint;
+    QString clock;
+    bool isResult = false; // a level is done: can be closed
+    bool operator==(const GameText &) const = default;
+};
+
+// What the open level is called: "Level 3", or the name of a file that isn't in the list.
+QString levelTitle(const Session &session);
+
+// now: of the session's simulation.
+GameText gameText(Session &session, const Snapshot &now);
+
+// A line of constant height, so that the view below stays where it is and nothing lies over the board.
+class GameStrip : public QFrame {
+    Q_OBJECT
+
+public:
+    explicit GameStrip(QWidget *parent = nullptr);
+
+    void setText(const GameText &text);
+    const GameText &text() const { return m_text; } // as shown
+    // Closes a result until there is another; false if none is shown.
+    bool dismiss();
+
+protected:
+    void mousePressEvent(QMouseEvent *event) override;
+
+private:
+    void show(const GameText &text);
+
+    GameText m_text;
+    GameText m_dismissed;
+    QLabel *m_title;
+    QLabel *m_line;
+    QLabel *m_hint;
+    QLabel *m_clock;
+    QToolButton *m_close;
+};
+
+} // namespace inspector::ui

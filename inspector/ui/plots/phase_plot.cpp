@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plots/phase_plot.h"
+
+#include "ui/parts/printed_unit.h"
+#include "ui/parts/theme.h"
+#include "ui/plots/chart_style.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace inspector::ui {
+
+namespace {
+
+constexpr uint64_t kMostPoints = 4000;
+
+QString labelOf(Channel channel) {
+    const ChannelInfo &info = channelInfos()[size_t(channel)];
+    const QString label = QString::fromUtf8(info.label);
+    return *info.unit ? QStringLiteral("%1 [%2]").arg(label, printedUnit(QString::fromUtf8(info.unit))) : label;
+}
+
+} // namespace
+
+PhasePlot::PhasePlot(const SampleRing &samples, Channel x, Channel y, std::shared_ptr<TimeView> time, QWidget *parent)
+    : QCustomPlot(parent)
+    , m_samples(samples)
+    , m_x(x)
+    , m_y(y)
+    , m_time(std::move(time))
+    , m_curve(new QCPCurve(xAxis, yAxis))
+    , m_dot(new QCPItemTracer(this)) {
+    setMinimumSize(160, 80);
+    setLocale(QLocale::c());
+    setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
+    xAxis->setLabel(labelOf(x));
+    yAxis->setLabel(labelOf(y));
+    m_dot->setStyle(QCPItemTracer::tsCircle);
+    m_dot->setSize(7);
+    takeColours();
+    connect(m_time.get(), &TimeView::changed, this, [this] { m_isStale = true; });
+}
+
+void PhasePlot::takeColours() {
+    applyChartStyle(*this);
+    const Accents accents = accentsFor(palette());
+    m_curve->setPen(QPen(accents.total, 1.3));
+    m_dot->setPen(QPen(palette().color(QPalette::Base)));
+    m_dot->setBrush(accents.ball);
+    m_isStale = true;
+}
+
+// Every n-th sample, n so that the number of points stays small.
+void PhasePlot::refresh() {
+    const uint64_t last = m_samples.last();
+    if (!m_isStale && last == m_shown) return;
+    m_shown = last;
+    m_isStale = false;
+    const double end = std::min(m_time->range().upper, m_time->pausedAt().value_or(m_time->range().upper));
+    const uint64_t from = m_samples.find(std::max(m_time->range().lower, m_time->clearedAt()));
+    const uint64_t to = m_samples.find(std::nextafter(end, HUGE_VAL));
+    const uint64_t stride = (std::max(to, from) - from) / kMostPoints + 1;
+    QVector<QCPCurveData> points;
+    Sample sample;
+    for (uint64_t number = from; number < to; number += stride)
+        if (m_samples.read(number, sample)) points.append(QCPCurveData(sample.time, sample[m_x], sample[m_y]));
+    m_curve->data()->set(points, true);
+    m_dot->setVisible(!points.isEmpty());
+    if (!points.isEmpty()) m_dot->position->setCoords(points.constLast().key, points.constLast().value);
+    if (m_fits) fit();
+    replot(QCustomPlot::rpQueuedReplot);
+}
+
+// Lengths over lengths look as they are: the axis with fewer units a pixel is stretched.
+void PhasePlot::fit() {
+    m_curve->rescaleAxes();
+    for (QCPAxis *axis : {xAxis, yAxis}) {
+        const double least = std::max(1e-6, 1e-9 * std::abs(axis->range().center()));
+        const double half = 0.54 * std::max(axis->range().size(), least);
+        axis->setRange(axis->range().center() - half, axis->range().center() + half);
+    }
+    if (QLatin1String(channelInfos()[size_t(m_x)].unit) != QLatin1String(channelInfos()[size_t(m_y)].unit)) return;
+    const double acrossX = xAxis->range().size() / std::max(1, axisRect()->width());
+    const double acrossY = yAxis->range().size() / std::max(1, axisRect()->height());
+    if (acrossX < acrossY)
+        xAxis->setScaleRatio(yAxis, 1.0);
+    else
+        yAxis->setScaleRatio(xAxis, 1.0);
+}
+
+void PhasePlot::changeEvent(QEvent *event) {
+    QCustomPlot::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) takeColours();
+}
+
+void PhasePlot::resizeEvent(QResizeEvent *event) {
+    QCustomPlot::resizeEvent(event);
+    m_isStale = true;
+}
+
+void PhasePlot::mouseDoubleClickEvent(QMouseEvent *event) {
+    m_fits = true;
+    m_isStale = true;
+    refresh();
+    event->accept();
+}
+
+void PhasePlot::mouseMoveEvent(QMouseEvent *event) {
+    QCustomPlot::mouseMoveEvent(event);
+    if (event->buttons() & Qt::LeftButton) m_fits = false;
+}
+
+void PhasePlot::wheelEvent(QWheelEvent *event) {
+    m_fits = false;
+    QCustomPlot::wheelEvent(event);
+}
+
+} // namespace inspector::ui

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/sample_ring.h"
+#include "ui/plots/time_view.h"
+
+#include <memory>
+
+#include <qcustomplot.h>
+
+namespace inspector::ui {
+
+// One quantity over another, of the time that the plots beside it show: a way on the board, a phase portrait.
+class PhasePlot : public QCustomPlot {
+    Q_OBJECT
+
+public:
+    // samples: outlives the plot.
+    PhasePlot(const SampleRing &samples, Channel x, Channel y, std::shared_ptr<TimeView> time,
+              QWidget *parent = nullptr);
+
+    Channel x() const { return m_x; }
+    Channel y() const { return m_y; }
+    // Shows what is new; called about 30 times a second.
+    void refresh();
+    const QCPCurve &curve() const { return *m_curve; }
+
+protected:
+    void changeEvent(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+    void mouseDoubleClickEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
+
+private:
+    void takeColours();
+    void fit();
+
+    const SampleRing &m_samples;
+    Channel m_x, m_y;
+    std::shared_ptr<TimeView> m_time;
+    QCPCurve *m_curve;
+    QCPItemTracer *m_dot;
+    uint64_t m_shown = 0;
+    bool m_isStale = true;
+    bool m_fits = true;
+};
+
+} // namespace inspector::ui

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plots/plot_stack.h"
+
+#include "ui/parts/settings_keys.h"
+#include "ui/plots/quantity_menu.h"
+
+#include <QContextMenuEvent>
+#include <QFileInfo>
+#include <QImage>
+#include <QMenu>
+#include <QPainter>
+#include <QSettings>
+
+#include <algorithm>
+
+namespace inspector::ui {
+
+namespace {
+
+const QString kUsual = QStringLiteral("velocity_x,velocity_y,speed");
+const QString kPhase = QStringLiteral("phase:");
+constexpr double kPictureScale = 2.0;
+
+// Plots that are offered by name.
+struct Offer {
+    const char *name;
+    const char *content;
+};
+constexpr Offer kOffers[] = {
+    {QT_TRANSLATE_NOOP("inspector::ui::PlotStack", "Velocity"), "velocity_x,velocity_y,speed"},
+    {QT_TRANSLATE_NOOP("inspector::ui::PlotStack", "Position"), "position_x,position_y,ghost_x,ghost_y"},
+    {QT_TRANSLATE_NOOP("inspector::ui::PlotStack", "Tilt"), "tilt_x,tilt_y"},
+    {QT_TRANSLATE_NOOP("inspector::ui::PlotStack", "Energy"), "energy,kinetic,potential"},
+    {QT_TRANSLATE_NOOP("inspector::ui::PlotStack", "Energy lost"), "lost_impact,lost_rolling,lost_slip,scheme"},
+    {QT_TRANSLATE_NOOP("inspector::ui::PlotStack", "Distance to the ghost"), "log:distance"},
+    {QT_TRANSLATE_NOOP("inspector::ui::PlotStack", "Time to compute a step"), "log:step_time"},
+};
+
+} // namespace
+
+PlotStack::PlotStack(const SampleRing &samples, QSettings &settings, QWidget *parent)
+    : QSplitter(Qt::Vertical, parent)
+    , m_samples(samples)
+    , m_settings(settings)
+    , m_time(std::make_shared<TimeView>()) {
+    setObjectName(QStringLiteral("plots"));
+    setChildrenCollapsible(false);
+    restore();
+    connect(this, &QSplitter::splitterMoved, this, &PlotStack::remember);
+}
+
+QuantityPlot *PlotStack::addPlot(const PlotContent &content) {
+    auto *plot = new QuantityPlot(m_samples, content, m_time);
+    plot->setObjectName(m_plots.empty() ? QStringLiteral("velocity_plot")
+                                        : QStringLiteral("plot_%1").arg(m_plots.size() + 1));
+    m_plots.push_back(plot);
+    addWidget(plot);
+    plot->showBounces(m_bounces, m_selected);
+    connect(plot, &TimePlot::bounceClicked, this, &PlotStack::bounceClicked);
+    connect(plot, &QuantityPlot::contentChanged, this, &PlotStack::remember);
+    offerMenu(plot);
+    remember();
+    return plot;
+}
+
+PhasePlot *PlotStack::addPhasePlot(Channel x, Channel y) {
+    auto *plot = new PhasePlot(m_samples, x, y, m_time);
+    plot->setObjectName(QStringLiteral("phase_plot_%1").arg(m_phasePlots.size() + 1));
+    m_phasePlots.push_back(plot);
+    addWidget(plot);
+    offerMenu(plot);
+    remember();
+    return plot;
+}
+
+void PlotStack::offerMenu(QWidget *plot) {
+    plot->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(plot, &QWidget::customContextMenuRequested, this, [this, plot](const QPoint &place) {
+        auto *menu = new QMenu(this);
+        menu->setObjectName(QStringLiteral("plot_menu"));
+        menu->setAttribute(Qt::WA_DeleteOnClose);
+        fillMenu(*menu, plot);
+        menu->popup(plot->mapToGlobal(place));
+    });
+}
+
+void PlotStack::removePlot(QWidget *plot) {
+    const auto over = std::find(m_plots.begin(), m_plots.end(), plot);
+    if (over != m_plots.end()) {
+        if (m_plots.size() == 1) return;
+        m_plots.erase(over);
+    }
+    std::erase(m_phasePlots, plot);
+    plot->hide();
+    plot->deleteLater();
+    remember();
+}
+
+void PlotStack::fillMenu(QMenu &menu, QWidget *plot) {
+    if (auto *over = qobject_cast<QuantityPlot *>(plot)) {
+        const auto isChosen = [over](Channel channel) {
+            const std::vector<Channel> &shown = over->content().channels;
+            return std::find(shown.begin(), shown.end(), channel) != shown.end();
+        };
+        addQuantities(*menu.addMenu(tr("Quantities")), isChosen, [over](Channel channel) {
+            PlotContent content = over->content();
+            if (std::erase(content.channels, channel) == 0) content.channels.push_back(channel);
+            over->setContent(content);
+        });
+        QAction *powers = menu.addAction(tr("Logarithmic values"));
+        powers->setCheckable(true);
+        powers->setChecked(over->content().isLogarithmic);
+        connect(powers, &QAction::triggered, over, [over](bool isOn) {
+            PlotContent content = over->content();
+            content.isLogarithmic = isOn;
+            over->setContent(content);
+        });
+        if (!over->content().channels.empty())
+            addQuantities(
+                *menu.addMenu(tr("New plot of the first quantity over")), [](Channel) { return false; },
+                [this, y = over->content().channels.front()](Channel x) { addPhasePlot(x, y); });
+        menu.addSeparator();
+    }
+    QMenu *added = menu.addMenu(tr("Add plot"));
+    for (const Offer &offer : kOffers)
+        connect(added->addAction(tr(offer.name)), &QAction::triggered, this,
+                [this, &offer] { addPlot(plotContentOf(QLatin1String(offer.content))); });
+    connect(added->addAction(tr("The way on the board (y over x)")), &QAction::triggered, this,
+            [this] { addPhasePlot(Channel::PositionX, Channel::PositionY); });
+    QAction *removed = menu.addAction(tr("Remove this plot"));
+    removed->setEnabled(m_plots.size() > 1 || !qobject_cast<QuantityPlot *>(plot));
+    connect(removed, &QAction::triggered, this, [this, plot] { removePlot(plot); });
+}
+
+void PlotStack::refresh(const RunContext &context) {
+    for (QuantityPlot *plot : m_plots) {
+        plot->setContext(context);
+        plot->refresh();
+    }
+    for (PhasePlot *plot : m_phasePlots) plot->refresh();
+}
+
+void PlotStack::showBounces(const std::vector<double> &times, std::optional<double> selected) {
+    m_bounces = times;
+    m_selected = selected;
+    for (QuantityPlot *plot : m_plots) plot->showBounces(times, selected);
+}
+
+void PlotStack::setFollowing(bool isOn) {
+    for (QuantityPlot *plot : m_plots) plot->setFollowing(isOn);
+}
+
+void PlotStack::setPaused(bool isOn) { first().setPaused(isOn); }
+void PlotStack::clear() { first().clear(); }
+
+void PlotStack::reset() {
+    while (m_plots.size() > 1) removePlot(m_plots.back());
+    while (!m_phasePlots.empty()) removePlot(m_phasePlots.back());
+    first().setContent(plotContentOf(kUsual));
+}
+
+void PlotStack::restore() {
+    const QStringList contents = m_settings.value(settings_keys::kPlots, QStringList{kUsual}).toStringList();
+    const QByteArray sizes = m_settings.value(settings_keys::kPlotSizes).toByteArray();
+    for (const QString &text : contents) {
+        const bool isPhase = text.startsWith(kPhase);
+        const PlotContent content = plotContentOf(isPhase ? text.mid(kPhase.size()) : text);
+        if (isPhase && content.channels.size() == 2) addPhasePlot(content.channels[0], content.channels[1]);
+        if (!isPhase) addPlot(content);
+    }
+    if (m_plots.empty()) addPlot(plotContentOf(kUsual));
+    restoreState(sizes);
+}
+
+// In the order in which they are: those over time first.
+void PlotStack::remember() {
+    QStringList contents;
+    for (const QuantityPlot *plot : m_plots) contents += textOf(plot->content());
+    for (const PhasePlot *plot : m_phasePlots) contents += kPhase + textOf(PlotContent{{plot->x(), plot->y()}, false});
+    m_settings.setValue(settings_keys::kPlots, contents);
+    m_settings.setValue(settings_keys::kPlotSizes, saveState());
+}
+
+bool PlotStack::save(const QString &path, QString *error) {
+    const bool isPicture = QFileInfo(path).suffix().compare(QLatin1String("png"), Qt::CaseInsensitive) == 0;
+    if (!isPicture || count() == 1) return first().save(path, error);
+    QImage whole(size() * kPictureScale, QImage::Format_RGB32);
+    whole.fill(palette().color(QPalette::Base));
+    QPainter painter(&whole);
+    for (int i = 0; i < count(); ++i) {
+        auto *plot = qobject_cast<QCustomPlot *>(widget(i));
+        if (!plot || plot->isHidden()) continue;
+        painter.drawPixmap(plot->pos() * kPictureScale, plot->toPixmap(plot->width(), plot->height(), kPictureScale));
+    }
+    painter.end();
+    if (whole.save(path)) return true;
+    if (error) *error = tr("%1: the plot can't be written").arg(path);
+    return false;
+}
+
+} // namespace inspector::ui

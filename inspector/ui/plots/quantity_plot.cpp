@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plots/quantity_plot.h"
+
+#include "ui/parts/printed_unit.h"
+#include "ui/plots/chart_style.h"
+#include "ui/plots/quantity_menu.h"
+
+#include <QDropEvent>
+#include <QMimeData>
+
+#include <algorithm>
+#include <cmath>
+
+namespace inspector::ui {
+
+namespace {
+
+constexpr double kMargin = 0.08; // above and below the values, share of their span
+constexpr double kShrink = 0.1;  // of the way per picture, so that the axis doesn't jump about
+constexpr double kNoise = 1e-9;  // of the largest value: isn't blown up
+const QString kLogarithmic = QStringLiteral("log:");
+QColor Accents::*const kColours[] = {&Accents::x,     &Accents::y,        &Accents::total, &Accents::ball,
+                                     &Accents::ghost, &Accents::selected, &Accents::alarm};
+
+// m/s, or nothing where quantities of several units are together.
+QString unitOf(const std::vector<Channel> &channels) {
+    QString unit;
+    for (const Channel channel : channels) {
+        const QString its = QString::fromUtf8(channelInfos()[size_t(channel)].unit);
+        if (channel != channels.front() && its != unit) return {};
+        unit = its;
+    }
+    return printedUnit(unit);
+}
+
+} // namespace
+
+QString textOf(const PlotContent &content) {
+    QStringList ids;
+    for (const Channel channel : content.channels) ids += QString::fromUtf8(channelInfos()[size_t(channel)].id);
+    return (content.isLogarithmic ? kLogarithmic : QString()) + ids.join(QLatin1Char(','));
+}
+
+PlotContent plotContentOf(const QString &text) {
+    PlotContent content;
+    content.isLogarithmic = text.startsWith(kLogarithmic);
+    const QString ids = content.isLogarithmic ? text.mid(kLogarithmic.size()) : text;
+    for (const QString &id : ids.split(QLatin1Char(','), Qt::SkipEmptyParts))
+        for (size_t i = 0; i < kChannelCount; ++i)
+            if (id == QLatin1String(channelInfos()[i].id)) content.channels.push_back(Channel(i));
+    return content;
+}
+
+QuantityPlot::QuantityPlot(const SampleRing &samples, const PlotContent &content, std::shared_ptr<TimeView> time,
+                           QWidget *parent)
+    : TimePlot(samples, std::move(time), parent) {
+    setAcceptDrops(true);
+    yAxis->setRange(-0.1, 0.1);
+    setContent(content);
+}
+
+void QuantityPlot::setContent(const PlotContent &content) {
+    m_content = content;
+    clearCurves();
+    size_t number = 0;
+    for (const Channel channel : content.channels) {
+        const bool isGhost = channelInfos()[size_t(channel)].isGhost;
+        addCurve(channel, kColours[number++ % std::size(kColours)], isGhost ? Qt::DashLine : Qt::SolidLine);
+    }
+    const QString unit = unitOf(content.channels);
+    const QString name =
+        content.channels.size() == 1 ? QString::fromUtf8(channelInfos()[size_t(content.channels[0])].label) : QString();
+    const QString label = unit.isEmpty() ? name : (name + QStringLiteral(" [%1]").arg(unit)).trimmed();
+    if (content.isLogarithmic) {
+        makeLogarithmic(*yAxis, label);
+    } else {
+        yAxis->setLabel(label);
+        yAxis->setScaleType(QCPAxis::stLinear);
+        yAxis->setTicker(QSharedPointer<QCPAxisTicker>::create());
+        yAxis->setNumberFormat(QStringLiteral("g"));
+        yAxis->setNumberPrecision(6);
+    }
+    fitAgain();
+    emit contentChanged();
+}
+
+void QuantityPlot::add(Channel channel) {
+    PlotContent content = m_content;
+    if (std::find(content.channels.begin(), content.channels.end(), channel) != content.channels.end()) return;
+    content.channels.push_back(channel);
+    setContent(content);
+}
+
+void QuantityPlot::dragEnterEvent(QDragEnterEvent *event) {
+    if (event->mimeData()->hasFormat(QLatin1String(kQuantityMime))) event->acceptProposedAction();
+}
+
+void QuantityPlot::dropEvent(QDropEvent *event) {
+    const PlotContent dropped = plotContentOf(QString::fromUtf8(event->mimeData()->data(QLatin1String(kQuantityMime))));
+    for (const Channel channel : dropped.channels) add(channel);
+    event->acceptProposedAction();
+}
+
+void QuantityPlot::fitValues() {
+    if (m_content.isLogarithmic)
+        fitPowers();
+    else
+        fitSpan();
+}
+
+// From one power of ten to another.
+void QuantityPlot::fitPowers() {
+    QCPRange values(0.0, 0.0);
+    for (const Curve &curve : curves()) {
+        bool hasValues = false;
+        const QCPRange range = curve.graph->getValueRange(hasValues, QCP::sdPositive);
+        if (hasValues) values = values.upper > 0.0 ? values.expanded(range) : range;
+    }
+    if (values.upper <= 0.0) return;
+    const double lower = std::pow(10.0, std::floor(std::log10(values.lower)));
+    yAxis->setRange(lower, std::max(10.0 * lower, std::pow(10.0, std::ceil(std::log10(values.upper)))));
+}
+
+void QuantityPlot::fitSpan() {
+    bool hasAny = false;
+    QCPRange values(0.0, 0.0);
+    for (const Curve &curve : curves()) {
+        bool hasValues = false;
+        const QCPRange range = curve.graph->getValueRange(hasValues);
+        if (hasValues) values = hasAny ? values.expanded(range) : range;
+        hasAny = hasAny || hasValues;
+    }
+    const double largest = std::max(std::abs(values.lower), std::abs(values.upper));
+    const double smallest = std::max(kNoise * largest, largest > 0.0 ? 0.0 : 0.02);
+    const double span = std::max(values.size(), smallest);
+    const double reach = 0.5 * span + kMargin * span;
+    values = QCPRange(values.center() - reach, values.center() + reach);
+    // Out at once, in slowly.
+    const QCPRange now = fitsAtOnce() ? values : yAxis->range();
+    const double lower = std::min(values.lower, now.lower + kShrink * (values.lower - now.lower));
+    const double upper = std::max(values.upper, now.upper + kShrink * (values.upper - now.upper));
+    yAxis->setRange(lower, upper);
+}
+
+// What a logarithmic axis can't show lies at its lower end.
+double QuantityPlot::drawn(double plotted) const {
+    if (!m_content.isLogarithmic || plotted > yAxis->range().lower) return plotted;
+    return std::isnan(plotted) ? plotted : yAxis->range().lower;
+}
+
+QString QuantityPlot::textOf(const Sample &sample) const {
+    QStringList parts;
+    for (const Curve &curve : curves()) {
+        const double value = sample[curve.channel];
+        parts += std::isnan(value) ? QStringLiteral("–") : QStringLiteral("%1").arg(value, 0, 'g', 6);
+    }
+    return parts.join(QStringLiteral(" | "));
+}
+
+} // namespace inspector::ui

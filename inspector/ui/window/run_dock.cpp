@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/run_dock.h"
+
+#include "core/setup/numbers.h"
+#include "ui/game/clock_text.h"
+
+#include <QHeaderView>
+#include <QKeyEvent>
+
+namespace inspector::ui {
+
+namespace {
+
+constexpr int kEndRole = Qt::UserRole; // of the first column: the run's last place
+
+QStringList textsOf(const Session &session, const KeptRun &run, bool isLive) {
+    QString result = run.isOut ? RunDock::tr("out of the maze") : RunDock::tr("ended inside");
+    if (isLive && !run.isOut) result = RunDock::tr("the present one");
+    const uint32_t stepper = stepperIndex(session.registry(), run.stepper.constData());
+    return {run.level.name, stepperName(session.registry(), stepper), durationText(run.dt), clockText(run.time),
+            result};
+}
+
+} // namespace
+
+RunDock::RunDock(Session &session, QWidget *parent)
+    : QTreeWidget(parent)
+    , m_session(session) {
+    setObjectName(QStringLiteral("runs"));
+    setFrameShape(QFrame::NoFrame);
+    setRootIsDecorated(false);
+    setAlternatingRowColors(true);
+    setUniformRowHeights(true);
+    setHeaderLabels({tr("Level"), tr("Stepper"), tr("Time step"), tr("Time"), tr("Result")});
+    header()->setSectionsMovable(false);
+    connect(this, &QTreeWidget::itemDoubleClicked, this, [this](const QTreeWidgetItem *item) { goTo(item); });
+}
+
+void RunDock::refresh() {
+    if (!isVisible()) return;
+    const std::vector<KeptRun> &runs = m_session.runs();
+    while (topLevelItemCount() < int(runs.size())) new QTreeWidgetItem(this);
+    while (topLevelItemCount() > int(runs.size())) delete takeTopLevelItem(topLevelItemCount() - 1);
+    for (size_t i = 0; i < runs.size(); ++i) {
+        const KeptRun &run = runs[runs.size() - 1 - i];
+        QTreeWidgetItem *item = topLevelItem(int(i));
+        const QStringList texts = textsOf(m_session, run, i == 0);
+        for (int column = 0; column < texts.size(); ++column)
+            if (item->text(column) != texts[column]) item->setText(column, texts[column]);
+        item->setData(0, kEndRole, qulonglong(run.end));
+    }
+}
+
+void RunDock::goTo(const QTreeWidgetItem *item) { m_session.lookAt(item->data(0, kEndRole).toULongLong()); }
+
+void RunDock::keyPressEvent(QKeyEvent *event) {
+    const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (isEnter && currentItem()) return goTo(currentItem());
+    QTreeWidget::keyPressEvent(event);
+}
+
+} // namespace inspector::ui

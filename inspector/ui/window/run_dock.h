@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/session.h"
+
+#include <QTreeWidget>
+
+namespace inspector::ui {
+
+// The last runs, newest first: level, stepper, time, how it ended. Enter or a double click goes back to one.
+class RunDock : public QTreeWidget {
+    Q_OBJECT
+
+public:
+    // session: outlives the dock.
+    explicit RunDock(Session &session, QWidget *parent = nullptr);
+
+    // Shows what is new; called about 30 times a second.
+    void refresh();
+    QSize sizeHint() const override { return {500, 200}; }
+
+protected:
+    void keyPressEvent(QKeyEvent *event) override;
+
+private:
+    void goTo(const QTreeWidgetItem *item);
+
+    Session &m_session;
+};
+
+} // namespace inspector::ui

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/watch_list.h"
+
+#include "ui/parts/printed_unit.h"
+#include "ui/parts/settings_keys.h"
+#include "ui/plots/quantity_menu.h"
+#include "ui/plots/quantity_plot.h"
+
+#include <QContextMenuEvent>
+#include <QHeaderView>
+#include <QMenu>
+#include <QMimeData>
+
+#include <algorithm>
+#include <cmath>
+
+namespace inspector::ui {
+
+namespace {
+const QString kUsual = QStringLiteral("position_x,position_y,speed,energy,substeps,step_time");
+}
+
+WatchList::WatchList(Session &session, QWidget *parent)
+    : QTreeWidget(parent)
+    , m_session(session)
+    , m_channels(plotContentOf(session.settings().value(settings_keys::kWatched, kUsual).toString()).channels) {
+    setObjectName(QStringLiteral("watched"));
+    setFrameShape(QFrame::NoFrame);
+    setRootIsDecorated(false);
+    setUniformRowHeights(true);
+    setAlternatingRowColors(true);
+    setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the game
+    setDragEnabled(true);
+    setHeaderLabels({tr("Quantity"), tr("Value"), tr("Unit")});
+    setColumnWidth(0, 130);
+    setToolTip(tr("Right click: choose quantities. Drag a name onto a plot to see it there."));
+    header()->setSectionsMovable(false);
+    rebuild();
+}
+
+void WatchList::rebuild() {
+    clear();
+    for (const Channel channel : m_channels) {
+        const ChannelInfo &info = channelInfos()[size_t(channel)];
+        auto *item = new QTreeWidgetItem(
+            this, {QString::fromUtf8(info.label), QStringLiteral("–"), printedUnit(QString::fromUtf8(info.unit))});
+        item->setData(0, Qt::UserRole, QByteArray(info.id));
+        item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+    }
+}
+
+void WatchList::refresh(const Snapshot &now) {
+    if (!isVisible()) return;
+    const SampleRing &samples = m_session.simulation().samples();
+    const uint64_t last = samples.last();
+    Sample sample;
+    const uint64_t number = std::min(samples.find(now.current.time), last == 0 ? 0 : last - 1);
+    const bool isThere = samples.read(number, sample);
+    for (int i = 0; i < topLevelItemCount(); ++i) {
+        const double value = isThere ? sample[m_channels[size_t(i)]] : std::nan("");
+        const QString text = std::isnan(value) ? QStringLiteral("–") : QString::number(value, 'g', 6);
+        if (topLevelItem(i)->text(1) != text) topLevelItem(i)->setText(1, text);
+    }
+}
+
+void WatchList::toggle(Channel channel) {
+    if (std::erase(m_channels, channel) == 0) m_channels.push_back(channel);
+    m_session.settings().setValue(settings_keys::kWatched, textOf(PlotContent{m_channels, false}));
+    rebuild();
+    refresh(m_session.simulation().latest());
+}
+
+void WatchList::contextMenuEvent(QContextMenuEvent *event) {
+    auto *menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("watch_menu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    addQuantities(
+        *menu,
+        [this](Channel channel) {
+            return std::find(m_channels.begin(), m_channels.end(), channel) != m_channels.end();
+        },
+        [this](Channel channel) { toggle(channel); });
+    menu->popup(event->globalPos());
+}
+
+QMimeData *WatchList::mimeData(const QList<QTreeWidgetItem *> &items) const {
+    auto *dragged = new QMimeData;
+    if (!items.isEmpty())
+        dragged->setData(QLatin1String(kQuantityMime), items.front()->data(0, Qt::UserRole).toByteArray());
+    return dragged;
+}
+
+} // namespace inspector::ui

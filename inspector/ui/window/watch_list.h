@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/session.h"
+
+#include <QTreeWidget>
+
+#include <vector>
+
+namespace inspector::ui {
+
+// Chosen quantities as numbers, at the moment shown. A right click chooses them; a name can be dragged onto a plot.
+class WatchList : public QTreeWidget {
+    Q_OBJECT
+
+public:
+    // session: outlives the list.
+    explicit WatchList(Session &session, QWidget *parent = nullptr);
+
+    // Shows the present moment; called about 30 times a second.
+    void refresh(const Snapshot &now);
+    QSize sizeHint() const override { return {260, 180}; }
+
+protected:
+    void contextMenuEvent(QContextMenuEvent *event) override;
+    QMimeData *mimeData(const QList<QTreeWidgetItem *> &items) const override;
+
+private:
+    void toggle(Channel channel);
+    void rebuild();
+
+    Session &m_session;
+    std::vector<Channel> m_channels;
+};
+
+} // namespace inspector::ui

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+// The ball in one's hand: dragged, pulled, typed, and the way that it goes from there.
+#include "gl/maze_view.h"
+#include "ui/parts/number_box.h"
+#include "window_fixture.h"
+
+#include <QPushButton>
+
+#include <array>
+#include <cmath>
+
+using namespace window_test;
+using inspector::ui::NumberBox;
+
+class TestWindowBall : public QObject {
+    Q_OBJECT
+
+public:
+    static void initMain() { prepare(); }
+
+private slots:
+    void init();
+    void cleanup();
+    void draggedBallIsWhereTheMouseIs();
+    void ballDraggedIntoAWallStaysOutside();
+    void draggedBallIsUndone();
+    void dragWithCtrlPullsTheVelocity();
+    void rollingBallIsNotTaken();
+    void typedNumbersAreTheBalls_data();
+    void typedNumbersAreTheBalls();
+    void restartBringsItToItsOwnStart();
+    void placedBallSetsNoBestTime();
+    void wayAheadFollowsASlider();
+    void wayAheadCanBeSwitchedOff();
+
+private:
+    phys_state ball() { return m_fixture->simulation().latest().current; }
+    QPoint pixelOf(double x, double y) {
+        return m_fixture->window().view().positionOf({x, y, ball().position.z}).toPoint();
+    }
+    void dragBall(double dx, double dy, Qt::KeyboardModifiers modifiers = {});
+
+    std::unique_ptr<Fixture> m_fixture;
+};
+
+void TestWindowBall::init() {
+    m_fixture = std::make_unique<Fixture>();
+    QVERIFY(m_fixture->isReady());
+}
+
+void TestWindowBall::cleanup() { m_fixture.reset(); }
+
+// By so many metres on the board.
+void TestWindowBall::dragBall(double dx, double dy, Qt::KeyboardModifiers modifiers) {
+    const phys_vec3 from = ball().position;
+    drag(&m_fixture->window().view(), pixelOf(from.x, from.y), pixelOf(from.x + dx, from.y + dy), modifiers);
+}
+
+// The start of level 1 is open to the back.
+void TestWindowBall::draggedBallIsWhereTheMouseIs() {
+    const phys_vec3 from = ball().position;
+    dragBall(0.0, 0.01);
+    QTRY_VERIFY(std::abs(ball().position.y - from.y - 0.01) < 0.001); // a pixel is 0.3 mm
+    QVERIFY(std::abs(ball().position.x - from.x) < 0.001);
+    QCOMPARE(ball().position.z, from.z);
+    QCOMPARE(ball().step, uint64_t(0));
+}
+
+void TestWindowBall::ballDraggedIntoAWallStaysOutside() {
+    const phys_vec3 from = ball().position;
+    dragBall(-0.012, 0.0);
+    QTRY_VERIFY(ball().position.x != from.x);
+    std::array<phys_contact, 16> contacts{};
+    uint32_t count = 0;
+    const phys_scene *scene = m_fixture->session().scene().get();
+    QCOMPARE(phys_scene_contacts(scene, &ball().position, 0.0, contacts.data(), 16, &count), PHYS_OK);
+    for (uint32_t i = 0; i < count; ++i) QVERIFY(contacts[i].gap > -1e-8);
+}
+
+void TestWindowBall::draggedBallIsUndone() {
+    const phys_vec3 from = ball().position;
+    dragBall(0.0, 0.01);
+    QTRY_VERIFY(ball().position.y != from.y);
+    const phys_vec3 to = ball().position;
+    m_fixture->press(Qt::Key_Z, Qt::ControlModifier);
+    QTRY_COMPARE(ball().position.y, from.y);
+    m_fixture->press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_COMPARE(ball().position.y, to.y);
+}
+
+// The arrow ends where the ball would be after 0.2 s.
+void TestWindowBall::dragWithCtrlPullsTheVelocity() {
+    const phys_vec3 from = ball().position;
+    dragBall(0.0, 0.02, Qt::ControlModifier);
+    QTRY_VERIFY(std::abs(ball().velocity.y - 0.1) < 0.005);
+    QCOMPARE(ball().position.y, from.y);
+    // It rolls: v = spin x R up.
+    QVERIFY(std::abs(ball().velocity.y + ball().spin.x * phys_scene_radius(m_fixture->session().scene().get())) <
+            1e-12);
+}
+
+void TestWindowBall::rollingBallIsNotTaken() {
+    m_fixture->press(Qt::Key_Space);
+    QTRY_VERIFY(m_fixture->simulation().latest().running);
+    const uint64_t run = m_fixture->simulation().latest().run;
+    dragBall(0.0, 0.01);
+    m_fixture->press(Qt::Key_Space);
+    QTRY_VERIFY(!m_fixture->simulation().latest().running);
+    QCOMPARE(m_fixture->simulation().latest().run, run);
+}
+
+void TestWindowBall::typedNumbersAreTheBalls_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<double>("value");
+    QTest::newRow("position") << "ball_y"
+                              << "-75 mm" << -0.075;
+    QTest::newRow("velocity") << "ball_vx"
+                              << "0,1" << 0.1;
+    QTest::newRow("spin") << "ball_wz"
+                          << "1e1" << 10.0;
+}
+
+void TestWindowBall::typedNumbersAreTheBalls() {
+    QFETCH(QString, name);
+    QFETCH(QString, text);
+    QFETCH(double, value);
+    m_fixture->trigger("show_ball_dock");
+    auto *box = m_fixture->find<NumberBox>(name);
+    QTRY_VERIFY(box->isEnabled());
+    box->setFocus();
+    box->selectAll();
+    m_fixture->type(text);
+    m_fixture->key(Qt::Key_Return);
+    const auto now = [&] {
+        if (name == "ball_y") return ball().position.y;
+        return name == "ball_vx" ? ball().velocity.x : ball().spin.z;
+    };
+    QTRY_COMPARE(now(), value);
+    m_fixture->press(Qt::Key_Z, Qt::ControlModifier);
+    QTRY_VERIFY(now() != value);
+}
+
+void TestWindowBall::restartBringsItToItsOwnStart() {
+    m_fixture->trigger("show_ball_dock");
+    const phys_vec3 start = ball().position;
+    dragBall(0.0, 0.01);
+    QTRY_VERIFY(ball().position.y != start.y);
+    const phys_vec3 own = ball().position;
+    m_fixture->window().refresh();
+    click(m_fixture->find<QPushButton>("start_here"));
+    m_fixture->trigger("step");
+    QTRY_COMPARE(ball().step, uint64_t(1));
+    m_fixture->press(Qt::Key_R);
+    QTRY_COMPARE(ball().step, uint64_t(0));
+    QCOMPARE(ball().position.y, own.y);
+    m_fixture->window().refresh();
+    click(m_fixture->find<QPushButton>("usual_start"));
+    m_fixture->press(Qt::Key_R);
+    QTRY_COMPARE(ball().position.y, start.y);
+}
+
+void TestWindowBall::placedBallSetsNoBestTime() {
+    m_fixture->press(Qt::Key_Return);
+    QTRY_VERIFY(m_fixture->simulation().latest().running);
+    m_fixture->press(Qt::Key_Space);
+    QTRY_VERIFY(!m_fixture->simulation().latest().running);
+    dragBall(0.0, 0.005);
+    QTRY_COMPARE(ball().step, uint64_t(0));
+    QVERIFY(!m_fixture->session().whyNoBestTime().isEmpty());
+}
+
+void TestWindowBall::wayAheadFollowsASlider() {
+    const auto endOf = [&] {
+        m_fixture->window().refresh();
+        const std::vector<phys_vec3> &points = m_fixture->session().wayAhead().points;
+        return points.empty() ? ball().position.y : points.back().y;
+    };
+    m_fixture->press(Qt::Key_W);
+    m_fixture->parameters().set({{QStringLiteral("tilt_y"), 5.0}});
+    QTRY_VERIFY(endOf() > ball().position.y + 0.01);
+    m_fixture->parameters().set({{QStringLiteral("tilt_y"), 0.0}});
+    QTRY_COMPARE(endOf(), ball().position.y);
+}
+
+void TestWindowBall::wayAheadCanBeSwitchedOff() {
+    m_fixture->press(Qt::Key_W);
+    m_fixture->parameters().set({{QStringLiteral("tilt_y"), 5.0}});
+    const auto size = [&] {
+        m_fixture->window().refresh();
+        return m_fixture->session().wayAhead().points.size();
+    };
+    QTRY_VERIFY(size() > 10);
+    m_fixture->press(Qt::Key_W);
+    QCOMPARE(size(), size_t(0));
+}
+
+QTEST_MAIN(TestWindowBall)
+#include "tst_window_ball.moc"

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: MIT
+// Typing is never punished: numbers are read as people write them, Enter ends an edit and plays nothing, the wheel
+// turns only what has the keyboard, and no key stays down.
+#include "gl/maze_view.h"
+#include "ui/parameters/fine_slider.h"
+#include "ui/parameters/slider_scale.h"
+#include "ui/parts/number_box.h"
+#include "window_fixture.h"
+
+#include <QComboBox>
+#include <QDialog>
+#include <QLabel>
+#include <QLocale>
+
+using namespace window_test;
+using inspector::Game;
+using inspector::ui::NumberBox;
+
+class TestWindowInput : public QObject {
+    Q_OBJECT
+
+public:
+    static void initMain() { prepare(); }
+
+private slots:
+    void init();
+    void cleanup();
+    void numberIsReadAsPeopleWriteIt_data();
+    void numberIsReadAsPeopleWriteIt();
+    void numbersAreReadAlikeInEveryLocale();
+    void unreadableNumberStaysMarkedWithItsReason_data();
+    void unreadableNumberStaysMarkedWithItsReason();
+    void escTakesTheEditBack();
+    void unreadableNumberStaysWhereTheFieldIsLeft();
+    void enterInTheTimeStepAppliesItAndPlaysNothing();
+    void enterInAnOpenListAppliesItAndPlaysNothing_data();
+    void enterInAnOpenListAppliesItAndPlaysNothing();
+    void enterOnAListPlaysNothing_data();
+    void enterOnAListPlaysNothing();
+    void commandsWorkAtOnceAfterAnEdit();
+    void wheelTurnsNothingUnfocused_data();
+    void wheelTurnsNothingUnfocused();
+    void heldArrowIsReleasedWhereTheKeyboardGoesElsewhere();
+    void secondKeyOfADirectionStillTilts();
+    void arrowsTiltAsTheScreenShows_data();
+    void arrowsTiltAsTheScreenShows();
+    void shiftMakesASliderFine();
+    void shiftMakesADragTenTimesSlower();
+    void slidersAreWideEnough();
+    void scaleOfDecadesHasEqualRatios();
+    void scaleOfTinyNumbersReachesThem();
+
+private:
+    NumberBox *focused(const QString &name);
+    bool hasView() { return m_fixture->window().view().hasFocus(); }
+
+    std::unique_ptr<Fixture> m_fixture;
+};
+
+void TestWindowInput::init() {
+    m_fixture = std::make_unique<Fixture>();
+    QVERIFY(m_fixture->isReady());
+}
+
+void TestWindowInput::cleanup() { m_fixture.reset(); }
+
+// With its text selected, as Tab does.
+NumberBox *TestWindowInput::focused(const QString &name) {
+    auto *box = m_fixture->find<NumberBox>(name);
+    box->setFocus();
+    box->selectAll();
+    return box;
+}
+
+void TestWindowInput::numberIsReadAsPeopleWriteIt_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<double>("value");
+    QTest::newRow("exponent") << "1e-3" << 0.001;
+    QTest::newRow("comma") << "0,9" << 0.9;
+    QTest::newRow("point") << "0.9" << 0.9;
+    QTest::newRow("fraction") << "1/8" << 0.125;
+    QTest::newRow("unit") << "1.62 m/s^2" << 1.62;
+}
+
+void TestWindowInput::numberIsReadAsPeopleWriteIt() {
+    QFETCH(QString, text);
+    QFETCH(double, value);
+    focused("gravity_box");
+    m_fixture->type(text);
+    m_fixture->key(Qt::Key_Return);
+    QTRY_COMPARE(m_fixture->simulated("gravity"), value);
+    QTRY_VERIFY(hasView());
+    QCOMPARE(m_fixture->game().phase(), Game::Phase::Prompt);
+}
+
+void TestWindowInput::numbersAreReadAlikeInEveryLocale() {
+    const QLocale before;
+    QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
+    m_fixture = std::make_unique<Fixture>();
+    QVERIFY(m_fixture->isReady());
+    NumberBox *box = focused("restitution_wall_box");
+    m_fixture->type("0.9");
+    m_fixture->key(Qt::Key_Return);
+    QTRY_COMPARE(m_fixture->simulated("restitution_wall"), 0.9);
+    QCOMPARE(box->text(), QString("0.90"));
+    QLocale::setDefault(before);
+}
+
+void TestWindowInput::unreadableNumberStaysMarkedWithItsReason_data() {
+    QTest::addColumn<QString>("text");
+    QTest::newRow("no number") << "fast";
+    QTest::newRow("beyond the range") << "1e9";
+    QTest::newRow("another unit") << "3 mm";
+}
+
+void TestWindowInput::unreadableNumberStaysMarkedWithItsReason() {
+    QFETCH(QString, text);
+    NumberBox *box = focused("gravity_box");
+    m_fixture->type(text);
+    m_fixture->key(Qt::Key_Return);
+    QVERIFY(box->isRefused());
+    QCOMPARE(box->text(), text);
+    const auto *reason = m_fixture->find<QLabel>("gravity_box_reason");
+    QVERIFY(reason->isVisible());
+    QVERIFY2(reason->text().contains("to 1000 m/s^2") && reason->text().contains(text), qPrintable(reason->text()));
+    QVERIFY(box->hasFocus());
+    QCOMPARE(m_fixture->simulated("gravity"), 9.81);
+    QCOMPARE(m_fixture->game().phase(), Game::Phase::Prompt);
+}
+
+void TestWindowInput::escTakesTheEditBack() {
+    NumberBox *box = focused("gravity_box");
+    m_fixture->type("fast");
+    m_fixture->key(Qt::Key_Return);
+    QVERIFY(box->isRefused());
+    m_fixture->key(Qt::Key_Escape);
+    QVERIFY(!box->isRefused());
+    QCOMPARE(box->text(), QString::fromUtf8("9.81 m/s²"));
+    QVERIFY(!m_fixture->find<QLabel>("gravity_box_reason")->isVisible());
+    QTRY_VERIFY(hasView());
+}
+
+void TestWindowInput::unreadableNumberStaysWhereTheFieldIsLeft() {
+    NumberBox *box = focused("gravity_box");
+    m_fixture->type("fast");
+    m_fixture->key(Qt::Key_Tab);
+    QVERIFY(!box->hasFocus());
+    QCOMPARE(box->text(), QString("fast"));
+    QVERIFY(box->isRefused());
+    m_fixture->parameters().set({{QStringLiteral("gravity"), 3.0}}); // from elsewhere
+    QCOMPARE(box->text(), QString("fast"));
+}
+
+// The list around the field has the keyboard, not the field.
+void TestWindowInput::enterInTheTimeStepAppliesItAndPlaysNothing() {
+    auto *chooser = m_fixture->find<QComboBox>("time_step");
+    chooser->setFocus();
+    chooser->lineEdit()->selectAll();
+    m_fixture->type("2,5");
+    m_fixture->key(Qt::Key_Return);
+    QTRY_COMPARE(m_fixture->simulation().latest().dt, 0.0025);
+    QCOMPARE(m_fixture->game().phase(), Game::Phase::Prompt);
+    QTRY_VERIFY(hasView());
+    QCOMPARE(chooser->currentText(), QString("2.5 ms"));
+}
+
+void TestWindowInput::enterInAnOpenListAppliesItAndPlaysNothing_data() {
+    QTest::addColumn<QString>("name");
+    for (const char *name : {"speed", "stepper", "time_step", "model_choice"}) QTest::newRow(name) << name;
+}
+
+void TestWindowInput::enterInAnOpenListAppliesItAndPlaysNothing() {
+    QFETCH(QString, name);
+    auto *chooser = m_fixture->find<QComboBox>(name);
+    const int last = chooser->count() - 1;
+    QVERIFY(chooser->currentIndex() != last);
+    chooser->setFocus(Qt::TabFocusReason);
+    chooser->showPopup();
+    QVERIFY(QApplication::activePopupWidget());
+    m_fixture->key(Qt::Key_End);
+    m_fixture->key(Qt::Key_Return);
+    QTRY_VERIFY(!QApplication::activePopupWidget());
+    QCOMPARE(chooser->currentIndex(), last);
+    QCOMPARE(m_fixture->game().phase(), Game::Phase::Prompt);
+    QTRY_VERIFY(hasView());
+}
+
+void TestWindowInput::enterOnAListPlaysNothing_data() {
+    QTest::addColumn<QString>("name");
+    for (const char *name : {"speed", "stepper", "levels", "bounces_table"}) QTest::newRow(name) << name;
+}
+
+void TestWindowInput::enterOnAListPlaysNothing() {
+    QFETCH(QString, name);
+    m_fixture->trigger("show_bounces_dock");
+    m_fixture->find<QWidget>(name)->setFocus();
+    m_fixture->key(Qt::Key_Return);
+    QTRY_VERIFY(hasView());
+    QCOMPARE(m_fixture->game().phase(), Game::Phase::Prompt);
+    QVERIFY(!m_fixture->simulation().latest().running);
+}
+
+void TestWindowInput::commandsWorkAtOnceAfterAnEdit() {
+    focused("gravity_box");
+    m_fixture->type("3");
+    m_fixture->key(Qt::Key_Return);
+    QTRY_VERIFY(hasView());
+    m_fixture->key(Qt::Key_C);
+    QVERIFY(m_fixture->session().comparison().isOn());
+    m_fixture->key(Qt::Key_Space);
+    QTRY_VERIFY(m_fixture->simulation().latest().running);
+}
+
+void TestWindowInput::wheelTurnsNothingUnfocused_data() {
+    QTest::addColumn<QString>("name");
+    for (const char *name : {"model_choice", "stepper", "speed", "time_step", "gravity_box", "gravity_slider",
+                             "comparison_stepper", "comparison_substeps"})
+        QTest::newRow(name) << name;
+}
+
+void TestWindowInput::wheelTurnsNothingUnfocused() {
+    QFETCH(QString, name);
+    m_fixture->trigger("show_comparison_dock");
+    m_fixture->window().view().setFocus();
+    auto *widget = m_fixture->find<QWidget>(name);
+    const auto valueOf = [&] {
+        if (const auto *chooser = qobject_cast<QComboBox *>(widget)) return double(chooser->currentIndex());
+        if (const auto *slider = qobject_cast<QSlider *>(widget)) return double(slider->value());
+        return qobject_cast<NumberBox *>(widget)->value();
+    };
+    const double before = valueOf();
+    turnWheel(widget, widget->rect().center(), 1);
+    turnWheel(widget, widget->rect().center(), -1);
+    turnWheel(widget, widget->rect().center(), -1);
+    QCOMPARE(valueOf(), before);
+}
+
+void TestWindowInput::heldArrowIsReleasedWhereTheKeyboardGoesElsewhere() {
+    m_fixture->key(Qt::Key_Return);
+    QTRY_VERIFY(m_fixture->simulation().latest().running);
+    QTest::keyPress(&m_fixture->window(), Qt::Key_Up);
+    QTRY_VERIFY(m_fixture->simulated("tilt_y") > 4.0);
+    m_fixture->trigger("keys"); // a dialog; the key goes up in it or elsewhere
+    auto *dialog = m_fixture->find<QDialog>("keys_dialog");
+    dialog->activateWindow();
+    QTRY_COMPARE(QApplication::activeWindow(), dialog);
+    QTRY_COMPARE(m_fixture->simulated("tilt_y"), 0.0);
+}
+
+void TestWindowInput::secondKeyOfADirectionStillTilts() {
+    m_fixture->key(Qt::Key_Return);
+    QTRY_VERIFY(m_fixture->simulation().latest().running);
+    QWidget *window = &m_fixture->window();
+    QTest::keyPress(window, Qt::Key_Up);
+    QTest::keyPress(window, Qt::Key_Up, Qt::KeypadModifier);
+    QTRY_VERIFY(m_fixture->simulated("tilt_y") > 4.0);
+    QTest::keyRelease(window, Qt::Key_Up);
+    QTRY_VERIFY(m_fixture->simulated("tilt_y") > 7.9); // goes on to the limit
+    QTest::keyRelease(window, Qt::Key_Up, Qt::KeypadModifier);
+    QTRY_COMPARE(m_fixture->simulated("tilt_y"), 0.0);
+}
+
+void TestWindowInput::arrowsTiltAsTheScreenShows_data() {
+    QTest::addColumn<int>("pixels"); // that the camera is dragged
+    for (const int pixels : {0, 130, 262, 400, 524, 700}) QTest::addRow("%d", pixels) << pixels;
+}
+
+void TestWindowInput::arrowsTiltAsTheScreenShows() {
+    QFETCH(int, pixels);
+    m_fixture->window().view().camera().orbit({double(pixels), 0.0});
+    m_fixture->key(Qt::Key_Return);
+    QTRY_VERIFY(m_fixture->simulation().latest().running);
+    QTest::keyPress(&m_fixture->window(), Qt::Key_Right);
+    QTRY_VERIFY(std::hypot(m_fixture->simulated("tilt_x"), m_fixture->simulated("tilt_y")) > 4.0);
+    // A ball in the middle rolls to the right on the screen, as seen by the camera on a level board.
+    const double length = std::hypot(m_fixture->simulated("tilt_x"), m_fixture->simulated("tilt_y"));
+    const glm::dvec3 middle = m_fixture->window().view().camera().target();
+    const glm::dvec3 way(m_fixture->simulated("tilt_x") / length, m_fixture->simulated("tilt_y") / length, 0.0);
+    const glm::dvec2 moved = m_fixture->window().view().camera().project(middle + 0.01 * way) -
+                             m_fixture->window().view().camera().project(middle);
+    QVERIFY2(moved.x > 0.0 && std::abs(moved.y) < 0.05 * moved.x,
+             qPrintable(QStringLiteral("%1 %2").arg(moved.x).arg(moved.y)));
+    QTest::keyRelease(&m_fixture->window(), Qt::Key_Right);
+}
+
+// A notch of gravity is 0.01 m/s^2.
+void TestWindowInput::shiftMakesASliderFine() {
+    m_fixture->find<QSlider>("gravity_slider")->setFocus();
+    m_fixture->key(Qt::Key_Right);
+    QTRY_COMPARE(m_fixture->simulated("gravity"), 9.82);
+    m_fixture->key(Qt::Key_Right, Qt::ShiftModifier);
+    QTRY_COMPARE(m_fixture->simulated("gravity"), 9.821);
+}
+
+void TestWindowInput::shiftMakesADragTenTimesSlower() {
+    auto *slider = m_fixture->find<QSlider>("restitution_wall_slider");
+    const QPoint middle = slider->rect().center();
+    const int start = slider->value();
+    drag(slider, middle, middle + QPoint(30, 0));
+    const int fast = slider->value() - start;
+    slider->setValue(start);
+    drag(slider, middle, middle + QPoint(30, 0), Qt::ShiftModifier);
+    const int slow = slider->value() - start;
+    // To a notch, which the fast one moves by.
+    QVERIFY2(slow > 0 && std::abs(10 * slow - fast) <= 10 * inspector::ui::SliderScale::kFine,
+             qPrintable(QStringLiteral("%1 %2").arg(slow).arg(fast)));
+}
+
+void TestWindowInput::slidersAreWideEnough() {
+    for (const auto *slider : m_fixture->window().findChildren<inspector::ui::FineSlider *>())
+        QVERIFY2(slider->width() >= 120, qPrintable(slider->objectName()));
+}
+
+namespace {
+
+inspector::ui::SliderScale scaleOf(double low, double high, double step) {
+    phys_param_row row{};
+    row.low = row.min = low;
+    row.high = row.max = high;
+    row.step = step;
+    return inspector::ui::SliderScale(row);
+}
+
+} // namespace
+
+void TestWindowInput::scaleOfDecadesHasEqualRatios() {
+    const auto scale = scaleOf(1e-6, 1.0, 1e-6);
+    QCOMPARE(scale.valueAt(scale.last() / 2), 1e-3);
+    QCOMPARE(scale.valueAt(scale.last() / 3), 1e-4);
+    QCOMPARE(scale.placeOf(1e-3), scale.last() / 2);
+    QCOMPARE(scale.placeOf(5.0), scale.last());
+}
+
+void TestWindowInput::scaleOfTinyNumbersReachesThem() {
+    const auto scale = scaleOf(0.0, 1e-12, 1e-14);
+    QCOMPARE(scale.valueAt(scale.last() / 2), 5e-13);
+    QCOMPARE(scale.valueAt(inspector::ui::SliderScale::kFine), 1e-14);
+    QCOMPARE(scale.valueAt(scale.last()), 1e-12);
+}
+
+QTEST_MAIN(TestWindowInput)
+#include "tst_window_input.moc"

@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: MIT
+// Every run is kept: gone back to by hand, taken over with a change, saved afterwards.
+#include "gl/maze_view.h"
+#include "ui/parts/number_box.h"
+#include "ui/transport/seek_slider.h"
+#include "window_fixture.h"
+
+#include <QFileDialog>
+#include <QImage>
+#include <QLabel>
+#include <QToolButton>
+#include <QTreeWidget>
+
+#include <cstring>
+
+using namespace window_test;
+using inspector::Sample;
+
+class TestWindowPast : public QObject {
+    Q_OBJECT
+
+public:
+    static void initMain() { prepare(); }
+
+private slots:
+    void init();
+    void cleanup();
+    void timeBarIsAlwaysThere();
+    void draggedTimeShowsThatMoment();
+    void stepBackShowsTheStepBefore();
+    void stepsForwardEndAtThePresent();
+    void escReturnsToThePresent();
+    void spacePlaysWhatWas();
+    void plotKeepsTheWholeRun();
+    void typedParameterTakesOver();
+    void arrowTakesOver();
+    void takingOverWithoutAChangeGivesTheSameBits();
+    void keysJumpFromBounceToBounce();
+    void restartKeepsTheRunBefore();
+    void clickOnAnotherLevelKeepsTheRun();
+    void parametersAreThoseOfTheMoment();
+    void savedRunRepeats();
+    void tableAndPictureAreSaved();
+    void saveAsksForAName();
+    void recordingIntoAFileIsSeen();
+
+private:
+    inspector::Snapshot now() { return m_fixture->simulation().latest(); }
+    inspector::Session &session() { return m_fixture->session(); }
+    void makeSteps(uint64_t count);
+    void goTo(uint64_t step);
+    inspector::ui::SeekSlider *slider() { return m_fixture->find<inspector::ui::SeekSlider>("time_slider"); }
+    bool isAt(uint64_t step) {
+        m_fixture->window().refresh();
+        return now().current.step == step;
+    }
+
+    std::unique_ptr<Fixture> m_fixture;
+    std::vector<phys_state> m_states; // after each step
+};
+
+namespace {
+
+bool isSame(const phys_state &a, const phys_state &b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+} // namespace
+
+void TestWindowPast::init() {
+    m_fixture = std::make_unique<Fixture>();
+    QVERIFY(m_fixture->isReady());
+    m_fixture->parameters().set({{QStringLiteral("tilt_y"), 5.0}, {QStringLiteral("tilt_x"), -3.0}});
+    m_states.clear();
+}
+
+void TestWindowPast::cleanup() { m_fixture.reset(); }
+
+void TestWindowPast::makeSteps(uint64_t count) {
+    for (uint64_t i = 0; i < count; ++i) {
+        const uint64_t step = now().current.step + 1;
+        m_fixture->trigger("step");
+        QTRY_VERIFY(isAt(step));
+        m_states.push_back(now().current);
+    }
+}
+
+// With the mouse on the time.
+void TestWindowPast::goTo(uint64_t step) {
+    m_fixture->window().refresh();
+    QTest::mouseClick(slider(), Qt::LeftButton, {}, {slider()->pixelOf(int(step)), slider()->height() / 2});
+    QTRY_VERIFY(session().isInPast());
+    QTRY_VERIFY(isAt(session().runPlace().place - session().runPlace().begin));
+}
+
+void TestWindowPast::timeBarIsAlwaysThere() {
+    QVERIFY(m_fixture->find<QWidget>("time_bar")->isVisible());
+    makeSteps(20);
+    QCOMPARE(slider()->maximum(), 20);
+    QCOMPARE(slider()->value(), 20);
+    QCOMPARE(m_fixture->find<QLabel>("time_place")->text(), QString("0.200 s · step 20"));
+}
+
+void TestWindowPast::draggedTimeShowsThatMoment() {
+    makeSteps(40);
+    m_fixture->window().refresh();
+    const int middle = slider()->height() / 2;
+    drag(slider(), {slider()->pixelOf(40), middle}, {slider()->pixelOf(10), middle});
+    QTRY_VERIFY(session().isInPast() && isAt(uint64_t(slider()->value())));
+    QVERIFY(slider()->value() < 20);
+    QVERIFY(isSame(now().current, m_states[now().current.step - 1]));
+    QVERIFY(!now().running);
+}
+
+void TestWindowPast::stepBackShowsTheStepBefore() {
+    makeSteps(10);
+    m_fixture->key(Qt::Key_Comma);
+    QTRY_VERIFY(isAt(9));
+    QVERIFY(isSame(now().current, m_states[8]));
+    m_fixture->key(Qt::Key_Comma);
+    QTRY_VERIFY(isAt(8));
+    QVERIFY(isSame(now().current, m_states[7]));
+    QVERIFY(isSame(now().previous, m_states[6]));
+}
+
+void TestWindowPast::stepsForwardEndAtThePresent() {
+    makeSteps(10);
+    goTo(8);
+    m_fixture->key(Qt::Key_Period);
+    QTRY_VERIFY(isAt(9));
+    QVERIFY(session().isInPast());
+    m_fixture->key(Qt::Key_Period);
+    QTRY_VERIFY(isAt(10));
+    QTRY_VERIFY(!session().isInPast());
+    makeSteps(1); // a new one
+    QCOMPARE(now().current.step, uint64_t(11));
+}
+
+void TestWindowPast::escReturnsToThePresent() {
+    makeSteps(10);
+    goTo(3);
+    m_fixture->key(Qt::Key_Escape);
+    QVERIFY(!session().isInPast());
+    QTRY_VERIFY(isAt(10));
+    QVERIFY(isSame(now().current, m_states[9]));
+}
+
+void TestWindowPast::spacePlaysWhatWas() {
+    makeSteps(20);
+    goTo(3);
+    m_fixture->key(Qt::Key_Space);
+    QTRY_VERIFY(!session().isInPast()); // up to the present
+    QTRY_VERIFY(isAt(20));
+    QVERIFY(!now().running);
+    QVERIFY(isSame(now().current, m_states[19]));
+}
+
+void TestWindowPast::plotKeepsTheWholeRun() {
+    makeSteps(20);
+    const inspector::SampleRing &samples = m_fixture->simulation().samples();
+    goTo(5);
+    QCOMPARE(samples.last() - samples.first(), uint64_t(20));
+    m_fixture->key(Qt::Key_Escape);
+    QTRY_VERIFY(isAt(20));
+    QCOMPARE(samples.last() - samples.first(), uint64_t(20));
+}
+
+void TestWindowPast::typedParameterTakesOver() {
+    makeSteps(40);
+    goTo(20);
+    const uint64_t place = now().current.step;
+    auto *box = m_fixture->find<inspector::ui::NumberBox>("gravity_box");
+    box->setFocus();
+    box->selectAll();
+    m_fixture->type("3");
+    m_fixture->key(Qt::Key_Return);
+    QVERIFY(!session().isInPast());
+    QTRY_COMPARE(m_fixture->simulated("gravity"), 3.0);
+    QTRY_VERIFY(isAt(place));
+    const inspector::SampleRing &samples = m_fixture->simulation().samples();
+    QTRY_COMPARE(samples.last() - samples.first(), place); // the rest isn't this run's
+    QVERIFY(session().oldFuture().size() >= 40 - place);   // but is remembered
+    const phys_state before = m_states[place];
+    makeSteps(1);
+    QCOMPARE(now().current.step, place + 1);
+    QVERIFY(!isSame(now().current, before));
+    QCOMPARE(samples.last() - samples.first(), place + 1);
+}
+
+void TestWindowPast::arrowTakesOver() {
+    makeSteps(20);
+    goTo(10);
+    m_fixture->window().view().setFocus(); // the time bar has the keyboard after a click
+    QTest::keyPress(&m_fixture->window().view(), Qt::Key_Up);
+    QTRY_VERIFY(!session().isInPast());
+    QTRY_VERIFY(now().running);
+    QTest::keyRelease(&m_fixture->window().view(), Qt::Key_Up);
+}
+
+void TestWindowPast::takingOverWithoutAChangeGivesTheSameBits() {
+    makeSteps(40);
+    goTo(20);
+    const uint64_t place = now().current.step;
+    const std::vector<phys_state> before = m_states;
+    session().takeOver();
+    QTRY_VERIFY(isAt(place));
+    makeSteps(40 - place);
+    QVERIFY(isSame(now().current, before[39]));
+}
+
+void TestWindowPast::keysJumpFromBounceToBounce() {
+    m_fixture->trigger("show_bounces_dock");
+    makeSteps(250);
+    std::vector<double> times;
+    const inspector::EventLog &log = m_fixture->simulation().events();
+    inspector::LoggedEvent event;
+    for (uint64_t i = log.first(); i < log.last(); ++i)
+        if (log.read(i, event) && event.isBounce() && !event.isSlow()) times.push_back(event.event.time);
+    QVERIFY(times.size() >= 2);
+    m_fixture->key(Qt::Key_Home, Qt::ControlModifier);
+    QTRY_VERIFY(isAt(0));
+    const auto isAtTime = [&](double time) {
+        m_fixture->window().refresh();
+        return now().previous.time < time && time <= now().current.time;
+    };
+    m_fixture->key(Qt::Key_Right, Qt::ControlModifier);
+    QTRY_VERIFY(isAtTime(times[0]));
+    m_fixture->key(Qt::Key_Right, Qt::ControlModifier);
+    QTRY_VERIFY(isAtTime(times[1]));
+    m_fixture->key(Qt::Key_Left, Qt::ControlModifier);
+    QTRY_VERIFY(isAtTime(times[0]));
+}
+
+void TestWindowPast::restartKeepsTheRunBefore() {
+    makeSteps(30);
+    m_fixture->key(Qt::Key_R);
+    QTRY_VERIFY(isAt(0));
+    makeSteps(20);
+    m_fixture->trigger("show_runs_dock");
+    m_fixture->window().refresh();
+    auto *runs = m_fixture->find<QTreeWidget>("runs");
+    QCOMPARE(runs->topLevelItemCount(), 2);
+    runs->setFocus();
+    runs->setCurrentItem(runs->topLevelItem(1)); // the one before
+    m_fixture->key(Qt::Key_Return);
+    QTRY_VERIFY(isAt(30));
+    QVERIFY(isSame(now().current, m_states[29]));
+    const inspector::SampleRing &samples = m_fixture->simulation().samples();
+    QTRY_COMPARE(samples.last() - samples.first(), uint64_t(30));
+    m_fixture->key(Qt::Key_Escape);
+    QTRY_VERIFY(isAt(20));
+    QTRY_COMPARE(samples.last() - samples.first(), uint64_t(20));
+}
+
+void TestWindowPast::clickOnAnotherLevelKeepsTheRun() {
+    makeSteps(30);
+    auto *levels = m_fixture->find<QTreeWidget>("levels");
+    const QRect third = levels->visualItemRect(levels->topLevelItem(2));
+    QTest::mouseClick(levels->viewport(), Qt::LeftButton, {}, third.center());
+    QTRY_VERIFY(isAt(0));
+    QCOMPARE(session().level().name, QString("03"));
+    session().lookAt(session().runs().front().end);
+    QTRY_VERIFY(isAt(30));
+    QVERIFY(isSame(now().current, m_states[29]));
+    QCOMPARE(session().level().name, QString("01"));
+    m_fixture->key(Qt::Key_Escape);
+    QTRY_VERIFY(isAt(0));
+    QCOMPARE(session().level().name, QString("03"));
+}
+
+void TestWindowPast::parametersAreThoseOfTheMoment() {
+    const auto gravity = [&] {
+        return m_fixture->parameters().value(m_fixture->parameters().indexOf(QStringLiteral("gravity")));
+    };
+    makeSteps(20);
+    m_fixture->parameters().set({{QStringLiteral("gravity"), 5.0}});
+    makeSteps(20);
+    goTo(10);
+    QTRY_COMPARE(gravity(), 9.81);
+    m_fixture->key(Qt::Key_Escape);
+    QCOMPARE(gravity(), 5.0);
+    QTRY_COMPARE(m_fixture->simulated("gravity"), 5.0);
+}
+
+void TestWindowPast::savedRunRepeats() {
+    makeSteps(30);
+    m_fixture->key(Qt::Key_R);
+    QTRY_VERIFY(isAt(0));
+    makeSteps(40);
+    QString error;
+    const QString path = m_fixture->path("kept.rec");
+    QVERIFY2(session().saveRun(path, &error), qPrintable(error));
+    QVERIFY(session().openRecording(path));
+    QCOMPARE(session().recording().length(), uint64_t(40));
+    QTRY_COMPARE(session().replayVerdict(now()), QString("same: 40 steps"));
+}
+
+void TestWindowPast::tableAndPictureAreSaved() {
+    makeSteps(30);
+    for (const char *name : {"kept.csv", "kept.png"}) {
+        m_fixture->trigger("save_run");
+        auto *dialog = m_fixture->window().findChild<QFileDialog *>();
+        QVERIFY(dialog);
+        emit dialog->fileSelected(m_fixture->path(name)); // what it says once a name is chosen
+        delete dialog;
+        QVERIFY2(QFile::exists(m_fixture->path(name)), name);
+    }
+    QFile table(m_fixture->path("kept.csv"));
+    QVERIFY(table.open(QIODevice::ReadOnly));
+    QCOMPARE(table.readAll().trimmed().split('\n').size(), 31);
+    const QImage picture(m_fixture->path("kept.png"));
+    QCOMPARE(picture.size(), m_fixture->window().view().size());
+    m_fixture->trigger("picture_scale_1");
+    QCOMPARE(m_fixture->window().view().picture(2).size(), 2 * m_fixture->window().view().size());
+}
+
+void TestWindowPast::saveAsksForAName() {
+    makeSteps(5);
+    m_fixture->key(Qt::Key_S, Qt::ControlModifier);
+    const auto *dialog = m_fixture->window().findChild<QFileDialog *>();
+    QVERIFY(dialog);
+    QCOMPARE(dialog->nameFilters().size(), 3);
+}
+
+void TestWindowPast::recordingIntoAFileIsSeen() {
+    const auto *sign = m_fixture->find<QLabel>("time_recording");
+    m_fixture->window().refresh();
+    QVERIFY(!sign->isVisible());
+    session().startRecording(m_fixture->path("live.rec"));
+    m_fixture->window().refresh();
+    QVERIFY(sign->isVisible());
+}
+
+QTEST_MAIN(TestWindowPast)
+#include "tst_window_past.moc"
