@@ -73,7 +73,8 @@ void TestWindowBall::ballDraggedIntoAWallStaysOutside() {
     std::array<phys_contact, 16> contacts{};
     uint32_t count = 0;
     const phys_scene *scene = m_fixture->session().scene().get();
-    QCOMPARE(phys_scene_contacts(scene, &ball().position, 0.0, contacts.data(), 16, &count), PHYS_OK);
+    const phys_vec3 centre = ball().position;
+    QCOMPARE(phys_scene_contacts(scene, &centre, 0.0, contacts.data(), 16, &count), PHYS_OK);
     for (uint32_t i = 0; i < count; ++i) QVERIFY(contacts[i].gap > -1e-8);
 }
 
