@@ -23,4 +23,5 @@ check_cxx_source_compiles("#ifndef __i386__\n#error not x86 of 32 bits\n#endif\n
 target_compile_options(physics_build_options INTERFACE
     -fno-fast-math
     -ffp-contract=off                                   # a fused multiply-add would give other bits on other machines
+    $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>   # where GCC 12 makes fused operations all the same (vfmaddsub)
     $<$<BOOL:${PHYS_IS_X86_OF_32_BITS}>:-msse2 -mfpmath=sse>)   # x87 rounds to 64 bits, and to double when it likes

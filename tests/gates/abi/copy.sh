@@ -18,7 +18,7 @@ change() {
 
 # build: the copy's library, all in one go and without optimisation.
 build() {
-    find "$copy/src" "$copy/steppers" -name '*.cpp' -print0 | sort -z |
+    find "$copy/src" "$copy/steppers" -name '*.cpp' ! -name '*_windows.cpp' -print0 | sort -z |
         xargs -0 -P2 -I{} sh -c '${CMAKE_CXX_COMPILER_LAUNCHER:-} "${CXX:-g++}" -std=c++20 -g -O0 -fPIC -w \
             -fvisibility=hidden -fvisibility-inlines-hidden -I"$0/include" -I"$0/src" -I"$0/steppers" \
             -c "$1" -o "$1.o"' "$copy" {}
