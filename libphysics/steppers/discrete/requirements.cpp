@@ -3,6 +3,7 @@
 
 #include "base/text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 
@@ -41,16 +42,21 @@ bool passesBy(const PlanInput &input) {
 double reachOfStep(const PlanInput &input) {
     const phys_params &params = input.params;
     const Vec3 gravity = toVec(params.gravity);
-    double drive = glm::length(input.isOnFloor() ? Vec3(gravity.x, gravity.y, 0.0) : gravity);
-    if (params.model == PHYS_MODEL_RIGID) drive += params.sliding_friction * std::abs(gravity.z);
-    return (glm::length(toVec(input.state.velocity)) + drive * input.dt) * input.dt;
+    const double drive = glm::length(input.isOnFloor() ? Vec3(gravity.x, gravity.y, 0.0) : gravity);
+    double speed = glm::length(toVec(input.state.velocity)) + drive * input.dt;
+    if (params.model == PHYS_MODEL_RIGID) {
+        // The floor's friction adds no more speed than 2/7 of the slip that it takes away.
+        const double slip = speed + input.scene.radius * glm::length(toVec(input.state.spin));
+        speed += std::min(params.sliding_friction * std::abs(gravity.z) * input.dt, 2.0 / 7.0 * slip);
+    }
+    return speed * input.dt;
 }
 
 double substepsNeeded(const PlanInput &input) {
     const Scene &scene = input.scene;
     const double safe = 0.5 * scene.radius;
     const double reach = reachOfStep(input);
-    if (staysOnOneFloor(input, reach) || passesBy(input)) return 1.0;
+    if (scene.boxes.empty() || staysOnOneFloor(input, reach) || passesBy(input)) return 1.0;
     const double forWay = reach <= safe ? 1.0 : std::ceil(reach / safe);
     const double spin = glm::length(toVec(input.state.spin));
     return spinsFast(input) ? std::max(forWay, std::ceil(spin * input.dt / kSafeTurn)) : forWay;

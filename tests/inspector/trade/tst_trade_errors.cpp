@@ -27,7 +27,6 @@ private slots:
     void halvingTheStepOfSweptQuartersTheError();
     void modelErrorBelongsToTheRollingModel();
     void modelWithoutReferenceSaysWhy();
-    void sceneWithoutReferenceIsOneLine();
     void quietRunHasNoHorizon();
     void bouncesOffAPillarEndInAHorizon();
     void allButTimingIsTheSameAgain();
@@ -226,20 +225,6 @@ void TestTradeErrors::modelWithoutReferenceSaysWhy() {
     QVERIFY2(rigid.note.startsWith("no reference: ") && rigid.note.contains("rolling_friction"),
              qPrintable(rigid.note));
     QVERIFY(find(result, "swept", 0.05).isValid);
-}
-
-void TestTradeErrors::sceneWithoutReferenceIsOneLine() {
-    // A kerb of half a radius: its contact isn't horizontal.
-    const std::array<phys_box, 2> boxes{{{{-1, -1, -0.01}, {1, 1, 0}}, {{0.1, -1, 0}, {0.2, 1, 0.003}}}};
-    phys_scene_desc description;
-    phys_scene_desc_init(&description, sizeof description);
-    description.boxes = boxes.data();
-    description.box_count = 2;
-    QString error;
-    const Scene kerb = makeScene(description, &error);
-    QVERIFY2(kerb, qPrintable(error));
-    QVERIFY(!measureTrade(plan(kerb, oneTilt(), {0.05}), {}, {}, &error));
-    QVERIFY2(error.startsWith("stepper 'exact', to compare with: ") && !error.contains('\n'), qPrintable(error));
 }
 
 void TestTradeErrors::quietRunHasNoHorizon() {
