@@ -11,6 +11,9 @@ namespace {
 // Differences below this are rounding, share of the speed.
 constexpr double kRounding = 1e-13;
 
+// A gap below this share of the radius is none.
+constexpr double kTouching = 1e-9;
+
 double dot(const phys_vec3 &a, const phys_vec3 &b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 double length(const phys_vec3 &a) { return std::sqrt(dot(a, a)); }
 
@@ -148,9 +151,22 @@ AlongLaw alongLaw(const LoggedEvent &bounce, double radius) {
     return law;
 }
 
-double lateness(const LoggedEvent &bounce) {
-    const double speed = -bounce.event.speed_before;
-    return speed > 0.0 ? bounce.step.penetration / speed : 0.0;
+bool BouncePlace::isAtFace(double radius) const { return std::abs(gap) <= kTouching * radius + uncertainty; }
+
+std::optional<BouncePlace> bouncePlace(const LoggedEvent &bounce, double radius) {
+    const phys_event &event = bounce.event;
+    const phys_state &before = bounce.step.before;
+    if (!bounce.isBounce() || !(event.speed_before < 0.0) || bounce.step.firstEvent < event.time) return std::nullopt;
+    const double passed = event.time - before.time;
+    const double speed = dot(before.velocity, event.normal);
+    const double start = dot(plus(before.position, -1.0, event.point), event.normal) - radius;
+    BouncePlace place{};
+    // The mean speed under a constant acceleration; that of any other speed that only rises or only falls lies between
+    // those of both ends.
+    place.gap = start + 0.5 * (speed + event.speed_before) * passed;
+    place.uncertainty = 0.5 * std::abs(event.speed_before - speed) * passed;
+    place.lateness = place.gap / event.speed_before;
+    return place;
 }
 
 std::vector<LawLine> lawLines(const LoggedEvent &bounce, double radius) {

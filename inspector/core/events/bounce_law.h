@@ -7,6 +7,7 @@
 
 #include <QString>
 
+#include <optional>
 #include <vector>
 
 namespace inspector {
@@ -54,8 +55,15 @@ struct AlongLaw {
 };
 AlongLaw alongLaw(const LoggedEvent &bounce, double radius);
 
-// s by which the bounce was found late, at most: the depth at the speed that it came with.
-double lateness(const LoggedEvent &bounce);
+// Where the ball was when it bounced. A step reports only when that was: the place follows from the state before the
+// step and the normal speeds at both ends of the time between, for which nothing else may have happened first.
+struct BouncePlace {
+    double gap;         // m from the box; negative: overlapping it
+    double uncertainty; // m: none at a step's beginning, else what a changing acceleration can do
+    double lateness;    // s, to first order: negative where the step bounced the ball ahead of the box (model.md 13.5)
+    bool isAtFace(double radius) const;
+};
+std::optional<BouncePlace> bouncePlace(const LoggedEvent &bounce, double radius);
 
 // One line of the explanation.
 struct LawLine {

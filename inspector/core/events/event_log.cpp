@@ -42,6 +42,7 @@ StepFacts factsOf(const Engine &engine, uint32_t stepper) {
     facts.params = engine.inputs().params;
     facts.dt = engine.dt();
     facts.penetration = report.penetration;
+    if (!engine.events().empty()) facts.firstEvent = engine.events().front().time;
     facts.stepper = stepper;
     facts.eventCount = report.event_count + report.events_lost;
     return facts;

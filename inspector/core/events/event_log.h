@@ -20,6 +20,7 @@ struct StepFacts {
     phys_params params{};
     double dt = 0.0;               // s
     double penetration = 0.0;      // deepest of the step, before it was resolved, m
+    double firstEvent = 0.0;       // time of the step's first event, s
     uint32_t stepper = kNoStepper; // index in the registry
     uint32_t eventCount = 0;       // in this step, lost ones included
 };

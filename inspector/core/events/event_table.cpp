@@ -51,11 +51,13 @@ QString boxText(E event, const phys_scene *scene) {
     return QStringLiteral("%1: from %2 to %3").arg(number).arg(vector(box.min, ""), vector(box.max, " m"));
 }
 
-QString depthText(E event, double radius) {
-    const double depth = event.step.penetration;
-    if (!(depth > 1e-9 * radius)) return QStringLiteral("at the face");
-    return QStringLiteral("%1 mm behind the face, so up to %2 ms late")
-        .arg(number(1e3 * depth), number(1e3 * lateness(event)));
+QString placeText(E event, double radius) {
+    const std::optional<BouncePlace> place = bouncePlace(event, radius);
+    if (!place) return QStringLiteral("after something else in the same step");
+    if (place->isAtFace(radius)) return QStringLiteral("at the face");
+    const QString text = place->gap > 0.0 ? QStringLiteral("%1 mm in front of the face, so %2 ms early")
+                                          : QStringLiteral("%1 mm behind the face, so %2 ms late");
+    return text.arg(number(1e3 * std::abs(place->gap)), number(1e3 * std::abs(place->lateness)));
 }
 
 // The law first: it is what one looks for.
@@ -64,7 +66,7 @@ void addBounceLines(E event, double radius, std::vector<LawLine> &lines) {
     const Motion after = motionOf(event.step.after, event.event.normal);
     const std::vector<LawLine> laws = lawLines(event, radius);
     lines.insert(lines.end(), laws.begin(), laws.end());
-    lines.push_back({QStringLiteral("Found"), depthText(event, radius)});
+    lines.push_back({QStringLiteral("Found"), placeText(event, radius)});
     lines.push_back({QStringLiteral("Normal speed"), change(event.event.speed_before, event.event.speed_after)});
     lines.push_back({QStringLiteral("Speed along"),
                      QStringLiteral("%1 in this step").arg(change(before.alongSpeed, after.alongSpeed))});
