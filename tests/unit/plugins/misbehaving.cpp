@@ -101,6 +101,11 @@ phys_status failEndlessly(const Step &step) {
 // Wrong beginnings and ends of life.
 phys_status throwAtCreation(const phys_scene_view *, void **, phys_error *) { throw std::bad_alloc(); }
 phys_status returnGarbageAtCreation(const phys_scene_view *, void **, phys_error *) { return 1; }
+phys_status refuseOneBox(const phys_scene_view *view, void **, phys_error *err) {
+    if (view->box_count > 1) return PHYS_OK;
+    std::strcpy(err->text, "a floor without walls is too simple");
+    return PHYS_ERROR_UNSUPPORTED;
+}
 void throwAtDestruction(void *) { throw 7; }
 phys_status throwRequirements(void *, const phys_params *, double, const phys_state *, phys_requirements *,
                               phys_error *) {
@@ -149,6 +154,7 @@ constexpr phys_stepper_api kTables[] = {
     doing<failEndlessly>("fails-endlessly"),
     creating("throws-at-creation", throwAtCreation),
     creating("garbage-at-creation", returnGarbageAtCreation),
+    creating("wants-walls", refuseOneBox),
     destroying("throws-at-destruction", throwAtDestruction),
     requiring("throws-requirements", throwRequirements),
     requiring("endless-requirements", endlessRequirements),
