@@ -190,7 +190,7 @@ struct Combination {
     const Moment &moment;
     std::span<const Held> held;
     std::array<Reaction, kMostHeld> reactions{};
-    Vec3 rolling{0.0};
+    Vec3 rolling{0.0}; ///< against which resistance acts; shorter than 1 where less than all of it holds the ball
     Vec3 acceleration{0.0}, spinAcceleration{0.0};
     std::array<uint32_t, kMostHeld> column{}; ///< first unknown of each contact
     uint32_t unknowns = 0;
@@ -198,6 +198,14 @@ struct Combination {
     uint32_t count() const { return static_cast<uint32_t>(held.size()); }
     bool sticks(uint32_t i) const { return reactions[i].mode == Mode::sticking; }
     bool isOpen(uint32_t i) const { return reactions[i].mode == Mode::open; }
+    bool isHeld() const { return squared(rolling) < 1.0 - 1e-12; }
+
+    /// What a ball that contact i holds keeps: at most a change of its spin about the normal.
+    void rest(uint32_t i, double zero) {
+        const Vec3 pivoting = spinAcceleration - tangential(spinAcceleration, held[i].normal);
+        acceleration = Vec3(0.0);
+        spinAcceleration = glm::length(pivoting) * moment.radius > zero ? pivoting : Vec3(0.0);
+    }
 
     /// r of contact i per unit of its unknown `part`.
     Vec3 basis(uint32_t i, uint32_t part) const {
@@ -352,34 +360,31 @@ bool fits(const Combination &c, double zero) {
     return true;
 }
 
-/// Resistance of a ball that starts to roll: against the way that it then takes, or as much as holds it.
+/// Resistance of a ball that rolls: against its spin. Of one that starts to roll: against the way that it then takes,
+/// or the share of the most possible that holds it, model.md 14.1.
 void settleRolling(Combination &c, double scale) {
     for (uint32_t i = 0; i < c.count(); ++i) {
         if (!c.sticks(i) || c.held[i].resistance == 0.0) continue;
         const Vec3 spin = rollingSpin(c.moment, c.held[i]);
-        if (spin != Vec3(0.0)) {
+        if (!isNoSlip(c.moment, c.moment.radius * spin)) {
             c.rolling = hat(spin);
             settleDirections(c, scale);
             return;
         }
         const Vec3 free = tangential(c.spinAcceleration, c.held[i].normal);
         if (glm::length(free) * c.moment.radius <= kFits * scale) return;
-        c.rolling = hat(free);
         for (int pass = 0; pass < kMostPasses; ++pass) {
-            settleDirections(c, scale);
+            const double most = resistancePerPressure(c.moment, c.held[i]) * c.reactions[i].pressure;
             const Vec3 rate = tangential(c.spinAcceleration, c.held[i].normal);
-            const double torque = resistancePerPressure(c.moment, c.held[i]) * c.reactions[i].pressure;
-            const Vec3 next = hat(torque * c.rolling + rate);
+            // A torque changes the rate by 2/7 of itself at one contact, and by less at several.
+            const Vec3 torque = most * c.rolling + kSlipPerFriction * rate;
+            const Vec3 next = most > 0.0 ? torque / std::max(most, glm::length(torque)) : Vec3(0.0);
             const double change = glm::length(next - c.rolling);
             c.rolling = next;
+            settleDirections(c, scale);
             if (change <= 4.0 * 0x1p-52) break;
         }
-        settleDirections(c, scale);
-        const bool holds = glm::dot(tangential(c.spinAcceleration, c.held[i].normal), c.rolling) <= 0.0;
-        if (!holds) return;
-        c.rolling = Vec3(0.0);
-        c.acceleration = Vec3(0.0);
-        c.spinAcceleration = glm::dot(c.spinAcceleration, c.held[i].normal) * c.held[i].normal;
+        if (c.isHeld()) c.rest(i, kFits * scale);
         return;
     }
 }
@@ -515,7 +520,7 @@ Response enumerate(const Moment &moment, std::span<const Held> held, const Exclu
                                       (more <= 1e-9 * scale && closedContacts(c) > closedContacts(best));
                 if (isBetter) std::copy(c.reactions.begin(), c.reactions.end(), best.reactions.begin());
                 if (isBetter) best.acceleration = c.acceleration, best.spinAcceleration = c.spinAcceleration;
-                if (isBetter) best.rolling = c.rolling;
+                if (isBetter) best.rolling = c.isHeld() ? Vec3(0.0) : c.rolling;
                 isFound = true;
             }
         }

@@ -418,9 +418,23 @@ bool ExactStep::isAlone(uint32_t &closed) const {
     return closed != kMostHeld;
 }
 
+/// Nothing is left of the velocity of a ball that resistance holds: it was rounding, model.md 14.1.
+void ExactStep::stopHeld() {
+    if (m_response.rolling != Vec3(0.0) || !isNoSlip(moment(), m_motion.velocity)) return;
+    for (uint32_t i = 0; i < m_heldCount; ++i) {
+        if (m_response.reactions[i].mode != Mode::sticking || m_held[i].resistance == 0.0) continue;
+        const Vec3 &n = m_held[i].normal;
+        const Vec3 pivoting = glm::dot(m_motion.spin, n) * n;
+        if (!isNoSlip(moment(), m_scene.radius * (m_motion.spin - pivoting))) continue;
+        const bool pivots = countSticking() == 1 || !isNoSlip(moment(), m_scene.radius * pivoting);
+        m_motion = {Vec3(0.0), pivots ? pivoting : Vec3(0.0)};
+    }
+}
+
 phys_status ExactStep::choose(Phase &phase) {
     if (const phys_status status = respondNow()) return status;
     m_isAnswered = true;
+    stopHeld();
     const Vec3 g = m_setting.gravity();
     uint32_t closed = kMostHeld;
     if (!m_setting.isRigid() && restsNow()) {

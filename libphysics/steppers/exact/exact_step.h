@@ -80,6 +80,7 @@ private:
     void roll(bool isImpact);
     Moment moment() const;
 
+    void stopHeld();
     phys_status choose(Phase &phase);
     phys_status respondNow();
     phys_status jam();

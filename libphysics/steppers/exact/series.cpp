@@ -30,6 +30,7 @@ double goodFor(const VecJet &f, int last) {
     double most = kNever;
     for (const int k : {last - 1, last}) {
         const double size = glm::length(f[k]);
+        if (!std::isfinite(size)) return 0.0; // the unit is far too long
         if (size > 0.0) most = std::min(most, elementary::root(kTail * scale / size, k));
     }
     return most;
@@ -104,10 +105,10 @@ void Series::begin(const Response &response) {
     m_rollStarts = false;
     if (m_rolls < m_count) {
         const Vec3 n = m_contacts[m_rolls].held.normal;
-        const double turning = glm::length(m_om[0] - glm::dot(m_om[0], n) * n);
+        const Vec3 turning = m_om[0] - glm::dot(m_om[0], n) * n;
         if (m_rolling[0] == Vec3(0.0))
             m_rolls = kMostHeld;
-        else if (turning < 1e-140) // whose square is lost
+        else if (isNoSlip(m_moment, m_moment.radius * turning))
             m_rollStarts = true;
         else
             rollingDirection(0);

@@ -31,6 +31,10 @@ private slots:
     void spinsInACornerHoweverLittleItsWallsRub_data();
     void spinsInACornerHoweverLittleItsWallsRub();
     void pivotsOverTheBoardsEdgeAndLeavesIt();
+    void resistanceHoldsItBesideRoughWalls_data();
+    void resistanceHoldsItBesideRoughWalls();
+    void rollingOnRoundingItSpinsAgainstARoughWall_data();
+    void rollingOnRoundingItSpinsAgainstARoughWall();
 };
 
 void ExactBoxes::fallsOnAShelfInACornerOfTwoWalls() {
@@ -144,6 +148,70 @@ void ExactBoxes::pivotsOverTheBoardsEdgeAndLeavesIt() {
         // However rough, the edge holds to the last only until the ball presses no more: it slips a breath before.
         QVERIFY(std::abs(left[0].normal.z - expected) <= (isRough ? 2e-5 : 4.0 * kU / R));
     }
+}
+
+void ExactBoxes::resistanceHoldsItBesideRoughWalls_data() {
+    QTest::addColumn<double>("drive");
+    QTest::addColumn<double>("speed");
+    QTest::addColumn<bool>("isCorner");
+    for (const double drive : {0.125, 0.5, 0.999, 1.001}) {
+        QTest::addRow("%g of the limit, at rest", drive) << drive << 0.0 << false;
+        QTest::addRow("%g of the limit, away from a second wall", drive) << drive << 0.0 << true;
+    }
+    QTest::addRow("rolls until it stops") << 0.5 << 0.0625 << false;
+    QTest::addRow("rolls by rounding") << 0.5 << 1e-19 << false;
+}
+
+/// Along the wall resistance holds what is below mu_r gn: the wall's friction has no share in that, as it would only
+/// turn the ball about the vertical.
+void ExactBoxes::resistanceHoldsItBesideRoughWalls() {
+    QFETCH(double, drive);
+    QFETCH(double, speed);
+    QFETCH(bool, isCorner);
+    const double resistance = 0.015625, gn = 9.75;
+    std::vector<phys_box> boxes{exact::floorOver(-1, -1, 1, 1), exact::wall(-1, -1, 0, 1)};
+    if (isCorner) boxes.push_back(exact::wall(0, -1, 1, -kRadius));
+    Run run(boxes, kRadius, {kRadius, 0, kRadius}, {0, speed, 0});
+    run.params.model = PHYS_MODEL_RIGID;
+    run.params.sliding_friction = 0.3125;
+    run.params.wall_friction = 0.375;
+    run.params.rolling_friction = resistance;
+    run.params.gravity = {-0.25, drive * resistance * gn, -gn};
+    run.state.spin = {-speed / kRadius, 0, speed / kRadius};
+    run.step(2.0);
+    QCOMPARE(bool(run.state.flags & PHYS_AT_REST), drive < 1.0);
+    QCOMPARE(run.state.position.y > 0.0, drive > 1.0 || speed > kU);
+    QCOMPARE(run.state.position.x, kRadius);
+    QCOMPARE(run.state.position.z, kRadius);
+}
+
+void ExactBoxes::rollingOnRoundingItSpinsAgainstARoughWall_data() {
+    QTest::addColumn<double>("rounding");
+    for (const double rounding : {0.0, 1e-300, 1e-30, 1e-19, 1e-17, 1e-15, 1e-13, 1e-11}) {
+        QTest::addRow("%g m/s", rounding) << rounding;
+    }
+}
+
+/// A spin about the vertical that rubs at a wall drives the ball along it, whatever rounding its velocity has.
+void ExactBoxes::rollingOnRoundingItSpinsAgainstARoughWall() {
+    QFETCH(double, rounding);
+    const double R = 0.006;
+    Run run({exact::floorOver(-1, -1, 1, 1), exact::wall(-1, -1, 1, 0)}, R, {0, R, R}, {-rounding, 0, 0});
+    run.params.model = PHYS_MODEL_RIGID;
+    run.params.sliding_friction = 0.115;
+    run.params.wall_friction = 0.205;
+    run.params.rolling_friction = 0.01;
+    run.params.gravity = {-1.4123, -1.4127, -9.6006};
+    run.state.spin = {-0.75 * rounding / R, -0.0625 * rounding / R, 0.33};
+    const phys_state start = run.state;
+    run.step(0.002);
+    const phys_state moved = run.state;
+    QVERIFY(moved.velocity.x < 0.0);
+    run.state = start;
+    run.state.velocity.x = 0.0;
+    run.state.spin = {0, 0, 0.33};
+    run.step(0.002);
+    QVERIFY(std::abs(moved.position.x - run.state.position.x) <= 1e-15 + 4.0 * rounding);
 }
 
 QTEST_GUILESS_MAIN(ExactBoxes)
