@@ -93,8 +93,8 @@ QString alongText(const LoggedEvent &bounce, const AlongLaw &law) {
 } // namespace
 
 Surface surfaceOf(const phys_event &event) {
-    const bool isFlat = event.normal.z > std::sqrt(0.5);
-    return event.kind == PHYS_EVENT_LANDING || isFlat ? Surface::Floor : Surface::Wall;
+    const bool isTop = event.normal.z == 1.0;
+    return event.kind == PHYS_EVENT_LANDING || isTop ? Surface::Floor : Surface::Wall;
 }
 
 double restitutionOf(const LoggedEvent &bounce) {

@@ -14,7 +14,8 @@ namespace inspector {
 
 enum class Surface { Wall, Floor };
 
-// Which coefficients count: a normal nearer to the vertical than to the horizontal is a floor's.
+// Which coefficients count: those of the floor on top faces, of the walls on all other faces, edges and corners
+// (model.md 13.1).
 Surface surfaceOf(const phys_event &event);
 double restitutionOf(const LoggedEvent &bounce);
 double frictionOf(const LoggedEvent &bounce); // of the rigid model
