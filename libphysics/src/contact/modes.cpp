@@ -304,7 +304,7 @@ void solve(Combination &c) {
 
 /// Turns the directions of slips that start, and of a ball that starts to roll against resistance, until they agree
 /// with the accelerations. False if they don't settle.
-bool settleDirections(Combination &c, double scale) {
+bool settleDirections(Combination &c) {
     bool starts = false;
     for (uint32_t i = 0; i < c.count(); ++i) starts = starts || c.reactions[i].mode == Mode::starting;
     if (!starts) {
@@ -328,7 +328,6 @@ bool settleDirections(Combination &c, double scale) {
             return true;
         }
     }
-    (void)scale;
     return false;
 }
 
@@ -360,35 +359,6 @@ bool fits(const Combination &c, double zero) {
     return true;
 }
 
-/// Resistance of a ball that rolls: against its spin. Of one that starts to roll: against the way that it then takes,
-/// or the share of the most possible that holds it, model.md 14.1.
-void settleRolling(Combination &c, double scale) {
-    for (uint32_t i = 0; i < c.count(); ++i) {
-        if (!c.sticks(i) || c.held[i].resistance == 0.0) continue;
-        const Vec3 spin = rollingSpin(c.moment, c.held[i]);
-        if (!isNoSlip(c.moment, c.moment.radius * spin)) {
-            c.rolling = hat(spin);
-            settleDirections(c, scale);
-            return;
-        }
-        const Vec3 free = tangential(c.spinAcceleration, c.held[i].normal);
-        if (glm::length(free) * c.moment.radius <= kFits * scale) return;
-        for (int pass = 0; pass < kMostPasses; ++pass) {
-            const double most = resistancePerPressure(c.moment, c.held[i]) * c.reactions[i].pressure;
-            const Vec3 rate = tangential(c.spinAcceleration, c.held[i].normal);
-            // A torque changes the rate by 2/7 of itself at one contact, and by less at several.
-            const Vec3 torque = most * c.rolling + kSlipPerFriction * rate;
-            const Vec3 next = most > 0.0 ? torque / std::max(most, glm::length(torque)) : Vec3(0.0);
-            const double change = glm::length(next - c.rolling);
-            c.rolling = next;
-            settleDirections(c, scale);
-            if (change <= 4.0 * 0x1p-52) break;
-        }
-        if (c.isHeld()) c.rest(i, kFits * scale);
-        return;
-    }
-}
-
 double sumOfPressures(const Combination &c) {
     double sum = 0.0;
     for (uint32_t i = 0; i < c.count(); ++i) sum += c.reactions[i].pressure;
@@ -412,6 +382,34 @@ bool modeOf(const Held &held, const Reaction &reaction, uint32_t index, Mode &mo
     return index < 3 && (mode = still[index], true);
 }
 
+/// The contact at which rolling resistance acts; count() if none does.
+uint32_t resisted(const Combination &c) {
+    uint32_t i = 0;
+    while (i < c.count() && !(c.sticks(i) && c.held[i].resistance > 0.0)) ++i;
+    return i;
+}
+
+/// Resistance of a ball that starts to roll: against the way that it then takes, or the share of the most possible that
+/// holds it, model.md 14.1. False if directions don't settle.
+bool startRolling(Combination &c, uint32_t i, double scale) {
+    const Vec3 free = tangential(c.spinAcceleration, c.held[i].normal);
+    if (glm::length(free) * c.moment.radius <= kFits * scale) return true;
+    bool isSettled = true;
+    for (int pass = 0; pass < kMostPasses; ++pass) {
+        const double most = resistancePerPressure(c.moment, c.held[i]) * c.reactions[i].pressure;
+        const Vec3 rate = tangential(c.spinAcceleration, c.held[i].normal);
+        // A torque changes the rate by 2/7 of itself at one contact, and by less at several.
+        const Vec3 torque = most * c.rolling + kSlipPerFriction * rate;
+        const Vec3 next = most > 0.0 ? torque / std::max(most, glm::length(torque)) : Vec3(0.0);
+        const double change = glm::length(next - c.rolling);
+        c.rolling = next;
+        isSettled = settleDirections(c);
+        if (change <= 4.0 * 0x1p-52) break;
+    }
+    if (c.isHeld()) c.rest(i, kFits * scale);
+    return isSettled;
+}
+
 /// Directions in which slips begin: against the friction that would be needed to stop them.
 bool aimStarts(Combination &c) {
     Combination stuck = c;
@@ -429,6 +427,16 @@ bool aimStarts(Combination &c) {
         if (c.reactions[i].direction == Vec3(0.0)) return false;
     }
     return true;
+}
+
+/// Finds the reactions of a combination, and all directions that they depend on. False if those don't settle.
+bool settle(Combination &c, double scale) {
+    const uint32_t i = resisted(c);
+    const Vec3 spin = i < c.count() ? rollingSpin(c.moment, c.held[i]) : Vec3(0.0);
+    const bool rolls = !isNoSlip(c.moment, c.moment.radius * spin);
+    if (rolls) c.rolling = hat(spin);
+    if (!aimStarts(c) || !settleDirections(c)) return false;
+    return i == c.count() || rolls || startRolling(c, i, scale);
 }
 
 /// One contact alone has a closed form.
@@ -511,8 +519,7 @@ Response enumerate(const Moment &moment, std::span<const Held> held, const Exclu
             isAllowed = isAllowed && !((excluded.closed >> i & 1U) && !c.isOpen(i)) &&
                         !((excluded.sticking >> i & 1U) && c.sticks(i));
         }
-        if (isAllowed && closedContacts(c) <= kMostPressing && aimStarts(c) && settleDirections(c, scale)) {
-            settleRolling(c, scale);
+        if (isAllowed && closedContacts(c) <= kMostPressing && settle(c, scale)) {
             if (shares && !fits(c, zero)) share(c, zero);
             if (fits(c, zero)) {
                 const double more = isFound ? sumOfPressures(c) - sumOfPressures(best) : 0.0;

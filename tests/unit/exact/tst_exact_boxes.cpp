@@ -35,6 +35,7 @@ private slots:
     void resistanceHoldsItBesideRoughWalls();
     void rollingOnRoundingItSpinsAgainstARoughWall_data();
     void rollingOnRoundingItSpinsAgainstARoughWall();
+    void resistanceAloneLetsASlipStartAtAnEdge();
 };
 
 void ExactBoxes::fallsOnAShelfInACornerOfTwoWalls() {
@@ -212,6 +213,24 @@ void ExactBoxes::rollingOnRoundingItSpinsAgainstARoughWall() {
     run.state.spin = {0, 0, 0.33};
     run.step(0.002);
     QVERIFY(std::abs(moved.position.x - run.state.position.x) <= 1e-15 + 4.0 * rounding);
+}
+
+/// Rolling round an upright edge the friction that it needs there passes the cone by what resistance asks for: without
+/// that both contacts stick, so that no slip has a direction.
+void ExactBoxes::resistanceAloneLetsASlipStartAtAnEdge() {
+    const double c = 0.1973234, s = std::sqrt(1.0 - c * c), speed = 0.011831;
+    Run run({exact::floorOver(-1, -1, 1, 1), exact::wall(-1, 0, 0, 1)}, kRadius, {kRadius * c, -kRadius * s, kRadius},
+            {-speed * s, -speed * c, 0});
+    run.params.model = PHYS_MODEL_RIGID;
+    run.params.sliding_friction = 0.145917;
+    run.params.wall_friction = 0.240514;
+    run.params.rolling_friction = 0.00156939;
+    run.params.gravity = {0.947895, 1.28372, -9.67934};
+    run.state.spin = {speed * c / kRadius, -speed * s / kRadius, -speed / kRadius};
+    run.step(0.001);
+    const phys_vec3 &p = run.state.position;
+    QVERIFY(std::abs(std::hypot(p.x, p.y) - kRadius) <= 4.0 * kU);
+    QVERIFY(run.state.velocity.x * s + run.state.velocity.y * c < 0.0);
 }
 
 QTEST_GUILESS_MAIN(ExactBoxes)
