@@ -9,6 +9,7 @@
 #include <QDialog>
 #include <QDockWidget>
 #include <QMenu>
+#include <QTimer>
 
 #include <cmath>
 #include <random>
@@ -95,6 +96,7 @@ private:
     void typeText();
     void closeDialogs();
     void chooseFromMenu();
+    void leaveInnerLoops();
 
     std::mt19937 m_random;
     std::unique_ptr<Fixture> m_fixture;
@@ -162,6 +164,14 @@ void TestWindowMonkey::chooseFromMenu() {
     if (chosen && chosen->isEnabled() && chosen->objectName() != "quit") chosen->trigger();
 }
 
+// A menu or a dialog may wait for an answer in an event loop of its own, and the hands with it.
+void TestWindowMonkey::leaveInnerLoops() {
+    if (QApplication::activePopupWidget())
+        chooseFromMenu();
+    else if (QWidget *dialog = QApplication::activeModalWidget())
+        dialog->close();
+}
+
 void TestWindowMonkey::act() {
     if (QApplication::activePopupWidget() && any(3) == 0) chooseFromMenu();
     switch (any(8)) {
@@ -192,6 +202,9 @@ void TestWindowMonkey::randomHandsBreakNothing() {
     m_random.seed(seed);
     m_fixture = std::make_unique<Fixture>();
     QVERIFY(m_fixture->isReady());
+    QTimer answers;
+    connect(&answers, &QTimer::timeout, this, &TestWindowMonkey::leaveInnerLoops);
+    answers.start(20);
     for (unsigned i = 0; i < actions; ++i) {
         act();
         const phys_state ball = m_fixture->simulation().latest().current;
