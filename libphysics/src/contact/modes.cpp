@@ -11,10 +11,11 @@ namespace phys {
 
 namespace {
 
-constexpr int kMostPasses = 1000;          // of the direction in which a slip starts
-constexpr double kFits = 1e-11;            // relative: a condition that holds within this holds
-constexpr double kInertia = 2.5;           // m R^2 / I of a solid ball
-constexpr double kSlipPerFriction = 3.5;   // what friction at one contact changes its slip by: 1 + 5/2
+constexpr int kMostPasses = 1000;        // of the direction in which a slip starts
+constexpr double kFits = 1e-11;          // relative: a condition that holds within this holds
+constexpr double kRoughly = 1e6 * kFits; // then directions that settle too slowly do: friction still only takes energy
+constexpr double kInertia = 2.5;         // m R^2 / I of a solid ball
+constexpr double kSlipPerFriction = 3.5; // what friction at one contact changes its slip by: 1 + 5/2
 constexpr double kNoSlip = 64.0 * 0x1p-52; // relative
 constexpr uint32_t kMostPressing = 4;      // of contacts with different normals, model.md 14.1
 
@@ -404,7 +405,7 @@ bool startRolling(Combination &c, uint32_t i, double scale) {
         const double change = glm::length(next - c.rolling);
         c.rolling = next;
         isSettled = settleDirections(c);
-        if (change <= 4.0 * 0x1p-52) break;
+        if (change <= 4.0 * 0x1p-52 || !isSettled) break;
     }
     if (c.isHeld()) c.rest(i, kFits * scale);
     return isSettled;
@@ -435,8 +436,10 @@ bool settle(Combination &c, double scale) {
     const Vec3 spin = i < c.count() ? rollingSpin(c.moment, c.held[i]) : Vec3(0.0);
     const bool rolls = !isNoSlip(c.moment, c.moment.radius * spin);
     if (rolls) c.rolling = hat(spin);
-    if (!aimStarts(c) || !settleDirections(c)) return false;
-    return i == c.count() || rolls || startRolling(c, i, scale);
+    if (!aimStarts(c)) return false;
+    const bool isSettled = settleDirections(c);
+    if (i == c.count() || rolls) return isSettled;
+    return startRolling(c, i, scale) && isSettled;
 }
 
 /// One contact alone has a closed form.
@@ -519,7 +522,7 @@ Response enumerate(const Moment &moment, std::span<const Held> held, const Exclu
             isAllowed = isAllowed && !((excluded.closed >> i & 1U) && !c.isOpen(i)) &&
                         !((excluded.sticking >> i & 1U) && c.sticks(i));
         }
-        if (isAllowed && closedContacts(c) <= kMostPressing && settle(c, scale)) {
+        if (isAllowed && closedContacts(c) <= kMostPressing && (settle(c, scale) || tolerance >= kRoughly)) {
             if (shares && !fits(c, zero)) share(c, zero);
             if (fits(c, zero)) {
                 const double more = isFound ? sumOfPressures(c) - sumOfPressures(best) : 0.0;
@@ -654,7 +657,7 @@ Response respond(const Moment &moment, std::span<const Held> held, const Exclude
     const Response unknown = seen;
     seen.isFound = false;
     // A slip that has just begun has a direction of few digits, so that what depends on it fits only roughly.
-    for (const double tolerance : {kFits, 1e3 * kFits, 1e6 * kFits}) {
+    for (const double tolerance : {kFits, 1e3 * kFits, kRoughly}) {
         if (!seen.isFound)
             seen = enumerate(mirror.seen(moment), sorted.list(), excludedSeen, unknown, tolerance, false);
         if (!seen.isFound) seen = enumerate(mirror.seen(moment), sorted.list(), excludedSeen, unknown, tolerance, true);
