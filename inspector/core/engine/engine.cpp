@@ -26,9 +26,9 @@ void Engine::restart() {
     if (phys_scene_start(m_scene.get(), &start) == PHYS_OK) setState(start);
 }
 
-void Engine::setState(const phys_state &state) {
+void Engine::setState(const phys_state &state, const EnergySums &sums) {
     m_state = m_previous = state;
-    m_lost = {};
+    m_sums = m_previousSums = sums;
     m_report = {};
     phys_report_init(&m_report, sizeof m_report);
     m_report.events = m_events.data();
@@ -66,10 +66,11 @@ bool Engine::step(QString *error) {
     }
     m_previous = m_state;
     m_state = next;
-    m_lost.impact += m_report.lost_impact;
-    m_lost.rolling += m_report.lost_rolling;
-    m_lost.slip += m_report.lost_slip;
-    m_lost.scheme += m_report.energy_scheme;
+    m_previousSums = m_sums;
+    m_sums.impact += m_report.lost_impact;
+    m_sums.rolling += m_report.lost_rolling;
+    m_sums.slip += m_report.lost_slip;
+    m_sums.scheme += m_report.energy_scheme;
     return true;
 }
 
@@ -79,10 +80,10 @@ Sample Engine::sample() const {
     const phys_vec3 &before = m_previous.velocity;
     if (m_dt > 0.0)
         sample[Channel::Acceleration] = std::hypot(now.x - before.x, now.y - before.y, now.z - before.z) / m_dt;
-    sample[Channel::LostImpact] = m_lost.impact;
-    sample[Channel::LostRolling] = m_lost.rolling;
-    sample[Channel::LostSlip] = m_lost.slip;
-    sample[Channel::Scheme] = m_lost.scheme;
+    sample[Channel::LostImpact] = m_sums.impact;
+    sample[Channel::LostRolling] = m_sums.rolling;
+    sample[Channel::LostSlip] = m_sums.slip;
+    sample[Channel::Scheme] = m_sums.scheme;
     return sample;
 }
 

@@ -15,6 +15,11 @@
 
 namespace inspector {
 
+// Summed up since a ball was put somewhere, J/kg; the last is made, not lost.
+struct EnergySums {
+    double impact = 0.0, rolling = 0.0, slip = 0.0, scheme = 0.0;
+};
+
 class Engine {
 public:
     static constexpr double kDefaultDt = 0.01;  // s
@@ -41,9 +46,12 @@ public:
     // At the scene's start, or at the one that was set.
     void restart();
     void setStart(const std::optional<phys_state> &start) { m_start = start; } // nothing: the scene's
-    void setState(const phys_state &state);
+    // sums: 0, or those that the run had there.
+    void setState(const phys_state &state, const EnergySums &sums = {});
     const phys_state &state() const { return m_state; }
     const phys_state &previous() const { return m_previous; }
+    const EnergySums &sums() const { return m_sums; }
+    const EnergySums &previousSums() const { return m_previousSums; }
 
     // One step of dt. On failure the state stays as it was and `error` gets the library's line.
     bool step(QString *error);
@@ -67,10 +75,8 @@ private:
     phys_state m_previous{};
     std::array<phys_event, kEventCapacity> m_events{};
     phys_report m_report{};
-    // Summed up since the state was set, J/kg; the last is made, not lost.
-    struct {
-        double impact = 0.0, rolling = 0.0, slip = 0.0, scheme = 0.0;
-    } m_lost;
+    EnergySums m_sums;
+    EnergySums m_previousSums;
 };
 
 } // namespace inspector

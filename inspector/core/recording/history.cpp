@@ -60,7 +60,8 @@ void History::openBlock(const Engine &engine, bool isRun) {
     if (!m_place || m_place->scene != engine.scene())
         m_place = std::make_shared<const Place>(Place{m_origin, engine.scene()});
     if (!m_blocks.empty()) m_blocks.back().hashes.shrink_to_fit();
-    m_blocks.push_back({m_end, m_place, engine.dt(), engine.inputs(), engine.previous(), isRun, {}});
+    m_blocks.push_back(
+        {m_end, m_place, engine.dt(), engine.inputs(), engine.previous(), engine.previousSums(), isRun, {}});
 }
 
 void History::note(const Engine &engine) {
@@ -114,7 +115,7 @@ std::optional<Past> History::past(uint64_t from, uint64_t to, QString *error) co
         recording.stretches.push_back(stretchOf(block, isFirst));
         std::vector<uint64_t> &hashes = recording.stretches.back().hashes;
         hashes.resize(std::min<uint64_t>(hashes.size(), to - block.begin));
-        past.keyframes.push_back({block.begin - past.begin, recording.stretches.size() - 1, block.from});
+        past.keyframes.push_back({block.begin - past.begin, recording.stretches.size() - 1, block.from, block.sums});
         if (block.place.get() != place) addMaze(mazes, *block.place);
         place = block.place.get();
     }

@@ -63,7 +63,8 @@ private:
         double dt; // s
         Inputs inputs;
         phys_state from;
-        bool isRun; // doesn't go on from the block before
+        EnergySums sums; // there
+        bool isRun;      // doesn't go on from the block before
         std::vector<uint64_t> hashes;
     };
 

@@ -13,7 +13,7 @@ namespace inspector {
 // No thread, no clock, no widgets. One thread at a time, to which the recording's steppers then belong.
 class Player {
 public:
-    // Steps from one keyframe to the next, and so the most that it takes to go anywhere. 128 bytes each.
+    // Steps from one keyframe to the next, and so the most that it takes to go anywhere. 160 bytes each.
     static constexpr uint64_t kKeyframeInterval = 512;
 
     // At the beginning of a recording that has a stretch.

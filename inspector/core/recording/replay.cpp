@@ -43,7 +43,7 @@ void Replay::moveTo(const Keyframe &place) {
     m_position = place.position;
     m_isStuck = false;
     takeConditions(m_stretch);
-    m_engine->setState(place.state);
+    m_engine->setState(place.state, place.sums);
 }
 
 bool Replay::step() {
@@ -101,9 +101,10 @@ void Replay::failAsRecorded() {
     if (expected.isEmpty()) return;
     QString failure;
     const phys_state before = m_engine->state();
+    const EnergySums sums = m_engine->sums();
     const bool hasStepped = m_engine->step(&failure);
     compare(before, expected, hasStepped ? text(phys_state_hash(&m_engine->state())) : failure);
-    if (hasStepped) m_engine->setState(before);
+    if (hasStepped) m_engine->setState(before, sums);
 }
 
 void Replay::compare(const phys_state &before, const QString &expected, const QString &found) {

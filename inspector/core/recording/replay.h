@@ -26,6 +26,7 @@ struct Keyframe {
     uint64_t position = 0;
     size_t stretch = 0; // of the step before
     phys_state state{};
+    EnergySums sums;
 };
 
 // Makes a recording's steps again, one by one, and compares the hash of every state.
@@ -44,7 +45,7 @@ public:
     const Engine &engine() const { return *m_engine; }
     const std::optional<Difference> &difference() const { return m_difference; } // the first that was met
 
-    Keyframe keyframe() const { return {m_position, m_stretch, m_engine->state()}; }
+    Keyframe keyframe() const { return {m_position, m_stretch, m_engine->state(), m_engine->sums()}; }
     void moveTo(const Keyframe &place); // of this recording
 
 private:

@@ -31,7 +31,7 @@ const std::vector<phys_param_row> &boardRows() {
          "Slope of the board along y; positive makes the ball roll away from the viewer. Default 0.", "", -80.0, 80.0,
          -kTiltLimit, kTiltLimit, 0.0, 0.1, boardOffset(kTiltY), 0},
         {"gravity", "Gravity", "m/s^2", "Strength of gravity: 9.81 on Earth (default), 1.62 on the Moon.", "",
-         kLeastGravity, 1000.0, 0.01, 25.0, 9.81, 0.01, boardOffset(kGravity), 0},
+         kLeastGravity, 1000.0, 0.1, 25.0, 9.81, 0.01, boardOffset(kGravity), 0},
     };
     return rows;
 }

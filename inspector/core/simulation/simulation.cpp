@@ -421,7 +421,7 @@ void Simulation::Worker::goOnLive(uint64_t number) {
     engine.setScene(from.scene(), recording.stepper(player->stretch()));
     engine.setDt(from.dt());
     obey({from.inputs(), number});
-    engine.setState(from.state());
+    engine.setState(from.state(), from.sums());
     if (past) {
         owner.m_samples.truncate(owner.m_samples.find(std::nextafter(engine.state().time, HUGE_VAL)));
         owner.m_events.forgetAfter(engine.state().time);

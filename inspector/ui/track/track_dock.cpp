@@ -4,6 +4,7 @@
 #include "core/track/fit_report.h"
 #include "core/track/track_reader.h"
 #include "ui/parameters/parameter_command.h"
+#include "ui/parts/described.h"
 #include "ui/parts/file_chooser.h"
 #include "ui/parts/path_icon.h"
 #include "ui/track/residual_plot.h"
@@ -27,6 +28,7 @@ TrackDock::TrackDock(Session &session, QUndoStack &undo, QWidget *parent)
     , m_residuals(new ResidualPlot) {
     setObjectName(QStringLiteral("track"));
     m_report->setObjectName(QStringLiteral("track_report"));
+    m_report->setAccessibleName(tr("Result of the fit"));
     m_report->setReadOnly(true);
     m_report->setFocusPolicy(Qt::ClickFocus);
     m_report->setPlaceholderText(
@@ -59,21 +61,24 @@ QWidget *TrackDock::makeControls() {
     m_file = new QLineEdit;
     m_file->setObjectName(QStringLiteral("track_file"));
     m_file->setPlaceholderText(tr("Table with columns t, x, y"));
+    describe(m_file, tr("Table of the measured ball"),
+             tr("A file with columns t, x, y and, if measured, tilt_x, tilt_y"));
     QAction *open = m_file->addAction(glyphIcon(Glyph::Open), QLineEdit::TrailingPosition);
     open->setToolTip(tr("Choose a file…"));
     connect(open, &QAction::triggered, this, &TrackDock::openFile);
     m_units = new QLineEdit;
     m_units->setObjectName(QStringLiteral("track_units"));
     m_units->setPlaceholderText(tr("Units: t=ms, x=mm, px=0.25mm, fps=60, mirror=y"));
-    m_units->setToolTip(tr("What the names of the columns don't say"));
+    describe(m_units, tr("Units of the table"), tr("What the names of the columns don't say"));
     m_fit = new QPushButton(tr("Fit"));
     m_fit->setObjectName(QStringLiteral("track_fit"));
-    m_fit->setToolTip(tr("Find the board on which the computed ball rolls like the measured one"));
+    describe(m_fit, {}, tr("Find the board on which the computed ball rolls like the measured one"));
     m_takeOver = new QPushButton(tr("Take over"));
     m_takeOver->setObjectName(QStringLiteral("track_take_over"));
-    m_takeOver->setToolTip(tr("Set model and coefficients to what the fit has found"));
+    describe(m_takeOver, {}, tr("Set model and coefficients to what the fit has found"));
     m_progress = new QProgressBar;
     m_progress->setRange(0, 1000);
+    m_progress->setAccessibleName(tr("Progress of the fit"));
     for (QPushButton *button : {m_fit, m_takeOver}) button->setFocusPolicy(Qt::TabFocus); // keys stay the game's
     auto *controls = new QWidget;
     auto *layout = new QHBoxLayout(controls);

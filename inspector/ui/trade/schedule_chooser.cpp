@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/trade/schedule_chooser.h"
 
+#include "ui/parts/described.h"
 #include "ui/parts/file_chooser.h"
 #include "ui/parts/path_icon.h"
 
@@ -24,13 +25,13 @@ ScheduleChooser::ScheduleChooser(QSettings &settings, QWidget *parent)
     m_kind->setObjectName(QStringLiteral("trade_schedule"));
     m_kind->addItems({tr("Quiet and busy"), tr("Autopilot (quiet)"), tr("Busy"), tr("Random tilts"),
                       tr("Tilts from a file")}); // in the order of Kind
-    m_kind->setToolTip(tr("How the board tilts while all steppers are measured"));
+    describe(m_kind, tr("Tilts"), tr("How the board tilts while all steppers are measured"));
     m_kind->setFocusPolicy(Qt::TabFocus); // a click leaves the keyboard to the game
     m_seed->setObjectName(QStringLiteral("trade_seed"));
     m_seed->setRange(0, std::numeric_limits<int>::max());
     m_seed->setValue(1);
     m_seed->setPrefix(tr("seed "));
-    m_seed->setToolTip(tr("The same seed gives the same tilts, everywhere"));
+    describe(m_seed, tr("Seed of the random tilts"), tr("The same seed gives the same tilts, everywhere"));
     addFile();
     auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -44,7 +45,8 @@ ScheduleChooser::ScheduleChooser(QSettings &settings, QWidget *parent)
 void ScheduleChooser::addFile() {
     m_file->setObjectName(QStringLiteral("trade_file"));
     m_file->setPlaceholderText(tr("File with rows of time, tilt x, tilt y"));
-    m_file->setToolTip(tr("Rows of time [s], tilt x and tilt y [°]; or a table of a run, as --csv writes it"));
+    describe(m_file, tr("File of tilts"),
+             tr("Rows of time [s], tilt x and tilt y [°]; or a table of a run, as --csv writes it"));
     m_file->setMinimumWidth(fontMetrics().averageCharWidth() * 26);
     QAction *open = m_file->addAction(glyphIcon(Glyph::Open), QLineEdit::TrailingPosition);
     open->setToolTip(tr("Choose a file…"));

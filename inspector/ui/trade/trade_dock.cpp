@@ -4,6 +4,7 @@
 #include "core/program/trade_command.h"
 #include "core/setup/tables.h"
 #include "core/trade/trade_table.h"
+#include "ui/parts/described.h"
 #include "ui/parts/elided_label.h"
 #include "ui/parts/stepping_command.h"
 #include "ui/trade/schedule_chooser.h"
@@ -89,18 +90,21 @@ TradeDock::TradeDock(Session &session, QUndoStack &undo, QWidget *parent)
 
 void TradeDock::makeControls() {
     m_measure = named(new QPushButton(tr("Measure")), "trade_measure");
+    describe(m_measure, {}, tr("Measure what every stepper and step size costs, and how far off it is"));
     m_schedule = new ScheduleChooser(m_session.settings());
     m_duration = named(new QDoubleSpinBox, "trade_duration");
     m_duration->setRange(0.5, 600.0);
     m_duration->setDecimals(1);
     m_duration->setSuffix(tr(" s"));
     m_duration->setValue(kTradeDuration);
-    m_duration->setToolTip(tr("Simulated time, at most"));
+    describe(m_duration, tr("Duration"), tr("Simulated time, at most"));
     m_model = named(new QComboBox, "trade_model");
     m_model->addItems({tr("Rolling model"), tr("Rigid model")}); // in the order of their numbers
+    describe(m_model, tr("Model"), tr("The model whose figures are shown"));
     m_unknowns = named(new QLineEdit(usualUnknowns()), "trade_unknowns");
-    m_unknowns->setToolTip(tr("What isn't known exactly of the real board, and by how much: tilt, start or a parameter "
-                              "by its name; none: nothing"));
+    describe(m_unknowns, tr("Not known"),
+             tr("What isn't known exactly of the real board, and by how much: tilt, start or a parameter by its name; "
+                "none: nothing"));
     m_unknownsError = named(new QLabel, "trade_unknowns_error");
     m_horizon = named(new QDoubleSpinBox, "trade_horizon");
     m_horizon->setRange(0.1, 60.0);
@@ -108,30 +112,35 @@ void TradeDock::makeControls() {
     m_horizon->setPrefix(tr("for "));
     m_horizon->setSuffix(tr(" s"));
     m_horizon->setValue(kTradeHorizon);
-    m_horizon->setToolTip(tr("How far ahead a setting has to be good enough"));
+    describe(m_horizon, tr("Horizon"), tr("How far ahead a setting has to be good enough"));
     m_share = named(new QSpinBox, "trade_share");
     m_share->setRange(1, 100);
     m_share->setPrefix(tr("error below "));
     m_share->setSuffix(tr(" % of it"));
     m_share->setValue(25);
-    m_share->setToolTip(tr("Errors below this share of what isn't known are good enough"));
+    describe(m_share, tr("Share of what isn't known"),
+             tr("Errors below this share of what isn't known are good enough"));
     m_goodEnough = named(new ElidedLabel, "trade_good_enough");
     m_useGoodEnough = named(new QPushButton(tr("Use this")), "trade_use_good_enough");
-    m_useGoodEnough->setToolTip(tr("Let the simulation go on with the cheapest setting that is good enough"));
+    describe(m_useGoodEnough, tr("Use the cheapest setting that is good enough"),
+             tr("Let the simulation go on with the cheapest setting that is good enough"));
     m_useGoodEnough->setEnabled(false);
     m_progress = named(new QProgressBar, "trade_progress");
     m_progress->setRange(0, 1000);
+    m_progress->setAccessibleName(tr("Progress of the measurement"));
     m_progress->setVisible(false);
     m_remark = named(new ElidedLabel, "trade_remark");
     m_remark->setText(tr("Measures every stepper and step size against stepper exact, beside the simulation."));
     m_tolerance = named(new QSlider(Qt::Horizontal), "trade_tolerance");
     m_tolerance->setRange(kSmallest, kLargest);
     m_tolerance->setPageStep(kPerDecade);
+    describe(m_tolerance, tr("Accepted error"),
+             tr("The largest error that is accepted; the cheapest setting below it is chosen"));
     m_toleranceText = new QLabel;
     m_toleranceText->setMinimumWidth(fontMetrics().horizontalAdvance(tr("Error under 8.9e-05 mm = 8.9e-05 R")));
     m_answer = named(new ElidedLabel, "trade_answer");
     m_use = named(new QPushButton(tr("Use this")), "trade_use");
-    m_use->setToolTip(tr("Let the simulation go on with the chosen stepper, step size and model"));
+    describe(m_use, {}, tr("Let the simulation go on with the chosen stepper, step size and model"));
     m_use->setEnabled(false);
 }
 
@@ -192,6 +201,7 @@ QWidget *TradeDock::makeBottom() {
 
 void TradeDock::makeTable() {
     m_table = named(new QTableView, "trade_table");
+    m_table->setAccessibleName(tr("Measured settings"));
     m_sorted->setSourceModel(m_rows);
     m_sorted->setSortRole(TradeTableModel::kSortRole);
     m_sorted->setFilterKeyColumn(TradeTableModel::Model);

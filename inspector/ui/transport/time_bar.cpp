@@ -24,7 +24,7 @@ int notchOf(uint64_t position) { return int(std::min<uint64_t>(position, INT_MAX
 
 QToolButton *buttonOf(QAction *action) {
     auto *button = new QToolButton;
-    button->setObjectName(QStringLiteral("time_") + action->objectName());
+    button->setObjectName(QStringLiteral("time_bar_") + action->objectName());
     button->setDefaultAction(action);
     button->setAutoRaise(!action->icon().isNull());
     button->setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the view

@@ -327,6 +327,7 @@ void TestWindowComparison::ghostOnTheBallIsHidden() {
 }
 
 void TestWindowComparison::trailsAreBoundedAndOfTheLegendsColours() {
+    m_fixture->parameters().set({{"restitution_wall", 1.0}}); // both are still on their ways at the end
     m_fixture->session().setDt(0.1);
     compareWith({"explicit-euler", 1});
     makeSteps(40); // 4 s
@@ -371,17 +372,15 @@ void TestWindowComparison::coloursCanBeTold() {
     }
 }
 
+// In 10 s the ball becomes so fast that the ghost would need more substeps than are allowed; exact has no such limit.
 void TestWindowComparison::refusalIsOneLineInBarAndDock() {
-    QFile file(m_fixture->path("kerb.txt"));
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write("physics-maze 1\nunits m\nball 0.006\nstart 0 0 0.006\nbox -0.1 -0.1 -0.01 0.1 0.1 0\n"
-               "box 0.03 -0.1 0 0.04 0.1 0.002\n");
-    file.close();
-    compareWith({});
-    QVERIFY(m_fixture->session().openLevel(inspector::levelOfFile(file.fileName())));
+    m_fixture->session().setStepper("exact");
+    compareWith({"symplectic-euler", 1});
+    m_fixture->session().setDt(inspector::Engine::kLargestDt);
+    m_fixture->trigger("step");
     QTRY_VERIFY(!now().ghost);
     const QString line = m_fixture->window().messages().line();
-    QVERIFY2(line.startsWith("comparison with exact: box 1"), qPrintable(line));
+    QVERIFY2(line.startsWith("comparison with symplectic-euler: this step needs"), qPrintable(line));
     QCOMPARE(figures(), line);
     makeSteps(3);
 }

@@ -305,7 +305,7 @@ void TestWindowReplay::goingOnKeepsTheMoment() {
     open(recorded());
     goTo(95);
     const phys_state moment = m_fixture->simulation().latest().current;
-    click(m_fixture->find<QToolButton>("time_go_on"));
+    click(m_fixture->find<QToolButton>("time_bar_go_on"));
     QVERIFY(!m_fixture->session().isReplaying());
     QVERIFY(!m_fixture->find<QAction>("close_recording")->isEnabled());
     QTRY_COMPARE(m_fixture->simulation().latest().replay.number, uint64_t(0));
