@@ -28,6 +28,7 @@ MessageBar::MessageBar(QWidget *parent)
 
     auto *close = new QToolButton;
     close->setObjectName(QStringLiteral("dismiss"));
+    close->setAccessibleName(tr("Dismiss the message"));
     close->setIcon(glyphIcon(Glyph::Close));
     close->setToolTip(tr("Hide this message"));
     close->setAutoRaise(true);
