@@ -57,6 +57,8 @@ struct Response {
     Vec3 rolling{0.0};   ///< unit: what rolling resistance acts against, hat(om_t); 0 where there is none
     double noise = 0.0;  ///< m/s^2: accelerations up to this are rounding
     bool isFound = true; ///< false: no modes fit, model.md 14.1
+
+    std::span<const Reaction> list() const { return {reactions.data(), count}; }
 };
 
 /// Slip velocity of the ball's surface at a contact.

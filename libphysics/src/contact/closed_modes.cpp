@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "contact/closed_modes.h"
+
+#include "contact/held.h"
+
+namespace phys {
+
+namespace {
+
+/// A floor that needs no share in what the others do, and smooth contacts whose normals it doesn't know: the reactions
+/// of those solve a linear complementarity problem whose solution is unique.
+struct Smooth {
+    const Moment &moment;
+    std::span<const Held> held;
+    double inertia; ///< mass that a push at the centre moves: 7/5 where the ball must roll
+    double zero;    ///< acceleration that is none but for rounding
+
+    double approach(uint32_t i, const Vec3 &a) const {
+        return glm::dot(held[i].normal, a) + curvature(moment, held[i]);
+    }
+};
+
+/// Whether all contacts but those of a set let the ball accelerate by a.
+bool allows(const Smooth &smooth, const Vec3 &a, uint32_t among, uint32_t but) {
+    for (uint32_t i = 0; i < smooth.held.size(); ++i) {
+        if ((among >> i & 1U) && !(but >> i & 1U) && smooth.approach(i, a) < -smooth.zero) return false;
+    }
+    return true;
+}
+
+/// Pushes of two contacts that keep both; false if they are parallel or one would have to pull.
+bool pushOfTwo(const Smooth &smooth, const Vec3 &a, uint32_t i, uint32_t j, double &first, double &second) {
+    const Vec3 line = glm::cross(smooth.held[i].normal, smooth.held[j].normal);
+    const double c = glm::dot(smooth.held[i].normal, smooth.held[j].normal), determinant = glm::dot(line, line);
+    if (determinant == 0.0) return false;
+    const double x = -smooth.approach(i, a), y = -smooth.approach(j, a);
+    first = (x - c * y) / determinant;
+    second = (y - c * x) / determinant;
+    return first >= 0.0 && second >= 0.0;
+}
+
+/// Adds the pushes of the contacts among a set to a; false if more than two have to push.
+bool pushSmooth(const Smooth &smooth, uint32_t among, Vec3 &a, std::array<double, kMostHeld> &push) {
+    const uint32_t count = static_cast<uint32_t>(smooth.held.size());
+    if (allows(smooth, a, among, 0)) return true;
+    for (uint32_t i = 0; i < count; ++i) {
+        if (!(among >> i & 1U)) continue;
+        const double size = -smooth.approach(i, a);
+        const Vec3 pushed = a + size * smooth.held[i].normal;
+        if (size <= 0.0 || !allows(smooth, pushed, among, 1U << i)) continue;
+        push[i] = size;
+        a = pushed;
+        return true;
+    }
+    for (uint32_t i = 0; i < count; ++i) {
+        for (uint32_t j = i + 1; j < count; ++j) {
+            double first = 0.0, second = 0.0;
+            if (!(among >> i & 1U) || !(among >> j & 1U) || !pushOfTwo(smooth, a, i, j, first, second)) continue;
+            const Vec3 pushed = a + (first * smooth.held[i].normal + second * smooth.held[j].normal);
+            if (!allows(smooth, pushed, among, 1U << i | 1U << j)) continue;
+            push[i] = first;
+            push[j] = second;
+            a = pushed;
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Contacts that neither push nor let go: kept, so that the next moment finds them.
+void fillSmooth(const Smooth &smooth, uint32_t among, const Vec3 &a, const std::array<double, kMostHeld> &push,
+                Response &response) {
+    for (uint32_t i = 0; i < smooth.held.size(); ++i) {
+        if (!(among >> i & 1U)) continue;
+        Reaction &reaction = response.reactions[i];
+        const bool stays = push[i] > 0.0 || std::abs(smooth.approach(i, a)) <= smooth.zero;
+        reaction.mode = stays ? Mode::smooth : Mode::open;
+        reaction.pressure = smooth.inertia * push[i];
+        reaction.force = reaction.pressure * smooth.held[i].normal;
+    }
+}
+
+} // namespace
+
+bool respondSmooth(const Moment &moment, std::span<const Held> held, uint32_t among, double zero, Response &response) {
+    const Smooth smooth{moment, held, 1.0, zero};
+    std::array<double, kMostHeld> push{};
+    Vec3 a = moment.gravity;
+    if (!pushSmooth(smooth, among, a, push)) return false;
+    response.acceleration = a;
+    fillSmooth(smooth, among, a, push, response);
+    return true;
+}
+
+bool respondOnFloor(const Moment &moment, std::span<const Held> held, uint32_t floor, uint32_t among, double zero,
+                    Response &response) {
+    const Held &ground = held[floor];
+    Reaction &reaction = response.reactions[floor];
+    const Vec3 &up = ground.normal;
+    const double R = moment.radius, N = -moment.gravity.z;
+    if (N < 0.0) return false;
+    const Vec3 level(moment.gravity.x, moment.gravity.y, 0.0);
+    const bool slips = reaction.slip != Vec3(0.0) && !ground.isGlued && ground.friction > 0.0;
+    const bool rolls = !slips && (ground.isGlued || ground.friction > 0.0);
+    const double B = rolls ? 5.0 / 7.0 * ground.resistance * N : 0.0;
+
+    Smooth smooth{moment, held, rolls ? 1.4 : 1.0, zero};
+    std::array<double, kMostHeld> push{};
+    Vec3 a = rolls ? 5.0 / 7.0 * level : level;
+    Vec3 heading(0.0); // of the way that resistance acts against
+    if (slips) {
+        reaction.direction = hat(reaction.slip);
+        a -= ground.friction * N * reaction.direction;
+    } else if (B > 0.0) {
+        heading = hat(glm::cross(rollingSpin(moment, ground), up));
+        a -= B * heading;
+    }
+    if (!pushSmooth(smooth, among, a, push)) return false;
+    if (std::count_if(push.begin(), push.end(), [](double size) { return size > 0.0; }) > 1) a = Vec3(0.0);
+    if (B > 0.0 && heading == Vec3(0.0)) {
+        // At rest: resistance balances what it can of what the others leave, model.md 2.1 R4.
+        const double size = glm::length(a);
+        heading = hat(a);
+        a = size > B ? a - B * heading : Vec3(0.0);
+        if (size <= B) heading = Vec3(0.0);
+    }
+    Vec3 others(0.0);
+    for (uint32_t i = 0; i < held.size(); ++i) others += smooth.inertia * push[i] * held[i].normal;
+    const Vec3 needed = -2.0 / 7.0 * (level + others);
+    const bool tooSteep =
+        rolls && !ground.isGlued && glm::length(needed) > ground.friction * N + kFits * accelerationScale(moment);
+    if (tooSteep) return false;
+
+    const Vec3 friction = slips ? -ground.friction * N * reaction.direction : rolls ? needed - B * heading : Vec3(0.0);
+    reaction.mode = slips ? Mode::slipping : rolls ? Mode::sticking : Mode::smooth;
+    reaction.pressure = N;
+    reaction.force = N * up + friction;
+    response.acceleration = a;
+    response.rolling = glm::cross(up, heading);
+    response.spinAcceleration = rolls ? glm::cross(up, a) / R : -kInertia / R * glm::cross(up, friction);
+    fillSmooth(smooth, among, a, push, response);
+    return true;
+}
+
+Response respondAlone(const Moment &moment, const Held &contact, double zero, Response response) {
+    Reaction &reaction = response.reactions[0];
+    const Vec3 &n = contact.normal;
+    const double N = -(glm::dot(moment.gravity, n) + curvature(moment, contact));
+    if (N < -zero) return response;
+    const Vec3 free = tangential(moment.gravity - glm::cross(moment.spin, contact.across * moment.velocity), n);
+    const bool slips = reaction.slip != Vec3(0.0);
+    Vec3 friction = -2.0 / 7.0 * free;
+    const bool holds = !slips && glm::length(friction) <= contact.friction * N + kFits * accelerationScale(moment);
+    reaction.mode = slips ? Mode::slipping : holds ? Mode::sticking : Mode::starting;
+    if (contact.friction == 0.0) reaction.mode = Mode::smooth;
+    reaction.direction = slips ? hat(reaction.slip) : holds ? Vec3(0.0) : hat(free);
+    if (contact.friction == 0.0) reaction.direction = Vec3(0.0);
+    if (!holds || contact.friction == 0.0) friction = -contact.friction * N * reaction.direction;
+    reaction.pressure = N;
+    reaction.force = N * n + friction;
+    response.acceleration = moment.gravity + reaction.force;
+    response.spinAcceleration = -kInertia / moment.radius * glm::cross(n, friction);
+    return response;
+}
+
+} // namespace phys

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "contact/combination.h"
+
+namespace phys {
+
+void addRows(const Combination &c, uint32_t i, dense::Equations &equations, const Vec3 &slipRate, double apart) {
+    const Held &contact = c.held[i];
+    const Moment &moment = c.moment;
+    const bool sticks = c.sticks(i);
+    for (uint32_t row = 0; row < (sticks ? 3U : 1U); ++row) {
+        Vec3 axis = contact.normal;
+        if (sticks) axis = {row == 0 ? 1.0 : 0.0, row == 1 ? 1.0 : 0.0, row == 2 ? 1.0 : 0.0};
+        dense::Row &equation = equations.add();
+        for (uint32_t j = 0; j < c.count(); ++j) {
+            for (uint32_t part = 0; part < c.width(j); ++part) {
+                const Vec3 force = c.basis(j, part);
+                Vec3 change = force;
+                if (sticks) change -= moment.radius * glm::cross(c.spinPerForce(j, force), contact.normal);
+                equation.factors[c.column[j] + part] = glm::dot(axis, change);
+            }
+        }
+        equation.value = sticks ? glm::dot(axis, slipRate) : apart;
+    }
+}
+
+void addGauge(const Combination &c, uint32_t i, uint32_t j, dense::Equations &equations) {
+    const Vec3 line = hat(c.held[i].normal - c.held[j].normal);
+    const Vec3 at[] = {tangential(line, c.held[i].normal), -tangential(line, c.held[j].normal)};
+    dense::Row &equation = equations.add();
+    for (uint32_t part = 0; part < 3; ++part) {
+        equation.factors[c.column[i] + part] = at[0][static_cast<int>(part)];
+        equation.factors[c.column[j] + part] = at[1][static_cast<int>(part)];
+    }
+    equation.value = 0.0;
+}
+
+namespace {
+
+/// Accelerations and slips' rates that follow from the reactions.
+void accelerate(Combination &c) {
+    c.acceleration = c.moment.gravity;
+    c.spinAcceleration = Vec3(0.0);
+    for (uint32_t i = 0; i < c.count(); ++i) {
+        if (c.isOpen(i)) continue;
+        c.acceleration += c.reactions[i].force;
+        c.spinAcceleration += c.spinPerForce(i, c.reactions[i].force);
+    }
+}
+
+} // namespace
+
+Vec3 slipRate(const Combination &c, uint32_t i) {
+    const Held &contact = c.held[i];
+    return c.acceleration - c.moment.radius * glm::cross(c.spinAcceleration, contact.normal) -
+           glm::cross(c.moment.spin, contact.across * c.moment.velocity);
+}
+
+void solve(Combination &c) {
+    c.unknowns = 0;
+    for (uint32_t i = 0; i < c.count(); ++i) {
+        c.column[i] = c.unknowns;
+        c.unknowns += c.width(i);
+    }
+    dense::Equations equations(c.unknowns);
+    for (uint32_t i = 0; i < c.count(); ++i) {
+        if (!c.isOpen(i)) {
+            const Vec3 turning = glm::cross(c.moment.spin, c.held[i].across * c.moment.velocity);
+            addRows(c, i, equations, turning - c.moment.gravity,
+                    -(glm::dot(c.held[i].normal, c.moment.gravity) + curvature(c.moment, c.held[i])));
+        }
+        for (uint32_t j = 0; j < i; ++j) {
+            if (c.sticks(i) && c.sticks(j)) addGauge(c, i, j, equations);
+        }
+    }
+    const dense::Values x = equations.solve();
+    for (uint32_t i = 0; i < c.count(); ++i) {
+        Reaction &reaction = c.reactions[i];
+        reaction.force = Vec3(0.0);
+        for (uint32_t part = 0; part < c.width(i); ++part) reaction.force += x[c.column[i] + part] * c.basis(i, part);
+        reaction.pressure = c.isOpen(i) ? 0.0 : glm::dot(reaction.force, c.held[i].normal);
+    }
+    accelerate(c);
+}
+
+bool fits(const Combination &c, double zero) {
+    for (uint32_t i = 0; i < c.count(); ++i) {
+        const Reaction &reaction = c.reactions[i];
+        const double apart = glm::dot(c.held[i].normal, c.acceleration) + curvature(c.moment, c.held[i]);
+        switch (reaction.mode) {
+        case Mode::open:
+            if (apart < -zero) return false;
+            break;
+        case Mode::starting:
+            if (std::abs(apart) > zero || reaction.pressure < -zero) return false;
+            if (glm::dot(slipRate(c, i), reaction.direction) <= zero) return false;
+            break;
+        case Mode::sticking:
+            if (std::abs(apart) > zero || reaction.pressure < -zero) return false;
+            if (c.held[i].isGlued) break;
+            if (glm::length(slipRate(c, i)) > zero) return false;
+            if (reserve(c.held[i], reaction, c.rolling) <
+                -2.0 * zero * c.held[i].friction * reaction.pressure - zero * zero)
+                return false;
+            break;
+        default:
+            if (std::abs(apart) > zero || reaction.pressure < -zero) return false;
+        }
+    }
+    return true;
+}
+
+void share(Combination &c, double zero) {
+    for (uint32_t i = 0; i < c.count(); ++i) {
+        for (uint32_t j = 0; j < i; ++j) {
+            if (!c.sticks(i) || !c.sticks(j)) continue;
+            const Vec3 line = hat(c.held[i].normal - c.held[j].normal);
+            std::array<double, 16> moves{};
+            uint32_t count = 1;
+            const auto addRoots = [&](uint32_t k, const Vec3 &along) {
+                // |r + s along|^2 = (1 + mu^2) (n.(r + s along))^2
+                const double most = 1.0 + c.held[k].friction * c.held[k].friction;
+                const Vec3 &r = c.reactions[k].force, &n = c.held[k].normal;
+                const double rn = glm::dot(r, n), ln = glm::dot(along, n);
+                const double q2 = squared(along) - most * ln * ln;
+                const double q1 = glm::dot(r, along) - most * rn * ln, q0 = squared(r) - most * rn * rn;
+                const double discriminant = q1 * q1 - q2 * q0;
+                if (c.held[k].isGlued || discriminant < 0.0 || q2 == 0.0) return;
+                moves[count++] = (-q1 + std::sqrt(discriminant)) / q2;
+                moves[count++] = (-q1 - std::sqrt(discriminant)) / q2;
+            };
+            addRoots(i, line);
+            addRoots(j, -line);
+            std::sort(moves.begin(), moves.begin() + count,
+                      [](double a, double b) { return std::abs(a) < std::abs(b); });
+            const Reaction before[] = {c.reactions[i], c.reactions[j]};
+            for (uint32_t move = 0; move < count; ++move) {
+                c.reactions[i].force = before[0].force + moves[move] * line;
+                c.reactions[j].force = before[1].force - moves[move] * line;
+                for (const uint32_t k : {i, j}) {
+                    c.reactions[k].pressure = glm::dot(c.reactions[k].force, c.held[k].normal);
+                }
+                if (fits(c, zero)) return;
+            }
+            c.reactions[i] = before[0];
+            c.reactions[j] = before[1];
+        }
+    }
+}
+
+} // namespace phys

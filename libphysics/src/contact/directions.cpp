@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+// Directions that depend on the forces which they cause: model.md 14.1.
+#include "contact/combination.h"
+
+namespace phys {
+
+namespace {
+
+constexpr int kMostPasses = 100;   // of the directions in which slips and rolling start
+constexpr int kPlainPasses = 8;    // before they are mixed: until then they turn the right way
+constexpr double kSettled = 4e-15; // of a direction
+
+/// One of each contact, and that of resistance last.
+using Aims = std::array<Vec3, kMostHeld + 1>;
+
+double dot(const Aims &a, const Aims &b) {
+    double sum = 0.0;
+    for (size_t i = 0; i < a.size(); ++i) sum += glm::dot(a[i], b[i]);
+    return sum;
+}
+
+void add(Aims &a, double factor, const Aims &b) {
+    for (size_t i = 0; i < a.size(); ++i) a[i] += factor * b[i];
+}
+
+/// Finds x = next(x) faster than by going from x to next(x): Anderson's mixing, which takes the changes of the last
+/// steps for those of a linear map.
+class Mixing {
+public:
+    /// From x and next(x) to a better one.
+    Aims mix(const Aims &x, const Aims &next) {
+        Aims missing = next, better = next;
+        add(missing, -1.0, x);
+        if (m_isBegun) {
+            remember(missing, next);
+            Aims left = missing;
+            for (uint32_t i = 0; i < m_count; ++i) {
+                const double share = dot(m_missing[i], left);
+                add(left, -share, m_missing[i]);
+                add(better, -share, m_next[i]);
+            }
+        }
+        m_lastMissing = missing;
+        m_lastNext = next;
+        m_isBegun = true;
+        return better;
+    }
+
+private:
+    static constexpr uint32_t kDepth = 3;
+
+    std::array<Aims, kDepth> m_missing, m_next; // orthonormal changes of what is missing, with those of next
+    Aims m_lastMissing, m_lastNext;
+    uint32_t m_count = 0;
+    bool m_isBegun = false;
+
+    void remember(const Aims &missing, const Aims &next) {
+        Aims change = missing, moved = next;
+        add(change, -1.0, m_lastMissing);
+        add(moved, -1.0, m_lastNext);
+        if (m_count == kDepth) m_count = 0;
+        const double whole = dot(change, change);
+        for (uint32_t i = 0; i < m_count; ++i) {
+            const double share = dot(m_missing[i], change);
+            add(change, -share, m_missing[i]);
+            add(moved, -share, m_next[i]);
+        }
+        const double size = std::sqrt(dot(change, change));
+        if (!(size > 1e-8 * std::sqrt(whole))) return;
+        for (size_t i = 0; i < change.size(); ++i) {
+            m_missing[m_count][i] = change[i] / size;
+            m_next[m_count][i] = moved[i] / size;
+        }
+        ++m_count;
+    }
+};
+
+/// Contacts whose directions are sought. `rolls`: that at which a ball starts to roll against resistance.
+struct Sought {
+    uint32_t starting = 0; ///< bits
+    uint32_t rolls = kMostHeld;
+};
+
+/// The directions that the forces of the present ones ask for.
+Aims askedFor(const Combination &c, const Sought &sought) {
+    Aims asked{};
+    for (uint32_t i = 0; i < c.count(); ++i) {
+        if (!(sought.starting >> i & 1U)) continue;
+        const Reaction &reaction = c.reactions[i];
+        const Vec3 rate = tangential(slipRate(c, i), c.held[i].normal);
+        asked[i] = hat(c.held[i].friction * reaction.pressure * reaction.direction + rate / kSlipPerFriction);
+    }
+    if (sought.rolls == kMostHeld) return asked;
+    const Held &ground = c.held[sought.rolls];
+    const double most = resistancePerPressure(c.moment, ground) * c.reactions[sought.rolls].pressure;
+    // A torque changes the rate by 2/7 of itself at one contact, and by less at several.
+    const Vec3 torque = most * c.rolling + kSlipPerFriction * tangential(c.spinAcceleration, ground.normal);
+    if (most > 0.0) asked.back() = torque / std::max(most, glm::length(torque));
+    return asked;
+}
+
+Aims aimsOf(const Combination &c, const Sought &sought) {
+    Aims aims{};
+    for (uint32_t i = 0; i < c.count(); ++i) {
+        if (sought.starting >> i & 1U) aims[i] = c.reactions[i].direction;
+    }
+    if (sought.rolls != kMostHeld) aims.back() = c.rolling;
+    return aims;
+}
+
+void aim(Combination &c, const Sought &sought, const Aims &aims) {
+    for (uint32_t i = 0; i < c.count(); ++i) {
+        if (sought.starting >> i & 1U) c.reactions[i].direction = hat(aims[i]);
+    }
+    if (sought.rolls != kMostHeld) c.rolling = aims.back() / std::max(1.0, glm::length(aims.back()));
+}
+
+/// Turns the directions until they agree with the accelerations. False if they don't settle.
+bool settleDirections(Combination &c, const Sought &sought) {
+    solve(c);
+    if (sought.starting == 0 && sought.rolls == kMostHeld) return true;
+    Mixing mixing;
+    for (int pass = 0; pass < kMostPasses; ++pass) {
+        const Aims aims = aimsOf(c, sought), asked = askedFor(c, sought);
+        double change = 0.0;
+        for (size_t i = 0; i < aims.size(); ++i) change = std::max(change, glm::length(asked[i] - aims[i]));
+        const bool isSettled = change <= kSettled;
+        aim(c, sought, isSettled || pass < kPlainPasses ? asked : mixing.mix(aims, asked));
+        solve(c);
+        if (isSettled) return true;
+    }
+    return false;
+}
+
+/// The contact at which rolling resistance acts; count() if none does.
+uint32_t resisted(const Combination &c) {
+    uint32_t i = 0;
+    while (i < c.count() && !(c.sticks(i) && c.held[i].resistance > 0.0)) ++i;
+    return i;
+}
+
+/// Directions in which slips begin: against the friction that would be needed to stop them.
+bool aimStarts(Combination &c) {
+    Combination stuck = c;
+    bool starts = false;
+    for (uint32_t i = 0; i < c.count(); ++i) {
+        if (c.reactions[i].mode != Mode::starting) continue;
+        stuck.reactions[i].mode = Mode::sticking;
+        starts = true;
+    }
+    if (!starts) return true;
+    solve(stuck);
+    for (uint32_t i = 0; i < c.count(); ++i) {
+        if (c.reactions[i].mode != Mode::starting) continue;
+        c.reactions[i].direction = -hat(tangential(stuck.reactions[i].force, c.held[i].normal));
+        if (c.reactions[i].direction == Vec3(0.0)) return false;
+    }
+    return true;
+}
+
+} // namespace
+
+bool settle(Combination &c) {
+    const double zero = kFits * accelerationScale(c.moment);
+    Sought sought;
+    for (uint32_t i = 0; i < c.count(); ++i) {
+        if (c.reactions[i].mode == Mode::starting) sought.starting |= 1U << i;
+    }
+    const uint32_t ground = resisted(c);
+    const Vec3 spin = ground < c.count() ? rollingSpin(c.moment, c.held[ground]) : Vec3(0.0);
+    const bool rolls = !isNoSlip(c.moment, c.moment.radius * spin);
+    if (rolls) c.rolling = hat(spin);
+    if (!aimStarts(c)) return false;
+    bool isSettled = settleDirections(c, sought);
+    if (ground == c.count() || rolls) return isSettled;
+    // Resistance of a ball that starts to roll: against the way that it then takes, or the share of the most possible
+    // that holds it, model.md 14.1.
+    const Vec3 free = tangential(c.spinAcceleration, c.held[ground].normal);
+    if (glm::length(free) * c.moment.radius <= zero) return isSettled;
+    sought.rolls = ground;
+    isSettled = settleDirections(c, sought) && isSettled;
+    if (c.isHeld()) c.rest(ground, zero);
+    return isSettled;
+}
+
+} // namespace phys

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// What a lasting contact adds to the accelerations: model.md 14.1.
+#pragma once
+
+#include "contact/modes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace phys {
+
+inline constexpr double kFits = 1e-11;          // relative: a condition that holds within this holds
+inline constexpr double kInertia = 2.5;         // m R^2 / I of a solid ball
+inline constexpr double kSlipPerFriction = 3.5; // what friction at one contact changes its slip by: 1 + 5/2
+
+inline double squared(const Vec3 &v) { return glm::dot(v, v); }
+
+/// Also of vectors whose squares underflow.
+inline Vec3 hat(Vec3 v) {
+    const double most = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (most == 0.0) return Vec3(0.0);
+    if (most < 1e-100) v /= most;
+    return v / glm::length(v);
+}
+
+inline Vec3 tangential(const Vec3 &v, const Vec3 &normal) { return v - glm::dot(v, normal) * normal; }
+
+inline bool isFace(const Held &held) { return held.across.x + held.across.y + held.across.z == 1.0; }
+inline bool isTopFace(const Held &held) { return isFace(held) && held.normal.z == 1.0; }
+
+/// What the curvature of a feature adds to the normal acceleration: |P v|^2 / R.
+inline double curvature(const Moment &moment, const Held &held) {
+    return isFace(held) ? 0.0 : squared(held.across * moment.velocity) / moment.radius;
+}
+
+/// Part of the spin that rolling resistance acts against.
+inline Vec3 rollingSpin(const Moment &moment, const Held &held) { return tangential(moment.spin, held.normal); }
+
+inline double resistancePerPressure(const Moment &moment, const Held &held) {
+    return kInertia * held.resistance / moment.radius;
+}
+
+} // namespace phys
