@@ -13,8 +13,16 @@ namespace {
 /// More impacts than this in one step are refused.
 constexpr uint32_t kEventCap = 10'000;
 
+/// Nor may the search for them take more than this: some 50 ms.
+constexpr uint32_t kEffortCap = 100'000;
+
 phys_status refuseEvents(phys_error *err) {
     return fail(err, PHYS_ERROR_EVENT_CAP, "this step has more than %u impacts: take a smaller dt", kEventCap);
+}
+
+phys_status refuseEffort(phys_error *err) {
+    return fail(err, PHYS_ERROR_EVENT_CAP,
+                "this step tries the ball at more than %u places to find its events: take a smaller dt", kEffortCap);
 }
 
 /// Sweeping takes the place of substeps, and no rest rule but the one for slow bounces applies.
@@ -50,6 +58,7 @@ phys_status sweepStep(const PlanInput &input, phys_state &out, phys_report *repo
     Sweep sweep(input, reporter, plan, before);
     for (uint32_t events = 0; !sweep.toNextEvent(); ++events) {
         if (events == kEventCap) return refuseEvents(err);
+        if (sweep.effort() > kEffortCap) return refuseEffort(err);
     }
     Ball ball = sweep.ball();
     if (!leaveOverlaps(context, ball)) return refuseStuck(before.position, err);

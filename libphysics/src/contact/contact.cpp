@@ -106,18 +106,25 @@ bool Contacts::reverseTies() {
     return any;
 }
 
-bool findContacts(const Setting &setting, const Vec3 &position, const Motion &motion, const Vec3 &way, Contacts &out) {
+bool findContacts(const Setting &setting, const Vec3 &position, const Motion &motion, std::span<const Vec3> ways,
+                  Contacts &out) {
     const Scene &scene = setting.scene;
     const double tolerance = setting.tolerance;
     const double touching = scene.radius + tolerance;
     const double overlapping = scene.radius - tolerance;
-    const Vec3 end = position + way;
+    double furthest = 0.0;
+    for (const Vec3 &way : ways) furthest = std::max(furthest, glm::length(way));
+    const auto isReached = [&](const phys_box &box) {
+        return std::any_of(ways.begin(), ways.end(), [&](const Vec3 &way) {
+            return squaredDistance(box, position + way) < overlapping * overlapping;
+        });
+    };
     out.clear();
     bool isOutside = true;
     double negligible = -1.0; // not needed before something is near
-    visitNear(scene, position, touching + glm::length(way), [&](const phys_box &box, uint32_t number) {
+    visitNear(scene, position, touching + furthest, [&](const phys_box &box, uint32_t number) {
         const bool isTouched = squaredDistance(box, position) <= touching * touching;
-        if (!isTouched && squaredDistance(box, end) >= overlapping * overlapping) return;
+        if (!isTouched && !isReached(box)) return;
         if (negligible < 0.0) negligible = negligibleSpeed(motion, scene.radius);
         Contact contact;
         Vec3 d;

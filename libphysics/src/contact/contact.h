@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <utility>
 
 namespace phys {
@@ -99,8 +100,14 @@ struct Setting {
     Vec3 gravity() const { return toVec(params.gravity); }
 };
 
-/// Finds what a ball at `position` touches, or would overlap after a `way` (m), in the order of Contacts::sort.
-/// False if the centre is inside a box: that is no contact, the ball must be pushed out first.
-bool findContacts(const Setting &setting, const Vec3 &position, const Motion &motion, const Vec3 &way, Contacts &out);
+/// Finds what a ball at `position` touches, or would overlap after any of the `ways` (m), in the order of
+/// Contacts::sort. False if the centre is inside a box: that is no contact, the ball must be pushed out first.
+bool findContacts(const Setting &setting, const Vec3 &position, const Motion &motion, std::span<const Vec3> ways,
+                  Contacts &out);
+
+inline bool findContacts(const Setting &setting, const Vec3 &position, const Motion &motion, const Vec3 &way,
+                         Contacts &out) {
+    return findContacts(setting, position, motion, std::span(&way, 1), out);
+}
 
 } // namespace phys

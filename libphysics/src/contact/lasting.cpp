@@ -28,13 +28,15 @@ double reactionOf(const Lasting &contact, const Motion &motion) {
 }
 
 /// Friction that ends the slip, or as much of it as Coulomb's cone allows against the mean slip.
-Vec3 frictionOf(const Lasting &contact, const Motion &motion, double radius) {
+Vec3 frictionOf(Lasting &contact, const Motion &motion, double radius) {
+    contact.isSpent = false;
     if (contact.reaction == 0.0 || (contact.friction == 0.0 && !contact.isGlued)) return Vec3(0.0);
     const Vec3 slip = slipAt(motion, contact.limit, radius);
     // An impulse of 1 changes the slip by 7/2.
     const Vec3 sticking = across(contact.rubbing - 2.0 / 7.0 * slip, contact.lever);
     const double most = contact.friction * contact.reaction;
     if (contact.isGlued || glm::dot(sticking, sticking) <= most * most) return sticking;
+    contact.isSpent = true;
     return clipped(across(contact.rubbing - 2.0 / 7.0 * (contact.slipBefore + slip), contact.lever), most);
 }
 

@@ -21,11 +21,12 @@ struct Lasting {
     double reaction; ///< impulses per mass, m/s
     Vec3 rubbing;
     Vec3 resisting; ///< rolling resistance: change of the spin, rad/s
+    bool isSpent;   ///< friction is at its limit
     bool rolls;     ///< a top face without slip, so that rolling resistance works there
 
-    /// Whether friction has a reserve.
+    /// Whether friction has a reserve. Its size alone doesn't tell: that of a spent one is rounded.
     bool sticks() const {
-        return reaction > 0.0 && glm::dot(rubbing, rubbing) < friction * friction * reaction * reaction;
+        return !isSpent && reaction > 0.0 && glm::dot(rubbing, rubbing) < friction * friction * reaction * reaction;
     }
 };
 

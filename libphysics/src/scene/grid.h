@@ -63,6 +63,15 @@ template<class Visit>
 void Grid::visitOverlapping(const Vec2 &low, const Vec2 &high, Visit visit) const {
     if (m_items.empty()) return;
     const Cells query = cellsOf(low, high);
+    if (query.count() > m_boxCells.size()) { // it is shorter to ask the boxes
+        for (uint32_t box = 0; box < m_boxCells.size(); ++box) {
+            const Cells &own = m_boxCells[box];
+            const bool overlaps = own.column0 <= query.column1 && query.column0 <= own.column1 &&
+                                  own.row0 <= query.row1 && query.row0 <= own.row1;
+            if (overlaps) visit(box);
+        }
+        return;
+    }
     for (uint32_t row = query.row0; row <= query.row1; ++row) {
         for (uint32_t column = query.column0; column <= query.column1; ++column) {
             const size_t cell = row * m_columnCount + column;

@@ -40,15 +40,17 @@ void book(const StepContext &context, const LastingContacts &contacts, const Mot
     const Motion mean{0.5 * (before.velocity + after.velocity), 0.5 * (before.spin + after.spin)};
     for (const Lasting &contact : contacts) {
         const Vec3 slip = mean.velocity - radius * glm::cross(mean.spin, contact.lever);
-        context.report.lostSlip(-glm::dot(contact.rubbing, slip));
-        context.report.lostRolling(-0.4 * radius * radius * glm::dot(contact.resisting, mean.spin));
+        // Neither gives energy: what the order leaves below 0 is the scheme's.
+        context.report.lostSlip(std::max(0.0, -glm::dot(contact.rubbing, slip)));
+        context.report.lostRolling(std::max(0.0, -0.4 * radius * radius * glm::dot(contact.resisting, mean.spin)));
     }
 }
 
 Lasting lastingOf(const Contact &contact, double slow) {
     const Vec3 none(0.0);
-    return {contact.normal, contact.normal, slow, contact.friction, contact.isTop, contact.isGlued, none, none, 0.0,
-            none,           none,           false};
+    return {
+        contact.normal, contact.normal, slow, contact.friction, contact.isTop, contact.isGlued, none, none, 0.0, none,
+        none,           false,          false};
 }
 
 /// The explicit rule: the old velocity, with the new one's part along the normals that press.
@@ -168,8 +170,8 @@ void snapToFace(const StepContext &context, const Contact &contact, Ball &ball) 
     }
 }
 
-void lookAhead(const StepContext &context, const Ball &ball, const Vec3 &way, double h, Contacts &contacts) {
-    findContacts(context.setting, ball.position, motionOf(ball), way, contacts);
+void lookAhead(const StepContext &context, const Ball &ball, std::span<const Vec3> ways, double h, Contacts &contacts) {
+    findContacts(context.setting, ball.position, motionOf(ball), ways, contacts);
     contacts.dropHidden(context.setting.tolerance);
     const Vec3 gravity = context.setting.gravity();
     for (Contact &contact : contacts) {
@@ -205,9 +207,12 @@ SpinOnFloor::SpinOnFloor(const StepContext &context, const Contacts &contacts, c
     : m_context(context)
     , m_before(ball.spin) {
     const double negligible = negligibleSpeed(motionOf(ball), context.radius());
-    m_rolled = std::any_of(contacts.begin(), contacts.end(), [&](const Contact &contact) {
-        return contact.isGlued && touches(context, contact) && std::abs(ball.velocity.z) <= negligible;
-    });
+    m_rolled =
+        std::any_of(contacts.begin(), contacts.end(),
+                    [&](const Contact &contact) {
+                        return contact.isGlued && touches(context, contact) && std::abs(ball.velocity.z) <= negligible;
+                    }) &&
+        rolls(inPlane(ball.velocity), ball.spin, context.radius());
 }
 
 void SpinOnFloor::follow(const Contacts &contacts, Ball &ball) {

@@ -27,8 +27,8 @@ inline void setMotion(const Motion &motion, Ball &ball) {
     ball.spin = motion.spin;
 }
 
-/// Finds what the ball touches or reaches within h (s) on its `way` (m).
-void lookAhead(const StepContext &context, const Ball &ball, const Vec3 &way, double h, Contacts &contacts);
+/// Finds what the ball touches or reaches within h (s) on any of the `ways` (m).
+void lookAhead(const StepContext &context, const Ball &ball, std::span<const Vec3> ways, double h, Contacts &contacts);
 
 /// The impacts of this moment, `after` seconds into the step, and their events. False if nothing hits.
 bool hit(const StepContext &context, const Contacts &contacts, double after, Ball &ball);

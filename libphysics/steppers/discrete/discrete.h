@@ -48,7 +48,6 @@ public:
         Ball free = ball;
         free.supported = around.carrier != nullptr;
         const SmoothLoss loss = move(free);
-        const Vec3 way = free.position - ball.position;
         if (m_plan.asReported) {
             book(loss);
             ball = free;
@@ -60,7 +59,7 @@ public:
             ball = free;
             return true;
         }
-        return runInContact(after - m_h, way, ball);
+        return runInContact(after - m_h, free, ball);
     }
 
     /// The same where no box is within reach but the one that carries the ball: false, and nothing done, elsewhere.
@@ -208,11 +207,13 @@ private:
         return {0.0, params.sliding_friction * -params.gravity.z * path};
     }
 
-    /// All contacts of the substep that begins `start` seconds into the step. way: the ball's without them.
-    [[gnu::noinline]] bool runInContact(double start, const Vec3 &way, Ball &ball) {
+    /// All contacts of the substep that begins `start` seconds into the step. free: the ball after it without them.
+    [[gnu::noinline]] bool runInContact(double start, const Ball &free, Ball &ball) {
         const Ball before = ball;
+        // The explicit rule moves with the old velocity, and along normals that press with the new one.
+        const Vec3 ways[] = {free.position - ball.position, m_h * free.velocity};
         Contacts contacts;
-        lookAhead(m_context, ball, way, m_h, contacts);
+        lookAhead(m_context, ball, std::span(ways, Scheme::kHold == Hold::Explicit ? 2 : 1), m_h, contacts);
         SpinOnFloor spin(m_context, contacts, ball);
         hit(m_context, contacts, start, ball);
         spin.follow(contacts, ball);

@@ -45,6 +45,8 @@ Sweep::Sweep(const PlanInput &input, Reporter &reporter, const StepPlan &plan, c
     , m_ball(start) {}
 
 Ball Sweep::at(double t, Reporter &reporter) const {
+    constexpr uint32_t kEffortOfContacts = 10;
+    ++m_effort;
     Step step(m_context.setting, reporter, m_plan, t);
     Ball ball = m_ball;
     if (m_isAlone || m_contacts.empty()) {
@@ -53,6 +55,7 @@ Ball Sweep::at(double t, Reporter &reporter) const {
         reporter.lostRolling(loss.rolling);
         reporter.lostSlip(loss.slip);
     } else if (!step.rollBetweenWalls(m_contacts, ball)) {
+        m_effort += kEffortOfContacts;
         const StepContext context{m_context.setting, reporter};
         ball.supported = hold(context, m_contacts, Hold::SecondOrder, t, ball);
     } else {
@@ -104,6 +107,7 @@ void Sweep::beginPhase() {
 
 /// Slow contacts last, from here on without any speed along their normals; those that the ball leaves are none.
 void Sweep::dropWhatIsLeft() {
+    if (m_contacts.count() > 1) stopSlowApproach();
     const Vec3 velocity = m_ball.velocity;
     const auto speed = [&](const Contact &contact) { return glm::dot(velocity, contact.normal); };
     // Friction, too, may press so that a bounce doesn't rise above rounding.
@@ -111,13 +115,9 @@ void Sweep::dropWhatIsLeft() {
     m_contacts.drop([&](const Contact &contact) {
         return speed(contact) > std::max({contact.restSpeed, m_slow, hop});
     });
-    NormalSpan kept;
-    bool hasHops = false;
-    for (const Contact &contact : m_contacts) {
-        kept.add(contact.normal);
-        hasHops = hasHops || speed(contact) > contact.restSpeed;
-    }
-    m_ball.velocity = kept.across(velocity);
+    keepContacts(velocity);
+    const bool hasHops = std::any_of(m_contacts.begin(), m_contacts.end(),
+                                     [&](const Contact &contact) { return speed(contact) > contact.restSpeed; });
     if (hasHops) dropWhatNothingPresses(velocity);
     for (const Contact &contact : m_contacts) {
         if (contact.isFace()) snapToFace(m_context, contact, m_ball);
@@ -125,6 +125,34 @@ void Sweep::dropWhatIsLeft() {
     m_isAlone = m_contacts.count() == 1 && m_contacts[0].isTop && m_context.params().gravity.z < 0.0;
     m_resists = !m_isAlone && m_context.params().rolling_friction > 0.0 && m_ball.velocity != Vec3(0.0) &&
                 std::any_of(m_contacts.begin(), m_contacts.end(), [](const Contact &contact) { return contact.isTop; });
+}
+
+/// What comes too slowly for a bounce stops at several contacts as in an impact: none is pulled back.
+void Sweep::stopSlowApproach() {
+    const bool approaches = std::any_of(m_contacts.begin(), m_contacts.end(), [&](const Contact &contact) {
+        return glm::dot(m_ball.velocity, contact.normal) < -m_slow;
+    });
+    if (!approaches) return;
+    Motion motion = motionOf(m_ball);
+    resolveImpacts(m_contacts, m_context.radius(), motion);
+    setMotion(motion, m_ball); // no event, and nothing booked: what it takes is of the scheme's own order
+}
+
+/// Takes the speed along the normals of the contacts from a velocity. Where normals are nearly parallel that would take
+/// far more of it than the ball moves along them: it leaves one of them then.
+void Sweep::keepContacts(const Vec3 &velocity) {
+    constexpr double kMostTaken = 4.0; // of the fastest: normals of at least 29 degrees
+    for (;;) {
+        NormalSpan kept;
+        double fastest = 0.0;
+        for (const Contact &contact : m_contacts) {
+            kept.add(contact.normal);
+            fastest = std::max(fastest, glm::dot(velocity, contact.normal));
+        }
+        m_ball.velocity = kept.across(velocity);
+        if (fastest <= m_slow || glm::length(m_ball.velocity - velocity) <= kMostTaken * fastest) return;
+        m_contacts.drop([&](const Contact &contact) { return glm::dot(velocity, contact.normal) == fastest; });
+    }
 }
 
 /// Of contacts that the ball leaves slowly those stay that press if the ball doesn't leave them.
@@ -169,7 +197,8 @@ double Sweep::timeToZero(double end, double start, Left left) const {
     double rest = left(at(t));
     if (rest > kZero * start) return INFINITY;
     for (int i = 0; i < kMostHalvings && rest <= kZero * start; ++i) rest = left(at(t *= 0.5));
-    return std::min(end, t * start / (start - rest));
+    // What grows at first is looked at again from there.
+    return rest < start ? std::min(end, t * start / (start - rest)) : t;
 }
 
 /// Resistance ends with the ball's way, and begins with the end of a slip: neither may lie inside a phase.
@@ -217,6 +246,7 @@ bool Sweep::isClear(double t) const {
     const Vec3 high = glm::max(corner, glm::max(m_ball.position, end));
     bool isClear = true;
     m_context.scene().visitBoxes(low - margin, high + margin, [&](uint32_t i) {
+        ++m_effort;
         const phys_box &box = m_context.scene().boxes[i];
         const bool carries = holds(i) && Scene::isOver(box, low.x, low.y) && Scene::isOver(box, high.x, high.y);
         isClear = isClear && carries;

@@ -20,6 +20,9 @@ public:
 
     const Ball &ball() const { return m_ball; }
 
+    /// Places that the ball was tried at, those with several contacts counted by what they cost.
+    uint32_t effort() const { return m_effort; }
+
     /// Moves to the next event and lets it happen. True once the step's end is reached.
     bool toNextEvent();
 
@@ -45,6 +48,8 @@ private:
     bool advanceFreely();
     void beginPhase();
     void dropWhatIsLeft();
+    void stopSlowApproach();
+    void keepContacts(const Vec3 &velocity);
     void dropWhatNothingPresses(const Vec3 &velocity);
     void finishPhase(double t);
     template<class Left>
@@ -67,6 +72,7 @@ private:
     double m_substep; ///< s: longest way in contact at a time
     double m_slow;    ///< m/s: slower is none, for a contact that lasts
     Ball m_ball;
+    mutable uint32_t m_effort = 0;
     double m_done = 0.0;    ///< s of the step that lie behind the ball
     Contacts m_contacts;    ///< the contacts of this phase
     bool m_isAlone = false; ///< nothing but one top face is touched
