@@ -37,7 +37,8 @@ std::optional<CompanionMeans> makeMeans(const Registry &registry, const Opponent
 Companion::Companion(const Engine &leader, const CompanionMeans &means, const QByteArray &leaderId)
     : m_engine(leader.scene(), means.stepper)
     , m_info(means.info)
-    , m_substeps(means.substeps) {
+    , m_substeps(means.substeps)
+    , m_own(means.own) {
     setLeaderStepper(leaderId);
     meet(leader);
 }
@@ -52,11 +53,22 @@ void Companion::meet(const Engine &leader) {
     m_isThere = true;
 }
 
+// Under the same strength of gravity its direction is the leader's to the last bit.
+Inputs Companion::inputsBeside(const Engine &leader) const {
+    Inputs inputs = m_own ? *m_own : leader.inputs();
+    if (m_own && m_own->gravity != leader.inputs().gravity) {
+        tiltBoard(inputs, leader.inputs().tilt);
+    } else {
+        inputs.tilt = leader.inputs().tilt;
+        inputs.params.gravity = leader.inputs().params.gravity;
+    }
+    if (!m_own && !m_sharesValues) phys_stepper_info_init_params(&m_info, &inputs.params);
+    return inputs;
+}
+
 bool Companion::follow(const Engine &leader, QString *error) {
     if (!m_isThere) return true;
-    Inputs inputs = leader.inputs();
-    if (!m_sharesValues) phys_stepper_info_init_params(&m_info, &inputs.params);
-    m_engine.setInputs(inputs);
+    m_engine.setInputs(inputsBeside(leader));
     m_engine.setDt(leader.dt() / m_substeps);
     m_previous = m_engine.state();
     if (m_previous.flags & PHYS_OUT) return true; // it waits at the exit

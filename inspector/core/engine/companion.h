@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A second ball, stepped after a leading one under the same inputs by another stepper or in finer steps: what the
-// leading one is wrong by, if the second is the better. Like the engine: no thread, no clock, the same bits in every
-// run.
+// A second ball, stepped after a leading one under the same tilts by another stepper, in finer steps or with other
+// parameters: what the leading one is wrong by, if the second is the better, or what a parameter changes. Like the
+// engine: no thread, no clock, the same bits in every run.
 #pragma once
 
 #include "core/engine/engine.h"
@@ -32,6 +32,7 @@ struct CompanionMeans {
     Stepper stepper; // made for it
     phys_stepper_info info;
     int substeps;
+    std::optional<Inputs> own = {}; // its own parameters
 };
 
 // Nothing, and one line in `error` (or nullptr), if there is no such stepper or it can't do this scene.
@@ -44,6 +45,8 @@ public:
     // leader's values of the stepper's own rows, otherwise initial ones.
     Companion(const Engine &leader, const CompanionMeans &means, const QByteArray &leaderId);
 
+    // Its own parameters, all but the tilt, which is the leader's; nothing: the leader's.
+    void setOwnInputs(const std::optional<Inputs> &own) { m_own = own; }
     // The leader goes on with this stepper.
     void setLeaderStepper(const QByteArray &id) { m_sharesValues = id == m_info.id; }
     // At the leader's present state, also after a refusal.
@@ -62,10 +65,13 @@ public:
     void addTo(Sample &sample) const;
 
 private:
+    Inputs inputsBeside(const Engine &leader) const;
+
     Engine m_engine;
     phys_stepper_info m_info;
     int m_substeps;
     bool m_sharesValues = false; // of the stepper's own rows
+    std::optional<Inputs> m_own;
     bool m_isThere = true;
     phys_state m_previous{};
     double m_metAt = 0.0;

@@ -140,6 +140,10 @@ void addOptions(QCommandLineParser &parser, const std::vector<const phys_param_r
          text("With --compare: so many steps of the second ball, of dt over so many, for each of the first. Default "
               "1."),
          text("number")},
+        {"compare-set",
+         text("With --compare: parameters of the second ball, as restitution_wall=0.6,rolling_friction=0.004; the "
+              "others, and the tilts, are the first ball's."),
+         text("list")},
         {"force",
          text("Let --csv, --record, --grab and --plot take the place of a file of another kind, or of a recording.")},
         {"grab",
@@ -226,9 +230,8 @@ double durationOf(const QCommandLineParser &parser, const QString &option, doubl
     return valueOf(option, readDuration(parser.value(option), min, max));
 }
 
-double parameterOf(const QCommandLineParser &parser, const phys_param_row &row) {
-    const QString option = optionName(row);
-    const QString text = parser.value(option);
+// text: of this option.
+double parameterOf(const QString &option, const QString &text, const phys_param_row &row) {
     const qsizetype choice = choicesOf(row).indexOf(text.toLower());
     if (choice >= 0) return row.min + double(choice);
     const bool isNumber = choicesOf(row).isEmpty() && !(row.flags & PHYS_ROW_SWITCH);
@@ -253,7 +256,8 @@ void readParameters(const QCommandLineParser &parser, const std::vector<const ph
         if (index < 0)
             throw WrongUse{QStringLiteral("--%1: stepper '%2' has no such parameter")
                                .arg(optionName(*row), QString::fromUtf8(options.stepper))};
-        options.settings.push_back({id, parameterOf(parser, parameters.row(index))}); // another's range may differ
+        options.settings.push_back({id, parameterOf(optionName(*row), parser.value(optionName(*row)),
+                                                    parameters.row(index))}); // another's range may differ
     }
     if (!parameters.set(options.settings, &error)) throw WrongUse{error};
 }
@@ -285,7 +289,8 @@ void readOutputs(const QCommandLineParser &parser, Options &options) {
 
 void readComparison(const QCommandLineParser &parser, Options &options) {
     if (!parser.isSet("compare")) {
-        if (parser.isSet("compare-substeps")) throw WrongUse{QStringLiteral("--compare-substeps: needs --compare")};
+        for (const char *name : {"compare-substeps", "compare-set"})
+            if (parser.isSet(name)) throw WrongUse{QStringLiteral("--%1: needs --compare").arg(name)};
         return;
     }
     for (const char *name : {"all-levels", "trade"})
@@ -301,6 +306,28 @@ void readComparison(const QCommandLineParser &parser, Options &options) {
         opponent.substeps = int(wholeNumberOf(parser, "compare-substeps", 1, Opponent::kMostSubsteps));
     }
     options.comparison = opponent;
+}
+
+// Values of rows that the second ball has; together with the first ball's others they have to be allowed.
+void readGhostsParameters(const QCommandLineParser &parser, Options &options) {
+    const QString option = QStringLiteral("compare-set");
+    if (!parser.isSet(option)) return;
+    phys_stepper_info info;
+    phys_registry_find(options.registry.get(), options.comparison->stepper.constData(), &info, nullptr);
+    Parameters parameters;
+    parameters.setStepper(info);
+    for (const QString &word : parser.value(option).split(QLatin1Char(','))) {
+        const int index = parameters.indexOf(word.section(QLatin1Char('='), 0, 0).trimmed());
+        if (index < 0 || isTilt(parameters.row(index)) || !word.contains(QLatin1Char('=')))
+            throw WrongUse{
+                QStringLiteral("--compare-set: expected parameters but the tilt as rolling_friction=0.004, found %1")
+                    .arg(quoted(word))};
+        const phys_param_row &row = parameters.row(index);
+        const double value = parameterOf(option, word.section(QLatin1Char('='), 1).trimmed(), row);
+        options.comparisonSettings.push_back({QString::fromUtf8(row.id), value});
+    }
+    QString error;
+    if (!ghostsInputs(options, &error)) throw WrongUse{QStringLiteral("--compare-set: ") + error};
 }
 
 void readRecordings(const QCommandLineParser &parser, const std::vector<const phys_param_row *> &rows,
@@ -446,6 +473,7 @@ Options readOptions(const QCommandLineParser &parser, const std::vector<const ph
     readTrade(parser, options);
     readFit(parser, options);
     readParameters(parser, rows, options);
+    readGhostsParameters(parser, options);
 
     options.levels = levelsIn(levelsFolder());
     const QString option = parser.isSet("trade") ? QStringLiteral("trade") : QStringLiteral("level");

@@ -29,8 +29,11 @@ QByteArray comparisonLines(const Options &options) {
     const auto &[id, substeps] = *options.comparison;
     phys_stepper_info info{};
     phys_registry_find(options.registry.get(), id.constData(), &info, nullptr);
-    return "compare " + id + " " + (info.version ? info.version : "") + "\ncompare-substeps " +
-           QByteArray::number(substeps) + "\n";
+    QByteArray lines = "compare " + id + " " + (info.version ? info.version : "") + "\ncompare-substeps " +
+                       QByteArray::number(substeps) + "\n";
+    for (const Setting &own : options.comparisonSettings)
+        lines += "compare-set " + own.id.toUtf8() + " " + exactText(own.value) + "\n";
+    return lines;
 }
 
 } // namespace

@@ -78,7 +78,8 @@ public:
     bool open(const Options &options, const Engine &engine, QTextStream &messages) {
         if (!options.comparison) return true;
         m_id = QString::fromUtf8(options.comparison->stepper);
-        const auto means = makeMeans(options.registry, *options.comparison, engine.scene(), &m_refusal);
+        auto means = makeMeans(options.registry, *options.comparison, engine.scene(), &m_refusal);
+        if (means && !options.comparisonSettings.empty()) means->own = ghostsInputs(options, nullptr);
         if (means) m_companion.emplace(engine, *means, options.stepper);
         if (!means) report(messages, QStringLiteral("--compare: ") + m_refusal);
         return means.has_value();

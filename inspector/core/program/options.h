@@ -48,11 +48,16 @@ struct Options {
     QString replay;                 // recording, of Action::Replay, in the window unless headless
     bool check = false;             // say whether the replay is the same, instead of writing its table
     std::optional<Opponent> comparison;
-    TradeOptions trade; // of Action::Trade
-    FitOptions fit;     // of Action::Fit
-    QString grab;       // file; empty: none
-    bool force = false; // outputs may take the place of any file
-    QString shaders;    // folder of files that replace the embedded ones; empty: none
+    std::vector<Setting> comparisonSettings; // the second ball's own parameters; empty: the first's
+    TradeOptions trade;                      // of Action::Trade
+    FitOptions fit;                          // of Action::Fit
+    QString grab;                            // file; empty: none
+    bool force = false;                      // outputs may take the place of any file
+    QString shaders;                         // folder of files that replace the embedded ones; empty: none
 };
+
+// What the second ball obeys by comparisonSettings, all but the tilt. Nothing and one line in `error` if that isn't
+// allowed.
+std::optional<Inputs> ghostsInputs(const Options &options, QString *error);
 
 } // namespace inspector

@@ -3,10 +3,15 @@
 
 #include "core/session/session.h"
 
+#include <utility>
+
 namespace inspector {
 
 Comparison::Comparison(Session &session)
     : m_session(session) {
+    takeRows();
+    connect(&m_parameters, &Parameters::changed, this,
+            [this] { m_session.simulation().setCompanionInputs(ownInputs()); });
     connect(&session, &Session::levelOpened, this, &Comparison::begin);
     connect(&session.simulation(), &Simulation::comparisonRefused, this, &Comparison::refuse);
 }
@@ -14,6 +19,7 @@ Comparison::Comparison(Session &session)
 void Comparison::start(const Opponent &opponent) {
     m_opponent = opponent;
     m_isOn = true;
+    takeRows();
     begin();
 }
 
@@ -29,6 +35,7 @@ void Comparison::setOn(bool isOn) {
 void Comparison::setOpponent(const Opponent &opponent) {
     if (opponent == m_opponent) return;
     m_opponent = opponent;
+    takeRows();
     begin();
     if (!m_isOn) emit changed();
 }
@@ -40,11 +47,12 @@ void Comparison::begin() {
     if (!m_isOn || m_session.isInPast()) return; // of the past there are samples only
     m_refusal.clear();
     QString error;
-    const auto means = makeMeans(m_session.registry(), m_opponent, m_session.scene(), &error);
+    auto means = makeMeans(m_session.registry(), m_opponent, m_session.scene(), &error);
     if (!means) {
         m_session.simulation().endComparison();
         return refuse(error);
     }
+    means->own = ownInputs();
     m_session.simulation().compareWith(*means, m_session.stepperId());
     emit changed();
 }
@@ -54,6 +62,36 @@ void Comparison::refuse(const QString &line) {
     m_refusal = tr("comparison with %1: %2").arg(QString::fromUtf8(m_opponent.stepper), line);
     emit refused(m_refusal);
     emit changed();
+}
+
+// Another stepper has other rows of its own; the rest keeps its values.
+void Comparison::takeRows() {
+    phys_stepper_info info;
+    const char *id = m_opponent.stepper.constData();
+    if (phys_registry_find(m_session.registry().get(), id, &info, nullptr) != PHYS_OK) return; // begin() says so
+    if (m_opponent.stepper != std::exchange(m_rowsOf, m_opponent.stepper)) m_parameters.setStepper(info);
+}
+
+std::optional<Inputs> Comparison::ownInputs() const {
+    return m_hasOwn ? std::optional(m_parameters.inputs()) : std::nullopt;
+}
+
+void Comparison::setOwnParameters(bool isOn) {
+    if (isOn == m_hasOwn) return;
+    if (isOn && !std::exchange(m_hasValues, true)) m_parameters.set(sharedValues(m_session.parameters(), m_parameters));
+    m_hasOwn = isOn;
+    if (isOn && !m_isOn) return start(m_opponent);
+    m_session.simulation().setCompanionInputs(ownInputs());
+    emit changed();
+}
+
+std::vector<Setting> sharedValues(const Parameters &from, const Parameters &to) {
+    std::vector<Setting> shared;
+    for (int i = 0; i < from.count(); ++i) {
+        const QString id = QString::fromUtf8(from.row(i).id);
+        if (!isTilt(from.row(i)) && to.indexOf(id) >= 0) shared.push_back({id, from.value(i)});
+    }
+    return shared;
 }
 
 } // namespace inspector

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/engine/companion.h"
+#include "core/setup/parameters.h"
 
 #include <QObject>
 
@@ -9,8 +10,8 @@ namespace inspector {
 
 class Session;
 
-// Whether the session's ball is compared, and with what. Makes the opponent's stepper for each level and lets the
-// simulation lead it.
+// Whether the session's ball is compared, and with what: another stepper, a finer step, other parameters. Makes the
+// opponent's stepper for each level and lets the simulation lead it.
 class Comparison : public QObject {
     Q_OBJECT
 
@@ -28,18 +29,33 @@ public:
     void setOpponent(const Opponent &opponent); // both meet if it is on
     void meetAgain();                           // also tries again after a refusal
 
+    // The second ball's own parameters, with the rows of its stepper; but the tilt is the ball's. They count while it
+    // has own ones, are the ball's when it gets them first, and are kept meanwhile.
+    Parameters &parameters() { return m_parameters; }
+    bool hasOwnParameters() const { return m_hasOwn; }
+    void setOwnParameters(bool isOn); // on: switches the comparison on, too
+
 signals:
-    void changed(); // on, opponent or refusal
+    void changed(); // on, opponent, own parameters or refusal
     void refused(const QString &line);
 
 private:
     void begin();
     void refuse(const QString &line);
+    void takeRows();
+    std::optional<Inputs> ownInputs() const;
 
     Session &m_session;
     Opponent m_opponent;
     bool m_isOn = false;
     QString m_refusal;
+    Parameters m_parameters;
+    QByteArray m_rowsOf; // id of the stepper
+    bool m_hasOwn = false;
+    bool m_hasValues = false; // was given the ball's
 };
+
+// Values of the rows that both have, the tilt left out: what one ball can take over from the other.
+std::vector<Setting> sharedValues(const Parameters &from, const Parameters &to);
 
 } // namespace inspector

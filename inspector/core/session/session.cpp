@@ -47,6 +47,9 @@ std::unique_ptr<Session> Session::open(const Options &options, QSettings &settin
         if (error) error->prepend(QStringLiteral("--replay: "));
         return nullptr;
     }
+    if (options.comparisonSettings.empty()) return session;
+    session->comparison().setOwnParameters(true); // the others are the ball's, also a recorded one's
+    if (!session->comparison().parameters().set(options.comparisonSettings, error)) return nullptr;
     return session;
 }
 
@@ -107,9 +110,7 @@ void Session::showPrompt() {
 void Session::watchPhysics() {
     bool isUsual = m_stepperId == PHYS_STEPPER_DEFAULT && m_dt == Engine::kDefaultDt && m_speed == 1.0;
     for (int i = 0; i < m_parameters.count(); ++i) {
-        const QLatin1String id(m_parameters.row(i).id);
-        const bool isSteering = id == QLatin1String("tilt_x") || id == QLatin1String("tilt_y");
-        isUsual = isUsual && (isSteering || m_parameters.isInitial(i));
+        isUsual = isUsual && (isTilt(m_parameters.row(i)) || m_parameters.isInitial(i));
     }
     m_hasUsualPhysics = m_hasUsualPhysics && isUsual;
 }

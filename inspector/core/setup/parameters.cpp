@@ -36,6 +36,8 @@ const std::vector<phys_param_row> &boardRows() {
     return rows;
 }
 
+bool isTilt(const phys_param_row &row) { return &row == &boardRows()[kTiltX] || &row == &boardRows()[kTiltY]; }
+
 Parameters::Parameters(QObject *parent)
     : QObject(parent) {
     phys_params_init(&m_values.params, sizeof m_values.params);

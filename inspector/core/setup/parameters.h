@@ -15,6 +15,9 @@ namespace inspector {
 // The board's own rows, in the library's form: tilt_x, tilt_y (deg) and gravity (m/s^2).
 const std::vector<phys_param_row> &boardRows();
 
+// Whether it is one of the two tilts.
+bool isTilt(const phys_param_row &row);
+
 // A value for the row with this id.
 struct Setting {
     QString id;

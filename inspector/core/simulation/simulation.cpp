@@ -575,6 +575,12 @@ void Simulation::compareWith(const CompanionMeans &means, const QByteArray &lead
     });
 }
 
+void Simulation::setCompanionInputs(const std::optional<Inputs> &own) {
+    post([own](Worker &worker) {
+        if (worker.companion) worker.companion->setOwnInputs(own);
+    });
+}
+
 void Simulation::endComparison() {
     post([](Worker &worker) { worker.companion.reset(); });
 }

@@ -57,6 +57,8 @@ public:
     // A companion meets the ball and follows it from now on, in the place of one before. At a restart and when a state
     // is set they meet again; with another scene it is gone. leaderId: of the present stepper.
     void compareWith(const CompanionMeans &means, const QByteArray &leaderId);
+    // From the next step on; nothing: the ball's.
+    void setCompanionInputs(const std::optional<Inputs> &own);
     void endComparison();
 
     // Shows a recording, which has steps, at its beginning and paused; the live ball waits. Returns the replay's

@@ -4,12 +4,12 @@
 #include "core/setup/tables.h"
 #include "ui/comparison/deviation_text.h"
 #include "ui/comparison/distance_plot.h"
+#include "ui/parts/action_widgets.h"
 #include "ui/parts/elided_label.h"
 #include "ui/parts/number_box.h"
 #include "ui/parts/stepper_items.h"
 #include "ui/plots/plot_panel.h"
 
-#include <QAction>
 #include <QBoxLayout>
 #include <QCheckBox>
 #include <QComboBox>
@@ -19,29 +19,8 @@
 namespace inspector::ui {
 
 namespace {
-
-// A click on either leaves the keyboard to the game.
-QToolButton *buttonFor(QAction &action) {
-    auto *button = new QToolButton;
-    button->setObjectName(QStringLiteral("comparison_") + action.objectName());
-    button->setDefaultAction(&action);
-    button->setToolButtonStyle(Qt::ToolButtonTextOnly);
-    button->setFocusPolicy(Qt::TabFocus);
-    return button;
+const QString kPrefix = QStringLiteral("comparison_");
 }
-
-QCheckBox *switchFor(QAction &action) {
-    auto *box = new QCheckBox(action.text());
-    box->setObjectName(QStringLiteral("comparison_") + action.objectName());
-    box->setToolTip(action.toolTip());
-    box->setChecked(action.isChecked());
-    box->setFocusPolicy(Qt::TabFocus);
-    QObject::connect(box, &QCheckBox::clicked, &action, &QAction::trigger);
-    QObject::connect(&action, &QAction::toggled, box, &QCheckBox::setChecked);
-    return box;
-}
-
-} // namespace
 
 ComparisonDock::ComparisonDock(Session &session, const Actions &actions, QWidget *parent)
     : QWidget(parent)
@@ -87,12 +66,13 @@ QWidget *ComparisonDock::makeControls(const Actions &actions) {
     auto *controls = new QWidget;
     auto *layout = new QHBoxLayout(controls);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(switchFor(actions.compare));
+    layout->addWidget(switchFor(actions.compare, kPrefix));
     layout->addWidget(new QLabel(tr("with")));
     layout->addWidget(m_stepper);
     layout->addWidget(new QLabel(tr("at dt /")));
     layout->addWidget(m_substeps);
-    layout->addWidget(buttonFor(actions.meetAgain));
+    layout->addWidget(buttonFor(actions.meetAgain, kPrefix));
+    layout->addWidget(switchFor(actions.ownParameters, kPrefix));
     layout->addStretch();
     return controls;
 }

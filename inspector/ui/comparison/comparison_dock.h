@@ -23,6 +23,7 @@ public:
     struct Actions {
         QAction &compare; // checkable
         QAction &meetAgain;
+        QAction &ownParameters; // checkable
     };
 
     // session and actions outlive the dock.

@@ -18,7 +18,7 @@ ParameterCommand::ParameterCommand(Parameters &parameters, std::vector<Setting> 
 bool ParameterCommand::mergeWith(const QUndoCommand *later) {
     const auto *other = static_cast<const ParameterCommand *>(later); // the same id() is the same class
     const bool isSameRow = m_after.size() == 1 && other->m_after.size() == 1 && m_after[0].id == other->m_after[0].id;
-    if (!isSameRow || m_gesture != other->m_gesture) return false;
+    if (&m_parameters != &other->m_parameters || !isSameRow || m_gesture != other->m_gesture) return false;
     m_after = other->m_after;
     setObsolete(m_after[0].value == m_before[0].value);
     return true;

@@ -3,11 +3,14 @@
 
 #include "ui/parameters/parameter_command.h"
 #include "ui/parameters/parameter_row.h"
+#include "ui/parts/action_widgets.h"
 
+#include <QCheckBox>
 #include <QEvent>
 #include <QGridLayout>
 #include <QPushButton>
 #include <QScrollBar>
+#include <QToolButton>
 #include <QUndoStack>
 
 #include <cmath>
@@ -16,10 +19,6 @@
 namespace inspector::ui {
 
 namespace {
-bool isTilt(const phys_param_row &row) {
-    const QLatin1String id(row.id);
-    return id == QLatin1String("tilt_x") || id == QLatin1String("tilt_y");
-}
 
 // What can't be changed just now but is there to be read: fainter than what can, stronger than what has no effect.
 QPalette readable(const QPalette &palette) {
@@ -34,19 +33,25 @@ QPalette readable(const QPalette &palette) {
 
 } // namespace
 
-ParameterPanel::ParameterPanel(Session &session, QUndoStack &undo, QWidget *parent)
+ParameterPanel::ParameterPanel(Session &session, QUndoStack &undo, const Actions &actions, QWidget *parent)
     : QScrollArea(parent)
     , m_session(session)
-    , m_parameters(session.parameters())
-    , m_undo(undo) {
+    , m_undo(undo)
+    , m_actions(actions)
+    , m_ball{Owner::Ball, session.parameters()}
+    , m_ghost{Owner::Ghost, session.comparison().parameters()} {
     setObjectName(QStringLiteral("parameters"));
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    connect(&m_parameters, &Parameters::changed, this, &ParameterPanel::showValue);
-    connect(&m_parameters, &Parameters::rowsChanged, this, &ParameterPanel::rebuild);
+    for (Side *side : {&m_ball, &m_ghost}) {
+        connect(&side->parameters, &Parameters::changed, this,
+                [this, side](int index, double value) { showValue(*side, index, value); });
+        connect(&side->parameters, &Parameters::rowsChanged, this, &ParameterPanel::rebuild);
+    }
     connect(&m_session, &Session::autopilotChanged, this, &ParameterPanel::showAutopilot);
     connect(&m_session, &Session::replayChanged, this, &ParameterPanel::updateLocks);
+    connect(&m_session.comparison(), &Comparison::changed, this, &ParameterPanel::showGhost);
     rebuild();
 }
 
@@ -56,9 +61,13 @@ QSize ParameterPanel::sizeHint() const {
 
 void ParameterPanel::changeEvent(QEvent *event) {
     QScrollArea::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange && !m_rows.empty()) updateLocks(); // another theme
+    if (event->type() != QEvent::PaletteChange || m_ball.rows.empty()) return;
+    updateLocks(); // another theme
+    for (ParameterRow *row : m_ghost.rows)
+        if (row) row->takeColours();
 }
 
+// The ghost's row of the same parameter is the next line; those that only its stepper has come last.
 void ParameterPanel::rebuild() {
     auto *page = new QWidget;
     auto *grid = new QGridLayout(page);
@@ -66,89 +75,165 @@ void ParameterPanel::rebuild() {
     grid->setHorizontalSpacing(8);
     grid->setVerticalSpacing(4);
     grid->setColumnStretch(1, 1);
-    m_rows.clear();
-    for (int index = 0; index < m_parameters.count(); ++index) {
-        auto *row = new ParameterRow(m_parameters.row(index), *grid, index, page);
-        connect(row, &ParameterRow::edited, this, [this, index](double value) { edit(index, value); });
-        connect(row, &ParameterRow::gestureBegun, this, [this] { ++m_gesture; });
-        row->showValue(m_parameters.value(index));
-        m_rows.push_back(row);
+    m_ball.rows.clear();
+    m_ghost.rows.assign(size_t(m_ghost.parameters.count()), nullptr);
+    grid->addWidget(makeHead(), 0, 0, 1, 4);
+    int line = 1;
+    for (int index = 0; index < m_ball.parameters.count(); ++index) {
+        m_ball.rows.push_back(nullptr);
+        addRow(m_ball, index, *grid, line++);
+        const int ghosts = m_ghost.parameters.indexOf(QString::fromUtf8(m_ball.parameters.row(index).id));
+        if (ghosts >= 0 && !isTilt(m_ghost.parameters.row(ghosts))) addRow(m_ghost, ghosts, *grid, line++);
     }
-    auto *resetAll = new QPushButton(tr("Reset all"));
-    resetAll->setObjectName(QStringLiteral("reset_all"));
-    resetAll->setToolTip(tr("Every parameter back to its default"));
-    resetAll->setFocusPolicy(Qt::TabFocus);
-    connect(resetAll, &QPushButton::clicked, this, &ParameterPanel::resetAll);
-    grid->addWidget(resetAll, m_parameters.count(), 2, 1, 2, Qt::AlignRight);
-    grid->setRowStretch(m_parameters.count() + 1, 1);
+    for (int index = 0; index < m_ghost.parameters.count(); ++index) {
+        const phys_param_row &row = m_ghost.parameters.row(index);
+        if (!m_ghost.rows[size_t(index)] && !isTilt(row)) addRow(m_ghost, index, *grid, line++);
+    }
+    addResetAll(*grid, line);
     setWidget(page); // deletes the page before it
     setMinimumWidth(page->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
-    updateLocks();
+    showGhost();
 }
 
-void ParameterPanel::edit(int index, double value) {
-    const double before = m_parameters.value(index);
+void ParameterPanel::addRow(Side &side, int index, QGridLayout &grid, int line) {
+    const phys_param_row &what = side.parameters.row(index);
+    const bool isBeside = m_ball.parameters.indexOf(QString::fromUtf8(what.id)) >= 0;
+    auto *row = new ParameterRow(what, {side.owner, isBeside}, grid, line, grid.parentWidget());
+    connect(row, &ParameterRow::edited, this, [this, &side, index](double value) { edit(side, index, value); });
+    connect(row, &ParameterRow::gestureBegun, this, [this] { ++m_gesture; });
+    row->showValue(side.parameters.value(index));
+    side.rows[size_t(index)] = row;
+}
+
+QWidget *ParameterPanel::makeHead() {
+    const QString prefix = QStringLiteral("parameters_");
+    auto *head = new QWidget;
+    auto *layout = new QHBoxLayout(head);
+    layout->setContentsMargins(0, 0, 0, 2);
+    layout->addWidget(switchFor(m_actions.ghostsOwn, prefix));
+    for (QAction *action : {&m_actions.copy, &m_actions.swap}) layout->addWidget(buttonFor(*action, prefix));
+    layout->addStretch();
+    return head;
+}
+
+void ParameterPanel::addResetAll(QGridLayout &grid, int line) {
+    auto *resetAll = new QPushButton(tr("Reset all"));
+    resetAll->setObjectName(QStringLiteral("reset_all"));
+    resetAll->setToolTip(tr("Every parameter of the ball back to its default"));
+    resetAll->setFocusPolicy(Qt::TabFocus);
+    connect(resetAll, &QPushButton::clicked, this, &ParameterPanel::resetAll);
+    grid.addWidget(resetAll, line, 2, 1, 2, Qt::AlignRight);
+    grid.setRowStretch(line + 1, 1);
+}
+
+void ParameterPanel::edit(Side &side, int index, double value) {
+    const double before = side.parameters.value(index);
     QString error;
-    if (!m_parameters.set(index, value, &error)) {
-        m_rows[size_t(index)]->showValue(before);
-        if (!m_rows[size_t(index)]->refuse(error)) emit refused(error);
+    if (!side.parameters.set(index, value, &error)) {
+        side.rows[size_t(index)]->showValue(before);
+        if (!side.rows[size_t(index)]->refuse(error)) emit refused(error);
         return;
     }
-    const phys_param_row &row = m_parameters.row(index);
+    const phys_param_row &row = side.parameters.row(index);
     const QString id = QString::fromUtf8(row.id);
     if (before == value) return;
-    m_undo.push(new ParameterCommand(m_parameters, {{id, before}}, {{id, value}}, m_gesture,
-                                     tr("change of %1").arg(QString::fromUtf8(row.label))));
+    const QString label = QString::fromUtf8(row.label);
+    const QString text =
+        side.owner == Owner::Ghost ? tr("change of the ghost's %1").arg(label) : tr("change of %1").arg(label);
+    m_undo.push(new ParameterCommand(side.parameters, {{id, before}}, {{id, value}}, m_gesture, text));
 }
 
 void ParameterPanel::resetAll() {
     std::vector<Setting> before;
     std::vector<Setting> after;
-    for (int index = 0; index < m_parameters.count(); ++index) {
-        if (m_parameters.isInitial(index)) continue;
-        const phys_param_row &row = m_parameters.row(index);
-        before.push_back({QString::fromUtf8(row.id), m_parameters.value(index)});
+    const Parameters &parameters = m_ball.parameters;
+    for (int index = 0; index < parameters.count(); ++index) {
+        if (parameters.isInitial(index)) continue;
+        const phys_param_row &row = parameters.row(index);
+        before.push_back({QString::fromUtf8(row.id), parameters.value(index)});
         after.push_back({QString::fromUtf8(row.id), row.initial});
     }
     if (before.empty()) return;
-    m_parameters.resetAll();
-    m_undo.push(new ParameterCommand(m_parameters, before, after, ++m_gesture, tr("reset of all parameters")));
+    m_ball.parameters.resetAll();
+    m_undo.push(new ParameterCommand(m_ball.parameters, before, after, ++m_gesture, tr("reset of all parameters")));
 }
 
-void ParameterPanel::showValue(int index, double value) {
-    const phys_param_row &row = m_parameters.row(index);
+void ParameterPanel::copyToGhost() {
+    const std::vector<Setting> before = sharedValues(m_ghost.parameters, m_ball.parameters);
+    const std::vector<Setting> after = sharedValues(m_ball.parameters, m_ghost.parameters);
+    QString error;
+    if (!m_ghost.parameters.set(after, &error)) return emit refused(error);
+    if (before == after) return;
+    m_undo.push(new ParameterCommand(m_ghost.parameters, before, after, ++m_gesture, tr("copy to the ghost")));
+}
+
+void ParameterPanel::swapWithGhost() {
+    const std::vector<Setting> balls = sharedValues(m_ball.parameters, m_ghost.parameters);
+    const std::vector<Setting> ghosts = sharedValues(m_ghost.parameters, m_ball.parameters);
+    QString error;
+    if (!m_ball.parameters.set(ghosts, &error)) return emit refused(error);
+    if (!m_ghost.parameters.set(balls, &error)) {
+        m_ball.parameters.set(balls);
+        return emit refused(error);
+    }
+    if (balls == ghosts) return;
+    ++m_gesture;
+    m_undo.beginMacro(tr("swap with the ghost"));
+    m_undo.push(new ParameterCommand(m_ball.parameters, balls, ghosts, m_gesture, {}));
+    m_undo.push(new ParameterCommand(m_ghost.parameters, ghosts, balls, m_gesture, {}));
+    m_undo.endMacro();
+}
+
+void ParameterPanel::showValue(const Side &side, int index, double value) {
+    const phys_param_row &row = side.parameters.row(index);
+    ParameterRow *shown = side.rows[size_t(index)];
+    if (!shown) return;
     // The spring behind the keys passes through angles of any number of digits, live or recorded.
     const bool isShown = m_session.isTiltedByKeys() || m_session.isReplaying() || m_session.isInPast();
     const bool isPassing = isTilt(row) && isShown;
-    m_rows[size_t(index)]->showValue(isPassing ? std::round(value / row.step) * row.step : value);
+    shown->showValue(isPassing ? std::round(value / row.step) * row.step : value);
     if (row.flags & PHYS_ROW_CHOICE) updateLocks(); // the model may be another one
 }
 
 void ParameterPanel::showFlownTilt(Tilt tilt) {
     const std::pair<const char *, double> tilts[] = {{"tilt_x", tilt.x}, {"tilt_y", tilt.y}};
     for (const auto &[id, angle] : tilts) {
-        const int index = m_parameters.indexOf(QLatin1String(id));
-        m_rows[size_t(index)]->showValue(std::round(degrees(angle) * 10.0) / 10.0);
+        const int index = m_ball.parameters.indexOf(QLatin1String(id));
+        m_ball.rows[size_t(index)]->showValue(std::round(degrees(angle) * 10.0) / 10.0);
     }
 }
 
 // The sliders show the parameters again when nobody flies any more.
 void ParameterPanel::showAutopilot() {
-    for (int index = 0; index < m_parameters.count(); ++index)
-        m_rows[size_t(index)]->showValue(m_parameters.value(index));
+    for (int index = 0; index < m_ball.parameters.count(); ++index)
+        m_ball.rows[size_t(index)]->showValue(m_ball.parameters.value(index));
+    updateLocks();
+}
+
+void ParameterPanel::showGhost() {
+    const Comparison &comparison = m_session.comparison();
+    for (int index = 0; index < m_ghost.parameters.count(); ++index) {
+        ParameterRow *row = m_ghost.rows[size_t(index)];
+        if (!row) continue;
+        row->setVisible(comparison.isOn() && comparison.hasOwnParameters());
+        row->showValue(m_ghost.parameters.value(index));
+    }
     updateLocks();
 }
 
 void ParameterPanel::updateLocks() {
-    for (int index = 0; index < m_parameters.count(); ++index)
-        m_rows[size_t(index)]->setLocked(lockOf(m_parameters.row(index)));
+    for (const Side *side : {&m_ball, &m_ghost})
+        for (int index = 0; index < side->parameters.count(); ++index)
+            if (ParameterRow *row = side->rows[size_t(index)])
+                row->setLocked(lockOf(*side, side->parameters.row(index)));
     widget()->setPalette(m_session.isReplaying() ? readable(palette()) : QPalette());
     widget()->findChild<QPushButton *>(QStringLiteral("reset_all"))->setEnabled(!m_session.isReplaying());
 }
 
-QString ParameterPanel::lockOf(const phys_param_row &row) const {
-    if (m_session.isReplaying()) return tr("As recorded; Go on from here makes it yours to change.");
-    if ((row.flags & PHYS_ROW_RIGID) && m_parameters.inputs().params.model != PHYS_MODEL_RIGID)
+QString ParameterPanel::lockOf(const Side &side, const phys_param_row &row) const {
+    if (m_session.isReplaying() && side.owner == Owner::Ball)
+        return tr("As recorded; Go on from here makes it yours to change.");
+    if ((row.flags & PHYS_ROW_RIGID) && side.parameters.inputs().params.model != PHYS_MODEL_RIGID)
         return tr("Acts in the rigid model only; choose it under Model.");
     if (isTilt(row) && m_session.hasAutopilot()) return tr("The autopilot tilts the board; A switches it off.");
     return {};

@@ -7,21 +7,33 @@
 
 #include <vector>
 
+class QAction;
+class QGridLayout;
 class QUndoStack;
 
 namespace inspector::ui {
 
 class ParameterRow;
+enum class Owner;
 
-// Every row of Parameters, to be seen and set; edits go through the undo stack.
+// Every row of Parameters, to be seen and set; below each the ghost's, while that has own ones. Edits go through the
+// undo stack.
 class ParameterPanel : public QScrollArea {
     Q_OBJECT
 
 public:
-    // Both outlive the panel.
-    ParameterPanel(Session &session, QUndoStack &undo, QWidget *parent = nullptr);
+    struct Actions {
+        QAction &ghostsOwn; // checkable
+        QAction &copy;
+        QAction &swap;
+    };
+
+    // All outlive the panel.
+    ParameterPanel(Session &session, QUndoStack &undo, const Actions &actions, QWidget *parent = nullptr);
 
     void resetAll();
+    void copyToGhost();
+    void swapWithGhost();
     // While the autopilot flies: the tilt that it chose, rad.
     void showFlownTilt(Tilt tilt);
     QSize sizeHint() const override;
@@ -34,17 +46,29 @@ protected:
     void changeEvent(QEvent *event) override;
 
 private:
+    // One ball's.
+    struct Side {
+        Owner owner;
+        Parameters &parameters;
+        std::vector<ParameterRow *> rows{}; // null for those that it hasn't: the ghost's tilt
+    };
+
     void rebuild();
-    void edit(int index, double value);
-    void showValue(int index, double value);
+    void addRow(Side &side, int index, QGridLayout &grid, int line);
+    QWidget *makeHead();
+    void addResetAll(QGridLayout &grid, int line);
+    void edit(Side &side, int index, double value);
+    void showValue(const Side &side, int index, double value);
     void showAutopilot();
+    void showGhost();
     void updateLocks();
-    QString lockOf(const phys_param_row &row) const;
+    QString lockOf(const Side &side, const phys_param_row &row) const;
 
     Session &m_session;
-    Parameters &m_parameters;
     QUndoStack &m_undo;
-    std::vector<ParameterRow *> m_rows;
+    Actions m_actions;
+    Side m_ball;
+    Side m_ghost;
     int m_gesture = 0;
 };
 

@@ -5,10 +5,12 @@
 #include "ui/parameters/slider_scale.h"
 #include "ui/parts/number_box.h"
 #include "ui/parts/path_icon.h"
+#include "ui/parts/theme.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QGridLayout>
+#include <QGuiApplication>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -21,9 +23,10 @@ enum GridColumn { kLabel, kEditor, kNumber, kReset };
 
 } // namespace
 
-ParameterRow::ParameterRow(const phys_param_row &row, QGridLayout &grid, int line, QObject *parent)
+ParameterRow::ParameterRow(const phys_param_row &row, Place place, QGridLayout &grid, int line, QObject *parent)
     : QObject(parent)
     , m_row(row)
+    , m_place(place)
     , m_reset(new QToolButton) {
     if (row.flags & PHYS_ROW_SWITCH) {
         addSwitch(grid, line);
@@ -44,17 +47,41 @@ ParameterRow::ParameterRow(const phys_param_row &row, QGridLayout &grid, int lin
         emit edited(m_row.initial);
     });
     setLocked({});
+    takeColours();
+}
+
+// In the lists of those who have them read to them the two balls' are beside each other.
+QString ParameterRow::name() const {
+    const QString label = QString::fromUtf8(m_row.label);
+    return m_place.owner == Owner::Ghost ? tr("%1, the ghost's").arg(label) : label;
+}
+
+void ParameterRow::setVisible(bool isVisible) {
+    for (QWidget *widget : m_widgets) widget->setVisible(isVisible);
+}
+
+void ParameterRow::takeColours() {
+    if (!m_label) return;
+    QPalette palette;
+    const QColor colour = accentsFor(QGuiApplication::palette()).ghost;
+    for (const auto group : {QPalette::Active, QPalette::Inactive})
+        palette.setColor(group, QPalette::WindowText, colour);
+    m_label->setPalette(palette);
 }
 
 void ParameterRow::adopt(QWidget *widget, const char *suffix) {
-    widget->setObjectName(QString::fromLatin1(m_row.id) + QLatin1String(suffix));
-    widget->setAccessibleName(QString::fromUtf8(m_row.label));
+    const QString id = QString::fromLatin1(m_row.id) + QLatin1String(suffix);
+    widget->setObjectName(m_place.owner == Owner::Ghost ? QStringLiteral("ghost_") + id : id);
+    widget->setAccessibleName(name());
     widget->setAccessibleDescription(QString::fromUtf8(m_row.help));
     m_widgets.push_back(widget);
 }
 
 void ParameterRow::addLabel(QGridLayout &grid, int line) {
-    auto *label = new QLabel(QString::fromUtf8(m_row.label));
+    const bool isGhosts = m_place.owner == Owner::Ghost;
+    auto *label = new QLabel(isGhosts && m_place.isBelowTheBalls ? tr("Ghost") : name());
+    if (isGhosts) label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    if (isGhosts) m_label = label;
     adopt(label, "_label");
     grid.addWidget(label, line, kLabel);
 }
@@ -94,7 +121,8 @@ void ParameterRow::addChoice(QGridLayout &grid, int line) {
 }
 
 void ParameterRow::addSwitch(QGridLayout &grid, int line) {
-    auto *box = new QCheckBox(QString::fromUtf8(m_row.label));
+    auto *box = new QCheckBox(name());
+    if (m_place.owner == Owner::Ghost) m_label = box;
     box->setFocusPolicy(Qt::TabFocus);
     adopt(box, "_switch");
     connect(box, &QCheckBox::clicked, this, [this](bool isOn) {
@@ -127,7 +155,7 @@ void ParameterRow::setLocked(const QString &reason) {
     }
     m_reset->setEnabled(!m_isInitial && !m_isLocked);
     m_reset->setToolTip(tr("Back to %1").arg(m_row.initial));
-    m_reset->setAccessibleName(tr("%1: back to %2").arg(QString::fromUtf8(m_row.label)).arg(m_row.initial));
+    m_reset->setAccessibleName(tr("%1: back to %2").arg(name()).arg(m_row.initial));
 }
 
 QString ParameterRow::help() const { return QString::fromUtf8(m_row.help).toHtmlEscaped(); }

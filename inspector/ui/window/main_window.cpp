@@ -135,11 +135,13 @@ void MainWindow::makeCentre() {
 }
 
 void MainWindow::makeDocks() {
-    m_parameters = new ParameterPanel(m_session, *m_undo);
+    m_parameters = new ParameterPanel(
+        m_session, *m_undo, {*action("ghost_parameters"), *action("copy_to_ghost"), *action("swap_with_ghost")});
     m_plots = new PlotStack(m_session.simulation().samples(), m_session.settings());
     m_plotPanel = new PlotPanel(m_plots, m_plots->time(), QStringLiteral("plot"));
     m_levels = new LevelPanel(m_session);
-    m_comparison = new ComparisonDock(m_session, ComparisonDock::Actions{*action("compare"), *action("meet_again")});
+    m_comparison = new ComparisonDock(
+        m_session, ComparisonDock::Actions{*action("compare"), *action("meet_again"), *action("ghost_parameters")});
     m_bounces = new BounceDock(m_session);
     m_runs = new RunDock(m_session);
     m_watched = new WatchList(m_session);
@@ -377,6 +379,10 @@ void MainWindow::showComparison() {
     const bool isOn = m_session.comparison().isOn();
     action("compare")->setChecked(isOn);
     action("meet_again")->setEnabled(isOn);
+    const bool hasOwn = m_session.comparison().hasOwnParameters();
+    action("ghost_parameters")->setChecked(hasOwn);
+    action("copy_to_ghost")->setEnabled(isOn && hasOwn);
+    action("swap_with_ghost")->setEnabled(isOn && hasOwn && !m_session.isReplaying());
 }
 
 bool MainWindow::grabTo(const QString &path, QString *error) {

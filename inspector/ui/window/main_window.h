@@ -130,6 +130,9 @@ private:
     void toggleAutopilot();
     void toggleComparison();
     void meetAgain();
+    void toggleGhostParameters();
+    void copyToGhost();
+    void swapWithGhost();
     void stepBack();
     void goToStart();
     void bounceBack();

@@ -155,6 +155,24 @@ const std::vector<MainWindow::ActionRow> &MainWindow::actionRows() {
          QT_TR_NOOP("Put the ghost back onto the ball"),
          {},
          &MainWindow::meetAgain},
+        {"ghost_parameters",
+         QT_TR_NOOP("Ghost's own parameters"),
+         "Shift+C",
+         QT_TR_NOOP("Let the ghost have other parameters than the ball: sliders of its own"),
+         {},
+         &MainWindow::toggleGhostParameters},
+        {"copy_to_ghost",
+         QT_TR_NOOP("Copy to ghost"),
+         "Shift+X",
+         QT_TR_NOOP("Give the ghost the ball's parameters"),
+         {},
+         &MainWindow::copyToGhost},
+        {"swap_with_ghost",
+         QT_TR_NOOP("Swap with ghost"),
+         "X",
+         QT_TR_NOOP("Exchange the ball's parameters and the ghost's"),
+         {},
+         &MainWindow::swapWithGhost},
         {"keys", QT_TR_NOOP("Keys"), "F1", "", {}, &MainWindow::showKeys},
         {"about", QT_TR_NOOP("About"), "", "", {}, &MainWindow::showAbout},
     };
@@ -175,8 +193,11 @@ void MainWindow::makeActions() {
     action("autopilot")->setCheckable(true);
     action("record")->setCheckable(true);
     action("compare")->setCheckable(true);
+    action("ghost_parameters")->setCheckable(true);
     action("way_ahead")->setCheckable(true);
     action("way_ahead")->setChecked(m_session.settings().value(settings_keys::kShowWayAhead, true).toBool());
+    action("copy_to_ghost")->setIconText(tr("Copy")); // on buttons
+    action("swap_with_ghost")->setIconText(tr("Swap"));
     m_showsBounces = action("bounces");
     m_showsBounces->setCheckable(true);
     m_showsBounces->setChecked(m_session.settings().value(settings_keys::kShowBounces, true).toBool());
@@ -194,8 +215,27 @@ void MainWindow::makeMenus() {
         {QT_TR_NOOP("&Edit"), {"", "reset_parameters"}},
         {QT_TR_NOOP("&View"), {"", "camera_reset", "camera_top", "", "bounces", "way_ahead"}},
         {QT_TR_NOOP("&Game"),
-         {"play", "", "run", "pause", "restart", "", "step", "step_back", "bounce_back", "bounce_on", "to_start", "end",
-          "go_on", "", "autopilot", "", "compare", "meet_again"}},
+         {"play",
+          "",
+          "run",
+          "pause",
+          "restart",
+          "",
+          "step",
+          "step_back",
+          "bounce_back",
+          "bounce_on",
+          "to_start",
+          "end",
+          "go_on",
+          "",
+          "autopilot",
+          "",
+          "compare",
+          "meet_again",
+          "ghost_parameters",
+          "copy_to_ghost",
+          "swap_with_ghost"}},
         {QT_TR_NOOP("&Help"), {"keys", "about"}},
     };
     std::vector<QMenu *> menus;
@@ -312,6 +352,7 @@ void MainWindow::showReplay(bool isOn) {
     findChild<QDockWidget *>(QStringLiteral("parameters_dock"))
         ->setWindowTitle(isOn ? tr("Parameters, as recorded") : tr("Parameters"));
     m_undo->clear(); // what it would change isn't there any more
+    showComparison();
     m_time->reset();
     showTitle();
     m_view->setFocus();
@@ -460,6 +501,13 @@ void MainWindow::toggleAutopilot() {
 
 void MainWindow::toggleComparison() { m_session.comparison().setOn(!m_session.comparison().isOn()); }
 void MainWindow::meetAgain() { m_session.comparison().meetAgain(); }
+
+void MainWindow::toggleGhostParameters() {
+    m_session.comparison().setOwnParameters(action("ghost_parameters")->isChecked());
+}
+
+void MainWindow::copyToGhost() { m_parameters->copyToGhost(); }
+void MainWindow::swapWithGhost() { m_parameters->swapWithGhost(); }
 
 void MainWindow::lookFromAbove() {
     gl::OrbitCamera &camera = m_view->camera();

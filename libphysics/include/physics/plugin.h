@@ -39,12 +39,13 @@ typedef struct phys_scene_view {
 /** Ids that no row of a stepper's own may have, nor those of phys_param_rows: programs have options, settings and
  * columns of these names. */
 #define PHYS_RESERVED_ROW_IDS                                                                                          \
-    "all_levels", "autopilot", "box", "check", "compare", "compare_substeps", "csv", "csv_every", "dt", "duration",    \
-        "energy", "event", "fit", "fit_for", "flags", "for", "force", "grab", "gravity", "headless", "help", "kind",   \
-        "level", "list_parameters", "list_steppers", "maze", "normal", "orientation", "plot", "plugin", "point",       \
-        "position", "record", "replay", "report", "scene", "schedule", "seed", "shaders", "share", "speed", "spin",    \
-        "start", "state", "step", "stepper", "steps", "theme", "tilt", "tilt_x", "tilt_y", "time", "track_frame",      \
-        "track_units", "trade", "under", "unknown", "velocity", "version", "with_orientation", "within", "x", "y", "z"
+    "all_levels", "autopilot", "box", "check", "compare", "compare_set", "compare_substeps", "csv", "csv_every", "dt", \
+        "duration", "energy", "event", "fit", "fit_for", "flags", "for", "force", "grab", "gravity", "headless",       \
+        "help", "kind", "level", "list_parameters", "list_steppers", "maze", "normal", "orientation", "parameters",    \
+        "plot", "plugin", "point", "position", "record", "replay", "report", "scene", "schedule", "seed", "shaders",   \
+        "share", "speed", "spin", "start", "state", "step", "stepper", "steps", "theme", "tilt", "tilt_x", "tilt_y",   \
+        "time", "track_frame", "track_units", "trade", "under", "unknown", "velocity", "version", "view",              \
+        "with_orientation", "within", "x", "y", "z"
 
 /** One stepper: appendable, texts static. All functions are called by one thread at a time for one self; none may
  *  throw, exit or keep a pointer that it is given, except create the view. Required unless marked optional. */

@@ -179,6 +179,19 @@ void TestCommandLine::wrongUseGivesOneLineAndStatus2_data() {
                                       << "--compare: no stepper has the id 'none'";
     QTest::newRow("substeps of nothing") << "--compare-substeps 2"
                                          << "--compare-substeps: needs --compare";
+    QTest::newRow("parameters of nothing") << "--compare-set gravity=3"
+                                           << "--compare-set: needs --compare";
+    QTest::newRow("ghost's tilt") << "--compare exact --compare-set tilt_x=3"
+                                  << "--compare-set: expected parameters but the tilt as rolling_friction=0.004, "
+                                     "found 'tilt_x=3'";
+    QTest::newRow("ghost's unknown parameter") << "--compare exact --compare-set speed=3"
+                                               << "--compare-set: expected parameters but the tilt as "
+                                                  "rolling_friction=0.004, found 'speed=3'";
+    QTest::newRow("ghost's forbidden value") << "--compare exact --compare-set restitution_wall=2"
+                                             << "--compare-set: expected a number from 0 to 1, found '2'";
+    QTest::newRow("ghost's values that don't agree")
+        << "--compare exact --compare-set model=rigid,rolling_friction=1,sliding_friction=0.5"
+        << "--compare-set: rolling_friction is 1";
     QTest::newRow("no whole number of substeps") << "--compare exact --compare-substeps 1.5"
                                                  << "'1.5'";
     QTest::newRow("too many substeps") << "--compare exact --compare-substeps 1001"

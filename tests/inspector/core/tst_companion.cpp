@@ -5,6 +5,7 @@
 #include "support/compare.h"
 #include "support/stepper_rows.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -27,6 +28,9 @@ private slots:
     void stepSizeOfTheBallCanChange();
     void sameStepperObeysTheBallsOwnValues();
     void otherStepperHasInitialOwnValues();
+    void ownParametersAreObeyed();
+    void tiltIsTheBallsWhateverItsOwnParameters();
+    void ownParametersThatAreTheBallsKeepItOnTheBall();
     void refusalEndsItUntilTheNextMeeting();
     void refusalLeavesTheBallAlone();
     void missingStepperGivesOneLine();
@@ -285,6 +289,57 @@ void TestCompanion::otherStepperHasInitialOwnValues() {
         QVERIFY(ball.step(&m_error) && companion.follow(ball, &m_error) && plain.step(&m_error));
     QVERIFY(support::sameBits(companion.state(), plain.state()));
     QVERIFY(!support::sameBits(companion.state(), ball.state()));
+}
+
+// As an engine that has them from the start.
+void TestCompanion::ownParametersAreObeyed() {
+    Engine ball = ballOf(levelScene(3), "symplectic-euler");
+    ball.setInputs(tilted(3.0, 4.0));
+    Inputs own = tilted(3.0, 4.0);
+    own.params.restitution_wall = 0.8;
+    own.params.rolling_friction = 0.004;
+    own.params.model = PHYS_MODEL_RIGID;
+    Companion companion = companionOf(ball, {"symplectic-euler", 1}, "symplectic-euler");
+    companion.setOwnInputs(own);
+    Engine alone = ballOf(ball.scene(), "symplectic-euler");
+    alone.setInputs(own);
+    double largest = 0.0; // both end in the same corner
+    for (int i = 0; i < 200; ++i) {
+        QVERIFY(ball.step(&m_error) && companion.follow(ball, &m_error) && alone.step(&m_error));
+        QVERIFY(support::sameBits(companion.state(), alone.state()));
+        largest = std::max(largest, companion.deviation().distance);
+    }
+    QVERIFY(largest > 0.0);
+}
+
+// On the Moon, tilted as the ball's pilot does.
+void TestCompanion::tiltIsTheBallsWhateverItsOwnParameters() {
+    Engine ball = ballOf(levelScene(3), "symplectic-euler");
+    ball.setPilot(std::make_shared<PlacePilot>());
+    Inputs moon = initialInputs();
+    moon.gravity = 1.62;
+    tiltBoard(moon, {});
+    Companion companion = companionOf(ball, {"exact", 1}, "symplectic-euler");
+    companion.setOwnInputs(moon);
+    Engine alone = ballOf(ball.scene(), "exact");
+    for (int i = 0; i < 200; ++i) {
+        QVERIFY(ball.step(&m_error) && companion.follow(ball, &m_error));
+        tiltBoard(moon, ball.inputs().tilt);
+        alone.setInputs(moon);
+        QVERIFY(alone.step(&m_error));
+        QVERIFY(support::sameBits(companion.state(), alone.state()));
+    }
+}
+
+void TestCompanion::ownParametersThatAreTheBallsKeepItOnTheBall() {
+    Engine ball = ballOf(levelScene(3), "symplectic-euler");
+    ball.setPilot(std::make_shared<PlacePilot>());
+    Companion companion = companionOf(ball, {"symplectic-euler", 1}, "symplectic-euler");
+    companion.setOwnInputs(initialInputs());
+    for (int i = 0; i < 200; ++i) {
+        QVERIFY(ball.step(&m_error) && companion.follow(ball, &m_error));
+        QVERIFY(support::sameBits(companion.state(), ball.state()));
+    }
 }
 
 void TestCompanion::refusalEndsItUntilTheNextMeeting() {

@@ -31,10 +31,13 @@ private slots:
     void otherStepperOfTheBallGoesOn();
     void otherLevelIsComparedFromItsStart();
     void optionSwitchesItOn();
+    void ownParametersBeginAsTheBalls();
+    void ownParametersAreKeptWhileTheyDontCount();
     void refusedStepIsSaidOnceAndTheBallGoesOn();
     void refusedSceneIsSaidAndMeetingTriesAgain();
     void tableHasItsColumnsLast();
     void fileBesideTheTableNamesTheOpponent();
+    void tableOfOtherParametersIsThatOfARunWithThem();
     void tableOfTheSameStepperHasZeros();
     void tableWithoutAnOpponentIsAsBefore();
     void refusedRunHasEmptyFieldsAndStatus1();
@@ -392,6 +395,49 @@ void TestComparison::fileBesideTheTableNamesTheOpponent() {
     runOf({"--headless", "--duration", "0.1", "--compare", "rk4", "--compare-substeps", "2", "--csv", path("t.csv")});
     const QByteArray settings = support::contentOf(path("t.csv.txt"));
     QVERIFY2(settings.contains("\ncompare rk4 " + versionOf("rk4") + "\ncompare-substeps 2\n"), settings.constData());
+}
+
+// The second ball's place is, digit by digit, that of a first one with these parameters.
+void TestComparison::tableOfOtherParametersIsThatOfARunWithThem() {
+    const QStringList words{"--headless", "--level", "3", "--tilt-x", "3", "--tilt-y", "4", "--duration", "1"};
+    const Result with = runOf(words + QStringList{"--compare", "symplectic-euler", "--compare-set",
+                                                  "restitution-wall=0.8, rolling_friction=0.004"});
+    const Result alone = runOf(words + QStringList{"--restitution-wall", "0.8", "--rolling-friction", "0.004"});
+    QCOMPARE(with.rows().size(), alone.rows().size());
+    for (qsizetype i = 1; i < with.rows().size(); ++i) {
+        const QByteArrayList fields = with.rows()[i].split(',');
+        const QByteArrayList expected = alone.rows()[i].split(',');
+        QCOMPARE(fields[2 + qsizetype(Channel::GhostX)], expected[2 + qsizetype(Channel::PositionX)]);
+        QCOMPARE(fields[2 + qsizetype(Channel::GhostY)], expected[2 + qsizetype(Channel::PositionY)]);
+    }
+    QVERIFY(with.rows().last().split(',')[2 + qsizetype(Channel::Distance)].toDouble() > 0.0);
+}
+
+void TestComparison::ownParametersBeginAsTheBalls() {
+    const std::unique_ptr<Session> session = open(optionsOf(3));
+    session->parameters().set({{"restitution_wall", 0.7}});
+    session->comparison().start({"symplectic-euler", 1});
+    session->comparison().setOwnParameters(true);
+    makeSteps(*session, 40);
+    COMPARE_EXACT(distanceIn(*session), 0.0);
+    session->parameters().set({{"restitution_wall", 0.2}}); // and then they are its own
+    const Parameters &own = session->comparison().parameters();
+    COMPARE_EXACT(own.value(own.indexOf("restitution_wall")), 0.7);
+}
+
+void TestComparison::ownParametersAreKeptWhileTheyDontCount() {
+    const std::unique_ptr<Session> session = open(optionsOf(3));
+    Comparison &comparison = session->comparison();
+    comparison.start({"symplectic-euler", 1});
+    comparison.setOwnParameters(true);
+    comparison.parameters().set({{"rolling_friction", 0.01}});
+    comparison.setOwnParameters(false);
+    makeSteps(*session, 20);
+    COMPARE_EXACT(distanceIn(*session), 0.0);
+    comparison.setOwnParameters(true);
+    makeSteps(*session, 20);
+    QVERIFY(distanceIn(*session) > 0.0);
+    COMPARE_EXACT(comparison.parameters().value(comparison.parameters().indexOf("rolling_friction")), 0.01);
 }
 
 void TestComparison::tableOfTheSameStepperHasZeros() {

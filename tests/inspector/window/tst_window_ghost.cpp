@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+// The ghost with parameters of its own, A and B: by key, mouse and numbers; copied, swapped, taken back.
+#include "support/compare.h"
+#include "ui/parts/number_box.h"
+#include "window_fixture.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QSlider>
+#include <QToolButton>
+
+#include <cmath>
+
+using namespace window_test;
+using inspector::ui::NumberBox;
+
+class TestWindowGhost : public QObject {
+    Q_OBJECT
+
+public:
+    static void initMain() { prepare(); }
+
+private slots:
+    void init();
+    void cleanup();
+    void keyGivesTheGhostSlidersOfItsOwn();
+    void switchInEitherDockDoesTheSame();
+    void typedNumberMovesTheGhostAlone();
+    void sliderOfTheGhostIsUndone();
+    void copyGivesTheGhostTheBallsValues();
+    void swapExchangesBothAndIsUndoneAtOnce();
+    void tiltIsTheBallsAlone();
+    void refusedValueIsSaidBesideTheGhostsNumber();
+    void rigidRowsFollowTheGhostsModel();
+    void controlsSayWhoseTheyAre();
+    void otherStepperBringsItsOwnRows();
+
+private:
+    double ballsOwn(const char *id) { return valueIn(m_fixture->parameters(), id); }
+    double ghostsOwn(const char *id) { return valueIn(comparison().parameters(), id); }
+    inspector::Comparison &comparison() { return m_fixture->session().comparison(); }
+    static double valueIn(const inspector::Parameters &parameters, const char *id) {
+        return parameters.value(parameters.indexOf(id));
+    }
+    double distance();
+    void makeSteps(uint64_t count);
+    void type(const QString &box, const QString &text);
+    void switchOn();
+
+    std::unique_ptr<Fixture> m_fixture;
+};
+
+void TestWindowGhost::init() {
+    m_fixture = std::make_unique<Fixture>(3);
+    QVERIFY(m_fixture->isReady());
+    m_fixture->parameters().set({{"tilt_x", 3.0}, {"tilt_y", 4.0}});
+    comparison().setOpponent({"symplectic-euler", 1}); // the ball's own: what both differ by is the parameters'
+}
+
+void TestWindowGhost::cleanup() { m_fixture.reset(); }
+
+double TestWindowGhost::distance() {
+    const inspector::Snapshot now = m_fixture->simulation().latest();
+    return now.ghost ? now.ghost->deviation.distance : std::nan("");
+}
+
+void TestWindowGhost::makeSteps(uint64_t count) {
+    const uint64_t end = m_fixture->simulation().latest().current.step + count;
+    for (uint64_t i = 0; i < count; ++i) m_fixture->trigger("step");
+    QTRY_COMPARE(m_fixture->simulation().latest().current.step, end);
+}
+
+void TestWindowGhost::type(const QString &name, const QString &text) {
+    auto *box = m_fixture->find<NumberBox>(name);
+    box->setFocus();
+    box->selectAll();
+    QTest::keyClicks(box, text);
+    QTest::keyClick(box, Qt::Key_Return);
+}
+
+void TestWindowGhost::switchOn() {
+    m_fixture->press(Qt::Key_C, Qt::ShiftModifier);
+    QTRY_VERIFY(m_fixture->find<NumberBox>("ghost_restitution_wall_box")->isVisible());
+}
+
+void TestWindowGhost::keyGivesTheGhostSlidersOfItsOwn() {
+    QVERIFY(!m_fixture->find<QSlider>("ghost_gravity_slider")->isVisible());
+    switchOn();
+    QVERIFY(comparison().isOn());
+    QVERIFY(m_fixture->find<QSlider>("ghost_gravity_slider")->isVisible());
+    makeSteps(20);
+    COMPARE_EXACT(distance(), 0.0); // it has the ball's values
+    m_fixture->press(Qt::Key_C);    // without a ghost there is nothing to set
+    QVERIFY(!m_fixture->find<QSlider>("ghost_gravity_slider")->isVisible());
+}
+
+void TestWindowGhost::switchInEitherDockDoesTheSame() {
+    auto *box = m_fixture->find<QCheckBox>("parameters_ghost_parameters");
+    QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
+    QVERIFY(comparison().hasOwnParameters());
+    m_fixture->press(Qt::Key_5, Qt::ControlModifier);
+    auto *other = m_fixture->find<QCheckBox>("comparison_ghost_parameters");
+    QTRY_VERIFY(other->isVisible());
+    QVERIFY(other->isChecked());
+    QTest::mouseClick(other, Qt::LeftButton, {}, QPoint(8, other->height() / 2));
+    QVERIFY(!comparison().hasOwnParameters());
+    QVERIFY(!box->isChecked());
+}
+
+void TestWindowGhost::typedNumberMovesTheGhostAlone() {
+    switchOn();
+    type("ghost_rolling_friction_box", "0.01");
+    COMPARE_EXACT(ghostsOwn("rolling_friction"), 0.01);
+    COMPARE_EXACT(ballsOwn("rolling_friction"), 0.002);
+    makeSteps(20);
+    QVERIFY(distance() > 0.0);
+    COMPARE_EXACT(m_fixture->simulated("rolling_friction"), 0.002);
+}
+
+void TestWindowGhost::sliderOfTheGhostIsUndone() {
+    switchOn();
+    auto *slider = m_fixture->find<QSlider>("ghost_restitution_wall_slider");
+    slider->setFocus();
+    QTest::keyClick(slider, Qt::Key_End);
+    COMPARE_EXACT(ghostsOwn("restitution_wall"), 1.0);
+    COMPARE_EXACT(ballsOwn("restitution_wall"), 0.5);
+    m_fixture->press(Qt::Key_Z, Qt::ControlModifier);
+    COMPARE_EXACT(ghostsOwn("restitution_wall"), 0.5);
+}
+
+void TestWindowGhost::copyGivesTheGhostTheBallsValues() {
+    switchOn();
+    type("restitution_wall_box", "0.7");
+    type("ghost_gravity_box", "1.62");
+    m_fixture->press(Qt::Key_X, Qt::ShiftModifier);
+    COMPARE_EXACT(ghostsOwn("restitution_wall"), 0.7);
+    COMPARE_EXACT(ghostsOwn("gravity"), 9.81);
+    m_fixture->press(Qt::Key_Z, Qt::ControlModifier);
+    COMPARE_EXACT(ghostsOwn("restitution_wall"), 0.5);
+    COMPARE_EXACT(ghostsOwn("gravity"), 1.62);
+}
+
+void TestWindowGhost::swapExchangesBothAndIsUndoneAtOnce() {
+    switchOn();
+    type("ghost_restitution_wall_box", "0.8");
+    click(m_fixture->find<QToolButton>("parameters_swap_with_ghost"));
+    COMPARE_EXACT(ballsOwn("restitution_wall"), 0.8);
+    COMPARE_EXACT(ghostsOwn("restitution_wall"), 0.5);
+    m_fixture->press(Qt::Key_Z, Qt::ControlModifier);
+    COMPARE_EXACT(ballsOwn("restitution_wall"), 0.5);
+    COMPARE_EXACT(ghostsOwn("restitution_wall"), 0.8);
+    COMPARE_EXACT(ballsOwn("tilt_x"), 3.0);
+}
+
+void TestWindowGhost::tiltIsTheBallsAlone() {
+    switchOn();
+    QVERIFY(!m_fixture->window().findChild<QSlider *>("ghost_tilt_x_slider"));
+    m_fixture->press(Qt::Key_X);
+    COMPARE_EXACT(ballsOwn("tilt_x"), 3.0);
+    makeSteps(20);
+    COMPARE_EXACT(distance(), 0.0);
+}
+
+void TestWindowGhost::refusedValueIsSaidBesideTheGhostsNumber() {
+    switchOn();
+    auto *model = m_fixture->find<QComboBox>("ghost_model_choice");
+    model->setFocus();
+    QTest::keyClick(model, Qt::Key_Down);
+    type("ghost_rolling_friction_box", "5"); // more than the sliding friction
+    const auto *box = m_fixture->find<NumberBox>("ghost_rolling_friction_box");
+    QVERIFY2(box->reason().contains("rolling_friction"), qPrintable(box->reason()));
+    COMPARE_EXACT(ghostsOwn("rolling_friction"), 0.002);
+}
+
+void TestWindowGhost::rigidRowsFollowTheGhostsModel() {
+    switchOn();
+    QVERIFY(!m_fixture->find<QSlider>("ghost_sliding_friction_slider")->isEnabled());
+    auto *model = m_fixture->find<QComboBox>("ghost_model_choice");
+    model->setFocus();
+    QTest::keyClick(model, Qt::Key_Down);
+    QVERIFY(m_fixture->find<QSlider>("ghost_sliding_friction_slider")->isEnabled());
+    QVERIFY(!m_fixture->find<QSlider>("sliding_friction_slider")->isEnabled());
+}
+
+void TestWindowGhost::controlsSayWhoseTheyAre() {
+    QCOMPARE(m_fixture->find<QSlider>("ghost_gravity_slider")->accessibleName(), QString("Gravity, the ghost's"));
+    QCOMPARE(m_fixture->find<QSlider>("gravity_slider")->accessibleName(), QString("Gravity"));
+}
+
+// The default stepper has a row of its own, exact has none.
+void TestWindowGhost::otherStepperBringsItsOwnRows() {
+    switchOn();
+    QVERIFY(m_fixture->find<QCheckBox>("ghost_as_reported_switch")->isVisible());
+    comparison().setOpponent({"exact", 1});
+    QVERIFY(!m_fixture->window().findChild<QCheckBox *>("ghost_as_reported_switch"));
+    QVERIFY(m_fixture->find<QSlider>("ghost_gravity_slider")->isVisible());
+}
+
+QTEST_MAIN(TestWindowGhost)
+#include "tst_window_ghost.moc"
