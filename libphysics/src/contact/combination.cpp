@@ -61,6 +61,7 @@ void solve(Combination &c) {
         c.column[i] = c.unknowns;
         c.unknowns += c.width(i);
     }
+    c.work.add(Work::kEquations * (1 + c.unknowns));
     dense::Equations equations(c.unknowns);
     for (uint32_t i = 0; i < c.count(); ++i) {
         if (!c.isOpen(i)) {

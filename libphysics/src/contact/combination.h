@@ -11,6 +11,7 @@ namespace phys {
 struct Combination {
     const Moment &moment;
     std::span<const Held> held;
+    Work &work;
     std::array<Reaction, kMostHeld> reactions{};
     Vec3 rolling{0.0}; ///< against which resistance acts; shorter than 1 where less than all of it holds the ball
     Vec3 acceleration{0.0}, spinAcceleration{0.0};

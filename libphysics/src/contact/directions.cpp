@@ -7,6 +7,7 @@ namespace phys {
 namespace {
 
 constexpr int kMostPasses = 100;   // of the directions in which slips and rolling start
+constexpr int kMostPulling = 24;   // with a contact that would have to pull: what hasn't settled by then won't fit
 constexpr int kPlainPasses = 8;    // before they are mixed: until then they turn the right way
 constexpr double kSettled = 4e-15; // of a direction
 
@@ -115,12 +116,19 @@ void aim(Combination &c, const Sought &sought, const Aims &aims) {
     if (sought.rolls != kMostHeld) c.rolling = aims.back() / std::max(1.0, glm::length(aims.back()));
 }
 
+bool pulls(const Combination &c, double zero) {
+    return std::any_of(c.reactions.begin(), c.reactions.begin() + c.count(),
+                       [zero](const Reaction &reaction) { return reaction.pressure < -zero; });
+}
+
 /// Turns the directions until they agree with the accelerations. False if they don't settle.
 bool settleDirections(Combination &c, const Sought &sought) {
     solve(c);
     if (sought.starting == 0 && sought.rolls == kMostHeld) return true;
     Mixing mixing;
-    for (int pass = 0; pass < kMostPasses; ++pass) {
+    int pullingPasses = 0;
+    const double zero = kRoughly * accelerationScale(c.moment);
+    for (int pass = 0; pass < kMostPasses && !c.work.isTooMuch(); ++pass) {
         const Aims aims = aimsOf(c, sought), asked = askedFor(c, sought);
         double change = 0.0;
         for (size_t i = 0; i < aims.size(); ++i) change = std::max(change, glm::length(asked[i] - aims[i]));
@@ -128,6 +136,7 @@ bool settleDirections(Combination &c, const Sought &sought) {
         aim(c, sought, isSettled || pass < kPlainPasses ? asked : mixing.mix(aims, asked));
         solve(c);
         if (isSettled) return true;
+        if (pulls(c, zero) && ++pullingPasses == kMostPulling) return false;
     }
     return false;
 }

@@ -10,6 +10,7 @@
 namespace phys {
 
 inline constexpr double kFits = 1e-11;          // relative: a condition that holds within this holds
+inline constexpr double kRoughly = 1e6 * kFits; // where directions settle too slowly: friction still only takes energy
 inline constexpr double kInertia = 2.5;         // m R^2 / I of a solid ball
 inline constexpr double kSlipPerFriction = 3.5; // what friction at one contact changes its slip by: 1 + 5/2
 

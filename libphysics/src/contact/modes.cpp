@@ -9,7 +9,6 @@ namespace phys {
 
 namespace {
 
-constexpr double kRoughly = 1e6 * kFits; // then directions that settle too slowly do: friction still only takes energy
 constexpr double kNoSlip = 64.0 * 0x1p-52; // relative
 constexpr uint32_t kMostPressing = 4;      // of contacts with different normals, model.md 14.1
 
@@ -82,13 +81,14 @@ bool nextModes(std::span<const Held> held, const Response &known, std::array<uin
 
 /// Tries all combinations: of those that fit best the one with the smallest sum of N, at equal sums that with most
 /// contacts.
-Response enumerate(const Moment &moment, std::span<const Held> held, const Excluded &excluded, const Response &known) {
+Response enumerate(const Moment &moment, std::span<const Held> held, Work &work, const Excluded &excluded,
+                   const Response &known) {
     const double scale = accelerationScale(moment);
     Response best = known;
     size_t bestFit = kNoFit;
     std::array<uint32_t, kMostHeld> numbers{};
     do {
-        Combination c{moment, held};
+        Combination c{moment, held, work};
         if (!setModes(c, numbers, known, excluded)) continue;
         const bool isSettled = settle(c);
         const size_t fit = fitOf(c, isSettled, bestFit, scale);
@@ -102,17 +102,17 @@ Response enumerate(const Moment &moment, std::span<const Held> held, const Exclu
         best.acceleration = c.acceleration;
         best.spinAcceleration = c.spinAcceleration;
         best.rolling = c.isHeld() ? Vec3(0.0) : c.rolling;
-    } while (nextModes(held, known, numbers));
+    } while (nextModes(held, known, numbers) && !work.isTooMuch());
     best.isFound = bestFit != kNoFit;
     return best;
 }
 
 } // namespace
 
-void endSlips(Moment &moment, std::span<const Held> held) {
+void endSlips(Moment &moment, std::span<const Held> held, Work &work) {
     Moment still = moment;
     still.gravity = Vec3(0.0);
-    Combination c{still, held};
+    Combination c{still, held, work};
     for (uint32_t i = 0; i < c.count(); ++i) {
         c.reactions[i].mode = held[i].friction > 0.0 ? Mode::sticking : Mode::smooth;
         c.column[i] = c.unknowns;
@@ -161,7 +161,7 @@ double reserve(const Held &held, const Reaction &reaction, const Vec3 &rolling) 
     return most * most - squared(friction);
 }
 
-Response respond(const Moment &moment, std::span<const Held> held, const Excluded &excluded) {
+Response respond(const Moment &moment, std::span<const Held> held, Work &work, const Excluded &excluded) {
     const uint32_t opened = excluded.closed;
     Response response;
     response.count = static_cast<uint32_t>(held.size());
@@ -209,7 +209,7 @@ Response respond(const Moment &moment, std::span<const Held> held, const Exclude
         excludedSeen.closed |= (opened >> sorted.index[i] & 1U) << i;
         excludedSeen.sticking |= (excluded.sticking >> sorted.index[i] & 1U) << i;
     }
-    seen = enumerate(mirror.seen(moment), sorted.list(), excludedSeen, seen);
+    seen = enumerate(mirror.seen(moment), sorted.list(), work, excludedSeen, seen);
     response.isFound = seen.isFound;
     response.acceleration = mirror.back(seen.acceleration);
     response.spinAcceleration = mirror.backSpin(seen.spinAcceleration);

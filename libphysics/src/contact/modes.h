@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/vec.h"
+#include "contact/work.h"
 
 #include <array>
 #include <cstdint>
@@ -73,11 +74,12 @@ struct Excluded {
 };
 
 /// Of all modes that fit, those with the smallest sum of N; at equal sums those with most contacts.
-Response respond(const Moment &moment, std::span<const Held> held, const Excluded &excluded = {});
+/// What is found once the work is too much means nothing.
+Response respond(const Moment &moment, std::span<const Held> held, Work &work, const Excluded &excluded = {});
 
 /// Ends all slips at rough contacts at once, by impulses that keep every contact: the ball jams, model.md 14.1. Never
 /// adds energy.
-void endSlips(Moment &moment, std::span<const Held> held);
+void endSlips(Moment &moment, std::span<const Held> held, Work &work);
 
 /// Size of accelerations at a moment, for what counts as zero: |g| + v^2/R + R om^2.
 double accelerationScale(const Moment &moment);

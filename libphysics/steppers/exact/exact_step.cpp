@@ -3,7 +3,7 @@
 
 #include "base/error.h"
 #include "base/orientation.h"
-#include "contact/impact.h"
+#include "contact/held.h"
 #include "contact/push_out.h"
 
 #include <algorithm>
@@ -13,37 +13,8 @@ namespace phys {
 
 namespace {
 
-/// More events than this in one call end it with an error: only a ball caught between walls gets there. A phase by
-/// series counts for as many as it takes the time of.
-constexpr uint32_t kEventCap = 120'000;
-constexpr uint32_t kSeriesCost = 60;
-
-/// And so do more than this at one moment: at that pace the step wouldn't come to its end.
+/// More events than this at one moment end the step with an error: at that pace it wouldn't come to its end.
 constexpr uint32_t kMomentCap = 1'000;
-
-/// Rounds of impacts at one moment: each ends bounces that are none, which may drive the ball into another contact.
-constexpr int kMostRounds = 16;
-
-/// Bounces that rise no higher than this, in radii, are the last of infinitely many: model.md 6.4.
-constexpr double kLastBounce = 1e-13;
-/// Where what is between two bounces has another law than what comes after the last: the error is of first order there.
-constexpr double kLastHop = 1e-26;
-
-/// Sine of the angle between normals, or of one and a plane, below which they are parallel but for rounding.
-constexpr double kParallel = 1e-12;
-
-/// But with a restitution above this the bounces down there would never end.
-constexpr double kSlowDecay = 0.95;
-
-Vec3 hat(Vec3 v) {
-    const double most = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    if (most == 0.0) return Vec3(0.0);
-    if (most < 1e-100) v /= most; // whose squares underflow
-    return v / glm::length(v);
-}
-
-/// Whether b points along a line that a has, either way, but for rounding.
-bool isCollinear(const Vec3 &a, const Vec3 &b) { return glm::length(glm::cross(hat(a), hat(b))) <= 4.0 * kRounding; }
 
 } // namespace
 
@@ -82,6 +53,7 @@ phys_status ExactStep::advance(phys_state &out) {
         if (m_left == 0.0 && end.cause == Cause::time) break;
         if (const phys_status status = resolve()) return status;
     }
+    if (const phys_status status = checkWork()) return status;
     const Vec3 sum = m_position + m_motion.velocity + m_motion.spin;
     if (!std::isfinite(sum.x + sum.y + sum.z)) {
         return fail(m_err, PHYS_ERROR_INTERNAL, "the step's result isn't a number");
@@ -100,12 +72,14 @@ phys_status ExactStep::keep(Pace &pace) {
         return fail(m_err, PHYS_ERROR_EVENT_CAP, "more than %u events at one moment, %.9g s before the step's end",
                     kMomentCap, m_left);
     }
-    pace.events += m_isSeries ? kSeriesCost : 1;
-    if (pace.events > kEventCap) {
-        return fail(m_err, PHYS_ERROR_EVENT_CAP, "more than %u events in one step, %.9g s of it still to go", kEventCap,
-                    m_left);
-    }
-    return PHYS_OK;
+    m_work.add(Work::kEvent);
+    return checkWork();
+}
+
+phys_status ExactStep::checkWork() const {
+    if (!m_work.isTooMuch()) return PHYS_OK;
+    return fail(m_err, PHYS_ERROR_EVENT_CAP, "more to compute than %llu in one step, %.9g s of it still to go",
+                static_cast<unsigned long long>(Work::kMost), m_left);
 }
 
 /// Out of the boxes that the given state lies in: model.md 5.7.
@@ -155,423 +129,15 @@ void ExactStep::event(uint32_t kind, double before, double after) {
     m_report.event(kind, m_elapsed, m_position, Vec3(0.0), before, after, PHYS_NO_BOX);
 }
 
-// --------------------------------------------------------------------------------------------- what happens in no time
-
 Moment ExactStep::moment() const {
     return {m_motion.velocity, m_motion.spin, m_setting.gravity(), m_scene.radius,
             16.0 * kRounding + 4.0 * m_scene.tolerance / m_scene.radius};
 }
 
-/// Takes all impacts of the moment, and looks at what lasts then.
-phys_status ExactStep::resolve() {
-    m_isAnswered = false;
-    const double speed = glm::length(m_motion.velocity), negligible = negligibleSpeed(m_motion, m_scene.radius);
-    touch();
-    const bool wasCarried = isCarried(negligible);
-    bool hits = false;
-    for (int round = 0; round < kMostRounds && collide(negligible); ++round) {
-        hits = true;
-        // Nothing but rounding is left of a velocity that led straight into what it hit.
-        if (glm::length(m_motion.velocity) <= 4.0 * kRounding * speed) m_motion.velocity = Vec3(0.0);
-        touch();
-        hold(negligible);
-    }
-    hold(negligible);
-    if (collide(negligible)) hold(negligible);
-    roll(hits && wasCarried);
-    return PHYS_OK;
-}
-
-/// Whether a floor carries the ball of the rolling model.
-bool ExactStep::isCarried(double negligible) const {
-    return std::any_of(m_contacts.begin(), m_contacts.end(), [&](const Contact &contact) {
-        return contact.isGlued && std::abs(glm::dot(m_motion.velocity, contact.normal)) <= negligible;
-    });
-}
-
-void ExactStep::touch() {
-    findContacts(m_setting, m_position, m_motion, Vec3(0.0), m_contacts);
-    m_contacts.dropHidden(m_scene.tolerance);
-}
-
-/// model.md 6.4: what bounces no higher than rounding bounces for the last time.
-void ExactStep::endBounces(double negligible) {
-    collectHeld(negligible);
-    const Vec3 acting = actingAcceleration();
-    for (Contact &contact : m_contacts) {
-        const double speed = glm::dot(m_motion.velocity, contact.normal);
-        if (speed < -negligible && contact.restitution * -speed <= lastBounce(contact, acting)) {
-            contact.restitution = 0.0;
-        }
-    }
-}
-
-/// What accelerates the ball if nothing but the lasting contacts pushes.
-Vec3 ExactStep::actingAcceleration() const {
-    if (m_heldCount == 0) return m_setting.gravity();
-    const Response response = respond(moment(), held());
-    return response.isFound ? response.acceleration : m_setting.gravity();
-}
-
-/// True if anything was hit.
-bool ExactStep::collide(double negligible) {
-    const bool approaches = std::any_of(m_contacts.begin(), m_contacts.end(), [&](const Contact &contact) {
-        return glm::dot(m_motion.velocity, contact.normal) < -negligible;
-    });
-    if (!approaches) return false;
-    endBounces(negligible);
-    const Impacts impacts = resolveImpacts(m_contacts, m_scene.radius, m_motion);
-    m_report.lostImpact(impacts.lostNormal);
-    m_report.lostSlip(impacts.lostSlip);
-    m_report.passes(impacts.rounds);
-    if (!m_report.wanted()) return true;
-    for (uint32_t i = 0; i < m_contacts.count(); ++i) {
-        const Contact &contact = m_contacts[i];
-        if (impacts.approach[i] >= 0.0) continue;
-        m_report.event(contact.isTop ? PHYS_EVENT_LANDING : PHYS_EVENT_IMPACT, m_elapsed, contact.point, contact.normal,
-                       impacts.approach[i], std::max(0.0, glm::dot(m_motion.velocity, contact.normal)),
-                       m_scene.givenBox(contact.box, contact.point));
-    }
-    return true;
-}
-
-/// Speed after a bounce below which it is the last, model.md 6.4: its height is no more than rounding.
-double ExactStep::lastBounce(const Contact &contact, const Vec3 &acting) const {
-    const double R = m_scene.radius;
-    const double speed = glm::dot(m_motion.velocity, contact.normal);
-    const Vec3 round = m_motion.velocity - speed * contact.normal;
-    const double back = -(glm::dot(acting, contact.normal) + contact.curving(round, R));
-    const bool isUpright = contact.normal.z == 0.0;
-    const bool isSmooth = (isUpright && contact.friction == 0.0) || contact.restitution > kSlowDecay;
-    return std::sqrt(2.0 * std::max(0.0, back) *
-                     (isSmooth ? std::max(m_scene.tolerance, kLastBounce * R) : kLastHop * R));
-}
-
-/// The contacts without a velocity across.
-void ExactStep::collectHeld(double negligible) {
-    m_heldCount = 0;
-    for (uint32_t i = 0; i < m_contacts.count(); ++i) {
-        if (std::abs(glm::dot(m_motion.velocity, m_contacts[i].normal)) <= negligible) addHeld(i);
-    }
-}
-
-void ExactStep::addHeld(uint32_t number) {
-    if (m_heldCount == kMostHeld) return;
-    const Contact &contact = m_contacts[number];
-    Held &held = m_held[m_heldCount];
-    held.normal = contact.normal;
-    held.across = contact.across(Vec3(1.0));
-    held.friction = contact.friction;
-    held.resistance = contact.isTop ? m_params.rolling_friction : 0.0;
-    held.isGlued = contact.isGlued;
-    m_lasting[m_heldCount++] = number;
-}
-
-/// Ends the bounce of one more contact, rather of one that doesn't drive the ball into another: false if none bounces
-/// so low.
-bool ExactStep::holdNext(double negligible) {
-    const Vec3 acting = actingAcceleration();
-    uint32_t next = Contacts::kMost;
-    for (uint32_t i = 0; i < m_contacts.count(); ++i) {
-        const double speed = glm::dot(m_motion.velocity, m_contacts[i].normal);
-        const auto held = m_lasting.begin() + m_heldCount;
-        if (std::find(m_lasting.begin(), held, i) != held) continue;
-        if (speed < 0.0 || speed > lastBounce(m_contacts[i], acting)) continue;
-        const Vec3 left = m_motion.velocity - speed * m_contacts[i].normal;
-        const bool isFree = std::none_of(m_contacts.begin(), m_contacts.end(), [&](const Contact &other) {
-            return glm::dot(left, other.normal) < -negligible;
-        });
-        if (isFree || next == Contacts::kMost) next = i;
-        if (!isFree) continue;
-        m_motion.velocity = left;
-        break;
-    }
-    if (next == Contacts::kMost) return false;
-    addHeld(next);
-    return true;
-}
-
-/// The contacts that last: exactly at the radius, without a velocity across, or with one whose bounce ends at once.
-void ExactStep::hold(double negligible) {
-    for (Contact &contact : m_contacts) {
-        if (!contact.isFace()) continue;
-        for (int axis = 0; axis < 3; ++axis) {
-            if (contact.sides[axis] != 0) m_position[axis] = contact.point[axis] + contact.sides[axis] * m_scene.radius;
-        }
-    }
-    collectHeld(negligible);
-    while (m_heldCount < std::min(m_contacts.count(), kMostHeld) && holdNext(negligible)) {
-    }
-    project();
-}
-
-/// Removes what is left of the velocity across the lasting contacts.
-void ExactStep::project() {
-    Vec3 &v = m_motion.velocity;
-    for (uint32_t i = 0; i < m_heldCount; ++i) {
-        const Vec3 &n = m_held[i].normal;
-        for (uint32_t j = 0; j < i; ++j) {
-            const Vec3 line = glm::cross(n, m_held[j].normal);
-            if (glm::dot(line, line) < kParallel * kParallel) continue;
-            const Vec3 along = hat(line);
-            for (uint32_t k = 0; k < j; ++k) {
-                if (std::abs(glm::dot(m_held[k].normal, along)) > kParallel) v = Vec3(0.0);
-            }
-            v = glm::dot(v, along) * along;
-        }
-        if (contactOf(i).isFace()) {
-            for (int axis = 0; axis < 3; ++axis) {
-                if (n[axis] != 0.0) v[axis] = 0.0;
-            }
-        } else {
-            v -= glm::dot(v, n) * n;
-        }
-    }
-}
-
-/// Rolling model: the spin of a ball that a floor carries is not a state of its own. What a given spin differs from it
-/// counts as lost to slip, of either sign; at an impact of a ball that rolls it is part of what the impact takes.
-void ExactStep::roll(bool isImpact) {
-    if (m_setting.isRigid() || m_params.gravity.z >= 0.0) return;
-    for (uint32_t i = 0; i < m_heldCount; ++i) {
-        if (!m_held[i].isGlued) continue;
-        const double R = m_scene.radius;
-        const Vec3 spin = rollingSpin(inPlane(m_motion.velocity), R);
-        const double lost = 0.2 * R * R * (glm::dot(m_motion.spin, m_motion.spin) - glm::dot(spin, spin));
-        isImpact ? m_report.lostImpact(lost) : m_report.lostSlip(lost);
-        m_motion.spin = spin;
-    }
-}
-
-// -------------------------------------------------------------------------------------------------------- phases
-
-phys_status ExactStep::respondNow() {
-    m_response = respond(moment(), held());
-    if (m_response.isFound) return PHYS_OK;
-    if (const phys_status status = jam()) return status;
-    return PHYS_OK;
-}
-
-/// No modes fit: friction drives the reactions beyond all bounds, an impact without a collision. What slips sticks.
-phys_status ExactStep::jam() {
-    Moment stopped = moment();
-    endSlips(stopped, held());
-    const double R = m_scene.radius;
-    const auto energy = [R](const Vec3 &v, const Vec3 &spin) {
-        return 0.5 * glm::dot(v, v) + 0.2 * R * R * glm::dot(spin, spin);
-    };
-    m_report.lostSlip(energy(m_motion.velocity, m_motion.spin) - energy(stopped.velocity, stopped.spin));
-    m_motion = {stopped.velocity, stopped.spin};
-    m_response = respond(moment(), held());
-    if (m_response.isFound) return PHYS_OK;
-    return fail(m_err, PHYS_ERROR_STUCK, "the ball at (%.9g, %.9g, %.9g) is jammed by friction", m_position.x,
-                m_position.y, m_position.z);
-}
-
-uint32_t ExactStep::closedBits() const {
-    uint32_t bits = 0;
-    for (uint32_t i = 0; i < m_heldCount; ++i) {
-        if (isClosed(i)) bits |= 1U << m_lasting[i];
-    }
-    return bits;
-}
-
-bool ExactStep::restsNow() const {
-    if (m_motion.velocity != Vec3(0.0)) return false;
-    if (glm::length(m_response.acceleration) > m_response.noise) return false;
-    if (glm::length(m_response.spinAcceleration) * m_scene.radius > m_response.noise) return false;
-    for (uint32_t i = 0; i < m_heldCount; ++i) {
-        const Mode mode = m_response.reactions[i].mode;
-        if (mode == Mode::slipping || mode == Mode::starting) return false;
-    }
-    return true;
-}
-
-/// Whether all accelerations stay as they are: only faces press, and slips and resistance keep their directions.
-bool ExactStep::isUniform() const {
-    for (uint32_t i = 0; i < m_heldCount; ++i) {
-        const Reaction &reaction = m_response.reactions[i];
-        if (reaction.mode == Mode::open) continue;
-        if (!contactOf(i).isFace()) return false;
-        if (reaction.mode == Mode::slipping) {
-            const Vec3 rate =
-                m_response.acceleration - m_scene.radius * glm::cross(m_response.spinAcceleration, m_held[i].normal);
-            if (!isCollinear(reaction.slip, rate)) return false;
-        }
-        if (reaction.mode == Mode::sticking && m_held[i].resistance > 0.0 && m_response.rolling != Vec3(0.0)) {
-            Vec3 turning = m_response.spinAcceleration;
-            turning -= glm::dot(turning, m_held[i].normal) * m_held[i].normal;
-            if (!isCollinear(m_response.rolling, turning)) return false;
-        }
-    }
-    return true;
-}
-
-/// Whether a single face presses, and which contact that is.
-bool ExactStep::isAlone(uint32_t &closed) const {
-    closed = kMostHeld;
-    for (uint32_t i = 0; i < m_heldCount; ++i) {
-        if (!isClosed(i)) continue;
-        if (closed != kMostHeld || !contactOf(i).isFace()) return false;
-        closed = i;
-    }
-    return closed != kMostHeld;
-}
-
-/// Nothing is left of the velocity of a ball that resistance holds: it was rounding, model.md 14.1.
-void ExactStep::stopHeld() {
-    if (m_response.rolling != Vec3(0.0) || !isNoSlip(moment(), m_motion.velocity)) return;
-    for (uint32_t i = 0; i < m_heldCount; ++i) {
-        if (m_response.reactions[i].mode != Mode::sticking || m_held[i].resistance == 0.0) continue;
-        const Vec3 &n = m_held[i].normal;
-        const Vec3 pivoting = glm::dot(m_motion.spin, n) * n;
-        if (!isNoSlip(moment(), m_scene.radius * (m_motion.spin - pivoting))) continue;
-        const bool pivots = countSticking() == 1 || !isNoSlip(moment(), m_scene.radius * pivoting);
-        m_motion = {Vec3(0.0), pivots ? pivoting : Vec3(0.0)};
-    }
-}
-
-phys_status ExactStep::choose(Phase &phase) {
-    if (const phys_status status = respondNow()) return status;
-    m_isAnswered = true;
-    stopHeld();
-    const Vec3 g = m_setting.gravity();
-    uint32_t closed = kMostHeld;
-    if (!m_setting.isRigid() && restsNow()) {
-        m_report.lostSlip(0.2 * m_scene.radius * m_scene.radius * glm::dot(m_motion.spin, m_motion.spin));
-        m_motion.spin = Vec3(0.0);
-    }
-    if (restsNow()) {
-        phase = Uniform{Vec3(0.0), Vec3(0.0), m_motion.spin, Vec3(0.0)};
-    } else if (isUniform()) {
-        const Vec3 &a = m_response.acceleration, &v = m_motion.velocity;
-        phase = Uniform{v, a, m_motion.spin, m_response.spinAcceleration};
-    } else if (isAlone(closed)) {
-        const Held &face = m_held[closed];
-        const Reaction &reaction = m_response.reactions[closed];
-        const int axis = face.normal.x != 0.0 ? 0 : face.normal.y != 0.0 ? 1 : 2;
-        Vec3 along = g;
-        along[axis] = 0.0;
-        if (reaction.mode == Mode::slipping) {
-            phase = Resisted::slipping(axis, m_motion.velocity, reaction.slip, along, face.friction * reaction.pressure,
-                                       m_scene.radius, m_motion.spin, face.normal);
-        } else {
-            phase = Resisted::rolling(axis, m_motion.velocity, 5.0 / 7.0 * along,
-                                      5.0 / 7.0 * (face.resistance * reaction.pressure), m_scene.radius, m_motion.spin,
-                                      face.normal);
-        }
-    } else {
-        buildSeries(phase.emplace<Series>());
-    }
-    m_isSeries = std::holds_alternative<Series>(phase);
-    noteContacts();
-    return PHYS_OK;
-}
-
-/// Series in the unit of time that suits them, with the modes that hold in the moments to come.
-void ExactStep::buildSeries(Series &series) {
-    const double R = m_scene.radius;
-    const double scale = glm::length(m_setting.gravity()) + glm::length(m_response.acceleration) +
-                         glm::dot(m_motion.velocity, m_motion.velocity) / R;
-    double unit = std::sqrt(R / scale);
-    for (uint32_t i = 0; i < m_heldCount; ++i) {
-        if (m_response.reactions[i].mode != Mode::slipping) continue;
-        unit = std::min(unit, 4.0 * glm::length(m_response.reactions[i].slip) / scale);
-    }
-    const double longest = std::max(unit, m_left);
-    Excluded excluded;
-    uint32_t spent = 0, kept = 0;
-    for (int change = 0; change < 8; ++change) {
-        bool hasShrunk = false;
-        for (int guess = 0; guess < 40; ++guess) {
-            Response response = m_response;
-            for (uint32_t i = 0; i < m_heldCount; ++i) {
-                if (spent >> i & 1U) response.reactions[i].mode = Mode::spent;
-            }
-            series.build(moment(), held(), response, unit, kept);
-            const bool isLong = series.horizon() > unit && unit < longest && !hasShrunk;
-            if (series.horizon() >= 0.25 * unit && !isLong) break;
-            hasShrunk = !isLong;
-            unit = isLong ? std::min(4.0 * unit, longest) : std::max(series.suitableUnit(), 0x1p-8 * unit);
-        }
-        const uint32_t opening = series.opening() & ~excluded.closed;
-        const uint32_t slipping = series.spent() & ~(spent | kept);
-        if (!opening && !slipping) return;
-        if (!opening && countSticking() == 1) {
-            spent |= slipping;
-            withoutResistance(slipping);
-            continue;
-        }
-        // Contacts that stick together slip with an acceleration from the start, if at all: their directions are bound.
-        excluded.closed |= opening;
-        excluded.sticking |= opening ? 0 : slipping;
-        const Response changed = respond(moment(), held(), excluded);
-        if (changed.isFound) {
-            m_response = changed;
-            continue;
-        }
-        excluded.sticking &= ~slipping;
-        excluded.closed &= ~opening;
-        if (opening) return;
-        kept |= slipping;
-    }
-}
-
-/// A ball that begins to slip rolls no longer, so that nothing resists its rolling.
-void ExactStep::withoutResistance(uint32_t slipping) {
-    bool resists = false;
-    for (uint32_t i = 0; i < m_heldCount; ++i) {
-        if (!(slipping >> i & 1U) || m_held[i].resistance == 0.0) continue;
-        m_held[i].resistance = 0.0;
-        resists = true;
-    }
-    if (!resists) return;
-    const Response free = respond(moment(), held());
-    if (free.isFound) m_response = free;
-}
-
-uint32_t ExactStep::countSticking() const {
-    uint32_t count = 0;
-    for (uint32_t i = 0; i < m_heldCount; ++i) count += m_response.reactions[i].mode == Mode::sticking ? 1 : 0;
-    return count;
-}
-
-/// Reports which contacts begin to last, and which end without an impact.
-void ExactStep::noteContacts() {
-    if (!m_report.wanted()) return;
-    bool supported = false;
-    uint32_t wall = PHYS_NO_BOX, place = 0;
-    for (uint32_t i = 0; i < m_heldCount; ++i) {
-        if (!isClosed(i)) continue;
-        if (contactOf(i).isTop) {
-            supported = true;
-        } else {
-            wall = contactOf(i).box;
-            place = i;
-        }
-    }
-    const double speed = glm::length(m_motion.velocity);
-    if (m_elapsed > 0.0) {
-        if (m_supported && !supported) event(PHYS_EVENT_TAKEOFF, speed, speed);
-        if (wall != PHYS_NO_BOX && m_wall == PHYS_NO_BOX) {
-            const Contact &contact = contactOf(place);
-            m_report.event(PHYS_EVENT_CONTACT, m_elapsed, contact.point, contact.normal, speed, speed,
-                           m_scene.givenBox(contact.box, contact.point));
-        }
-        if (wall == PHYS_NO_BOX && m_wall != PHYS_NO_BOX) {
-            const Nearest left = nearest(m_scene.boxes[m_wall], m_position);
-            m_report.event(PHYS_EVENT_RELEASE, m_elapsed, left.point, left.normal, speed, speed,
-                           m_scene.givenBox(m_wall, left.point));
-        }
-    }
-    m_supported = supported;
-    m_wall = wall;
-}
-
 // -------------------------------------------------------------------------------------------------------- events
 
 template<>
-End ExactStep::ownEnd(const Uniform &phase, double) const {
+End ExactStep::ownEnd(const Uniform &phase, double) {
     End end;
     for (uint32_t i = 0; i < m_heldCount; ++i) {
         const Reaction &reaction = m_response.reactions[i];
@@ -591,25 +157,25 @@ End ExactStep::ownEnd(const Uniform &phase, double) const {
 }
 
 template<>
-End ExactStep::ownEnd(const Resisted &phase, double) const {
+End ExactStep::ownEnd(const Resisted &phase, double) {
     End end = phase.end();
     isAlone(end.contact);
     return end;
 }
 
 template<>
-End ExactStep::ownEnd(const Series &phase, double until) const {
-    return phase.end(until);
+End ExactStep::ownEnd(const Series &phase, double until) {
+    return phase.end(until, m_work);
 }
 
 template<class P>
-End ExactStep::firstEvent(const P &phase, Border &border) const {
+End ExactStep::firstEvent(const P &phase, Border &border) {
     End end{m_left, Cause::time, 0};
     if constexpr (std::is_same_v<P, Uniform>) {
         if (phase.velocity == Vec3(0.0) && restsNow()) return end;
     }
     end.cut(ownEnd(phase, m_left));
-    const Outlook around{m_scene, m_position, m_motion, m_contacts, closedBits()};
+    const Outlook around{m_scene, m_position, m_motion, m_contacts, m_work, closedBits()};
     for (uint32_t i = 0; i < m_heldCount; ++i) {
         if (isClosed(i)) cutAtBorder(around, contactOf(i), phase, end.after, border);
     }

@@ -35,7 +35,7 @@ private:
 
         double moment;      ///< s
         double momentStart; ///< s of the step still to go then
-        uint32_t events = 0, eventsInMoment = 0;
+        uint32_t eventsInMoment = 0;
     };
 
     const Scene &m_scene;
@@ -43,6 +43,7 @@ private:
     Setting m_setting;
     Reporter m_report;
     phys_error *m_err;
+    Work m_work;
     double m_left;          // s of the step still to go
     double m_elapsed = 0.0; // s of the step gone by
     double m_orientation[4];
@@ -55,13 +56,13 @@ private:
     uint32_t m_heldCount = 0;
     Response m_response;
     bool m_isAnswered = false; // m_response is that of the present contacts
-    bool m_isSeries = false;   // the present phase
     double m_openWay = 0.0;    // m that the ball surely goes no further than in this step, if nothing stops it
     uint32_t m_nearBoxes = 0;  // that it can reach on this way
     bool m_supported = false;  // reported last
     uint32_t m_wall = PHYS_NO_BOX;
 
     phys_status keep(Pace &pace);
+    phys_status checkWork() const;
     phys_status pushOut();
     void leave(phys_state &out);
 
@@ -69,7 +70,7 @@ private:
     void touch();
     bool collide(double negligible);
     void endBounces(double negligible);
-    Vec3 actingAcceleration() const;
+    Vec3 actingAcceleration();
     double lastBounce(const Contact &contact, const Vec3 &acting) const;
     void collectHeld(double negligible);
     void addHeld(uint32_t number);
@@ -93,9 +94,9 @@ private:
     void noteContacts();
 
     template<class P>
-    End firstEvent(const P &phase, Border &border) const;
+    End firstEvent(const P &phase, Border &border);
     template<class P>
-    End ownEnd(const P &phase, double until) const;
+    End ownEnd(const P &phase, double until);
     template<class P>
     void follow(const P &phase, const End &end, const Border &border);
     bool isOpen(double acceleration) const;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/vec.h"
+#include "contact/work.h"
 #include "shared/first_zero.h"
 
 #include <array>
@@ -65,13 +66,17 @@ inline double inverseRootTerm(const Jet &square, const Jet &root, int k) {
 }
 
 /// First s in [0, end] at which a polynomial falls through zero; kNever if it doesn't.
-inline double firstFall(const Jet &g, double end) {
+inline double firstFall(const Jet &g, double end, Work &work) {
     double others = 0.0, bend = 0.0;
     for (int k = kOrder; k >= 1; --k) others = (others + std::abs(g[k])) * end;
     if (g[0] > others) return kNever;
     for (int k = kOrder; k >= 2; --k) bend = bend * end + double(k * (k - 1)) * std::abs(g[k]);
     const double zero = 4.0 * 0x1p-52 * (std::abs(g[0]) + others);
-    return firstZero([&](double s) { return Look{g.at(s), g.rateAt(s), -bend}; }, 0.0, end, zero);
+    const auto look = [&](double s) {
+        work.add(Work::kJet);
+        return Look{g.at(s), g.rateAt(s), -bend};
+    };
+    return firstZero(look, 0.0, end, zero);
 }
 
 } // namespace phys

@@ -9,6 +9,8 @@ namespace phys {
 
 class Resisted {
 public:
+    static constexpr uint64_t kLook = 90; ///< work
+
     /// axis: of the face's normal; velocity and A without a part along it.
     static Resisted rolling(int axis, const Vec3 &velocity, const Vec3 &A, double B, double radius, const Vec3 &spin,
                             const Vec3 &normal);

@@ -7,6 +7,9 @@ namespace {
 
 double side(const phys_box &box, int axis, int sign) { return sign > 0 ? (&box.max.x)[axis] : (&box.min.x)[axis]; }
 
+/// Of a face's normal.
+int axisOf(const Contact &face) { return face.sides[0] != 0 ? 0 : face.sides[1] != 0 ? 1 : 2; }
+
 } // namespace
 
 bool Outlook::isBehind(const Contact &face, const phys_box &other) const {
@@ -38,8 +41,9 @@ bool Outlook::isBarred(int axis) const {
 
 bool Outlook::isKept(uint32_t number, const phys_box &other) const {
     for (uint32_t i = 0; i < contacts.count(); ++i) {
-        if (!(lasting >> i & 1U)) continue;
         const Contact &contact = contacts[i];
+        if (contact.box == number && contact.isFace() && isBarred(axisOf(contact))) return true;
+        if (!(lasting >> i & 1U)) continue;
         if (contact.box == number) return true;
         if (contact.isFace()) {
             if (isBehind(contact, other)) return true;

@@ -4,6 +4,7 @@
 
 #include "contact/contact.h"
 #include "contact/near.h"
+#include "contact/work.h"
 #include "exact/phase.h"
 #include "scene/nearest.h"
 #include "shared/first_zero.h"
@@ -23,12 +24,13 @@ struct Outlook {
     Vec3 position;
     Motion motion;
     const Contacts &contacts; ///< all that are touched
-    uint32_t lasting = 0;     ///< bits of those that stay closed
+    Work &work;
+    uint32_t lasting = 0; ///< bits of those that stay closed
 
     const phys_box &box(uint32_t number) const { return scene.boxes[number]; }
 
     /// Whether the ball can't meet a box while the lasting contacts last: it is one of them, lies behind one's face,
-    /// or has the same edge.
+    /// has the same edge, or a face that the ball touches between it and one of theirs.
     bool isKept(uint32_t number, const phys_box &box) const;
 
     /// Whether a box lies behind a face that the ball touches, lasting or not.
@@ -104,8 +106,11 @@ double touchTime(const Outlook &around, const phys_box &box, const Phase &phase,
     const Target target(around, box);
     const double R = around.scene.radius;
     if (target.isTouched && from == 0.0) from = openingTime(target, phase, around, until);
-    return firstZero([&](double t) { return gapAt(target, phase, R, t, until); }, from, until,
-                     0.25 * around.scene.tolerance);
+    const auto look = [&](double t) {
+        around.work.add(Phase::kLook);
+        return gapAt(target, phase, R, t, until);
+    };
+    return firstZero(look, from, until, 0.25 * around.scene.tolerance);
 }
 
 /// First time in [0, until] at which the ball touches a box and moves towards it; kNever if it doesn't.
@@ -115,7 +120,7 @@ double firstTouch(const Outlook &around, const Phase &phase, double until) {
     const double a = phase.mostAcceleration();
     double best = kNever, length = 0.48 * scene.radius;
     // Windows of growing length: most ways end near, and only what is near needs to be looked at.
-    for (double from = 0.0; from < until && best == kNever; length *= 2.0) {
+    for (double from = 0.0; from < until && best == kNever && !around.work.isTooMuch(); length *= 2.0) {
         const Way start = phase.at(from);
         const double v = glm::length(start.velocity);
         const double window = a > 0.0 || v > 0.0 ? 2.0 * length / (v + std::sqrt(v * v + 2.0 * a * length)) : kNever;
@@ -123,7 +128,9 @@ double firstTouch(const Outlook &around, const Phase &phase, double until) {
         const Vec3 centre = around.position + start.way;
         const double reach = length + scene.radius * (1.0 + 1e-9) + scene.tolerance;
         visitNear(scene, centre, reach, [&](const phys_box &box, uint32_t number) {
+            around.work.add(Work::kBox);
             if (squaredDistance(box, centre) > reach * reach || around.isKept(number, box)) return;
+            if (around.work.isTooMuch()) return;
             best = std::min(best, touchTime(around, box, phase, from, end));
         });
         if (end == from) break;
@@ -153,6 +160,7 @@ double borderTime(const Outlook &around, const Phase &phase, const Border &borde
     Vec3 n(0.0);
     n[axis] = border.inward;
     const auto depth = [&](double t) {
+        around.work.add(Phase::kLook);
         const Way now = phase.at(t);
         const double rate = border.inward * now.velocity[axis];
         return Look{start + border.inward * now.way[axis], rate, phase.least(n, rate, t, until)};

@@ -460,13 +460,13 @@ uint32_t Series::spent() const {
 
 /// When a speed falls to zero. Where its direction turns to the last the series never reach that time: what is left of
 /// a speed that is small enough falls as it does now.
-End Series::zeroOf(const Jet &speed, double until, double small, Cause cause, uint32_t contact) const {
-    const double time = firstFall(speed, until);
+End Series::zeroOf(const Jet &speed, double until, double small, Cause cause, uint32_t contact, Work &work) const {
+    const double time = firstFall(speed, until, work);
     if (time != kNever || speed[0] > small || speed[1] >= 0.0) return {m_unit * time, cause, contact};
     return {0.0, cause, contact, m_unit * speed[0] / -speed[1]};
 }
 
-End Series::end(double until) const {
+End Series::end(double until, Work &work) const {
     End end{m_horizon, Cause::time, 0};
     const double s = std::min(until, m_horizon) / m_unit;
     const double speed = speedScale(m_moment);
@@ -475,20 +475,20 @@ End Series::end(double until) const {
         const Contact &contact = m_contacts[i];
         Jet force = contact.N;
         if (force[0] <= noForce) force[0] += noForce;
-        end.cut({m_unit * firstFall(force, s), Cause::release, given(i)});
+        end.cut({m_unit * firstFall(force, s, work), Cause::release, given(i)});
         if (contact.mode == Mode::slipping) {
-            end.cut(zeroOf(slipSpeed(contact), s, kSlipEnds * speed, Cause::grip, given(i)));
+            end.cut(zeroOf(slipSpeed(contact), s, kSlipEnds * speed, Cause::grip, given(i), work));
         } else if (contact.mode == Mode::sticking && !contact.held.isGlued && !contact.isKept) {
             Jet left = reserveOf(contact);
             const double zero = 2.0 * noForce * contact.held.friction * contact.N[0];
             if (left[0] <= zero) left[0] += zero + noForce * noForce;
-            end.cut({m_unit * firstFall(left, s), Cause::spent, given(i)});
+            end.cut({m_unit * firstFall(left, s, work), Cause::spent, given(i)});
         }
     }
     if (m_rolls < m_count && !m_rollStarts) {
         Jet left;
         for (int k = 0; k <= kOrder; ++k) left[k] = m_moment.radius * dotTerm(m_om, m_rolling, k);
-        end.cut(zeroOf(left, s, kSlipEnds * speed, Cause::stop, given(m_rolls)));
+        end.cut(zeroOf(left, s, kSlipEnds * speed, Cause::stop, given(m_rolls), work));
     }
     return end;
 }

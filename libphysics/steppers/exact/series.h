@@ -13,6 +13,8 @@ namespace phys {
 
 class Series {
 public:
+    static constexpr uint64_t kLook = 60; ///< work
+
     /// unit: the time that the series count in, s. kept: bits of contacts that stick as long as others press them.
     void build(const Moment &moment, std::span<const Held> held, const Response &response, double unit, uint32_t kept);
 
@@ -33,7 +35,7 @@ public:
     Losses losses(double t) const;
 
     /// Its own ends before `until`.
-    End end(double until) const;
+    End end(double until, Work &work) const;
 
     /// Contacts whose force is zero and falls: they open now. Bits.
     uint32_t opening() const;
@@ -84,7 +86,7 @@ private:
     void directions(Contact &contact, int k);
     void measure();
     Jet reserveOf(const Contact &contact) const;
-    End zeroOf(const Jet &speed, double until, double small, Cause cause, uint32_t contact) const;
+    End zeroOf(const Jet &speed, double until, double small, Cause cause, uint32_t contact, Work &work) const;
     Jet slipSpeed(const Contact &contact) const;
 };
 

@@ -7,6 +7,8 @@
 namespace phys {
 
 struct Uniform {
+    static constexpr uint64_t kLook = 5; ///< work
+
     Vec3 velocity, acceleration, spin, spinAcceleration;
 
     Way at(double t) const { return {t * (velocity + 0.5 * t * acceleration), velocity + t * acceleration}; }

@@ -20,6 +20,8 @@ private slots:
     void oneLongStepIsAThousandShortOnes();
     void ballWiderThanAGapRestsOnTwoEdges();
     void gapOfExactlyTheDiameterDoesNotHang();
+    void slipsInAShaftOfExactlyTheDiameter();
+    void refusesMoreBouncesThanAreWorthWaitingFor();
     void fastBallBouncesInACorridor();
     void thinWallIsSeenAtAnySpeed();
     void millionMetresAway();
@@ -119,6 +121,29 @@ void ExactExtremes::gapOfExactlyTheDiameterDoesNotHang() {
     const phys_status status = run.tryStep(5.0);
     QVERIFY(status == PHYS_OK || status == PHYS_ERROR_EVENT_CAP || status == PHYS_ERROR_STUCK);
     QVERIFY(std::isfinite(run.state.position.x) && std::isfinite(run.state.position.y));
+}
+
+void ExactExtremes::slipsInAShaftOfExactlyTheDiameter() {
+    // Pressed to one of two walls and to the floor under a roof: what lies opposite isn't met again and again.
+    Run run({kFloor, exact::wall(-1, -1, -0.125, 1), exact::wall(0.125, -1, 1, 1), {{-1, -1, 0.25}, {1, 1, 0.5}}},
+            0.125, {0, 0, 0.125});
+    run.params.model = PHYS_MODEL_RIGID;
+    run.params.wall_friction = 0.125;
+    run.params.sliding_friction = 0.5;
+    run.params.gravity = {0.0625, -0.25, -9.75};
+    run.state.spin = {8, -8, -1};
+    run.step(0.125);
+    QCOMPARE(run.state.position.x, 0.0);
+    QCOMPARE(run.state.position.z, 0.125);
+    QVERIFY(run.state.velocity.y < 0.0);
+    QCOMPARE(run.eventsOf(PHYS_EVENT_IMPACT).size(), size_t(0));
+}
+
+void ExactExtremes::refusesMoreBouncesThanAreWorthWaitingFor() {
+    Run run({kFloor, exact::wall(-1, -1, -0.05, 1), exact::wall(0.05, -1, 1, 1)}, 0.005, {0, 0, 0.005}, {1e6, 0, 0});
+    run.params.restitution_wall = 1.0;
+    QCOMPARE(run.tryStep(1.0), PHYS_ERROR_EVENT_CAP); // after 11 million bounces
+    QCOMPARE(run.state.position.x, 0.0);
 }
 
 void ExactExtremes::fastBallBouncesInACorridor() {

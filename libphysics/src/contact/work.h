@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// How much a step has done, so that none keeps its caller waiting.
+#pragma once
+
+#include <cstdint>
+
+namespace phys {
+
+/// Counted rather than timed, so that the same input always gets the same answer. A unit is some nanoseconds.
+class Work {
+public:
+    /// Of one step.
+    static constexpr uint64_t kMost = 10'000'000;
+
+    static constexpr uint64_t kEvent = 150;     ///< an event: its impacts, and what lasts then
+    static constexpr uint64_t kBox = 1;         ///< a box of which it is looked whether it is near
+    static constexpr uint64_t kImpact = 20;     ///< a contact's part in a round of impacts
+    static constexpr uint64_t kEquations = 120; ///< a set of modes, solved
+    static constexpr uint64_t kSeries = 3000;   ///< a set of power series
+    static constexpr uint64_t kJet = 8;         ///< a power series and its rate at a moment
+
+    void add(uint64_t units) { m_done += units; }
+    bool isTooMuch() const { return m_done > kMost; }
+
+private:
+    uint64_t m_done = 0;
+};
+
+} // namespace phys

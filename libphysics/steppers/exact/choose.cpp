@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+// Which motion the lasting contacts make: model.md 8.1 and 14.
+#include "base/error.h"
+#include "contact/held.h"
+#include "exact/exact_step.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace phys {
+
+namespace {
+
+bool isCollinear(const Vec3 &a, const Vec3 &b) { return glm::length(glm::cross(hat(a), hat(b))) <= 4.0 * kRounding; }
+
+} // namespace
+
+phys_status ExactStep::respondNow() {
+    m_response = respond(moment(), held(), m_work);
+    if (const phys_status status = checkWork()) return status;
+    return m_response.isFound ? PHYS_OK : jam();
+}
+
+/// No modes fit: friction drives the reactions beyond all bounds, an impact without a collision. What slips sticks.
+phys_status ExactStep::jam() {
+    Moment stopped = moment();
+    endSlips(stopped, held(), m_work);
+    const double R = m_scene.radius;
+    const auto energy = [R](const Vec3 &v, const Vec3 &spin) {
+        return 0.5 * glm::dot(v, v) + 0.2 * R * R * glm::dot(spin, spin);
+    };
+    m_report.lostSlip(energy(m_motion.velocity, m_motion.spin) - energy(stopped.velocity, stopped.spin));
+    m_motion = {stopped.velocity, stopped.spin};
+    m_response = respond(moment(), held(), m_work);
+    if (m_response.isFound) return PHYS_OK;
+    if (const phys_status status = checkWork()) return status;
+    return fail(m_err, PHYS_ERROR_STUCK, "the ball at (%.9g, %.9g, %.9g) is jammed by friction", m_position.x,
+                m_position.y, m_position.z);
+}
+
+uint32_t ExactStep::closedBits() const {
+    uint32_t bits = 0;
+    for (uint32_t i = 0; i < m_heldCount; ++i) {
+        if (isClosed(i)) bits |= 1U << m_lasting[i];
+    }
+    return bits;
+}
+
+bool ExactStep::restsNow() const {
+    if (m_motion.velocity != Vec3(0.0)) return false;
+    if (glm::length(m_response.acceleration) > m_response.noise) return false;
+    if (glm::length(m_response.spinAcceleration) * m_scene.radius > m_response.noise) return false;
+    for (uint32_t i = 0; i < m_heldCount; ++i) {
+        const Mode mode = m_response.reactions[i].mode;
+        if (mode == Mode::slipping || mode == Mode::starting) return false;
+    }
+    return true;
+}
+
+/// Whether all accelerations stay as they are: only faces press, and slips and resistance keep their directions.
+bool ExactStep::isUniform() const {
+    for (uint32_t i = 0; i < m_heldCount; ++i) {
+        const Reaction &reaction = m_response.reactions[i];
+        if (reaction.mode == Mode::open) continue;
+        if (!contactOf(i).isFace()) return false;
+        if (reaction.mode == Mode::slipping) {
+            const Vec3 rate =
+                m_response.acceleration - m_scene.radius * glm::cross(m_response.spinAcceleration, m_held[i].normal);
+            if (!isCollinear(reaction.slip, rate)) return false;
+        }
+        if (reaction.mode == Mode::sticking && m_held[i].resistance > 0.0 && m_response.rolling != Vec3(0.0)) {
+            Vec3 turning = m_response.spinAcceleration;
+            turning -= glm::dot(turning, m_held[i].normal) * m_held[i].normal;
+            if (!isCollinear(m_response.rolling, turning)) return false;
+        }
+    }
+    return true;
+}
+
+/// Whether a single face presses, and which contact that is.
+bool ExactStep::isAlone(uint32_t &closed) const {
+    closed = kMostHeld;
+    for (uint32_t i = 0; i < m_heldCount; ++i) {
+        if (!isClosed(i)) continue;
+        if (closed != kMostHeld || !contactOf(i).isFace()) return false;
+        closed = i;
+    }
+    return closed != kMostHeld;
+}
+
+/// Nothing is left of the velocity of a ball that resistance holds: it was rounding, model.md 14.1.
+void ExactStep::stopHeld() {
+    if (m_response.rolling != Vec3(0.0) || !isNoSlip(moment(), m_motion.velocity)) return;
+    for (uint32_t i = 0; i < m_heldCount; ++i) {
+        if (m_response.reactions[i].mode != Mode::sticking || m_held[i].resistance == 0.0) continue;
+        const Vec3 &n = m_held[i].normal;
+        const Vec3 pivoting = glm::dot(m_motion.spin, n) * n;
+        if (!isNoSlip(moment(), m_scene.radius * (m_motion.spin - pivoting))) continue;
+        const bool pivots = countSticking() == 1 || !isNoSlip(moment(), m_scene.radius * pivoting);
+        m_motion = {Vec3(0.0), pivots ? pivoting : Vec3(0.0)};
+    }
+}
+
+phys_status ExactStep::choose(Phase &phase) {
+    if (const phys_status status = respondNow()) return status;
+    m_isAnswered = true;
+    stopHeld();
+    const Vec3 g = m_setting.gravity();
+    uint32_t closed = kMostHeld;
+    if (!m_setting.isRigid() && restsNow()) {
+        m_report.lostSlip(0.2 * m_scene.radius * m_scene.radius * glm::dot(m_motion.spin, m_motion.spin));
+        m_motion.spin = Vec3(0.0);
+    }
+    if (restsNow()) {
+        phase = Uniform{Vec3(0.0), Vec3(0.0), m_motion.spin, Vec3(0.0)};
+    } else if (isUniform()) {
+        const Vec3 &a = m_response.acceleration, &v = m_motion.velocity;
+        phase = Uniform{v, a, m_motion.spin, m_response.spinAcceleration};
+    } else if (isAlone(closed)) {
+        const Held &face = m_held[closed];
+        const Reaction &reaction = m_response.reactions[closed];
+        const int axis = face.normal.x != 0.0 ? 0 : face.normal.y != 0.0 ? 1 : 2;
+        Vec3 along = g;
+        along[axis] = 0.0;
+        if (reaction.mode == Mode::slipping) {
+            phase = Resisted::slipping(axis, m_motion.velocity, reaction.slip, along, face.friction * reaction.pressure,
+                                       m_scene.radius, m_motion.spin, face.normal);
+        } else {
+            phase = Resisted::rolling(axis, m_motion.velocity, 5.0 / 7.0 * along,
+                                      5.0 / 7.0 * (face.resistance * reaction.pressure), m_scene.radius, m_motion.spin,
+                                      face.normal);
+        }
+    } else {
+        buildSeries(phase.emplace<Series>());
+    }
+    noteContacts();
+    return PHYS_OK;
+}
+
+/// Series in the unit of time that suits them, with the modes that hold in the moments to come.
+void ExactStep::buildSeries(Series &series) {
+    const double R = m_scene.radius;
+    const double scale = glm::length(m_setting.gravity()) + glm::length(m_response.acceleration) +
+                         glm::dot(m_motion.velocity, m_motion.velocity) / R;
+    double unit = std::sqrt(R / scale);
+    for (uint32_t i = 0; i < m_heldCount; ++i) {
+        if (m_response.reactions[i].mode != Mode::slipping) continue;
+        unit = std::min(unit, 4.0 * glm::length(m_response.reactions[i].slip) / scale);
+    }
+    const double longest = std::max(unit, m_left);
+    Excluded excluded;
+    uint32_t spent = 0, kept = 0;
+    for (int change = 0; change < 8; ++change) {
+        bool hasShrunk = false;
+        for (int guess = 0; guess < 40; ++guess) {
+            Response response = m_response;
+            for (uint32_t i = 0; i < m_heldCount; ++i) {
+                if (spent >> i & 1U) response.reactions[i].mode = Mode::spent;
+            }
+            series.build(moment(), held(), response, unit, kept);
+            m_work.add(Work::kSeries);
+            const bool isLong = series.horizon() > unit && unit < longest && !hasShrunk;
+            if (series.horizon() >= 0.25 * unit && !isLong) break;
+            hasShrunk = !isLong;
+            unit = isLong ? std::min(4.0 * unit, longest) : std::max(series.suitableUnit(), 0x1p-8 * unit);
+        }
+        const uint32_t opening = series.opening() & ~excluded.closed;
+        const uint32_t slipping = series.spent() & ~(spent | kept);
+        if (!opening && !slipping) return;
+        if (!opening && countSticking() == 1) {
+            spent |= slipping;
+            withoutResistance(slipping);
+            continue;
+        }
+        // Contacts that stick together slip with an acceleration from the start, if at all: their directions are bound.
+        excluded.closed |= opening;
+        excluded.sticking |= opening ? 0 : slipping;
+        const Response changed = respond(moment(), held(), m_work, excluded);
+        if (changed.isFound) {
+            m_response = changed;
+            continue;
+        }
+        excluded.sticking &= ~slipping;
+        excluded.closed &= ~opening;
+        if (opening) return;
+        kept |= slipping;
+    }
+}
+
+/// A ball that begins to slip rolls no longer, so that nothing resists its rolling.
+void ExactStep::withoutResistance(uint32_t slipping) {
+    bool resists = false;
+    for (uint32_t i = 0; i < m_heldCount; ++i) {
+        if (!(slipping >> i & 1U) || m_held[i].resistance == 0.0) continue;
+        m_held[i].resistance = 0.0;
+        resists = true;
+    }
+    if (!resists) return;
+    const Response free = respond(moment(), held(), m_work);
+    if (free.isFound) m_response = free;
+}
+
+uint32_t ExactStep::countSticking() const {
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < m_heldCount; ++i) count += m_response.reactions[i].mode == Mode::sticking ? 1 : 0;
+    return count;
+}
+
+/// Reports which contacts begin to last, and which end without an impact.
+void ExactStep::noteContacts() {
+    if (!m_report.wanted()) return;
+    bool supported = false;
+    uint32_t wall = PHYS_NO_BOX, place = 0;
+    for (uint32_t i = 0; i < m_heldCount; ++i) {
+        if (!isClosed(i)) continue;
+        if (contactOf(i).isTop) {
+            supported = true;
+        } else {
+            wall = contactOf(i).box;
+            place = i;
+        }
+    }
+    const double speed = glm::length(m_motion.velocity);
+    if (m_elapsed > 0.0) {
+        if (m_supported && !supported) event(PHYS_EVENT_TAKEOFF, speed, speed);
+        if (wall != PHYS_NO_BOX && m_wall == PHYS_NO_BOX) {
+            const Contact &contact = contactOf(place);
+            m_report.event(PHYS_EVENT_CONTACT, m_elapsed, contact.point, contact.normal, speed, speed,
+                           m_scene.givenBox(contact.box, contact.point));
+        }
+        if (wall == PHYS_NO_BOX && m_wall != PHYS_NO_BOX) {
+            const Nearest left = nearest(m_scene.boxes[m_wall], m_position);
+            m_report.event(PHYS_EVENT_RELEASE, m_elapsed, left.point, left.normal, speed, speed,
+                           m_scene.givenBox(m_wall, left.point));
+        }
+    }
+    m_supported = supported;
+    m_wall = wall;
+}
+
+} // namespace phys

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+// What happens to the ball in no time: impacts, and which contacts last then. model.md 8.1 and 13.2.
+#include "contact/held.h"
+#include "contact/impact.h"
+#include "exact/exact_step.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace phys {
+
+namespace {
+
+/// Rounds of impacts at one moment: each ends bounces that are none, which may drive the ball into another contact.
+constexpr int kMostRounds = 16;
+
+/// Bounces that rise no higher than this, in radii, are the last of infinitely many: model.md 6.4.
+constexpr double kLastBounce = 1e-13;
+/// Where what is between two bounces has another law than what comes after the last: the error is of first order there.
+constexpr double kLastHop = 1e-26;
+
+/// Sine of the angle between normals, or of one and a plane, below which they are parallel but for rounding.
+constexpr double kParallel = 1e-12;
+
+/// But with a restitution above this the bounces down there would never end.
+constexpr double kSlowDecay = 0.95;
+
+} // namespace
+
+/// Takes all impacts of the moment, and looks at what lasts then.
+phys_status ExactStep::resolve() {
+    m_isAnswered = false;
+    const double speed = glm::length(m_motion.velocity), negligible = negligibleSpeed(m_motion, m_scene.radius);
+    touch();
+    const bool wasCarried = isCarried(negligible);
+    bool hits = false;
+    for (int round = 0; round < kMostRounds && collide(negligible); ++round) {
+        hits = true;
+        // Nothing but rounding is left of a velocity that led straight into what it hit.
+        if (glm::length(m_motion.velocity) <= 4.0 * kRounding * speed) m_motion.velocity = Vec3(0.0);
+        touch();
+        hold(negligible);
+    }
+    hold(negligible);
+    if (collide(negligible)) hold(negligible);
+    roll(hits && wasCarried);
+    return PHYS_OK;
+}
+
+/// Whether a floor carries the ball of the rolling model.
+bool ExactStep::isCarried(double negligible) const {
+    return std::any_of(m_contacts.begin(), m_contacts.end(), [&](const Contact &contact) {
+        return contact.isGlued && std::abs(glm::dot(m_motion.velocity, contact.normal)) <= negligible;
+    });
+}
+
+void ExactStep::touch() {
+    findContacts(m_setting, m_position, m_motion, Vec3(0.0), m_contacts);
+    m_contacts.dropHidden(m_scene.tolerance);
+}
+
+/// model.md 6.4: what bounces no higher than rounding bounces for the last time.
+void ExactStep::endBounces(double negligible) {
+    collectHeld(negligible);
+    const Vec3 acting = actingAcceleration();
+    for (Contact &contact : m_contacts) {
+        const double speed = glm::dot(m_motion.velocity, contact.normal);
+        if (speed < -negligible && contact.restitution * -speed <= lastBounce(contact, acting)) {
+            contact.restitution = 0.0;
+        }
+    }
+}
+
+/// What accelerates the ball if nothing but the lasting contacts pushes.
+Vec3 ExactStep::actingAcceleration() {
+    if (m_heldCount == 0) return m_setting.gravity();
+    const Response response = respond(moment(), held(), m_work);
+    return response.isFound ? response.acceleration : m_setting.gravity();
+}
+
+/// True if anything was hit.
+bool ExactStep::collide(double negligible) {
+    const bool approaches = std::any_of(m_contacts.begin(), m_contacts.end(), [&](const Contact &contact) {
+        return glm::dot(m_motion.velocity, contact.normal) < -negligible;
+    });
+    if (!approaches) return false;
+    endBounces(negligible);
+    const Impacts impacts = resolveImpacts(m_contacts, m_scene.radius, m_motion);
+    m_work.add(Work::kImpact * impacts.rounds * m_contacts.count());
+    m_report.lostImpact(impacts.lostNormal);
+    m_report.lostSlip(impacts.lostSlip);
+    m_report.passes(impacts.rounds);
+    if (!m_report.wanted()) return true;
+    for (uint32_t i = 0; i < m_contacts.count(); ++i) {
+        const Contact &contact = m_contacts[i];
+        if (impacts.approach[i] >= 0.0) continue;
+        m_report.event(contact.isTop ? PHYS_EVENT_LANDING : PHYS_EVENT_IMPACT, m_elapsed, contact.point, contact.normal,
+                       impacts.approach[i], std::max(0.0, glm::dot(m_motion.velocity, contact.normal)),
+                       m_scene.givenBox(contact.box, contact.point));
+    }
+    return true;
+}
+
+/// Speed after a bounce below which it is the last, model.md 6.4: its height is no more than rounding.
+double ExactStep::lastBounce(const Contact &contact, const Vec3 &acting) const {
+    const double R = m_scene.radius;
+    const double speed = glm::dot(m_motion.velocity, contact.normal);
+    const Vec3 round = m_motion.velocity - speed * contact.normal;
+    const double back = -(glm::dot(acting, contact.normal) + contact.curving(round, R));
+    const bool isUpright = contact.normal.z == 0.0;
+    const bool isSmooth = (isUpright && contact.friction == 0.0) || contact.restitution > kSlowDecay;
+    return std::sqrt(2.0 * std::max(0.0, back) *
+                     (isSmooth ? std::max(m_scene.tolerance, kLastBounce * R) : kLastHop * R));
+}
+
+/// The contacts without a velocity across.
+void ExactStep::collectHeld(double negligible) {
+    m_heldCount = 0;
+    for (uint32_t i = 0; i < m_contacts.count(); ++i) {
+        if (std::abs(glm::dot(m_motion.velocity, m_contacts[i].normal)) <= negligible) addHeld(i);
+    }
+}
+
+void ExactStep::addHeld(uint32_t number) {
+    if (m_heldCount == kMostHeld) return;
+    const Contact &contact = m_contacts[number];
+    Held &held = m_held[m_heldCount];
+    held.normal = contact.normal;
+    held.across = contact.across(Vec3(1.0));
+    held.friction = contact.friction;
+    held.resistance = contact.isTop ? m_params.rolling_friction : 0.0;
+    held.isGlued = contact.isGlued;
+    m_lasting[m_heldCount++] = number;
+}
+
+/// Ends the bounce of one more contact, rather of one that doesn't drive the ball into another: false if none bounces
+/// so low.
+bool ExactStep::holdNext(double negligible) {
+    const Vec3 acting = actingAcceleration();
+    uint32_t next = Contacts::kMost;
+    for (uint32_t i = 0; i < m_contacts.count(); ++i) {
+        const double speed = glm::dot(m_motion.velocity, m_contacts[i].normal);
+        const auto held = m_lasting.begin() + m_heldCount;
+        if (std::find(m_lasting.begin(), held, i) != held) continue;
+        if (speed < 0.0 || speed > lastBounce(m_contacts[i], acting)) continue;
+        const Vec3 left = m_motion.velocity - speed * m_contacts[i].normal;
+        const bool isFree = std::none_of(m_contacts.begin(), m_contacts.end(), [&](const Contact &other) {
+            return glm::dot(left, other.normal) < -negligible;
+        });
+        if (isFree || next == Contacts::kMost) next = i;
+        if (!isFree) continue;
+        m_motion.velocity = left;
+        break;
+    }
+    if (next == Contacts::kMost) return false;
+    addHeld(next);
+    return true;
+}
+
+/// The contacts that last: exactly at the radius, without a velocity across, or with one whose bounce ends at once.
+void ExactStep::hold(double negligible) {
+    for (Contact &contact : m_contacts) {
+        if (!contact.isFace()) continue;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (contact.sides[axis] != 0) m_position[axis] = contact.point[axis] + contact.sides[axis] * m_scene.radius;
+        }
+    }
+    collectHeld(negligible);
+    while (m_heldCount < std::min(m_contacts.count(), kMostHeld) && holdNext(negligible)) {
+    }
+    project();
+}
+
+/// Removes what is left of the velocity across the lasting contacts.
+void ExactStep::project() {
+    Vec3 &v = m_motion.velocity;
+    for (uint32_t i = 0; i < m_heldCount; ++i) {
+        const Vec3 &n = m_held[i].normal;
+        for (uint32_t j = 0; j < i; ++j) {
+            const Vec3 line = glm::cross(n, m_held[j].normal);
+            if (glm::dot(line, line) < kParallel * kParallel) continue;
+            const Vec3 along = hat(line);
+            for (uint32_t k = 0; k < j; ++k) {
+                if (std::abs(glm::dot(m_held[k].normal, along)) > kParallel) v = Vec3(0.0);
+            }
+            v = glm::dot(v, along) * along;
+        }
+        if (contactOf(i).isFace()) {
+            for (int axis = 0; axis < 3; ++axis) {
+                if (n[axis] != 0.0) v[axis] = 0.0;
+            }
+        } else {
+            v -= glm::dot(v, n) * n;
+        }
+    }
+}
+
+/// Rolling model: the spin of a ball that a floor carries is not a state of its own. What a given spin differs from it
+/// counts as lost to slip, of either sign; at an impact of a ball that rolls it is part of what the impact takes.
+void ExactStep::roll(bool isImpact) {
+    if (m_setting.isRigid() || m_params.gravity.z >= 0.0) return;
+    for (uint32_t i = 0; i < m_heldCount; ++i) {
+        if (!m_held[i].isGlued) continue;
+        const double R = m_scene.radius;
+        const Vec3 spin = rollingSpin(inPlane(m_motion.velocity), R);
+        const double lost = 0.2 * R * R * (glm::dot(m_motion.spin, m_motion.spin) - glm::dot(spin, spin));
+        isImpact ? m_report.lostImpact(lost) : m_report.lostSlip(lost);
+        m_motion.spin = spin;
+    }
+}
+
+} // namespace phys
