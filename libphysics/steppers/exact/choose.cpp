@@ -145,7 +145,7 @@ void ExactStep::buildSeries(Series &series) {
     double unit = std::sqrt(R / scale);
     for (uint32_t i = 0; i < m_heldCount; ++i) {
         if (m_response.reactions[i].mode != Mode::slipping) continue;
-        unit = std::min(unit, 4.0 * glm::length(m_response.reactions[i].slip) / scale);
+        unit = std::min(unit, 3.0 * glm::length(m_response.reactions[i].slip) / scale);
     }
     const double longest = std::max(unit, m_left);
     Excluded excluded;
@@ -160,7 +160,7 @@ void ExactStep::buildSeries(Series &series) {
             series.build(moment(), held(), response, unit, kept);
             m_work.add(Work::kSeries);
             const bool isLong = series.horizon() > unit && unit < longest && !hasShrunk;
-            if (series.horizon() >= 0.25 * unit && !isLong) break;
+            if (series.horizon() >= 0.1 * unit && !isLong) break;
             hasShrunk = !isLong;
             unit = isLong ? std::min(4.0 * unit, longest) : std::max(series.suitableUnit(), 0x1p-8 * unit);
         }

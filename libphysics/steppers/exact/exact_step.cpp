@@ -198,9 +198,13 @@ bool ExactStep::isOpen(double acceleration) const {
 template<class P>
 void ExactStep::turn(const P &phase, double t) {
     if (!(m_params.options & PHYS_OPTION_ORIENTATION)) return;
-    constexpr int kParts = 16;
-    for (int part = 0; part < kParts; ++part) {
-        rotate(m_orientation, t / kParts * phase.spinAt(t * (part + 0.5) / kParts));
+    constexpr double kRoot3 = 1.7320508075688772, kMostParts = 16.0;
+    const double angle = t * std::max(glm::length(m_motion.spin), glm::length(phase.spinAt(t)));
+    const double parts = std::clamp(std::ceil(angle), 1.0, kMostParts), h = t / parts;
+    for (double part = 0.5; part < parts; ++part) {
+        // Magnus' series with two Gauss points, of fourth order.
+        const Vec3 first = phase.spinAt((part - kRoot3 / 6.0) * h), second = phase.spinAt((part + kRoot3 / 6.0) * h);
+        rotate(m_orientation, 0.5 * h * (first + second) + kRoot3 / 12.0 * h * h * glm::cross(second, first));
     }
 }
 
@@ -266,8 +270,7 @@ void ExactStep::settle(const End &end, const Border &border) {
     const double rounding = 4e-13 * speedScale(moment());
     for (int sweep = 0; sweep < 4; ++sweep) {
         for (uint32_t i = 0; i < m_heldCount; ++i) {
-            const Mode mode = m_response.reactions[i].mode;
-            if (mode == Mode::sticking || (mode == Mode::slipping && end.cause == Cause::grip)) stick(i, rounding);
+            if (sticks(i, end)) stick(i, rounding);
         }
     }
     if (end.cause == Cause::grip || end.cause == Cause::stop) {
@@ -275,6 +278,9 @@ void ExactStep::settle(const End &end, const Border &border) {
         if (R * glm::length(m_motion.spin) <= rounding) m_motion.spin = Vec3(0.0);
     }
     keepContacts();
+    for (uint32_t i = 0; i < m_heldCount; ++i) {
+        if (sticks(i, end) && contactOf(i).isTop) rollOn(i, rounding);
+    }
     if (end.cause == Cause::border) m_position[border.axis] = border.coordinate;
 }
 
@@ -300,6 +306,20 @@ void ExactStep::keepContacts() {
         }
         if (!contact.isFace()) m_motion.velocity -= speed * n;
     }
+}
+
+/// Whether contact i sticks once the phase has ended.
+bool ExactStep::sticks(uint32_t i, const End &end) const {
+    const Mode mode = m_response.reactions[i].mode;
+    return mode == Mode::sticking || (mode == Mode::slipping && end.cause == Cause::grip);
+}
+
+/// On a floor: gives the ball the spin that belongs to its velocity to the last bit, if that is no more than rounding.
+void ExactStep::rollOn(uint32_t i, double rounding) {
+    const Held &held = m_held[i];
+    if (held.isGlued || held.friction == 0.0 || glm::length(slipAt(moment(), held.normal)) > rounding) return;
+    const Vec3 rolls = rollingSpin(inPlane(m_motion.velocity), m_scene.radius);
+    m_motion.spin = {rolls.x, rolls.y, m_motion.spin.z};
 }
 
 /// Ends the slip at a contact by an impulse of its friction, if it is no more than `most`.

@@ -102,6 +102,8 @@ private:
     bool isOpen(double acceleration) const;
     void settle(const End &end, const Border &border);
     void keepContacts();
+    bool sticks(uint32_t i, const End &end) const;
+    void rollOn(uint32_t i, double rounding);
     void stick(uint32_t i, double most);
     template<class P>
     void turn(const P &phase, double t);

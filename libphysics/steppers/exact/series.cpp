@@ -62,6 +62,7 @@ void Series::build(const Moment &moment, std::span<const Held> held, const Respo
         contact.mode = reaction.mode;
         contact.isKept = kept >> sorted.index[i] & 1U;
         contact.n[0] = contact.held.normal;
+        contact.isFlat = contact.held.across.x + contact.held.across.y + contact.held.across.z == 1.0;
         contact.u[0] = reaction.mode == Mode::slipping ? m_mirror.seen(reaction.slip) : Vec3(0.0);
         contact.r[0] = m_mirror.seen(reaction.force);
         contact.N[0] = reaction.pressure;
@@ -128,10 +129,10 @@ void Series::move(int k) {
     m_v[k + 1] = step * m_a[k];
     m_om[k + 1] = step * m_al[k];
     for (Contact &contact : contacts()) {
-        contact.n[k + 1] = contact.held.across * m_p[k + 1] / m_moment.radius;
+        contact.n[k + 1] = contact.isFlat ? Vec3(0.0) : contact.held.across * m_p[k + 1] / m_moment.radius;
         contact.u[k + 1] = Vec3(0.0);
         if (contact.mode == Mode::slipping) {
-            contact.u[k + 1] = m_v[k + 1] - m_moment.radius * crossTerm(m_om, contact.n, k + 1);
+            contact.u[k + 1] = m_v[k + 1] + m_moment.radius * contact.crossNormal(m_om, k + 1);
             directions(contact, k + 1);
         } else if (contact.mode == Mode::starting) {
             contact.u[k + 1] = step * contact.rateKnown;
@@ -210,7 +211,7 @@ void Series::knownForces(Contact &contact, int k) {
     const double mu = contact.held.friction;
     switch (contact.mode) {
     case Mode::smooth:
-        for (int j = 1; j <= k; ++j) contact.r[k] += contact.N[k - j] * contact.n[j];
+        for (int j = 1; j <= contact.lastNormal(k); ++j) contact.r[k] += contact.N[k - j] * contact.n[j];
         break;
     case Mode::slipping:
         for (int j = 1; j <= k; ++j) contact.r[k] += contact.N[k - j] * (contact.n[j] - mu * contact.d[j]);
@@ -223,7 +224,7 @@ void Series::knownForces(Contact &contact, int k) {
         break;
     }
     default:
-        for (int j = 1; j <= k; ++j) contact.N[k] += glm::dot(contact.r[k - j], contact.n[j]);
+        for (int j = 1; j <= contact.lastNormal(k); ++j) contact.N[k] += glm::dot(contact.r[k - j], contact.n[j]);
     }
 }
 
@@ -233,7 +234,7 @@ void Series::knownAccelerations(int k) {
     m_a[k] = m_al[k] = Vec3(0.0);
     for (const Contact &contact : contacts()) {
         m_a[k] += contact.r[k];
-        m_al[k] -= kInertia / R * crossTerm(contact.n, contact.r, k);
+        m_al[k] -= kInertia / R * contact.crossNormal(contact.r, k);
     }
     if (m_rolls < m_count) {
         const Contact &contact = m_contacts[m_rolls];
@@ -245,8 +246,9 @@ void Series::knownAccelerations(int k) {
         m_al[k] = steadied(m_al[k], k);
     }
     for (Contact &contact : contacts()) {
-        contact.rateKnown = m_a[k] - R * crossTerm(m_al, contact.n, k);
-        for (int j = 0; j <= k; ++j) contact.rateKnown -= glm::cross(m_om[j], contact.held.across * m_v[k - j]);
+        contact.rateKnown = m_a[k] + R * contact.crossNormal(m_al, k);
+        for (int j = 0; j <= k && !contact.isFlat; ++j)
+            contact.rateKnown -= glm::cross(m_om[j], contact.held.across * m_v[k - j]);
     }
 }
 
@@ -293,8 +295,9 @@ void Series::addRows(const Contact &contact, int k, dense::Equations &equations)
         return;
     }
     double apart = 0.0;
-    for (int j = 0; j <= k; ++j) {
+    for (int j = 0; j <= contact.lastNormal(k); ++j) {
         apart += glm::dot(contact.n[j], m_a[k - j]);
+        if (contact.isFlat) break;
         apart += glm::dot(contact.held.across * m_v[j], contact.held.across * m_v[k - j]) / R;
     }
     add(n0, false, -apart);

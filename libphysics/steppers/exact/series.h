@@ -47,12 +47,22 @@ private:
         Held held;
         Mode mode;
         bool isKept;
+        bool isFlat; ///< a face, whose normal never turns
         VecJet n, u, d, r;
         Jet N;
         Jet square, inverse; ///< of the slip, or of its rate when it starts
         Vec3 rateKnown;      ///< of the slip at the present order, without what the unknowns add
         Vec3 directionKnown;
         uint32_t column = 0;
+
+        /// Of the terms of n up to k the last that isn't zero.
+        int lastNormal(int k) const { return isFlat ? 0 : k; }
+        /// Term k of n x b.
+        Vec3 crossNormal(const VecJet &b, int k) const {
+            Vec3 sum(0.0);
+            for (int j = 0; j <= lastNormal(k); ++j) sum += glm::cross(n[j], b[k - j]);
+            return sum;
+        }
     };
 
     Mirror m_mirror{Moment{}, {}};

@@ -18,6 +18,7 @@ private slots:
     void firstIntegralIsLinearInTime();
     void restsUpToTheStictionLimit();
     void stopIsReported();
+    void turnsTheBallByAFourthOrderRule();
 };
 
 namespace {
@@ -83,6 +84,27 @@ void ExactSmooth::passesALineWhenTheLawSays() {
     run.step(0.64329974917404627696);
     QVERIFY(exact::difference(run.state, 0.5, 0.22667762861574120012, 0.55600733251066195495, 0.40154858458623945989) <=
             4.0 * kU);
+}
+
+void ExactSmooth::turnsTheBallByAFourthOrderRule() {
+    // A quarter of a radian and less in a step, on a way that bends; 1 - |cosine of half the angle| is its square.
+    const auto turned = [](int steps) {
+        Run run({exact::floorOver(-8, -8, 8, 8)}, 0.5, {0, 0, 0.5}, {0.5, 1, 0});
+        run.setLaw(1.0, 0.0, 0.25);
+        run.params.options = PHYS_OPTION_ORIENTATION;
+        for (int step = 0; step < steps; ++step) run.step(1.0 / steps);
+        return run.state;
+    };
+    const phys_state best = turned(1024);
+    const auto error = [&](int steps) {
+        const phys_state state = turned(steps);
+        const double *a = best.orientation, *b = state.orientation;
+        return std::hypot(a[3] * b[0] - a[0] * b[3] + a[2] * b[1] - a[1] * b[2],
+                          a[3] * b[1] - a[1] * b[3] + a[0] * b[2] - a[2] * b[0],
+                          a[3] * b[2] - a[2] * b[3] + a[1] * b[0] - a[0] * b[1]);
+    };
+    const double coarse = error(8), fine = error(16);
+    QVERIFY2(coarse / fine > 15.0 && coarse / fine < 17.0, qPrintable(QString::number(coarse / fine)));
 }
 
 void ExactSmooth::slidesDownFasterThanItRolls() {
