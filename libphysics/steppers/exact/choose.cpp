@@ -11,7 +11,15 @@ namespace phys {
 
 namespace {
 
-bool isCollinear(const Vec3 &a, const Vec3 &b) { return glm::length(glm::cross(hat(a), hat(b))) <= 4.0 * kRounding; }
+/// Whether b points along a line that a has, either way, but for rounding.
+bool isCollinear(const Vec3 &a, const Vec3 &b) {
+    const auto isRounding = [](const Vec3 &across, double squares) {
+        return glm::dot(across, across) <= 16.0 * kRounding * kRounding * squares;
+    };
+    const double squares = glm::dot(a, a) * glm::dot(b, b);
+    if (squares > 1e-100 && squares < 1e100) return isRounding(glm::cross(a, b), squares);
+    return isRounding(glm::cross(hat(a), hat(b)), 1.0);
+}
 
 } // namespace
 

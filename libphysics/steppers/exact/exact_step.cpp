@@ -268,9 +268,11 @@ void ExactStep::settle(const End &end, const Border &border) {
     }
     // Nothing but rounding is left of a slip at what sticks, and of a velocity that ends with it.
     const double rounding = 4e-13 * speedScale(moment());
-    for (int sweep = 0; sweep < 4; ++sweep) {
+    bool isStill = false;
+    for (int sweep = 0; sweep < 4 && !isStill; ++sweep) {
+        isStill = true;
         for (uint32_t i = 0; i < m_heldCount; ++i) {
-            if (sticks(i, end)) stick(i, rounding);
+            if (sticks(i, end) && stick(i, rounding)) isStill = false;
         }
     }
     if (end.cause == Cause::grip || end.cause == Cause::stop) {
@@ -322,22 +324,24 @@ void ExactStep::rollOn(uint32_t i, double rounding) {
     m_motion.spin = {rolls.x, rolls.y, m_motion.spin.z};
 }
 
-/// Ends the slip at a contact by an impulse of its friction, if it is no more than `most`.
-void ExactStep::stick(uint32_t i, double most) {
+/// Ends the slip at a contact by an impulse of its friction, if it is no more than `most`. False if there was nothing
+/// to end.
+bool ExactStep::stick(uint32_t i, double most) {
     const Held &held = m_held[i];
-    if (held.isGlued || held.friction == 0.0) return;
+    if (held.isGlued || held.friction == 0.0) return false;
     const double R = m_scene.radius;
     const Vec3 slip = slipAt(moment(), held.normal);
-    if (glm::length(slip) > most) return;
+    if (slip == Vec3(0.0) || glm::length(slip) > most) return false;
     if (held.normal.z == 1.0) {
         // On a floor: the spin that belongs to the velocity to the last bit.
         m_motion.velocity -= 2.0 / 7.0 * Vec3(slip.x, slip.y, 0.0);
         const Vec3 rolls = rollingSpin(inPlane(m_motion.velocity), R);
         m_motion.spin = {rolls.x, rolls.y, m_motion.spin.z};
-        return;
+        return true;
     }
     m_motion.velocity -= 2.0 / 7.0 * slip;
     m_motion.spin += 5.0 / 7.0 / R * glm::cross(held.normal, slip);
+    return true;
 }
 
 } // namespace phys

@@ -104,7 +104,7 @@ private:
     void keepContacts();
     bool sticks(uint32_t i, const End &end) const;
     void rollOn(uint32_t i, double rounding);
-    void stick(uint32_t i, double most);
+    bool stick(uint32_t i, double most);
     template<class P>
     void turn(const P &phase, double t);
 
