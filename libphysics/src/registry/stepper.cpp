@@ -39,10 +39,12 @@ phys_status checkArguments(const phys_stepper &stepper, const phys_params &param
 /// As phys_step with checked arguments: `out` may be `in`, and is written on success only.
 phys_status step(const phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
                  phys_state &out, phys_report *report, phys_error *err) {
-    phys_state next = in;
-    if (dt > 0.0) {
-        if (const phys_status status = advance(stepper, params, dt, in, next, report, err)) return status;
+    if (dt == 0.0) {
+        out = in;
+        return PHYS_OK;
     }
+    phys_state next;
+    if (const phys_status status = advance(stepper, params, dt, in, next, report, err)) return status;
     out = next;
     return PHYS_OK;
 }

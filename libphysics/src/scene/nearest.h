@@ -2,7 +2,6 @@
 // Where a ball is nearest to a box: model.md 5.1 and 5.7, in three dimensions.
 #pragma once
 
-#include "base/pairs.h"
 #include "base/vec.h"
 
 #include <algorithm>
@@ -25,11 +24,6 @@ inline double squaredDistance(const phys_box &box, const Vec3 &p) {
     const Vec3 d{p.x - limited(p.x, box.min.x, box.max.x), p.y - limited(p.y, box.min.y, box.max.y),
                  p.z - limited(p.z, box.min.z, box.max.z)};
     return d.x * d.x + d.y * d.y + d.z * d.z;
-}
-
-/// As squaredDistance, with heights left out.
-inline double squaredDistanceFromAbove(const phys_box &box, const Vec2 &p) {
-    return squaredDistanceToRectangle(&p.x, &box.min.x, &box.max.x);
 }
 
 /// The general case; with the centre inside the way out is through the nearest face (ties: -x +x -y +y -z +z).

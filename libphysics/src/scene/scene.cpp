@@ -113,36 +113,18 @@ void merge(Scene &scene) {
     scene.hasManyBoxes = scene.boxes.size() > kHandful;
 }
 
-void classify(Scene &scene) {
-    std::vector<uint32_t> floorMembers, solidMembers;
-    for (uint32_t number = 0; number < scene.given.size(); ++number) {
-        const bool isFloor = std::abs(scene.given[number].max.z - scene.floorTop) <= scene.tolerance;
-        (isFloor ? floorMembers : solidMembers).push_back(number);
-    }
-    Merged floors = mergeFlush(scene.given, floorMembers);
-    scene.floors = std::move(floors.boxes);
-    scene.floorFirst = std::move(floors.first);
-    scene.floorParts = std::move(floors.parts);
-    Merged solids = mergeFlush(scene.given, solidMembers);
-    scene.solids = std::move(solids.boxes);
-    scene.solidFirst = std::move(solids.first);
-    scene.solidParts = std::move(solids.parts);
-    scene.allSolids.resize(scene.solids.size());
-    std::iota(scene.allSolids.begin(), scene.allSolids.end(), 0U);
-}
-
 /// model.md 0: a solid that a supported ball can touch must reach to its equator.
 void checkPlanar(Scene &scene) {
     if (!scene.hasFloor) return;
     const double top = scene.supportedZ + scene.radius;
-    for (uint32_t i = 0; i < scene.solids.size(); ++i) {
-        const phys_box &box = scene.solids[i];
+    for (uint32_t i = 0; i < scene.boxes.size(); ++i) {
+        const phys_box &box = scene.boxes[i];
         const bool withinReach = box.max.z > scene.floorTop + scene.tolerance && box.min.z < top - scene.tolerance;
         if (!withinReach || (box.min.z <= scene.supportedZ && box.max.z >= scene.supportedZ)) continue;
         char text[200];
         const bool low = box.max.z < scene.supportedZ;
         writeText(text, sizeof text, "box %u %s at z = %.9g m, %s the ball's centre at %.9g m: the ball would %s",
-                  scene.solidParts[scene.solidFirst[i]], low ? "ends" : "begins", low ? box.max.z : box.min.z,
+                  scene.parts[scene.firstPart[i]], low ? "ends" : "begins", low ? box.max.z : box.min.z,
                   low ? "below" : "above", scene.supportedZ, low ? "climb it" : "be pressed down by it");
         scene.nonPlanarReason = text;
         return;
@@ -169,26 +151,11 @@ uint32_t Scene::boxesWithin(const Vec3 &centre, double reach, std::span<uint32_t
     return found.count();
 }
 
-uint32_t Scene::givenSolid(uint32_t solid, const Vec3 &point) const {
-    const std::span<const uint32_t> all(solidParts);
-    return nearestPart(*this, all.subspan(solidFirst[solid], solidFirst[solid + 1] - solidFirst[solid]), point);
-}
-
-uint32_t Scene::givenFloor(uint32_t floor, const Vec3 &point) const {
-    const std::span<const uint32_t> all(floorParts);
-    return nearestPart(*this, all.subspan(floorFirst[floor], floorFirst[floor + 1] - floorFirst[floor]), point);
-}
-
-uint32_t Scene::givenFloorAt(double x, double y) const {
-    for (uint32_t i = 0; i < floors.size(); ++i) {
-        if (isOver(floors[i], x, y)) return givenFloor(i, {x, y, floorTop});
-    }
-    return PHYS_NO_BOX;
-}
-
-bool Scene::overOneOfFloors(double x, double y) const {
-    const auto candidates = floorGrid.near(x, y);
-    return std::any_of(candidates.begin(), candidates.end(), [&](uint32_t i) { return isOver(floors[i], x, y); });
+bool Scene::overFloor(double x, double y) const {
+    const std::span<const uint32_t> candidates = boxesNear(x, y, hasManyBoxes);
+    return std::any_of(candidates.begin(), candidates.end(), [&](uint32_t i) {
+        return std::abs(boxes[i].max.z - floorTop) <= tolerance && isOver(boxes[i], x, y);
+    });
 }
 
 phys_status makeScene(const phys_scene_desc &desc, Scene &out, phys_error *err) {
@@ -201,12 +168,7 @@ phys_status makeScene(const phys_scene_desc &desc, Scene &out, phys_error *err) 
     merge(out);
     out.grid.build(out.boxes, kCandidateReach * out.radius + out.tolerance, 2.0 * out.radius);
     findFloor(out);
-    classify(out);
     checkPlanar(out);
-    out.solidGrid.build(out.solids, kCandidateReach * out.radius, 2.0 * out.radius);
-    out.hasOneFloor = out.floors.size() == 1;
-    out.needsGrid = out.solids.size() > kHandful;
-    if (out.floors.size() > 1) out.floorGrid.build(out.floors, 0.0, 2.0 * out.radius);
     return PHYS_OK;
 }
 

@@ -2,7 +2,6 @@
 // An immutable scene: the boxes as given, and what steppers need to know of them.
 #pragma once
 
-#include "base/pairs.h"
 #include "base/vec.h"
 #include "scene/grid.h"
 
@@ -14,10 +13,10 @@
 
 namespace phys {
 
-/// Up to this many boxes, looking at all of them costs less than finding the grid's cell.
-inline constexpr size_t kHandful = 4;
+/// Up to this many boxes, a floor and four walls, looking at all of them costs less than finding the grid's cell.
+inline constexpr size_t kHandful = 5;
 
-/// The solids' grid lists boxes as far as this many radii from a centre: a touch, and half a radius of motion.
+/// The grid lists boxes as far as this many radii from a centre: a touch, and half a radius of motion.
 inline constexpr double kCandidateReach = 1.5;
 
 /// Relative size of a rounding step: "u" in model.md.
@@ -30,29 +29,16 @@ struct Scene {
     std::vector<uint32_t> firstPart, parts; ///< partsOf(i) is [firstPart[i], firstPart[i + 1]) of parts
     Grid grid;                              ///< of boxes; reach: kCandidateReach radii
 
-    // What steppers read that take floors and walls apart.
-    std::vector<phys_box> floors;    ///< merged boxes whose top is the floor's plane
-    std::vector<phys_box> solids;    ///< all other merged boxes: walls, kerbs, steps
-    std::vector<uint32_t> allSolids; ///< 0, 1, 2, ...: the solids' list where no grid is needed
-
-    // Numbers of the given boxes that a merged one was made of, ascending: [first[i], first[i + 1]) of parts.
-    std::vector<uint32_t> floorFirst, floorParts, solidFirst, solidParts;
-
     double radius = 0.0;
     Vec3 start{0.0};
     phys_box bounds{};
     bool hasFloor = false;
-    bool hasOneFloor = false;
     double floorTop = 0.0;   ///< m; -infinity without a floor
     double supportedZ = 0.0; ///< height of a supported centre: floorTop + radius
     double tolerance = 0.0;  ///< m: 4 rounding steps of the largest coordinate, model.md 5.2
 
-    bool needsGrid = false;    ///< more than a handful of solids
     bool hasManyBoxes = false; ///< more than a handful
     bool isPlanar() const { return nonPlanarReason.empty(); }
-
-    Grid solidGrid; ///< reach: kCandidateReach radii
-    Grid floorGrid; ///< reach: 0
 
     // Why the scene isn't planar (model.md 0); empty if it is.
     std::string nonPlanarReason;
@@ -85,30 +71,12 @@ struct Scene {
     /// Number of the given box that gave a merged one the place nearest to `point`; the lowest of equals.
     uint32_t givenBox(uint32_t box, const Vec3 &point) const;
 
-    /// Solids that a ball with its centre at (x, y) can touch: a superset, ascending.
-    std::span<const uint32_t> solidsNear(double x, double y, bool useGrid) const {
-        return useGrid ? solidGrid.near(x, y) : std::span<const uint32_t>(allSolids);
-    }
-
-    /// Whether (x, y) lies over a floor box, borders included.
-    bool overFloor(double x, double y) const {
-        // Most boards have one floor; comparing it here saves half of a free step's time.
-        return hasOneFloor ? isOver(floors.front(), x, y) : overOneOfFloors(x, y);
-    }
-
-    /// As givenBox.
-    uint32_t givenSolid(uint32_t solid, const Vec3 &point) const;
-    uint32_t givenFloor(uint32_t floor, const Vec3 &point) const;
-
-    /// Number of the given floor box under (x, y); PHYS_NO_BOX if there is none.
-    uint32_t givenFloorAt(double x, double y) const;
+    /// Whether (x, y) lies over a box whose top is the floor's plane, borders included.
+    bool overFloor(double x, double y) const;
 
     static bool isOver(const phys_box &box, double x, double y) {
         return x >= box.min.x && x <= box.max.x && y >= box.min.y && y <= box.max.y;
     }
-
-private:
-    bool overOneOfFloors(double x, double y) const;
 };
 
 /// Checks a description and makes the scene. Throws std::bad_alloc only.

@@ -3,6 +3,7 @@
 #include "base/appendable.h"
 #include "base/error.h"
 #include "base/float_environment.h"
+#include "base/numbers.h"
 #include "scene/lowest.h"
 #include "scene/maze_file.h"
 #include "scene/nearest.h"

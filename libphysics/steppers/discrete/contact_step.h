@@ -7,6 +7,8 @@
 #include "contact/response.h"
 #include "registry/report.h"
 
+#include <glm/common.hpp>
+
 namespace phys {
 
 /// What stays the same during one step.
@@ -79,6 +81,12 @@ private:
 
 /// Moves the ball out of all boxes. Its velocity stays. False if there is no room for it.
 bool leaveOverlaps(const StepContext &context, Ball &ball);
+
+/// Whether a velocity is so small that `rests` needs to be asked. Seldom true of one that moves on.
+inline bool mayRest(const Setting &setting, const Vec3 &velocity) {
+    const Vec3 gravity = glm::abs(setting.gravity());
+    return glm::dot(velocity, velocity) <= 1e-23 * (gravity.x + gravity.y + gravity.z) * setting.scene.radius;
+}
 
 /// Whether the ball stays as it is: it stands still, and its contacts can hold it. May take rounding from its motion.
 bool rests(const StepContext &context, Ball &ball);

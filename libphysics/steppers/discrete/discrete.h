@@ -11,6 +11,7 @@
 #include "between_walls.h"
 #include "contact/near.h"
 #include "contact_step.h"
+#include "floor_view.h"
 #include "overlap.h"
 #include "requirements.h"
 #include "scene/nearest.h"
@@ -28,6 +29,9 @@ struct SmoothLoss {
     double slip = 0.0;
 };
 
+/// A share of a speed that is none.
+inline constexpr double kZero = 1e-9;
+
 template<class Scheme>
 class DiscreteStep {
 public:
@@ -42,8 +46,71 @@ public:
     /// Whether the ball stays as it is.
     bool rests(Ball &ball) const { return phys::rests(m_context, ball); }
 
+    /// A substep of a ball that lies on a floor and meets nothing but upright smooth faces, `start` seconds into the
+    /// step: bounces act along one axis, and the drive loses what faces take, model.md 13.5. False, and nothing done,
+    /// elsewhere.
+    bool runOnFloor(double start, Ball &ball) {
+        const phys_params &params = m_context.params();
+        if (ball.velocity.z != 0.0 || !(params.gravity.z < 0.0)) return false;
+        const Vec2 velocity = inPlane(ball.velocity);
+        const Vec3 position = ball.position;
+        const FloorContact contact = floorContact(params, m_context.radius(), velocity, ball.spin);
+        const FreeRoll next = rollFreely(contact, lawOnFloor(contact), velocity, ball.spin);
+        const Vec3 end(inPlane(position) + next.displacement, position.z);
+        FloorView view;
+        if (!view.look(m_context, position, end, sum(next.displacement))) return false;
+        if (!view.isEmpty()) {
+            if (!view.findFaces(m_context, position, end)) return false;
+            if (!view.faces().empty()) {
+                Ball met = ball; // a copy, so that the usual case needs no ball in memory
+                if (!meetFaces(start, view, met)) return false;
+                ball = met;
+                return true;
+            }
+        }
+        book(next.loss);
+        ball = {end, Vec3(next.velocity, 0.0), next.spin, true};
+        return true;
+    }
+
+    /// The same without any event: the ball rolls freely, or along faces that it touches and doesn't leave. For a
+    /// stepper that has events inside a step: false, and nothing done, if there is or may be one.
+    bool glideOnFloor(Ball &ball) {
+        const phys_params &params = m_context.params();
+        if (ball.velocity.z != 0.0 || !(params.gravity.z < 0.0)) return false;
+        const Vec2 velocity = inPlane(ball.velocity);
+        const Vec3 position = ball.position;
+        const FloorContact contact = floorContact(params, m_context.radius(), velocity, ball.spin);
+        if (contact == FloorContact::Slips && params.rolling_friction > 0.0) return false; // works once that has ended
+        Law<Vec2> law = lawOnFloor(contact);
+        FreeRoll next = rollFreely(contact, law, velocity, ball.spin);
+        FloorView view;
+        // The way may lead back: it stays in the triangle of its ends and this corner.
+        const Vec2 turn = 0.5 * m_h * velocity;
+        const double way = std::max(sum(turn), sum(next.displacement));
+        if (!view.look(m_context, position, position + Vec3(next.displacement, 0.0), way)) return false;
+        if (!view.isEmpty()) {
+            if (!view.findFaces(m_context, position, position)) return false;
+            if (!view.faces().empty()) {
+                if (contact == FloorContact::Slips || !pressOnFaces(view.faces(), velocity, law)) return false;
+                if (!grips(contact, law)) return false;
+                next = rollFreely(contact, law, velocity, ball.spin);
+                const bool mayStop = law.B > 0.0 && velocity != Vec2(0.0);
+                if (mayStop && glm::dot(next.velocity, velocity) <= kZero * glm::dot(velocity, velocity)) return false;
+            }
+            const Vec2 start = inPlane(position), end = start + next.displacement, corner = start + turn;
+            if (!view.isClear(m_context, glm::min(start, glm::min(end, corner)),
+                              glm::max(start, glm::max(end, corner))))
+                return false;
+        }
+        book(next.loss);
+        ball = {position + Vec3(next.displacement, 0.0), Vec3(next.velocity, 0.0), next.spin, true};
+        return true;
+    }
+
     /// One substep that ends `after` seconds into the step. False if the ball is stuck.
     bool run(double after, Ball &ball) {
+        if (!m_plan.asReported && runOnFloor(after - m_h, ball)) return true;
         const Around around = lookAround(ball);
         Ball free = ball;
         free.supported = around.carrier != nullptr;
@@ -62,22 +129,6 @@ public:
         return runInContact(after - m_h, free, ball);
     }
 
-    /// The same where no box is within reach but the one that carries the ball: false, and nothing done, elsewhere.
-    bool runFarFromAnything(Ball &ball) {
-        const Around around = lookAround(ball);
-        Ball free = ball;
-        free.supported = around.carrier != nullptr;
-        const SmoothLoss loss = move(free);
-        const bool staysOn = !around.carrier || Scene::isOver(*around.carrier, free.position.x, free.position.y);
-        // The way may lead back: it stays in the triangle of its ends and this corner.
-        const Vec3 way = free.position - ball.position;
-        const Vec3 corner = 0.5 * m_h * ball.velocity;
-        if (!staysOn || !isFar(around, way) || !isFar(around, corner)) return false;
-        book(loss);
-        ball = free;
-        return true;
-    }
-
     /// The smooth motion alone, as if there was nothing ahead.
     SmoothLoss move(Ball &ball) {
         if (!ball.supported) {
@@ -87,8 +138,7 @@ public:
         ball.velocity.z = 0.0;
         const phys_params &params = m_context.params();
         const FloorContact contact = floorContact(params, m_context.radius(), inPlane(ball.velocity), ball.spin);
-        if (contact == FloorContact::Slips) return slipOn(ball);
-        return roll(contact, velocityLaw(contact, params), ball);
+        return roll(contact, lawOnFloor(contact), ball);
     }
 
     /// The closed form where nothing but smooth upright walls are near a ball that rolls. False if it isn't that.
@@ -99,7 +149,7 @@ public:
         if (!walls || params.gravity.z >= 0.0) return false;
         const FloorContact contact = floorContact(params, radius, inPlane(ball.velocity), ball.spin);
         if (contact == FloorContact::Slips) return false;
-        Law<Vec2> law = velocityLaw(contact, params);
+        Law<Vec2> law = lawOnFloor(contact);
         Ball next = ball;
         const double tolerance = m_context.scene().tolerance;
         std::optional<Vec2> drive;
@@ -123,6 +173,120 @@ public:
     }
 
 private:
+    /// A bounce off the faces that come fast enough. Returns whether there was one.
+    bool bounce(std::span<const UprightFace> faces, Ball &ball) const {
+        const auto restSpeed = [&](const UprightFace &face) { return restSpeedOf(face); };
+        const auto approach = [&](const UprightFace &face) { return -ball.velocity[face.axis] * face.normal; };
+        if (std::none_of(faces.begin(), faces.end(),
+                         [&](const UprightFace &face) { return approach(face) > restSpeed(face); }))
+            return false;
+        const double negligible = negligibleSpeed(motionOf(ball), m_context.radius());
+        for (const UprightFace &face : faces) {
+            const double speed = approach(face);
+            if (speed <= negligible) continue;
+            const double restitution = speed > restSpeed(face) ? m_context.params().restitution_wall : 0.0;
+            ball.velocity[face.axis] += (1.0 + restitution) * speed * face.normal;
+        }
+        return true;
+    }
+
+    double restSpeedOf(const UprightFace &face) const {
+        return 2.0 * m_h * std::max(0.0, -(&m_context.params().gravity.x)[face.axis] * face.normal);
+    }
+
+    /// Takes from the drive what presses on faces along which the ball moves. False if it doesn't.
+    bool pressOnFaces(std::span<const UprightFace> faces, const Vec2 &velocity, Law<Vec2> &law) const {
+        if (m_context.isRigid() && m_context.params().wall_friction > 0.0) return false;
+        for (const UprightFace &face : faces) {
+            if (velocity[face.axis] != 0.0) return false;
+            if (law.A[face.axis] * face.normal < 0.0) law.A[face.axis] = 0.0;
+        }
+        return true;
+    }
+
+    /// Whether friction on the floor holds against what the walls leave of the drive.
+    bool grips(FloorContact contact, const Law<Vec2> &law) const {
+        const phys_params &params = m_context.params();
+        const bool needsGrip = m_context.isRigid() && contact == FloorContact::Rolls;
+        return !needsGrip || glm::length(law.A) <= 2.5 * params.sliding_friction * -params.gravity.z;
+    }
+
+    bool meetFaces(double start, FloorView &view, Ball &ball) {
+        const phys_params &params = m_context.params();
+        const double radius = m_context.radius();
+        if (m_context.isRigid() && params.wall_friction > 0.0) return false;
+        const std::span<UprightFace> faces = view.faces();
+        Ball next = ball;
+        next.supported = true;
+        const bool bounces = bounce(faces, next);
+        const FloorContact contact = floorContact(params, radius, inPlane(next.velocity), next.spin);
+        if (contact == FloorContact::Slips) return false;
+        const Ball bounced = next;
+        Law<Vec2> law = lawOnFloor(contact);
+        const double tolerance = m_context.scene().tolerance;
+        // Held at one face it comes to another within the substep: the rule of order 1 meets both.
+        const bool arrives = std::any_of(faces.begin(), faces.end(), [&](const UprightFace &face) {
+            return face.gap > tolerance && next.velocity[face.axis] * face.normal <= 0.0;
+        });
+        const bool keeps = Scheme::kHold == Hold::SecondOrder && !arrives;
+        std::array<bool, 2> presses{};
+        for (uint32_t i = 0; i < faces.size(); ++i) {
+            const UprightFace &face = faces[i];
+            double &speed = next.velocity[face.axis];
+            double &drive = law.A[face.axis];
+            const bool isTouched = face.gap <= tolerance;
+            if (keeps) {
+                const bool leaves = speed * face.normal > (isTouched ? restSpeedOf(face) : 0.0);
+                if (leaves) continue;
+                speed = 0.0;
+                presses[i] = drive * face.normal < 0.0;
+                if (presses[i]) drive = 0.0;
+            } else if (isTouched && drive * face.normal < -speed * face.normal / m_h) {
+                presses[i] = true;
+                drive = -speed / m_h;
+            }
+        }
+        if (!grips(contact, law)) return false;
+        const SmoothLoss loss = roll(contact, law, next);
+        for (uint32_t i = 0; i < faces.size(); ++i) {
+            const UprightFace &face = faces[i];
+            double &speed = next.velocity[face.axis];
+            if (!keeps && face.gap > tolerance && speed * face.normal < -face.gap / m_h) {
+                speed = -face.gap / m_h * face.normal;
+                presses[i] = true;
+            }
+            if (!presses[i]) continue;
+            next.position[face.axis] = face.place;
+            if (face.gap <= tolerance) speed = 0.0;
+        }
+        if (!view.hasRoom(m_context, ball.position, next.position)) return false;
+        next.spin = spinAfter(contact, inPlane(next.velocity), next.spin, radius);
+        book(loss);
+        if (bounces) bookBounce(start, faces, ball, bounced);
+        ball = next;
+        return true;
+    }
+
+    void bookBounce(double start, std::span<const UprightFace> faces, const Ball &before, const Ball &after) const {
+        Reporter &report = m_context.report;
+        report.passes(1);
+        if (!report.wanted()) return;
+        // The spin that follows the velocity has its share.
+        const double inertia = m_context.isRigid() ? 0.5 : 0.7;
+        report.lostImpact(inertia *
+                          (glm::dot(before.velocity, before.velocity) - glm::dot(after.velocity, after.velocity)));
+        for (const UprightFace &face : faces) {
+            const double approach = before.velocity[face.axis] * face.normal;
+            if (!(approach < 0.0)) continue;
+            Vec3 normal(0.0);
+            normal[face.axis] = face.normal;
+            const Vec3 point = before.position - (m_context.radius() + face.gap) * normal;
+            report.event(PHYS_EVENT_IMPACT, start, point, normal, approach,
+                         std::max(0.0, after.velocity[face.axis] * face.normal),
+                         m_context.scene().givenBox(face.box, point));
+        }
+    }
+
     struct Around {
         const phys_box *carrier; ///< the box on whose top the ball lies, or nullptr
         double nearestSquared;   ///< of the other boxes: square of the distance to the centre, m^2
@@ -170,41 +334,63 @@ private:
         return overlaps;
     }
 
-    /// v = 0 stays 0 up to the stiction limit, the limit included: model.md 2.1 R4.
-    SmoothLoss roll(FloorContact contact, Law<Vec2> law, Ball &ball) {
+    /// Never smaller than the length.
+    static double sum(const Vec2 &v) { return std::abs(v.x) + std::abs(v.y); }
+
+    /// What the smooth law makes of a motion on the floor.
+    struct FreeRoll {
+        Vec2 velocity, displacement;
+        Vec3 spin;
+        SmoothLoss loss;
+    };
+
+    Law<Vec2> lawOnFloor(FloorContact contact) const {
+        Law<Vec2> law = velocityLaw(contact, m_context.params());
         law.resists = m_plan.runs(PHYS_STAGE_RESISTANCE);
-        const Vec2 velocity = inPlane(ball.velocity);
-        const Vec3 start = ball.position;
-        const bool stays = velocity == Vec2(0.0) && glm::dot(law.A, law.A) <= law.B * law.B;
-        if (stays) {
-            // nothing moves
-        } else if (m_plan.runs(PHYS_STAGE_VERTICAL)) {
-            moveBy(Law<Vec3>{Vec3(law.A, 0.0), law.B, law.resists}, ball);
-        } else {
-            const Advance<Vec2> next = Scheme::advance(law, velocity, m_h);
-            ball.velocity = Vec3(next.velocity, 0.0);
-            ball.position += Vec3(next.displacement, 0.0);
-        }
-        const double spinAcross = m_context.isRigid() ? ball.spin.z : 0.0;
-        ball.spin =
-            spinAfter(contact, inPlane(ball.velocity), {ball.spin.x, ball.spin.y, spinAcross}, m_context.radius());
-        return {m_context.report.wanted() ? 1.4 * law.B * glm::length(ball.position - start) : 0.0, 0.0};
+        return law;
+    }
+
+    /// Inlined, as what it takes and gives would go through memory in pieces of other sizes, which costs as much as it
+    /// does itself.
+    [[gnu::always_inline]] FreeRoll rollFreely(FloorContact contact, const Law<Vec2> &law, const Vec2 &velocity,
+                                               const Vec3 &spin) const {
+        if (contact == FloorContact::Slips) return slipFreely(velocity, spin);
+        const Advance<Vec2> next = advance(law, velocity);
+        const double drilling = m_context.isRigid() ? spin.z : 0.0;
+        const Vec3 nextSpin = spinAfter(contact, next.velocity, {spin.x, spin.y, drilling}, m_context.radius());
+        const double lost = m_context.report.wanted() ? 1.4 * law.B * glm::length(next.displacement) : 0.0;
+        return {next.velocity, next.displacement, nextSpin, {lost, 0.0}};
+    }
+
+    [[gnu::noinline]] FreeRoll slipFreely(const Vec2 &velocity, Vec3 spin) const {
+        const phys_params &params = m_context.params();
+        double path = 0.0;
+        const Advance<Vec2> next =
+            slip<Scheme>(params, m_context.radius(), m_h, velocity, spin, m_context.report.wanted() ? &path : nullptr);
+        return {next.velocity, next.displacement, spin, {0.0, params.sliding_friction * -params.gravity.z * path}};
+    }
+
+    /// v = 0 stays 0 up to the stiction limit, the limit included: model.md 2.1 R4.
+    [[gnu::always_inline]] Advance<Vec2> advance(const Law<Vec2> &law, const Vec2 &velocity) const {
+        if (velocity == Vec2(0.0) && glm::dot(law.A, law.A) <= law.B * law.B) return {Vec2(0.0), Vec2(0.0)};
+        if (!m_plan.runs(PHYS_STAGE_VERTICAL)) return Scheme::advance(law, velocity, m_h);
+        const Law<Vec3> inSpace{Vec3(law.A, 0.0), law.B, law.resists};
+        const Advance<Vec3> next = Scheme::advance(inSpace, Vec3(velocity, 0.0), m_h);
+        return {inPlane(next.velocity), inPlane(next.displacement)};
+    }
+
+    [[gnu::noinline]] SmoothLoss roll(FloorContact contact, const Law<Vec2> &law, Ball &ball) const {
+        const FreeRoll next = rollFreely(contact, law, inPlane(ball.velocity), ball.spin);
+        ball.velocity = Vec3(next.velocity, 0.0);
+        ball.position += Vec3(next.displacement, 0.0);
+        ball.spin = next.spin;
+        return next.loss;
     }
 
     void moveBy(const Law<Vec3> &law, Ball &ball) const {
         const Advance<Vec3> next = Scheme::advance(law, ball.velocity, m_h);
         ball.velocity = next.velocity;
         ball.position += next.displacement;
-    }
-
-    SmoothLoss slipOn(Ball &ball) {
-        const phys_params &params = m_context.params();
-        double path = 0.0;
-        const Advance<Vec2> next = slip<Scheme>(params, m_context.radius(), m_h, inPlane(ball.velocity), ball.spin,
-                                                m_context.report.wanted() ? &path : nullptr);
-        ball.velocity = Vec3(next.velocity, 0.0);
-        ball.position += Vec3(next.displacement, 0.0);
-        return {0.0, params.sliding_friction * -params.gravity.z * path};
     }
 
     /// All contacts of the substep that begins `start` seconds into the step. free: the ball after it without them.

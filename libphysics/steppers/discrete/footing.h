@@ -43,6 +43,8 @@ public:
     explicit LastFooting(const Scene &scene)
         : m_scene(scene) {}
 
+    const Scene &scene() const { return m_scene; }
+
     /// Whether a ball at this place that stands still stays there, as far as that is easy to tell.
     bool holds(const phys_params &params, const phys_vec3 &place) {
         const bool isKnown = place.x == m_place.x && place.y == m_place.y && place.z == m_place.z;

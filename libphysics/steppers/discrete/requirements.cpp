@@ -85,8 +85,8 @@ void describePlan(const PlanInput &input, const StepPlan &plan, phys_requirement
             ? "the floor contact slips, or the slope is too steep for friction to hold it"
             : "not needed: the ball rolls, and friction holds it on this slope");
     say(out, 4, "%s",
-        scene.needsGrid ? "there are more than a handful of boxes"
-                        : "not needed: for a handful of boxes looking at each is cheaper");
+        scene.hasManyBoxes ? "there are more than a handful of boxes"
+                           : "not needed: for a handful of boxes looking at each is cheaper");
     say(out, 5, "%s",
         params.options & PHYS_OPTION_ORIENTATION ? "asked for by params.options"
                                                  : "not needed: params.options doesn't ask for it");

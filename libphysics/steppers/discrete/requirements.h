@@ -80,11 +80,12 @@ inline StepPlan planStep(const PlanInput &input, bool asReported) {
     const phys_params &params = input.params;
     StepPlan plan{asReported, 0, 1.0};
     if (!asReported && (!isSlow(input) || spinsFast(input))) plan.substeps = substepsNeeded(input);
-    plan.stages =
-        stage(!input.isOnFloor() || !input.isPlanar(), PHYS_STAGE_VERTICAL) |
-        stage(plan.substeps > 1.0, PHYS_STAGE_SUBSTEPS) | stage(params.rolling_friction > 0.0, PHYS_STAGE_RESISTANCE) |
-        stage(input.contact() == FloorContact::Slips, PHYS_STAGE_SLIP) | stage(input.scene.needsGrid, PHYS_STAGE_GRID) |
-        stage(params.options & PHYS_OPTION_ORIENTATION, PHYS_STAGE_ORIENTATION);
+    plan.stages = stage(!input.isOnFloor() || !input.isPlanar(), PHYS_STAGE_VERTICAL) |
+                  stage(plan.substeps > 1.0, PHYS_STAGE_SUBSTEPS) |
+                  stage(params.rolling_friction > 0.0, PHYS_STAGE_RESISTANCE) |
+                  stage(input.contact() == FloorContact::Slips, PHYS_STAGE_SLIP) |
+                  stage(input.scene.hasManyBoxes, PHYS_STAGE_GRID) |
+                  stage(params.options & PHYS_OPTION_ORIENTATION, PHYS_STAGE_ORIENTATION);
     if (params.options & PHYS_OPTION_ALL_STAGES) plan.stages |= kForcibleStages;
     return plan;
 }

@@ -44,12 +44,12 @@ void reportTransitions(Reporter &reporter, const PlanInput &input, const Ball &b
     if (speedBefore > 0.0 && (out.flags & PHYS_AT_REST)) event(PHYS_EVENT_STOP);
 }
 
-phys_status makeClearing(const phys_scene_view *view, void **self, phys_error *) {
-    *self = new Clearing(*static_cast<const Scene *>(view->scene));
+phys_status makeFooting(const phys_scene_view *view, void **self, phys_error *) {
+    *self = new LastFooting(*static_cast<const Scene *>(view->scene));
     return PHYS_OK;
 }
 
-void deleteClearing(void *self) { delete static_cast<Clearing *>(self); }
+void deleteFooting(void *self) { delete static_cast<LastFooting *>(self); }
 
 phys_status refuseSubsteps(double substeps, phys_error *err) {
     return fail(err, PHYS_ERROR_SUBSTEP_CAP,

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "discrete.h"
-#include "glide.h"
+#include "footing.h"
 
 #include <cstring>
 
@@ -39,9 +39,9 @@ void turn(const Vec3 &spinBefore, double dt, phys_state &out);
 /// Events that only show at the end of a step. before.supported: whether the floor carried the ball.
 void reportTransitions(Reporter &reporter, const PlanInput &input, const Ball &before, const phys_state &out);
 
-/// create and destroy of a stepper that is nothing but a Clearing of its scene.
-phys_status makeClearing(const phys_scene_view *view, void **self, phys_error *err);
-void deleteClearing(void *self);
+/// create and destroy of a stepper that is nothing but the LastFooting in its scene.
+phys_status makeFooting(const phys_scene_view *view, void **self, phys_error *err);
+void deleteFooting(void *self);
 
 phys_status refuseSubsteps(double substeps, phys_error *err);
 phys_status refuseStuck(const Vec3 &position, phys_error *err);
@@ -59,19 +59,64 @@ void finishStep(const DiscreteStep<Scheme> &substep, const PlanInput &input, con
     if (reporter.wanted()) reportTransitions(reporter, input, before, out);
 }
 
+/// The cheapest step: a ball that stands still stays where it is, as the full step would find too. False, with `out`
+/// untouched, if the ball moves or may begin to.
+inline bool stay(const PlanInput &input, LastFooting &footing, phys_state &out) {
+    if (input.params.options != 0 || input.params.stepper[0] != 0.0) return false;
+    const phys_state &in = input.state;
+    const bool isStill = in.velocity.x == 0.0 && in.velocity.y == 0.0 && in.velocity.z == 0.0 && in.spin.x == 0.0 &&
+                         in.spin.y == 0.0 && in.spin.z == 0.0;
+    if (!isStill || !footing.holds(input.params, in.position)) return false;
+    const phys_box &bounds = input.scene.bounds;
+    const bool isInside = in.position.x >= bounds.min.x && in.position.x <= bounds.max.x &&
+                          in.position.y >= bounds.min.y && in.position.y <= bounds.max.y;
+    if (&out != &in) {
+        out.position = in.position;
+        std::memcpy(out.orientation, in.orientation, sizeof out.orientation);
+    }
+    out.velocity = out.spin = {0.0, 0.0, 0.0};
+    out.flags = isInside ? PHYS_AT_REST : PHYS_AT_REST | PHYS_OUT;
+    return true;
+}
+
+/// Whether a step is one substep on the floor for sure, from motion to motion, and asks for nothing else.
+inline bool isSimple(const PlanInput &input) {
+    const phys_vec3 &v = input.state.velocity;
+    return input.params.options == 0 && (v.x != 0.0 || v.y != 0.0) && isSlow(input) && !spinsFast(input);
+}
+
+/// Tries a simple step without a report: move(substep, ball) does it. False, with `out` untouched, if it doesn't, or if
+/// the ball may come to rest, which needs to be told why.
+template<class Scheme, class Move>
+bool stepOnFloor(const PlanInput &input, phys_state &out, Move move) {
+    const phys_params &params = input.params;
+    Reporter silent(nullptr, 0.0);
+    const StepPlan plan{false, params.rolling_friction > 0.0 ? uint32_t{PHYS_STAGE_RESISTANCE} : 0U, 1.0};
+    DiscreteStep<Scheme> substep({input.scene, params}, silent, plan, input.dt);
+    Ball ball = loadBall(input.state);
+    if (!move(substep, ball) || mayRest({input.scene, params}, ball.velocity)) return false;
+    if (&out != &input.state) std::memcpy(out.orientation, input.state.orientation, sizeof out.orientation);
+    storeBall(input.scene, params, ball, 0, out);
+    return true;
+}
+
 template<class Scheme>
 struct DiscreteStepper {
     static phys_status requirements(void *self, const phys_params *params, double dt, const phys_state *state,
                                     phys_requirements *out, phys_error *) {
-        const PlanInput input{static_cast<Clearing *>(self)->scene(), *params, dt, *state};
+        const PlanInput input{static_cast<LastFooting *>(self)->scene(), *params, dt, *state};
         describePlan(input, plan(input), *out);
         return PHYS_OK;
     }
 
     static phys_status step(void *self, const phys_params *params, double dt, const phys_state *in, phys_state *out,
                             phys_report *report, phys_error *err) {
-        Clearing &clearing = *static_cast<Clearing *>(self);
-        if (!report && glide<Scheme>({clearing.scene(), *params, dt, *in}, clearing, *out)) return PHYS_OK;
+        LastFooting &footing = *static_cast<LastFooting *>(self);
+        const PlanInput input{footing.scene(), *params, dt, *in};
+        if (!report && stay(input, footing, *out)) return PHYS_OK;
+        const auto run = [](DiscreteStep<Scheme> &substep, Ball &ball) { return substep.runOnFloor(0.0, ball); };
+        const bool maySkip = !report && isSimple(input) && !asReported(*params);
+        if (maySkip && stepOnFloor<Scheme>(input, *out, run)) return PHYS_OK;
         return anyStep(self, params, dt, in, out, report, err);
     }
 
@@ -79,10 +124,9 @@ private:
     /// Takes what `step` takes, so that the steps that don't come here need save nothing for the call.
     [[gnu::noinline]] static phys_status anyStep(void *self, const phys_params *params, double dt, const phys_state *in,
                                                  phys_state *out, phys_report *report, phys_error *err) {
-        Clearing &clearing = *static_cast<Clearing *>(self);
-        const Scene &scene = clearing.scene();
+        LastFooting &footing = *static_cast<LastFooting *>(self);
+        const Scene &scene = footing.scene();
         const PlanInput input{scene, *params, dt, *in};
-        if (!report && (stay(input, clearing, *out) || glideElsewhere<Scheme>(input, clearing, *out))) return PHYS_OK;
         const StepPlan stepPlan = plan(input);
         if (stepPlan.substeps > kSubstepCap) return refuseSubsteps(stepPlan.substeps, err);
 
@@ -122,8 +166,8 @@ constexpr phys_stepper_api discreteStepper(const char *id, const char *name, con
             kDiscreteRows,
             1,
             0,
-            makeClearing,
-            deleteClearing,
+            makeFooting,
+            deleteFooting,
             Stepper::step,
             Stepper::requirements,
             nullptr};

@@ -79,11 +79,11 @@ bool Sweep::toNextEvent() {
     return m_done >= m_input.dt;
 }
 
-/// The whole step where nothing is near.
+/// The whole step where nothing happens in it.
 bool Sweep::advanceFreely() {
-    if (m_done > 0.0 || !isSlow(m_input) || spinsFast(m_input) || mayStartToRoll(m_input)) return false;
-    Step step(m_context.setting, m_context.report, m_plan, m_input.dt);
-    return step.runFarFromAnything(m_ball);
+    if (m_done > 0.0 || !isSlow(m_input) || spinsFast(m_input)) return false;
+    Step step({m_input.scene, m_input.params}, m_context.report, m_plan, m_input.dt);
+    return step.glideOnFloor(m_ball);
 }
 
 void Sweep::beginPhase() {
@@ -191,7 +191,6 @@ void Sweep::finishPhase(double t) {
 /// When `left`, which falls linearly within the order from `start` on, comes to 0; INFINITY if not before `end`.
 template<class Left>
 double Sweep::timeToZero(double end, double start, Left left) const {
-    constexpr double kZero = 1e-9; // of start
     constexpr int kMostHalvings = 60;
     double t = end;
     double rest = left(at(t));

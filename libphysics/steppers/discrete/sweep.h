@@ -8,11 +8,6 @@
 
 namespace phys {
 
-/// Whether a slip may end in this step, from where on rolling resistance works: that needs a phase of its own.
-inline bool mayStartToRoll(const PlanInput &input) {
-    return input.params.rolling_friction > 0.0 && input.contact() == FloorContact::Slips;
-}
-
 class Sweep {
 public:
     /// start: the ball at the step's start.

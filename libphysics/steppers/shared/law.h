@@ -54,6 +54,11 @@ V clampedVelocity(const Law<V> &law, const V &v, double dt) {
 template<class V>
 bool nearStop(const Law<V> &law, const V &velocity, double h) {
     if (!law.resists || law.B == 0.0) return false;
+    // The usual no, without a root: the sum of components is never smaller than the length.
+    double most = law.B;
+    for (int axis = 0; axis < V::length(); ++axis) most += std::abs(law.A[axis]);
+    most *= 4.0 * h;
+    if (glm::dot(velocity, velocity) > most * most) return false;
     const double drive = glm::length(law.A);
     const double margin = (law.B < drive ? 1.0 : 4.0) * (drive + law.B) * h;
     return glm::dot(velocity, velocity) <= margin * margin;
