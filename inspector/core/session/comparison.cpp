@@ -13,7 +13,11 @@ Comparison::Comparison(Session &session)
     connect(&m_parameters, &Parameters::changed, this,
             [this] { m_session.simulation().setCompanionInputs(ownInputs()); });
     connect(&session, &Session::levelOpened, this, &Comparison::begin);
-    connect(&session.simulation(), &Simulation::comparisonRefused, this, &Comparison::refuse);
+    connect(&session.simulation(), &Simulation::comparisonRefused, this,
+            [this](uint64_t companion, const QString &line) {
+                if (companion == m_companion) refuse(line); // not one that has gone meanwhile
+            });
+    connect(&session.simulation(), &Simulation::runBegan, this, &Comparison::forgetRefusal);
 }
 
 void Comparison::start(const Opponent &opponent) {
@@ -28,6 +32,7 @@ void Comparison::setOn(bool isOn) {
     if (isOn) return start(m_opponent);
     m_isOn = false;
     m_refusal.clear();
+    m_companion = 0;
     m_session.simulation().endComparison();
     emit changed();
 }
@@ -46,6 +51,7 @@ void Comparison::meetAgain() { begin(); }
 void Comparison::begin() {
     if (!m_isOn || m_session.isInPast()) return; // of the past there are samples only
     m_refusal.clear();
+    m_companion = 0;
     QString error;
     auto means = makeMeans(m_session.registry(), m_opponent, m_session.scene(), &error);
     if (!means) {
@@ -53,14 +59,20 @@ void Comparison::begin() {
         return refuse(error);
     }
     means->own = ownInputs();
-    m_session.simulation().compareWith(*means, m_session.stepperId());
+    m_companion = m_session.simulation().compareWith(*means, m_session.stepperId());
     emit changed();
 }
 
 void Comparison::refuse(const QString &line) {
-    if (!m_isOn) return; // said while it was being switched off
     m_refusal = tr("comparison with %1: %2").arg(QString::fromUtf8(m_opponent.stepper), line);
     emit refused(m_refusal);
+    emit changed();
+}
+
+// Both have met again, if there is a companion.
+void Comparison::forgetRefusal() {
+    if (m_companion == 0 || m_refusal.isEmpty()) return;
+    m_refusal.clear();
     emit changed();
 }
 

@@ -44,6 +44,7 @@ private:
     void refuse(const QString &line);
     void takeRows();
     std::optional<Inputs> ownInputs() const;
+    void forgetRefusal();
 
     Session &m_session;
     Opponent m_opponent;
@@ -53,6 +54,7 @@ private:
     QByteArray m_rowsOf; // id of the stepper
     bool m_hasOwn = false;
     bool m_hasValues = false; // was given the ball's
+    uint64_t m_companion = 0; // its number; 0: none could be made
 };
 
 // Values of the rows that both have, the tilt left out: what one ball can take over from the other.

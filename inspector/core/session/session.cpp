@@ -67,7 +67,6 @@ Session::Session(const Options &options, QSettings &settings, const Scene &scene
     , m_comparison(std::make_unique<Comparison>(*this))
     , m_wayFinder(options.registry) {
     connect(&m_parameters, &Parameters::changed, this, &Session::sendInputs);
-    connect(m_simulation.get(), &Simulation::failed, this, &Session::failed);
     connect(m_simulation.get(), &Simulation::recordingFailed, this, [this](const QString &line) {
         showRecording(false);
         emit recordingFailed(line);
@@ -292,6 +291,7 @@ void Session::placeBall(const phys_state &state) {
     if (m_replay) return;
     takeOver();
     m_isTakenOver = true;
+    m_simulation->pause(); // first: it stays where it is put
     m_simulation->setState(state);
 }
 

@@ -107,7 +107,7 @@ public:
 
     // ---- the ball in one's hand ----
 
-    // Puts the ball there; a new run begins. In the past that one is taken over first.
+    // Puts the ball there, paused; a new run begins. In the past that one is taken over first.
     void placeBall(const phys_state &state);
     // Where a restart brings the ball to; nothing: to the maze's start. Forgotten with another level.
     void setStart(const std::optional<phys_state> &start);
@@ -147,7 +147,7 @@ signals:
     void stepperChanged();
     void paceChanged(); // dt or speed
     void autopilotChanged(bool isOn);
-    void failed(const QString &line);          // also the simulation's
+    void failed(const QString &line);          // a command
     void recordingFailed(const QString &line); // and ended; the simulation goes on
     void recordingChanged(bool isOn);
     void replayChanged(bool isOn);

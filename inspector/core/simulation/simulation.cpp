@@ -58,6 +58,7 @@ struct Simulation::Worker {
     double stepTime = 0.0; // of the last live one, us
     std::optional<Recorder> recorder{};
     std::optional<Companion> companion{};
+    uint64_t companionNumber = 0;
     double leftAt = std::numeric_limits<double>::infinity();  // when the ball left the maze, s
     double pauseAt = std::numeric_limits<double>::infinity(); // s
     // A replay is shown in place of the engine's ball.
@@ -150,6 +151,7 @@ void Simulation::Worker::beginRun() {
     startPacing();
     owner.m_samples.clear();
     owner.m_events.clear();
+    emit owner.runBegan();
 }
 
 void Simulation::Worker::step(Clock::time_point due) {
@@ -212,7 +214,7 @@ void Simulation::Worker::leadCompanion() {
     QString line;
     if (!companion) return;
     if (player) companion->setLeaderStepper(player->recording().stretch(player->stretch()).conditions.stepper.id);
-    if (!companion->follow(shown(), &line)) emit owner.comparisonRefused(line);
+    if (!companion->follow(shown(), &line)) emit owner.comparisonRefused(companionNumber, line);
 }
 
 void Simulation::Worker::noteEvents() {
@@ -434,6 +436,7 @@ void Simulation::Worker::goOnLive(uint64_t number) {
     sought.reset();
     leftAt = engine.state().flags & PHYS_OUT ? engine.state().time : std::numeric_limits<double>::infinity();
     startPacing();
+    emit owner.runBegan();
 }
 
 Simulation::Simulation(const Scene &scene, const Stepper &stepper, const Origin &origin, QObject *parent)
@@ -567,12 +570,14 @@ void Simulation::stopRecording() {
     post([](Worker &worker) { worker.endRecording(); });
 }
 
-void Simulation::compareWith(const CompanionMeans &means, const QByteArray &leaderId) {
-    post([means, leaderId](Worker &worker) {
+uint64_t Simulation::compareWith(const CompanionMeans &means, const QByteArray &leaderId) {
+    post([means, leaderId, number = ++m_companionCount](Worker &worker) {
         worker.companion.reset();
+        worker.companionNumber = number;
         // A replay may have gone on to another scene; then this is asked for again.
         if (means.scene == worker.shown().scene()) worker.companion.emplace(worker.shown(), means, leaderId);
     });
+    return m_companionCount;
 }
 
 void Simulation::setCompanionInputs(const std::optional<Inputs> &own) {

@@ -55,8 +55,9 @@ public:
     void stopRecording();
 
     // A companion meets the ball and follows it from now on, in the place of one before. At a restart and when a state
-    // is set they meet again; with another scene it is gone. leaderId: of the present stepper.
-    void compareWith(const CompanionMeans &means, const QByteArray &leaderId);
+    // is set they meet again; with another scene it is gone. leaderId: of the present stepper. Returns the companion's
+    // number, as in its refusals.
+    uint64_t compareWith(const CompanionMeans &means, const QByteArray &leaderId);
     // From the next step on; nothing: the ball's.
     void setCompanionInputs(const std::optional<Inputs> &own);
     void endComparison();
@@ -91,16 +92,18 @@ public:
     // What happened in this run. Any thread.
     const EventLog &events() const { return m_events; }
 
-signals: // queued: sent by the thread that steps
+signals: // queued: sent by the thread that steps, and received in the order in which it all happened
     // A step failed; the simulation is paused, the state is the one before it. `line` is the library's.
     void failed(const QString &line);
+    // A restart, another scene, a state that was set: what was wrong before is over.
+    void runBegan();
     // The ball has left the maze at `time` (s since the start). It goes on falling for a while, then a pause.
     void leftMaze(double time);
     void runningChanged(bool running);
     // The recording can't be written and ends; the simulation goes on.
     void recordingFailed(const QString &line);
     // The companion's stepper refused a step; there is no ghost until the next meeting. The simulation goes on.
-    void comparisonRefused(const QString &line);
+    void comparisonRefused(uint64_t companion, const QString &line);
     // The first step of this replay that differs is known; once.
     void differenceFound(uint64_t replay, const Difference &difference);
     // The replay has come to it and is paused.
@@ -126,6 +129,7 @@ private:
     uint64_t m_givenCount = 0; // the owner's
     uint64_t m_replayCount = 0;
     uint64_t m_seekCount = 0;
+    uint64_t m_companionCount = 0;
     LatestValue<GivenInputs> m_inputs;
     LatestValue<Snapshot> m_snapshots;
     SampleRing m_samples;

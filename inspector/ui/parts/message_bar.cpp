@@ -45,6 +45,7 @@ MessageBar::MessageBar(QWidget *parent)
 }
 
 void MessageBar::showLine(const QString &line, Cause cause) {
+    ++m_count;
     const auto same = std::find_if(m_messages.begin(), m_messages.end(),
                                    [cause](const Message &message) { return message.cause == cause; });
     Message message{line, cause, 1};

@@ -12,6 +12,7 @@ namespace inspector::ui {
 // What a message is about: it goes when that is settled.
 enum class Cause {
     Command,    // something that a person wanted: until the next that works
+    Step,       // that failed: until there is another run, or it goes on
     Parameter,  // a value of a slider
     Level,      // the open level's files
     View,       // shaders
@@ -32,6 +33,7 @@ public:
     void showLine(const QString &line, Cause cause);
     // What was wrong isn't any more.
     void settle(Cause cause);
+    uint64_t count() const { return m_count; } // of messages so far
     QString line() const { return m_messages.empty() ? QString() : m_messages.back().line; } // empty while hidden
     void dismiss();
 
@@ -52,6 +54,7 @@ private:
 
     QLabel *m_icon;
     QLabel *m_text;
+    uint64_t m_count = 0;
     std::vector<Message> m_messages; // oldest first; the newest is shown
 };
 

@@ -260,7 +260,25 @@ void MainWindow::connectPlots() {
     });
 }
 
-// Each message with what settles it.
+// A command that works settles what an earlier one couldn't do.
+void MainWindow::obey(void (MainWindow::*command)()) {
+    const uint64_t count = m_messages->count();
+    (this->*command)();
+    if (m_messages->count() == count) m_messages->settle(Cause::Command);
+}
+
+void MainWindow::settleCommand() {
+    m_messages->settle(Cause::Command);
+    m_messages->settle(Cause::Step);
+}
+
+// What a replay, the past and the keys change is no command.
+void MainWindow::settleByChange() {
+    if (!m_session.isReplaying() && !m_session.isInPast() && !m_session.isTiltedByKeys()) settleCommand();
+}
+
+// Each message with what settles it. What the stepping thread tells is settled by its own signals, which keep their
+// order, or by a person; a snapshot may be older or newer than the message.
 void MainWindow::connectMessages() {
     const auto say = [this](Cause cause) {
         return [this, cause](const QString &line) { m_messages->showLine(line, cause); };
@@ -268,12 +286,14 @@ void MainWindow::connectMessages() {
     const auto settle = [this](Cause cause) { return [this, cause] { m_messages->settle(cause); }; };
     connect(&m_session, &Session::failed, this, say(Cause::Command));
     for (const auto signal : {&Session::levelOpened, &Session::stepperChanged, &Session::paceChanged})
-        connect(&m_session, signal, this, settle(Cause::Command));
+        connect(&m_session, signal, this, &MainWindow::settleByChange);
     for (const auto signal : {&Session::autopilotChanged, &Session::replayChanged})
-        connect(&m_session, signal, this, settle(Cause::Command));
-    connect(&m_session.parameters(), &Parameters::changed, this, settle(Cause::Command));
+        connect(&m_session, signal, this, &MainWindow::settleCommand);
+    connect(&m_session.parameters(), &Parameters::changed, this, &MainWindow::settleByChange);
+    connect(&m_session.simulation(), &Simulation::failed, this, say(Cause::Step));
+    connect(&m_session.simulation(), &Simulation::runBegan, this, settle(Cause::Step));
     connect(&m_session.simulation(), &Simulation::runningChanged, this, [this](bool isRunning) {
-        if (isRunning) m_messages->settle(Cause::Command);
+        if (isRunning) m_messages->settle(Cause::Step);
     });
 
     connect(m_parameters, &ParameterPanel::refused, this, say(Cause::Parameter));
@@ -356,7 +376,6 @@ void MainWindow::showTitle() {
 void MainWindow::refresh() {
     const Snapshot now = m_session.simulation().latest(); // one moment, for everything in the window
     m_session.followReplay(now);
-    if (now.run != std::exchange(m_run, now.run)) m_messages->settle(Cause::Command); // restarted
     m_status->showSnapshot(now);
     m_time->refresh(now);
     m_strip->setText(gameText(m_session, now));

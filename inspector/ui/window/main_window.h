@@ -81,6 +81,9 @@ private:
                    void (MainWindow::*choose)(int));
     void connectSession();
     void connectMessages();
+    void obey(void (MainWindow::*command)());
+    void settleCommand();
+    void settleByChange();
     QAction *action(const char *name) const;
     void connectPlots();
     void askWhereToSavePlot(const QString &name, const std::function<bool(const QString &path, QString *error)> &save);
@@ -163,7 +166,6 @@ private:
     StatusLine *m_status = nullptr;
     QByteArray m_firstLayout; // of docks and bars, before anyone moved them
     uint64_t m_drawn = 0;     // numbers of what is in the view, together
-    uint64_t m_run = 0;       // of the simulation, at the last refresh
     QTimer m_refresh;
 };
 

@@ -187,7 +187,7 @@ void MainWindow::makeActions() {
         if (row.glyph) made->setIcon(glyphIcon(*row.glyph));
         const QString tip = tr(*row.tip ? row.tip : row.text);
         made->setToolTip(*row.keys ? tr("%1 (%2)").arg(tip, made->shortcut().toString(QKeySequence::NativeText)) : tip);
-        connect(made, &QAction::triggered, this, row.run);
+        connect(made, &QAction::triggered, this, [this, run = row.run] { obey(run); });
         addAction(made);
     }
     action("autopilot")->setCheckable(true);

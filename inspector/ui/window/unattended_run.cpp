@@ -33,6 +33,7 @@ void UnattendedRun::start() {
         startLive();
     if (!m_ends) return;
     connect(&m_session, &Session::failed, this, &UnattendedRun::finish);
+    connect(&m_session.simulation(), &Simulation::failed, this, &UnattendedRun::finish);
     m_timer.start();
 }
 
@@ -87,6 +88,7 @@ bool UnattendedRun::isReplayOver() {
 void UnattendedRun::finish(const QString &error) {
     m_timer.stop();
     disconnect(&m_session, nullptr, this, nullptr);
+    disconnect(&m_session.simulation(), nullptr, this, nullptr);
     emit finished(error);
 }
 
