@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/parts/elided_label.h"
 
+#include <QHelpEvent>
 #include <QPainter>
+#include <QToolTip>
+
+#include <algorithm>
 
 namespace inspector::ui {
 
@@ -11,14 +15,34 @@ ElidedLabel::ElidedLabel(QWidget *parent)
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // long lines don't widen the window
 }
 
+void ElidedLabel::setWidest(const QString &text) {
+    const QMargins margins = contentsMargins();
+    m_widest = fontMetrics().horizontalAdvance(text) + margins.left() + margins.right();
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
+    updateGeometry();
+}
+
+QSize ElidedLabel::sizeHint() const {
+    const QSize hint = QLabel::sizeHint();
+    return {std::max(hint.width(), m_widest), hint.height()};
+}
+
 QSize ElidedLabel::minimumSizeHint() const {
-    return {fontMetrics().averageCharWidth() * 8, QLabel::minimumSizeHint().height()};
+    const int least = std::min(fontMetrics().averageCharWidth() * 8, sizeHint().width());
+    return {least, QLabel::minimumSizeHint().height()};
+}
+
+QString ElidedLabel::shown() const { return fontMetrics().elidedText(text(), Qt::ElideRight, contentsRect().width()); }
+
+bool ElidedLabel::event(QEvent *event) {
+    if (event->type() != QEvent::ToolTip || shown() == text()) return QLabel::event(event);
+    const QString tip = toolTip().isEmpty() ? text() : text() + QLatin1Char('\n') + toolTip();
+    QToolTip::showText(static_cast<QHelpEvent *>(event)->globalPos(), tip, this);
+    return true;
 }
 
 void ElidedLabel::paintEvent(QPaintEvent *) {
-    const QString shown = fontMetrics().elidedText(text(), Qt::ElideRight, width());
-    setToolTip(shown == text() ? QString() : text());
-    QPainter(this).drawText(rect(), int(Qt::AlignLeft | Qt::AlignVCenter), shown);
+    QPainter(this).drawText(contentsRect(), int(Qt::AlignLeft | Qt::AlignVCenter), shown());
 }
 
 } // namespace inspector::ui

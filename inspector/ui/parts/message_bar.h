@@ -33,7 +33,7 @@ public:
     void showLine(const QString &line, Cause cause);
     // What was wrong isn't any more.
     void settle(Cause cause);
-    uint64_t count() const { return m_count; } // of messages so far
+    uint64_t count() const { return m_count; }                                               // of messages so far
     QString line() const { return m_messages.empty() ? QString() : m_messages.back().line; } // empty while hidden
     void dismiss();
 

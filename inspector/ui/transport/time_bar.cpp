@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/transport/time_bar.h"
 
+#include "ui/parts/described.h"
+#include "ui/parts/elided_label.h"
 #include "ui/parts/path_icon.h"
 #include "ui/parts/theme.h"
 #include "ui/transport/seek_slider.h"
 
 #include <QAction>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QSignalBlocker>
 #include <QToolButton>
 
@@ -22,11 +23,15 @@ namespace {
 // A slider's numbers; 2^31 steps would be a recording of 36 GB.
 int notchOf(uint64_t position) { return int(std::min<uint64_t>(position, INT_MAX)); }
 
+constexpr int kLeastWidth = 48; // px, of a button with a text
+
 QToolButton *buttonOf(QAction *action) {
     auto *button = new QToolButton;
     button->setObjectName(QStringLiteral("time_bar_") + action->objectName());
     button->setDefaultAction(action);
     button->setAutoRaise(!action->icon().isNull());
+    if (action->icon().isNull()) button->setMinimumWidth(kLeastWidth);
+    if (action->icon().isNull()) button->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     button->setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the view
     return button;
 }
@@ -37,9 +42,9 @@ TimeBar::TimeBar(Session &session, const QList<QAction *> &playback, const QList
     : QFrame(parent)
     , m_session(session)
     , m_slider(new SeekSlider)
-    , m_place(new QLabel)
-    , m_verdict(new QLabel)
-    , m_recording(new QLabel(tr("● recording")))
+    , m_place(new ElidedLabel)
+    , m_verdict(new ElidedLabel)
+    , m_recording(new ElidedLabel)
     , m_toDifference(new QToolButton) {
     setObjectName(QStringLiteral("time_bar"));
     m_slider->setAccessibleName(tr("Time"));
@@ -49,10 +54,12 @@ TimeBar::TimeBar(Session &session, const QList<QAction *> &playback, const QList
     m_verdict->setObjectName(QStringLiteral("time_verdict"));
     m_toDifference->setObjectName(QStringLiteral("time_to_difference"));
     m_toDifference->setIcon(glyphIcon(Glyph::Warning));
-    m_toDifference->setToolTip(tr("Go to the first step that differs"));
+    describe(m_toDifference, tr("Go to the first difference"), tr("Go to the first step that differs"));
     m_toDifference->setAutoRaise(true);
     m_toDifference->setFocusPolicy(Qt::TabFocus);
     m_recording->setObjectName(QStringLiteral("time_recording"));
+    m_recording->setText(tr("● recording"));
+    for (ElidedLabel *label : {m_place, m_verdict, m_recording}) label->setWidest({});
     connect(m_slider, &QSlider::valueChanged, this, &TimeBar::goTo);
     connect(m_toDifference, &QToolButton::clicked, this, &TimeBar::goToDifference);
 
@@ -93,7 +100,7 @@ void TimeBar::reset() {
     m_toDifference->hide();
     m_verdict->clear();
     m_verdict->setPalette({});
-    m_place->setMinimumWidth(0);
+    m_place->setWidest({});
     if (!m_session.isReplaying()) return showRun(m_session.simulation().latest());
     const PlayableRecording &recording = m_session.recording();
     const QSignalBlocker silent(m_slider);
@@ -103,9 +110,7 @@ void TimeBar::reset() {
     for (size_t i = 1; i < recording.runs().size(); ++i) runs.push_back(notchOf(recording.runs()[i]));
     m_slider->setRuns(std::move(runs));
     // As wide as it gets, so that nothing moves while it runs.
-    m_place->setMinimumWidth(fontMetrics().horizontalAdvance(
-                                 tr("%1 s · step %2 of %2").arg(QStringLiteral("0000.000")).arg(recording.length())) +
-                             4);
+    m_place->setWidest(tr("%1 s · step %2 of %2").arg(QStringLiteral("0000.000")).arg(recording.length()));
 }
 
 void TimeBar::refresh(const Snapshot &now) {

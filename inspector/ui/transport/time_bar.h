@@ -6,11 +6,11 @@
 #include <QFrame>
 
 class QAction;
-class QLabel;
 class QToolButton;
 
 namespace inspector::ui {
 
+class ElidedLabel;
 class SeekSlider;
 
 // Under the view: where the moment shown is in its run, or in the recording that is watched, and ways to go elsewhere.
@@ -38,9 +38,9 @@ private:
 
     Session &m_session;
     SeekSlider *m_slider;
-    QLabel *m_place;
-    QLabel *m_verdict;
-    QLabel *m_recording;
+    ElidedLabel *m_place;
+    ElidedLabel *m_verdict;
+    ElidedLabel *m_recording;
     QToolButton *m_toDifference;
 };
 

@@ -36,6 +36,7 @@
 #include <QFileInfo>
 #include <QMenu>
 #include <QScreen>
+#include <QScrollArea>
 #include <QTextStream>
 #include <QToolButton>
 #include <QUndoStack>
@@ -72,6 +73,16 @@ namespace {
 const char *const kDockNames[] = {"parameters_dock", "levels_dock", "plot_dock"}; // there from the start
 const char *const kComparisonDock = "comparison_dock";
 const char *const kBouncesDock = "bounces_dock";
+
+// On a small screen what has no room is scrolled to, and the window stays as small as it is.
+QWidget *scrolled(QWidget *content) {
+    auto *area = new QScrollArea;
+    area->setWidget(content);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setFocusProxy(content);
+    return area;
+}
 } // namespace
 
 MainWindow::MainWindow(Session &session)
@@ -172,7 +183,7 @@ void MainWindow::makeDocks() {
     for (const DockRow &row : rows) {
         auto *dock = new QDockWidget(tr(row.title), this);
         dock->setObjectName(QLatin1String(row.name));
-        dock->setWidget(row.widget(*this));
+        dock->setWidget(row.share > 0.0 ? scrolled(row.widget(*this)) : row.widget(*this));
         addDockWidget(row.area, dock);
         addDockAction(*dock, ++number, row.share);
         if (row.share > 0.0) dock->hide();

@@ -2,6 +2,7 @@
 #include "ui/window/status_line.h"
 
 #include "core/simulation/snapshot.h"
+#include "ui/parts/elided_label.h"
 
 #include <QCoreApplication>
 #include <QFontDatabase>
@@ -74,12 +75,11 @@ StatusLine::StatusLine(QWidget *parent)
     setObjectName(QStringLiteral("status"));
     setSizeGripEnabled(false);
     for (const Field &field : kFields) {
-        auto *label = new QLabel;
+        auto *label = new ElidedLabel;
         label->setObjectName(QLatin1String(field.name));
         label->setToolTip(translated(field.tip));
         label->setContentsMargins(4, 0, 4, 0);
-        const QString widest = translated(field.label) + QStringLiteral(":  ") + QString::fromUtf8(field.widest);
-        label->setMinimumWidth(fontMetrics().horizontalAdvance(widest) + 10);
+        label->setWidest(translated(field.label) + QStringLiteral(":  ") + QString::fromUtf8(field.widest));
         addPermanentWidget(label);
         m_fields.push_back(label);
     }

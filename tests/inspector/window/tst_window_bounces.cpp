@@ -136,7 +136,7 @@ QPoint TestWindowBounces::emptyPlace() const { return {4, m_view->height() - 4};
 void TestWindowBounces::showDock() {
     m_fixture->press(Qt::Key_6, Qt::ControlModifier);
     const auto *dock = m_fixture->find<QDockWidget>("bounces_dock");
-    QTRY_VERIFY(m_table->isVisible() && dock->height() > m_fixture->window().height() / 3); // it grows before the eyes
+    QTRY_VERIFY(m_table->isVisible() && dock->height() > m_fixture->window().height() / 3);
     m_view->grabFramebuffer(); // the camera shows everything in what is left
 }
 

@@ -77,11 +77,11 @@ void TestWindowComparison::init() {
     QVERIFY(m_fixture->isReady());
     m_plot = m_fixture->find<inspector::ui::DistancePlot>("distance_plot");
     m_fixture->parameters().set({{"tilt_x", 3.0}, {"tilt_y", 4.0}});
-    m_fixture->window().setAnimated(false); // pictures of the view are to be of one size
     m_fixture->press(Qt::Key_5, Qt::ControlModifier);
     QTRY_VERIFY(m_plot->isVisible());
     const auto *dock = m_fixture->find<QDockWidget>("comparison_dock");
-    QTRY_VERIFY(dock->height() > m_fixture->window().height() / 4); // and the view is as small as it will be
+    QTRY_VERIFY(dock->height() >
+                0.3 * m_fixture->window().height()); // higher than the plot's: pictures are of one size
 }
 
 void TestWindowComparison::cleanup() { m_fixture.reset(); }

@@ -48,6 +48,7 @@ void Fixture::reopen() {
     if (m_window) m_window->close();
     m_window = std::make_unique<inspector::ui::MainWindow>(*m_session);
     m_window->view().setQuality(inspector::gl::Quality::Low); // leaves the machine to what is tested
+    m_window->setAnimated(false);                             // a dock has its size at once
     if (!m_settings.contains(QStringLiteral("window/geometry"))) m_window->resize(kSize);
     m_window->show();
 }
