@@ -40,6 +40,7 @@ private:
         return m_fixture->window().view().positionOf({x, y, ball().position.z}).toPoint();
     }
     void dragBall(double dx, double dy, Qt::KeyboardModifiers modifiers = {});
+    void placeBall(double dx, double dy, Qt::KeyboardModifiers modifiers = {});
 
     std::unique_ptr<Fixture> m_fixture;
 };
@@ -57,11 +58,18 @@ void TestWindowBall::dragBall(double dx, double dy, Qt::KeyboardModifiers modifi
     drag(&m_fixture->window().view(), pixelOf(from.x, from.y), pixelOf(from.x + dx, from.y + dy), modifiers);
 }
 
+// The same, until the last place on the way has come; each is a run of its own.
+void TestWindowBall::placeBall(double dx, double dy, Qt::KeyboardModifiers modifiers) {
+    const uint64_t run = m_fixture->simulation().latest().run;
+    dragBall(dx, dy, modifiers);
+    QTRY_COMPARE(m_fixture->simulation().latest().run, run + 2); // half way, and there
+}
+
 // The start of level 1 is open to the back.
 void TestWindowBall::draggedBallIsWhereTheMouseIs() {
     const phys_vec3 from = ball().position;
-    dragBall(0.0, 0.01);
-    QTRY_VERIFY(std::abs(ball().position.y - from.y - 0.01) < 0.001); // a pixel is 0.3 mm
+    placeBall(0.0, 0.01);
+    QVERIFY(std::abs(ball().position.y - from.y - 0.01) < 0.001); // a pixel is 0.3 mm
     QVERIFY(std::abs(ball().position.x - from.x) < 0.001);
     QCOMPARE(ball().position.z, from.z);
     QCOMPARE(ball().step, uint64_t(0));
@@ -69,8 +77,8 @@ void TestWindowBall::draggedBallIsWhereTheMouseIs() {
 
 void TestWindowBall::ballDraggedIntoAWallStaysOutside() {
     const phys_vec3 from = ball().position;
-    dragBall(-0.012, 0.0);
-    QTRY_VERIFY(ball().position.x != from.x);
+    placeBall(-0.012, 0.0);
+    QVERIFY(ball().position.x != from.x);
     std::array<phys_contact, 16> contacts{};
     uint32_t count = 0;
     const phys_scene *scene = m_fixture->session().scene().get();
@@ -81,8 +89,7 @@ void TestWindowBall::ballDraggedIntoAWallStaysOutside() {
 
 void TestWindowBall::draggedBallIsUndone() {
     const phys_vec3 from = ball().position;
-    dragBall(0.0, 0.01);
-    QTRY_VERIFY(ball().position.y != from.y);
+    placeBall(0.0, 0.01);
     const phys_vec3 to = ball().position;
     m_fixture->press(Qt::Key_Z, Qt::ControlModifier);
     QTRY_COMPARE(ball().position.y, from.y);
@@ -93,8 +100,8 @@ void TestWindowBall::draggedBallIsUndone() {
 // The arrow ends where the ball would be after 0.2 s.
 void TestWindowBall::dragWithCtrlPullsTheVelocity() {
     const phys_vec3 from = ball().position;
-    dragBall(0.0, 0.02, Qt::ControlModifier);
-    QTRY_VERIFY(std::abs(ball().velocity.y - 0.1) < 0.005);
+    placeBall(0.0, 0.02, Qt::ControlModifier);
+    QVERIFY(std::abs(ball().velocity.y - 0.1) < 0.005);
     QCOMPARE(ball().position.y, from.y);
     // It rolls: v = spin x R up.
     QVERIFY(std::abs(ball().velocity.y + ball().spin.x * phys_scene_radius(m_fixture->session().scene().get())) <
@@ -146,8 +153,7 @@ void TestWindowBall::typedNumbersAreTheBalls() {
 void TestWindowBall::restartBringsItToItsOwnStart() {
     m_fixture->trigger("show_ball_dock");
     const phys_vec3 start = ball().position;
-    dragBall(0.0, 0.01);
-    QTRY_VERIFY(ball().position.y != start.y);
+    placeBall(0.0, 0.01);
     const phys_vec3 own = ball().position;
     m_fixture->window().refresh();
     click(m_fixture->find<QPushButton>("start_here"));
@@ -168,8 +174,8 @@ void TestWindowBall::placedBallSetsNoBestTime() {
     m_fixture->press(Qt::Key_Space);
     QTRY_VERIFY(!m_fixture->simulation().latest().running);
     const phys_state before = ball();
-    dragBall(0.0, 0.005);
-    QTRY_VERIFY(ball().position.y != before.position.y);
+    placeBall(0.0, 0.005);
+    QVERIFY(ball().position.y != before.position.y);
     QCOMPARE(ball().step, before.step); // the clock goes on from there
     QVERIFY(!m_fixture->session().whyNoBestTime().isEmpty());
 }

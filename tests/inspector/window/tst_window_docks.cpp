@@ -350,7 +350,7 @@ void TestWindowDocks::standingWindowDrawsNothing() {
     const auto drawsNothingFor = [&](int count) {
         before = m_fixture->window().view().pictures();
         tick.clear();
-        return QTest::qWaitFor([&] { return tick.count() >= count; }) &&
+        return QTest::qWaitFor([&] { return tick.count() >= count; }, kPatience) &&
                m_fixture->window().view().pictures() == before;
     };
     QTRY_VERIFY(drawsNothingFor(20)); // once the start is drawn

@@ -232,7 +232,7 @@ void TestWindowKeys::everyShortcutIsListed() {
 void TestWindowKeys::keysCanBeSearched() {
     m_fixture->press(Qt::Key_F1);
     auto *sought = m_fixture->find<QLineEdit>("keys_sought");
-    QVERIFY(QTest::qWaitForWindowActive(sought->window()));
+    QVERIFY(QTest::qWaitForWindowActive(sought->window(), kPatience));
     QTest::keyClicks(sought, "autopilot");
     const QString text = m_fixture->find<QWidget>("keys_dialog")->findChild<QLabel *>()->text();
     QCOMPARE(text.count("<tr>"), 1);

@@ -51,8 +51,9 @@ private:
     void goTo(uint64_t step);
     inspector::ui::SeekSlider *slider() { return m_fixture->find<inspector::ui::SeekSlider>("time_slider"); }
     bool isAt(uint64_t step) {
-        m_fixture->window().refresh();
-        return now().current.step == step;
+        if (now().current.step != step) return false;
+        m_fixture->window().refresh(); // shows this moment, not one before
+        return true;
     }
 
     std::unique_ptr<Fixture> m_fixture;

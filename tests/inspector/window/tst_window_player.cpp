@@ -105,7 +105,7 @@ void TestWindowPlayer::arrowKeysWinLevelOne() {
                    keyTowards(aim.y, ball.position.y, ball.velocity.y));
         return fixture.game().phase() == Game::Phase::Won;
     };
-    QVERIFY(QTest::qWaitFor(playUntilWon, 60000));
+    QVERIFY(QTest::qWaitFor(playUntilWon, 3 * kPatience));
     hands.hold(0, 0);
 
     // The banner tells the time of the clock, and why it counts for nothing.

@@ -55,8 +55,8 @@ void Fixture::reopen() {
 
 bool Fixture::isReady() {
     m_window->activateWindow();
-    return QTest::qWaitForWindowActive(m_window.get()) &&
-           QTest::qWaitFor([this] { return m_window->view().lastFrameMilliseconds() > 0.0; });
+    return QTest::qWaitForWindowActive(m_window.get(), kPatience) &&
+           QTest::qWaitFor([this] { return m_window->view().lastFrameMilliseconds() > 0.0; }, kPatience);
 }
 
 void Fixture::key(Qt::Key key, Qt::KeyboardModifiers modifiers) {

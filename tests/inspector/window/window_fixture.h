@@ -11,7 +11,17 @@
 
 #include <memory>
 
+#undef QTRY_VERIFY
+#undef QTRY_VERIFY2
+#undef QTRY_COMPARE
+#define QTRY_VERIFY(expression) QTRY_VERIFY_WITH_TIMEOUT((expression), window_test::kPatience)
+#define QTRY_VERIFY2(expression, message) QTRY_VERIFY2_WITH_TIMEOUT((expression), (message), window_test::kPatience)
+#define QTRY_COMPARE(actual, expected) QTRY_COMPARE_WITH_TIMEOUT((actual), (expected), window_test::kPatience)
+
 namespace window_test {
+
+// A wait's end only stops what hangs: QTest's 5 s are over too soon where the machine is busy with something else.
+constexpr int kPatience = 60000; // ms
 
 // Before the application object exists.
 void prepare();
