@@ -43,12 +43,33 @@ void setCoefficients(const Setting &setting, Contact &contact) {
     contact.friction = !setting.isRigid() ? 0.0 : contact.isTop ? params.sliding_friction : params.wall_friction;
 }
 
+/// Makes one contact of two from opposite sides of a crack that is next to none, with the ball right above it: nothing
+/// tells them apart. False if they are others.
+bool joins(const Contact &contact, Contact &other) {
+    bool any = false;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (contact.sides[axis] == other.sides[axis]) continue;
+        if (contact.sides[axis] != -other.sides[axis]) return false;
+        any = true;
+    }
+    if (!any) return false;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (contact.sides[axis] == other.sides[axis]) continue;
+        other.sides[axis] = 0;
+        other.normal[axis] = 0.0;
+        other.point[axis] = 0.5 * (contact.point[axis] + other.point[axis]);
+    }
+    other.normal = glm::normalize(other.normal);
+    return true;
+}
+
 } // namespace
 
 void Contacts::add(const Contact &contact, double tolerance, double sameNormal) {
     for (Contact &other : *this) {
         if (!isSameNormal(contact.normal, other.normal, sameNormal)) continue;
         const bool isFlush = std::abs(contact.gap - other.gap) <= tolerance;
+        if (contact.gap == other.gap && joins(contact, other)) return;
         const bool isPreferred =
             isFlush && contact.axes() != other.axes() ? contact.axes() < other.axes() : contact.gap < other.gap;
         if (isPreferred) other = contact;
@@ -146,9 +167,9 @@ bool findContacts(const Setting &setting, const Vec3 &position, const Motion &mo
         contact.gap = distance - scene.radius;
         contact.restSpeed = 0.0;
         contact.box = number;
-        setCoefficients(setting, contact);
         out.add(contact, tolerance, setting.sameNormal);
     });
+    for (Contact &contact : out) setCoefficients(setting, contact);
     out.sort(motion, setting.gravity(), scene.radius);
     return isOutside;
 }

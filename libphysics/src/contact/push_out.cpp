@@ -16,27 +16,33 @@ namespace {
 /// More passes than this mean that there is no room this way.
 constexpr uint32_t kMostPasses = 32;
 
-/// Boxes that a ball overlaps at one place.
+/// How deep the ball is in boxes at one place, m; 0 or less: it overlaps none.
+double deepestAt(const Scene &scene, const Vec3 &position) {
+    double nearest = INFINITY;
+    visitNear(scene, position, scene.radius,
+              [&](const phys_box &box, uint32_t) { nearest = std::min(nearest, squaredDistance(box, position)); });
+    const double touching = scene.radius - scene.tolerance;
+    return nearest < touching * touching ? scene.radius - std::sqrt(nearest) : 0.0;
+}
+
+/// What a push must respect: the boxes that the ball overlaps, and those that it would if it was pushed about so far.
 struct Overlaps {
     std::array<Push, Contacts::kMost> pushes;
     uint32_t count = 0;
-    double depth = 0.0;
     bool isCentreInside = false;
 
     void add(const Nearest &nearest, double radius) {
-        const double overlap = radius - nearest.distance;
-        depth = std::max(depth, overlap);
         isCentreInside = isCentreInside || nearest.feature == PHYS_FEATURE_INSIDE;
-        if (count < Contacts::kMost) pushes[count++] = {nearest.normal, overlap};
+        if (count < Contacts::kMost) pushes[count++] = {nearest.normal, radius - nearest.distance};
     }
 };
 
-Overlaps overlapsAt(const Scene &scene, const Vec3 &position) {
+Overlaps overlapsAt(const Scene &scene, const Vec3 &position, double depth) {
+    constexpr double kAbout = 4.0; // pushes between two faces lead further than either is deep
     Overlaps overlaps;
-    const double touching = scene.radius - scene.tolerance;
-    visitNear(scene, position, scene.radius, [&](const phys_box &box, uint32_t) {
-        if (squaredDistance(box, position) >= touching * touching) return;
-        overlaps.add(nearest(box, position), scene.radius);
+    const double reach = scene.radius + std::min(kAbout * depth, 0.25 * scene.radius);
+    visitNear(scene, position, reach, [&](const phys_box &box, uint32_t) {
+        if (squaredDistance(box, position) < reach * reach) overlaps.add(nearest(box, position), scene.radius);
     });
     // Mirrors and the numbering of boxes must not change the order.
     std::sort(overlaps.pushes.begin(), overlaps.pushes.begin() + overlaps.count, [](const Push &a, const Push &b) {
@@ -90,13 +96,17 @@ bool escape(const Scene &scene, Vec3 &position) {
 PushOut pushOut(const Scene &scene, Vec3 &position) {
     PushOut result{true, 0, 0.0};
     Vec3 place = position;
+    double farthest = 0.5 * scene.radius; // no substep moves a ball by more
     for (; result.passes < kMostPasses; ++result.passes) {
-        Overlaps overlaps = overlapsAt(scene, place);
-        result.depth = std::max(result.depth, overlaps.depth);
-        if (overlaps.count == 0) {
-            position = place;
+        const double depth = deepestAt(scene, place);
+        result.depth = std::max(result.depth, depth);
+        if (result.passes == 0) farthest = std::max(farthest, 3.0 * depth);
+        if (depth <= 0.0) {
+            result.isFree = glm::distance(place, position) <= farthest;
+            if (result.isFree) position = place;
             return result;
         }
+        Overlaps overlaps = overlapsAt(scene, place, depth);
         if (overlaps.isCentreInside) {
             result.isFree = result.passes == 0 && escape(scene, position);
             result.passes = 1;

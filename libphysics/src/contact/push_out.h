@@ -14,7 +14,8 @@ struct PushOut {
 
 /// Moves a ball that overlaps boxes out of them: to the nearest place that their faces and edges leave, in passes. One
 /// whose centre is inside a box goes straight along an axis to the nearest place with room. Between walls that are
-/// closer than the ball there is none: then the position stays.
+/// closer than the ball there is none, but for places that nearly opposite faces push it to, anywhere: then the
+/// position stays.
 PushOut pushOut(const Scene &scene, Vec3 &position);
 
 } // namespace phys
