@@ -183,10 +183,13 @@ void BruteForce::sweep(const Law &law, Real scale, bool withResistance, std::vec
 }
 
 /// Two sticking contacts can press on each other along the line between them, which moves nothing but decides how much
-/// each carries, hence the rolling resistance. The law takes the least friction.
-void BruteForce::relax(const Law &law, std::vector<Contact> &contacts) const {
+/// each carries, hence the rolling resistance. The law takes the least friction. The sweeps may end where all of a cone
+/// is used without a slip: that sticks, too.
+void BruteForce::relax(const Law &law, Real scale, const Motion &end, std::vector<Contact> &contacts) const {
     const auto sticks = [&](const Contact &c) {
-        return !c.isMerged && c.pressure > 0 && length(c.friction) < law.friction(c.touch) * c.pressure * (1 - 1e-12L);
+        return !c.isMerged && c.pressure > 0 &&
+               length(c.friction) <= law.friction(c.touch) * c.pressure * (1 + 1e-12L) &&
+               length(slipAt(end, c.touch.normal, m_radius)) <= 1e3L * kUlp * scale;
     };
     for (size_t i = 0; i < contacts.size(); ++i) {
         for (size_t j = i + 1; j < contacts.size(); ++j) {
@@ -230,7 +233,7 @@ Motion BruteForce::implicitEuler(const Law &law, const Motion &start, Real h, st
                 end.spin += c.resistance - (5 / (2 * m_radius)) * cross(c.touch.normal, c.friction);
             }
             sweep(law, scale, withResistance, contacts, end);
-            if (withResistance && contacts.size() > 1 && law.isRigid) relax(law, contacts);
+            if (withResistance && contacts.size() > 1 && law.isRigid) relax(law, scale, end, contacts);
             if (length(end.velocity - before.velocity) + m_radius * length(end.spin - before.spin) <= 8 * kUlp * scale)
                 break;
         }
