@@ -10,28 +10,26 @@ void addRows(const Combination &c, uint32_t i, dense::Equations &equations, cons
     for (uint32_t row = 0; row < (sticks ? 3U : 1U); ++row) {
         Vec3 axis = contact.normal;
         if (sticks) axis = {row == 0 ? 1.0 : 0.0, row == 1 ? 1.0 : 0.0, row == 2 ? 1.0 : 0.0};
-        dense::Row &equation = equations.add();
+        dense::Values &factors = equations.add(sticks ? glm::dot(axis, slipRate) : apart);
         for (uint32_t j = 0; j < c.count(); ++j) {
             for (uint32_t part = 0; part < c.width(j); ++part) {
                 const Vec3 force = c.basis(j, part);
                 Vec3 change = force;
                 if (sticks) change -= moment.radius * glm::cross(c.spinPerForce(j, force), contact.normal);
-                equation.factors[c.column[j] + part] = glm::dot(axis, change);
+                factors[c.column[j] + part] = glm::dot(axis, change);
             }
         }
-        equation.value = sticks ? glm::dot(axis, slipRate) : apart;
     }
 }
 
 void addGauge(const Combination &c, uint32_t i, uint32_t j, dense::Equations &equations) {
     const Vec3 line = hat(c.held[i].normal - c.held[j].normal);
     const Vec3 at[] = {tangential(line, c.held[i].normal), -tangential(line, c.held[j].normal)};
-    dense::Row &equation = equations.add();
+    dense::Values &factors = equations.add(0.0);
     for (uint32_t part = 0; part < 3; ++part) {
-        equation.factors[c.column[i] + part] = at[0][static_cast<int>(part)];
-        equation.factors[c.column[j] + part] = at[1][static_cast<int>(part)];
+        factors[c.column[i] + part] = at[0][static_cast<int>(part)];
+        factors[c.column[j] + part] = at[1][static_cast<int>(part)];
     }
-    equation.value = 0.0;
 }
 
 namespace {

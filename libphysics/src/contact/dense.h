@@ -16,71 +16,101 @@ inline constexpr double kNoPivot = 1e-10; // relative to the largest: a row that
 
 using Values = std::array<double, kMostUnknowns>;
 
-struct Row {
-    Values factors{};
-    double value = 0.0;
-};
-
 class Equations {
 public:
-    explicit Equations(uint32_t unknowns)
+    explicit Equations(uint32_t unknowns = 0)
         : m_unknowns(unknowns) {}
 
-    Row &add() {
-        m_rows[m_count] = Row{};
-        return m_rows[m_count++];
+    void begin(uint32_t unknowns) {
+        m_unknowns = unknowns;
+        m_count = 0;
+        m_areSolved = false;
+    }
+
+    /// The same equations with other right-hand sides: `add` is called anew for each, its factors are left as they are.
+    void again() { m_count = 0; }
+    bool areSolved() const { return m_areSolved; }
+
+    /// Adds an equation with this right-hand side, and gives its factors, which are 0.
+    Values &add(double value) {
+        const uint32_t row = m_count++;
+        if (!m_areSolved) {
+            m_rows[row].fill(0.0);
+            m_place[row] = row;
+        }
+        m_values[row] = value;
+        return m_rows[row];
     }
 
     Values solve() {
-        std::array<uint32_t, kMostUnknowns> order{};
-        for (uint32_t i = 0; i < m_unknowns; ++i) order[i] = i;
-        uint32_t rank = 0;
-        double largest = 0.0;
-        for (; rank < std::min(m_unknowns, m_count); ++rank) {
-            const double pivot = bringPivot(rank, order);
-            largest = std::max(largest, pivot);
-            if (pivot <= kNoPivot * largest) break;
-            eliminate(rank, order);
+        if (!m_areSolved) eliminate();
+        std::array<double, kMostRows> values;
+        for (uint32_t i = 0; i < m_count; ++i) values[m_place[i]] = m_values[i];
+        for (uint32_t k = 0; k < m_rank; ++k) {
+            for (uint32_t i = k + 1; i < m_count; ++i) values[i] -= m_rows[i][m_order[k]] * values[k];
         }
         Values x{};
-        for (uint32_t i = rank; i-- > 0;) {
-            double sum = m_rows[i].value;
-            for (uint32_t j = i + 1; j < rank; ++j) sum -= m_rows[i].factors[order[j]] * x[order[j]];
-            x[order[i]] = sum / m_rows[i].factors[order[i]];
+        for (uint32_t i = m_rank; i-- > 0;) {
+            double sum = values[i];
+            for (uint32_t j = i + 1; j < m_rank; ++j) sum -= m_rows[i][m_order[j]] * x[m_order[j]];
+            x[m_order[i]] = sum / m_rows[i][m_order[i]];
         }
         return x;
     }
 
 private:
     uint32_t m_unknowns;
-    uint32_t m_count = 0;
-    std::array<Row, kMostRows> m_rows;
+    uint32_t m_count = 0, m_rank = 0;
+    bool m_areSolved = false;
+    std::array<Values, kMostRows>
+        m_rows; ///< once solved: in the order of pivots; below those, what they were used with
+    std::array<double, kMostRows> m_values;
+    std::array<uint32_t, kMostRows> m_place; ///< of the equations as added, in m_rows
+    std::array<uint32_t, kMostUnknowns> m_order;
 
-    double bringPivot(uint32_t rank, std::array<uint32_t, kMostUnknowns> &order) {
-        uint32_t row = rank, column = rank;
+    void eliminate() {
+        m_areSolved = true;
+        for (uint32_t i = 0; i < m_unknowns; ++i) m_order[i] = i;
+        double largest = 0.0;
+        for (m_rank = 0; m_rank < std::min(m_unknowns, m_count); ++m_rank) {
+            const double pivot = bringPivot();
+            largest = std::max(largest, pivot);
+            if (pivot <= kNoPivot * largest) break;
+            eliminateBelow();
+        }
+    }
+
+    double bringPivot() {
+        uint32_t row = m_rank, column = m_rank;
         double most = 0.0;
-        for (uint32_t i = rank; i < m_count; ++i) {
-            for (uint32_t j = rank; j < m_unknowns; ++j) {
-                const double size = std::abs(m_rows[i].factors[order[j]]);
+        for (uint32_t i = m_rank; i < m_count; ++i) {
+            for (uint32_t j = m_rank; j < m_unknowns; ++j) {
+                const double size = std::abs(m_rows[i][m_order[j]]);
                 if (size <= most) continue;
                 most = size;
                 row = i;
                 column = j;
             }
         }
-        std::swap(m_rows[rank], m_rows[row]);
-        std::swap(order[rank], order[column]);
+        if (row != m_rank) {
+            std::swap(m_rows[m_rank], m_rows[row]);
+            for (uint32_t i = 0; i < m_count; ++i) {
+                if (m_place[i] == row || m_place[i] == m_rank) m_place[i] = m_place[i] == row ? m_rank : row;
+            }
+        }
+        std::swap(m_order[m_rank], m_order[column]);
         return most;
     }
 
-    void eliminate(uint32_t rank, const std::array<uint32_t, kMostUnknowns> &order) {
-        const Row &pivot = m_rows[rank];
-        for (uint32_t i = rank + 1; i < m_count; ++i) {
-            Row &row = m_rows[i];
-            const double factor = row.factors[order[rank]] / pivot.factors[order[rank]];
+    void eliminateBelow() {
+        const Values &pivot = m_rows[m_rank];
+        const uint32_t column = m_order[m_rank];
+        for (uint32_t i = m_rank + 1; i < m_count; ++i) {
+            Values &row = m_rows[i];
+            const double factor = row[column] / pivot[column];
+            row[column] = factor;
             if (factor == 0.0) continue;
-            for (uint32_t j = rank; j < m_unknowns; ++j) row.factors[order[j]] -= factor * pivot.factors[order[j]];
-            row.value -= factor * pivot.value;
+            for (uint32_t j = m_rank + 1; j < m_unknowns; ++j) row[m_order[j]] -= factor * pivot[m_order[j]];
         }
     }
 };

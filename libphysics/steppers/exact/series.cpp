@@ -275,20 +275,20 @@ Vec3 Series::spinPerForce(const Contact &contact, const Vec3 &force, int k) cons
 void Series::addRows(const Contact &contact, int k, dense::Equations &equations) const {
     const double R = m_moment.radius, mu = contact.held.friction;
     const Vec3 n0 = contact.n[0];
-    // row: axis . (what a force changes) summed over all unknowns.
-    const auto add = [&](const Vec3 &axis, bool ofSlip, double value) -> dense::Row & {
-        dense::Row &row = equations.add();
+    // axis . (what a force changes) summed over all unknowns.
+    const auto add = [&](const Vec3 &axis, bool ofSlip, double value) -> dense::Values & {
+        dense::Values &factors = equations.add(value);
+        if (equations.areSolved()) return factors;
         for (const Contact &other : contacts()) {
             const uint32_t width = other.mode == Mode::smooth || other.mode == Mode::slipping ? 1 : 3;
             for (uint32_t part = 0; part < width; ++part) {
                 const Vec3 force = basis(other, part);
                 Vec3 change = force;
                 if (ofSlip) change -= R * glm::cross(spinPerForce(other, force, k), n0);
-                row.factors[other.column + part] = glm::dot(axis, change);
+                factors[other.column + part] = glm::dot(axis, change);
             }
         }
-        row.value = value;
-        return row;
+        return factors;
     };
     if (contact.mode == Mode::sticking) {
         for (uint32_t i = 0; i < 3; ++i) add(axisOf(i), true, -glm::dot(axisOf(i), contact.rateKnown));
@@ -306,10 +306,11 @@ void Series::addRows(const Contact &contact, int k, dense::Equations &equations)
         const Vec3 d0 = contact.d[0];
         for (uint32_t i = 0; i < 3; ++i) {
             const Vec3 across = axisOf(i) - d0[static_cast<int>(i)] * d0;
-            dense::Row &row = add(growth * across, true, 0.0);
-            row.value = contact.directionKnown[static_cast<int>(i)] - growth * glm::dot(across, contact.rateKnown);
-            row.factors[contact.column + i] += 1.0;
-            row.factors[contact.column + 3] -= n0[static_cast<int>(i)] - mu * d0[static_cast<int>(i)];
+            const double known =
+                contact.directionKnown[static_cast<int>(i)] - growth * glm::dot(across, contact.rateKnown);
+            dense::Values &factors = add(growth * across, true, known);
+            factors[contact.column + i] += 1.0;
+            factors[contact.column + 3] -= n0[static_cast<int>(i)] - mu * d0[static_cast<int>(i)];
         }
     } else if (contact.mode == Mode::spent) {
         const Vec3 d0 = contact.d[0], e = glm::cross(n0, d0);
@@ -322,11 +323,10 @@ void Series::addRows(const Contact &contact, int k, dense::Equations &equations)
             along -= mu * contact.N[k - j] * glm::dot(contact.d[j], d0);
             along += 0.5 * mu * contact.N[0] * glm::dot(contact.d[j], contact.d[k - j]);
         }
-        dense::Row &row = equations.add();
-        for (uint32_t part = 0; part < 3; ++part) {
-            row.factors[contact.column + part] = d0[static_cast<int>(part)] + mu * n0[static_cast<int>(part)];
+        dense::Values &factors = equations.add(along);
+        for (uint32_t part = 0; part < 3 && !equations.areSolved(); ++part) {
+            factors[contact.column + part] = d0[static_cast<int>(part)] + mu * n0[static_cast<int>(part)];
         }
-        row.value = along;
     }
 }
 
@@ -345,24 +345,29 @@ void Series::addGauge(uint32_t i, uint32_t j, int k, dense::Equations &equations
         known += glm::dot(a.r[k - m], ofA) + glm::dot(b.r[k - m], ofB);
     }
     const auto [ofA, ofB] = tangents(0);
-    dense::Row &row = equations.add();
-    for (uint32_t part = 0; part < 3; ++part) {
-        row.factors[a.column + part] = ofA[static_cast<int>(part)];
-        row.factors[b.column + part] = ofB[static_cast<int>(part)];
+    dense::Values &factors = equations.add(-known);
+    for (uint32_t part = 0; part < 3 && !equations.areSolved(); ++part) {
+        factors[a.column + part] = ofA[static_cast<int>(part)];
+        factors[b.column + part] = ofB[static_cast<int>(part)];
     }
-    row.value = -known;
 }
 
 void Series::solveOrder(int k) {
-    dense::Equations equations(m_unknowns);
-    for (const Contact &contact : contacts()) addRows(contact, k, equations);
+    // Only where a slip or rolling starts do the unknowns of an order share in what turns, by the order.
+    bool areSame = !m_rollStarts;
+    for (const Contact &contact : contacts()) areSame = areSame && contact.mode != Mode::starting;
+    if (k > 1 && areSame)
+        m_equations.again();
+    else
+        m_equations.begin(m_unknowns);
+    for (const Contact &contact : contacts()) addRows(contact, k, m_equations);
     for (uint32_t j = 0; j < m_count; ++j) {
         for (uint32_t i = 0; i < j; ++i) {
             if (m_contacts[i].mode == Mode::sticking && m_contacts[j].mode == Mode::sticking)
-                addGauge(i, j, k, equations);
+                addGauge(i, j, k, m_equations);
         }
     }
-    const dense::Values x = equations.solve();
+    const dense::Values x = m_equations.solve();
     Vec3 a(0.0), al(0.0);
     for (Contact &contact : contacts()) {
         const bool isOne = contact.mode == Mode::smooth || contact.mode == Mode::slipping;

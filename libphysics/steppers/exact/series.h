@@ -76,6 +76,7 @@ private:
     VecJet m_rolling;                ///< hat(om_t)
     Jet m_rollSquare, m_rollInverse; ///< of om_t, or of its quotient by the time where the ball starts
     bool m_rollStarts = false;
+    dense::Equations m_equations; ///< of the unknowns of an order
 
     std::span<Contact> contacts() { return {m_contacts.data(), m_count}; }
     std::span<const Contact> contacts() const { return {m_contacts.data(), m_count}; }
