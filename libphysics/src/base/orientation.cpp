@@ -23,8 +23,10 @@ Quaternion fromTurn(Vec3 half) {
     int halvings = 0;
     for (; glm::dot(half, half) > kSmall * kSmall && halvings < 60; ++halvings) half *= 0.5;
     const double s = glm::dot(half, half);
-    const double sinc = 1.0 - s / 6.0 * (1.0 - s / 20.0 * (1.0 - s / 42.0 * (1.0 - s / 72.0 * (1.0 - s / 110.0))));
-    const double cosine = 1.0 - s / 2.0 * (1.0 - s / 12.0 * (1.0 - s / 30.0 * (1.0 - s / 56.0 * (1.0 - s / 90.0))));
+    const double sinc =
+        1.0 - s * (1.0 / 6 - s * (1.0 / 120 - s * (1.0 / 5040 - s * (1.0 / 362880 - s * (1.0 / 39916800)))));
+    const double cosine =
+        1.0 - s * (1.0 / 2 - s * (1.0 / 24 - s * (1.0 / 720 - s * (1.0 / 40320 - s * (1.0 / 3628800)))));
     Quaternion turn{sinc * half, cosine};
     for (; halvings > 0; --halvings) turn = multiply(turn, turn);
     return turn;
@@ -36,11 +38,11 @@ void rotate(double (&orientation)[4], const Vec3 &turn) {
     if (turn == Vec3(0.0)) return;
     const Quaternion before{{orientation[0], orientation[1], orientation[2]}, orientation[3]};
     const Quaternion after = multiply(fromTurn(0.5 * turn), before);
-    const double norm = std::sqrt(glm::dot(after.vector, after.vector) + after.scalar * after.scalar);
-    orientation[0] = after.vector.x / norm;
-    orientation[1] = after.vector.y / norm;
-    orientation[2] = after.vector.z / norm;
-    orientation[3] = after.scalar / norm;
+    const double scale = 1.0 / std::sqrt(glm::dot(after.vector, after.vector) + after.scalar * after.scalar);
+    orientation[0] = scale * after.vector.x;
+    orientation[1] = scale * after.vector.y;
+    orientation[2] = scale * after.vector.z;
+    orientation[3] = scale * after.scalar;
 }
 
 } // namespace phys

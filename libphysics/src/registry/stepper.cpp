@@ -87,7 +87,7 @@ phys_status requirementsOfPlugin(const phys_stepper &stepper, const phys_params 
 
 phys_status advance(const phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
                     phys_state &next, phys_report *report, phys_error *err) {
-    next = in;
+    if (stepper.isPlugin) next = in; // the built-in ones fill in the rest themselves
     next.time = nextTime(in, dt);
     next.step = in.step + 1;
     if (stepper.isPlugin) return stepPlugin(stepper, params, dt, in, next, report, err);

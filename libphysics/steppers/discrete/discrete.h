@@ -41,7 +41,7 @@ public:
         , m_h(h) {}
 
     /// Whether a top face carries the ball.
-    bool supports(const Ball &ball) const { return lookAround(ball).carrier; }
+    bool supports(const Ball &ball) const { return m_endedOnFloor || lookAround(ball).carrier; }
 
     /// Whether the ball stays as it is.
     bool rests(Ball &ball) const { return phys::rests(m_context, ball); }
@@ -53,23 +53,17 @@ public:
         const phys_params &params = m_context.params();
         if (ball.velocity.z != 0.0 || !(params.gravity.z < 0.0)) return false;
         const Vec2 velocity = inPlane(ball.velocity);
-        const Vec3 position = ball.position;
         const FloorContact contact = floorContact(params, m_context.radius(), velocity, ball.spin);
-        const FreeRoll next = rollFreely(contact, lawOnFloor(contact), velocity, ball.spin);
-        const Vec3 end(inPlane(position) + next.displacement, position.z);
+        FreeRoll next;
+        rollFreely(contact, lawOnFloor(contact), velocity, ball.spin, next);
+        const Vec3 end(inPlane(ball.position) + next.displacement, ball.position.z);
         FloorView view;
-        if (!view.look(m_context, position, end, sum(next.displacement))) return false;
+        if (!view.look(m_context, ball.position, end, sum(next.displacement))) return false;
         if (!view.isEmpty()) {
-            if (!view.findFaces(m_context, position, end)) return false;
-            if (!view.faces().empty()) {
-                Ball met = ball; // a copy, so that the usual case needs no ball in memory
-                if (!meetFaces(start, view, met)) return false;
-                ball = met;
-                return true;
-            }
+            if (!view.findFaces(m_context, ball.position, end)) return false;
+            if (!view.faces().empty()) return meetFaces(start, view, ball);
         }
-        book(next.loss);
-        ball = {end, Vec3(next.velocity, 0.0), next.spin, true};
+        finish(next, ball);
         return true;
     }
 
@@ -79,38 +73,38 @@ public:
         const phys_params &params = m_context.params();
         if (ball.velocity.z != 0.0 || !(params.gravity.z < 0.0)) return false;
         const Vec2 velocity = inPlane(ball.velocity);
-        const Vec3 position = ball.position;
         const FloorContact contact = floorContact(params, m_context.radius(), velocity, ball.spin);
         if (contact == FloorContact::Slips && params.rolling_friction > 0.0) return false; // works once that has ended
         Law<Vec2> law = lawOnFloor(contact);
-        FreeRoll next = rollFreely(contact, law, velocity, ball.spin);
+        FreeRoll next;
+        rollFreely(contact, law, velocity, ball.spin, next);
         FloorView view;
         // The way may lead back: it stays in the triangle of its ends and this corner.
         const Vec2 turn = 0.5 * m_h * velocity;
         const double way = std::max(sum(turn), sum(next.displacement));
-        if (!view.look(m_context, position, position + Vec3(next.displacement, 0.0), way)) return false;
+        if (!view.look(m_context, ball.position, ball.position + Vec3(next.displacement, 0.0), way)) return false;
         if (!view.isEmpty()) {
-            if (!view.findFaces(m_context, position, position)) return false;
+            if (!view.findFaces(m_context, ball.position, ball.position)) return false;
             if (!view.faces().empty()) {
                 if (contact == FloorContact::Slips || !pressOnFaces(view.faces(), velocity, law)) return false;
                 if (!grips(contact, law)) return false;
-                next = rollFreely(contact, law, velocity, ball.spin);
+                rollFreely(contact, law, velocity, ball.spin, next);
                 const bool mayStop = law.B > 0.0 && velocity != Vec2(0.0);
                 if (mayStop && glm::dot(next.velocity, velocity) <= kZero * glm::dot(velocity, velocity)) return false;
             }
-            const Vec2 start = inPlane(position), end = start + next.displacement, corner = start + turn;
+            const Vec2 start = inPlane(ball.position), end = start + next.displacement, corner = start + turn;
             if (!view.isClear(m_context, glm::min(start, glm::min(end, corner)),
                               glm::max(start, glm::max(end, corner))))
                 return false;
         }
-        book(next.loss);
-        ball = {position + Vec3(next.displacement, 0.0), Vec3(next.velocity, 0.0), next.spin, true};
+        finish(next, ball);
         return true;
     }
 
     /// One substep that ends `after` seconds into the step. False if the ball is stuck.
     bool run(double after, Ball &ball) {
-        if (!m_plan.asReported && runOnFloor(after - m_h, ball)) return true;
+        m_endedOnFloor = !m_plan.asReported && runOnFloor(after - m_h, ball);
+        if (m_endedOnFloor) return true;
         const Around around = lookAround(ball);
         Ball free = ball;
         free.supported = around.carrier != nullptr;
@@ -344,6 +338,23 @@ private:
         SmoothLoss loss;
     };
 
+    // Number by number: a processor waits where it reads two at once that were just written one by one.
+    static void set(Vec2 &to, const Vec2 &from) { to.x = from.x, to.y = from.y; }
+    static void set(Vec3 &to, const Vec3 &from) { to.x = from.x, to.y = from.y, to.z = from.z; }
+
+    static void place(const FreeRoll &next, Ball &ball) {
+        ball.position.x += next.displacement.x;
+        ball.position.y += next.displacement.y;
+        set(ball.velocity, Vec3(next.velocity, 0.0));
+        set(ball.spin, next.spin);
+    }
+
+    void finish(const FreeRoll &next, Ball &ball) const {
+        book(next.loss);
+        place(next, ball);
+        ball.supported = true;
+    }
+
     Law<Vec2> lawOnFloor(FloorContact contact) const {
         Law<Vec2> law = velocityLaw(contact, m_context.params());
         law.resists = m_plan.runs(PHYS_STAGE_RESISTANCE);
@@ -352,38 +363,47 @@ private:
 
     /// Inlined, as what it takes and gives would go through memory in pieces of other sizes, which costs as much as it
     /// does itself.
-    [[gnu::always_inline]] FreeRoll rollFreely(FloorContact contact, const Law<Vec2> &law, const Vec2 &velocity,
-                                               const Vec3 &spin) const {
-        if (contact == FloorContact::Slips) return slipFreely(velocity, spin);
-        const Advance<Vec2> next = advance(law, velocity);
+    [[gnu::always_inline]] void rollFreely(FloorContact contact, const Law<Vec2> &law, const Vec2 &velocity,
+                                           const Vec3 &spin, FreeRoll &next) const {
+        if (contact == FloorContact::Slips) return slipFreely(velocity, spin, next);
+        advance(law, velocity, next);
         const double drilling = m_context.isRigid() ? spin.z : 0.0;
-        const Vec3 nextSpin = spinAfter(contact, next.velocity, {spin.x, spin.y, drilling}, m_context.radius());
-        const double lost = m_context.report.wanted() ? 1.4 * law.B * glm::length(next.displacement) : 0.0;
-        return {next.velocity, next.displacement, nextSpin, {lost, 0.0}};
+        set(next.spin, spinAfter(contact, next.velocity, {spin.x, spin.y, drilling}, m_context.radius()));
+        next.loss.rolling = m_context.report.wanted() ? 1.4 * law.B * glm::length(next.displacement) : 0.0;
+        next.loss.slip = 0.0;
     }
 
-    [[gnu::noinline]] FreeRoll slipFreely(const Vec2 &velocity, Vec3 spin) const {
+    [[gnu::noinline]] void slipFreely(const Vec2 &velocity, const Vec3 &spin, FreeRoll &next) const {
         const phys_params &params = m_context.params();
         double path = 0.0;
-        const Advance<Vec2> next =
-            slip<Scheme>(params, m_context.radius(), m_h, velocity, spin, m_context.report.wanted() ? &path : nullptr);
-        return {next.velocity, next.displacement, spin, {0.0, params.sliding_friction * -params.gravity.z * path}};
+        next.spin = spin;
+        const Advance<Vec2> slipped = slip<Scheme>(params, m_context.radius(), m_h, velocity, next.spin,
+                                                   m_context.report.wanted() ? &path : nullptr);
+        next.velocity = slipped.velocity;
+        next.displacement = slipped.displacement;
+        next.loss = {0.0, params.sliding_friction * -params.gravity.z * path};
     }
 
     /// v = 0 stays 0 up to the stiction limit, the limit included: model.md 2.1 R4.
-    [[gnu::always_inline]] Advance<Vec2> advance(const Law<Vec2> &law, const Vec2 &velocity) const {
-        if (velocity == Vec2(0.0) && glm::dot(law.A, law.A) <= law.B * law.B) return {Vec2(0.0), Vec2(0.0)};
-        if (!m_plan.runs(PHYS_STAGE_VERTICAL)) return Scheme::advance(law, velocity, m_h);
-        const Law<Vec3> inSpace{Vec3(law.A, 0.0), law.B, law.resists};
-        const Advance<Vec3> next = Scheme::advance(inSpace, Vec3(velocity, 0.0), m_h);
-        return {inPlane(next.velocity), inPlane(next.displacement)};
+    [[gnu::always_inline]] void advance(const Law<Vec2> &law, const Vec2 &velocity, FreeRoll &next) const {
+        if (velocity == Vec2(0.0) && glm::dot(law.A, law.A) <= law.B * law.B) {
+            next.velocity = next.displacement = Vec2(0.0);
+        } else if (m_plan.runs(PHYS_STAGE_VERTICAL)) {
+            const Law<Vec3> inSpace{Vec3(law.A, 0.0), law.B, law.resists};
+            const Advance<Vec3> moved = Scheme::advance(inSpace, Vec3(velocity, 0.0), m_h);
+            set(next.velocity, inPlane(moved.velocity));
+            set(next.displacement, inPlane(moved.displacement));
+        } else {
+            const Advance<Vec2> moved = Scheme::advance(law, velocity, m_h);
+            set(next.velocity, moved.velocity);
+            set(next.displacement, moved.displacement);
+        }
     }
 
     [[gnu::noinline]] SmoothLoss roll(FloorContact contact, const Law<Vec2> &law, Ball &ball) const {
-        const FreeRoll next = rollFreely(contact, law, inPlane(ball.velocity), ball.spin);
-        ball.velocity = Vec3(next.velocity, 0.0);
-        ball.position += Vec3(next.displacement, 0.0);
-        ball.spin = next.spin;
+        FreeRoll next;
+        rollFreely(contact, law, inPlane(ball.velocity), ball.spin, next);
+        place(next, ball);
         return next.loss;
     }
 
@@ -478,6 +498,7 @@ private:
     StepPlan m_plan;
     StepContext m_context;
     double m_h;
+    bool m_endedOnFloor = false; ///< the last substep that ran
 };
 
 } // namespace phys

@@ -50,8 +50,9 @@ phys_status refuseStuck(const Vec3 &position, phys_error *err);
 template<class Scheme>
 void finishStep(const DiscreteStep<Scheme> &substep, const PlanInput &input, const Ball &before, Ball &ball,
                 const StepPlan &plan, Reporter &reporter, phys_state &out) {
-    const bool mayRest = !plan.asReported || ball.velocity == Vec3(0.0);
-    uint64_t flags = mayRest && substep.rests(ball) ? PHYS_AT_REST : 0;
+    const bool isStill =
+        plan.asReported ? ball.velocity == Vec3(0.0) : mayRest({input.scene, input.params}, ball.velocity);
+    uint64_t flags = isStill && substep.rests(ball) ? PHYS_AT_REST : 0;
     if (!substep.supports(ball)) flags |= PHYS_AIRBORNE;
     if (&out != &input.state) std::memcpy(out.orientation, input.state.orientation, sizeof out.orientation);
     storeBall(input.scene, input.params, ball, flags, out);
@@ -142,7 +143,7 @@ private:
             return PHYS_OK;
         }
         if (reporter.wanted()) before.supported = substep.supports(before);
-        Ball ball = before;
+        Ball ball = loadBall(*in);
         for (uint32_t i = 1; i <= substeps; ++i) {
             if (!substep.run(i * h, ball)) return refuseStuck(before.position, err);
         }
