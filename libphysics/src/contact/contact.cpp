@@ -69,7 +69,8 @@ void Contacts::add(const Contact &contact, double tolerance, double sameNormal) 
     for (Contact &other : *this) {
         if (!isSameNormal(contact.normal, other.normal, sameNormal)) continue;
         const bool isFlush = std::abs(contact.gap - other.gap) <= tolerance;
-        if (contact.gap == other.gap && joins(contact, other)) return;
+        // A stepper that looks ahead passes over the crack; another one goes from edge to edge.
+        if (sameNormal == kSameNormal && contact.gap == other.gap && joins(contact, other)) return;
         const bool isPreferred =
             isFlush && contact.axes() != other.axes() ? contact.axes() < other.axes() : contact.gap < other.gap;
         if (isPreferred) other = contact;

@@ -18,11 +18,13 @@ constexpr uint32_t kMostPasses = 32;
 
 /// How deep the ball is in boxes at one place, m; 0 or less: it overlaps none.
 double deepestAt(const Scene &scene, const Vec3 &position) {
-    double nearest = INFINITY;
-    visitNear(scene, position, scene.radius,
-              [&](const phys_box &box, uint32_t) { nearest = std::min(nearest, squaredDistance(box, position)); });
     const double touching = scene.radius - scene.tolerance;
-    return nearest < touching * touching ? scene.radius - std::sqrt(nearest) : 0.0;
+    double depth = 0.0;
+    visitNear(scene, position, scene.radius, [&](const phys_box &box, uint32_t) {
+        if (squaredDistance(box, position) >= touching * touching) return;
+        depth = std::max(depth, scene.radius - nearest(box, position).distance); // which is below 0 inside
+    });
+    return depth;
 }
 
 /// What a push must respect: the boxes that the ball overlaps, and those that it would if it was pushed about so far.

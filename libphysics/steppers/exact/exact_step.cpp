@@ -279,7 +279,7 @@ void ExactStep::settle(const End &end, const Border &border) {
         if (glm::length(m_motion.velocity) <= rounding) m_motion.velocity = Vec3(0.0);
         if (R * glm::length(m_motion.spin) <= rounding) m_motion.spin = Vec3(0.0);
     }
-    if (!restsNow()) keepContacts();
+    if (end.cause != Cause::time || !restsNow()) keepContacts();
     for (uint32_t i = 0; i < m_heldCount; ++i) {
         if (sticks(i, end) && contactOf(i).isTop) rollOn(i, rounding);
     }

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kInertia = 2.5;   // m R^2 / I of a solid ball
 constexpr double kTail = 1e-17;    // relative size of the last terms
+constexpr double kNoise = 1e-25;   // relative to the speeds
 constexpr double kNoForce = 1e-12; // relative to the accelerations
 constexpr double kDirectionNoise = 4.0 * 0x1p-52;
 constexpr double kSlipEnds = 2e-13;   // relative to the velocities that it is the difference of
@@ -25,8 +26,9 @@ Vec3 hat(const Vec3 &v) {
     return size > 0.0 ? v / size : Vec3(0.0);
 }
 
-double goodFor(const VecJet &f, int last) {
-    const double scale = std::max({glm::length(f[0]), glm::length(f[1]), glm::length(f[2])});
+/// noise: what a term is surely nothing but rounding below.
+double goodFor(const VecJet &f, int last, double noise) {
+    const double scale = std::max({noise, glm::length(f[0]), glm::length(f[1]), glm::length(f[2])});
     double most = kNever;
     for (const int k : {last - 1, last}) {
         const double size = glm::length(f[k]);
@@ -393,10 +395,11 @@ void Series::measure() {
     VecJet turning;
     bool slips = false;
     for (int k = 0; k <= kOrder; ++k) turning[k] = m_moment.radius * m_om[k];
-    double s = std::min(goodFor(m_v, kOrder), goodFor(turning, kOrder));
+    const double noise = kNoise * speedScale(m_moment);
+    double s = std::min(goodFor(m_v, kOrder, noise), goodFor(turning, kOrder, noise));
     for (const Contact &contact : contacts()) slips = slips || contact.mode != Mode::sticking;
     if (!slips) {
-        for (const Contact &contact : contacts()) s = std::min(s, goodFor(contact.r, kOrder - 1));
+        for (const Contact &contact : contacts()) s = std::min(s, goodFor(contact.r, kOrder - 1, 0.0));
     }
     s = std::min(0.8 * s, 4.0);
     for (const Contact &contact : contacts()) s = contact.isKept ? std::min(s, kKeptFor) : s;
@@ -511,6 +514,9 @@ Losses Series::losses(double t) const {
     Losses lost;
     for (const Contact &contact : contacts()) {
         if (contact.mode == Mode::sticking || contact.mode == Mode::smooth) continue;
+        double most = 0.0;
+        for (int k = kOrder; k >= 0; --k) most = most * s + std::abs(contact.N[k]);
+        if (most <= m_noForce) continue; // and the series of its slip, which moves nothing, need not be good
         const Jet speed = slipSpeed(contact);
         Jet power;
         for (int k = 0; k <= kOrder; ++k) power[k] = contact.held.friction * termOf(contact.N, speed, k);
