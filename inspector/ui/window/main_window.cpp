@@ -417,6 +417,7 @@ void MainWindow::showComparison() {
 
 bool MainWindow::grabTo(const QString &path, QString *error) {
     refresh();
+    QApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest); // new texts get their room
     for (QCustomPlot *plot : findChildren<QCustomPlot *>())
         for (int pass = 0; pass < 2; ++pass) plot->replot(); // at once; margins fit what is drawn only the second time
     return grabToFile(*this, path, error);

@@ -5,6 +5,8 @@
 #include "gl/maze_view.h"
 #include "window_fixture.h"
 
+#include <QFontDatabase>
+#include <QFontInfo>
 #include <QImage>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
@@ -25,7 +27,11 @@ const QString kVersions = QStringLiteral(GOLDEN_FOLDER "/start.versions");
 QString versionsNow(inspector::gl::MazeView &view) {
     view.makeCurrent();
     const auto *version = reinterpret_cast<const char *>(view.context()->functions()->glGetString(GL_VERSION));
-    QString text = QStringLiteral("%1\nQt %2\n").arg(QLatin1String(version), QLatin1String(qVersion()));
+    const QFontInfo font(QApplication::font());
+    const QString family = QStringLiteral("%1, %2 px").arg(font.family()).arg(font.pixelSize());
+    const QString fixed = QFontInfo(QFontDatabase::systemFont(QFontDatabase::FixedFont)).family();
+    QString text =
+        QStringLiteral("%1\nQt %2\n%3; %4\n").arg(QLatin1String(version), QLatin1String(qVersion()), family, fixed);
     view.doneCurrent();
     return text;
 }
