@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "gl/mesh.h"
+#include "mesh/mesh.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>

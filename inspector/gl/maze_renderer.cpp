@@ -2,9 +2,9 @@
 #include "gl/maze_renderer.h"
 
 #include "gl/board_pose.h"
-#include "gl/mesh_builder.h"
 #include "gl/surface_format.h"
 #include "gl/wood_grain.h"
+#include "mesh/mesh_builder.h"
 
 #include <algorithm>
 #include <cmath>

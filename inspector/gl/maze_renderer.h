@@ -3,11 +3,11 @@
 
 #include "gl/depth_target.h"
 #include "gl/frame.h"
-#include "gl/mesh.h"
 #include "gl/mesh_buffer.h"
 #include "gl/occlusion_map.h"
 #include "gl/shader_library.h"
 #include "gl/stroke_renderer.h"
+#include "mesh/mesh.h"
 
 #include <memory>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "gl/frame.h"
-#include "gl/mesh.h"
 #include "gl/orbit_camera.h"
+#include "mesh/mesh.h"
 
 #include <functional>
 #include <memory>

@@ -2,7 +2,7 @@
 // A camera that circles a target. World frame: the board frame of a level board, z up, m. Pixels are logical, y down.
 #pragma once
 
-#include "gl/mesh.h"
+#include "mesh/mesh.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/board_picture.h"
 
-#include "gl/mesh_builder.h"
-#include "gl/mesh_file.h"
+#include "mesh/mesh_builder.h"
+#include "mesh/mesh_file.h"
 #include "ui/parts/theme.h"
 
 #include <QFileInfo>

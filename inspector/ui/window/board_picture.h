@@ -4,7 +4,7 @@
 
 #include "core/session/session.h"
 #include "gl/frame.h"
-#include "gl/mesh.h"
+#include "mesh/mesh.h"
 
 namespace inspector::ui {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "offscreen_picture.h"
 
-#include "gl/mesh_builder.h"
 #include "gl/surface_format.h"
+#include "mesh/mesh_builder.h"
 
 using namespace inspector::gl;
 

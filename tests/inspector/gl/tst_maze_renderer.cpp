@@ -2,7 +2,7 @@
 // Pixels of a small maze: what must be where, whatever the taste in colours.
 #include "offscreen_picture.h"
 
-#include "gl/mesh_builder.h"
+#include "mesh/mesh_builder.h"
 
 #include <cmath>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The widget with real mouse events.
 #include "gl/maze_view.h"
-#include "gl/mesh_builder.h"
 #include "gl/surface_format.h"
+#include "mesh/mesh_builder.h"
 
 #include <QApplication>
 #include <QSignalSpy>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Mesh files: what is read from good ones, what is said about bad ones; no screen needed.
-#include "gl/mesh_builder.h"
-#include "gl/mesh_file.h"
+#include "mesh/mesh_builder.h"
+#include "mesh/mesh_file.h"
 #include "support/files.h"
 
 #include <QDir>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Any bytes as a mesh, and what follows a byte 1 as its materials: triangles of finite numbers with indices among their
 // corners, or one line that says why not.
-#include "gl/mesh_file.h"
 #include "input.h"
+#include "mesh/mesh_file.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gl/mesh.h"
+#include "mesh/mesh.h"
 
 #include <glm/common.hpp>
 

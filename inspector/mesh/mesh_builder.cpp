@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gl/mesh_builder.h"
+#include "mesh/mesh_builder.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "gl/mesh.h"
-#include "gl/obj_text.h"
+#include "mesh/mesh.h"
+#include "mesh/obj_text.h"
 
 #include <optional>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gl/mesh_file.h"
+#include "mesh/mesh_file.h"
 
 #include "core/setup/files.h"
 #include "core/setup/lines.h"
-#include "gl/mesh_builder.h"
-#include "gl/obj_text.h"
+#include "mesh/mesh_builder.h"
+#include "mesh/obj_text.h"
 
 #include <algorithm>
 #include <cmath>

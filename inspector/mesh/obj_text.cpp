@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gl/obj_text.h"
+#include "mesh/obj_text.h"
 
 #include "core/setup/lines.h"
 
