@@ -16,25 +16,26 @@ double lengthOf(const Vec3 &way) { return std::abs(way.x) + std::abs(way.y); }
 bool FloorView::look(const StepContext &context, const Vec3 &start, const Vec3 &end, double way) {
     const Scene &scene = context.scene();
     const double tolerance = context.setting.tolerance;
-    const Vec3 &p = start;
     const double touching = scene.radius + tolerance;
     const double furthest = kCandidateReach * scene.radius; // the grid tells no more
     if (touching + way > furthest) return false;
     m_reach = std::min(touching + 1.5 * way, furthest); // for a bounce that leads further
+    const Vec3 low = start - m_reach, high = start + m_reach;
+    const double top = start.z - scene.radius;
     m_floor = nullptr;
     m_count = 0;
     m_faceCount = 0;
-    for (const uint32_t i : scene.boxesNear(p.x, p.y, scene.hasManyBoxes)) {
+    for (const uint32_t i : scene.boxesNear(start.x, start.y, scene.hasManyBoxes)) {
         const phys_box &box = scene.boxes[i];
-        if (squaredDistance(box, p) > m_reach * m_reach) continue;
-        const double clearance = p.z - (box.max.z + scene.radius);
-        const bool carries = std::abs(clearance) <= tolerance && Scene::isOver(box, p.x, p.y);
-        if (carries) {
-            m_floor = &box;
-        } else if (clearance < -tolerance) { // what isn't higher than the floor can't be met on it
-            if (m_count == kMostNear) return false;
-            m_near[m_count++] = i;
+        if (box.max.z <= top + tolerance) { // what isn't higher than the floor can't be met on it
+            if (box.max.z >= top - tolerance && Scene::isOver(box, start.x, start.y)) m_floor = &box;
+            continue;
         }
+        const bool isFar =
+            box.min.x > high.x || box.max.x < low.x || box.min.y > high.y || box.max.y < low.y || box.min.z > high.z;
+        if (isFar) continue;
+        if (m_count == kMostNear) return false;
+        m_near[m_count++] = i;
     }
     return m_floor && Scene::isOver(*m_floor, end.x, end.y);
 }
