@@ -45,7 +45,7 @@ private:
             const phys_event &event = m_events[i];
             if (event.kind == PHYS_EVENT_IMPACT)
                 m_impacts->push_back({end + (event.time - m_state.time), m_state.position.x, m_state.position.y,
-                                      -event.speed_before, event.box});
+                                      -event.speed_before, event.box, event.normal.z > 0.5});
         }
     }
 

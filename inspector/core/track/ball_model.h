@@ -27,6 +27,7 @@ struct TrackImpact {
     double x, y;  // m, of the centre, on the board
     double speed; // along the normal, before, m/s, > 0
     uint32_t box;
+    bool isOnFloor;
 };
 
 class BallModel {
@@ -38,7 +39,7 @@ public:
     double radius() const { return phys_scene_radius(m_scene.get()); }
 
     // Where points first .. last (both included) would be measured, in the tracker's frame; `impacts` (or nullptr) gets
-    // those on walls. If "exact" refuses, the ball stays where it is from there on, and false.
+    // what it hits. If "exact" refuses, the ball stays where it is from there on, and false.
     bool run(const BoardGuess &board, const StartGuess &start, size_t first, size_t last,
              std::vector<TrackPoint> &measured, std::vector<TrackImpact> *impacts = nullptr) const;
 

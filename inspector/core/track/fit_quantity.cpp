@@ -21,15 +21,15 @@ const phys_param_row *rowOf(const char *id) {
 }
 
 // A coefficient of the library's rows; looked for in the range that its slider offers.
-FitQuantity coefficient(const char *id, double notch, double doubt, std::vector<double> guesses, bool isOfRigid,
-                        double phys_params::*member) {
+FitQuantity coefficient(const char *id, double most, double notch, double doubt, std::vector<double> guesses,
+                        bool isOfRigid, double phys_params::*member) {
     const phys_param_row *row = rowOf(id);
     return {QString::fromUtf8(id),
             QString::fromUtf8(row->label),
             QString::fromUtf8(row->unit),
             1.0,
             row->low,
-            row->high,
+            std::min(row->high, most),
             notch,
             doubt,
             std::move(guesses),
@@ -40,6 +40,9 @@ FitQuantity coefficient(const char *id, double notch, double doubt, std::vector<
 } // namespace
 
 std::vector<FitQuantity> fitQuantities() {
+    // A ball that loses nothing never stops to bounce on a wall that it leans on.
+    constexpr double kMostRestitution = 0.99;
+    constexpr double kMostFriction = 1.0;
     const auto tilt = [](const char *id, const char *label, double Tilt::*axis) {
         return FitQuantity{QString::fromUtf8(id),
                            QString::fromUtf8(label),
@@ -68,10 +71,22 @@ std::vector<FitQuantity> fitQuantities() {
                            [member](BoardGuess &board) -> double & { return board.frame.*member; }};
     };
     return {
-        coefficient("rolling_friction", 1e-6, 0.02, {}, false, &phys_params::rolling_friction),
-        coefficient("restitution_wall", 1e-5, 0.4, {}, false, &phys_params::restitution_wall),
-        coefficient("sliding_friction", 1e-5, 0.4, {}, true, &phys_params::sliding_friction),
-        coefficient("wall_friction", 1e-5, 0.4, {}, true, &phys_params::wall_friction),
+        coefficient("rolling_friction", kMostFriction, 1e-6, 0.02, {}, false, &phys_params::rolling_friction),
+        coefficient("restitution_wall", kMostRestitution, 1e-5, 0.4, {}, false, &phys_params::restitution_wall),
+        coefficient("restitution_floor", kMostRestitution, 1e-5, 0.4, {}, false, &phys_params::restitution_floor),
+        coefficient("sliding_friction", kMostFriction, 1e-5, 0.4, {}, true, &phys_params::sliding_friction),
+        coefficient("wall_friction", kMostFriction, 1e-5, 0.4, {}, true, &phys_params::wall_friction),
+        {QStringLiteral("gravity"),
+         QStringLiteral("Gravity"),
+         QStringLiteral("m/s²"),
+         1.0,
+         1.0,
+         30.0,
+         1e-5,
+         1.0,
+         {},
+         false,
+         [](BoardGuess &board) -> double & { return board.gravity; }},
         tilt("tilt_x", "Tilt x offset", &Tilt::x),
         tilt("tilt_y", "Tilt y offset", &Tilt::y),
         {QStringLiteral("delay"),

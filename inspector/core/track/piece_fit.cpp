@@ -24,7 +24,12 @@ Matrix makeMatrix(size_t rows, size_t columns) { return {gsl_matrix_calloc(rows,
 constexpr size_t kStartNumbers = 4;
 // Of the difference quotients of a start: m, m, m/s, m/s.
 constexpr double kStartNotches[kStartNumbers] = {1e-7, 1e-7, 1e-6, 1e-6};
-constexpr double kSmallestShift = 1e-6; // of the numbers, at which a fit ends
+// How far off a start is at most that was read off a track, or found with fewer points: standard deviations. A wall
+// takes up a push towards it, so the points of a ball that leans on one may not tell.
+constexpr double kStartDoubts[kStartNumbers] = {1e-3, 1e-3, 2e-2, 2e-2};
+constexpr double kSmallestDecrement = 3e-2; // of the sum of squares, in units of the noise: a fit ends
+constexpr double kBent = 3e-3;              // sum of squares in units of the noise, by which slopes may mislead
+constexpr int kMostTries = 5;               // of steps from one place
 
 double &startNumber(StartGuess &start, size_t which) {
     double *const numbers[kStartNumbers]{&start.x, &start.y, &start.vx, &start.vy};
@@ -54,13 +59,17 @@ public:
         , m_lower(choleskyOf(before.covariance))
         , m_board(board)
         , m_piece(piece)
-        , m_noise(noise) {}
+        , m_noise(noise) {
+        if (m_piece.notches.size() == numbers()) return;
+        m_piece.notches.clear();
+        for (size_t i = 0; i < numbers(); ++i) m_piece.notches.push_back(usualNotch(i));
+    }
 
     bool isReady() const { return m_lower != nullptr; }
     size_t shared() const { return m_quantities.size(); }
     size_t numbers() const { return shared() + kStartNumbers; }
     size_t pointResiduals() const { return 2 * (m_piece.last - m_piece.first + 1); }
-    size_t residuals() const { return pointResiduals() + shared(); }
+    size_t residuals() const { return pointResiduals() + numbers(); }
 
     Vector begin() {
         Vector x = makeVector(numbers());
@@ -86,7 +95,9 @@ public:
         return piece;
     }
 
-    void evaluate(const gsl_vector *x, gsl_vector *f) {
+    // False after too many tries without new slopes, which ends the fit: none of them was better.
+    bool evaluate(const gsl_vector *x, gsl_vector *f) {
+        if (m_tries++ == kMostTries) return false;
         run(boardAt(x), pieceAt(x), m_here);
         for (size_t i = 0; i < m_here.size(); ++i) gsl_vector_set(f, i, m_here[i]);
         const Vector apart = makeVector(std::max<size_t>(shared(), 1));
@@ -94,27 +105,33 @@ public:
             gsl_vector_set(apart.get(), i, gsl_vector_get(x, i) * unitOf(i) - m_before.mean[i]);
         if (shared() > 0) gsl_blas_dtrsv(CblasLower, CblasNoTrans, CblasNonUnit, m_lower.get(), apart.get());
         for (size_t i = 0; i < shared(); ++i) gsl_vector_set(f, m_here.size() + i, gsl_vector_get(apart.get(), i));
+        for (size_t k = 0; k < kStartNumbers; ++k)
+            gsl_vector_set(f, m_here.size() + shared() + k,
+                           (gsl_vector_get(x, shared() + k) * unitOf(shared() + k) - startNumber(m_piece.start, k)) /
+                               kStartDoubts[k]);
+        return true;
     }
 
+    // GSL asks for slopes where it has just asked for residuals.
     void differentiate(const gsl_vector *x, gsl_matrix *jacobian) {
+        m_tries = 0;
+        if (isAlongSlopes(x)) {
+            gsl_matrix_memcpy(jacobian, m_slopes.get());
+            return;
+        }
         gsl_matrix_set_zero(jacobian);
         const BoardGuess board = boardAt(x);
         const Piece piece = pieceAt(x);
-        run(board, piece, m_here);
         for (size_t i = 0; i < shared(); ++i) {
-            BoardGuess there = board;
-            double &value = m_quantities[i].of(there);
-            const double notch =
-                value + m_quantities[i].notch > m_quantities[i].upper ? -m_quantities[i].notch : m_quantities[i].notch;
-            value += notch;
-            setColumn(there, piece, notch / unitOf(i), jacobian, i);
+            setColumn(board, piece, jacobian, i);
             setKnown(jacobian, i);
         }
         for (size_t k = 0; k < kStartNumbers; ++k) {
-            Piece there = piece;
-            startNumber(there.start, k) += kStartNotches[k];
-            setColumn(board, there, kStartNotches[k] / unitOf(shared() + k), jacobian, shared() + k);
+            setColumn(board, piece, jacobian, shared() + k);
+            gsl_matrix_set(jacobian, m_here.size() + shared() + k, shared() + k,
+                           unitOf(shared() + k) / kStartDoubts[k]);
         }
+        keepSlopes(x, jacobian);
     }
 
     double unitOf(size_t number) const {
@@ -123,8 +140,10 @@ public:
     }
 
     // Of points alone, at any numbers.
-    const std::vector<double> &residualsAt(const gsl_vector *x) {
-        run(boardAt(x), pieceAt(x), m_here);
+    std::vector<double> residualsAt(const std::vector<double> &numbers) {
+        const Vector x = makeVector(numbers.size());
+        for (size_t i = 0; i < numbers.size(); ++i) gsl_vector_set(x.get(), i, numbers[i]);
+        run(boardAt(x.get()), pieceAt(x.get()), m_here);
         return m_here;
     }
 
@@ -139,10 +158,66 @@ private:
         }
     }
 
-    void setColumn(const BoardGuess &board, const Piece &piece, double notch, gsl_matrix *jacobian, size_t column) {
+    void keepSlopes(const gsl_vector *x, const gsl_matrix *jacobian) {
+        m_slopes = makeMatrix(jacobian->size1, jacobian->size2);
+        gsl_matrix_memcpy(m_slopes.get(), jacobian);
+        m_slopesAt = makeVector(x->size);
+        gsl_vector_memcpy(m_slopesAt.get(), x);
+        m_atSlopes = m_here;
+    }
+
+    // Whether the residuals at x are what the slopes from elsewhere let expect: then they hold here, too.
+    bool isAlongSlopes(const gsl_vector *x) const {
+        if (!m_slopes) return false;
+        const Vector shift = makeVector(x->size);
+        gsl_vector_memcpy(shift.get(), x);
+        gsl_vector_sub(shift.get(), m_slopesAt.get());
+        const Vector expected = makeVector(m_slopes->size1);
+        gsl_blas_dgemv(CblasNoTrans, 1.0, m_slopes.get(), shift.get(), 0.0, expected.get());
+        double squares = 0.0;
+        for (size_t i = 0; i < m_here.size(); ++i) {
+            const double bend = m_here[i] - m_atSlopes[i] - gsl_vector_get(expected.get(), i);
+            squares += bend * bend;
+        }
+        return squares < kBent;
+    }
+
+    // By a difference quotient, whose notch is right if it moves the ball by much less than it is measured to, and by
+    // much more than the jumps where a ball on a wall has bounced once more.
+    void setColumn(const BoardGuess &board, const Piece &piece, gsl_matrix *jacobian, size_t column) {
+        constexpr double kWanted = 0.05; // in units of the noise
+        constexpr double kTooFar = 0.5;
+        double &notch = m_piece.notches[column];
+        double moved = 0.0;
+        for (int attempt = 0; attempt < 2; ++attempt) {
+            const double taken = runBeside(board, piece, column, notch);
+            moved = 0.0;
+            for (size_t i = 0; i < m_here.size(); ++i) {
+                const double difference = m_there[i] - m_here[i];
+                moved = std::max(moved, std::abs(difference));
+                gsl_matrix_set(jacobian, i, column, difference / (taken / unitOf(column)));
+            }
+            const double usual = usualNotch(column);
+            notch = std::clamp(notch * kWanted / std::max(moved, 1e-9), 1e-3 * usual, 10.0 * usual);
+            if (moved < kTooFar) return;
+        }
+    }
+
+    // With one number changed; by how much, which is less than nothing at its upper bound.
+    double runBeside(BoardGuess board, Piece piece, size_t column, double notch) {
+        if (column >= shared()) {
+            startNumber(piece.start, column - shared()) += notch;
+        } else {
+            double &value = m_quantities[column].of(board);
+            if (value + notch > m_quantities[column].upper) notch = -notch;
+            value += notch;
+        }
         run(board, piece, m_there);
-        for (size_t i = 0; i < m_here.size(); ++i)
-            gsl_matrix_set(jacobian, i, column, (m_there[i] - m_here[i]) / notch);
+        return notch;
+    }
+
+    double usualNotch(size_t number) const {
+        return number < shared() ? m_quantities[number].notch : kStartNotches[number - shared()];
     }
 
     void setKnown(gsl_matrix *jacobian, size_t column) {
@@ -162,16 +237,53 @@ private:
     double m_noise;
     std::vector<TrackPoint> m_measured;
     std::vector<double> m_here, m_there;
+    int m_tries = 0;
+    Matrix m_slopes{nullptr, gsl_matrix_free}; // the last ones, and where they are from
+    Vector m_slopesAt{nullptr, gsl_vector_free};
+    std::vector<double> m_atSlopes; // residuals there
 };
 
 int residualsForGsl(const gsl_vector *x, void *problem, gsl_vector *f) {
-    static_cast<Problem *>(problem)->evaluate(x, f);
-    return GSL_SUCCESS;
+    return static_cast<Problem *>(problem)->evaluate(x, f) ? GSL_SUCCESS : GSL_EMAXITER;
 }
 
 int slopesForGsl(const gsl_vector *x, void *problem, gsl_matrix *jacobian) {
     static_cast<Problem *>(problem)->differentiate(x, jacobian);
     return GSL_SUCCESS;
+}
+
+// R of J = Q R: the numbers' covariance is R^-1 R^-T.
+Matrix triangleOf(const gsl_matrix *jacobian) {
+    const size_t count = jacobian->size2;
+    const Matrix both = makeMatrix(jacobian->size1, count);
+    gsl_matrix_memcpy(both.get(), jacobian);
+    const Vector tau = makeVector(count);
+    gsl_linalg_QR_decomp(both.get(), tau.get());
+    Matrix triangle = makeMatrix(count, count);
+    for (size_t i = 0; i < count; ++i)
+        for (size_t j = i; j < count; ++j) gsl_matrix_set(triangle.get(), i, j, gsl_matrix_get(both.get(), i, j));
+    return triangle;
+}
+
+// By how much a step of Gauss and Newton would lessen the sum of squares: |R^-T g|^2 with g = J^T f.
+double decrement(const gsl_multifit_nlinear_workspace *workspace) {
+    const gsl_matrix *jacobian = gsl_multifit_nlinear_jac(workspace);
+    const Vector gradient = makeVector(jacobian->size2);
+    gsl_blas_dgemv(CblasTrans, 1.0, jacobian, gsl_multifit_nlinear_residual(workspace), 0.0, gradient.get());
+    gsl_blas_dtrsv(CblasUpper, CblasTrans, CblasNonUnit, triangleOf(jacobian).get(), gradient.get());
+    double squares = 0.0;
+    gsl_blas_ddot(gradient.get(), gradient.get(), &squares);
+    return squares;
+}
+
+Matrix covarianceOf(const gsl_matrix *triangle) {
+    const size_t count = triangle->size1;
+    const Matrix inverse = makeMatrix(count, count);
+    gsl_matrix_set_identity(inverse.get());
+    gsl_blas_dtrsm(CblasLeft, CblasUpper, CblasNoTrans, CblasNonUnit, 1.0, triangle, inverse.get());
+    Matrix covariance = makeMatrix(count, count);
+    gsl_blas_dgemm(CblasNoTrans, CblasTrans, 1.0, inverse.get(), inverse.get(), 0.0, covariance.get());
+    return covariance;
 }
 
 std::vector<std::vector<double>> rowsOf(const gsl_matrix *matrix, size_t count) {
@@ -226,52 +338,87 @@ std::optional<PieceFit> fitPiece(const BallModel &model, const std::vector<FitQu
                               gsl_multifit_nlinear_free);
     const Vector x = problem.begin();
     if (!workspace || gsl_multifit_nlinear_init(x.get(), &fdf, workspace.get()) != GSL_SUCCESS) return std::nullopt;
-    int info = 0; // that it may come to no end within the steps is seen from the residuals
-    gsl_multifit_nlinear_driver(size_t(steps), kSmallestShift, 1e-6, 1e-6, nullptr, nullptr, &info, workspace.get());
+    // That it may come to no end within the steps is seen from the residuals.
+    for (int step = 0; step < steps && decrement(workspace.get()) > kSmallestDecrement; ++step)
+        if (gsl_multifit_nlinear_iterate(workspace.get()) != GSL_SUCCESS) break;
 
     const gsl_vector *position = gsl_multifit_nlinear_position(workspace.get());
     const gsl_vector *residual = gsl_multifit_nlinear_residual(workspace.get());
     PieceFit fit{problem.boardAt(position), problem.pieceAt(position), {}, {}, {}, {}, {}};
     const gsl_matrix *jacobian = gsl_multifit_nlinear_jac(workspace.get());
-    const Matrix covariance = makeMatrix(fdf.p, fdf.p);
-    gsl_multifit_nlinear_covar(jacobian, 0.0, covariance.get());
-    fit.knowledge = knowledgeAfter(problem, quantities, fit.board, covariance.get());
+    const Matrix triangle = triangleOf(jacobian);
+    fit.knowledge = knowledgeAfter(problem, quantities, fit.board, covarianceOf(triangle.get()).get());
     for (size_t i = 0; i < fdf.p; ++i) fit.numbers.push_back(gsl_vector_get(position, i));
-    fit.covariance = rowsOf(covariance.get(), fdf.p);
+    fit.triangle = rowsOf(triangle.get(), fdf.p);
     fit.slopes = rowsOf(jacobian, problem.pointResiduals());
     for (size_t i = 0; i < problem.pointResiduals(); ++i) fit.residuals.push_back(gsl_vector_get(residual, i) * noise);
     return fit;
 }
 
-// Along each axis of the fit's uncertainty the ball is moved by a deviation, and the places it comes to are compared
-// with those of the slopes.
+namespace {
+
+// Shifts of the numbers by one deviation, those first that move the ball most in the residuals from `first` on: the
+// axes of the uncertainty there. In units of the noise, each with the residuals that the slopes let expect.
+struct Shift {
+    std::vector<double> numbers;
+    std::vector<double> expected;
+    double largest = 0.0;
+};
+
+std::vector<Shift> shiftsOf(const PieceFit &before, const PieceFit &after) {
+    const size_t first = before.residuals.size();
+    const size_t added = after.residuals.size() - first;
+    const size_t count = before.numbers.size();
+    const Matrix triangle = makeMatrix(count, count);
+    const Matrix slopes = makeMatrix(std::max(added, count), count); // GSL wants no fewer rows than columns
+    for (size_t i = 0; i < count; ++i) {
+        for (size_t j = i; j < count; ++j) gsl_matrix_set(triangle.get(), i, j, before.triangle[i][j]);
+        for (size_t r = 0; r < added; ++r) gsl_matrix_set(slopes.get(), r, i, after.slopes[first + r][i]);
+    }
+    // slopes R^-1 = U S V^T: the axes are the columns of R^-1 V, and move the ball by those of U S.
+    gsl_blas_dtrsm(CblasRight, CblasUpper, CblasNoTrans, CblasNonUnit, 1.0, triangle.get(), slopes.get());
+    const Matrix turned = makeMatrix(count, count);
+    const Vector sizes = makeVector(count);
+    const Vector work = makeVector(count);
+    gsl_linalg_SV_decomp(slopes.get(), turned.get(), sizes.get(), work.get());
+    gsl_blas_dtrsm(CblasLeft, CblasUpper, CblasNoTrans, CblasNonUnit, 1.0, triangle.get(), turned.get());
+    std::vector<Shift> shifts(count);
+    for (size_t k = 0; k < count; ++k) {
+        Shift &shift = shifts[k];
+        for (size_t i = 0; i < count; ++i) shift.numbers.push_back(gsl_matrix_get(turned.get(), i, k));
+        for (size_t r = 0; r < added; ++r) {
+            shift.expected.push_back(gsl_matrix_get(slopes.get(), r, k) * gsl_vector_get(sizes.get(), k));
+            shift.largest = std::max(shift.largest, std::abs(shift.expected.back()));
+        }
+    }
+    return shifts;
+}
+
+} // namespace
+
 bool isPredicted(const BallModel &model, const std::vector<FitQuantity> &quantities, const BoardKnowledge &knowledge,
                  const PieceFit &before, const PieceFit &after, double noise) {
-    constexpr double kFarthest = 5.0; // in units of the noise: a ball that is known no better isn't known
-    constexpr double kBend = 0.5;     // of the move, that may be out of proportion
-    constexpr double kSmall = 0.5;    // in units of the noise: moves that don't matter
-    const Matrix lower = choleskyOf(before.covariance);
-    if (!lower) return false;
+    constexpr double kFarthest = 5.0;   // in units of the noise: a ball that is known no better isn't known
+    constexpr double kBend = 0.5;       // of the move, that may be out of proportion
+    constexpr double kSmall = 0.5;      // in units of the noise: moves that don't matter
+    constexpr size_t kFewestShifts = 2; // that are tried however small they are
+    const std::vector<Shift> shifts = shiftsOf(before, after);
     Piece piece = after.piece;
     piece.start = before.piece.start;
     Problem problem(model, quantities, knowledge, before.board, piece, noise);
-    const size_t count = before.numbers.size();
-    const Vector x = makeVector(count);
-    const auto place = [&](std::optional<size_t> axis) {
-        for (size_t i = 0; i < count; ++i)
-            gsl_vector_set(x.get(), i,
-                           before.numbers[i] + (axis && i >= *axis ? gsl_matrix_get(lower.get(), i, *axis) : 0.0));
-        return problem.residualsAt(x.get());
-    };
-    const std::vector<double> here = place(std::nullopt);
-    for (size_t axis = 0; axis < count; ++axis) {
-        const std::vector<double> there = place(axis);
-        for (size_t r = before.residuals.size(); r < here.size(); ++r) {
-            double expected = 0.0;
-            for (size_t i = axis; i < count; ++i) expected += after.slopes[r][i] * gsl_matrix_get(lower.get(), i, axis);
+    const size_t first = before.residuals.size();
+    const std::vector<double> here = problem.residualsAt(before.numbers);
+    for (size_t k = 0; k < shifts.size(); ++k) {
+        const Shift &shift = shifts[k];
+        if (shift.largest > kFarthest) return false;
+        if (k >= kFewestShifts && shift.largest < kSmall) continue;
+        std::vector<double> numbers = before.numbers;
+        for (size_t i = 0; i < numbers.size(); ++i) numbers[i] += shift.numbers[i];
+        const std::vector<double> there = problem.residualsAt(numbers);
+        for (size_t r = first; r < here.size(); ++r) {
             const double moved = there[r] - here[r];
-            if (std::abs(moved) > kFarthest || std::abs(expected) > kFarthest) return false;
-            if (std::abs(moved - expected) > std::max(kSmall, kBend * std::abs(moved))) return false;
+            if (std::abs(moved) > kFarthest) return false;
+            if (std::abs(moved - shift.expected[r - first]) > std::max(kSmall, kBend * std::abs(moved))) return false;
         }
     }
     return true;

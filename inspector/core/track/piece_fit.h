@@ -27,8 +27,8 @@ struct PieceFit {
     // The quantities and the start's four numbers, all as the solver scales them: where it ended, with their covariance
     // and the residuals' slopes in units of the noise.
     std::vector<double> numbers;
-    std::vector<std::vector<double>> covariance;
-    std::vector<std::vector<double>> slopes; // by residual
+    std::vector<std::vector<double>> triangle; // R of J = Q R, whose covariance is R^-1 R^-T
+    std::vector<std::vector<double>> slopes;   // by residual
 };
 
 // By Levenberg and Marquardt's method from GSL, at most so many steps. Begins at the board and the start given; noise:

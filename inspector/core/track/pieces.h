@@ -4,12 +4,15 @@
 
 #include "core/track/ball_model.h"
 
+#include <vector>
+
 namespace inspector {
 
 // Some points that a computed ball follows from a start of its own.
 struct Piece {
     size_t first, last; // points, both included
     StartGuess start;
+    std::vector<double> notches; // of the difference quotients, as the last fit found them right; empty: usual ones
 };
 
 // Position and velocity at a point, from a parabola through it and those that follow.

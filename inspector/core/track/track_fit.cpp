@@ -14,10 +14,12 @@ namespace {
 
 constexpr double kLeastNoise = 1e-7;                                // m: a track without any still has rounding
 constexpr double kFirstLength = 0.3;                                // s, of a piece when it begins
-constexpr double kStride = 0.2;                                     // s, that a piece grows by at least
-constexpr double kGrowth = 0.1;                                     // of its length, that it grows by if that is more
+constexpr double kFirstStride = 0.2;                                // s, that a piece grows by at first
+constexpr double kShortestStride = 0.05;                            // s
+constexpr double kLonger = 1.6;                                     // the next stride after one that succeeded
+constexpr double kLongest = 2.0;                                    // s: a longer piece tells hardly more than two
 constexpr size_t kFewestPoints = 12;                                // that a piece begins with
-constexpr int kSteps = 12;                                          // of a fit, at most
+constexpr int kSteps = 8;                                           // of a fit, at most
 constexpr double kReach = 0.15;                                     // s, within which the next piece begins
 constexpr double kTrialLength = 4.0;                                // s, that a board to begin with has to explain
 constexpr std::array<double, 4> kTrialPlaces{0.0, 0.25, 0.5, 0.75}; // of the track
@@ -25,6 +27,7 @@ constexpr int kMostClimbs = 2;                                      // along the
 constexpr size_t kWindow = 40;                                      // residuals that are judged together
 constexpr double kChance = 4.0;        // standard deviations by which noise may look larger than it is
 constexpr double kNoiseDoubt = 1.04;   // it is known to some percent
+constexpr double kForgotten = 10.0;    // by which deviations grow before all pieces are fitted once more
 constexpr int kGivenUp = 6;            // breaks, after which a model is no longer tried
 constexpr double kMatched = 3.0;       // times the noise, near a matched bounce
 constexpr double kNearMatch = 0.05;    // s
@@ -55,17 +58,18 @@ public:
 
     // From one point to before another, until so many breaks.
     void run(size_t first, size_t end, int mostBreaks, const FitProgress &progress);
+    void refine();
     bool hasBegun() const { return !m_pieces.empty(); }
-    const BoardGuess &board() const { return m_board; }
     int breaks() const { return m_breaks; }
+    size_t next() const { return m_next; }
     ModelFit result() const;
 
 private:
     bool isNoise(const PieceFit &fit) const;
     std::optional<PieceFit> fitted(const Piece &piece, const BoardGuess &board) const;
     std::optional<PieceFit> begun(size_t first) const;
-    void close(bool isParted);
-    std::optional<PieceFit> grown(const PieceFit &fit) const;
+    void close();
+    std::optional<PieceFit> grown(const PieceFit &fit);
     double length(size_t first, size_t last) const { return m_track.points[last].time - m_track.points[first].time; }
     size_t pointAfter(size_t first, double time) const;
     FittedValue valueOf(size_t i, const ModelFit &fit) const;
@@ -81,6 +85,8 @@ private:
     BoardKnowledge m_knowledge;
     std::vector<Piece> m_pieces;
     std::optional<PieceFit> m_open; // that grows
+    double m_stride = 0.0;          // s, that it grows by
+    bool m_isParted = false;        // not even the next points are as computed
     int m_breaks = 0;
     size_t m_next = 0; // point that hasn't been looked at
 };
@@ -113,17 +119,24 @@ size_t Climb::pointAfter(size_t first, double time) const {
 std::optional<PieceFit> Climb::begun(size_t first) const {
     const size_t last = std::max(pointAfter(first, kFirstLength), first + kFewestPoints);
     if (last >= m_track.points.size()) return std::nullopt;
-    return fitted({first, last, startAt(m_track, m_board.frame, first)}, m_board);
+    return fitted({first, last, startAt(m_track, m_board.frame, first), {}}, m_board);
 }
 
-// By its stride, or half or a quarter of it; nothing if none of these can be done.
-std::optional<PieceFit> Climb::grown(const PieceFit &fit) const {
+// By a stride that becomes longer as long as the ball is where it is expected, and shorter where it isn't. Edges drive
+// neighbouring ways apart, and there are many minima close together: where the points to come aren't predicted by those
+// before, it is better to begin anew. Nothing then, or where the ball parts from the measured one.
+std::optional<PieceFit> Climb::grown(const PieceFit &fit) {
     const Piece &piece = fit.piece;
-    double stride = std::max(kStride, kGrowth * length(piece.first, piece.last));
-    for (int attempt = 0; attempt < 3; ++attempt, stride *= 0.5) {
+    const bool isShort = piece.last - piece.first <= 3 * kFewestPoints;
+    for (; m_stride >= kShortestStride; m_stride *= 0.5) {
         Piece longer = piece;
-        longer.last = pointAfter(piece.last, stride);
-        if (std::optional<PieceFit> more = fitted(longer, fit.board)) return more;
+        m_stride = std::min(m_stride, kLongest - length(piece.first, piece.last));
+        longer.last = pointAfter(piece.last, m_stride);
+        std::optional<PieceFit> more = fitted(longer, fit.board);
+        m_isParted = !more;
+        if (!more || !(isShort || isPredicted(m_model, m_quantities, m_knowledge, fit, *more, m_noise))) continue;
+        m_stride *= kLonger;
+        return more;
     }
     return std::nullopt;
 }
@@ -137,29 +150,42 @@ void Climb::run(size_t first, size_t end, int mostBreaks, const FitProgress &pro
             m_next = std::max(m_next + 3, smoothestAfter(m_track, m_next + 1, kReach));
             continue;
         }
-        bool isParted = true;
-        while (m_open->piece.last + 1 < count && !m_stop.stop_requested()) {
+        m_stride = std::max(m_stride, kFirstStride); // as long as in the piece before
+        m_isParted = false;
+        while (m_open->piece.last + 1 < count && length(m_open->piece.first, m_open->piece.last) < kLongest &&
+               !m_stop.stop_requested()) {
             std::optional<PieceFit> more = grown(*m_open);
             if (!more) break;
-            // Edges drive neighbouring ways apart, and there are many minima close together: better begin anew.
-            isParted = m_open->piece.last - m_open->piece.first <= 3 * kFewestPoints ||
-                       isPredicted(m_model, m_quantities, m_knowledge, *m_open, *more, m_noise);
-            if (!isParted) break;
             m_open = std::move(more);
             if (progress)
                 progress(length(0, m_open->piece.last) / length(0, count - 1), modelName(m_board.params.model));
         }
-        close(isParted && m_open->piece.last + 1 < count);
+        close();
     }
 }
 
-void Climb::close(bool isParted) {
-    if (isParted) ++m_breaks;
+void Climb::close() {
+    if (m_isParted) ++m_breaks;
     m_board = m_open->board;
     m_knowledge = m_open->knowledge;
     m_pieces.push_back(m_open->piece);
     m_next = m_open->piece.last + 1;
     if (m_next + kFewestPoints < m_track.points.size()) m_next = smoothestAfter(m_track, m_next, kReach);
+}
+
+// The first pieces were fitted when little was known of the board: all once more, from what is known now but held for
+// much less certain, so that it counts for next to nothing beside them.
+void Climb::refine() {
+    std::sort(m_pieces.begin(), m_pieces.end(), [](const Piece &a, const Piece &b) { return a.first < b.first; });
+    for (std::vector<double> &row : m_knowledge.covariance)
+        for (double &number : row) number *= kForgotten * kForgotten;
+    for (Piece &piece : m_pieces) {
+        const std::optional<PieceFit> fit = fitted(piece, m_board);
+        if (!fit) continue; // it tells nothing
+        piece = fit->piece;
+        m_knowledge = fit->knowledge;
+        m_board = fit->board;
+    }
 }
 
 ModelFit Climb::result() const {
@@ -185,10 +211,16 @@ ModelFit Climb::result() const {
 FittedValue Climb::valueOf(size_t i, const ModelFit &fit) const {
     const FitQuantity &quantity = m_quantities[i];
     FittedValue value{quantity, m_knowledge.mean[i], m_knowledge.deviation(i), {}};
+    const auto isHit = [&](bool isFloor) {
+        return std::any_of(fit.bounces.begin(), fit.bounces.end(),
+                           [&](const FittedBounce &bounce) { return bounce.impact.isOnFloor == isFloor; });
+    };
     const bool isOfWall =
         quantity.id == QLatin1String("restitution_wall") || quantity.id == QLatin1String("wall_friction");
-    if (isOfWall && fit.bounces.empty())
+    if (isOfWall && !isHit(false))
         value.reason = QStringLiteral("no wall is hit");
+    else if (quantity.id == QLatin1String("restitution_floor") && !isHit(true))
+        value.reason = QStringLiteral("no bounce on the floor");
     else if (value.deviation > 0.5 * quantity.doubt)
         value.reason = quantity.id == QLatin1String("delay") ? QStringLiteral("the tilt doesn't change")
                                                              : QStringLiteral("the track hardly feels it");
@@ -243,7 +275,9 @@ void Climb::matchBounces(ModelFit &fit) const {
 std::vector<BoardGuess> guessesOf(const FitPlan &plan, const BoardGuess &begin) {
     std::vector<BoardGuess> guesses{begin};
     for (const FitQuantity &quantity : plan.quantities) {
+        BoardGuess board = begin;
         for (const double guess : quantity.guesses) {
+            if (guess == quantity.of(board)) continue;
             guesses.push_back(begin);
             quantity.of(guesses.back()) = guess;
         }
@@ -251,31 +285,36 @@ std::vector<BoardGuess> guessesOf(const FitPlan &plan, const BoardGuess &begin) 
     return guesses;
 }
 
-// From several places of the track and several guesses a model is tried a little way. Where it comes through, the board
-// found there is the one to begin the whole track with; of several such climbs the first that explains it, or the one
-// that gets farthest before it is given up.
+// From several places of the track and several guesses a model is tried a little way. Where it comes through it goes
+// on, to the end and then along what comes before; of several such climbs the first that explains the track counts, or
+// the one that gets farthest before it is given up.
 ModelFit fitModel(const FitPlan &plan, const BallModel &model, const BoardGuess &begin, double noise,
                   const FitProgress &progress, const std::stop_token &stop) {
     std::optional<ModelFit> best;
-    const auto climbFrom = [&](const BoardGuess &board) {
-        Climb climb(plan, model, board, noise, stop);
-        climb.run(0, plan.track.points.size(), kGivenUp, progress);
+    const auto finish = [&](Climb &climb) {
+        climb.refine();
         ModelFit fit = climb.result();
         if (!best || fit.isGood || fit.residuals.size() > best->residuals.size()) best = std::move(fit);
     };
+    const size_t count = plan.track.points.size();
     int climbs = 0;
     for (const BoardGuess &guess : guessesOf(plan, begin)) {
         for (const double share : kTrialPlaces) {
             if (stop.stop_requested() || (best && best->isGood) || climbs == kMostClimbs) break;
-            const auto from = size_t(share * double(plan.track.points.size()));
-            Climb trial(plan, model, guess, noise, stop);
-            trial.run(from, from + size_t(kTrialLength / plan.track.period()), 1, {});
-            if (!trial.hasBegun() || trial.breaks() > 0) continue;
-            climbFrom(trial.board());
+            const auto from = size_t(share * double(count));
+            Climb climb(plan, model, guess, noise, stop);
+            climb.run(from, from + size_t(kTrialLength / plan.track.period()), 1, {});
+            if (!climb.hasBegun() || climb.breaks() > 0) continue;
+            climb.run(climb.next(), count, kGivenUp, progress);
+            climb.run(0, from, kGivenUp, progress);
+            finish(climb);
             ++climbs;
         }
     }
-    if (!best || !best->isGood) climbFrom(begin);
+    if (best && best->isGood) return *best;
+    Climb last(plan, model, begin, noise, stop);
+    last.run(0, count, kGivenUp, progress);
+    finish(last);
     return *best;
 }
 

@@ -15,6 +15,8 @@ private slots:
     void truthLiesNearItsIntervals();
     void wrongModelIsNamed();
     void withoutWallsRestitutionIsNotDetermined();
+    void withoutBouncesTheFloorIsNotDetermined();
+    void gravityIsFound();
     void frameIsFound();
     void unknownQuantityIsOneLine();
     void stoppedFitIsNone();
@@ -111,6 +113,26 @@ void TestTrackFit::withoutWallsRestitutionIsNotDetermined() {
     QCOMPARE(valueText(valueOf(fit.best(), "restitution_wall")), QString("not determined: no wall is hit"));
     QVERIFY(valueOf(fit.best(), "rolling_friction").isDetermined());
     QVERIFY(!fitOptions(fit.best()).contains("restitution"));
+}
+
+void TestTrackFit::withoutBouncesTheFloorIsNotDetermined() {
+    const BoardGuess truth = support::drawTruth(PHYS_MODEL_ROLLING, 2);
+    const Scene scene = level(3);
+    const TrackFit fit = fitted(plan(scene, support::makeTrack(m_registry, scene, truth, {.duration = 4.0, .seed = 2}),
+                                     "restitution_wall,restitution_floor,tilt,delay"));
+    QCOMPARE(valueText(valueOf(fit.best(), "restitution_floor")), QString("not determined: no bounce on the floor"));
+    QVERIFY(valueOf(fit.best(), "restitution_wall").isDetermined());
+}
+
+void TestTrackFit::gravityIsFound() {
+    BoardGuess truth = support::drawTruth(PHYS_MODEL_ROLLING, 2);
+    truth.gravity = 9.78;
+    const Scene scene = level(3);
+    const TrackFit fit = fitted(plan(scene, support::makeTrack(m_registry, scene, truth, {.duration = 8.0, .seed = 2}),
+                                     "rolling_friction,restitution_wall,gravity,tilt,delay"));
+    const FittedValue &gravity = valueOf(fit.best(), "gravity");
+    QVERIFY2(std::abs(gravity.value - 9.78) < 4.0 * gravity.halfInterval(), qPrintable(valueText(gravity)));
+    QVERIFY2(gravity.halfInterval() < 0.05, qPrintable(valueText(gravity)));
 }
 
 // A tracker whose picture is turned by 2 degrees and 1 % too small.
