@@ -227,7 +227,11 @@ Motion BruteForce::implicitEuler(const Law &law, const Motion &start, Real h, st
             const Motion before = end;
             lookWhereTheyEnd(law, start.place + h * end.velocity, contacts);
             end.velocity = start.velocity + h * law.gravity;
-            end.spin = start.spin;
+            // A ball that comes onto a top face keeps its velocity, and its spin follows.
+            const bool isOnTop = !law.isRigid && std::any_of(contacts.begin(), contacts.end(), [](const Contact &c) {
+                return c.touch.isTop && !c.isMerged;
+            });
+            end.spin = isOnTop ? rollingSpin(start.velocity, m_radius) : start.spin;
             for (const Contact &c : contacts) {
                 end.velocity += c.pressure * c.touch.normal + c.friction;
                 end.spin += c.resistance - (5 / (2 * m_radius)) * cross(c.touch.normal, c.friction);

@@ -93,13 +93,14 @@ inline bool rowsAreValid(const phys_params &params, std::index_sequence<Index...
     return (isAllowed(readRow(params, kRows[Index]), kRows[Index]) && ...);
 }
 
+template<size_t... Index>
+inline bool inputsAreValid(const phys_params &params, std::index_sequence<Index...>) {
+    return ((!(kRows[Index].flags & PHYS_ROW_INPUT) || isAllowed(readRow(params, kRows[Index]), kRows[Index])) && ...);
+}
+
 /// The part of paramsAreValid that the gravity of a step may fail.
 inline bool gravityIsValid(const phys_params &params) {
-    bool isValid = true;
-    for (const phys_param_row &row : kRows) {
-        if (row.flags & PHYS_ROW_INPUT) isValid = isValid && isAllowed(readRow(params, row), row);
-    }
-    return isValid;
+    return inputsAreValid(params, std::make_index_sequence<kRowCount>{});
 }
 
 /// Whether all values are within their rows and agree with each other.
