@@ -205,15 +205,14 @@ double Sweep::timeToStopOrRoll(double end) {
     m_stop = m_roll = INFINITY;
     if (m_context.params().rolling_friction == 0.0) return end;
     const double speed = glm::length(m_ball.velocity);
-    if (m_resists && speed > 0.0) {
-        const Vec3 direction = m_ball.velocity / speed;
-        m_stop = timeToZero(end, speed, [&](const Ball &ball) { return glm::dot(ball.velocity, direction); });
-    }
     const Vec3 slip = slipOnTop(m_ball);
     const double slipSpeed = glm::length(slip);
     if (slipSpeed > kRolling * (speed + m_context.radius() * glm::length(m_ball.spin))) {
         const Vec3 direction = slip / slipSpeed;
         m_roll = timeToZero(end, slipSpeed, [&](const Ball &ball) { return glm::dot(slipOnTop(ball), direction); });
+    } else if (m_resists && speed > 0.0) { // resistance acts on what rolls
+        const Vec3 direction = m_ball.velocity / speed;
+        m_stop = timeToZero(end, speed, [&](const Ball &ball) { return glm::dot(ball.velocity, direction); });
     }
     return std::min({end, m_stop, m_roll});
 }
