@@ -78,8 +78,25 @@ double LastingContacts::sweep(double rollingFriction, Motion &motion) {
 
 void LastingContacts::settle(double rollingFriction, double negligible, Motion &motion) {
     for (int i = 0; i < kMostSweeps; ++i) {
-        if (sweep(rollingFriction, motion) <= negligible) return;
+        const bool isSettled = sweep(rollingFriction, motion) <= negligible;
+        if (!releaseOpposite(negligible) && isSettled) return;
     }
+}
+
+/// Faces as far apart as the ball is wide may squeeze it without moving anything, but friction feeds on that. The law
+/// takes the least reactions, model.md 14.1. Returns whether there was any squeeze.
+bool LastingContacts::releaseOpposite(double negligible) {
+    bool any = false;
+    for (Lasting *a = begin(); a != end(); ++a) {
+        for (Lasting *b = a + 1; b != end(); ++b) {
+            const double squeeze = std::min(a->reaction, b->reaction);
+            if (squeeze <= negligible || size(a->lever + b->lever) > kSameNormal) continue;
+            a->reaction -= squeeze;
+            b->reaction -= squeeze;
+            any = true;
+        }
+    }
+    return any;
 }
 
 /// Two contacts that stick can be pressed against each other without moving anything, along the line between their

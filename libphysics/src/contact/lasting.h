@@ -41,6 +41,7 @@ public:
 
 private:
     void settle(double rollingFriction, double negligible, Motion &motion);
+    bool releaseOpposite(double negligible);
     double relieve();
     double sweep(double rollingFriction, Motion &motion);
 
