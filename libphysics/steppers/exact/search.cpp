@@ -103,6 +103,21 @@ double Target::gap(const Vec3 &way, double radius, Vec3 &n) const {
     return (2.0 * radius * glm::dot(normal, way) + glm::dot(across, across)) / (distance + radius);
 }
 
+bool Stretch::passes(const phys_box &box) const {
+    double first = 0.0, last = 1.0; // of the line, as shares of it
+    for (int axis = 0; axis < 3; ++axis) {
+        const double low = side(box, axis, -1) - off - start[axis], high = side(box, axis, 1) + off - start[axis];
+        const double way = end[axis] - start[axis];
+        if (way == 0.0) {
+            if (low > 0.0 || high < 0.0) return true;
+            continue;
+        }
+        first = std::max(first, std::min(low / way, high / way));
+        last = std::min(last, std::max(low / way, high / way));
+    }
+    return first > last;
+}
+
 bool carriesOn(const Outlook &around, const Contact &face, const Vec3 &p, const Border &at, phys_box &box) {
     const double tolerance = around.scene.tolerance;
     const phys_box own = box;

@@ -113,11 +113,35 @@ double touchTime(const Outlook &around, const phys_box &box, const Phase &phase,
     return firstZero(look, from, until, 0.25 * around.scene.tolerance);
 }
 
+/// A part of a ball's way.
+struct Stretch {
+    Vec3 start, end; ///< of the centre
+    double off;      ///< m: as far as the ball comes beside the straight line between them
+    double reach;    ///< m: as far as it comes from the start
+    bool isLong;     ///< against the ball: it passes by most boxes that are as near as its end
+
+    /// Whether the ball comes nowhere near a box.
+    bool passes(const phys_box &box) const;
+};
+
+/// Calls visit(box, number) for the boxes that the ball may meet, maybe for others too.
+template<class Visit>
+void visitAlong(const Scene &scene, const Stretch &stretch, Work &work, Visit visit) {
+    const auto look = [&](const phys_box &box, uint32_t number) {
+        work.add(Work::kBox);
+        if (squaredDistance(box, stretch.start) > stretch.reach * stretch.reach) return;
+        if (!stretch.isLong || !stretch.passes(box)) visit(box, number);
+    };
+    if (!stretch.isLong || !scene.hasManyBoxes) return visitNear(scene, stretch.start, stretch.reach, look);
+    scene.visitBoxes(glm::min(stretch.start, stretch.end) - stretch.off,
+                     glm::max(stretch.start, stretch.end) + stretch.off, [&](uint32_t i) { look(scene.boxes[i], i); });
+}
+
 /// First time in [0, until] at which the ball touches a box and moves towards it; kNever if it doesn't.
 template<class Phase>
 double firstTouch(const Outlook &around, const Phase &phase, double until) {
     const Scene &scene = around.scene;
-    const double a = phase.mostAcceleration();
+    const double a = phase.mostAcceleration(), ball = scene.radius * (1.0 + 1e-9) + scene.tolerance;
     double best = kNever, length = 0.48 * scene.radius;
     // Windows of growing length: most ways end near, and only what is near needs to be looked at.
     for (double from = 0.0; from < until && best == kNever && !around.work.isTooMuch(); length *= 2.0) {
@@ -125,12 +149,14 @@ double firstTouch(const Outlook &around, const Phase &phase, double until) {
         const double v = glm::length(start.velocity);
         const double window = a > 0.0 || v > 0.0 ? 2.0 * length / (v + std::sqrt(v * v + 2.0 * a * length)) : kNever;
         const double end = from + window < until ? from + window : until;
-        const Vec3 centre = around.position + start.way;
-        const double reach = length + scene.radius * (1.0 + 1e-9) + scene.tolerance;
-        visitNear(scene, centre, reach, [&](const phys_box &box, uint32_t number) {
-            around.work.add(Work::kBox);
-            if (squaredDistance(box, centre) > reach * reach || around.isKept(number, box)) return;
-            if (around.work.isTooMuch()) return;
+        Stretch stretch{around.position + start.way, around.position, ball, ball + length, length > 2.0 * scene.radius};
+        if (stretch.isLong) {
+            stretch.end += phase.at(end).way;
+            stretch.off += 0.125 * a * (end - from) * (end - from);
+        }
+        visitAlong(scene, stretch, around.work, [&](const phys_box &box, uint32_t number) {
+            if (around.work.isTooMuch() || around.isKept(number, box)) return;
+            around.work.add(Work::kSearch);
             best = std::min(best, touchTime(around, box, phase, from, end));
         });
         if (end == from) break;

@@ -27,6 +27,7 @@ private slots:
     void millionMetresAway();
     void flushTilesAreOnePlane();
     void thousandTouchingBoxes();
+    void meetsThePostAtTheEndOfALongFlight();
     void restIsForEver();
     void fallsPastTheLowerEndOfAWall();
     void hardlyAnyGravityPressesOnAWall();
@@ -197,6 +198,20 @@ void ExactExtremes::thousandTouchingBoxes() {
     run.params.restitution_wall = 0.5;
     run.step(4.0);
     QVERIFY(run.state.velocity.y > 0.0);
+}
+
+void ExactExtremes::meetsThePostAtTheEndOfALongFlight() {
+    // Over 40,000 posts, of which it comes near some hundreds only: in one step, and in steps shorter than itself.
+    std::vector<phys_box> posts;
+    for (int i = 0; i < 200; ++i) {
+        for (int j = 0; j < 200; ++j) posts.push_back({{1.0 * i, 1.0 * j, -1.0}, {i + 0.5, j + 0.5, 0.0}});
+    }
+    Run once(posts, 0.125, {0.25, 0.25, 8.0}, {128, 128, 0}), often(posts, 0.125, {0.25, 0.25, 8.0}, {128, 128, 0});
+    for (Run *run : {&once, &often}) run->params.gravity = {0, 0, -6.5625}; // a fall of 1.55 s
+    once.step(2.0);
+    QCOMPARE(once.eventsOf(PHYS_EVENT_IMPACT).size(), size_t(1));
+    while (often.events.empty()) often.step(1.0 / 2048.0);
+    QVERIFY(std::abs(once.events[0].time - often.events[0].time) <= 1e-12);
 }
 
 void ExactExtremes::restIsForEver() {
