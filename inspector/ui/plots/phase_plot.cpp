@@ -65,8 +65,9 @@ void PhasePlot::refresh() {
     for (uint64_t number = from; number < to; number += stride)
         if (m_samples.read(number, sample)) points.append(QCPCurveData(sample.time, sample[m_x], sample[m_y]));
     m_curve->data()->set(points, true);
-    m_dot->setVisible(!points.isEmpty());
-    if (!points.isEmpty()) m_dot->position->setCoords(points.constLast().key, points.constLast().value);
+    const bool hasEnd = !points.isEmpty() && std::isfinite(points.constLast().key + points.constLast().value);
+    m_dot->setVisible(hasEnd); // without a ghost it has no values
+    if (hasEnd) m_dot->position->setCoords(points.constLast().key, points.constLast().value);
     if (m_fits) fit();
     replot(QCustomPlot::rpQueuedReplot);
 }

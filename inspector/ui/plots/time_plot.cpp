@@ -313,13 +313,15 @@ void TimePlot::updateReadOut() {
         m_momentLine->point1->setCoords(*m_context.moment, 0.0);
         m_momentLine->point2->setCoords(*m_context.moment, 1.0);
     }
-    for (const Curve &curve : m_curves) curve.dot->setVisible(m_readOut.has_value());
+    for (const Curve &curve : m_curves) {
+        const double value = m_readOut ? drawn(plotted((*m_readOut)[curve.channel])) : std::nan("");
+        curve.dot->setVisible(std::isfinite(value)); // without a ghost it has no values
+        if (std::isfinite(value)) curve.dot->position->setCoords(m_readOut->time, value);
+    }
     m_text->setText(m_readOut ? tr("%1 s   %2").arg(m_readOut->time, 0, 'f', 4).arg(textOf(*m_readOut)) : QString());
     if (!m_readOut) return;
     m_cursorLine->point1->setCoords(m_readOut->time, 0.0);
     m_cursorLine->point2->setCoords(m_readOut->time, 1.0);
-    for (const Curve &curve : m_curves)
-        curve.dot->position->setCoords(m_readOut->time, drawn(plotted((*m_readOut)[curve.channel])));
 }
 
 } // namespace inspector::ui

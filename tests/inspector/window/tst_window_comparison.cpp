@@ -48,6 +48,7 @@ private slots:
     void radiiAreAtTheRightBorder();
     void legendNamesBoth();
     void readOutIsInBothUnits();
+    void missingValueHasNoDot();
     void savedTableHasTheGhost();
     void ghostIsDrawnWhereItIs();
     void ghostOnTheBallIsHidden();
@@ -271,6 +272,29 @@ void TestWindowComparison::readOutIsInBothUnits() {
     const QString text = m_plot->readOutText();
     const QString expected = QString("%1 mm = %2 R").arg(shown * 1e3, 0, 'g', 4).arg(shown / 0.006, 0, 'g', 3);
     QVERIFY2(text.contains(expected), qPrintable(text));
+}
+
+// Under the cursor; a dot at no number would be drawn at none.
+void TestWindowComparison::missingValueHasNoDot() {
+    const auto dots = [this] {
+        int count = 0;
+        for (int i = 0; i < m_plot->itemCount(); ++i) {
+            const auto *dot = qobject_cast<QCPItemTracer *>(m_plot->item(i));
+            count += dot && dot->visible();
+        }
+        return count;
+    };
+    makeSteps(10);
+    hover(m_plot, m_plot->axisRect()->rect().center());
+    m_fixture->window().refresh();
+    QVERIFY(m_plot->readOut());
+    QCOMPARE(dots(), 0);
+    compareWith({});
+    makeSteps(10);
+    QVERIFY(m_plot->readOut());
+    hover(m_plot, QPoint(int(m_plot->xAxis->coordToPixel(0.15)), m_plot->axisRect()->rect().center().y()));
+    m_fixture->window().refresh();
+    QCOMPARE(dots(), 1);
 }
 
 void TestWindowComparison::savedTableHasTheGhost() {
