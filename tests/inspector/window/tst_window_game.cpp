@@ -41,6 +41,7 @@ private slots:
     void messageIsDismissed();
     void refusedCommandIsForgottenWithTheNextThatWorks();
     void failedStepIsForgottenAtARestart();
+    void failedStepStaysWhileTheKeysTilt();
     void nothingTheGameSaysMovesTheView();
     void escClosesTheResult();
     void clickClosesTheResult();
@@ -218,6 +219,21 @@ void TestWindowGame::failedStepIsForgottenAtARestart() {
     QTRY_VERIFY(m_fixture->window().messages().isVisible());
     m_fixture->key(Qt::Key_R);
     QTRY_VERIFY(!m_fixture->window().messages().isVisible());
+}
+
+// The board goes level by itself: no command of a person.
+void TestWindowGame::failedStepStaysWhileTheKeysTilt() {
+    m_fixture->key(Qt::Key_Return);
+    QTRY_VERIFY(m_fixture->simulation().latest().running);
+    QTest::keyPress(&m_fixture->window(), Qt::Key_Up);
+    QTRY_VERIFY(m_fixture->simulated("tilt_y") > 4.0);
+    phys_state state = m_fixture->simulation().latest().current;
+    state.velocity.x = 1e6;
+    m_fixture->simulation().setState(state);
+    QTRY_VERIFY(m_fixture->window().messages().isVisible());
+    QTest::keyRelease(&m_fixture->window(), Qt::Key_Up);
+    QTRY_COMPARE(m_fixture->simulated("tilt_y"), 0.0);
+    QVERIFY(m_fixture->window().messages().isVisible());
 }
 
 // Nothing lies over the board, and nothing makes it jump.
