@@ -76,11 +76,34 @@ double LastingContacts::sweep(double rollingFriction, Motion &motion) {
     return largest;
 }
 
-void LastingContacts::settle(double rollingFriction, double negligible, Motion &motion) {
+/// False if that comes to no end.
+bool LastingContacts::settle(double rollingFriction, double negligible, bool releases, Motion &motion) {
     for (int i = 0; i < kMostSweeps; ++i) {
         const bool isSettled = sweep(rollingFriction, motion) <= negligible;
-        if (!releaseOpposite(negligible) && isSettled) return;
+        const bool isReleased = releases && releaseOpposite(negligible);
+        if (isSettled && !isReleased) return true;
     }
+    return false;
+}
+
+void LastingContacts::unload() {
+    for (Lasting &contact : *this) {
+        contact.reaction = 0.0;
+        contact.rubbing = Vec3(0.0);
+    }
+}
+
+/// driven: the motion without any impulse. Where friction feeds on itself sweeps may come to no end: then a squeeze
+/// stays, and if that doesn't help nothing rubs.
+void LastingContacts::settleWithoutResistance(double negligible, const Motion &driven, Motion &motion) {
+    if (settle(0.0, negligible, true, motion)) return;
+    unload();
+    motion = driven;
+    if (settle(0.0, negligible, false, motion)) return;
+    unload();
+    motion = driven;
+    for (Lasting &contact : *this) contact.friction = 0.0;
+    settle(0.0, negligible, true, motion);
 }
 
 /// Faces as far apart as the ball is wide may squeeze it without moving anything, but friction feeds on that. The law
@@ -130,12 +153,13 @@ double LastingContacts::relieve() {
 
 void LastingContacts::solve(double rollingFriction, Motion &motion) {
     const double negligible = kNegligible * (size(motion.velocity) + m_radius * size(motion.spin));
+    const Motion driven = motion;
     for (Lasting &contact : *this) {
         contact.rubbing = across(contact.rubbing, contact.lever);
         motion.velocity += contact.reaction * contact.lever + contact.rubbing;
         motion.spin -= 2.5 / m_radius * glm::cross(contact.lever, contact.rubbing);
     }
-    settle(0.0, negligible, motion);
+    settleWithoutResistance(negligible, driven, motion);
     if (rollingFriction == 0.0) return;
     relieve();
     bool anyRolls = false;
@@ -147,7 +171,7 @@ void LastingContacts::solve(double rollingFriction, Motion &motion) {
     // The resistance depends on how contacts share their load.
     constexpr int kMostShares = 20;
     for (int i = 0; i < kMostShares; ++i) {
-        settle(rollingFriction, negligible, motion);
+        settle(rollingFriction, negligible, true, motion);
         if (relieve() <= negligible) return;
     }
 }

@@ -40,7 +40,9 @@ public:
     void solve(double rollingFriction, Motion &motion);
 
 private:
-    void settle(double rollingFriction, double negligible, Motion &motion);
+    bool settle(double rollingFriction, double negligible, bool releases, Motion &motion);
+    void settleWithoutResistance(double negligible, const Motion &driven, Motion &motion);
+    void unload();
     bool releaseOpposite(double negligible);
     double relieve();
     double sweep(double rollingFriction, Motion &motion);
