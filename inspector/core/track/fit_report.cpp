@@ -44,11 +44,13 @@ QString whereText(const ModelFit &fit, double noise) {
     const QString text = residualText(fit);
     if (fit.bounces.empty())
         return text + QStringLiteral("; no wall is hit: what the ball does on the floor is missing");
-    if (fit.rmsNearBounces > 2.0 * fit.rmsElsewhere)
-        return text +
+    const QString parted =
+        QStringLiteral("; %1 of %2 times they part at a bounce").arg(fit.breaksAtWalls).arg(fit.breaks);
+    if (fit.rmsNearBounces > 2.0 * fit.rmsElsewhere || 3 * fit.breaksAtWalls >= 2 * fit.breaks)
+        return text + parted +
                QStringLiteral("; what happens at walls is missing (spin, speed-dependent restitution, soft walls)");
-    if (fit.rmsElsewhere > 2.0 * noise)
-        return text +
+    if (fit.rmsElsewhere > 2.0 * noise || fit.breaks > 0)
+        return text + parted +
                QStringLiteral("; what happens on the floor is missing (other resistance, uneven board, wrong tilts)");
     return text;
 }

@@ -31,6 +31,7 @@ constexpr double kForgotten = 10.0;    // by which deviations grow before all pi
 constexpr int kGivenUp = 6;            // breaks, after which a model is no longer tried
 constexpr double kMatched = 3.0;       // times the noise, near a matched bounce
 constexpr double kNearMatch = 0.05;    // s
+constexpr double kNearBreak = 0.1;     // s
 constexpr double kAllowedBreaks = 0.1; // of bounces, at which a model may fail: one may be told from noise by luck only
 
 double rmsOf(const std::vector<double> &residuals, size_t from, size_t to) {
@@ -60,7 +61,7 @@ public:
     void run(size_t first, size_t end, int mostBreaks, const FitProgress &progress);
     void refine();
     bool hasBegun() const { return !m_pieces.empty(); }
-    int breaks() const { return m_breaks; }
+    int breaks() const { return int(m_parted.size()); }
     size_t next() const { return m_next; }
     ModelFit result() const;
 
@@ -75,6 +76,7 @@ private:
     FittedValue valueOf(size_t i, const ModelFit &fit) const;
     void addResiduals(ModelFit &fit) const;
     void matchBounces(ModelFit &fit) const;
+    bool endsAtWall(const Piece &piece) const;
 
     const BallModel &m_model;
     const Track &m_track;
@@ -87,8 +89,8 @@ private:
     std::optional<PieceFit> m_open; // that grows
     double m_stride = 0.0;          // s, that it grows by
     bool m_isParted = false;        // not even the next points are as computed
-    int m_breaks = 0;
-    size_t m_next = 0; // point that hasn't been looked at
+    std::vector<Piece> m_parted;    // pieces at whose ends the computed ball and the measured one part
+    size_t m_next = 0;              // point that hasn't been looked at
 };
 
 // As a whole and in every window: a bounce that isn't as measured shows in the latter.
@@ -144,7 +146,7 @@ std::optional<PieceFit> Climb::grown(const PieceFit &fit) {
 void Climb::run(size_t first, size_t end, int mostBreaks, const FitProgress &progress) {
     const size_t count = std::min(end, m_track.points.size());
     m_next = first;
-    while (m_next + kFewestPoints < count && m_breaks < mostBreaks && !m_stop.stop_requested()) {
+    while (m_next + kFewestPoints < count && breaks() < mostBreaks && !m_stop.stop_requested()) {
         m_open = begun(m_next);
         if (!m_open) { // in a bounce, perhaps
             m_next = std::max(m_next + 3, smoothestAfter(m_track, m_next + 1, kReach));
@@ -165,7 +167,7 @@ void Climb::run(size_t first, size_t end, int mostBreaks, const FitProgress &pro
 }
 
 void Climb::close() {
-    if (m_isParted) ++m_breaks;
+    if (m_isParted) m_parted.push_back(m_open->piece);
     m_board = m_open->board;
     m_knowledge = m_open->knowledge;
     m_pieces.push_back(m_open->piece);
@@ -193,11 +195,13 @@ ModelFit Climb::result() const {
     fit.model = m_board.params.model;
     fit.board = m_board;
     fit.pieces = m_pieces;
-    fit.breaks = m_breaks;
+    fit.breaks = breaks();
+    fit.breaksAtWalls =
+        int(std::count_if(m_parted.begin(), m_parted.end(), [&](const Piece &piece) { return endsAtWall(piece); }));
     addResiduals(fit);
     matchBounces(fit);
     const double allowed = std::max(1.0, kAllowedBreaks * double(fit.bounces.size()));
-    fit.isGood = !m_pieces.empty() && m_breaks <= allowed;
+    fit.isGood = !m_pieces.empty() && breaks() <= allowed;
     for (size_t i = 0; i < m_quantities.size(); ++i) fit.values.push_back(valueOf(i, fit));
     for (size_t i = 0; i < m_quantities.size(); ++i) {
         fit.correlations.emplace_back();
@@ -240,6 +244,17 @@ void Climb::addResiduals(ModelFit &fit) const {
     }
     for (const TrackImpact &impact : impacts)
         if (impact.speed >= kCountedImpact) fit.bounces.push_back({impact, false});
+}
+
+// Whether the computed ball bounces about where the piece ends: after that the measured one goes another way.
+bool Climb::endsAtWall(const Piece &piece) const {
+    std::vector<TrackPoint> computed;
+    std::vector<TrackImpact> impacts;
+    m_model.run(m_board, piece.start, piece.first, pointAfter(piece.last, kNearBreak), computed, &impacts);
+    const double begin = m_track.points[piece.last].time - kNearBreak;
+    return std::any_of(impacts.begin(), impacts.end(), [&](const TrackImpact &impact) {
+        return impact.time >= begin && impact.speed >= kCountedImpact;
+    });
 }
 
 // Root mean square of a coordinate's residuals at the times that are wanted, m.

@@ -46,6 +46,7 @@ struct ModelFit {
     BoardGuess board;
     std::vector<Piece> pieces; // one if the whole track is described at once
     int breaks = 0;            // moments at which the computed ball and the measured one part
+    int breaksAtWalls = 0;     // of these, those with a bounce
     std::vector<FittedValue> values;
     std::vector<std::vector<double>> correlations; // between values
     double rms = 0.0;                              // m
