@@ -98,9 +98,10 @@ bool ExactStep::isAlone(uint32_t &closed) const {
 
 /// Nothing is left of the velocity of a ball that resistance holds: it was rounding, model.md 14.1.
 void ExactStep::stopHeld() {
-    if (m_response.rolling != Vec3(0.0) || !isNoSlip(moment(), m_motion.velocity)) return;
+    if (m_response.rolling != Vec3(0.0)) return;
     for (uint32_t i = 0; i < m_heldCount; ++i) {
         if (m_response.reactions[i].mode != Mode::sticking || m_held[i].resistance == 0.0) continue;
+        if (!isNoSlip(moment(), m_motion.velocity)) return;
         const Vec3 &n = m_held[i].normal;
         const Vec3 pivoting = glm::dot(m_motion.spin, n) * n;
         if (!isNoSlip(moment(), m_scene.radius * (m_motion.spin - pivoting))) continue;

@@ -254,7 +254,6 @@ void ExactStep::follow(const P &phase, const End &end, const Border &border) {
 
 /// What the end of a phase makes exact.
 void ExactStep::settle(const End &end, const Border &border) {
-    const double R = m_scene.radius;
     const double before = glm::length(m_motion.velocity);
     if (end.cause == Cause::stop) {
         const Vec3 n = m_held[end.contact].normal;
@@ -266,8 +265,19 @@ void ExactStep::settle(const End &end, const Border &border) {
         stick(end.contact, kNever);
         if (contactOf(end.contact).isTop) event(PHYS_EVENT_ROLL, before, glm::length(m_motion.velocity));
     }
-    // Nothing but rounding is left of a slip at what sticks, and of a velocity that ends with it.
-    const double rounding = 4e-13 * speedScale(moment());
+    bool holds = end.cause == Cause::stop;
+    for (uint32_t i = 0; i < m_heldCount; ++i) holds = holds || sticks(i, end);
+    const double rounding = holds ? 4e-13 * speedScale(moment()) : 0.0;
+    if (holds) clearSlips(end, rounding);
+    if (end.cause != Cause::time || !restsNow()) keepContacts();
+    for (uint32_t i = 0; i < m_heldCount && holds; ++i) {
+        if (sticks(i, end) && contactOf(i).isTop) rollOn(i, rounding);
+    }
+    if (end.cause == Cause::border) m_position[border.axis] = border.coordinate;
+}
+
+/// Nothing but rounding is left of a slip at what sticks, and of a velocity that ends with it.
+void ExactStep::clearSlips(const End &end, double rounding) {
     bool isStill = false;
     for (int sweep = 0; sweep < 4 && !isStill; ++sweep) {
         isStill = true;
@@ -275,15 +285,9 @@ void ExactStep::settle(const End &end, const Border &border) {
             if (sticks(i, end) && stick(i, rounding)) isStill = false;
         }
     }
-    if (end.cause == Cause::grip || end.cause == Cause::stop) {
-        if (glm::length(m_motion.velocity) <= rounding) m_motion.velocity = Vec3(0.0);
-        if (R * glm::length(m_motion.spin) <= rounding) m_motion.spin = Vec3(0.0);
-    }
-    if (end.cause != Cause::time || !restsNow()) keepContacts();
-    for (uint32_t i = 0; i < m_heldCount; ++i) {
-        if (sticks(i, end) && contactOf(i).isTop) rollOn(i, rounding);
-    }
-    if (end.cause == Cause::border) m_position[border.axis] = border.coordinate;
+    if (end.cause != Cause::grip && end.cause != Cause::stop) return;
+    if (glm::length(m_motion.velocity) <= rounding) m_motion.velocity = Vec3(0.0);
+    if (m_scene.radius * glm::length(m_motion.spin) <= rounding) m_motion.spin = Vec3(0.0);
 }
 
 /// Lasting contacts are kept at the radius, and nothing is left of a velocity across them.
@@ -310,16 +314,16 @@ void ExactStep::keepContacts() {
     }
 }
 
-/// Whether contact i sticks once the phase has ended.
+/// Whether friction holds the ball at contact i once the phase has ended.
 bool ExactStep::sticks(uint32_t i, const End &end) const {
     const Mode mode = m_response.reactions[i].mode;
-    return mode == Mode::sticking || (mode == Mode::slipping && end.cause == Cause::grip);
+    const bool rubs = m_held[i].friction > 0.0 && !m_held[i].isGlued;
+    return rubs && (mode == Mode::sticking || (mode == Mode::slipping && end.cause == Cause::grip));
 }
 
 /// On a floor: gives the ball the spin that belongs to its velocity to the last bit, if that is no more than rounding.
 void ExactStep::rollOn(uint32_t i, double rounding) {
-    const Held &held = m_held[i];
-    if (held.isGlued || held.friction == 0.0 || glm::length(slipAt(moment(), held.normal)) > rounding) return;
+    if (glm::length(slipAt(moment(), m_held[i].normal)) > rounding) return;
     const Vec3 rolls = rollingSpin(inPlane(m_motion.velocity), m_scene.radius);
     m_motion.spin = {rolls.x, rolls.y, m_motion.spin.z};
 }
@@ -328,7 +332,6 @@ void ExactStep::rollOn(uint32_t i, double rounding) {
 /// to end.
 bool ExactStep::stick(uint32_t i, double most) {
     const Held &held = m_held[i];
-    if (held.isGlued || held.friction == 0.0) return false;
     const double R = m_scene.radius;
     const Vec3 slip = slipAt(moment(), held.normal);
     if (slip == Vec3(0.0) || glm::length(slip) > most) return false;

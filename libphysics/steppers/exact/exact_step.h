@@ -102,6 +102,7 @@ private:
     bool isOpen(double acceleration) const;
     void settle(const End &end, const Border &border);
     void keepContacts();
+    void clearSlips(const End &end, double rounding);
     bool sticks(uint32_t i, const End &end) const;
     void rollOn(uint32_t i, double rounding);
     bool stick(uint32_t i, double most);

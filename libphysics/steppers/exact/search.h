@@ -181,8 +181,6 @@ template<class Phase>
 double borderTime(const Outlook &around, const Phase &phase, const Border &border, double from, double until) {
     const int axis = border.axis;
     const double start = border.inward * (around.position[axis] - border.coordinate);
-    const double v = glm::length(around.motion.velocity), a = phase.mostAcceleration();
-    if (start > until * (v + 0.5 * a * until)) return kNever;
     Vec3 n(0.0);
     n[axis] = border.inward;
     const auto depth = [&](double t) {
@@ -198,6 +196,7 @@ template<class Phase>
 Border firstBorder(const Outlook &around, const Contact &contact, const phys_box &box, const Phase &phase, double from,
                    double until) {
     Border first;
+    const double way = until * (glm::length(around.motion.velocity) + 0.5 * phase.mostAcceleration() * until);
     for (int axis = 0; axis < 3; ++axis) {
         const int side = contact.sides[axis];
         if (around.isBarred(axis)) continue;
@@ -205,6 +204,7 @@ Border firstBorder(const Outlook &around, const Contact &contact, const phys_box
             // Over the box: its two ends. Beside it: the end that the centre is beside, from outside.
             if (side != 0 && side != (sign > 0.0 ? 1 : -1)) continue;
             Border border{kNever, axis, sign > 0.0 ? (&box.max.x)[axis] : (&box.min.x)[axis], side == 0 ? -sign : sign};
+            if (border.inward * (around.position[axis] - border.coordinate) > way) continue;
             border.after = borderTime(around, phase, border, from, until);
             if (border.after < first.after) first = border;
         }
