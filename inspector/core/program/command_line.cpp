@@ -6,6 +6,7 @@
 #include "core/setup/files.h"
 #include "core/setup/lines.h"
 #include "core/setup/numbers.h"
+#include "core/setup/parameter_sets.h"
 #include "core/setup/tables.h"
 #include "core/simulation/simulation.h"
 
@@ -112,6 +113,10 @@ void addOptions(QCommandLineParser &parser, const std::vector<const phys_param_r
          text("Load the steppers of this plugin file; may be repeated. The plugins in the folders of PHYS_PLUGIN_PATH "
               "and "
               "in physics-1 beside the library are there without it."),
+         "file"},
+        {"parameters",
+         text("Take parameters from this text file, as the window exports them: lines 'set rolling_friction 0.002'. "
+              "Options of single parameters come after it."),
          "file"},
         {"autopilot", text("Let the autopilot tilt the board.")},
         {"duration",
@@ -240,6 +245,14 @@ double parameterOf(const QString &option, const QString &text, const phys_param_
     throw WrongUse{QStringLiteral("--%1: expected %2, found %3").arg(option, expectedOf(row), quoted(text))};
 }
 
+void readParameterFile(const QString &path, Options &options) {
+    QString error;
+    const std::optional<QByteArray> text = readFile(path, kMegabyte, &error);
+    const std::optional<ParameterSet> set = text ? readSet(*text, path, &error) : std::nullopt;
+    if (!set) throw WrongUse{QStringLiteral("--parameters: ") + error};
+    options.settings = set->values;
+}
+
 void readParameters(const QCommandLineParser &parser, const std::vector<const phys_param_row *> &rows,
                     Options &options) {
     QString error;
@@ -249,6 +262,7 @@ void readParameters(const QCommandLineParser &parser, const std::vector<const ph
         throw WrongUse{QStringLiteral("--stepper: ") + QString::fromUtf8(failure.text)};
     Parameters parameters;
     parameters.setStepper(info);
+    if (parser.isSet("parameters")) readParameterFile(parser.value("parameters"), options);
     for (const phys_param_row *row : rows) {
         if (!parser.isSet(optionName(*row))) continue;
         const QString id = QString::fromUtf8(row->id);
@@ -346,7 +360,7 @@ void readRecordings(const QCommandLineParser &parser, const std::vector<const ph
         return;
     }
     const bool isWatched = !options.headless && !options.check;
-    QStringList others{"level", "stepper", "dt", "autopilot", "all-levels", "trade"};
+    QStringList others{"level", "stepper", "dt", "parameters", "autopilot", "all-levels", "trade"};
     others += isWatched ? QStringList{"csv"} : QStringList{"speed", "duration", "grab", "shaders"};
     for (const phys_param_row *row : rows) others += optionName(*row);
     for (const QString &name : others)

@@ -57,7 +57,4 @@ private:
     uint64_t m_companion = 0; // its number; 0: none could be made
 };
 
-// Values of the rows that both have, the tilt left out: what one ball can take over from the other.
-std::vector<Setting> sharedValues(const Parameters &from, const Parameters &to);
-
 } // namespace inspector

@@ -148,4 +148,13 @@ Inputs Parameters::inputs() const {
     return inputs;
 }
 
+std::vector<Setting> sharedValues(const Parameters &from, const Parameters &to) {
+    std::vector<Setting> shared;
+    for (int i = 0; i < from.count(); ++i) {
+        const QString id = QString::fromUtf8(from.row(i).id);
+        if (!isTilt(from.row(i)) && to.indexOf(id) >= 0) shared.push_back({id, from.value(i)});
+    }
+    return shared;
+}
+
 } // namespace inspector

@@ -78,4 +78,7 @@ private:
     Values m_values;
 };
 
+// Values of the rows that both have, the tilt left out: what one ball can take over from another.
+std::vector<Setting> sharedValues(const Parameters &from, const Parameters &to);
+
 } // namespace inspector

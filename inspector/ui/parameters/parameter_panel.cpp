@@ -3,7 +3,9 @@
 
 #include "ui/parameters/parameter_command.h"
 #include "ui/parameters/parameter_row.h"
+#include "ui/parameters/set_menu.h"
 #include "ui/parts/action_widgets.h"
+#include "ui/parts/described.h"
 
 #include <QCheckBox>
 #include <QEvent>
@@ -39,7 +41,10 @@ ParameterPanel::ParameterPanel(Session &session, QUndoStack &undo, const Actions
     , m_undo(undo)
     , m_actions(actions)
     , m_ball{Owner::Ball, session.parameters()}
-    , m_ghost{Owner::Ghost, session.comparison().parameters()} {
+    , m_ghost{Owner::Ghost, session.comparison().parameters()}
+    , m_sets(new SetMenu(
+          m_ball.parameters, session.settings(), undo,
+          [this] { return m_session.comparison().isOn() && m_session.comparison().hasOwnParameters(); }, this)) {
     setObjectName(QStringLiteral("parameters"));
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
@@ -52,6 +57,9 @@ ParameterPanel::ParameterPanel(Session &session, QUndoStack &undo, const Actions
     connect(&m_session, &Session::autopilotChanged, this, &ParameterPanel::showAutopilot);
     connect(&m_session, &Session::replayChanged, this, &ParameterPanel::updateLocks);
     connect(&m_session.comparison(), &Comparison::changed, this, &ParameterPanel::showGhost);
+    connect(m_sets, &SetMenu::chosen, this,
+            [this](const ParameterSet &set, Owner owner) { useSet(owner == Owner::Ball ? m_ball : m_ghost, set); });
+    connect(m_sets, &SetMenu::failed, this, &ParameterPanel::refused);
     rebuild();
 }
 
@@ -110,6 +118,14 @@ QWidget *ParameterPanel::makeHead() {
     auto *head = new QWidget;
     auto *layout = new QHBoxLayout(head);
     layout->setContentsMargins(0, 0, 0, 2);
+    auto *sets = new QToolButton;
+    sets->setObjectName(QStringLiteral("parameter_sets"));
+    sets->setText(tr("Sets"));
+    describe(sets, tr("Named sets of parameters"), tr("Parameters by name: materials, and what you saved"));
+    sets->setPopupMode(QToolButton::InstantPopup);
+    sets->setMenu(m_sets);
+    sets->setFocusPolicy(Qt::TabFocus);
+    layout->addWidget(sets);
     layout->addWidget(switchFor(m_actions.ghostsOwn, prefix));
     for (QAction *action : {&m_actions.copy, &m_actions.swap}) layout->addWidget(buttonFor(*action, prefix));
     layout->addStretch();
@@ -143,28 +159,34 @@ void ParameterPanel::edit(Side &side, int index, double value) {
     m_undo.push(new ParameterCommand(side.parameters, {{id, before}}, {{id, value}}, m_gesture, text));
 }
 
-void ParameterPanel::resetAll() {
+// Several rows at once, as one step of undo.
+void ParameterPanel::change(Side &side, const std::vector<Setting> &wanted, const QString &text) {
     std::vector<Setting> before;
-    std::vector<Setting> after;
-    const Parameters &parameters = m_ball.parameters;
-    for (int index = 0; index < parameters.count(); ++index) {
-        if (parameters.isInitial(index)) continue;
-        const phys_param_row &row = parameters.row(index);
-        before.push_back({QString::fromUtf8(row.id), parameters.value(index)});
-        after.push_back({QString::fromUtf8(row.id), row.initial});
+    for (const Setting &setting : wanted)
+        before.push_back({setting.id, side.parameters.value(side.parameters.indexOf(setting.id))});
+    QString error;
+    if (!side.parameters.set(wanted, &error)) return emit refused(error);
+    if (before != wanted) m_undo.push(new ParameterCommand(side.parameters, before, wanted, ++m_gesture, text));
+}
+
+void ParameterPanel::resetAll() {
+    std::vector<Setting> initial;
+    for (int index = 0; index < m_ball.parameters.count(); ++index) {
+        const phys_param_row &row = m_ball.parameters.row(index);
+        initial.push_back({QString::fromUtf8(row.id), row.initial});
     }
-    if (before.empty()) return;
-    m_ball.parameters.resetAll();
-    m_undo.push(new ParameterCommand(m_ball.parameters, before, after, ++m_gesture, tr("reset of all parameters")));
+    change(m_ball, initial, tr("reset of all parameters"));
+}
+
+// A recorded ball's are as they were.
+void ParameterPanel::useSet(Side &side, const ParameterSet &set) {
+    if (side.owner == Owner::Ball && m_session.isReplaying())
+        return emit refused(tr("a recording is shown as it was; Go on from here makes its parameters yours to change"));
+    change(side, valuesFor(side.parameters, set), tr("parameters of %1").arg(set.name));
 }
 
 void ParameterPanel::copyToGhost() {
-    const std::vector<Setting> before = sharedValues(m_ghost.parameters, m_ball.parameters);
-    const std::vector<Setting> after = sharedValues(m_ball.parameters, m_ghost.parameters);
-    QString error;
-    if (!m_ghost.parameters.set(after, &error)) return emit refused(error);
-    if (before == after) return;
-    m_undo.push(new ParameterCommand(m_ghost.parameters, before, after, ++m_gesture, tr("copy to the ghost")));
+    change(m_ghost, sharedValues(m_ball.parameters, m_ghost.parameters), tr("copy to the ghost"));
 }
 
 void ParameterPanel::swapWithGhost() {

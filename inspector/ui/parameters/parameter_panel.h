@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/session/session.h"
+#include "core/setup/parameter_sets.h"
 
 #include <QScrollArea>
 
@@ -14,6 +15,7 @@ class QUndoStack;
 namespace inspector::ui {
 
 class ParameterRow;
+class SetMenu;
 enum class Owner;
 
 // Every row of Parameters, to be seen and set; below each the ghost's, while that has own ones. Edits go through the
@@ -56,6 +58,8 @@ private:
     void rebuild();
     void addRow(Side &side, int index, QGridLayout &grid, int line);
     QWidget *makeHead();
+    void useSet(Side &side, const ParameterSet &set);
+    void change(Side &side, const std::vector<Setting> &wanted, const QString &text);
     void addResetAll(QGridLayout &grid, int line);
     void edit(Side &side, int index, double value);
     void showValue(const Side &side, int index, double value);
@@ -69,6 +73,7 @@ private:
     Actions m_actions;
     Side m_ball;
     Side m_ghost;
+    SetMenu *m_sets;
     int m_gesture = 0;
 };
 

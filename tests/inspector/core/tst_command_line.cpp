@@ -179,6 +179,8 @@ void TestCommandLine::wrongUseGivesOneLineAndStatus2_data() {
                                       << "--compare: no stepper has the id 'none'";
     QTest::newRow("substeps of nothing") << "--compare-substeps 2"
                                          << "--compare-substeps: needs --compare";
+    QTest::newRow("no file of parameters") << "--parameters /nowhere"
+                                           << "--parameters: '/nowhere'";
     QTest::newRow("parameters of nothing") << "--compare-set gravity=3"
                                            << "--compare-set: needs --compare";
     QTest::newRow("ghost's tilt") << "--compare exact --compare-set tilt_x=3"

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+// Named sets of parameters in the Parameters dock: used, saved, deleted, imported, exported; all of it undone.
+#include "core/setup/parameter_sets.h"
+#include "support/compare.h"
+#include "support/files.h"
+#include "ui/parts/message_bar.h"
+#include "window_fixture.h"
+
+#include <QApplication>
+#include <QFileDialog>
+#include <QInputDialog>
+#include <QLineEdit>
+#include <QMenu>
+#include <QToolButton>
+
+#include <algorithm>
+
+using namespace window_test;
+
+class TestWindowSets : public QObject {
+    Q_OBJECT
+
+public:
+    static void initMain() { prepare(); }
+
+private slots:
+    void init();
+    void cleanup();
+    void knownSetIsChosenByKeyboardAndUndone();
+    void tipSaysValuesAndSources();
+    void savedSetComesBackWithTheNextWindow();
+    void deletionIsUndone();
+    void ghostGetsASetOfItsOwn();
+    void exportedFileIsImported();
+    void fileThatIsNoneIsRefusedInOneLine();
+
+private:
+    double own(const char *id) { return m_fixture->parameters().value(m_fixture->parameters().indexOf(id)); }
+    QMenu *menu();
+    void choose(const QString &text, const QString &inMenu = {});
+    void save(const QString &name);
+    void answerFile(const QString &path);
+
+    std::unique_ptr<Fixture> m_fixture;
+};
+
+void TestWindowSets::init() {
+    m_fixture = std::make_unique<Fixture>();
+    QVERIFY(m_fixture->isReady());
+}
+
+void TestWindowSets::cleanup() { m_fixture.reset(); }
+
+// As a click on the button opens it; it stays open until something is chosen.
+QMenu *TestWindowSets::menu() {
+    auto *menu = m_fixture->find<QMenu>("set_menu");
+    menu->popup(m_fixture->find<QToolButton>("parameter_sets")->mapToGlobal(QPoint(0, 20)));
+    return menu;
+}
+
+// By a click on the text, in the menu or in one of its submenus.
+void TestWindowSets::choose(const QString &text, const QString &inMenu) {
+    QMenu *shown = menu();
+    if (!inMenu.isEmpty()) {
+        for (QAction *action : shown->actions())
+            if (action->text() == inMenu) shown = action->menu();
+        QVERIFY(shown->isEnabled());
+        shown->popup(menu()->pos() + QPoint(40, 40));
+    }
+    const QList<QAction *> actions = shown->actions();
+    const auto found = std::find_if(actions.begin(), actions.end(), [&](QAction *a) { return a->text() == text; });
+    QVERIFY2(found != actions.end(), qPrintable(text));
+    QTest::mouseClick(shown, Qt::LeftButton, {}, shown->actionGeometry(*found).center());
+    while (QWidget *open = QApplication::activePopupWidget()) open->close();
+}
+
+void TestWindowSets::save(const QString &name) {
+    choose("Save these parameters as…");
+    QTRY_VERIFY(m_fixture->window().findChild<QInputDialog *>("set_name"));
+    auto *dialog = m_fixture->find<QInputDialog>("set_name");
+    auto *line = dialog->findChild<QLineEdit *>();
+    QTRY_VERIFY(line->isVisible());
+    QTest::keyClicks(line, name);
+    QTest::keyClick(line, Qt::Key_Return);
+    QTRY_VERIFY(!m_fixture->window().findChild<QInputDialog *>("set_name"));
+}
+
+void TestWindowSets::answerFile(const QString &path) {
+    QTRY_VERIFY(m_fixture->window().findChild<QFileDialog *>());
+    auto *dialog = m_fixture->window().findChild<QFileDialog *>();
+    emit dialog->fileSelected(path); // what it says once a name is chosen
+    delete dialog;
+}
+
+void TestWindowSets::knownSetIsChosenByKeyboardAndUndone() {
+    auto *button = m_fixture->find<QToolButton>("parameter_sets");
+    button->setFocus(Qt::TabFocusReason);
+    QTimer::singleShot(0, button, [] {
+        QTRY_VERIFY(QApplication::activePopupWidget());
+        for (const Qt::Key key : {Qt::Key_Down, Qt::Key_Down, Qt::Key_Return})
+            QTest::keyClick(QApplication::activePopupWidget(), key);
+    });
+    QTest::keyClick(button, Qt::Key_Space);       // waits until the menu is closed
+    COMPARE_EXACT(own("restitution_wall"), 0.65); // glass
+    COMPARE_EXACT(own("rolling_friction"), 0.001);
+    QTRY_COMPARE(m_fixture->simulated("restitution_wall"), 0.65);
+    m_fixture->press(Qt::Key_Z, Qt::ControlModifier);
+    COMPARE_EXACT(own("restitution_wall"), 0.5);
+    COMPARE_EXACT(own("rolling_friction"), 0.002);
+}
+
+void TestWindowSets::tipSaysValuesAndSources() {
+    const QAction *first = menu()->actions().front();
+    QCOMPARE(first->text(), QString("Steel on wood"));
+    QVERIFY2(first->toolTip().contains("rolling_friction = 0.002"), qPrintable(first->toolTip()));
+    QVERIFY2(first->toolTip().contains("Cross"), qPrintable(first->toolTip()));
+    m_fixture->find<QMenu>("set_menu")->close();
+}
+
+void TestWindowSets::savedSetComesBackWithTheNextWindow() {
+    m_fixture->parameters().set({{"gravity", 1.62}, {"tilt_x", 3.0}});
+    save("Moon & more");
+    m_fixture->press(Qt::Key_R, Qt::ControlModifier);
+    COMPARE_EXACT(own("gravity"), 9.81);
+    m_fixture->reopen();
+    QVERIFY(m_fixture->isReady());
+    choose("Moon && more");
+    COMPARE_EXACT(own("gravity"), 1.62);
+    COMPARE_EXACT(own("tilt_x"), 0.0); // the board's tilt is no property of it
+}
+
+void TestWindowSets::deletionIsUndone() {
+    const auto isThere = [this] { return m_fixture->settings().contains("parameter_sets/Mine"); };
+    save("Mine");
+    QVERIFY(isThere());
+    choose("Mine", "Delete");
+    QVERIFY(!isThere());
+    m_fixture->press(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(isThere());
+    m_fixture->press(Qt::Key_Z, Qt::ControlModifier); // the save
+    QVERIFY(!isThere());
+}
+
+void TestWindowSets::ghostGetsASetOfItsOwn() {
+    m_fixture->press(Qt::Key_C, Qt::ShiftModifier);
+    choose("Steel on ice", "For the ghost");
+    const inspector::Parameters &ghosts = m_fixture->session().comparison().parameters();
+    COMPARE_EXACT(ghosts.value(ghosts.indexOf("sliding_friction")), 0.02);
+    COMPARE_EXACT(own("sliding_friction"), 0.3);
+}
+
+void TestWindowSets::exportedFileIsImported() {
+    m_fixture->parameters().set({{"gravity", 1.62}});
+    const QString path = m_fixture->path("moon.txt");
+    choose("Export…");
+    answerFile(path);
+    QTRY_VERIFY(QFile::exists(path));
+    QVERIFY(support::contentOf(path).startsWith("physics-parameters 1\nname moon\nset gravity 1.62\n"));
+    m_fixture->press(Qt::Key_R, Qt::ControlModifier);
+    choose("Import…");
+    answerFile(path);
+    QTRY_COMPARE(own("gravity"), 1.62);
+    QVERIFY(m_fixture->settings().contains("parameter_sets/moon"));
+    m_fixture->press(Qt::Key_Z, Qt::ControlModifier); // both at once
+    COMPARE_EXACT(own("gravity"), 9.81);
+    QVERIFY(!m_fixture->settings().contains("parameter_sets/moon"));
+}
+
+void TestWindowSets::fileThatIsNoneIsRefusedInOneLine() {
+    const QString path = m_fixture->path("no.txt");
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write("nothing\n") == 8);
+    file.close();
+    choose("Import…");
+    answerFile(path);
+    QTRY_COMPARE(m_fixture->window().messages().line(), path + ":1: expected 'physics-parameters 1', found 'nothing'");
+    COMPARE_EXACT(own("gravity"), 9.81);
+}
+
+QTEST_MAIN(TestWindowSets)
+#include "tst_window_sets.moc"
