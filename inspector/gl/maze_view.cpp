@@ -2,17 +2,17 @@
 #include "gl/maze_view.h"
 
 #include "gl/board_pose.h"
-#include "gl/maze_renderer.h"
+#include "gl/flat_canvas.h"
+#include "gl/gl_canvas.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include <QElapsedTimer>
 #include <QGuiApplication>
 #include <QMouseEvent>
-#include <QOpenGLDebugLogger>
-#include <QOpenGLFramebufferObject>
-#include <QOpenGLFunctions>
 #include <QStyleHints>
+#include <QVBoxLayout>
 #include <QWheelEvent>
 
 #include <glm/common.hpp>
@@ -22,7 +22,8 @@ namespace inspector::gl {
 namespace {
 
 constexpr int kPulseMilliseconds = 16;
-constexpr int kSamples = 4;
+constexpr double kLeastBall = 3.0;           // radius of a ball in the picture, logical pixels
+constexpr double kFollowShare = 0.4;         // of the distance that shows everything
 constexpr double kWheelUnitsPerStep = 120.0; // QWheelEvent: eighths of a degree, 15 degrees a notch
 
 glm::dvec2 toGlm(const QPointF &point) { return {point.x(), point.y()}; }
@@ -41,9 +42,12 @@ Backdrop backdropOf(const QPalette &palette) {
 
 } // namespace
 
-MazeView::MazeView(QWidget *parent)
-    : QOpenGLWidget(parent) {
+MazeView::MazeView(Drawing drawing, QWidget *parent)
+    : QWidget(parent) {
     setMinimumSize(160, 120);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    makeCanvas(drawing);
     m_pulse.setTimerType(Qt::PreciseTimer);
     m_pulse.setInterval(kPulseMilliseconds);
     connect(&m_pulse, &QTimer::timeout, this, [this] {
@@ -51,18 +55,35 @@ MazeView::MazeView(QWidget *parent)
     });
 }
 
-MazeView::~MazeView() {
-    // The base class destroys the context, when this is no MazeView any more.
-    if (context()) disconnect(context(), nullptr, this, nullptr);
-    releaseResources();
+MazeView::~MazeView() { delete m_canvas; } // while there is a host
+
+void MazeView::makeCanvas(Drawing drawing) {
+    delete std::exchange(m_canvas, nullptr);
+    m_drawing = drawing;
+    if (drawing == Drawing::Flat)
+        m_canvas = new FlatCanvas(*this, this);
+    else
+        m_canvas = new GlCanvas(*this, this);
+    m_canvas->widget().setAttribute(Qt::WA_TransparentForMouseEvents); // they are the view's
+    layout()->addWidget(&m_canvas->widget());
+    m_canvas->setMaze(m_maze);
+    if (m_ball) m_canvas->setBall(*m_ball);
+    if (!m_shader_directory.isEmpty()) m_canvas->setShaderDirectory(m_shader_directory);
+    resetCamera();
 }
 
-void MazeView::releaseResources() {
-    if (!m_renderer) return;
-    makeCurrent();
-    m_multisampled.reset();
-    m_renderer.reset();
-    doneCurrent();
+// Once nothing of the other canvas is being called.
+void MazeView::noteUnusable(const QString &reason) {
+    emit problem(tr("%1; the board is drawn from above instead").arg(reason));
+    QMetaObject::invokeMethod(
+        this, [this] { makeCanvas(Drawing::Flat); }, Qt::QueuedConnection);
+}
+
+void MazeView::update() { m_canvas->widget().update(); }
+
+void MazeView::changeEvent(QEvent *event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) update(); // the table has the window's colour
 }
 
 void MazeView::setMaze(const Mesh &mesh) {
@@ -70,7 +91,7 @@ void MazeView::setMaze(const Mesh &mesh) {
     const bool is_same_size = bounds.minimum == m_bounds.minimum && bounds.maximum == m_bounds.maximum;
     m_bounds = bounds;
     m_maze = mesh;
-    m_are_meshes_stale = true;
+    m_canvas->setMaze(mesh);
     m_camera.setBounds(bounds, m_largest_tilt);
     if (!is_same_size) resetCamera();
     update();
@@ -85,8 +106,7 @@ void MazeView::setLargestTilt(double tilt) {
 
 void MazeView::setBall(const Mesh &mesh) {
     m_ball = mesh;
-    m_are_meshes_stale = true;
-    update();
+    m_canvas->setBall(mesh);
 }
 
 void MazeView::setFrame(const Frame &frame) {
@@ -104,21 +124,35 @@ void MazeView::setFrameSource(std::function<Frame()> source, std::function<bool(
     }
 }
 
-void MazeView::setQuality(Quality quality) {
-    m_chosen_quality = quality;
-    m_quality = quality;
-    update();
-}
+void MazeView::setQuality(Quality quality) { m_canvas->setQuality(quality); }
 
 void MazeView::setShaderDirectory(const QString &path) {
     m_shader_directory = path;
-    if (m_renderer) m_renderer->shaders().setDirectory(path);
-    update();
+    m_canvas->setShaderDirectory(path);
 }
 
 void MazeView::resetCamera() {
+    setFollowing(false);
     m_is_camera_moved = false;
+    if (m_drawing == Drawing::Flat) return lookFromAbove();
     m_camera.reset();
+    update();
+}
+
+void MazeView::lookFromAbove() {
+    setFollowing(false);
+    m_camera.reset();
+    m_camera.orbit({0.0, 1e4}); // as far as it goes
+    m_camera.fit();
+    update();
+}
+
+void MazeView::setFollowing(bool isOn) {
+    if (isOn == m_is_following) return;
+    m_is_following = isOn;
+    if (isOn) m_camera.approach(kFollowShare);
+    if (!isOn) m_camera.fit();
+    emit followingChanged(isOn);
     update();
 }
 
@@ -131,117 +165,37 @@ Ray MazeView::rayAt(const QPointF &place) const { return m_camera.pickRay(toGlm(
 
 glm::dmat4 MazeView::boardPose() const { return boardToWorld(m_frame.tilt_x, m_frame.tilt_y, boardPivot(m_bounds)); }
 
-void MazeView::initializeGL() {
-    // Moving the widget to another window replaces its context; what belongs to the old one goes with it.
-    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &MazeView::releaseResources, Qt::UniqueConnection);
-    startDebugLogger();
-    QString error;
-    m_renderer = MazeRenderer::create(&error);
-    if (!m_renderer) {
-        emit problem(error);
-        return;
-    }
-    m_are_meshes_stale = true;
-    m_renderer_name =
-        QString::fromLatin1(reinterpret_cast<const char *>(context()->functions()->glGetString(GL_RENDERER)));
-    const bool is_software =
-        m_renderer_name.contains(QLatin1String("llvmpipe")) || m_renderer_name.contains(QLatin1String("softpipe"));
-    m_quality = m_chosen_quality.value_or(is_software ? Quality::Medium : Quality::High);
-    ShaderLibrary &shaders = m_renderer->shaders();
-    connect(&shaders, &ShaderLibrary::changed, this, qOverload<>(&QWidget::update));
-    connect(&shaders, &ShaderLibrary::failed, this, &MazeView::problem);
-    connect(&shaders, &ShaderLibrary::rebuilt, this, &MazeView::shadersRebuilt);
-    if (!m_shader_directory.isEmpty()) shaders.setDirectory(m_shader_directory);
+void MazeView::resizeEvent(QResizeEvent *event) {
+    QWidget::resizeEvent(event);
+    m_camera.setViewport({width(), height()});
+    if (!m_is_camera_moved && !m_is_following) m_camera.fit();
 }
 
-void MazeView::startDebugLogger() {
-    if (!context()->format().testOption(QSurfaceFormat::DebugContext)) return;
-    auto *logger = new QOpenGLDebugLogger(context());
-    if (!logger->initialize()) return;
-    connect(logger, &QOpenGLDebugLogger::messageLogged, this, [](const QOpenGLDebugMessage &message) {
-        const bool is_serious =
-            message.severity() & (QOpenGLDebugMessage::HighSeverity | QOpenGLDebugMessage::MediumSeverity);
-        if (is_serious && message.type() != QOpenGLDebugMessage::PerformanceType)
-            qWarning("OpenGL: %s", qPrintable(message.message().trimmed()));
-    });
-    logger->startLogging();
-}
-
-void MazeView::uploadMeshes() {
-    if (!m_are_meshes_stale) return;
-    m_are_meshes_stale = false;
-    m_renderer->setMaze(m_maze);
-    if (m_ball) m_renderer->setBall(*m_ball);
-}
-
-void MazeView::resizeGL(int width, int height) {
-    m_camera.setViewport({width, height});
-    if (!m_is_camera_moved) m_camera.fit();
-}
-
-View MazeView::currentView() const {
+View MazeView::view() const {
     View view;
     view.view = m_camera.view();
     view.projection = m_camera.projection();
     // The one place where logical pixels become those of the device.
     view.pixel_ratio = devicePixelRatioF();
     view.pixels = {std::lround(width() * view.pixel_ratio), std::lround(height() * view.pixel_ratio)};
-    view.quality = m_quality;
     view.backdrop = backdropOf(palette());
     return view;
 }
 
-void MazeView::paintGL() {
-    if (!m_renderer) return;
-    QElapsedTimer timer;
-    timer.start();
+// In a large maze, seen whole, a ball of its own size would be a dot that nobody finds.
+void MazeView::keepVisible(Ball &ball) const {
+    const QPointF reach = positionOf(ball.position + glm::dvec3(ball.radius, 0.0, 0.0)) - positionOf(ball.position);
+    const double radius = std::hypot(reach.x(), reach.y());
+    if (radius < kLeastBall) ball.radius *= kLeastBall / std::max(radius, 1e-3);
+}
+
+const Frame &MazeView::nextFrame() {
     ++m_pictures;
     if (m_source) m_frame = m_source();
-    uploadMeshes();
-    const View view = currentView();
-    if (m_quality == Quality::High) {
-        renderMultisampled(view);
-    } else {
-        m_multisampled.reset();
-        m_renderer->render(m_frame, view);
-    }
-    context()->functions()->glFinish(); // drivers queue; the figure is for the finished picture
-    m_frame_milliseconds = 1e-6 * static_cast<double>(timer.nsecsElapsed());
-}
-
-// Into a framebuffer of our own, so that the quality can be switched while running; the widget's can't.
-void MazeView::renderMultisampled(const View &view) {
-    const QSize size(view.pixels.x, view.pixels.y);
-    if (!m_multisampled || m_multisampled->size() != size) {
-        QOpenGLFramebufferObjectFormat format;
-        format.setSamples(kSamples);
-        format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
-        m_multisampled = std::make_unique<QOpenGLFramebufferObject>(size, format);
-    }
-    m_multisampled->bind();
-    m_renderer->render(m_frame, view);
-    QOpenGLFramebufferObject::blitFramebuffer(nullptr, m_multisampled.get());
-    context()->functions()->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
-}
-
-// Drawn once more, into a framebuffer of its own, with as many samples as there are.
-QImage MazeView::picture(int scale) {
-    if (!m_renderer) return {};
-    makeCurrent();
-    View view = currentView();
-    view.pixel_ratio *= scale;
-    view.pixels *= scale;
-    const QSize size(view.pixels.x, view.pixels.y);
-    QOpenGLFramebufferObjectFormat format;
-    format.setSamples(kSamples);
-    format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
-    QOpenGLFramebufferObject target(size, format);
-    target.bind();
-    m_renderer->render(m_frame, view);
-    const QImage picture = target.toImage();
-    target.release();
-    doneCurrent();
-    return picture.convertToFormat(QImage::Format_RGB32);
+    if (m_is_following) m_camera.lookAt(glm::dvec3(boardPose() * glm::dvec4(m_frame.ball.position, 1.0)));
+    keepVisible(m_frame.ball);
+    for (GhostBall &ghost : m_frame.ghosts) keepVisible(ghost.ball);
+    return m_frame;
 }
 
 void MazeView::mousePressEvent(QMouseEvent *event) {
@@ -259,7 +213,7 @@ void MazeView::mouseMoveEvent(QMouseEvent *event) {
     const glm::dvec2 drag = toGlm(event->position() - m_last_position);
     m_last_position = event->position();
     if (event->buttons() & Qt::LeftButton) {
-        m_camera.orbit(drag);
+        m_camera.orbit({drag.x, m_drawing == Drawing::Flat ? 0.0 : drag.y});
     } else {
         m_camera.pan(drag);
     }

@@ -1,36 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "gl/frame.h"
-#include "gl/orbit_camera.h"
-#include "mesh/mesh.h"
+#include "gl/canvas.h"
 
 #include <functional>
 #include <memory>
 #include <optional>
 
-#include <QImage>
-#include <QOpenGLWidget>
 #include <QPointF>
-#include <QString>
 #include <QTimer>
-
-QT_BEGIN_NAMESPACE
-class QOpenGLFramebufferObject;
-QT_END_NAMESPACE
 
 namespace inspector::gl {
 
-class MazeRenderer;
+enum class Drawing {
+    Solid, // by OpenGL
+    Flat,  // without it, from above
+};
 
 // The picture as a widget: left drag orbits, right or middle drag pans, the wheel zooms to the cursor, a double click
 // shows everything again. Keys are left to the window. GUI thread only.
-class MazeView : public QOpenGLWidget {
+class MazeView : public QWidget, private CanvasHost {
     Q_OBJECT
 
 public:
-    explicit MazeView(QWidget *parent = nullptr);
+    explicit MazeView(Drawing drawing = Drawing::Solid, QWidget *parent = nullptr);
     ~MazeView() override;
+
+    Drawing drawing() const { return m_drawing; }
+    // The next picture shows what has changed.
+    void update();
 
     // May be called before the widget is shown. A maze of other bounds resets the camera.
     void setMaze(const Mesh &mesh);
@@ -49,7 +47,7 @@ public:
 
     // Until called, the view chooses: Medium for a software renderer, High otherwise.
     void setQuality(Quality quality);
-    Quality quality() const { return m_quality; }
+    Quality quality() const { return m_canvas->quality(); }
 
     // Shader files here replace the embedded ones, also while running; empty: embedded only.
     void setShaderDirectory(const QString &path);
@@ -57,13 +55,19 @@ public:
     OrbitCamera &camera() { return m_camera; }
     // Shows everything from the start direction.
     void resetCamera();
+    void lookFromAbove();
+    // The ball stays in the middle, from nearer by; until told otherwise or everything is shown again.
+    void setFollowing(bool isOn);
+    bool isFollowing() const { return m_is_following; }
 
     // Time that the last picture took until it was finished, ms; 0 before the first.
     double lastFrameMilliseconds() const { return m_frame_milliseconds; }
     // What draws, for instance "llvmpipe (LLVM 15.0.6, 256 bits)"; empty before the first picture.
-    QString rendererName() const { return m_renderer_name; }
+    QString rendererName() const { return m_canvas->name(); }
     // The picture as it is now, `scale` pixels for each of the device, 1 to 4; null before the first.
-    QImage picture(int scale);
+    QImage picture(int scale) { return m_canvas->picture(m_frame, scale); }
+    // What is on the screen.
+    QImage grabFramebuffer() { return m_canvas->shown(); }
     // The ray under a place of this widget, in the board frame.
     Ray rayAt(const QPointF &place) const;
     // Where a point of the board (board frame, m) is drawn, in logical pixels of this widget.
@@ -75,11 +79,11 @@ signals:
     // One line or a shader log; the view goes on with what it has.
     void problem(const QString &text);
     void shadersRebuilt();
+    void followingChanged(bool isOn);
 
 protected:
-    void initializeGL() override;
-    void resizeGL(int width, int height) override;
-    void paintGL() override;
+    void resizeEvent(QResizeEvent *event) override;
+    void changeEvent(QEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
     void mouseMoveEvent(QMouseEvent *event) override;
     void mouseReleaseEvent(QMouseEvent *event) override;
@@ -87,36 +91,37 @@ protected:
     void wheelEvent(QWheelEvent *event) override;
 
 private:
-    void releaseResources();
-    void startDebugLogger();
-    void uploadMeshes();
-    View currentView() const;
-    glm::dmat4 boardPose() const;
-    void renderMultisampled(const View &view);
+    const Frame &nextFrame() override;
+    View view() const override;
+    const OrbitCamera &lookedThrough() const override { return m_camera; }
+    glm::dmat4 boardPose() const override;
+    void noteDrawn(double milliseconds) override { m_frame_milliseconds = milliseconds; }
+    void noteProblem(const QString &text) override { emit problem(text); }
+    void noteRebuilt() override { emit shadersRebuilt(); }
+    void noteUnusable(const QString &reason) override;
 
+    void makeCanvas(Drawing drawing);
+    void keepVisible(Ball &ball) const;
+
+    Drawing m_drawing = Drawing::Solid;
+    Canvas *m_canvas = nullptr; // a child
     OrbitCamera m_camera;
     Frame m_frame;
     std::function<Frame()> m_source;
     std::function<bool()> m_is_new;
     uint64_t m_pictures = 0;
     QTimer m_pulse;
-    Mesh m_maze; // kept for the next context
+    Mesh m_maze; // kept for another canvas
     std::optional<Mesh> m_ball;
-    bool m_are_meshes_stale = true;
     Bounds m_bounds;
     double m_largest_tilt = 0.0; // rad
     QString m_shader_directory;
-    std::optional<Quality> m_chosen_quality;
-    Quality m_quality = Quality::Medium;
-    QString m_renderer_name;
     double m_frame_milliseconds = 0.0;
     QPointF m_press_position;
     QPointF m_last_position;
     bool m_is_dragging = false;
     bool m_is_camera_moved = false; // by hand; until then a resized view shows everything
-
-    std::unique_ptr<MazeRenderer> m_renderer; // these two live and die with the context
-    std::unique_ptr<QOpenGLFramebufferObject> m_multisampled;
+    bool m_is_following = false;
 };
 
 } // namespace inspector::gl

@@ -109,6 +109,16 @@ void OrbitCamera::fit() {
     keepWithinLimits();
 }
 
+void OrbitCamera::lookAt(const glm::dvec3 &world) {
+    m_target = world;
+    keepWithinLimits();
+}
+
+void OrbitCamera::approach(double share) {
+    m_distance *= share;
+    keepWithinLimits();
+}
+
 glm::dmat4 OrbitCamera::view() const {
     const auto [right, up, back] = axes();
     const glm::dvec3 origin = eye();

@@ -40,6 +40,11 @@ public:
     // Smallest distance that shows all of the bounds, tilted or not, from the present direction, with some air around.
     void fit();
 
+    // The picture's middle; the direction and the distance stay.
+    void lookAt(const glm::dvec3 &world);
+    // To this share of the distance.
+    void approach(double share);
+
     glm::dmat4 view() const;
     glm::dmat4 projection() const;
     glm::dvec3 eye() const;
