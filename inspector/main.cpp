@@ -71,7 +71,7 @@ int runWithoutWindow(const Options &options, QTextStream &messages) {
 }
 
 int runWithWindow(const Options &options, QTextStream &messages) {
-    QString error = ui::displayProblem();
+    QString error = ui::displayProblem(options);
     QSettings settings;
     const std::unique_ptr<Session> session = error.isEmpty() ? Session::open(options, settings, &error) : nullptr;
     if (!session) {

@@ -44,15 +44,14 @@ QString displayProblem() {
     const QString platform = QGuiApplication::platformName();
     for (const char *without : {"offscreen", "minimal", "minimalegl", "vnc", "linuxfb"})
         if (platform == QLatin1String(without))
-            return QStringLiteral("Qt's platform '%1' can't show OpenGL; a display is needed").arg(platform);
+            return QStringLiteral("Qt's platform '%1' can't show OpenGL").arg(platform);
     QOffscreenSurface surface;
     surface.create();
     QOpenGLContext context;
     context.create();
     const QString problem = contextProblem(&context);
-    if (!problem.isEmpty()) return problem + QStringLiteral("; a display that has it is needed");
-    if (context.makeCurrent(&surface)) return {};
-    return QStringLiteral("OpenGL: a context was made but can't be used; a display is needed");
+    if (!problem.isEmpty() || context.makeCurrent(&surface)) return problem;
+    return QStringLiteral("OpenGL: a context was made but can't be used");
 }
 
 } // namespace inspector::gl

@@ -12,6 +12,13 @@ endif()
 install(TARGETS physics-inspector RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT inspector)
 install(TARGETS mazegen RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT inspector)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/mazes/levels DESTINATION ${CMAKE_INSTALL_DATADIR}/physics COMPONENT inspector)
+foreach(page README.md inspector/README.md mazes/README.md libphysics/README.md) # with the links between them
+    get_filename_component(folder ${page} DIRECTORY)
+    install(FILES ${PROJECT_SOURCE_DIR}/${page} DESTINATION ${CMAKE_INSTALL_DATADIR}/physics/doc/${folder}
+        COMPONENT inspector)
+endforeach()
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/libphysics/docs DESTINATION ${CMAKE_INSTALL_DATADIR}/physics/doc/libphysics
+    COMPONENT inspector FILES_MATCHING PATTERN "*.md" PATTERN "*.svg")
 install(FILES packaging/physics-inspector.desktop
     DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT inspector)
 install(FILES packaging/physics-inspector.svg

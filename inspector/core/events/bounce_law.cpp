@@ -62,7 +62,7 @@ QString normalText(const LoggedEvent &bounce, const NormalLaw &law) {
     QString text = QStringLiteral("v'n = -e vn: %1 %2 %3 × %4   (model.md %5)")
                        .arg(speed(law.found), law.ends ? QStringLiteral("instead of") : QStringLiteral("="),
                             number(law.restitution), speed(law.before), section);
-    if (law.ends) return text + QStringLiteral("; too slow to come off again, so it stays in contact (6.4, 10.3 b)");
+    if (law.ends) return text + QStringLiteral("; too slow to come off again, so it stays in contact (model.md 6.4)");
     return text + QStringLiteral("; ") + verdict(law.deviation);
 }
 
@@ -76,7 +76,7 @@ QString frictionText(const AlongLaw &law) {
 
 QString alongText(const LoggedEvent &bounce, const AlongLaw &law) {
     const bool isLanding = bounce.event.kind == PHYS_EVENT_LANDING;
-    const QString rule = isRigid(bounce) ? QStringLiteral("v't = vt - jt hat(uc)")
+    const QString rule = isRigid(bounce) ? QStringLiteral("v't = vt - jt uc/|uc|")
                          : isLanding     ? QStringLiteral("v't = vt   (model.md 2.1 R6)")
                                          : QStringLiteral("v't = vt   (model.md 2.1 R2)");
     QString text =

@@ -159,6 +159,9 @@ void addOptions(QCommandLineParser &parser, const std::vector<const phys_param_r
          text("Draw with the GLSL files in this folder instead of the embedded ones of the same names; a file that is "
               "saved takes effect at once."),
          text("folder")},
+        {"view",
+         text("Draw the board by OpenGL, or flat, from above, without it. Default: 3d where there is OpenGL 3.3."),
+         "3d|2d"},
         {"all-levels", text("Play all levels without a window by the autopilot, print a line for each; status 1 unless "
                             "all are won.")},
         {"trade",
@@ -276,6 +279,16 @@ void readParameters(const QCommandLineParser &parser, const std::vector<const ph
     if (!parameters.set(options.settings, &error)) throw WrongUse{error};
 }
 
+void readView(const QCommandLineParser &parser, Options &options) {
+    if (!parser.isSet("view")) return;
+    const QString view = parser.value("view");
+    if (options.headless)
+        throw WrongUse{QStringLiteral("--view: nothing is drawn without a window; leave out --headless")};
+    if (view != QLatin1String("2d") && view != QLatin1String("3d"))
+        throw WrongUse{QStringLiteral("--view: expected 3d or 2d, found %1").arg(quoted(view))};
+    options.view = view == QLatin1String("2d") ? Options::View::Flat : Options::View::Solid;
+}
+
 void readOutputs(const QCommandLineParser &parser, Options &options) {
     options.force = parser.isSet("force");
     options.headless = parser.isSet("headless") || parser.isSet("all-levels");
@@ -294,6 +307,7 @@ void readOutputs(const QCommandLineParser &parser, Options &options) {
         throw WrongUse{QStringLiteral("--grab: there is no picture without a window; leave out --headless")};
     if (options.headless && parser.isSet("shaders"))
         throw WrongUse{QStringLiteral("--shaders: nothing is drawn without a window; leave out --headless")};
+    readView(parser, options);
     options.shaders = parser.value("shaders");
     if (parser.isSet("shaders") && !isFolder(options.shaders))
         throw WrongUse{QStringLiteral("--shaders: expected a folder, found %1").arg(quoted(options.shaders))};

@@ -53,7 +53,9 @@ struct Options {
     FitOptions fit;                          // of Action::Fit
     QString grab;                            // file; empty: none
     bool force = false;                      // outputs may take the place of any file
-    QString shaders;                         // folder of files that replace the embedded ones; empty: none
+    enum class View { Auto, Flat, Solid };
+    View view = View::Auto; // of the board: without OpenGL where that isn't there, never, always
+    QString shaders;        // folder of files that replace the embedded ones; empty: none
 };
 
 // What the second ball obeys by comparisonSettings, all but the tilt. Nothing and one line in `error` if that isn't

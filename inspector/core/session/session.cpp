@@ -2,11 +2,13 @@
 #include "core/session/session.h"
 
 #include "core/pilot/autopilot.h"
+#include "core/pilot/exits.h"
 #include "core/recording/recording.h"
 #include "core/setup/files.h"
 #include "core/setup/lines.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace inspector {
 
@@ -179,6 +181,27 @@ bool Session::useStepper(const QByteArray &id, QString *error) {
     emit stepperChanged();
     return true;
 }
+
+// Other threads read the registry meanwhile, and it may be changed by none: they go on with the one before.
+bool Session::loadPlugin(const QString &file) {
+    QString error;
+    const Registry registry = makeRegistry(&error);
+    if (!registry) return report(error);
+    QStringList files;
+    phys_stepper_info info;
+    for (uint32_t i = 0; phys_registry_info(m_registry.get(), i, &info) == PHYS_OK; ++i) {
+        const QString before = decodePath(info.file);
+        if (!before.isEmpty() && !files.contains(before)) files += before;
+    }
+    files += file;
+    for (const QString &each : files)
+        if (!inspector::loadPlugin(registry, each, &error)) return report(error);
+    m_registriesBefore.push_back(std::exchange(m_registry, registry));
+    emit steppersAdded();
+    return true;
+}
+
+std::vector<phys_box> Session::exits() const { return exitsOf(m_scene.get()); }
 
 bool Session::setDt(double dt) {
     if (m_replay) return refuseInReplay();

@@ -65,6 +65,8 @@ public:
     const Level &level() const { return m_level; } // that is open; maybe a file that isn't in the list
     const Scene &scene() const { return m_scene; } // of that level
     const Registry &registry() const { return m_registry; }
+    // Places of the maze's floor where the ball gets out.
+    std::vector<phys_box> exits() const;
     QByteArray stepperId() const { return m_stepperId; }
     double dt() const { return m_dt; }
     Stepping stepping() const; // with all its settings
@@ -79,6 +81,8 @@ public:
     bool setDt(double dt); // s, Engine::kSmallestDt .. kLargestDt
     bool setStepping(const Stepping &stepping);
     bool setSpeed(double speed);
+    // The steppers of this file are there from now on, behind the others.
+    bool loadPlugin(const QString &file);
     bool setAutopilot(bool isOn); // it flies from the present state on; off: the board goes level
 
     // Records from the next step on, until it is stopped, can't be written or the session ends.
@@ -145,6 +149,7 @@ public:
 signals:
     void levelOpened();
     void stepperChanged();
+    void steppersAdded();
     void paceChanged(); // dt or speed
     void autopilotChanged(bool isOn);
     void failed(const QString &line);          // a command
@@ -208,6 +213,7 @@ private:
 
     QSettings &m_settings;
     Registry m_registry;
+    std::vector<Registry> m_registriesBefore; // rows and names of theirs are in use
     std::vector<Level> m_levels;
     Level m_level;
     Scene m_scene;

@@ -15,6 +15,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMimeData>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSortFilterProxyModel>
@@ -29,12 +30,18 @@ namespace {
 
 constexpr size_t kMarks = 20;
 
+// A section of the model's page that is named becomes a link to it.
+QString withLinks(QString escaped) {
+    static const QRegularExpression named(QStringLiteral("model\\.md (\\d+\\.\\d+)( [A-Z]\\d)?"));
+    return escaped.replace(named, QStringLiteral("<a href='\\1'>model.md \\1\\2</a>"));
+}
+
 QString html(const std::vector<LawLine> &lines) {
     QString rows;
     for (const LawLine &line : lines)
         rows +=
             QStringLiteral("<tr><td style='padding-right: 12px; white-space: nowrap'><b>%1</b></td><td>%2</td></tr>")
-                .arg(line.label.toHtmlEscaped(), line.text.toHtmlEscaped());
+                .arg(line.label.toHtmlEscaped(), withLinks(line.text.toHtmlEscaped()));
     return QStringLiteral("<table cellspacing='1'>%1</table>").arg(rows);
 }
 
@@ -80,7 +87,10 @@ BounceDock::BounceDock(Session &session, QWidget *parent)
     setObjectName(QStringLiteral("bounces"));
     m_count->setObjectName(QStringLiteral("bounces_count"));
     m_detail->setObjectName(QStringLiteral("bounces_detail"));
-    m_detail->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_detail->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::LinksAccessibleByMouse |
+                                      Qt::LinksAccessibleByKeyboard);
+    m_detail->setToolTip(tr("A link opens that section of the model's page"));
+    connect(m_detail, &QLabel::linkActivated, this, &BounceDock::sectionWanted);
     m_detail->setWordWrap(true);
     m_detail->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     m_detail->setContentsMargins(8, 2, 4, 2);

@@ -43,6 +43,8 @@ public:
     QSize sizeHint() const override { return {900, 260}; }
 
 signals:
+    // A section of the model's page, by its number.
+    void sectionWanted(const QString &section);
     void changed(); // events or selection
 
 protected:

@@ -36,7 +36,8 @@ private:
     bool appendNew();
 
     const EventLog &m_log;
-    Registry m_registry;
+    const Registry &m_registry; // others may come
+
     std::deque<LoggedEvent> m_events;
     uint64_t m_next = 0; // number of the first entry that isn't here yet
     uint64_t m_generation = 0;

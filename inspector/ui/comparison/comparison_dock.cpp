@@ -59,6 +59,7 @@ QWidget *ComparisonDock::makeControls(const Actions &actions) {
     m_substeps->setAccessibleName(tr("Parts of the ball's time step"));
     m_stepper->setFocusPolicy(Qt::TabFocus);
     addStepperItems(*m_stepper, m_session.registry());
+    connect(&m_session, &Session::steppersAdded, this, [this] { addStepperItems(*m_stepper, m_session.registry()); });
     m_substeps->setObjectName(QStringLiteral("comparison_substeps"));
     m_substeps->setToolTip(tr("The ghost's time step, as a part of the ball's"));
     m_substeps->setKind(wholeNumberKind(1, Opponent::kMostSubsteps));

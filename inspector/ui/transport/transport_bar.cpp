@@ -69,6 +69,7 @@ void TransportBar::addSpeeds() {
 void TransportBar::addSteppers() {
     m_stepper = addChooser(tr("Stepper"), "stepper", tr("How a step is computed."));
     addStepperItems(*m_stepper, m_session.registry());
+    connect(&m_session, &Session::steppersAdded, this, [this] { addStepperItems(*m_stepper, m_session.registry()); });
     connect(m_stepper, &QComboBox::activated, this, [this](int index) {
         const Stepping wanted{m_stepper->itemData(index).toByteArray(), m_session.dt(), {}};
         changeStepping(m_session, m_undo, wanted, tr("choice of %1").arg(m_stepper->itemText(index)));

@@ -57,13 +57,18 @@ std::unique_ptr<QApplication> makeApplication(int &argc, char **argv) {
     return application;
 }
 
-QString displayProblem() {
+QString displayProblem(const Options &options) {
+    if (options.view != Options::View::Solid) return {};
     const QString problem = gl::displayProblem();
-    return problem.isEmpty() ? problem : problem + kWithout;
+    return problem.isEmpty() ? problem : QStringLiteral("--view 3d: %1; --view 2d needs no OpenGL").arg(problem);
 }
 
 int runWindow(Session &session, const Options &options) {
-    MainWindow window(session);
+    QString problem;
+    if (options.view == Options::View::Auto) problem = gl::displayProblem();
+    const bool isFlat = options.view == Options::View::Flat || !problem.isEmpty();
+    MainWindow window(session, isFlat ? gl::Drawing::Flat : gl::Drawing::Solid);
+    if (!problem.isEmpty()) window.sayWhyFlat(problem);
     watchEndingSignals(window);
     if (!options.shaders.isEmpty()) window.view().setShaderDirectory(options.shaders);
     window.show();

@@ -20,7 +20,7 @@ namespace inspector::ui {
 std::unique_ptr<QApplication> makeApplication(int &argc, char **argv);
 
 // Empty if a window can be drawn on this display; else one line. Qt would crash in the window.
-QString displayProblem();
+QString displayProblem(const Options &options);
 
 // Shows the window and runs the event loop until it ends; the program's exit status. With --autopilot the game starts
 // by itself. With --grab or --duration the window closes by itself: after --duration if given, else when the level is

@@ -122,9 +122,10 @@ void addWayAhead(gl::Frame &frame, const WayAhead &way) {
     frame.strokes.arrow(toGlm(way.impact->point), toGlm(way.impact->normal), frame.ball.radius, mark, 2.0F);
 }
 
-gl::Mesh mazeMesh(const Level &level, const Scene &scene, QString *error) {
-    if (!level.mesh.isEmpty())
-        if (std::optional<gl::Mesh> mesh = gl::loadMesh(level.mesh, error)) return *std::move(mesh);
+gl::Mesh mazeMesh(const Session &session, QString *error) {
+    const Scene &scene = session.scene();
+    if (!session.level().mesh.isEmpty())
+        if (std::optional<gl::Mesh> mesh = gl::loadMesh(session.level().mesh, error)) return *std::move(mesh);
     phys_state start;
     phys_scene_start(scene.get(), &start);
     const phys_box *boxes = phys_scene_boxes(scene.get());
@@ -134,6 +135,8 @@ gl::Mesh mazeMesh(const Level &level, const Scene &scene, QString *error) {
         const bool isWall = boxes[i].max.z > floor;
         pieces.push_back({toGlm(boxes[i].min), toGlm(boxes[i].max), isWall ? gl::BoxKind::Wall : gl::BoxKind::Floor});
     }
+    for (const phys_box &exit : session.exits())
+        pieces.push_back({toGlm(exit.min), toGlm(exit.max), gl::BoxKind::Exit});
     return gl::mazeFromBoxes(pieces);
 }
 

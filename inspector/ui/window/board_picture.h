@@ -14,9 +14,9 @@ gl::Frame currentFrame(Session &session);
 // A pale line ahead of the ball, and where it hits next.
 void addWayAhead(gl::Frame &frame, const WayAhead &way);
 
-// A level's mesh: its .obj, or made from the scene's boxes where there is none. Made from the boxes as well, with one
-// line in `error`, if the file can't be read.
-gl::Mesh mazeMesh(const Level &level, const Scene &scene, QString *error);
+// The open level's mesh: its .obj, or made from the scene's boxes and the places where the ball gets out, where there
+// is none. Made so as well, with one line in `error`, if the file can't be read.
+gl::Mesh mazeMesh(const Session &session, QString *error);
 // The ball's mesh beside the levels, or a patterned one of our own.
 gl::Mesh ballMesh(QString *error);
 

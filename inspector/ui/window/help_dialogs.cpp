@@ -7,10 +7,12 @@
 #include <QCoreApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QScreen>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 namespace inspector::ui {
@@ -46,6 +48,7 @@ QString keysTable(const QWidget &window, const QString &sought) {
         {Help::tr("View: drag the ball"),
          Help::tr("Put it elsewhere, while everything stands; with Ctrl its velocity")},
         {Help::tr("View: click"), Help::tr("Look at the bounce there, or at none")},
+        {Help::tr("View: drag with Shift"), Help::tr("Measure a length and an angle on the floor")},
         {Help::tr("View: double click"), Help::tr("Show the whole board again")},
         {Help::tr("Plot: drag, wheel"), Help::tr("Move and zoom the time; with Ctrl or over the axis the values")},
         {Help::tr("Plot: double click"), Help::tr("Follow the newest values again")},
@@ -70,6 +73,29 @@ QString partsTable(const QString &renderer) {
     return QStringLiteral("<table cellspacing='3'>%1</table>").arg(rows);
 }
 
+// Keys that turn pages do so wherever the keyboard is.
+class PageKeys : public QObject {
+public:
+    PageKeys(QDialog &dialog, QScrollBar &bar)
+        : QObject(&dialog)
+        , m_bar(bar) {
+        dialog.installEventFilter(this);
+    }
+
+protected:
+    bool eventFilter(QObject *, QEvent *event) override {
+        if (event->type() != QEvent::KeyPress) return false;
+        const int key = static_cast<QKeyEvent *>(event)->key();
+        if (key != Qt::Key_PageDown && key != Qt::Key_PageUp) return false;
+        m_bar.triggerAction(key == Qt::Key_PageDown ? QAbstractSlider::SliderPageStepAdd
+                                                    : QAbstractSlider::SliderPageStepSub);
+        return true;
+    }
+
+private:
+    QScrollBar &m_bar;
+};
+
 // The label that shows it; it scrolls where the screen is low.
 QLabel *showText(QWidget &window, const char *name, const QString &title, const QString &html) {
     auto *dialog = new QDialog(&window);
@@ -82,6 +108,7 @@ QLabel *showText(QWidget &window, const char *name, const QString &title, const 
     area->setWidget(text);
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
+    new PageKeys(*dialog, *area->verticalScrollBar());
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::close);
     auto *layout = new QVBoxLayout(dialog);

@@ -26,6 +26,8 @@
 #include "ui/transport/transport_bar.h"
 #include "ui/window/board_picture.h"
 #include "ui/window/grab.h"
+#include "ui/window/maze_watcher.h"
+#include "ui/window/ruler.h"
 #include "ui/window/run_dock.h"
 #include "ui/window/status_line.h"
 #include "ui/window/watch_list.h"
@@ -85,7 +87,7 @@ QWidget *scrolled(QWidget *content) {
 }
 } // namespace
 
-MainWindow::MainWindow(Session &session)
+MainWindow::MainWindow(Session &session, gl::Drawing drawing)
     : m_session(session)
     , m_undo(new QUndoStack(this)) {
     setObjectName(QStringLiteral("main_window"));
@@ -95,7 +97,7 @@ MainWindow::MainWindow(Session &session)
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     applyTheme(Theme(theme()));
     makeActions();
-    makeCentre();
+    makeCentre(drawing);
     makeDocks();
     makeMenus();
     connectSession();
@@ -111,9 +113,9 @@ MainWindow::~MainWindow() = default;
 
 QAction *MainWindow::action(const char *name) const { return findChild<QAction *>(QLatin1String(name)); }
 
-void MainWindow::makeCentre() {
+void MainWindow::makeCentre(gl::Drawing drawing) {
     m_messages = new MessageBar;
-    m_view = new gl::MazeView;
+    m_view = new gl::MazeView(drawing);
     m_view->setObjectName(QStringLiteral("view"));
     m_view->setFocusPolicy(Qt::StrongFocus);
     m_view->setLargestTilt(radians(kPlayTilt));
@@ -122,6 +124,8 @@ void MainWindow::makeCentre() {
     new GameKeys(m_session, *this, *m_view); // the window owns both
     new WheelGuard(*this);
     m_hand = new BallHand(m_session, *m_view, *m_undo, this);
+    m_ruler = new Ruler(*m_view, this);
+    m_mazeWatcher = new MazeWatcher(this);
     m_time = new TimeBar(m_session,
                          {action("to_start"), action("bounce_back"), action("step_back"), action("run"), action("step"),
                           action("bounce_on"), action("end")},
@@ -242,6 +246,8 @@ void MainWindow::connectSession() {
     connect(&m_session, &Session::autopilotChanged, action("autopilot"), &QAction::setChecked);
     connect(&m_session.comparison(), &Comparison::changed, this, &MainWindow::showComparison);
     connect(&m_session.simulation(), &Simulation::runningChanged, this, &MainWindow::showRunning);
+    connect(m_mazeWatcher, &MazeWatcher::changed, this, &MainWindow::readMazeAgain);
+    connect(m_view, &gl::MazeView::followingChanged, action("camera_follow"), &QAction::setChecked);
     connectPlots();
     connect(&m_refresh, &QTimer::timeout, this, &MainWindow::refresh);
     connectBounces();
@@ -328,6 +334,8 @@ void MainWindow::connectMessages() {
 void MainWindow::connectBounces() {
     connect(m_view, &gl::MazeView::clicked, this, &MainWindow::selectBounceAt);
     connect(m_plots, &PlotStack::bounceClicked, m_bounces, &BounceDock::selectAt);
+    connect(m_bounces, &BounceDock::sectionWanted, this,
+            [this](const QString &section) { showPage(QStringLiteral("libphysics/docs/model.md"), section); });
     connect(m_bounces, &BounceDock::changed, this, [this] {
         const std::optional<LoggedEvent> selected = m_bounces->selected();
         const std::optional<double> time = selected ? std::optional(selected->event.time) : std::nullopt;
@@ -359,6 +367,7 @@ gl::Frame MainWindow::frame() const {
     gl::Frame frame = currentFrame(m_session);
     addWayAhead(frame, m_session.wayAhead());
     m_hand->addArrow(frame.strokes);
+    m_ruler->addTo(frame.strokes);
     if (m_showsBounces->isChecked()) addMarks(frame.strokes, m_bounces->marks(), m_session.scene().get());
     return frame;
 }
@@ -367,7 +376,7 @@ void MainWindow::openLevel() {
     m_messages->settle(Cause::Level);
     QString ofMaze;
     QString ofBall;
-    m_view->setMaze(mazeMesh(m_session.level(), m_session.scene(), &ofMaze));
+    m_view->setMaze(mazeMesh(m_session, &ofMaze));
     m_view->setBall(ballMesh(&ofBall));
     QTextStream messages(stderr); // for a picture by a script, in which nobody reads the message
     for (const QString &problem : {ofBall, ofMaze}) {
@@ -375,7 +384,12 @@ void MainWindow::openLevel() {
         m_messages->showLine(problem, Cause::Level);
         report(messages, problem);
     }
+    watchMaze();
     showTitle();
+}
+
+void MainWindow::sayWhyFlat(const QString &reason) {
+    m_messages->showLine(tr("%1; the board is drawn from above instead").arg(reason), Cause::View);
 }
 
 void MainWindow::showTitle() {

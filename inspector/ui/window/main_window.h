@@ -16,6 +16,7 @@ class QUndoStack;
 
 namespace inspector::gl {
 class MazeView;
+enum class Drawing;
 struct Frame;
 struct Ray;
 } // namespace inspector::gl
@@ -26,13 +27,16 @@ class BallDock;
 class BallHand;
 class BounceDock;
 class ComparisonDock;
+class DocumentDialog;
 class GameStrip;
 class LevelPanel;
+class MazeWatcher;
 class MessageBar;
 class ParameterPanel;
 class PlotPanel;
 class PlotStack;
 class TimeBar;
+class Ruler;
 class RunDock;
 class StatusLine;
 class TimePlot;
@@ -45,11 +49,13 @@ class MainWindow : public QMainWindow {
 
 public:
     // session: outlives the window.
-    explicit MainWindow(Session &session);
+    explicit MainWindow(Session &session, gl::Drawing drawing = {}); // solid
     ~MainWindow() override;
 
     gl::MazeView &view() { return *m_view; }
     MessageBar &messages() { return *m_messages; }
+    // reason: one line.
+    void sayWhyFlat(const QString &reason);
 
     // Writes a picture of the whole window as it is now. False and one line in `error` (or nullptr) if that fails.
     bool grabTo(const QString &path, QString *error);
@@ -68,7 +74,7 @@ private:
 
     // Made once, in this order.
     void makeActions();
-    void makeCentre();
+    void makeCentre(gl::Drawing drawing);
     void makeDocks();
     void arrangeOnCall(std::span<const DockRow> rows);
     void addDockAction(QDockWidget &dock, int number, double share);
@@ -93,6 +99,11 @@ private:
     void selectBounceAt(const gl::Ray &ray);
     void openLevel();
     void openFile(const QString &path);
+    void addRecent(QMenu &menu);
+    void loadPlugin(const QString &path);
+    void watchMaze();
+    void readMazeAgain(const QString &path);
+    void showPage(const QString &page, const QString &section = {});
     void showReplay(bool isOn);
     void showPast(bool isIn);
     void jumpToBounce(int direction);
@@ -113,8 +124,10 @@ private:
     // One for each row of the table of actions.
     void openMazeFile();
     void openRecording();
+    void askForPlugin();
     void closeRecording();
     void saveRun();
+    void saveFilm();
     void savePlot();
     void saveScreenshot();
     void toggleRecording();
@@ -123,6 +136,7 @@ private:
     void resetLayout();
     void resetCamera();
     void lookFromAbove();
+    void toggleFollowing();
     void toggleBounces();
     void toggleWayAhead();
     void confirm();
@@ -143,6 +157,9 @@ private:
     void goToEnd();
     void goOnFromHere();
     void showKeys();
+    void showGuide();
+    void showModelPage();
+    void showAccuracyPage();
     void showAbout();
 
     Session &m_session;
@@ -156,6 +173,9 @@ private:
     ComparisonDock *m_comparison = nullptr;
     LevelPanel *m_levels = nullptr;
     BallHand *m_hand = nullptr;
+    Ruler *m_ruler = nullptr;
+    MazeWatcher *m_mazeWatcher = nullptr;
+    DocumentDialog *m_documents = nullptr; // once one was asked for
     BallDock *m_ball = nullptr;
     BounceDock *m_bounces = nullptr;
     RunDock *m_runs = nullptr;

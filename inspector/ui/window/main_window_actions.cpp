@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Menus and what they do: one table of actions, and a few menus of choices.
 #include "core/setup/stored_values.h"
-#include "core/trade/recording_schedule.h"
 #include "gl/maze_view.h"
 #include "ui/bounces/bounce_dock.h"
 #include "ui/game/game_strip.h"
@@ -17,30 +16,19 @@
 #include "ui/transport/transport_bar.h"
 #include "ui/window/help_dialogs.h"
 #include "ui/window/main_window.h"
+#include "ui/window/ruler.h"
 #include "ui/window/save_run.h"
 
 #include <QActionGroup>
 #include <QDockWidget>
-#include <QDropEvent>
 #include <QMenu>
 #include <QMenuBar>
-#include <QMimeData>
 #include <QUndoStack>
 
 #include <algorithm>
 #include <optional>
 
 namespace inspector::ui {
-
-namespace {
-
-// The one local file that is dragged; empty if it is something else.
-QString droppedFile(const QMimeData &data) {
-    const QList<QUrl> urls = data.urls();
-    return urls.size() == 1 ? urls.constFirst().toLocalFile() : QString();
-}
-
-} // namespace
 
 struct MainWindow::ActionRow {
     const char *name;
@@ -65,6 +53,12 @@ const std::vector<MainWindow::ActionRow> &MainWindow::actionRows() {
          QT_TR_NOOP("Watch a recorded run"),
          {},
          &MainWindow::openRecording},
+        {"load_plugin",
+         QT_TR_NOOP("Load plugin…"),
+         "",
+         QT_TR_NOOP("Steppers of a plugin file, to be chosen like the others"),
+         {},
+         &MainWindow::askForPlugin},
         {"close_recording", QT_TR_NOOP("Close recording"), "Ctrl+W",
          QT_TR_NOOP("Back to the start of the level from before"), Glyph::Close, &MainWindow::closeRecording},
         {"save_run",
@@ -73,6 +67,12 @@ const std::vector<MainWindow::ActionRow> &MainWindow::actionRows() {
          QT_TR_NOOP("What was just seen, as a recording, a table of all samples or a picture"),
          {},
          &MainWindow::saveRun},
+        {"save_film",
+         QT_TR_NOOP("Save film…"),
+         "Ctrl+Shift+F",
+         QT_TR_NOOP("The last seconds as pictures in a folder"),
+         {},
+         &MainWindow::saveFilm},
         {"save_plot",
          QT_TR_NOOP("Save plot…"),
          "Ctrl+Shift+S",
@@ -106,6 +106,12 @@ const std::vector<MainWindow::ActionRow> &MainWindow::actionRows() {
          {},
          &MainWindow::resetCamera},
         {"camera_top", QT_TR_NOOP("Camera: from above"), "T", "", {}, &MainWindow::lookFromAbove},
+        {"camera_follow",
+         QT_TR_NOOP("Camera: follow the ball"),
+         "F",
+         QT_TR_NOOP("Keep the ball in the middle, from nearer by"),
+         {},
+         &MainWindow::toggleFollowing},
         {"bounces",
          QT_TR_NOOP("Show bounces"),
          "B",
@@ -174,6 +180,24 @@ const std::vector<MainWindow::ActionRow> &MainWindow::actionRows() {
          {},
          &MainWindow::swapWithGhost},
         {"keys", QT_TR_NOOP("Keys"), "F1", "", {}, &MainWindow::showKeys},
+        {"page_inspector",
+         QT_TR_NOOP("Guide to this window"),
+         "Shift+F1",
+         QT_TR_NOOP("What all of it does"),
+         {},
+         &MainWindow::showGuide},
+        {"page_model",
+         QT_TR_NOOP("The model: equations"),
+         "",
+         QT_TR_NOOP("What is computed, with derivations"),
+         {},
+         &MainWindow::showModelPage},
+        {"page_accuracy",
+         QT_TR_NOOP("How accurate it is"),
+         "",
+         QT_TR_NOOP("How far to trust the numbers"),
+         {},
+         &MainWindow::showAccuracyPage},
         {"about", QT_TR_NOOP("About"), "", "", {}, &MainWindow::showAbout},
     };
     return rows;
@@ -194,6 +218,7 @@ void MainWindow::makeActions() {
     action("record")->setCheckable(true);
     action("compare")->setCheckable(true);
     action("ghost_parameters")->setCheckable(true);
+    action("camera_follow")->setCheckable(true);
     action("way_ahead")->setCheckable(true);
     action("way_ahead")->setChecked(m_session.settings().value(settings_keys::kShowWayAhead, true).toBool());
     action("copy_to_ghost")->setIconText(tr("Copy")); // on buttons
@@ -210,10 +235,10 @@ void MainWindow::makeMenus() {
     };
     const MenuRow rows[] = {
         {QT_TR_NOOP("&File"),
-         {"open", "open_recording", "close_recording", "", "save_run", "save_plot", "screenshot", "record", "",
-          "quit"}},
+         {"open", "open_recording", "close_recording", "", "load_plugin", "", "save_run", "save_film", "save_plot",
+          "screenshot", "record", "", "quit"}},
         {QT_TR_NOOP("&Edit"), {"", "reset_parameters"}},
-        {QT_TR_NOOP("&View"), {"", "camera_reset", "camera_top", "", "bounces", "way_ahead"}},
+        {QT_TR_NOOP("&View"), {"", "camera_reset", "camera_top", "camera_follow", "", "bounces", "way_ahead"}},
         {QT_TR_NOOP("&Game"),
          {"play",
           "",
@@ -236,7 +261,7 @@ void MainWindow::makeMenus() {
           "ghost_parameters",
           "copy_to_ghost",
           "swap_with_ghost"}},
-        {QT_TR_NOOP("&Help"), {"keys", "about"}},
+        {QT_TR_NOOP("&Help"), {"keys", "page_inspector", "page_model", "page_accuracy", "", "about"}},
     };
     std::vector<QMenu *> menus;
     for (const MenuRow &row : rows) {
@@ -247,6 +272,7 @@ void MainWindow::makeMenus() {
             if (!*name) menu->addSeparator();
         }
     }
+    addRecent(*menus[0]);
     addUndoActions(*menus[1]);
     addViewChoices(*menus[2]);
 }
@@ -316,44 +342,19 @@ void MainWindow::chooseTheme(int number) {
     applyTheme(Theme(number));
 }
 
-void MainWindow::openMazeFile() {
-    chooseFile(*this, m_session.settings(), {tr("Open maze file"), tr("Mazes (*.txt)"), {}, FileUse::Read},
-               [this](const QString &path) { m_session.openLevel(levelOfFile(path)); });
-}
-
-void MainWindow::openRecording() {
-    chooseFile(*this, m_session.settings(),
-               {tr("Open recording"), tr("Recordings (*.rec);;All files (*)"), {}, FileUse::Read},
-               [this](const QString &path) { m_session.openRecording(path); });
-}
-
 void MainWindow::closeRecording() { m_session.closeRecording(); }
-
-void MainWindow::openFile(const QString &path) {
-    if (isRecordingFile(path))
-        m_session.openRecording(path);
-    else
-        m_session.openLevel(levelOfFile(path));
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent *event) {
-    if (!droppedFile(*event->mimeData()).isEmpty()) event->acceptProposedAction();
-}
-
-void MainWindow::dropEvent(QDropEvent *event) {
-    event->acceptProposedAction();
-    openFile(droppedFile(*event->mimeData()));
-}
 
 // What a replay offers, and what the live ball does.
 void MainWindow::showReplay(bool isOn) {
     for (const char *name : {"close_recording", "go_on"}) action(name)->setEnabled(isOn);
-    for (const char *name : {"play", "autopilot", "reset_parameters", "save_run"}) action(name)->setEnabled(!isOn);
+    for (const char *name : {"play", "autopilot", "reset_parameters", "save_run", "save_film"})
+        action(name)->setEnabled(!isOn);
     findChild<QDockWidget *>(QStringLiteral("parameters_dock"))
         ->setWindowTitle(isOn ? tr("Parameters, as recorded") : tr("Parameters"));
     m_undo->clear(); // what it would change isn't there any more
     showComparison();
     m_time->reset();
+    watchMaze();
     showTitle();
     m_view->setFocus();
     if (!isOn || m_session.recording().recording().isWhole) return;
@@ -363,7 +364,10 @@ void MainWindow::showReplay(bool isOn) {
                          Cause::Replay);
 }
 
-void MainWindow::showPast(bool isIn) { action("go_on")->setEnabled(isIn); }
+void MainWindow::showPast(bool isIn) {
+    action("go_on")->setEnabled(isIn);
+    watchMaze();
+}
 
 void MainWindow::saveRun() {
     const QString filter =
@@ -434,6 +438,7 @@ void MainWindow::confirm() { m_session.game().confirm(); }
 
 // Esc closes a result first; when all stands still it lets go of what is selected.
 void MainWindow::pause() {
+    if (m_ruler->dismiss()) return;
     if (m_strip->dismiss()) return;
     if (m_session.isInPast() && !m_session.simulation().latest().running) return m_session.returnToPresent();
     if (!m_session.simulation().latest().running) m_bounces->clearSelection();
@@ -509,13 +514,8 @@ void MainWindow::toggleGhostParameters() {
 void MainWindow::copyToGhost() { m_parameters->copyToGhost(); }
 void MainWindow::swapWithGhost() { m_parameters->swapWithGhost(); }
 
-void MainWindow::lookFromAbove() {
-    gl::OrbitCamera &camera = m_view->camera();
-    camera.reset();
-    camera.orbit({0.0, 1e4}); // as far as it goes
-    camera.fit();
-    m_view->update();
-}
+void MainWindow::lookFromAbove() { m_view->lookFromAbove(); }
+void MainWindow::toggleFollowing() { m_view->setFollowing(action("camera_follow")->isChecked()); }
 
 void MainWindow::showKeys() { showKeysDialog(*this); }
 void MainWindow::showAbout() { showAboutDialog(*this, m_view->rendererName()); }

@@ -179,6 +179,10 @@ void TestCommandLine::wrongUseGivesOneLineAndStatus2_data() {
                                       << "--compare: no stepper has the id 'none'";
     QTest::newRow("substeps of nothing") << "--compare-substeps 2"
                                          << "--compare-substeps: needs --compare";
+    QTest::newRow("view of no window") << "--headless --view 2d"
+                                       << "--view: nothing is drawn without a window";
+    QTest::newRow("no such view") << "--view 4d"
+                                  << "--view: expected 3d or 2d, found '4d'";
     QTest::newRow("no file of parameters") << "--parameters /nowhere"
                                            << "--parameters: '/nowhere'";
     QTest::newRow("parameters of nothing") << "--compare-set gravity=3"

@@ -18,6 +18,8 @@ private slots:
     void windowWithoutADisplayGivesStatus2AndOneLine();
     void displayThatCantBeOpenedGivesStatus2AndOneLine_data();
     void displayThatCantBeOpenedGivesStatus2AndOneLine();
+    void platformWithoutOpenGLGetsAFlatPicture();
+    void askedFor3dWithoutOpenGLGivesStatus2AndOneLine();
     void whatAFullStandardOutputLosesIsTold_data();
     void whatAFullStandardOutputLosesIsTold();
     void aClosedPipeEndsTheRunQuietlyAndItsRecordingWhole();
@@ -117,8 +119,6 @@ void TestProgram::displayThatCantBeOpenedGivesStatus2AndOneLine_data() {
                                     << ":59999";
     QTest::newRow("no such platform") << "QT_QPA_PLATFORM"
                                       << "none";
-    QTest::newRow("platform without OpenGL") << "QT_QPA_PLATFORM"
-                                             << "offscreen";
     QTest::newRow("no Wayland either") << "WAYLAND_DISPLAY"
                                        << "nowhere";
 }
@@ -131,6 +131,24 @@ void TestProgram::displayThatCantBeOpenedGivesStatus2AndOneLine() {
     const Result result = runOf({}, environment);
     QCOMPARE(result.status, 2);
     QVERIFY2(isOneLine(result.messages) && result.messages.contains("--headless"), result.messages.constData());
+}
+
+void TestProgram::platformWithoutOpenGLGetsAFlatPicture() {
+    const QTemporaryDir folder;
+    QProcessEnvironment environment = noDisplay();
+    environment.insert("QT_QPA_PLATFORM", "offscreen");
+    const QString picture = folder.filePath("p.png");
+    const Result result = runOf({"--level", "2", "--grab", picture}, environment);
+    QVERIFY2(result.status == 0, result.messages.constData());
+    QVERIFY(QFile::exists(picture));
+}
+
+void TestProgram::askedFor3dWithoutOpenGLGivesStatus2AndOneLine() {
+    QProcessEnvironment environment = noDisplay();
+    environment.insert("QT_QPA_PLATFORM", "offscreen");
+    const Result result = runOf({"--view", "3d"}, environment);
+    QCOMPARE(result.status, 2);
+    QVERIFY2(isOneLine(result.messages) && result.messages.contains("--view 2d"), result.messages.constData());
 }
 
 void TestProgram::whatAFullStandardOutputLosesIsTold_data() {

@@ -35,8 +35,9 @@ QWidget *keyboardOwner(QWidget &window) {
 
 void prepare() { QSurfaceFormat::setDefaultFormat(inspector::gl::surfaceFormat()); }
 
-Fixture::Fixture(int level)
-    : m_settings(m_folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat) {
+Fixture::Fixture(int level, inspector::gl::Drawing drawing)
+    : m_drawing(drawing)
+    , m_settings(m_folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat) {
     m_settings.setValue(QStringLiteral("window/show_way_ahead"), false); // it comes when it comes
     QString error;
     m_session = inspector::Session::open(optionsOf(level), m_settings, &error);
@@ -46,7 +47,7 @@ Fixture::Fixture(int level)
 
 void Fixture::reopen() {
     if (m_window) m_window->close();
-    m_window = std::make_unique<inspector::ui::MainWindow>(*m_session);
+    m_window = std::make_unique<inspector::ui::MainWindow>(*m_session, m_drawing);
     m_window->view().setQuality(inspector::gl::Quality::Low); // leaves the machine to what is tested
     m_window->setAnimated(false);                             // a dock has its size at once
     if (!m_settings.contains(QStringLiteral("window/geometry"))) m_window->resize(kSize);

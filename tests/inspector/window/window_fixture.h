@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/session/session.h"
+#include "gl/maze_view.h"
 #include "ui/window/main_window.h"
 
 #include <QAction>
@@ -28,7 +29,7 @@ void prepare();
 
 class Fixture {
 public:
-    explicit Fixture(int level = 1);
+    explicit Fixture(int level = 1, inspector::gl::Drawing drawing = {}); // solid
     // The window is on the screen, has drawn once and has the keyboard.
     bool isReady();
 
@@ -62,6 +63,7 @@ public:
 private:
     [[noreturn]] void reportMissing(const QString &name) const;
 
+    inspector::gl::Drawing m_drawing;
     QTemporaryDir m_folder;
     QSettings m_settings;
     std::unique_ptr<inspector::Session> m_session;

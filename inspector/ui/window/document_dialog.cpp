@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/document_dialog.h"
+
+#include "ui/parts/described.h"
+
+#include <QBoxLayout>
+#include <QCoreApplication>
+#include <QDesktopServices>
+#include <QDir>
+#include <QFileInfo>
+#include <QLineEdit>
+#include <QScreen>
+#include <QScrollBar>
+#include <QShortcut>
+#include <QTextBlock>
+#include <QTextBrowser>
+#include <QToolButton>
+
+namespace inspector::ui {
+
+namespace {
+
+constexpr QSize kUsualSize(860, 700);
+constexpr double kScreenShare = 0.9;
+
+} // namespace
+
+QString documentFolder() {
+    const QString installed = QCoreApplication::applicationDirPath() + QStringLiteral("/../share/physics/doc");
+    for (const QString &folder : {installed, QStringLiteral(INSPECTOR_SOURCE_FOLDER)})
+        if (QFileInfo::exists(folder + QStringLiteral("/inspector/README.md"))) return QDir::cleanPath(folder);
+    return {};
+}
+
+DocumentDialog::DocumentDialog(QWidget *parent)
+    : QDialog(parent)
+    , m_text(new QTextBrowser)
+    , m_sought(new QLineEdit) {
+    setObjectName(QStringLiteral("document_dialog"));
+    resize(kUsualSize.boundedTo(screen()->availableSize() * kScreenShare));
+    m_text->setObjectName(QStringLiteral("document"));
+    m_text->setAccessibleName(tr("Page"));
+    m_text->setOpenLinks(false);
+    m_sought->setObjectName(QStringLiteral("document_sought"));
+    m_sought->setPlaceholderText(tr("Find in this page"));
+    m_sought->setClearButtonEnabled(true);
+    describe(m_sought, tr("Find in this page"), tr("Enter goes on to the next place"));
+
+    auto *back = new QToolButton;
+    back->setArrowType(Qt::LeftArrow);
+    describe(back, tr("Back"), tr("The page before (Alt+Left)"));
+    auto *bar = new QHBoxLayout;
+    bar->addWidget(back);
+    bar->addWidget(m_sought, 1);
+    auto *layout = new QVBoxLayout(this);
+    layout->addLayout(bar);
+    layout->addWidget(m_text, 1);
+
+    connect(back, &QToolButton::clicked, m_text, &QTextBrowser::backward);
+    connect(m_text, &QTextBrowser::anchorClicked, this, &DocumentDialog::follow);
+    connect(m_text, &QTextBrowser::sourceChanged, this,
+            [this](const QUrl &page) { setWindowTitle(tr("%1 – Help").arg(page.fileName())); });
+    connect(m_sought, &QLineEdit::returnPressed, this, &DocumentDialog::find);
+    connect(new QShortcut(QKeySequence::Find, this), &QShortcut::activated, this, [this] {
+        m_sought->setFocus();
+        m_sought->selectAll();
+    });
+}
+
+bool DocumentDialog::showPage(const QString &page, const QString &section) {
+    const QString path = documentFolder() + QLatin1Char('/') + page;
+    if (!QFileInfo::exists(path)) return false;
+    m_text->setSource(QUrl::fromLocalFile(path), QTextDocument::MarkdownResource);
+    goTo(section);
+    show();
+    raise();
+    activateWindow();
+    m_text->setFocus();
+    return true;
+}
+
+void DocumentDialog::goTo(const QString &section) {
+    if (section.isEmpty()) return;
+    for (QTextBlock block = m_text->document()->begin(); block.isValid(); block = block.next()) {
+        const bool isHeading = block.blockFormat().headingLevel() > 0;
+        if (!isHeading || !(block.text() + QLatin1Char(' ')).startsWith(section + QLatin1Char(' '))) continue;
+        m_text->setTextCursor(QTextCursor(block));
+        m_text->verticalScrollBar()->setValue(m_text->verticalScrollBar()->value() + m_text->cursorRect().top());
+        return;
+    }
+}
+
+// From the cursor on, and from the top again.
+void DocumentDialog::find() {
+    if (m_text->find(m_sought->text())) return;
+    m_text->moveCursor(QTextCursor::Start);
+    m_text->find(m_sought->text());
+}
+
+// Pages are shown here; what they point to besides is the desktop's.
+void DocumentDialog::follow(const QUrl &link) {
+    const QUrl target = m_text->source().resolved(link);
+    if (target.isLocalFile() && target.fileName().endsWith(QLatin1String(".md")))
+        m_text->setSource(target, QTextDocument::MarkdownResource);
+    else
+        QDesktopServices::openUrl(target);
+}
+
+} // namespace inspector::ui

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDir>
+#include <QObject>
+#include <QTimer>
+
+#include <functional>
+
+class QProgressDialog;
+class QWidget;
+
+namespace inspector {
+class Session;
+}
+
+namespace inspector::gl {
+class MazeView;
+}
+
+namespace inspector::ui {
+
+struct FilmPlan {
+    double seconds = 10.0; // of simulated time, up to the moment shown
+    int perSecond = 25;    // pictures
+};
+
+// Asks how long the film is to be; nothing waits for the answer.
+void askForFilm(QWidget &window, const FilmPlan &usual, const std::function<void(const FilmPlan &plan)> &use);
+
+// Goes through the past of the run shown, picture by picture, and writes them into a new folder; shows how far it is,
+// and can be cancelled, which removes them. Deletes itself at its end, when the moment from before is shown again.
+class Film : public QObject {
+    Q_OBJECT
+
+public:
+    // All outlive it. scale: pixels for each of the view.
+    Film(Session &session, gl::MazeView &view, const FilmPlan &plan, int scale, QWidget &window);
+
+    // False, and one line in `error`, if the folder is there and holds something, or can't be made.
+    bool begin(const QString &folder, QString *error);
+
+signals:
+    // error: why not, or empty.
+    void finished(const QString &error);
+
+private:
+    void goOn();
+    QString fileOf(int picture) const; // from 1
+    bool takePicture();
+    void removePictures();
+    void end(const QString &error);
+
+    Session &m_session;
+    gl::MazeView &m_view;
+    int m_scale;
+    double m_first; // s
+    double m_last;
+    double m_period;
+    bool m_wasInPast;
+    QDir m_folder;
+    QProgressDialog *m_progress;
+    QTimer m_look;         // whether the moment sought is shown
+    uint64_t m_wanted = 0; // place
+    int m_taken = 0;
+    int m_count = 0;
+};
+
+} // namespace inspector::ui

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files of the window: opened, dropped, remembered, watched; plugins; pages of documentation.
+#include "core/setup/lines.h"
+#include "core/trade/recording_schedule.h"
+#include "ui/parts/file_chooser.h"
+#include "ui/parts/message_bar.h"
+#include "ui/parts/settings_keys.h"
+#include "ui/window/document_dialog.h"
+#include "ui/window/film.h"
+#include "ui/window/main_window.h"
+#include "ui/window/maze_watcher.h"
+
+#include <QDropEvent>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMimeData>
+#include <QStatusBar>
+
+namespace inspector::ui {
+
+namespace {
+
+constexpr qsizetype kMostRecent = 9;
+constexpr int kSaidFor = 8000; // ms
+
+// The one local file that is dragged; empty if it is something else.
+QString droppedFile(const QMimeData &data) {
+    const QList<QUrl> urls = data.urls();
+    return urls.size() == 1 ? urls.constFirst().toLocalFile() : QString();
+}
+
+} // namespace
+
+void MainWindow::openMazeFile() {
+    chooseFile(*this, m_session.settings(), {tr("Open maze file"), tr("Mazes (*.txt)"), {}, FileUse::Read},
+               [this](const QString &path) { openFile(path); });
+}
+
+void MainWindow::openRecording() {
+    chooseFile(*this, m_session.settings(),
+               {tr("Open recording"), tr("Recordings (*.rec);;All files (*)"), {}, FileUse::Read},
+               [this](const QString &path) { openFile(path); });
+}
+
+// A maze or a recording, which is remembered if it could be opened, and forgotten if not.
+void MainWindow::openFile(const QString &path) {
+    const bool isOpen = isRecordingFile(path) ? m_session.openRecording(path) : m_session.openLevel(levelOfFile(path));
+    QSettings &settings = m_session.settings();
+    QStringList recent = settings.value(settings_keys::kRecent).toStringList();
+    const QString full = QFileInfo(path).absoluteFilePath();
+    recent.removeAll(full);
+    if (isOpen) recent.prepend(full);
+    settings.setValue(settings_keys::kRecent, recent.mid(0, kMostRecent));
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent *event) {
+    if (!droppedFile(*event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent *event) {
+    event->acceptProposedAction();
+    openFile(droppedFile(*event->mimeData()));
+}
+
+// The newest first, with digits as their letters.
+void MainWindow::addRecent(QMenu &menu) {
+    auto *recent = new QMenu(tr("Open recent"), &menu);
+    recent->setObjectName(QStringLiteral("recent_menu"));
+    menu.insertMenu(action("close_recording"), recent);
+    connect(recent, &QMenu::aboutToShow, this, [this, recent] {
+        recent->clear();
+        recent->setToolTipsVisible(true);
+        int number = 0;
+        for (const QString &path : m_session.settings().value(settings_keys::kRecent).toStringList()) {
+            QString name = QFileInfo(path).fileName().replace(QLatin1Char('&'), QLatin1String("&&"));
+            QAction *open = recent->addAction(QStringLiteral("&%1  %2").arg(++number).arg(name));
+            open->setToolTip(oneLine(path));
+            connect(open, &QAction::triggered, this, [this, path] { openFile(path); });
+        }
+        if (number == 0) return recent->addAction(tr("None yet"))->setEnabled(false);
+        recent->addSeparator();
+        connect(recent->addAction(tr("Forget them")), &QAction::triggered, this,
+                [this] { m_session.settings().remove(settings_keys::kRecent); });
+    });
+}
+
+void MainWindow::askForPlugin() {
+    chooseFile(*this, m_session.settings(),
+               {tr("Load plugin"), tr("Plugins (*.so *.dll *.dylib);;All files (*)"), {}, FileUse::Read},
+               [this](const QString &path) { loadPlugin(path); });
+}
+
+void MainWindow::loadPlugin(const QString &path) {
+    const uint32_t before = phys_registry_count(m_session.registry().get());
+    if (!m_session.loadPlugin(path)) return;
+    m_messages->settle(Cause::Command);
+    QStringList names;
+    phys_stepper_info info;
+    for (uint32_t i = before; phys_registry_info(m_session.registry().get(), i, &info) == PHYS_OK; ++i)
+        names += QString::fromUtf8(info.name);
+    statusBar()->showMessage(tr("Can be chosen as steppers now: %1").arg(names.join(QLatin1String(", "))), kSaidFor);
+}
+
+void MainWindow::saveFilm() {
+    askForFilm(*this, {}, [this](const FilmPlan &plan) {
+        chooseFile(*this, m_session.settings(),
+                   {tr("New folder for the film"), tr("Folder (*)"), tr("film"), FileUse::Write},
+                   [this, plan](const QString &folder) {
+                       QString error;
+                       auto *film = new Film(m_session, *m_view, plan, pictureScale() + 1, *this);
+                       connect(film, &Film::finished, this, &MainWindow::showSaved);
+                       if (!film->begin(folder, &error)) showSaved(error);
+                   });
+    });
+}
+
+// A recording's maze stays what it was, and so does that of the past.
+void MainWindow::watchMaze() {
+    m_mazeWatcher->watch(m_session.isReplaying() || m_session.isInPast() ? QString() : m_session.level().path);
+}
+
+void MainWindow::readMazeAgain(const QString &path) {
+    if (path != m_session.level().path || m_session.isReplaying()) return;
+    if (!m_session.openLevel(levelOfFile(path))) return; // which was said; what is open stays
+    m_messages->showLine(tr("%1 was changed on disk and has been read again").arg(QFileInfo(path).fileName()),
+                         Cause::Level);
+}
+
+void MainWindow::showGuide() { showPage(QStringLiteral("inspector/README.md"), QStringLiteral("By hand")); }
+void MainWindow::showModelPage() { showPage(QStringLiteral("libphysics/docs/model.md")); }
+void MainWindow::showAccuracyPage() { showPage(QStringLiteral("libphysics/docs/accuracy.md")); }
+
+void MainWindow::showPage(const QString &page, const QString &section) {
+    if (!m_documents) m_documents = new DocumentDialog(this);
+    m_messages->settle(Cause::File);
+    if (m_documents->showPage(page, section)) return;
+    m_messages->showLine(tr("%1: this page isn't installed").arg(page), Cause::File);
+}
+
+} // namespace inspector::ui

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+// Files of the window: recent ones, a maze that an editor changes, plugins, pages of documentation.
+#include "support/files.h"
+#include "ui/parts/message_bar.h"
+#include "window_fixture.h"
+
+#include <QComboBox>
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMimeData>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QSignalSpy>
+#include <QTextBlock>
+#include <QTextBrowser>
+
+#include <algorithm>
+
+using namespace window_test;
+
+class TestWindowFiles : public QObject {
+    Q_OBJECT
+
+public:
+    static void initMain() { prepare(); }
+
+private slots:
+    void init();
+    void cleanup();
+    void droppedMazeIsARecentOne();
+    void recentFileThatIsGoneIsForgotten();
+    void changedMazeIsReadAgain();
+    void replacedMazeIsReadAgain();
+    void mazeThatBecameWrongLeavesTheOpenOne();
+    void mazeWrittenWithTheSameBytesGoesOn();
+    void pluginsStepperCanBeChosen();
+    void fileThatIsNoPluginIsRefusedInOneLine();
+    void guideOpensByKeyAndIsSearched();
+    void linkBetweenPagesIsFollowed();
+    void keysAreScrolledByPages();
+    void sectionOfABounceOpensThere();
+
+private:
+    QString maze(const QString &name, const QByteArray &more = {});
+    void write(const QString &path, const QByteArray &bytes);
+    void drop(const QString &path);
+    QMenu *recent();
+    void answerFile(const QString &path);
+    uint32_t boxes() { return phys_scene_box_count(m_fixture->session().scene().get()); }
+    QString line() { return m_fixture->window().messages().line(); }
+
+    std::unique_ptr<Fixture> m_fixture;
+};
+
+namespace {
+const QByteArray kFloor = "physics-maze 1\nunits m\nball 0.006\nstart 0 0 0.006\nbox -0.1 -0.1 -0.01 0.1 0.1 0\n";
+const QByteArray kWall = "box 0.05 -0.1 0 0.06 0.1 0.02\n";
+} // namespace
+
+void TestWindowFiles::init() {
+    m_fixture = std::make_unique<Fixture>();
+    QVERIFY(m_fixture->isReady());
+}
+
+void TestWindowFiles::cleanup() { m_fixture.reset(); }
+
+void TestWindowFiles::write(const QString &path, const QByteArray &bytes) {
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
+}
+
+QString TestWindowFiles::maze(const QString &name, const QByteArray &more) {
+    const QString path = m_fixture->path(name);
+    write(path, kFloor + more);
+    return path;
+}
+
+void TestWindowFiles::drop(const QString &path) {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(path)});
+    QWidget &window = m_fixture->window();
+    QDragEnterEvent enter(window.rect().center(), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&window, &enter); // a drop without it is none
+    QDropEvent drop(window.rect().center(), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&window, &drop);
+}
+
+// As the mouse opens it.
+QMenu *TestWindowFiles::recent() {
+    auto *menu = m_fixture->find<QMenu>("recent_menu");
+    menu->popup(m_fixture->window().mapToGlobal(QPoint(40, 40)));
+    return menu;
+}
+
+void TestWindowFiles::answerFile(const QString &path) {
+    QTRY_VERIFY(m_fixture->window().findChild<QFileDialog *>());
+    auto *dialog = m_fixture->window().findChild<QFileDialog *>();
+    emit dialog->fileSelected(path); // what it says once a name is chosen
+    delete dialog;
+}
+
+void TestWindowFiles::droppedMazeIsARecentOne() {
+    const QString first = maze("first.txt");
+    const QString second = maze("second.txt", kWall);
+    drop(first);
+    drop(second);
+    QMenu *menu = recent();
+    QCOMPARE(menu->actions().at(0)->text(), QString("&1  second.txt"));
+    QCOMPARE(menu->actions().at(1)->text(), QString("&2  first.txt"));
+    QTest::keyClick(menu, Qt::Key_2);
+    QCOMPARE(m_fixture->session().level().path, first);
+    menu = recent();
+    QCOMPARE(menu->actions().at(0)->text(), QString("&1  first.txt"));
+    QTest::keyClick(menu, Qt::Key_Escape);
+}
+
+void TestWindowFiles::recentFileThatIsGoneIsForgotten() {
+    const QString path = maze("gone.txt");
+    drop(path);
+    QVERIFY(QFile::remove(path));
+    QTest::keyClick(recent(), Qt::Key_1);
+    QVERIFY2(line().contains("gone.txt"), qPrintable(line()));
+    QCOMPARE(recent()->actions().at(0)->text(), QString("None yet"));
+    m_fixture->find<QMenu>("recent_menu")->close();
+}
+
+void TestWindowFiles::changedMazeIsReadAgain() {
+    const QString path = maze("mine.txt");
+    drop(path);
+    QCOMPARE(boxes(), 1U);
+    write(path, kFloor + kWall);
+    QTRY_COMPARE(boxes(), 2U);
+    QCOMPARE(line(), QString("mine.txt was changed on disk and has been read again"));
+    write(path, kFloor + kWall + "box -0.06 -0.1 0 -0.05 0.1 0.02\n"); // it goes on being watched
+    QTRY_COMPARE(boxes(), 3U);
+}
+
+// As editors do that write beside it first.
+void TestWindowFiles::replacedMazeIsReadAgain() {
+    const QString path = maze("mine.txt");
+    drop(path);
+    for (const QByteArray &more : {kWall, kWall + kWall}) {
+        const QString beside = maze("new.txt", more);
+        QVERIFY(QFile::remove(path) && QFile::rename(beside, path));
+        QTRY_COMPARE(boxes(), uint32_t(1 + more.size() / kWall.size()));
+    }
+}
+
+void TestWindowFiles::mazeThatBecameWrongLeavesTheOpenOne() {
+    const QString path = maze("mine.txt", kWall);
+    drop(path);
+    write(path, "box 1 2\n");
+    QTRY_VERIFY2(line().contains("mine.txt"), qPrintable(line()));
+    QCOMPARE(boxes(), 2U);
+    write(path, kFloor);
+    QTRY_COMPARE(boxes(), 1U);
+}
+
+// What is running isn't disturbed; another change shows that the first was seen.
+void TestWindowFiles::mazeWrittenWithTheSameBytesGoesOn() {
+    const QString path = maze("mine.txt", kWall);
+    drop(path);
+    m_fixture->trigger("step");
+    QTRY_COMPARE(m_fixture->simulation().latest().current.step, uint64_t(1));
+    QSignalSpy opened(&m_fixture->session(), &inspector::Session::levelOpened);
+    write(path, kFloor + kWall);
+    write(m_fixture->path("other.txt"), kFloor);
+    write(path, kFloor);
+    QTRY_COMPARE(boxes(), 1U);
+    QCOMPARE(opened.size(), 1);
+}
+
+void TestWindowFiles::pluginsStepperCanBeChosen() {
+    m_fixture->trigger("load_plugin");
+    answerFile(ADAPTIVE_DRAG);
+    auto *steppers = m_fixture->find<QComboBox>("stepper");
+    QTRY_VERIFY(steppers->findData(QByteArray("adaptive-drag")) >= 0);
+    QVERIFY(m_fixture->find<QComboBox>("comparison_stepper")->findData(QByteArray("adaptive-drag")) >= 0);
+    steppers->setFocus(Qt::TabFocusReason);
+    QTest::keyClick(steppers, Qt::Key_End);
+    QCOMPARE(m_fixture->session().stepperId(), QByteArray("adaptive-drag"));
+    m_fixture->trigger("step");
+    QTRY_COMPARE(m_fixture->simulation().latest().current.step, uint64_t(1));
+    const int count = steppers->count();
+    m_fixture->trigger("load_plugin"); // twice is said
+    answerFile(ADAPTIVE_DRAG);
+    QTRY_VERIFY2(line().contains("adaptive-drag"), qPrintable(line()));
+    QCOMPARE(steppers->count(), count);
+}
+
+void TestWindowFiles::fileThatIsNoPluginIsRefusedInOneLine() {
+    const QString path = maze("no.so");
+    m_fixture->trigger("load_plugin");
+    answerFile(path);
+    QTRY_VERIFY2(line().contains("no.so"), qPrintable(line()));
+    QVERIFY(!line().contains('\n'));
+}
+
+void TestWindowFiles::guideOpensByKeyAndIsSearched() {
+    m_fixture->press(Qt::Key_F1, Qt::ShiftModifier);
+    auto *page = m_fixture->find<QTextBrowser>("document");
+    QTRY_VERIFY(page->isVisible());
+    QVERIFY2(page->toPlainText().startsWith("inspector: looking at it"), qPrintable(page->toPlainText().left(80)));
+    auto *sought = m_fixture->find<QLineEdit>("document_sought");
+    click(sought);
+    QTest::keyClicks(sought, "Interrupted, it holds");
+    QTest::keyClick(sought, Qt::Key_Return);
+    QCOMPARE(page->textCursor().selectedText(), QString("Interrupted, it holds"));
+    QTRY_VERIFY(page->verticalScrollBar()->value() > 0);
+}
+
+void TestWindowFiles::linkBetweenPagesIsFollowed() {
+    m_fixture->trigger("page_accuracy");
+    auto *page = m_fixture->find<QTextBrowser>("document");
+    QTRY_VERIFY(page->isVisible());
+    emit page->anchorClicked(QUrl("model.md"));
+    QTRY_COMPARE(page->source().fileName(), QString("model.md"));
+    page->backward();
+    QTRY_COMPARE(page->source().fileName(), QString("accuracy.md"));
+}
+
+void TestWindowFiles::keysAreScrolledByPages() {
+    m_fixture->press(Qt::Key_F1);
+    auto *dialog = m_fixture->find<QDialog>("keys_dialog");
+    dialog->resize(500, 240);
+    QVERIFY(QTest::qWaitForWindowActive(dialog));
+    auto *bar = dialog->findChild<QScrollArea *>()->verticalScrollBar();
+    QTRY_VERIFY(bar->maximum() > 0);
+    auto *sought = m_fixture->find<QLineEdit>("keys_sought");
+    QTest::keyClick(sought, Qt::Key_PageDown);
+    QVERIFY(bar->value() > 0);
+    QTest::keyClick(sought, Qt::Key_PageUp);
+    QCOMPARE(bar->value(), 0);
+}
+
+// The law of the bounce names its section; its link leads there.
+void TestWindowFiles::sectionOfABounceOpensThere() {
+    m_fixture->press(Qt::Key_6, Qt::ControlModifier);
+    auto *detail = m_fixture->find<QLabel>("bounces_detail");
+    QTRY_VERIFY(detail->isVisible());
+    emit detail->linkActivated("2.2");
+    auto *page = m_fixture->find<QTextBrowser>("document");
+    QTRY_VERIFY(page->isVisible());
+    QCOMPARE(page->source().fileName(), QString("model.md"));
+    QVERIFY2(page->textCursor().block().text().startsWith("2.2 "), qPrintable(page->textCursor().block().text()));
+}
+
+QTEST_MAIN(TestWindowFiles)
+#include "tst_window_files.moc"

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// The last seconds as pictures in a folder, with progress, cancelled and undisturbed.
+#include "ui/parts/message_bar.h"
+#include "ui/parts/number_box.h"
+#include "ui/window/film.h"
+#include "window_fixture.h"
+
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QProgressDialog>
+#include <QPushButton>
+
+using namespace window_test;
+using inspector::ui::NumberBox;
+
+class TestWindowFilm : public QObject {
+    Q_OBJECT
+
+public:
+    static void initMain() { prepare(); }
+
+private slots:
+    void init();
+    void cleanup();
+    void filmIsOfTheSecondsAskedFor();
+    void picturesFollowTheBall();
+    void presentIsShownAgainAfterwards();
+    void cancelledFilmLeavesNothing();
+    void folderThatHoldsSomethingIsRefused();
+
+private:
+    phys_state ball() { return m_fixture->simulation().latest().current; }
+    void makeSteps(uint64_t count);
+    void ask(const QString &seconds, const QString &rate, const QString &folder);
+    QStringList picturesIn(const QString &folder) { return QDir(folder).entryList({"*.png"}, QDir::Files, QDir::Name); }
+    bool isOver() { return !m_fixture->window().findChild<QProgressDialog *>("film_progress"); }
+
+    std::unique_ptr<Fixture> m_fixture;
+};
+
+void TestWindowFilm::init() {
+    m_fixture = std::make_unique<Fixture>(3);
+    QVERIFY(m_fixture->isReady());
+    m_fixture->parameters().set({{"tilt_x", 3.0}, {"tilt_y", 4.0}});
+    makeSteps(100); // 1 s
+}
+
+void TestWindowFilm::cleanup() { m_fixture.reset(); }
+
+void TestWindowFilm::makeSteps(uint64_t count) {
+    const uint64_t end = ball().step + count;
+    for (uint64_t i = 0; i < count; ++i) m_fixture->trigger("step");
+    QTRY_COMPARE(ball().step, end);
+}
+
+void TestWindowFilm::ask(const QString &seconds, const QString &rate, const QString &folder) {
+    m_fixture->press(Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_VERIFY(m_fixture->window().findChild<QDialog *>("film_dialog"));
+    auto *dialog = m_fixture->find<QDialog>("film_dialog");
+    QTRY_VERIFY(dialog->isVisible());
+    const std::pair<const char *, QString> fields[] = {{"film_seconds", seconds}, {"film_rate", rate}};
+    for (const auto &[name, text] : fields) {
+        auto *box = m_fixture->find<NumberBox>(name);
+        box->setFocus();
+        box->selectAll();
+        QTest::keyClicks(box, text);
+    }
+    click(dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok));
+    QTRY_VERIFY(m_fixture->window().findChild<QFileDialog *>());
+    auto *chooser = m_fixture->window().findChild<QFileDialog *>();
+    emit chooser->fileSelected(folder); // what it says once a name is chosen
+    delete chooser;
+}
+
+void TestWindowFilm::filmIsOfTheSecondsAskedFor() {
+    const QString folder = m_fixture->path("film");
+    ask("0.5", "10", folder);
+    QTRY_COMPARE(picturesIn(folder).size(), 6); // both ends
+    QTRY_VERIFY(isOver());
+    QCOMPARE(picturesIn(folder).first(), QString("00001.png"));
+    const QImage first(folder + "/00001.png");
+    QCOMPARE(first.size(), m_fixture->window().view().size() * m_fixture->window().devicePixelRatio());
+    QCOMPARE(m_fixture->window().messages().line(), QString());
+}
+
+void TestWindowFilm::picturesFollowTheBall() {
+    const QString folder = m_fixture->path("film");
+    ask("0.9", "2", folder);
+    QTRY_COMPARE(picturesIn(folder).size(), 2);
+    QTRY_VERIFY(isOver());
+    QVERIFY(QImage(folder + "/00001.png") != QImage(folder + "/00002.png"));
+}
+
+void TestWindowFilm::presentIsShownAgainAfterwards() {
+    const phys_state before = ball();
+    ask("0.2", "10", m_fixture->path("film"));
+    QTRY_COMPARE(picturesIn(m_fixture->path("film")).size(), 3);
+    QTRY_VERIFY(isOver());
+    QTRY_VERIFY(!m_fixture->session().isInPast());
+    QTRY_COMPARE(ball().step, before.step);
+}
+
+void TestWindowFilm::cancelledFilmLeavesNothing() {
+    const QString folder = m_fixture->path("film");
+    ask("1", "100", folder);
+    QTRY_VERIFY(!picturesIn(folder).isEmpty());
+    m_fixture->find<QProgressDialog>("film_progress")->cancel();
+    QTRY_VERIFY(isOver());
+    QVERIFY(!QDir(folder).exists());
+    QTRY_VERIFY(!m_fixture->session().isInPast());
+}
+
+void TestWindowFilm::folderThatHoldsSomethingIsRefused() {
+    const QString folder = m_fixture->path("full");
+    QVERIFY(QDir().mkpath(folder + "/inner"));
+    QString error;
+    auto *film = new inspector::ui::Film(m_fixture->session(), m_fixture->window().view(), {}, 1, m_fixture->window());
+    QVERIFY(!film->begin(folder, &error));
+    QCOMPARE(error, folder + ": expected a new or an empty folder, found one that holds something");
+    QVERIFY(picturesIn(folder).isEmpty());
+}
+
+QTEST_MAIN(TestWindowFilm)
+#include "tst_window_film.moc"
