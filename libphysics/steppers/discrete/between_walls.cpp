@@ -53,7 +53,9 @@ bool UprightWalls::limitVelocity(const Vec2 &taken, double h, double tolerance, 
     for (uint32_t i = 0; i < m_count; ++i) {
         if (m_walls[i].isActive) pressing.add(m_walls[i].contact->normal);
     }
-    const Vec3 way = ball.velocity - pressing.across(ball.velocity - (ball.position - before.position) / h);
+    // Two leave nothing of the old one, not even rounding: it would prefer one of them.
+    Vec3 way = ball.velocity;
+    if (pressing.count() < 2) way -= pressing.across(ball.velocity - (ball.position - before.position) / h);
     ball.position = before.position + h * way;
     return true;
 }

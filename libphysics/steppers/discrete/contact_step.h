@@ -71,6 +71,7 @@ void snapToFace(const StepContext &context, const Contact &face, Ball &ball);
 class NormalSpan {
 public:
     void add(const Vec3 &normal);
+    uint32_t count() const { return m_count; }
     /// The part of a vector that is at right angles to all of them.
     Vec3 across(Vec3 vector) const;
 
