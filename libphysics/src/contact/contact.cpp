@@ -44,7 +44,7 @@ void setCoefficients(const Setting &setting, Contact &contact) {
 }
 
 /// Makes one contact of two from opposite sides of a crack that is next to none, with the ball right above it: nothing
-/// tells them apart. False if they are others.
+/// tells them apart. It stays an edge, which the ball rolls off. False if they are others.
 bool joins(const Contact &contact, Contact &other) {
     bool any = false;
     for (int axis = 0; axis < 3; ++axis) {
@@ -55,7 +55,6 @@ bool joins(const Contact &contact, Contact &other) {
     if (!any) return false;
     for (int axis = 0; axis < 3; ++axis) {
         if (contact.sides[axis] == other.sides[axis]) continue;
-        other.sides[axis] = 0;
         other.normal[axis] = 0.0;
         other.point[axis] = 0.5 * (contact.point[axis] + other.point[axis]);
     }
