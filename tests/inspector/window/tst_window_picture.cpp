@@ -10,6 +10,7 @@
 #include <QImage>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
+#include <QOpenGLWidget>
 
 using namespace window_test;
 
@@ -25,14 +26,15 @@ const QString kVersions = QStringLiteral(GOLDEN_FOLDER "/start.versions");
 
 // What the pixels depend on besides this project.
 QString versionsNow(inspector::gl::MazeView &view) {
-    view.makeCurrent();
-    const auto *version = reinterpret_cast<const char *>(view.context()->functions()->glGetString(GL_VERSION));
+    auto &canvas = *view.findChild<QOpenGLWidget *>();
+    canvas.makeCurrent();
+    const auto *version = reinterpret_cast<const char *>(canvas.context()->functions()->glGetString(GL_VERSION));
     const QFontInfo font(QApplication::font());
     const QString family = QStringLiteral("%1, %2 px").arg(font.family()).arg(font.pixelSize());
     const QString fixed = QFontInfo(QFontDatabase::systemFont(QFontDatabase::FixedFont)).family();
     QString text =
         QStringLiteral("%1\nQt %2\n%3; %4\n").arg(QLatin1String(version), QLatin1String(qVersion()), family, fixed);
-    view.doneCurrent();
+    canvas.doneCurrent();
     return text;
 }
 
