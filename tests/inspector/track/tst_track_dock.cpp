@@ -2,22 +2,18 @@
 // A measured ball in the window: its file by name, the fit in the background, values taken over and back.
 #include "ui/track/track_dock.h"
 
-#include "core/program/command_line.h"
 #include "core/setup/tables.h"
+#include "inspector/dock_fixture.h"
 #include "inspector/track/made_track.h"
 
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
-#include <QSettings>
-#include <QTemporaryDir>
-#include <QTest>
-#include <QUndoStack>
 
 using namespace inspector;
 using namespace inspector::ui;
 
-class TestTrackDock : public QObject {
+class TestTrackDock : public QObject, support::DockFixture<TrackDock> {
     Q_OBJECT
 
 private slots:
@@ -31,12 +27,6 @@ private slots:
     void otherLevelForgetsTheFit();
 
 private:
-    template<typename Widget>
-    Widget &find(const char *name) {
-        auto *widget = m_dock->findChild<Widget *>(QLatin1String(name));
-        if (!widget) qFatal("no %s", name);
-        return *widget;
-    }
     void type(const char *name, const QString &text) {
         auto &edit = find<QLineEdit>(name);
         edit.setFocus();
@@ -51,17 +41,10 @@ private:
         return parameters.value(parameters.indexOf(QLatin1String(id)));
     }
 
-    QTemporaryDir m_folder;
-    QSettings m_settings{m_folder.filePath("settings.ini"), QSettings::IniFormat};
-    QUndoStack m_undo;
-    std::unique_ptr<Session> m_session;
-    std::unique_ptr<TrackDock> m_dock;
     BoardGuess m_truth = support::drawTruth(PHYS_MODEL_ROLLING, 2);
 };
 
 namespace {
-
-constexpr int kLong = 90000; // ms: a fit on a busy machine
 
 QByteArray csvOf(const Track &track) {
     QByteArray csv = "t,x,y,tilt_x,tilt_y\n";
@@ -79,15 +62,8 @@ QByteArray csvOf(const Track &track) {
 } // namespace
 
 void TestTrackDock::initTestCase() {
-    const CommandLine line = parseCommandLine({"physics-inspector", "--level", "3"});
-    QVERIFY2(!line.exitStatus, qPrintable(line.error));
-    QString error;
-    m_session = Session::open(line.options, m_settings, &error);
-    QVERIFY2(m_session, qPrintable(error));
-    m_dock = std::make_unique<TrackDock>(*m_session, m_undo);
-    m_dock->resize(1200, 420);
-    m_dock->show();
-    QVERIFY(QTest::qWaitForWindowExposed(m_dock.get()));
+    const QString error = open(3);
+    QVERIFY2(error.isEmpty(), qPrintable(error));
     const Track track =
         support::makeTrack(m_session->registry(), m_session->scene(), m_truth, {.duration = 8.0, .seed = 2});
     QFile file(m_folder.filePath("track.csv"));

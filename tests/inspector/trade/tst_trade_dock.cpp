@@ -2,7 +2,7 @@
 // The trade in the window: measured in the background, chosen by hand, put to use.
 #include "ui/trade/trade_dock.h"
 
-#include "core/program/command_line.h"
+#include "inspector/dock_fixture.h"
 #include "ui/trade/trade_chart.h"
 
 #include <QComboBox>
@@ -10,21 +10,17 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QSettings>
 #include <QSlider>
 #include <QSpinBox>
 #include <QTableView>
-#include <QTemporaryDir>
-#include <QTest>
 #include <QToolTip>
-#include <QUndoStack>
 
 #include <algorithm>
 
 using namespace inspector;
 using namespace inspector::ui;
 
-class TestTradeDock : public QObject {
+class TestTradeDock : public QObject, support::DockFixture<TradeDock> {
     Q_OBJECT
 
 private slots:
@@ -43,12 +39,6 @@ private slots:
     void cancelKeepsWhatIsKnown();
 
 private:
-    template<typename Widget>
-    Widget &find(const char *name) {
-        auto *widget = m_dock->findChild<Widget *>(QLatin1String(name));
-        if (!widget) qFatal("no %s", name);
-        return *widget;
-    }
     QString cell(int row, int column) { return table().model()->index(row, column).data().toString(); }
     QTableView &table() { return find<QTableView>("trade_table"); }
     TradeChart &chart() { return find<TradeChart>("trade_chart"); }
@@ -62,28 +52,11 @@ private:
     void choosePoint(const char *stepper, const char *stepSize);
     QPointF placeOnChart();
     QString tipAt(const QPointF &place);
-
-    QTemporaryDir m_folder;
-    QSettings m_settings{m_folder.filePath("settings.ini"), QSettings::IniFormat};
-    QUndoStack m_undo;
-    std::unique_ptr<Session> m_session;
-    std::unique_ptr<TradeDock> m_dock;
 };
 
-namespace {
-constexpr int kLong = 90000; // ms: a measurement on a busy machine
-}
-
 void TestTradeDock::initTestCase() {
-    const CommandLine line = parseCommandLine({"physics-inspector", "--level", "1"});
-    QVERIFY2(!line.exitStatus, qPrintable(line.error));
-    QString error;
-    m_session = Session::open(line.options, m_settings, &error);
-    QVERIFY2(m_session, qPrintable(error));
-    m_dock = std::make_unique<TradeDock>(*m_session, m_undo);
-    m_dock->resize(1200, 420);
-    m_dock->show();
-    QVERIFY(QTest::qWaitForWindowExposed(m_dock.get()));
+    const QString error = open(1);
+    QVERIFY2(error.isEmpty(), qPrintable(error));
     find<QDoubleSpinBox>("trade_duration").setValue(0.5);
 }
 
