@@ -43,26 +43,25 @@ ParameterSet setOf(const QString &name, const Material &material, const QString 
 // Figures and sources are in README.md of the inspector, too.
 const std::vector<ParameterSet> &knownSets() {
     static const std::vector<ParameterSet> sets{
-        setOf(Sets::tr("Steel on wood"), {0.5, 0.002, 0.3},
-              Sets::tr("Restitution 0.5: steel ball bearings give 0.6 on a hard floor (The Physics Factbook), less on "
-                       "wood. Rolling friction 0.002: from 0.0001 on smooth hard surfaces to some 0.01 on rough ones "
-                       "(R. Cross, Coulomb's law for rolling friction, Am. J. Phys. 84, 2016). Sliding friction 0.3: "
-                       "metal on wood (S. A. Hill, Coefficients of friction).")),
+        setOf(
+            Sets::tr("Steel on wood"), {0.5, 0.002, 0.3},
+            Sets::tr("Restitution 0.5: steel ball bearings give 0.6 on a hard floor (The Physics Factbook), less on "
+                     "wood. Rolling friction 0.002, a guess: steel on hard surfaces was measured down to 0.0001, more "
+                     "with roughness, speed and a smaller radius (R. Cross, Coulomb's law for rolling friction, Am. J. "
+                     "Phys. 84, 2016). Sliding friction 0.3: metal on wood (S. A. Hill, Coefficients of friction).")),
         setOf(Sets::tr("Glass on wood"), {0.65, 0.001, 0.3},
               Sets::tr("Restitution 0.65: a glass marble on a hard floor gives 0.66 (The Physics Factbook). Rolling "
-                       "friction 0.001: smoother than steel on wood; from 0.0001 to some 0.01 on hard surfaces "
-                       "(R. Cross, Am. J. Phys. 84, 2016). Sliding friction 0.3: as metal on wood; no figure for "
-                       "glass was found.")),
+                       "friction 0.001, a guess: down to 0.0001 for hard balls on hard surfaces (R. Cross, Am. J. "
+                       "Phys. 84, 2016). Sliding friction 0.3: as metal on wood; no figure for glass was found.")),
         setOf(Sets::tr("Rubber on wood"), {0.8, 0.02, 0.7},
               Sets::tr("Restitution 0.8: a ball of rubber bands on a hard floor gives 0.83 (The Physics Factbook). "
                        "Rolling friction 0.02, a guess: soft balls lose much more than hard ones (R. Cross, "
                        "Measurements of rolling friction with a stringless pendulum), tyres on a hard road 0.008 "
                        "(Moyer, in Marks' Handbook). Sliding friction 0.7: shoes on wood (S. A. Hill).")),
-        setOf(
-            Sets::tr("Steel on ice"), {0.6, 0.001, 0.02},
-            Sets::tr("Sliding friction 0.02: steel on ice (S. A. Hill, Coefficients of friction). Restitution 0.6 and "
-                     "rolling friction 0.001 are guesses, as of steel on another hard floor; what has been measured "
-                     "on ice depends much on speed and temperature (Güttler and others, arXiv:1204.0001).")),
+        setOf(Sets::tr("Steel on ice"), {0.6, 0.001, 0.02},
+              Sets::tr("Sliding friction 0.02: steel on ice (S. A. Hill, Coefficients of friction). Restitution 0.6 "
+                       "and rolling friction 0.001 are guesses, as of steel on another hard floor; what has been "
+                       "measured on ice depends much on speed and temperature (Güttler and others, arXiv:1204.0001).")),
     };
     return sets;
 }
