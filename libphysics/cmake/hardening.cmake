@@ -3,7 +3,9 @@
 # it changes a number.
 include(CheckCXXCompilerFlag)
 
-if(NOT PHYS_SANITIZE) # which checks more, and doesn't go with it
+# Not for Windows: GCC can't unwind a stack that it probes there, and the checks would need another library. Sanitizers
+# check more, and don't go with it.
+if(UNIX AND NOT PHYS_SANITIZE)
     foreach(flag -fstack-protector-strong -fstack-clash-protection -fcf-protection)
         string(MAKE_C_IDENTIFIER "PHYS_HAS${flag}" known)
         check_cxx_compiler_flag("${flag} -Werror" ${known})
