@@ -27,8 +27,8 @@ constexpr double kStartNotches[kStartNumbers] = {1e-7, 1e-7, 1e-6, 1e-6};
 // How far off a start is at most that was read off a track, or found with fewer points: standard deviations. A wall
 // takes up a push towards it, so the points of a ball that leans on one may not tell.
 constexpr double kStartDoubts[kStartNumbers] = {1e-3, 1e-3, 2e-2, 2e-2};
-constexpr double kSmallestDecrement = 3e-2; // of the sum of squares, in units of the noise: a fit ends
-constexpr double kBent = 3e-3;              // sum of squares in units of the noise, by which slopes may mislead
+constexpr double kSmallestDecrement = 1e-2; // of the sum of squares, in units of the noise: a fit ends
+constexpr double kBent = 1e-3;              // sum of squares in units of the noise, by which slopes may mislead
 constexpr int kMostTries = 5;               // of steps from one place
 
 double &startNumber(StartGuess &start, size_t which) {
