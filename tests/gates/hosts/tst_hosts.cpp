@@ -198,7 +198,5 @@ private slots:
     }
 };
 
-Q_DECLARE_METATYPE(Setting)
-
 QTEST_GUILESS_MAIN(HostsTest)
 #include "tst_hosts.moc"
