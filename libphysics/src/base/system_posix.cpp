@@ -52,6 +52,7 @@ std::string readFile(const std::string &path, size_t mostBytes, std::string &out
     struct stat status {};
     if (stat(path.c_str(), &status) != 0) return textOf(errno);
     if (!S_ISREG(status.st_mode)) return "not a regular file";
+    if (status.st_size == 0) return {}; // also what the system makes up (/proc): reading may wait, or find no end
     const std::unique_ptr<std::FILE, int (*)(std::FILE *)> file(std::fopen(path.c_str(), "rb"), std::fclose);
     if (!file) return textOf(errno);
     char buffer[4096];

@@ -31,8 +31,12 @@ phys_status refuseShort(const char *name, uint64_t expected, uint64_t size, phys
 /// A file that isn't ELF is left to the system's loader, which says so.
 phys_status checkSegments(const std::string &path, const char *name, phys_error *err) {
     const File file(std::fopen(path.c_str(), "rb"), std::fclose);
-    if (!file || std::fseek(file.get(), 0, SEEK_END) != 0) return PHYS_OK;
-    const auto size = static_cast<uint64_t>(std::ftell(file.get()));
+    if (!file) return PHYS_OK;
+    const long end = std::fseek(file.get(), 0, SEEK_END) == 0 ? std::ftell(file.get()) : 0;
+    if (end <= 0) { // also what the system makes up (/proc): the loader would wait for its content
+        return fail(err, PHYS_ERROR_PLUGIN_REFUSED, "%s: expected a shared object; found an empty file", name);
+    }
+    const auto size = static_cast<uint64_t>(end);
     ElfW(Ehdr) header;
     if (!readAt(file.get(), 0, &header, sizeof header)) return PHYS_OK;
     if (std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0 || header.e_phentsize != sizeof(ElfW(Phdr))) return PHYS_OK;

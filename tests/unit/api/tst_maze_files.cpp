@@ -49,6 +49,7 @@ private slots:
     void missingFileIsRefused();
     void directoryIsRefused();
     void pipeAndDeviceAreRefusedAtOnce();
+    void whatTheSystemMakesUpIsAnEmptyFile();
     void textInMemoryGivesTheSceneOfTheFile();
     void wrongTextInMemoryIsRefusedByName();
     void binaryRubbishIsRefused();
@@ -223,6 +224,16 @@ void TestMazeFiles::pipeAndDeviceAreRefusedAtOnce() {
         QCOMPARE(phys_scene_load(path.constData(), &scene, &error), PHYS_ERROR_FILE);
         QCOMPARE(QByteArray(error.text), path + ": not a regular file");
     }
+}
+
+void TestMazeFiles::whatTheSystemMakesUpIsAnEmptyFile() {
+    QFile empty(m_folder.filePath("empty"));
+    QVERIFY(empty.open(QIODevice::WriteOnly));
+    phys_scene *scene = nullptr;
+    phys_error error{};
+    const phys_status status = phys_scene_load(QFile::encodeName(empty.fileName()).constData(), &scene, &error);
+    QVERIFY(status != PHYS_OK);
+    for (const char *path : {"/proc/kmsg", "/proc/version"}) QCOMPARE(phys_scene_load(path, &scene, &error), status);
 }
 
 void TestMazeFiles::textInMemoryGivesTheSceneOfTheFile() {

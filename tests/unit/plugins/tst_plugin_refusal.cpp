@@ -28,6 +28,7 @@ private slots:
     void givesTheReason();
     void aFileThatIsNotThereIsNamed();
     void aFolderIsNoPlugin();
+    void aFileThatTheSystemMakesUpIsNotWaitedFor();
     void aTextFileIsRefusedWithTheLoadersReason();
     void aFileThatIsCutOffIsRefusedWhereverItIsCut();
     void aSecondLoadNamesTheFirst();
@@ -126,6 +127,14 @@ void PluginRefusal::aFolderIsNoPlugin() {
     phys_error error{};
     QCOMPARE(phys_registry_load_file(m_registry, "/", &error), PHYS_ERROR_FILE);
     QCOMPARE(error.text, "/: not a file");
+}
+
+void PluginRefusal::aFileThatTheSystemMakesUpIsNotWaitedFor() {
+    for (const char *path : {"/proc/kmsg", "/proc/version"}) {
+        phys_error error{};
+        QCOMPARE(phys_registry_load_file(m_registry, path, &error), PHYS_ERROR_PLUGIN_REFUSED);
+        QVERIFY2(QByteArray(error.text).startsWith(path), error.text);
+    }
 }
 
 void PluginRefusal::aTextFileIsRefusedWithTheLoadersReason() {
