@@ -35,7 +35,6 @@ private:
     inspector::gl::MazeView &view() { return m_fixture->window().view(); }
     phys_state ball() { return m_fixture->simulation().latest().current; }
     QPointF pixelOf(double x, double y, double z) { return view().positionOf({x, y, z}); }
-    void makeSteps(uint64_t count);
     void openMaze(const QByteArray &text);
 
     std::unique_ptr<Fixture> m_fixture;
@@ -47,12 +46,6 @@ void TestWindowCamera::init() {
 }
 
 void TestWindowCamera::cleanup() { m_fixture.reset(); }
-
-void TestWindowCamera::makeSteps(uint64_t count) {
-    const uint64_t end = ball().step + count;
-    for (uint64_t i = 0; i < count; ++i) m_fixture->trigger("step");
-    QTRY_COMPARE(ball().step, end);
-}
 
 void TestWindowCamera::openMaze(const QByteArray &text) {
     QFile file(m_fixture->path("own.txt"));
@@ -66,7 +59,7 @@ void TestWindowCamera::fKeepsTheBallInTheMiddle() {
     m_fixture->press(Qt::Key_F);
     m_fixture->parameters().set({{"tilt_y", 5.0}});
     const double start = ball().position.y;
-    makeSteps(40);
+    m_fixture->makeSteps(40);
     QVERIFY(ball().position.y > start + 0.01);
     const auto isInTheMiddle = [this] {
         view().grabFramebuffer();

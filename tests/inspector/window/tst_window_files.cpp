@@ -5,8 +5,8 @@
 #include "window_fixture.h"
 
 #include <QComboBox>
+#include <QDialog>
 #include <QDropEvent>
-#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -48,7 +48,6 @@ private:
     void write(const QString &path, const QByteArray &bytes);
     void drop(const QString &path);
     QMenu *recent();
-    void answerFile(const QString &path);
     uint32_t boxes() { return phys_scene_box_count(m_fixture->session().scene().get()); }
     QString line() { return m_fixture->window().messages().line(); }
 
@@ -93,13 +92,6 @@ QMenu *TestWindowFiles::recent() {
     auto *menu = m_fixture->find<QMenu>("recent_menu");
     menu->popup(m_fixture->window().mapToGlobal(QPoint(40, 40)));
     return menu;
-}
-
-void TestWindowFiles::answerFile(const QString &path) {
-    QTRY_VERIFY(m_fixture->window().findChild<QFileDialog *>());
-    auto *dialog = m_fixture->window().findChild<QFileDialog *>();
-    emit dialog->fileSelected(path); // what it says once a name is chosen
-    delete dialog;
 }
 
 void TestWindowFiles::droppedMazeIsARecentOne() {
@@ -175,7 +167,7 @@ void TestWindowFiles::mazeWrittenWithTheSameBytesGoesOn() {
 
 void TestWindowFiles::pluginsStepperCanBeChosen() {
     m_fixture->trigger("load_plugin");
-    answerFile(ADAPTIVE_DRAG);
+    m_fixture->answerFile(ADAPTIVE_DRAG);
     auto *steppers = m_fixture->find<QComboBox>("stepper");
     QTRY_VERIFY(steppers->findData(QByteArray("adaptive-drag")) >= 0);
     QVERIFY(m_fixture->find<QComboBox>("comparison_stepper")->findData(QByteArray("adaptive-drag")) >= 0);
@@ -186,7 +178,7 @@ void TestWindowFiles::pluginsStepperCanBeChosen() {
     QTRY_COMPARE(m_fixture->simulation().latest().current.step, uint64_t(1));
     const int count = steppers->count();
     m_fixture->trigger("load_plugin"); // twice is said
-    answerFile(ADAPTIVE_DRAG);
+    m_fixture->answerFile(ADAPTIVE_DRAG);
     QTRY_VERIFY2(line().contains("adaptive-drag"), qPrintable(line()));
     QCOMPARE(steppers->count(), count);
 }
@@ -194,7 +186,7 @@ void TestWindowFiles::pluginsStepperCanBeChosen() {
 void TestWindowFiles::fileThatIsNoPluginIsRefusedInOneLine() {
     const QString path = maze("no.so");
     m_fixture->trigger("load_plugin");
-    answerFile(path);
+    m_fixture->answerFile(path);
     QTRY_VERIFY2(line().contains("no.so"), qPrintable(line()));
     QVERIFY(!line().contains('\n'));
 }

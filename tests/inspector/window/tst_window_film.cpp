@@ -5,9 +5,9 @@
 #include "ui/window/film.h"
 #include "window_fixture.h"
 
+#include <QDialog>
 #include <QDialogButtonBox>
 #include <QDir>
-#include <QFileDialog>
 #include <QProgressDialog>
 #include <QPushButton>
 
@@ -31,7 +31,6 @@ private slots:
 
 private:
     phys_state ball() { return m_fixture->simulation().latest().current; }
-    void makeSteps(uint64_t count);
     void ask(const QString &seconds, const QString &rate, const QString &folder);
     QStringList picturesIn(const QString &folder) { return QDir(folder).entryList({"*.png"}, QDir::Files, QDir::Name); }
     bool isOver() { return !m_fixture->window().findChild<QProgressDialog *>("film_progress"); }
@@ -43,16 +42,10 @@ void TestWindowFilm::init() {
     m_fixture = std::make_unique<Fixture>(3);
     QVERIFY(m_fixture->isReady());
     m_fixture->parameters().set({{"tilt_x", 3.0}, {"tilt_y", 4.0}});
-    makeSteps(100); // 1 s
+    m_fixture->makeSteps(100); // 1 s
 }
 
 void TestWindowFilm::cleanup() { m_fixture.reset(); }
-
-void TestWindowFilm::makeSteps(uint64_t count) {
-    const uint64_t end = ball().step + count;
-    for (uint64_t i = 0; i < count; ++i) m_fixture->trigger("step");
-    QTRY_COMPARE(ball().step, end);
-}
 
 void TestWindowFilm::ask(const QString &seconds, const QString &rate, const QString &folder) {
     m_fixture->press(Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
@@ -67,10 +60,7 @@ void TestWindowFilm::ask(const QString &seconds, const QString &rate, const QStr
         QTest::keyClicks(box, text);
     }
     click(dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok));
-    QTRY_VERIFY(m_fixture->window().findChild<QFileDialog *>());
-    auto *chooser = m_fixture->window().findChild<QFileDialog *>();
-    emit chooser->fileSelected(folder); // what it says once a name is chosen
-    delete chooser;
+    m_fixture->answerFile(folder);
 }
 
 void TestWindowFilm::filmIsOfTheSecondsAskedFor() {

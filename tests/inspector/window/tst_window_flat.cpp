@@ -33,7 +33,6 @@ private:
     phys_state ball() { return m_fixture->simulation().latest().current; }
     QPoint pixelOf(const phys_vec3 &point) { return view().positionOf({point.x, point.y, point.z}).toPoint(); }
     QColor colourAt(const QPoint &pixel) { return view().grabFramebuffer().pixelColor(pixel); }
-    void makeSteps(uint64_t count);
 
     std::unique_ptr<Fixture> m_fixture;
 };
@@ -46,12 +45,6 @@ void TestWindowFlat::init() {
 
 void TestWindowFlat::cleanup() { m_fixture.reset(); }
 
-void TestWindowFlat::makeSteps(uint64_t count) {
-    const uint64_t end = ball().step + count;
-    for (uint64_t i = 0; i < count; ++i) m_fixture->trigger("step");
-    QTRY_COMPARE(ball().step, end);
-}
-
 // Red or grey and not the colour of wood: a red spot is as likely as the grey between.
 void TestWindowFlat::ballIsDrawnWhereItIs() {
     const auto isWood = [this](const QPoint &pixel) {
@@ -62,7 +55,7 @@ void TestWindowFlat::ballIsDrawnWhereItIs() {
     QVERIFY(!isWood(pixelOf(start)));
     QVERIFY(isWood(pixelOf({start.x, start.y + 0.02, 0.0})));
     m_fixture->parameters().set({{"tilt_y", 8.0}});
-    makeSteps(40);
+    m_fixture->makeSteps(40);
     QVERIFY(ball().position.y > start.y + 0.02);
     m_fixture->parameters().set({{"tilt_y", 0.0}}); // a level board, so that both are compared under one light
     QTRY_VERIFY(!isWood(pixelOf(ball().position)));
@@ -111,10 +104,10 @@ void TestWindowFlat::dragTurnsTheBoardAndStaysAbove() {
 
 void TestWindowFlat::ghostAndTrailsAreDrawn() {
     m_fixture->parameters().set({{"tilt_x", 3.0}, {"tilt_y", 4.0}});
-    makeSteps(60);
+    m_fixture->makeSteps(60);
     const QImage without = view().grabFramebuffer();
     m_fixture->session().comparison().start({"explicit-euler", 1});
-    makeSteps(60);
+    m_fixture->makeSteps(60);
     const auto now = m_fixture->simulation().latest();
     QVERIFY(now.ghost);
     const QPoint ghost = pixelOf(now.ghost->current.position);
@@ -126,7 +119,7 @@ void TestWindowFlat::everyDockOpens() {
         if (dock->isHidden()) m_fixture->trigger("show_" + dock->objectName());
         QTRY_VERIFY2(!dock->isHidden(), qPrintable(dock->objectName()));
     }
-    makeSteps(3);
+    m_fixture->makeSteps(3);
 }
 
 void TestWindowFlat::pictureIsSavedAtAnySize() {

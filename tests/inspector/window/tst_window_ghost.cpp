@@ -43,7 +43,6 @@ private:
         return parameters.value(parameters.indexOf(id));
     }
     double distance();
-    void makeSteps(uint64_t count);
     void type(const QString &box, const QString &text);
     void switchOn();
 
@@ -64,12 +63,6 @@ double TestWindowGhost::distance() {
     return now.ghost ? now.ghost->deviation.distance : std::nan("");
 }
 
-void TestWindowGhost::makeSteps(uint64_t count) {
-    const uint64_t end = m_fixture->simulation().latest().current.step + count;
-    for (uint64_t i = 0; i < count; ++i) m_fixture->trigger("step");
-    QTRY_COMPARE(m_fixture->simulation().latest().current.step, end);
-}
-
 void TestWindowGhost::type(const QString &name, const QString &text) {
     auto *box = m_fixture->find<NumberBox>(name);
     box->setFocus();
@@ -88,7 +81,7 @@ void TestWindowGhost::keyGivesTheGhostSlidersOfItsOwn() {
     switchOn();
     QVERIFY(comparison().isOn());
     QVERIFY(m_fixture->find<QSlider>("ghost_gravity_slider")->isVisible());
-    makeSteps(20);
+    m_fixture->makeSteps(20);
     COMPARE_EXACT(distance(), 0.0); // it has the ball's values
     m_fixture->press(Qt::Key_C);    // without a ghost there is nothing to set
     QVERIFY(!m_fixture->find<QSlider>("ghost_gravity_slider")->isVisible());
@@ -112,7 +105,7 @@ void TestWindowGhost::typedNumberMovesTheGhostAlone() {
     type("ghost_rolling_friction_box", "0.01");
     COMPARE_EXACT(ghostsOwn("rolling_friction"), 0.01);
     COMPARE_EXACT(ballsOwn("rolling_friction"), 0.002);
-    makeSteps(20);
+    m_fixture->makeSteps(20);
     QVERIFY(distance() > 0.0);
     COMPARE_EXACT(m_fixture->simulated("rolling_friction"), 0.002);
 }
@@ -157,7 +150,7 @@ void TestWindowGhost::tiltIsTheBallsAlone() {
     QVERIFY(!m_fixture->window().findChild<QSlider *>("ghost_tilt_x_slider"));
     m_fixture->press(Qt::Key_X);
     COMPARE_EXACT(ballsOwn("tilt_x"), 3.0);
-    makeSteps(20);
+    m_fixture->makeSteps(20);
     COMPARE_EXACT(distance(), 0.0);
 }
 

@@ -7,7 +7,6 @@
 #include "window_fixture.h"
 
 #include <QApplication>
-#include <QFileDialog>
 #include <QInputDialog>
 #include <QLineEdit>
 #include <QMenu>
@@ -39,7 +38,6 @@ private:
     QMenu *menu();
     void choose(const QString &text, const QString &inMenu = {});
     void save(const QString &name);
-    void answerFile(const QString &path);
 
     std::unique_ptr<Fixture> m_fixture;
 };
@@ -83,13 +81,6 @@ void TestWindowSets::save(const QString &name) {
     QTest::keyClicks(line, name);
     QTest::keyClick(line, Qt::Key_Return);
     QTRY_VERIFY(!m_fixture->window().findChild<QInputDialog *>("set_name"));
-}
-
-void TestWindowSets::answerFile(const QString &path) {
-    QTRY_VERIFY(m_fixture->window().findChild<QFileDialog *>());
-    auto *dialog = m_fixture->window().findChild<QFileDialog *>();
-    emit dialog->fileSelected(path); // what it says once a name is chosen
-    delete dialog;
 }
 
 void TestWindowSets::knownSetIsChosenByKeyboardAndUndone() {
@@ -153,12 +144,12 @@ void TestWindowSets::exportedFileIsImported() {
     m_fixture->parameters().set({{"gravity", 1.62}});
     const QString path = m_fixture->path("moon.txt");
     choose("Export…");
-    answerFile(path);
+    m_fixture->answerFile(path);
     QTRY_VERIFY(QFile::exists(path));
     QVERIFY(support::contentOf(path).startsWith("physics-parameters 1\nname moon\nset gravity 1.62\n"));
     m_fixture->press(Qt::Key_R, Qt::ControlModifier);
     choose("Import…");
-    answerFile(path);
+    m_fixture->answerFile(path);
     QTRY_COMPARE(own("gravity"), 1.62);
     QVERIFY(m_fixture->settings().contains("parameter_sets/moon"));
     m_fixture->press(Qt::Key_Z, Qt::ControlModifier); // both at once
@@ -172,7 +163,7 @@ void TestWindowSets::fileThatIsNoneIsRefusedInOneLine() {
     QVERIFY(file.open(QIODevice::WriteOnly) && file.write("nothing\n") == 8);
     file.close();
     choose("Import…");
-    answerFile(path);
+    m_fixture->answerFile(path);
     QTRY_COMPARE(m_fixture->window().messages().line(), path + ":1: expected 'physics-parameters 1', found 'nothing'");
     COMPARE_EXACT(own("gravity"), 9.81);
 }

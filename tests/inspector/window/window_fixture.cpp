@@ -5,6 +5,7 @@
 #include "gl/surface_format.h"
 
 #include <QApplication>
+#include <QFileDialog>
 #include <QSurfaceFormat>
 #include <QWheelEvent>
 
@@ -66,6 +67,19 @@ void Fixture::key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
 
 void Fixture::type(const QString &text) {
     for (const QChar letter : text) QTest::keyClick(keyboardOwner(*m_window), letter.toLatin1());
+}
+
+void Fixture::makeSteps(uint64_t count) {
+    const uint64_t end = simulation().latest().current.step + count;
+    for (uint64_t i = 0; i < count; ++i) trigger("step");
+    QTRY_COMPARE(simulation().latest().current.step, end);
+}
+
+void Fixture::answerFile(const QString &path) {
+    QTRY_VERIFY(m_window->findChild<QFileDialog *>());
+    auto *dialog = m_window->findChild<QFileDialog *>();
+    emit dialog->fileSelected(path); // what it says once a name is chosen
+    delete dialog;
 }
 
 double Fixture::simulated(const QString &id) {

@@ -59,6 +59,10 @@ public:
     // As the window system sends it: to whatever has the keyboard, which may be an open list.
     void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {});
     void type(const QString &text);
+    // By the command for a single step; waits for the last one.
+    void makeSteps(uint64_t count);
+    // Chooses a file in the dialog that is open or about to be.
+    void answerFile(const QString &path);
 
 private:
     [[noreturn]] void reportMissing(const QString &name) const;
