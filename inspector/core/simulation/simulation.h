@@ -23,6 +23,12 @@
 
 namespace inspector {
 
+// Inputs come through a mailbox and with commands: the number tells which were given last.
+struct GivenInputs {
+    Inputs inputs;
+    uint64_t number = 0;
+};
+
 class Simulation : public QObject {
     Q_OBJECT
 
@@ -112,11 +118,6 @@ signals: // queued: sent by the thread that steps, and received in the order in 
 private:
     struct Worker; // all that belongs to the thread
     using Command = std::function<void(Worker &)>;
-    // Inputs come through the mailbox and with a command: the number tells which were given last.
-    struct GivenInputs {
-        Inputs inputs;
-        uint64_t number = 0;
-    };
     struct Work {
         bool hasInputs; // new ones, in the mailbox
         std::vector<Command> commands;

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/past_run.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace inspector {
+
+namespace {
+
+// Steps of an earlier run that plots and trails get to see: a moment's work.
+constexpr uint64_t kStepsOfARun = 100000;
+
+} // namespace
+
+PastRun::PastRun(Presentation &presentation, const LiveRun &live, const Past &past, uint64_t shownRun, uint64_t number)
+    : ReplayRun(presentation, live, Player(past.recording, past.keyframes), number)
+    , m_past(past)
+    , m_shownRun(shownRun) {
+    m_player.seek(past.recording->length());
+}
+
+void PastRun::addTo(Snapshot &snapshot) const {
+    ReplayRun::addTo(snapshot);
+    snapshot.history.place = place();
+    snapshot.ghost = ghost();
+}
+
+void PastRun::step(Clock::time_point due) {
+    const uint64_t end = m_past.endOfRun(place());
+    if (place() < end && m_player.next()) m_presentation.followDt();
+    m_presentation.countStep();
+    if (place() == end) m_presentation.setRunning(false);
+    m_presentation.publish(due);
+}
+
+bool PastRun::showAt(uint64_t position) {
+    m_player.seek(position);
+    const uint64_t wanted = m_past.beginOfRun(place());
+    if (wanted != std::max(m_shownRun, m_past.begin)) refillSamples(wanted);
+    return true;
+}
+
+void PastRun::goTo(uint64_t position) { showAt(position); }
+
+// Made again from its beginning to its end; the player is where it was afterwards.
+void PastRun::refillSamples(uint64_t first) {
+    const uint64_t position = m_player.position();
+    const uint64_t end = std::min(m_past.endOfRun(first + 1), first + kStepsOfARun) - m_past.begin;
+    m_presentation.hold();
+    m_presentation.clear();
+    m_player.seek(first - m_past.begin);
+    while (m_player.position() < end && m_player.next()) {
+        if (engine().previous().flags & PHYS_OUT) continue;
+        m_presentation.samples().append(engine().sample());
+        m_presentation.noteEvents();
+    }
+    m_player.seek(position);
+    m_presentation.release();
+    m_shownRun = first;
+}
+
+void PastRun::showLiveRun() {
+    const uint64_t begin = std::max(m_live.beginPlace(), m_past.begin);
+    if (begin == std::max(m_shownRun, m_past.begin)) return;
+    if (m_live.beginPlace() < m_live.history().end())
+        refillSamples(begin);
+    else
+        m_presentation.clear();
+}
+
+// The live ball has just been put where this one is.
+void PastRun::forgetFuture() {
+    const double time = engine().state().time;
+    m_presentation.samples().truncate(m_presentation.samples().find(std::nextafter(time, HUGE_VAL)));
+    m_presentation.events().forgetAfter(time);
+}
+
+// As the samples tell it.
+std::optional<Ghost> PastRun::ghost() const {
+    const SampleRing &samples = m_presentation.samples();
+    Sample sample;
+    const phys_state &state = engine().state();
+    if (!samples.read(samples.find(state.time), sample) || std::isnan(sample[Channel::GhostX])) return std::nullopt;
+    Ghost ghost;
+    ghost.current = state;
+    ghost.current.position = {sample[Channel::GhostX], sample[Channel::GhostY], sample[Channel::GhostZ]};
+    ghost.previous = ghost.current;
+    ghost.deviation = {sample[Channel::Distance], sample[Channel::SpeedDifference], sample[Channel::EnergyDifference]};
+    return ghost;
+}
+
+} // namespace inspector

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The past of the live ball, watched like a recording; but samples and events stay those of the run shown, all of it.
+#pragma once
+
+#include "core/simulation/replay_run.h"
+
+namespace inspector {
+
+class PastRun : public ReplayRun {
+public:
+    // At its end. shownRun: the place where the run begins that samples and events are of.
+    PastRun(Presentation &presentation, const LiveRun &live, const Past &past, uint64_t shownRun, uint64_t number);
+
+    void addTo(Snapshot &snapshot) const override;
+    void prepareToGoOn() override {}
+    void step(Clock::time_point due) override; // to the end of the run that is shown
+    void goTo(uint64_t position) override;
+    void forgetFuture() override;
+
+    uint64_t shownRun() const { return m_shownRun; }
+    // Samples and events of the live run again.
+    void showLiveRun();
+
+protected:
+    bool showAt(uint64_t position) override;
+
+private:
+    uint64_t place() const { return m_past.begin + m_player.position(); }
+    void refillSamples(uint64_t first);
+    std::optional<Ghost> ghost() const;
+
+    Past m_past;
+    uint64_t m_shownRun;
+};
+
+} // namespace inspector

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/presentation.h"
+
+#include <utility>
+
+namespace inspector {
+
+Presentation::Presentation(Simulation &owner, SampleRing &samples, EventLog &events, LatestValue<Snapshot> &snapshots)
+    : m_owner(owner)
+    , m_samples(samples)
+    , m_events(events)
+    , m_snapshots(snapshots) {}
+
+// ---- pace ----
+
+void Presentation::setRunning(bool isRunning) {
+    if (m_isRunning == isRunning) return;
+    m_isRunning = isRunning;
+    startPacing();
+    emit m_owner.runningChanged(m_isRunning);
+}
+
+void Presentation::setSpeed(double speed) {
+    m_speed = speed;
+    startPacing();
+}
+
+void Presentation::startPacing() {
+    const Clock::time_point now = Clock::now();
+    m_pacedDt = m_run->engine().dt();
+    m_pacer.start(now, m_pacedDt, m_speed);
+    m_meter.start(now);
+}
+
+void Presentation::followDt() {
+    if (m_run->engine().dt() != m_pacedDt) startPacing();
+}
+
+// ---- ghost ----
+
+void Presentation::compare(uint64_t number, const CompanionMeans &means, const QByteArray &leaderId) {
+    m_companion.reset();
+    m_companionNumber = number;
+    // A replay may have gone on to another scene; then this is asked for again.
+    if (means.scene == m_run->engine().scene()) m_companion.emplace(m_run->engine(), means, leaderId);
+}
+
+void Presentation::meetCompanion() {
+    if (m_companion && m_companion->scene() != m_run->engine().scene())
+        m_companion.reset(); // its stepper is of the other
+    if (m_companion) m_companion->meet(m_run->engine());
+}
+
+// Last of all that a step does to the state: nothing of the ball depends on it.
+void Presentation::leadCompanion() {
+    QString line;
+    if (!m_companion || m_companion->follow(m_run->engine(), &line)) return;
+    emit m_owner.comparisonRefused(m_companionNumber, line);
+}
+
+// ---- what happened ----
+
+void Presentation::beginRun() {
+    ++m_runCount;
+    meetCompanion();
+    m_pacer.forgetLostTime();
+    startPacing();
+    clear();
+    emit m_owner.runBegan();
+}
+
+void Presentation::countStep() { m_meter.count(Clock::now(), m_run->engine().dt()); }
+
+void Presentation::noteStep(double stepTime) {
+    countStep();
+    const Engine &engine = m_run->engine();
+    if (engine.previous().flags & PHYS_OUT) return; // out of the maze it only falls
+    leadCompanion();
+    Sample sample = engine.sample();
+    if (m_companion) m_companion->addTo(sample);
+    sample[Channel::StepTime] = stepTime;
+    m_samples.append(sample);
+    noteEvents();
+}
+
+void Presentation::noteEvents() {
+    const Engine &engine = m_run->engine();
+    m_events.note(engine, m_run->stepperPlace());
+    for (const phys_event &event : engine.events())
+        if (event.kind == PHYS_EVENT_IMPACT) ++m_impacts;
+}
+
+void Presentation::hold() {
+    m_samples.hold();
+    m_events.hold();
+    m_isHeld = true;
+}
+
+void Presentation::release() {
+    if (!std::exchange(m_isHeld, false)) return;
+    m_samples.release();
+    m_events.release();
+}
+
+void Presentation::clear() {
+    m_samples.clear();
+    m_events.clear();
+    m_impacts = 0;
+}
+
+void Presentation::publish(Clock::time_point due) {
+    const Engine &engine = m_run->engine();
+    Snapshot snapshot;
+    snapshot.previous = engine.previous();
+    snapshot.current = engine.state();
+    snapshot.due = due;
+    snapshot.interval = m_isRunning ? m_pacer.interval() : Clock::duration::zero();
+    snapshot.inputs = engine.inputs();
+    snapshot.report = engine.report();
+    snapshot.report.events = nullptr;
+    snapshot.report.event_capacity = 0;
+    snapshot.dt = engine.dt();
+    snapshot.number = ++m_published;
+    snapshot.run = m_runCount;
+    snapshot.running = m_isRunning;
+    if (m_companion && m_companion->isThere())
+        snapshot.ghost = {m_companion->previous(), m_companion->state(), m_companion->metAt(),
+                          m_companion->deviation()};
+    snapshot.statistics = {m_meter.stepsPerSecond(), m_speed, m_meter.speed(), m_pacer.lostTime(), m_impacts};
+    m_run->addTo(snapshot);
+    m_snapshots.publish(snapshot);
+}
+
+} // namespace inspector

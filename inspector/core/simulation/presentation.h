@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the window's thread gets to see of the run that is shown: its pace, samples, events, ghost and snapshots.
+#pragma once
+
+#include "core/engine/rate_meter.h"
+#include "core/simulation/run.h"
+#include "core/simulation/simulation.h"
+
+#include <optional>
+
+namespace inspector {
+
+// Belongs to the thread that steps.
+class Presentation {
+public:
+    Presentation(Simulation &owner, SampleRing &samples, EventLog &events, LatestValue<Snapshot> &snapshots);
+
+    void show(const Run &run) { m_run = &run; } // before anything else
+    Simulation &owner() { return m_owner; }     // for its signals
+    SampleRing &samples() { return m_samples; }
+    EventLog &events() { return m_events; }
+
+    // ---- pace ----
+
+    bool isRunning() const { return m_isRunning; }
+    void setRunning(bool isRunning);
+    void setSpeed(double speed);
+    // Rates and deadlines count from now; what was lost in this run stays counted.
+    void startPacing();
+    void followDt(); // starts anew if the run has another dt than before
+    bool isDue() { return m_isRunning && m_pacer.isDue(Clock::now()); }
+    Clock::time_point deadline() const { return m_pacer.deadline(); }
+    void advance() { m_pacer.advance(); }
+
+    // ---- ghost ----
+
+    void compare(uint64_t number, const CompanionMeans &means, const QByteArray &leaderId);
+    Companion *companion() { return m_companion ? &*m_companion : nullptr; }
+    void endComparison() { m_companion.reset(); }
+    void meetCompanion(); // at the ball's present state; one of another scene is gone
+
+    // ---- what happened ----
+
+    // The state was set from outside: samples and events begin anew.
+    void beginRun();
+    void countStep();
+    // After a step: its sample and events. stepTime: what it took, us, or NaN.
+    void noteStep(double stepTime);
+    void noteEvents();
+    // Readers see what there was before and after, and nothing between.
+    void hold();
+    void release(); // if held
+    void clear();
+    void publish(Clock::time_point due);
+
+private:
+    void leadCompanion();
+
+    Simulation &m_owner;
+    SampleRing &m_samples;
+    EventLog &m_events;
+    LatestValue<Snapshot> &m_snapshots;
+    const Run *m_run = nullptr;
+    Pacer m_pacer{};
+    RateMeter m_meter{};
+    double m_speed = 1.0;
+    double m_pacedDt = 0.0; // s
+    bool m_isRunning = false;
+    bool m_isHeld = false;
+    uint64_t m_runCount = 0;
+    uint64_t m_published = 0;
+    uint64_t m_impacts = 0;
+    std::optional<Companion> m_companion{};
+    uint64_t m_companionNumber = 0;
+};
+
+} // namespace inspector
