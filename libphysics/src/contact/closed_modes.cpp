@@ -30,12 +30,17 @@ bool allows(const Smooth &smooth, const Vec3 &a, uint32_t among, uint32_t but) {
 
 /// Pushes of two contacts that keep both; false if they are parallel or one would have to pull.
 bool pushOfTwo(const Smooth &smooth, const Vec3 &a, uint32_t i, uint32_t j, double &first, double &second) {
-    const Vec3 line = glm::cross(smooth.held[i].normal, smooth.held[j].normal);
-    const double c = glm::dot(smooth.held[i].normal, smooth.held[j].normal), determinant = glm::dot(line, line);
+    const Held &one = smooth.held[i], &other = smooth.held[j];
+    const double c = glm::dot(one.normal, other.normal);
+    const Vec3 line = glm::cross(one.normal, other.normal);
+    const double determinant = glm::dot(line, line);
     if (determinant == 0.0) return false;
     const double x = -smooth.approach(i, a), y = -smooth.approach(j, a);
-    first = (x - c * y) / determinant;
-    second = (y - c * x) / determinant;
+    // (x - c y)/(1 - c^2), without its difference of equal numbers where the normals are nearly the same.
+    const double apart =
+        glm::dot(other.normal - one.normal, a) + curvature(smooth.moment, other) - curvature(smooth.moment, one);
+    first = c > 0.5 ? x / (1.0 + c) + c * apart / determinant : (x - c * y) / determinant;
+    second = c > 0.5 ? y / (1.0 + c) - c * apart / determinant : (y - c * x) / determinant;
     return first >= 0.0 && second >= 0.0;
 }
 
@@ -43,15 +48,7 @@ bool pushOfTwo(const Smooth &smooth, const Vec3 &a, uint32_t i, uint32_t j, doub
 bool pushSmooth(const Smooth &smooth, uint32_t among, Vec3 &a, std::array<double, kMostHeld> &push) {
     const uint32_t count = static_cast<uint32_t>(smooth.held.size());
     if (allows(smooth, a, among, 0)) return true;
-    for (uint32_t i = 0; i < count; ++i) {
-        if (!(among >> i & 1U)) continue;
-        const double size = -smooth.approach(i, a);
-        const Vec3 pushed = a + size * smooth.held[i].normal;
-        if (size <= 0.0 || !allows(smooth, pushed, among, 1U << i)) continue;
-        push[i] = size;
-        a = pushed;
-        return true;
-    }
+    // Two before one: where they share a load, one alone would seem to carry it, give or take rounding.
     for (uint32_t i = 0; i < count; ++i) {
         for (uint32_t j = i + 1; j < count; ++j) {
             double first = 0.0, second = 0.0;
@@ -63,6 +60,15 @@ bool pushSmooth(const Smooth &smooth, uint32_t among, Vec3 &a, std::array<double
             a = pushed;
             return true;
         }
+    }
+    for (uint32_t i = 0; i < count; ++i) {
+        if (!(among >> i & 1U)) continue;
+        const double size = -smooth.approach(i, a);
+        const Vec3 pushed = a + size * smooth.held[i].normal;
+        if (size <= 0.0 || !allows(smooth, pushed, among, 1U << i)) continue;
+        push[i] = size;
+        a = pushed;
+        return true;
     }
     return false;
 }
@@ -112,7 +118,8 @@ bool respondOnFloor(const Moment &moment, std::span<const Held> held, uint32_t f
         reaction.direction = hat(reaction.slip);
         a -= ground.friction * N * reaction.direction;
     } else if (B > 0.0) {
-        heading = hat(glm::cross(rollingSpin(moment, ground), up));
+        const Vec3 spin = rollingSpin(moment, ground);
+        if (!isNoSlip(moment, R * spin)) heading = hat(glm::cross(spin, up)); // that of rounding is none
         a -= B * heading;
     }
     if (!pushSmooth(smooth, among, a, push)) return false;

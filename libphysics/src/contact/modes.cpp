@@ -109,8 +109,11 @@ Response enumerate(const Moment &moment, std::span<const Held> held, Work &work,
 
 } // namespace
 
-void endSlips(Moment &moment, std::span<const Held> held, Work &work) {
-    Moment still = moment;
+void endSlips(Moment &given, std::span<const Held> unsorted, Work &work) {
+    const Mirror mirror(given, unsorted);
+    const Sorted sorted(mirror, unsorted);
+    const std::span<const Held> held = sorted.list();
+    Moment moment = mirror.seen(given), still = moment;
     still.gravity = Vec3(0.0);
     Combination c{still, held, work};
     for (uint32_t i = 0; i < c.count(); ++i) {
@@ -133,6 +136,8 @@ void endSlips(Moment &moment, std::span<const Held> held, Work &work) {
         moment.velocity += impulse;
         moment.spin += -kInertia / moment.radius * glm::cross(held[i].normal, impulse);
     }
+    given.velocity = mirror.back(moment.velocity);
+    given.spin = mirror.backSpin(moment.spin);
 }
 
 double accelerationScale(const Moment &moment) {

@@ -159,12 +159,15 @@ void ExactStep::buildSeries(Series &series) {
     const double longest = std::max(unit, m_left);
     Excluded excluded;
     uint32_t spent = 0, kept = 0;
+    std::array<Vec3, kMostHeld> slips{}; // directions of those that are spent
     for (int change = 0; change < 8; ++change) {
         bool hasShrunk = false;
         for (int guess = 0; guess < 40; ++guess) {
             Response response = m_response;
             for (uint32_t i = 0; i < m_heldCount; ++i) {
-                if (spent >> i & 1U) response.reactions[i].mode = Mode::spent;
+                if (!(spent >> i & 1U)) continue;
+                response.reactions[i].mode = Mode::spent;
+                response.reactions[i].direction = slips[i];
             }
             series.build(moment(), held(), response, unit, kept);
             m_work.add(Work::kSeries);
@@ -174,7 +177,7 @@ void ExactStep::buildSeries(Series &series) {
             unit = isLong ? std::min(4.0 * unit, longest) : std::max(series.suitableUnit(), 0x1p-8 * unit);
         }
         const uint32_t opening = series.opening() & ~excluded.closed;
-        const uint32_t slipping = series.spent() & ~(spent | kept);
+        const uint32_t slipping = series.spent(slips) & ~(spent | kept);
         if (!opening && !slipping) return;
         if (!opening && countSticking() == 1) {
             spent |= slipping;

@@ -69,7 +69,6 @@ void Series::build(const Moment &moment, std::span<const Held> held, const Respo
         contact.r[0] = m_mirror.seen(reaction.force);
         contact.N[0] = reaction.pressure;
         contact.d[0] = m_mirror.seen(reaction.direction);
-        if (reaction.mode == Mode::spent) contact.d[0] = -hat(contact.r[0] - contact.N[0] * contact.n[0]);
         contact.column = m_unknowns;
         const bool isVector = reaction.mode == Mode::sticking || reaction.mode == Mode::spent;
         m_unknowns += isVector ? 3 : reaction.mode == Mode::starting ? 4 : 1;
@@ -428,8 +427,8 @@ Jet Series::slipSpeed(const Contact &contact) const {
     return speed;
 }
 
-/// (mu N)^2 less the square of the friction, without what rolling resistance needs: model.md 2.2.
-Jet Series::reserveOf(const Contact &contact) const {
+/// Without what rolling resistance needs: model.md 2.2.
+VecJet Series::frictionOf(const Contact &contact) const {
     VecJet friction;
     for (int k = 0; k <= kOrder; ++k) friction[k] = contact.r[k] - termOf(contact.N, contact.n, k);
     if (m_rolls < m_count && &contact == &m_contacts[m_rolls]) {
@@ -438,6 +437,12 @@ Jet Series::reserveOf(const Contact &contact) const {
             friction[k] += share * glm::cross(termOf(contact.N, m_rolling, k), contact.held.normal);
         }
     }
+    return friction;
+}
+
+/// (mu N)^2 less the square of the friction.
+Jet Series::reserveOf(const Contact &contact) const {
+    const VecJet friction = frictionOf(contact);
     Jet left;
     const double mu = contact.held.friction;
     for (int k = 0; k <= kOrder; ++k) {
@@ -457,14 +462,19 @@ uint32_t Series::opening() const {
     return bits;
 }
 
-uint32_t Series::spent() const {
+uint32_t Series::spent(std::span<Vec3> slips) const {
     uint32_t bits = 0;
+    const double soon = kLookAhead * m_horizon / m_unit;
     for (uint32_t i = 0; i < m_count; ++i) {
         const Contact &contact = m_contacts[i];
         if (contact.mode != Mode::sticking || contact.held.isGlued || contact.isKept) continue;
         const Jet left = reserveOf(contact);
-        const double zero = 2.0 * m_noForce * contact.held.friction * contact.N[0];
-        if (left[0] <= zero && falls(left, zero, kLookAhead * m_horizon / m_unit)) bits |= 1U << given(i);
+        const double most = contact.held.friction * contact.N[0], zero = 2.0 * m_noForce * most;
+        if (left[0] > zero || !falls(left, zero, soon)) continue;
+        bits |= 1U << given(i);
+        // Where all friction is less than rounding it has no direction yet.
+        const VecJet friction = frictionOf(contact);
+        slips[given(i)] = m_mirror.back(-hat(2.0 * left[0] < most * most ? friction[0] : friction.at(soon)));
     }
     return bits;
 }

@@ -39,8 +39,9 @@ public:
 
     /// Contacts whose force is zero and falls: they open now. Bits.
     uint32_t opening() const;
-    /// Contacts whose friction is spent and is asked for more: they begin to slip without an acceleration. Bits.
-    uint32_t spent() const;
+    /// Contacts whose friction is spent and is asked for more: they begin to slip without an acceleration. Bits; and
+    /// the directions of their slips.
+    uint32_t spent(std::span<Vec3> slips) const;
 
 private:
     struct Contact {
@@ -96,6 +97,7 @@ private:
     Vec3 steadied(const Vec3 &al, int k) const;
     void directions(Contact &contact, int k);
     void measure();
+    VecJet frictionOf(const Contact &contact) const;
     Jet reserveOf(const Contact &contact) const;
     End zeroOf(const Jet &speed, double until, double small, Cause cause, uint32_t contact, Work &work) const;
     Jet slipSpeed(const Contact &contact) const;
