@@ -28,19 +28,19 @@ double kineticEnergy(const Motion &motion, double radius) {
 }
 
 /// NORMAL: the least impulses that give every contact the speed it asks for.
-void pushApart(Round &round, double negligible, Motion &motion) {
-    motion.velocity += leastPush({round.pushes.data(), round.count}, negligible);
+void pushApart(Round &round, double negligible, Motion &motion, Work &work) {
+    motion.velocity += leastPush({round.pushes.data(), round.count}, negligible, work);
 }
 
 /// FRICTION: of all impulses within the cones those that leave the least energy.
-void rub(const Contacts &contacts, const Round &round, double radius, Motion &motion) {
+void rub(const Contacts &contacts, const Round &round, double radius, Motion &motion, Work &work) {
     std::array<FrictionDisc, Contacts::kMost> discs;
     uint32_t count = 0;
     for (uint32_t i = 0; i < round.count; ++i) {
         const double most = contacts[round.contacts[i]].friction * round.pushes[i].amount;
         if (most > 0.0) discs[count++] = {round.pushes[i].normal, most, Vec3(0.0)};
     }
-    if (count > 0) minimiseSlipEnergy({discs.data(), count}, radius, motion);
+    if (count > 0) minimiseSlipEnergy({discs.data(), count}, radius, motion, work);
 }
 
 Round approaching(const Contacts &contacts, const Motion &motion, double negligible) {
@@ -56,15 +56,15 @@ Round approaching(const Contacts &contacts, const Motion &motion, double negligi
 }
 
 /// After the last round: what still approaches stops.
-void stopApproach(const Contacts &contacts, double negligible, Motion &motion) {
+void stopApproach(const Contacts &contacts, double negligible, Motion &motion, Work &work) {
     Round all;
     for (uint32_t i = 0; i < contacts.count(); ++i) {
         all.add(i, contacts[i].normal, -glm::dot(motion.velocity, contacts[i].normal));
     }
-    pushApart(all, negligible, motion);
+    pushApart(all, negligible, motion, work);
 }
 
-Impacts resolveInThisOrder(const Contacts &contacts, double radius, Motion &motion) {
+Impacts resolveInThisOrder(const Contacts &contacts, double radius, Motion &motion, Work &work) {
     Impacts impacts;
     const double negligible = negligibleSpeed(motion, radius);
     double energy = kineticEnergy(motion, radius);
@@ -73,6 +73,7 @@ Impacts resolveInThisOrder(const Contacts &contacts, double radius, Motion &moti
         return before - energy;
     };
     for (;; ++impacts.rounds) {
+        work.add(Work::kImpact * contacts.count());
         Round round = approaching(contacts, motion, negligible);
         if (round.count == 0) return impacts;
         for (uint32_t i = 0; i < round.count; ++i) {
@@ -80,27 +81,27 @@ Impacts resolveInThisOrder(const Contacts &contacts, double radius, Motion &moti
             if (approach == 0.0) approach = glm::dot(motion.velocity, round.pushes[i].normal);
         }
         if (impacts.rounds == kMostImpactRounds) break;
-        pushApart(round, negligible, motion);
+        pushApart(round, negligible, motion, work);
         impacts.lostNormal += lost();
-        rub(contacts, round, radius, motion);
+        rub(contacts, round, radius, motion, work);
         impacts.lostSlip += lost();
     }
-    stopApproach(contacts, negligible, motion);
+    stopApproach(contacts, negligible, motion, work);
     impacts.lostNormal += lost();
     return impacts;
 }
 
 } // namespace
 
-Impacts resolveImpacts(const Contacts &contacts, double radius, Motion &motion) {
+Impacts resolveImpacts(const Contacts &contacts, double radius, Motion &motion, Work &work) {
     const Motion before = motion;
-    Impacts impacts = resolveInThisOrder(contacts, radius, motion);
+    Impacts impacts = resolveInThisOrder(contacts, radius, motion, work);
     if (impacts.rounds == 0 || contacts.count() < 2) return impacts;
     // Contacts that nothing tells apart: the mean of both orders prefers none.
     Contacts reversed = contacts;
     if (!reversed.reverseTies()) return impacts;
     Motion other = before;
-    resolveInThisOrder(reversed, radius, other);
+    resolveInThisOrder(reversed, radius, other, work);
     motion.velocity = 0.5 * (motion.velocity + other.velocity);
     motion.spin = 0.5 * (motion.spin + other.spin);
     return impacts;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contact/contact.h"
+#include "contact/work.h"
 
 namespace phys {
 
@@ -21,6 +22,6 @@ struct Impacts {
 
 /// Gives contacts that approach their impulses, in rounds, until none does: restitution holds above restSpeed only.
 /// Energy never rises; neither the order of contacts nor a mirror changes the result by a bit.
-Impacts resolveImpacts(const Contacts &contacts, double radius, Motion &motion);
+Impacts resolveImpacts(const Contacts &contacts, double radius, Motion &motion, Work &work);
 
 } // namespace phys

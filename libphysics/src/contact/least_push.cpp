@@ -31,9 +31,10 @@ double misfit(std::span<const Push> pushes) {
 /// Subsets of pushes with their amounts are tried until one fits; until then the one that misses least is kept.
 class Search {
 public:
-    Search(std::span<Push> pushes, double negligible)
+    Search(std::span<Push> pushes, double negligible, Work &work)
         : m_pushes(pushes)
-        , m_negligible(negligible) {}
+        , m_negligible(negligible)
+        , m_work(work) {}
 
     bool one() {
         return std::any_of(m_pushes.begin(), m_pushes.end(), [&](Push &a) { return fits({{&a, a.wanted}}); });
@@ -69,6 +70,7 @@ private:
     using Amount = std::pair<Push *, double>;
 
     bool fits(std::initializer_list<Amount> amounts) {
+        m_work.add(Work::kPush * m_pushes.size());
         for (Push &push : m_pushes) push.amount = 0.0;
         for (const auto &[push, amount] : amounts) push->amount = amount;
         const double missed = misfit(m_pushes);
@@ -103,16 +105,18 @@ private:
 
     std::span<Push> m_pushes;
     double m_negligible;
+    Work &m_work;
     double m_least = INFINITY;
     std::array<Amount, 3> m_best{};
     size_t m_bestCount = 0;
 };
 
 /// For nearly parallel or opposite normals, where rounding keeps every subset from fitting.
-void sweep(std::span<Push> pushes, double negligible) {
+void sweep(std::span<Push> pushes, double negligible, Work &work) {
     for (Push &push : pushes) push.amount = 0.0;
     Vec3 sum(0.0);
-    for (int i = 0; i < kMostSweeps; ++i) {
+    for (int i = 0; i < kMostSweeps && !work.isTooMuch(); ++i) {
+        work.add(Work::kPush * pushes.size());
         double largest = 0.0;
         for (Push &push : pushes) {
             const double amount = std::max(0.0, push.amount + push.wanted - glm::dot(push.normal, sum));
@@ -126,10 +130,10 @@ void sweep(std::span<Push> pushes, double negligible) {
 
 } // namespace
 
-Vec3 leastPush(std::span<Push> pushes, double negligible) {
-    Search search(pushes, negligible);
+Vec3 leastPush(std::span<Push> pushes, double negligible, Work &work) {
+    Search search(pushes, negligible, work);
     if (!search.one() && !search.two() && !search.three()) {
-        sweep(pushes, negligible);
+        sweep(pushes, negligible, work);
         if (search.least() < misfit(pushes)) search.takeBest();
     }
     for (Push &push : pushes) push.amount = std::max(0.0, push.amount);

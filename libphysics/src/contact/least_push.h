@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/vec.h"
+#include "contact/work.h"
 
 #include <span>
 
@@ -17,7 +18,8 @@ struct Push {
 
 /// Finds the amounts, none negative, whose sum has every part that is wanted and of which none pushes more than it
 /// must: a linear complementarity problem, at most three normals make its answer. Returns the sum. negligible: what
-/// counts as rounding. Where no vector has all parts (opposite normals) the amounts are of no use.
-Vec3 leastPush(std::span<Push> pushes, double negligible);
+/// counts as rounding. Where no vector has all parts (opposite normals) the amounts are of no use,
+/// nor once the work is too much.
+Vec3 leastPush(std::span<Push> pushes, double negligible, Work &work);
 
 } // namespace phys

@@ -17,10 +17,11 @@ namespace {
 constexpr uint32_t kMostPasses = 32;
 
 /// How deep the ball is in boxes at one place, m; 0 or less: it overlaps none.
-double deepestAt(const Scene &scene, const Vec3 &position) {
+double deepestAt(const Scene &scene, const Vec3 &position, Work &work) {
     const double touching = scene.radius - scene.tolerance;
     double depth = 0.0;
     visitNear(scene, position, scene.radius, [&](const phys_box &box, uint32_t) {
+        work.add(Work::kBox);
         if (squaredDistance(box, position) >= touching * touching) return;
         depth = std::max(depth, scene.radius - nearest(box, position).distance); // which is below 0 inside
     });
@@ -39,11 +40,12 @@ struct Overlaps {
     }
 };
 
-Overlaps overlapsAt(const Scene &scene, const Vec3 &position, double depth) {
+Overlaps overlapsAt(const Scene &scene, const Vec3 &position, double depth, Work &work) {
     constexpr double kAbout = 4.0; // pushes between two faces lead further than either is deep
     Overlaps overlaps;
     const double reach = scene.radius + std::min(kAbout * depth, 0.25 * scene.radius);
     visitNear(scene, position, reach, [&](const phys_box &box, uint32_t) {
+        work.add(Work::kBox);
         if (squaredDistance(box, position) < reach * reach) overlaps.add(nearest(box, position), scene.radius);
     });
     // Mirrors and the numbering of boxes must not change the order.
@@ -55,13 +57,14 @@ Overlaps overlapsAt(const Scene &scene, const Vec3 &position, double depth) {
 }
 
 /// The way along one axis (and one direction) to the next place with room for the ball.
-double wayOut(const Scene &scene, const Vec3 &start, int axis, double direction) {
+double wayOut(const Scene &scene, const Vec3 &start, int axis, double direction, Work &work) {
     const double touching = scene.radius - scene.tolerance;
     Vec3 position = start;
     // Each box in the way pushes the ball on to its far side; none can do so twice.
-    for (size_t i = 0; i <= scene.given.size(); ++i) {
+    for (size_t i = 0; i <= scene.given.size() && !work.isTooMuch(); ++i) {
         double far = position[axis];
         visitNear(scene, position, scene.radius, [&](const phys_box &box, uint32_t) {
+            work.add(Work::kBox);
             if (squaredDistance(box, position) >= touching * touching) return;
             Vec3 beside = position;
             beside[axis] = limited(position[axis], (&box.min.x)[axis], (&box.max.x)[axis]);
@@ -77,30 +80,31 @@ double wayOut(const Scene &scene, const Vec3 &start, int axis, double direction)
 }
 
 /// Straight to the nearest place with room; equally near: -x, +x, -y, +y, -z, +z.
-bool escape(const Scene &scene, Vec3 &position) {
+bool escape(const Scene &scene, Vec3 &position, Work &work) {
     double nearest = INFINITY;
     Vec3 place = position;
     for (int axis = 0; axis < 3; ++axis) {
         for (const double direction : {-1.0, 1.0}) {
-            const double way = wayOut(scene, position, axis, direction);
+            const double way = wayOut(scene, position, axis, direction, work);
             if (way >= nearest) continue;
             nearest = way;
             place = position;
             place[axis] += direction * way;
         }
     }
+    if (work.isTooMuch()) return false;
     position = place;
     return nearest < INFINITY;
 }
 
 } // namespace
 
-PushOut pushOut(const Scene &scene, Vec3 &position) {
+PushOut pushOut(const Scene &scene, Vec3 &position, Work &work) {
     PushOut result{true, 0, 0.0};
     Vec3 place = position;
     double farthest = 0.5 * scene.radius; // no substep moves a ball by more
-    for (; result.passes < kMostPasses; ++result.passes) {
-        const double depth = deepestAt(scene, place);
+    for (; result.passes < kMostPasses && !work.isTooMuch(); ++result.passes) {
+        const double depth = deepestAt(scene, place, work);
         result.depth = std::max(result.depth, depth);
         if (result.passes == 0) farthest = std::max(farthest, 3.0 * depth);
         if (depth <= 0.0) {
@@ -108,13 +112,13 @@ PushOut pushOut(const Scene &scene, Vec3 &position) {
             if (result.isFree) position = place;
             return result;
         }
-        Overlaps overlaps = overlapsAt(scene, place, depth);
+        Overlaps overlaps = overlapsAt(scene, place, depth, work);
         if (overlaps.isCentreInside) {
-            result.isFree = result.passes == 0 && escape(scene, position);
+            result.isFree = result.passes == 0 && escape(scene, position, work);
             result.passes = 1;
             return result;
         }
-        place += leastPush({overlaps.pushes.data(), overlaps.count}, 0.5 * scene.tolerance);
+        place += leastPush({overlaps.pushes.data(), overlaps.count}, 0.5 * scene.tolerance, work);
     }
     result.isFree = false;
     return result;

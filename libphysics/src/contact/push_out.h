@@ -2,6 +2,7 @@
 // Out of overlapping boxes: model.md 5.7.
 #pragma once
 
+#include "contact/work.h"
 #include "scene/scene.h"
 
 namespace phys {
@@ -15,7 +16,7 @@ struct PushOut {
 /// Moves a ball that overlaps boxes out of them: to the nearest place that their faces and edges leave, in passes. One
 /// whose centre is inside a box goes straight along an axis to the nearest place with room. Between walls that are
 /// closer than the ball there is none, but for places that nearly opposite faces push it to, anywhere: then the
-/// position stays.
-PushOut pushOut(const Scene &scene, Vec3 &position);
+/// position stays. So it does once the work is too much.
+PushOut pushOut(const Scene &scene, Vec3 &position, Work &work);
 
 } // namespace phys

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "contact/slip_energy.h"
 
+#include <array>
 #include <cmath>
-#include <glm/mat3x3.hpp>
+#include <utility>
 
 namespace phys {
 
@@ -32,10 +33,10 @@ Vec3 best(const FrictionDisc &disc, double radius, const Motion &motion) {
 
 /// Gauss-Seidel; each contact's minimum is a closed form because its slip answers alike in all directions.
 /// True once nothing changes by more than `negligible`.
-bool sweep(std::span<FrictionDisc> discs, double radius, double negligible, Motion &motion) {
-    double largest = 0.0;
-    for (int i = 0; i < kSweepsBetween; ++i) {
-        largest = 0.0;
+bool sweep(std::span<FrictionDisc> discs, double radius, double negligible, Motion &motion, Work &work) {
+    for (int i = 0; i < kSweepsBetween && !work.isTooMuch(); ++i) {
+        double largest = 0.0;
+        work.add(Work::kDisc * discs.size());
         for (FrictionDisc &disc : discs) {
             const Vec3 impulse = best(disc, radius, motion);
             const Vec3 change = impulse - disc.impulse;
@@ -60,7 +61,7 @@ double residual(std::span<const FrictionDisc> discs, double radius, const Motion
 /// A small dense linear system, solved by elimination with pivots.
 class LinearSystem {
 public:
-    static constexpr size_t kMost = 3 * Contacts::kMost;
+    static constexpr size_t kMost = 2 * Contacts::kMost;
 
     explicit LinearSystem(size_t size)
         : m_size(size) {}
@@ -95,50 +96,66 @@ private:
     std::array<std::array<double, kMost + 1>, kMost> m_rows{};
 };
 
-/// Derivative of `clipped` at v.
-glm::dmat3 clippingSlope(const Vec3 &v, double most) {
-    const double size = glm::length(v);
-    if (size <= most) return glm::dmat3(1.0);
-    const Vec3 direction = v / size;
-    return most / size * (glm::dmat3(1.0) - glm::outerProduct(direction, direction));
+/// Two directions across a disc's normal: that of its target, and the one across both. Mirrors and quarter turns take
+/// them along, so that nothing that is computed in them sees which way x points.
+struct Frame {
+    Vec3 target, along, across;
+
+    Vec3 operator[](size_t i) const { return i == 0 ? along : across; }
+
+    /// Derivative of `clipped` at the target: along it, and across.
+    std::array<double, 2> clippingSlope(double most) const {
+        const double size = glm::length(target);
+        if (size <= most) return {1.0, 1.0};
+        return {0.0, most / size};
+    }
+};
+
+Frame frameOf(const FrictionDisc &disc, double radius, const Motion &motion) {
+    const Vec3 target = disc.impulse - kSlipShare * slipAt(motion, disc.normal, radius);
+    Vec3 along = target != Vec3(0.0) ? target : Vec3(-disc.normal.y, disc.normal.x, 0.0);
+    along = along != Vec3(0.0) ? along / glm::length(along) : Vec3(1.0, 0.0, 0.0);
+    return {target, along, glm::cross(disc.normal, along)};
 }
 
-/// Change of the slip at one contact by an impulse of 1 at another.
-glm::dmat3 slipSlope(const Vec3 &slipping, const Vec3 &pushed) {
-    const glm::dmat3 across = glm::dmat3(1.0) - glm::outerProduct(slipping, slipping);
-    const double cosine = glm::dot(slipping, pushed);
-    return across * (glm::dmat3(1.0 + 2.5 * cosine) - 2.5 * glm::outerProduct(pushed, slipping));
+/// Change of the slip at one contact, along a direction there, by an impulse of 1 along another at another contact.
+double slipSlope(const Vec3 &slipping, const Vec3 &along, const Vec3 &pushed, const Vec3 &pushing) {
+    return (1.0 + 2.5 * glm::dot(slipping, pushed)) * glm::dot(along, pushing) -
+           2.5 * glm::dot(along, pushed) * glm::dot(slipping, pushing);
 }
 
 /// A semismooth Newton step on `impulse = best(impulse)`; kept only if it comes nearer to that.
-void newtonStep(std::span<FrictionDisc> discs, double radius, Motion &motion) {
-    LinearSystem system(3 * discs.size());
-    for (size_t i = 0; i < discs.size(); ++i) {
-        const Vec3 target = discs[i].impulse - kSlipShare * slipAt(motion, discs[i].normal, radius);
-        const glm::dmat3 slope = clippingSlope(target, discs[i].most);
-        const Vec3 wrong = discs[i].impulse - clipped(target, discs[i].most);
-        for (size_t j = 0; j < discs.size(); ++j) {
-            glm::dmat3 block = kSlipShare * slope * slipSlope(discs[i].normal, discs[j].normal);
-            if (i == j) block += glm::dmat3(1.0) - slope;
-            // Along its normal an impulse stays 0.
-            if (i == j) block += slope * glm::outerProduct(discs[i].normal, discs[i].normal);
-            for (int row = 0; row < 3; ++row) {
-                for (int column = 0; column < 3; ++column) system.at(3 * i + row, 3 * j + column) = block[column][row];
+void newtonStep(std::span<FrictionDisc> discs, double radius, Motion &motion, Work &work) {
+    const size_t count = discs.size();
+    work.add(Work::kDisc * count * count * (4 + count));
+    std::array<Frame, Contacts::kMost> frames;
+    for (size_t i = 0; i < count; ++i) frames[i] = frameOf(discs[i], radius, motion);
+    LinearSystem system(2 * count);
+    for (size_t i = 0; i < count; ++i) {
+        const std::array<double, 2> slope = frames[i].clippingSlope(discs[i].most);
+        const Vec3 wrong = discs[i].impulse - clipped(frames[i].target, discs[i].most);
+        for (size_t row = 0; row < 2; ++row) {
+            system.rightSide(2 * i + row) = -glm::dot(wrong, frames[i][row]);
+            for (size_t j = 0; j < count; ++j) {
+                for (size_t column = 0; column < 2; ++column) {
+                    const double change =
+                        slipSlope(discs[i].normal, frames[i][row], discs[j].normal, frames[j][column]);
+                    system.at(2 * i + row, 2 * j + column) = kSlipShare * slope[row] * change;
+                }
             }
+            system.at(2 * i + row, 2 * i + row) += 1.0 - slope[row];
         }
-        for (int row = 0; row < 3; ++row) system.rightSide(3 * i + row) = -wrong[row];
     }
     if (!system.solve()) return;
     std::array<FrictionDisc, Contacts::kMost> next;
     Motion moved = motion;
-    for (size_t i = 0; i < discs.size(); ++i) {
+    for (size_t i = 0; i < count; ++i) {
         next[i] = discs[i];
-        Vec3 step{system.rightSide(3 * i), system.rightSide(3 * i + 1), system.rightSide(3 * i + 2)};
-        step -= glm::dot(step, next[i].normal) * next[i].normal;
+        const Vec3 step = system.rightSide(2 * i) * frames[i].along + system.rightSide(2 * i + 1) * frames[i].across;
         next[i].impulse = clipped(discs[i].impulse + step, discs[i].most);
         apply(next[i].normal, next[i].impulse - discs[i].impulse, radius, moved);
     }
-    const std::span<FrictionDisc> candidates(next.data(), discs.size());
+    const std::span<FrictionDisc> candidates(next.data(), count);
     if (!(residual(candidates, radius, moved) < residual(discs, radius, motion))) return;
     std::copy(candidates.begin(), candidates.end(), discs.begin());
     motion = moved;
@@ -146,14 +163,14 @@ void newtonStep(std::span<FrictionDisc> discs, double radius, Motion &motion) {
 
 } // namespace
 
-void minimiseSlipEnergy(std::span<FrictionDisc> discs, double radius, Motion &motion) {
+void minimiseSlipEnergy(std::span<FrictionDisc> discs, double radius, Motion &motion, Work &work) {
     const double negligible = kRounding * (glm::length(motion.velocity) + radius * glm::length(motion.spin));
     if (discs.size() == 1) {
         apply(discs[0].normal, discs[0].impulse = best(discs[0], radius, motion), radius, motion);
         return;
     }
-    for (int i = 0; i < kMostNewtonSteps && !sweep(discs, radius, negligible, motion); ++i) {
-        newtonStep(discs, radius, motion);
+    for (int i = 0; i < kMostNewtonSteps && !sweep(discs, radius, negligible, motion, work); ++i) {
+        newtonStep(discs, radius, motion, work);
     }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contact/contact.h"
+#include "contact/work.h"
 
 #include <span>
 
@@ -15,7 +16,8 @@ struct FrictionDisc {
     Vec3 impulse;
 };
 
-/// Finds the impulses and applies them. The minimum is unique, and so doesn't depend on the order.
-void minimiseSlipEnergy(std::span<FrictionDisc> discs, double radius, Motion &motion);
+/// Finds the impulses and applies them. The minimum is unique, and so doesn't depend on the order. Once the work is too
+/// much it stops where it is: energy has only fallen.
+void minimiseSlipEnergy(std::span<FrictionDisc> discs, double radius, Motion &motion, Work &work);
 
 } // namespace phys

@@ -16,6 +16,8 @@ public:
     static constexpr uint64_t kBox = 1;         ///< a box of which it is looked whether it is near
     static constexpr uint64_t kSearch = 10;     ///< a box that is near, before it is looked at from the way
     static constexpr uint64_t kImpact = 20;     ///< a contact's part in a round of impacts
+    static constexpr uint64_t kPush = 4;        ///< of contacts that share an impact: one in one set that is tried
+    static constexpr uint64_t kDisc = 8;        ///< a contact's part in a sweep of friction
     static constexpr uint64_t kEquations = 120; ///< a set of modes, solved
     static constexpr uint64_t kSeries = 3000;   ///< a set of power series
     static constexpr uint64_t kJet = 8;         ///< a power series and its rate at a moment

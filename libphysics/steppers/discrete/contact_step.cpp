@@ -186,7 +186,8 @@ bool hit(const StepContext &context, const Contacts &contacts, double after, Bal
     });
     if (!any) return false;
     Motion motion = motionOf(ball);
-    const Impacts impacts = resolveImpacts(contacts, context.radius(), motion);
+    Work work; // no more than a step of `exact` may do
+    const Impacts impacts = resolveImpacts(contacts, context.radius(), motion, work);
     setMotion(motion, ball);
     context.report.lostImpact(impacts.lostNormal);
     context.report.lostSlip(impacts.lostSlip);
@@ -274,7 +275,8 @@ Vec3 NormalSpan::across(Vec3 vector) const {
 }
 
 bool leaveOverlaps(const StepContext &context, Ball &ball) {
-    PushOut pushed = pushOut(context.scene(), ball.position);
+    Work work;
+    PushOut pushed = pushOut(context.scene(), ball.position, work);
     context.report.penetration(pushed.depth);
     context.report.passes(pushed.passes);
     return pushed.isFree;

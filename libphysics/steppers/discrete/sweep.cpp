@@ -134,7 +134,8 @@ void Sweep::stopSlowApproach() {
     });
     if (!approaches) return;
     Motion motion = motionOf(m_ball);
-    resolveImpacts(m_contacts, m_context.radius(), motion);
+    Work work; // no more than a step of `exact` may do
+    resolveImpacts(m_contacts, m_context.radius(), motion, work);
     setMotion(motion, m_ball); // no event, and nothing booked: what it takes is of the scheme's own order
 }
 

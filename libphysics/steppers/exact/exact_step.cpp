@@ -98,9 +98,10 @@ phys_status ExactStep::pushOut() {
     m_nearBoxes = m_openWay <= (kCandidateReach - 1.01) * R ? near : kManyBoxes;
     if (isOutside) return PHYS_OK;
     m_nearBoxes = kManyBoxes;
-    const PushOut pushed = phys::pushOut(m_scene, m_position);
+    const PushOut pushed = phys::pushOut(m_scene, m_position, m_work);
     m_report.penetration(pushed.depth);
     if (pushed.isFree) return PHYS_OK;
+    if (const phys_status status = checkWork()) return status;
     return fail(m_err, PHYS_ERROR_STUCK, "the ball at (%.9g, %.9g, %.9g) is wedged where it doesn't fit", m_position.x,
                 m_position.y, m_position.z);
 }

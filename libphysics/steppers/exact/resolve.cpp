@@ -34,7 +34,7 @@ phys_status ExactStep::resolve() {
     touch();
     const bool wasCarried = isCarried(negligible);
     bool hits = false;
-    for (int round = 0; round < kMostRounds && collide(negligible); ++round) {
+    for (int round = 0; round < kMostRounds && !m_work.isTooMuch() && collide(negligible); ++round) {
         hits = true;
         // Nothing but rounding is left of a velocity that led straight into what it hit.
         if (glm::length(m_motion.velocity) <= 4.0 * kRounding * speed) m_motion.velocity = Vec3(0.0);
@@ -55,6 +55,7 @@ bool ExactStep::isCarried(double negligible) const {
 }
 
 void ExactStep::touch() {
+    m_work.add(Work::kBox * m_scene.boxesNear(m_position.x, m_position.y, m_scene.hasManyBoxes).size());
     findContacts(m_setting, m_position, m_motion, Vec3(0.0), m_contacts);
     m_contacts.dropHidden(m_scene.tolerance);
 }
@@ -85,8 +86,7 @@ bool ExactStep::collide(double negligible) {
     });
     if (!approaches) return false;
     endBounces(negligible);
-    const Impacts impacts = resolveImpacts(m_contacts, m_scene.radius, m_motion);
-    m_work.add(Work::kImpact * impacts.rounds * m_contacts.count());
+    const Impacts impacts = resolveImpacts(m_contacts, m_scene.radius, m_motion, m_work);
     m_report.lostImpact(impacts.lostNormal);
     m_report.lostSlip(impacts.lostSlip);
     m_report.passes(impacts.rounds);
