@@ -152,11 +152,12 @@ double firstTouch(const Outlook &around, const Phase &phase, double until) {
         const Way start = phase.at(from);
         const double v = glm::length(start.velocity);
         const double window = a > 0.0 || v > 0.0 ? 2.0 * length / (v + std::sqrt(v * v + 2.0 * a * length)) : kNever;
-        const double end = from + window < until ? from + window : until;
-        Stretch stretch{around.position + start.way, around.position, ball, ball + length, length > 2.0 * scene.radius};
+        const double end = from + window < until ? from + window : until, time = end - from;
+        const double way = std::min(length, time * (v + 0.5 * a * time));
+        Stretch stretch{around.position + start.way, around.position, ball, ball + way, way > 2.0 * scene.radius};
         if (stretch.isLong) {
             stretch.end += phase.at(end).way;
-            stretch.off += 0.125 * a * (end - from) * (end - from);
+            stretch.off += 0.125 * a * time * time;
         }
         visitAlong(scene, stretch, around.work, [&](const phys_box &box, uint32_t number) {
             if (around.work.isTooMuch() || around.isKept(number, box)) return;
@@ -203,12 +204,11 @@ Border firstBorder(const Outlook &around, const Contact &contact, const phys_box
     const double way = until * (glm::length(around.motion.velocity) + 0.5 * phase.mostAcceleration() * until);
     for (int axis = 0; axis < 3; ++axis) {
         const int side = contact.sides[axis];
-        if (around.isBarred(axis)) continue;
         for (const double sign : {-1.0, 1.0}) {
             // Over the box: its two ends. Beside it: the end that the centre is beside, from outside.
             if (side != 0 && side != (sign > 0.0 ? 1 : -1)) continue;
             Border border{kNever, axis, sign > 0.0 ? (&box.max.x)[axis] : (&box.min.x)[axis], side == 0 ? -sign : sign};
-            if (border.inward * (around.position[axis] - border.coordinate) > way) continue;
+            if (border.inward * (around.position[axis] - border.coordinate) > way || around.isBarred(axis)) continue;
             border.after = borderTime(around, phase, border, from, until);
             if (border.after < first.after) first = border;
         }

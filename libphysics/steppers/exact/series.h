@@ -15,6 +15,8 @@ class Series {
 public:
     static constexpr uint64_t kLook = 60; ///< work
 
+    Series() {} // NOLINT(modernize-use-equals-default): a defaulted one may clear all terms
+
     /// unit: the time that the series count in, s. kept: bits of contacts that stick as long as others press them.
     void build(const Moment &moment, std::span<const Held> held, const Response &response, double unit, uint32_t kept);
 
