@@ -206,7 +206,7 @@ PHYS_API phys_status phys_scene_contacts(const phys_scene *scene, const phys_vec
 
 /** Flags of a state. They follow from the step that made the state; steppers never read them. */
 enum {
-    PHYS_AT_REST = 1,  /**< v = 0, and with unchanged gravity it stays so */
+    PHYS_AT_REST = 1,  /**< no velocity, no spin, and with unchanged gravity it stays so */
     PHYS_AIRBORNE = 2, /**< not supported by a floor */
     PHYS_OUT = 4,      /**< the centre has left the bounds of all boxes seen from above: out of the maze */
     PHYS_SLIPPING = 8, /**< rigid model: the floor contact slips */

@@ -18,6 +18,7 @@ private slots:
     void grooveTakesFiveNinths();
     void ballSpinsDownAtTheWall();
     void ballSpinsDownInACorner();
+    void ballThatPivotsOnTheSpotIsNotAtRest();
     void wholeSceneFollowsTheReference();
 };
 
@@ -160,6 +161,17 @@ void ExactRigid::ballSpinsDownInACorner() {
     QCOMPARE(rolls.size(), size_t(1));
     QVERIFY(near(rolls[0].time, 16.0 * 0.0625 / 5.0, 1.0));
     QVERIFY(run.state.flags & PHYS_AT_REST);
+}
+
+void ExactRigid::ballThatPivotsOnTheSpotIsNotAtRest() {
+    Run run({kFloor}, 0.0625, {0, 0, 0.0625}); // model.md 14.1: nothing acts about the normal
+    run.state.spin = {0.0, 0.0, 3.0};
+    run.step(1.0);
+    QCOMPARE(run.state.spin.z, 3.0);
+    QCOMPARE(run.state.flags, uint64_t(0));
+    run.state.spin = {0.0, 0.0, 0.0};
+    run.step(1.0);
+    QCOMPARE(run.state.flags, uint64_t(PHYS_AT_REST));
 }
 
 void ExactRigid::wholeSceneFollowsTheReference() {
