@@ -165,6 +165,7 @@ void ExactRigid::ballSpinsDownInACorner() {
 
 void ExactRigid::ballThatPivotsOnTheSpotIsNotAtRest() {
     Run run({kFloor}, 0.0625, {0, 0, 0.0625}); // model.md 14.1: nothing acts about the normal
+    run.params.model = PHYS_MODEL_RIGID;
     run.state.spin = {0.0, 0.0, 3.0};
     run.step(1.0);
     QCOMPARE(run.state.spin.z, 3.0);
