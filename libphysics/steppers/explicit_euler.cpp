@@ -11,8 +11,8 @@ namespace {
 struct ExplicitEuler {
     static constexpr Hold kHold = Hold::Explicit;
 
-    template<class V>
-    static Advance<V> advance(const Law<V> &law, const V &velocity, double h) {
+    template<class Law, class V>
+    static Advance<V> advance(const Law &law, const V &velocity, double h) {
         return {eulerVelocity(law, velocity, h), h * velocity};
     }
 };

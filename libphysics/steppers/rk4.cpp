@@ -11,8 +11,8 @@ namespace {
 struct RungeKutta4 {
     static constexpr Hold kHold = Hold::SecondOrder;
 
-    template<class V>
-    static Advance<V> advance(const Law<V> &law, const V &v1, double h) {
+    template<class Law, class V>
+    static Advance<V> advance(const Law &law, const V &v1, double h) {
         if (nearStop(law, v1, h)) return stopping(law, v1, h);
         const V a1 = acceleration(law, v1);
         const V v2 = v1 + 0.5 * h * a1;

@@ -35,7 +35,7 @@ StepPlan planSweep(const PlanInput &input) {
 
 phys_status requirements(void *self, const phys_params *params, double dt, const phys_state *state,
                          phys_requirements *out, phys_error *) {
-    const PlanInput input{static_cast<LastFooting *>(self)->scene(), *params, dt, *state};
+    const PlanInput input{static_cast<KnownPlaces *>(self)->scene(), *params, dt, *state};
     describePlan(input, planSweep(input), *out);
     return PHYS_OK;
 }
@@ -68,9 +68,9 @@ phys_status sweepStep(const PlanInput &input, phys_state &out, phys_report *repo
 
 phys_status step(void *self, const phys_params *params, double dt, const phys_state *in, phys_state *out,
                  phys_report *report, phys_error *err) {
-    LastFooting &footing = *static_cast<LastFooting *>(self);
-    const PlanInput input{footing.scene(), *params, dt, *in};
-    if (!report && stay(input, footing, *out)) return PHYS_OK;
+    KnownPlaces &places = *static_cast<KnownPlaces *>(self);
+    const PlanInput input{places.scene(), *params, dt, *in};
+    if (!report && stay(input, places.footing(), *out)) return PHYS_OK;
     const auto glide = [](DiscreteStep<VelocityVerlet> &whole, Ball &ball) { return whole.glideOnFloor(ball); };
     if (!report && isSimple(input) && stepOnFloor<VelocityVerlet>(input, *out, glide)) return PHYS_OK;
     return sweepStep(input, *out, report, err);
@@ -88,10 +88,10 @@ constinit const phys_stepper_api kSwept = {sizeof(phys_stepper_api),
                                            nullptr,
                                            0,
                                            0,
-                                           makeFooting,
-                                           deleteFooting,
+                                           makePlaces,
+                                           deletePlaces,
                                            step,
                                            requirements,
-                                           nullptr};
+                                           LaneStepper<VelocityVerlet, LaneRule::Sweep>::extension};
 
 } // namespace phys

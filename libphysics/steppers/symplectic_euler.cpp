@@ -11,8 +11,8 @@ namespace {
 struct SymplecticEuler {
     static constexpr Hold kHold = Hold::Symplectic;
 
-    template<class V>
-    static Advance<V> advance(const Law<V> &law, const V &velocity, double h) {
+    template<class Law, class V>
+    static Advance<V> advance(const Law &law, const V &velocity, double h) {
         const V next = eulerVelocity(law, velocity, h);
         return {next, h * next};
     }

@@ -4,23 +4,13 @@
 #include "base/error.h"
 #include "base/float_environment.h"
 #include "registry/arguments.h"
-#include "registry/params.h"
-#include "registry/stepper.h"
+#include "registry/side_by_side.h"
 
 #include <algorithm>
 
 namespace phys {
 
 namespace {
-
-/// Element `index` of an array whose elements are `stride` bytes apart; 0: one element for all.
-template<class T>
-T *at(T *first, size_t stride, uint64_t index) {
-    using Byte = std::conditional_t<std::is_const_v<T>, const char, char>;
-    return reinterpret_cast<T *>(reinterpret_cast<Byte *>(first) + stride * index);
-}
-
-uint64_t pathLength(const phys_batch &batch) { return batch.path ? batch.step_count / batch.path_every : 0; }
 
 phys_status refuseStride(const char *name, size_t stride, uint64_t least, phys_error *err) {
     return fail(err, PHYS_ERROR_ARGUMENT, "%s is %zu; expected a multiple of 8 and at least %llu", name, stride,
@@ -65,86 +55,6 @@ phys_status checkBatch(const phys_batch &batch, uint64_t first, uint64_t count, 
     return checkStrides(batch, err);
 }
 
-/// Parameters of one size, whatever version of the struct the caller has.
-phys_params wholeParams(const phys_params &given) {
-    return isOlder(given) ? completed(given, phys_params_init) : given;
-}
-
-/// One ball's way through the batch.
-class BallRun {
-public:
-    BallRun(const phys_stepper &stepper, const phys_batch &batch, uint64_t ball)
-        : m_stepper(stepper)
-        , m_batch(batch)
-        , m_gravity(batch.gravity ? at(batch.gravity, batch.gravity_ball_stride, ball) : nullptr)
-        , m_path(batch.path ? at(batch.path, batch.path_ball_stride, ball) : nullptr)
-        , m_result(*at(batch.states, batch.states_stride, ball))
-        , m_states{m_result, {}}
-        , m_pathSteps(batch.path_every) {}
-
-    uint64_t stepsDone() const { return m_done; }
-
-    /// paramsAreChecked: except for gravity, where the batch brings its own.
-    phys_status run(phys_params params, bool paramsAreChecked) {
-        phys_status status = PHYS_OK;
-        if (!isOver()) status = start(params, paramsAreChecked);
-        while (status == PHYS_OK && !isOver()) {
-            if (m_gravity) params.gravity = *at(m_gravity, m_batch.gravity_step_stride, m_done);
-            status = step(params, m_states[1 - m_now]);
-            if (status == PHYS_OK) takeNext();
-        }
-        m_result = state();
-        fillPath();
-        return status;
-    }
-
-private:
-    const phys_state &state() const { return m_states[m_now]; }
-    bool isOver() const { return m_done == m_batch.step_count || (state().flags & m_batch.stop_flags); }
-
-    phys_status start(phys_params &params, bool paramsAreChecked) const {
-        if (m_gravity) params.gravity = *m_gravity;
-        if (!paramsAreChecked) {
-            if (const phys_status status = checkParams(*m_stepper.api, params, nullptr)) return status;
-        }
-        if (m_gravity && !gravityIsValid(params)) return PHYS_ERROR_RANGE; // as in phys_step before the state
-        return checkState(state(), nullptr);
-    }
-
-    phys_status step(const phys_params &params, phys_state &next) const {
-        if (m_gravity && !gravityIsValid(params)) return PHYS_ERROR_RANGE;
-        if (const phys_status status = checkPull(*m_stepper.scene, params, state(), nullptr)) return status;
-        if (m_batch.dt > 0.0) return advance(m_stepper, params, m_batch.dt, state(), next, nullptr, nullptr);
-        next = state();
-        return PHYS_OK;
-    }
-
-    void takeNext() {
-        m_now = 1 - m_now;
-        ++m_done;
-        if (!m_path || --m_pathSteps > 0) return;
-        m_pathSteps = m_batch.path_every;
-        m_path[m_pathCount++] = state();
-    }
-
-    /// A ball that is done stays where it is.
-    void fillPath() {
-        const uint64_t length = pathLength(m_batch);
-        if (m_pathCount < length) std::fill(m_path + m_pathCount, m_path + length, state());
-    }
-
-    const phys_stepper &m_stepper;
-    const phys_batch &m_batch;
-    const phys_vec3 *m_gravity; ///< of this ball's first step; nullptr: that of the parameters
-    phys_state *m_path;         ///< this ball's row, or nullptr
-    phys_state &m_result;       ///< the caller's
-    phys_state m_states[2];     ///< by turns the last good one and the next
-    int m_now = 0;              ///< which is the last good one
-    uint64_t m_done = 0;
-    uint64_t m_pathSteps; ///< until the next state of the path
-    uint64_t m_pathCount = 0;
-};
-
 /// Parameters that all balls share are wrong for all of them.
 phys_status checkSharedParams(const phys_stepper &stepper, const phys_batch &batch, phys_error *err) {
     phys_params params = wholeParams(*batch.params);
@@ -152,23 +62,56 @@ phys_status checkSharedParams(const phys_stepper &stepper, const phys_batch &bat
     return checkParams(*stepper.api, params, err);
 }
 
+/// The stepper's ability to move balls in lanes; nullptr if it has none or nothing moves.
+const LaneSteps *laneStepsOf(const phys_stepper &stepper, const phys_batch &batch) {
+    const bool mayHave = !stepper.isPlugin && stepper.api->extension && batch.dt > 0.0;
+    if (!mayHave || (batch.stop_flags & PHYS_SLIPPING))
+        return nullptr; // who slides in a lane isn't asked whether it slips
+    return static_cast<const LaneSteps *>(stepper.api->extension(stepper.self, kLanesId));
+}
+
+/// What has happened to the balls so far.
+class Outcome {
+public:
+    Outcome(const phys_batch &batch, phys_error *err)
+        : m_batch(batch)
+        , m_err(err) {}
+
+    void add(const BallRun &run) {
+        const uint64_t ball = run.number();
+        if (m_batch.steps_done) m_batch.steps_done[ball] = run.stepsDone();
+        if (m_batch.statuses) m_batch.statuses[ball] = run.status();
+        if (run.status() == PHYS_OK || m_first != PHYS_OK || m_batch.statuses) return;
+        m_first = fail(m_err, run.status(), "ball %llu fails in step %llu: %s", static_cast<unsigned long long>(ball),
+                       static_cast<unsigned long long>(run.stepsDone()), phys_status_text(run.status()));
+    }
+
+    /// Of the first ball that failed, if that isn't told by statuses.
+    phys_status status() const { return m_first; }
+
+private:
+    const phys_batch &m_batch;
+    phys_error *m_err;
+    phys_status m_first = PHYS_OK;
+};
+
 phys_status runBalls(const phys_stepper &stepper, const phys_batch &batch, uint64_t first, uint64_t count,
                      phys_error *err) {
     const bool areShared = batch.params_stride == 0;
     if (areShared) {
         if (const phys_status status = checkSharedParams(stepper, batch, err)) return status;
     }
-    phys_status worst = PHYS_OK;
-    for (uint64_t ball = first; ball < first + count; ++ball) {
-        BallRun run(stepper, batch, ball);
-        const phys_status status = run.run(wholeParams(*at(batch.params, batch.params_stride, ball)), areShared);
-        if (batch.steps_done) batch.steps_done[ball] = run.stepsDone();
-        if (batch.statuses) batch.statuses[ball] = status;
-        if (status == PHYS_OK || worst != PHYS_OK || batch.statuses) continue;
-        worst = fail(err, status, "ball %llu fails in step %llu: %s", static_cast<unsigned long long>(ball),
-                     static_cast<unsigned long long>(run.stepsDone()), phys_status_text(status));
+    Outcome outcome(batch, err);
+    const LaneSteps *steps = laneStepsOf(stepper, batch);
+    const uint64_t together = steps ? SideBySide::kMost : 1;
+    for (uint64_t ball = first; ball < first + count;) {
+        const uint64_t next = ball + std::min(together, first + count - ball);
+        SideBySide balls(stepper, batch, steps, areShared);
+        for (; ball < next; ++ball) balls.add(ball);
+        balls.run();
+        for (const BallRun &run : balls.balls()) outcome.add(run);
     }
-    return worst;
+    return outcome.status();
 }
 
 } // namespace

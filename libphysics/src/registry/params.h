@@ -48,9 +48,14 @@ inline constexpr phys_param_row kRows[] = {
      "Component of gravity along the board's z, negative while a floor supports the ball. Default: -9.81.", "", -1e6,
      1e6, -19.62, 0, -9.81, 0.01, PHYS_OFFSET(gravity.z), PHYS_ROW_INPUT},
 };
-#undef PHYS_OFFSET
 
 inline constexpr size_t kRowCount = std::size(kRows);
+
+/// The largest component of gravity along the board that its row allows, m/s^2.
+inline constexpr double kMostGravity = std::find_if(std::begin(kRows), std::end(kRows), [](const phys_param_row &row) {
+                                           return row.offset == PHYS_OFFSET(gravity.x);
+                                       })->max;
+#undef PHYS_OFFSET
 
 /// Bytes of phys_params up to the end of the row's value.
 constexpr size_t endOf(const phys_param_row &row) {

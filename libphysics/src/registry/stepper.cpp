@@ -28,6 +28,9 @@ double nextTime(const phys_state &state, double dt) {
     return isCounted ? (static_cast<double>(static_cast<int64_t>(state.step)) + 1.0) * dt : state.time + dt;
 }
 
+/// Whole numbers up to here are doubles.
+constexpr uint64_t kCountedSteps = uint64_t{1} << 53;
+
 phys_status checkArguments(const phys_stepper &stepper, const phys_params &params, double dt, const phys_state &state,
                            phys_error *err) {
     if (const phys_status status = checkDt(dt, err)) return status;
@@ -84,6 +87,21 @@ phys_status requirementsOfPlugin(const phys_stepper &stepper, const phys_params 
 }
 
 } // namespace
+
+void advanceClock(double dt, uint64_t steps, phys_state &state) {
+    for (uint64_t i = 0; i < steps; ++i) {
+        const double counted = static_cast<double>(static_cast<int64_t>(state.step)) * dt;
+        const uint64_t left = steps - i;
+        // What is counted stays so: the rest at once.
+        if (counted == state.time && state.time >= 0.0 && state.step + left < kCountedSteps) {
+            state.step += left;
+            state.time = static_cast<double>(static_cast<int64_t>(state.step)) * dt;
+            return;
+        }
+        state.time = nextTime(state, dt);
+        ++state.step;
+    }
+}
 
 phys_status advance(const phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
                     phys_state &next, phys_report *report, phys_error *err) {

@@ -16,6 +16,9 @@ struct phys_stepper {
 
 namespace phys {
 
+/// Time and step of a state after so many more steps of dt.
+void advanceClock(double dt, uint64_t steps, phys_state &state);
+
 /// One step of dt > 0 from `in` to `next`, which are not the same; `next` means something only after PHYS_OK. A plugin
 /// is not trusted: neither what it returns nor what it writes goes on unchecked.
 phys_status advance(const phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,

@@ -2,7 +2,7 @@
 // A stepper of fixed substeps. Where nothing is near a substep is the scheme's formula; contacts follow the law of
 // contact (model.md 13.5). A scheme is a struct with its definition in the textbook, and how it goes on in contact:
 //
-//     template<class V> static Advance<V> advance(const Law<V> &law, const V &velocity, double h);
+//     template<class Law, class V> static Advance<V> advance(const Law &law, const V &velocity, double h);
 //     static constexpr Hold kHold;
 #pragma once
 

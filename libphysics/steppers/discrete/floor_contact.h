@@ -18,15 +18,15 @@ struct Advance {
 };
 
 /// A substep in which resistance may stop the ball, for schemes of second order and above: model.md 10.5.
-template<class V>
-Advance<V> stopping(const Law<V> &law, const V &velocity, double h) {
+template<class Law, class V>
+Advance<V> stopping(const Law &law, const V &velocity, double h) {
     const V next = clampedVelocity(law, velocity, h);
     return {next, 0.5 * h * (velocity + next)};
 }
 
 /// One Euler step of the velocity, clamped where it may end in a stop.
-template<class V>
-[[gnu::always_inline]] inline V eulerVelocity(const Law<V> &law, const V &velocity, double h) {
+template<class Law, class V>
+[[gnu::always_inline]] inline V eulerVelocity(const Law &law, const V &velocity, double h) {
     if (nearStop(law, velocity, h)) return clampedVelocity(law, velocity, h);
     return velocity + h * acceleration(law, velocity);
 }

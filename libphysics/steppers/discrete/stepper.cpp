@@ -44,12 +44,12 @@ void reportTransitions(Reporter &reporter, const PlanInput &input, const Ball &b
     if (speedBefore > 0.0 && (out.flags & PHYS_AT_REST)) event(PHYS_EVENT_STOP);
 }
 
-phys_status makeFooting(const phys_scene_view *view, void **self, phys_error *) {
-    *self = new LastFooting(*static_cast<const Scene *>(view->scene));
+phys_status makePlaces(const phys_scene_view *view, void **self, phys_error *) {
+    *self = new KnownPlaces(*static_cast<const Scene *>(view->scene));
     return PHYS_OK;
 }
 
-void deleteFooting(void *self) { delete static_cast<LastFooting *>(self); }
+void deletePlaces(void *self) { delete static_cast<KnownPlaces *>(self); }
 
 phys_status refuseSubsteps(double substeps, phys_error *err) {
     return fail(err, PHYS_ERROR_SUBSTEP_CAP,

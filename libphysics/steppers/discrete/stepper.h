@@ -3,7 +3,8 @@
 #pragma once
 
 #include "discrete.h"
-#include "footing.h"
+#include "known_places.h"
+#include "lanes.h"
 
 #include <cstring>
 
@@ -39,9 +40,9 @@ void turn(const Vec3 &spinBefore, double dt, phys_state &out);
 /// Events that only show at the end of a step. before.supported: whether the floor carried the ball.
 void reportTransitions(Reporter &reporter, const PlanInput &input, const Ball &before, const phys_state &out);
 
-/// create and destroy of a stepper that is nothing but the LastFooting in its scene.
-phys_status makeFooting(const phys_scene_view *view, void **self, phys_error *err);
-void deleteFooting(void *self);
+/// create and destroy of a stepper that is nothing but its KnownPlaces.
+phys_status makePlaces(const phys_scene_view *view, void **self, phys_error *err);
+void deletePlaces(void *self);
 
 phys_status refuseSubsteps(double substeps, phys_error *err);
 phys_status refuseStuck(const Vec3 &position, phys_error *err);
@@ -105,16 +106,16 @@ template<class Scheme>
 struct DiscreteStepper {
     static phys_status requirements(void *self, const phys_params *params, double dt, const phys_state *state,
                                     phys_requirements *out, phys_error *) {
-        const PlanInput input{static_cast<LastFooting *>(self)->scene(), *params, dt, *state};
+        const PlanInput input{static_cast<KnownPlaces *>(self)->scene(), *params, dt, *state};
         describePlan(input, plan(input), *out);
         return PHYS_OK;
     }
 
     static phys_status step(void *self, const phys_params *params, double dt, const phys_state *in, phys_state *out,
                             phys_report *report, phys_error *err) {
-        LastFooting &footing = *static_cast<LastFooting *>(self);
-        const PlanInput input{footing.scene(), *params, dt, *in};
-        if (!report && stay(input, footing, *out)) return PHYS_OK;
+        KnownPlaces &places = *static_cast<KnownPlaces *>(self);
+        const PlanInput input{places.scene(), *params, dt, *in};
+        if (!report && stay(input, places.footing(), *out)) return PHYS_OK;
         const auto run = [](DiscreteStep<Scheme> &substep, Ball &ball) { return substep.runOnFloor(0.0, ball); };
         const bool maySkip = !report && isSimple(input) && !asReported(*params);
         if (maySkip && stepOnFloor<Scheme>(input, *out, run)) return PHYS_OK;
@@ -125,8 +126,7 @@ private:
     /// Takes what `step` takes, so that the steps that don't come here need save nothing for the call.
     [[gnu::noinline]] static phys_status anyStep(void *self, const phys_params *params, double dt, const phys_state *in,
                                                  phys_state *out, phys_report *report, phys_error *err) {
-        LastFooting &footing = *static_cast<LastFooting *>(self);
-        const Scene &scene = footing.scene();
+        const Scene &scene = static_cast<KnownPlaces *>(self)->scene();
         const PlanInput input{scene, *params, dt, *in};
         const StepPlan stepPlan = plan(input);
         if (stepPlan.substeps > kSubstepCap) return refuseSubsteps(stepPlan.substeps, err);
@@ -167,11 +167,11 @@ constexpr phys_stepper_api discreteStepper(const char *id, const char *name, con
             kDiscreteRows,
             1,
             0,
-            makeFooting,
-            deleteFooting,
+            makePlaces,
+            deletePlaces,
             Stepper::step,
             Stepper::requirements,
-            nullptr};
+            LaneStepper<Scheme, LaneRule::Substeps>::extension};
 }
 
 } // namespace phys

@@ -10,8 +10,8 @@ namespace phys {
 struct VelocityVerlet {
     static constexpr Hold kHold = Hold::SecondOrder;
 
-    template<class V>
-    static Advance<V> advance(const Law<V> &law, const V &velocity, double h) {
+    template<class Law, class V>
+    static Advance<V> advance(const Law &law, const V &velocity, double h) {
         if (nearStop(law, velocity, h)) return stopping(law, velocity, h);
         const V a = acceleration(law, velocity);
         const V aNext = acceleration(law, velocity + h * a);

@@ -29,6 +29,22 @@ ScenePtr openRoom() {
         .build();
 }
 
+/// A floor of tiles with walls, kerbs, low roofs and floating boxes, on a coarse raster: many are flush, and many gaps
+/// are as wide as the ball.
+ScenePtr clutteredFloor(Random &random) {
+    SceneBuilder scene;
+    scene.ball(0.0625).start(0.5, 0.5).floor(0, 0, 2, 2).floor(2, 0, 4, 2);
+    for (const uint32_t count = 4 + random.below(12); scene.boxes().size() < count;) {
+        const double x = 0.125 * random.below(30), y = 0.125 * random.below(14);
+        const double width = 0.125 * (1 + random.below(6)), depth = 0.125 * (1 + random.below(3));
+        const bool isAlongX = random.below(2);
+        const double bottoms[] = {0, 0, 0, 0, 0.0625, 0.15}, heights[] = {0.25, 0.25, 0.25, 0.0625, 0.03, 0.1};
+        const double bottom = bottoms[random.below(6)], top = bottom + heights[random.below(6)];
+        scene.box({{x, y, bottom}, {x + (isAlongX ? width : depth), y + (isAlongX ? depth : width), top}});
+    }
+    return scene.build();
+}
+
 /// A batch and all that its pointers point at, with room for `padding` bytes between elements.
 struct Case {
     uint64_t balls, steps;
@@ -103,6 +119,39 @@ Case draw(Random &random) {
         state.velocity = {random.between(-1, 3), random.between(-1, 1), 0.0};
         state.orientation[3] = random.below(15) ? 1.0 : 0.5; // 0.5: not a rotation
         state.flags = random.below(15) ? 0 : PHYS_OUT;
+        made.starts.push_back(state);
+    }
+    return made;
+}
+
+/// Many balls for long under tilts that last: they come to lean, roll along walls and rest.
+Case drawLong(Random &random) {
+    Case made{};
+    made.balls = 1 + random.below(19);
+    made.steps = 150;
+    made.dt = random.between(0.002, 0.02);
+    made.stopFlags = random.below(3) ? 0 : PHYS_OUT;
+    made.hasGravity = made.gravityPerBall = made.gravityPerStep = made.hasPath = true;
+    made.every = 1;
+    phys_params params = drawParams(random, random.below(2));
+    params.restitution_wall = random.below(2) ? 0.0 : 0.5;
+    params.options = 0;
+    if (random.below(3) == 0) params.sliding_friction = params.rolling_friction = 0.0;
+    made.params = {params};
+    phys_vec3 gravity{};
+    for (uint64_t i = 0; i < made.balls * made.steps + 1; ++i) {
+        const double strength = random.below(4) ? 1.0 : 0.0;
+        if (i % 50 == 0) gravity = {strength * random.between(-2, 2), random.between(-2, 2), -9.75};
+        made.gravity.push_back(gravity);
+    }
+    for (uint64_t i = 0; i < made.balls; ++i) {
+        phys_state state{};
+        state.position = {0.125 * random.below(30) + 0.0625, 0.125 * random.below(14) + 0.0625, 0.0625};
+        if (random.below(2)) state.velocity = {random.between(-1, 1), random.between(-1, 1), 0.0};
+        if (random.below(4) == 0) state.spin = {0.0, 0.0, random.between(-9, 9)};
+        if (random.below(8) == 0) state.time = 0.1; // not the time that its steps have taken
+        state.step = random.below(3);
+        state.orientation[3] = 1.0;
         made.starts.push_back(state);
     }
     return made;
@@ -225,6 +274,8 @@ class TestBatch : public QObject {
 private slots:
     void sameBitsAsSingleSteps_data() { addStepperRows(); }
     void sameBitsAsSingleSteps();
+    void sameBitsAmongWallsKerbsAndRoofs_data() { addStepperRows(); }
+    void sameBitsAmongWallsKerbsAndRoofs();
     void rangesTogetherGiveTheWhole();
     void pluginsRunThroughTheirStep();
     void nothingIsAllocated_data() { addStepperRows(); }
@@ -252,6 +303,22 @@ void TestBatch::sameBitsAsSingleSteps() {
         for (const phys_status status : expected.statuses) failures += status != PHYS_OK;
     }
     QVERIFY(failures > 20); // else the failing ones weren't looked at
+}
+
+void TestBatch::sameBitsAmongWallsKerbsAndRoofs() {
+    QFETCH(QByteArray, stepper);
+    Random random(testSeed());
+    for (int i = 0; i < 40; ++i) {
+        const ScenePtr scene = clutteredFloor(random);
+        QVERIFY(scene);
+        const StepperPtr single = stepperOf(stepper, scene.get());
+        const StepperPtr many = stepperOf(stepper, scene.get());
+        const Case given = drawLong(random);
+        const Results expected = stepOneByOne(single.get(), given);
+        const Results found = runBatch(
+            given, [&](phys_batch &batch) { return phys_batch_run(many.get(), &batch, 0, batch.ball_count, nullptr); });
+        QVERIFY2(found == expected, qPrintable(QString("case %1 of seed %2").arg(i).arg(testSeed())));
+    }
 }
 
 void TestBatch::rangesTogetherGiveTheWhole() {

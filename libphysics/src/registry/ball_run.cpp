@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "registry/ball_run.h"
+
+#include "base/appendable.h"
+#include "registry/arguments.h"
+#include "registry/params.h"
+
+#include <algorithm>
+
+namespace phys {
+
+phys_params wholeParams(const phys_params &given) {
+    return isOlder(given) ? completed(given, phys_params_init) : given;
+}
+
+BallRun::BallRun(const phys_stepper &stepper, const phys_batch &batch, uint64_t ball, bool paramsAreChecked)
+    : m_stepper(&stepper)
+    , m_batch(&batch)
+    , m_number(ball)
+    , m_params(wholeParams(*at(batch.params, batch.params_stride, ball)))
+    , m_gravity(batch.gravity ? at(batch.gravity, batch.gravity_ball_stride, ball) : nullptr)
+    , m_path(batch.path ? at(batch.path, batch.path_ball_stride, ball) : nullptr)
+    , m_result(at(batch.states, batch.states_stride, ball))
+    , m_states{*m_result, {}}
+    , m_isRunning(batch.step_count > 0 && !(m_result->flags & batch.stop_flags)) {
+    if (!m_isRunning) return;
+    m_params.gravity = gravity(0);
+    m_status = check(paramsAreChecked);
+    m_isRunning = m_status == PHYS_OK;
+}
+
+phys_status BallRun::check(bool paramsAreChecked) const {
+    if (!paramsAreChecked) {
+        if (const phys_status status = checkParams(*m_stepper->api, m_params, nullptr)) return status;
+    }
+    if (m_gravity && !gravityIsValid(m_params)) return PHYS_ERROR_RANGE; // as in phys_step before the state
+    return checkState(state(), nullptr);
+}
+
+phys_status BallRun::tryStep(phys_state &next) const {
+    if (m_gravity && !gravityIsValid(m_params)) return PHYS_ERROR_RANGE;
+    if (const phys_status status = checkPull(*m_stepper->scene, m_params, state(), nullptr)) return status;
+    if (m_batch->dt > 0.0) return advance(*m_stepper, m_params, m_batch->dt, state(), next, nullptr, nullptr);
+    next = state();
+    return PHYS_OK;
+}
+
+void BallRun::step(uint64_t number) {
+    m_params.gravity = gravity(number);
+    m_done = number;
+    m_status = tryStep(m_states[1 - m_now]);
+    m_isRunning = m_status == PHYS_OK;
+    if (!m_isRunning) return;
+    m_now = 1 - m_now;
+    ++m_done;
+    m_isRunning = !(state().flags & m_batch->stop_flags);
+}
+
+void BallRun::finish() {
+    if (m_isRunning) m_done = m_batch->step_count;
+    *m_result = state();
+    if (m_path) std::fill(m_path + m_pathCount, m_path + pathLength(*m_batch), state());
+}
+
+} // namespace phys

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// One ball's way through a batch.
+#pragma once
+
+#include "registry/stepper.h"
+
+#include <type_traits>
+
+namespace phys {
+
+/// Element `index` of an array whose elements are `stride` bytes apart; 0: one element for all.
+template<class T>
+T *at(T *first, size_t stride, uint64_t index) {
+    using Byte = std::conditional_t<std::is_const_v<T>, const char, char>;
+    return reinterpret_cast<T *>(reinterpret_cast<Byte *>(first) + stride * index);
+}
+
+/// States that a ball's path has.
+inline uint64_t pathLength(const phys_batch &batch) { return batch.path ? batch.step_count / batch.path_every : 0; }
+
+/// Parameters of one size, whatever version of the struct the caller has.
+phys_params wholeParams(const phys_params &given);
+
+class BallRun {
+public:
+    BallRun() = default;
+    /// Looks at what the ball begins with. paramsAreChecked: except for gravity, where the batch brings its own.
+    BallRun(const phys_stepper &stepper, const phys_batch &batch, uint64_t ball, bool paramsAreChecked);
+
+    uint64_t number() const { return m_number; }
+    /// Neither done nor failed.
+    bool isRunning() const { return m_isRunning; }
+    phys_status status() const { return m_status; }
+    uint64_t stepsDone() const { return m_done; }
+    const phys_params &params() const { return m_params; }
+    const phys_state &state() const { return m_states[m_now]; }
+    phys_state &state() { return m_states[m_now]; }
+
+    /// Of a step, m/s^2.
+    const phys_vec3 &gravity(uint64_t step) const {
+        return m_gravity ? *at(m_gravity, m_batch->gravity_step_stride, step) : m_params.gravity;
+    }
+
+    /// Makes the step of this number by itself.
+    void step(uint64_t number);
+    /// Appends a running ball's state to its path.
+    void appendToPath(const phys_state &state) { m_path[m_pathCount++] = state; }
+    /// Stores the ball after the last step. One that is done sooner stays where it is.
+    void finish();
+
+private:
+    phys_status check(bool paramsAreChecked) const;
+    phys_status tryStep(phys_state &next) const;
+
+    const phys_stepper *m_stepper = nullptr;
+    const phys_batch *m_batch = nullptr;
+    uint64_t m_number = 0; ///< in the batch
+    phys_params m_params{};
+    const phys_vec3 *m_gravity = nullptr; ///< of this ball's first step; nullptr: that of the parameters
+    phys_state *m_path = nullptr;         ///< this ball's row, or nullptr
+    phys_state *m_result = nullptr;       ///< the caller's
+    phys_state m_states[2]{};             ///< by turns the last good one and the next
+    int m_now = 0;                        ///< which is the last good one
+    bool m_isRunning = false;
+    phys_status m_status = PHYS_OK;
+    uint64_t m_done = 0;
+    uint64_t m_pathCount = 0;
+};
+
+} // namespace phys

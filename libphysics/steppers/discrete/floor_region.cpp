@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+#include "floor_region.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace phys {
+
+namespace {
+
+constexpr double kWindow = 5.0;    ///< radii that a region reaches at most, from where it was asked for
+constexpr uint32_t kMostBoxes = 8; ///< as many as a FloorView holds
+
+/// A region as it is cut smaller.
+class Cutting {
+public:
+    Cutting(const Scene &scene, const Vec3 &place)
+        : m_scene(scene)
+        , m_place(place)
+        , m_margin(4.0 * scene.tolerance)
+        , m_clear(scene.radius + m_margin) {
+        m_region.z = place.z;
+        for (int axis = 0; axis < 2; ++axis) {
+            m_region.along[axis].low = place[axis] - kWindow * scene.radius;
+            m_region.along[axis].high = place[axis] + kWindow * scene.radius;
+        }
+    }
+
+    FloorRegion run() {
+        if (!lookAround() || !m_floor) return {};
+        cutToFloor();
+        for (uint32_t i = 0; i < m_count; ++i) {
+            if (isTouched(*m_boxes[i]) && !leanOn(*m_boxes[i])) return {};
+        }
+        for (uint32_t i = 0; i < m_count; ++i) {
+            if (!isTouched(*m_boxes[i]) && !cutAway(*m_boxes[i])) return {};
+        }
+        findFaces();
+        return isEasy() ? m_region : FloorRegion();
+    }
+
+private:
+    static constexpr uint32_t kRoom = 32;
+
+    /// Collects what isn't lower than the floor. False if that is too much.
+    bool lookAround() {
+        const double top = m_place.z - m_scene.radius;
+        const double far = (kWindow + kCandidateReach) * m_scene.radius + m_margin;
+        const Vec3 low(m_place.x - far, m_place.y - far, top - m_margin);
+        const Vec3 high(m_place.x + far, m_place.y + far, m_place.z + kCandidateReach * m_scene.radius + m_margin);
+        bool isEasy = true;
+        m_scene.visitBoxes(low, high, [&](uint32_t number) {
+            const phys_box &box = m_scene.boxes[number];
+            const bool isFloor = box.max.z <= top + m_scene.tolerance;
+            if (isFloor && box.max.z < top - m_scene.tolerance) return;
+            uint32_t &count = isFloor ? m_floorCount : m_count;
+            isEasy = isEasy && count < kRoom;
+            if (!isEasy) return;
+            (isFloor ? m_floors : m_boxes)[count++] = &box;
+            if (isFloor && Scene::isOver(box, m_place.x, m_place.y)) m_floor = &box;
+        });
+        return isEasy;
+    }
+
+    /// Whether another floor overlaps the region, so that which of them carries the ball may change.
+    bool hasOtherFloor() const {
+        return std::any_of(m_floors.begin(), m_floors.begin() + m_floorCount, [&](const phys_box *box) {
+            const auto isBeside = [&](int axis) {
+                return (&box->min.x)[axis] > m_region.along[axis].high ||
+                       (&box->max.x)[axis] < m_region.along[axis].low;
+            };
+            return box != m_floor && !isBeside(0) && !isBeside(1);
+        });
+    }
+
+    void cutToFloor() {
+        for (int axis = 0; axis < 2; ++axis) {
+            FloorRegion::Range &range = m_region.along[axis];
+            range.low = std::max(range.low, (&m_floor->min.x)[axis] + m_margin);
+            range.high = std::min(range.high, (&m_floor->max.x)[axis] - m_margin);
+        }
+    }
+
+    double faceAtLow(const phys_box &box, int axis) const { return (&box.max.x)[axis] + m_scene.radius; }
+    double faceAtHigh(const phys_box &box, int axis) const { return (&box.min.x)[axis] - m_scene.radius; }
+
+    /// Whether the ball touches a face along the axis, beside its ends.
+    bool isTouched(const phys_box &box, int axis) const {
+        const bool isThere = m_place[axis] == faceAtLow(box, axis) || m_place[axis] == faceAtHigh(box, axis);
+        const double along = m_place[1 - axis];
+        return isThere && isUpright(box) && along > (&box.min.x)[1 - axis] + m_margin &&
+               along < (&box.max.x)[1 - axis] - m_margin;
+    }
+    bool isTouched(const phys_box &box) const { return isTouched(box, 0) || isTouched(box, 1); }
+
+    bool isUpright(const phys_box &box) const { return box.min.z <= m_place.z && box.max.z >= m_place.z; }
+
+    /// Keeps the region beside a face that the ball touches, and between its ends. False if there is such a face
+    /// already.
+    bool leanOn(const phys_box &box) {
+        const int axis = isTouched(box, 0) ? 0 : 1;
+        FloorRegion::Range &range = m_region.along[axis];
+        FloorRegion::Range &length = m_region.along[1 - axis];
+        length.low = std::max(length.low, (&box.min.x)[1 - axis] + 2.0 * m_margin);
+        length.high = std::min(length.high, (&box.max.x)[1 - axis] - 2.0 * m_margin);
+        const bool isLow = m_place[axis] == faceAtLow(box, axis);
+        double &face = isLow ? range.lowFace : range.highFace;
+        if (face != FloorRegion::kNoFace) return false;
+        face = m_place[axis];
+        if (isLow)
+            range.low = std::max(range.low, face + m_margin);
+        else
+            range.high = std::min(range.high, face - m_margin);
+        return true;
+    }
+
+    /// Cuts off the side on which the box is, along the axis on which it is further away. False if it is too near.
+    bool cutAway(const phys_box &box) {
+        double most = 0.0;
+        int axis = 0;
+        bool isLow = false;
+        for (int each = 0; each < 2; ++each) {
+            const double above = m_place[each] - (&box.max.x)[each] - m_clear;
+            const double below = (&box.min.x)[each] - m_place[each] - m_clear;
+            if (std::max(above, below) <= most) continue;
+            most = std::max(above, below);
+            axis = each;
+            isLow = above > below;
+        }
+        FloorRegion::Range &range = m_region.along[axis];
+        if (isLow)
+            range.low = std::max(range.low, (&box.max.x)[axis] + m_clear);
+        else
+            range.high = std::min(range.high, (&box.min.x)[axis] - m_clear);
+        return most > 0.0;
+    }
+
+    bool isEasy() const {
+        // A ball that just fits between two faces touches both.
+        const bool hasRoom =
+            m_region.along[0].low <= m_region.along[0].high && m_region.along[1].low <= m_region.along[1].high;
+        return hasRoom && m_region.has(fromVec(m_place)) && !hasOtherFloor() && seen() <= kMostBoxes;
+    }
+
+    /// How many boxes a FloorView may see from somewhere in the region.
+    uint32_t seen() const {
+        const double far = kCandidateReach * m_scene.radius + m_margin;
+        const auto isSeen = [&](const phys_box *box) {
+            const auto isNear = [&](int axis) {
+                return (&box->min.x)[axis] <= m_region.along[axis].high + far &&
+                       (&box->max.x)[axis] >= m_region.along[axis].low - far;
+            };
+            return isNear(0) && isNear(1);
+        };
+        return static_cast<uint32_t>(std::count_if(m_boxes.begin(), m_boxes.begin() + m_count, isSeen));
+    }
+
+    /// Faces that end the region and are as long as it is.
+    void findFaces() {
+        for (uint32_t i = 0; i < m_count; ++i) {
+            const phys_box &box = *m_boxes[i];
+            for (int axis = 0; axis < 2 && isUpright(box); ++axis) {
+                FloorRegion::Range &range = m_region.along[axis];
+                const FloorRegion::Range &length = m_region.along[1 - axis];
+                const bool isLong =
+                    (&box.min.x)[1 - axis] + m_margin < length.low && (&box.max.x)[1 - axis] - m_margin > length.high;
+                if (!isLong) continue;
+                if (range.low == (&box.max.x)[axis] + m_clear) range.lowFace = faceAtLow(box, axis);
+                if (range.high == (&box.min.x)[axis] - m_clear) range.highFace = faceAtHigh(box, axis);
+            }
+        }
+    }
+
+    const Scene &m_scene;
+    Vec3 m_place;
+    double m_margin, m_clear; ///< m
+    FloorRegion m_region;
+    const phys_box *m_floor = nullptr;
+    std::array<const phys_box *, kRoom> m_boxes, m_floors;
+    uint32_t m_count = 0, m_floorCount = 0;
+};
+
+} // namespace
+
+FloorRegion findFloorRegion(const Scene &scene, const Vec3 &place) { return Cutting(scene, place).run(); }
+
+FloorRegions::FloorRegions(const Scene &scene)
+    : m_scene(scene)
+    , m_perCell(0.25 / scene.radius)
+    , m_regions(std::make_unique<std::array<FloorRegion, kKept>>()) {}
+
+const FloorRegion &FloorRegions::around(const phys_vec3 &place, bool isLeaning) const {
+    constexpr double kMostCells = 0x1p50; // as whole numbers, in either direction
+    const double column = place.x * m_perCell, row = place.y * m_perCell;
+    const bool isCounted = std::abs(column) < kMostCells && std::abs(row) < kMostCells;
+    const int64_t cell = isCounted ? static_cast<int64_t>(column) + 31 * static_cast<int64_t>(row) : 0;
+    FloorRegion &kept = (*m_regions)[(static_cast<uint64_t>(cell) + (isLeaning ? kKept / 2 : 0)) % kKept];
+    if (!kept.has(place)) kept = findFloorRegion(m_scene, toVec(place));
+    return kept;
+}
+
+} // namespace phys

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Where a ball that lies on a floor meets nothing but that floor and faces to lean on, found once for many steps.
+#pragma once
+
+#include "scene/scene.h"
+
+#include <array>
+#include <memory>
+
+namespace phys {
+
+/// A rectangle of places for the centre of a ball at one height. It lies over one floor, and the same boxes as a
+/// FloorView sees are clear of it.
+struct FloorRegion {
+    struct Range {
+        double low = 1.0, high = -1.0; ///< m: between these no wall is near; nowhere yet
+        /// m: where the centre is while the ball leans on a face at that end, which is upright and as long as the
+        /// region; kNoFace if there is none.
+        double lowFace = kNoFace, highFace = kNoFace;
+
+        bool has(double place) const {
+            return (place >= low && place <= high) || place == lowFace || place == highFace;
+        }
+    };
+    static constexpr double kNoFace = 0x1p200; ///< beyond all places
+
+    std::array<Range, 2> along; ///< x, y
+    double z = 0.0;             ///< m: height of the centre
+
+    bool has(const phys_vec3 &place) const { return place.z == z && along[0].has(place.x) && along[1].has(place.y); }
+};
+
+/// The region around a place; one that has no place at all where nothing is that easy.
+FloorRegion findFloorRegion(const Scene &scene, const Vec3 &place);
+
+/// Regions found so far. They follow from the scene alone, and no step depends on which of them it is made in.
+class FloorRegions {
+public:
+    explicit FloorRegions(const Scene &scene);
+
+    /// A region that has the place; without any place if there is none. isLeaning: which of two to keep.
+    const FloorRegion &around(const phys_vec3 &place, bool isLeaning) const;
+
+private:
+    static constexpr uint32_t kKept = 1024; ///< a power of two
+
+    const Scene &m_scene;
+    double m_perCell; ///< 1/m
+    std::unique_ptr<std::array<FloorRegion, kKept>> m_regions;
+};
+
+} // namespace phys
