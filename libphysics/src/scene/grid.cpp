@@ -65,23 +65,23 @@ uint64_t Grid::entryCount(std::span<const phys_box> boxes, uint64_t most) const 
 
 /// Counting sort by cell: count, sum up, fill. Filling in order of the boxes keeps each list ascending.
 void Grid::fill(std::span<const phys_box> boxes) {
-    m_columnCount = static_cast<int64_t>(m_columns);
-    const size_t cellCount = m_columnCount * static_cast<int64_t>(m_rows);
+    m_columnCount = static_cast<ptrdiff_t>(m_columns);
+    const size_t cellCount = m_columnCount * static_cast<ptrdiff_t>(m_rows);
     const auto visitCells = [this](const Cells &cells, auto visit) {
-        for (int64_t row = cells.row0; row <= cells.row1; ++row) {
-            for (int64_t column = cells.column0; column <= cells.column1; ++column) visit(row * m_columnCount + column);
+        for (size_t row = cells.row0; row <= cells.row1; ++row) {
+            for (size_t column = cells.column0; column <= cells.column1; ++column) visit(row * m_columnCount + column);
         }
     };
     m_first.assign(cellCount + 1, 0); // 32 bits hold any number of entries that the budget allows
     m_boxCells.reserve(boxes.size());
     for (const phys_box &box : boxes) {
-        visitCells(m_boxCells.emplace_back(cellsOf(box)), [this](int64_t cell) { ++m_first[cell + 1]; });
+        visitCells(m_boxCells.emplace_back(cellsOf(box)), [this](size_t cell) { ++m_first[cell + 1]; });
     }
     std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
     m_items.resize(m_first.back());
     std::vector<uint32_t> next(m_first.begin(), m_first.end() - 1);
     for (uint32_t index = 0; index < boxes.size(); ++index) {
-        visitCells(m_boxCells[index], [&](int64_t cell) { m_items[next[cell]++] = index; });
+        visitCells(m_boxCells[index], [&](size_t cell) { m_items[next[cell]++] = index; });
     }
 }
 

@@ -5,6 +5,7 @@
 #include "base/vec.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -23,7 +24,7 @@ public:
         const double row = (y - m_y0) * m_perCell;
         // Negated so that a NaN finds no cell either.
         if (!(column >= 0.0 && column < m_columns && row >= 0.0 && row < m_rows)) return {};
-        const int64_t cell = static_cast<int64_t>(row) * m_columnCount + static_cast<int64_t>(column);
+        const ptrdiff_t cell = static_cast<ptrdiff_t>(row) * m_columnCount + static_cast<ptrdiff_t>(column);
         return {m_items.data() + m_first[cell], m_first[cell + 1] - m_first[cell]};
     }
 
@@ -53,7 +54,7 @@ private:
 
     double m_x0 = 0.0, m_y0 = 0.0, m_perCell = 0.0;
     double m_columns = 0.0, m_rows = 0.0; // as doubles, for the hot comparison
-    int64_t m_columnCount = 0;
+    ptrdiff_t m_columnCount = 0;
     double m_reach = 0.0;
     std::vector<uint32_t> m_first, m_items; // the lists, one after another, and where each cell's begins
     std::vector<Cells> m_boxCells;

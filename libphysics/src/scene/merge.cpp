@@ -58,7 +58,7 @@ Entry entryOf(const std::vector<Piece> &pieces, uint32_t number, int axis) {
     return {hashCrossSection(piece.box, axis), lowEnd(piece.box, axis), number};
 }
 
-size_t bucketOf(const Entry &entry, size_t buckets) { return entry.section & (buckets - 1); }
+size_t bucketOf(const Entry &entry, size_t buckets) { return static_cast<size_t>(entry.section) & (buckets - 1); }
 
 /// The pieces in an order in which those that may be flush along `axis` follow each other. Spreading them over buckets
 /// by their hash first leaves little to sort.
