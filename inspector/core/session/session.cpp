@@ -336,9 +336,18 @@ void Session::lookAhead(const Snapshot &now) {
     const uint64_t answers = m_wayFinder.answers();
     if (answers != m_ways) m_way = m_wayFinder.latest();
     m_ways = answers;
+    if (now.current.flags & PHYS_OUT) m_way = {};
     if (now.number == m_askedFor || (now.current.flags & PHYS_OUT)) return;
     m_askedFor = now.number;
     m_wayFinder.ask(m_scene, now.current, now.inputs.params);
+}
+
+void Session::lookAheadAtOnce() {
+    if (!m_showsWay) return;
+    const Snapshot now = m_simulation->latest();
+    const Stepper exact = makeStepper(m_registry, "exact", m_scene, nullptr);
+    const bool isAhead = exact && !(now.current.flags & PHYS_OUT);
+    m_way = isAhead ? inspector::wayAhead(exact, now.current, now.inputs.params) : WayAhead{};
 }
 
 void Session::startRecording(const QString &file) {

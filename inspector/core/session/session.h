@@ -120,6 +120,8 @@ public:
     // Where the ball goes from the moment shown if nothing changes; empty while it isn't asked for.
     void showWayAhead(bool isOn);
     const WayAhead &wayAhead() const { return m_way; }
+    // Makes it that of the moment shown, for a picture: otherwise it comes a little later.
+    void lookAheadAtOnce();
     uint64_t waysAhead() const { return m_ways; } // another number: another way
 
     // ---- the past: what was played lately is kept, and can be gone back to ----

@@ -431,6 +431,8 @@ void MainWindow::showComparison() {
 
 bool MainWindow::grabTo(const QString &path, QString *error) {
     refresh();
+    m_session.lookAheadAtOnce(); // this and the next line: pictures of one moment are the same
+    m_status->leaveOutClock();
     QApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest); // new texts get their room
     for (QCustomPlot *plot : findChildren<QCustomPlot *>())
         for (int pass = 0; pass < 2; ++pass) plot->replot(); // at once; margins fit what is drawn only the second time
@@ -443,8 +445,8 @@ void MainWindow::restoreLook() {
     resize(kUsualSize.expandedTo(available * kScreenShare).boundedTo(available));
     arrangeDocks();
     m_firstLayout = saveState(kLayoutVersion);
-    restoreGeometry(settings.value(settings_keys::kGeometry).toByteArray());
-    restoreState(settings.value(settings_keys::kLayout).toByteArray(), kLayoutVersion);
+    restoreGeometry(storedBytes(settings, settings_keys::kGeometry));
+    restoreState(storedBytes(settings, settings_keys::kLayout), kLayoutVersion);
     if (const auto quality = storedChoice(settings, settings_keys::kQuality, gl::kQualityCount))
         m_view->setQuality(gl::Quality(*quality));
 }
@@ -468,8 +470,8 @@ void MainWindow::arrangeDocks() {
 
 void MainWindow::closeEvent(QCloseEvent *event) {
     QSettings &settings = m_session.settings();
-    settings.setValue(settings_keys::kGeometry, saveGeometry());
-    settings.setValue(settings_keys::kLayout, saveState(kLayoutVersion));
+    storeBytes(settings, settings_keys::kGeometry, saveGeometry());
+    storeBytes(settings, settings_keys::kLayout, saveState(kLayoutVersion));
     m_session.simulation().pause();
     QMainWindow::closeEvent(event);
 }

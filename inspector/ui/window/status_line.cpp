@@ -45,6 +45,7 @@ struct Field {
     const char *tip;
     const char *widest;
     QString (*text)(const Snapshot &);
+    bool isOfClock = false; // differs from run to run
 };
 
 #define FIELD_TEXT(text) QT_TRANSLATE_NOOP("inspector::ui::StatusLine", text)
@@ -60,11 +61,12 @@ const Field kFields[] = {
     {"status_time", FIELD_TEXT("Simulated"), FIELD_TEXT("Simulated time since the start"), "0000.000 s",
      [](const Snapshot &now) { return QStringLiteral("%1 s").arg(now.current.time, 0, 'f', 3); }},
     {"status_rate", FIELD_TEXT("Steps/s"), FIELD_TEXT("Steps per second of the clock, over the last half second"),
-     "000000", [](const Snapshot &now) { return QString::number(now.statistics.stepsPerSecond, 'f', 0); }},
+     "000000", [](const Snapshot &now) { return QString::number(now.statistics.stepsPerSecond, 'f', 0); }, true},
     {"status_speed", FIELD_TEXT("Speed"), FIELD_TEXT("Real-time factor: reached, and asked for"), "paused (0.0625 ×)",
      speedText},
     {"status_lost", FIELD_TEXT("Lost"), FIELD_TEXT("Time that was dropped because steps came too late, in this run"),
-     "00.00 s", [](const Snapshot &now) { return QStringLiteral("%1 s").arg(now.statistics.lostTime, 0, 'f', 2); }},
+     "00.00 s", [](const Snapshot &now) { return QStringLiteral("%1 s").arg(now.statistics.lostTime, 0, 'f', 2); },
+     true},
 };
 #undef FIELD_TEXT
 
@@ -88,6 +90,11 @@ StatusLine::StatusLine(QWidget *parent)
 void StatusLine::showSnapshot(const Snapshot &snapshot) {
     for (size_t i = 0; i < m_fields.size(); ++i)
         m_fields[i]->setText(QStringLiteral("%1: %2").arg(translated(kFields[i].label), kFields[i].text(snapshot)));
+}
+
+void StatusLine::leaveOutClock() {
+    for (size_t i = 0; i < m_fields.size(); ++i)
+        if (kFields[i].isOfClock) m_fields[i]->setText(QStringLiteral("%1: –").arg(translated(kFields[i].label)));
 }
 
 } // namespace inspector::ui

@@ -21,6 +21,8 @@ public:
     explicit StatusLine(QWidget *parent = nullptr);
 
     void showSnapshot(const Snapshot &snapshot);
+    // Until the next snapshot: what differs from run to run isn't shown.
+    void leaveOutClock();
 
 private:
     std::vector<QLabel *> m_fields; // in the order of the table

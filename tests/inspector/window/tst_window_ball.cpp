@@ -33,6 +33,7 @@ private slots:
     void ballPlacedAtOnceAfterRunStandsStill();
     void wayAheadFollowsASlider();
     void wayAheadCanBeSwitchedOff();
+    void pictureShowsTheWayAheadOfItsMoment();
 
 private:
     phys_state ball() { return m_fixture->simulation().latest().current; }
@@ -215,6 +216,15 @@ void TestWindowBall::wayAheadCanBeSwitchedOff() {
     QTRY_VERIFY(size() > 10);
     m_fixture->press(Qt::Key_W);
     QCOMPARE(size(), size_t(0));
+}
+
+void TestWindowBall::pictureShowsTheWayAheadOfItsMoment() {
+    m_fixture->press(Qt::Key_W);
+    m_fixture->parameters().set({{QStringLiteral("tilt_y"), 5.0}});
+    QTRY_VERIFY(m_fixture->simulation().latest().inputs.tilt.y > 0.0);
+    QVERIFY(m_fixture->window().grabTo(m_fixture->path("window.png"), nullptr));
+    const std::vector<phys_vec3> &points = m_fixture->session().wayAhead().points;
+    QVERIFY(!points.empty() && points.back().y > ball().position.y + 0.01); // without waiting for it
 }
 
 QTEST_MAIN(TestWindowBall)

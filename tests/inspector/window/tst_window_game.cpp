@@ -8,6 +8,7 @@
 
 #include <QComboBox>
 #include <QImage>
+#include <QLabel>
 #include <QSignalSpy>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -50,6 +51,7 @@ private slots:
     void otherPhysicsSetNoBestTimeAndSayWhy();
     void unattendedRunEndsWhenTheLevelIsWon();
     void windowIsGrabbedToAFile();
+    void pictureLeavesOutWhatTheClockMeasures();
 
 private:
     const inspector::ui::GameText &text();
@@ -327,6 +329,14 @@ void TestWindowGame::windowIsGrabbedToAFile() {
     QCOMPARE(size, m_fixture->window().size() * m_fixture->window().devicePixelRatio());
     QVERIFY(!m_fixture->window().grabTo(m_fixture->path("missing/window.png"), &error));
     QVERIFY2(error.contains("missing/window.png"), qPrintable(error));
+}
+
+void TestWindowGame::pictureLeavesOutWhatTheClockMeasures() {
+    QVERIFY(m_fixture->window().grabTo(m_fixture->path("window.png"), nullptr));
+    QCOMPARE(m_fixture->window().findChild<QLabel *>("status_lost")->text(), QString("Lost: –"));
+    QCOMPARE(m_fixture->window().findChild<QLabel *>("status_rate")->text(), QString("Steps/s: –"));
+    m_fixture->window().refresh();
+    QCOMPARE(m_fixture->window().findChild<QLabel *>("status_rate")->text(), QString("Steps/s: 0"));
 }
 
 QTEST_MAIN(TestWindowGame)
