@@ -10,6 +10,7 @@
 #include "core/session/session.h"
 #include "core/setup/files.h"
 #include "core/setup/lines.h"
+#include "core/setup/settings_file.h"
 #include "ui/trade/trade_chart.h"
 #include "ui/window/application.h"
 
@@ -70,9 +71,18 @@ int runWithoutWindow(const Options &options, QTextStream &messages) {
     return finished(*out, runHeadless(options, *out, messages), messages);
 }
 
+bool areWritten(QSettings &settings, QTextStream &messages) {
+    settings.sync();
+    if (settings.status() != QSettings::AccessError) return true;
+    report(messages, quoted(settings.fileName()) + QStringLiteral(": settings can't be read or written"));
+    return false;
+}
+
 int runWithWindow(const Options &options, QTextStream &messages) {
     QString error = ui::displayProblem(options);
-    QSettings settings;
+    QString settingsProblem;
+    QSettings settings(userSettingsFile(&settingsProblem), settingsFormat());
+    if (!settingsProblem.isEmpty()) report(messages, settingsProblem);
     const std::unique_ptr<Session> session = error.isEmpty() ? Session::open(options, settings, &error) : nullptr;
     if (!session) {
         report(messages, error);
@@ -87,14 +97,17 @@ int runWithWindow(const Options &options, QTextStream &messages) {
     const bool isWritten =
         options.csv.isEmpty() || writeTable(options.csv, session->simulation().samples(), options, &error);
     if (!isWritten) report(messages, QStringLiteral("--csv: ") + error);
+    const bool isRemembered = areWritten(settings, messages);
     if (endingSignal()) return statusAfter(endingSignal());
-    return status == 0 && isWritten && (isRecorded || options.record.isEmpty()) ? 0 : std::max(status, 1);
+    const bool isAllKept = isWritten && isRemembered && (isRecorded || options.record.isEmpty());
+    return isAllKept ? status : std::max(status, 1);
 }
 
 } // namespace
 
 int main(int argc, char **argv) {
     keepStandardDescriptors();
+    noteEndingSignals();
     QCoreApplication::setApplicationName(QStringLiteral("physics-inspector"));
     QCoreApplication::setOrganizationName(QStringLiteral("libphysics"));
     const QStringList words = wordsOf(argc, argv);
@@ -109,7 +122,6 @@ int main(int argc, char **argv) {
         out->write(line.output.toUtf8());
         return finished(*out, *line.exitStatus, messages);
     }
-    noteEndingSignals();
     if (line.options.headless && !needsToDraw(line.options)) return runWithoutWindow(line.options, messages);
 
     withoutDisplay.reset();

@@ -3,6 +3,7 @@
 #include "generator/levels.h"
 
 #include <chrono>
+#include <csignal>
 #include <exception>
 #include <iostream>
 
@@ -52,6 +53,9 @@ void run(const mazes::Command &command) {
 } // namespace
 
 int main(int argc, char **argv) {
+#ifdef SIGXFSZ
+    std::signal(SIGXFSZ, SIG_IGN); // a file that is as large as it may be is an error of writing
+#endif
     try {
         run(mazes::parseCommandLine({argv + 1, argv + argc}));
         if (std::cout.flush()) return 0;

@@ -4,6 +4,7 @@
 
 #include "core/program/command_line.h"
 #include "core/session/session.h"
+#include "core/setup/settings_file.h"
 
 #include <QSettings>
 #include <QTemporaryDir>
@@ -41,7 +42,7 @@ protected:
     static constexpr int kLong = 90000; // ms: a wait's end on a busy machine
 
     QTemporaryDir m_folder;
-    QSettings m_settings{m_folder.filePath("settings.ini"), QSettings::IniFormat};
+    QSettings m_settings{m_folder.filePath("settings.ini"), inspector::settingsFormat()};
     QUndoStack m_undo;
     std::unique_ptr<inspector::Session> m_session;
     std::unique_ptr<Dock> m_dock;

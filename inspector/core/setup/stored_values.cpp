@@ -19,4 +19,14 @@ std::optional<double> storedTime(const QSettings &settings, const QString &key) 
     return isNumber && std::isfinite(time) && time > 0.0 ? std::optional(time) : std::nullopt;
 }
 
+QByteArray storedBytes(const QSettings &settings, const QString &key) {
+    const auto bytes = QByteArray::fromBase64Encoding(settings.value(key).toString().toLatin1(),
+                                                      QByteArray::AbortOnBase64DecodingErrors);
+    return bytes ? *bytes : QByteArray();
+}
+
+void storeBytes(QSettings &settings, const QString &key, const QByteArray &bytes) {
+    settings.setValue(key, QString::fromLatin1(bytes.toBase64()));
+}
+
 } // namespace inspector

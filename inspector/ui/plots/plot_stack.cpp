@@ -20,6 +20,7 @@ namespace {
 const QString kUsual = QStringLiteral("velocity_x,velocity_y,speed");
 const QString kPhase = QStringLiteral("phase:");
 constexpr double kPictureScale = 2.0;
+constexpr qsizetype kMostRestored = 16; // a settings file may name any number
 
 // Plots that are offered by name.
 struct Offer {
@@ -50,6 +51,18 @@ PlotStack::PlotStack(const SampleRing &samples, QSettings &settings, QWidget *pa
 }
 
 QuantityPlot *PlotStack::addPlot(const PlotContent &content) {
+    QuantityPlot *plot = makePlot(content);
+    remember();
+    return plot;
+}
+
+PhasePlot *PlotStack::addPhasePlot(Channel x, Channel y) {
+    PhasePlot *plot = makePhasePlot(x, y);
+    remember();
+    return plot;
+}
+
+QuantityPlot *PlotStack::makePlot(const PlotContent &content) {
     auto *plot = new QuantityPlot(m_samples, content, m_time);
     plot->setObjectName(m_plots.empty() ? QStringLiteral("velocity_plot")
                                         : QStringLiteral("plot_%1").arg(m_plots.size() + 1));
@@ -59,17 +72,15 @@ QuantityPlot *PlotStack::addPlot(const PlotContent &content) {
     connect(plot, &TimePlot::bounceClicked, this, &PlotStack::bounceClicked);
     connect(plot, &QuantityPlot::contentChanged, this, &PlotStack::remember);
     offerMenu(plot);
-    remember();
     return plot;
 }
 
-PhasePlot *PlotStack::addPhasePlot(Channel x, Channel y) {
+PhasePlot *PlotStack::makePhasePlot(Channel x, Channel y) {
     auto *plot = new PhasePlot(m_samples, x, y, m_time);
     plot->setObjectName(QStringLiteral("phase_plot_%1").arg(m_phasePlots.size() + 1));
     m_phasePlots.push_back(plot);
     addWidget(plot);
     offerMenu(plot);
-    remember();
     return plot;
 }
 
@@ -161,15 +172,17 @@ void PlotStack::reset() {
 
 void PlotStack::restore() {
     const QStringList contents = m_settings.value(settings_keys::kPlots, QStringList{kUsual}).toStringList();
-    const QByteArray sizes = m_settings.value(settings_keys::kPlotSizes).toByteArray();
-    for (const QString &text : contents) {
+    const QStringList heights = m_settings.value(settings_keys::kPlotSizes).toStringList();
+    for (const QString &text : contents.mid(0, kMostRestored)) {
         const bool isPhase = text.startsWith(kPhase);
         const PlotContent content = plotContentOf(isPhase ? text.mid(kPhase.size()) : text);
-        if (isPhase && content.channels.size() == 2) addPhasePlot(content.channels[0], content.channels[1]);
-        if (!isPhase) addPlot(content);
+        if (isPhase && content.channels.size() == 2) makePhasePlot(content.channels[0], content.channels[1]);
+        if (!isPhase) makePlot(content);
     }
-    if (m_plots.empty()) addPlot(plotContentOf(kUsual));
-    restoreState(sizes);
+    if (m_plots.empty()) makePlot(plotContentOf(kUsual));
+    QList<int> sizes;
+    for (const QString &height : heights) sizes += std::clamp(height.toInt(), 0, QWIDGETSIZE_MAX);
+    if (sizes.size() == QSplitter::count()) setSizes(sizes);
 }
 
 // In the order in which they are: those over time first.
@@ -177,8 +190,10 @@ void PlotStack::remember() {
     QStringList contents;
     for (const QuantityPlot *plot : m_plots) contents += textOf(plot->content());
     for (const PhasePlot *plot : m_phasePlots) contents += kPhase + textOf(PlotContent{{plot->x(), plot->y()}, false});
+    QStringList heights;
+    for (const int height : sizes()) heights += QString::number(height);
     m_settings.setValue(settings_keys::kPlots, contents);
-    m_settings.setValue(settings_keys::kPlotSizes, saveState());
+    m_settings.setValue(settings_keys::kPlotSizes, heights);
 }
 
 bool PlotStack::save(const QString &path, QString *error) {

@@ -51,6 +51,9 @@ signals:
     void bounceClicked(double time); // s
 
 private:
+    // Without being remembered.
+    QuantityPlot *makePlot(const PlotContent &content);
+    PhasePlot *makePhasePlot(Channel x, Channel y);
     void offerMenu(QWidget *plot);
     void restore();
     void remember();

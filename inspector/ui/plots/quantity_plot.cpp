@@ -45,9 +45,11 @@ PlotContent plotContentOf(const QString &text) {
     PlotContent content;
     content.isLogarithmic = text.startsWith(kLogarithmic);
     const QString ids = content.isLogarithmic ? text.mid(kLogarithmic.size()) : text;
+    std::vector<Channel> &channels = content.channels;
     for (const QString &id : ids.split(QLatin1Char(','), Qt::SkipEmptyParts))
         for (size_t i = 0; i < kChannelCount; ++i)
-            if (id == QLatin1String(channelInfos()[i].id)) content.channels.push_back(Channel(i));
+            if (id == QLatin1String(channelInfos()[i].id) && std::ranges::count(channels, Channel(i)) == 0)
+                channels.push_back(Channel(i));
     return content;
 }
 

@@ -2,6 +2,7 @@
 // The second ball on the simulation's thread, in a session, and in a table: there when asked for, and else no trace.
 #include "core/pilot/autopilot.h"
 #include "core/session/session.h"
+#include "core/setup/settings_file.h"
 #include "headless_run.h"
 #include "scenes.h"
 #include "support/compare.h"
@@ -109,7 +110,7 @@ private:
 
 void TestComparison::init() {
     m_folder = std::make_unique<QTemporaryDir>();
-    m_settings = std::make_unique<QSettings>(path("settings.ini"), QSettings::IniFormat);
+    m_settings = std::make_unique<QSettings>(path("settings.ini"), settingsFormat());
 }
 
 std::unique_ptr<Session> TestComparison::open(const Options &options) {

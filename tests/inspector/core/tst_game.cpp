@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The rules of the game.
 #include "core/session/game.h"
+#include "core/setup/settings_file.h"
 
 #include <QSettings>
 #include <QSignalSpy>
@@ -49,7 +50,7 @@ private:
 void TestGame::init() {
     m_game.reset();
     m_folder = std::make_unique<QTemporaryDir>();
-    m_settings = std::make_unique<QSettings>(m_folder->filePath("settings.ini"), QSettings::IniFormat);
+    m_settings = std::make_unique<QSettings>(m_folder->filePath("settings.ini"), settingsFormat());
     m_game = std::make_unique<Game>(kMazes, *m_settings);
 }
 
@@ -166,7 +167,7 @@ void TestGame::bestTimesOutliveTheGame() {
     m_game->confirm();
     m_game->leaveMaze(7.25, false);
     m_settings->sync();
-    QSettings again(m_settings->fileName(), QSettings::IniFormat);
+    QSettings again(m_settings->fileName(), settingsFormat());
     const Game other(kMazes, again);
     QCOMPARE(other.bestTime(2), 7.25);
     QVERIFY(!other.bestTime(1));
@@ -181,7 +182,7 @@ void TestGame::bestTimesBelongToTheMazeNotToItsNumber() {
 }
 
 void TestGame::theBetterOfTwoWindowsTimesStays() {
-    QSettings settings(m_settings->fileName(), QSettings::IniFormat);
+    QSettings settings(m_settings->fileName(), settingsFormat());
     Game other(kMazes, settings);
     QVERIFY(!other.bestTime(0)); // as it is when that window opens
     m_game->confirm();
@@ -189,7 +190,7 @@ void TestGame::theBetterOfTwoWindowsTimesStays() {
     other.confirm();
     other.leaveMaze(9.0, false);
     QVERIFY(!other.isRecord());
-    const QSettings after(m_settings->fileName(), QSettings::IniFormat);
+    const QSettings after(m_settings->fileName(), settingsFormat());
     QCOMPARE(after.value("best_times/a").toDouble(), 5.0);
 }
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The program itself, from the outside: output, messages, exit status; no display.
+#include <QDir>
 #include <QFileInfo>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <sys/stat.h>
 
 #include <csignal>
 
@@ -19,9 +22,15 @@ private slots:
     void displayThatCantBeOpenedGivesStatus2AndOneLine_data();
     void displayThatCantBeOpenedGivesStatus2AndOneLine();
     void platformWithoutOpenGLGetsAFlatPicture();
+    void picturesOfOneCommandAreTheSame();
     void askedFor3dWithoutOpenGLGivesStatus2AndOneLine();
     void whatAFullStandardOutputLosesIsTold_data();
     void whatAFullStandardOutputLosesIsTold();
+    void whatAFileLimitLosesIsTold_data();
+    void whatAFileLimitLosesIsTold();
+    void settingsThatCantBeWrittenAreTold();
+    void settingsThatAreNoFileAreTold();
+    void settingsThatNameAHugeObjectEndNothing();
     void aClosedPipeEndsTheRunQuietlyAndItsRecordingWhole();
     void aClosedStandardOutputIsNoOtherFile();
     void aSignalLeavesTableAndRecordingWhole_data();
@@ -55,6 +64,15 @@ Result runOf(const QStringList &arguments, const QProcessEnvironment &environmen
     process.setProcessEnvironment(environment);
     process.start(INSPECTOR, arguments);
     return endOf(process);
+}
+
+// Of a window without a screen, whose settings are in a folder; Qt's own warnings are left out.
+QProcessEnvironment noScreen(const QString &settingsFolder) {
+    QProcessEnvironment environment = noDisplay();
+    environment.insert("QT_QPA_PLATFORM", "offscreen");
+    environment.insert("QT_LOGGING_RULES", "default.warning=false");
+    environment.insert("XDG_CONFIG_HOME", settingsFolder);
+    return environment;
 }
 
 // By a shell, for redirections and names of any bytes: $0 is the program, $1 a folder.
@@ -143,6 +161,21 @@ void TestProgram::platformWithoutOpenGLGetsAFlatPicture() {
     QVERIFY(QFile::exists(picture));
 }
 
+void TestProgram::picturesOfOneCommandAreTheSame() {
+    const QTemporaryDir folder;
+    QByteArrayList pictures;
+    for (const char *name : {"1.png", "2.png"}) {
+        const Result result = runOf(
+            {"--level", "2", "--autopilot", "--compare", "rk4", "--duration", "0.7", "--grab", folder.filePath(name)},
+            noScreen(folder.path()));
+        QVERIFY2(result.status == 0, result.messages.constData());
+        QFile picture(folder.filePath(name));
+        QVERIFY(picture.open(QIODevice::ReadOnly));
+        pictures += picture.readAll();
+    }
+    QVERIFY(pictures[0] == pictures[1]);
+}
+
 void TestProgram::askedFor3dWithoutOpenGLGivesStatus2AndOneLine() {
     QProcessEnvironment environment = noDisplay();
     environment.insert("QT_QPA_PLATFORM", "offscreen");
@@ -172,6 +205,71 @@ void TestProgram::whatAFullStandardOutputLosesIsTold() {
     QCOMPARE(result.status, 1);
     QVERIFY2(result.messages.contains("physics-inspector: 'standard output': No space left on device\n"),
              result.messages.constData());
+}
+
+void TestProgram::whatAFileLimitLosesIsTold_data() {
+    QTest::addColumn<QByteArray>("words");
+    QTest::newRow("standard output") << QByteArray("--headless --duration 1 >\"$1/t\"");
+    QTest::newRow("help") << QByteArray("--help >\"$1/t\"");
+    QTest::newRow("table") << QByteArray("--headless --duration 1 --csv \"$1/t\"");
+    QTest::newRow("table of a replay") << QByteArray("--replay \"$1/r\" --headless --csv \"$1/t\"");
+    QTest::newRow("recording") << QByteArray("--headless --duration 1 --record \"$1/t\" >/dev/null");
+    QTest::newRow("curves") << QByteArray("--trade 1 --steps 10ms --duration 0.1 --plot \"$1/t.svg\" >/dev/null");
+    QTest::newRow("picture") << QByteArray("--level 2 --grab \"$1/t.png\"");
+    QTest::newRow("recording of a window") << QByteArray("--duration 1 --autopilot --record \"$1/t\"");
+    QTest::newRow("table of a window") << QByteArray("--duration 1 --autopilot --csv \"$1/t\"");
+}
+
+void TestProgram::whatAFileLimitLosesIsTold() {
+    QFETCH(QByteArray, words);
+    const QTemporaryDir folder;
+    QCOMPARE(runOf({"--headless", "--duration", "0.3", "--record", folder.filePath("r")}).status, 0);
+    const Result result = runByShell(
+        "ulimit -f 1; export QT_QPA_PLATFORM=offscreen XDG_CONFIG_HOME=\"$1\"; exec \"$0\" " + words, folder.path());
+    QCOMPARE(result.status, 1);
+    QCOMPARE(result.messages.count("File too large\n"), 1);
+}
+
+void TestProgram::settingsThatCantBeWrittenAreTold() {
+    const QTemporaryDir folder;
+    QVERIFY(QDir(folder.path()).mkdir("libphysics"));
+    QFile settings(folder.filePath("libphysics/physics-inspector.conf"));
+    QVERIFY(settings.open(QIODevice::WriteOnly) && settings.write("window/theme=\"1\"\n") > 0);
+    settings.close();
+    QProcess process;
+    process.setProcessEnvironment(noScreen(folder.path()));
+    process.start("/bin/sh", {"-c", "ulimit -f 1; exec \"$0\" --record \"$1/r\"", INSPECTOR, folder.path()});
+    QVERIFY(process.waitForStarted());
+    QTRY_VERIFY(QFile::exists(folder.filePath("r")));
+    process.terminate();
+    const Result result = endOf(process);
+    QCOMPARE(result.status, 128 + SIGTERM);
+    QVERIFY2(result.messages.contains("physics-inspector.conf': settings can't be read or written\n"),
+             result.messages.constData());
+    QVERIFY(settings.open(QIODevice::ReadOnly));
+    QCOMPARE(settings.readAll(), QByteArray("window/theme=\"1\"\n"));
+}
+
+void TestProgram::settingsThatAreNoFileAreTold() {
+    const QTemporaryDir folder;
+    QVERIFY(QDir(folder.path()).mkdir("libphysics"));
+    QCOMPARE(::mkfifo(folder.filePath("libphysics/physics-inspector.conf").toUtf8().constData(), 0600), 0);
+    const Result result = runOf({"--duration", "0"}, noScreen(folder.path()));
+    QCOMPARE(result.status, 0);
+    QVERIFY2(isOneLine(result.messages) && result.messages.endsWith(": settings aren't kept: it is no file\n"),
+             result.messages.constData());
+}
+
+void TestProgram::settingsThatNameAHugeObjectEndNothing() {
+    const QTemporaryDir folder;
+    QVERIFY(QDir(folder.path()).mkdir("libphysics"));
+    QFile settings(folder.filePath("libphysics/physics-inspector.conf"));
+    QVERIFY(settings.open(QIODevice::WriteOnly));
+    settings.write("[window]\ntheme=@Variant(\\0\\0\\0\\tix0x6`2)\n");
+    settings.close();
+    const Result result = runOf({"--duration", "0"}, noScreen(folder.path()));
+    QCOMPARE(result.status, 0);
+    QCOMPARE(result.messages, QByteArray());
 }
 
 void TestProgram::aClosedPipeEndsTheRunQuietlyAndItsRecordingWhole() {

@@ -3,6 +3,7 @@
 #include "core/recording/recorder.h"
 #include "core/recording/replay.h"
 #include "core/session/session.h"
+#include "core/setup/settings_file.h"
 #include "core/trade/recording_schedule.h"
 #include "headless_run.h"
 #include "scenes.h"
@@ -271,7 +272,7 @@ void TestRecording::sessionOfAPersonReplaysTheSame() {
     options.level = options.levels[0];
     options.speed = Simulation::kFastest;
     options.record = path("r");
-    QSettings settings(path("settings.ini"), QSettings::IniFormat);
+    QSettings settings(path("settings.ini"), settingsFormat());
     QString error;
     auto session = Session::open(options, settings, &error);
     QVERIFY2(session, qPrintable(error));
@@ -314,7 +315,7 @@ void TestRecording::recordingOfAPartReplaysTheSame() {
     options.levels = levelsIn(LEVELS_FOLDER);
     options.level = options.levels[0];
     options.speed = Simulation::kFastest;
-    QSettings settings(path("settings.ini"), QSettings::IniFormat);
+    QSettings settings(path("settings.ini"), settingsFormat());
     const auto session = Session::open(options, settings, nullptr);
     QVERIFY(session && !session->isRecording());
     QVERIFY(session->parameters().set({{"tilt_x", 2.0}}));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is open, joined together: as the window uses it.
 #include "core/session/session.h"
+#include "core/setup/settings_file.h"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -58,7 +59,7 @@ Options optionsOf(int level) {
 
 void TestSession::init() {
     m_folder = std::make_unique<QTemporaryDir>();
-    m_settings = std::make_unique<QSettings>(m_folder->filePath("settings.ini"), QSettings::IniFormat);
+    m_settings = std::make_unique<QSettings>(m_folder->filePath("settings.ini"), settingsFormat());
     QString error;
     m_session = Session::open(optionsOf(1), *m_settings, &error);
     QVERIFY2(m_session, qPrintable(error));

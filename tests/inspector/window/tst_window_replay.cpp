@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A recording is watched in the window: opened in every way there is, moved through by mouse and keys, taken over.
 #include "core/recording/recording.h"
+#include "core/setup/settings_file.h"
 #include "gl/maze_view.h"
 #include "support/files.h"
 #include "ui/game/game_strip.h"
@@ -121,7 +122,7 @@ QString TestWindowReplay::recorded() {
     options.level = options.levels[2];
     options.record = file;
     options.settings = {{"restitution_wall", 0.25}};
-    QSettings settings(m_fixture->path("other.ini"), QSettings::IniFormat);
+    QSettings settings(m_fixture->path("other.ini"), inspector::settingsFormat());
     const auto session = inspector::Session::open(options, settings, nullptr);
     Simulation &simulation = session->simulation();
     const auto step = [&](uint64_t steps) {
@@ -478,7 +479,7 @@ void TestWindowReplay::unattendedReplayEndsAtADifference() {
     options.replay = recorded();
     options.duration = 4.0;
     flipHash(options.replay, 57);
-    QSettings settings(m_fixture->path("third.ini"), QSettings::IniFormat);
+    QSettings settings(m_fixture->path("third.ini"), inspector::settingsFormat());
     const auto session = inspector::Session::open(options, settings, nullptr);
     QVERIFY(session);
     inspector::ui::UnattendedRun run(*session, options);
@@ -511,7 +512,7 @@ void TestWindowReplay::pictureIsOfTheMomentAskedFor() {
     options.grab = m_fixture->path("picture.png");
     if (duration >= 0.0) options.duration = duration;
     if (!isSame) flipHash(options.replay, 57);
-    QSettings settings(m_fixture->path("third.ini"), QSettings::IniFormat);
+    QSettings settings(m_fixture->path("third.ini"), inspector::settingsFormat());
     const auto session = inspector::Session::open(options, settings, nullptr);
     QVERIFY(session);
     inspector::ui::UnattendedRun run(*session, options);

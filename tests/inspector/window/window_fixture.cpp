@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "window_fixture.h"
 
+#include "core/setup/settings_file.h"
 #include "gl/maze_view.h"
 #include "gl/surface_format.h"
 
@@ -38,7 +39,7 @@ void prepare() { QSurfaceFormat::setDefaultFormat(inspector::gl::surfaceFormat()
 
 Fixture::Fixture(int level, inspector::gl::Drawing drawing)
     : m_drawing(drawing)
-    , m_settings(m_folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat) {
+    , m_settings(m_folder.filePath(QStringLiteral("settings.ini")), inspector::settingsFormat()) {
     m_settings.setValue(QStringLiteral("window/show_way_ahead"), false); // it comes when it comes
     QString error;
     m_session = inspector::Session::open(optionsOf(level), m_settings, &error);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Any bytes as a settings file: a best time is a time, a choice is one of those there are, and a win is kept.
 #include "core/session/game.h"
+#include "core/setup/settings_file.h"
 #include "core/setup/stored_values.h"
 #include "input.h"
 
@@ -20,7 +21,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
                  file.write(reinterpret_cast<const char *>(data), qint64(size)) >= 0);
     file.close();
 
-    QSettings settings(path, QSettings::IniFormat);
+    QSettings settings(path, settingsFormat());
     for (const char *key : {"window/quality", "window/theme", "window/geometry"}) {
         const std::optional<int> choice = storedChoice(settings, QString::fromLatin1(key), 3);
         fuzz::demand(!choice || (*choice >= 0 && *choice < 3));

@@ -48,6 +48,7 @@ private slots:
     void wrongOptionsGiveOneLineAndNoFile_data();
     void wrongOptionsGiveOneLineAndNoFile();
     void aFileThatCannotBeWrittenIsNamedAndNothingIsLeft();
+    void aFileLimitIsToldAndNothingIsLeft();
     void helpListsEveryOption();
     void versionIsThatOfTheProject();
     void filesOfAnotherKindAreNotReplaced();
@@ -198,6 +199,18 @@ void TestMazegen::aFileThatCannotBeWrittenIsNamedAndNothingIsLeft() {
     QCOMPARE(taken.errors, QString("mazegen: maze.obj: cannot replace: Is a directory\n"));
     QCOMPARE(taken.status, 1);
     QCOMPARE(filesIn(folder.path()), QStringList{"maze.obj"});
+}
+
+void TestMazegen::aFileLimitIsToldAndNothingIsLeft() {
+    QTemporaryDir folder;
+    QProcess process;
+    process.setWorkingDirectory(folder.path());
+    process.start("/bin/sh", {"-c", "ulimit -f 1; exec \"$0\" --seed 7 --cells 20x20", MAZEGEN});
+    QVERIFY(process.waitForFinished(30'000));
+    QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(process.exitCode(), 1);
+    QCOMPARE(process.readAllStandardError(), QByteArray("mazegen: maze.obj: cannot write: File too large\n"));
+    QCOMPARE(filesIn(folder.path()), QStringList());
 }
 
 void TestMazegen::helpListsEveryOption() {
