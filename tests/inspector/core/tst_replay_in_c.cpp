@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// A recording is portable: the example in C, which knows the library alone, says of it what the inspector says.
+#include "support/files.h"
+
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+using support::contentOf;
+
+class TestReplayInC : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void sameIsSame_data();
+    void sameIsSame();
+    void severalRunsInOneFileAreSame();
+    void stepThatFailedFailsAgain();
+    void cutOffRecordingIsSameAsFarAsItGoes();
+    void differenceIsAtTheSameStep();
+    void anotherMazeIsRefused();
+    void whatIsNoRecordingIsRefused_data();
+    void whatIsNoRecordingIsRefused();
+
+private:
+    struct Result {
+        int status;
+        QByteArray out, messages;
+    };
+    static Result runOf(const QString &program, const QStringList &words);
+    Result inspector(const QStringList &words) const { return runOf(INSPECTOR, words); }
+    // With levels 1 to 3 to choose from.
+    Result inC(const QString &file) const;
+    QString recorded(const QStringList &words);
+    QString written(const QByteArray &bytes);
+    void compareVerdicts(const QString &file, int status);
+
+    QTemporaryDir m_folder;
+    int m_files = 0;
+};
+
+namespace {
+
+const QStringList kLevels{LEVELS_FOLDER "/01.txt", LEVELS_FOLDER "/02.txt", LEVELS_FOLDER "/03.txt"};
+
+} // namespace
+
+TestReplayInC::Result TestReplayInC::runOf(const QString &program, const QStringList &words) {
+    QProcess process;
+    process.start(program, words);
+    const bool hasEnded = process.waitForFinished(60000) && process.exitStatus() == QProcess::NormalExit;
+    return {hasEnded ? process.exitCode() : -1, process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+TestReplayInC::Result TestReplayInC::inC(const QString &file) const {
+    return runOf(REPLAY, QStringList{file} + kLevels);
+}
+
+QString TestReplayInC::recorded(const QStringList &words) {
+    QString file = m_folder.filePath(QString::number(++m_files));
+    const Result result = inspector(QStringList{"--headless", "--csv", file + ".csv", "--record", file} + words);
+    [&] { QVERIFY2(result.status == 0 || result.status == 1, result.messages.constData()); }();
+    return file;
+}
+
+QString TestReplayInC::written(const QByteArray &bytes) {
+    QString path = m_folder.filePath(QString::number(++m_files));
+    QFile file(path);
+    [&] { QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size()); }();
+    return path;
+}
+
+void TestReplayInC::compareVerdicts(const QString &file, int status) {
+    const Result expected = inspector({"--replay", file, "--check"});
+    const Result found = inC(file);
+    QCOMPARE(found.out, expected.out);
+    QCOMPARE(found.messages, QByteArray());
+    QCOMPARE(found.status, expected.status);
+    QCOMPARE(found.status, status);
+}
+
+void TestReplayInC::initTestCase() { QVERIFY(m_folder.isValid()); }
+
+void TestReplayInC::sameIsSame_data() {
+    QTest::addColumn<QStringList>("words");
+    for (const char *stepper : {"explicit-euler", "symplectic-euler", "velocity-verlet", "rk4", "swept", "exact"})
+        for (const char *model : {"rolling", "rigid"})
+            QTest::addRow("%s, %s", stepper, model) << QStringList{
+                "--level", "3", "--autopilot", "--duration", "3", "--stepper", stepper, "--model", model};
+    QTest::newRow("other parameters") << QStringList{"--level",    "1", "--tilt-x",           "7",  "--dt", "1/60",
+                                                     "--duration", "2", "--restitution-wall", "0.9"};
+}
+
+void TestReplayInC::sameIsSame() {
+    QFETCH(QStringList, words);
+    compareVerdicts(recorded(words), 0);
+}
+
+void TestReplayInC::severalRunsInOneFileAreSame() {
+    QByteArray first = contentOf(recorded({"--level", "1", "--tilt-x", "3", "--duration", "0.5"}));
+    first.chop(4); // end
+    const QByteArray second =
+        contentOf(recorded({"--level", "2", "--stepper", "rk4", "--dt", "5ms", "--duration", "0.5"}));
+    compareVerdicts(written(first + second.mid(second.indexOf("level "))), 0);
+}
+
+void TestReplayInC::stepThatFailedFailsAgain() {
+    const QString file = recorded({"--level", "1", "--tilt-x", "80", "--dt", "10", "--duration", "1000"});
+    QVERIFY(contentOf(file).contains("\nfailed "));
+    compareVerdicts(file, 0);
+}
+
+void TestReplayInC::cutOffRecordingIsSameAsFarAsItGoes() {
+    QByteArray text = contentOf(recorded({"--level", "1", "--tilt-x", "3", "--duration", "0.5"}));
+    text.chop(11); // end, and a half of the last hash
+    compareVerdicts(written(text), 0);
+}
+
+void TestReplayInC::differenceIsAtTheSameStep() {
+    QByteArray text = contentOf(recorded({"--level", "1", "--tilt-x", "3", "--duration", "0.5"}));
+    char &digit = text[text.size() - 6 - 17 * 20]; // the last of a hash
+    digit = digit == '0' ? '1' : '0';
+    compareVerdicts(written(text), 1);
+}
+
+void TestReplayInC::anotherMazeIsRefused() {
+    const QString file = recorded({"--level", "4", "--duration", "0.1"});
+    const Result result = inC(file);
+    QCOMPARE(result.status, 2);
+    QVERIFY2(result.messages.endsWith(": none of the levels given has the hash in this line\n"),
+             result.messages.constData());
+}
+
+void TestReplayInC::whatIsNoRecordingIsRefused_data() {
+    QTest::addColumn<QByteArray>("text");
+    const QByteArray head("physics-recording 1\n");
+    QTest::newRow("nothing") << QByteArray();
+    QTest::newRow("another version") << QByteArray("physics-recording 2\n");
+    QTest::newRow("a step of nothing") << head + "0123456789abcdef\n";
+    QTest::newRow("an unknown word") << head + "jump 3\n";
+    QTest::newRow("half a state") << head + "state 0 0 0\n";
+    QTest::newRow("no number") << head + "dt soon\n";
+    QTest::newRow("a long line") << head + "failed " + QByteArray(100000, 'a') + "\n";
+}
+
+void TestReplayInC::whatIsNoRecordingIsRefused() {
+    QFETCH(QByteArray, text);
+    const Result result = inC(written(text));
+    QCOMPARE(result.status, 2);
+    QCOMPARE(result.messages.count('\n'), 1);
+}
+
+QTEST_GUILESS_MAIN(TestReplayInC)
+#include "tst_replay_in_c.moc"
