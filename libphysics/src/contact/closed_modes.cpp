@@ -157,7 +157,8 @@ Response respondAlone(const Moment &moment, const Held &contact, double zero, Re
     const Vec3 free = tangential(moment.gravity - glm::cross(moment.spin, contact.across * moment.velocity), n);
     const bool slips = reaction.slip != Vec3(0.0);
     Vec3 friction = -2.0 / 7.0 * free;
-    const bool holds = !slips && glm::length(friction) <= contact.friction * N + kFits * accelerationScale(moment);
+    const double most = contact.friction * N + kFits * accelerationScale(moment);
+    const bool holds = !slips && glm::length(friction) <= most + roundingOfLimit(moment, contact.friction);
     reaction.mode = slips ? Mode::slipping : holds ? Mode::sticking : Mode::starting;
     if (contact.friction == 0.0) reaction.mode = Mode::smooth;
     reaction.direction = slips ? hat(reaction.slip) : holds ? Vec3(0.0) : hat(free);

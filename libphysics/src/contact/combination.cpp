@@ -81,6 +81,15 @@ void solve(Combination &c) {
     accelerate(c);
 }
 
+namespace {
+
+bool isWithinCone(const Combination &c, uint32_t i, double zero) {
+    const double mu = c.held[i].friction, most = zero + roundingOfLimit(c.moment, mu);
+    return reserve(c.held[i], c.reactions[i], c.rolling) >= -2.0 * most * mu * c.reactions[i].pressure - zero * zero;
+}
+
+} // namespace
+
 bool fits(const Combination &c, double zero) {
     for (uint32_t i = 0; i < c.count(); ++i) {
         const Reaction &reaction = c.reactions[i];
@@ -97,9 +106,7 @@ bool fits(const Combination &c, double zero) {
             if (std::abs(apart) > zero || reaction.pressure < -zero) return false;
             if (c.held[i].isGlued) break;
             if (glm::length(slipRate(c, i)) > zero) return false;
-            if (reserve(c.held[i], reaction, c.rolling) <
-                -2.0 * zero * c.held[i].friction * reaction.pressure - zero * zero)
-                return false;
+            if (!isWithinCone(c, i, zero)) return false;
             break;
         default:
             if (std::abs(apart) > zero || reaction.pressure < -zero) return false;

@@ -145,6 +145,10 @@ double accelerationScale(const Moment &moment) {
            moment.radius * squared(moment.spin);
 }
 
+double roundingOfLimit(const Moment &moment, double friction) {
+    return 16.0 * 0x1p-52 * friction * accelerationScale(moment);
+}
+
 double speedScale(const Moment &moment) {
     return glm::length(moment.velocity) + moment.radius * glm::length(moment.spin) +
            std::sqrt(moment.radius * glm::length(moment.gravity));

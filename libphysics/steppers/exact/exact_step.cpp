@@ -251,11 +251,13 @@ void ExactStep::follow(const P &phase, const End &end, const Border &border) {
     m_elapsed += passed;
     m_left -= passed;
     settle(end, border);
+    if (passed > t) m_position += (passed - t) * m_motion.velocity;
 }
 
 /// What the end of a phase makes exact.
 void ExactStep::settle(const End &end, const Border &border) {
     const double before = glm::length(m_motion.velocity);
+    turnNormals();
     if (end.cause == Cause::stop) {
         const Vec3 n = m_held[end.contact].normal;
         event(PHYS_EVENT_STOP, before, 0.0);
@@ -291,6 +293,21 @@ void ExactStep::clearSlips(const End &end, double rounding) {
     if (m_scene.radius * glm::length(m_motion.spin) <= rounding) m_motion.spin = Vec3(0.0);
 }
 
+/// To where the phase has led round edges and corners.
+void ExactStep::turnNormals() {
+    for (uint32_t i = 0; i < m_heldCount; ++i) {
+        const Contact &contact = contactOf(i);
+        if (contact.isFace() || !isClosed(i)) continue;
+        const phys_box &box = m_scene.boxes[contact.box];
+        Vec3 away(0.0);
+        for (int axis = 0; axis < 3; ++axis) {
+            const int side = contact.sides[axis];
+            if (side != 0) away[axis] = m_position[axis] - (side > 0 ? (&box.max.x)[axis] : (&box.min.x)[axis]);
+        }
+        m_held[i].normal = hat(away);
+    }
+}
+
 /// Lasting contacts are kept at the radius, and nothing is left of a velocity across them.
 void ExactStep::keepContacts() {
     const double R = m_scene.radius;
@@ -298,12 +315,7 @@ void ExactStep::keepContacts() {
         if (!isClosed(i)) continue;
         const Contact &contact = contactOf(i);
         const phys_box &box = m_scene.boxes[contact.box];
-        Vec3 away(0.0);
-        for (int axis = 0; axis < 3; ++axis) {
-            const int side = contact.sides[axis];
-            if (side != 0) away[axis] = m_position[axis] - (side > 0 ? (&box.max.x)[axis] : (&box.min.x)[axis]);
-        }
-        const Vec3 n = contact.isFace() ? contact.normal : hat(away);
+        const Vec3 &n = m_held[i].normal;
         const double speed = glm::dot(m_motion.velocity, n);
         for (int axis = 0; axis < 3; ++axis) {
             const int side = contact.sides[axis];
@@ -336,7 +348,7 @@ bool ExactStep::stick(uint32_t i, double most) {
     const double R = m_scene.radius;
     const Vec3 slip = slipAt(moment(), held.normal);
     if (slip == Vec3(0.0) || glm::length(slip) > most) return false;
-    if (held.normal.z == 1.0) {
+    if (contactOf(i).isTop) {
         // On a floor: the spin that belongs to the velocity to the last bit.
         m_motion.velocity -= 2.0 / 7.0 * Vec3(slip.x, slip.y, 0.0);
         const Vec3 rolls = rollingSpin(inPlane(m_motion.velocity), R);

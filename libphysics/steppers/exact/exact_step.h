@@ -101,6 +101,7 @@ private:
     void follow(const P &phase, const End &end, const Border &border);
     bool isOpen(double acceleration) const;
     void settle(const End &end, const Border &border);
+    void turnNormals();
     void keepContacts();
     void clearSlips(const End &end, double rounding);
     bool sticks(uint32_t i, const End &end) const;

@@ -34,7 +34,7 @@ struct End {
     double after = kNever; ///< s
     Cause cause = Cause::time;
     uint32_t contact = 0; ///< that it happens at
-    double rest = 0.0;    ///< s that a vanishing speed still takes to its end: the ball goes nowhere in it
+    double rest = 0.0;    ///< s that a vanishing speed still takes to its end: the ball's own velocity lasts so long
 
     void cut(const End &other) {
         if (other.after < after) *this = other;

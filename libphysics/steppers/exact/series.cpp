@@ -452,6 +452,12 @@ Jet Series::reserveOf(const Contact &contact) const {
     return left;
 }
 
+/// A reserve that is none but for rounding.
+double Series::noReserve(const Contact &contact) const {
+    const double mu = contact.held.friction;
+    return 2.0 * (m_noForce + roundingOfLimit(m_moment, mu)) * mu * contact.N[0];
+}
+
 uint32_t Series::opening() const {
     uint32_t bits = 0;
     const double zero = m_noForce;
@@ -469,7 +475,7 @@ uint32_t Series::spent(std::span<Vec3> slips) const {
         const Contact &contact = m_contacts[i];
         if (contact.mode != Mode::sticking || contact.held.isGlued || contact.isKept) continue;
         const Jet left = reserveOf(contact);
-        const double most = contact.held.friction * contact.N[0], zero = 2.0 * m_noForce * most;
+        const double most = contact.held.friction * contact.N[0], zero = noReserve(contact);
         if (left[0] > zero || !falls(left, zero, soon)) continue;
         bits |= 1U << given(i);
         // Where all friction is less than rounding it has no direction yet.
@@ -501,7 +507,7 @@ End Series::end(double until, Work &work) const {
             end.cut(zeroOf(slipSpeed(contact), s, kSlipEnds * speed, Cause::grip, given(i), work));
         } else if (contact.mode == Mode::sticking && !contact.held.isGlued && !contact.isKept) {
             Jet left = reserveOf(contact);
-            const double zero = 2.0 * noForce * contact.held.friction * contact.N[0];
+            const double zero = noReserve(contact);
             if (left[0] <= zero) left[0] += zero + noForce * noForce;
             end.cut({m_unit * firstFall(left, s, work), Cause::spent, given(i)});
         }

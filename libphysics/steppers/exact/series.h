@@ -101,6 +101,7 @@ private:
     void measure();
     VecJet frictionOf(const Contact &contact) const;
     Jet reserveOf(const Contact &contact) const;
+    double noReserve(const Contact &contact) const;
     End zeroOf(const Jet &speed, double until, double small, Cause cause, uint32_t contact, Work &work) const;
     Jet slipSpeed(const Contact &contact) const;
 };
