@@ -30,11 +30,11 @@ void WitnessCases::aCaseHolds() {
     QFETCH(QByteArray, path);
     QFETCH(QByteArray, stepper);
     for (const witness::Case &scene : witness::readCases(path.toStdString())) {
+        const bool hasToEnd = scene.check == "ends";
+        if (hasToEnd && scene.stepper != stepper.toStdString()) continue;
         const witness::Verdict verdict = witness::judge(nullptr, stepper.toStdString(), scene);
         QVERIFY2(verdict.check.empty(), (scene.name + ": " + verdict.check + ": " + verdict.what).c_str());
-        if (scene.check == "ends" && scene.stepper == stepper.toStdString()) {
-            QVERIFY2(verdict.status == PHYS_OK, (scene.name + ": " + verdict.statusText).c_str());
-        }
+        if (hasToEnd) QVERIFY2(verdict.status == PHYS_OK, (scene.name + ": " + verdict.statusText).c_str());
     }
 }
 
