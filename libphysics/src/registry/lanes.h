@@ -32,8 +32,9 @@ struct Lanes {
     LaneNumbers rests;      ///< 1: the ball is at rest, 0: it moves
     double dt;              ///< s
     double reach;           ///< m: longest way of a step
-    double radius;          ///< m
-    bool resists;           ///< whether there is rolling friction; the same for all
+    double isOpen; ///< 1: there is nothing but one floor, which the ball must not leave; 0: there are other boxes
+    double radius; ///< m
+    bool resists;  ///< whether there is rolling friction; the same for all
 };
 
 /// The ability of a built-in stepper to move balls so: what its `extension` answers to kLanesId.

@@ -21,9 +21,10 @@ public:
         , m_margin(4.0 * scene.tolerance)
         , m_clear(scene.radius + m_margin) {
         m_region.z = place.z;
+        const double window = scene.boxes.size() == 1 ? INFINITY : kWindow * scene.radius;
         for (int axis = 0; axis < 2; ++axis) {
-            m_region.along[axis].low = place[axis] - kWindow * scene.radius;
-            m_region.along[axis].high = place[axis] + kWindow * scene.radius;
+            m_region.along[axis].low = place[axis] - window;
+            m_region.along[axis].high = place[axis] + window;
         }
     }
 

@@ -41,6 +41,21 @@ ScenePointer loadScene(const std::filesystem::path &file) {
     return ScenePointer(loaded);
 }
 
+Scene topView(const phys_scene &scene) {
+    Scene walls;
+    phys_state start;
+    phys_scene_start(&scene, &start);
+    walls.radius = phys_scene_radius(&scene);
+    walls.rolls = true;
+    walls.start.position = {start.position.x, start.position.y};
+    const phys_box *boxes = phys_scene_boxes(&scene);
+    for (uint32_t i = 0; i < phys_scene_box_count(&scene); ++i) {
+        const phys_box &box = boxes[i];
+        if (box.max.z > start.position.z) walls.walls.push_back({box.min.x, box.min.y, box.max.x, box.max.y});
+    }
+    return walls;
+}
+
 StepperPointer createStepper(const std::string &id, const phys_scene &scene) {
     phys_error error;
     phys_stepper *created = nullptr;

@@ -23,6 +23,9 @@ void check(phys_status status, const phys_error &error);
 ScenePointer createScene(const Scene &scene);
 ScenePointer loadScene(const std::filesystem::path &file);
 
+// For engines in two dimensions: boxes that rise above the centre of a ball at the start are walls.
+Scene topView(const phys_scene &scene);
+
 // The scene must outlive the stepper.
 StepperPointer createStepper(const std::string &id, const phys_scene &scene);
 

@@ -29,10 +29,11 @@ ScenePtr openRoom() {
         .build();
 }
 
-/// A floor of tiles with walls, kerbs, low roofs and floating boxes, on a coarse raster: many are flush, and many gaps
-/// are as wide as the ball.
+/// A floor alone; or one of tiles with walls, kerbs, low roofs and floating boxes, on a coarse raster: many are flush,
+/// and many gaps are as wide as the ball.
 ScenePtr clutteredFloor(Random &random) {
     SceneBuilder scene;
+    if (random.below(5) == 0) return scene.ball(0.0625).start(0.5, 0.5).floor(0, 0, 4, 2).build();
     scene.ball(0.0625).start(0.5, 0.5).floor(0, 0, 2, 2).floor(2, 0, 4, 2);
     for (const uint32_t count = 4 + random.below(12); scene.boxes().size() < count;) {
         const double x = 0.125 * random.below(30), y = 0.125 * random.below(14);
@@ -144,10 +145,11 @@ Case drawLong(Random &random) {
         if (i % 50 == 0) gravity = {strength * random.between(-2, 2), random.between(-2, 2), -9.75};
         made.gravity.push_back(gravity);
     }
+    const double fastest = random.below(3) ? 1.0 : 6.0;
     for (uint64_t i = 0; i < made.balls; ++i) {
         phys_state state{};
         state.position = {0.125 * random.below(30) + 0.0625, 0.125 * random.below(14) + 0.0625, 0.0625};
-        if (random.below(2)) state.velocity = {random.between(-1, 1), random.between(-1, 1), 0.0};
+        if (random.below(2)) state.velocity = {fastest * random.between(-1, 1), fastest * random.between(-1, 1), 0.0};
         if (random.below(4) == 0) state.spin = {0.0, 0.0, random.between(-9, 9)};
         if (random.below(8) == 0) state.time = 0.1; // not the time that its steps have taken
         state.step = random.below(3);
