@@ -364,12 +364,17 @@ private:
         return 1e-13 * static_cast<double>(largest);
     }
 
-    /// How much a step may make: the first-order steppers (force dt)^2 / 2 in flight; what is pushed out of a box that
-    /// the ball was given in is lifted; in the rolling model a landing may speed the spin up to v/R (model.md 9).
+    /// How much a step may make: the first-order steppers (force dt)^2 / 2 in flight; what is pushed out of boxes that
+    /// the ball was given in is lifted, out of several maybe by more than it is deep in either; in the rolling model a
+    /// landing may speed the spin up to v/R (model.md 9).
     void checkEnergy(const Leg &leg, const phys_state &in, const phys_state &out) {
         const double g = static_cast<double>(length(vectorOf(leg.gravity)));
         const double rise = static_cast<double>(energyOf(out, leg.gravity) - energyOf(in, leg.gravity));
-        double allowed = energyNoise(leg, in, out) + 3 * g * depthAt(in.position);
+        const double depth = depthAt(in.position);
+        double allowed = energyNoise(leg, in, out) + 3 * g * depth;
+        if (depth > roundingOf(in.position)) {
+            allowed += g * static_cast<double>(length(vectorOf(out.position) - vectorOf(in.position)));
+        }
         if (m_id != "exact" && m_id != "symplectic-euler") allowed += 0.51 * g * g * leg.dt * leg.dt;
         if (m_scene.params.model == PHYS_MODEL_ROLLING) {
             const double v = static_cast<double>(length(vectorOf(in.velocity))) + g * leg.dt;

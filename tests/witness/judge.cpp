@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "judge.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
@@ -34,7 +35,13 @@ public:
     }
 
 private:
+    /// A box without inside is another fault's scene.
+    static bool isSolid(const phys_box &box) {
+        return box.min.x < box.max.x && box.min.y < box.max.y && box.min.z < box.max.z;
+    }
+
     bool keeps(const Case &candidate) {
+        if (!std::all_of(candidate.boxes.begin(), candidate.boxes.end(), isSolid)) return false;
         if (++m_trials > kMostTrials) return false;
         const Verdict verdict = judge(m_registry, m_stepper, candidate);
         if (verdict.check != m_verdict.check) return false;

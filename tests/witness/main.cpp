@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Draws scenes and holds steppers against them until so many runs (scenes x steppers x models) are done.
 // Usage: witness RUNS [--seed N] [--stepper ID]... [--model rolling|rigid] [--kind KIND] [--plugin FILE] [--known FILE]
-//                     [--cases FOLDER] [--seconds S]
+//                     [--cases FOLDER] [--seconds S] [--only invariants|law]
 //        witness --replay FILE [--stepper ID] [--plugin FILE]      judges the cases of a file
 // Ends with 1 if anything was wrong that the list of known faults doesn't name.
 #include "draw.h"
@@ -20,7 +20,7 @@ using namespace witness;
 
 struct Arguments {
     double runs = 0;
-    std::string replay, plugin, known, cases, model, kind;
+    std::string replay, plugin, known, cases, model, kind, only;
     std::vector<std::string> steppers;
     uint64_t seed = 1;
     double seconds = 1e9;
@@ -50,6 +50,8 @@ Arguments parse(int argc, char **argv) {
             arguments.model = value;
         else if (word == "--kind")
             arguments.kind = value;
+        else if (word == "--only")
+            arguments.only = value;
         else if (word == "--seed")
             arguments.seed = std::strtoull(value.c_str(), nullptr, 10);
         else if (word == "--seconds")
@@ -101,6 +103,8 @@ int run(int argc, char **argv) {
     plan.firstSeed = arguments.seed;
     plan.runs = static_cast<uint64_t>(arguments.runs);
     plan.seconds = arguments.seconds;
+    plan.withInvariants = arguments.only != "law";
+    plan.withLaw = arguments.only != "invariants";
     plan.caseFolder = arguments.cases;
     if (!arguments.known.empty()) plan.known = KnownFaults(arguments.known);
     const Survey result = survey(plan);

@@ -35,10 +35,17 @@ public:
 
 private:
     void runScene(size_t kind, uint64_t seed, uint32_t model) {
+        if (m_plan.withInvariants) examineInvariants(kind, seed, model);
+        if (m_plan.withLaw) compareWithLaw(kind, seed, model);
+    }
+
+    void examineInvariants(size_t kind, uint64_t seed, uint32_t model) {
         const Case wild = drawCase(kind, seed, model);
         for (const std::string &stepper : m_plan.steppers)
             note(kind, wild, stepper, examine(m_plan.registry, stepper, wild));
-        if (!m_plan.withLaw) return;
+    }
+
+    void compareWithLaw(size_t kind, uint64_t seed, uint32_t model) {
         const Case tame = drawSmoothCase(kind, seed, model);
         const std::optional<Truth> truth = Truth::of(tame);
         if (!truth) ++m_survey.withoutAnswer;

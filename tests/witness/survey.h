@@ -36,7 +36,8 @@ struct Plan {
     std::vector<size_t> kinds;
     uint64_t firstSeed = 1;
     uint64_t runs = 0;      ///< scenes x steppers x models
-    bool withLaw = true;    ///< every tenth scene is held against the brute force
+    bool withInvariants = true;
+    bool withLaw = true;    ///< scenes are held against the brute force too, which takes most of the time
     double seconds = 1e9;   ///< after which no new seed is begun
     std::string caseFolder; ///< where to write failing cases, shrunk; "": they are named only
     KnownFaults known;
