@@ -43,43 +43,104 @@ void setCoefficients(const Setting &setting, Contact &contact) {
     contact.friction = !setting.isRigid() ? 0.0 : contact.isTop ? params.sliding_friction : params.wall_friction;
 }
 
-/// Makes one contact of two from opposite sides of a crack that is next to none, with the ball right above it: nothing
-/// tells them apart. It stays an edge, which the ball rolls off. False if they are others.
-bool joins(const Contact &contact, Contact &other) {
+/// Whether two contacts are at opposite sides of a crack that is next to none, with the ball right above it.
+bool areAcrossACrack(const Contact &a, const Contact &b) {
     bool any = false;
     for (int axis = 0; axis < 3; ++axis) {
-        if (contact.sides[axis] == other.sides[axis]) continue;
-        if (contact.sides[axis] != -other.sides[axis]) return false;
+        if (a.sides[axis] == b.sides[axis]) continue;
+        if (a.sides[axis] != -b.sides[axis]) return false;
         any = true;
     }
-    if (!any) return false;
+    return any;
+}
+
+/// One of two such contacts, moved to where nothing tells them apart. It stays an edge, which the ball rolls off.
+Contact joined(Contact contact, const Contact &other) {
     for (int axis = 0; axis < 3; ++axis) {
         if (contact.sides[axis] == other.sides[axis]) continue;
-        other.normal[axis] = 0.0;
-        other.point[axis] = 0.5 * (contact.point[axis] + other.point[axis]);
+        contact.normal[axis] = 0.0;
+        contact.point[axis] = 0.5 * (contact.point[axis] + other.point[axis]);
     }
-    other.normal = glm::normalize(other.normal);
-    return true;
+    contact.normal = glm::normalize(contact.normal);
+    return contact;
 }
+
+/// Collects contacts, each normal once. Which of several stays depends on where they are, never on their order.
+class Gathering {
+public:
+    Gathering(const Setting &setting, const Vec3 &position, const Vec3 &velocity, Contacts &contacts)
+        : m_setting(setting)
+        , m_position(position)
+        , m_velocity(velocity)
+        , m_contacts(contacts) {
+        contacts.clear();
+    }
+
+    /// Of two with the same normal the nearer one stays, within the tolerance the one with the fewest axes, of equals
+    /// the one that the ball moves along for longer; of too many the nearest.
+    void add(const Contact &contact) {
+        for (Contact &other : m_contacts) {
+            if (!isSameNormal(contact.normal, other.normal, m_setting.sameNormal)) continue;
+            // A stepper that looks ahead passes over the crack; another one goes from edge to edge.
+            const bool looksAhead = m_setting.sameNormal == kSameNormal;
+            if (looksAhead && contact.gap == other.gap && areAcrossACrack(contact, other)) {
+                other = liesAhead(contact, other) ? joined(contact, other) : joined(other, contact);
+            } else if (isPreferred(contact, other)) {
+                other = contact;
+            }
+            return;
+        }
+        if (!m_contacts.isFull()) return m_contacts.add(contact);
+        Contact &farthest = *std::max_element(m_contacts.begin(), m_contacts.end(),
+                                              [](const Contact &a, const Contact &b) { return a.gap < b.gap; });
+        if (contact.gap < farthest.gap) farthest = contact;
+    }
+
+private:
+    bool isPreferred(const Contact &a, const Contact &b) const {
+        const bool isFlush = std::abs(a.gap - b.gap) <= m_setting.tolerance;
+        if (isFlush && a.axes() != b.axes()) return a.axes() < b.axes();
+        return a.gap == b.gap ? liesAhead(a, b) : a.gap < b.gap;
+    }
+
+    /// Nothing but their boxes' ends tells two contacts apart: whether the ball leaves the second one's first.
+    bool liesAhead(const Contact &a, const Contact &b) const {
+        const auto outlook = [&](const Contact &contact) {
+            return std::tuple(endAlong(contact, m_velocity), endAlong(contact, m_setting.gravity()),
+                              nearestEnd(contact));
+        };
+        return outlook(b) < outlook(a);
+    }
+
+    /// How far along a direction, in its lengths, the box's end is.
+    double endAlong(const Contact &contact, const Vec3 &direction) const {
+        const phys_box &box = m_setting.scene.boxes[contact.box];
+        double nearest = INFINITY;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (std::abs(contact.normal[axis]) > kSameNormal || direction[axis] == 0.0) continue;
+            const double end = direction[axis] > 0.0 ? (&box.max.x)[axis] : (&box.min.x)[axis];
+            nearest = std::min(nearest, (end - m_position[axis]) / direction[axis]);
+        }
+        return nearest;
+    }
+
+    double nearestEnd(const Contact &contact) const {
+        const phys_box &box = m_setting.scene.boxes[contact.box];
+        double nearest = INFINITY;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (std::abs(contact.normal[axis]) > kSameNormal) continue;
+            nearest = std::min({nearest, std::abs(m_position[axis] - (&box.min.x)[axis]),
+                                std::abs(m_position[axis] - (&box.max.x)[axis])});
+        }
+        return nearest;
+    }
+
+    const Setting &m_setting;
+    const Vec3 &m_position, &m_velocity;
+    Contacts &m_contacts;
+};
 
 } // namespace
-
-void Contacts::add(const Contact &contact, double tolerance, double sameNormal) {
-    for (Contact &other : *this) {
-        if (!isSameNormal(contact.normal, other.normal, sameNormal)) continue;
-        const bool isFlush = std::abs(contact.gap - other.gap) <= tolerance;
-        // A stepper that looks ahead passes over the crack; another one goes from edge to edge.
-        if (sameNormal == kSameNormal && contact.gap == other.gap && joins(contact, other)) return;
-        const bool isPreferred =
-            isFlush && contact.axes() != other.axes() ? contact.axes() < other.axes() : contact.gap < other.gap;
-        if (isPreferred) other = contact;
-        return;
-    }
-    if (!isFull()) return ShortList::add(contact);
-    Contact &farthest =
-        *std::max_element(begin(), end(), [](const Contact &a, const Contact &b) { return a.gap < b.gap; });
-    if (contact.gap < farthest.gap) farthest = contact;
-}
 
 void Contacts::dropHidden(double tolerance) {
     drop([&](const Contact &contact) {
@@ -140,7 +201,7 @@ bool findContacts(const Setting &setting, const Vec3 &position, const Motion &mo
             return squaredDistance(box, position + way) < overlapping * overlapping;
         });
     };
-    out.clear();
+    Gathering gathering(setting, position, motion.velocity, out);
     bool isOutside = true;
     double negligible = -1.0; // not needed before something is near
     visitNear(scene, position, touching + furthest, [&](const phys_box &box, uint32_t number) {
@@ -167,7 +228,7 @@ bool findContacts(const Setting &setting, const Vec3 &position, const Motion &mo
         contact.gap = distance - scene.radius;
         contact.restSpeed = 0.0;
         contact.box = number;
-        out.add(contact, tolerance, setting.sameNormal);
+        gathering.add(contact);
     });
     for (Contact &contact : out) setCoefficients(setting, contact);
     out.sort(motion, setting.gravity(), scene.radius);

@@ -65,9 +65,6 @@ class Contacts : public ShortList<Contact> {
 public:
     static constexpr uint32_t kMost = kMostContacts;
 
-    /// Adds one. Of two with the same normal the nearer one stays, within the tolerance the one with the fewest axes;
-    /// of too many the nearest.
-    void add(const Contact &contact, double tolerance, double sameNormal = kSameNormal);
     /// Removes edges and corners that a face keeps the ball from: those that don't stand out of its plane.
     void dropHidden(double tolerance);
     /// Sorts by what neither the numbering of boxes nor mirrors nor quarter turns change.

@@ -92,7 +92,7 @@ void findBounds(Scene &scene) {
 void findFloor(Scene &scene) {
     scene.floorTop = -std::numeric_limits<double>::infinity();
     const Vec3 &p = scene.start;
-    for (const phys_box &box : scene.given) {
+    for (const phys_box &box : scene.boxes) {
         const bool under = p.x >= box.min.x && p.x <= box.max.x && p.y >= box.min.y && p.y <= box.max.y;
         if (!under || box.max.z > p.z) continue;
         if (!scene.hasFloor || box.max.z > scene.floorTop) scene.floorTop = box.max.z;
