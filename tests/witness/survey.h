@@ -35,7 +35,7 @@ struct Plan {
     std::vector<uint32_t> models = {PHYS_MODEL_ROLLING, PHYS_MODEL_RIGID};
     std::vector<size_t> kinds;
     uint64_t firstSeed = 1;
-    uint64_t runs = 0;      ///< scenes x steppers x models
+    uint64_t runs = 0; ///< scenes x steppers x models
     bool withInvariants = true;
     bool withLaw = true;    ///< scenes are held against the brute force too, which takes most of the time
     double seconds = 1e9;   ///< after which no new seed is begun

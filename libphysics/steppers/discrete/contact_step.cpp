@@ -155,6 +155,18 @@ bool canHold(const StepContext &context, const Contacts &contacts) {
     return glm::length(motion.velocity) <= left && context.radius() * glm::length(motion.spin) <= left;
 }
 
+/// Friction halves a slip again and again without ending it: what is left of a motion is none long before it is a
+/// number that a computer can't halve.
+void dropTraces(const StepContext &context, const Ball &before, Ball &ball) {
+    constexpr double kTrace = 1e-100;
+    const double radius = context.radius();
+    const double most = kTrace * (glm::length(before.velocity) + radius * glm::length(before.spin));
+    for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(ball.velocity[axis]) < most) ball.velocity[axis] = 0.0;
+        if (radius * std::abs(ball.spin[axis]) < most) ball.spin[axis] = 0.0;
+    }
+}
+
 LastingContacts holdInThisOrder(const StepContext &context, const Contacts &contacts, Hold kind, double h, Ball &ball) {
     if (kind == Hold::SecondOrder) return holdSecondOrder(context, contacts, h, ball);
     return holdFirstOrder(context, contacts, kind == Hold::Explicit, h, ball);
@@ -251,6 +263,7 @@ bool hold(const StepContext &context, const Contacts &contacts, Hold kind, doubl
         ball.velocity = 0.5 * (ball.velocity + other.velocity);
         ball.spin = 0.5 * (ball.spin + other.spin);
     }
+    dropTraces(context, start, ball);
     bool onTop = false;
     for (size_t i = 0; const Lasting &contact : lasting) {
         const bool isPressed = contact.reaction > 0.0;
@@ -280,6 +293,19 @@ bool leaveOverlaps(const StepContext &context, Ball &ball) {
     context.report.penetration(pushed.depth);
     context.report.passes(pushed.passes);
     return pushed.isFree;
+}
+
+void payForLift(const StepContext &context, const Contacts &contacts, const Vec3 &way, Ball &ball) {
+    const double lifted = -glm::dot(context.setting.gravity(), way);
+    if (!(lifted > 0.0)) return;
+    const bool beganInside = std::any_of(contacts.begin(), contacts.end(), [&](const Contact &contact) {
+        return contact.gap < -context.setting.tolerance;
+    });
+    if (beganInside) return;
+    const double kinetic = 0.5 * glm::dot(ball.velocity, ball.velocity) + spinEnergy(ball.spin, context.radius());
+    const double share = kinetic > lifted ? std::sqrt(1.0 - lifted / kinetic) : 0.0;
+    ball.velocity *= share;
+    ball.spin *= share;
 }
 
 bool rests(const StepContext &context, Ball &ball) {

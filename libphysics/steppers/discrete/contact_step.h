@@ -83,6 +83,10 @@ private:
 /// Moves the ball out of all boxes. Its velocity stays. False if there is no room for it.
 bool leaveOverlaps(const StepContext &context, Ball &ball);
 
+/// Takes from a ball's motion the energy of a push that lifted it by `way`. One that began the substep, with these
+/// contacts, inside a box is lifted for nothing.
+void payForLift(const StepContext &context, const Contacts &contacts, const Vec3 &way, Ball &ball);
+
 /// Whether a velocity is so small that `rests` needs to be asked. Seldom true of one that moves on.
 inline bool mayRest(const Setting &setting, const Vec3 &velocity) {
     const Vec3 gravity = glm::abs(setting.gravity());

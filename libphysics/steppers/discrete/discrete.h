@@ -413,13 +413,64 @@ private:
         ball.position += next.displacement;
     }
 
+    /// Where the ball may be at the end of a substep, from its start.
+    class Ways {
+    public:
+        bool isFull() const { return m_count == m_ways.size(); }
+        void add(const Vec3 &way) { m_ways[m_count++] = way; }
+        std::span<const Vec3> list() const { return {m_ways.data(), m_count}; }
+
+    private:
+        std::array<Vec3, 5> m_ways;
+        uint32_t m_count = 0;
+    };
+
     /// All contacts of the substep that begins `start` seconds into the step. free: the ball after it without them.
     [[gnu::noinline]] bool runInContact(double start, const Ball &free, Ball &ball) {
         const Ball before = ball;
+        Ways ways;
+        ways.add(free.position - ball.position);
         // The explicit rule moves with the old velocity, and along normals that press with the new one.
-        const Vec3 ways[] = {free.position - ball.position, m_h * free.velocity};
+        if (Scheme::kHold == Hold::Explicit) ways.add(m_h * free.velocity);
         Contacts contacts;
-        lookAhead(m_context, ball, std::span(ways, Scheme::kHold == Hold::Explicit ? 2 : 1), m_h, contacts);
+        if (m_context.report.wanted()) {
+            Reporter silent(nullptr, 0.0);
+            DiscreteStep trial(m_context.setting, silent, m_plan, m_h);
+            trial.meetAll(start, ways, contacts, ball);
+            ball = before;
+            meet(start, ways, contacts, ball);
+        } else {
+            meetAll(start, ways, contacts, ball);
+        }
+        const Vec3 reached = ball.position;
+        if (leaveOverlaps(m_context, ball)) {
+            payForLift(m_context, contacts, ball.position - reached, ball);
+            return true;
+        }
+        // It doesn't fit where it was going. Where it came from it did, unless it started inside something.
+        ball = before;
+        ball.velocity = Vec3(0.0);
+        ball.spin = Vec3(0.0);
+        return leaveOverlaps(m_context, ball);
+    }
+
+    /// Contacts lead the ball to where it wouldn't have come without them: it meets what it would overlap there, too.
+    /// Adds to the ways those that it takes.
+    void meetAll(double start, Ways &ways, Contacts &contacts, Ball &ball) {
+        const Ball before = ball;
+        meet(start, ways, contacts, ball);
+        while (!ways.isFull() && overlapsAnother(contacts, ball)) {
+            const uint32_t met = contacts.count();
+            ways.add(ball.position - before.position);
+            ball = before;
+            meet(start, ways, contacts, ball);
+            if (contacts.count() == met) return;
+        }
+    }
+
+    /// The contacts that the ball has, or comes to on the ways.
+    void meet(double start, const Ways &ways, Contacts &contacts, Ball &ball) {
+        lookAhead(m_context, ball, ways.list(), m_h, contacts);
         SpinOnFloor spin(m_context, contacts, ball);
         hit(m_context, contacts, start, ball);
         spin.follow(contacts, ball);
@@ -428,12 +479,19 @@ private:
         } else {
             spin.settle(holdContacts(contacts, ball), ball);
         }
-        if (leaveOverlaps(m_context, ball)) return true;
-        // It doesn't fit where it was going. Where it came from it did, unless it started inside something.
-        ball = before;
-        ball.velocity = Vec3(0.0);
-        ball.spin = Vec3(0.0);
-        return leaveOverlaps(m_context, ball);
+    }
+
+    /// Whether the ball overlaps a box of which no contact is known.
+    bool overlapsAnother(const Contacts &contacts, const Ball &ball) const {
+        const Scene &scene = m_context.scene();
+        const double overlapping = scene.radius - scene.tolerance;
+        bool overlaps = false;
+        visitNear(scene, ball.position, scene.radius, [&](const phys_box &box, uint32_t number) {
+            if (squaredDistance(box, ball.position) >= overlapping * overlapping) return;
+            overlaps = overlaps || std::none_of(contacts.begin(), contacts.end(),
+                                                [&](const Contact &contact) { return contact.box == number; });
+        });
+        return overlaps;
     }
 
     /// A substep of all contacts. Returns whether a top face pressed.
