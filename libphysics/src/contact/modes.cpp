@@ -109,37 +109,6 @@ Response enumerate(const Moment &moment, std::span<const Held> held, Work &work,
 
 } // namespace
 
-void endSlips(Moment &given, std::span<const Held> unsorted, Work &work) {
-    const Mirror mirror(given, unsorted);
-    const Sorted sorted(mirror, unsorted);
-    const std::span<const Held> held = sorted.list();
-    Moment moment = mirror.seen(given), still = moment;
-    still.gravity = Vec3(0.0);
-    Combination c{still, held, work};
-    for (uint32_t i = 0; i < c.count(); ++i) {
-        c.reactions[i].mode = held[i].friction > 0.0 ? Mode::sticking : Mode::smooth;
-        c.column[i] = c.unknowns;
-        c.unknowns += c.width(i);
-    }
-    dense::Equations equations(c.unknowns);
-    for (uint32_t i = 0; i < c.count(); ++i) {
-        const Vec3 slip = moment.velocity - moment.radius * glm::cross(moment.spin, held[i].normal);
-        addRows(c, i, equations, c.sticks(i) ? -slip : Vec3(0.0), -glm::dot(held[i].normal, moment.velocity));
-        for (uint32_t j = 0; j < i; ++j) {
-            if (c.sticks(i) && c.sticks(j)) addGauge(c, i, j, equations);
-        }
-    }
-    const dense::Values x = equations.solve();
-    for (uint32_t i = 0; i < c.count(); ++i) {
-        Vec3 impulse(0.0);
-        for (uint32_t part = 0; part < c.width(i); ++part) impulse += x[c.column[i] + part] * c.basis(i, part);
-        moment.velocity += impulse;
-        moment.spin += -kInertia / moment.radius * glm::cross(held[i].normal, impulse);
-    }
-    given.velocity = mirror.back(moment.velocity);
-    given.spin = mirror.backSpin(moment.spin);
-}
-
 double accelerationScale(const Moment &moment) {
     return glm::length(moment.gravity) + squared(moment.velocity) / moment.radius +
            moment.radius * squared(moment.spin);

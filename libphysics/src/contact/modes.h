@@ -77,7 +77,7 @@ struct Excluded {
 /// What is found once the work is too much means nothing.
 Response respond(const Moment &moment, std::span<const Held> held, Work &work, const Excluded &excluded = {});
 
-/// Ends all slips at rough contacts at once, by impulses that keep every contact: the ball jams, model.md 14.1. Never
+/// Ends slips at once where no modes fit, by impulses that Coulomb's cones allow: the ball jams, model.md 14.1. Never
 /// adds energy.
 void endSlips(Moment &moment, std::span<const Held> held, Work &work);
 

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+// Where no modes fit: impulses without a collision, model.md 14.1.
+#include "contact/combination.h"
+#include "contact/mirror.h"
+
+namespace phys {
+
+namespace {
+
+constexpr int kMostPasses = 50;    // of the directions that slips are left with
+constexpr double kSettled = 4e-15; // of a direction
+constexpr double kMostMore = 1e-9; // relative, of impulses that count as equal
+
+/// Impulses at once: the forces of a combination, and what they make of the motion.
+struct Jam {
+    Combination c;
+    const Moment &before;
+    Moment after;
+    double zero; ///< m/s
+
+    Vec3 slipBefore(uint32_t i) const {
+        return before.velocity - before.radius * glm::cross(before.spin, c.held[i].normal);
+    }
+    Vec3 slipAfter(uint32_t i) const { return slipAt(after, c.held[i].normal); }
+};
+
+/// The impulses that end the slips of what sticks and keep the other contacts.
+void push(Jam &jam) {
+    Combination &c = jam.c;
+    c.unknowns = 0;
+    for (uint32_t i = 0; i < c.count(); ++i) {
+        c.column[i] = c.unknowns;
+        c.unknowns += c.width(i);
+    }
+    c.work.add(Work::kEquations * (1 + c.unknowns));
+    dense::Equations equations(c.unknowns);
+    for (uint32_t i = 0; i < c.count(); ++i) {
+        if (!c.isOpen(i))
+            addRows(c, i, equations, -jam.slipBefore(i), -glm::dot(c.held[i].normal, jam.before.velocity));
+        for (uint32_t j = 0; j < i; ++j) {
+            if (c.sticks(i) && c.sticks(j)) addGauge(c, i, j, equations);
+        }
+    }
+    const dense::Values x = equations.solve();
+    jam.after = jam.before;
+    for (uint32_t i = 0; i < c.count(); ++i) {
+        Vec3 &impulse = c.reactions[i].force;
+        impulse = Vec3(0.0);
+        for (uint32_t part = 0; part < c.width(i); ++part) impulse += x[c.column[i] + part] * c.basis(i, part);
+        c.reactions[i].pressure = glm::dot(impulse, c.held[i].normal);
+        jam.after.velocity += impulse;
+        jam.after.spin -= kInertia / jam.before.radius * glm::cross(c.held[i].normal, impulse);
+    }
+}
+
+/// As `push`, with friction against the slips that are left. False if their directions don't settle.
+bool settle(Jam &jam) {
+    for (int pass = 0; pass < kMostPasses && !jam.c.work.isTooMuch(); ++pass) {
+        push(jam);
+        double change = 0.0;
+        for (uint32_t i = 0; i < jam.c.count(); ++i) {
+            Reaction &reaction = jam.c.reactions[i];
+            if (reaction.mode != Mode::slipping) continue;
+            const Vec3 direction = hat(jam.slipAfter(i));
+            change = std::max(change, glm::length(direction - reaction.direction));
+            reaction.direction = direction;
+        }
+        if (change <= kSettled) return true;
+    }
+    return false;
+}
+
+bool fits(const Jam &jam) {
+    for (uint32_t i = 0; i < jam.c.count(); ++i) {
+        const Reaction &reaction = jam.c.reactions[i];
+        const double N = reaction.pressure, apart = glm::dot(jam.c.held[i].normal, jam.after.velocity);
+        if (std::abs(apart) > jam.zero && (reaction.mode != Mode::open || apart < 0.0)) return false;
+        if (N < -jam.zero) return false;
+        if (reaction.mode != Mode::sticking || jam.c.held[i].isGlued) continue;
+        if (glm::length(jam.slipAfter(i)) > jam.zero) return false;
+        const Vec3 friction = tangential(reaction.force, jam.c.held[i].normal);
+        if (glm::length(friction) > jam.c.held[i].friction * N + jam.zero) return false;
+    }
+    return true;
+}
+
+/// The number-th way in which contact i may take part; false beyond the last.
+bool setMode(Jam &jam, uint32_t i, uint32_t number) {
+    const Held &held = jam.c.held[i];
+    Reaction &reaction = jam.c.reactions[i];
+    const bool isRough = held.isGlued || held.friction > 0.0;
+    reaction.direction = Vec3(0.0);
+    reaction.mode = number == 0 ? (isRough ? Mode::sticking : Mode::smooth) : Mode::open;
+    if (number < 2) return true;
+    const Vec3 slip = slipAt(jam.before, held.normal);
+    if (number > 2 || held.isGlued || held.friction == 0.0 || isNoSlip(jam.before, slip)) return false;
+    reaction.mode = Mode::slipping;
+    reaction.direction = hat(slip);
+    return true;
+}
+
+bool nextModes(Jam &jam, std::array<uint32_t, kMostHeld> &numbers) {
+    for (uint32_t i = 0; i < jam.c.count(); ++i) {
+        if (setMode(jam, i, ++numbers[i])) return true;
+        numbers[i] = 0;
+        setMode(jam, i, 0);
+    }
+    return false;
+}
+
+/// Whether any slip ends.
+bool ends(const Jam &jam) {
+    for (uint32_t i = 0; i < jam.c.count(); ++i) {
+        if (jam.c.sticks(i) && !isNoSlip(jam.before, slipAt(jam.before, jam.c.held[i].normal))) return true;
+    }
+    return false;
+}
+
+double sumOfPressures(const Jam &jam) {
+    double sum = 0.0;
+    for (const Reaction &reaction : jam.c.list()) sum += reaction.pressure;
+    return sum;
+}
+
+} // namespace
+
+void endSlips(Moment &moment, std::span<const Held> held, Work &work) {
+    const Mirror mirror(moment, held);
+    const Sorted sorted(mirror, held);
+    Moment before = mirror.seen(moment), still = before;
+    still.gravity = Vec3(0.0);
+    Jam jam{Combination{still, sorted.list(), work}, before, before, kFits * speedScale(before)};
+    std::array<uint32_t, kMostHeld> numbers{};
+    for (uint32_t i = 0; i < jam.c.count(); ++i) setMode(jam, i, 0);
+    push(jam); // however much friction that takes, if nothing fits
+    Moment best = jam.after;
+    double least = INFINITY;
+    do {
+        const std::array<Reaction, kMostHeld> begun = jam.c.reactions;
+        if (ends(jam) && settle(jam) && fits(jam) && sumOfPressures(jam) < least - kMostMore * speedScale(before)) {
+            least = sumOfPressures(jam);
+            best = jam.after;
+        }
+        jam.c.reactions = begun;
+    } while (nextModes(jam, numbers) && !work.isTooMuch());
+    moment.velocity = mirror.back(best.velocity);
+    moment.spin = mirror.backSpin(best.spin);
+}
+
+} // namespace phys
