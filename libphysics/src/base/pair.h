@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Two numbers that are computed with at once, in one register where processors have such; the bits are those of each by
-// itself. What is written for pairs chooses by `choose` where it would branch.
+// itself. What is written for a number type N, Single or Pair, chooses by `choose` where it would branch.
 #pragma once
 
 #include "base/ieee_doubles.h"
@@ -13,6 +13,49 @@
 #endif
 
 namespace phys {
+
+class SingleMask {
+public:
+    explicit SingleMask(bool is)
+        : m_is(is) {}
+    friend SingleMask operator&(SingleMask a, SingleMask b) { return SingleMask(a.m_is & b.m_is); }
+    friend SingleMask operator|(SingleMask a, SingleMask b) { return SingleMask(a.m_is | b.m_is); }
+    uint32_t bits() const { return m_is ? 1 : 0; }
+
+private:
+    bool m_is;
+};
+
+/// One number by itself, with what pairs have.
+class Single {
+public:
+    using Mask = SingleMask;
+    static constexpr uint32_t kWidth = 1;
+
+    Single(double number) // NOLINT(google-explicit-constructor): a number
+        : m_number(number) {}
+    static Single load(const double *place) { return *place; }
+    void store(double *place) const { *place = m_number; }
+    double number() const { return m_number; }
+
+    friend Single operator+(Single a, Single b) { return a.m_number + b.m_number; }
+    friend Single operator-(Single a, Single b) { return a.m_number - b.m_number; }
+    friend Single operator*(Single a, Single b) { return a.m_number * b.m_number; }
+    friend Single operator/(Single a, Single b) { return a.m_number / b.m_number; }
+    friend Single operator-(Single a) { return -a.m_number; }
+    friend SingleMask operator<(Single a, Single b) { return SingleMask(a.m_number < b.m_number); }
+    friend SingleMask operator<=(Single a, Single b) { return SingleMask(a.m_number <= b.m_number); }
+    friend SingleMask operator==(Single a, Single b) { return SingleMask(a.m_number == b.m_number); }
+    friend Single squareRoot(Single a) { return std::sqrt(a.m_number); }
+    friend Single magnitude(Single a) { return std::abs(a.m_number); }
+
+private:
+    double m_number;
+};
+
+inline SingleMask operator>(Single a, Single b) { return b < a; }
+inline SingleMask operator>=(Single a, Single b) { return b <= a; }
+inline Single choose(SingleMask condition, Single a, Single b) { return condition.bits() ? a : b; }
 
 #if defined(__SSE2__) // GCC 12 takes generic vectors apart where they are compared
 
@@ -34,6 +77,9 @@ private:
 
 class Pair {
 public:
+    using Mask = PairMask;
+    static constexpr uint32_t kWidth = 2;
+
     Pair(double both) // NOLINT(google-explicit-constructor): numbers mix with pairs as with numbers
         : m_numbers(_mm_set1_pd(both)) {}
     static Pair load(const double *place) { return Pair(_mm_loadu_pd(place)); }
@@ -47,7 +93,6 @@ public:
     friend PairMask operator<(Pair a, Pair b) { return PairMask(_mm_cmplt_pd(a.m_numbers, b.m_numbers)); }
     friend PairMask operator<=(Pair a, Pair b) { return PairMask(_mm_cmple_pd(a.m_numbers, b.m_numbers)); }
     friend PairMask operator==(Pair a, Pair b) { return PairMask(_mm_cmpeq_pd(a.m_numbers, b.m_numbers)); }
-
     friend Pair choose(PairMask condition, Pair a, Pair b);
     friend Pair squareRoot(Pair a) { return Pair(_mm_sqrt_pd(a.m_numbers)); }
     friend Pair magnitude(Pair a) { return Pair(_mm_andnot_pd(_mm_set1_pd(-0.0), a.m_numbers)); }
@@ -63,71 +108,25 @@ inline Pair choose(PairMask condition, Pair a, Pair b) {
     return Pair(_mm_or_pd(_mm_and_pd(condition.m_bits, a.m_numbers), _mm_andnot_pd(condition.m_bits, b.m_numbers)));
 }
 
-#else
-
-class Pair;
-
-class PairMask {
-public:
-    PairMask(bool first, bool second)
-        : m_first(first)
-        , m_second(second) {}
-    friend PairMask operator&(PairMask a, PairMask b) { return {a.m_first && b.m_first, a.m_second && b.m_second}; }
-    friend PairMask operator|(PairMask a, PairMask b) { return {a.m_first || b.m_first, a.m_second || b.m_second}; }
-    /// Bit 0 is the first number's, bit 1 that of the second.
-    uint32_t bits() const { return (m_first ? 1U : 0U) | (m_second ? 2U : 0U); }
-
-private:
-    friend Pair choose(PairMask condition, Pair a, Pair b);
-    bool m_first, m_second;
-};
-
-class Pair {
-public:
-    Pair(double both) // NOLINT(google-explicit-constructor): numbers mix with pairs as with numbers
-        : Pair(both, both) {}
-    static Pair load(const double *place) { return {place[0], place[1]}; }
-    void store(double *place) const { place[0] = m_first, place[1] = m_second; }
-
-    friend Pair operator+(Pair a, Pair b) { return {a.m_first + b.m_first, a.m_second + b.m_second}; }
-    friend Pair operator-(Pair a, Pair b) { return {a.m_first - b.m_first, a.m_second - b.m_second}; }
-    friend Pair operator*(Pair a, Pair b) { return {a.m_first * b.m_first, a.m_second * b.m_second}; }
-    friend Pair operator/(Pair a, Pair b) { return {a.m_first / b.m_first, a.m_second / b.m_second}; }
-    friend Pair operator-(Pair a) { return {-a.m_first, -a.m_second}; }
-    friend PairMask operator<(Pair a, Pair b) { return {a.m_first < b.m_first, a.m_second < b.m_second}; }
-    friend PairMask operator<=(Pair a, Pair b) { return {a.m_first <= b.m_first, a.m_second <= b.m_second}; }
-    friend PairMask operator==(Pair a, Pair b) { return {a.m_first == b.m_first, a.m_second == b.m_second}; }
-
-    friend Pair choose(PairMask condition, Pair a, Pair b);
-    friend Pair squareRoot(Pair a) { return {std::sqrt(a.m_first), std::sqrt(a.m_second)}; }
-    friend Pair magnitude(Pair a) { return {std::abs(a.m_first), std::abs(a.m_second)}; }
-
-private:
-    Pair(double first, double second)
-        : m_first(first)
-        , m_second(second) {}
-    double m_first, m_second;
-};
-
-/// condition ? a : b, of each number. Both are computed.
-inline Pair choose(PairMask condition, Pair a, Pair b) {
-    return {condition.m_first ? a.m_first : b.m_first, condition.m_second ? a.m_second : b.m_second};
-}
-
-#endif
-
 inline PairMask operator>(Pair a, Pair b) { return b < a; }
 inline PairMask operator>=(Pair a, Pair b) { return b <= a; }
 
-/// Vectors in the plane, one of each number.
-struct PairVec2 {
-    Pair x, y;
+#else
 
-    friend PairVec2 operator+(const PairVec2 &a, const PairVec2 &b) { return {a.x + b.x, a.y + b.y}; }
-    friend PairVec2 operator-(const PairVec2 &a, const PairVec2 &b) { return {a.x - b.x, a.y - b.y}; }
-    friend PairVec2 operator*(Pair a, const PairVec2 &b) { return {a * b.x, a * b.y}; }
-    friend Pair dot(const PairVec2 &a, const PairVec2 &b) { return a.x * b.x + a.y * b.y; }
-    friend Pair length(const PairVec2 &a) { return squareRoot(dot(a, a)); }
+using Pair = Single; ///< one at a time
+
+#endif
+
+/// A vector in the plane of each number; N: Single or Pair.
+template<class N>
+struct Planar {
+    N x, y;
+
+    friend Planar operator+(const Planar &a, const Planar &b) { return {a.x + b.x, a.y + b.y}; }
+    friend Planar operator-(const Planar &a, const Planar &b) { return {a.x - b.x, a.y - b.y}; }
+    friend Planar operator*(N a, const Planar &b) { return {a * b.x, a * b.y}; }
+    friend N dot(const Planar &a, const Planar &b) { return a.x * b.x + a.y * b.y; }
+    friend N length(const Planar &a) { return squareRoot(dot(a, a)); }
 };
 
 } // namespace phys

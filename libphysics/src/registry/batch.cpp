@@ -62,14 +62,6 @@ phys_status checkSharedParams(const phys_stepper &stepper, const phys_batch &bat
     return checkParams(*stepper.api, params, err);
 }
 
-/// The stepper's ability to move balls in lanes; nullptr if it has none or nothing moves.
-const LaneSteps *laneStepsOf(const phys_stepper &stepper, const phys_batch &batch) {
-    const bool mayHave = !stepper.isPlugin && stepper.api->extension && batch.dt > 0.0;
-    if (!mayHave || (batch.stop_flags & PHYS_SLIPPING))
-        return nullptr; // who slides in a lane isn't asked whether it slips
-    return static_cast<const LaneSteps *>(stepper.api->extension(stepper.self, kLanesId));
-}
-
 /// What has happened to the balls so far.
 class Outcome {
 public:
@@ -102,7 +94,9 @@ phys_status runBalls(const phys_stepper &stepper, const phys_batch &batch, uint6
         if (const phys_status status = checkSharedParams(stepper, batch, err)) return status;
     }
     Outcome outcome(batch, err);
-    const LaneSteps *steps = laneStepsOf(stepper, batch);
+    // Who slides in a lane isn't asked whether it slips.
+    const bool mayUseLanes = batch.dt > 0.0 && !(batch.stop_flags & PHYS_SLIPPING);
+    const LaneSteps *steps = mayUseLanes ? stepper.lanes : nullptr;
     const uint64_t together = steps ? SideBySide::kMost : 1;
     for (uint64_t ball = first; ball < first + count;) {
         const uint64_t next = ball + std::min(together, first + count - ball);

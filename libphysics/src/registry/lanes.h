@@ -45,6 +45,10 @@ struct LaneSteps {
     bool (*enter)(void *self, const phys_params &params, const phys_state &state, Lanes &lanes, uint32_t lane);
     /// Moves the balls that can move so. Returns which took the step, a bit for each lane.
     uint32_t (*step)(Lanes &lanes);
+    /// Makes one step by itself, where it is such a one; but for time and step. `in` may be `out`; report: a fresh one,
+    /// or nullptr. False, and nothing is written, if it isn't.
+    bool (*one)(void *self, const phys_params &params, double dt, const phys_state &in, phys_state &out,
+                phys_report *report);
     /// Stores a ball that has moved since it entered with `state`, but for time and step.
     void (*leave)(const phys_params &params, const Lanes &lanes, uint32_t lane, phys_state &state);
 };

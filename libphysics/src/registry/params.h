@@ -82,7 +82,7 @@ inline bool isWithin(double value, const phys_param_row &row) {
 
 inline bool mustBeWhole(const phys_param_row &row) { return row.flags & (PHYS_ROW_CHOICE | PHYS_ROW_SWITCH); }
 
-inline bool isAllowed(double value, const phys_param_row &row) {
+[[gnu::always_inline]] inline bool isAllowed(double value, const phys_param_row &row) {
     // The ranges of whole rows are small: the conversion can't overflow.
     return isWithin(value, row) && (!mustBeWhole(row) || value == static_cast<double>(static_cast<int32_t>(value)));
 }

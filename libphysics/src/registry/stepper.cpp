@@ -46,6 +46,13 @@ phys_status step(const phys_stepper &stepper, const phys_params &params, double 
         out = in;
         return PHYS_OK;
     }
+    const double time = nextTime(in, dt);
+    const uint64_t number = in.step + 1;
+    if (stepper.lanes && stepper.lanes->one(stepper.self, params, dt, in, out, report)) {
+        out.time = time;
+        out.step = number;
+        return PHYS_OK;
+    }
     phys_state next;
     if (const phys_status status = advance(stepper, params, dt, in, next, report, err)) return status;
     out = next;
@@ -126,10 +133,13 @@ phys_status phys_stepper_create(const phys_registry *registry, const char *id, c
         phys_stepper_info unused;
         return phys_registry_find(registry, id, &unused, err); // says which ids there are
     }
-    const phys_stepper fresh{api, nullptr, scene, phys::viewOf(*scene), isPlugin};
+    const phys_stepper fresh{api, nullptr, scene, phys::viewOf(*scene), isPlugin, nullptr};
     auto stepper = std::make_unique<phys_stepper>(fresh);
     const phys_status status =
         isPlugin ? phys::createPlugin(*stepper, err) : api->create(&stepper->view, &stepper->self, err);
+    if (!isPlugin && api->extension && !status) {
+        stepper->lanes = static_cast<const phys::LaneSteps *>(api->extension(stepper->self, phys::kLanesId));
+    }
     if (!status) *out = stepper.release();
     return status;
 } catch (const std::bad_alloc &) {

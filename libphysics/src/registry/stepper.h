@@ -2,6 +2,7 @@
 // A stepper in its scene, and one step whose arguments were checked.
 #pragma once
 
+#include "registry/lanes.h"
 #include "scene/scene.h"
 
 #include <physics/plugin.h>
@@ -12,6 +13,7 @@ struct phys_stepper {
     const phys::Scene *scene;
     phys_scene_view view;
     bool isPlugin;
+    const phys::LaneSteps *lanes; ///< its ability to move balls in lanes, or nullptr
 };
 
 namespace phys {

@@ -189,9 +189,10 @@ FloorRegion findFloorRegion(const Scene &scene, const Vec3 &place) { return Cutt
 FloorRegions::FloorRegions(const Scene &scene)
     : m_scene(scene)
     , m_perCell(0.25 / scene.radius)
-    , m_regions(std::make_unique<std::array<FloorRegion, kKept>>()) {}
+    , m_regions(std::make_unique<std::array<FloorRegion, kKept>>())
+    , m_last(m_regions->data()) {}
 
-const FloorRegion &FloorRegions::around(const phys_vec3 &place, bool isLeaning) const {
+FloorRegion &FloorRegions::find(const phys_vec3 &place, bool isLeaning) {
     constexpr double kMostCells = 0x1p50; // as whole numbers, in either direction
     const double column = place.x * m_perCell, row = place.y * m_perCell;
     const bool isCounted = std::abs(column) < kMostCells && std::abs(row) < kMostCells;

@@ -39,14 +39,20 @@ public:
     explicit FloorRegions(const Scene &scene);
 
     /// A region that has the place; without any place if there is none. isLeaning: which of two to keep.
-    const FloorRegion &around(const phys_vec3 &place, bool isLeaning) const;
+    const FloorRegion &around(const phys_vec3 &place, bool isLeaning) {
+        if (!m_last->has(place)) m_last = &find(place, isLeaning);
+        return *m_last;
+    }
 
 private:
+    FloorRegion &find(const phys_vec3 &place, bool isLeaning);
+
     static constexpr uint32_t kKept = 1024; ///< a power of two
 
     const Scene &m_scene;
     double m_perCell; ///< 1/m
     std::unique_ptr<std::array<FloorRegion, kKept>> m_regions;
+    const FloorRegion *m_last; ///< one of them
 };
 
 } // namespace phys

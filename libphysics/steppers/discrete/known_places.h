@@ -16,7 +16,7 @@ public:
 
     const Scene &scene() const { return m_footing.scene(); }
     LastFooting &footing() { return m_footing; }
-    const FloorRegions &regions() const { return m_regions; }
+    FloorRegions &regions() { return m_regions; }
 
 private:
     LastFooting m_footing;
