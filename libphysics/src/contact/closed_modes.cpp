@@ -152,8 +152,9 @@ bool respondOnFloor(const Moment &moment, std::span<const Held> held, uint32_t f
 Response respondAlone(const Moment &moment, const Held &contact, double zero, Response response) {
     Reaction &reaction = response.reactions[0];
     const Vec3 &n = contact.normal;
-    const double N = -(glm::dot(moment.gravity, n) + curvature(moment, contact));
-    if (N < -zero) return response;
+    const double pressure = -(glm::dot(moment.gravity, n) + curvature(moment, contact));
+    if (pressure < -zero) return response;
+    const double N = std::max(0.0, pressure);
     const Vec3 free = tangential(moment.gravity - glm::cross(moment.spin, contact.across * moment.velocity), n);
     const bool slips = reaction.slip != Vec3(0.0);
     Vec3 friction = -2.0 / 7.0 * free;

@@ -45,6 +45,11 @@ void accelerate(Combination &c) {
     }
 }
 
+/// Below 0 by no more than rounding, and so is the friction that it makes.
+double leastPressure(const Combination &c, uint32_t i) {
+    return -kFits * accelerationScale(c.moment) / (1.0 + c.held[i].friction);
+}
+
 } // namespace
 
 Vec3 slipRate(const Combination &c, uint32_t i) {
@@ -77,6 +82,11 @@ void solve(Combination &c) {
         reaction.force = Vec3(0.0);
         for (uint32_t part = 0; part < c.width(i); ++part) reaction.force += x[c.column[i] + part] * c.basis(i, part);
         reaction.pressure = c.isOpen(i) ? 0.0 : glm::dot(reaction.force, c.held[i].normal);
+        // Rounding must not pull: friction would follow it, and drive the slip.
+        if (reaction.mode != Mode::sticking && reaction.pressure < 0.0 && reaction.pressure >= leastPressure(c, i)) {
+            reaction.pressure = 0.0;
+            reaction.force = Vec3(0.0);
+        }
     }
     accelerate(c);
 }
@@ -94,12 +104,13 @@ bool fits(const Combination &c, double zero) {
     for (uint32_t i = 0; i < c.count(); ++i) {
         const Reaction &reaction = c.reactions[i];
         const double apart = glm::dot(c.held[i].normal, c.acceleration) + curvature(c.moment, c.held[i]);
+        const double leastPressure = -zero / (1.0 + c.held[i].friction);
         switch (reaction.mode) {
         case Mode::open:
             if (apart < -zero) return false;
             break;
         case Mode::starting:
-            if (std::abs(apart) > zero || reaction.pressure < -zero) return false;
+            if (std::abs(apart) > zero || reaction.pressure < leastPressure) return false;
             if (glm::dot(slipRate(c, i), reaction.direction) <= zero) return false;
             break;
         case Mode::sticking:
@@ -109,7 +120,7 @@ bool fits(const Combination &c, double zero) {
             if (!isWithinCone(c, i, zero)) return false;
             break;
         default:
-            if (std::abs(apart) > zero || reaction.pressure < -zero) return false;
+            if (std::abs(apart) > zero || reaction.pressure < leastPressure) return false;
         }
     }
     return true;
