@@ -4,8 +4,7 @@
 // Ends with 0 if every job went well, 1 if some failed, 2 if it couldn't begin or write.
 #include "farm.h"
 
-#include <mpi.h>
-
+#include <chrono>
 #include <cinttypes>
 #include <cstdio>
 #include <stdexcept>
@@ -60,19 +59,22 @@ void writeCsv(const Plan &plan, const std::vector<Outcome> &outcomes, std::FILE 
 }
 
 /// Rank 0: gathers, shows progress, names failures. Returns the exit code.
-int lead(const Plan &plan) {
+int lead(const sweep::Farm &farm, const Plan &plan) {
     WholeFile csv(plan.file); // before the work: that it can't be written is no surprise at the end
     if (!csv.get()) {
         std::fprintf(stderr, "sweep: %s can't be written\n", plan.file.c_str());
-        sweep::computeAll(Plan{}, nullptr); // nothing to do: sends the other ranks home
+        farm.computeAll(Plan{}, nullptr); // nothing to do: sends the other ranks home
         return 2;
     }
     const uint64_t count = plan.jobCount();
     std::vector<Outcome> outcomes(count);
     uint64_t done = 0;
     uint64_t failed = 0;
-    sweep::computeAll(plan, [&](const Outcome &outcome, int rank) {
+    uint64_t steps = 0;
+    const auto begin = std::chrono::steady_clock::now();
+    farm.computeAll(plan, [&](const Outcome &outcome, int rank) {
         outcomes[outcome.job] = outcome;
+        steps += outcome.state.step;
         if (outcome.error.status) {
             ++failed;
             std::fprintf(stderr, "sweep: rank %d, job %" PRIu64 ": %s\n", rank, outcome.job, outcome.error.text);
@@ -81,6 +83,10 @@ int lead(const Plan &plan) {
         const bool isTenth = done * 10 / count != (done - 1) * 10 / count;
         if (isTenth) std::fprintf(stderr, "sweep: %" PRIu64 " of %" PRIu64 " jobs\n", done, count);
     });
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    std::fprintf(stderr, "sweep: %d rank%s: %.0f balls and %.2f million steps a second\n", farm.rankCount(),
+                 farm.rankCount() == 1 ? "" : "s", static_cast<double>(count) / seconds,
+                 static_cast<double>(steps) / seconds * 1e-6);
     writeCsv(plan, outcomes, csv.get());
     if (!csv.complete()) {
         std::fprintf(stderr, "sweep: %s can't be written\n", plan.file.c_str());
@@ -93,21 +99,17 @@ int lead(const Plan &plan) {
 } // namespace
 
 int main(int argc, char **argv) {
-    MPI_Init(&argc, &argv);
-    int rank = 0;
-    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    const sweep::Farm farm(argc, argv);
     int code = 0;
     try {
         const Plan plan = sweep::readPlan(argc, argv);
-        if (rank == 0)
-            code = lead(plan);
+        if (farm.rank() == 0)
+            code = lead(farm, plan);
         else
-            sweep::computeAll(plan, nullptr);
+            farm.computeAll(plan, nullptr);
     } catch (const std::invalid_argument &problem) { // the same on all ranks
-        if (rank == 0) std::fprintf(stderr, "sweep: %s\n%s", problem.what(), sweep::usage);
+        if (farm.rank() == 0) std::fprintf(stderr, "sweep: %s\n%s", problem.what(), sweep::usage);
         code = 2;
     }
-    MPI_Bcast(&code, 1, MPI_INT, 0, MPI_COMM_WORLD);
-    MPI_Finalize();
-    return code;
+    return farm.agree(code);
 }

@@ -21,9 +21,9 @@ def gravity_from_tilt(tilt_x: Any, tilt_y: Any, strength: Any = 9.81) -> np.ndar
     """
     tilts = np.broadcast_arrays(*(np.asarray(value, "f8") for value in (tilt_x, tilt_y, strength)))
     gravity = np.empty(tilts[0].shape + (3,))
-    place = address(gravity)
-    for i, (x, y, g) in enumerate(zip(*(tilt.ravel().tolist() for tilt in tilts))):
-        check(lib.phys_gravity_from_tilt(x, y, g, place + 24 * i))
+    places = range(address(gravity), address(gravity) + gravity.nbytes, 24)
+    statuses = map(lib.phys_gravity_from_tilt, *(tilt.ravel().tolist() for tilt in tilts), places)
+    check(min(statuses, default=0))  # all of them: errors are negative
     return gravity
 
 

@@ -39,24 +39,28 @@ void handOut(const Plan &plan, int rankCount, const Listener &listener) {
     }
 }
 
-void computeAlone(const Plan &plan, const Listener &listener) {
-    Roller roller(plan);
-    for (uint64_t job = 0; job < plan.jobCount(); ++job) listener(roller.run(job), 0);
-}
-
 } // namespace
 
-void computeAll(const Plan &plan, const Listener &listener) {
-    int rank = 0;
-    int rankCount = 1;
-    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-    MPI_Comm_size(MPI_COMM_WORLD, &rankCount);
-    if (rankCount == 1)
+Farm::Farm(int &argc, char **&argv) {
+    MPI_Init(&argc, &argv);
+    MPI_Comm_rank(MPI_COMM_WORLD, &m_rank);
+    MPI_Comm_size(MPI_COMM_WORLD, &m_rankCount);
+}
+
+Farm::~Farm() { MPI_Finalize(); }
+
+void Farm::computeAll(const Plan &plan, const Listener &listener) const {
+    if (m_rankCount == 1)
         computeAlone(plan, listener);
-    else if (rank == 0)
-        handOut(plan, rankCount, listener);
+    else if (m_rank == 0)
+        handOut(plan, m_rankCount, listener);
     else
         work(plan);
+}
+
+int Farm::agree(int code) const {
+    MPI_Bcast(&code, 1, MPI_INT, 0, MPI_COMM_WORLD);
+    return code;
 }
 
 } // namespace sweep
