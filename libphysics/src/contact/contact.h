@@ -30,6 +30,17 @@ inline double negligibleSpeed(const Motion &motion, double radius) {
     return 64.0 * kRounding * (glm::length(motion.velocity) + radius * glm::length(motion.spin));
 }
 
+/// Friction halves a slip again and again without ending it: what contacts leave of a motion is none long before it is
+/// a number that a computer can't halve.
+inline void dropTraces(const Motion &before, double radius, Motion &motion) {
+    constexpr double kTrace = 1e-100;
+    const double most = kTrace * (glm::length(before.velocity) + radius * glm::length(before.spin));
+    for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(motion.velocity[axis]) < most) motion.velocity[axis] = 0.0;
+        if (radius * std::abs(motion.spin[axis]) < most) motion.spin[axis] = 0.0;
+    }
+}
+
 /// A ball and the one feature of a box that is nearest to it: a box is convex, so that it never has a second contact.
 struct Contact {
     Vec3 point;               ///< of the box, nearest to the centre

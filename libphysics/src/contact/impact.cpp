@@ -95,15 +95,18 @@ Impacts resolveInThisOrder(const Contacts &contacts, double radius, Motion &moti
 
 Impacts resolveImpacts(const Contacts &contacts, double radius, Motion &motion, Work &work) {
     const Motion before = motion;
-    Impacts impacts = resolveInThisOrder(contacts, radius, motion, work);
-    if (impacts.rounds == 0 || contacts.count() < 2) return impacts;
-    // Contacts that nothing tells apart: the mean of both orders prefers none.
-    Contacts reversed = contacts;
-    if (!reversed.reverseTies()) return impacts;
-    Motion other = before;
-    resolveInThisOrder(reversed, radius, other, work);
-    motion.velocity = 0.5 * (motion.velocity + other.velocity);
-    motion.spin = 0.5 * (motion.spin + other.spin);
+    const Impacts impacts = resolveInThisOrder(contacts, radius, motion, work);
+    if (impacts.rounds == 0) return impacts;
+    if (contacts.hasTies()) {
+        // Contacts that nothing tells apart: the mean of both orders prefers none.
+        Contacts reversed = contacts;
+        reversed.reverseTies();
+        Motion other = before;
+        resolveInThisOrder(reversed, radius, other, work);
+        motion.velocity = 0.5 * (motion.velocity + other.velocity);
+        motion.spin = 0.5 * (motion.spin + other.spin);
+    }
+    dropTraces(before, radius, motion);
     return impacts;
 }
 

@@ -155,18 +155,6 @@ bool canHold(const StepContext &context, const Contacts &contacts) {
     return glm::length(motion.velocity) <= left && context.radius() * glm::length(motion.spin) <= left;
 }
 
-/// Friction halves a slip again and again without ending it: what is left of a motion is none long before it is a
-/// number that a computer can't halve.
-void dropTraces(const StepContext &context, const Ball &before, Ball &ball) {
-    constexpr double kTrace = 1e-100;
-    const double radius = context.radius();
-    const double most = kTrace * (glm::length(before.velocity) + radius * glm::length(before.spin));
-    for (int axis = 0; axis < 3; ++axis) {
-        if (std::abs(ball.velocity[axis]) < most) ball.velocity[axis] = 0.0;
-        if (radius * std::abs(ball.spin[axis]) < most) ball.spin[axis] = 0.0;
-    }
-}
-
 LastingContacts holdInThisOrder(const StepContext &context, const Contacts &contacts, Hold kind, double h, Ball &ball) {
     if (kind == Hold::SecondOrder) return holdSecondOrder(context, contacts, h, ball);
     return holdFirstOrder(context, contacts, kind == Hold::Explicit, h, ball);
@@ -263,7 +251,9 @@ bool hold(const StepContext &context, const Contacts &contacts, Hold kind, doubl
         ball.velocity = 0.5 * (ball.velocity + other.velocity);
         ball.spin = 0.5 * (ball.spin + other.spin);
     }
-    dropTraces(context, start, ball);
+    Motion motion = motionOf(ball);
+    dropTraces(motionOf(start), context.radius(), motion);
+    setMotion(motion, ball);
     bool onTop = false;
     for (size_t i = 0; const Lasting &contact : lasting) {
         const bool isPressed = contact.reaction > 0.0;
