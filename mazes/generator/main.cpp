@@ -16,8 +16,27 @@ std::string milliseconds(Clock::duration duration) {
     return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " ms";
 }
 
+// Names may hold line breaks and what moves a terminal's cursor: those as \x1b.
+std::string oneLine(const std::string &text) {
+    constexpr char kDigits[] = "0123456789abcdef";
+    std::string line;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < ' ' || byte == 0x7f)
+            line += {'\\', 'x', kDigits[byte / 16], kDigits[byte % 16]};
+        else
+            line += c;
+    }
+    return line;
+}
+
 void report(const std::string &what, Clock::time_point begin) {
-    std::cout << "mazegen: " << what << ", " << milliseconds(Clock::now() - begin) << "\n";
+    std::cout << "mazegen: " << oneLine(what) << ", " << milliseconds(Clock::now() - begin) << "\n";
+}
+
+int fail(const std::exception &error, int status) {
+    std::cerr << "mazegen: " << oneLine(error.what()) << "\n";
+    return status;
 }
 
 void writeMaze(const mazes::Recipe &recipe, const std::filesystem::path &prefix) {
@@ -62,10 +81,8 @@ int main(int argc, char **argv) {
         std::cerr << "mazegen: standard output: can't be written\n";
         return 1;
     } catch (const mazes::OptionError &error) {
-        std::cerr << "mazegen: " << error.what() << "\n";
-        return 2;
+        return fail(error, 2);
     } catch (const std::exception &error) {
-        std::cerr << "mazegen: " << error.what() << "\n";
-        return 1;
+        return fail(error, 1);
     }
 }

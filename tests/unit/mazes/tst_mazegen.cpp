@@ -49,6 +49,7 @@ private slots:
     void wrongOptionsGiveOneLineAndNoFile();
     void aFileThatCannotBeWrittenIsNamedAndNothingIsLeft();
     void aFileLimitIsToldAndNothingIsLeft();
+    void messagesAreOneLineWhateverIsNamed();
     void helpListsEveryOption();
     void versionIsThatOfTheProject();
     void filesOfAnotherKindAreNotReplaced();
@@ -211,6 +212,17 @@ void TestMazegen::aFileLimitIsToldAndNothingIsLeft() {
     QCOMPARE(process.exitCode(), 1);
     QCOMPARE(process.readAllStandardError(), QByteArray("mazegen: maze.obj: cannot write: File too large\n"));
     QCOMPARE(filesIn(folder.path()), QStringList());
+}
+
+void TestMazegen::messagesAreOneLineWhateverIsNamed() {
+    QTemporaryDir folder;
+    QCOMPARE(run(folder.path(), {"a\nb\x1b[31m"}).errors,
+             QString("mazegen: expected an option of mazegen --help, found 'a\\x0ab\\x1b[31m'\n"));
+    const Outcome nowhere = run(folder.path(), kMaze + QStringList{"--out", "a\x1b/b"});
+    QCOMPARE(nowhere.errors, QString("mazegen: a\\x1b/b.obj: cannot write: No such file or directory\n"));
+    const Outcome written = run(folder.path(), kMaze + QStringList{"--out", "a\x1b"});
+    QCOMPARE(written.status, 0);
+    QVERIFY2(written.output.startsWith("mazegen: a\\x1b.txt .obj"), qPrintable(written.output));
 }
 
 void TestMazegen::helpListsEveryOption() {
