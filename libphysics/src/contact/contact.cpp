@@ -206,7 +206,7 @@ bool findContacts(const Setting &setting, const Vec3 &position, const Motion &mo
     double negligible = -1.0; // not needed before something is near
     visitNear(scene, position, touching + furthest, [&](const phys_box &box, uint32_t number) {
         const bool isTouched = squaredDistance(box, position) <= touching * touching;
-        if (!isTouched && !isReached(box)) return;
+        if (!isTouched && (furthest == 0.0 || !isReached(box))) return;
         if (negligible < 0.0) negligible = negligibleSpeed(motion, scene.radius);
         Contact contact;
         Vec3 d;

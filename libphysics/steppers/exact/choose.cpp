@@ -54,6 +54,8 @@ uint32_t ExactStep::closedBits() const {
     return bits;
 }
 
+bool ExactStep::isStill() const { return m_motion.velocity == Vec3(0.0) && m_motion.spin == Vec3(0.0); }
+
 bool ExactStep::restsNow() const {
     if (m_motion.velocity != Vec3(0.0)) return false;
     if (glm::length(m_response.acceleration) > m_response.noise) return false;
@@ -98,7 +100,7 @@ bool ExactStep::isAlone(uint32_t &closed) const {
 
 /// Nothing is left of the velocity of a ball that resistance holds: it was rounding, model.md 14.1.
 void ExactStep::stopHeld() {
-    if (m_response.rolling != Vec3(0.0)) return;
+    if (m_response.rolling != Vec3(0.0) || isStill()) return;
     for (uint32_t i = 0; i < m_heldCount; ++i) {
         if (m_response.reactions[i].mode != Mode::sticking || m_held[i].resistance == 0.0) continue;
         if (!isNoSlip(moment(), m_motion.velocity)) return;

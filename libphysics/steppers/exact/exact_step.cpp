@@ -41,6 +41,7 @@ phys_status ExactStep::advance(phys_state &out) {
     while (m_left > 0.0) {
         if (const phys_status status = keep(pace)) return status;
         if (const phys_status status = choose(phase)) return status;
+        if (isStill() && restsNow()) break;
         End end;
         std::visit(
             [&](const auto &chosen) {
@@ -122,7 +123,7 @@ void ExactStep::leave(phys_state &out) {
         slips = m_setting.isRigid() && m_params.sliding_friction > 0.0 && !isNoSlip(moment(), slip);
     }
     out.flags = (isOut ? PHYS_OUT : 0) | (carried ? 0 : PHYS_AIRBORNE) | (slips ? PHYS_SLIPPING : 0);
-    if (m_motion.velocity != Vec3(0.0) || m_motion.spin != Vec3(0.0) || m_heldCount == 0) return;
+    if (!isStill() || m_heldCount == 0) return;
     if (m_isAnswered || respondNow() == PHYS_OK) out.flags |= restsNow() ? PHYS_AT_REST : 0;
 }
 

@@ -74,6 +74,7 @@ private:
     double lastBounce(const Contact &contact, const Vec3 &acting) const;
     void collectHeld(double negligible);
     void addHeld(uint32_t number);
+    bool areBouncing() const;
     bool holdNext(double negligible);
     void hold(double negligible);
     void project();
@@ -87,6 +88,7 @@ private:
     phys_status jam();
     bool isUniform() const;
     bool isAlone(uint32_t &closed) const;
+    bool isStill() const;
     bool restsNow() const;
     void buildSeries(Series &series);
     uint32_t countSticking() const;

@@ -133,9 +133,23 @@ void ExactStep::addHeld(uint32_t number) {
     m_lasting[m_heldCount++] = number;
 }
 
+/// Whether all contacts but those that are held are left too fast for a last bounce, whatever accelerates the ball.
+bool ExactStep::areBouncing() const {
+    constexpr double kMost = 1e3; // relative: no contacts make more of the accelerations at hand
+    const double fast =
+        2.0 * kMost * accelerationScale(moment()) * std::max(m_scene.tolerance, kLastBounce * m_scene.radius);
+    return std::all_of(m_contacts.begin(), m_contacts.end(), [&](const Contact &contact) {
+        const auto held = m_lasting.begin() + m_heldCount;
+        const double speed = glm::dot(m_motion.velocity, contact.normal);
+        if (speed < 0.0 || speed * speed > fast) return true;
+        return std::find(m_lasting.begin(), held, static_cast<uint32_t>(&contact - m_contacts.begin())) != held;
+    });
+}
+
 /// Ends the bounce of one more contact, rather of one that doesn't drive the ball into another: false if none bounces
 /// so low.
 bool ExactStep::holdNext(double negligible) {
+    if (areBouncing()) return false;
     const Vec3 acting = actingAcceleration();
     uint32_t next = Contacts::kMost;
     for (uint32_t i = 0; i < m_contacts.count(); ++i) {
@@ -174,6 +188,7 @@ void ExactStep::hold(double negligible) {
 /// Removes what is left of the velocity across the lasting contacts.
 void ExactStep::project() {
     Vec3 &v = m_motion.velocity;
+    if (v == Vec3(0.0)) return;
     for (uint32_t i = 0; i < m_heldCount; ++i) {
         const Vec3 &n = m_held[i].normal;
         for (uint32_t j = 0; j < i; ++j) {
