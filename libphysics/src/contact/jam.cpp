@@ -122,29 +122,65 @@ double sumOfPressures(const Jam &jam) {
     return sum;
 }
 
+/// A moment whose slips end, as all of its images see it.
+class Jammed {
+public:
+    Jammed(const Moment &moment, std::span<const Held> held, Work &work)
+        : m_mirror(moment, held)
+        , m_sorted(m_mirror, held)
+        , m_before(m_mirror.seen(moment))
+        , m_still(m_before)
+        , m_jam{Combination{m_still, m_sorted.list(), work}, m_before, m_before, kFits * speedScale(m_before)} {
+        m_still.gravity = Vec3(0.0);
+        for (uint32_t i = 0; i < m_jam.c.count(); ++i) setMode(m_jam, i, 0);
+    }
+
+    Moment stopped() {
+        push(m_jam);
+        return m_jam.after;
+    }
+
+    /// False if no choice fits.
+    bool end(Moment &best) {
+        double least = INFINITY;
+        std::array<uint32_t, kMostHeld> numbers{};
+        do {
+            const std::array<Reaction, kMostHeld> begun = m_jam.c.reactions;
+            if (ends(m_jam) && settle(m_jam) && fits(m_jam) &&
+                sumOfPressures(m_jam) < least - kMostMore * speedScale(m_before)) {
+                least = sumOfPressures(m_jam);
+                best = m_jam.after;
+            }
+            m_jam.c.reactions = begun;
+        } while (nextModes(m_jam, numbers) && !m_jam.c.work.isTooMuch());
+        return least < INFINITY;
+    }
+
+    void give(const Moment &after, Moment &moment) const {
+        moment.velocity = m_mirror.back(after.velocity);
+        moment.spin = m_mirror.backSpin(after.spin);
+    }
+
+private:
+    Mirror m_mirror;
+    Sorted m_sorted;
+    Moment m_before, m_still;
+    Jam m_jam;
+};
+
 } // namespace
 
-void endSlips(Moment &moment, std::span<const Held> held, Work &work) {
-    const Mirror mirror(moment, held);
-    const Sorted sorted(mirror, held);
-    Moment before = mirror.seen(moment), still = before;
-    still.gravity = Vec3(0.0);
-    Jam jam{Combination{still, sorted.list(), work}, before, before, kFits * speedScale(before)};
-    std::array<uint32_t, kMostHeld> numbers{};
-    for (uint32_t i = 0; i < jam.c.count(); ++i) setMode(jam, i, 0);
-    push(jam); // however much friction that takes, if nothing fits
-    Moment best = jam.after;
-    double least = INFINITY;
-    do {
-        const std::array<Reaction, kMostHeld> begun = jam.c.reactions;
-        if (ends(jam) && settle(jam) && fits(jam) && sumOfPressures(jam) < least - kMostMore * speedScale(before)) {
-            least = sumOfPressures(jam);
-            best = jam.after;
-        }
-        jam.c.reactions = begun;
-    } while (nextModes(jam, numbers) && !work.isTooMuch());
-    moment.velocity = mirror.back(best.velocity);
-    moment.spin = mirror.backSpin(best.spin);
+bool endSlips(Moment &moment, std::span<const Held> held, Work &work) {
+    Jammed jammed(moment, held, work);
+    Moment best;
+    if (!jammed.end(best)) return false;
+    jammed.give(best, moment);
+    return true;
+}
+
+void stopSlips(Moment &moment, std::span<const Held> held, Work &work) {
+    Jammed jammed(moment, held, work);
+    jammed.give(jammed.stopped(), moment);
 }
 
 } // namespace phys

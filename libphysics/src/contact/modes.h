@@ -79,7 +79,11 @@ Response respond(const Moment &moment, std::span<const Held> held, Work &work, c
 
 /// Ends slips at once where no modes fit, by impulses that Coulomb's cones allow: the ball jams, model.md 14.1. Never
 /// adds energy.
-void endSlips(Moment &moment, std::span<const Held> held, Work &work);
+/// False if none do.
+bool endSlips(Moment &moment, std::span<const Held> held, Work &work);
+
+/// Ends all slips at rough contacts, whatever friction it takes. Never adds energy.
+void stopSlips(Moment &moment, std::span<const Held> held, Work &work);
 
 /// Size of accelerations at a moment, for what counts as zero: |g| + v^2/R + R om^2.
 double accelerationScale(const Moment &moment);

@@ -29,21 +29,29 @@ phys_status ExactStep::respondNow() {
     return m_response.isFound ? PHYS_OK : jam();
 }
 
-/// No modes fit: friction drives the reactions beyond all bounds, an impact without a collision. What slips sticks.
+/// No modes fit: friction drives the reactions beyond all bounds, an impact without a collision. Slips end, within
+/// Coulomb's cones if modes fit then.
 phys_status ExactStep::jam() {
-    Moment stopped = moment();
-    endSlips(stopped, held(), m_work);
-    const double R = m_scene.radius;
-    const auto energy = [R](const Vec3 &v, const Vec3 &spin) {
-        return 0.5 * glm::dot(v, v) + 0.2 * R * R * glm::dot(spin, spin);
-    };
-    m_report.lostSlip(energy(m_motion.velocity, m_motion.spin) - energy(stopped.velocity, stopped.spin));
-    m_motion = {stopped.velocity, stopped.spin};
-    m_response = respond(moment(), held(), m_work);
+    Moment jammed = moment();
+    if (endSlips(jammed, held(), m_work)) takeJammed(jammed);
+    if (!m_response.isFound) {
+        stopSlips(jammed, held(), m_work);
+        takeJammed(jammed);
+    }
     if (m_response.isFound) return PHYS_OK;
     if (const phys_status status = checkWork()) return status;
     return fail(m_err, PHYS_ERROR_STUCK, "the ball at (%.9g, %.9g, %.9g) is jammed by friction", m_position.x,
                 m_position.y, m_position.z);
+}
+
+void ExactStep::takeJammed(const Moment &jammed) {
+    const double R = m_scene.radius;
+    const auto energy = [R](const Vec3 &v, const Vec3 &spin) {
+        return 0.5 * glm::dot(v, v) + 0.2 * R * R * glm::dot(spin, spin);
+    };
+    m_report.lostSlip(energy(m_motion.velocity, m_motion.spin) - energy(jammed.velocity, jammed.spin));
+    m_motion = {jammed.velocity, jammed.spin};
+    m_response = respond(moment(), held(), m_work);
 }
 
 uint32_t ExactStep::closedBits() const {

@@ -86,6 +86,7 @@ private:
     phys_status choose(Phase &phase);
     phys_status respondNow();
     phys_status jam();
+    void takeJammed(const Moment &jammed);
     bool isUniform() const;
     bool isAlone(uint32_t &closed) const;
     bool isStill() const;
