@@ -122,8 +122,12 @@ bool respondOnFloor(const Moment &moment, std::span<const Held> held, uint32_t f
         if (!isNoSlip(moment, R * spin)) heading = hat(glm::cross(spin, up)); // that of rounding is none
         a -= B * heading;
     }
-    if (!pushSmooth(smooth, among, a, push)) return false;
-    if (std::count_if(push.begin(), push.end(), [](double size) { return size > 0.0; }) > 1) a = Vec3(0.0);
+    Vec3 others(0.0);
+    if (among != 0) {
+        if (!pushSmooth(smooth, among, a, push)) return false;
+        if (std::count_if(push.begin(), push.end(), [](double size) { return size > 0.0; }) > 1) a = Vec3(0.0);
+        for (uint32_t i = 0; i < held.size(); ++i) others += smooth.inertia * push[i] * held[i].normal;
+    }
     if (B > 0.0 && heading == Vec3(0.0)) {
         // At rest: resistance balances what it can of what the others leave, model.md 2.1 R4.
         const double size = glm::length(a);
@@ -131,8 +135,6 @@ bool respondOnFloor(const Moment &moment, std::span<const Held> held, uint32_t f
         a = size > B ? a - B * heading : Vec3(0.0);
         if (size <= B) heading = Vec3(0.0);
     }
-    Vec3 others(0.0);
-    for (uint32_t i = 0; i < held.size(); ++i) others += smooth.inertia * push[i] * held[i].normal;
     const Vec3 needed = -2.0 / 7.0 * (level + others);
     const bool tooSteep =
         rolls && !ground.isGlued && glm::length(needed) > ground.friction * N + kFits * accelerationScale(moment);
@@ -145,7 +147,7 @@ bool respondOnFloor(const Moment &moment, std::span<const Held> held, uint32_t f
     response.acceleration = a;
     response.rolling = glm::cross(up, heading);
     response.spinAcceleration = rolls ? glm::cross(up, a) / R : -kInertia / R * glm::cross(up, friction);
-    fillSmooth(smooth, among, a, push, response);
+    if (among != 0) fillSmooth(smooth, among, a, push, response);
     return true;
 }
 
