@@ -9,6 +9,8 @@ flat in vec3 v_albedo;
 flat in vec4 v_surface;
 
 uniform vec4 ball; // centre and radius, board frame
+uniform float ball_reach; // m; up to there it takes some of the sky
+uniform float light_disc; // half angle of the light, as a tangent
 uniform vec3 to_light;
 uniform vec3 eye;
 uniform vec3 light_radiance;
@@ -25,22 +27,23 @@ vec3 skyRadiance(vec3 direction);
 float highlight(vec3 normal, vec3 to_eye, float roughness);
 vec3 display(vec3 radiance);
 
-// How much of the light, a disc of this half angle (as a tangent), the ball leaves over.
+// How much of the light the ball leaves over.
 float lightPastBall(vec3 position) {
-    const float disc = 0.12;
     vec3 to_ball = ball.xyz - position;
     float along = max(dot(to_ball, to_light), 0.0);
     float miss = length(to_ball - along * to_light);
-    float blur = disc * along + 0.02 * ball.w;
+    float blur = light_disc * along + 0.02 * ball.w;
     return along > 0.0 ? smoothstep(-blur, blur, miss - ball.w) : 1.0;
 }
 
-// How much of the sky the ball leaves over: the solid angle of a sphere, weighted by the cosine.
+// How much of the sky the ball leaves over: the solid angle of a sphere, weighted by the cosine. It fades out to exactly
+// 1 at ball_reach, so that only what is around the ball has to be drawn anew when it moves.
 float skyPastBall(vec3 position, vec3 normal) {
     vec3 to_ball = ball.xyz - position;
     float distance_squared = max(dot(to_ball, to_ball), ball.w * ball.w);
     float cosine = max(dot(normal, to_ball) * inversesqrt(distance_squared), 0.0);
-    return 1.0 - cosine * ball.w * ball.w / distance_squared;
+    float near = max(1.0 - distance_squared / (ball_reach * ball_reach), 0.0);
+    return 1.0 - near * cosine * ball.w * ball.w / distance_squared;
 }
 
 // The glow of the exit on what is near it.

@@ -54,6 +54,7 @@ struct Frame {
 struct Backdrop {
     glm::vec3 table{0.80F, 0.80F, 0.81F};
     glm::vec3 horizon{0.93F, 0.94F, 0.95F};
+    bool operator==(const Backdrop &) const = default;
 };
 
 struct View {

@@ -30,6 +30,10 @@ constexpr glm::vec3 kLightRadiance{1.02F, 0.97F, 0.88F};
 constexpr glm::vec3 kSkyRadiance{0.42F, 0.44F, 0.49F};
 constexpr glm::vec3 kGroundRadiance{0.26F, 0.20F, 0.15F};
 
+constexpr double kLightDisc = 0.12;  // half angle, as a tangent
+constexpr double kBallReach = 12.0;  // radii; up to there a ball takes some of the sky
+constexpr double kSteepLight = 0.25; // the light's height above the board as a sine; below, shadows are long
+
 constexpr int kGrainTexels = 512;
 constexpr int kGrainUnit = 0; // texture units
 constexpr int kOcclusionUnit = 1;
@@ -47,6 +51,13 @@ QVector3D toQt(const glm::vec3 &v) { return {v.x, v.y, v.z}; }
 QVector4D toQt(const glm::vec4 &v) { return {v.x, v.y, v.z, v.w}; }
 
 glm::dvec4 sphere(const Ball &ball) { return {ball.position, ball.radius}; }
+
+// So far below the light that it changes nothing.
+Ball absentBall(const glm::dvec3 &to_light) {
+    Ball ball;
+    ball.position = -1e3 * to_light;
+    return ball;
+}
 
 // Light space: a box just around the bounds, seen along the light. Clip coordinates from board coordinates.
 glm::dmat4 orthographicAround(const Bounds &bounds, const glm::dvec3 &back) {
@@ -113,6 +124,7 @@ void MazeRenderer::setMaze(const Mesh &mesh) {
     m_maze.upload(mesh);
     m_bounds = mesh.bounds();
     m_beacon = beaconOf(mesh);
+    ++m_mazes;
     m_is_occlusion_stale = true;
     m_is_shadow_stale = true;
 }
@@ -133,23 +145,95 @@ MazeRenderer::Beacon MazeRenderer::beaconOf(const Mesh &mesh) {
 void MazeRenderer::setBall(const Mesh &mesh) { m_ball.upload(mesh); }
 
 void MazeRenderer::render(const Frame &frame, const View &view) {
-    if (!m_shaders.update(view.quality)) return;
     const Scene scene = describe(frame, view);
+    if (!prepare(scene)) return;
+    clear();
+    drawBoard(scene, frame.ball);
+    drawMoving(scene);
+}
 
+void MazeRenderer::renderStill(const Frame &frame, const View &view) {
+    const Scene scene = describe(frame, view);
+    if (!prepare(scene)) return;
+    clear();
+    drawBoard(scene, absentBall(scene.to_light));
+}
+
+void MazeRenderer::renderMoving(const Frame &frame, const View &view) {
+    const Scene scene = describe(frame, view);
+    if (!prepare(scene)) return;
+    const glm::ivec4 changed = changedByBall(scene);
+    m_gl->glEnable(GL_SCISSOR_TEST);
+    m_gl->glScissor(changed.x, changed.y, changed.z, changed.w);
+    clear();
+    drawBoard(scene, frame.ball);
+    m_gl->glDisable(GL_SCISSOR_TEST);
+    drawMoving(scene);
+}
+
+MazeRenderer::Still MazeRenderer::stillOf(const Frame &frame, const View &view) {
+    m_shaders.update(view.quality);
+    const Scene scene = describe(frame, view);
+    return {scene.clip_from_board, scene.board_to_world, view.pixels, view.quality, view.backdrop, m_mazes,
+            m_shaders.generation()};
+}
+
+// False: there is nothing to draw with.
+bool MazeRenderer::prepare(const Scene &scene) {
+    if (!m_shaders.update(scene.view.quality)) return false;
     m_gl->glEnable(GL_DEPTH_TEST);
     m_gl->glDepthFunc(GL_LEQUAL);
     m_gl->glDepthMask(GL_TRUE);
     m_gl->glDisable(GL_BLEND);
     m_gl->glEnable(GL_CULL_FACE);
     if (m_is_occlusion_stale) makeOcclusionMap();
-    if (view.quality != Quality::Low) updateShadowMap(scene, view.quality);
-
-    m_gl->glViewport(0, 0, view.pixels.x, view.pixels.y);
-    m_gl->glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    if (scene.view.quality != Quality::Low) updateShadowMap(scene, scene.view.quality);
+    m_gl->glViewport(0, 0, scene.view.pixels.x, scene.view.pixels.y);
     bindTextures();
-    drawMaze(scene);
-    drawBall(scene, frame.ball, Colour(0.0F, 0.0F, 0.0F, 1.0F));
-    drawBackdrop(scene); // after what hides it
+    return true;
+}
+
+void MazeRenderer::clear() { m_gl->glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT); }
+
+// Pixels (x, y, width, height) of the piece of board around the ball that it darkens, and of that its shadow falls on.
+glm::ivec4 MazeRenderer::changedByBall(const Scene &scene) const {
+    const glm::ivec4 all(0, 0, scene.view.pixels);
+    if (scene.to_light.z < kSteepLight) return all;
+    const Ball &ball = scene.frame.ball;
+    const double radius = 1.05 * ball.radius; // the shadow's edge is a little soft also where the ball touches
+    // Down the light to the lowest place of the board; the shadow widens by the disc.
+    const double fall = std::max(ball.position.z + radius - m_bounds.minimum.z, 0.0) / (scene.to_light.z - kLightDisc);
+    const glm::dvec3 foot = ball.position - fall * scene.to_light;
+    const double foot_radius = radius + kLightDisc * fall;
+    const double reach = kBallReach * ball.radius;
+    glm::dvec3 lo = glm::max(glm::min(ball.position - reach, foot - foot_radius), m_bounds.minimum);
+    glm::dvec3 hi = glm::min(glm::max(ball.position + reach, foot + foot_radius), m_bounds.maximum);
+    lo.z = m_bounds.minimum.z;
+    hi.z = m_bounds.maximum.z;
+    if (lo.x >= hi.x || lo.y >= hi.y) return glm::ivec4(0);
+    glm::dvec2 first(1.0); // clip coordinates
+    glm::dvec2 last(-1.0);
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 place(corner & 1 ? lo.x : hi.x, corner & 2 ? lo.y : hi.y, corner & 4 ? lo.z : hi.z);
+        const glm::dvec4 clip = scene.clip_from_board * glm::dvec4(place, 1.0);
+        if (clip.w <= 0.0) return all; // behind the eye
+        first = glm::min(first, glm::dvec2(clip) / clip.w);
+        last = glm::max(last, glm::dvec2(clip) / clip.w);
+    }
+    const glm::dvec2 size(scene.view.pixels);
+    const glm::ivec2 begin = glm::floor(0.5 * (glm::clamp(first, -1.0, 1.0) + 1.0) * size);
+    const glm::ivec2 end = glm::ceil(0.5 * (glm::clamp(last, -1.0, 1.0) + 1.0) * size);
+    return {begin, glm::max(end - begin, 0)};
+}
+
+// Table and horizon last: they are seen only where nothing hides them.
+void MazeRenderer::drawBoard(const Scene &scene, const Ball &ball) {
+    drawMaze(scene, ball);
+    drawBackdrop(scene);
+}
+
+void MazeRenderer::drawMoving(const Scene &scene) {
+    drawBall(scene, scene.frame.ball, Colour(0.0F, 0.0F, 0.0F, 1.0F));
     m_gl->glEnable(GL_BLEND);
     m_gl->glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     drawGhosts(scene);
@@ -241,10 +325,12 @@ void MazeRenderer::setLighting(QOpenGLShaderProgram &program, const Scene &scene
     program.setUniformValue("shadow_map", kShadowUnit);
 }
 
-void MazeRenderer::drawMaze(const Scene &scene) {
+void MazeRenderer::drawMaze(const Scene &scene, const Ball &ball) {
     QOpenGLShaderProgram &program = m_shaders.use(Program::Maze);
     setLighting(program, scene);
-    program.setUniformValue("ball", toQt(glm::vec4(sphere(scene.frame.ball))));
+    program.setUniformValue("ball", toQt(glm::vec4(sphere(ball))));
+    program.setUniformValue("ball_reach", static_cast<float>(kBallReach * ball.radius));
+    program.setUniformValue("light_disc", static_cast<float>(kLightDisc));
     program.setUniformValue("beacon", toQt(m_beacon.position));
     program.setUniformValue("beacon_albedo", toQt(m_beacon.albedo));
     m_maze.draw();

@@ -28,13 +28,26 @@ public:
     // Both are closed, their triangles counter-clockwise from outside: what faces away isn't drawn.
     void setMaze(const Mesh &mesh); // board frame, m
     void setBall(const Mesh &mesh); // radius 1 around the origin
-    const Bounds &mazeBounds() const { return m_bounds; }
-
-    // The board's tilt turns it about this point of the board frame.
-
     ShaderLibrary &shaders() { return m_shaders; }
 
     void render(const Frame &frame, const View &view);
+
+    // What decides how board and table look, but for what the ball changes in them.
+    struct Still {
+        glm::dmat4 clip_from_board{0.0};
+        glm::dmat4 board_to_world{0.0};
+        glm::ivec2 pixels{0};
+        Quality quality = Quality::Low;
+        Backdrop backdrop;
+        uint64_t maze = 0;
+        uint64_t shaders = 0;
+        bool operator==(const Still &) const = default;
+    };
+    Still stillOf(const Frame &frame, const View &view);
+    // render() in two parts, pixel by pixel, for whoever keeps the picture of the first one, with its depths: board and
+    // table; then all that moves, with the piece of the board that the ball changes.
+    void renderStill(const Frame &frame, const View &view);
+    void renderMoving(const Frame &frame, const View &view);
 
 private:
     struct Scene; // what all passes of one frame share
@@ -49,12 +62,17 @@ private:
     explicit MazeRenderer(QOpenGLFunctions_3_3_Core *gl);
 
     Scene describe(const Frame &frame, const View &view) const;
+    bool prepare(const Scene &scene);
+    void clear();
+    glm::ivec4 changedByBall(const Scene &scene) const;
     void makeOcclusionMap();
     void updateShadowMap(const Scene &scene, Quality quality);
     void drawDepth(DepthTarget &target, const glm::dmat4 &clip_from_board);
     void bindTextures();
     void setLighting(QOpenGLShaderProgram &program, const Scene &scene);
-    void drawMaze(const Scene &scene);
+    void drawBoard(const Scene &scene, const Ball &ball);
+    void drawMaze(const Scene &scene, const Ball &ball);
+    void drawMoving(const Scene &scene);
     void drawBall(const Scene &scene, const Ball &ball, const Colour &tint);
     void drawBackdrop(const Scene &scene);
     void drawGhosts(const Scene &scene);
@@ -76,6 +94,7 @@ private:
 
     Bounds m_bounds;
     Beacon m_beacon;
+    uint64_t m_mazes = 0; // how many there were
 };
 
 } // namespace inspector::gl

@@ -121,6 +121,7 @@ bool ShaderLibrary::update(Quality quality) {
         if (!programs[0]) return m_is_stale = true, false;
     }
     m_programs = std::move(programs);
+    ++m_generation;
     emit rebuilt();
     return true;
 }

@@ -29,6 +29,9 @@ public:
     // Returns whether there is a set of programs to draw with.
     bool update(Quality quality);
 
+    // Another number: another set of programs.
+    uint64_t generation() const { return m_generation; }
+
     // Bound and ready for uniforms; only after update() has returned true.
     QOpenGLShaderProgram &use(Program program);
 
@@ -47,6 +50,7 @@ private:
     QString m_directory;
     QFileSystemWatcher m_watcher;
     Set m_programs;
+    uint64_t m_generation = 0;
     Quality m_quality = Quality::Medium;
     bool m_is_stale = true;
 };

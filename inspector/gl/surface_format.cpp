@@ -6,6 +6,7 @@
 #include <QGuiApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
+#include <QOpenGLFunctions>
 
 namespace inspector::gl {
 
@@ -39,19 +40,50 @@ QString contextProblem(const QOpenGLContext *context) {
     return QStringLiteral("OpenGL: got version %1.%2; %3").arg(major).arg(minor).arg(needed);
 }
 
-QString displayProblem() {
+namespace {
+
+struct Display {
+    QString problem; // one line, or empty
+    QString renderer;
+};
+
+Display look() {
     // These either give no context, or give one and crash as soon as a widget is to be drawn by it.
     const QString platform = QGuiApplication::platformName();
     for (const char *without : {"offscreen", "minimal", "minimalegl", "vnc", "linuxfb"})
         if (platform == QLatin1String(without))
-            return QStringLiteral("Qt's platform '%1' can't show OpenGL").arg(platform);
+            return {QStringLiteral("Qt's platform '%1' can't show OpenGL").arg(platform), {}};
     QOffscreenSurface surface;
     surface.create();
     QOpenGLContext context;
     context.create();
     const QString problem = contextProblem(&context);
-    if (!problem.isEmpty() || context.makeCurrent(&surface)) return problem;
-    return QStringLiteral("OpenGL: a context was made but can't be used");
+    if (!problem.isEmpty()) return {problem, {}};
+    if (context.makeCurrent(&surface)) return {{}, rendererName()};
+    return {QStringLiteral("OpenGL: a context was made but can't be used"), {}};
+}
+
+// A look takes some hundredths of a second.
+const Display &display() {
+    static const Display seen = look();
+    return seen;
+}
+
+} // namespace
+
+QString displayProblem() { return display().problem; }
+
+bool isDrawnBySoftware() { return isSoftwareRenderer(display().renderer); }
+
+QString rendererName() {
+    const auto *name = QOpenGLContext::currentContext()->functions()->glGetString(GL_RENDERER);
+    return QString::fromLatin1(reinterpret_cast<const char *>(name));
+}
+
+bool isSoftwareRenderer(const QString &name) {
+    for (const char *part : {"llvmpipe", "softpipe", "swrast", "Software", "SwiftShader", "GDI Generic"})
+        if (name.contains(QLatin1String(part))) return true;
+    return false;
 }
 
 } // namespace inspector::gl

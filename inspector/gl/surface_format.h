@@ -17,7 +17,13 @@ QSurfaceFormat surfaceFormat();
 // Empty when `context` (may be null) can draw; otherwise one line that says what was got and what is needed.
 QString contextProblem(const QOpenGLContext *context);
 
-// Empty when a QOpenGLWidget can draw on the application's display; otherwise one line. Needs the application object.
+// Empty when OpenGL can draw on the application's display; otherwise one line. Needs the application object.
 QString displayProblem();
+
+// Of the current context, for instance "llvmpipe (LLVM 15.0.6, 256 bits)".
+QString rendererName();
+bool isSoftwareRenderer(const QString &name);
+// Whether that of the application's display is one; false if there is none. Needs the application object.
+bool isDrawnBySoftware();
 
 } // namespace inspector::gl

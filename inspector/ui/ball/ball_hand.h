@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/session/session.h"
-#include "gl/maze_view.h"
+#include "gl/view/maze_view.h"
 
 #include <QObject>
 

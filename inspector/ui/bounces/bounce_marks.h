@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/events/event_log.h"
-#include "gl/maze_view.h"
+#include "gl/view/maze_view.h"
 
 #include <optional>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/game/game_keys.h"
 
-#include "gl/maze_view.h"
+#include "gl/view/maze_view.h"
 #include "ui/parts/number_box.h"
 
 #include <QAbstractButton>

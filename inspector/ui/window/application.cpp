@@ -4,8 +4,8 @@
 #include "core/program/ending.h"
 #include "core/session/session.h"
 #include "core/setup/lines.h"
-#include "gl/maze_view.h"
 #include "gl/surface_format.h"
+#include "gl/view/maze_view.h"
 #include "ui/window/main_window.h"
 #include "ui/window/unattended_run.h"
 
@@ -71,6 +71,7 @@ int runWindow(Session &session, const Options &options) {
     if (!problem.isEmpty()) window.sayWhyFlat(problem);
     watchEndingSignals(window);
     if (!options.shaders.isEmpty()) window.view().setShaderDirectory(options.shaders);
+    if (!options.grab.isEmpty()) window.view().setQuality(window.view().quality()); // the same on each machine
     window.show();
     UnattendedRun run(session, options);
     QObject::connect(&run, &UnattendedRun::finished, &window, [&window, &options](QString error) {

@@ -3,7 +3,7 @@
 
 #include "core/setup/lines.h"
 #include "core/setup/stored_values.h"
-#include "gl/maze_view.h"
+#include "gl/view/maze_view.h"
 #include "ui/ball/ball_dock.h"
 #include "ui/ball/ball_hand.h"
 #include "ui/bounces/bounce_dock.h"

@@ -116,6 +116,7 @@ private:
     gl::Frame frame() const;
     int quality() const;
     void chooseQuality(int number);
+    void useQuality();
     int pictureScale() const;
     void choosePictureScale(int number);
     int theme() const;

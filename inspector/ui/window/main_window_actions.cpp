@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Menus and what they do: one table of actions, and a few menus of choices.
 #include "core/setup/stored_values.h"
-#include "gl/maze_view.h"
+#include "gl/view/maze_view.h"
 #include "ui/bounces/bounce_dock.h"
 #include "ui/game/game_strip.h"
 #include "ui/parameters/parameter_panel.h"
@@ -294,8 +294,8 @@ void MainWindow::addViewChoices(QMenu &menu) {
     menu.insertAction(first, action("reset_layout"));
 
     menu.addSeparator();
-    addChoice(*menu.addMenu(tr("Quality")), "quality", {tr("Low"), tr("Medium"), tr("High")}, &MainWindow::quality,
-              &MainWindow::chooseQuality);
+    addChoice(*menu.addMenu(tr("Quality")), "quality", {tr("What comes in time"), tr("Low"), tr("Medium"), tr("High")},
+              &MainWindow::quality, &MainWindow::chooseQuality);
     addChoice(*menu.addMenu(tr("Size of saved pictures")), "picture_scale",
               {tr("As the view"), tr("2 times"), tr("3 times"), tr("4 times")}, &MainWindow::pictureScale,
               &MainWindow::choosePictureScale);
@@ -313,12 +313,15 @@ void MainWindow::addChoice(QMenu &menu, const char *name, const QStringList &tex
         connect(choice, &QAction::triggered, this, [this, choose, i] { (this->*choose)(i); });
         menu.addAction(choice);
     }
-    // The view may have chosen by itself.
     connect(&menu, &QMenu::aboutToShow, this,
             [this, group, chosen] { group->actions()[(this->*chosen)()]->setChecked(true); });
 }
 
-int MainWindow::quality() const { return int(m_view->quality()); }
+// 0: the view chooses.
+int MainWindow::quality() const {
+    const auto set = storedChoice(m_session.settings(), settings_keys::kQuality, gl::kQualityCount);
+    return set ? *set + 1 : 0;
+}
 
 int MainWindow::pictureScale() const {
     return std::clamp(m_session.settings().value(settings_keys::kPictureScale, 1).toInt(), 1, 4) - 1;
@@ -333,8 +336,16 @@ int MainWindow::theme() const {
 }
 
 void MainWindow::chooseQuality(int number) {
-    m_session.settings().setValue(settings_keys::kQuality, number);
-    m_view->setQuality(gl::Quality(number));
+    if (number == 0)
+        m_session.settings().remove(settings_keys::kQuality);
+    else
+        m_session.settings().setValue(settings_keys::kQuality, number - 1);
+    useQuality();
+}
+
+void MainWindow::useQuality() {
+    const int chosen = quality();
+    m_view->setQuality(chosen == 0 ? std::nullopt : std::optional(gl::Quality(chosen - 1)));
 }
 
 void MainWindow::chooseTheme(int number) {

@@ -2,7 +2,7 @@
 #include "ui/window/ruler.h"
 
 #include "core/setup/inputs.h"
-#include "gl/maze_view.h"
+#include "gl/view/maze_view.h"
 
 #include <QLabel>
 #include <QMouseEvent>

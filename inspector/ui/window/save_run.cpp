@@ -3,7 +3,7 @@
 
 #include "core/program/csv_writer.h"
 #include "core/session/session.h"
-#include "gl/maze_view.h"
+#include "gl/view/maze_view.h"
 #include "ui/parts/settings_keys.h"
 
 #include <QFileInfo>

@@ -44,10 +44,25 @@ OffscreenPicture::~OffscreenPicture() {
     m_target.reset();
 }
 
+View OffscreenPicture::viewOf(Quality quality) const {
+    return {m_camera.view(), m_camera.projection(), {kWidth, kHeight}, 1.0, quality, Backdrop{}};
+}
+
 QImage OffscreenPicture::draw(const Frame &frame, Quality quality) {
     m_target->bind();
-    m_renderer->render(frame, {m_camera.view(), m_camera.projection(), {kWidth, kHeight}, 1.0, quality, Backdrop{}});
+    m_renderer->render(frame, viewOf(quality));
     return m_target->toImage().convertToFormat(QImage::Format_RGB32);
+}
+
+QImage OffscreenPicture::drawInParts(const Frame &frame, Quality quality) {
+    m_target->bind();
+    m_renderer->renderStill(frame, viewOf(quality));
+    m_renderer->renderMoving(frame, viewOf(quality));
+    return m_target->toImage().convertToFormat(QImage::Format_RGB32);
+}
+
+MazeRenderer::Still OffscreenPicture::stillOf(const Frame &frame, Quality quality) {
+    return m_renderer->stillOf(frame, viewOf(quality));
 }
 
 QPoint OffscreenPicture::pixelOf(const glm::dvec3 &place) const {

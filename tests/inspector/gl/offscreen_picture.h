@@ -28,11 +28,16 @@ public:
     inspector::gl::OrbitCamera &camera() { return m_camera; }
 
     QImage draw(const inspector::gl::Frame &frame, inspector::gl::Quality quality = inspector::gl::Quality::Medium);
+    // The same by what stands still and then what moves.
+    QImage drawInParts(const inspector::gl::Frame &frame, inspector::gl::Quality quality);
+    inspector::gl::MazeRenderer::Still stillOf(const inspector::gl::Frame &frame, inspector::gl::Quality quality);
 
     // The pixel where a point of a level board is drawn.
     QPoint pixelOf(const glm::dvec3 &place) const;
 
 private:
+    inspector::gl::View viewOf(inspector::gl::Quality quality) const;
+
     QOffscreenSurface m_surface;
     QOpenGLContext m_context;
     std::unique_ptr<QOpenGLFramebufferObject> m_target;

@@ -75,6 +75,44 @@ private slots:
         QCOMPARE(m_picture->draw(frameWithBallAt(0.04, 0.02), quality), first);
     }
 
+    // What stands still is kept, and what moves is drawn over it.
+    void partsMakeTheWholePicture_data() {
+        QTest::addColumn<Quality>("quality");
+        QTest::addColumn<glm::dvec3>("ball");
+        QTest::addColumn<double>("tilt");
+        for (const auto &[name, quality] :
+             {std::pair("low", Quality::Low), {"medium", Quality::Medium}, {"high", Quality::High}}) {
+            QTest::addRow("%s, on the floor", name) << quality << glm::dvec3(0.04, 0.02, 0.006) << 0.0;
+            QTest::addRow("%s, at a wall", name) << quality << glm::dvec3(0.0087, 0.02, 0.006) << 0.1;
+            QTest::addRow("%s, in a corner", name) << quality << glm::dvec3(0.089, -0.069, 0.006) << -0.1;
+            QTest::addRow("%s, in the air", name) << quality << glm::dvec3(0.02, 0.0, 0.09) << 0.1;
+            QTest::addRow("%s, far away", name) << quality << glm::dvec3(0.0, 50.0, 0.0) << 0.0;
+            QTest::addRow("%s, on a steep board", name) << quality << glm::dvec3(0.04, 0.02, 0.006) << 1.2;
+        }
+    }
+
+    void partsMakeTheWholePicture() {
+        QFETCH(Quality, quality);
+        QFETCH(glm::dvec3, ball);
+        QFETCH(double, tilt);
+        Frame frame;
+        frame.ball.position = ball;
+        frame.tilt_x = tilt;
+        frame.ghosts.push_back({{{0.02, -0.03, 0.006}}, Colour(0.2F, 0.5F, 1.0F, 0.5F)});
+        frame.trails.push_back({{{-0.05, 0.0, 0.006}, {0.0, 0.06, 0.006}, ball}, Colour(1.0F, 0.5F, 0.0F, 0.9F), 3.0F});
+        const QImage whole = m_picture->draw(frame, quality);
+        QCOMPARE(m_picture->drawInParts(frame, quality), whole);
+    }
+
+    void otherBallStandsStillOtherTiltDoesNot() {
+        const MazeRenderer::Still still = m_picture->stillOf(frameWithBallAt(0.04, 0.02), Quality::Low);
+        QVERIFY(m_picture->stillOf(frameWithBallAt(-0.04, 0.01), Quality::Low) == still);
+        QVERIFY(m_picture->stillOf(frameWithBallAt(0.04, 0.02), Quality::Medium) != still);
+        Frame tilted = frameWithBallAt(0.04, 0.02);
+        tilted.tilt_y = 1e-6;
+        QVERIFY(m_picture->stillOf(tilted, Quality::Low) != still);
+    }
+
     void ballIsDrawnWhereTheCameraProjectsIt_data() {
         QTest::addColumn<double>("x");
         QTest::addColumn<double>("y");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The widget with real mouse events.
-#include "gl/maze_view.h"
 #include "gl/surface_format.h"
+#include "gl/view/maze_view.h"
 #include "mesh/mesh_builder.h"
 
 #include <QApplication>
@@ -48,9 +48,15 @@ public:
     static void initMain() { QSurfaceFormat::setDefaultFormat(surfaceFormat()); }
 
 private slots:
+    void initTestCase_data() {
+        QTest::addColumn<Drawing>("drawing");
+        QTest::newRow("onto the screen") << Drawing::Screen;
+        QTest::newRow("into a picture") << Drawing::Picture;
+    }
 
     void init() {
-        m_view = std::make_unique<MazeView>();
+        QFETCH_GLOBAL(Drawing, drawing);
+        m_view = std::make_unique<MazeView>(drawing);
         m_view->resize(kWidth, kHeight);
         m_view->setMaze(plainBoard(0.1));
         m_view->show();
@@ -59,6 +65,38 @@ private slots:
     }
 
     void cleanup() { m_view.reset(); }
+
+    void softwareRendererDrawsIntoAPicture() {
+        if (!m_view->rendererName().contains("llvmpipe")) QSKIP("not a software renderer");
+        QCOMPARE(MazeView().drawing(), Drawing::Picture);
+    }
+
+    void bothWaysGiveTheSamePixels() {
+        MazeView other(m_view->drawing() == Drawing::Screen ? Drawing::Picture : Drawing::Screen);
+        other.resize(kWidth, kHeight);
+        other.setMaze(plainBoard(0.1));
+        other.show();
+        QTRY_VERIFY(other.lastFrameMilliseconds() > 0.0);
+        for (const Quality quality : {Quality::Low, Quality::High}) {
+            for (MazeView *view : {m_view.get(), &other}) view->setQuality(quality);
+            const QImage here = m_view->grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+            QCOMPARE(other.grabFramebuffer().convertToFormat(QImage::Format_RGB32), here);
+        }
+    }
+
+    void standingBoardIsCopied() {
+        Frame frame;
+        frame.ball.position = {0.02, 0.01, 0.006};
+        const QImage drawn = (m_view->setFrame(frame), m_view->grabFramebuffer());
+        QCOMPARE(m_view->grabFramebuffer(), drawn); // now board and table are copies
+        frame.ball.position = {-0.05, 0.01, 0.006};
+        m_view->setFrame(frame);
+        const QImage moved = m_view->grabFramebuffer();
+        QVERIFY(moved != drawn);
+        frame.ball.position = {0.02, 0.01, 0.006};
+        m_view->setFrame(frame);
+        QCOMPARE(m_view->grabFramebuffer(), drawn);
+    }
 
     void softwareRendererStartsWithMediumQuality() {
         if (!m_view->rendererName().contains("llvmpipe")) QSKIP("not a software renderer");

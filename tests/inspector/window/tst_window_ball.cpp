@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The ball in one's hand: dragged, pulled, typed, and the way that it goes from there.
-#include "gl/maze_view.h"
+#include "gl/view/maze_view.h"
 #include "ui/parts/number_box.h"
 #include "window_fixture.h"
 

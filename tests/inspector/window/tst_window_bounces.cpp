@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Bounces: marks in the view, rows in the dock, ticks in the plot, and one of them looked at.
-#include "gl/maze_view.h"
+#include "gl/view/maze_view.h"
 #include "ui/bounces/bounce_dock.h"
 #include "ui/plots/bounce_ticks.h"
 #include "ui/plots/time_plot.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The ball beside its ghost: switched on by key and dock, drawn where it is, plotted as it goes away.
-#include "gl/maze_view.h"
+#include "gl/view/maze_view.h"
 #include "support/compare.h"
 #include "ui/comparison/distance_plot.h"
 #include "ui/parts/message_bar.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Docks, bars and menus: closed, opened, moved, remembered and put back.
-#include "gl/maze_view.h"
+#include "gl/view/maze_view.h"
 #include "ui/parts/message_bar.h"
 #include "window_fixture.h"
 
@@ -55,6 +55,7 @@ private slots:
     void qualityReachesTheView_data();
     void qualityReachesTheView();
     void qualityIsRemembered();
+    void viewChoosesTheQualityAgain();
     void cameraLooksFromAboveAndBack();
     void chosenSpeedReachesTheSimulation();
     void chosenTimeStepReachesTheSimulation();
@@ -213,21 +214,28 @@ void TestWindowDocks::everyMenuHasItsEntries() {
 
 void TestWindowDocks::qualityReachesTheView_data() {
     QTest::addColumn<int>("quality");
-    QTest::newRow("Low") << 0;
-    QTest::newRow("Medium") << 1;
-    QTest::newRow("High") << 2;
+    QTest::newRow("Low") << 1;
+    QTest::newRow("Medium") << 2;
+    QTest::newRow("High") << 3;
 }
 
 void TestWindowDocks::qualityReachesTheView() {
     QFETCH(int, quality);
     m_fixture->trigger(QStringLiteral("quality_%1").arg(quality));
-    QCOMPARE(int(m_fixture->window().view().quality()), quality);
+    QCOMPARE(int(m_fixture->window().view().quality()), quality - 1);
 }
 
 void TestWindowDocks::qualityIsRemembered() {
-    m_fixture->trigger("quality_2");
-    const inspector::ui::MainWindow other(m_fixture->session());
-    QCOMPARE(m_fixture->settings().value("window/quality").toInt(), 2);
+    m_fixture->trigger("quality_3");
+    inspector::ui::MainWindow other(m_fixture->session());
+    QCOMPARE(int(other.view().quality()), 2);
+}
+
+void TestWindowDocks::viewChoosesTheQualityAgain() {
+    m_fixture->trigger("quality_3");
+    m_fixture->trigger("quality_0");
+    QVERIFY(!m_fixture->settings().contains("window/quality"));
+    QCOMPARE(int(m_fixture->window().view().quality()), 1); // where it begins here
 }
 
 void TestWindowDocks::cameraLooksFromAboveAndBack() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The game from the first prompt to the tenth level, and what is said when something goes wrong.
-#include "gl/maze_view.h"
+#include "gl/view/maze_view.h"
 #include "ui/game/game_strip.h"
 #include "ui/parts/message_bar.h"
 #include "ui/window/unattended_run.h"

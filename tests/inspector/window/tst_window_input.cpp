@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Typing is never punished: numbers are read as people write them, Enter ends an edit and plays nothing, the wheel
 // turns only what has the keyboard, and no key stays down.
-#include "gl/maze_view.h"
+#include "gl/view/maze_view.h"
 #include "ui/parameters/fine_slider.h"
 #include "ui/parameters/slider_scale.h"
 #include "ui/parts/number_box.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Keys do what Help > Keys says, wherever the focus is.
-#include "gl/maze_view.h"
+#include "gl/view/maze_view.h"
 #include "ui/parameters/slider_scale.h"
 #include "ui/parts/number_box.h"
 #include "window_fixture.h"

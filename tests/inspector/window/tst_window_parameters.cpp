@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every parameter, moved by hand, is what the simulation obeys.
 #include "gl/board_pose.h"
-#include "gl/maze_view.h"
+#include "gl/view/maze_view.h"
 #include "ui/parts/message_bar.h"
 #include "ui/parts/number_box.h"
 #include "ui/window/board_picture.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every run is kept: gone back to by hand, taken over with a change, saved afterwards.
-#include "gl/maze_view.h"
+#include "gl/view/maze_view.h"
 #include "ui/parts/number_box.h"
 #include "ui/transport/seek_slider.h"
 #include "window_fixture.h"

@@ -2,7 +2,7 @@
 // A recording is watched in the window: opened in every way there is, moved through by mouse and keys, taken over.
 #include "core/recording/recording.h"
 #include "core/setup/settings_file.h"
-#include "gl/maze_view.h"
+#include "gl/view/maze_view.h"
 #include "support/files.h"
 #include "ui/game/game_strip.h"
 #include "ui/parts/message_bar.h"

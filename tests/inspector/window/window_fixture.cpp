@@ -2,8 +2,8 @@
 #include "window_fixture.h"
 
 #include "core/setup/settings_file.h"
-#include "gl/maze_view.h"
 #include "gl/surface_format.h"
+#include "gl/view/maze_view.h"
 
 #include <QApplication>
 #include <QFileDialog>

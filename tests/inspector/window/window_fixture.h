@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/session/session.h"
-#include "gl/maze_view.h"
+#include "gl/view/maze_view.h"
 #include "ui/window/main_window.h"
 
 #include <QAction>
