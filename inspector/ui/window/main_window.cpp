@@ -39,11 +39,13 @@
 #include <QMenu>
 #include <QScreen>
 #include <QScrollArea>
+#include <QStyle>
 #include <QTextStream>
 #include <QToolButton>
 #include <QUndoStack>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <utility>
 
 namespace inspector::ui {
@@ -441,14 +443,25 @@ bool MainWindow::grabTo(const QString &path, QString *error) {
 
 void MainWindow::restoreLook() {
     const QSettings &settings = m_session.settings();
-    const QSize available = screen()->availableSize();
+    const QSize frame(0, 2 * style()->pixelMetric(QStyle::PM_TitleBarHeight)); // about what window managers add
+    const QSize available = screen()->availableSize() - frame;
     resize(kUsualSize.expandedTo(available * kScreenShare).boundedTo(available));
     arrangeDocks();
     m_firstLayout = saveState(kLayoutVersion);
     restoreGeometry(storedBytes(settings, settings_keys::kGeometry));
+    fitScreen();
     restoreState(storedBytes(settings, settings_keys::kLayout), kLayoutVersion);
-    if (const auto quality = storedChoice(settings, settings_keys::kQuality, gl::kQualityCount))
-        m_view->setQuality(gl::Quality(*quality));
+    useQuality();
+}
+
+// The screen may have become smaller, or its pixels larger, since the geometry was saved.
+void MainWindow::fitScreen() {
+    const QRect available = screen()->availableGeometry();
+    if (isMaximized() || isFullScreen() || available.contains(geometry())) return;
+    resize(size().boundedTo(available.size()));
+    const QPoint last = available.bottomRight() - rect().bottomRight();
+    move(std::clamp(x(), available.left(), std::max(available.left(), last.x())),
+         std::clamp(y(), available.top(), std::max(available.top(), last.y())));
 }
 
 void MainWindow::resetLayout() {

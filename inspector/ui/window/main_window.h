@@ -111,6 +111,7 @@ private:
     void showRunning(bool isRunning);
     void showComparison();
     void restoreLook();
+    void fitScreen();
     void arrangeDocks();
     bool hasNewFrame();
     gl::Frame frame() const;
