@@ -2,14 +2,18 @@
 #include "ui/window/film.h"
 
 #include "core/session/session.h"
-#include "gl/maze_view.h"
+#include "core/setup/lines.h"
+#include "gl/view/maze_view.h"
 #include "ui/parts/described.h"
 #include "ui/parts/number_box.h"
 
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFile>
 #include <QFormLayout>
+#include <QProcess>
 #include <QProgressDialog>
+#include <QStandardPaths>
 
 #include <algorithm>
 #include <chrono>
@@ -22,7 +26,22 @@ namespace {
 constexpr std::chrono::milliseconds kLookPeriod{5};
 constexpr double kLongest = 1200.0; // s
 constexpr int kMostPerSecond = 100;
-constexpr int kDigits = 5; // of a picture's number
+constexpr double kRounding = 1e-6;           // of a picture; 0.2 s are two tenths
+constexpr int kDigits = 5;                   // of a picture's number
+const char *const kAllPictures = "%05d.png"; // as ffmpeg names them
+
+// Where it isn't installed there are pictures only.
+QString joiningTool() { return QStandardPaths::findExecutable(QStringLiteral("ffmpeg")); }
+
+QString suffixOf(FilmKind kind) { return kind == FilmKind::Gif ? QStringLiteral("gif") : QStringLiteral("webm"); }
+
+// What ffmpeg is told, but for the pictures and the file.
+QStringList encodingOf(FilmKind kind) {
+    // One palette of 256 colours, chosen from all pictures.
+    if (kind == FilmKind::Gif)
+        return {"-vf", "split[all][for_palette];[for_palette]palettegen[palette];[all][palette]paletteuse"};
+    return {"-c:v", "libvpx-vp9", "-pix_fmt", "yuv420p", "-crf", "30", "-b:v", "0", "-row-mt", "1"};
+}
 
 } // namespace
 
@@ -42,16 +61,22 @@ void askForFilm(QWidget &window, const FilmPlan &usual, const std::function<void
     rate->setValue(usual.perSecond);
     describe(rate, Film::tr("Pictures per second"), Film::tr("Pictures for each simulated second"));
     for (NumberBox *box : {seconds, rate}) QObject::connect(box, &NumberBox::entered, box, &NumberBox::setValue);
+    auto *kind = new QComboBox;
+    kind->setObjectName(QStringLiteral("film_kind"));
+    describe(kind, Film::tr("Saved as"), Film::tr("Pictures, or where ffmpeg is installed one file of them"));
+    kind->addItem(Film::tr("Pictures in a folder (PNG)"));
+    if (!joiningTool().isEmpty()) kind->addItems({Film::tr("Film (WebM)"), Film::tr("Moving picture (GIF)")});
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
     auto *form = new QFormLayout(dialog);
     form->addRow(seconds->accessibleName(), seconds);
     form->addRow(rate->accessibleName(), rate);
+    form->addRow(kind->accessibleName(), kind);
     form->addRow(buttons);
     QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
     QObject::connect(buttons, &QDialogButtonBox::accepted, dialog, [=] {
         if (seconds->isRefused() || rate->isRefused()) return;
         dialog->accept();
-        use({seconds->value(), int(rate->value())});
+        use({seconds->value(), int(rate->value()), FilmKind(kind->currentIndex())});
     });
     dialog->open();
 }
@@ -61,12 +86,13 @@ Film::Film(Session &session, gl::MazeView &view, const FilmPlan &plan, int scale
     , m_session(session)
     , m_view(view)
     , m_scale(scale)
+    , m_plan(plan)
     , m_last(session.simulation().latest().current.time)
     , m_period(1.0 / plan.perSecond)
     , m_wasInPast(session.isInPast())
     , m_progress(new QProgressDialog(&window)) {
     m_first = std::max(0.0, m_last - plan.seconds);
-    m_count = int(std::floor((m_last - m_first) / m_period)) + 1;
+    m_count = int(std::floor((m_last - m_first) / m_period + kRounding)) + 1; // both ends
     m_progress->setObjectName(QStringLiteral("film_progress"));
     m_progress->setWindowTitle(tr("Save film"));
     m_progress->setRange(0, m_count);
@@ -78,12 +104,9 @@ Film::Film(Session &session, gl::MazeView &view, const FilmPlan &plan, int scale
     connect(&m_look, &QTimer::timeout, this, &Film::goOn);
 }
 
-bool Film::begin(const QString &folder, QString *error) {
-    m_folder.setPath(folder);
-    const bool isUsable = !m_folder.exists() || m_folder.isEmpty();
-    if (!isUsable || !QDir().mkpath(folder)) {
-        *error = isUsable ? tr("%1: the folder can't be made").arg(folder)
-                          : tr("%1: expected a new or an empty folder, found one that holds something").arg(folder);
+bool Film::begin(const QString &path, QString *error) {
+    m_path = path;
+    if (!makeFolder(path, error)) {
         m_progress->deleteLater();
         deleteLater();
         return false;
@@ -95,6 +118,21 @@ bool Film::begin(const QString &folder, QString *error) {
     return true;
 }
 
+bool Film::makeFolder(const QString &path, QString *error) {
+    if (m_plan.kind != FilmKind::Pictures) {
+        m_scratch = std::make_unique<QTemporaryDir>();
+        m_folder.setPath(m_scratch->path());
+        *error = m_scratch->errorString();
+        return m_scratch->isValid();
+    }
+    m_folder.setPath(path);
+    const bool isUsable = !m_folder.exists() || m_folder.isEmpty();
+    if (isUsable && QDir().mkpath(path)) return true;
+    *error = isUsable ? tr("%1: the folder can't be made").arg(path)
+                      : tr("%1: expected a new or an empty folder, found one that holds something").arg(path);
+    return false;
+}
+
 // A picture as soon as its moment is there; then on to the next.
 void Film::goOn() {
     if (m_progress->wasCanceled()) return end({});
@@ -103,7 +141,7 @@ void Film::goOn() {
     if (!takePicture()) return end(tr("%1: picture %2 can't be written").arg(m_folder.path()).arg(m_taken));
     m_progress->setLabelText(tr("Picture %1 of %2").arg(m_taken).arg(m_count));
     m_progress->setValue(m_taken);
-    if (m_taken == m_count) return end({});
+    if (m_taken == m_count) return joinPictures();
     m_session.lookAtTime(m_first + m_taken * m_period);
     m_wanted = m_session.runPlace().place;
 }
@@ -115,6 +153,34 @@ QString Film::fileOf(int picture) const {
 bool Film::takePicture() {
     m_view.grabFramebuffer(); // the frame of this moment
     return m_view.picture(m_scale).save(fileOf(++m_taken));
+}
+
+void Film::joinPictures() {
+    m_look.stop();
+    if (m_plan.kind == FilmKind::Pictures) return end({});
+    m_progress->setLabelText(tr("ffmpeg makes one file of the pictures"));
+    m_progress->setRange(0, 0);
+    m_tool = new QProcess(this);
+    m_tool->setWorkingDirectory(m_folder.path());
+    connect(m_progress, &QProgressDialog::canceled, m_tool, &QProcess::kill);
+    connect(m_tool, &QProcess::finished, this, &Film::useJoined);
+    connect(m_tool, &QProcess::errorOccurred, this, [this](QProcess::ProcessError problem) {
+        if (problem == QProcess::FailedToStart) end(tr("%1: %2").arg(m_tool->program(), m_tool->errorString()));
+    });
+    m_tool->start(joiningTool(),
+                  QStringList{"-v", "error", "-framerate", QString::number(m_plan.perSecond), "-i", kAllPictures} +
+                      encodingOf(m_plan.kind) + QStringList{"film." + suffixOf(m_plan.kind)});
+}
+
+void Film::useJoined() {
+    if (m_progress->wasCanceled()) return end({});
+    const bool isMade = m_tool->exitStatus() == QProcess::NormalExit && m_tool->exitCode() == 0;
+    const QString said =
+        QString::fromLocal8Bit(m_tool->readAllStandardError()).trimmed().section(QLatin1Char('\n'), -1);
+    if (!isMade) return end(tr("ffmpeg: %1").arg(said.isEmpty() ? tr("ended without a file") : oneLine(said)));
+    QFile::remove(m_path); // replacing it was asked for when it was chosen
+    const bool isThere = QFile::copy(m_folder.filePath("film." + suffixOf(m_plan.kind)), m_path);
+    end(isThere ? QString() : tr("%1: the film can't be written").arg(m_path));
 }
 
 void Film::removePictures() {

@@ -70,7 +70,7 @@ const std::vector<MainWindow::ActionRow> &MainWindow::actionRows() {
         {"save_film",
          QT_TR_NOOP("Save film…"),
          "Ctrl+Shift+F",
-         QT_TR_NOOP("The last seconds as pictures in a folder"),
+         QT_TR_NOOP("The last seconds as a film, or as pictures in a folder"),
          {},
          &MainWindow::saveFilm},
         {"save_plot",

@@ -102,15 +102,19 @@ void MainWindow::loadPlugin(const QString &path) {
 }
 
 void MainWindow::saveFilm() {
+    static const FileQuestion questions[] = {
+        // in the order of FilmKind
+        {tr("New folder for the film"), tr("Folder (*)"), tr("film"), FileUse::Write},
+        {tr("Save film"), tr("Film (*.webm)"), tr("film.webm"), FileUse::Write},
+        {tr("Save film"), tr("Moving picture (*.gif)"), tr("film.gif"), FileUse::Write},
+    };
     askForFilm(*this, {}, [this](const FilmPlan &plan) {
-        chooseFile(*this, m_session.settings(),
-                   {tr("New folder for the film"), tr("Folder (*)"), tr("film"), FileUse::Write},
-                   [this, plan](const QString &folder) {
-                       QString error;
-                       auto *film = new Film(m_session, *m_view, plan, pictureScale() + 1, *this);
-                       connect(film, &Film::finished, this, &MainWindow::showSaved);
-                       if (!film->begin(folder, &error)) showSaved(error);
-                   });
+        chooseFile(*this, m_session.settings(), questions[int(plan.kind)], [this, plan](const QString &path) {
+            QString error;
+            auto *film = new Film(m_session, *m_view, plan, pictureScale() + 1, *this);
+            connect(film, &Film::finished, this, &MainWindow::showSaved);
+            if (!film->begin(path, &error)) showSaved(error);
+        });
     });
 }
 

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
-// The last seconds as pictures in a folder, with progress, cancelled and undisturbed.
+// The last seconds as pictures in a folder or as one file, with progress, cancelled and undisturbed.
 #include "ui/parts/message_bar.h"
 #include "ui/parts/number_box.h"
 #include "ui/window/film.h"
 #include "window_fixture.h"
 
+#include <QApplication>
+#include <QComboBox>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QProgressDialog>
 #include <QPushButton>
+#include <QStandardPaths>
 
 using namespace window_test;
 using inspector::ui::NumberBox;
@@ -28,14 +31,21 @@ private slots:
     void presentIsShownAgainAfterwards();
     void cancelledFilmLeavesNothing();
     void folderThatHoldsSomethingIsRefused();
+    void withoutToolThereArePicturesOnly();
+    void toolGetsThePicturesAndTheirRate();
+    void whatTheToolCanNotDoIsSaid();
+    void filmIsOneFile_data();
+    void filmIsOneFile();
 
 private:
     phys_state ball() { return m_fixture->simulation().latest().current; }
-    void ask(const QString &seconds, const QString &rate, const QString &folder);
+    void ask(const QString &seconds, const QString &rate, const QString &path, int kind = 0);
+    void putInPath(const QByteArray &script);
     QStringList picturesIn(const QString &folder) { return QDir(folder).entryList({"*.png"}, QDir::Files, QDir::Name); }
     bool isOver() { return !m_fixture->window().findChild<QProgressDialog *>("film_progress"); }
 
     std::unique_ptr<Fixture> m_fixture;
+    const QByteArray m_path = qgetenv("PATH");
 };
 
 void TestWindowFilm::init() {
@@ -45,13 +55,27 @@ void TestWindowFilm::init() {
     m_fixture->makeSteps(100); // 1 s
 }
 
-void TestWindowFilm::cleanup() { m_fixture.reset(); }
+void TestWindowFilm::cleanup() {
+    m_fixture.reset();
+    qputenv("PATH", m_path);
+}
 
-void TestWindowFilm::ask(const QString &seconds, const QString &rate, const QString &folder) {
+// A tool of that name with these lines, and no other one.
+void TestWindowFilm::putInPath(const QByteArray &script) {
+    QVERIFY(QDir().mkpath(m_fixture->path("tools")));
+    QFile tool(m_fixture->path("tools/ffmpeg"));
+    QVERIFY(tool.open(QIODevice::WriteOnly));
+    tool.write("#!/bin/sh\n" + script);
+    tool.setPermissions(QFile::ReadOwner | QFile::ExeOwner);
+    qputenv("PATH", QFile::encodeName(m_fixture->path("tools")));
+}
+
+void TestWindowFilm::ask(const QString &seconds, const QString &rate, const QString &path, int kind) {
     m_fixture->press(Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
     QTRY_VERIFY(m_fixture->window().findChild<QDialog *>("film_dialog"));
     auto *dialog = m_fixture->find<QDialog>("film_dialog");
-    QTRY_VERIFY(dialog->isVisible());
+    dialog->activateWindow(); // as window managers do
+    QTRY_COMPARE(QApplication::activeWindow(), dialog);
     const std::pair<const char *, QString> fields[] = {{"film_seconds", seconds}, {"film_rate", rate}};
     for (const auto &[name, text] : fields) {
         auto *box = m_fixture->find<NumberBox>(name);
@@ -59,8 +83,12 @@ void TestWindowFilm::ask(const QString &seconds, const QString &rate, const QStr
         box->selectAll();
         QTest::keyClicks(box, text);
     }
+    auto *kinds = m_fixture->find<QComboBox>("film_kind");
+    kinds->setFocus();
+    for (int i = 0; i < kind; ++i) QTest::keyClick(kinds, Qt::Key_Down);
+    QCOMPARE(kinds->currentIndex(), kind);
     click(dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok));
-    m_fixture->answerFile(folder);
+    m_fixture->answerFile(path);
 }
 
 void TestWindowFilm::filmIsOfTheSecondsAskedFor() {
@@ -109,6 +137,56 @@ void TestWindowFilm::folderThatHoldsSomethingIsRefused() {
     QVERIFY(!film->begin(folder, &error));
     QCOMPARE(error, folder + ": expected a new or an empty folder, found one that holds something");
     QVERIFY(picturesIn(folder).isEmpty());
+}
+
+void TestWindowFilm::withoutToolThereArePicturesOnly() {
+    qputenv("PATH", QFile::encodeName(m_fixture->path("nothing")));
+    m_fixture->trigger("save_film");
+    QTRY_VERIFY(m_fixture->window().findChild<QDialog *>("film_dialog"));
+    QCOMPARE(m_fixture->find<QComboBox>("film_kind")->count(), 1);
+}
+
+// It makes a list of what it was given, and of what lies there.
+void TestWindowFilm::toolGetsThePicturesAndTheirRate() {
+    putInPath("for last; do :; done\n{ echo \"$@\"; echo *.png; } > \"$last\"\n");
+    const QString file = m_fixture->path("film.gif");
+    ask("0.2", "10", file, 2);
+    QTRY_VERIFY(isOver());
+    QFile film(file);
+    QVERIFY(film.open(QIODevice::ReadOnly));
+    QVERIFY(film.readLine().startsWith("-v error -framerate 10 -i %05d.png "));
+    QCOMPARE(film.readLine(), QByteArray("00001.png 00002.png 00003.png\n"));
+}
+
+void TestWindowFilm::whatTheToolCanNotDoIsSaid() {
+    putInPath("echo something >&2\necho no room >&2\nexit 1\n");
+    const QString file = m_fixture->path("film.webm");
+    ask("0.2", "10", file, 1);
+    QTRY_VERIFY(isOver());
+    QCOMPARE(m_fixture->window().messages().line(), QString("ffmpeg: no room"));
+    QVERIFY(!QFile::exists(file));
+}
+
+void TestWindowFilm::filmIsOneFile_data() {
+    QTest::addColumn<int>("kind");
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QByteArray>("beginning");
+    QTest::newRow("webm") << 1 << "film.webm" << QByteArray("\x1a\x45\xdf\xa3"); // EBML
+    QTest::newRow("gif") << 2 << "film.gif" << QByteArray("GIF89a");
+}
+
+void TestWindowFilm::filmIsOneFile() {
+    if (QStandardPaths::findExecutable("ffmpeg").isEmpty()) QSKIP("ffmpeg isn't installed");
+    QFETCH(int, kind);
+    QFETCH(QString, name);
+    QFETCH(QByteArray, beginning);
+    const QString file = m_fixture->path(name);
+    ask("0.2", "10", file, kind);
+    QTRY_VERIFY(isOver());
+    QCOMPARE(m_fixture->window().messages().line(), QString());
+    QFile film(file);
+    QVERIFY(film.open(QIODevice::ReadOnly));
+    QCOMPARE(film.read(beginning.size()), beginning);
 }
 
 QTEST_MAIN(TestWindowFilm)
