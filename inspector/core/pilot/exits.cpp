@@ -11,8 +11,9 @@ using Cell = FreeSpace::Cell;
 
 namespace {
 
-constexpr uint32_t kMostBoxes = 20000; // the search then takes a moment
-constexpr double kThickness = 2e-4;    // m
+constexpr uint32_t kMostBoxes = 100000;
+constexpr double kCoarsest = 1.0;   // radii from one place looked at to the next; a passage is twice as wide
+constexpr double kThickness = 2e-4; // m
 
 // Cells of one exit are neighbours, or have one cell between them.
 bool isNear(const phys_box &box, Point point, double distance) {
@@ -47,16 +48,17 @@ phys_box widened(phys_box exit, double radius) {
 
 } // namespace
 
-std::vector<phys_box> exitsOf(const phys_scene *scene) {
-    std::vector<phys_box> exits;
-    if (phys_scene_box_count(scene) > kMostBoxes) return exits;
+std::optional<std::vector<phys_box>> exitsOf(const phys_scene *scene) {
+    if (phys_scene_box_count(scene) > kMostBoxes) return std::nullopt;
     const FreeSpace space(scene);
+    if (space.spacing() > kCoarsest * space.radius()) return std::nullopt;
     phys_state start;
     phys_scene_start(scene, &start);
     const Cell first = space.isMarked() ? space.nearestFree({start.position.x, start.position.y}) : FreeSpace::kNowhere;
-    if (first == FreeSpace::kNowhere) return exits;
+    if (first == FreeSpace::kNowhere) return std::nullopt;
 
     // Flood the maze from the start; where it touches the outside is an exit.
+    std::vector<phys_box> exits;
     const double floor = start.position.z - space.radius();
     std::vector<bool> isSeen(size_t(space.cellCount()), false);
     std::vector<Cell> open{first};

@@ -4,12 +4,13 @@
 
 #include <physics/physics.h>
 
+#include <optional>
 #include <vector>
 
 namespace inspector {
 
-// A thin box on the floor at each place where the ball, from its start, can roll out of the maze; none if it can't, or
-// if there are so many boxes that looking for it takes long.
-std::vector<phys_box> exitsOf(const phys_scene *scene);
+// A thin box on the floor at each place where the ball, from its start, can roll out of the maze. Nothing if that can't
+// be found: the ball starts in a wall, or the maze is larger than a search of half a second.
+std::optional<std::vector<phys_box>> exitsOf(const phys_scene *scene);
 
 } // namespace inspector

@@ -7,14 +7,23 @@
 
 namespace inspector {
 
+namespace {
+
+QString bestTimeKey(const QString &maze) { return QStringLiteral("best_times/") + maze; }
+
+} // namespace
+
 Game::Game(const QStringList &mazes, QSettings &settings, QObject *parent)
     : QObject(parent)
     , m_mazes(mazes)
-    , m_settings(settings) {}
+    , m_settings(settings)
+    , m_maze(mazes.value(0)) {}
 
-QString Game::bestTimeKey(int level) const { return QStringLiteral("best_times/") + m_mazes.value(level); }
+std::optional<double> Game::bestTime(int level) const {
+    return storedTime(m_settings, bestTimeKey(m_mazes.value(level)));
+}
 
-std::optional<double> Game::bestTime(int level) const { return storedTime(m_settings, bestTimeKey(level)); }
+std::optional<double> Game::bestTime() const { return storedTime(m_settings, bestTimeKey(m_maze)); }
 
 void Game::confirm() {
     if (m_phase == Phase::Won) {
@@ -26,31 +35,40 @@ void Game::confirm() {
 }
 
 void Game::choose(int level) {
-    if (level >= 0 && level < levelCount()) emit levelWanted(level);
+    if (isInList(level)) emit levelWanted(level);
 }
 
-void Game::prompt(int level) {
-    if (level < 0 || level >= levelCount()) return;
-    m_level = level;
+void Game::prompt(int level, const QString &other) {
+    if (!isInList(level) && other.isEmpty()) return;
+    open(level, other);
+    enter(Phase::Prompt);
+}
+
+void Game::goOn(int level, const QString &other) {
+    open(level, other);
+    enter(Phase::Playing);
+}
+
+void Game::again() {
     m_time = 0.0;
     m_isRecord = false;
     enter(Phase::Prompt);
 }
 
-void Game::goOn(int level) {
-    if (level >= 0 && level < levelCount()) m_level = level;
+void Game::open(int level, const QString &other) {
+    if (isInList(level)) m_level = level;
+    m_maze = isInList(level) ? m_mazes[level] : other;
     m_time = 0.0;
     m_isRecord = false;
-    enter(Phase::Playing);
 }
 
 void Game::leaveMaze(double time, bool isAssisted) {
     if (m_phase != Phase::Playing) return;
     m_time = time;
     m_settings.sync(); // another window may have had a better one
-    const std::optional<double> best = bestTime(m_level);
-    m_isRecord = !isAssisted && (!best || time < *best);
-    if (m_isRecord) m_settings.setValue(bestTimeKey(m_level), time);
+    const std::optional<double> best = bestTime();
+    m_isRecord = !isAssisted && !m_maze.isEmpty() && (!best || time < *best);
+    if (m_isRecord) m_settings.setValue(bestTimeKey(m_maze), time);
     m_settings.sync();
     enter(Phase::Won);
 }

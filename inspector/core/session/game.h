@@ -31,15 +31,19 @@ public:
     double time() const { return m_time; }       // that the level took, s; 0 before it's won
     bool isRecord() const { return m_isRecord; } // whether that was the best ever
     std::optional<double> bestTime(int level) const;
+    std::optional<double> bestTime() const; // of the maze that is open
 
     // Enter: starts the level, or goes on to the next one after a win (the first comes after the last).
     void confirm();
     // Asks for a level of the list; others are ignored.
     void choose(int level);
-    // A level is open: its prompt is shown.
-    void prompt(int level);
-    // A level is being played already; one that isn't in the list (-1) keeps the place in it.
-    void goOn(int level);
+    // A level is open: its prompt is shown. -1: `other` is, a maze that isn't in the list, which keeps the place in it;
+    // it has best times of its own.
+    void prompt(int level, const QString &other = {});
+    // The same for one that is being played already.
+    void goOn(int level, const QString &other = {});
+    // The prompt of the maze that is open.
+    void again();
     // The ball left the maze, `time` s after the start. Counts only while playing; assisted runs set no record.
     void leaveMaze(double time, bool isAssisted);
 
@@ -50,13 +54,15 @@ signals:
 
 private:
     int levelCount() const { return int(m_mazes.size()); }
-    QString bestTimeKey(int level) const;
+    bool isInList(int level) const { return level >= 0 && level < levelCount(); }
+    void open(int level, const QString &other);
     void enter(Phase phase);
 
     QStringList m_mazes;
     QSettings &m_settings;
     Phase m_phase = Phase::Prompt;
     int m_level = 0;
+    QString m_maze; // that is open
     double m_time = 0.0;
     bool m_isRecord = false;
 };

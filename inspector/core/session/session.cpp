@@ -17,11 +17,13 @@ namespace {
 const QString kModel = QStringLiteral("model"); // the row's id
 
 // What a maze is, is its file's bytes: another one of the same number has another best time.
+QString mazeOf(const Level &level) {
+    return QString::fromLatin1(hashText(hashOf(readFile(level.path, kLargestMaze, nullptr).value_or(QByteArray()))));
+}
+
 QStringList mazesOf(const std::vector<Level> &levels) {
     QStringList mazes;
-    for (const Level &level : levels)
-        mazes +=
-            QString::fromLatin1(hashText(hashOf(readFile(level.path, kLargestMaze, nullptr).value_or(QByteArray()))));
+    for (const Level &level : levels) mazes += mazeOf(level);
     return mazes.isEmpty() ? QStringList{QStringLiteral("none")} : mazes;
 }
 
@@ -101,11 +103,9 @@ int Session::levelIndex() const {
     return found == m_levels.end() ? -1 : int(found - m_levels.begin());
 }
 
-// A file that isn't in the list keeps the game's place in the list.
-void Session::showPrompt() {
-    const int index = levelIndex();
-    m_game.prompt(index < 0 ? m_game.level() : index);
-}
+QString Session::otherMaze() const { return levelIndex() < 0 ? mazeOf(m_level) : QString(); }
+
+void Session::showPrompt() { m_game.prompt(levelIndex(), otherMaze()); }
 
 // Whoever changes the physics on the way doesn't win by the rules, even if it is changed back.
 void Session::watchPhysics() {
@@ -117,7 +117,6 @@ void Session::watchPhysics() {
 }
 
 QString Session::whyNoBestTime() const {
-    if (levelIndex() < 0) return tr("not one of the levels");
     if (m_hasAutopilot) return tr("the autopilot's");
     if (m_isTakenOver || m_hasOwnStart) return tr("the ball was taken over or placed by hand");
     if (!m_hasUsualPhysics) return tr("parameters, stepper, time step and speed have to be the default ones");
@@ -201,7 +200,10 @@ bool Session::loadPlugin(const QString &file) {
     return true;
 }
 
-std::vector<phys_box> Session::exits() const { return exitsOf(m_scene.get()); }
+const std::optional<std::vector<phys_box>> &Session::exits() {
+    if (std::exchange(m_exitsOf, m_scene) != m_scene) m_exits = exitsOf(m_scene.get());
+    return m_exits;
+}
 
 bool Session::setDt(double dt) {
     if (m_replay) return refuseInReplay();

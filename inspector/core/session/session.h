@@ -63,10 +63,11 @@ public:
     QSettings &settings() { return m_settings; }
     const std::vector<Level> &levels() const { return m_levels; }
     const Level &level() const { return m_level; } // that is open; maybe a file that isn't in the list
+    bool isLevelOfTheList() const { return levelIndex() >= 0; }
     const Scene &scene() const { return m_scene; } // of that level
     const Registry &registry() const { return m_registry; }
-    // Places of the maze's floor where the ball gets out.
-    std::vector<phys_box> exits() const;
+    // Places of the maze's floor where the ball gets out; nothing if that can't be found. Looked for once.
+    const std::optional<std::vector<phys_box>> &exits();
     QByteArray stepperId() const { return m_stepperId; }
     double dt() const { return m_dt; }
     Stepping stepping() const; // with all its settings
@@ -164,7 +165,8 @@ signals:
 private:
     Session(const Options &options, QSettings &settings, const Scene &scene, const Stepper &stepper);
 
-    int levelIndex() const; // in the list; -1 for a file that isn't in it
+    int levelIndex() const;    // in the list; -1 for a file that isn't in it
+    QString otherMaze() const; // such a file's, for the game; empty for a level of the list
     void showPrompt();
     bool report(const QString &line); // sends it; always false
     bool refuseInReplay();
@@ -219,6 +221,8 @@ private:
     std::vector<Level> m_levels;
     Level m_level;
     Scene m_scene;
+    Scene m_exitsOf; // that m_exits are of
+    std::optional<std::vector<phys_box>> m_exits;
     QByteArray m_stepperId;
     double m_dt = Engine::kDefaultDt;
     double m_speed = 1.0;

@@ -86,7 +86,7 @@ void Session::takeOver() {
     m_simulation->goOnFrom(position, origin());
     if (m_hasAutopilot) fly(nullptr);
     m_simulation->setInputs(m_parameters.inputs()); // what is seen counts
-    if (isOtherLevel || m_game.phase() != Game::Phase::Prompt) m_game.goOn(levelIndex());
+    if (isOtherLevel || m_game.phase() != Game::Phase::Prompt) m_game.goOn(levelIndex(), otherMaze());
     m_comparison->meetAgain();
     emit pastChanged(false);
 }

@@ -54,7 +54,7 @@ void Session::goOnFromHere() {
     m_tiltControl = {};
     m_keysTilt = false;
     m_simulation->goOnFrom(position, origin());
-    m_game.goOn(levelIndex());
+    m_game.goOn(levelIndex(), otherMaze());
     emit replayChanged(false);
 }
 

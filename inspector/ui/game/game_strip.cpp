@@ -22,9 +22,24 @@ QString winLine(const Session &session, const Game &game) {
     if (!obstacle.isEmpty())
         return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "%1 – no best time: %2")).arg(time, obstacle);
     if (game.isRecord()) return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "%1 – a new best time")).arg(time);
-    const std::optional<double> best = game.bestTime(game.level());
+    const std::optional<double> best = game.bestTime();
     if (!best) return time;
     return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "%1 – best time %2")).arg(time, clockText(*best));
+}
+
+// What is to be done; of one's own maze also what the list of levels can't say.
+QString promptHint(Session &session) {
+    if (session.hasAutopilot())
+        return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "The autopilot plays · A takes over"));
+    const QString play =
+        say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Arrow keys tilt the board · roll the ball out"));
+    if (session.isLevelOfTheList()) return play;
+    if (session.exits() && session.exits()->empty())
+        return say(
+            QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Arrow keys tilt the board · this maze has no way out"));
+    const std::optional<double> best = session.game().bestTime();
+    return best ? say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "%1 · best time %2")).arg(play, clockText(*best))
+                : play;
 }
 
 QFont scaled(QFont font, double factor, bool isBold) {
@@ -64,10 +79,7 @@ GameText gameText(Session &session, const Snapshot &now) {
         if (now.running || now.current.step > 0) break;
         text.title = title;
         text.line = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Press Enter to start"));
-        text.hint =
-            session.hasAutopilot()
-                ? say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "The autopilot plays · A takes over"))
-                : say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Arrow keys tilt the board · roll the ball out"));
+        text.hint = promptHint(session);
         break;
     case Game::Phase::Playing:
         text.title = title;

@@ -122,7 +122,7 @@ void addWayAhead(gl::Frame &frame, const WayAhead &way) {
     frame.strokes.arrow(toGlm(way.impact->point), toGlm(way.impact->normal), frame.ball.radius, mark, 2.0F);
 }
 
-gl::Mesh mazeMesh(const Session &session, QString *error) {
+gl::Mesh mazeMesh(Session &session, QString *error) {
     const Scene &scene = session.scene();
     if (!session.level().mesh.isEmpty())
         if (std::optional<gl::Mesh> mesh = gl::loadMesh(session.level().mesh, error)) return *std::move(mesh);
@@ -135,7 +135,7 @@ gl::Mesh mazeMesh(const Session &session, QString *error) {
         const bool isWall = boxes[i].max.z > floor;
         pieces.push_back({toGlm(boxes[i].min), toGlm(boxes[i].max), isWall ? gl::BoxKind::Wall : gl::BoxKind::Floor});
     }
-    for (const phys_box &exit : session.exits())
+    for (const phys_box &exit : session.exits().value_or(std::vector<phys_box>()))
         pieces.push_back({toGlm(exit.min), toGlm(exit.max), gl::BoxKind::Exit});
     return gl::mazeFromBoxes(pieces);
 }

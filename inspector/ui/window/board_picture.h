@@ -16,7 +16,7 @@ void addWayAhead(gl::Frame &frame, const WayAhead &way);
 
 // The open level's mesh: its .obj, or made from the scene's boxes and the places where the ball gets out, where there
 // is none. Made so as well, with one line in `error`, if the file can't be read.
-gl::Mesh mazeMesh(const Session &session, QString *error);
+gl::Mesh mazeMesh(Session &session, QString *error);
 // The ball's mesh beside the levels, or a patterned one of our own.
 gl::Mesh ballMesh(QString *error);
 

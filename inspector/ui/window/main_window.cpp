@@ -107,6 +107,7 @@ MainWindow::MainWindow(Session &session, gl::Drawing drawing)
     if (m_session.comparison().isOn())
         connect(&m_refresh, &QTimer::timeout, this, &MainWindow::showComparisonDock, Qt::SingleShotConnection);
     openLevel();
+    rememberFirst();
     showReplay(m_session.isReplaying());
     m_refresh.start(kRefreshPeriod);
 }

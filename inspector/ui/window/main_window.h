@@ -99,6 +99,8 @@ private:
     void selectBounceAt(const gl::Ray &ray);
     void openLevel();
     void openFile(const QString &path);
+    void remember(const QString &path, bool isOpen);
+    void rememberFirst();
     void addRecent(QMenu &menu);
     void loadPlugin(const QString &path);
     void watchMaze();

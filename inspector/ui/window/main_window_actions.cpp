@@ -506,8 +506,10 @@ void MainWindow::toggleRunning() {
 
 void MainWindow::restart() {
     m_session.returnToPresent();
+    const bool isWon = m_session.game().phase() == Game::Phase::Won;
+    if (isWon) m_session.simulation().pause(); // the ball may still be falling
     m_session.simulation().restart();
-    if (m_session.game().phase() == Game::Phase::Won) m_session.game().prompt(m_session.game().level());
+    if (isWon) m_session.game().again();
 }
 
 void MainWindow::toggleAutopilot() {

@@ -45,12 +45,22 @@ void MainWindow::openRecording() {
 // A maze or a recording, which is remembered if it could be opened, and forgotten if not.
 void MainWindow::openFile(const QString &path) {
     const bool isOpen = isRecordingFile(path) ? m_session.openRecording(path) : m_session.openLevel(levelOfFile(path));
+    remember(path, isOpen);
+}
+
+void MainWindow::remember(const QString &path, bool isOpen) {
     QSettings &settings = m_session.settings();
     QStringList recent = settings.value(settings_keys::kRecent).toStringList();
     const QString full = QFileInfo(path).absoluteFilePath();
     recent.removeAll(full);
     if (isOpen) recent.prepend(full);
     settings.setValue(settings_keys::kRecent, recent.mid(0, kMostRecent));
+}
+
+// By the command line; levels have a list of their own.
+void MainWindow::rememberFirst() {
+    if (m_session.isReplaying()) return remember(m_session.recording().recording().file, true);
+    if (!m_session.isLevelOfTheList()) remember(m_session.level().path, true);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent *event) {

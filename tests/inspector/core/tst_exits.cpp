@@ -13,6 +13,8 @@ private slots:
     void closedRoomHasNone();
     void gapThatTheBallCantReachIsNone();
     void twoGapsAreTwoExits();
+    void mazeTooLargeToSearchIsNotCalledClosed();
+    void ballInAWallIsNotCalledLockedIn();
     void levelsHaveAtLeastOne_data();
     void levelsHaveAtLeastOne();
 };
@@ -29,7 +31,7 @@ std::vector<phys_box> room() {
 
 phys_box rightWall(double from, double to) { return {{0.045, from, 0.0}, {0.05, to, 0.02}}; }
 
-std::vector<phys_box> exitsIn(const std::vector<phys_box> &boxes) {
+std::optional<std::vector<phys_box>> foundIn(const std::vector<phys_box> &boxes) {
     phys_scene_desc description;
     phys_scene_desc_init(&description, sizeof description);
     description.boxes = boxes.data();
@@ -39,6 +41,8 @@ std::vector<phys_box> exitsIn(const std::vector<phys_box> &boxes) {
     if (!scene) qFatal("%s", qPrintable(error));
     return exitsOf(scene.get());
 }
+
+std::vector<phys_box> exitsIn(const std::vector<phys_box> &boxes) { return foundIn(boxes).value(); }
 
 } // namespace
 
@@ -75,6 +79,18 @@ void TestExits::twoGapsAreTwoExits() {
     QCOMPARE(exitsIn(boxes).size(), size_t(2));
 }
 
+void TestExits::mazeTooLargeToSearchIsNotCalledClosed() {
+    std::vector<phys_box> boxes = room();
+    boxes.push_back({{20.0, 20.0, -0.01}, {20.1, 20.1, 0.0}});
+    QVERIFY(!foundIn(boxes));
+}
+
+void TestExits::ballInAWallIsNotCalledLockedIn() {
+    std::vector<phys_box> boxes = room();
+    boxes.push_back({{-0.03, -0.03, 0.0}, {0.03, 0.03, 0.02}});
+    QVERIFY(!foundIn(boxes));
+}
+
 void TestExits::levelsHaveAtLeastOne_data() {
     QTest::addColumn<int>("level");
     for (int level = 1; level <= 10; ++level) QTest::addRow("%d", level) << level;
@@ -82,7 +98,7 @@ void TestExits::levelsHaveAtLeastOne_data() {
 
 void TestExits::levelsHaveAtLeastOne() {
     QFETCH(int, level);
-    QVERIFY(!exitsOf(levelScene(level).get()).empty());
+    QVERIFY(!exitsOf(levelScene(level).get()).value().empty());
 }
 
 QTEST_GUILESS_MAIN(TestExits)

@@ -42,6 +42,9 @@ private slots:
     void linkBetweenPagesIsFollowed();
     void keysAreScrolledByPages();
     void sectionOfABounceOpensThere();
+    void fileOfTheCommandLineIsARecentOne();
+    void ownMazeHasABestTime();
+    void mazeWithoutWayOutSaysSo();
 
 private:
     QString maze(const QString &name, const QByteArray &more = {});
@@ -49,6 +52,7 @@ private:
     void drop(const QString &path);
     QMenu *recent();
     uint32_t boxes() { return phys_scene_box_count(m_fixture->session().scene().get()); }
+    QString strip(); // all that it says
     QString line() { return m_fixture->window().messages().line(); }
 
     std::unique_ptr<Fixture> m_fixture;
@@ -56,6 +60,8 @@ private:
 
 namespace {
 const QByteArray kFloor = "physics-maze 1\nunits m\nball 0.006\nstart 0 0 0.006\nbox -0.1 -0.1 -0.01 0.1 0.1 0\n";
+const QByteArray kRoom = "box -0.1 -0.1 0 -0.09 0.1 0.02\nbox 0.09 -0.1 0 0.1 0.1 0.02\n"
+                         "box -0.1 -0.1 0 0.1 -0.09 0.02\nbox -0.1 0.09 0 0.1 0.1 0.02\n";
 const QByteArray kWall = "box 0.05 -0.1 0 0.06 0.1 0.02\n";
 } // namespace
 
@@ -85,6 +91,12 @@ void TestWindowFiles::drop(const QString &path) {
     QApplication::sendEvent(&window, &enter); // a drop without it is none
     QDropEvent drop(window.rect().center(), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(&window, &drop);
+}
+
+QString TestWindowFiles::strip() {
+    QStringList texts;
+    for (const QLabel *label : m_fixture->find<QFrame>("game_strip")->findChildren<QLabel *>()) texts << label->text();
+    return texts.join(' ');
 }
 
 // As the mouse opens it.
@@ -238,6 +250,40 @@ void TestWindowFiles::sectionOfABounceOpensThere() {
     QTRY_VERIFY(page->isVisible());
     QCOMPARE(page->source().fileName(), QString("model.md"));
     QVERIFY2(page->textCursor().block().text().startsWith("2.2 "), qPrintable(page->textCursor().block().text()));
+}
+
+// The window finds it open.
+void TestWindowFiles::fileOfTheCommandLineIsARecentOne() {
+    const QString path = maze("given.txt");
+    QVERIFY(m_fixture->session().openLevel(inspector::levelOfFile(path)));
+    m_fixture->reopen();
+    QVERIFY(m_fixture->isReady());
+    QCOMPARE(recent()->actions().at(0)->text(), QString("&1  given.txt"));
+    m_fixture->find<QMenu>("recent_menu")->close();
+}
+
+void TestWindowFiles::ownMazeHasABestTime() {
+    drop(maze("mine.txt"));
+    QTest::keyClick(&m_fixture->window(), Qt::Key_Return);
+    QTest::keyPress(&m_fixture->window(), Qt::Key_Right); // over the edge
+    QTRY_COMPARE(m_fixture->game().phase(), inspector::Game::Phase::Won);
+    QTest::keyRelease(&m_fixture->window(), Qt::Key_Right);
+    QVERIFY(m_fixture->game().isRecord());
+    m_fixture->press(Qt::Key_R);
+    m_fixture->window().refresh();
+    QTRY_VERIFY2(strip().contains("best time"), qPrintable(strip()));
+    m_fixture->press(Qt::Key_Return); // the same again, not a level of the list
+    QCOMPARE(QFileInfo(m_fixture->session().level().path).fileName(), QString("mine.txt"));
+    QCOMPARE(m_fixture->game().phase(), inspector::Game::Phase::Playing);
+}
+
+void TestWindowFiles::mazeWithoutWayOutSaysSo() {
+    drop(maze("closed.txt", kRoom));
+    QTRY_VERIFY2(strip().contains("no way out"), qPrintable(strip()));
+    m_fixture->press(Qt::Key_Return);
+    QTRY_VERIFY(m_fixture->simulation().latest().current.step > 10);
+    drop(maze("open.txt"));
+    QTRY_VERIFY2(!strip().contains("no way out") && strip().contains("roll the ball out"), qPrintable(strip()));
 }
 
 QTEST_MAIN(TestWindowFiles)
