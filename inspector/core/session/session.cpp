@@ -14,6 +14,8 @@ namespace inspector {
 
 namespace {
 
+constexpr int kOthersAhead = 24;                // boards
+constexpr uint64_t kOthersSeed = 1;             // the same ones at every move of a slider
 const QString kModel = QStringLiteral("model"); // the row's id
 
 // What a maze is, is its file's bytes: another one of the same number has another best time.
@@ -66,6 +68,7 @@ Session::Session(const Options &options, QSettings &settings, const Scene &scene
     , m_stepperId(options.stepper)
     , m_dt(options.dt)
     , m_speed(options.speed)
+    , m_unknowns(parseUnknowns(usualUnknowns(), nullptr).value_or(Unknowns()))
     , m_game(mazesOf(options.levels), settings)
     , m_simulation(std::make_unique<Simulation>(scene, stepper, origin()))
     , m_comparison(std::make_unique<Comparison>(*this))
@@ -327,9 +330,35 @@ void Session::setStart(const std::optional<phys_state> &start) {
 
 void Session::showWayAhead(bool isOn) {
     m_showsWay = isOn;
+    askAnew();
+}
+
+void Session::showOthersAhead(bool isOn) {
+    m_showsOthers = isOn;
+    askAnew();
+}
+
+void Session::setUnknowns(const Unknowns &unknowns) {
+    if (unknowns == m_unknowns) return;
+    m_unknowns = unknowns;
+    askAnew();
+}
+
+void Session::askAnew() {
     m_askedFor = 0;
     m_way = {};
     ++m_ways;
+}
+
+std::vector<OtherBoard> Session::otherBoards(const Snapshot &now) const {
+    std::vector<OtherBoard> boards;
+    if (!m_showsOthers || now.running || m_unknowns.empty()) return boards;
+    for (const Draw &draw : drawBoards(m_unknowns, now.inputs, kOthersAhead, kOthersSeed)) {
+        Inputs drawn{draw.params, {}, draw.gravity};
+        tiltBoard(drawn, {now.inputs.tilt.x + draw.tiltOffset.x, now.inputs.tilt.y + draw.tiltOffset.y});
+        boards.push_back({drawn.params, draw.startOffset});
+    }
+    return boards;
 }
 
 // A question for each other moment; answers come a little later.
@@ -339,9 +368,11 @@ void Session::lookAhead(const Snapshot &now) {
     if (answers != m_ways) m_way = m_wayFinder.latest();
     m_ways = answers;
     if (now.current.flags & PHYS_OUT) m_way = {};
-    if (now.number == m_askedFor || (now.current.flags & PHYS_OUT)) return;
-    m_askedFor = now.number;
-    m_wayFinder.ask(m_scene, now.current, now.inputs.params);
+    const bool hasOthers = m_showsOthers && !now.running;
+    const uint64_t moment = 2 * now.number + (hasOthers ? 1 : 0);
+    if (moment == m_askedFor || (now.current.flags & PHYS_OUT)) return;
+    m_askedFor = moment;
+    m_wayFinder.ask(m_scene, now.current, now.inputs.params, otherBoards(now));
 }
 
 void Session::lookAheadAtOnce() {
@@ -349,7 +380,7 @@ void Session::lookAheadAtOnce() {
     const Snapshot now = m_simulation->latest();
     const Stepper exact = makeStepper(m_registry, "exact", m_scene, nullptr);
     const bool isAhead = exact && !(now.current.flags & PHYS_OUT);
-    m_way = isAhead ? inspector::wayAhead(exact, now.current, now.inputs.params) : WayAhead{};
+    m_way = isAhead ? inspector::wayAhead(exact, now.current, now.inputs.params, otherBoards(now)) : WayAhead{};
 }
 
 void Session::startRecording(const QString &file) {

@@ -12,6 +12,7 @@
 #include "core/setup/parameters.h"
 #include "core/simulation/simulation.h"
 #include "core/simulation/way_ahead.h"
+#include "core/trade/unknowns.h"
 
 #include <QObject>
 #include <QSettings>
@@ -124,6 +125,10 @@ public:
     // Makes it that of the moment shown, for a picture: otherwise it comes a little later.
     void lookAheadAtOnce();
     uint64_t waysAhead() const { return m_ways; } // another number: another way
+    // Beside it, while the simulation stands, the ways on boards as they may really be.
+    void showOthersAhead(bool isOn);
+    // What isn't known of the board; the usual of a board built by hand until told.
+    void setUnknowns(const Unknowns &unknowns);
 
     // ---- the past: what was played lately is kept, and can be gone back to ----
 
@@ -209,6 +214,8 @@ private:
     bool isAtPresent(const RunPlace &run) const;
     void watchRuns(const Snapshot &now);
     void lookAhead(const Snapshot &now);
+    void askAnew();
+    std::vector<OtherBoard> otherBoards(const Snapshot &now) const;
     void keepOldFuture(uint64_t place);
     void noteDifference(uint64_t replay, const Difference &difference);
     Stepping steppingWithAll() const;
@@ -234,7 +241,9 @@ private:
     bool m_isFollowing = false; // parameters change because the moment shown does
     bool m_hasOwnStart = false;
     bool m_showsWay = false;
-    uint64_t m_askedFor = 0; // number of a snapshot
+    bool m_showsOthers = false;
+    Unknowns m_unknowns;
+    uint64_t m_askedFor = 0; // moment: of a snapshot, with or without others
     WayAhead m_way;
     uint64_t m_ways = 0;
     std::vector<KeptRun> m_runs;

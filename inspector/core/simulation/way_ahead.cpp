@@ -11,8 +11,12 @@ namespace {
 
 constexpr uint32_t kEvents = 32;
 constexpr double kImpactSpeed = 1e-3; // m/s: slower ones aren't worth a mark
-// A scene in which the exact stepper takes its time gets a shorter way.
+// A scene in which the exact stepper takes its time gets a shorter way, and fewer others.
 constexpr std::chrono::milliseconds kBudget{20};
+constexpr auto kCount = uint64_t(WayFinder::kReach / WayFinder::kInterval + 0.5);
+constexpr uint64_t kEnd = PHYS_OUT | PHYS_AT_REST;
+
+using Clock = std::chrono::steady_clock;
 
 std::optional<phys_event> firstImpact(const phys_report &report) {
     for (uint32_t i = 0; i < report.event_count; ++i)
@@ -21,23 +25,54 @@ std::optional<phys_event> firstImpact(const phys_report &report) {
     return std::nullopt;
 }
 
+// A ball that can't be where it may really be, in a wall, has no way.
+Way wayOn(const OtherBoard &board, const Stepper &stepper, phys_state state, std::vector<phys_state> &path) {
+    state.position.x += board.offset.x;
+    state.position.y += board.offset.y;
+    state.position.z += board.offset.z;
+    Way way{state.position};
+    uint64_t done = 0;
+    phys_batch batch;
+    phys_batch_init(&batch, sizeof batch);
+    batch.stop_flags = uint32_t(kEnd);
+    batch.ball_count = 1;
+    batch.step_count = path.size();
+    batch.dt = WayFinder::kInterval;
+    batch.params = &board.params;
+    batch.states = &state;
+    batch.states_stride = sizeof state;
+    batch.path = path.data();
+    batch.path_ball_stride = path.size() * sizeof state;
+    batch.path_every = 1;
+    batch.steps_done = &done;
+    phys_batch_run(stepper.get(), &batch, 0, 1, nullptr);
+    for (uint64_t i = 0; i < done; ++i) way.push_back(path[i].position);
+    return way;
+}
+
 } // namespace
 
-WayAhead wayAhead(const Stepper &stepper, const phys_state &state, const phys_params &params) {
-    const auto end = std::chrono::steady_clock::now() + kBudget;
+WayAhead wayAhead(const Stepper &stepper, const phys_state &state, const phys_params &params,
+                  const std::vector<OtherBoard> &others) {
+    const auto end = Clock::now() + kBudget;
     std::array<phys_event, kEvents> events{};
     phys_report report;
     phys_report_init(&report, sizeof report);
     report.events = events.data();
     report.event_capacity = kEvents;
-    WayAhead way{{state.position}, {}};
+    WayAhead way{{state.position}, {}, {}};
     phys_state now = state;
-    const auto count = int(WayFinder::kReach / WayFinder::kInterval + 0.5);
-    for (int i = 0; i < count && std::chrono::steady_clock::now() < end; ++i) {
+    for (uint64_t i = 0; i < kCount && Clock::now() < end; ++i) {
         if (phys_step(stepper.get(), &params, WayFinder::kInterval, &now, &now, &report, nullptr) != PHYS_OK) break;
         way.points.push_back(now.position);
         if (!way.impact) way.impact = firstImpact(report);
-        if (now.flags & (PHYS_OUT | PHYS_AT_REST)) break;
+        if (now.flags & kEnd) break;
+    }
+    const auto endOfOthers = Clock::now() + kBudget;
+    std::vector<phys_state> path(others.empty() ? 0 : kCount);
+    for (const OtherBoard &other : others) {
+        if (Clock::now() >= endOfOthers) break;
+        way.others.push_back(wayOn(other, stepper, state, path));
     }
     return way;
 }
@@ -51,10 +86,11 @@ WayFinder::~WayFinder() {
     m_thread.join();
 }
 
-void WayFinder::ask(const Scene &scene, const phys_state &state, const phys_params &params) {
+void WayFinder::ask(const Scene &scene, const phys_state &state, const phys_params &params,
+                    const std::vector<OtherBoard> &others) {
     {
         const std::lock_guard lock(m_mutex);
-        m_question = Question{scene, state, params};
+        m_question = Question{scene, state, params, others};
     }
     m_wake.notify_one();
 }
@@ -84,7 +120,7 @@ void WayFinder::work(const std::stop_token &stop) {
             scene = question->scene;
             stepper = makeStepper(m_registry, "exact", scene, nullptr);
         }
-        WayAhead answer = stepper ? wayAhead(stepper, question->state, question->params) : WayAhead{};
+        WayAhead answer = stepper ? wayAhead(stepper, question->state, question->params, question->others) : WayAhead{};
         const std::lock_guard lock(m_mutex);
         m_answer = std::move(answer);
         ++m_answers;

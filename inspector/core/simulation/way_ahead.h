@@ -12,9 +12,18 @@
 
 namespace inspector {
 
+using Way = std::vector<phys_vec3>; // m, at equal times, the present place first; ends where the ball leaves or rests
+
 struct WayAhead {
-    std::vector<phys_vec3> points;    // m, at equal times, the present one first; ends where the ball leaves or rests
+    Way points;
     std::optional<phys_event> impact; // the next one
+    std::vector<Way> others;          // on other boards
+};
+
+// A board and a place of the ball as they may really be.
+struct OtherBoard {
+    phys_params params;
+    phys_vec3 offset; // m, of the ball
 };
 
 class WayFinder {
@@ -26,7 +35,8 @@ public:
     ~WayFinder(); // ends the thread
 
     // Latest wins; returns at once. Where the exact stepper refuses, the way ends.
-    void ask(const Scene &scene, const phys_state &state, const phys_params &params);
+    void ask(const Scene &scene, const phys_state &state, const phys_params &params,
+             const std::vector<OtherBoard> &others = {});
     // The answer to the last question that has one. Another number: another answer.
     WayAhead latest() const;
     uint64_t answers() const;
@@ -36,6 +46,7 @@ private:
         Scene scene;
         phys_state state;
         phys_params params;
+        std::vector<OtherBoard> others;
     };
     void work(const std::stop_token &stop);
 
@@ -48,7 +59,9 @@ private:
     std::jthread m_thread; // last: ends before anything above it goes
 };
 
-// The same, by the calling thread. stepper: `exact`, made for the scene.
-WayAhead wayAhead(const Stepper &stepper, const phys_state &state, const phys_params &params);
+// The same, by the calling thread. stepper: `exact`, made for the scene. What can't be computed in some hundredths of a
+// second is left out.
+WayAhead wayAhead(const Stepper &stepper, const phys_state &state, const phys_params &params,
+                  const std::vector<OtherBoard> &others = {});
 
 } // namespace inspector

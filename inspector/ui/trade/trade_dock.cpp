@@ -234,7 +234,9 @@ std::optional<Unknowns> TradeDock::unknowns() {
 }
 
 void TradeDock::showReady() {
-    const bool isReady = unknowns() && !m_schedule->words().isEmpty();
+    const std::optional<Unknowns> unknowns = this->unknowns();
+    if (unknowns) m_session.setUnknowns(*unknowns);
+    const bool isReady = unknowns && !m_schedule->words().isEmpty();
     m_measure->setEnabled(m_worker.isRunning() || isReady);
 }
 

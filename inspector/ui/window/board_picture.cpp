@@ -25,6 +25,8 @@ constexpr float kTrailWidth = 3.0F;     // logical pixels
 constexpr float kBallTrailWidth = 4.0F; // beside a ghost's
 constexpr float kGhostTrailWidth = 2.0F;
 constexpr double kWayAlpha = 0.8;
+constexpr double kOtherWayAlpha = 0.3;
+constexpr float kOtherWayWidth = 1.5F;
 constexpr double kOldAlpha = 0.45;
 constexpr double kGhostAlpha = 0.55;
 constexpr double kGhostSize = 0.99; // of the ball, which hides it where they are in the same place
@@ -40,14 +42,14 @@ gl::Ball ballOf(const phys_state &state, double radius) {
 }
 
 // One ball's way to `end`, from `begin` on.
-struct Way {
+struct PastWay {
     Channel x, y, z;
     double begin; // s
     phys_state end;
 };
 
 // Every n-th sample, n so that the number of points stays small, counted from 0 so that they don't creep.
-std::vector<glm::dvec3> pointsOf(const SampleRing &samples, const Way &way) {
+std::vector<glm::dvec3> pointsOf(const SampleRing &samples, const PastWay &way) {
     std::vector<glm::dvec3> points;
     const uint64_t last = samples.last();
     const uint64_t begin = std::max(samples.first(), samples.find(way.begin));
@@ -74,7 +76,7 @@ void addGhost(gl::Frame &frame, const SampleRing &samples, const phys_state &sta
     // The sample of the meeting itself still tells where the ghost was before.
     const double afterMeeting = std::nextafter(metAt, std::numeric_limits<double>::infinity());
     const double begin = std::max(state.time - kComparedTrailTime, afterMeeting);
-    const Way way{Channel::GhostX, Channel::GhostY, Channel::GhostZ, begin, state};
+    const PastWay way{Channel::GhostX, Channel::GhostY, Channel::GhostZ, begin, state};
     frame.trails.push_back({pointsOf(samples, way), toGlm(colour, kTrailAlpha), kGhostTrailWidth});
 }
 
@@ -90,6 +92,13 @@ void addOldFuture(gl::Frame &frame, const std::vector<Sample> &samples) {
     frame.trails.push_back(std::move(trail));
 }
 
+// Pale at its far end.
+gl::Trail trailAhead(const Way &way, const gl::Colour &colour, float width) {
+    gl::Trail trail{{}, colour, width};
+    for (auto point = way.rbegin(); point != way.rend(); ++point) trail.points.push_back(toGlm(*point));
+    return trail;
+}
+
 } // namespace
 
 gl::Frame currentFrame(Session &session) {
@@ -98,7 +107,7 @@ gl::Frame currentFrame(Session &session) {
     const Clock::time_point moment = Clock::now();
     const phys_state state = interpolated(now, moment);
     const double trailTime = now.ghost ? kComparedTrailTime : kTrailTime;
-    const Way way{Channel::PositionX, Channel::PositionY, Channel::PositionZ, state.time - trailTime, state};
+    const PastWay way{Channel::PositionX, Channel::PositionY, Channel::PositionZ, state.time - trailTime, state};
     gl::Frame frame;
     frame.tilt_x = now.inputs.tilt.x;
     frame.tilt_y = now.inputs.tilt.y;
@@ -113,9 +122,9 @@ gl::Frame currentFrame(Session &session) {
 void addWayAhead(gl::Frame &frame, const WayAhead &way) {
     if (way.points.size() < 2) return;
     const QColor colour = accentsFor(QGuiApplication::palette()).total;
-    gl::Trail trail{{}, toGlm(colour, kWayAlpha), kGhostTrailWidth};
-    for (auto point = way.points.rbegin(); point != way.points.rend(); ++point) trail.points.push_back(toGlm(*point));
-    frame.trails.push_back(std::move(trail));
+    for (const Way &other : way.others)
+        frame.trails.push_back(trailAhead(other, toGlm(colour, kOtherWayAlpha), kOtherWayWidth));
+    frame.trails.push_back(trailAhead(way.points, toGlm(colour, kWayAlpha), kGhostTrailWidth));
     if (!way.impact) return;
     const gl::Colour mark = toGlm(colour, 1.0);
     frame.strokes.point(toGlm(way.impact->point), mark, 7.0F);

@@ -143,6 +143,7 @@ private:
     void toggleFollowing();
     void toggleBounces();
     void toggleWayAhead();
+    void toggleOthersAhead();
     void confirm();
     void toggleRunning();
     void pause();

@@ -124,6 +124,14 @@ const std::vector<MainWindow::ActionRow> &MainWindow::actionRows() {
          QT_TR_NOOP("Where the ball goes in the next 2 s if nothing changes, by the exact stepper"),
          {},
          &MainWindow::toggleWayAhead},
+        {"others_ahead",
+         QT_TR_NOOP("Show what isn't known ahead"),
+         "U",
+         QT_TR_NOOP(
+             "While paused: where else the ball may go, as little as tilt, friction, restitution and start are known; "
+             "the Trade dock says within what"),
+         {},
+         &MainWindow::toggleOthersAhead},
         {"play", QT_TR_NOOP("Start, or next level"), "Return; Enter", "", {}, &MainWindow::confirm},
         {"run", QT_TR_NOOP("Run"), "Space", QT_TR_NOOP("Run or pause"), Glyph::Run, &MainWindow::toggleRunning},
         {"pause", QT_TR_NOOP("Pause"), "Esc", "", {}, &MainWindow::pause},
@@ -221,6 +229,7 @@ void MainWindow::makeActions() {
     action("camera_follow")->setCheckable(true);
     action("way_ahead")->setCheckable(true);
     action("way_ahead")->setChecked(m_session.settings().value(settings_keys::kShowWayAhead, true).toBool());
+    action("others_ahead")->setCheckable(true);
     action("copy_to_ghost")->setIconText(tr("Copy")); // on buttons
     action("swap_with_ghost")->setIconText(tr("Swap"));
     m_showsBounces = action("bounces");
@@ -238,7 +247,8 @@ void MainWindow::makeMenus() {
          {"open", "open_recording", "close_recording", "", "load_plugin", "", "save_run", "save_film", "save_plot",
           "screenshot", "record", "", "quit"}},
         {QT_TR_NOOP("&Edit"), {"", "reset_parameters"}},
-        {QT_TR_NOOP("&View"), {"", "camera_reset", "camera_top", "camera_follow", "", "bounces", "way_ahead"}},
+        {QT_TR_NOOP("&View"),
+         {"", "camera_reset", "camera_top", "camera_follow", "", "bounces", "way_ahead", "others_ahead"}},
         {QT_TR_NOOP("&Game"),
          {"play",
           "",
@@ -444,6 +454,8 @@ void MainWindow::toggleWayAhead() {
     m_session.settings().setValue(settings_keys::kShowWayAhead, isOn);
     m_session.showWayAhead(isOn);
 }
+
+void MainWindow::toggleOthersAhead() { m_session.showOthersAhead(action("others_ahead")->isChecked()); }
 
 void MainWindow::confirm() { m_session.game().confirm(); }
 

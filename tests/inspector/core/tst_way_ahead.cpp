@@ -19,6 +19,7 @@ private slots:
     void nextImpactIsMarked();
     void restingBallHasNoWay();
     void latestQuestionIsAnswered();
+    void otherBoardsHaveWaysOfTheirOwn();
     void ballIsPutWhereItFits();
     void ballBesideTheFloorStaysInTheAir();
     void rollingSpinTouchesTheFloorAtRest();
@@ -72,6 +73,18 @@ void TestWayAhead::latestQuestionIsAnswered() {
     const WayAhead expected = wayAhead(exactOn(scene), startOf(scene), tilted(2.0, 0.0).params);
     QTRY_VERIFY(finder.latest().points.size() == expected.points.size() &&
                 finder.latest().points.back().x == expected.points.back().x);
+}
+
+void TestWayAhead::otherBoardsHaveWaysOfTheirOwn() {
+    const Scene scene = openFloor();
+    const Stepper stepper = exactOn(scene);
+    const phys_params steep = tilted(2.0, 0.0).params;
+    const phys_params params = tilted(1.0, 0.0).params;
+    const WayAhead way = wayAhead(stepper, startOf(scene), params, {{steep, {}}, {params, {0.001, 0.0, 0.0}}});
+    QCOMPARE(way.others.size(), size_t(2));
+    QCOMPARE(way.others[0].size(), way.points.size());
+    QCOMPARE(way.others[0].back().x, wayAhead(stepper, startOf(scene), steep).points.back().x);
+    QCOMPARE(way.others[1].front().x, startOf(scene).position.x + 0.001);
 }
 
 // Invariant: wherever it is wanted inside the board, it touches no wall and stands on the floor.

@@ -34,6 +34,7 @@ private slots:
     void wayAheadFollowsASlider();
     void wayAheadCanBeSwitchedOff();
     void pictureShowsTheWayAheadOfItsMoment();
+    void unknownsFanOutWhileItStands();
 
 private:
     phys_state ball() { return m_fixture->simulation().latest().current; }
@@ -225,6 +226,27 @@ void TestWindowBall::pictureShowsTheWayAheadOfItsMoment() {
     QVERIFY(m_fixture->window().grabTo(m_fixture->path("window.png"), nullptr));
     const std::vector<phys_vec3> &points = m_fixture->session().wayAhead().points;
     QVERIFY(!points.empty() && points.back().y > ball().position.y + 0.01); // without waiting for it
+}
+
+void TestWindowBall::unknownsFanOutWhileItStands() {
+    const auto others = [&] {
+        m_fixture->window().refresh();
+        return m_fixture->session().wayAhead().others.size();
+    };
+    m_fixture->press(Qt::Key_W);
+    m_fixture->parameters().set({{QStringLiteral("tilt_y"), 5.0}});
+    m_fixture->press(Qt::Key_U);
+    QTRY_VERIFY(others() > 0);
+    m_fixture->session().setUnknowns({}); // all is known
+    QTRY_VERIFY(others() == 0 && m_fixture->session().wayAhead().points.size() > 10);
+    m_fixture->session().setUnknowns({{"tilt", 0.5, false}});
+    QTRY_VERIFY(others() > 0);
+    m_fixture->press(Qt::Key_Space); // nobody follows it while it runs
+    QTRY_COMPARE(others(), size_t(0));
+    m_fixture->press(Qt::Key_Space);
+    QTRY_VERIFY(others() > 0);
+    m_fixture->press(Qt::Key_U);
+    QTRY_COMPARE(others(), size_t(0));
 }
 
 QTEST_MAIN(TestWindowBall)
