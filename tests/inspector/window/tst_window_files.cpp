@@ -230,7 +230,7 @@ void TestWindowFiles::keysAreScrolledByPages() {
     m_fixture->press(Qt::Key_F1);
     auto *dialog = m_fixture->find<QDialog>("keys_dialog");
     dialog->resize(500, 240);
-    QVERIFY(QTest::qWaitForWindowActive(dialog));
+    QVERIFY(QTest::qWaitForWindowActive(dialog, kPatience));
     auto *bar = dialog->findChild<QScrollArea *>()->verticalScrollBar();
     QTRY_VERIFY(bar->maximum() > 0);
     auto *sought = m_fixture->find<QLineEdit>("keys_sought");

@@ -77,11 +77,10 @@ void TestWindowPast::cleanup() { m_fixture.reset(); }
 
 void TestWindowPast::makeSteps(uint64_t count) {
     for (uint64_t i = 0; i < count; ++i) {
-        const uint64_t step = now().current.step + 1;
-        m_fixture->trigger("step");
-        QTRY_VERIFY(isAt(step));
+        m_fixture->makeSteps(1);
         m_states.push_back(now().current);
     }
+    m_fixture->window().refresh();
 }
 
 // With the mouse on the time.
