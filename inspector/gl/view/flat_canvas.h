@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "gl/view/canvas.h"
+
+#include <vector>
+
+class QPainter;
+
+namespace inspector::gl {
+
+// Draws without OpenGL, for a camera that looks from above: what is higher is drawn later. Holes are where the table
+// shows through the floor.
+class FlatCanvas : public QWidget, public Canvas {
+public:
+    // host: outlives the canvas.
+    FlatCanvas(CanvasHost &host, QWidget *parent);
+
+    QWidget &widget() override { return *this; }
+    void setMaze(const Mesh &mesh) override;
+    void setBall(const Mesh &) override {} // a disc
+    QImage picture(const Frame &frame, int scale) override;
+    QImage shown() override { return grab().toImage(); }
+    QString name() const override;
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+
+private:
+    struct Triangle {
+        glm::dvec3 corners[3];
+        glm::vec3 colour; // sRGB, shaded
+        float height;     // of its middle, m
+    };
+    using Projection = glm::dmat4; // board to clip
+
+    void paint(QPainter &painter, const Frame &frame) const;
+    void paintMaze(QPainter &painter, const Projection &projection) const;
+    void paintBall(QPainter &painter, const Projection &projection, const Ball &ball) const;
+    void paintGhost(QPainter &painter, const Projection &projection, const GhostBall &ghost) const;
+    void paintStrokes(QPainter &painter, const Projection &projection, const Frame &frame) const;
+    QPointF place(const Projection &projection, const glm::dvec3 &point) const;
+    double discRadius(const Projection &projection, const Ball &ball) const;
+
+    CanvasHost &m_host;
+    std::vector<Triangle> m_triangles; // the lowest first
+};
+
+} // namespace inspector::gl

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "gl/view/canvas.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include <QPointF>
+#include <QTimer>
+
+namespace inspector::gl {
+
+enum class Drawing {
+    Solid,   // by OpenGL, in whichever of the next two ways is cheaper here
+    Screen,  // onto the screen
+    Picture, // into a picture
+    Flat,    // without it, from above
+};
+
+// The picture as a widget: left drag orbits, right or middle drag pans, the wheel zooms to the cursor, a double click
+// shows everything again. Keys are left to the window. GUI thread only.
+class MazeView : public QWidget, private CanvasHost {
+    Q_OBJECT
+
+public:
+    explicit MazeView(Drawing drawing = Drawing::Solid, QWidget *parent = nullptr);
+    ~MazeView() override;
+
+    Drawing drawing() const { return m_drawing; } // never Solid
+    // The next picture shows what has changed.
+    void update();
+
+    // May be called before the widget is shown. A maze of other bounds resets the camera.
+    void setMaze(const Mesh &mesh);
+    // rad, in x and in y: up to there the whole board stays in the picture. 0 until told.
+    void setLargestTilt(double tilt);
+    void setBall(const Mesh &mesh); // radius 1 around the origin
+
+    // Draws this frame once...
+    void setFrame(const Frame &frame);
+    // ...or asks `source` for one before each picture, up to 60 times a second while visible and while `isNew` says
+    // that there is another one to show; null ends that.
+    void setFrameSource(
+        std::function<Frame()> source, std::function<bool()> isNew = [] { return true; });
+    // How many pictures were drawn.
+    uint64_t pictures() const { return m_pictures; }
+
+    // Nothing, as at first: the best one in which pictures come in time, found by what they take.
+    void setQuality(std::optional<Quality> quality);
+    Quality quality() const { return m_canvas->quality(); }
+
+    // Shader files here replace the embedded ones, also while running; empty: embedded only.
+    void setShaderDirectory(const QString &path);
+
+    OrbitCamera &camera() { return m_camera; }
+    // Shows everything from the start direction.
+    void resetCamera();
+    void lookFromAbove();
+    // The ball stays in the middle, from nearer by; until told otherwise or everything is shown again.
+    void setFollowing(bool isOn);
+    bool isFollowing() const { return m_is_following; }
+
+    // Time that the last picture took until it was finished, ms; 0 before the first.
+    double lastFrameMilliseconds() const { return m_frame_milliseconds; }
+    // What draws, for instance "llvmpipe (LLVM 15.0.6, 256 bits)"; empty before the first picture.
+    QString rendererName() const { return m_canvas->name(); }
+    // The picture as it is now, `scale` pixels for each of the device, 1 to 4; null before the first.
+    QImage picture(int scale) { return m_canvas->picture(m_frame, scale); }
+    // What is on the screen.
+    QImage grabFramebuffer() { return m_canvas->shown(); }
+    // The ray under a place of this widget, in the board frame.
+    Ray rayAt(const QPointF &place) const;
+    // Where a point of the board (board frame, m) is drawn, in logical pixels of this widget.
+    QPointF positionOf(const glm::dvec3 &board_point) const;
+
+signals:
+    // A click without a drag, as a ray in the board frame.
+    void clicked(const inspector::gl::Ray &ray);
+    // One line or a shader log; the view goes on with what it has.
+    void problem(const QString &text);
+    void shadersRebuilt();
+    void followingChanged(bool isOn);
+
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+    void changeEvent(QEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void mouseDoubleClickEvent(QMouseEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
+
+private:
+    const Frame &nextFrame() override;
+    View view() const override;
+    const OrbitCamera &lookedThrough() const override { return m_camera; }
+    glm::dmat4 boardPose() const override;
+    void noteDrawn(double milliseconds) override { m_frame_milliseconds = milliseconds; }
+    void noteProblem(const QString &text) override { emit problem(text); }
+    void noteRebuilt() override { emit shadersRebuilt(); }
+    void noteUnusable(const QString &reason) override;
+
+    void makeCanvas(Drawing drawing);
+    void keepVisible(Ball &ball) const;
+
+    Drawing m_drawing = Drawing::Flat;
+    Canvas *m_canvas = nullptr; // a child
+    OrbitCamera m_camera;
+    Frame m_frame;
+    std::function<Frame()> m_source;
+    std::function<bool()> m_is_new;
+    uint64_t m_pictures = 0;
+    QTimer m_pulse;
+    Mesh m_maze; // kept for another canvas
+    std::optional<Mesh> m_ball;
+    Bounds m_bounds;
+    double m_largest_tilt = 0.0; // rad
+    QString m_shader_directory;
+    double m_frame_milliseconds = 0.0;
+    QPointF m_press_position;
+    QPointF m_last_position;
+    bool m_is_dragging = false;
+    bool m_is_camera_moved = false; // by hand; until then a resized view shows everything
+    bool m_is_following = false;
+};
+
+} // namespace inspector::gl
