@@ -32,9 +32,11 @@ struct Lanes {
     LaneNumbers rests;      ///< 1: the ball is at rest, 0: it moves
     double dt;              ///< s
     double reach;           ///< m: longest way of a step
-    double isOpen; ///< 1: there is nothing but one floor, which the ball must not leave; 0: there are other boxes
-    double radius; ///< m
-    bool resists;  ///< whether there is rolling friction; the same for all
+    double restSquared;     ///< m^2/s^2: square of a speed that isn't rest
+    bool isOpen;            ///< whether there is nothing but one floor, which the ball must not leave
+    double radius;          ///< m
+    bool mayGrip;           ///< whether `grip` limits the slope of any ball
+    bool resists;           ///< whether there is rolling friction; the same for all
 };
 
 /// The ability of a built-in stepper to move balls so: what its `extension` answers to kLanesId.

@@ -26,6 +26,7 @@ void SideBySide::add(uint64_t number) {
     const uint32_t ball = m_count++;
     m_balls[ball] = BallRun(m_stepper, m_batch, number, m_paramsAreChecked);
     if (ball == 0 && m_steps) m_steps->begin(m_stepper.self, m_balls[0].params(), m_batch.dt, m_lanes);
+    m_gravity[ball] = &m_balls[ball].gravity(0);
     if (!m_balls[ball].isRunning()) return;
     m_running |= 1U << ball;
     enter(ball, 0);
@@ -74,8 +75,9 @@ void SideBySide::leave(uint32_t ball, uint64_t step) {
 }
 
 void SideBySide::loadGravity(uint64_t step) {
+    const size_t offset = m_batch.gravity_step_stride * step;
     for (uint32_t ball = 0; ball < m_count; ++ball) {
-        const phys_vec3 &gravity = m_balls[ball].gravity(step);
+        const phys_vec3 &gravity = *at(m_gravity[ball], offset, 1);
         m_lanes.x.gravity[ball] = gravity.x;
         m_lanes.y.gravity[ball] = gravity.y;
         m_lanes.gravityZ[ball] = gravity.z;

@@ -38,8 +38,9 @@ private:
     Lanes m_lanes;
     std::array<BallRun, kMost> m_balls;
     uint32_t m_count = 0;
-    std::array<uint64_t, kMost> m_entered{}; ///< the step before which each ball entered its lane
-    uint32_t m_inLanes = 0, m_running = 0;   ///< a bit for each ball
+    std::array<const phys_vec3 *, kMost> m_gravity{}; ///< of each ball's first step
+    std::array<uint64_t, kMost> m_entered{};          ///< the step before which each ball entered its lane
+    uint32_t m_inLanes = 0, m_running = 0;            ///< a bit for each ball
 };
 
 } // namespace phys

@@ -45,89 +45,172 @@ enum class LaneRule {
     Sweep     ///< steps of swept: it looks whether the way leads back, and how a ball starts
 };
 
-/// One axis of balls in their regions.
+/// What gravity does to balls on the floor, model.md 2.1.
+template<class N>
+struct FloorDrive {
+    Planar<N> pull; ///< gravity along the floor, m/s^2
+    N normal;       ///< gravity into it, m/s^2
+    Planar<N> A;    ///< what the pull accelerates a ball by that nothing holds, m/s^2
+    N B;            ///< rolling resistance, m/s^2
+
+    FloorDrive(const Lanes &lanes, uint32_t lane)
+        : pull{N::load(lanes.x.gravity + lane), N::load(lanes.y.gravity + lane)}
+        , normal(-N::load(lanes.gravityZ + lane))
+        , A(N::load(lanes.share + lane) * pull)
+        , B(N::load(lanes.share + lane) * (N::load(lanes.resistance + lane) * normal)) {}
+};
+
+/// One axis of balls in their regions. Each is where nothing is near, or it is at a face with no speed along the axis.
 template<class N>
 class InRegion {
 public:
     using Mask = typename N::Mask;
 
-    InRegion(const LaneAxis &along, uint32_t lane, N drive)
-        : m_low(N::load(along.low + lane))
-        , m_high(N::load(along.high + lane))
-        , m_place(N::load(along.position + lane))
-        , m_velocity(N::load(along.velocity + lane))
-        , m_atLow((m_place == N::load(along.lowFace + lane)) & (m_velocity == 0.0))
-        , m_atHigh((m_place == N::load(along.highFace + lane)) & (m_velocity == 0.0))
-        , m_leans((m_atLow & (drive < 0.0)) | (m_atHigh & (drive > 0.0))) {}
+    InRegion(const LaneAxis &along, uint32_t lane)
+        : m_along(along)
+        , m_lane(lane)
+        , m_place(of(along.position))
+        , m_velocity(of(along.velocity)) {}
 
     N place() const { return m_place; }
     N velocity() const { return m_velocity; }
-    /// Whether the ball leans on a face, which takes the drive into it.
-    Mask leans() const { return m_leans; }
-    /// Whether it may be at a place: nothing is near there, or the face that it is at.
-    Mask has(N place) const {
-        return ((m_low <= place) & (place <= m_high)) | ((m_atLow | m_atHigh) & (place == m_place));
+    Mask isAtLow() const { return (m_place == of(m_along.lowFace)) & (m_velocity == 0.0); }
+    Mask isAtHigh() const { return (m_place == of(m_along.highFace)) & (m_velocity == 0.0); }
+    /// Whether nothing is near a place.
+    Mask isFree(N place) const { return (of(m_along.low) <= place) & (place <= of(m_along.high)); }
+    Mask isFreeAround(N way) const { return (of(m_along.low) <= m_place - way) & (m_place + way <= of(m_along.high)); }
+    /// Whether that is so, or the ball is still at its face there.
+    Mask has(N place) const { return isFree(place) | ((isAtLow() | isAtHigh()) & (place == m_place)); }
+    /// Whether the ball comes to no other face within a way in either direction.
+    Mask isClear(N way) const {
+        return ((of(m_along.low) <= m_place - way) | isAtLow()) & ((m_place + way <= of(m_along.high)) | isAtHigh());
     }
-    /// Whether it is there, and comes to no other face within a way in either direction.
-    Mask isClear(N way) const { return ((m_low <= m_place - way) | m_atLow) & ((m_place + way <= m_high) | m_atHigh); }
 
 private:
-    N m_low, m_high, m_place, m_velocity;
-    Mask m_atLow, m_atHigh, m_leans;
+    N of(const LaneNumbers &numbers) const { return N::load(numbers + m_lane); }
+
+    const LaneAxis &m_along;
+    uint32_t m_lane;
+    N m_place, m_velocity;
 };
+
+/// What balls do in a step, and whether they can do it in their lanes.
+template<class N>
+struct LaneStep {
+    Planar<N> velocity, displacement;
+    typename N::Mask isFine;
+};
+
+/// The step of the scheme under a drive, wherever it leads.
+template<class N, class Scheme, LaneRule kRule, bool kResists>
+[[gnu::always_inline]] inline LaneStep<N> rollBy(const Planar<N> &A, const FloorDrive<N> &drive, const Lanes &lanes,
+                                                 uint32_t lane, const Planar<N> &velocity) {
+    const double h = lanes.dt;
+    const auto of = [lane](const LaneNumbers &numbers) { return N::load(numbers + lane); };
+    // nearStop. Numbers that can be computed with stand in for a ball that the general case moves.
+    const N speedSquared = dot(velocity, velocity), driveLength = length(A);
+    const N stop = choose(drive.B < driveLength, 1.0, 4.0) * (driveLength + drive.B) * h;
+    const auto goesOn = kResists                      ? speedSquared > stop * stop
+                        : kRule == LaneRule::Substeps ? speedSquared >= 0.0
+                                                      : speedSquared > 0.0;
+    const Planar<N> v{choose(goesOn, velocity.x, 1.0), choose(goesOn, velocity.y, 0.0)};
+    const auto next = Scheme::advance(UnstoppedLaw<N, kResists>{A, drive.B}, v, h);
+
+    const N across = magnitude(drive.pull.x) + magnitude(drive.pull.y);
+    const N pull = across + of(lanes.pull) * drive.normal;
+    const N reach = (magnitude(velocity.x) + magnitude(velocity.y) + pull * h) * h;
+    const N way = magnitude(next.displacement.x) + magnitude(next.displacement.y);
+    const auto isAllowed = (across <= kMostGravity) & (drive.normal <= kMostGravity) & (drive.normal > 0.0);
+    auto isFine = goesOn & isAllowed & (reach <= lanes.reach) & (way <= lanes.reach);
+    if (lanes.mayGrip)
+        isFine = isFine & (dot(drive.pull, drive.pull) <= of(lanes.grip) * (drive.normal * drive.normal));
+    return {next.velocity, next.displacement, isFine};
+}
+
+/// What a step must not end with, or lead back by.
+template<class N, LaneRule kRule>
+[[gnu::always_inline]] inline typename N::Mask staysFast(const Lanes &lanes, const Planar<N> &velocity,
+                                                         const Planar<N> &next) {
+    const auto isFast = dot(next, next) > lanes.restSquared;
+    if constexpr (kRule == LaneRule::Substeps) return isFast;
+    return isFast & (dot(next, velocity) > 1.1e-9 * dot(velocity, velocity));
+}
+
+/// Balls none of which is at a face or at rest.
+template<class N, class Scheme, LaneRule kRule, bool kResists>
+[[gnu::always_inline]] inline LaneStep<N> rollFree(const FloorDrive<N> &drive, const Lanes &lanes, uint32_t lane,
+                                                   const InRegion<N> &x, const InRegion<N> &y) {
+    const double h = lanes.dt;
+    const Planar<N> velocity{x.velocity(), y.velocity()};
+    LaneStep<N> step = rollBy<N, Scheme, kRule, kResists>(drive.A, drive, lanes, lane, velocity);
+    step.isFine = step.isFine & x.isFree(x.place() + step.displacement.x) & y.isFree(y.place() + step.displacement.y) &
+                  staysFast<N, kRule>(lanes, velocity, step.velocity);
+    if constexpr (kRule == LaneRule::Sweep) {
+        const Planar<N> turn = 0.5 * h * velocity;
+        step.isFine = step.isFine & x.isFree(x.place() + turn.x) & y.isFree(y.place() + turn.y);
+    }
+    return step;
+}
+
+/// staysOnOneFloor, where there is nothing else.
+template<class N>
+[[gnu::always_inline]] inline typename N::Mask staysOnFloor(const FloorDrive<N> &drive, const Lanes &lanes,
+                                                            uint32_t lane, const InRegion<N> &x, const InRegion<N> &y) {
+    const double h = lanes.dt;
+    const N pull = magnitude(drive.pull.x) + magnitude(drive.pull.y) + N::load(lanes.pull + lane) * drive.normal;
+    const N reach = (magnitude(x.velocity()) + magnitude(y.velocity()) + pull * h) * h;
+    return x.isFreeAround(reach) & y.isFreeAround(reach);
+}
+
+/// Any balls.
+template<class N, class Scheme, LaneRule kRule, bool kResists>
+[[gnu::always_inline]] inline LaneStep<N> rollOrRest(const FloorDrive<N> &drive, const Lanes &lanes, uint32_t lane,
+                                                     const InRegion<N> &x, const InRegion<N> &y) {
+    const double h = lanes.dt;
+    // A face takes the drive into it from a ball that leans on it.
+    const auto leansX = (x.isAtLow() & (drive.A.x < 0.0)) | (x.isAtHigh() & (drive.A.x > 0.0));
+    const auto leansY = (y.isAtLow() & (drive.A.y < 0.0)) | (y.isAtHigh() & (drive.A.y > 0.0));
+    const Planar<N> A{choose(leansX, 0.0, drive.A.x), choose(leansY, 0.0, drive.A.y)};
+    const Planar<N> velocity{x.velocity(), y.velocity()};
+    LaneStep<N> step = rollBy<N, Scheme, kRule, kResists>(A, drive, lanes, lane, velocity);
+    step.velocity = {choose(leansX, 0.0, step.velocity.x), choose(leansY, 0.0, step.velocity.y)};
+    step.displacement = {choose(leansX, 0.0, step.displacement.x), choose(leansY, 0.0, step.displacement.y)};
+
+    // Which faces a leaning ball meets is looked up on the way that it would take without the one that it leans on.
+    const N aheadX = (magnitude(velocity.x) + (magnitude(drive.A.x) + drive.B) * h) * h;
+    const N aheadY = (magnitude(velocity.y) + (magnitude(drive.A.y) + drive.B) * h) * h;
+    const auto isClear = x.isClear(choose(leansY, aheadX, 0.0)) & y.isClear(choose(leansX, aheadY, 0.0));
+    auto rolls = step.isFine & isClear & x.has(x.place() + step.displacement.x) &
+                 y.has(y.place() + step.displacement.y) & staysFast<N, kRule>(lanes, velocity, step.velocity);
+    if constexpr (kRule == LaneRule::Sweep) {
+        const Planar<N> turn = 0.5 * h * velocity;
+        rolls = rolls & x.has(x.place() + turn.x) & y.has(y.place() + turn.y);
+    }
+    const N rests = N::load(lanes.rests + lane);
+    const auto isHeld = (dot(A, A) <= drive.B * drive.B) & (drive.normal <= kMostGravity) & (drive.normal > 0.0) &
+                        (magnitude(drive.pull.x) + magnitude(drive.pull.y) <= kMostGravity);
+    const auto isAtRest = rests > 0.0;
+    step.velocity = {choose(isAtRest, velocity.x, step.velocity.x), choose(isAtRest, velocity.y, step.velocity.y)};
+    step.displacement = {choose(isAtRest, 0.0, step.displacement.x), choose(isAtRest, 0.0, step.displacement.y)};
+    step.isFine = (isAtRest & isHeld & isClear) | ((rests == 0.0) & rolls);
+    return step;
+}
 
 /// Moves as many balls as N has numbers, where they can be moved so. Returns which took the step, as bits.
 template<class N, class Scheme, LaneRule kRule, bool kResists>
 [[gnu::always_inline]] inline uint32_t rollInLanes(Lanes &lanes, uint32_t lane, Planar<N> *displacement = nullptr) {
-    using Mask = typename N::Mask;
-    const double h = lanes.dt;
-    const auto of = [lane](const LaneNumbers &numbers) { return N::load(numbers + lane); };
-    const Planar<N> pull{of(lanes.x.gravity), of(lanes.y.gravity)};
-    const N normal = -of(lanes.gravityZ);
-    const Planar<N> drive = of(lanes.share) * pull;
-    const N B = of(lanes.share) * (of(lanes.resistance) * normal);
-    const InRegion<N> x(lanes.x, lane, drive.x), y(lanes.y, lane, drive.y);
-    const Planar<N> start{x.place(), y.place()}, velocity{x.velocity(), y.velocity()};
-    const Planar<N> A{choose(x.leans(), 0.0, drive.x), choose(y.leans(), 0.0, drive.y)};
-
-    // nearStop. Numbers that can be computed with stand in for a ball that the general case moves.
-    const N speedSquared = dot(velocity, velocity);
-    const N stop = choose(B < length(A), 1.0, 4.0) * (length(A) + B) * h;
-    const Mask goesOn = kResists                      ? speedSquared > stop * stop
-                        : kRule == LaneRule::Substeps ? speedSquared >= 0.0
-                                                      : speedSquared > 0.0;
-    const Planar<N> v{choose(goesOn, velocity.x, 1.0), choose(goesOn, velocity.y, 0.0)};
-    const auto next = Scheme::advance(UnstoppedLaw<N, kResists>{A, B}, v, h);
-    const Planar<N> nextVelocity{choose(x.leans(), 0.0, next.velocity.x), choose(y.leans(), 0.0, next.velocity.y)};
-    const Planar<N> moved = start + next.displacement;
-    const Planar<N> end{choose(x.leans(), start.x, moved.x), choose(y.leans(), start.y, moved.y)};
-
-    // Which faces a leaning ball meets is looked up on the way that it would take without the one that it leans on.
-    const Planar<N> speed{magnitude(velocity.x), magnitude(velocity.y)};
-    const N across = magnitude(pull.x) + magnitude(pull.y);
-    const N reach = (speed.x + speed.y + (across + of(lanes.pull) * normal) * h) * h;
-    const N way = magnitude(next.displacement.x) + magnitude(next.displacement.y);
-    const Mask isSlow = (reach <= lanes.reach) & (way <= lanes.reach);
-    const N inTheOpen = lanes.isOpen * reach;
-    const N aheadX = choose(y.leans(), (speed.x + (magnitude(drive.x) + B) * h) * h, inTheOpen);
-    const N aheadY = choose(x.leans(), (speed.y + (magnitude(drive.y) + B) * h) * h, inTheOpen);
-    const Mask grips = dot(pull, pull) <= of(lanes.grip) * (normal * normal);
-    const Mask staysFast = dot(nextVelocity, nextVelocity) > 1.1e-23 * (across + normal) * lanes.radius; // mayRest
-    Mask rolls = grips & goesOn & isSlow & staysFast & x.has(end.x) & y.has(end.y) & (of(lanes.rests) == 0.0);
-    if constexpr (kRule == LaneRule::Sweep) {
-        const Planar<N> corner = start + 0.5 * h * velocity;
-        rolls = rolls & x.has(corner.x) & y.has(corner.y) & (dot(nextVelocity, velocity) > 1.1e-9 * speedSquared);
-    }
-    const Mask rests = (of(lanes.rests) > 0.0) & (dot(A, A) <= B * B);
-    const Mask isAllowed = (magnitude(pull.x) <= kMostGravity) & (magnitude(pull.y) <= kMostGravity) &
-                           (normal <= kMostGravity) & (normal > 0.0) & x.isClear(aheadX) & y.isClear(aheadY);
-    rolls = rolls & isAllowed;
-    if (displacement) *displacement = next.displacement;
-    choose(rolls, end.x, start.x).store(lanes.x.position + lane);
-    choose(rolls, end.y, start.y).store(lanes.y.position + lane);
-    choose(rolls, nextVelocity.x, velocity.x).store(lanes.x.velocity + lane);
-    choose(rolls, nextVelocity.y, velocity.y).store(lanes.y.velocity + lane);
-    return (rolls | (rests & isAllowed)).bits();
+    const FloorDrive<N> drive(lanes, lane);
+    const InRegion<N> x(lanes.x, lane), y(lanes.y, lane);
+    const bool areFree = ((x.velocity() == 0.0) | (y.velocity() == 0.0)).bits() == 0;
+    LaneStep<N> step = areFree ? rollFree<N, Scheme, kRule, kResists>(drive, lanes, lane, x, y)
+                               : rollOrRest<N, Scheme, kRule, kResists>(drive, lanes, lane, x, y);
+    if (lanes.isOpen) step.isFine = step.isFine & staysOnFloor(drive, lanes, lane, x, y);
+    if (displacement) *displacement = step.displacement;
+    choose(step.isFine, x.place() + step.displacement.x, x.place()).store(lanes.x.position + lane);
+    choose(step.isFine, y.place() + step.displacement.y, y.place()).store(lanes.y.position + lane);
+    choose(step.isFine, step.velocity.x, x.velocity()).store(lanes.x.velocity + lane);
+    choose(step.isFine, step.velocity.y, y.velocity()).store(lanes.y.velocity + lane);
+    return step.isFine.bits();
 }
 
 /// The ability that a stepper's `extension` offers.
@@ -152,7 +235,9 @@ private:
     [[gnu::always_inline]] static void setUp(const Scene &scene, const phys_params &params, double dt, Lanes &lanes) {
         lanes.dt = dt;
         const bool isOpen = kRule == LaneRule::Substeps && scene.boxes.size() == 1;
-        lanes.isOpen = isOpen ? 1.0 : 0.0;
+        lanes.isOpen = isOpen;
+        lanes.mayGrip = false;
+        lanes.restSquared = 3.5e-17 * scene.radius; // mayRest's, under the strongest gravity
         // Of isSlow and a FloorView. One floor alone needs neither, but numbers that can be computed with.
         const bool isUsual = dt >= 1e-9 && dt <= 1e3 && scene.radius >= 1e-9 && scene.radius <= 1e9;
         lanes.reach = !isUsual ? -1.0 : isOpen ? 1e6 : 0.5 * scene.radius * (1.0 - 1e-9) - 4.0 * scene.tolerance;
@@ -195,9 +280,17 @@ private:
         lanes.resistance[i] = params.rolling_friction;
         lanes.pull[i] = isRigid ? params.sliding_friction : 0.0;
         const double steepest = 3.5 * params.sliding_friction;
+        lanes.mayGrip = lanes.mayGrip || (isRigid && !slides);
         lanes.grip[i] = isRigid && !slides ? steepest * steepest * (1.0 - 1e-9) : 0x1p400; // gripHolds
         lanes.rests[i] = rests ? 1.0 : 0.0;
-        return true;
+        return isInRegion(lanes.x, i) && isInRegion(lanes.y, i);
+    }
+
+    /// Whether the ball is as InRegion says.
+    [[gnu::always_inline]] static bool isInRegion(const LaneAxis &along, uint32_t i) {
+        const double place = along.position[i];
+        const bool isAtFace = along.velocity[i] == 0.0 && (place == along.lowFace[i] || place == along.highFace[i]);
+        return isAtFace || (place >= along.low[i] && place <= along.high[i]);
     }
 
     [[gnu::always_inline]] static void keepTo(const FloorRegion::Range &range, bool mayLean, LaneAxis &along,

@@ -310,7 +310,7 @@ void TestBatch::sameBitsAsSingleSteps() {
 void TestBatch::sameBitsAmongWallsKerbsAndRoofs() {
     QFETCH(QByteArray, stepper);
     Random random(testSeed());
-    for (int i = 0; i < 40; ++i) {
+    for (int i = 0; i < 200; ++i) {
         const ScenePtr scene = clutteredFloor(random);
         QVERIFY(scene);
         const StepperPtr single = stepperOf(stepper, scene.get());
