@@ -228,9 +228,26 @@ void print(const std::map<std::string, std::vector<double>> &medians) {
 
 } // namespace
 
-int main() {
+/// Runs one contender on all levels and nothing else: what a profiler looks at.
+int runOnly(const std::string &name, const std::vector<Level> &levels) {
+    const std::vector<Contender> all = contenders();
+    const auto chosen = std::find_if(all.begin(), all.end(), [&](const Contender &each) { return each.name == name; });
+    if (chosen == all.end()) {
+        std::fprintf(stderr, "bench_levels: there is no '%s'\n", name.c_str());
+        return 2;
+    }
+    for (const Level &level : levels) chosen->secondsPerStep(level);
+    return 0;
+}
+
+int main(int count, char **arguments) {
     std::vector<Level> levels;
     for (int number = 1; number <= kLevels; ++number) levels.push_back(levelOf(number));
+    if (count == 3 && std::strcmp(arguments[1], "--only") == 0) return runOnly(arguments[2], levels);
+    if (count > 1) {
+        std::fputs("usage: bench_levels [--only NAME]\n", stderr);
+        return 2;
+    }
     const auto medians = measure(levels);
     std::printf(
         "The ten levels, default parameters, steps of 10 ms, a new tilt within 5 degrees each 0.5 s; batches of %llu "
