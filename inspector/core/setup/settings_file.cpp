@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 #include <QFileDevice>
 #include <QFileInfo>
+#include <QLockFile>
 #include <QStandardPaths>
 #include <QStringList>
 
@@ -157,6 +158,18 @@ bool write(QIODevice &file, const QSettings::SettingsMap &settings) {
     return file.write(bytes) == bytes.size() && (!saved || (saved->flush() && saved->size() == bytes.size()));
 }
 
+// What QSettings would wait for without end: a pipe, or a lock that isn't given back.
+QString reasonAgainst(const QString &path) {
+    const QString lockPath = path + QStringLiteral(".lock");
+    for (const QString &name : {path, lockPath}) {
+        const QFileInfo info(name);
+        if (info.exists() && !info.isFile()) return QStringLiteral("it, or its lock, is no file");
+    }
+    QLockFile lock(lockPath);
+    const bool isHeld = !lock.tryLock(1000) && lock.error() == QLockFile::LockFailedError;
+    return isHeld ? QStringLiteral("another program holds its lock") : QString();
+}
+
 } // namespace
 
 QSettings::SettingsMap readSettings(const QByteArray &bytes) {
@@ -195,9 +208,9 @@ QString userSettingsFile(QString *problem) {
     const QString path = QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) + QLatin1Char('/') +
                          QCoreApplication::organizationName() + QLatin1Char('/') + QCoreApplication::applicationName() +
                          QStringLiteral(".conf");
-    const QFileInfo info(path);
-    if (!info.exists() || info.isFile()) return path;
-    *problem = quoted(path) + QStringLiteral(": settings aren't kept: it is no file");
+    const QString reason = reasonAgainst(path);
+    if (reason.isEmpty()) return path;
+    *problem = quoted(path) + QStringLiteral(": settings aren't kept: ") + reason;
     return QStringLiteral("/dev/null/settings");
 }
 

@@ -20,8 +20,8 @@ namespace inspector {
 // text: bytes are stored by storeBytes() (stored_values.h). A file that is larger than a megabyte counts as empty.
 QSettings::Format settingsFormat();
 
-// The user's own, as QSettings names it. Of what is no file, one line in `problem`, and a name that can't be opened:
-// QSettings would wait for a pipe; so settings last as long as the program.
+// The user's own, as QSettings names it. Of what QSettings would wait for without end, one line in `problem`, and a
+// name that can't be opened: settings then last as long as the program.
 QString userSettingsFile(QString *problem);
 
 // What the format does, for tests.

@@ -6,8 +6,6 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include <sys/stat.h>
-
 #include <csignal>
 
 class TestProgram : public QObject {
@@ -29,7 +27,8 @@ private slots:
     void whatAFileLimitLosesIsTold_data();
     void whatAFileLimitLosesIsTold();
     void settingsThatCantBeWrittenAreTold();
-    void settingsThatAreNoFileAreTold();
+    void settingsThatWouldBeWaitedForAreTold_data();
+    void settingsThatWouldBeWaitedForAreTold();
     void settingsThatNameAHugeObjectEndNothing();
     void aClosedPipeEndsTheRunQuietlyAndItsRecordingWhole();
     void aClosedStandardOutputIsNoOtherFile();
@@ -250,13 +249,25 @@ void TestProgram::settingsThatCantBeWrittenAreTold() {
     QCOMPARE(settings.readAll(), QByteArray("window/theme=\"1\"\n"));
 }
 
-void TestProgram::settingsThatAreNoFileAreTold() {
+void TestProgram::settingsThatWouldBeWaitedForAreTold_data() {
+    QTest::addColumn<QByteArray>("command");
+    QTest::addColumn<QByteArray>("reason");
+    QTest::newRow("pipe") << QByteArray("mkfifo") << QByteArray("it, or its lock, is no file\n");
+    QTest::newRow("folder") << QByteArray("mkdir") << QByteArray("it, or its lock, is no file\n");
+    QTest::newRow("pipe for a lock") << QByteArray("f=$f.lock; mkfifo") << QByteArray("it, or its lock, is no file\n");
+    QTest::newRow("folder for a lock") << QByteArray("f=$f.lock; mkdir") << QByteArray("it, or its lock, is no file\n");
+    QTest::newRow("lock of nobody") << QByteArray("f=$f.lock; >") << QByteArray("another program holds its lock\n");
+}
+
+void TestProgram::settingsThatWouldBeWaitedForAreTold() {
+    QFETCH(QByteArray, command);
+    QFETCH(QByteArray, reason);
     const QTemporaryDir folder;
     QVERIFY(QDir(folder.path()).mkdir("libphysics"));
-    QCOMPARE(::mkfifo(folder.filePath("libphysics/physics-inspector.conf").toUtf8().constData(), 0600), 0);
+    runByShell("f=$1/libphysics/physics-inspector.conf; " + command + " \"$f\"", folder.path());
     const Result result = runOf({"--duration", "0"}, noScreen(folder.path()));
     QCOMPARE(result.status, 0);
-    QVERIFY2(isOneLine(result.messages) && result.messages.endsWith(": settings aren't kept: it is no file\n"),
+    QVERIFY2(isOneLine(result.messages) && result.messages.endsWith(": settings aren't kept: " + reason),
              result.messages.constData());
 }
 
