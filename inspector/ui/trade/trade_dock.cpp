@@ -221,7 +221,7 @@ void TradeDock::makeTable() {
     m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
         m_chart->choose(chosenIndex());
-        m_use->setEnabled(chosenIndex() && m_worker.result().points[*chosenIndex()].isValid);
+        m_use->setEnabled(chosenIndex() && m_rows->points()[*chosenIndex()].isValid);
     });
 }
 
@@ -343,7 +343,7 @@ std::optional<size_t> TradeDock::chosenIndex() const {
 void TradeDock::use() {
     const std::optional<size_t> index = chosenIndex();
     if (!index) return;
-    use(m_worker.result().points[*index]);
+    use(TradePoint(m_rows->points()[*index])); // a copy: what it changes may begin a new table
 }
 
 void TradeDock::useGoodEnough() {

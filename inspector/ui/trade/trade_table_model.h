@@ -26,6 +26,9 @@ public:
     QVariant data(const QModelIndex &index, int role) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
+    // Of the rows shown; the worker may have begun anew meanwhile.
+    const std::vector<TradePoint> &points() const { return m_points; }
+
 private:
     QVariant text(const TradePoint &point, int column) const;
     QVariant number(const TradePoint &point, int column) const;

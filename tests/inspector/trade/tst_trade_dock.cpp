@@ -26,6 +26,7 @@ class TestTradeDock : public QObject, support::DockFixture<TradeDock> {
 private slots:
     void initTestCase();
     void measuringFillsTableAndChart();
+    void rowsShownStayUsableWhileMeasuredAnew();
     void headerSortsByTheFigure();
     void tighterToleranceRecommendsNothingWorse();
     void pointUnderTheMouseIsNamed();
@@ -71,6 +72,20 @@ void TestTradeDock::measuringFillsTableAndChart() {
     QVERIFY(!find<QLabel>("trade_answer").text().isEmpty());
     const QString picture = qEnvironmentVariable("TRADE_PICTURE"); // to look at
     if (!picture.isEmpty()) QVERIFY(m_dock->grab().save(picture));
+}
+
+// Before the first of the new figures replaces them.
+void TestTradeDock::rowsShownStayUsableWhileMeasuredAnew() {
+    QTest::mouseClick(&measure(), Qt::LeftButton);
+    QVERIFY(isMeasuring());
+    table().scrollToTop();
+    const int other = chosenRow() == 0 ? 1 : 0;
+    const QPoint place = table().visualRect(table().model()->index(other, 0)).center();
+    QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, place);
+    QCOMPARE(chosenRow(), other);
+    QVERIFY(find<QPushButton>("trade_use").isEnabled());
+    QTRY_VERIFY_WITH_TIMEOUT(!isMeasuring(), kLong);
+    QCOMPARE(table().model()->rowCount(), 6 * 7);
 }
 
 void TestTradeDock::headerSortsByTheFigure() {
