@@ -8,6 +8,7 @@
 #include <QAbstractButton>
 #include <QDialog>
 #include <QDockWidget>
+#include <QDrag>
 #include <QMenu>
 #include <QTimer>
 
@@ -53,9 +54,15 @@ const Stroke kStrokes[] = {
     {Qt::Key_G, {}},
     {Qt::Key_M, {}},
     {Qt::Key_R, {}},
+    {Qt::Key_F, {}},
     {Qt::Key_T, {}},
+    {Qt::Key_U, {}},
     {Qt::Key_W, {}},
+    {Qt::Key_X, {}},
+    {Qt::Key_C, Qt::ShiftModifier},
+    {Qt::Key_X, Qt::ShiftModifier},
     {Qt::Key_F1, {}},
+    {Qt::Key_F1, Qt::ShiftModifier},
     {Qt::Key_Left, Qt::ControlModifier},
     {Qt::Key_Right, Qt::ControlModifier},
     {Qt::Key_Home, Qt::ControlModifier},
@@ -64,7 +71,10 @@ const Stroke kStrokes[] = {
     {Qt::Key_S, Qt::ControlModifier},
     {Qt::Key_Z, Qt::ControlModifier},
     {Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier},
+    {Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier},
+    {Qt::Key_0, Qt::ControlModifier},
     {Qt::Key_1, Qt::ControlModifier},
+    {Qt::Key_2, Qt::ControlModifier},
     {Qt::Key_3, Qt::ControlModifier},
     {Qt::Key_4, Qt::ControlModifier},
     {Qt::Key_5, Qt::ControlModifier},
@@ -164,8 +174,10 @@ void TestWindowMonkey::chooseFromMenu() {
     if (chosen && chosen->isEnabled() && chosen->objectName() != "quit") chosen->trigger();
 }
 
-// A menu or a dialog may wait for an answer in an event loop of its own, and the hands with it.
+// A menu, a dialog or a drag may wait for an answer in an event loop of its own, and the hands with it; a drag for a
+// button that only the screen's own mouse lets go.
 void TestWindowMonkey::leaveInnerLoops() {
+    QDrag::cancel();
     if (QApplication::activePopupWidget())
         chooseFromMenu();
     else if (QWidget *dialog = QApplication::activeModalWidget())
