@@ -63,7 +63,11 @@ private:
         ++m_survey.runs;
         row.steps += verdict.steps;
         row.slowest = std::max(row.slowest, verdict.seconds);
-        if (verdict.status) ++row.byStatus[phys_status_name(verdict.status)];
+        if (verdict.status) {
+            const std::string status = phys_status_name(verdict.status);
+            ++row.byStatus[status];
+            m_survey.refusals.try_emplace(status + ' ' + kinds()[kind], stepper + ": " + verdict.statusText);
+        }
         if (verdict.check.empty()) return;
         if (m_plan.known.contain(stepper, model, kinds()[kind], verdict.check)) {
             ++row.known;
@@ -140,6 +144,7 @@ void print(std::FILE *file, const Survey &survey) {
         }
         std::fprintf(file, "; %.3g s\n", row.slowest);
     }
+    for (const auto &[what, words] : survey.refusals) std::fprintf(file, "%s: %s\n", what.c_str() + 11, words.c_str());
     std::fprintf(file, "%s: %llu runs, %llu wrong, %llu scenes without an answer of the brute force\n",
                  survey.wrong ? "FAIL" : "PASS", static_cast<unsigned long long>(survey.runs),
                  static_cast<unsigned long long>(survey.wrong), static_cast<unsigned long long>(survey.withoutAnswer));

@@ -59,6 +59,7 @@ struct Survey {
     uint64_t runs = 0;
     uint64_t wrong = 0; ///< and not known
     uint64_t withoutAnswer = 0;
+    std::map<std::string, std::string> refusals; ///< by status and kind of scene: the words of the first
 };
 
 Survey survey(const Plan &plan);
