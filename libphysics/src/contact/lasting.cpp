@@ -2,6 +2,7 @@
 #include "contact/lasting.h"
 
 #include <cmath>
+#include <initializer_list>
 
 namespace phys {
 
@@ -11,6 +12,8 @@ constexpr int kMostSweeps = 3000;
 
 /// Changes below this share of the speeds are rounding.
 constexpr double kNegligible = 1e-15;
+
+constexpr double kNotPressed = -1.0;
 
 Vec3 across(const Vec3 &v, const Vec3 &normal) { return v - glm::dot(v, normal) * normal; }
 
@@ -49,11 +52,89 @@ Vec3 resistanceOf(const Lasting &contact, const Motion &motion, double most) {
 
 } // namespace
 
-/// One round of Gauss-Seidel, each contact in closed form. Returns the largest change, m/s.
-double LastingContacts::sweep(double rollingFriction, Motion &motion) {
+namespace {
+
+/// Up to three contacts that press, and nothing else does.
+class Pressing {
+public:
+    explicit Pressing(const Vec3 &unpressed)
+        : m_unpressed(unpressed) {}
+
+    /// Finds the reactions that give each of them its least speed. False if their normals depend on each other.
+    bool solve(std::initializer_list<Lasting *> contacts) {
+        constexpr int kRounds = 3; // the later ones take the rounding of the first
+        m_count = 0;
+        for (Lasting *contact : contacts) m_contacts[m_count] = contact, m_reactions[m_count++] = 0.0;
+        m_velocity = m_unpressed;
+        for (int i = 0; m_count > 0 && i < kRounds; ++i) {
+            if (!correct()) return false;
+            m_velocity = m_unpressed;
+            for (uint32_t k = 0; k < m_count; ++k) m_velocity += m_reactions[k] * m_contacts[k]->lever;
+        }
+        return true;
+    }
+
+    bool areNoPulls(double negligible) const {
+        return std::all_of(m_reactions.begin(), m_reactions.begin() + m_count,
+                           [&](double reaction) { return reaction >= -negligible; });
+    }
+    const Vec3 &velocity() const { return m_velocity; }
+    void store() const {
+        for (uint32_t k = 0; k < m_count; ++k) m_contacts[k]->reaction = std::max(0.0, m_reactions[k]);
+    }
+
+private:
+    double missing(uint32_t k) const { return m_contacts[k]->slow - glm::dot(m_contacts[k]->limit, m_velocity); }
+    double perReaction(uint32_t of, uint32_t by) const {
+        return glm::dot(m_contacts[of]->limit, m_contacts[by]->lever);
+    }
+
+    bool correct() {
+        if (m_count == 1) {
+            m_reactions[0] += missing(0) / perReaction(0, 0);
+            return true;
+        }
+        return m_count == 2 ? correctTwo() : correctThree();
+    }
+
+    bool correctTwo() {
+        const Lasting &a = *m_contacts[0], &b = *m_contacts[1];
+        const double determinant = glm::dot(glm::cross(a.limit, b.limit), glm::cross(a.lever, b.lever));
+        if (determinant == 0.0) return false;
+        const double ofA = missing(0), ofB = missing(1);
+        m_reactions[0] += (ofA * perReaction(1, 1) - ofB * perReaction(0, 1)) / determinant;
+        m_reactions[1] += (ofB * perReaction(0, 0) - ofA * perReaction(1, 0)) / determinant;
+        return true;
+    }
+
+    bool correctThree() {
+        const Lasting &a = *m_contacts[0], &b = *m_contacts[1], &c = *m_contacts[2];
+        const double volume = glm::dot(a.lever, glm::cross(b.lever, c.lever));
+        const double limitVolume = glm::dot(a.limit, glm::cross(b.limit, c.limit));
+        if (volume == 0.0 || limitVolume == 0.0) return false;
+        const Vec3 all = (missing(0) * glm::cross(b.limit, c.limit) + missing(1) * glm::cross(c.limit, a.limit) +
+                          missing(2) * glm::cross(a.limit, b.limit)) /
+                         limitVolume;
+        m_reactions[0] += glm::dot(all, glm::cross(b.lever, c.lever)) / volume;
+        m_reactions[1] += glm::dot(all, glm::cross(c.lever, a.lever)) / volume;
+        m_reactions[2] += glm::dot(all, glm::cross(a.lever, b.lever)) / volume;
+        return true;
+    }
+
+    Vec3 m_unpressed, m_velocity{0.0};
+    std::array<Lasting *, 3> m_contacts{};
+    std::array<double, 3> m_reactions{};
+    uint32_t m_count = 0;
+};
+
+} // namespace
+
+/// One round of Gauss-Seidel, each contact in closed form; arePressed: the reactions are those of all contacts already.
+/// Returns the largest change, m/s.
+double LastingContacts::sweep(double rollingFriction, bool arePressed, Motion &motion) {
     double largest = 0.0;
     for (Lasting &contact : *this) {
-        const double reaction = reactionOf(contact, motion);
+        const double reaction = arePressed ? contact.reaction : reactionOf(contact, motion);
         const double pushed = reaction - contact.reaction;
         motion.velocity += pushed * contact.lever;
         contact.reaction = reaction;
@@ -76,10 +157,65 @@ double LastingContacts::sweep(double rollingFriction, Motion &motion) {
     return largest;
 }
 
+/// Whether one contact at a time would come to the reactions too slowly: cos^2 of the normals' angle is what a sweep
+/// leaves of an error.
+bool LastingContacts::haveLikeNormals() const {
+    constexpr double kLike = 0.9;
+    for (const Lasting *a = begin(); a != end(); ++a) {
+        for (const Lasting *b = a + 1; b != end(); ++b) {
+            if (glm::dot(a->lever, b->lever) > kLike) return true;
+        }
+    }
+    return false;
+}
+
+/// The least reactions of all contacts at once, while friction stays. Returns the largest change of the velocity (m/s),
+/// or kNotPressed if there are none: it changes nothing then.
+double LastingContacts::pressTogether(double negligible, Motion &motion) {
+    Vec3 unpressed = motion.velocity;
+    for (const Lasting &contact : *this) unpressed -= contact.reaction * contact.lever;
+    Pressing pressing(unpressed);
+    const auto isEnough = [&] {
+        return pressing.areNoPulls(negligible) && std::all_of(begin(), end(), [&](const Lasting &contact) {
+                   return glm::dot(contact.limit, pressing.velocity()) >= contact.slow - 8.0 * negligible;
+               });
+    };
+    const auto fit = [&](std::initializer_list<Lasting *> contacts) { return pressing.solve(contacts) && isEnough(); };
+    const auto any = [&] {
+        if (fit({})) return true;
+        for (Lasting *a = begin(); a != end(); ++a) {
+            if (fit({a})) return true;
+        }
+        for (Lasting *a = begin(); a != end(); ++a) {
+            for (Lasting *b = a + 1; b != end(); ++b) {
+                if (fit({a, b})) return true;
+            }
+        }
+        for (Lasting *a = begin(); a != end(); ++a) {
+            for (Lasting *b = a + 1; b != end(); ++b) {
+                for (Lasting *c = b + 1; c != end(); ++c) {
+                    if (fit({a, b, c})) return true;
+                }
+            }
+        }
+        return false;
+    };
+    if (!any()) return kNotPressed;
+    for (Lasting &contact : *this) contact.reaction = 0.0;
+    pressing.store();
+    const Vec3 change = pressing.velocity() - motion.velocity;
+    motion.velocity = pressing.velocity();
+    return size(change);
+}
+
 /// False if that comes to no end.
 bool LastingContacts::settle(double rollingFriction, double negligible, bool releases, Motion &motion) {
+    const bool pressesTogether = haveLikeNormals();
     for (int i = 0; i < kMostSweeps; ++i) {
-        const bool isSettled = sweep(rollingFriction, motion) <= negligible;
+        const double pressed = pressesTogether ? pressTogether(negligible, motion) : kNotPressed;
+        const bool arePressed = pressed != kNotPressed;
+        const double swept = sweep(rollingFriction, arePressed, motion);
+        const bool isSettled = swept <= negligible && (!arePressed || pressed <= negligible);
         const bool isReleased = releases && releaseOpposite(negligible);
         if (isSettled && !isReleased) return true;
     }

@@ -43,9 +43,11 @@ private:
     bool settle(double rollingFriction, double negligible, bool releases, Motion &motion);
     void settleWithoutResistance(double negligible, const Motion &driven, Motion &motion);
     void unload();
+    bool haveLikeNormals() const;
+    double pressTogether(double negligible, Motion &motion);
     bool releaseOpposite(double negligible);
     double relieve();
-    double sweep(double rollingFriction, Motion &motion);
+    double sweep(double rollingFriction, bool arePressed, Motion &motion);
 
     double m_radius;
 };
