@@ -209,7 +209,7 @@ bool findContacts(const Setting &setting, const Vec3 &position, const Motion &mo
         if (!isTouched && (furthest == 0.0 || !isReached(box))) return;
         if (negligible < 0.0) negligible = negligibleSpeed(motion, scene.radius);
         Contact contact;
-        Vec3 d;
+        Vec3 d(0.0); // GCC 12 takes it for uninitialised under ThreadSanitizer
         for (int axis = 0; axis < 3; ++axis) {
             const double low = (&box.min.x)[axis];
             const double high = (&box.max.x)[axis];
