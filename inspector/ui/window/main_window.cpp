@@ -78,6 +78,11 @@ const char *const kDockNames[] = {"parameters_dock", "levels_dock", "plot_dock"}
 const char *const kComparisonDock = "comparison_dock";
 const char *const kBouncesDock = "bounces_dock";
 
+// What a window manager's frame leaves of the screen, about: before the window is shown nobody knows.
+QSize roomFor(const QWidget &window) {
+    return window.screen()->availableSize() - QSize(0, 2 * window.style()->pixelMetric(QStyle::PM_TitleBarHeight));
+}
+
 // On a small screen what has no room is scrolled to, and the window stays as small as it is.
 QWidget *scrolled(QWidget *content) {
     auto *area = new QScrollArea;
@@ -444,8 +449,7 @@ bool MainWindow::grabTo(const QString &path, QString *error) {
 
 void MainWindow::restoreLook() {
     const QSettings &settings = m_session.settings();
-    const QSize frame(0, 2 * style()->pixelMetric(QStyle::PM_TitleBarHeight)); // about what window managers add
-    const QSize available = screen()->availableSize() - frame;
+    const QSize available = roomFor(*this);
     resize(kUsualSize.expandedTo(available * kScreenShare).boundedTo(available));
     arrangeDocks();
     m_firstLayout = saveState(kLayoutVersion);
@@ -457,9 +461,10 @@ void MainWindow::restoreLook() {
 
 // The screen may have become smaller, or its pixels larger, since the geometry was saved.
 void MainWindow::fitScreen() {
+    if (isMaximized() || isFullScreen()) return;
+    resize(size().boundedTo(roomFor(*this)));
     const QRect available = screen()->availableGeometry();
-    if (isMaximized() || isFullScreen() || available.contains(geometry())) return;
-    resize(size().boundedTo(available.size()));
+    if (available.contains(geometry())) return;
     const QPoint last = available.bottomRight() - rect().bottomRight();
     move(std::clamp(x(), available.left(), std::max(available.left(), last.x())),
          std::clamp(y(), available.top(), std::max(available.top(), last.y())));

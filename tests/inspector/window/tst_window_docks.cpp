@@ -13,6 +13,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
+#include <QScreen>
 #include <QSignalSpy>
 #include <QTimer>
 #include <QToolButton>
@@ -56,6 +57,7 @@ private slots:
     void qualityReachesTheView();
     void qualityIsRemembered();
     void viewChoosesTheQualityAgain();
+    void windowLargerThanTheScreenIsFitted();
     void cameraLooksFromAboveAndBack();
     void chosenSpeedReachesTheSimulation();
     void chosenTimeStepReachesTheSimulation();
@@ -236,6 +238,17 @@ void TestWindowDocks::viewChoosesTheQualityAgain() {
     m_fixture->trigger("quality_0");
     QVERIFY(!m_fixture->settings().contains("window/quality"));
     QCOMPARE(int(m_fixture->window().view().quality()), 1); // where it begins here
+}
+
+// Its frame included.
+void TestWindowDocks::windowLargerThanTheScreenIsFitted() {
+    const QSize screen = m_fixture->window().screen()->availableSize();
+    m_fixture->window().resize(screen + QSize(100, 100));
+    m_fixture->reopen();
+    QVERIFY(m_fixture->isReady());
+    QVERIFY(m_fixture->window().width() <= screen.width());
+    QVERIFY(m_fixture->window().height() <= screen.height() - 10);
+    QVERIFY(m_fixture->window().screen()->availableGeometry().contains(m_fixture->window().geometry()));
 }
 
 void TestWindowDocks::cameraLooksFromAboveAndBack() {
