@@ -49,7 +49,10 @@ QString impactsText(const TradeSpan &span, double horizon) {
                                .arg(horizon)
                                .arg(span.impacts)
                                .arg(span.end, 0, 'g', 4);
-    return span.impacts > 0 ? counts : counts + QStringLiteral("; it meets no wall: says nothing of runs that do");
+    if (span.impacts == 0) return counts + QStringLiteral("; it meets no wall: says nothing of runs that do");
+    return span.early > 0
+               ? counts
+               : counts + QStringLiteral("; it meets no wall in %1 s: says nothing of runs that do").arg(horizon);
 }
 
 // How far ahead one can know at all.

@@ -71,18 +71,18 @@ double cheapestExact(const TradeResult &result) {
     return cheapest;
 }
 
-bool tryMaze(QTextStream &out, const QString &maze, double horizon) {
+// Its row of the table. Nothing tried: no setting was good enough.
+Trial tryMaze(QTextStream &out, const QString &maze, double horizon) {
     QString error;
     const TradePlan plan = planOf(maze, horizon);
     const std::optional<TradeResult> result = measureTrade(plan, {}, {}, &error);
     const QString name = QFileInfo(maze).completeBaseName();
     if (!result || !result->goodEnough) {
         out << "| " << name << " | " << horizon << " | none: " << error << " | | | | | |\n";
-        return false;
+        return {};
     }
     const TradePoint &setting = result->points[result->goodEnough->point];
     const Trial trial = tryUnseen(plan, setting);
-    const bool isKept = trial.kept >= kWanted * trial.schedules;
     out << QStringLiteral("| %1 | %2 | %3 | %4 | %5 | %6 | %7 of %8 | %9 |\n")
                .arg(name)
                .arg(horizon)
@@ -94,12 +94,13 @@ bool tryMaze(QTextStream &out, const QString &maze, double horizon) {
                .arg(trial.schedules)
                .arg(trial.largest, 0, 'g', 2);
     out.flush();
-    return isKept;
+    return trial;
 }
 
 } // namespace
 
-// Usage: bench_unseen MAZE.txt...; status 1 if a setting keeps below the share on fewer than 95 of 100 schedules.
+// Usage: bench_unseen MAZE.txt...; status 1 if a setting of one of the rows keeps below the share on fewer than 95 of
+// 100 schedules.
 int main(int argc, char **argv) {
     const QCoreApplication application(argc, argv);
     QTextStream out(stdout);
@@ -107,7 +108,15 @@ int main(int argc, char **argv) {
            "worst "
            "share |\n|---|---|---|---|---|---|---|---|\n";
     bool isKept = true;
-    for (const double horizon : {1.0, 5.0})
-        for (const QString &maze : QCoreApplication::arguments().mid(1)) isKept &= tryMaze(out, maze, horizon);
+    Trial all;
+    for (const double horizon : {1.0, 5.0}) {
+        for (const QString &maze : QCoreApplication::arguments().mid(1)) {
+            const Trial trial = tryMaze(out, maze, horizon);
+            isKept &= trial.schedules > 0 && trial.kept >= kWanted * trial.schedules;
+            all.schedules += trial.schedules;
+            all.kept += trial.kept;
+        }
+    }
+    out << "\nBelow a quarter of what isn't known in " << all.kept << " of " << all.schedules << " trials.\n";
     return isKept ? 0 : 1;
 }
