@@ -98,6 +98,8 @@ int runWithWindow(const Options &options, QTextStream &messages) {
         options.csv.isEmpty() || writeTable(options.csv, session->simulation().samples(), options, &error);
     if (!isWritten) report(messages, QStringLiteral("--csv: ") + error);
     const bool isRemembered = areWritten(settings, messages);
+    const SampleRing &samples = session->simulation().samples();
+    if (!options.csv.isEmpty() && samples.first() > 0) report(messages, QStringLiteral("--csv: ") + spanOf(samples));
     if (endingSignal()) return statusAfter(endingSignal());
     const bool isAllKept = isWritten && isRemembered && (isRecorded || options.record.isEmpty());
     return isAllKept ? status : std::max(status, 1);

@@ -5,24 +5,13 @@
 #include "core/setup/lines.h"
 #include "core/setup/tables.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace inspector {
 
 namespace {
-
-// Each has the columns of the one before, and more after them.
-size_t countOf(Columns columns) {
-    switch (columns) {
-    case Columns::Ball:
-        return kBallChannelCount;
-    case Columns::BallAndGhost:
-        return kTableChannelCount;
-    case Columns::All:
-        break;
-    }
-    return kChannelCount;
-}
 
 QByteArray comparisonLines(const Options &options) {
     if (!options.comparison) return {};
@@ -37,6 +26,16 @@ QByteArray comparisonLines(const Options &options) {
 }
 
 } // namespace
+
+// Each has the columns of the one before, and more after them.
+std::vector<Channel> channelsOf(Columns columns) {
+    const size_t count = columns == Columns::Ball           ? kBallChannelCount
+                         : columns == Columns::BallAndGhost ? kTableChannelCount
+                                                            : kChannelCount;
+    std::vector<Channel> channels;
+    for (size_t i = 0; i < count; ++i) channels.push_back(Channel(i));
+    return channels;
+}
 
 QByteArray tableSettings(const Options &options) {
     Parameters parameters;
@@ -58,47 +57,70 @@ QByteArray tableSettings(const Options &options) {
     return text;
 }
 
-QByteArray csvHeader(Columns columns) {
+QString spanOf(const SampleRing &samples) {
+    Sample first;
+    Sample last;
+    const bool isThere = samples.read(samples.first(), first) && samples.read(samples.last() - 1, last);
+    if (!isThere) return QStringLiteral("no samples");
+    const QString span = QStringLiteral("samples from %1 s to %2 s").arg(first.time).arg(last.time);
+    return samples.first() > 0 ? span + QStringLiteral("; earlier ones aren't kept") : span;
+}
+
+QByteArray csvHeader(const std::vector<Channel> &channels) {
     QByteArray line = "time [s],step";
-    for (size_t i = 0; i < countOf(columns); ++i) {
-        const ChannelInfo &info = channelInfos()[i];
+    for (const Channel channel : channels) {
+        const ChannelInfo &info = channelInfos()[size_t(channel)];
         line += "," + QByteArray(info.id);
         if (info.unit[0]) line += " [" + QByteArray(info.unit) + "]";
     }
     return line + "\n";
 }
 
-QByteArray csvRow(const Sample &sample, Columns columns) {
-    QByteArray line;
-    line.reserve(400);
-    line += exactText(sample.time) + "," + QByteArray::number(qulonglong(sample.step));
-    for (size_t i = 0; i < countOf(columns); ++i) {
-        const double value = sample.values[i];
-        line += ',' + (std::isnan(value) ? QByteArray() : exactText(value));
+QByteArray csvRow(const Sample &sample, const std::vector<Channel> &channels) {
+    QList<QByteArray> fields{exactText(sample.time), QByteArray::number(qulonglong(sample.step))};
+    for (const Channel channel : channels) {
+        const double value = sample[channel];
+        fields += std::isnan(value) ? QByteArray() : exactText(value);
     }
-    return line + "\n";
+    return csvLine(fields);
+}
+
+void writeSamples(QIODevice &out, const SampleRing &samples, double since, Columns columns) {
+    constexpr double kEver = std::numeric_limits<double>::infinity();
+    std::vector<Channel> channels = channelsOf(columns);
+    if (columns == Columns::All)
+        std::erase_if(channels, [&](Channel channel) {
+            const std::vector<Column> all = samples.columns(channel, since, kEver, 1);
+            return std::all_of(all.begin(), all.end(), [](const Column &one) { return std::isnan(one.min); });
+        });
+    out.write(csvHeader(channels));
+    Sample sample;
+    const uint64_t end = samples.last();
+    for (uint64_t number = std::max(samples.first(), samples.find(since)); number < end; ++number)
+        if (samples.read(number, sample)) out.write(csvRow(sample, channels));
 }
 
 CsvWriter::CsvWriter(QIODevice &out, const Options &options)
     : m_out(out)
-    , m_columns(options.comparison ? Columns::BallAndGhost : Columns::Ball)
+    , m_channels(channelsOf(options.comparison ? Columns::BallAndGhost : Columns::Ball))
     , m_every(options.csvEvery) {
-    put(csvHeader(m_columns));
+    put(csvHeader(m_channels));
 }
 
 void CsvWriter::write(const Sample &sample) {
-    if (sample.step % m_every == 0) put(csvRow(sample, m_columns));
+    if (sample.step % m_every == 0) put(csvRow(sample, m_channels));
 }
 
 void CsvWriter::put(const QByteArray &text) {
     if (m_isGood) m_isGood = m_out.write(text) == text.size();
 }
 
-std::unique_ptr<OutputFile> openTable(const QString &path, const Options &options, QString *error) {
+std::unique_ptr<OutputFile> openTable(const QString &path, const Options &options, QString *error,
+                                      const QString &remark) {
     if (isStandardOutput(path)) return standardOutput();
     std::unique_ptr<OutputFile> table = OutputFile::open(path, Existing::Replace, {}, error);
     if (!table || !table->isRegular()) return table; // beside a device there is no place for a file
-    const QByteArray settings = tableSettings(options);
+    const QByteArray settings = tableSettings(options) + (remark.isEmpty() ? QByteArray() : remark.toUtf8() + '\n');
     const std::unique_ptr<OutputFile> beside =
         OutputFile::open(settingsFileOf(path), Existing::Replace, {}, error); // outputProblem() has looked
     if (!beside) return nullptr;
@@ -109,7 +131,7 @@ std::unique_ptr<OutputFile> openTable(const QString &path, const Options &option
 }
 
 bool writeTable(const QString &path, const SampleRing &samples, const Options &options, QString *error) {
-    const std::unique_ptr<OutputFile> file = openTable(path, options, error);
+    const std::unique_ptr<OutputFile> file = openTable(path, options, error, spanOf(samples));
     if (!file) return false;
     CsvWriter writer(*file, options);
     Sample sample;

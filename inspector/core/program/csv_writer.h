@@ -14,16 +14,23 @@ namespace inspector {
 
 // What made a table, a line each: program, level, stepper, dt and every parameter.
 QByteArray tableSettings(const Options &options);
+// Which of a run's samples a ring still has: "samples from 12.3 s to 20 s; earlier ones aren't kept" and the like.
+QString spanOf(const SampleRing &samples);
 enum class Columns { Ball, BallAndGhost, All }; // without or with those of the comparison; whatever there is
 
+std::vector<Channel> channelsOf(Columns columns);
+
 // The line that names the columns.
-QByteArray csvHeader(Columns columns = Columns::Ball);
+QByteArray csvHeader(const std::vector<Channel> &channels = channelsOf(Columns::Ball));
 // A field without a value is empty.
-QByteArray csvRow(const Sample &sample, Columns columns = Columns::Ball);
+QByteArray csvRow(const Sample &sample, const std::vector<Channel> &channels = channelsOf(Columns::Ball));
+// Header and rows of what a ring has from a time on, s. Of Columns::All those in which no row has a value are left out.
+void writeSamples(QIODevice &out, const SampleRing &samples, double since, Columns columns);
 
 // The file that --csv names, or standard output; null and one line in `error` (or nullptr) if it can't be opened.
-// Beside a file, with .txt after its name, stand the settings.
-std::unique_ptr<OutputFile> openTable(const QString &path, const Options &options, QString *error);
+// Beside a file, with .txt after its name, stand the settings and the remark, a line, if there is one.
+std::unique_ptr<OutputFile> openTable(const QString &path, const Options &options, QString *error,
+                                      const QString &remark = {});
 
 class CsvWriter {
 public:
@@ -39,13 +46,13 @@ private:
     void put(const QByteArray &text);
 
     QIODevice &m_out;
-    Columns m_columns;
+    std::vector<Channel> m_channels;
     uint64_t m_every;
     bool m_isGood = true;
 };
 
-// Writes all samples of a ring to a file, or to standard output if it is "-". One line in `error` (or nullptr) if it
-// can't be written.
+// Writes all samples of a ring to a file, or to standard output if it is "-"; their span is said beside it. One line in
+// `error` (or nullptr) if it can't be written.
 bool writeTable(const QString &path, const SampleRing &samples, const Options &options, QString *error);
 
 } // namespace inspector

@@ -21,6 +21,10 @@ QByteArray exactText(double number) {
     return {digits, std::to_chars(digits, digits + sizeof digits, number).ptr - digits};
 }
 
+QByteArray csvLine(const QList<QByteArray> &fields) {
+    return fields.join(fields.contains(QByteArray()) ? QByteArray(",") : QByteArray(", ")) + '\n';
+}
+
 QString modelName(uint32_t model) {
     return model == PHYS_MODEL_RIGID ? QStringLiteral("rigid") : QStringLiteral("rolling");
 }

@@ -14,6 +14,10 @@ namespace inspector {
 // The shortest decimal that reads back as the same number, bit by bit; the same in every locale.
 QByteArray exactText(double number);
 
+// Fields of a table, with its end. After each comma a blank, by which gnuplot separates unless it is told otherwise;
+// but none in a line that lacks a value: gnuplot then leaves that line out, instead of counting its columns wrong.
+QByteArray csvLine(const QList<QByteArray> &fields);
+
 // rolling or rigid
 QString modelName(uint32_t model);
 // 16.67 ms

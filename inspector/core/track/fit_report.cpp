@@ -147,15 +147,13 @@ QString fitOptions(const ModelFit &fit) {
 QByteArray fitCsv(const ModelFit &fit) {
     QByteArray csv = "time [s],x [m],y [m],computed_x [m],computed_y [m],residual_x [m],residual_y [m]\n";
     for (const FitResidual &residual : fit.residuals) {
-        const double numbers[]{residual.seen.time,
-                               residual.seen.x,
-                               residual.seen.y,
-                               residual.computed.x,
-                               residual.computed.y,
-                               residual.seen.x - residual.computed.x,
-                               residual.seen.y - residual.computed.y};
-        for (const double number : numbers) csv += exactText(number) + ',';
-        csv.back() = '\n';
+        const TrackPoint &seen = residual.seen;
+        const TrackPoint &computed = residual.computed;
+        QList<QByteArray> fields;
+        for (const double number :
+             {seen.time, seen.x, seen.y, computed.x, computed.y, seen.x - computed.x, seen.y - computed.y})
+            fields += exactText(number);
+        csv += csvLine(fields);
     }
     return csv;
 }

@@ -81,7 +81,7 @@ private:
         double numbers[3];
         for (size_t i = 0; i < 3; ++i) {
             bool isNumber = false;
-            numbers[i] = QLocale::c().toDouble(fields.value(m_columns[i]), &isNumber);
+            numbers[i] = QLocale::c().toDouble(fields.value(m_columns[i]).trimmed(), &isNumber);
             if (!isNumber || !std::isfinite(numbers[i])) return std::nullopt;
         }
         if (std::abs(numbers[1]) > 89.0 || std::abs(numbers[2]) > 89.0) return std::nullopt;

@@ -33,11 +33,7 @@ bool TimePlot::save(const QString &path, QString *error) {
 bool TimePlot::saveTable(const QString &path, QString *error) const {
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly)) return fail(error, QStringLiteral("%1: %2").arg(path, file.errorString()));
-    file.write(csvHeader(columns()));
-    Sample sample;
-    const uint64_t last = m_samples.last();
-    for (uint64_t number = std::max(m_samples.first(), m_samples.find(m_time->clearedAt())); number < last; ++number)
-        if (m_samples.read(number, sample)) file.write(csvRow(sample, columns()));
+    writeSamples(file, m_samples, m_time->clearedAt(), columns());
     return file.commit() || fail(error, QStringLiteral("%1: %2").arg(path, file.errorString()));
 }
 

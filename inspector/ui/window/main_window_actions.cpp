@@ -396,7 +396,7 @@ void MainWindow::saveRun() {
     chooseFile(*this, m_session.settings(), {tr("Save run"), filter, tr("run"), FileUse::Write},
                [this](const QString &path) {
                    QString error;
-                   ui::saveRun(m_session, *m_view, path, &error);
+                   if (ui::saveRun(m_session, *m_view, path, &error)) error = lostSamples(m_session, path);
                    showSaved(error);
                });
 }
@@ -411,7 +411,9 @@ void MainWindow::askWhereToSavePlot(const QString &name,
     chooseFile(*this, m_session.settings(), {tr("Save plot"), filter, name, FileUse::Write},
                [this, save](const QString &path) {
                    QString error;
-                   save(path, &error);
+                   const bool isTable = path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive);
+                   if (save(path, &error) && (!isTable || saveSettingsBeside(m_session, path, &error)))
+                       error = lostSamples(m_session, path);
                    showSaved(error);
                });
 }
@@ -426,10 +428,10 @@ void MainWindow::saveScreenshot() {
                });
 }
 
-// error: why not, or empty.
-void MainWindow::showSaved(const QString &error) {
+// line: why not, or what is to be known of it, or empty.
+void MainWindow::showSaved(const QString &line) {
     m_messages->settle(Cause::File);
-    if (!error.isEmpty()) m_messages->showLine(error, Cause::File);
+    if (!line.isEmpty()) m_messages->showLine(line, Cause::File);
 }
 
 void MainWindow::toggleRecording() {

@@ -32,6 +32,9 @@ private slots:
     void unwritableTableGivesOneLineAndStatus2();
     void fullDiskGivesOneLineAndStatus1();
     void timeOfWinningIsSaidWhenTheRunGoesOn();
+    void rowThatLacksAValueHasNoBlanks();
+    void lostSamplesAreTold();
+    void columnsWithoutAnyValueAreLeftOut();
     void tableOfARingHasTheSameRowsAsThatOfTheRun();
 };
 
@@ -101,7 +104,7 @@ void TestHeadless::rowPerStepReadsBackExactly() {
 void TestHeadless::everySoManyStepsIsARow() {
     const QByteArrayList rows = runOf("--duration 1 --csv-every 30").rows();
     QCOMPARE(rows.size(), 3);
-    QVERIFY(rows[0].startsWith("0.3") && rows[2].contains(",90,"));
+    QVERIFY(rows[0].startsWith("0.3") && rows[2].contains(", 90,"));
 }
 
 void TestHeadless::localeMakesNoDifference() {
@@ -189,6 +192,46 @@ void TestHeadless::timeOfWinningIsSaidWhenTheRunGoesOn() {
     const Result longer = runOf("--autopilot --duration 100 --csv-every 1000000");
     QCOMPARE(longer.messages.section(" s (simulated)", 0, 0), won);
     QVERIFY2(longer.messages.contains(" 10000 steps"), qPrintable(longer.messages));
+}
+
+// gnuplot separates by blanks: it leaves a row without any out.
+void TestHeadless::rowThatLacksAValueHasNoBlanks() {
+    Sample sample{0.5, 50, {}};
+    QVERIFY(csvRow(sample).startsWith("0.5, 50, 0, 0, "));
+    sample[Channel::PositionY] = std::nan("");
+    QVERIFY(csvRow(sample).startsWith("0.5,50,0,,0,"));
+}
+
+// A ring of 256 samples and a run of 300 steps.
+void TestHeadless::lostSamplesAreTold() {
+    SampleRing samples(256);
+    Sample sample;
+    for (int i = 1; i <= 200; ++i) {
+        sample.time = 0.01 * i;
+        samples.append(sample);
+    }
+    QCOMPARE(spanOf(samples), QString("samples from 0.01 s to 2 s"));
+    for (int i = 201; i <= 300; ++i) {
+        sample.time = 0.01 * i;
+        samples.append(sample);
+    }
+    QVERIFY2(spanOf(samples).endsWith(" s to 3 s; earlier ones aren't kept"), qPrintable(spanOf(samples)));
+}
+
+void TestHeadless::columnsWithoutAnyValueAreLeftOut() {
+    SampleRing samples(256);
+    Sample sample;
+    sample.values.fill(std::nan(""));
+    sample[Channel::Speed] = 0.25;
+    sample.time = 0.01;
+    samples.append(sample);
+    sample[Channel::WallGap] = 0.5;
+    sample.time = 0.02;
+    samples.append(sample);
+    QBuffer table;
+    table.open(QIODevice::WriteOnly);
+    writeSamples(table, samples, 0.0, Columns::All);
+    QCOMPARE(table.data(), QByteArray("time [s],step,speed [m/s],wall_gap [m]\n0.01,0,0.25,\n0.02, 0, 0.25, 0.5\n"));
 }
 
 void TestHeadless::tableOfARingHasTheSameRowsAsThatOfTheRun() {

@@ -306,6 +306,11 @@ void TestWindowPast::tableAndPictureAreSaved() {
     QFile table(m_fixture->path("kept.csv"));
     QVERIFY(table.open(QIODevice::ReadOnly));
     QCOMPARE(table.readAll().trimmed().split('\n').size(), 31);
+    QFile beside(m_fixture->path("kept.csv.txt"));
+    QVERIFY(beside.open(QIODevice::ReadOnly));
+    const QByteArrayList settings = beside.readAll().trimmed().split('\n');
+    QVERIFY(settings.join('|').contains("|stepper symplectic-euler "));
+    QCOMPARE(settings.last(), QByteArray("samples from 0.01 s to 0.3 s"));
     const QImage picture(m_fixture->path("kept.png"));
     QCOMPARE(picture.size(), m_fixture->window().view().size());
     m_fixture->trigger("picture_scale_1");
