@@ -48,7 +48,7 @@ void Companion::meet(const Engine &leader) {
     state.step *= uint64_t(m_substeps); // so that its time goes on being counted in steps: model.md 10.6
     m_engine.setState(state);
     m_previous = leader.previous();
-    m_metAt = state.time;
+    m_met = leader.state();
     m_deviation = {};
     m_isThere = true;
 }

@@ -59,7 +59,7 @@ public:
     bool isThere() const { return m_isThere; }
     const phys_state &state() const { return m_engine.state(); }
     const phys_state &previous() const { return m_previous; } // before the leader's last step
-    double metAt() const { return m_metAt; }                  // s
+    const phys_state &met() const { return m_met; }           // the leader's where they met last
     const Deviation &deviation() const { return m_deviation; }
     // Fills in the channels of the comparison, if it is there and was in the maze.
     void addTo(Sample &sample) const;
@@ -74,7 +74,7 @@ private:
     std::optional<Inputs> m_own;
     bool m_isThere = true;
     phys_state m_previous{};
-    double m_metAt = 0.0;
+    phys_state m_met{};
     Deviation m_deviation;
 };
 

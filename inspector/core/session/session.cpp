@@ -72,7 +72,8 @@ Session::Session(const Options &options, QSettings &settings, const Scene &scene
     , m_game(mazesOf(options.levels), settings)
     , m_simulation(std::make_unique<Simulation>(scene, stepper, origin()))
     , m_comparison(std::make_unique<Comparison>(*this))
-    , m_wayFinder(options.registry) {
+    , m_wayFinder(options.registry)
+    , m_knownLimit(options.registry) {
     connect(&m_parameters, &Parameters::changed, this, &Session::sendInputs);
     connect(m_simulation.get(), &Simulation::recordingFailed, this, [this](const QString &line) {
         showRecording(false);

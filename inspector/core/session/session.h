@@ -7,6 +7,7 @@
 #include "core/session/ball_place.h"
 #include "core/session/comparison.h"
 #include "core/session/game.h"
+#include "core/session/known_limit.h"
 #include "core/setup/handles.h"
 #include "core/setup/levels.h"
 #include "core/setup/parameters.h"
@@ -61,6 +62,7 @@ public:
     Simulation &simulation() { return *m_simulation; }
     Game &game() { return m_game; }
     Comparison &comparison() { return *m_comparison; }
+    KnownLimit &knownLimit() { return m_knownLimit; }
     QSettings &settings() { return m_settings; }
     const std::vector<Level> &levels() const { return m_levels; }
     const Level &level() const { return m_level; } // that is open; maybe a file that isn't in the list
@@ -128,6 +130,7 @@ public:
     // Beside it, while the simulation stands, the ways on boards as they may really be.
     void showOthersAhead(bool isOn);
     // What isn't known of the board; the usual of a board built by hand until told.
+    const Unknowns &unknowns() const { return m_unknowns; }
     void setUnknowns(const Unknowns &unknowns);
 
     // ---- the past: what was played lately is kept, and can be gone back to ----
@@ -260,3 +263,4 @@ private:
 };
 
 } // namespace inspector
+    KnownLimit m_knownLimit;

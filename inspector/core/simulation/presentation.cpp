@@ -124,8 +124,7 @@ void Presentation::publish(Clock::time_point due) {
     snapshot.run = m_runCount;
     snapshot.running = m_isRunning;
     if (m_companion && m_companion->isThere())
-        snapshot.ghost = {m_companion->previous(), m_companion->state(), m_companion->metAt(),
-                          m_companion->deviation()};
+        snapshot.ghost = {m_companion->previous(), m_companion->state(), m_companion->met(), m_companion->deviation()};
     snapshot.statistics = {m_meter.stepsPerSecond(), m_speed, m_meter.speed(), m_pacer.lostTime(), m_impacts};
     m_run->addTo(snapshot);
     m_snapshots.publish(snapshot);

@@ -22,7 +22,7 @@ struct Statistics {
 struct Ghost {
     phys_state previous{}; // at the same moments as the ball's
     phys_state current{};
-    double metAt = 0.0; // s: since then it goes its own way
+    phys_state met{}; // of both where they met: since then it goes its own way
     Deviation deviation;
 };
 

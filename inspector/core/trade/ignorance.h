@@ -8,8 +8,7 @@
 
 namespace inspector {
 
-// The largest distances from the computed ball up to a time, as errors of settings are the largest up to it: nine
-// balls in ten lie between low and high, half of them below middle.
+// Distances from the computed ball over time: nine balls in ten lie between low and high, half of them below middle.
 struct Band {
     std::vector<double> times; // s, from 0
     std::vector<double> low;   // radii
@@ -34,7 +33,13 @@ struct BandPlan {
     double until; // s
 };
 
-// Empty if nothing is unknown or "exact" can't step the draws.
+inline constexpr uint64_t kBandSeed = 1;
+
+// distances: m; those that are NaN don't count, and without any other the band stays as it is.
+void appendQuantiles(Band &band, double time, std::vector<double> distances, double radius);
+
+// Of the largest distances up to each time, as errors of settings are the largest up to it. Empty if nothing
+// is unknown or "exact" can't step the draws.
 Band ignoranceBand(const BandPlan &plan, const TradeReference &reference, const std::stop_token &stop);
 
 } // namespace inspector

@@ -101,6 +101,10 @@ void ComparisonDock::showComparison() {
 
 void ComparisonDock::refresh(const Snapshot &now) {
     if (!isVisible()) return;
+    if (!m_session.isInPast()) // the past has nothing new
+        m_session.knownLimit().follow(now, m_session.simulation().samples(), m_session.scene(), m_session.unknowns());
+    m_band = m_session.knownLimit().band();
+    m_plot->showBand(m_band);
     m_figures->setText(summary(now));
     m_plot->refresh();
 }
@@ -110,11 +114,15 @@ QString ComparisonDock::summary(const Snapshot &now) const {
     if (!comparison.isOn()) return tr("A second ball starts where the ball is, under the same tilts.");
     if (!now.ghost) return comparison.refusal();
     const Deviation &deviation = now.ghost->deviation;
+    const double radius = phys_scene_radius(m_session.scene().get());
     const QString figures = tr("Distance %1, speed %2, energy %3, %4 s after they met")
-                                .arg(distanceText(deviation.distance, phys_scene_radius(m_session.scene().get())),
-                                     speedDifferenceText(deviation.speed), energyDifferenceText(deviation.energy),
-                                     QString::number(now.current.time - now.ghost->metAt, 'f', 2));
-    return now.ghost->current.flags & PHYS_OUT ? tr("%1; the ghost is out of the maze").arg(figures) : figures;
+                                .arg(distanceText(deviation.distance, radius), speedDifferenceText(deviation.speed),
+                                     energyDifferenceText(deviation.energy),
+                                     QString::number(now.current.time - now.ghost->met.time, 'f', 2));
+    if (now.ghost->current.flags & PHYS_OUT) return tr("%1; the ghost is out of the maze").arg(figures);
+    if (!m_band) return figures;
+    const double known = m_band->middleAt(now.current.time);
+    return tr("%1; not known: %2").arg(figures, distanceText(known * radius, radius));
 }
 
 } // namespace inspector::ui

@@ -49,6 +49,7 @@ private:
     NumberBox *m_substeps;
     ElidedLabel *m_figures;
     DistancePlot *m_plot;
+    std::shared_ptr<const Band> m_band; // of what isn't known; or null
 };
 
 } // namespace inspector::ui

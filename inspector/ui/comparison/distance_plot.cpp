@@ -11,10 +11,11 @@ namespace inspector::ui {
 
 namespace {
 
-constexpr double kPerMetre = 1e3;  // mm
-constexpr double kFewest = 1e2;    // upper over lower border, so that a steady distance isn't a ragged line
-constexpr double kBelowZero = 0.4; // the lower border, of the height of zeros
-const QCPRange kUsual(1e-5, 1e1);  // mm
+constexpr double kPerMetre = 1e3;   // mm
+constexpr double kFewest = 1e2;     // upper over lower border, so that a steady distance isn't a ragged line
+constexpr double kBelowZero = 0.4;  // the lower border, of the height of zeros
+const QCPRange kUsual(1e-5, 1e1);   // mm
+constexpr double kSmallest = 1e-12; // mm: zeros of the band have to be somewhere on a logarithmic axis
 
 // Powers of ten, but 0 where zeros are drawn.
 class ZeroTicker : public QCPAxisTickerLog {
@@ -39,10 +40,19 @@ double powerOfTen(double exponent) { return std::pow(10.0, exponent); }
 DistancePlot::DistancePlot(const SampleRing &samples, QWidget *parent)
     : TimePlot(samples, nullptr, parent)
     , m_ball(addKey(&Accents::ball))
-    , m_ghost(addKey(&Accents::ghost)) {
+    , m_ghost(addKey(&Accents::ghost))
+    , m_low(addGraph())
+    , m_high(addGraph())
+    , m_middle(addGraph()) {
     setObjectName(QStringLiteral("distance_plot"));
     addCurve(Channel::Distance, &Accents::total);
     curves().front().graph->removeFromLegend(); // the axis says it
+    m_high->setName(tr("Not known (9 boards in 10)"));
+    m_high->setBrush(kBandFill);
+    m_high->setChannelFillGraph(m_low);
+    m_middle->setPen(QPen(kBandColour, 1.5));
+    for (QCPGraph *edge : {m_low, m_high}) edge->setPen(Qt::NoPen);
+    for (QCPGraph *graph : {m_low, m_high, m_middle}) graph->removeFromLegend();
     makeLogarithmic(*yAxis, tr("Distance [mm]"));
     makeLogarithmic(*yAxis2, tr("Distance [R]"));
     for (QCPAxis *axis : {yAxis, yAxis2}) axis->setTicker(QSharedPointer<ZeroTicker>::create());
@@ -60,6 +70,34 @@ void DistancePlot::setNames(const QString &ball, const QString &ghost) {
     m_ball->setName(ball);
     m_ghost->setName(ghost);
     replot(rpQueuedReplot);
+}
+
+void DistancePlot::showBand(const std::shared_ptr<const Band> &band) {
+    if (band == m_band) return;
+    m_band = band;
+    if (band)
+        m_high->addToLegend();
+    else
+        m_high->removeFromLegend();
+    drawAnew();
+}
+
+// With the points next to the border, so that the band reaches it.
+void DistancePlot::loadBesides(const QCPRange &times) {
+    const std::vector<double> all = m_band ? m_band->times : std::vector<double>();
+    const auto after = std::lower_bound(all.begin(), all.end(), times.lower);
+    const auto first = size_t(std::max<ptrdiff_t>(after - all.begin() - 1, 0));
+    const auto load = [&](QCPGraph *graph, const std::vector<double> &radii) {
+        QVector<QCPGraphData> points;
+        for (size_t i = first; i < all.size() && (i == first || all[i - 1] < times.upper); ++i)
+            points.append(QCPGraphData(all[i], std::max(plotted(radii[i] * m_radius), kSmallest)));
+        graph->data()->set(points, true);
+    };
+    const Band none;
+    const Band &band = m_band ? *m_band : none;
+    load(m_low, band.low);
+    load(m_middle, band.middle);
+    load(m_high, band.high);
 }
 
 void DistancePlot::showRadii() {
@@ -87,6 +125,9 @@ void DistancePlot::fitValues() {
         fitted.lower = powerOfTen(std::floor(std::log10(positive.lower)));
         fitted.upper = std::max(powerOfTen(std::ceil(std::log10(positive.upper))), kFewest * fitted.lower);
     }
+    bool hasBand = false;
+    const QCPRange band = m_high->getValueRange(hasBand, QCP::sdPositive);
+    if (hasBand) fitted.upper = std::max(fitted.upper, powerOfTen(std::ceil(std::log10(band.upper))));
     const bool hasZero = hasAny && all.lower <= 0.0;
     m_zero = hasZero ? fitted.lower / 10.0 : 0.0;
     if (hasZero) fitted.lower = kBelowZero * m_zero;
@@ -96,9 +137,13 @@ void DistancePlot::fitValues() {
 
 QString DistancePlot::textOf(const Sample &sample) const {
     if (std::isnan(sample[Channel::Distance])) return tr("No ghost");
-    return tr("%1, speed %2, energy %3")
+    const bool isKnown = m_band && sample.time <= m_band->times.back();
+    const QString limit =
+        isKnown ? tr("; not known: %1").arg(distanceText(m_band->middleAt(sample.time) * m_radius, m_radius))
+                : QString();
+    return tr("%1, speed %2, energy %3%4")
         .arg(distanceText(sample[Channel::Distance], m_radius), speedDifferenceText(sample[Channel::SpeedDifference]),
-             energyDifferenceText(sample[Channel::EnergyDifference]));
+             energyDifferenceText(sample[Channel::EnergyDifference]), limit);
 }
 
 } // namespace inspector::ui

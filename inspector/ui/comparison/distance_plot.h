@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/trade/ignorance.h"
 #include "ui/plots/time_plot.h"
 
 namespace inspector::ui {
 
 // How far the ball is from the one that it is compared with, over time, on a logarithmic axis: in mm, and in radii at
-// the right border. Zeros are drawn one decade below everything else, at a tick that says 0.
+// the right border. Zeros are drawn one decade below everything else, at a tick that says 0. Behind it lies what isn't
+// known of the board: where the distance is below that band, nobody could tell both balls apart.
 class DistancePlot : public TimePlot {
     Q_OBJECT
 
@@ -17,10 +19,12 @@ public:
     void setRadius(double radius); // of the ball, m
     // Who they are, for the legend.
     void setNames(const QString &ball, const QString &ghost);
+    void showBand(const std::shared_ptr<const Band> &band); // null: none
 
 protected:
     double plotted(double value) const override;
     double drawn(double plotted) const override;
+    void loadBesides(const QCPRange &times) override;
     void fitValues() override;
     Columns columns() const override { return Columns::BallAndGhost; }
     QString textOf(const Sample &sample) const override;
@@ -32,6 +36,10 @@ private:
     double m_zero = 0.0;     // mm: the height that zeros are drawn at; 0 if there are none
     QCPGraph *m_ball;        // entries of the legend
     QCPGraph *m_ghost;
+    std::shared_ptr<const Band> m_band;
+    QCPGraph *m_low; // of the band
+    QCPGraph *m_high;
+    QCPGraph *m_middle;
 };
 
 } // namespace inspector::ui

@@ -9,6 +9,10 @@ class QCustomPlot;
 
 namespace inspector::ui {
 
+// Of what isn't known of a board.
+inline constexpr QColor kBandColour(0x2a, 0x9f, 0x4f);
+inline constexpr QColor kBandFill(0x2a, 0x9f, 0x4f, 45);
+
 // From a (share 0) to b (share 1).
 QColor mixed(const QColor &a, const QColor &b, double share);
 

@@ -151,6 +151,7 @@ void TimePlot::refresh() {
         load(curve);
         loadOldFuture(curve);
     }
+    loadBesides(shownTimes());
     if (m_fitsValues && newest) fitValues();
     m_fitsAtOnce = false;
     for (const Curve &curve : m_curves)
@@ -161,10 +162,16 @@ void TimePlot::refresh() {
     replot(QCustomPlot::rpQueuedReplot);
 }
 
+QCPRange TimePlot::shownTimes() const {
+    QCPRange times = xAxis->range();
+    times.lower = std::max(times.lower, m_time->clearedAt());
+    times.upper = std::min(times.upper, m_time->pausedAt().value_or(times.upper));
+    return times;
+}
+
 // Puts the visible part of a channel into its curve.
 void TimePlot::load(const Curve &curve) {
-    const double from = std::max(xAxis->range().lower, m_time->clearedAt());
-    const double to = std::min(xAxis->range().upper, m_time->pausedAt().value_or(xAxis->range().upper));
+    const auto [from, to] = shownTimes();
     const size_t pixels = size_t(std::max(1, int(axisRect()->width() * devicePixelRatioF())));
     QVector<QCPGraphData> points;
     if (from < to) {

@@ -82,6 +82,9 @@ protected:
     virtual double drawn(double plotted) const { return plotted; }
     // Moves the value axis to what the curves show just now. Not called once a person has moved it.
     virtual void fitValues() = 0;
+    // Loads what is drawn besides the curves, between these times, s.
+    virtual void loadBesides(const QCPRange &) {}
+    void drawAnew() { m_isStale = true; } // with the next refresh()
     // Those of its table.
     virtual Columns columns() const { return Columns::Ball; }
     // What is said of the sample under the cursor, after its time, in one line.
@@ -100,6 +103,7 @@ private:
     void layOutLegend();
     void takeColours();
     std::optional<double> newestTime() const;
+    QCPRange shownTimes() const; // maybe none: then its end comes first
     void load(const Curve &curve);
     void loadOldFuture(const Curve &curve);
     void updateReadOut();

@@ -17,7 +17,6 @@ namespace {
 
 constexpr double kReach = 12.0; // px, of the mouse
 
-const QColor kBandColour(0x2a, 0x9f, 0x4f);
 
 // Around the values, with some air.
 QCPRange rangeOf(const std::vector<double> &values) {
@@ -208,7 +207,7 @@ void TradeChart::takeColours() {
     m_goodEnough->setPen(QPen(kBandColour, 3.0));
     m_goodEnough->setBrush(Qt::NoBrush);
     m_band->setPen(Qt::NoPen);
-    m_band->setBrush(QColor(kBandColour.red(), kBandColour.green(), kBandColour.blue(), 45));
+    m_band->setBrush(kBandFill);
     m_middle->setPen(QPen(kBandColour, 2.0));
     m_limit->setPen(QPen(kBandColour, 2.0, Qt::DashLine));
 }

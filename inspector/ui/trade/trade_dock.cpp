@@ -86,6 +86,7 @@ TradeDock::TradeDock(Session &session, QUndoStack &undo, QWidget *parent)
     connect(m_unknowns, &QLineEdit::textChanged, this, &TradeDock::showReady);
     connect(&session, &Session::levelOpened, this, &TradeDock::forget);
     showTolerance();
+    showReady();
 }
 
 void TradeDock::makeControls() {

@@ -115,7 +115,8 @@ gl::Frame currentFrame(Session &session) {
     frame.trails.push_back({pointsOf(samples, way), toGlm(accentsFor(QGuiApplication::palette()).ball, kTrailAlpha),
                             now.ghost ? kBallTrailWidth : kTrailWidth});
     addOldFuture(frame, session.oldFuture());
-    if (const auto ghost = interpolatedGhost(now, moment)) addGhost(frame, samples, *ghost, now.ghost->metAt);
+    if (session.track()) addTrack(frame, *session.track(), state.time);
+    if (const auto ghost = interpolatedGhost(now, moment)) addGhost(frame, samples, *ghost, now.ghost->met.time);
     return frame;
 }
 

@@ -439,7 +439,9 @@ void MainWindow::showComparison() {
 
 bool MainWindow::grabTo(const QString &path, QString *error) {
     refresh();
-    m_session.lookAheadAtOnce(); // this and the next line: pictures of one moment are the same
+    m_session.knownLimit().finish(); // this and the next lines: pictures of one moment are the same
+    refresh();
+    m_session.lookAheadAtOnce();
     m_status->leaveOutClock();
     QApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest); // new texts get their room
     for (QCustomPlot *plot : findChildren<QCustomPlot *>())

@@ -233,7 +233,7 @@ void TestCompanion::meetingPutsItOntoTheBall() {
     COMPARE_EXACT(companion.deviation().distance, 0.0);
     COMPARE_EXACT(companion.deviation().speed, 0.0);
     COMPARE_EXACT(companion.deviation().energy, 0.0);
-    COMPARE_EXACT(companion.metAt(), 0.4);
+    COMPARE_EXACT(companion.met().time, 0.4);
 }
 
 void TestCompanion::meetingGoesOnAsFromThere() {

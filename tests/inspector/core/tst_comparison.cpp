@@ -243,7 +243,7 @@ void TestComparison::restartBringsThemTogether() {
     QTRY_COMPARE(session->simulation().latest().run, 1u);
     QVERIFY(isTogether(*session));
     COMPARE_EXACT(distanceIn(*session), 0.0);
-    COMPARE_EXACT(session->simulation().latest().ghost->metAt, 0.0);
+    COMPARE_EXACT(session->simulation().latest().ghost->met.time, 0.0);
 }
 
 void TestComparison::stateSetBackBringsThemTogether() {
@@ -256,7 +256,7 @@ void TestComparison::stateSetBackBringsThemTogether() {
     session->simulation().setState(kept);
     QTRY_COMPARE(session->simulation().latest().run, 1u);
     QVERIFY(isTogether(*session));
-    COMPARE_EXACT(session->simulation().latest().ghost->metAt, 0.2);
+    COMPARE_EXACT(session->simulation().latest().ghost->met.time, 0.2);
 }
 
 void TestComparison::meetAgainBringsThemTogether() {
@@ -297,7 +297,7 @@ void TestComparison::otherStepperOfTheBallGoesOn() {
     QVERIFY(session->setStepper("exact"));
     makeSteps(*session, 20);
     QVERIFY(distanceIn(*session) > 0.0);
-    COMPARE_EXACT(session->simulation().latest().ghost->metAt, 0.0);
+    COMPARE_EXACT(session->simulation().latest().ghost->met.time, 0.0);
 }
 
 void TestComparison::otherLevelIsComparedFromItsStart() {

@@ -462,7 +462,7 @@ void TestWindowReplay::ghostGoesWithTheReplay() {
     open(recorded());
     goTo(40); // on its way
     QVERIFY(m_fixture->simulation().latest().ghost);
-    QCOMPARE(m_fixture->simulation().latest().ghost->metAt, 0.0);
+    QCOMPARE(m_fixture->simulation().latest().ghost->met.time, 0.0);
     QVERIFY(m_fixture->simulation().latest().ghost->deviation.distance > 0.0);
     QVERIFY2(message().isEmpty(), qPrintable(message()));
     m_fixture->trigger("close_recording");

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trade/drawn_balls.h"
+
+#include "core/trade/trade_reference.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+namespace inspector {
+
+namespace {
+
+bool isFree(const phys_scene *scene, const phys_vec3 &centre) {
+    std::array<phys_contact, 16> contacts;
+    uint32_t count = 0;
+    phys_scene_contacts(scene, &centre, 0.0, contacts.data(), uint32_t(contacts.size()), &count);
+    const auto isInside = [](const phys_contact &contact) { return contact.gap < 0.0 && contact.normal.z < 0.5; };
+    return std::none_of(contacts.begin(), contacts.begin() + std::min<uint32_t>(count, 16), isInside);
+}
+
+} // namespace
+
+DrawnBalls::DrawnBalls(Stepper stepper, const Scene &scene, const std::vector<Draw> &draws, const phys_state &start)
+    : m_stepper(std::move(stepper))
+    , m_statuses(draws.size()) {
+    for (const Draw &draw : draws) {
+        Ball ball{draw, start};
+        ball.state.position.x += draw.startOffset.x;
+        ball.state.position.y += draw.startOffset.y;
+        if (!isFree(scene.get(), ball.state.position)) ball.state.position = start.position;
+        m_balls.push_back(ball);
+    }
+}
+
+void DrawnBalls::setBoards(const std::vector<Draw> &draws) {
+    for (size_t i = 0; i < m_balls.size(); ++i) m_balls[i].draw = draws[i];
+}
+
+void DrawnBalls::step(const Tilt &tilt, double dt, uint64_t steps) {
+    for (Ball &ball : m_balls) {
+        const Tilt &offset = ball.draw.tiltOffset;
+        ball.isRefused |= phys_gravity_from_tilt(tilt.x + offset.x, tilt.y + offset.y, ball.draw.gravity,
+                                                 &ball.draw.params.gravity) != PHYS_OK;
+    }
+    phys_batch batch;
+    phys_batch_init(&batch, sizeof batch);
+    batch.stop_flags = PHYS_OUT;
+    batch.ball_count = m_balls.size();
+    batch.step_count = steps;
+    batch.dt = dt;
+    batch.params = &m_balls.front().draw.params;
+    batch.params_stride = sizeof(Ball);
+    batch.states = &m_balls.front().state;
+    batch.states_stride = sizeof(Ball);
+    batch.statuses = m_statuses.data();
+    const bool hasRun = phys_batch_run(m_stepper.get(), &batch, 0, m_balls.size(), nullptr) == PHYS_OK;
+    for (size_t i = 0; i < m_balls.size(); ++i) m_balls[i].isRefused |= !hasRun || m_statuses[i] != PHYS_OK;
+}
+
+std::vector<double> DrawnBalls::distancesFrom(const phys_vec3 &centre) const {
+    std::vector<double> distances;
+    distances.reserve(m_balls.size());
+    for (const Ball &ball : m_balls)
+        distances.push_back(ball.isRefused ? std::numeric_limits<double>::quiet_NaN()
+                                           : distance(ball.state.position, centre));
+    return distances;
+}
+
+int DrawnBalls::refused() const {
+    return int(std::count_if(m_balls.begin(), m_balls.end(), [](const Ball &ball) { return ball.isRefused; }));
+}
+
+} // namespace inspector

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trade/live_band.h"
+
+#include "core/trade/drawn_balls.h"
+
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+namespace inspector {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kLongestStep = 0.05; // s, of "exact", so that a band is smooth where tilts are steady
+constexpr Clock::duration kShown = std::chrono::milliseconds(50);
+
+// The board as it is set, and then those that it may really be.
+std::vector<Draw> boardsOf(const Unknowns &unknowns, const Inputs &inputs) {
+    std::vector<Draw> boards = drawBoards(unknowns, inputs, LiveBand::kBalls, kBandSeed);
+    boards.insert(boards.begin(), Draw{inputs.params, inputs.gravity, {}, {}});
+    return boards;
+}
+
+// Neither has padding; the tilt is none of the board's.
+bool isSameBoard(const Inputs &a, const Inputs &b) {
+    phys_params one = a.params;
+    phys_params other = b.params;
+    one.gravity = other.gravity = {};
+    return a.gravity == b.gravity && std::memcmp(&one, &other, sizeof one) == 0;
+}
+
+} // namespace
+
+// One band while it is made.
+struct LiveBand::Work {
+    Start start;
+    uint64_t number;
+    double radius = phys_scene_radius(start.scene.get());
+    std::optional<DrawnBalls> balls{};
+    Inputs inputs{};
+    double time = start.state.time;
+    Band band{};
+
+    bool isOver() const { return time >= start.state.time + kReach; }
+
+    void take(const Stepper &stepper, const Inputs &now) {
+        if (balls && isSameBoard(inputs, now)) return;
+        inputs = now;
+        const std::vector<Draw> boards = boardsOf(start.unknowns, now);
+        if (balls) return balls->setBoards(boards);
+        balls.emplace(stepper, start.scene, boards, start.state);
+        note();
+    }
+
+    void note() {
+        std::vector<double> distances = balls->distancesFrom(balls->centre(0));
+        if (std::isnan(distances.front())) return; // nothing to be far from
+        distances.erase(distances.begin());
+        appendQuantiles(band, time, std::move(distances), radius);
+    }
+
+    void step(const Piece &piece) {
+        const double count = std::ceil(piece.length / kLongestStep);
+        for (int i = 0; i < int(count); ++i) {
+            balls->step(piece.inputs.tilt, piece.length / count, 1);
+            time += piece.length / count;
+            if (band.isEmpty() || time >= band.times.back() + kInterval) note();
+        }
+    }
+};
+
+LiveBand::LiveBand(Registry registry)
+    : m_registry(std::move(registry))
+    , m_thread([this](const std::stop_token &stop) { work(stop); }) {}
+
+LiveBand::~LiveBand() {
+    m_thread.request_stop();
+    m_thread.join();
+}
+
+void LiveBand::begin(Start start) {
+    {
+        const std::lock_guard lock(m_mutex);
+        m_start = std::move(start);
+        ++m_number;
+        m_pieces.clear();
+        m_band.reset();
+    }
+    m_wake.notify_one();
+}
+
+void LiveBand::goOn(const std::vector<Piece> &pieces) {
+    {
+        const std::lock_guard lock(m_mutex);
+        m_pieces.insert(m_pieces.end(), pieces.begin(), pieces.end());
+    }
+    m_wake.notify_one();
+}
+
+void LiveBand::end() {
+    const std::lock_guard lock(m_mutex);
+    m_start.reset();
+    ++m_number;
+    m_pieces.clear();
+    m_band.reset();
+}
+
+void LiveBand::finish() {
+    std::unique_lock lock(m_mutex);
+    m_hurries = true;
+    m_wake.notify_one();
+    m_idle.wait(lock, [this] { return !m_start || (m_pieces.empty() && !m_isBusy); });
+    m_hurries = false;
+}
+
+std::shared_ptr<const Band> LiveBand::latest() const {
+    const std::lock_guard lock(m_mutex);
+    return m_band;
+}
+
+// Not of a band that is forgotten meanwhile.
+void LiveBand::publish(uint64_t number, const Band &band) {
+    auto copy = std::make_shared<const Band>(band);
+    const std::lock_guard lock(m_mutex);
+    if (number == m_number) m_band = std::move(copy);
+}
+
+void LiveBand::work(const std::stop_token &stop) {
+    std::optional<Work> now;
+    while (!stop.stop_requested()) {
+        {
+            std::unique_lock lock(m_mutex);
+            m_wake.wait(lock, stop, [this] { return m_start && !m_pieces.empty(); });
+            if (!m_start) continue;
+            if (!now || now->number != m_number) now.emplace(Work{*m_start, m_number});
+            m_isBusy = true;
+        }
+        const Clock::time_point begin = Clock::now();
+        compute(*now, stop);
+        const auto rest = std::chrono::duration_cast<Clock::duration>(kRest * (Clock::now() - begin));
+        std::unique_lock lock(m_mutex);
+        m_isBusy = false;
+        m_idle.notify_one();
+        m_wake.wait_for(lock, stop, rest, [this] { return m_hurries; });
+    }
+}
+
+// What waits, or some of it: then the rest is for the next time.
+void LiveBand::compute(Work &work, const std::stop_token &stop) {
+    std::vector<Piece> pieces;
+    {
+        const std::lock_guard lock(m_mutex);
+        if (work.number == m_number) pieces.swap(m_pieces);
+    }
+    const Stepper stepper = work.balls ? Stepper() : makeStepper(m_registry, "exact", work.start.scene, nullptr);
+    if (!work.balls && !stepper) return;
+    const Clock::time_point end = Clock::now() + kShown;
+    size_t done = 0;
+    for (; done < pieces.size() && !stop.stop_requested() && !work.isOver() && Clock::now() < end; ++done) {
+        work.take(stepper, pieces[done].inputs);
+        work.step(pieces[done]);
+    }
+    if (done > 0) publish(work.number, work.band);
+    if (work.isOver()) return;
+    const std::lock_guard lock(m_mutex);
+    if (work.number == m_number) m_pieces.insert(m_pieces.begin(), pieces.begin() + ptrdiff_t(done), pieces.end());
+}
+
+} // namespace inspector
