@@ -3,8 +3,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace inspector {
+
+namespace {
+
+// Between the ball and the nearest wall, m: looked for around it, further and further. NaN if none is near.
+double wallGap(const phys_scene *scene, const phys_vec3 &centre) {
+    constexpr double kFarthest = 32.0; // radii
+    std::array<phys_contact, 64> contacts;
+    const double radius = phys_scene_radius(scene);
+    for (double reach = 2.0; reach <= kFarthest; reach *= 2.0) {
+        uint32_t count = 0;
+        phys_scene_contacts(scene, &centre, reach * radius, contacts.data(), uint32_t(contacts.size()), &count);
+        if (count > contacts.size()) break; // in such a crowd something nearer would have been found
+        double gap = std::numeric_limits<double>::infinity();
+        for (const phys_contact &contact : std::span(contacts).first(count))
+            if (contact.normal.z < 0.5) gap = std::min(gap, contact.gap);
+        if (std::isfinite(gap)) return gap;
+    }
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
+} // namespace
 
 Engine::Engine(Scene scene, Stepper stepper)
     : m_scene(std::move(scene))
@@ -35,10 +57,10 @@ void Engine::setState(const phys_state &state, const EnergySums &sums) {
     m_report.event_capacity = kEventCapacity;
 }
 
-// Asked at multiples of the control period, counted in steps from the start, so that a run can be repeated.
+// Asked at multiples of its period, counted in steps from the start, so that a run can be repeated.
 void Engine::askPilot() {
     if (!m_pilot) return;
-    const auto interval = uint64_t(std::max(1.0, std::round(kControlPeriod / std::max(m_dt, 1e-9))));
+    const auto interval = uint64_t(std::max(1.0, std::round(m_pilot->period() / std::max(m_dt, 1e-9))));
     if (m_pilotIsNew || m_state.step % interval == 0) tiltBoard(m_inputs, m_pilot->tilt(m_state));
     m_pilotIsNew = false;
 }
@@ -84,6 +106,7 @@ Sample Engine::sample() const {
     sample[Channel::LostRolling] = m_sums.rolling;
     sample[Channel::LostSlip] = m_sums.slip;
     sample[Channel::Scheme] = m_sums.scheme;
+    sample[Channel::WallGap] = wallGap(m_scene.get(), m_state.position);
     return sample;
 }
 

@@ -26,7 +26,6 @@ public:
     static constexpr double kSmallestDt = 1e-6; // s, what a person may choose
     static constexpr double kLargestDt = 10.0;  // s
     static constexpr uint32_t kEventCapacity = 64;
-    static constexpr double kControlPeriod = 0.02; // s of simulated time between two questions to the pilot
 
     // At the scene's start, with the library's defaults.
     Engine(Scene scene, Stepper stepper);

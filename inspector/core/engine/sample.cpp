@@ -42,6 +42,11 @@ const std::array<ChannelInfo, kChannelCount> &channelInfos() {
         {"step_time", "Time a step takes", "us", "Stepper"},
         {"ghost_speed", "Ghost speed", "m/s", "Ghost", true},
         {"ghost_energy", "Ghost energy", "J/kg", "Ghost", true},
+        {"wall_gap", "Gap to the nearest wall", "m", "Position"},
+        {"track_x", "Measured x", "m", "Measured ball", true},
+        {"track_y", "Measured y", "m", "Measured ball", true},
+        {"track_speed", "Measured speed", "m/s", "Measured ball", true},
+        {"track_distance", "Distance to the measured ball", "m", "Measured ball"},
     }};
     return infos;
 }

@@ -45,18 +45,24 @@ enum class Channel {
     StepTime, // NaN where nobody looked at the clock
     GhostSpeed,
     GhostEnergy,
+    WallGap, // NaN where no wall is near
+    // Of a measured ball: NaN without one.
+    TrackX,
+    TrackY,
+    TrackSpeed,
+    TrackDistance,
 };
 
 inline constexpr size_t kBallChannelCount = size_t(Channel::Flags) + 1;             // that every step has
 inline constexpr size_t kTableChannelCount = size_t(Channel::EnergyDifference) + 1; // with a ghost's
-inline constexpr size_t kChannelCount = size_t(Channel::GhostEnergy) + 1;
+inline constexpr size_t kChannelCount = size_t(Channel::TrackDistance) + 1;
 
 struct ChannelInfo {
-    const char *id;    // for columns and settings: velocity_x
-    const char *label; // for people: Velocity x
-    const char *unit;  // "" if it has none
-    const char *group; // in menus
-    bool isGhost = false;
+    const char *id;       // for columns and settings: velocity_x
+    const char *label;    // for people: Velocity x
+    const char *unit;     // "" if it has none
+    const char *group;    // in menus
+    bool isGhost = false; // of another ball: dashed in plots
 };
 
 // In the order of the enumeration.

@@ -11,6 +11,8 @@ public:
     virtual ~Pilot() = default;
     // The tilt from this state on, rad; a function of the state alone, so that a run can be repeated from anywhere.
     virtual Tilt tilt(const phys_state &state) const = 0;
+    // s of simulated time between two questions: as often as a hand moves. 0: before each step.
+    virtual double period() const { return 0.02; }
 };
 
 } // namespace inspector

@@ -150,6 +150,8 @@ bool Session::openLevel(const Level &level) {
     m_scene = scene;
     m_level = level;
     m_simulation->setScene(scene, stepper, origin());
+    m_followsTrack = false; // that ended it
+    showTrack(nullptr);
     levelBoard();
     const bool isFlown = !m_hasAutopilot || fly(&error);
     if (!isFlown) {
@@ -276,6 +278,7 @@ bool Session::setAutopilot(bool isOn) {
     if (m_replay) return refuseInReplay();
     if (isOn == m_hasAutopilot) return true;
     takeOver();
+    followTrack(false);
     QString error;
     if (isOn && !fly(&error)) return report(error);
     if (!isOn) {
@@ -307,6 +310,7 @@ void Session::advanceKeys(double seconds) {
         m_simulation->run();
     }
     if (m_past) return;
+    if (m_tiltControl.keys().any()) followTrack(false);
     if (!m_keysTilt) {
         if (!m_tiltControl.keys().any()) return;
         m_keysTilt = true;
@@ -327,6 +331,32 @@ void Session::placeBall(const phys_state &state) {
 void Session::setStart(const std::optional<phys_state> &start) {
     m_hasOwnStart = start.has_value();
     m_simulation->setStart(start);
+}
+
+void Session::showTrack(std::shared_ptr<const ShownTrack> track) {
+    followTrack(false);
+    m_track = std::move(track);
+    m_simulation->setTrack(m_track);
+    emit trackChanged();
+}
+
+bool Session::followTrack(bool isOn) {
+    if (isOn == m_followsTrack) return true;
+    if (isOn && (m_replay || !m_track || !m_track->hasTilts())) return false;
+    returnToPresent();
+    if (isOn) setAutopilot(false);
+    m_followsTrack = isOn;
+    setStart(isOn ? std::optional(m_track->start(m_scene.get())) : std::nullopt);
+    m_simulation->setPilot(isOn ? std::make_shared<TrackPilot>(m_track) : nullptr);
+    if (isOn) {
+        m_isTakenOver = true; // no best time
+        m_simulation->restart();
+        m_simulation->run();
+    } else {
+        levelBoard();
+    }
+    emit trackChanged();
+    return true;
 }
 
 void Session::showWayAhead(bool isOn) {

@@ -121,6 +121,15 @@ public:
     void setStart(const std::optional<phys_state> &start);
     bool hasOwnStart() const { return m_hasOwnStart; }
 
+    // ---- a measured ball, laid over the run; forgotten with another level ----
+
+    void showTrack(std::shared_ptr<const ShownTrack> track); // or nullptr
+    const std::shared_ptr<const ShownTrack> &track() const { return m_track; }
+    // On: a run begins where the track's ball was first seen, under the tilts that the track has; best with one that
+    // begins at 0. Off, and also at a key that tilts: the board is the player's again. False if it has no tilts.
+    bool followTrack(bool isOn);
+    bool isFollowingTrack() const { return m_followsTrack; }
+
     // Where the ball goes from the moment shown if nothing changes; empty while it isn't asked for.
     void showWayAhead(bool isOn);
     const WayAhead &wayAhead() const { return m_way; }
@@ -163,6 +172,7 @@ signals:
     void steppersAdded();
     void paceChanged(); // dt or speed
     void autopilotChanged(bool isOn);
+    void trackChanged();                       // another one, or whether it is followed
     void failed(const QString &line);          // a command
     void recordingFailed(const QString &line); // and ended; the simulation goes on
     void recordingChanged(bool isOn);
@@ -260,7 +270,9 @@ private:
     std::unique_ptr<Simulation> m_simulation;
     std::unique_ptr<Comparison> m_comparison;
     WayFinder m_wayFinder;
+    KnownLimit m_knownLimit;
+    std::shared_ptr<const ShownTrack> m_track;
+    bool m_followsTrack = false;
 };
 
 } // namespace inspector
-    KnownLimit m_knownLimit;

@@ -71,12 +71,18 @@ void Presentation::beginRun() {
 
 void Presentation::countStep() { m_meter.count(Clock::now(), m_run->engine().dt()); }
 
+Sample Presentation::sample() const {
+    Sample sample = m_run->engine().sample();
+    if (m_track) m_track->addTo(sample);
+    return sample;
+}
+
 void Presentation::noteStep(double stepTime) {
     countStep();
     const Engine &engine = m_run->engine();
     if (engine.previous().flags & PHYS_OUT) return; // out of the maze it only falls
     leadCompanion();
-    Sample sample = engine.sample();
+    Sample sample = this->sample();
     if (m_companion) m_companion->addTo(sample);
     sample[Channel::StepTime] = stepTime;
     m_samples.append(sample);

@@ -39,11 +39,17 @@ public:
     void endComparison() { m_companion.reset(); }
     void meetCompanion(); // at the ball's present state; one of another scene is gone
 
+    // ---- measured ball ----
+
+    void setTrack(std::shared_ptr<const ShownTrack> track) { m_track = std::move(track); } // or nullptr
+
     // ---- what happened ----
 
     // The state was set from outside: samples and events begin anew.
     void beginRun();
     void countStep();
+    // Of the run's last step, with the measured ball.
+    Sample sample() const;
     // After a step: its sample and events. stepTime: what it took, us, or NaN.
     void noteStep(double stepTime);
     void noteEvents();
@@ -72,6 +78,7 @@ private:
     uint64_t m_impacts = 0;
     std::optional<Companion> m_companion{};
     uint64_t m_companionNumber = 0;
+    std::shared_ptr<const ShownTrack> m_track{};
 };
 
 } // namespace inspector

@@ -19,7 +19,7 @@ struct Column {
 // One thread appends, any others read at the same time, as SlotRing says.
 class SampleRing {
 public:
-    // 8.7 minutes at 1 ms; memory grows with the samples, to some 170 MB.
+    // 8.7 minutes at 1 ms; memory grows with the samples, to some 200 MB.
     static constexpr size_t kDefaultCapacity = size_t(1) << 19;
 
     // capacity: rounded up to a power of two, at least 256.

@@ -92,6 +92,10 @@ void Simulation::setStepper(const Stepper &stepper, const Inputs &inputs, const 
     });
 }
 
+void Simulation::setTrack(std::shared_ptr<const ShownTrack> track) {
+    post([track = std::move(track)](Worker &worker) { worker.presentation.setTrack(track); });
+}
+
 void Simulation::setState(const phys_state &state) {
     post([state](Worker &worker) { worker.live.setState(state); });
 }

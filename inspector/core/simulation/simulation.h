@@ -12,6 +12,7 @@
 #include "core/simulation/latest_value.h"
 #include "core/simulation/sample_ring.h"
 #include "core/simulation/snapshot.h"
+#include "core/track/shown_track.h"
 
 #include <QObject>
 
@@ -55,6 +56,8 @@ public:
     void setStart(const std::optional<phys_state> &start); // of restarts; nothing: the scene's
     void setDt(double dt);                                 // s, > 0
     void setSpeed(double speed); // clamped to kSlowest .. kFastest; changes how many steps run, never dt
+    // Its places go into samples from the next step on, beside the ball's; or nullptr.
+    void setTrack(std::shared_ptr<const ShownTrack> track);
     void setPilot(std::shared_ptr<const Pilot> pilot); // or nullptr: the tilt of the inputs counts
     // Notes every step from now on, in the place of a recording before, until one can't be written.
     void startRecording(const QString &file, const Origin &origin);

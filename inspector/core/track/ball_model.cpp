@@ -59,7 +59,39 @@ private:
     bool m_isRefused = false;
 };
 
+// Measured with noise, a ball that leans on a wall seems to be in it.
+void pushOutOfWalls(const phys_scene *scene, phys_vec3 &centre) {
+    constexpr int kPasses = 4;
+    for (int pass = 0; pass < kPasses; ++pass) {
+        std::array<phys_contact, 16> contacts;
+        uint32_t count = 0;
+        phys_scene_contacts(scene, &centre, 0.0, contacts.data(), uint32_t(contacts.size()), &count);
+        bool isFree = true;
+        for (uint32_t i = 0; i < std::min<uint32_t>(count, 16); ++i) {
+            const phys_contact &contact = contacts[i];
+            if (contact.gap >= 0.0 || contact.normal.z > 0.5) continue;
+            centre.x -= contact.gap * contact.normal.x * (1.0 + 1e-9);
+            centre.y -= contact.gap * contact.normal.y * (1.0 + 1e-9);
+            isFree = false;
+        }
+        if (isFree) return;
+    }
+}
+
 } // namespace
+
+phys_state rollingState(const phys_scene *scene, const StartGuess &start) {
+    phys_state state;
+    phys_scene_start(scene, &state);
+    state.position.x = start.x;
+    state.position.y = start.y;
+    pushOutOfWalls(scene, state.position);
+    state.velocity = {start.vx, start.vy, 0.0};
+    const double radius = phys_scene_radius(scene);
+    state.spin = {-start.vy / radius, start.vx / radius, 0.0}; // rolls (model.md 2.1)
+    state.flags = 0;
+    return state;
+}
 
 BallModel::BallModel(const Registry &registry, const Scene &scene, const Track &track, QString *error)
     : m_track(track)
@@ -71,7 +103,7 @@ BallModel::BallModel(const Registry &registry, const Scene &scene, const Track &
 
 bool BallModel::run(const BoardGuess &board, const StartGuess &start, size_t first, size_t last,
                     std::vector<TrackPoint> &measured, std::vector<TrackImpact> *impacts) const {
-    Run run(m_stepper.get(), board, stateOf(start), impacts);
+    Run run(m_stepper.get(), board, rollingState(m_scene.get(), start), impacts);
     double time = m_track.points[first].time;
     // The last change that the ball feels already; before the first it is tilted likewise.
     size_t change = size_t(std::upper_bound(m_tilts.begin(), m_tilts.end(), time - board.delay,
@@ -96,38 +128,6 @@ bool BallModel::run(const BoardGuess &board, const StartGuess &start, size_t fir
         measured.push_back(point);
     }
     return isWhole;
-}
-
-phys_state BallModel::stateOf(const StartGuess &start) const {
-    phys_state state;
-    phys_scene_start(m_scene.get(), &state);
-    state.position.x = start.x;
-    state.position.y = start.y;
-    pushOutOfWalls(state.position);
-    state.velocity = {start.vx, start.vy, 0.0};
-    const double radius = phys_scene_radius(m_scene.get());
-    state.spin = {-start.vy / radius, start.vx / radius, 0.0}; // rolls (model.md 2.1)
-    state.flags = 0;
-    return state;
-}
-
-// Measured with noise, a ball that leans on a wall seems to be in it.
-void BallModel::pushOutOfWalls(phys_vec3 &centre) const {
-    constexpr int kPasses = 4;
-    for (int pass = 0; pass < kPasses; ++pass) {
-        std::array<phys_contact, 16> contacts;
-        uint32_t count = 0;
-        phys_scene_contacts(m_scene.get(), &centre, 0.0, contacts.data(), uint32_t(contacts.size()), &count);
-        bool isFree = true;
-        for (uint32_t i = 0; i < std::min<uint32_t>(count, 16); ++i) {
-            const phys_contact &contact = contacts[i];
-            if (contact.gap >= 0.0 || contact.normal.z > 0.5) continue;
-            centre.x -= contact.gap * contact.normal.x * (1.0 + 1e-9);
-            centre.y -= contact.gap * contact.normal.y * (1.0 + 1e-9);
-            isFree = false;
-        }
-        if (isFree) return;
-    }
 }
 
 } // namespace inspector

@@ -22,6 +22,9 @@ struct StartGuess {
     double x, y, vx, vy;
 };
 
+// On the scene's floor; where noise has it in a wall, beside that.
+phys_state rollingState(const phys_scene *scene, const StartGuess &start);
+
 struct TrackImpact {
     double time;  // s
     double x, y;  // m, of the centre, on the board
@@ -44,9 +47,6 @@ public:
              std::vector<TrackPoint> &measured, std::vector<TrackImpact> *impacts = nullptr) const;
 
 private:
-    phys_state stateOf(const StartGuess &start) const;
-    void pushOutOfWalls(phys_vec3 &centre) const;
-
     const Track &m_track;
     Scene m_scene;
     Stepper m_stepper;

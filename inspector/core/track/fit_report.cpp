@@ -75,14 +75,15 @@ void addValues(const ModelFit &fit, QStringList &lines) {
 
 } // namespace
 
-QString valueText(const FittedValue &value) {
+QString numbersText(const FittedValue &value) {
     if (!value.isDetermined()) return QStringLiteral("not determined: ") + value.reason;
     const double perUnit = value.quantity.perUnit;
     const double interval = value.halfInterval() / perUnit;
-    return QStringLiteral("%1 ± %2%3")
-        .arg(rounded(value.value / perUnit, interval))
-        .arg(interval, 0, 'g', 2)
-        .arg(unitText(value.quantity.unit));
+    return QStringLiteral("%1 ± %2").arg(rounded(value.value / perUnit, interval)).arg(interval, 0, 'g', 2);
+}
+
+QString valueText(const FittedValue &value) {
+    return numbersText(value) + (value.isDetermined() ? unitText(value.quantity.unit) : QString());
 }
 
 QString verdictText(const TrackFit &fit) {
@@ -109,19 +110,22 @@ QString verdictText(const TrackFit &fit) {
         .arg(whereText(best, fit.noise));
 }
 
-QStringList fitReport(const FitPlan &plan, const TrackFit &fit) {
-    const Track &track = plan.track;
-    const ModelFit &best = fit.best();
-    const double length = track.end() - track.begin();
+QStringList trackReport(const Track &track) {
     QStringList lines{
         QStringLiteral("track %1: %2 points in %3 s, %4 Hz, noise %5 mm%6")
             .arg(track.name)
             .arg(track.points.size())
-            .arg(length, 0, 'g', 4)
+            .arg(track.end() - track.begin(), 0, 'g', 4)
             .arg(1.0 / track.period(), 0, 'g', 4)
-            .arg(fit.noise * kMilli, 0, 'g', 2)
+            .arg(noiseOf(track) * kMilli, 0, 'g', 2)
             .arg(track.tilts.empty() ? QStringLiteral("; tilts not measured: one is looked for") : QString())};
     for (const QString &remark : track.remarks) lines += QStringLiteral("  ") + remark;
+    return lines;
+}
+
+QStringList fitReport(const FitPlan &plan, const TrackFit &fit) {
+    const ModelFit &best = fit.best();
+    QStringList lines = trackReport(plan.track);
     lines += QStringLiteral("verdict: ") + verdictText(fit);
     lines += nameOf(best.model) + QStringLiteral(": ") + breaksText(best);
     addValues(best, lines);

@@ -10,12 +10,16 @@
 namespace inspector {
 
 // 0.00213 ± 0.00004, in people's units; "not determined: no wall is hit" if so.
+QString numbersText(const FittedValue &value);
+// The same with its unit.
 QString valueText(const FittedValue &value);
 
 // Which model it takes, and where the residuals are if none does.
 QString verdictText(const TrackFit &fit);
 
-// The track, the verdict, values with intervals and correlations, bounces, residuals: lines for people.
+// What a track is, and which of its rows were left out: lines for people.
+QStringList trackReport(const Track &track);
+// The same, the verdict, values with intervals and correlations, bounces, residuals.
 QStringList fitReport(const FitPlan &plan, const TrackFit &fit);
 
 // The values as options of the command line; those that the track doesn't determine are left out.

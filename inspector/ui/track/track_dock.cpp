@@ -7,6 +7,8 @@
 #include "ui/parts/described.h"
 #include "ui/parts/file_chooser.h"
 #include "ui/parts/path_icon.h"
+#include "ui/parts/settings_keys.h"
+#include "ui/track/fit_table.h"
 #include "ui/track/residual_plot.h"
 
 #include <QAction>
@@ -24,6 +26,7 @@ TrackDock::TrackDock(Session &session, QUndoStack &undo, QWidget *parent)
     : QWidget(parent)
     , m_session(session)
     , m_undo(undo)
+    , m_quantities(new FitTable)
     , m_report(new QPlainTextEdit)
     , m_residuals(new ResidualPlot) {
     setObjectName(QStringLiteral("track"));
@@ -35,9 +38,10 @@ TrackDock::TrackDock(Session &session, QUndoStack &undo, QWidget *parent)
         tr("A table of a measured ball, with columns t, x, y and, if measured, tilt_x, tilt_y: the fit finds the "
            "friction, the restitution, the tilt's offset and delay with which the computed ball rolls like it."));
     auto *halves = new QSplitter;
+    halves->addWidget(m_quantities);
     halves->addWidget(m_report);
     halves->addWidget(m_residuals);
-    halves->setSizes({550, 450}); // per mille
+    halves->setSizes({420, 270, 310}); // per mille
     halves->setChildrenCollapsible(false);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 4, 6, 6);
@@ -49,11 +53,18 @@ TrackDock::TrackDock(Session &session, QUndoStack &undo, QWidget *parent)
     connect(&m_worker, &FitWorker::progressed, this,
             [this](double share) { m_progress->setValue(int(share * m_progress->maximum())); });
     connect(&m_worker, &FitWorker::ended, this, &TrackDock::showOutcome);
-    connect(&session, &Session::levelOpened, this, [this] { // the fit was of another maze
-        m_worker.cancel();
-        m_outcome.reset();
-        showRunning();
-    });
+    connect(m_file, &QLineEdit::returnPressed, this, &TrackDock::openTrack);
+    connect(m_follow, &QPushButton::clicked, this, &TrackDock::follow);
+    connect(m_quantities, &FitTable::refused, m_report, &QPlainTextEdit::appendPlainText);
+    QSettings &settings = session.settings();
+    m_quantities->want(settings.value(settings_keys::kFitQuantities, usualFitQuantities()).toString());
+    connect(m_quantities, &FitTable::wantedChanged, this,
+            [this, &settings] { settings.setValue(settings_keys::kFitQuantities, m_quantities->words()); });
+    const auto showBegin = [this] { m_quantities->showBegin(m_session.parameters().inputs()); };
+    connect(&session.parameters(), &Parameters::changed, this, showBegin);
+    connect(&session, &Session::trackChanged, this, &TrackDock::showRunning);
+    connect(&session, &Session::levelOpened, this, &TrackDock::forget);
+    showBegin();
     showRunning();
 }
 
@@ -65,7 +76,7 @@ QWidget *TrackDock::makeControls() {
              tr("A file with columns t, x, y and, if measured, tilt_x, tilt_y"));
     QAction *open = m_file->addAction(glyphIcon(Glyph::Open), QLineEdit::TrailingPosition);
     open->setToolTip(tr("Choose a file…"));
-    connect(open, &QAction::triggered, this, &TrackDock::openFile);
+    connect(open, &QAction::triggered, this, &TrackDock::chooseTrackFile);
     m_units = new QLineEdit;
     m_units->setObjectName(QStringLiteral("track_units"));
     m_units->setPlaceholderText(tr("Units: t=ms, x=mm, px=0.25mm, fps=60, mirror=y"));
@@ -73,13 +84,18 @@ QWidget *TrackDock::makeControls() {
     m_fit = new QPushButton(tr("Fit"));
     m_fit->setObjectName(QStringLiteral("track_fit"));
     describe(m_fit, {}, tr("Find the board on which the computed ball rolls like the measured one"));
+    m_follow = new QPushButton(tr("Roll along"));
+    m_follow->setObjectName(QStringLiteral("track_follow"));
+    m_follow->setCheckable(true);
+    describe(m_follow, {}, tr("Start where the measured ball started, under the tilts of its table"));
     m_takeOver = new QPushButton(tr("Take over"));
     m_takeOver->setObjectName(QStringLiteral("track_take_over"));
     describe(m_takeOver, {}, tr("Set model and coefficients to what the fit has found"));
     m_progress = new QProgressBar;
     m_progress->setRange(0, 1000);
     m_progress->setAccessibleName(tr("Progress of the fit"));
-    for (QPushButton *button : {m_fit, m_takeOver}) button->setFocusPolicy(Qt::TabFocus); // keys stay the game's
+    for (QPushButton *button : {m_fit, m_follow, m_takeOver})
+        button->setFocusPolicy(Qt::TabFocus); // keys stay the game's
     auto *controls = new QWidget;
     auto *layout = new QHBoxLayout(controls);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -88,13 +104,58 @@ QWidget *TrackDock::makeControls() {
     layout->addWidget(m_fit);
     layout->addWidget(m_progress, 1);
     layout->addWidget(m_takeOver);
+    layout->addWidget(m_follow);
     return controls;
 }
 
-void TrackDock::openFile() {
+void TrackDock::chooseTrackFile() {
     chooseFile(*this, m_session.settings(),
                {tr("A measured ball"), tr("Tables (*.csv *.txt *.tsv);;All files (*)"), {}, FileUse::Read},
-               [this](const QString &path) { m_file->setText(path); });
+               [this](const QString &path) {
+                   m_file->setText(path);
+                   openTrack();
+               });
+}
+
+bool TrackDock::openTrack() {
+    QString error;
+    m_outcome.reset();
+    m_quantities->forgetFound();
+    m_residuals->clear();
+    const std::optional<TrackUnits> units = parseTrackUnits(m_units->text(), &error);
+    m_track = units ? readTrackFile(m_file->text().trimmed(), *units, &error) : std::nullopt;
+    if (!m_track) {
+        m_session.showTrack(nullptr);
+        m_report->setPlainText(error);
+        return false;
+    }
+    layOver(m_quantities->begin(m_session.parameters().inputs()));
+    m_report->setPlainText(trackReport(*m_track).join(QLatin1Char('\n')));
+    return true;
+}
+
+void TrackDock::layOver(const BoardGuess &board) {
+    m_session.showTrack(std::make_shared<ShownTrack>(*m_track, board, usualBegin(*m_track)));
+}
+
+// From time 0 on, on the board that was found if there is one.
+void TrackDock::follow(bool isOn) {
+    if (isOn && m_track) {
+        const bool isFitted = m_outcome && m_outcome->fit;
+        const BoardGuess board =
+            isFitted ? m_outcome->fit->best().board : m_quantities->begin(m_session.parameters().inputs());
+        m_session.showTrack(std::make_shared<ShownTrack>(*m_track, board, 0.0));
+    }
+    m_session.followTrack(isOn);
+    showRunning();
+}
+
+void TrackDock::forget() {
+    m_worker.cancel();
+    m_outcome.reset();
+    m_track.reset();
+    m_quantities->forgetFound();
+    showRunning();
 }
 
 void TrackDock::showRunning() {
@@ -102,31 +163,27 @@ void TrackDock::showRunning() {
     m_fit->setText(runs ? tr("Cancel") : tr("Fit"));
     m_fit->setEnabled(runs || !m_file->text().trimmed().isEmpty());
     m_progress->setVisible(runs);
+    m_follow->setEnabled(m_session.track() && m_session.track()->hasTilts());
+    m_follow->setChecked(m_session.isFollowingTrack());
     m_takeOver->setEnabled(!runs && !fittedSettings().empty());
 }
 
 void TrackDock::toggle() {
-    m_outcome.reset();
-    m_residuals->clear();
     if (m_worker.isRunning()) {
         m_worker.cancel();
         m_report->setPlainText(tr("Cancelled."));
         return showRunning();
     }
-    QString error;
-    const std::optional<TrackUnits> units = parseTrackUnits(m_units->text(), &error);
-    std::optional<Track> track;
-    if (units) track = readTrackFile(m_file->text().trimmed(), *units, &error);
-    std::optional<std::vector<FitQuantity>> quantities = parseFitQuantities(usualFitQuantities(), &error);
-    if (!track || !quantities) return m_report->setPlainText(error);
-    const Inputs inputs = m_session.parameters().inputs();
-    m_report->setPlainText(tr("Fitting %n points…", nullptr, int(track->points.size())));
+    if (!openTrack()) return;
+    std::vector<FitQuantity> wanted = m_quantities->wanted();
+    if (wanted.empty()) return m_report->setPlainText(tr("Nothing is chosen to look for."));
+    m_report->appendPlainText(tr("Fitting…"));
     m_progress->setValue(0);
     m_worker.start({m_session.registry(),
                     m_session.scene(),
-                    std::move(*track),
-                    {inputs.params, inputs.gravity, {}, 0.0, {}},
-                    std::move(*quantities),
+                    *m_track,
+                    m_quantities->begin(m_session.parameters().inputs()),
+                    std::move(wanted),
                     {}});
     showRunning();
 }
@@ -136,7 +193,10 @@ void TrackDock::showOutcome(const std::shared_ptr<const FitOutcome> &outcome) {
     showRunning();
     if (!outcome->fit) return m_report->setPlainText(outcome->error);
     m_report->setPlainText(fitReport(outcome->plan, *outcome->fit).join(QLatin1Char('\n')));
-    m_residuals->show(outcome->fit->best(), outcome->fit->noise);
+    const ModelFit &best = outcome->fit->best();
+    m_quantities->showFound(best);
+    m_residuals->show(best, outcome->fit->noise);
+    layOver(best.board);
 }
 
 // The model and the coefficients that the track determines.

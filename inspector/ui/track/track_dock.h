@@ -14,9 +14,11 @@ class QUndoStack;
 
 namespace inspector::ui {
 
+class FitTable;
 class ResidualPlot;
 
-// A measured ball: its file, the fit in the background, what it found, and the values to be taken over.
+// A measured ball: its file, laid over the run; the fit in the background, what it found, and the values to be taken
+// over.
 class TrackDock : public QWidget {
     Q_OBJECT
 
@@ -28,7 +30,11 @@ public:
 
 private:
     QWidget *makeControls();
-    void openFile();
+    void chooseTrackFile();
+    bool openTrack(); // as it is typed; says what is wrong with it
+    void layOver(const BoardGuess &board);
+    void follow(bool isOn);
+    void forget(); // the track and the fit, of another maze
     void toggle(); // begins to fit, or cancels
     void showOutcome(const std::shared_ptr<const FitOutcome> &outcome);
     void showRunning();
@@ -39,11 +45,14 @@ private:
     QUndoStack &m_undo;
     FitWorker m_worker;
     std::shared_ptr<const FitOutcome> m_outcome; // of the last fit; may be null
+    std::optional<Track> m_track;
     QLineEdit *m_file;
     QLineEdit *m_units;
     QPushButton *m_fit;
+    QPushButton *m_follow;
     QPushButton *m_takeOver;
     QProgressBar *m_progress;
+    FitTable *m_quantities;
     QPlainTextEdit *m_report;
     ResidualPlot *m_residuals;
 };

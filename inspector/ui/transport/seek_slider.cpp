@@ -8,6 +8,8 @@
 #include <QPainterPath>
 #include <QStyleOptionSlider>
 
+#include <algorithm>
+
 namespace inspector::ui {
 
 namespace {
@@ -34,6 +36,12 @@ void SeekSlider::setRuns(std::vector<int> positions) {
 void SeekSlider::setDifference(std::optional<int> position) {
     if (m_difference == position) return;
     m_difference = position;
+    update();
+}
+
+void SeekSlider::setSpan(std::optional<Span> span) {
+    if (m_span == span) return;
+    m_span = span;
     update();
 }
 
@@ -67,6 +75,11 @@ bool SeekSlider::event(QEvent *event) {
 void SeekSlider::paintEvent(QPaintEvent *event) {
     QSlider::paintEvent(event);
     QPainter painter(this);
+    if (m_span) {
+        const int left = pixelOf(std::clamp(m_span->begin, minimum(), maximum()));
+        const int right = pixelOf(std::clamp(m_span->end, minimum(), maximum()));
+        painter.fillRect(left, height() - 3, right - left + 1, 3, accentsFor(palette()).selected);
+    }
     painter.setPen(palette().color(QPalette::Disabled, QPalette::WindowText));
     for (const int run : m_runs) painter.drawLine(pixelOf(run), height() - 4, pixelOf(run), height());
     if (!m_difference) return;

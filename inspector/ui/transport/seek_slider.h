@@ -18,6 +18,13 @@ public:
 
     void setRuns(std::vector<int> positions);
     void setDifference(std::optional<int> position);
+    // Where there is a measured ball: from one position to another.
+    struct Span {
+        int begin, end;
+        bool operator==(const Span &) const = default;
+    };
+    void setSpan(std::optional<Span> span);
+    const std::optional<Span> &span() const { return m_span; }
     // Where this position is, logical pixels from the left.
     int pixelOf(int position) const;
 
@@ -37,6 +44,7 @@ private:
 
     std::vector<int> m_runs;
     std::optional<int> m_difference;
+    std::optional<Span> m_span;
 };
 
 } // namespace inspector::ui

@@ -115,6 +115,7 @@ void TimeBar::reset() {
 
 void TimeBar::refresh(const Snapshot &now) {
     m_recording->setVisible(m_session.isRecording());
+    showTrack();
     if (!m_session.isReplaying()) return showRun(now);
     const std::optional<ReplayPlace> place = m_session.replayPlace(now);
     if (!place) return;
@@ -133,6 +134,15 @@ void TimeBar::showRun(const Snapshot &now) {
     }
     const QString time = tr("%1 s · step %2").arg(now.current.time, 0, 'f', 3).arg(place);
     m_place->setText(m_session.isInPast() ? tr("%1 of %2").arg(time).arg(run.end - run.begin) : time);
+}
+
+// The samples of the run, one a step, say which step a time is.
+void TimeBar::showTrack() {
+    const std::shared_ptr<const ShownTrack> &track = m_session.track();
+    if (!track || m_session.isReplaying()) return m_slider->setSpan(std::nullopt);
+    const SampleRing &samples = m_session.simulation().samples();
+    const auto notchAt = [&samples](double time) { return notchOf(samples.find(time)); };
+    m_slider->setSpan(SeekSlider::Span{notchAt(track->begin()), notchAt(track->end())});
 }
 
 void TimeBar::showPlace(const ReplayPlace &place, const Snapshot &now) {

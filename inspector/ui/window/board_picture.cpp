@@ -20,6 +20,7 @@ namespace {
 constexpr double kTrailTime = 1.5;         // s, simulated
 constexpr double kComparedTrailTime = 3.0; // s, simulated
 constexpr uint64_t kTrailPoints = 300;
+constexpr size_t kTrackPoints = 1000;
 constexpr double kTrailAlpha = 0.9;
 constexpr float kTrailWidth = 3.0F;     // logical pixels
 constexpr float kBallTrailWidth = 4.0F; // beside a ghost's
@@ -78,6 +79,30 @@ void addGhost(gl::Frame &frame, const SampleRing &samples, const phys_state &sta
     const double begin = std::max(state.time - kComparedTrailTime, afterMeeting);
     const PastWay way{Channel::GhostX, Channel::GhostY, Channel::GhostZ, begin, state};
     frame.trails.push_back({pointsOf(samples, way), toGlm(colour, kTrailAlpha), kGhostTrailWidth});
+}
+
+// The measured ball where it was at that time, on its way, all of which is seen, too.
+void addTrack(gl::Frame &frame, const ShownTrack &track, double time) {
+    const QColor colour = accentsFor(QGuiApplication::palette()).selected;
+    const double height = frame.ball.position.z;
+    gl::Trail all{{}, toGlm(colour, kOldAlpha), kGhostTrailWidth};
+    gl::Trail lately{{}, toGlm(colour, kTrailAlpha), kGhostTrailWidth};
+    const size_t stride = track.points().size() / kTrackPoints + 1;
+    for (size_t i = 0; i < track.points().size(); ++i) {
+        const TrackPoint &point = track.points()[i];
+        if (i % stride == 0) all.points.emplace_back(point.x, point.y, height);
+        const bool isLately = point.time <= time && point.time >= time - kComparedTrailTime;
+        if (isLately) lately.points.emplace_back(point.x, point.y, height);
+    }
+    frame.trails.push_back(std::move(all));
+    const std::optional<ShownTrack::Place> place = track.at(time);
+    if (!place) return;
+    gl::GhostBall ghost{frame.ball, toGlm(colour, kGhostAlpha)};
+    ghost.ball.radius *= kGhostSize;
+    ghost.ball.position = {place->x, place->y, height};
+    lately.points.push_back(ghost.ball.position);
+    frame.ghosts.push_back(ghost);
+    frame.trails.push_back(std::move(lately));
 }
 
 // Where the ball had gone before another way was taken.

@@ -4,6 +4,7 @@
 
 Usage: fit.py LEVEL [TRACK]      TRACK: a table with header t,x,y,tilt_x,tilt_y (s, m, degrees), rows at equal times, of a
 ball that starts at rest; default: one made here, with known numbers and noise of 0.1 mm
+       fit.py --make LEVEL       prints that one as such a table: the inspector's example_track.csv
 
 Levenberg and Marquardt's method: all difference quotients of a step are one batch, each ball on a board of its own.
 """
@@ -96,7 +97,17 @@ def read_track(path):
     return dt, columns[0], columns[1][:-1], None
 
 
+def print_track(dt, seen, tilts):
+    print("t,x,y,tilt_x,tilt_y")
+    for i, (x, y) in enumerate(seen):
+        tilt_x, tilt_y = tilts[min(i, len(tilts) - 1)]
+        print(f"{i * dt:.6f}, {x:.6f}, {y:.6f}, {float(tilt_x)!r}, {float(tilt_y)!r}")
+
+
 def main(arguments):
+    if len(arguments) == 2 and arguments[0] == "--make":
+        print_track(*make_track(lp.Stepper("exact", lp.Scene(arguments[1])))[:3])
+        return 0
     if len(arguments) not in (1, 2):
         print(__doc__, file=sys.stderr)
         return 2

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The engine, stepped by hand.
 #include "scenes.h"
+#include "wall_ahead.h"
 
 #include <cmath>
 
@@ -22,6 +23,8 @@ private slots:
     void pilotsTiltTakesThePlaceOfTheInputs();
     void withoutPilotTheInputsCountAgain();
     void sampleTellsWhatTheStepDid();
+    void sampleTellsTheGapToTheNearestWall();
+    void farFromWallsThereIsNoGap();
 };
 
 namespace {
@@ -144,7 +147,7 @@ void TestEngine::pilotIsAskedOncePerControlPeriod() {
     engine->setDt(0.005);
     engine->setPilot(pilot);
     makeSteps(*engine, 40);
-    QCOMPARE(pilot->questions(), int(40 * 0.005 / Engine::kControlPeriod));
+    QCOMPARE(pilot->questions(), int(40 * 0.005 / pilot->period()));
 }
 
 void TestEngine::pilotsTiltTakesThePlaceOfTheInputs() {
@@ -182,6 +185,19 @@ void TestEngine::sampleTellsWhatTheStepDid() {
     double energy = 0.0;
     phys_energy(engine->scene().get(), &engine->inputs().params, &state, &energy);
     QCOMPARE(sample[Channel::Energy], energy);
+}
+
+// Level and at rest, 0.07 m to the left of a face; the ball's radius is 6 mm.
+void TestEngine::sampleTellsTheGapToTheNearestWall() {
+    const auto engine = engineOn(wallAhead(0.07));
+    makeSteps(*engine, 1);
+    QVERIFY(std::abs(engine->sample()[Channel::WallGap] - (0.07 - 0.006)) < 1e-12);
+}
+
+void TestEngine::farFromWallsThereIsNoGap() {
+    const auto engine = engineOn(wallAhead(0.5));
+    makeSteps(*engine, 1);
+    QVERIFY(std::isnan(engine->sample()[Channel::WallGap]));
 }
 
 QTEST_GUILESS_MAIN(TestEngine)

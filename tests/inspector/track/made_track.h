@@ -2,6 +2,7 @@
 // A track as a camera would see it of a ball on a board whose numbers are known.
 #pragma once
 
+#include "core/setup/tables.h"
 #include "core/track/ball_model.h"
 #include "core/trade/trade_schedule.h"
 
@@ -66,6 +67,20 @@ inline inspector::Track makeTrack(const inspector::Registry &registry, const ins
         track.points.push_back({point.time, point.x + recipe.noise * normal(), point.y + recipe.noise * normal()});
     }
     return track;
+}
+
+// As a camera's program would write it: a row a picture, with the tilt of that moment.
+inline QByteArray csvOf(const inspector::Track &track) {
+    QByteArray csv = "t,x,y,tilt_x,tilt_y\n";
+    size_t tilt = 0;
+    for (const inspector::TrackPoint &point : track.points) {
+        while (tilt + 1 < track.tilts.size() && track.tilts[tilt + 1].time <= point.time + 1e-9) ++tilt;
+        const inspector::Tilt &now = track.tilts[tilt].tilt;
+        for (const double number : {point.time, point.x, point.y, inspector::degrees(now.x), inspector::degrees(now.y)})
+            csv += inspector::exactText(number) + ',';
+        csv.back() = '\n';
+    }
+    return csv;
 }
 
 // A board with numbers drawn from what a hand-built one may have; the tilt's offset and delay unknown.

@@ -2,9 +2,9 @@
 // A measured ball in the window: its file by name, the fit in the background, values taken over and back.
 #include "ui/track/track_dock.h"
 
-#include "core/setup/tables.h"
 #include "inspector/dock_fixture.h"
 #include "inspector/track/made_track.h"
+#include "ui/track/fit_table.h"
 
 #include <QLineEdit>
 #include <QPlainTextEdit>
@@ -24,6 +24,11 @@ private slots:
     void fitTellsTheVerdictAndTheValues();
     void valuesAreTakenOver();
     void oneUndoTakesThemBack();
+    void tableShowsWhatWasFound();
+    void onlyWhatIsTickedIsLookedFor();
+    void typedBeginningsCount();
+    void wrongBeginningIsRefused();
+    void ticksAreRemembered();
     void otherLevelForgetsTheFit();
 
 private:
@@ -41,25 +46,37 @@ private:
         return parameters.value(parameters.indexOf(QLatin1String(id)));
     }
 
+    FitTable &table() { return find<FitTable>("track_quantities"); }
+    int rowOf(const char *label) {
+        for (int row = 0; row < table().rowCount(); ++row)
+            if (table().item(row, FitTable::Name)->text() == QLatin1String(label)) return row;
+        qFatal("no row %s", label);
+    }
+    // With the mouse, onto its box.
+    void tick(const char *label) {
+        const QRect cell = table().visualItemRect(table().item(rowOf(label), FitTable::Name));
+        QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, QPoint(cell.left() + 10, cell.center().y()));
+    }
+    QString text(const char *label, FitTable::Column column) { return table().item(rowOf(label), column)->text(); }
+    // Into the cell of its beginning.
+    void typeBegin(const char *label, const QString &number) {
+        const QPoint place = table().visualItemRect(table().item(rowOf(label), FitTable::Begin)).center();
+        QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, place);
+        QTest::mouseDClick(table().viewport(), Qt::LeftButton, {}, place);
+        auto *edit = qobject_cast<QLineEdit *>(QApplication::focusWidget()); // one before goes a little later
+        QVERIFY(edit);
+        edit->selectAll();
+        QTest::keyClicks(edit, number);
+        QTest::keyClick(edit, Qt::Key_Return);
+        QApplication::processEvents(); // what was typed counts a little later
+    }
+    void fit() {
+        click("track_fit");
+        QTRY_COMPARE_WITH_TIMEOUT(find<QPushButton>("track_fit").text(), QString("Fit"), kLong);
+    }
+
     BoardGuess m_truth = support::drawTruth(PHYS_MODEL_ROLLING, 2);
 };
-
-namespace {
-
-QByteArray csvOf(const Track &track) {
-    QByteArray csv = "t,x,y,tilt_x,tilt_y\n";
-    size_t tilt = 0;
-    for (const TrackPoint &point : track.points) {
-        while (tilt + 1 < track.tilts.size() && track.tilts[tilt + 1].time <= point.time + 1e-9) ++tilt;
-        for (const double number :
-             {point.time, point.x, point.y, degrees(track.tilts[tilt].tilt.x), degrees(track.tilts[tilt].tilt.y)})
-            csv += exactText(number) + ',';
-        csv.back() = '\n';
-    }
-    return csv;
-}
-
-} // namespace
 
 void TestTrackDock::initTestCase() {
     const QString error = open(3);
@@ -68,7 +85,7 @@ void TestTrackDock::initTestCase() {
         support::makeTrack(m_session->registry(), m_session->scene(), m_truth, {.duration = 8.0, .seed = 2});
     QFile file(m_folder.filePath("track.csv"));
     QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write(csvOf(track));
+    file.write(support::csvOf(track));
 }
 
 void TestTrackDock::withoutAFileThereIsNothingToFit() {
@@ -112,6 +129,43 @@ void TestTrackDock::oneUndoTakesThemBack() {
     m_undo.undo();
     QCOMPARE(value("restitution_wall"), 0.5);
     QCOMPARE(value("rolling_friction"), 0.002);
+}
+
+void TestTrackDock::tableShowsWhatWasFound() {
+    QVERIFY2(text("Restitution, walls", FitTable::Found).contains(" ± "),
+             qPrintable(text("Restitution, walls", FitTable::Found)));
+    QCOMPARE(text("Restitution, floor", FitTable::Found), QString()); // wasn't looked for
+    QCOMPARE(text("Restitution, walls", FitTable::Begin), QString("0.5"));
+    QCOMPARE(text("Delay of the tilt", FitTable::Unit), QString("ms"));
+}
+
+void TestTrackDock::onlyWhatIsTickedIsLookedFor() {
+    tick("Delay of the tilt");
+    QVERIFY(table().item(rowOf("Delay of the tilt"), FitTable::Name)->checkState() == Qt::Unchecked);
+    QVERIFY(!table().words().contains("delay"));
+    typeBegin("Delay of the tilt", QString::number(m_truth.delay * 1e3, 'g', 12));
+    fit();
+    QCOMPARE(text("Delay of the tilt", FitTable::Found), QString());
+    QVERIFY2(!report().contains("delay"), qPrintable(report()));
+    QVERIFY2(report().contains("verdict: the rolling model suffices"), qPrintable(report()));
+}
+
+// What isn't looked for is taken for true.
+void TestTrackDock::typedBeginningsCount() {
+    typeBegin("Delay of the tilt", "-200");
+    QCOMPARE(table().begin(m_session->parameters().inputs()).delay, -0.2);
+}
+
+void TestTrackDock::wrongBeginningIsRefused() {
+    typeBegin("Delay of the tilt", "soon");
+    QCOMPARE(table().begin(m_session->parameters().inputs()).delay, -0.2);
+    QVERIFY2(report().endsWith("found 'soon'"), qPrintable(report()));
+}
+
+void TestTrackDock::ticksAreRemembered() {
+    const TrackDock other(*m_session, m_undo);
+    QVERIFY(!other.findChild<FitTable *>("track_quantities")->words().contains("delay"));
+    QVERIFY(other.findChild<FitTable *>("track_quantities")->words().contains("restitution_wall"));
 }
 
 void TestTrackDock::otherLevelForgetsTheFit() {

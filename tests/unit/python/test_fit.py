@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The example that fits a measured ball: it finds what made a track, also one that it reads from a file."""
+import contextlib
+import io
 import os
 import sys
 import tempfile
@@ -15,6 +17,9 @@ import fit  # noqa: E402
 LEVEL = os.environ["LEVEL"]
 
 
+PROJECT = os.path.join(os.path.dirname(lp.__file__), "..", "..", "..")
+
+
 class FitTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -27,6 +32,13 @@ class FitTest(unittest.TestCase):
         self.assertEqual(count, len(self.seen))
         self.assertTrue(np.all(np.abs(numbers - self.truth) < 4 * 1.96 * deviations))
         self.assertLess(abs(rms - 1), 4 / np.sqrt(2 * self.seen.size))
+
+    def test_example_track_is_what_it_prints(self):
+        said = io.StringIO()
+        with contextlib.redirect_stdout(said):
+            fit.main(["--make", os.path.join(PROJECT, "mazes", "levels", "03.txt")])
+        with open(os.path.join(PROJECT, "inspector", "example_track.csv"), encoding="ascii") as file:
+            self.assertEqual(said.getvalue(), file.read())
 
     def test_other_ball_is_followed_a_little_way_only(self):
         """A ball that is pushed aside by a centimetre after two seconds isn't the model's."""

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/track/fit_table.h"
+
+#include "core/setup/numbers.h"
+#include "core/track/fit_report.h"
+
+#include <QHeaderView>
+#include <QSignalBlocker>
+
+namespace inspector::ui {
+
+namespace {
+
+// Typed here: the parameters have a tilt, but no offset of one, and nothing of a track.
+bool isTyped(const FitQuantity &quantity) {
+    return quantity.id.startsWith(QLatin1String("tilt")) || quantity.id.startsWith(QLatin1String("frame")) ||
+           quantity.id == QLatin1String("delay");
+}
+
+} // namespace
+
+FitTable::FitTable(QWidget *parent)
+    : QTableWidget(parent)
+    , m_quantities(fitQuantities()) {
+    setObjectName(QStringLiteral("track_quantities"));
+    setAccessibleName(tr("What the fit looks for"));
+    setColumnCount(kColumnCount);
+    setRowCount(int(m_quantities.size()));
+    setHorizontalHeaderLabels({tr("Look for"), tr("From"), tr("Found ± 95 %"), tr("Unit")});
+    setSelectionMode(QAbstractItemView::NoSelection);
+    setTabKeyNavigation(false); // Tab leaves the table
+    for (int row = 0; row < rowCount(); ++row) {
+        const FitQuantity &quantity = m_quantities[size_t(row)];
+        auto *name = new QTableWidgetItem(quantity.label);
+        name->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable);
+        name->setCheckState(Qt::Unchecked);
+        name->setToolTip(quantity.isOfRigid ? tr("%1; has no effect in the rolling model").arg(quantity.id)
+                                            : quantity.id);
+        setItem(row, Name, name);
+        auto *begin = new QTableWidgetItem;
+        begin->setFlags(isTyped(quantity) ? Qt::ItemIsEnabled | Qt::ItemIsEditable : Qt::NoItemFlags);
+        begin->setToolTip(isTyped(quantity)
+                              ? tr("Where the fit begins, or what it takes for true if it isn't looked for")
+                              : tr("As the parameters have it"));
+        setItem(row, Begin, begin);
+        for (const Column column : {Found, Unit}) {
+            auto *item = new QTableWidgetItem(column == Unit ? quantity.unit : QString());
+            item->setFlags(Qt::ItemIsEnabled);
+            setItem(row, column, item);
+        }
+    }
+    want(usualFitQuantities());
+    verticalHeader()->hide();
+    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    horizontalHeader()->setSectionResizeMode(Found, QHeaderView::Stretch);
+    horizontalHeader()->setHighlightSections(false);
+    connect(this, &QTableWidget::itemChanged, this, &FitTable::read);
+}
+
+std::vector<FitQuantity> FitTable::wanted() const {
+    std::vector<FitQuantity> result;
+    for (int row = 0; row < rowCount(); ++row)
+        if (item(row, Name)->checkState() == Qt::Checked) result.push_back(m_quantities[size_t(row)]);
+    return result;
+}
+
+QString FitTable::words() const {
+    QStringList ids;
+    for (const FitQuantity &quantity : wanted()) ids += quantity.id;
+    return ids.join(QLatin1Char(','));
+}
+
+void FitTable::want(const QString &words) {
+    QString error;
+    const std::optional<std::vector<FitQuantity>> chosen = parseFitQuantities(words, &error);
+    if (!chosen) return;
+    const QSignalBlocker silent(this);
+    for (int row = 0; row < rowCount(); ++row) {
+        const auto isIt = [&](const FitQuantity &one) { return one.id == m_quantities[size_t(row)].id; };
+        const bool isChosen = std::any_of(chosen->begin(), chosen->end(), isIt);
+        item(row, Name)->setCheckState(isChosen ? Qt::Checked : Qt::Unchecked);
+    }
+}
+
+BoardGuess FitTable::begin(const Inputs &inputs) const {
+    BoardGuess board = m_typed;
+    board.params = inputs.params;
+    board.gravity = inputs.gravity;
+    return board;
+}
+
+void FitTable::showBegin(const Inputs &inputs) {
+    BoardGuess board = begin(inputs);
+    const QSignalBlocker silent(this);
+    for (int row = 0; row < rowCount(); ++row) {
+        const FitQuantity &quantity = m_quantities[size_t(row)];
+        item(row, Begin)->setText(QString::number(quantity.of(board) / quantity.perUnit, 'g', 6));
+    }
+}
+
+// What is refused goes back to what it was.
+void FitTable::read(QTableWidgetItem *item) {
+    if (item->column() == Name) emit wantedChanged();
+    if (item->column() != Begin) return;
+    const FitQuantity &quantity = m_quantities[size_t(item->row())];
+    const NumberRange range{quantity.lower / quantity.perUnit, quantity.upper / quantity.perUnit, quantity.unit};
+    double &number = quantity.of(m_typed);
+    const NumberReading reading = readNumber(item->text(), range);
+    if (reading.value)
+        number = *reading.value * quantity.perUnit;
+    else
+        emit refused(quantity.id + QStringLiteral(": ") + reading.problem);
+    const QSignalBlocker silent(this);
+    item->setText(QString::number(number / quantity.perUnit, 'g', 6));
+}
+
+void FitTable::showFound(const ModelFit &fit) {
+    forgetFound();
+    const QSignalBlocker silent(this);
+    for (int row = 0; row < rowCount(); ++row)
+        for (const FittedValue &value : fit.values)
+            if (value.quantity.id == m_quantities[size_t(row)].id) {
+                item(row, Found)->setText(numbersText(value));
+                item(row, Found)->setToolTip(item(row, Found)->text());
+            }
+}
+
+void FitTable::forgetFound() {
+    const QSignalBlocker silent(this);
+    for (int row = 0; row < rowCount(); ++row) {
+        item(row, Found)->setText({});
+        item(row, Found)->setToolTip({});
+    }
+}
+
+} // namespace inspector::ui

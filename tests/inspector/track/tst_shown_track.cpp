@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// A measured ball beside a run: where it is at the run's times, and a ball that rolls under its tilts.
+#include "core/track/shown_track.h"
+#include "inspector/core/scenes.h"
+#include "inspector/track/made_track.h"
+#include "support/compare.h"
+
+#include <cmath>
+
+using namespace inspector;
+
+class TestShownTrack : public QObject {
+    Q_OBJECT
+
+private slots:
+    void betweenPointsItMovesStraight();
+    void beforeAndAfterItIsNowhere();
+    void gapsAreEmpty();
+    void frameBringsItOntoTheBoard();
+    void timesBeginWhereAsked();
+    void ownTimesStayIfTheyBeginSoon();
+    void tiltsComeWithOffsetAndDelay();
+    void startRollsOnTheFloor();
+    void sampleHasItsPlaceAndTheDistance();
+    void ballThatFollowsItStaysWithIt();
+};
+
+namespace {
+
+// 20 points at 50 a second, 0.1 m/s along x and 0.2 m/s along y.
+Track straight(double begin = 0.0) {
+    Track track;
+    for (int i = 0; i < 20; ++i) track.points.push_back({begin + 0.02 * i, 0.002 * i, 0.004 * i});
+    track.tilts = {{begin, {0.01, 0.0}}, {begin + 0.2, {0.0, 0.03}}};
+    return track;
+}
+
+BoardGuess plain() { return {initialInputs().params, 9.81, {}, 0.0, {}}; }
+
+} // namespace
+
+void TestShownTrack::betweenPointsItMovesStraight() {
+    const ShownTrack shown(straight(), plain(), 0.0);
+    const auto place = shown.at(0.105);
+    QVERIFY(place);
+    COMPARE_WITHIN(place->x, 0.0105, 1e-15);
+    COMPARE_WITHIN(place->y, 0.021, 1e-15);
+    COMPARE_WITHIN(place->vx, 0.1, 1e-12);
+    COMPARE_WITHIN(place->vy, 0.2, 1e-12);
+}
+
+void TestShownTrack::beforeAndAfterItIsNowhere() {
+    const ShownTrack shown(straight(), plain(), 1.0);
+    QVERIFY(!shown.at(0.999));
+    QVERIFY(shown.at(1.0));
+    QVERIFY(shown.at(1.38));
+    QVERIFY(!shown.at(1.381));
+}
+
+void TestShownTrack::gapsAreEmpty() {
+    Track track = straight();
+    track.points.erase(track.points.begin() + 5, track.points.begin() + 9);
+    const ShownTrack shown(track, plain(), 0.0);
+    QVERIFY(shown.at(0.079));
+    QVERIFY(!shown.at(0.1));
+    QVERIFY(shown.at(0.181));
+}
+
+void TestShownTrack::frameBringsItOntoTheBoard() {
+    BoardGuess board = plain();
+    board.frame = {2.0, radians(90.0), 0.5, 0.0};
+    const ShownTrack shown(straight(), board, 0.0);
+    const auto place = shown.at(0.2);
+    COMPARE_WITHIN(place->x, 0.5 - 2.0 * 0.04, 1e-12);
+    COMPARE_WITHIN(place->y, 2.0 * 0.02, 1e-12);
+}
+
+void TestShownTrack::timesBeginWhereAsked() {
+    const ShownTrack shown(straight(1234.5), plain(), 0.25);
+    COMPARE_EXACT(shown.begin(), 0.25);
+    COMPARE_WITHIN(shown.end(), 0.25 + 0.38, 1e-9);
+}
+
+void TestShownTrack::ownTimesStayIfTheyBeginSoon() {
+    COMPARE_EXACT(usualBegin(straight(0.01)), 0.01);
+    COMPARE_EXACT(usualBegin(straight(1234.5)), 0.0);
+    COMPARE_EXACT(usualBegin(straight(-3.0)), 0.0);
+}
+
+void TestShownTrack::tiltsComeWithOffsetAndDelay() {
+    BoardGuess board = plain();
+    board.tiltOffset = {0.001, 0.002};
+    board.delay = 0.05;
+    const ShownTrack shown(straight(), board, 0.0);
+    COMPARE_EXACT(shown.tiltAt(0.0).x, 0.011);
+    COMPARE_EXACT(shown.tiltAt(0.249).x, 0.011);
+    COMPARE_EXACT(shown.tiltAt(0.25).x, 0.001);
+    COMPARE_EXACT(shown.tiltAt(0.25).y, 0.032);
+}
+
+void TestShownTrack::startRollsOnTheFloor() {
+    const Scene scene = openFloor();
+    const phys_state start = ShownTrack(straight(), plain(), 0.0).start(scene.get());
+    COMPARE_WITHIN(start.velocity.x, 0.1, 1e-9);
+    COMPARE_WITHIN(start.spin.y, start.velocity.x / phys_scene_radius(scene.get()), 1e-9);
+    COMPARE_EXACT(start.time, 0.0);
+}
+
+void TestShownTrack::sampleHasItsPlaceAndTheDistance() {
+    const ShownTrack shown(straight(), plain(), 0.0);
+    Sample sample;
+    sample.values.fill(std::nan(""));
+    sample.time = 0.1;
+    sample[Channel::PositionX] = 0.01 + 0.003;
+    sample[Channel::PositionY] = 0.02 + 0.004;
+    shown.addTo(sample);
+    COMPARE_WITHIN(sample[Channel::TrackX], 0.01, 1e-15);
+    COMPARE_WITHIN(sample[Channel::TrackY], 0.02, 1e-15);
+    COMPARE_WITHIN(sample[Channel::TrackSpeed], std::hypot(0.1, 0.2), 1e-12);
+    COMPARE_WITHIN(sample[Channel::TrackDistance], 0.005, 1e-15);
+    sample.time = 5.0;
+    sample[Channel::TrackX] = std::nan("");
+    shown.addTo(sample);
+    QVERIFY(std::isnan(sample[Channel::TrackX]));
+}
+
+// Computed by "exact" under the tilts that a track was made with: at its points both are the same but for rounding.
+void TestShownTrack::ballThatFollowsItStaysWithIt() {
+    const Registry registry = makeRegistry(nullptr);
+    const Scene scene = openFloor();
+    const Track track = support::makeTrack(registry, scene, plain(), {.duration = 2.0, .rate = 100.0, .noise = 0.0});
+    const auto shown = std::make_shared<ShownTrack>(track, plain(), 0.0);
+    Engine engine(scene, makeStepper(registry, "exact", scene, nullptr));
+    Inputs inputs = initialInputs();
+    engine.setInputs(inputs);
+    engine.setPilot(std::make_shared<TrackPilot>(shown));
+    engine.setDt(0.01);
+    for (int i = 0; i < 200; ++i) {
+        QVERIFY(engine.step(nullptr));
+        Sample sample = engine.sample();
+        shown->addTo(sample);
+        if (i < 199) QVERIFY(sample[Channel::TrackDistance] < 1e-6); // of the last point's time by rounding
+    }
+    QVERIFY(std::hypot(engine.state().velocity.x, engine.state().velocity.y) > 0.01);
+}
+
+QTEST_GUILESS_MAIN(TestShownTrack)
+#include "tst_shown_track.moc"

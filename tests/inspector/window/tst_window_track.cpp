@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// A measured ball laid over the run: in the view, in plots, on the time bar; and a ball that rolls along.
+#include "inspector/track/made_track.h"
+#include "ui/plots/plot_stack.h"
+#include "ui/transport/seek_slider.h"
+#include "ui/window/board_picture.h"
+#include "window_fixture.h"
+
+#include <QFile>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPlainTextEdit>
+#include <QPushButton>
+
+#include <cmath>
+
+using namespace window_test;
+using namespace inspector;
+
+class TestWindowTrack : public QObject {
+    Q_OBJECT
+
+public:
+    static void initMain() { prepare(); }
+
+private slots:
+    void init();
+    void cleanup() { m_fixture.reset(); }
+    void openedTrackIsABallAndATrail();
+    void whereItEndsThereIsNoBall();
+    void plotsChooseItsCurves();
+    void timeBarShowsItsSpan();
+    void otherLevelForgetsIt();
+    void rollAlongStartsWhereItStarted();
+    void keysTakeTheBoardBack();
+
+private:
+    void openTrack();
+    Snapshot now() { return m_fixture->simulation().latest(); }
+    gl::Frame frame() { return ui::currentFrame(m_fixture->session()); }
+    QPushButton &follow() { return *m_fixture->find<QPushButton>("track_follow"); }
+
+    std::unique_ptr<Fixture> m_fixture;
+    Track m_track;
+};
+
+// 2 s of a ball without noise, from the start of the level.
+void TestWindowTrack::init() {
+    m_fixture = std::make_unique<Fixture>(3);
+    QVERIFY(m_fixture->isReady());
+    const BoardGuess board{initialInputs().params, 9.81, {}, 0.0, {}};
+    m_track = support::makeTrack(m_fixture->session().registry(), m_fixture->session().scene(), board,
+                                 {.duration = 2.0, .rate = 100.0, .noise = 0.0});
+    QFile file(m_fixture->path("track.csv"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(support::csvOf(m_track));
+}
+
+void TestWindowTrack::openTrack() {
+    m_fixture->press(Qt::Key_7, Qt::ControlModifier);
+    auto *file = m_fixture->find<QLineEdit>("track_file");
+    QTRY_VERIFY(file->isVisible());
+    file->setFocus(Qt::TabFocusReason);
+    QTest::keyClicks(file, m_fixture->path("track.csv"));
+    QTest::keyClick(file, Qt::Key_Return);
+    QVERIFY2(m_fixture->session().track(), qPrintable(m_fixture->find<QPlainTextEdit>("track_report")->toPlainText()));
+}
+
+void TestWindowTrack::openedTrackIsABallAndATrail() {
+    QCOMPARE(frame().ghosts.size(), size_t(0));
+    const size_t trails = frame().trails.size();
+    openTrack();
+    m_fixture->makeSteps(50);
+    const gl::Frame shown = frame();
+    QCOMPARE(shown.ghosts.size(), size_t(1));
+    const TrackPoint &point = m_track.points[50];
+    QVERIFY(std::hypot(shown.ghosts[0].ball.position.x - point.x, shown.ghosts[0].ball.position.y - point.y) < 1e-6);
+    QCOMPARE(shown.trails.size(), trails + 2);                     // its way, and the last part of it
+    const QString picture = qEnvironmentVariable("TRACK_PICTURE"); // to look at
+    if (!picture.isEmpty()) QVERIFY(m_fixture->window().grabTo(picture, nullptr));
+}
+
+void TestWindowTrack::whereItEndsThereIsNoBall() {
+    openTrack();
+    m_fixture->session().setDt(0.1);
+    m_fixture->makeSteps(25);
+    QCOMPARE(frame().ghosts.size(), size_t(0));
+}
+
+void TestWindowTrack::plotsChooseItsCurves() {
+    openTrack();
+    auto *plots = m_fixture->find<ui::PlotStack>("plots");
+    QMenu menu;
+    plots->fillMenu(menu, &plots->first());
+    for (const char *name : {"track_x", "track_distance", "wall_gap"}) {
+        auto *entry = menu.findChild<QAction *>(name);
+        QVERIFY2(entry, name);
+        entry->trigger();
+    }
+    m_fixture->makeSteps(20);
+    Sample sample;
+    QVERIFY(m_fixture->simulation().samples().read(19, sample));
+    QVERIFY(std::abs(sample[Channel::TrackX] - m_track.points[20].x) < 1e-6);
+    QVERIFY(sample[Channel::TrackDistance] >= 0.0);
+    QVERIFY(sample[Channel::WallGap] > 0.0);
+    QVERIFY(ui::textOf(plots->first().content()).endsWith("track_x,track_distance,wall_gap"));
+}
+
+// 2 s of 4 s that were run.
+void TestWindowTrack::timeBarShowsItsSpan() {
+    openTrack();
+    m_fixture->session().setDt(0.1);
+    m_fixture->makeSteps(40);
+    m_fixture->window().refresh();
+    const auto *slider = m_fixture->find<ui::SeekSlider>("time_slider");
+    QVERIFY(slider->span());
+    QCOMPARE(slider->span()->begin, 0);
+    QCOMPARE(slider->span()->end, 19); // the step that ends at 2 s is the 20th
+    m_fixture->session().showTrack(nullptr);
+    m_fixture->window().refresh();
+    QVERIFY(!slider->span());
+}
+
+void TestWindowTrack::otherLevelForgetsIt() {
+    openTrack();
+    QVERIFY(m_fixture->session().openLevel(m_fixture->session().levels().at(1)));
+    QVERIFY(!m_fixture->session().track());
+    QVERIFY(!follow().isEnabled());
+}
+
+void TestWindowTrack::rollAlongStartsWhereItStarted() {
+    openTrack();
+    m_fixture->session().setStepper("exact");
+    click(&follow());
+    QVERIFY(follow().isChecked());
+    QTRY_VERIFY(now().current.time > 1.0);
+    Sample sample;
+    QVERIFY(m_fixture->simulation().samples().read(50, sample));
+    QVERIFY2(sample[Channel::TrackDistance] < 1e-4, qPrintable(QString::number(sample[Channel::TrackDistance])));
+}
+
+void TestWindowTrack::keysTakeTheBoardBack() {
+    openTrack();
+    click(&follow());
+    QVERIFY(m_fixture->session().isFollowingTrack());
+    m_fixture->window().view().setFocus();
+    QTest::keyPress(&m_fixture->window().view(), Qt::Key_Left);
+    QTRY_VERIFY(!m_fixture->session().isFollowingTrack());
+    QTest::keyRelease(&m_fixture->window().view(), Qt::Key_Left);
+    QVERIFY(!follow().isChecked());
+}
+
+QTEST_MAIN(TestWindowTrack)
+#include "tst_window_track.moc"
