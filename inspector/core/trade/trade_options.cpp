@@ -58,7 +58,11 @@ bool makeSchedules(const QString &words, double duration, TradePlan &plan, QStri
     plan.schedules.clear();
     for (const QString &word : isBoth ? QStringList{"autopilot", "busy"} : QStringList{words}) {
         TiltSchedule schedule = makeSchedule(word, plan, duration, error);
+        const bool isSpare = isBoth && word == QLatin1String("autopilot"); // many a board has no way out
+        if (schedule.switches.empty() && isSpare) continue;
         if (schedule.switches.empty()) return false;
+        if (isBoth && plan.schedules.empty() && !isSpare)
+            schedule.name += QStringLiteral(" (the autopilot finds no way out)");
         plan.schedules.push_back(std::move(schedule));
     }
     // A schedule of one's own is the one that matters; of a kind there are others.

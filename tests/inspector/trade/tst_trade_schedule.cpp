@@ -15,6 +15,7 @@ private slots:
     void randomTiltsRepeatAndStayWithinAPlayersReach();
     void randomTiltsAreTheSameEverywhere();
     void autopilotEndsInTheMaze();
+    void boardWithoutAWayOutHasTheBusyOneAlone();
     void usualStepsNeedNoCutting_data();
     void usualStepsNeedNoCutting();
     void otherStepsAreCutAtASwitch();
@@ -54,6 +55,30 @@ void TestTradeSchedule::randomTiltsAreTheSameEverywhere() {
     const TiltSchedule schedule = randomSchedule(5489, 2500.0); // 5000 switches of two numbers
     const double expected = radians(kPlayTilt) * (double(9981545732273789042ULL >> 11) * 0x1p-52 - 1.0);
     QVERIFY(schedule.switches.back().tilt.y == expected);
+}
+
+// A box of 0.2 m, closed all around.
+void TestTradeSchedule::boardWithoutAWayOutHasTheBusyOneAlone() {
+    const phys_box boxes[] = {{{-0.1, -0.1, -0.01}, {0.1, 0.1, 0.0}},
+                              {{-0.1, 0.1, -0.01}, {0.1, 0.11, 0.02}},
+                              {{-0.1, -0.11, -0.01}, {0.1, -0.1, 0.02}},
+                              {{-0.11, -0.1, -0.01}, {-0.1, 0.1, 0.02}},
+                              {{0.1, -0.1, -0.01}, {0.11, 0.1, 0.02}}};
+    phys_scene_desc description;
+    phys_scene_desc_init(&description, sizeof description);
+    description.boxes = boxes;
+    description.box_count = 5;
+    QString error;
+    TradePlan plan;
+    plan.registry = makeRegistry(&error);
+    plan.scene = makeScene(description, &error);
+    QVERIFY2(plan.scene, qPrintable(error));
+    plan.inputs = initialInputs();
+    QVERIFY(!makeSchedules("autopilot", 2.0, plan, &error));
+    QVERIFY2(makeSchedules("both", 2.0, plan, &error), qPrintable(error));
+    QCOMPARE(plan.schedules.size(), size_t(1));
+    QVERIFY2(plan.schedules[0].name.startsWith("busy, random:"), qPrintable(plan.schedules[0].name));
+    QVERIFY2(plan.schedules[0].name.endsWith("(the autopilot finds no way out)"), qPrintable(plan.schedules[0].name));
 }
 
 void TestTradeSchedule::autopilotEndsInTheMaze() {
