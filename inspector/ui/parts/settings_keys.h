@@ -17,9 +17,9 @@ inline const QString kWatched = QStringLiteral("window/watched");            // 
 inline const QString kFolder = QStringLiteral("window/folder");              // that a file was last chosen in
 inline const QString kShowBounces = QStringLiteral("window/show_bounces");   // in the view
 inline const QString kShowWayAhead = QStringLiteral("window/show_way_ahead");
-inline const QString kRecent = QStringLiteral("window/recent");          // files, newest first
-inline const QString kParameterSets = QStringLiteral("parameter_sets/"); // and a name: its text
+inline const QString kRecent = QStringLiteral("window/recent");           // files, newest first
+inline const QString kParameterSets = QStringLiteral("parameter_sets/");  // and a name: its text
 inline const QString kFitQuantities = QStringLiteral("track/quantities"); // words of parseFitQuantities()
-inline const QString kBounces = QStringLiteral("bounces/");              // and the name of a box of the dock
+inline const QString kBounces = QStringLiteral("bounces/");               // and the name of a box of the dock
 
 } // namespace inspector::ui::settings_keys

@@ -17,7 +17,6 @@ namespace {
 
 constexpr double kReach = 12.0; // px, of the mouse
 
-
 // Around the values, with some air.
 QCPRange rangeOf(const std::vector<double> &values) {
     if (values.empty()) return {1.0, 10.0};
