@@ -304,11 +304,13 @@ private:
     static bool one(void *self, const phys_params &params, double dt, const phys_state &in, phys_state &out,
                     phys_report *report) {
         KnownPlaces &places = *static_cast<KnownPlaces *>(self);
+        const PlanInput input{places.scene(), params, dt, in};
+        if (in.flags == PHYS_AT_REST && !report && stay(input, places.footing(), out)) return true;
         const bool slides = params.model == PHYS_MODEL_RIGID && params.sliding_friction == 0.0;
         if ((params.options & ~static_cast<uint32_t>(PHYS_OPTION_ORIENTATION)) || (report && slides)) return false;
         Lanes lanes; // only the first is used
         setUp(places.scene(), params, dt, lanes);
-        if (!enterAny(places, {places.scene(), params, dt, in}, lanes, 0)) return false;
+        if (!enterAny(places, input, lanes, 0)) return false;
         lanes.x.gravity[0] = params.gravity.x;
         lanes.y.gravity[0] = params.gravity.y;
         lanes.gravityZ[0] = params.gravity.z;

@@ -61,26 +61,6 @@ void finishStep(const DiscreteStep<Scheme> &substep, const PlanInput &input, con
     if (reporter.wanted()) reportTransitions(reporter, input, before, out);
 }
 
-/// The cheapest step: a ball that stands still stays where it is, as the full step would find too. False, with `out`
-/// untouched, if the ball moves or may begin to.
-inline bool stay(const PlanInput &input, LastFooting &footing, phys_state &out) {
-    if (input.params.options != 0 || input.params.stepper[0] != 0.0) return false;
-    const phys_state &in = input.state;
-    const bool isStill = in.velocity.x == 0.0 && in.velocity.y == 0.0 && in.velocity.z == 0.0 && in.spin.x == 0.0 &&
-                         in.spin.y == 0.0 && in.spin.z == 0.0;
-    if (!isStill || !footing.holds(input.params, in.position)) return false;
-    const phys_box &bounds = input.scene.bounds;
-    const bool isInside = in.position.x >= bounds.min.x && in.position.x <= bounds.max.x &&
-                          in.position.y >= bounds.min.y && in.position.y <= bounds.max.y;
-    if (&out != &in) {
-        out.position = in.position;
-        std::memcpy(out.orientation, in.orientation, sizeof out.orientation);
-    }
-    out.velocity = out.spin = {0.0, 0.0, 0.0};
-    out.flags = isInside ? PHYS_AT_REST : PHYS_AT_REST | PHYS_OUT;
-    return true;
-}
-
 /// Whether a step is one substep on the floor for sure, from motion to motion, and asks for nothing else.
 inline bool isSimple(const PlanInput &input) {
     const phys_vec3 &v = input.state.velocity;
