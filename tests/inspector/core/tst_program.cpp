@@ -99,7 +99,7 @@ void TestProgram::tableGoesToStandardOutputAndMessagesDont() {
     const Result result = runOf({"--headless", "--duration", "0.03"});
     QCOMPARE(result.status, 0);
     QVERIFY(result.out.startsWith("time [s],step,"));
-    QVERIFY(result.out.contains("\n0.03,3,"));
+    QVERIFY(result.out.contains("\n0.03, 3,"));
     QVERIFY(result.messages.startsWith("level 01 "));
 }
 
@@ -323,7 +323,7 @@ void TestProgram::aSignalLeavesTableAndRecordingWhole() {
     QFile table(folder.filePath("t"));
     QVERIFY(table.open(QIODevice::ReadOnly));
     const QByteArray text = table.readAll();
-    QVERIFY(text.startsWith("time [s],step,") && text.endsWith('\n') && text.contains("\n10,1000,"));
+    QVERIFY(text.startsWith("time [s],step,") && text.endsWith('\n') && text.contains("\n10, 1000,"));
     QFile recording(folder.filePath("r"));
     QVERIFY(recording.open(QIODevice::ReadOnly));
     QVERIFY(recording.readAll().endsWith("\nend\n"));
