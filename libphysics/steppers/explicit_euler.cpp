@@ -9,7 +9,7 @@ namespace {
 
 /// model.md 10.1: the position moves with the old velocity.
 struct ExplicitEuler {
-    static constexpr Hold kHold = Hold::Explicit;
+    static constexpr ContactRule kContactRule = ContactRule::Explicit;
 
     template<class Law, class V>
     static Advance<V> advance(const Law &law, const V &velocity, double h) {

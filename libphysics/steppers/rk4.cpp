@@ -9,7 +9,7 @@ namespace {
 
 /// model.md 10.1: the classical Runge-Kutta formula; positions come from the same four velocities.
 struct RungeKutta4 {
-    static constexpr Hold kHold = Hold::SecondOrder;
+    static constexpr ContactRule kContactRule = ContactRule::SecondOrder;
 
     template<class Law, class V>
     static Advance<V> advance(const Law &law, const V &v1, double h) {

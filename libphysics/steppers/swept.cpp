@@ -2,7 +2,7 @@
 // Moves to the first impact inside the step, reflects, and goes on with the rest: second order across impacts too, and
 // nothing is tunnelled through at any speed.
 #include "discrete/stepper.h"
-#include "discrete/sweep.h"
+#include "discrete/swept_step.h"
 #include "discrete/velocity_verlet.h"
 #include "registry/built_in_steppers.h"
 
@@ -55,7 +55,7 @@ phys_status sweepStep(const PlanInput &input, phys_state &out, phys_report *repo
         return PHYS_OK;
     }
     if (reporter.wanted()) before.supported = whole.supports(before);
-    Sweep sweep(input, reporter, plan, before);
+    SweptStep sweep(input, reporter, plan, before);
     for (uint32_t events = 0; !sweep.toNextEvent(); ++events) {
         if (events == kEventCap) return refuseEvents(err);
         if (sweep.effort() > kEffortCap) return refuseEffort(err);
@@ -92,6 +92,6 @@ constinit const phys_stepper_api kSwept = {sizeof(phys_stepper_api),
                                            deletePlaces,
                                            step,
                                            requirements,
-                                           LaneStepper<VelocityVerlet, LaneRule::Sweep>::extension};
+                                           LaneStepper<VelocityVerlet, LaneRule::Swept>::extension};
 
 } // namespace phys

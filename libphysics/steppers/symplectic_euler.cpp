@@ -9,7 +9,7 @@ namespace {
 
 /// model.md 10.1: first the velocity, then the position with the new one.
 struct SymplecticEuler {
-    static constexpr Hold kHold = Hold::Symplectic;
+    static constexpr ContactRule kContactRule = ContactRule::Symplectic;
 
     template<class Law, class V>
     static Advance<V> advance(const Law &law, const V &velocity, double h) {

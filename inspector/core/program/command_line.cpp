@@ -325,15 +325,15 @@ void readComparison(const QCommandLineParser &parser, Options &options) {
         if (parser.isSet(name)) throw WrongUse{QStringLiteral("--compare: doesn't go with --%1").arg(name)};
     if (!options.replay.isEmpty() && (options.headless || parser.isSet("check")))
         throw WrongUse{QStringLiteral("--compare: goes with --replay in the window only")};
-    Opponent opponent{parser.value("compare").toUtf8()};
+    GhostChoice ghostChoice{parser.value("compare").toUtf8()};
     phys_stepper_info info;
     phys_error failure;
-    if (phys_registry_find(options.registry.get(), opponent.stepper.constData(), &info, &failure) != PHYS_OK)
+    if (phys_registry_find(options.registry.get(), ghostChoice.stepper.constData(), &info, &failure) != PHYS_OK)
         throw WrongUse{QStringLiteral("--compare: ") + QString::fromUtf8(failure.text)};
     if (parser.isSet("compare-substeps")) {
-        opponent.substeps = int(wholeNumberOf(parser, "compare-substeps", 1, Opponent::kMostSubsteps));
+        ghostChoice.substeps = int(wholeNumberOf(parser, "compare-substeps", 1, GhostChoice::kMostSubsteps));
     }
-    options.comparison = opponent;
+    options.comparison = ghostChoice;
 }
 
 // Values of rows that the second ball has; together with the first ball's others they have to be allowed.

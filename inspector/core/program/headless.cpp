@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/program/headless.h"
 
-#include "core/engine/companion.h"
+#include "core/engine/ghost_engine.h"
 #include "core/pilot/autopilot.h"
 #include "core/program/csv_writer.h"
 #include "core/program/ending.h"
@@ -80,33 +80,33 @@ public:
         m_id = QString::fromUtf8(options.comparison->stepper);
         auto means = makeMeans(options.registry, *options.comparison, engine.scene(), &m_refusal);
         if (means && !options.comparisonSettings.empty()) means->own = ghostsInputs(options, nullptr);
-        if (means) m_companion.emplace(engine, *means, options.stepper);
+        if (means) m_ghost.emplace(engine, *means, options.stepper);
         if (!means) report(messages, QStringLiteral("--compare: ") + m_refusal);
         return means.has_value();
     }
 
     // After a step of the engine.
     void follow(const Engine &engine, Sample &sample) {
-        if (!m_companion || !m_companion->follow(engine, &m_refusal)) return;
-        m_companion->addTo(sample);
-        m_largest = std::max(m_largest, m_companion->deviation().distance);
+        if (!m_ghost || !m_ghost->follow(engine, &m_refusal)) return;
+        m_ghost->addTo(sample);
+        m_largest = std::max(m_largest, m_ghost->deviation().distance);
     }
 
     // False if it wasn't there to the end.
     bool tell(QTextStream &messages) const {
-        if (!m_companion) return true;
+        if (!m_ghost) return true;
         messages << QStringLiteral("distance to %1: %2 mm at the end, at most %3 mm\n")
                         .arg(m_id)
-                        .arg(m_companion->deviation().distance * 1e3, 0, 'g', 4)
+                        .arg(m_ghost->deviation().distance * 1e3, 0, 'g', 4)
                         .arg(m_largest * 1e3, 0, 'g', 4);
         if (m_refusal.isEmpty()) return true;
-        report(messages, QStringLiteral("--compare: at %1 s: %2").arg(m_companion->state().time).arg(m_refusal));
+        report(messages, QStringLiteral("--compare: at %1 s: %2").arg(m_ghost->state().time).arg(m_refusal));
         return false;
     }
 
 private:
     QString m_id;
-    std::optional<Companion> m_companion;
+    std::optional<GhostEngine> m_ghost;
     double m_largest = 0.0; // distance, m
     QString m_refusal;
 };

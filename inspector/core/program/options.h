@@ -2,8 +2,8 @@
 // What the command line asks for.
 #pragma once
 
-#include "core/engine/companion.h"
 #include "core/engine/engine.h"
+#include "core/engine/ghost_engine.h"
 #include "core/setup/handles.h"
 #include "core/setup/levels.h"
 #include "core/setup/parameters.h"
@@ -47,7 +47,7 @@ struct Options {
     QString record;                 // file to write a recording to; empty: none
     QString replay;                 // recording, of Action::Replay, in the window unless headless
     bool check = false;             // say whether the replay is the same, instead of writing its table
-    std::optional<Opponent> comparison;
+    std::optional<GhostChoice> comparison;
     std::vector<Setting> comparisonSettings; // the second ball's own parameters; empty: the first's
     TradeOptions trade;                      // of Action::Trade
     FitOptions fit;                          // of Action::Fit

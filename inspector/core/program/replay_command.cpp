@@ -16,8 +16,8 @@ namespace {
 // What the table's first lines say: as the recording began.
 Options tableOptions(const Options &options, const Recording &recording) {
     Options result = options;
-    if (recording.stretches.empty()) return result;
-    const Conditions &first = recording.stretches.front().conditions;
+    if (recording.segments.empty()) return result;
+    const Conditions &first = recording.segments.front().conditions;
     result.level = levelOfFile(first.maze.path);
     result.stepper = first.stepper.id;
     result.dt = first.dt;

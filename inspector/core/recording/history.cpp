@@ -36,7 +36,7 @@ uint64_t Past::placeAt(double time, uint64_t place) const {
         before = &keyframe;
     }
     if (!before) return begin + first;
-    const double dt = recording->stretch(before->stretch).conditions.dt;
+    const double dt = recording->segment(before->segment).conditions.dt;
     const double steps = std::ceil((time - before->state.time) / dt - 1e-6);
     return begin + std::clamp(before->position + uint64_t(std::max(steps, 0.0)), first, last);
 }
@@ -79,13 +79,13 @@ void History::dropOldest() {
         m_blocks.pop_front();
 }
 
-Stretch History::stretchOf(const Block &block, bool isFirst) {
+Segment History::segmentOf(const Block &block, bool isFirst) {
     const Origin &origin = block.place->origin;
-    Stretch stretch;
-    stretch.conditions = {origin.maze, {origin.stepper.id, origin.stepper.version}, block.dt, block.inputs};
-    if (block.isRun || isFirst) stretch.from = block.from;
-    stretch.hashes = block.hashes;
-    return stretch;
+    Segment segment;
+    segment.conditions = {origin.maze, {origin.stepper.id, origin.stepper.version}, block.dt, block.inputs};
+    if (block.isRun || isFirst) segment.from = block.from;
+    segment.hashes = block.hashes;
+    return segment;
 }
 
 // One entry a maze, with the scene that it was opened as last.
@@ -110,12 +110,12 @@ std::optional<Past> History::past(uint64_t from, uint64_t to, QString *error) co
     const Place *place = nullptr;
     for (const Block &block : m_blocks) {
         if (block.begin + block.hashes.size() <= from || block.begin >= to) continue;
-        const bool isFirst = recording.stretches.empty();
+        const bool isFirst = recording.segments.empty();
         if (isFirst) past.begin = block.begin;
-        recording.stretches.push_back(stretchOf(block, isFirst));
-        std::vector<uint64_t> &hashes = recording.stretches.back().hashes;
+        recording.segments.push_back(segmentOf(block, isFirst));
+        std::vector<uint64_t> &hashes = recording.segments.back().hashes;
         hashes.resize(std::min<uint64_t>(hashes.size(), to - block.begin));
-        past.keyframes.push_back({block.begin - past.begin, recording.stretches.size() - 1, block.from, block.sums});
+        past.keyframes.push_back({block.begin - past.begin, recording.segments.size() - 1, block.from, block.sums});
         if (block.place.get() != place) addMaze(mazes, *block.place);
         place = block.place.get();
     }

@@ -72,7 +72,7 @@ private:
     void openBlock(const Engine &engine, bool isRun);
     void dropOldest();
     static void addMaze(std::vector<PlayableRecording::Maze> &mazes, const Place &place);
-    static Stretch stretchOf(const Block &block, bool isFirst);
+    static Segment segmentOf(const Block &block, bool isFirst);
 
     uint64_t m_mostSteps;
     Origin m_origin;

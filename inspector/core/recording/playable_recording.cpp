@@ -54,7 +54,7 @@ PlayableRecording::PlayableRecording(Recording recording, Registry registry)
 std::shared_ptr<const PlayableRecording> PlayableRecording::make(Recording recording, const Registry &registry,
                                                                  const std::vector<Level> &levels, QString *error) {
     const std::shared_ptr<PlayableRecording> made(new PlayableRecording(std::move(recording), registry));
-    for (size_t index = 0; index < made->m_recording.stretches.size(); ++index)
+    for (size_t index = 0; index < made->m_recording.segments.size(); ++index)
         if (!made->add(index, levels, error)) return nullptr;
     return made;
 }
@@ -63,13 +63,13 @@ std::shared_ptr<const PlayableRecording> PlayableRecording::ofMazes(Recording re
                                                                     std::vector<Maze> mazes, QString *error) {
     const std::shared_ptr<PlayableRecording> made(new PlayableRecording(std::move(recording), registry));
     made->m_mazes = std::move(mazes);
-    for (size_t index = 0; index < made->m_recording.stretches.size(); ++index)
+    for (size_t index = 0; index < made->m_recording.segments.size(); ++index)
         if (!made->add(index, {}, error)) return nullptr;
     return made;
 }
 
 bool PlayableRecording::add(size_t index, const std::vector<Level> &levels, QString *error) {
-    const Stretch &now = stretch(index);
+    const Segment &now = segment(index);
     const auto refuse = [&](int line, const QString &reason) {
         if (error) *error = QStringLiteral("%1:%2: %3").arg(oneLine(m_recording.file)).arg(line).arg(reason);
         return false;
@@ -98,19 +98,19 @@ std::optional<size_t> PlayableRecording::addMaze(const MazeSource &source, const
     return m_mazes.size() - 1;
 }
 
-// That of the stretch before, if it is the same: most stretches differ by a tilt.
+// That of the segment before, if it is the same: most segments differ by a tilt.
 Stepper PlayableRecording::stepperFor(size_t index, size_t maze, QString *error) const {
-    const QByteArray &id = stretch(index).conditions.stepper.id;
-    const bool isSame = index > 0 && m_places.back().maze == maze && stretch(index - 1).conditions.stepper.id == id;
+    const QByteArray &id = segment(index).conditions.stepper.id;
+    const bool isSame = index > 0 && m_places.back().maze == maze && segment(index - 1).conditions.stepper.id == id;
     return isSame ? m_places.back().stepper : makeStepper(m_registry, id, m_mazes[maze].scene, error);
 }
 
 uint64_t PlayableRecording::positionAt(double seconds) const {
     for (size_t index = 0; index < m_places.size(); ++index) {
-        const double dt = stretch(index).conditions.dt;
+        const double dt = segment(index).conditions.dt;
         const double steps = std::round(seconds / dt); // rounded: 0.3 s are 30 steps of 0.01 s, not 29
-        if (steps < double(stretch(index).hashes.size())) return begin(index) + uint64_t(std::max(0.0, steps));
-        seconds -= dt * double(stretch(index).hashes.size());
+        if (steps < double(segment(index).hashes.size())) return begin(index) + uint64_t(std::max(0.0, steps));
+        seconds -= dt * double(segment(index).hashes.size());
     }
     return m_length;
 }

@@ -38,10 +38,10 @@ public:
     // Where runs begin, in order; the first is 0.
     const std::vector<uint64_t> &runs() const { return m_runs; }
 
-    // Of stretch `index`, 0 .. recording().stretches.size() - 1.
-    const Stretch &stretch(size_t index) const { return m_recording.stretches[index]; }
+    // Of segment `index`, 0 .. recording().segments.size() - 1.
+    const Segment &segment(size_t index) const { return m_recording.segments[index]; }
     uint64_t begin(size_t index) const { return m_places[index].begin; } // steps before it
-    uint64_t end(size_t index) const { return begin(index) + stretch(index).hashes.size(); }
+    uint64_t end(size_t index) const { return begin(index) + segment(index).hashes.size(); }
     const Level &level(size_t index) const { return m_mazes[m_places[index].maze].level; } // as found here
     const Scene &scene(size_t index) const { return m_mazes[m_places[index].maze].scene; }
     const Stepper &stepper(size_t index) const { return m_places[index].stepper; }
@@ -64,7 +64,7 @@ private:
     Registry m_registry;
     uint64_t m_length = 0;
     std::vector<Maze> m_mazes;   // each once
-    std::vector<Place> m_places; // of the stretches
+    std::vector<Place> m_places; // of the segments
     std::vector<uint64_t> m_runs;
 };
 

@@ -16,7 +16,7 @@ public:
     // Steps from one keyframe to the next, and so the most that it takes to go anywhere. 160 bytes each.
     static constexpr uint64_t kKeyframeInterval = 512;
 
-    // At the beginning of a recording that has a stretch.
+    // At the beginning of a recording that has a segment.
     explicit Player(std::shared_ptr<const PlayableRecording> recording);
     // Of one whose keyframes are known, the first at 0: nothing is left to be checked.
     Player(std::shared_ptr<const PlayableRecording> recording, std::vector<Keyframe> keyframes);
@@ -37,7 +37,7 @@ public:
 
     const Engine &engine() const { return m_shown.engine(); }
     uint64_t position() const { return m_shown.position(); }
-    size_t stretch() const { return m_shown.stretch(); } // of the last step
+    size_t segment() const { return m_shown.segment(); } // of the last step
     // True if the next step begins a run; shows the state that it begins with.
     bool enterRun();
     // The next step; false at the end.

@@ -46,9 +46,9 @@ struct Conditions {
 };
 
 // Steps in a row under the same conditions.
-struct Stretch {
+struct Segment {
     Conditions conditions;
-    std::optional<phys_state> from; // before the first of them; nothing: goes on from the stretch before
+    std::optional<phys_state> from; // before the first of them; nothing: goes on from the segment before
     std::vector<uint64_t> hashes;   // phys_state_hash after each step
     QString failure;                // the library's line if the step after these failed; else empty
     int mazeLine = 0;               // of the file
@@ -59,7 +59,7 @@ struct Recording {
     QString file;
     QString program; // with its version
     QString library; // its version
-    std::vector<Stretch> stretches;
+    std::vector<Segment> segments;
     bool isWhole = false; // ends as written by a program that wasn't interrupted
 
     uint64_t stepCount() const;

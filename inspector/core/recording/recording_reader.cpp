@@ -96,7 +96,7 @@ private:
     void readState(const QByteArrayList &fields);
     void readFailure(const QByteArrayList &fields);
     void readEnd(const QByteArrayList &) { m_recording.isWhole = true; }
-    Stretch &stretch();
+    Segment &segment();
     void checkConditions() const;
 
     const Registry &m_registry;
@@ -107,7 +107,7 @@ private:
     int m_line = 0;
     int m_mazeLine = 0;
     int m_stepperLine = 0;
-    bool m_isOpen = false;    // the last stretch goes on
+    bool m_isOpen = false;    // the last segment goes on
     bool m_needsState = true; // a level doesn't say where the ball is
 };
 
@@ -132,7 +132,7 @@ void Reader::read(const QByteArray &line) {
     if (m_recording.isWhole) fail(QStringLiteral("nothing after 'end'"), line);
     const bool isHash = line.size() == 16 && !line.contains(' ');
     if (isHash)
-        stretch().hashes.push_back(hash(line));
+        segment().hashes.push_back(hash(line));
     else
         readWord(line);
 }
@@ -245,19 +245,19 @@ void Reader::readState(const QByteArrayList &fields) {
 }
 
 void Reader::readFailure(const QByteArrayList &fields) {
-    Stretch &last = stretch();
+    Segment &last = segment();
     last.failure = QString::fromUtf8(fields[0]);
     m_isOpen = false;
 }
 
 // The one that the next step belongs to.
-Stretch &Reader::stretch() {
-    if (m_isOpen) return m_recording.stretches.back();
+Segment &Reader::segment() {
+    if (m_isOpen) return m_recording.segments.back();
     checkConditions();
-    m_recording.stretches.push_back({m_conditions, m_from, {}, {}, m_mazeLine, m_stepperLine});
+    m_recording.segments.push_back({m_conditions, m_from, {}, {}, m_mazeLine, m_stepperLine});
     m_from.reset();
     m_isOpen = true;
-    return m_recording.stretches.back();
+    return m_recording.segments.back();
 }
 
 void Reader::checkConditions() const {

@@ -54,7 +54,7 @@ QByteArray hashText(uint64_t hash) { return QByteArray::number(qulonglong(hash),
 
 uint64_t Recording::stepCount() const {
     uint64_t count = 0;
-    for (const Stretch &stretch : stretches) count += stretch.hashes.size();
+    for (const Segment &segment : segments) count += segment.hashes.size();
     return count;
 }
 
@@ -109,14 +109,14 @@ QByteArray recordingEnd() { return "end\n"; }
 QByteArray recordingText(const Recording &recording, const Registry &registry) {
     QByteArray text = recordingHead();
     const Conditions *before = nullptr;
-    for (const Stretch &stretch : recording.stretches) {
+    for (const Segment &segment : recording.segments) {
         phys_stepper_info info{};
-        phys_registry_find(registry.get(), stretch.conditions.stepper.id.constData(), &info, nullptr);
-        text += conditionsText(before, stretch.conditions, info);
-        if (stretch.from) text += stateText(*stretch.from);
-        for (const uint64_t hash : stretch.hashes) text += hashText(hash) + '\n';
-        if (!stretch.failure.isEmpty()) text += failureText(stretch.failure);
-        before = &stretch.conditions;
+        phys_registry_find(registry.get(), segment.conditions.stepper.id.constData(), &info, nullptr);
+        text += conditionsText(before, segment.conditions, info);
+        if (segment.from) text += stateText(*segment.from);
+        for (const uint64_t hash : segment.hashes) text += hashText(hash) + '\n';
+        if (!segment.failure.isEmpty()) text += failureText(segment.failure);
+        before = &segment.conditions;
     }
     return text + recordingEnd();
 }

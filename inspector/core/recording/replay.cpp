@@ -17,8 +17,8 @@ QString otherVersions(const PlayableRecording &playable) {
     const QString library = QString::fromUtf8(phys_version());
     if (recording.library != library)
         others += QStringLiteral("libphysics was %1, is %2").arg(recording.library, library);
-    for (const Stretch &stretch : recording.stretches) {
-        const StepperSource &stepper = stretch.conditions.stepper;
+    for (const Segment &segment : recording.segments) {
+        const StepperSource &stepper = segment.conditions.stepper;
         phys_stepper_info info;
         if (phys_registry_find(registry.get(), stepper.id.constData(), &info, nullptr) != PHYS_OK) continue;
         const QString version = QString::fromUtf8(info.version);
@@ -35,20 +35,20 @@ QString otherVersions(const PlayableRecording &playable) {
 
 Replay::Replay(std::shared_ptr<const PlayableRecording> recording)
     : m_recording(std::move(recording)) {
-    if (!m_recording->recording().stretches.empty()) enter(0);
+    if (!m_recording->recording().segments.empty()) enter(0);
 }
 
 void Replay::moveTo(const Keyframe &place) {
-    m_stretch = place.stretch;
+    m_segment = place.segment;
     m_position = place.position;
     m_isStuck = false;
-    takeConditions(m_stretch);
+    takeConditions(m_segment);
     m_engine->setState(place.state, place.sums);
 }
 
 bool Replay::step() {
     if (m_isStuck || !prepare()) return false;
-    const uint64_t expected = m_recording->stretch(m_stretch).hashes[m_position - m_recording->begin(m_stretch)];
+    const uint64_t expected = m_recording->segment(m_segment).hashes[m_position - m_recording->begin(m_segment)];
     const phys_state before = m_engine->state();
     QString failure;
     if (!m_engine->step(&failure)) {
@@ -59,32 +59,32 @@ bool Replay::step() {
     const uint64_t found = phys_state_hash(&m_engine->state());
     if (found != expected) compare(before, text(expected), text(found));
     ++m_position;
-    if (m_position == m_recording->end(m_stretch)) failAsRecorded();
+    if (m_position == m_recording->end(m_segment)) failAsRecorded();
     return true;
 }
 
 bool Replay::prepare() {
-    const size_t count = m_recording->recording().stretches.size();
+    const size_t count = m_recording->recording().segments.size();
     if (count == 0) return false;
-    while (m_position == m_recording->end(m_stretch)) {
-        if (m_stretch + 1 == count) return false;
-        enter(m_stretch + 1);
+    while (m_position == m_recording->end(m_segment)) {
+        if (m_segment + 1 == count) return false;
+        enter(m_segment + 1);
     }
     return true;
 }
 
-void Replay::enter(size_t stretch) {
-    const Stretch &now = m_recording->stretch(stretch);
-    m_stretch = stretch;
-    takeConditions(stretch);
+void Replay::enter(size_t segment) {
+    const Segment &now = m_recording->segment(segment);
+    m_segment = segment;
+    takeConditions(segment);
     if (now.from) m_engine->setState(*now.from);
     if (now.hashes.empty()) failAsRecorded();
 }
 
-void Replay::takeConditions(size_t stretch) {
-    const Conditions &now = m_recording->stretch(stretch).conditions;
-    const Scene &scene = m_recording->scene(stretch);
-    const Stepper &stepper = m_recording->stepper(stretch);
+void Replay::takeConditions(size_t segment) {
+    const Conditions &now = m_recording->segment(segment).conditions;
+    const Scene &scene = m_recording->scene(segment);
+    const Stepper &stepper = m_recording->stepper(segment);
     if (!m_engine)
         m_engine = std::make_unique<Engine>(scene, stepper);
     else if (m_engine->scene() != scene)
@@ -97,7 +97,7 @@ void Replay::takeConditions(size_t stretch) {
 
 // A step that failed left the state as it was, and the run went on from there.
 void Replay::failAsRecorded() {
-    const QString &expected = m_recording->stretch(m_stretch).failure;
+    const QString &expected = m_recording->segment(m_segment).failure;
     if (expected.isEmpty()) return;
     QString failure;
     const phys_state before = m_engine->state();

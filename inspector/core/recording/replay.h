@@ -24,7 +24,7 @@ struct Difference {
 // A place in a recording to which a replay can go back.
 struct Keyframe {
     uint64_t position = 0;
-    size_t stretch = 0; // of the step before
+    size_t segment = 0; // of the step before
     phys_state state{};
     EnergySums sums;
 };
@@ -40,23 +40,23 @@ public:
     // Makes the next step. False at the end, which is also where a step fails that didn't: `difference` tells it.
     bool step();
     uint64_t position() const { return m_position; } // steps made
-    size_t stretch() const { return m_stretch; }     // of the last step
-    // As after the last step; there is one if the recording has a stretch.
+    size_t segment() const { return m_segment; }     // of the last step
+    // As after the last step; there is one if the recording has a segment.
     const Engine &engine() const { return *m_engine; }
     const std::optional<Difference> &difference() const { return m_difference; } // the first that was met
 
-    Keyframe keyframe() const { return {m_position, m_stretch, m_engine->state(), m_engine->sums()}; }
+    Keyframe keyframe() const { return {m_position, m_segment, m_engine->state(), m_engine->sums()}; }
     void moveTo(const Keyframe &place); // of this recording
 
 private:
-    void enter(size_t stretch);
-    void takeConditions(size_t stretch);
+    void enter(size_t segment);
+    void takeConditions(size_t segment);
     void failAsRecorded();
     void compare(const phys_state &before, const QString &expected, const QString &found);
 
     std::shared_ptr<const PlayableRecording> m_recording;
     std::unique_ptr<Engine> m_engine;
-    size_t m_stretch = 0;
+    size_t m_segment = 0;
     uint64_t m_position = 0;
     bool m_isStuck = false; // the next step fails although it didn't
     std::optional<Difference> m_difference;

@@ -10,18 +10,16 @@ namespace inspector {
 Comparison::Comparison(Session &session)
     : m_session(session) {
     takeRows();
-    connect(&m_parameters, &Parameters::changed, this,
-            [this] { m_session.simulation().setCompanionInputs(ownInputs()); });
+    connect(&m_parameters, &Parameters::changed, this, [this] { m_session.simulation().setGhostInputs(ownInputs()); });
     connect(&session, &Session::levelOpened, this, &Comparison::begin);
-    connect(&session.simulation(), &Simulation::comparisonRefused, this,
-            [this](uint64_t companion, const QString &line) {
-                if (companion == m_companion) refuse(line); // not one that has gone meanwhile
-            });
+    connect(&session.simulation(), &Simulation::comparisonRefused, this, [this](uint64_t ghost, const QString &line) {
+        if (ghost == m_ghost) refuse(line); // not one that has gone meanwhile
+    });
     connect(&session.simulation(), &Simulation::runBegan, this, &Comparison::forgetRefusal);
 }
 
-void Comparison::start(const Opponent &opponent) {
-    m_opponent = opponent;
+void Comparison::start(const GhostChoice &ghostChoice) {
+    m_ghostChoice = ghostChoice;
     m_isOn = true;
     takeRows();
     begin();
@@ -29,17 +27,17 @@ void Comparison::start(const Opponent &opponent) {
 
 void Comparison::setOn(bool isOn) {
     if (isOn == m_isOn) return;
-    if (isOn) return start(m_opponent);
+    if (isOn) return start(m_ghostChoice);
     m_isOn = false;
     m_refusal.clear();
-    m_companion = 0;
+    m_ghost = 0;
     m_session.simulation().endComparison();
     emit changed();
 }
 
-void Comparison::setOpponent(const Opponent &opponent) {
-    if (opponent == m_opponent) return;
-    m_opponent = opponent;
+void Comparison::setGhostChoice(const GhostChoice &ghostChoice) {
+    if (ghostChoice == m_ghostChoice) return;
+    m_ghostChoice = ghostChoice;
     takeRows();
     begin();
     if (!m_isOn) emit changed();
@@ -51,27 +49,27 @@ void Comparison::meetAgain() { begin(); }
 void Comparison::begin() {
     if (!m_isOn || m_session.isInPast()) return; // of the past there are samples only
     m_refusal.clear();
-    m_companion = 0;
+    m_ghost = 0;
     QString error;
-    auto means = makeMeans(m_session.registry(), m_opponent, m_session.scene(), &error);
+    auto means = makeMeans(m_session.registry(), m_ghostChoice, m_session.scene(), &error);
     if (!means) {
         m_session.simulation().endComparison();
         return refuse(error);
     }
     means->own = ownInputs();
-    m_companion = m_session.simulation().compareWith(*means, m_session.stepperId());
+    m_ghost = m_session.simulation().compareWith(*means, m_session.stepperId());
     emit changed();
 }
 
 void Comparison::refuse(const QString &line) {
-    m_refusal = tr("comparison with %1: %2").arg(QString::fromUtf8(m_opponent.stepper), line);
+    m_refusal = tr("comparison with %1: %2").arg(QString::fromUtf8(m_ghostChoice.stepper), line);
     emit refused(m_refusal);
     emit changed();
 }
 
-// Both have met again, if there is a companion.
+// Both have met again, if there is a ghost.
 void Comparison::forgetRefusal() {
-    if (m_companion == 0 || m_refusal.isEmpty()) return;
+    if (m_ghost == 0 || m_refusal.isEmpty()) return;
     m_refusal.clear();
     emit changed();
 }
@@ -79,9 +77,9 @@ void Comparison::forgetRefusal() {
 // Another stepper has other rows of its own; the rest keeps its values.
 void Comparison::takeRows() {
     phys_stepper_info info;
-    const char *id = m_opponent.stepper.constData();
+    const char *id = m_ghostChoice.stepper.constData();
     if (phys_registry_find(m_session.registry().get(), id, &info, nullptr) != PHYS_OK) return; // begin() says so
-    if (m_opponent.stepper != std::exchange(m_rowsOf, m_opponent.stepper)) m_parameters.setStepper(info);
+    if (m_ghostChoice.stepper != std::exchange(m_rowsOf, m_ghostChoice.stepper)) m_parameters.setStepper(info);
 }
 
 std::optional<Inputs> Comparison::ownInputs() const {
@@ -92,8 +90,8 @@ void Comparison::setOwnParameters(bool isOn) {
     if (isOn == m_hasOwn) return;
     if (isOn && !std::exchange(m_hasValues, true)) m_parameters.set(sharedValues(m_session.parameters(), m_parameters));
     m_hasOwn = isOn;
-    if (isOn && !m_isOn) return start(m_opponent);
-    m_session.simulation().setCompanionInputs(ownInputs());
+    if (isOn && !m_isOn) return start(m_ghostChoice);
+    m_session.simulation().setGhostInputs(ownInputs());
     emit changed();
 }
 

@@ -205,13 +205,13 @@ private:
         uint64_t number; // as in snapshots
         Level levelBefore;
         Stepping before;               // with all parameters
-        std::optional<size_t> stretch; // last followed
+        std::optional<size_t> segment; // last followed
         uint64_t sought = 0;           // position
         uint64_t seeks = 0;            // number of the last one
         QString difference;            // the line
     };
     bool startReplay(const QString &path, QString *error);
-    void follow(const PlayableRecording &recording, std::optional<size_t> &followed, size_t stretch);
+    void follow(const PlayableRecording &recording, std::optional<size_t> &followed, size_t segment);
     // What is shown instead of the present.
     struct LookingBack {
         Past past;
@@ -219,7 +219,7 @@ private:
         Level level;     // these three of the present
         Scene scene;
         Stepping stepping;
-        std::optional<size_t> stretch; // last followed
+        std::optional<size_t> segment; // last followed
         uint64_t sought = 0;           // place
         uint64_t seeks = 0;            // number of the last one
     };

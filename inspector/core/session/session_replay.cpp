@@ -26,7 +26,7 @@ bool Session::startReplay(const QString &path, QString *error) {
     m_replay.emplace(Replaying{recording, m_simulation->startReplay(recording), level, before, {}, 0, 0, {}});
     showPrompt(); // whatever was played is over
     emit replayChanged(true);
-    follow(*recording, m_replay->stretch, 0); // so that a comparison begins where the recording does
+    follow(*recording, m_replay->segment, 0); // so that a comparison begins where the recording does
     m_simulation->run();
     return true;
 }
@@ -62,16 +62,16 @@ void Session::followReplay(const Snapshot &now) {
     watchRuns(now);
     lookAhead(now);
     if (m_replay && now.replay.number == m_replay->number)
-        follow(*m_replay->recording, m_replay->stretch, now.replay.stretch);
+        follow(*m_replay->recording, m_replay->segment, now.replay.segment);
     if (!m_past || now.replay.number != m_past->number) return;
-    follow(*m_past->past.recording, m_past->stretch, now.replay.stretch);
+    follow(*m_past->past.recording, m_past->segment, now.replay.segment);
     if (!now.running && now.replay.seeks >= m_past->seeks && isAtPresent(runPlace())) returnToPresent();
 }
 
 void Session::follow(const PlayableRecording &recording, std::optional<size_t> &followed, size_t index) {
     if (followed == index) return;
     followed = index;
-    const Conditions &conditions = recording.stretch(index).conditions;
+    const Conditions &conditions = recording.segment(index).conditions;
     show({conditions.stepper.id, conditions.dt, settingsOf(conditions, m_registry)});
     if (m_scene == recording.scene(index)) return;
     m_scene = recording.scene(index);

@@ -38,31 +38,30 @@ void Presentation::followDt() {
 
 // ---- ghost ----
 
-void Presentation::compare(uint64_t number, const CompanionMeans &means, const QByteArray &leaderId) {
-    m_companion.reset();
-    m_companionNumber = number;
+void Presentation::compare(uint64_t number, const GhostMeans &means, const QByteArray &leaderId) {
+    m_ghost.reset();
+    m_ghostNumber = number;
     // A replay may have gone on to another scene; then this is asked for again.
-    if (means.scene == m_run->engine().scene()) m_companion.emplace(m_run->engine(), means, leaderId);
+    if (means.scene == m_run->engine().scene()) m_ghost.emplace(m_run->engine(), means, leaderId);
 }
 
-void Presentation::meetCompanion() {
-    if (m_companion && m_companion->scene() != m_run->engine().scene())
-        m_companion.reset(); // its stepper is of the other
-    if (m_companion) m_companion->meet(m_run->engine());
+void Presentation::meetGhost() {
+    if (m_ghost && m_ghost->scene() != m_run->engine().scene()) m_ghost.reset(); // its stepper is of the other
+    if (m_ghost) m_ghost->meet(m_run->engine());
 }
 
 // Last of all that a step does to the state: nothing of the ball depends on it.
-void Presentation::leadCompanion() {
+void Presentation::leadGhost() {
     QString line;
-    if (!m_companion || m_companion->follow(m_run->engine(), &line)) return;
-    emit m_owner.comparisonRefused(m_companionNumber, line);
+    if (!m_ghost || m_ghost->follow(m_run->engine(), &line)) return;
+    emit m_owner.comparisonRefused(m_ghostNumber, line);
 }
 
 // ---- what happened ----
 
 void Presentation::beginRun() {
     ++m_runCount;
-    meetCompanion();
+    meetGhost();
     m_pacer.forgetLostTime();
     startPacing();
     clear();
@@ -81,9 +80,9 @@ void Presentation::noteStep(double stepTime) {
     countStep();
     const Engine &engine = m_run->engine();
     if (engine.previous().flags & PHYS_OUT) return; // out of the maze it only falls
-    leadCompanion();
+    leadGhost();
     Sample sample = this->sample();
-    if (m_companion) m_companion->addTo(sample);
+    if (m_ghost) m_ghost->addTo(sample);
     sample[Channel::StepTime] = stepTime;
     m_samples.append(sample);
     noteEvents();
@@ -129,8 +128,8 @@ void Presentation::publish(Clock::time_point due) {
     snapshot.number = ++m_published;
     snapshot.run = m_runCount;
     snapshot.running = m_isRunning;
-    if (m_companion && m_companion->isThere())
-        snapshot.ghost = {m_companion->previous(), m_companion->state(), m_companion->met(), m_companion->deviation()};
+    if (m_ghost && m_ghost->isThere())
+        snapshot.ghost = {m_ghost->previous(), m_ghost->state(), m_ghost->met(), m_ghost->deviation()};
     snapshot.statistics = {m_meter.stepsPerSecond(), m_speed, m_meter.speed(), m_pacer.lostTime(), m_impacts};
     m_run->addTo(snapshot);
     m_snapshots.publish(snapshot);

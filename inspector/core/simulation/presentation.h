@@ -34,10 +34,10 @@ public:
 
     // ---- ghost ----
 
-    void compare(uint64_t number, const CompanionMeans &means, const QByteArray &leaderId);
-    Companion *companion() { return m_companion ? &*m_companion : nullptr; }
-    void endComparison() { m_companion.reset(); }
-    void meetCompanion(); // at the ball's present state; one of another scene is gone
+    void compare(uint64_t number, const GhostMeans &means, const QByteArray &leaderId);
+    GhostEngine *ghost() { return m_ghost ? &*m_ghost : nullptr; }
+    void endComparison() { m_ghost.reset(); }
+    void meetGhost(); // at the ball's present state; one of another scene is gone
 
     // ---- measured ball ----
 
@@ -60,7 +60,7 @@ public:
     void publish(Clock::time_point due);
 
 private:
-    void leadCompanion();
+    void leadGhost();
 
     Simulation &m_owner;
     SampleRing &m_samples;
@@ -76,8 +76,8 @@ private:
     uint64_t m_runCount = 0;
     uint64_t m_published = 0;
     uint64_t m_impacts = 0;
-    std::optional<Companion> m_companion{};
-    uint64_t m_companionNumber = 0;
+    std::optional<GhostEngine> m_ghost{};
+    uint64_t m_ghostNumber = 0;
     std::shared_ptr<const ShownTrack> m_track{};
 };
 

@@ -29,7 +29,7 @@ ReplayRun::ReplayRun(Presentation &presentation, const LiveRun &live, Player pla
 void ReplayRun::addTo(Snapshot &snapshot) const {
     m_live.addTo(snapshot);
     snapshot.replay = {m_number,       m_player.position(), m_player.end(), m_player.checked(), m_player.isChecked(),
-                       differenceAt(), m_player.stretch(),  m_seeks};
+                       differenceAt(), m_player.segment(),  m_seeks};
 }
 
 // Where the first difference shows: after that step, or at the end if the step fails.
@@ -56,8 +56,8 @@ void ReplayRun::step(Clock::time_point due) {
 }
 
 void ReplayRun::noteStep() {
-    if (Companion *companion = m_presentation.companion())
-        companion->setLeaderStepper(m_player.recording().stretch(m_player.stretch()).conditions.stepper.id);
+    if (GhostEngine *ghost = m_presentation.ghost())
+        ghost->setLeaderStepper(m_player.recording().segment(m_player.segment()).conditions.stepper.id);
     m_presentation.noteStep(kNotMeasured);
 }
 

@@ -15,14 +15,14 @@ public:
     ReplayRun(Presentation &presentation, const LiveRun &live, Player player, uint64_t number);
 
     const Engine &engine() const override { return m_player.engine(); }
-    uint32_t stepperPlace() const override { return m_player.recording().stepperPlace(m_player.stretch()); }
+    uint32_t stepperPlace() const override { return m_player.recording().stepperPlace(m_player.segment()); }
     void addTo(Snapshot &snapshot) const override;
     void prepareToGoOn() override; // at its end it begins again
     void step(Clock::time_point due) override;
     void stepOnce() override;
     void restart() override;
 
-    const Stepper &stepper() const { return m_player.recording().stepper(m_player.stretch()); } // of the last step
+    const Stepper &stepper() const { return m_player.recording().stepper(m_player.segment()); } // of the last step
 
     // ---- going to another place ----
 

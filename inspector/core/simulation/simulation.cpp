@@ -87,7 +87,7 @@ void Simulation::setScene(const Scene &scene, const Stepper &stepper, const Orig
 void Simulation::setStepper(const Stepper &stepper, const Inputs &inputs, const Origin &origin) {
     post([stepper, origin, given = GivenInputs{inputs, ++m_givenCount}](Worker &worker) {
         worker.live.setStepper(stepper, origin);
-        if (Companion *companion = worker.presentation.companion()) companion->setLeaderStepper(origin.stepper.id);
+        if (GhostEngine *ghost = worker.presentation.ghost()) ghost->setLeaderStepper(origin.stepper.id);
         worker.live.obey(given);
     });
 }
@@ -135,16 +135,16 @@ void Simulation::stopRecording() {
     post([](Worker &worker) { worker.live.endRecording(); });
 }
 
-uint64_t Simulation::compareWith(const CompanionMeans &means, const QByteArray &leaderId) {
-    post([means, leaderId, number = ++m_companionCount](Worker &worker) {
+uint64_t Simulation::compareWith(const GhostMeans &means, const QByteArray &leaderId) {
+    post([means, leaderId, number = ++m_ghostCount](Worker &worker) {
         worker.presentation.compare(number, means, leaderId);
     });
-    return m_companionCount;
+    return m_ghostCount;
 }
 
-void Simulation::setCompanionInputs(const std::optional<Inputs> &own) {
+void Simulation::setGhostInputs(const std::optional<Inputs> &own) {
     post([own](Worker &worker) {
-        if (Companion *companion = worker.presentation.companion()) companion->setOwnInputs(own);
+        if (GhostEngine *ghost = worker.presentation.ghost()) ghost->setOwnInputs(own);
     });
 }
 

@@ -3,8 +3,8 @@
 // mailbox, states come out through a latest-value slot, samples through a ring; commands are taken between two steps.
 #pragma once
 
-#include "core/engine/companion.h"
 #include "core/engine/engine.h"
+#include "core/engine/ghost_engine.h"
 #include "core/events/event_log.h"
 #include "core/recording/history.h"
 #include "core/recording/player.h"
@@ -50,7 +50,7 @@ public:
     // Pauses at its start. origin: as above.
     void setScene(const Scene &scene, const Stepper &stepper, const Origin &origin = {});
     // Goes on from the same state; made for the same scene. With its inputs, because a stepper's own values fit no
-    // other. origin: for the recorder and the companion, if there are any.
+    // other. origin: for the recorder and the ghost, if there are any.
     void setStepper(const Stepper &stepper, const Inputs &inputs, const Origin &origin = {});
     void setState(const phys_state &state);
     void setStart(const std::optional<phys_state> &start); // of restarts; nothing: the scene's
@@ -63,12 +63,12 @@ public:
     void startRecording(const QString &file, const Origin &origin);
     void stopRecording();
 
-    // A companion meets the ball and follows it from now on, in the place of one before. At a restart and when a state
-    // is set they meet again; with another scene it is gone. leaderId: of the present stepper. Returns the companion's
+    // A ghost meets the ball and follows it from now on, in the place of one before. At a restart and when a state
+    // is set they meet again; with another scene it is gone. leaderId: of the present stepper. Returns the ghost's
     // number, as in its refusals.
-    uint64_t compareWith(const CompanionMeans &means, const QByteArray &leaderId);
+    uint64_t compareWith(const GhostMeans &means, const QByteArray &leaderId);
     // From the next step on; nothing: the ball's.
-    void setCompanionInputs(const std::optional<Inputs> &own);
+    void setGhostInputs(const std::optional<Inputs> &own);
     void endComparison();
 
     // Shows a recording, which has steps, at its beginning and paused; the live ball waits. Returns the replay's
@@ -111,8 +111,8 @@ signals: // queued: sent by the thread that steps, and received in the order in 
     void runningChanged(bool running);
     // The recording can't be written and ends; the simulation goes on.
     void recordingFailed(const QString &line);
-    // The companion's stepper refused a step; there is no ghost until the next meeting. The simulation goes on.
-    void comparisonRefused(uint64_t companion, const QString &line);
+    // The ghost's stepper refused a step; there is no ghost until the next meeting. The simulation goes on.
+    void comparisonRefused(uint64_t ghost, const QString &line);
     // The first step of this replay that differs is known; once.
     void differenceFound(uint64_t replay, const Difference &difference);
     // The replay has come to it and is paused.
@@ -133,7 +133,7 @@ private:
     uint64_t m_givenCount = 0; // the owner's
     uint64_t m_replayCount = 0;
     uint64_t m_seekCount = 0;
-    uint64_t m_companionCount = 0;
+    uint64_t m_ghostCount = 0;
     LatestValue<GivenInputs> m_inputs;
     LatestValue<Snapshot> m_snapshots;
     SampleRing m_samples;

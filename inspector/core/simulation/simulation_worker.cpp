@@ -50,7 +50,7 @@ void Simulation::Worker::goOnLive(uint64_t number) {
     presentation.show(live);
     past = nullptr;
     replay.reset();
-    presentation.meetCompanion();
+    presentation.meetGhost();
     presentation.startPacing();
     emit presentation.owner().runBegan();
 }

@@ -2,7 +2,7 @@
 // What the thread that steps shows to the one that draws.
 #pragma once
 
-#include "core/engine/companion.h"
+#include "core/engine/ghost_engine.h"
 #include "core/engine/pacer.h"
 #include "core/setup/inputs.h"
 
@@ -18,7 +18,7 @@ struct Statistics {
     uint64_t impacts = 0;        // since the start of the run
 };
 
-// The companion, as the ball is shown.
+// The ghost, as the ball is shown.
 struct Ghost {
     phys_state previous{}; // at the same moments as the ball's
     phys_state current{};
@@ -34,7 +34,7 @@ struct ReplayPlace {
     uint64_t checked = 0;               // steps whose hashes are compared
     bool isChecked = false;             // all of them
     std::optional<uint64_t> difference; // position where the first one shows
-    size_t stretch = 0;                 // of the recording, of the last step
+    size_t segment = 0;                 // of the recording, of the last step
     uint64_t seeks = 0;                 // number of the last one done
 };
 

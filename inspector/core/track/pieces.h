@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a stretch of a track can begin: a start read off its first points.
+// Where a segment of a track can begin: a start read off its first points.
 #pragma once
 
 #include "core/track/ball_model.h"

@@ -9,13 +9,13 @@ namespace inspector {
 
 namespace {
 
-using Place = std::vector<Stretch>::const_iterator;
+using Place = std::vector<Segment>::const_iterator;
 
-// The first stretch of the last run that has steps; the end if none has.
-Place lastRun(const std::vector<Stretch> &stretches) {
-    Place result = stretches.end();
-    Place begin = stretches.begin();
-    for (Place place = stretches.begin(); place != stretches.end(); ++place) {
+// The first segment of the last run that has steps; the end if none has.
+Place lastRun(const std::vector<Segment> &segments) {
+    Place result = segments.end();
+    Place begin = segments.begin();
+    for (Place place = segments.begin(); place != segments.end(); ++place) {
         if (place->from) begin = place;
         if (!place->hashes.empty()) result = begin;
     }
@@ -50,12 +50,12 @@ TiltSchedule tiltsOf(Place place, Place end, double duration) {
 TiltSchedule recordedSchedule(const QString &path, const Registry &registry, double duration, QString *error) {
     const std::optional<Recording> recording = readRecording(path, registry, error);
     if (!recording) return {};
-    const Place run = lastRun(recording->stretches);
-    if (run == recording->stretches.end()) {
+    const Place run = lastRun(recording->segments);
+    if (run == recording->segments.end()) {
         *error = QStringLiteral("%1: expected steps, found none").arg(oneLine(path));
         return {};
     }
-    TiltSchedule result = tiltsOf(run, recording->stretches.end(), duration);
+    TiltSchedule result = tiltsOf(run, recording->segments.end(), duration);
     result.name = path;
     return result;
 }

@@ -73,7 +73,7 @@ std::vector<uint32_t> boxesHit(const std::vector<Impact> &impacts, double speed)
 
 // One schedule with what a ball does under it.
 struct Course {
-    std::vector<Segment> segments;
+    std::vector<TiltSegment> segments;
     std::optional<TradeReference> references[2]; // by model
 };
 

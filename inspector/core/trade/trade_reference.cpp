@@ -44,23 +44,23 @@ int countedImpacts(const std::vector<Impact> &impacts, double until) {
     }));
 }
 
-std::vector<Segment> segmentsOf(const TiltSchedule &schedule, double gravity) {
-    std::vector<Segment> segments;
+std::vector<TiltSegment> segmentsOf(const TiltSchedule &schedule, double gravity) {
+    std::vector<TiltSegment> segments;
     for (size_t i = 0; i < schedule.switches.size(); ++i) {
         const TiltSwitch &now = schedule.switches[i];
         const double end = i + 1 < schedule.switches.size() ? schedule.switches[i + 1].time : schedule.duration;
-        Segment segment{now.time, end - now.time, now.tilt, {}};
+        TiltSegment segment{now.time, end - now.time, now.tilt, {}};
         phys_gravity_from_tilt(now.tilt.x, now.tilt.y, gravity, &segment.gravity);
         if (segment.length > 0.0) segments.push_back(segment);
     }
     return segments;
 }
 
-std::vector<Leg> legsOf(const std::vector<Segment> &segments, double dt) {
+std::vector<Leg> legsOf(const std::vector<TiltSegment> &segments, double dt) {
     const auto stride = uint32_t(std::max(1.0, std::floor(kComparePeriod / dt + kRounding)));
     std::vector<Leg> legs;
     for (size_t i = 0; i < segments.size(); ++i) {
-        const Segment &segment = segments[i];
+        const TiltSegment &segment = segments[i];
         const auto whole = uint64_t(std::floor(segment.length / dt + kRounding));
         const double rest = segment.length - double(whole) * dt;
         const auto add = [&](double length, uint32_t steps, double offset) {
@@ -82,7 +82,7 @@ TradeReference::TradeReference(Stepper stepper, Scene scene, const phys_params &
     , m_params(params) {}
 
 std::optional<TradeReference> TradeReference::run(const Registry &registry, const Scene &scene,
-                                                  const phys_params &params, std::vector<Segment> segments,
+                                                  const phys_params &params, std::vector<TiltSegment> segments,
                                                   QString *error) {
     const Stepper stepper = makeStepper(registry, "exact", scene, error);
     if (!stepper) return std::nullopt;

@@ -18,7 +18,7 @@ struct Impact {
 };
 
 // Constant tilt from `begin` for `length` seconds.
-struct Segment {
+struct TiltSegment {
     double begin;
     double length;
     Tilt tilt;
@@ -41,15 +41,15 @@ inline constexpr double kComparePeriod = 0.005;
 // Impacts up to a time that are faster than kCountedImpact: of a ball that leans on a wall there are many slow ones.
 int countedImpacts(const std::vector<Impact> &impacts, double until);
 
-std::vector<Segment> segmentsOf(const TiltSchedule &schedule, double gravity);
-std::vector<Leg> legsOf(const std::vector<Segment> &segments, double dt);
+std::vector<TiltSegment> segmentsOf(const TiltSchedule &schedule, double gravity);
+std::vector<Leg> legsOf(const std::vector<TiltSegment> &segments, double dt);
 
 class TradeReference {
 public:
     // params: their gravity is replaced by the segments'; orientations are right if they ask for them. Null and one
     // line in `error` if "exact" can't do the scene or the parameters from the very start.
     static std::optional<TradeReference> run(const Registry &registry, const Scene &scene, const phys_params &params,
-                                             std::vector<Segment> segments, QString *error);
+                                             std::vector<TiltSegment> segments, QString *error);
 
     // s: as far as "exact" could do it and the ball was in the maze.
     double end() const { return m_legs.back().end; }
@@ -63,7 +63,7 @@ public:
     // The states at the ends of these legs, as far as the reference goes.
     std::vector<phys_state> statesAt(const std::vector<Leg> &legs) const;
 
-    const std::vector<Segment> &segments() const { return m_segments; }
+    const std::vector<TiltSegment> &segments() const { return m_segments; }
 
     // Up to here a comparison means something, s: until then a ball that is pushed by kPush radii every kScheduleHold,
     // in directions of its own, stays within kVisible radii of this one.
@@ -87,7 +87,7 @@ private:
     Stepper m_stepper;
     Scene m_scene;
     phys_params m_params;
-    std::vector<Segment> m_segments;
+    std::vector<TiltSegment> m_segments;
     std::vector<Leg> m_legs;
     std::vector<phys_state> m_states;
     std::vector<Impact> m_impacts;

@@ -133,8 +133,8 @@ TradeError compareRun(const TradeRun &run, const ReferenceMotion &motion, const 
     return error;
 }
 
-std::optional<double> timeRun(const TradeRun &run, const std::vector<Segment> &segments, const std::vector<Leg> &legs,
-                              const std::stop_token &stop) {
+std::optional<double> timeRun(const TradeRun &run, const std::vector<TiltSegment> &segments,
+                              const std::vector<Leg> &legs, const std::stop_token &stop) {
     const Stepper stepper = makeStepper(run.registry, run.stepper, run.scene, nullptr);
     if (!stepper) return std::nullopt;
     phys_state start;

@@ -21,7 +21,7 @@ TradeRun runOf(const TradePlan &plan, const TradePoint &point);
 
 // What a run is held against.
 struct ReferenceMotion {
-    std::vector<Segment> segments;
+    std::vector<TiltSegment> segments;
     std::vector<Leg> legs;
     std::vector<phys_state> states; // of the reference at their ends
     std::vector<Impact> impacts;    // of the reference, up to `until`
@@ -35,7 +35,7 @@ ReferenceMotion motionOf(const TradeReference &reference, double dt, double unti
 TradeError compareRun(const TradeRun &run, const ReferenceMotion &motion, const std::stop_token &stop, QString *note);
 
 // CPU time of this thread for the whole schedule, s, with no report asked for. Nothing if a step failed.
-std::optional<double> timeRun(const TradeRun &run, const std::vector<Segment> &segments, const std::vector<Leg> &legs,
-                              const std::stop_token &stop);
+std::optional<double> timeRun(const TradeRun &run, const std::vector<TiltSegment> &segments,
+                              const std::vector<Leg> &legs, const std::stop_token &stop);
 
 } // namespace inspector

@@ -62,7 +62,7 @@ QWidget *ComparisonDock::makeControls(const Actions &actions) {
     connect(&m_session, &Session::steppersAdded, this, [this] { addStepperItems(*m_stepper, m_session.registry()); });
     m_substeps->setObjectName(QStringLiteral("comparison_substeps"));
     m_substeps->setToolTip(tr("The ghost's time step, as a part of the ball's"));
-    m_substeps->setKind(wholeNumberKind(1, Opponent::kMostSubsteps));
+    m_substeps->setKind(wholeNumberKind(1, GhostChoice::kMostSubsteps));
 
     auto *controls = new QWidget;
     auto *layout = new QHBoxLayout(controls);
@@ -79,7 +79,7 @@ QWidget *ComparisonDock::makeControls(const Actions &actions) {
 }
 
 void ComparisonDock::choose() {
-    m_session.comparison().setOpponent({m_stepper->currentData().toByteArray(), int(m_substeps->value())});
+    m_session.comparison().setGhostChoice({m_stepper->currentData().toByteArray(), int(m_substeps->value())});
 }
 
 void ComparisonDock::chooseSubsteps(double count) {
@@ -88,15 +88,15 @@ void ComparisonDock::chooseSubsteps(double count) {
 }
 
 void ComparisonDock::showComparison() {
-    const Opponent &opponent = m_session.comparison().opponent();
-    m_stepper->setCurrentIndex(m_stepper->findData(opponent.stepper));
-    m_substeps->setValue(opponent.substeps);
+    const GhostChoice &ghostChoice = m_session.comparison().ghostChoice();
+    m_stepper->setCurrentIndex(m_stepper->findData(ghostChoice.stepper));
+    m_substeps->setValue(ghostChoice.substeps);
     const auto name = [&](const QByteArray &id, double dt) {
         return QStringLiteral("%1, %2").arg(m_stepper->itemText(m_stepper->findData(id)), stepSizeText(dt));
     };
     m_plot->setRadius(phys_scene_radius(m_session.scene().get()));
     m_plot->setNames(tr("Ball: %1").arg(name(m_session.stepperId(), m_session.dt())),
-                     tr("Ghost: %1").arg(name(opponent.stepper, m_session.dt() / opponent.substeps)));
+                     tr("Ghost: %1").arg(name(ghostChoice.stepper, m_session.dt() / ghostChoice.substeps)));
 }
 
 void ComparisonDock::refresh(const Snapshot &now) {

@@ -10,7 +10,7 @@
 
 namespace inspector::ui {
 
-// Which stretch of time plots show. Those that share one move together.
+// Which span of time plots show. Those that share one move together.
 class TimeView : public QObject {
     Q_OBJECT
 

@@ -38,7 +38,7 @@ Options optionsOf(Session &session) {
     options.settings = settingsOf(session.parameters());
     Comparison &comparison = session.comparison();
     if (!comparison.isOn()) return options;
-    options.comparison = comparison.opponent();
+    options.comparison = comparison.ghostChoice();
     if (comparison.hasOwnParameters()) options.comparisonSettings = settingsOf(comparison.parameters());
     return options;
 }

@@ -155,9 +155,10 @@ bool canHold(const StepContext &context, const Contacts &contacts) {
     return glm::length(motion.velocity) <= left && context.radius() * glm::length(motion.spin) <= left;
 }
 
-LastingContacts holdInThisOrder(const StepContext &context, const Contacts &contacts, Hold kind, double h, Ball &ball) {
-    if (kind == Hold::SecondOrder) return holdSecondOrder(context, contacts, h, ball);
-    return holdFirstOrder(context, contacts, kind == Hold::Explicit, h, ball);
+LastingContacts holdInThisOrder(const StepContext &context, const Contacts &contacts, ContactRule kind, double h,
+                                Ball &ball) {
+    if (kind == ContactRule::SecondOrder) return holdSecondOrder(context, contacts, h, ball);
+    return holdFirstOrder(context, contacts, kind == ContactRule::Explicit, h, ball);
 }
 
 } // namespace
@@ -236,7 +237,7 @@ void SpinOnFloor::settle(bool presses, Ball &ball) const {
     m_rolled ? m_context.report.lostImpact(m_jump) : m_context.report.lostSlip(m_jump);
 }
 
-bool hold(const StepContext &context, const Contacts &contacts, Hold kind, double h, Ball &ball,
+bool hold(const StepContext &context, const Contacts &contacts, ContactRule kind, double h, Ball &ball,
           std::span<bool> presses) {
     const Ball start = ball;
     const LastingContacts lasting = holdInThisOrder(context, contacts, kind, h, ball);

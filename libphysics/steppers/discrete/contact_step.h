@@ -54,14 +54,14 @@ private:
 };
 
 /// How a substep goes on with the motion that its lasting contacts leave.
-enum class Hold {
+enum class ContactRule {
     Symplectic,  ///< with the new velocity
     Explicit,    ///< with the old one, but for what contacts take of it
     SecondOrder, ///< with their mean
 };
 
 /// A substep with lasting contacts. Returns whether a top face pressed; presses: whether each contact did, or empty.
-bool hold(const StepContext &context, const Contacts &contacts, Hold kind, double h, Ball &ball,
+bool hold(const StepContext &context, const Contacts &contacts, ContactRule kind, double h, Ball &ball,
           std::span<bool> presses = {});
 
 /// Puts a ball onto a face exactly, where rounding would leave it beside; a touching one loses its speed along it.

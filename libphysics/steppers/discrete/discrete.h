@@ -3,7 +3,7 @@
 // contact (model.md 13.5). A scheme is a struct with its definition in the textbook, and how it goes on in contact:
 //
 //     template<class Law, class V> static Advance<V> advance(const Law &law, const V &velocity, double h);
-//     static constexpr Hold kHold;
+//     static constexpr ContactRule kContactRule;
 #pragma once
 
 #include "base/error.h"
@@ -147,8 +147,8 @@ public:
         Ball next = ball;
         const double tolerance = m_context.scene().tolerance;
         std::optional<Vec2> drive;
-        const bool keeps = Scheme::kHold == Hold::SecondOrder && !walls->arrives(tolerance, ball);
-        if (Scheme::kHold == Hold::SecondOrder && walls->turns(ball)) return false;
+        const bool keeps = Scheme::kContactRule == ContactRule::SecondOrder && !walls->arrives(tolerance, ball);
+        if (Scheme::kContactRule == ContactRule::SecondOrder && walls->turns(ball)) return false;
         drive = keeps ? walls->keepDrive(law.A, tolerance, next) : walls->limitDrive(law.A, m_h, tolerance, next);
         if (!drive) return false;
         const bool grips = m_context.isRigid() && contact == FloorContact::Rolls;
@@ -222,7 +222,7 @@ private:
         const bool arrives = std::any_of(faces.begin(), faces.end(), [&](const UprightFace &face) {
             return face.gap > tolerance && next.velocity[face.axis] * face.normal <= 0.0;
         });
-        const bool keeps = Scheme::kHold == Hold::SecondOrder && !arrives;
+        const bool keeps = Scheme::kContactRule == ContactRule::SecondOrder && !arrives;
         std::array<bool, 2> presses{};
         for (uint32_t i = 0; i < faces.size(); ++i) {
             const UprightFace &face = faces[i];
@@ -431,7 +431,7 @@ private:
         Ways ways;
         ways.add(free.position - ball.position);
         // The explicit rule moves with the old velocity, and along normals that press with the new one.
-        if (Scheme::kHold == Hold::Explicit) ways.add(m_h * free.velocity);
+        if (Scheme::kContactRule == ContactRule::Explicit) ways.add(m_h * free.velocity);
         Contacts contacts;
         if (m_context.report.wanted()) {
             Reporter silent(nullptr, 0.0);
@@ -496,7 +496,8 @@ private:
 
     /// A substep of all contacts. Returns whether a top face pressed.
     bool holdContacts(const Contacts &contacts, Ball &ball) {
-        if (Scheme::kHold != Hold::SecondOrder) return hold(m_context, contacts, Scheme::kHold, m_h, ball);
+        if (Scheme::kContactRule != ContactRule::SecondOrder)
+            return hold(m_context, contacts, Scheme::kContactRule, m_h, ball);
         Ball start = ball;
         const Contacts kept = keepContacts(contacts, start);
         const bool arrives = kept.count() > 1 && std::any_of(kept.begin(), kept.end(), [&](const Contact &contact) {
@@ -513,11 +514,11 @@ private:
             }
         }
         // Held at one contact it comes to another within the substep: the rule that closes gaps meets both.
-        return hold(m_context, contacts, Hold::Symplectic, m_h, ball);
+        return hold(m_context, contacts, ContactRule::Symplectic, m_h, ball);
     }
 
     bool holdOrFly(const StepContext &context, const Contacts &contacts, Ball &ball) const {
-        if (!contacts.empty()) return hold(context, contacts, Hold::SecondOrder, m_h, ball);
+        if (!contacts.empty()) return hold(context, contacts, ContactRule::SecondOrder, m_h, ball);
         moveBy(flightLaw(m_context.params()), ball);
         return false;
     }

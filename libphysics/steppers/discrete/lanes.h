@@ -42,7 +42,7 @@ Planar<N> clampedVelocity(const UnstoppedLaw<N, kResists> &law, const Planar<N> 
 /// When a stepper leaves a step to its general case.
 enum class LaneRule {
     Substeps, ///< steps of DiscreteStepper
-    Sweep     ///< steps of swept: it looks whether the way leads back, and how a ball starts
+    Swept     ///< steps of swept: it looks whether the way leads back, and how a ball starts
 };
 
 /// What gravity does to balls on the floor, model.md 2.1.
@@ -145,7 +145,7 @@ template<class N, class Scheme, LaneRule kRule, bool kResists>
     LaneStep<N> step = rollBy<N, Scheme, kRule, kResists>(drive.A, drive, lanes, lane, velocity);
     step.isFine = step.isFine & x.isFree(x.place() + step.displacement.x) & y.isFree(y.place() + step.displacement.y) &
                   staysFast<N, kRule>(lanes, velocity, step.velocity);
-    if constexpr (kRule == LaneRule::Sweep) {
+    if constexpr (kRule == LaneRule::Swept) {
         const Planar<N> turn = 0.5 * h * velocity;
         step.isFine = step.isFine & x.isFree(x.place() + turn.x) & y.isFree(y.place() + turn.y);
     }
@@ -182,7 +182,7 @@ template<class N, class Scheme, LaneRule kRule, bool kResists>
     const auto isClear = x.isClear(choose(leansY, aheadX, 0.0)) & y.isClear(choose(leansX, aheadY, 0.0));
     auto rolls = step.isFine & isClear & x.has(x.place() + step.displacement.x) &
                  y.has(y.place() + step.displacement.y) & staysFast<N, kRule>(lanes, velocity, step.velocity);
-    if constexpr (kRule == LaneRule::Sweep) {
+    if constexpr (kRule == LaneRule::Swept) {
         const Planar<N> turn = 0.5 * h * velocity;
         rolls = rolls & x.has(x.place() + turn.x) & y.has(y.place() + turn.y);
     }
@@ -327,7 +327,7 @@ private:
         }
         if (!report) return true;
         Reporter reporter(report, in.time);
-        reporter.substeps(1, kRule == LaneRule::Sweep ? 0 : kSubstepCap);
+        reporter.substeps(1, kRule == LaneRule::Swept ? 0 : kSubstepCap);
         if (lanes.rests[0] == 0.0) reporter.lostRolling(1.4 * rollingLaw(params).B * length(displacement).number());
         return true;
     }

@@ -8,7 +8,7 @@ namespace phys {
 
 /// model.md 10.1; the second force is taken at the predicted velocity, or the order falls to one with resistance.
 struct VelocityVerlet {
-    static constexpr Hold kHold = Hold::SecondOrder;
+    static constexpr ContactRule kContactRule = ContactRule::SecondOrder;
 
     template<class Law, class V>
     static Advance<V> advance(const Law &law, const V &velocity, double h) {

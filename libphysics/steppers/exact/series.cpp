@@ -27,7 +27,7 @@ Vec3 hat(const Vec3 &v) {
 }
 
 /// noise: what a term is surely nothing but rounding below.
-double goodFor(const VecJet &f, int last, double noise) {
+double validUntil(const VecJet &f, int last, double noise) {
     const double scale = std::max({noise, glm::length(f[0]), glm::length(f[1]), glm::length(f[2])});
     double most = kNever;
     for (const int k : {last - 1, last}) {
@@ -395,10 +395,10 @@ void Series::measure() {
     bool slips = false;
     for (int k = 0; k <= kOrder; ++k) turning[k] = m_moment.radius * m_om[k];
     const double noise = kNoise * speedScale(m_moment);
-    double s = std::min(goodFor(m_v, kOrder, noise), goodFor(turning, kOrder, noise));
+    double s = std::min(validUntil(m_v, kOrder, noise), validUntil(turning, kOrder, noise));
     for (const Contact &contact : contacts()) slips = slips || contact.mode != Mode::sticking;
     if (!slips) {
-        for (const Contact &contact : contacts()) s = std::min(s, goodFor(contact.r, kOrder - 1, 0.0));
+        for (const Contact &contact : contacts()) s = std::min(s, validUntil(contact.r, kOrder - 1, 0.0));
     }
     s = std::min(0.8 * s, 4.0);
     for (const Contact &contact : contacts()) s = contact.isKept ? std::min(s, kKeptFor) : s;

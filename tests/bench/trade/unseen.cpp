@@ -43,7 +43,7 @@ TradePlan planOf(const QString &maze, double horizon) {
 Trial tryUnseen(const TradePlan &plan, const TradePoint &setting) {
     Trial trial;
     for (uint64_t seed = kFirstUnseen; seed < kFirstUnseen + kSchedules; ++seed) {
-        const std::vector<Segment> segments = segmentsOf(randomSchedule(seed, plan.horizon), plan.inputs.gravity);
+        const std::vector<TiltSegment> segments = segmentsOf(randomSchedule(seed, plan.horizon), plan.inputs.gravity);
         const auto reference =
             TradeReference::run(plan.registry, plan.scene, paramsFor(plan, PHYS_MODEL_ROLLING), segments, nullptr);
         if (!reference) continue;

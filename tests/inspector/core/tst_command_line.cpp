@@ -175,8 +175,8 @@ void TestCommandLine::versionIsThatOfProgramAndLibrary() {
 void TestCommandLine::wrongUseGivesOneLineAndStatus2_data() {
     QTest::addColumn<QString>("words");
     QTest::addColumn<QString>("said"); // what the line must contain: the option and what was found
-    QTest::newRow("unknown opponent") << "--compare none"
-                                      << "--compare: no stepper has the id 'none'";
+    QTest::newRow("unknown ghostChoice") << "--compare none"
+                                         << "--compare: no stepper has the id 'none'";
     QTest::newRow("substeps of nothing") << "--compare-substeps 2"
                                          << "--compare-substeps: needs --compare";
     QTest::newRow("view of no window") << "--headless --view 2d"

@@ -28,7 +28,7 @@ private slots:
     void restartBringsThemTogether();
     void stateSetBackBringsThemTogether();
     void meetAgainBringsThemTogether();
-    void otherOpponentMeetsTheBall();
+    void otherGhostMeetsTheBall();
     void otherStepperOfTheBallGoesOn();
     void otherLevelIsComparedFromItsStart();
     void optionSwitchesItOn();
@@ -37,10 +37,10 @@ private slots:
     void refusedStepIsSaidOnceAndTheBallGoesOn();
     void refusedSceneIsSaidAndMeetingTriesAgain();
     void tableHasItsColumnsLast();
-    void fileBesideTheTableNamesTheOpponent();
+    void fileBesideTheTableNamesTheGhost();
     void tableOfOtherParametersIsThatOfARunWithThem();
     void tableOfTheSameStepperHasZeros();
-    void tableWithoutAnOpponentIsAsBefore();
+    void tableWithoutAGhostIsAsBefore();
     void refusedRunHasEmptyFieldsAndStatus1();
     void sceneThatIsRefusedGivesOneLineAndStatus2();
 
@@ -129,7 +129,7 @@ QString TestComparison::mazeOf(const QByteArray &boxes) {
 
 void TestComparison::threadGivesTheSameBitsAsStepsByHand() {
     Options options = optionsOf(4);
-    options.comparison = Opponent{"exact", 2};
+    options.comparison = GhostChoice{"exact", 2};
     options.autopilot = true;
     const auto session = open(options);
     const uint64_t steps = 250; // it isn't out of the maze then
@@ -140,11 +140,11 @@ void TestComparison::threadGivesTheSameBitsAsStepsByHand() {
     Engine ball(scene, defaultStepper(scene));
     ball.setPilot(Autopilot::create(scene.get(), nullptr));
     QString error;
-    Companion companion(ball, *makeMeans(options.registry, {"exact", 2}, scene, &error), PHYS_STEPPER_DEFAULT);
+    GhostEngine ghost(ball, *makeMeans(options.registry, {"exact", 2}, scene, &error), PHYS_STEPPER_DEFAULT);
     for (uint64_t i = 0; i < steps; ++i) {
-        QVERIFY(ball.step(&error) && companion.follow(ball, &error));
+        QVERIFY(ball.step(&error) && ghost.follow(ball, &error));
         Sample expected = ball.sample();
-        companion.addTo(expected);
+        ghost.addTo(expected);
         Sample sample;
         QVERIFY(session->simulation().samples().read(i, sample));
         sample[Channel::StepTime] = expected[Channel::StepTime]; // nobody looked at the clock by hand
@@ -152,8 +152,8 @@ void TestComparison::threadGivesTheSameBitsAsStepsByHand() {
     }
     const Snapshot now = session->simulation().latest();
     QVERIFY(now.ghost);
-    QVERIFY(support::sameBits(now.ghost->current, companion.state()));
-    QVERIFY(support::sameBits(now.ghost->previous, companion.previous()));
+    QVERIFY(support::sameBits(now.ghost->current, ghost.state()));
+    QVERIFY(support::sameBits(now.ghost->previous, ghost.previous()));
     QVERIFY(now.ghost->deviation.distance > 0.0);
 }
 
@@ -183,7 +183,7 @@ void TestComparison::comparisonsComeAndGoWhileStepsRun() {
     const QDeadlineTimer deadline(30000);
     for (int i = 0; !deadline.hasExpired() && (i < 100 || !wasThere); ++i) {
         session->comparison().setOn(i % 3 != 0);
-        session->comparison().setOpponent({i % 2 ? "exact" : "rk4", 1 + i % 3});
+        session->comparison().setGhostChoice({i % 2 ? "exact" : "rk4", 1 + i % 3});
         if (i % 5 == 0) session->comparison().meetAgain();
         const uint64_t end = simulation.samples().last() + 5;
         while (simulation.samples().last() < end && !deadline.hasExpired()) {
@@ -210,7 +210,7 @@ void TestComparison::recordingIsTheSameWithAndWithout() {
         options.settings.clear();
         options.autopilot = true;
         options.record = path(name);
-        if (recordings.isEmpty()) options.comparison = Opponent{"exact", 3};
+        if (recordings.isEmpty()) options.comparison = GhostChoice{"exact", 3};
         const auto session = open(options);
         makeSteps(*session, 200);
         session->setStepper("rk4");
@@ -235,7 +235,7 @@ void TestComparison::recordingIsTheSameWithAndWithout() {
 
 void TestComparison::restartBringsThemTogether() {
     Options options = optionsOf(3);
-    options.comparison = Opponent{};
+    options.comparison = GhostChoice{};
     const auto session = open(options);
     makeSteps(*session, 20);
     QVERIFY(distanceIn(*session) > 0.0);
@@ -248,7 +248,7 @@ void TestComparison::restartBringsThemTogether() {
 
 void TestComparison::stateSetBackBringsThemTogether() {
     Options options = optionsOf(3);
-    options.comparison = Opponent{};
+    options.comparison = GhostChoice{};
     const auto session = open(options);
     makeSteps(*session, 20);
     const phys_state kept = session->simulation().latest().current;
@@ -261,7 +261,7 @@ void TestComparison::stateSetBackBringsThemTogether() {
 
 void TestComparison::meetAgainBringsThemTogether() {
     Options options = optionsOf(3);
-    options.comparison = Opponent{};
+    options.comparison = GhostChoice{};
     const auto session = open(options);
     makeSteps(*session, 20);
     const Snapshot then = session->simulation().latest();
@@ -274,23 +274,23 @@ void TestComparison::meetAgainBringsThemTogether() {
     QVERIFY(distanceIn(*session) > 0.0);
 }
 
-void TestComparison::otherOpponentMeetsTheBall() {
+void TestComparison::otherGhostMeetsTheBall() {
     const auto session = open(optionsOf(3));
-    session->comparison().setOpponent({"explicit-euler", 1});
+    session->comparison().setGhostChoice({"explicit-euler", 1});
     session->comparison().setOn(true);
     makeSteps(*session, 20);
     QVERIFY(distanceIn(*session) > 0.0);
-    session->comparison().setOpponent({"symplectic-euler", 1}); // which the ball has as well
+    session->comparison().setGhostChoice({"symplectic-euler", 1}); // which the ball has as well
     makeSteps(*session, 20);
     QVERIFY(isTogether(*session));
-    session->comparison().setOpponent({"symplectic-euler", 2});
+    session->comparison().setGhostChoice({"symplectic-euler", 2});
     makeSteps(*session, 20);
     QVERIFY(distanceIn(*session) > 0.0);
 }
 
 void TestComparison::otherStepperOfTheBallGoesOn() {
     Options options = optionsOf(3);
-    options.comparison = Opponent{"symplectic-euler", 1};
+    options.comparison = GhostChoice{"symplectic-euler", 1};
     const auto session = open(options);
     makeSteps(*session, 20);
     QVERIFY(isTogether(*session));
@@ -302,7 +302,7 @@ void TestComparison::otherStepperOfTheBallGoesOn() {
 
 void TestComparison::otherLevelIsComparedFromItsStart() {
     Options options = optionsOf(3);
-    options.comparison = Opponent{};
+    options.comparison = GhostChoice{};
     const auto session = open(options);
     makeSteps(*session, 20);
     QVERIFY(session->openLevel(session->levels().at(6)));
@@ -314,10 +314,10 @@ void TestComparison::otherLevelIsComparedFromItsStart() {
 
 void TestComparison::optionSwitchesItOn() {
     Options options = optionsOf(1);
-    options.comparison = Opponent{"rk4", 10};
+    options.comparison = GhostChoice{"rk4", 10};
     const auto session = open(options);
     QVERIFY(session->comparison().isOn());
-    QCOMPARE(session->comparison().opponent(), *options.comparison);
+    QCOMPARE(session->comparison().ghostChoice(), *options.comparison);
     QTRY_VERIFY(session->simulation().latest().ghost);
     QVERIFY(!open(optionsOf(1))->comparison().isOn());
 }
@@ -330,7 +330,7 @@ void TestComparison::refusedStepIsSaidOnceAndTheBallGoesOn() {
     options.dt = 1.0;
     const auto alone = open(options);
     makeSteps(*alone, 15);
-    options.comparison = Opponent{"symplectic-euler", 1};
+    options.comparison = GhostChoice{"symplectic-euler", 1};
     const auto session = open(options);
     Lines refused(session->comparison(), &Comparison::refused);
     Lines failed(*session, &Session::failed);
@@ -356,7 +356,7 @@ void TestComparison::refusedSceneIsSaidAndMeetingTriesAgain() {
     Options options = optionsOf(1);
     QString error;
     QVERIFY2(loadPlugin(options.registry, MISBEHAVING, &error), qPrintable(error));
-    options.comparison = Opponent{"wants-walls", 1};
+    options.comparison = GhostChoice{"wants-walls", 1};
     const auto session = open(options);
     Lines refused(session->comparison(), &Comparison::refused);
     QVERIFY(session->openLevel(levelOfFile(mazeOf(kFloor))));
@@ -366,7 +366,7 @@ void TestComparison::refusedSceneIsSaidAndMeetingTriesAgain() {
     QVERIFY(!session->simulation().latest().ghost);
     session->comparison().meetAgain();
     QCOMPARE(refused.count(), 2);
-    session->comparison().setOpponent({"rk4", 1});
+    session->comparison().setGhostChoice({"rk4", 1});
     QVERIFY(session->comparison().refusal().isEmpty());
     QTRY_VERIFY(isTogether(*session));
 }
@@ -392,7 +392,7 @@ void TestComparison::tableHasItsColumnsLast() {
     QVERIFY(with.rows().last().split(',')[2 + qsizetype(Channel::Distance)].toDouble() > 0.0);
 }
 
-void TestComparison::fileBesideTheTableNamesTheOpponent() {
+void TestComparison::fileBesideTheTableNamesTheGhost() {
     runOf({"--headless", "--duration", "0.1", "--compare", "rk4", "--compare-substeps", "2", "--csv", path("t.csv")});
     const QByteArray settings = support::contentOf(path("t.csv.txt"));
     QVERIFY2(settings.contains("\ncompare rk4 " + versionOf("rk4") + "\ncompare-substeps 2\n"), settings.constData());
@@ -447,7 +447,7 @@ void TestComparison::tableOfTheSameStepperHasZeros() {
     for (const QByteArray &row : result.rows()) QVERIFY2(row.endsWith(", 0, 0, 0"), row.constData());
 }
 
-void TestComparison::tableWithoutAnOpponentIsAsBefore() {
+void TestComparison::tableWithoutAGhostIsAsBefore() {
     const Result result = runOf({"--headless", "--duration", "0.1"});
     QVERIFY(!result.out.contains("ghost") && !result.out.contains("compare") && !result.messages.contains("distance"));
 }

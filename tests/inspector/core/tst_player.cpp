@@ -69,9 +69,9 @@ void stepRecorded(Engine &engine, Recorder &recorder, int steps) {
 }
 
 uint64_t hashAt(const PlayableRecording &recording, uint64_t position) {
-    for (const Stretch &stretch : recording.recording().stretches) {
-        if (position <= stretch.hashes.size()) return stretch.hashes[position - 1];
-        position -= stretch.hashes.size();
+    for (const Segment &segment : recording.recording().segments) {
+        if (position <= segment.hashes.size()) return segment.hashes[position - 1];
+        position -= segment.hashes.size();
     }
     qFatal("no such position");
 }
@@ -160,7 +160,7 @@ void TestPlayer::everyStepBackwardsHasItsHash() {
         QCOMPARE(shownHash(player), hashAt(*recording, position));
     }
     player.seek(0);
-    QVERIFY(isSameBits(player.engine().state(), *recording->stretch(0).from));
+    QVERIFY(isSameBits(player.engine().state(), *recording->segment(0).from));
 }
 
 void TestPlayer::randomSeeksHaveTheirHashes() {
@@ -193,7 +193,7 @@ void TestPlayer::stateBeforeAndReportAreThoseOfTheStep() {
         sought.seek(position);
         QVERIFY(isSameBits(sought.engine().previous(), played.engine().previous()));
         QVERIFY(isSameBits(sought.engine().sample().values, played.engine().sample().values));
-        QCOMPARE(sought.stretch(), played.stretch());
+        QCOMPARE(sought.segment(), played.segment());
         QCOMPARE(sought.engine().dt(), played.engine().dt());
         QVERIFY(isSameBits(sought.engine().inputs(), played.engine().inputs()));
     }
@@ -234,7 +234,7 @@ void TestPlayer::seekGoesNoFartherThanWhatIsChecked() {
 void TestPlayer::flippedHashIsTheFirstDifference() {
     recordManyThings();
     Recording text = *readRecording(path("r"), makeRegistry(nullptr), nullptr);
-    uint64_t &hash = text.stretches.back().hashes[41];
+    uint64_t &hash = text.segments.back().hashes[41];
     hash ^= 1;
     const uint64_t expected = hash;
     const auto recording = PlayableRecording::make(text, makeRegistry(nullptr), {}, nullptr);
@@ -260,8 +260,8 @@ void TestPlayer::flippedHashIsTheFirstDifference() {
 void TestPlayer::stepThatFailsUnexpectedlyIsTheEnd() {
     recordManyThings();
     Recording text = *readRecording(path("r"), makeRegistry(nullptr), nullptr);
-    for (Stretch &stretch : text.stretches)
-        if (!stretch.failure.isEmpty()) stretch.hashes = {1, 2, 3};
+    for (Segment &segment : text.segments)
+        if (!segment.failure.isEmpty()) segment.hashes = {1, 2, 3};
     Player player = checkedPlayer(PlayableRecording::make(text, makeRegistry(nullptr), {}, nullptr));
     QVERIFY(player.difference());
     QCOMPARE(player.difference()->number, uint64_t(1701));
@@ -274,9 +274,8 @@ void TestPlayer::stepThatFailsUnexpectedlyIsTheEnd() {
 void TestPlayer::recordedFailureIsNoStep() {
     recordManyThings();
     const auto recording = opened();
-    const auto &stretches = recording->recording().stretches;
-    QCOMPARE(std::count_if(stretches.begin(), stretches.end(), [](const Stretch &s) { return !s.failure.isEmpty(); }),
-             1);
+    const auto &segments = recording->recording().segments;
+    QCOMPARE(std::count_if(segments.begin(), segments.end(), [](const Segment &s) { return !s.failure.isEmpty(); }), 1);
     Player player = checkedPlayer(recording);
     player.seek(1699);
     QVERIFY(!player.enterRun());
@@ -309,14 +308,14 @@ void TestPlayer::runsAndPlacesInTime() {
 void TestPlayer::missingMazeOfALaterLevelIsFoundBeforeTheFirstStep() {
     recordManyThings();
     Recording text = *readRecording(path("r"), makeRegistry(nullptr), nullptr);
-    text.stretches.back().conditions.maze = {"/nowhere/none.txt", 1};
+    text.segments.back().conditions.maze = {"/nowhere/none.txt", 1};
     QString error;
     QVERIFY(!PlayableRecording::make(text, makeRegistry(nullptr), {}, &error));
     QCOMPARE(error,
              QString("%1:%2: expected the maze file '/nowhere/none.txt' there, beside the recording or among the "
                      "levels, found none")
                  .arg(path("r"))
-                 .arg(text.stretches.back().mazeLine));
+                 .arg(text.segments.back().mazeLine));
 }
 
 // ---- on the thread ----
@@ -380,7 +379,7 @@ void TestPlayer::aFineGhostDoesntKeepASeekFromBeingReplaced() {
     simulation->startReplay(recording);
     QTRY_VERIFY(simulation->latest().replay.isChecked);
     QString error;
-    const auto means = makeMeans(registry, {"exact", Opponent::kMostSubsteps}, recording->scene(0), &error);
+    const auto means = makeMeans(registry, {"exact", GhostChoice::kMostSubsteps}, recording->scene(0), &error);
     QVERIFY2(means, qPrintable(error));
     simulation->compareWith(*means, PHYS_STEPPER_DEFAULT);
     QSignalSpy ran(simulation.get(), &Simulation::runningChanged);
@@ -420,7 +419,7 @@ void TestPlayer::stepBackAndForwardAreOneStep() {
 void TestPlayer::replayPausesAtTheFirstDifference() {
     recordManyThings();
     Recording text = *readRecording(path("r"), makeRegistry(nullptr), nullptr);
-    text.stretches[3].hashes[2] ^= 1; // step 24
+    text.segments[3].hashes[2] ^= 1; // step 24
     const auto simulation = simulationOnLevel1();
     std::vector<Difference> found;
     int reached = 0;
@@ -456,7 +455,7 @@ void TestPlayer::goingOnGivesTheBitsOfAnEngineFromThere() {
         Player player = checkedPlayer(recording);
         player.seek(position);
         const Engine &there = player.engine();
-        Engine engine(there.scene(), recording->stepper(player.stretch()));
+        Engine engine(there.scene(), recording->stepper(player.segment()));
         engine.setDt(there.dt());
         engine.setInputs(there.inputs());
         engine.setState(there.state());
@@ -519,7 +518,7 @@ void TestPlayer::ghostFollowsAReplayAsItFollowsTheLiveBall() {
     Player player = checkedPlayer(recording);
     player.seek(1200);
     QVERIFY(player.enterRun());
-    Companion ghost(player.engine(), *means, "exact");
+    GhostEngine ghost(player.engine(), *means, "exact");
     for (int i = 0; i < 251; ++i) QVERIFY(player.next() && ghost.follow(player.engine(), nullptr));
     QVERIFY(isSameBits(played, ghost.state()));
     QVERIFY(isSameBits(simulation->latest().ghost->current, ghost.state()));

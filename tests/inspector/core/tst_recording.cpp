@@ -131,8 +131,8 @@ void TestRecording::conditionsComeBackBitByBit() {
     QString error;
     const auto recording = readRecording(path("r"), makeRegistry(nullptr), &error);
     QVERIFY2(recording, qPrintable(error));
-    QCOMPARE(recording->stretches.size(), size_t(1));
-    const Conditions &read = recording->stretches[0].conditions;
+    QCOMPARE(recording->segments.size(), size_t(1));
+    const Conditions &read = recording->segments[0].conditions;
     QVERIFY(isSameBits(read.inputs, inputs));
     QVERIFY(read.dt == 1.0 / 60.0); // not nearly
     QCOMPARE(read.maze.path, QString(LEVELS_FOLDER "/01.txt"));
@@ -153,8 +153,8 @@ void TestRecording::startingStateComesBackBitByBit() {
     stepRecorded(*engine, recorder, 1);
     recorder.close();
     const auto recording = readRecording(path("r"), makeRegistry(nullptr), nullptr);
-    QVERIFY(recording && recording->stretches.at(0).from);
-    QVERIFY(isSameBits(*recording->stretches[0].from, start));
+    QVERIFY(recording && recording->segments.at(0).from);
+    QVERIFY(isSameBits(*recording->segments[0].from, start));
 }
 
 // The sign of a zero can reach the state's bits.
@@ -171,8 +171,8 @@ void TestRecording::zeroAndMinusZeroAreTwoInputs() {
     recorder.close();
     const auto recording = readRecording(path("r"), makeRegistry(nullptr), nullptr);
     QVERIFY(recording);
-    QCOMPARE(recording->stretches.size(), size_t(2));
-    QVERIFY(std::signbit(recording->stretches[1].conditions.inputs.params.gravity.x));
+    QCOMPARE(recording->segments.size(), size_t(2));
+    QVERIFY(std::signbit(recording->segments[1].conditions.inputs.params.gravity.x));
 }
 
 void TestRecording::autopilotsRunOfLevel1IsTheSame() {
@@ -259,8 +259,8 @@ void TestRecording::changesWhileRunningReplayTheSame() {
     QCOMPARE(checkOf(path("r")).out, QByteArray("same: 289 steps\n"));
     const auto recording = readRecording(path("r"), registry, nullptr);
     QVERIFY(recording);
-    QCOMPARE(std::count_if(recording->stretches.begin(), recording->stretches.end(),
-                           [](const Stretch &stretch) { return stretch.from.has_value(); }),
+    QCOMPARE(std::count_if(recording->segments.begin(), recording->segments.end(),
+                           [](const Segment &segment) { return segment.from.has_value(); }),
              4); // start, restart, the state from earlier, the other level
 }
 
@@ -304,8 +304,8 @@ void TestRecording::sessionOfAPersonReplaysTheSame() {
     QVERIFY2(check.out.startsWith("same: ") && check.out.endsWith(" steps\n"), check.out + check.messages.toUtf8());
     const auto recording = readRecording(path("r"), options.registry, nullptr);
     QVERIFY(recording && recording->stepCount() >= 101);
-    QCOMPARE(recording->stretches.back().conditions.maze.path, options.levels[1].path);
-    QCOMPARE(recording->stretches.back().conditions.stepper.id, QByteArray("exact"));
+    QCOMPARE(recording->segments.back().conditions.maze.path, options.levels[1].path);
+    QCOMPARE(recording->segments.back().conditions.stepper.id, QByteArray("exact"));
 }
 
 // Begun and ended in the middle of a run, twice into the same file: the second is what counts.
@@ -335,8 +335,8 @@ void TestRecording::recordingOfAPartReplaysTheSame() {
     QVERIFY(contentOf(path("r")).endsWith("\nend\n"));
     const auto recording = readRecording(path("r"), options.registry, nullptr);
     QVERIFY(recording);
-    QCOMPARE(recording->stretches.size(), size_t(1));
-    QVERIFY(recording->stretches[0].from && recording->stretches[0].from->step > 10);
+    QCOMPARE(recording->segments.size(), size_t(1));
+    QVERIFY(recording->segments[0].from && recording->segments[0].from->step > 10);
     QVERIFY(checkOf(path("r")).out.startsWith("same: "));
 }
 

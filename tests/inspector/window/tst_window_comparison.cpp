@@ -23,7 +23,7 @@
 
 using namespace window_test;
 using inspector::Channel;
-using inspector::Opponent;
+using inspector::GhostChoice;
 using inspector::Sample;
 using inspector::Snapshot;
 
@@ -66,7 +66,7 @@ private slots:
 private:
     Snapshot now() { return m_fixture->simulation().latest(); }
     double distance() { return now().ghost ? now().ghost->deviation.distance : std::nan(""); }
-    void compareWith(const Opponent &opponent);
+    void compareWith(const GhostChoice &ghostChoice);
     void makeSteps(uint64_t count);
     void refuseTheGhost();
     QImage picture();
@@ -93,8 +93,8 @@ void TestWindowComparison::init() {
 
 void TestWindowComparison::cleanup() { m_fixture.reset(); }
 
-void TestWindowComparison::compareWith(const Opponent &opponent) {
-    m_fixture->session().comparison().start(opponent);
+void TestWindowComparison::compareWith(const GhostChoice &ghostChoice) {
+    m_fixture->session().comparison().start(ghostChoice);
     QTRY_VERIFY(now().ghost);
 }
 
@@ -145,7 +145,7 @@ void TestWindowComparison::chosenStepperMovesTheGhost() {
     QTest::keyClick(keys, Qt::Key_Home);
     QTest::keyClick(keys, Qt::Key_Down);
     QTest::keyClick(keys, Qt::Key_Return);
-    QCOMPARE(m_fixture->session().comparison().opponent().stepper, QByteArray("symplectic-euler"));
+    QCOMPARE(m_fixture->session().comparison().ghostChoice().stepper, QByteArray("symplectic-euler"));
     makeSteps(20);
     COMPARE_EXACT(distance(), 0.0); // the ball's own
 }
@@ -158,7 +158,7 @@ void TestWindowComparison::typedSubstepsMoveTheGhost() {
     box->selectAll();
     QTest::keyClicks(box, "10");
     QTest::keyClick(box, Qt::Key_Return);
-    QCOMPARE(m_fixture->session().comparison().opponent(), (Opponent{"symplectic-euler", 10}));
+    QCOMPARE(m_fixture->session().comparison().ghostChoice(), (GhostChoice{"symplectic-euler", 10}));
     QCOMPARE(m_fixture->game().phase(), inspector::Game::Phase::Prompt); // Enter was the box's
     QCOMPARE(box->text(), QString("10"));
     makeSteps(20);
@@ -218,7 +218,7 @@ void TestWindowComparison::zeroHasAPlaceOnTheAxis() {
     const auto data = m_plot->graph(m_plot->graphCount() - 1)->data();
     const double zero = data->at(0)->value;
     QVERIFY(zero > m_plot->yAxis->range().lower);
-    m_fixture->session().comparison().setOpponent({"exact", 1});
+    m_fixture->session().comparison().setGhostChoice({"exact", 1});
     makeSteps(10);
     m_plot->replot();
     const double border = m_plot->yAxis->range().lower;

@@ -53,7 +53,7 @@ void TestWindowGhost::init() {
     m_fixture = std::make_unique<Fixture>(3);
     QVERIFY(m_fixture->isReady());
     m_fixture->parameters().set({{"tilt_x", 3.0}, {"tilt_y", 4.0}});
-    comparison().setOpponent({"symplectic-euler", 1}); // the ball's own: what both differ by is the parameters'
+    comparison().setGhostChoice({"symplectic-euler", 1}); // the ball's own: what both differ by is the parameters'
 }
 
 void TestWindowGhost::cleanup() { m_fixture.reset(); }
@@ -184,7 +184,7 @@ void TestWindowGhost::controlsSayWhoseTheyAre() {
 void TestWindowGhost::otherStepperBringsItsOwnRows() {
     switchOn();
     QVERIFY(m_fixture->find<QCheckBox>("ghost_as_reported_switch")->isVisible());
-    comparison().setOpponent({"exact", 1});
+    comparison().setGhostChoice({"exact", 1});
     QVERIFY(!m_fixture->window().findChild<QCheckBox *>("ghost_as_reported_switch"));
     QVERIFY(m_fixture->find<QSlider>("ghost_gravity_slider")->isVisible());
 }

@@ -12,29 +12,29 @@ namespace {
 using namespace inspector;
 
 // What whoever replays it relies on.
-void check(const Stretch &stretch) {
-    const Conditions &conditions = stretch.conditions;
+void check(const Segment &segment) {
+    const Conditions &conditions = segment.conditions;
     fuzz::demand(phys_params_check(&conditions.inputs.params, nullptr) == PHYS_OK);
     fuzz::demand(conditions.dt >= Engine::kSmallestDt && conditions.dt <= Engine::kLargestDt);
-    fuzz::demand(!conditions.maze.path.isEmpty() && stretch.mazeLine > 1 && stretch.stepperLine > 1);
-    fuzz::demand(!stretch.hashes.empty() || !stretch.failure.isEmpty());
-    if (stretch.from) fuzz::demand(std::isfinite(stretch.from->time));
+    fuzz::demand(!conditions.maze.path.isEmpty() && segment.mazeLine > 1 && segment.stepperLine > 1);
+    fuzz::demand(!segment.hashes.empty() || !segment.failure.isEmpty());
+    if (segment.from) fuzz::demand(std::isfinite(segment.from->time));
 }
 
 // As the recorder would have written it.
 QByteArray textOf(const Recording &recording, const Registry &registry) {
     QByteArray text = recordingHead();
     const Conditions *before = nullptr;
-    for (const Stretch &stretch : recording.stretches) {
+    for (const Segment &segment : recording.segments) {
         phys_stepper_info info;
-        const QByteArray &id = stretch.conditions.stepper.id;
+        const QByteArray &id = segment.conditions.stepper.id;
         fuzz::demand(phys_registry_find(registry.get(), id.constData(), &info, nullptr) == PHYS_OK);
-        text += conditionsText(before, stretch.conditions, info);
-        if (stretch.from) text += stateText(*stretch.from);
-        for (const uint64_t hash : stretch.hashes)
+        text += conditionsText(before, segment.conditions, info);
+        if (segment.from) text += stateText(*segment.from);
+        for (const uint64_t hash : segment.hashes)
             text += QByteArray::number(qulonglong(hash), 16).rightJustified(16, '0') + '\n';
-        if (!stretch.failure.isEmpty()) text += failureText(stretch.failure);
-        before = &stretch.conditions;
+        if (!segment.failure.isEmpty()) text += failureText(segment.failure);
+        before = &segment.conditions;
     }
     return text;
 }
@@ -50,7 +50,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         fuzz::demand(!error.isEmpty() && !error.contains('\n') && error.contains(": "));
         return 0;
     }
-    for (const Stretch &stretch : recording->stretches) check(stretch);
+    for (const Segment &segment : recording->segments) check(segment);
     const QByteArray text = textOf(*recording, registry);
     const std::optional<Recording> again = parseRecording(text, registry, &error);
     fuzz::demand(again && textOf(*again, registry) == text);

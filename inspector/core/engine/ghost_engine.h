@@ -11,23 +11,23 @@
 namespace inspector {
 
 // What a ball is compared with, by name.
-struct Opponent {
+struct GhostChoice {
     QByteArray stepper = "exact"; // id
     int substeps = 1;             // of dt / substeps, for each step of the ball; 1 .. kMostSubsteps
-    bool operator==(const Opponent &) const = default;
+    bool operator==(const GhostChoice &) const = default;
 
     static constexpr int kMostSubsteps = 1000;
 };
 
-// The ball's minus the companion's.
+// The ball's minus the ghost's.
 struct Deviation {
     double distance = 0.0; // between the centres, m
     double speed = 0.0;    // m/s
     double energy = 0.0;   // per mass, J/kg
 };
 
-// What moves a companion.
-struct CompanionMeans {
+// What moves a ghost.
+struct GhostMeans {
     Scene scene;     // the leader's
     Stepper stepper; // made for it
     phys_stepper_info info;
@@ -36,14 +36,14 @@ struct CompanionMeans {
 };
 
 // Nothing, and one line in `error` (or nullptr), if there is no such stepper or it can't do this scene.
-std::optional<CompanionMeans> makeMeans(const Registry &registry, const Opponent &opponent, const Scene &scene,
-                                        QString *error);
+std::optional<GhostMeans> makeMeans(const Registry &registry, const GhostChoice &ghostChoice, const Scene &scene,
+                                    QString *error);
 
-class Companion {
+class GhostEngine {
 public:
-    // At the leader's present state. leaderId: of its stepper; where both have the same one the companion obeys the
+    // At the leader's present state. leaderId: of its stepper; where both have the same one the ghost obeys the
     // leader's values of the stepper's own rows, otherwise initial ones.
-    Companion(const Engine &leader, const CompanionMeans &means, const QByteArray &leaderId);
+    GhostEngine(const Engine &leader, const GhostMeans &means, const QByteArray &leaderId);
 
     // Its own parameters, all but the tilt, which is the leader's; nothing: the leader's.
     void setOwnInputs(const std::optional<Inputs> &own) { m_own = own; }
@@ -52,7 +52,7 @@ public:
     // At the leader's present state, also after a refusal.
     void meet(const Engine &leader);
     // One step of the leader's dt, after the leader's. If the stepper refuses it `error` gets the library's line, and
-    // the companion is gone until the next meeting. Out of the maze it waits where it left.
+    // the ghost is gone until the next meeting. Out of the maze it waits where it left.
     bool follow(const Engine &leader, QString *error);
 
     const Scene &scene() const { return m_engine.scene(); }

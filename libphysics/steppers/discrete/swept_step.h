@@ -8,10 +8,10 @@
 
 namespace phys {
 
-class Sweep {
+class SweptStep {
 public:
     /// start: the ball at the step's start.
-    Sweep(const PlanInput &input, Reporter &reporter, const StepPlan &plan, const Ball &start);
+    SweptStep(const PlanInput &input, Reporter &reporter, const StepPlan &plan, const Ball &start);
 
     const Ball &ball() const { return m_ball; }
 

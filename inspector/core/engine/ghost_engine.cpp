@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/engine/companion.h"
+#include "core/engine/ghost_engine.h"
 
 #include "base/elementary.h"
 
@@ -21,20 +21,20 @@ Deviation deviationOf(const Engine &ball, const Engine &other) {
             ball.report().energy_after - other.report().energy_after};
 }
 
-std::optional<CompanionMeans> makeMeans(const Registry &registry, const Opponent &opponent, const Scene &scene,
-                                        QString *error) {
-    CompanionMeans means{scene, {}, {}, opponent.substeps};
+std::optional<GhostMeans> makeMeans(const Registry &registry, const GhostChoice &ghostChoice, const Scene &scene,
+                                    QString *error) {
+    GhostMeans means{scene, {}, {}, ghostChoice.substeps};
     phys_error failure;
-    if (phys_registry_find(registry.get(), opponent.stepper.constData(), &means.info, &failure) != PHYS_OK) {
+    if (phys_registry_find(registry.get(), ghostChoice.stepper.constData(), &means.info, &failure) != PHYS_OK) {
         tell(error, failure);
         return std::nullopt;
     }
-    means.stepper = makeStepper(registry, opponent.stepper, scene, error);
+    means.stepper = makeStepper(registry, ghostChoice.stepper, scene, error);
     if (!means.stepper) return std::nullopt;
     return means;
 }
 
-Companion::Companion(const Engine &leader, const CompanionMeans &means, const QByteArray &leaderId)
+GhostEngine::GhostEngine(const Engine &leader, const GhostMeans &means, const QByteArray &leaderId)
     : m_engine(leader.scene(), means.stepper)
     , m_info(means.info)
     , m_substeps(means.substeps)
@@ -43,7 +43,7 @@ Companion::Companion(const Engine &leader, const CompanionMeans &means, const QB
     meet(leader);
 }
 
-void Companion::meet(const Engine &leader) {
+void GhostEngine::meet(const Engine &leader) {
     phys_state state = leader.state();
     state.step *= uint64_t(m_substeps); // so that its time goes on being counted in steps: model.md 10.6
     m_engine.setState(state);
@@ -54,7 +54,7 @@ void Companion::meet(const Engine &leader) {
 }
 
 // Under the same strength of gravity its direction is the leader's to the last bit.
-Inputs Companion::inputsBeside(const Engine &leader) const {
+Inputs GhostEngine::inputsBeside(const Engine &leader) const {
     Inputs inputs = m_own ? *m_own : leader.inputs();
     if (m_own && m_own->gravity != leader.inputs().gravity) {
         tiltBoard(inputs, leader.inputs().tilt);
@@ -66,7 +66,7 @@ Inputs Companion::inputsBeside(const Engine &leader) const {
     return inputs;
 }
 
-bool Companion::follow(const Engine &leader, QString *error) {
+bool GhostEngine::follow(const Engine &leader, QString *error) {
     if (!m_isThere) return true;
     m_engine.setInputs(inputsBeside(leader));
     m_engine.setDt(leader.dt() / m_substeps);
@@ -78,7 +78,7 @@ bool Companion::follow(const Engine &leader, QString *error) {
     return true;
 }
 
-void Companion::addTo(Sample &sample) const {
+void GhostEngine::addTo(Sample &sample) const {
     if (!m_isThere || (m_previous.flags & PHYS_OUT)) return;
     const phys_vec3 &position = m_engine.state().position;
     sample[Channel::GhostX] = position.x;

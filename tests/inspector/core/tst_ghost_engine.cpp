@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The second ball, led by hand: it starts with the first, obeys what that obeys, and is nothing that the first feels.
-#include "core/engine/companion.h"
+#include "core/engine/ghost_engine.h"
 #include "scenes.h"
 #include "support/compare.h"
 #include "support/stepper_rows.h"
@@ -11,14 +11,14 @@
 
 using namespace inspector;
 
-class TestCompanion : public QObject {
+class TestGhostEngine : public QObject {
     Q_OBJECT
 
 private slots:
     void sameStepperStaysOnTheBall_data();
     void sameStepperStaysOnTheBall();
-    void companionIsWhatTheLibraryComputes_data();
-    void companionIsWhatTheLibraryComputes();
+    void ghostIsWhatTheLibraryComputes_data();
+    void ghostIsWhatTheLibraryComputes();
     void deviationIsThatOfBothStates();
     void deviationOfEulerIsThatOfTheory();
     void finerStepsEndAtTheSameTime_data();
@@ -49,9 +49,9 @@ const Registry &registry() {
 
 Engine ballOf(const Scene &scene, const QByteArray &id) { return {scene, makeStepper(registry(), id, scene, nullptr)}; }
 
-Companion companionOf(const Engine &ball, const Opponent &opponent, const QByteArray &ballsId) {
+GhostEngine ghostOf(const Engine &ball, const GhostChoice &ghostChoice, const QByteArray &ballsId) {
     QString error;
-    const auto means = makeMeans(registry(), opponent, ball.scene(), &error);
+    const auto means = makeMeans(registry(), ghostChoice, ball.scene(), &error);
     if (!means) qFatal("%s", qPrintable(error));
     return {ball, *means, ballsId};
 }
@@ -99,9 +99,9 @@ constexpr int kFastSteps = 15; // the ball isn't at the end of the floor then
 
 } // namespace
 
-void TestCompanion::sameStepperStaysOnTheBall_data() { support::addStepperAndModelRows(); }
+void TestGhostEngine::sameStepperStaysOnTheBall_data() { support::addStepperAndModelRows(); }
 
-void TestCompanion::sameStepperStaysOnTheBall() {
+void TestGhostEngine::sameStepperStaysOnTheBall() {
     QFETCH(QByteArray, stepper);
     QFETCH(uint32_t, model);
     Engine ball = ballOf(room(), stepper);
@@ -113,22 +113,22 @@ void TestCompanion::sameStepperStaysOnTheBall() {
     inputs.params.restitution_wall = 0.9;
     ball.setInputs(inputs);
     ball.setPilot(std::make_shared<PlacePilot>());
-    Companion companion = companionOf(ball, {stepper, 1}, stepper);
+    GhostEngine ghost = ghostOf(ball, {stepper, 1}, stepper);
     std::set<uint32_t> hit; // boxes: it bounces off every wall on its way
     for (int i = 0; i < 400; ++i) {
         QVERIFY2(ball.step(&m_error), qPrintable(m_error));
-        QVERIFY2(companion.follow(ball, &m_error), qPrintable(m_error));
+        QVERIFY2(ghost.follow(ball, &m_error), qPrintable(m_error));
         for (const phys_event &event : ball.events()) {
             if (event.kind == PHYS_EVENT_IMPACT) hit.insert(event.box);
         }
-        QVERIFY(support::sameBits(companion.state(), ball.state()));
-        COMPARE_EXACT(companion.deviation().distance, 0.0);
-        COMPARE_EXACT(companion.deviation().energy, 0.0);
+        QVERIFY(support::sameBits(ghost.state(), ball.state()));
+        COMPARE_EXACT(ghost.deviation().distance, 0.0);
+        COMPARE_EXACT(ghost.deviation().energy, 0.0);
     }
     QCOMPARE(hit.size(), size_t(4));
 }
 
-void TestCompanion::companionIsWhatTheLibraryComputes_data() {
+void TestGhostEngine::ghostIsWhatTheLibraryComputes_data() {
     QTest::addColumn<QByteArray>("stepper");
     QTest::addColumn<int>("substeps");
     for (const QByteArray &id : support::stepperIds())
@@ -136,39 +136,39 @@ void TestCompanion::companionIsWhatTheLibraryComputes_data() {
 }
 
 // The same by calls of the library alone, with the tilts that the ball's pilot chose.
-void TestCompanion::companionIsWhatTheLibraryComputes() {
+void TestGhostEngine::ghostIsWhatTheLibraryComputes() {
     QFETCH(QByteArray, stepper);
     QFETCH(int, substeps);
     const Scene scene = levelScene(4);
     Engine ball = ballOf(scene, "symplectic-euler");
     ball.setPilot(std::make_shared<PlacePilot>());
-    Companion companion = companionOf(ball, {stepper, substeps}, "symplectic-euler");
+    GhostEngine ghost = ghostOf(ball, {stepper, substeps}, "symplectic-euler");
     const Stepper plain = makeStepper(registry(), stepper, scene, nullptr);
     phys_state state;
     QCOMPARE(phys_scene_start(scene.get(), &state), PHYS_OK);
     double largest = 0.0;
     for (int i = 0; i < 400; ++i) {
         QVERIFY(ball.step(&m_error));
-        QVERIFY2(companion.follow(ball, &m_error), qPrintable(m_error));
+        QVERIFY2(ghost.follow(ball, &m_error), qPrintable(m_error));
         const phys_params params = ball.inputs().params;
         for (int j = 0; j < substeps; ++j)
             QCOMPARE(phys_step(plain.get(), &params, 0.01 / substeps, &state, &state, nullptr, nullptr), PHYS_OK);
-        QVERIFY(support::sameBits(companion.state(), state));
+        QVERIFY(support::sameBits(ghost.state(), state));
         const phys_vec3 &a = ball.state().position;
         const double distance = std::sqrt(std::pow(a.x - state.position.x, 2) + std::pow(a.y - state.position.y, 2) +
                                           std::pow(a.z - state.position.z, 2));
-        COMPARE_WITHIN(companion.deviation().distance, distance, 1e-15 * distance); // 4 roundings
+        COMPARE_WITHIN(ghost.deviation().distance, distance, 1e-15 * distance); // 4 roundings
         largest = std::max(largest, distance);
     }
     const bool isSame = stepper == "symplectic-euler" && substeps == 1;
     QCOMPARE(largest == 0.0, isSame);
 }
 
-void TestCompanion::deviationIsThatOfBothStates() {
+void TestGhostEngine::deviationIsThatOfBothStates() {
     Engine ball = ballOf(levelScene(1), "explicit-euler");
     ball.setInputs(tilted(3.0, 4.0));
-    Companion companion = companionOf(ball, {"exact", 1}, "explicit-euler");
-    for (int i = 0; i < 50; ++i) QVERIFY(ball.step(&m_error) && companion.follow(ball, &m_error));
+    GhostEngine ghost = ghostOf(ball, {"exact", 1}, "explicit-euler");
+    for (int i = 0; i < 50; ++i) QVERIFY(ball.step(&m_error) && ghost.follow(ball, &m_error));
     const auto speed = [](const phys_state &state) { return std::hypot(state.velocity.x, state.velocity.y); };
     const auto energy = [&](const phys_state &state) {
         double result = 0.0;
@@ -176,219 +176,218 @@ void TestCompanion::deviationIsThatOfBothStates() {
         return result;
     };
     // The differences of numbers below 1.
-    COMPARE_WITHIN(companion.deviation().speed, speed(ball.state()) - speed(companion.state()), 1e-15);
-    COMPARE_EXACT(companion.deviation().energy, energy(ball.state()) - energy(companion.state()));
+    COMPARE_WITHIN(ghost.deviation().speed, speed(ball.state()) - speed(ghost.state()), 1e-15);
+    COMPARE_EXACT(ghost.deviation().energy, energy(ball.state()) - energy(ghost.state()));
     Sample sample = ball.sample();
-    companion.addTo(sample);
-    COMPARE_EXACT(sample[Channel::GhostX], companion.state().position.x);
-    COMPARE_EXACT(sample[Channel::GhostY], companion.state().position.y);
-    COMPARE_EXACT(sample[Channel::GhostZ], companion.state().position.z);
-    COMPARE_EXACT(sample[Channel::Distance], companion.deviation().distance);
-    COMPARE_EXACT(sample[Channel::SpeedDifference], companion.deviation().speed);
-    COMPARE_EXACT(sample[Channel::EnergyDifference], companion.deviation().energy);
+    ghost.addTo(sample);
+    COMPARE_EXACT(sample[Channel::GhostX], ghost.state().position.x);
+    COMPARE_EXACT(sample[Channel::GhostY], ghost.state().position.y);
+    COMPARE_EXACT(sample[Channel::GhostZ], ghost.state().position.z);
+    COMPARE_EXACT(sample[Channel::Distance], ghost.deviation().distance);
+    COMPARE_EXACT(sample[Channel::SpeedDifference], ghost.deviation().speed);
+    COMPARE_EXACT(sample[Channel::EnergyDifference], ghost.deviation().energy);
 }
 
 // Under a constant acceleration a symplectic Euler is ahead of the parabola by a dt t / 2: sum of i a dt^2 for i up to
 // n is a t^2 / 2 + a dt t / 2. Rolling freely, a = 5/7 g sin(tilt).
-void TestCompanion::deviationOfEulerIsThatOfTheory() {
+void TestGhostEngine::deviationOfEulerIsThatOfTheory() {
     Engine ball = ballOf(openFloor(), "symplectic-euler");
     Inputs inputs = tilted(5.0, 0.0);
     inputs.params.rolling_friction = 0.0;
     ball.setInputs(inputs);
-    Companion companion = companionOf(ball, {"exact", 1}, "symplectic-euler");
+    GhostEngine ghost = ghostOf(ball, {"exact", 1}, "symplectic-euler");
     const double acceleration = 5.0 / 7.0 * 9.81 * std::sin(radians(5.0));
     for (int i = 1; i <= 100; ++i) {
-        QVERIFY(ball.step(&m_error) && companion.follow(ball, &m_error));
+        QVERIFY(ball.step(&m_error) && ghost.follow(ball, &m_error));
         // Rounding of positions up to 0.3 m, added up over the steps.
-        COMPARE_WITHIN(companion.deviation().distance, acceleration * 0.01 * (0.01 * i) / 2.0, 1e-15 * i);
+        COMPARE_WITHIN(ghost.deviation().distance, acceleration * 0.01 * (0.01 * i) / 2.0, 1e-15 * i);
     }
 }
 
-void TestCompanion::finerStepsEndAtTheSameTime_data() {
+void TestGhostEngine::finerStepsEndAtTheSameTime_data() {
     QTest::addColumn<int>("substeps");
     for (const int substeps : {1, 3, 7, 10, 1000}) QTest::addRow("dt/%d", substeps) << substeps;
 }
 
 // Counted, not summed: a ball at 1 m/s would be off by what times differ.
-void TestCompanion::finerStepsEndAtTheSameTime() {
+void TestGhostEngine::finerStepsEndAtTheSameTime() {
     QFETCH(int, substeps);
     Engine ball = ballOf(openFloor(), "symplectic-euler");
     for (int i = 0; i < 30; ++i) QVERIFY(ball.step(&m_error));
-    Companion companion = companionOf(ball, {"symplectic-euler", substeps}, "symplectic-euler");
+    GhostEngine ghost = ghostOf(ball, {"symplectic-euler", substeps}, "symplectic-euler");
     for (int i = 0; i < 300; ++i) {
-        QVERIFY(ball.step(&m_error) && companion.follow(ball, &m_error));
-        COMPARE_WITHIN(companion.state().time, ball.state().time, 1e-15 * ball.state().time); // of both products
+        QVERIFY(ball.step(&m_error) && ghost.follow(ball, &m_error));
+        COMPARE_WITHIN(ghost.state().time, ball.state().time, 1e-15 * ball.state().time); // of both products
     }
 }
 
-void TestCompanion::meetingPutsItOntoTheBall() {
+void TestGhostEngine::meetingPutsItOntoTheBall() {
     Engine ball = ballOf(levelScene(3), "symplectic-euler");
     ball.setInputs(tilted(3.0, 4.0));
-    Companion companion = companionOf(ball, {"exact", 1}, "symplectic-euler");
-    for (int i = 0; i < 40; ++i) QVERIFY(ball.step(&m_error) && companion.follow(ball, &m_error));
-    QVERIFY(companion.deviation().distance > 0.0);
-    companion.meet(ball);
-    QVERIFY(support::sameBits(companion.state(), ball.state()));
-    QVERIFY(support::sameBits(companion.previous(), ball.previous())); // drawn between both, as the ball is
-    COMPARE_EXACT(companion.deviation().distance, 0.0);
-    COMPARE_EXACT(companion.deviation().speed, 0.0);
-    COMPARE_EXACT(companion.deviation().energy, 0.0);
-    COMPARE_EXACT(companion.met().time, 0.4);
+    GhostEngine ghost = ghostOf(ball, {"exact", 1}, "symplectic-euler");
+    for (int i = 0; i < 40; ++i) QVERIFY(ball.step(&m_error) && ghost.follow(ball, &m_error));
+    QVERIFY(ghost.deviation().distance > 0.0);
+    ghost.meet(ball);
+    QVERIFY(support::sameBits(ghost.state(), ball.state()));
+    QVERIFY(support::sameBits(ghost.previous(), ball.previous())); // drawn between both, as the ball is
+    COMPARE_EXACT(ghost.deviation().distance, 0.0);
+    COMPARE_EXACT(ghost.deviation().speed, 0.0);
+    COMPARE_EXACT(ghost.deviation().energy, 0.0);
+    COMPARE_EXACT(ghost.met().time, 0.4);
 }
 
-void TestCompanion::meetingGoesOnAsFromThere() {
+void TestGhostEngine::meetingGoesOnAsFromThere() {
     Engine ball = ballOf(levelScene(3), "symplectic-euler");
     ball.setInputs(tilted(3.0, 4.0));
-    Companion companion = companionOf(ball, {"rk4", 1}, "symplectic-euler");
-    for (int i = 0; i < 40; ++i) QVERIFY(ball.step(&m_error) && companion.follow(ball, &m_error));
-    companion.meet(ball);
+    GhostEngine ghost = ghostOf(ball, {"rk4", 1}, "symplectic-euler");
+    for (int i = 0; i < 40; ++i) QVERIFY(ball.step(&m_error) && ghost.follow(ball, &m_error));
+    ghost.meet(ball);
     Engine other = ballOf(ball.scene(), "rk4");
     other.setInputs(tilted(3.0, 4.0));
     other.setState(ball.state());
     for (int i = 0; i < 40; ++i) {
-        QVERIFY(ball.step(&m_error) && companion.follow(ball, &m_error) && other.step(&m_error));
-        QVERIFY(support::sameBits(companion.state(), other.state()));
-        QVERIFY(support::sameBits(companion.previous(), other.previous()));
+        QVERIFY(ball.step(&m_error) && ghost.follow(ball, &m_error) && other.step(&m_error));
+        QVERIFY(support::sameBits(ghost.state(), other.state()));
+        QVERIFY(support::sameBits(ghost.previous(), other.previous()));
     }
 }
 
-void TestCompanion::stepSizeOfTheBallCanChange() {
+void TestGhostEngine::stepSizeOfTheBallCanChange() {
     Engine ball = ballOf(levelScene(3), "symplectic-euler");
     ball.setInputs(tilted(3.0, 4.0));
-    Companion companion = companionOf(ball, {"symplectic-euler", 1}, "symplectic-euler");
+    GhostEngine ghost = ghostOf(ball, {"symplectic-euler", 1}, "symplectic-euler");
     for (const double dt : {0.01, 0.004, 0.0125}) {
         ball.setDt(dt);
         for (int i = 0; i < 100; ++i) {
-            QVERIFY(ball.step(&m_error) && companion.follow(ball, &m_error));
-            QVERIFY(support::sameBits(companion.state(), ball.state()));
+            QVERIFY(ball.step(&m_error) && ghost.follow(ball, &m_error));
+            QVERIFY(support::sameBits(ghost.state(), ball.state()));
         }
     }
 }
 
 // Against a wall, where as_reported makes a difference.
-void TestCompanion::sameStepperObeysTheBallsOwnValues() {
+void TestGhostEngine::sameStepperObeysTheBallsOwnValues() {
     Engine ball = ballOf(levelScene(1), "symplectic-euler");
     Inputs inputs = tilted(-8.0, 0.0);
     inputs.params.stepper[0] = 1.0;
     ball.setInputs(inputs);
-    Companion companion = companionOf(ball, {"symplectic-euler", 1}, "symplectic-euler");
-    for (int i = 0; i < 100; ++i) QVERIFY(ball.step(&m_error) && companion.follow(ball, &m_error));
-    QVERIFY(support::sameBits(companion.state(), ball.state()));
+    GhostEngine ghost = ghostOf(ball, {"symplectic-euler", 1}, "symplectic-euler");
+    for (int i = 0; i < 100; ++i) QVERIFY(ball.step(&m_error) && ghost.follow(ball, &m_error));
+    QVERIFY(support::sameBits(ghost.state(), ball.state()));
 }
 
-void TestCompanion::otherStepperHasInitialOwnValues() {
+void TestGhostEngine::otherStepperHasInitialOwnValues() {
     Engine ball = ballOf(levelScene(1), "symplectic-euler");
     Inputs inputs = tilted(-8.0, 0.0);
     inputs.params.stepper[0] = 1.0;
     ball.setInputs(inputs);
-    Companion companion = companionOf(ball, {"symplectic-euler", 1}, "symplectic-euler");
-    companion.setLeaderStepper("exact"); // the ball's values now mean something else
+    GhostEngine ghost = ghostOf(ball, {"symplectic-euler", 1}, "symplectic-euler");
+    ghost.setLeaderStepper("exact"); // the ball's values now mean something else
     Engine plain = ballOf(ball.scene(), "symplectic-euler");
     plain.setInputs(tilted(-8.0, 0.0));
-    for (int i = 0; i < 100; ++i)
-        QVERIFY(ball.step(&m_error) && companion.follow(ball, &m_error) && plain.step(&m_error));
-    QVERIFY(support::sameBits(companion.state(), plain.state()));
-    QVERIFY(!support::sameBits(companion.state(), ball.state()));
+    for (int i = 0; i < 100; ++i) QVERIFY(ball.step(&m_error) && ghost.follow(ball, &m_error) && plain.step(&m_error));
+    QVERIFY(support::sameBits(ghost.state(), plain.state()));
+    QVERIFY(!support::sameBits(ghost.state(), ball.state()));
 }
 
 // As an engine that has them from the start.
-void TestCompanion::ownParametersAreObeyed() {
+void TestGhostEngine::ownParametersAreObeyed() {
     Engine ball = ballOf(levelScene(3), "symplectic-euler");
     ball.setInputs(tilted(3.0, 4.0));
     Inputs own = tilted(3.0, 4.0);
     own.params.restitution_wall = 0.8;
     own.params.rolling_friction = 0.004;
     own.params.model = PHYS_MODEL_RIGID;
-    Companion companion = companionOf(ball, {"symplectic-euler", 1}, "symplectic-euler");
-    companion.setOwnInputs(own);
+    GhostEngine ghost = ghostOf(ball, {"symplectic-euler", 1}, "symplectic-euler");
+    ghost.setOwnInputs(own);
     Engine alone = ballOf(ball.scene(), "symplectic-euler");
     alone.setInputs(own);
     double largest = 0.0; // both end in the same corner
     for (int i = 0; i < 200; ++i) {
-        QVERIFY(ball.step(&m_error) && companion.follow(ball, &m_error) && alone.step(&m_error));
-        QVERIFY(support::sameBits(companion.state(), alone.state()));
-        largest = std::max(largest, companion.deviation().distance);
+        QVERIFY(ball.step(&m_error) && ghost.follow(ball, &m_error) && alone.step(&m_error));
+        QVERIFY(support::sameBits(ghost.state(), alone.state()));
+        largest = std::max(largest, ghost.deviation().distance);
     }
     QVERIFY(largest > 0.0);
 }
 
 // On the Moon, tilted as the ball's pilot does.
-void TestCompanion::tiltIsTheBallsWhateverItsOwnParameters() {
+void TestGhostEngine::tiltIsTheBallsWhateverItsOwnParameters() {
     Engine ball = ballOf(levelScene(3), "symplectic-euler");
     ball.setPilot(std::make_shared<PlacePilot>());
     Inputs moon = initialInputs();
     moon.gravity = 1.62;
     tiltBoard(moon, {});
-    Companion companion = companionOf(ball, {"exact", 1}, "symplectic-euler");
-    companion.setOwnInputs(moon);
+    GhostEngine ghost = ghostOf(ball, {"exact", 1}, "symplectic-euler");
+    ghost.setOwnInputs(moon);
     Engine alone = ballOf(ball.scene(), "exact");
     for (int i = 0; i < 200; ++i) {
-        QVERIFY(ball.step(&m_error) && companion.follow(ball, &m_error));
+        QVERIFY(ball.step(&m_error) && ghost.follow(ball, &m_error));
         tiltBoard(moon, ball.inputs().tilt);
         alone.setInputs(moon);
         QVERIFY(alone.step(&m_error));
-        QVERIFY(support::sameBits(companion.state(), alone.state()));
+        QVERIFY(support::sameBits(ghost.state(), alone.state()));
     }
 }
 
-void TestCompanion::ownParametersThatAreTheBallsKeepItOnTheBall() {
+void TestGhostEngine::ownParametersThatAreTheBallsKeepItOnTheBall() {
     Engine ball = ballOf(levelScene(3), "symplectic-euler");
     ball.setPilot(std::make_shared<PlacePilot>());
-    Companion companion = companionOf(ball, {"symplectic-euler", 1}, "symplectic-euler");
-    companion.setOwnInputs(initialInputs());
+    GhostEngine ghost = ghostOf(ball, {"symplectic-euler", 1}, "symplectic-euler");
+    ghost.setOwnInputs(initialInputs());
     for (int i = 0; i < 200; ++i) {
-        QVERIFY(ball.step(&m_error) && companion.follow(ball, &m_error));
-        QVERIFY(support::sameBits(companion.state(), ball.state()));
+        QVERIFY(ball.step(&m_error) && ghost.follow(ball, &m_error));
+        QVERIFY(support::sameBits(ghost.state(), ball.state()));
     }
 }
 
-void TestCompanion::refusalEndsItUntilTheNextMeeting() {
+void TestGhostEngine::refusalEndsItUntilTheNextMeeting() {
     Engine ball = fastBall();
     const phys_state start = ball.state();
-    Companion companion = companionOf(ball, {"symplectic-euler", 1}, "exact");
-    for (int i = 0; companion.isThere() && i < kFastSteps; ++i) {
+    GhostEngine ghost = ghostOf(ball, {"symplectic-euler", 1}, "exact");
+    for (int i = 0; ghost.isThere() && i < kFastSteps; ++i) {
         QVERIFY(ball.step(&m_error));
-        companion.follow(ball, &m_error);
+        ghost.follow(ball, &m_error);
     }
-    QVERIFY(!companion.isThere());
+    QVERIFY(!ghost.isThere());
     QVERIFY2(m_error.contains("substeps of half a radius; at most 10000 are allowed"), qPrintable(m_error));
     Sample sample = ball.sample();
-    companion.addTo(sample);
+    ghost.addTo(sample);
     QVERIFY(std::isnan(sample[Channel::GhostX]) && std::isnan(sample[Channel::Distance]));
     QVERIFY(ball.step(&m_error));
-    QVERIFY(companion.follow(ball, &m_error)); // said once
+    QVERIFY(ghost.follow(ball, &m_error)); // said once
 
     ball.setState(start);
-    companion.meet(ball);
-    QVERIFY(companion.isThere());
-    QVERIFY(ball.step(&m_error) && companion.follow(ball, &m_error) && companion.isThere());
+    ghost.meet(ball);
+    QVERIFY(ghost.isThere());
+    QVERIFY(ball.step(&m_error) && ghost.follow(ball, &m_error) && ghost.isThere());
 }
 
-void TestCompanion::refusalLeavesTheBallAlone() {
+void TestGhostEngine::refusalLeavesTheBallAlone() {
     Engine ball = fastBall();
     Engine alone = fastBall();
-    Companion companion = companionOf(ball, {"symplectic-euler", 1}, "exact");
+    GhostEngine ghost = ghostOf(ball, {"symplectic-euler", 1}, "exact");
     for (int i = 0; i < kFastSteps; ++i) {
         QVERIFY(ball.step(&m_error) && alone.step(&m_error));
-        companion.follow(ball, &m_error);
+        ghost.follow(ball, &m_error);
         QVERIFY(support::sameBits(ball.state(), alone.state()));
     }
-    QVERIFY(!companion.isThere());
+    QVERIFY(!ghost.isThere());
 }
 
-void TestCompanion::missingStepperGivesOneLine() {
+void TestGhostEngine::missingStepperGivesOneLine() {
     QVERIFY(!makeMeans(registry(), {"none", 1}, openFloor(), &m_error));
     QVERIFY2(m_error.startsWith("no stepper has the id 'none'"), qPrintable(m_error));
 }
 
-void TestCompanion::sceneThatTheStepperCantDoGivesOneLine() {
+void TestGhostEngine::sceneThatTheStepperCantDoGivesOneLine() {
     const Registry withPlugin = makeRegistry(nullptr);
     QVERIFY2(loadPlugin(withPlugin, MISBEHAVING, &m_error), qPrintable(m_error));
-    const Opponent opponent{"wants-walls", 1};
-    QVERIFY2(makeMeans(withPlugin, opponent, longFloor(), &m_error), qPrintable(m_error));
-    QVERIFY(!makeMeans(withPlugin, opponent, openFloor(), &m_error));
+    const GhostChoice ghostChoice{"wants-walls", 1};
+    QVERIFY2(makeMeans(withPlugin, ghostChoice, longFloor(), &m_error), qPrintable(m_error));
+    QVERIFY(!makeMeans(withPlugin, ghostChoice, openFloor(), &m_error));
     QCOMPARE(m_error, QStringLiteral("a floor without walls is too simple"));
 }
 
-QTEST_GUILESS_MAIN(TestCompanion)
-#include "tst_companion.moc"
+QTEST_GUILESS_MAIN(TestGhostEngine)
+#include "tst_ghost_engine.moc"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "sweep.h"
+#include "swept_step.h"
 
 #include <cmath>
 
@@ -36,7 +36,7 @@ double safeTime(const PlanInput &input, const Ball &ball) {
 
 } // namespace
 
-Sweep::Sweep(const PlanInput &input, Reporter &reporter, const StepPlan &plan, const Ball &start)
+SweptStep::SweptStep(const PlanInput &input, Reporter &reporter, const StepPlan &plan, const Ball &start)
     : m_input(input)
     , m_plan(plan)
     , m_context{withTolerance({input.scene, input.params}), reporter}
@@ -44,7 +44,7 @@ Sweep::Sweep(const PlanInput &input, Reporter &reporter, const StepPlan &plan, c
     , m_slow(kSlow * std::sqrt(glm::length(toVec(input.params.gravity)) * input.scene.radius))
     , m_ball(start) {}
 
-Ball Sweep::at(double t, Reporter &reporter) const {
+Ball SweptStep::at(double t, Reporter &reporter) const {
     constexpr uint32_t kEffortOfContacts = 10;
     ++m_effort;
     Step step(m_context.setting, reporter, m_plan, t);
@@ -57,19 +57,19 @@ Ball Sweep::at(double t, Reporter &reporter) const {
     } else if (!step.rollBetweenWalls(m_contacts, ball)) {
         m_effort += kEffortOfContacts;
         const StepContext context{m_context.setting, reporter};
-        ball.supported = hold(context, m_contacts, Hold::SecondOrder, t, ball);
+        ball.supported = hold(context, m_contacts, ContactRule::SecondOrder, t, ball);
     } else {
         ball.supported = true;
     }
     return ball;
 }
 
-Ball Sweep::at(double t) const {
+Ball SweptStep::at(double t) const {
     Reporter silent(nullptr, 0.0);
     return at(t, silent);
 }
 
-bool Sweep::toNextEvent() {
+bool SweptStep::toNextEvent() {
     if (advanceFreely()) return true;
     beginPhase();
     const double rest = m_input.dt - m_done;
@@ -80,13 +80,13 @@ bool Sweep::toNextEvent() {
 }
 
 /// The whole step where nothing happens in it.
-bool Sweep::advanceFreely() {
+bool SweptStep::advanceFreely() {
     if (m_done > 0.0 || !isSlow(m_input) || spinsFast(m_input)) return false;
     Step step({m_input.scene, m_input.params}, m_context.report, m_plan, m_input.dt);
     return step.glideOnFloor(m_ball);
 }
 
-void Sweep::beginPhase() {
+void SweptStep::beginPhase() {
     const Setting &setting = m_context.setting;
     const auto lookHere = [&] {
         findContacts(setting, m_ball.position, motionOf(m_ball), Vec3(0.0), m_contacts);
@@ -106,7 +106,7 @@ void Sweep::beginPhase() {
 }
 
 /// Slow contacts last, from here on without any speed along their normals; those that the ball leaves are none.
-void Sweep::dropWhatIsLeft() {
+void SweptStep::dropWhatIsLeft() {
     if (m_contacts.count() > 1) stopSlowApproach();
     const Vec3 velocity = m_ball.velocity;
     const auto speed = [&](const Contact &contact) { return glm::dot(velocity, contact.normal); };
@@ -128,7 +128,7 @@ void Sweep::dropWhatIsLeft() {
 }
 
 /// What comes too slowly for a bounce stops at several contacts as in an impact: none is pulled back.
-void Sweep::stopSlowApproach() {
+void SweptStep::stopSlowApproach() {
     const bool approaches = std::any_of(m_contacts.begin(), m_contacts.end(), [&](const Contact &contact) {
         return glm::dot(m_ball.velocity, contact.normal) < -m_slow;
     });
@@ -141,7 +141,7 @@ void Sweep::stopSlowApproach() {
 
 /// Takes the speed along the normals of the contacts from a velocity. Where normals are nearly parallel that would take
 /// far more of it than the ball moves along them: it leaves one of them then.
-void Sweep::keepContacts(const Vec3 &velocity) {
+void SweptStep::keepContacts(const Vec3 &velocity) {
     constexpr double kMostTaken = 4.0; // of the fastest: normals of at least 29 degrees
     for (;;) {
         NormalSpan kept;
@@ -157,11 +157,11 @@ void Sweep::keepContacts(const Vec3 &velocity) {
 }
 
 /// Of contacts that the ball leaves slowly those stay that press if the ball doesn't leave them.
-void Sweep::dropWhatNothingPresses(const Vec3 &velocity) {
+void SweptStep::dropWhatNothingPresses(const Vec3 &velocity) {
     Ball trial = m_ball;
     Reporter silent(nullptr, 0.0);
     std::array<bool, Contacts::kMost> presses;
-    hold({m_context.setting, silent}, m_contacts, Hold::SecondOrder, m_substep, trial, presses);
+    hold({m_context.setting, silent}, m_contacts, ContactRule::SecondOrder, m_substep, trial, presses);
     NormalSpan kept;
     const bool *pressing = presses.data();
     m_contacts.drop([&](const Contact &contact) {
@@ -173,7 +173,7 @@ void Sweep::dropWhatNothingPresses(const Vec3 &velocity) {
     m_ball.velocity = kept.across(velocity);
 }
 
-void Sweep::finishPhase(double t) {
+void SweptStep::finishPhase(double t) {
     m_ball = at(t, m_context.report);
     if (t == m_stop) {
         m_ball.velocity = Vec3(0.0);
@@ -191,7 +191,7 @@ void Sweep::finishPhase(double t) {
 
 /// When `left`, which falls linearly within the order from `start` on, comes to 0; INFINITY if not before `end`.
 template<class Left>
-double Sweep::timeToZero(double end, double start, Left left) const {
+double SweptStep::timeToZero(double end, double start, Left left) const {
     constexpr int kMostHalvings = 60;
     double t = end;
     double rest = left(at(t));
@@ -202,7 +202,7 @@ double Sweep::timeToZero(double end, double start, Left left) const {
 }
 
 /// Resistance ends with the ball's way, and begins with the end of a slip: neither may lie inside a phase.
-double Sweep::timeToStopOrRoll(double end) {
+double SweptStep::timeToStopOrRoll(double end) {
     m_stop = m_roll = INFINITY;
     if (m_context.params().rolling_friction == 0.0) return end;
     const double speed = glm::length(m_ball.velocity);
@@ -219,7 +219,7 @@ double Sweep::timeToStopOrRoll(double end) {
 }
 
 /// Slip at the top face that carries the ball; 0 without one, and in the rolling model.
-Vec3 Sweep::slipOnTop(const Ball &ball) const {
+Vec3 SweptStep::slipOnTop(const Ball &ball) const {
     const bool isOnTop =
         std::any_of(m_contacts.begin(), m_contacts.end(), [](const Contact &contact) { return contact.isTop; });
     if (!isOnTop || !m_context.isRigid()) return Vec3(0.0);
@@ -227,7 +227,7 @@ Vec3 Sweep::slipOnTop(const Ball &ball) const {
 }
 
 /// How far this phase may be looked at in one piece, s.
-double Sweep::horizon() const {
+double SweptStep::horizon() const {
     const double rest = m_input.dt - m_done;
     const bool isParabola = m_isAlone || m_contacts.empty();
     for (double t = rest; isParabola && t > m_substep; t *= 0.5) {
@@ -237,7 +237,7 @@ double Sweep::horizon() const {
 }
 
 /// Whether the box around the way of t seconds holds nothing but the face that the ball is on.
-bool Sweep::isClear(double t) const {
+bool SweptStep::isClear(double t) const {
     const Vec3 end = at(t).position;
     const Vec3 corner = m_ball.position + 0.5 * t * m_ball.velocity; // of the triangle around a parabola
     const double margin = m_context.radius() + 2.0 * m_context.scene().tolerance;
@@ -253,13 +253,13 @@ bool Sweep::isClear(double t) const {
     return isClear;
 }
 
-bool Sweep::holds(uint32_t box) const {
+bool SweptStep::holds(uint32_t box) const {
     return std::any_of(m_contacts.begin(), m_contacts.end(),
                        [&](const Contact &contact) { return contact.box == box; });
 }
 
 /// Times at which the phase is looked at, up to its end: quarters, and where the ball turns back along an axis.
-Sweep::Looks Sweep::looks(double end) const {
+SweptStep::Looks SweptStep::looks(double end) const {
     Looks looks;
     for (int quarter = 1; quarter <= 3; ++quarter) looks.add(0.25 * quarter * end);
     const Vec3 change = at(end).velocity - m_ball.velocity;
@@ -272,7 +272,7 @@ Sweep::Looks Sweep::looks(double end) const {
 }
 
 /// The first event of the phase, or its end.
-double Sweep::firstEvent(double end) const {
+double SweptStep::firstEvent(double end) const {
     const Looks looks = this->looks(end);
     double before = 0.0;
     double lateBefore = NAN; // not needed before an event
@@ -288,7 +288,7 @@ double Sweep::firstEvent(double end) const {
 }
 
 /// Where lateness changes sign: the late end, within rounding. Regula falsi that halves what doesn't move.
-double Sweep::root(double before, double lateBefore, double after, double lateAfter) const {
+double SweptStep::root(double before, double lateBefore, double after, double lateAfter) const {
     // A ball that leaves a contact may begin within rounding on its wrong side.
     const double base = std::max(0.0, lateness(m_ball));
     lateBefore = std::min(lateBefore - base, 0.0);
@@ -314,10 +314,10 @@ double Sweep::root(double before, double lateBefore, double after, double lateAf
 }
 
 /// How far (m) the ball is past the phase's first event: above 0, by more than rounding, once one has happened.
-double Sweep::lateness(const Ball &ball) const { return std::max(overlap(ball), beyondFeature(ball)); }
+double SweptStep::lateness(const Ball &ball) const { return std::max(overlap(ball), beyondFeature(ball)); }
 
 /// Into a box that it isn't in contact with.
-double Sweep::overlap(const Ball &ball) const {
+double SweptStep::overlap(const Ball &ball) const {
     const Scene &scene = m_context.scene();
     double nearest = INFINITY;
     visitNear(scene, ball.position, scene.radius, [&](const phys_box &box, uint32_t number) {
@@ -327,7 +327,7 @@ double Sweep::overlap(const Ball &ball) const {
 }
 
 /// Past the end of a face or an edge that it is in contact with.
-double Sweep::beyondFeature(const Ball &ball) const {
+double SweptStep::beyondFeature(const Ball &ball) const {
     double beyond = -INFINITY;
     for (const Contact &contact : m_contacts) {
         const phys_box &box = m_context.scene().boxes[contact.box];
