@@ -22,6 +22,10 @@ constexpr int kMidpointPasses = 3;
 
 double spinEnergy(const Vec3 &spin, double radius) { return 0.2 * radius * radius * glm::dot(spin, spin); }
 
+double kineticEnergy(const StepContext &context, const Ball &ball) {
+    return 0.5 * glm::dot(ball.velocity, ball.velocity) + spinEnergy(ball.spin, context.radius());
+}
+
 Vec3 rollingSpinOf(const StepContext &context, const Ball &ball) {
     return rollingSpin(inPlane(ball.velocity), context.radius());
 }
@@ -286,6 +290,13 @@ bool leaveOverlaps(const StepContext &context, Ball &ball) {
     return pushed.isFree;
 }
 
+bool paysForPush(const StepContext &context, const Ball &ball) {
+    Reporter silent(nullptr, 0.0);
+    Ball pushed = ball;
+    if (!leaveOverlaps({context.setting, silent}, pushed)) return false;
+    return -glm::dot(context.setting.gravity(), pushed.position - ball.position) <= kineticEnergy(context, ball);
+}
+
 void payForLift(const StepContext &context, const Contacts &contacts, const Vec3 &way, Ball &ball) {
     const double lifted = -glm::dot(context.setting.gravity(), way);
     if (!(lifted > 0.0)) return;
@@ -293,7 +304,7 @@ void payForLift(const StepContext &context, const Contacts &contacts, const Vec3
         return contact.gap < -context.setting.tolerance;
     });
     if (beganInside) return;
-    const double kinetic = 0.5 * glm::dot(ball.velocity, ball.velocity) + spinEnergy(ball.spin, context.radius());
+    const double kinetic = kineticEnergy(context, ball);
     const double share = kinetic > lifted ? std::sqrt(1.0 - lifted / kinetic) : 0.0;
     ball.velocity *= share;
     ball.spin *= share;
