@@ -62,7 +62,9 @@ void TestSnapshot::drawnGhostIsOfTheSameMoment() {
     QFETCH(double, x);
     Snapshot snapshot = snapshotOf(0.0, 0.0);
     const Snapshot other = snapshotOf(1.0, 3.0);
-    snapshot.ghost = Ghost{other.previous, other.current, 0.0, {}};
+    snapshot.ghost.emplace();
+    snapshot.ghost->previous = other.previous;
+    snapshot.ghost->current = other.current;
     const auto ghost = interpolatedGhost(snapshot, kDue + std::chrono::milliseconds(milliseconds));
     QVERIFY(ghost);
     QCOMPARE(ghost->position.x, x);
