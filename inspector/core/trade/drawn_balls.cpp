@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trade/drawn_balls.h"
 
-#include "core/trade/trade_reference.h"
+#include "core/schedule/trade_reference.h"
 
 #include <algorithm>
 #include <array>

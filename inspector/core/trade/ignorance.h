@@ -3,7 +3,7 @@
 // stepped by "exact" under the same tilts.
 #pragma once
 
-#include "core/trade/trade_reference.h"
+#include "core/schedule/trade_reference.h"
 #include "core/trade/unknowns.h"
 
 namespace inspector {

@@ -2,8 +2,8 @@
 #include "core/trade/trade_options.h"
 
 #include "core/engine/engine.h"
-#include "core/trade/busy_schedule.h"
-#include "core/trade/recording_schedule.h"
+#include "core/schedule/busy_schedule.h"
+#include "core/schedule/recording_schedule.h"
 
 #include <QStringList>
 

@@ -2,8 +2,8 @@
 // One stepper along one schedule: once to see what it is wrong by, several times to see what it costs.
 #pragma once
 
+#include "core/schedule/trade_reference.h"
 #include "core/trade/trade.h"
-#include "core/trade/trade_reference.h"
 
 namespace inspector {
 

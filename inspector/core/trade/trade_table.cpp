@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trade/trade_table.h"
 
+#include "core/schedule/trade_reference.h"
 #include "core/setup/tables.h"
-#include "core/trade/trade_reference.h"
 
 #include <QLocale>
 #include <QStringList>

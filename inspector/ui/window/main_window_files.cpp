@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files of the window: opened, dropped, remembered, watched; plugins; pages of documentation.
+#include "core/schedule/recording_schedule.h"
 #include "core/setup/lines.h"
-#include "core/trade/recording_schedule.h"
 #include "ui/parts/file_chooser.h"
 #include "ui/parts/message_bar.h"
 #include "ui/parts/settings_keys.h"

@@ -2,9 +2,9 @@
 // Recordings: what is written comes back bit by bit, replays the same, and tells exactly the first step that doesn't.
 #include "core/recording/recorder.h"
 #include "core/recording/replay.h"
+#include "core/schedule/recording_schedule.h"
 #include "core/session/session.h"
 #include "core/setup/settings_file.h"
-#include "core/trade/recording_schedule.h"
 #include "headless_run.h"
 #include "scenes.h"
 #include "support/files.h"

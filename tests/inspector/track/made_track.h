@@ -2,9 +2,9 @@
 // A track as a camera would see it of a ball on a board whose numbers are known.
 #pragma once
 
+#include "core/schedule/trade_schedule.h"
 #include "core/setup/tables.h"
 #include "core/track/ball_model.h"
-#include "core/trade/trade_schedule.h"
 
 #include <cmath>
 #include <random>

@@ -2,8 +2,8 @@
 // Which points are best for their cost, and which one is recommended: on points made by hand.
 #include "core/events/counted_impact.h"
 #include "core/program/trade_command.h"
+#include "core/schedule/trade_reference.h"
 #include "core/trade/trade_answer.h"
-#include "core/trade/trade_reference.h"
 
 #include <QTest>
 

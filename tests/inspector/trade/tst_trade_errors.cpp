@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What a stepper is said to be wrong by, against closed forms where there are any.
+#include "core/schedule/trade_reference.h"
 #include "core/trade/trade.h"
 #include "core/trade/trade_answer.h"
-#include "core/trade/trade_reference.h"
 #include "core/trade/trade_table.h"
 #include "inspector/core/scenes.h"
 #include "support/compare.h"

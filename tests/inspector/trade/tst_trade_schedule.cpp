@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The same tilts for every stepper, and steps that meet every switch.
+#include "core/schedule/trade_reference.h"
 #include "core/trade/trade_options.h"
-#include "core/trade/trade_reference.h"
 #include "inspector/core/scenes.h"
 
 #include <QTemporaryDir>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/trade/trade_schedule.h"
+#include "core/schedule/trade_schedule.h"
 
 #include "core/pilot/autopilot.h"
 #include "core/setup/files.h"

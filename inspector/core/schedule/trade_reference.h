@@ -2,8 +2,8 @@
 // What a ball really does under a schedule: stepper "exact", from switch to switch.
 #pragma once
 
+#include "core/schedule/trade_schedule.h"
 #include "core/setup/handles.h"
-#include "core/trade/trade_schedule.h"
 
 #include <optional>
 #include <stop_token>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/trade/trade_schedule.h"
+#include "core/schedule/trade_schedule.h"
 
 namespace inspector {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/trade/trade_reference.h"
+#include "core/schedule/trade_reference.h"
 
 #include "base/elementary.h"
 #include "core/events/counted_impact.h"

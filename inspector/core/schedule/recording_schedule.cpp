@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/trade/recording_schedule.h"
+#include "core/schedule/recording_schedule.h"
 
 #include "core/setup/lines.h"
 

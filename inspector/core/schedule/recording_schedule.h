@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/recording/recording.h"
-#include "core/trade/trade_schedule.h"
+#include "core/schedule/trade_schedule.h"
 
 namespace inspector {
 
