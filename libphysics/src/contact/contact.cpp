@@ -152,7 +152,6 @@ void Contacts::dropHidden(double tolerance) {
 }
 
 void Contacts::sort(const Motion &motion, const Vec3 &gravity, double radius) {
-    m_tiesWithPrevious[0] = false;
     if (count() < 2) return;
     const auto key = [&](const Contact &contact) {
         const Vec3 slip = slipAt(motion, contact.normal, radius);

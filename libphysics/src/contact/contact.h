@@ -89,7 +89,7 @@ public:
     bool reverseTies();
 
 private:
-    std::array<bool, kMost> m_tiesWithPrevious; ///< of those that were sorted
+    std::array<bool, kMost> m_tiesWithPrevious{}; ///< of those that were sorted
 };
 
 /// What decides about contacts besides the ball.
