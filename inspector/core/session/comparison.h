@@ -11,7 +11,7 @@ namespace inspector {
 class Session;
 
 // Whether the session's ball is compared, and with what: another stepper, a finer step, other parameters. Makes the
-// ghostChoice's stepper for each level and lets the simulation lead it.
+// ghost's stepper for each level and lets the simulation lead it.
 class Comparison : public QObject {
     Q_OBJECT
 
@@ -36,7 +36,7 @@ public:
     void setOwnParameters(bool isOn); // on: switches the comparison on, too
 
 signals:
-    void changed(); // on, ghostChoice, own parameters or refusal
+    void changed(); // on, choice, own parameters or refusal
     void refused(const QString &line);
 
 private:
