@@ -122,6 +122,7 @@ const Truth &Truth::refined() const {
     m_refined = std::make_shared<Truth>(*this);
     std::vector<Motion> finer = run(lawAt(m_scene), motionOf(m_scene.start), 1e-15L);
     if (finer.empty()) return *m_refined;
+    m_refined->m_spreads.clear();
     m_refined->m_ownError = 0;
     for (int i = 0; i < kCheckpoints; ++i) { // the error falls with the tolerance to the power of about 3/4
         m_refined->m_ownError = std::max(m_refined->m_ownError, length(finer[i].place - m_motions[i].place) / 30);
@@ -130,10 +131,16 @@ const Truth &Truth::refined() const {
     return *m_refined;
 }
 
-std::vector<Real> Truth::spread(Real disturbance, Real shift) const {
+const std::vector<Real> &Truth::spread(Real disturbance, Real shift) const {
+    const auto [found, isNew] = m_spreads.try_emplace({disturbance, shift});
+    if (isNew) found->second = disturb(disturbance, shift);
+    return found->second;
+}
+
+std::vector<Real> Truth::disturb(Real disturbance, Real shift) const {
     std::vector<Real> most(kCheckpoints, 0);
     const Motion start = motionOf(m_scene.start);
-    const auto disturb = [&](const Law &law, const Motion &motion) {
+    const auto compare = [&](const Law &law, const Motion &motion) {
         const std::vector<Motion> motions = run(law, motion, 1e-12L);
         for (size_t i = 0; i < motions.size(); ++i) {
             most[i] = std::max(most[i], length(motions[i].place - m_motions[i].place));
@@ -146,22 +153,22 @@ std::vector<Real> Truth::spread(Real disturbance, Real shift) const {
         for (const Vector &direction : {Vector{1, 0, 0}, Vector{0, 1, 0}, Vector{0, 0, 1}}) {
             Law other = law;
             other.gravity += push * direction;
-            disturb(other, start);
+            compare(other, start);
         }
         Motion faster = start;
         faster.velocity += off * start.velocity;
         faster.spin += off * start.spin;
-        disturb(law, faster);
+        compare(law, faster);
         // Which of two walls comes first hangs on the place.
         for (const Vector &direction : {Vector{1, 0, 0}, Vector{0, 1, 0}}) {
             Case moved = m_scene;
             moved.start.position = rounded(start.place + sign * shift * direction);
-            if (isLawful(moved)) disturb(law, motionOf(moved.start));
+            if (isLawful(moved)) compare(law, motionOf(moved.start));
         }
         Motion turned = start;
         turned.velocity += off * Vector{-start.velocity.y, start.velocity.x, 0};
         turned.spin += off * Vector{-start.spin.y, start.spin.x, 0};
-        disturb(law, turned);
+        compare(law, turned);
     }
     return most;
 }
@@ -201,18 +208,21 @@ Convergence converge(const phys_registry *registry, const std::string &stepper, 
     const std::vector<Real> errors = errorsOf(last, best);
     const Real disturbance = order == 0 ? 1e-11L : std::max<Real>(std::pow(part, Real(order)), 1e-11L);
     const Real shift = truth.fastest() * h * (order == 0 ? 0 : std::pow(part, Real(order - 1)));
-    // Larger disturbances too: ties and grazes are sensitive within a window that a small one may not leave.
     std::vector<Real> spread(kCheckpoints, 0);
+    const auto isAllowed = [&](int i) { return errors[i] <= floor + base + 10 * best.ownError() + kUsual * spread[i]; };
+    // Larger disturbances too: ties and grazes are sensitive within a window that a small one may not leave.
     for (const Real factor : {1, 2, 4, 8}) {
-        const std::vector<Real> more = best.spread(factor * disturbance, factor * shift);
-        for (int i = 0; i < kCheckpoints; ++i) spread[i] = std::max(spread[i], more[i] / factor);
+        const std::vector<Real> &more = best.spread(factor * disturbance, factor * shift);
+        bool isEnough = true;
         for (int i = 0; i < kCheckpoints; ++i) {
-            if (more[i] > 0.1L * scene.radius) spread[i] = more[i]; // another way was taken
+            const bool tookAnotherWay = more[i] > 0.1L * scene.radius;
+            spread[i] = std::max(spread[i], tookAnotherWay ? more[i] : more[i] / factor);
+            isEnough = isEnough && isAllowed(i);
         }
+        if (isEnough) return result;
     }
     for (int i = 0; i < kCheckpoints && !result.isWrong; ++i) {
-        const Real allowed = floor + base + 10 * best.ownError() + kUsual * spread[i];
-        if (errors[i] <= allowed) continue;
+        if (isAllowed(i)) continue;
         result.isWrong = true;
         char text[300];
         std::snprintf(

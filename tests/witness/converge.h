@@ -5,9 +5,11 @@
 #include "brute_force.h"
 #include "case.h"
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace witness {
@@ -35,8 +37,8 @@ public:
     const Truth &refined() const;
     bool hasEvents() const { return m_hasEvents; }
     /// How far each checkpoint moves if gravity and speed are off by the part `disturbance`, or the start by `shift`
-    /// metres, in a number of ways.
-    std::vector<Real> spread(Real disturbance, Real shift) const;
+    /// metres, in a number of ways. Computed once: steppers of one order ask for the same.
+    const std::vector<Real> &spread(Real disturbance, Real shift) const;
     /// What the brute force doesn't know itself.
     Real ownError() const { return m_ownError; }
     Real fastest() const { return m_fastest; }
@@ -45,9 +47,11 @@ private:
     explicit Truth(const Case &scene)
         : m_scene(scene) {}
     std::vector<Motion> run(const Law &law, Motion motion, Real tolerance) const;
+    std::vector<Real> disturb(Real disturbance, Real shift) const;
 
     const Case &m_scene;
     mutable std::shared_ptr<Truth> m_refined;
+    mutable std::map<std::pair<Real, Real>, std::vector<Real>> m_spreads;
     std::vector<Motion> m_motions; ///< at the checkpoints, each a quarter of the time
     bool m_hasEvents = false;
     Real m_ownError = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Draws scenes and holds steppers against them until so many runs (scenes x steppers x models) are done.
 // Usage: witness RUNS [--seed N] [--stepper ID]... [--model rolling|rigid] [--kind KIND] [--plugin FILE] [--known FILE]
-//                     [--cases FOLDER] [--seconds S] [--only invariants|law]
+//                     [--cases FOLDER] [--list FILE] [--seconds S] [--only invariants|law]
 //        witness --replay FILE [--stepper ID] [--plugin FILE]      judges the cases of a file
 // Ends with 1 if anything was wrong that the list of known faults doesn't name.
 #include "draw.h"
@@ -20,7 +20,7 @@ using namespace witness;
 
 struct Arguments {
     double runs = 0;
-    std::string replay, plugin, known, cases, model, kind, only;
+    std::string replay, plugin, known, cases, list, model, kind, only;
     std::vector<std::string> steppers;
     uint64_t seed = 1;
     double seconds = 1e9;
@@ -44,6 +44,8 @@ Arguments parse(int argc, char **argv) {
             arguments.known = value;
         else if (word == "--cases")
             arguments.cases = value;
+        else if (word == "--list")
+            arguments.list = value;
         else if (word == "--stepper")
             arguments.steppers.push_back(value);
         else if (word == "--model")
@@ -106,6 +108,7 @@ int run(int argc, char **argv) {
     plan.withInvariants = arguments.only != "law";
     plan.withLaw = arguments.only != "invariants";
     plan.caseFolder = arguments.cases;
+    plan.listFile = arguments.list;
     if (!arguments.known.empty()) plan.known = KnownFaults(arguments.known);
     const Survey result = survey(plan);
     print(stdout, result);

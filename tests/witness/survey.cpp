@@ -19,7 +19,11 @@ std::string nameOf(uint32_t model) { return model == PHYS_MODEL_RIGID ? "rigid" 
 class Surveyor {
 public:
     explicit Surveyor(const Plan &plan)
-        : m_plan(plan) {}
+        : m_plan(plan) {
+        if (plan.listFile.empty()) return;
+        m_list.open(plan.listFile);
+        if (!m_list) throw std::runtime_error(plan.listFile + ": can't be written");
+    }
 
     Survey run() {
         const auto begin = std::chrono::steady_clock::now();
@@ -63,12 +67,17 @@ private:
         ++m_survey.runs;
         row.steps += verdict.steps;
         row.slowest = std::max(row.slowest, verdict.seconds);
+        Findings &findings = m_survey.kinds[kinds()[kind]];
         if (verdict.status) {
+            ++findings.refused[stepper];
+            list(stepper, model, scene, phys_status_name(verdict.status), verdict.statusText);
             const std::string status = phys_status_name(verdict.status);
             ++row.byStatus[status];
             m_survey.refusals.try_emplace(status + ' ' + kinds()[kind], stepper + ": " + verdict.statusText);
         }
         if (verdict.check.empty()) return;
+        ++findings.wrong[stepper];
+        list(stepper, model, scene, verdict.check, verdict.what);
         if (m_plan.known.contain(stepper, model, kinds()[kind], verdict.check)) {
             ++row.known;
             return;
@@ -90,7 +99,14 @@ private:
         std::ofstream(m_plan.caseFolder + '/' + smallest.name + ".case") << textOf(smallest);
     }
 
+    void list(const std::string &stepper, const std::string &model, const Case &scene, const std::string &check,
+              const std::string &what) {
+        if (m_list.is_open())
+            m_list << stepper << ' ' << model << ' ' << scene.name << ' ' << check << ' ' << what << std::endl;
+    }
+
     const Plan &m_plan;
+    std::ofstream m_list;
     Survey m_survey;
     std::set<std::string> m_seen;
 };
@@ -127,6 +143,31 @@ bool KnownFaults::contain(const std::string &stepper, const std::string &model, 
 
 Survey survey(const Plan &plan) { return Surveyor(plan).run(); }
 
+namespace {
+
+/// "wrong/refused" of each kind of scene and stepper.
+void printKinds(std::FILE *file, const Survey &survey) {
+    std::set<std::string> steppers;
+    for (const auto &[name, row] : survey.rows) steppers.insert(name.substr(0, name.find(' ')));
+    std::fprintf(file, "%-16s", "wrong/refused");
+    for (const std::string &stepper : steppers) std::fprintf(file, " %16s", stepper.c_str());
+    std::fprintf(file, "\n");
+    const auto countOf = [](const std::map<std::string, uint64_t> &counts, const std::string &stepper) {
+        const auto found = counts.find(stepper);
+        return std::to_string(found == counts.end() ? 0 : found->second);
+    };
+    for (const auto &[kind, findings] : survey.kinds) {
+        std::fprintf(file, "%-16s", kind.c_str());
+        for (const std::string &stepper : steppers) {
+            const std::string text = countOf(findings.wrong, stepper) + '/' + countOf(findings.refused, stepper);
+            std::fprintf(file, " %16s", text == "0/0" ? "." : text.c_str());
+        }
+        std::fprintf(file, "\n");
+    }
+}
+
+} // namespace
+
 void print(std::FILE *file, const Survey &survey) {
     std::fprintf(file, "%-26s %8s %9s %8s %6s %6s  %s\n", "stepper model", "runs", "steps", "compared", "wrong",
                  "known", "wrong by check; statuses; slowest step");
@@ -144,6 +185,7 @@ void print(std::FILE *file, const Survey &survey) {
         }
         std::fprintf(file, "; %.3g s\n", row.slowest);
     }
+    printKinds(file, survey);
     for (const auto &[what, words] : survey.refusals) std::fprintf(file, "%s: %s\n", what.c_str() + 11, words.c_str());
     std::fprintf(file, "%s: %llu runs, %llu wrong, %llu scenes without an answer of the brute force\n",
                  survey.wrong ? "FAIL" : "PASS", static_cast<unsigned long long>(survey.runs),

@@ -40,6 +40,7 @@ struct Plan {
     bool withLaw = true;    ///< scenes are held against the brute force too, which takes most of the time
     double seconds = 1e9;   ///< after which no new seed is begun
     std::string caseFolder; ///< where to write failing cases, shrunk; "": they are named only
+    std::string listFile;   ///< where to write a line for each run that fails or is refused; "": nowhere
     KnownFaults known;
 };
 
@@ -54,8 +55,14 @@ struct Row {
     double slowest = 0.0;
 };
 
+/// Wrong and refused runs of one kind of scene.
+struct Findings {
+    std::map<std::string, uint64_t> wrong, refused; ///< by stepper
+};
+
 struct Survey {
-    std::map<std::string, Row> rows; ///< by "stepper model"
+    std::map<std::string, Row> rows;       ///< by "stepper model"
+    std::map<std::string, Findings> kinds; ///< by kind of scene
     uint64_t runs = 0;
     uint64_t wrong = 0; ///< and not known
     uint64_t withoutAnswer = 0;
