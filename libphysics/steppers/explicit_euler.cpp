@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bad example: in contact it gains energy in each step, and no cure helps (model.md 10.3).
+// The bad example: at a wall it gains energy in each step, and no cure helps (model.md 10.3).
 #include "discrete/stepper.h"
 #include "registry/built_in_steppers.h"
 
@@ -20,6 +20,6 @@ struct ExplicitEuler {
 } // namespace
 
 constinit const phys_stepper_api kExplicitEuler = discreteStepper<ExplicitEuler>(
-    "explicit-euler", "Explicit Euler", "2", "A bad example to compare with: first order, and restless in contact.");
+    "explicit-euler", "Explicit Euler", "3", "A bad example to compare with: first order, and restless in contact.");
 
 } // namespace phys

@@ -185,6 +185,20 @@ void lookAhead(const StepContext &context, const Ball &ball, std::span<const Vec
     }
 }
 
+void correctLandings(const StepContext &context, const Ball &ball, double h, Contacts &contacts) {
+    const double gravity = -context.params().gravity.z;
+    const double approach = -ball.velocity.z;
+    for (Contact &contact : contacts) {
+        if (!contact.isTop || !(gravity > 0.0) || !(approach > contact.restSpeed)) continue;
+        // The square of v + h g/2, upwards, plus 2 g times the gap stays the same from substep to substep.
+        const double head = 2.0 * gravity * std::max(0.0, contact.gap);
+        const double before = approach - 0.5 * h * gravity;
+        const double after = contact.restitution * contact.restitution * (before * before + head) - head;
+        const double rebound = after > 0.0 ? std::sqrt(after) - 0.5 * h * gravity : 0.0;
+        contact.restitution = std::max(0.0, rebound) / approach;
+    }
+}
+
 bool hit(const StepContext &context, const Contacts &contacts, double after, Ball &ball) {
     const bool any = std::any_of(contacts.begin(), contacts.end(), [&](const Contact &contact) {
         return -glm::dot(ball.velocity, contact.normal) > contact.restSpeed;

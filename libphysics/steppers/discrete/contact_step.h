@@ -32,6 +32,10 @@ inline void setMotion(const Motion &motion, Ball &ball) {
 /// Finds what the ball touches or reaches within h (s) on any of the `ways` (m).
 void lookAhead(const StepContext &context, const Ball &ball, std::span<const Vec3> ways, double h, Contacts &contacts);
 
+/// Bounces off top faces as high as the law asks for where the position moves with the old velocity: model.md 13.5. It
+/// would hop there for ever, and a hopping ball has neither the drive nor the resistance of one that rolls.
+void correctLandings(const StepContext &context, const Ball &ball, double h, Contacts &contacts);
+
 /// The impacts of this moment, `after` seconds into the step, and their events. False if nothing hits.
 bool hit(const StepContext &context, const Contacts &contacts, double after, Ball &ball);
 

@@ -471,6 +471,7 @@ private:
     /// The contacts that the ball has, or comes to on the ways.
     void meet(double start, const Ways &ways, Contacts &contacts, Ball &ball) {
         lookAhead(m_context, ball, ways.list(), m_h, contacts);
+        if (Scheme::kContactRule == ContactRule::Explicit) correctLandings(m_context, ball, m_h, contacts);
         SpinOnFloor spin(m_context, contacts, ball);
         hit(m_context, contacts, start, ball);
         spin.follow(contacts, ball);
