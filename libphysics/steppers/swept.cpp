@@ -92,6 +92,6 @@ constinit const phys_stepper_api kSwept = {sizeof(phys_stepper_api),
                                            deletePlaces,
                                            step,
                                            requirements,
-                                           LaneStepper<VelocityVerlet, LaneRule::Swept>::extension};
+                                           LaneStepper<VelocityVerlet, RegionRule::Swept>::extension};
 
 } // namespace phys

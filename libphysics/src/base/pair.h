@@ -122,6 +122,19 @@ template<class N>
 struct Planar {
     N x, y;
 
+    Planar(N alongX, N alongY)
+        : x(alongX)
+        , y(alongY) {}
+    // Number by number: a processor waits where it reads two at once that were just written one by one.
+    Planar(const Planar &other)
+        : x(other.x)
+        , y(other.y) {}
+    Planar &operator=(const Planar &other) {
+        x = other.x;
+        y = other.y;
+        return *this;
+    }
+
     friend Planar operator+(const Planar &a, const Planar &b) { return {a.x + b.x, a.y + b.y}; }
     friend Planar operator-(const Planar &a, const Planar &b) { return {a.x - b.x, a.y - b.y}; }
     friend Planar operator*(N a, const Planar &b) { return {a * b.x, a * b.y}; }

@@ -3,7 +3,6 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
-#include "registry/params.h"
 
 #include <cmath>
 
@@ -40,18 +39,8 @@ phys_status explainState(const phys_state &state, phys_status status, const char
                 static_cast<unsigned long long>(state.flags), PHYS_STATE_FLAGS);
 }
 
-phys_status checkDt(double dt, phys_error *err) {
-    if (dt >= 0.0 && dt <= kLargestNumber) return PHYS_OK; // false for NaN
+phys_status refuseDt(double dt, phys_error *err) {
     return fail(err, PHYS_ERROR_ARGUMENT, "dt is %.9g s; expected a number from 0 to 2^100", dt);
-}
-
-phys_status checkParams(const phys_stepper_api &api, const phys_params &params, phys_error *err) {
-    if (!paramsAreValid(params)) return explainParams(params, err);
-    return api.row_count == 0 ? PHYS_OK : checkOwnRows(params, {api.rows, api.row_count}, err);
-}
-
-phys_status checkState(const phys_state &state, phys_error *err) {
-    return stateIsValid(state) ? PHYS_OK : explainState(state, PHYS_ERROR_STATE, "the given state", err);
 }
 
 phys_status checkUpwardPull(const Scene &scene, const phys_params &params, const phys_state &state, phys_error *err) {

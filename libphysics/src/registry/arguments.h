@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/numbers.h"
+#include "registry/params.h"
 #include "scene/scene.h"
 
 #include <physics/plugin.h>
@@ -26,12 +27,23 @@ inline bool stateIsValid(const phys_state &state) {
 /// Says why it isn't. whose: how the message begins, "the given state".
 phys_status explainState(const phys_state &state, phys_status status, const char *whose, phys_error *err);
 
-phys_status checkDt(double dt, phys_error *err);
+phys_status refuseDt(double dt, phys_error *err);
+
+// The checks are inlined, as each step makes them; what they say isn't.
+inline phys_status checkDt(double dt, phys_error *err) {
+    const bool isAllowed = dt >= 0.0 && dt <= kLargestNumber; // false for NaN
+    return isAllowed ? PHYS_OK : refuseDt(dt, err);
+}
 
 /// Against the library's rows and the stepper's own.
-phys_status checkParams(const phys_stepper_api &api, const phys_params &params, phys_error *err);
+inline phys_status checkParams(const phys_stepper_api &api, const phys_params &params, phys_error *err) {
+    if (!paramsAreValid(params)) return explainParams(params, err);
+    return checkOwnRows(params, {api.rows, api.row_count}, err);
+}
 
-phys_status checkState(const phys_state &state, phys_error *err);
+inline phys_status checkState(const phys_state &state, phys_error *err) {
+    return stateIsValid(state) ? PHYS_OK : explainState(state, PHYS_ERROR_STATE, "the given state", err);
+}
 
 phys_status checkUpwardPull(const Scene &scene, const phys_params &params, const phys_state &state, phys_error *err);
 

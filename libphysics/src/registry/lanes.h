@@ -28,7 +28,7 @@ struct Lanes {
     LaneNumbers share;      ///< of the drive that accelerates the ball: 5/7, or 1 if it slides
     LaneNumbers resistance; ///< coefficient of rolling friction
     LaneNumbers grip;       ///< square of the slope up to which the ball rolls
-    LaneNumbers pull;       ///< sliding friction that may speed the ball up
+    LaneNumbers friction;   ///< coefficient of the sliding friction that may speed the ball up
     LaneNumbers rests;      ///< 1: the ball is at rest, 0: it moves
     double dt;              ///< s
     double reach;           ///< m: longest way of a step

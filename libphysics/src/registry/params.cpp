@@ -27,14 +27,14 @@ void write(phys_params &params, const phys_param_row &row, double value) {
 /// Whether the caller's struct is long enough to have the row's value.
 bool hasRow(const phys_params &params, const phys_param_row &row) { return endOf(row) <= params.struct_size; }
 
+} // namespace
+
 phys_status checkValue(double value, const phys_param_row &row, phys_error *err) {
     if (isAllowed(value, row)) return PHYS_OK;
     const char *unit = row.unit[0] ? " " : "";
     return fail(err, PHYS_ERROR_RANGE, "%s is %.9g%s%s; allowed is %s%.9g .. %.9g%s%s", row.id, value, unit, row.unit,
                 mustBeWhole(row) ? "a whole number, " : "", row.min, row.max, unit, row.unit);
 }
-
-} // namespace
 
 phys_status explainParams(const phys_params &params, phys_error *err) {
     if (params.struct_size != sizeof params) {
@@ -52,15 +52,6 @@ phys_status explainParams(const phys_params &params, phys_error *err) {
         return fail(err, PHYS_ERROR_RANGE,
                     "rolling_friction is %.9g; in the rigid model it must not exceed sliding_friction, which is %.9g",
                     params.rolling_friction, params.sliding_friction);
-    }
-    return PHYS_OK;
-}
-
-phys_status checkOwnRows(const phys_params &params, std::span<const phys_param_row *const> rows, phys_error *err) {
-    for (const phys_param_row *row : rows) {
-        const double value = readRow(params, *row);
-        if (value == row->initial) continue; // the usual case
-        if (const phys_status status = checkValue(value, *row, err)) return status;
     }
     return PHYS_OK;
 }

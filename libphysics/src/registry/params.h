@@ -117,7 +117,18 @@ inline bool paramsAreValid(const phys_params &params) {
 /// Says why they aren't valid; PHYS_OK if they are.
 phys_status explainParams(const phys_params &params, phys_error *err);
 
+/// Says why the value isn't allowed; PHYS_OK if it is.
+phys_status checkValue(double value, const phys_param_row &row, phys_error *err);
+
 /// As explainParams for the values that a stepper's own rows stand for; PHYS_OK if they are valid.
-phys_status checkOwnRows(const phys_params &params, std::span<const phys_param_row *const> rows, phys_error *err);
+inline phys_status checkOwnRows(const phys_params &params, std::span<const phys_param_row *const> rows,
+                                phys_error *err) {
+    for (const phys_param_row *row : rows) {
+        const double value = readRow(params, *row);
+        if (value == row->initial) continue; // the usual case
+        if (const phys_status status = checkValue(value, *row, err)) return status;
+    }
+    return PHYS_OK;
+}
 
 } // namespace phys

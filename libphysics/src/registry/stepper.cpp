@@ -31,31 +31,37 @@ double nextTime(const phys_state &state, double dt) {
 /// Whole numbers up to here are doubles.
 constexpr uint64_t kCountedSteps = uint64_t{1} << 53;
 
-phys_status checkArguments(const phys_stepper &stepper, const phys_params &params, double dt, const phys_state &state,
-                           phys_error *err) {
+inline phys_status checkArguments(const phys_stepper &stepper, const phys_params &params, double dt,
+                                  const phys_state &state, phys_error *err) {
     if (const phys_status status = checkDt(dt, err)) return status;
     if (const phys_status status = checkParams(*stepper.api, params, err)) return status;
     if (const phys_status status = checkState(state, err)) return status;
     return checkPull(*stepper.scene, params, state, err);
 }
 
+/// A step that the stepper has no shortcut for.
+phys_status stepInFull(const phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
+                       phys_state &out, phys_report *report, phys_error *err) {
+    phys_state next;
+    if (const phys_status status = advance(stepper, params, dt, in, next, report, err)) return status;
+    out = next;
+    return PHYS_OK;
+}
+
 /// As phys_step with checked arguments: `out` may be `in`, and is written on success only.
-phys_status step(const phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
-                 phys_state &out, phys_report *report, phys_error *err) {
+inline phys_status step(const phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
+                        phys_state &out, phys_report *report, phys_error *err) {
     if (dt == 0.0) {
         out = in;
         return PHYS_OK;
     }
     const double time = nextTime(in, dt);
     const uint64_t number = in.step + 1;
-    if (stepper.lanes && stepper.lanes->one(stepper.self, params, dt, in, out, report)) {
-        out.time = time;
-        out.step = number;
-        return PHYS_OK;
+    if (!stepper.lanes || !stepper.lanes->one(stepper.self, params, dt, in, out, report)) {
+        return stepInFull(stepper, params, dt, in, out, report, err);
     }
-    phys_state next;
-    if (const phys_status status = advance(stepper, params, dt, in, next, report, err)) return status;
-    out = next;
+    out.time = time;
+    out.step = number;
     return PHYS_OK;
 }
 

@@ -192,14 +192,15 @@ FloorRegions::FloorRegions(const Scene &scene)
     , m_regions(std::make_unique<std::array<FloorRegion, kKept>>())
     , m_last(m_regions->data()) {}
 
-FloorRegion &FloorRegions::find(const phys_vec3 &place, bool isLeaning) {
+const FloorRegion *FloorRegions::find(const phys_vec3 &place, bool isLeaning) {
     constexpr double kMostCells = 0x1p50; // as whole numbers, in either direction
     const double column = place.x * m_perCell, row = place.y * m_perCell;
     const bool isCounted = std::abs(column) < kMostCells && std::abs(row) < kMostCells;
     const int64_t cell = isCounted ? static_cast<int64_t>(column) + 31 * static_cast<int64_t>(row) : 0;
     FloorRegion &kept = (*m_regions)[(static_cast<uint64_t>(cell) + (isLeaning ? kKept / 2 : 0)) % kKept];
     if (!kept.has(place)) kept = findFloorRegion(m_scene, toVec(place));
-    return kept;
+    m_last = &kept;
+    return kept.has(place) ? m_last : nullptr;
 }
 
 } // namespace phys

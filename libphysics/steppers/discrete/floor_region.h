@@ -18,9 +18,8 @@ struct FloorRegion {
         /// region; kNoFace if there is none.
         double lowFace = kNoFace, highFace = kNoFace;
 
-        bool has(double place) const {
-            return (place >= low && place <= high) || place == lowFace || place == highFace;
-        }
+        bool isFree(double place) const { return place >= low && place <= high; }
+        bool has(double place) const { return isFree(place) || place == lowFace || place == highFace; }
     };
     static constexpr double kNoFace = 0x1p200; ///< beyond all places
 
@@ -38,14 +37,13 @@ class FloorRegions {
 public:
     explicit FloorRegions(const Scene &scene);
 
-    /// A region that has the place; without any place if there is none. isLeaning: which of two to keep.
-    const FloorRegion &around(const phys_vec3 &place, bool isLeaning) {
-        if (!m_last->has(place)) m_last = &find(place, isLeaning);
-        return *m_last;
+    /// A region that has the place, or nullptr. isLeaning: which of two to keep.
+    const FloorRegion *around(const phys_vec3 &place, bool isLeaning) {
+        return m_last->has(place) ? m_last : find(place, isLeaning);
     }
 
 private:
-    FloorRegion &find(const phys_vec3 &place, bool isLeaning);
+    const FloorRegion *find(const phys_vec3 &place, bool isLeaning);
 
     static constexpr uint32_t kKept = 1024; ///< a power of two
 

@@ -4,7 +4,7 @@
 
 #include "discrete.h"
 #include "known_places.h"
-#include "lanes.h"
+#include "lane_stepper.h"
 
 #include <cstring>
 
@@ -151,7 +151,7 @@ constexpr phys_stepper_api discreteStepper(const char *id, const char *name, con
             deletePlaces,
             Stepper::step,
             Stepper::requirements,
-            LaneStepper<Scheme, LaneRule::Substeps>::extension};
+            LaneStepper<Scheme, RegionRule::Substeps>::extension};
 }
 
 } // namespace phys

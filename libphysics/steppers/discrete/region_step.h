@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+// A step of balls on the floor, each in a region where nothing but rolling, leaning on walls and resting happens. It is
+// written for one ball and for several side by side (base/pair.h), and does what DiscreteStep::runOnFloor and
+// glideOnFloor do there, and LastFooting at rest.
+#pragma once
+
+#include "base/pair.h"
+#include "registry/params.h"
+
+namespace phys {
+
+/// When a stepper leaves a step to its general case.
+enum class RegionRule {
+    Substeps, ///< steps of DiscreteStepper
+    Swept     ///< steps of swept: it looks whether the way leads back, and how a ball starts
+};
+
+/// What is the same for all balls of a step.
+struct RegionLimits {
+    double h;           ///< s
+    double reach;       ///< m: longest way of a step
+    double restSquared; ///< m^2/s^2: square of a speed that isn't rest
+    bool isOpen;        ///< whether there is nothing but one floor, which a ball must not leave
+    bool mayGrip;       ///< whether `grip` limits the slope of any ball
+};
+
+/// What gravity does to balls on the floor, model.md 2.1.
+template<class N>
+struct FloorDrive {
+    Planar<N> pull; ///< gravity along the floor, m/s^2
+    N normal;       ///< gravity into it, m/s^2
+    Planar<N> A;    ///< what the pull accelerates a ball by that nothing holds, m/s^2
+    N B;            ///< rolling resistance, m/s^2
+
+    FloorDrive(const Planar<N> &along, N gravityZ, N share, N resistance)
+        : pull(along)
+        , normal(-gravityZ)
+        , A(share * along)
+        , B(share * (resistance * normal)) {}
+};
+
+/// One axis of balls in their regions. Each is where nothing is near, or it is at a face with no speed along the axis.
+template<class N>
+struct InRegion {
+    using Mask = typename N::Mask;
+
+    N place, velocity;   ///< m, m/s
+    N low, high;         ///< m: no wall is near between these
+    N lowFace, highFace; ///< m: where the ball leans on a face; beyond all places if there is none
+
+    Mask isAtLow() const { return (place == lowFace) & (velocity == 0.0); }
+    Mask isAtHigh() const { return (place == highFace) & (velocity == 0.0); }
+    /// Whether nothing is near a place.
+    Mask isFree(N there) const { return (low <= there) & (there <= high); }
+    Mask isFreeAround(N way) const { return (low <= place - way) & (place + way <= high); }
+    /// Whether that is so, or the ball is still at its face there.
+    Mask has(N there) const { return isFree(there) | ((isAtLow() | isAtHigh()) & (there == place)); }
+    /// Whether the ball comes to no other face within a way in either direction.
+    Mask isClear(N way) const { return ((low <= place - way) | isAtLow()) & ((place + way <= high) | isAtHigh()); }
+};
+
+template<class N>
+struct BallsInRegion {
+    InRegion<N> x, y;
+    FloorDrive<N> drive;
+    N grip;     ///< square of the slope up to which the ball rolls
+    N friction; ///< coefficient of the sliding friction that may speed the ball up
+    N rests;    ///< 1: the ball is at rest, 0: it moves
+
+    Planar<N> velocity() const { return {x.velocity, y.velocity}; }
+};
+
+/// What balls do in a step, and whether they can do it in their regions.
+template<class N>
+struct RegionStep {
+    Planar<N> velocity, displacement;
+    typename N::Mask isFine;
+};
+
+/// The law of balls that no resistance stops within the step; nor do they stand still if there is any.
+template<class N, bool kResists>
+struct UnstoppedLaw {
+    Planar<N> A; ///< constant acceleration, m/s^2
+    N B;         ///< constant resistance against the motion, m/s^2
+};
+
+template<class N, bool kResists>
+bool nearStop(const UnstoppedLaw<N, kResists> &, const Planar<N> &, double) {
+    return false;
+}
+template<class N, bool kResists>
+Planar<N> acceleration(const UnstoppedLaw<N, kResists> &law, const Planar<N> &v) {
+    if constexpr (kResists) return law.A - law.B / length(v) * v;
+    return law.A;
+}
+template<class N, bool kResists>
+Planar<N> clampedVelocity(const UnstoppedLaw<N, kResists> &law, const Planar<N> &v, double dt) {
+    return v + dt * acceleration(law, v);
+}
+
+/// The step of a scheme, wherever it leads. kResists: whether there is rolling friction, for all balls or for none.
+template<class Scheme, RegionRule kRule, bool kResists>
+struct StepInRegion {
+    /// The step of balls where they can be moved so.
+    template<class N>
+    [[gnu::always_inline]] static RegionStep<N> make(const BallsInRegion<N> &balls, const RegionLimits &limits) {
+        const bool areFree = ((balls.x.velocity == 0.0) | (balls.y.velocity == 0.0)).bits() == 0;
+        RegionStep<N> step = areFree ? rollFree(balls, limits) : rollOrRest(balls, limits);
+        if (limits.isOpen) step.isFine = step.isFine & staysOnFloor(balls, limits);
+        return step;
+    }
+
+private:
+    /// Balls none of which is at a face or at rest.
+    template<class N>
+    [[gnu::always_inline]] static RegionStep<N> rollFree(const BallsInRegion<N> &balls, const RegionLimits &limits) {
+        const InRegion<N> &x = balls.x, &y = balls.y;
+        RegionStep<N> step = rollBy(balls.drive.A, balls, limits);
+        step.isFine = step.isFine & x.isFree(x.place + step.displacement.x) & y.isFree(y.place + step.displacement.y) &
+                      staysFast(limits, balls.velocity(), step.velocity);
+        if constexpr (kRule == RegionRule::Swept) {
+            const Planar<N> turn = 0.5 * limits.h * balls.velocity();
+            step.isFine = step.isFine & x.isFree(x.place + turn.x) & y.isFree(y.place + turn.y);
+        }
+        return step;
+    }
+
+    /// Any balls.
+    template<class N>
+    [[gnu::always_inline]] static RegionStep<N> rollOrRest(const BallsInRegion<N> &balls, const RegionLimits &limits) {
+        const auto &[x, y, drive, grip, friction, rests] = balls;
+        const double h = limits.h;
+        // A face takes the drive into it from a ball that leans on it.
+        const auto leansX = (x.isAtLow() & (drive.A.x < 0.0)) | (x.isAtHigh() & (drive.A.x > 0.0));
+        const auto leansY = (y.isAtLow() & (drive.A.y < 0.0)) | (y.isAtHigh() & (drive.A.y > 0.0));
+        const Planar<N> A{choose(leansX, 0.0, drive.A.x), choose(leansY, 0.0, drive.A.y)};
+        const Planar<N> velocity = balls.velocity();
+        RegionStep<N> step = rollBy(A, balls, limits);
+        step.velocity = {choose(leansX, 0.0, step.velocity.x), choose(leansY, 0.0, step.velocity.y)};
+        step.displacement = {choose(leansX, 0.0, step.displacement.x), choose(leansY, 0.0, step.displacement.y)};
+
+        // Which faces a leaning ball meets is looked up on the way that it would take without the one that it leans on.
+        const N aheadX = (magnitude(velocity.x) + (magnitude(drive.A.x) + drive.B) * h) * h;
+        const N aheadY = (magnitude(velocity.y) + (magnitude(drive.A.y) + drive.B) * h) * h;
+        const auto isClear = x.isClear(choose(leansY, aheadX, 0.0)) & y.isClear(choose(leansX, aheadY, 0.0));
+        auto rolls = step.isFine & isClear & x.has(x.place + step.displacement.x) &
+                     y.has(y.place + step.displacement.y) & staysFast(limits, velocity, step.velocity);
+        if constexpr (kRule == RegionRule::Swept) {
+            const Planar<N> turn = 0.5 * h * velocity;
+            rolls = rolls & x.has(x.place + turn.x) & y.has(y.place + turn.y);
+        }
+        const auto isHeld = (dot(A, A) <= drive.B * drive.B) & (drive.normal <= kMostGravity) & (drive.normal > 0.0) &
+                            (magnitude(drive.pull.x) + magnitude(drive.pull.y) <= kMostGravity);
+        const auto isAtRest = rests > 0.0;
+        step.velocity = {choose(isAtRest, velocity.x, step.velocity.x), choose(isAtRest, velocity.y, step.velocity.y)};
+        step.displacement = {choose(isAtRest, 0.0, step.displacement.x), choose(isAtRest, 0.0, step.displacement.y)};
+        step.isFine = (isAtRest & isHeld & isClear) | ((rests == 0.0) & rolls);
+        return step;
+    }
+
+    /// The step under a drive, wherever it leads.
+    template<class N>
+    [[gnu::always_inline]] static RegionStep<N> rollBy(const Planar<N> &A, const BallsInRegion<N> &balls,
+                                                       const RegionLimits &limits) {
+        const double h = limits.h;
+        const FloorDrive<N> &drive = balls.drive;
+        const Planar<N> velocity = balls.velocity();
+        // nearStop. Numbers that can be computed with stand in for a ball that the general case moves.
+        const N speedSquared = dot(velocity, velocity), driveLength = length(A);
+        const N stop = choose(drive.B < driveLength, 1.0, 4.0) * (driveLength + drive.B) * h;
+        const auto goesOn = kResists                        ? speedSquared > stop * stop
+                            : kRule == RegionRule::Substeps ? speedSquared >= 0.0
+                                                            : speedSquared > 0.0;
+        const Planar<N> v{choose(goesOn, velocity.x, 1.0), choose(goesOn, velocity.y, 0.0)};
+        const auto next = Scheme::advance(UnstoppedLaw<N, kResists>{A, drive.B}, v, h);
+
+        const N across = magnitude(drive.pull.x) + magnitude(drive.pull.y);
+        const N way = magnitude(next.displacement.x) + magnitude(next.displacement.y);
+        const auto isAllowed = (across <= kMostGravity) & (drive.normal <= kMostGravity) & (drive.normal > 0.0);
+        auto isFine = goesOn & isAllowed & (reach(balls, h) <= limits.reach) & (way <= limits.reach);
+        if (limits.mayGrip)
+            isFine = isFine & (dot(drive.pull, drive.pull) <= balls.grip * (drive.normal * drive.normal));
+        return {next.velocity, next.displacement, isFine};
+    }
+
+    /// How far a ball can come, m; never less: isSlow.
+    template<class N>
+    [[gnu::always_inline]] static N reach(const BallsInRegion<N> &balls, double h) {
+        const FloorDrive<N> &drive = balls.drive;
+        const N pull = magnitude(drive.pull.x) + magnitude(drive.pull.y) + balls.friction * drive.normal;
+        return (magnitude(balls.x.velocity) + magnitude(balls.y.velocity) + pull * h) * h;
+    }
+
+    /// What a step must not end with, or lead back by.
+    template<class N>
+    [[gnu::always_inline]] static typename N::Mask staysFast(const RegionLimits &limits, const Planar<N> &velocity,
+                                                             const Planar<N> &next) {
+        const auto isFast = dot(next, next) > limits.restSquared;
+        if constexpr (kRule == RegionRule::Substeps) return isFast;
+        return isFast & (dot(next, velocity) > 1.1e-9 * dot(velocity, velocity));
+    }
+
+    /// staysOnOneFloor, where there is nothing else.
+    template<class N>
+    [[gnu::always_inline]] static typename N::Mask staysOnFloor(const BallsInRegion<N> &balls,
+                                                                const RegionLimits &limits) {
+        const N way = reach(balls, limits.h);
+        return balls.x.isFreeAround(way) & balls.y.isFreeAround(way);
+    }
+};
+
+} // namespace phys
