@@ -27,9 +27,8 @@ float lightVisibility(vec3 position, vec3 normal) {
     const vec2 kernel[4] = vec2[](vec2(-0.45, -1.1), vec2(1.1, -0.45), vec2(0.45, 1.1), vec2(-1.1, 0.45));
     const float spread = 1.0;
 #else
-    const int count = 9;
-    const vec2 kernel[9] = vec2[](vec2(0.0), vec2(-0.6, -1.5), vec2(1.5, -0.6), vec2(0.6, 1.5), vec2(-1.5, 0.6),
-                                  vec2(1.4, 1.9), vec2(-1.9, 1.4), vec2(-1.4, -1.9), vec2(1.9, -1.4));
+    const int count = 5;
+    const vec2 kernel[5] = vec2[](vec2(0.0), vec2(-0.7, -1.7), vec2(1.7, -0.7), vec2(0.7, 1.7), vec2(-1.7, 0.7));
     const float spread = 1.5;
 #endif
     float sum = 0.0;

@@ -18,7 +18,7 @@ namespace inspector::gl {
 enum class Quality {
     Low,    // no shadow map
     Medium, // 1024 x 1024 shadow map, small soft kernel
-    High    // 2048 x 2048 shadow map, wide soft kernel; the view adds multisampling
+    High    // 1536 x 1536 shadow map, wide soft kernel; the view smooths edges
 };
 inline constexpr int kQualityCount = 3;
 

@@ -38,6 +38,7 @@ constexpr int kGrainTexels = 512;
 constexpr int kGrainUnit = 0; // texture units
 constexpr int kOcclusionUnit = 1;
 constexpr int kShadowUnit = 2;
+constexpr int kPictureUnit = 3;
 
 QMatrix4x4 toQt(const glm::dmat4 &matrix) {
     QMatrix4x4 result(Qt::Uninitialized);
@@ -73,6 +74,22 @@ glm::dmat4 orthographicAround(const Bounds &bounds, const glm::dvec3 &back) {
     const glm::dvec3 lo = centre - extent;
     const glm::dvec3 hi = centre + extent;
     return glm::ortho(lo.x, hi.x, lo.y, hi.y, -hi.z, -lo.z) * glm::dmat4(light_from_board);
+}
+
+// Boards are seen from above: what hides is drawn before what it hides, which then isn't shaded.
+Mesh highestFirst(Mesh mesh) {
+    using Triangle = std::array<std::uint32_t, 3>;
+    std::vector<Triangle> triangles(mesh.indices.size() / 3);
+    for (std::size_t i = 0; i < triangles.size(); ++i) std::copy_n(&mesh.indices[3 * i], 3, triangles[i].begin());
+    const auto height = [&](const Triangle &one) {
+        const auto z = [&](std::uint32_t index) { return mesh.vertices[index].position.z; };
+        return std::max({z(one[0]), z(one[1]), z(one[2])});
+    };
+    std::stable_sort(triangles.begin(), triangles.end(),
+                     [&](const Triangle &a, const Triangle &b) { return height(a) > height(b); });
+    mesh.indices.clear();
+    for (const Triangle &one : triangles) mesh.indices.insert(mesh.indices.end(), one.begin(), one.end());
+    return mesh;
 }
 
 } // namespace
@@ -121,7 +138,7 @@ MazeRenderer::MazeRenderer(QOpenGLFunctions_3_3_Core *gl)
 MazeRenderer::~MazeRenderer() = default;
 
 void MazeRenderer::setMaze(const Mesh &mesh) {
-    m_maze.upload(mesh);
+    m_maze.upload(highestFirst(mesh));
     m_bounds = mesh.bounds();
     m_beacon = beaconOf(mesh);
     ++m_mazes;
@@ -171,6 +188,26 @@ void MazeRenderer::renderMoving(const Frame &frame, const View &view) {
     drawMoving(scene);
 }
 
+void MazeRenderer::smooth(unsigned picture, const View &view) {
+    if (!m_shaders.update(view.quality)) return;
+    QOpenGLShaderProgram &program = m_shaders.use(Program::Smooth);
+    program.setUniformValue("picture", kPictureUnit);
+    m_gl->glActiveTexture(GL_TEXTURE0 + kPictureUnit);
+    m_gl->glBindTexture(GL_TEXTURE_2D, picture);
+    m_gl->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    m_gl->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    m_gl->glActiveTexture(GL_TEXTURE0);
+    m_gl->glDisable(GL_DEPTH_TEST);
+    m_gl->glViewport(0, 0, view.pixels.x, view.pixels.y);
+    drawOverAll();
+}
+
+// One triangle.
+void MazeRenderer::drawOverAll() {
+    const QOpenGLVertexArrayObject::Binder binder(&m_no_vertices);
+    m_gl->glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
 MazeRenderer::Still MazeRenderer::stillOf(const Frame &frame, const View &view) {
     m_shaders.update(view.quality);
     const Scene scene = describe(frame, view);
@@ -193,7 +230,8 @@ bool MazeRenderer::prepare(const Scene &scene) {
     return true;
 }
 
-void MazeRenderer::clear() { m_gl->glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT); }
+// The colours are all drawn over: by the backdrop at the latest.
+void MazeRenderer::clear() { m_gl->glClear(GL_DEPTH_BUFFER_BIT); }
 
 // Pixels (x, y, width, height) of the piece of board around the ball that it darkens, and of that its shadow falls on.
 glm::ivec4 MazeRenderer::changedByBall(const Scene &scene) const {
@@ -284,7 +322,7 @@ void MazeRenderer::makeOcclusionMap() {
 
 // The maze's shadow on itself changes only when the board turns under the light; the ball's is computed per pixel.
 void MazeRenderer::updateShadowMap(const Scene &scene, Quality quality) {
-    const int size = quality == Quality::High ? 2048 : 1024;
+    const int size = quality == Quality::High ? 1536 : 1024;
     if (!m_shadow || m_shadow->size() != size) {
         m_shadow = std::make_unique<DepthTarget>(m_gl, size);
         m_is_shadow_stale = true;
@@ -362,8 +400,7 @@ void MazeRenderer::drawBackdrop(const Scene &scene) {
     program.setUniformValue("table_height", static_cast<float>(m_bounds.minimum.z - 0.25 * reach));
     program.setUniformValue("table_colour", toQt(scene.view.backdrop.table));
     program.setUniformValue("horizon_colour", toQt(scene.view.backdrop.horizon));
-    const QOpenGLVertexArrayObject::Binder binder(&m_no_vertices);
-    m_gl->glDrawArrays(GL_TRIANGLES, 0, 3);
+    drawOverAll();
 }
 
 void MazeRenderer::drawGhosts(const Scene &scene) {

@@ -48,6 +48,8 @@ public:
     // table; then all that moves, with the piece of the board that the ball changes.
     void renderStill(const Frame &frame, const View &view);
     void renderMoving(const Frame &frame, const View &view);
+    // Draws a finished picture, a texture of as many pixels, without the steps of its edges.
+    void smooth(unsigned picture, const View &view);
 
 private:
     struct Scene; // what all passes of one frame share
@@ -75,6 +77,7 @@ private:
     void drawMoving(const Scene &scene);
     void drawBall(const Scene &scene, const Ball &ball, const Colour &tint);
     void drawBackdrop(const Scene &scene);
+    void drawOverAll();
     void drawGhosts(const Scene &scene);
     void drawStrokes(const Scene &scene);
 

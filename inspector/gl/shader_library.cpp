@@ -18,11 +18,12 @@ struct Recipe {
 };
 
 // In the order of Program.
-constexpr std::array<Recipe, 5> kRecipes{{{"maze.vert", {"maze.frag", "lighting.frag"}},
+constexpr std::array<Recipe, 6> kRecipes{{{"maze.vert", {"maze.frag", "lighting.frag"}},
                                           {"ball.vert", {"ball.frag", "lighting.frag"}},
                                           {"backdrop.vert", {"backdrop.frag", nullptr}},
                                           {"depth.vert", {"depth.frag", nullptr}},
-                                          {"stroke.vert", {"stroke.frag", nullptr}}}};
+                                          {"stroke.vert", {"stroke.frag", nullptr}},
+                                          {"smooth.vert", {"smooth.frag", nullptr}}}};
 
 QString pathOf(const QString &directory, const char *name) {
     QString override_path = directory + QLatin1Char('/') + QLatin1String(name);

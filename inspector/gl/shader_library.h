@@ -12,7 +12,7 @@
 
 namespace inspector::gl {
 
-enum class Program { Maze, Ball, Backdrop, Depth, Stroke };
+enum class Program { Maze, Ball, Backdrop, Depth, Stroke, Smooth };
 
 // The programs built from shaders/*.vert and *.frag: those embedded in the executable, file by file overridden by those
 // in a directory that is watched while running. A set that doesn't compile is reported and the last good one stays.
@@ -41,7 +41,7 @@ signals:
     void failed(const QString &log); // the last good set stays in use
 
 private:
-    static constexpr std::size_t kCount = 5;
+    static constexpr std::size_t kCount = 6;
     using Set = std::array<std::unique_ptr<QOpenGLShaderProgram>, kCount>;
 
     void watch();

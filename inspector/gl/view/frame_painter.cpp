@@ -15,7 +15,7 @@ namespace inspector::gl {
 
 namespace {
 
-constexpr int kSamples = 4;
+constexpr int kSamples = 4; // of saved pictures
 
 QOpenGLExtraFunctions &functions() { return *QOpenGLContext::currentContext()->extraFunctions(); }
 
@@ -75,7 +75,7 @@ void FramePainter::begin() {
 }
 
 void FramePainter::end() {
-    m_multisampled.reset();
+    m_unsmoothed.reset();
     m_still_picture.reset();
     m_renderer.reset();
 }
@@ -109,22 +109,20 @@ void FramePainter::paint(unsigned framebuffer) {
     uploadMeshes();
     View view = m_host.view();
     view.quality = quality();
-    const unsigned target = view.quality == Quality::High ? multisampled(view) : framebuffer;
-    if (target == framebuffer) m_multisampled.reset();
-    const bool is_whole = render(frame, view, target);
-    if (target != framebuffer) copy(target, framebuffer, view, GL_COLOR_BUFFER_BIT);
+    const bool is_smoothed = view.quality == Quality::High;
+    const bool is_whole = render(frame, view, is_smoothed ? unsmoothed(view) : framebuffer);
     functions().glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    if (is_smoothed) m_renderer->smooth(m_unsmoothed->texture(), view);
     functions().glFinish(); // drivers queue; the figure is for the finished picture
     const double milliseconds = 1e-6 * static_cast<double>(timer.nsecsElapsed());
     if (is_whole && !m_set_quality) m_chooser.note(milliseconds);
     m_host.noteDrawn(milliseconds);
 }
 
-// Of our own, so that the quality can be switched while running; a widget's can't.
-unsigned FramePainter::multisampled(const View &view) {
-    if (!m_multisampled || m_multisampled->size() != sizeOf(view))
-        m_multisampled = std::make_unique<QOpenGLFramebufferObject>(sizeOf(view), formatOf(kSamples));
-    return m_multisampled->handle();
+unsigned FramePainter::unsmoothed(const View &view) {
+    if (!m_unsmoothed || m_unsmoothed->size() != sizeOf(view))
+        m_unsmoothed = std::make_unique<QOpenGLFramebufferObject>(sizeOf(view), formatOf(0));
+    return m_unsmoothed->handle();
 }
 
 // Once board and table stand still they are drawn once more without the ball, and copied from then on. True if all of
@@ -145,8 +143,7 @@ bool FramePainter::render(const Frame &frame, const View &view, unsigned framebu
 }
 
 void FramePainter::makeStill(const Frame &frame, const View &view) {
-    m_still_picture = std::make_unique<QOpenGLFramebufferObject>(
-        sizeOf(view), formatOf(view.quality == Quality::High ? kSamples : 0));
+    m_still_picture = std::make_unique<QOpenGLFramebufferObject>(sizeOf(view), formatOf(0));
     m_still_picture->bind();
     m_renderer->renderStill(frame, view);
 }

@@ -56,7 +56,7 @@ private:
     void uploadMeshes();
     bool render(const Frame &frame, const View &view, unsigned framebuffer);
     void copy(unsigned from, unsigned to, const View &view, unsigned buffers);
-    unsigned multisampled(const View &view);
+    unsigned unsmoothed(const View &view); // to draw into what is smoothed then
     void makeStill(const Frame &frame, const View &view);
 
     CanvasHost &m_host;
@@ -69,7 +69,7 @@ private:
     QString m_name;
 
     std::unique_ptr<MazeRenderer> m_renderer; // these three live and die with the context
-    std::unique_ptr<QOpenGLFramebufferObject> m_multisampled;
+    std::unique_ptr<QOpenGLFramebufferObject> m_unsmoothed;
     std::unique_ptr<QOpenGLFramebufferObject> m_still_picture; // of board and table, once two frames had them alike
     MazeRenderer::Still m_still;                               // of the last frame
 };
