@@ -206,12 +206,15 @@ void addOptions(QCommandLineParser &parser, const std::vector<const phys_param_r
               "Default ") +
              usualFitQuantities() + QLatin1Char('.'),
          text("list")},
+        {"track", text("Open the window with this table of a measured ball, as --fit reads it, laid over the run."),
+         text("file.csv")},
         {"track-units",
-         text("With --fit: what the columns' names don't say, as t=ms, x=mm, tilt=rad, px=0.25mm, fps=60, mirror=y."),
+         text("With --fit or --track: what the columns' names don't say, as t=ms, x=mm, tilt=rad, px=0.25mm, fps=60, "
+              "mirror=y."),
          text("list")},
         {"track-frame",
-         text("With --fit: the tracker's frame on the board: place of its origin [mm], angle [deg], scale. Default "
-              "0,0,0,1."),
+         text("With --fit or --track: the tracker's frame on the board: place of its origin [mm], angle [deg], scale. "
+              "Default 0,0,0,1."),
          text("x,y,angle,scale")},
         {"list-steppers", text("Print the steppers that can be chosen.")},
         {"list-parameters", text("Print the parameters with unit, range and default.")},
@@ -440,10 +443,12 @@ QString fileOf(const QCommandLineParser &parser) {
     if (words.size() > 1)
         throw WrongUse{QStringLiteral("expected one file, found %1 and %2; --help lists the options")
                            .arg(quoted(words[0]), quoted(words[1]))};
-    for (const char *name : {"level", "replay", "trade", "all-levels"})
+    if (words[0].isEmpty()) throw WrongUse{QStringLiteral("expected the name of a file, found ''")};
+    QStringList others{"trade", "fit", "all-levels"};
+    others += isTrackFile(words[0]) ? QStringList{"track"} : QStringList{"level", "replay"};
+    for (const QString &name : others)
         if (parser.isSet(name))
             throw WrongUse{QStringLiteral("--%1: doesn't go with the file %2").arg(name, quoted(words[0]))};
-    if (words[0].isEmpty()) throw WrongUse{QStringLiteral("expected the name of a file, found ''")};
     return words[0];
 }
 
@@ -460,22 +465,42 @@ TrackFrame readFrame(const QCommandLineParser &parser) {
     return {numbers[3], radians(numbers[2]), numbers[0] * 1e-3, numbers[1] * 1e-3};
 }
 
+// The file, its units and its place, which the fit and the window read alike.
+void readTrackOptions(const QCommandLineParser &parser, FitOptions &fit) {
+    QString error;
+    fit.unitWords = parser.value("track-units");
+    const std::optional<TrackUnits> units = parseTrackUnits(fit.unitWords, &error);
+    if (!units) throw WrongUse{QStringLiteral("--track-units: ") + error};
+    fit.units = *units;
+    if (parser.isSet("track-frame")) fit.frame = readFrame(parser);
+}
+
+// file: that stands alone; empty if it is no track.
+void readTrackOfWindow(const QCommandLineParser &parser, const QString &file, Options &options) {
+    options.fit.track = parser.isSet("track") ? parser.value("track") : file;
+    for (const char *name : {"track-units", "track-frame"})
+        if (options.fit.track.isEmpty() && parser.isSet(name))
+            throw WrongUse{QStringLiteral("--%1: needs --fit or --track").arg(name)};
+    if (options.fit.track.isEmpty() && !parser.isSet("track")) return;
+    if (options.headless) throw WrongUse{QStringLiteral("--track: is shown in the window; --fit needs none")};
+    readTrackOptions(parser, options.fit);
+    QString error;
+    if (!readTrackFile(options.fit.track, options.fit.units, &error))
+        throw WrongUse{QStringLiteral("--track: ") + error};
+}
+
 void readFit(const QCommandLineParser &parser, Options &options) {
     const bool fits = parser.isSet("fit");
-    for (const char *name : {"fit-for", "track-units", "track-frame"})
-        if (!fits && parser.isSet(name)) throw WrongUse{QStringLiteral("--%1: needs --fit").arg(name)};
+    if (!fits && parser.isSet("fit-for")) throw WrongUse{QStringLiteral("--fit-for: needs --fit")};
     if (!fits) return;
     for (const char *name : {"trade", "replay", "record", "compare", "stepper", "dt", "duration", "all-levels",
-                             "autopilot", "csv-every", "grab", "shaders"})
+                             "autopilot", "csv-every", "grab", "shaders", "track"})
         if (parser.isSet(name)) throw WrongUse{QStringLiteral("--fit: doesn't go with --%1").arg(name)};
     QString error;
     options.action = Options::Action::Fit;
     options.headless = true;
     options.fit.track = parser.value("fit");
-    const std::optional<TrackUnits> units = parseTrackUnits(parser.value("track-units"), &error);
-    if (!units) throw WrongUse{QStringLiteral("--track-units: ") + error};
-    options.fit.units = *units;
-    if (parser.isSet("track-frame")) options.fit.frame = readFrame(parser);
+    readTrackOptions(parser, options.fit);
     const QString words = parser.isSet("fit-for") ? parser.value("fit-for") : usualFitQuantities();
     const std::optional<std::vector<FitQuantity>> quantities = parseFitQuantities(words, &error);
     if (!quantities) throw WrongUse{QStringLiteral("--fit-for: ") + error};
@@ -489,6 +514,7 @@ Options readOptions(const QCommandLineParser &parser, const std::vector<const ph
     options.registry = registry;
     options.plugins = plugins;
     const QString file = fileOf(parser);
+    const QString track = isTrackFile(file) ? file : QString();
     if (isRecordingFile(file)) options.replay = file;
     if (parser.isSet("replay")) options.replay = parser.value("replay");
     if (parser.isSet("stepper")) options.stepper = parser.value("stepper").toUtf8();
@@ -500,13 +526,14 @@ Options readOptions(const QCommandLineParser &parser, const std::vector<const ph
     readRecordings(parser, rows, options);
     readTrade(parser, options);
     readFit(parser, options);
+    if (options.action != Options::Action::Fit) readTrackOfWindow(parser, track, options);
     readParameters(parser, rows, options);
     readGhostsParameters(parser, options);
 
     options.levels = levelsIn(levelsFolder());
     const QString option = parser.isSet("trade") ? QStringLiteral("trade") : QStringLiteral("level");
     const QString wanted = parser.isSet(option) ? parser.value(option) : QStringLiteral("1");
-    const bool isFile = !file.isEmpty() && options.replay.isEmpty();
+    const bool isFile = !file.isEmpty() && track.isEmpty() && options.replay.isEmpty();
     const std::optional<Level> level = isFile ? levelOfFile(file) : findLevel(options.levels, wanted, &error);
     if (!level) throw WrongUse{QStringLiteral("--%1: ").arg(option) + error};
     options.level = *level;
@@ -529,7 +556,8 @@ CommandLine parseOrThrow(const QStringList &arguments) {
     const std::vector<const phys_param_row *> rows = allRows(registry);
     QCommandLineParser parser;
     parser.setApplicationDescription(QStringLiteral("Shows, plays and tunes one ball rolling through a maze."));
-    parser.addPositionalArgument(QStringLiteral("file"), QStringLiteral("A maze or a recording to open."),
+    parser.addPositionalArgument(QStringLiteral("file"),
+                                 QStringLiteral("A maze, a recording or a table of a measured ball to open."),
                                  QStringLiteral("[file]"));
     addOptions(parser, rows);
     if (!parser.parse(arguments)) throw WrongUse{parser.errorText() + QStringLiteral(" --help lists the options")};

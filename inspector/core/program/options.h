@@ -21,7 +21,8 @@ namespace inspector {
 
 // What is said of a measured ball.
 struct FitOptions {
-    QString track; // file; empty: none
+    QString track;     // file; empty: none. Of Action::Fit, or to be laid over the run in the window
+    QString unitWords; // as parseTrackUnits() reads them
     TrackUnits units;
     TrackFrame frame;                    // where the tracker's is on the board, or where a fit of it begins
     std::vector<FitQuantity> quantities; // that are looked for
@@ -50,9 +51,9 @@ struct Options {
     std::optional<GhostChoice> comparison;
     std::vector<Setting> comparisonSettings; // the second ball's own parameters; empty: the first's
     TradeOptions trade;                      // of Action::Trade
-    FitOptions fit;                          // of Action::Fit
-    QString grab;                            // file; empty: none
-    bool force = false;                      // outputs may take the place of any file
+    FitOptions fit;
+    QString grab;       // file; empty: none
+    bool force = false; // outputs may take the place of any file
     enum class View { Auto, Flat, Solid };
     View view = View::Auto; // of the board: without OpenGL where that isn't there, never, always
     QString shaders;        // folder of files that replace the embedded ones; empty: none

@@ -374,6 +374,19 @@ std::optional<Track> readTrack(QIODevice &device, const QString &name, const Tra
     return std::nullopt;
 }
 
+bool isTrackFile(const QString &path) {
+    for (const char *ending : {".csv", ".tsv"})
+        if (path.endsWith(QLatin1String(ending), Qt::CaseInsensitive)) return true;
+    constexpr qint64 kLongestHeader = 4096;
+    const QString beginning = QString::fromUtf8(beginningOf(path, kLongestHeader));
+    for (const QString &line : beginning.split(QLatin1Char('\n'))) {
+        if (line.trimmed().isEmpty() || line.startsWith(QLatin1Char('#'))) continue;
+        const Header header(line.trimmed(), {});
+        return header.has(Quantity::X) && header.has(Quantity::Y);
+    }
+    return false;
+}
+
 std::optional<Track> readTrackFile(const QString &path, const TrackUnits &units, QString *error) {
     constexpr qint64 kLargest = 200 * kMegabyte; // hours of pictures
     std::optional<QByteArray> bytes = readFile(path, kLargest, error);

@@ -33,6 +33,8 @@ std::optional<TrackUnits> parseTrackUnits(const QString &words, QString *error);
 // Rows that can't be used are left out and told of in the track's remarks. Nothing and one line in `error` if columns
 // are missing or fewer than 10 rows are left.
 std::optional<Track> readTrack(QIODevice &device, const QString &name, const TrackUnits &units, QString *error);
+// Whether a file is meant as one: by its name (.csv, .tsv), or by a header that names x and y.
+bool isTrackFile(const QString &path);
 std::optional<Track> readTrackFile(const QString &path, const TrackUnits &units, QString *error);
 
 } // namespace inspector

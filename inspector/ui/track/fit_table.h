@@ -21,6 +21,7 @@ public:
     void want(const QString &words);
     // Where a fit begins.
     BoardGuess begin(const Inputs &inputs) const;
+    void setFrame(const TrackFrame &frame) { m_typed.frame = frame; } // to be shown by the next
     void showBegin(const Inputs &inputs);
     void showFound(const ModelFit &fit);
     void forgetFound();

@@ -111,10 +111,20 @@ QWidget *TrackDock::makeControls() {
 void TrackDock::chooseTrackFile() {
     chooseFile(*this, m_session.settings(),
                {tr("A measured ball"), tr("Tables (*.csv *.txt *.tsv);;All files (*)"), {}, FileUse::Read},
-               [this](const QString &path) {
-                   m_file->setText(path);
-                   openTrack();
-               });
+               [this](const QString &path) { open(path, m_units->text()); });
+}
+
+bool TrackDock::open(const QString &path, const QString &units) {
+    m_file->setText(path);
+    m_units->setText(units);
+    return openTrack();
+}
+
+QString TrackDock::units() const { return m_units->text(); }
+
+void TrackDock::setFrame(const TrackFrame &frame) {
+    m_quantities->setFrame(frame);
+    m_quantities->showBegin(m_session.parameters().inputs());
 }
 
 bool TrackDock::openTrack() {

@@ -26,6 +26,12 @@ public:
     // Both outlive the dock.
     TrackDock(Session &session, QUndoStack &undo, QWidget *parent = nullptr);
 
+    // Lays the measured ball of a file over the run, as if its name and units (words) were typed; in the frame that is
+    // set. False if it can't be read, which the dock says.
+    bool open(const QString &path, const QString &units);
+    void setFrame(const TrackFrame &frame);
+    QString units() const; // as they are typed
+
     QSize sizeHint() const override { return {900, 320}; }
 
 private:

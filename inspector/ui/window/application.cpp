@@ -6,6 +6,7 @@
 #include "core/setup/lines.h"
 #include "gl/surface_format.h"
 #include "gl/view/maze_view.h"
+#include "ui/track/track_dock.h"
 #include "ui/window/main_window.h"
 #include "ui/window/unattended_run.h"
 
@@ -73,6 +74,10 @@ int runWindow(Session &session, const Options &options) {
     if (!options.shaders.isEmpty()) window.view().setShaderDirectory(options.shaders);
     if (!options.grab.isEmpty()) window.view().setQuality(window.view().quality()); // the same on each machine
     window.show();
+    if (!options.fit.track.isEmpty()) {
+        window.track().setFrame(options.fit.frame);
+        window.openTrack(options.fit.track, options.fit.unitWords);
+    }
     UnattendedRun run(session, options);
     QObject::connect(&run, &UnattendedRun::finished, &window, [&window, &options](QString error) {
         if (!options.grab.isEmpty()) window.grabTo(options.grab, error.isEmpty() ? &error : nullptr);

@@ -77,6 +77,7 @@ namespace {
 const char *const kDockNames[] = {"parameters_dock", "levels_dock", "plot_dock"}; // there from the start
 const char *const kComparisonDock = "comparison_dock";
 const char *const kBouncesDock = "bounces_dock";
+const char *const kTrackDock = "track_dock";
 
 // What a window manager's frame leaves of the screen, about: before the window is shown nobody knows.
 QSize roomFor(const QWidget &window) {
@@ -169,6 +170,7 @@ void MainWindow::makeDocks() {
     m_runs = new RunDock(m_session);
     m_watched = new WatchList(m_session);
     m_ball = new BallDock(m_session, *m_undo);
+    m_track = new TrackDock(m_session, *m_undo);
     static const DockRow rows[] = {
         {kDockNames[0], QT_TR_NOOP("Parameters"), Qt::RightDockWidgetArea, 0.0,
          [](MainWindow &window) -> QWidget * { return window.m_parameters; }},
@@ -182,8 +184,8 @@ void MainWindow::makeDocks() {
          [](MainWindow &window) -> QWidget * { return window.m_comparison; }},
         {kBouncesDock, QT_TR_NOOP("Bounces"), Qt::BottomDockWidgetArea, kBouncesShare,
          [](MainWindow &window) -> QWidget * { return window.m_bounces; }},
-        {"track_dock", QT_TR_NOOP("Measured ball"), Qt::BottomDockWidgetArea, kTradeShare,
-         [](MainWindow &window) -> QWidget * { return new TrackDock(window.m_session, *window.m_undo); }},
+        {kTrackDock, QT_TR_NOOP("Measured ball"), Qt::BottomDockWidgetArea, kTradeShare,
+         [](MainWindow &window) -> QWidget * { return window.m_track; }},
         {"runs_dock", QT_TR_NOOP("Runs"), Qt::BottomDockWidgetArea, kComparisonShare,
          [](MainWindow &window) -> QWidget * { return window.m_runs; }},
         {"watch_dock", QT_TR_NOOP("Watch"), Qt::RightDockWidgetArea, kComparisonShare,
@@ -243,6 +245,11 @@ void MainWindow::showDock(QDockWidget &dock, double share) {
 // Once the window is there: before, tabs can't be raised.
 void MainWindow::showComparisonDock() {
     showDock(*findChild<QDockWidget *>(QLatin1String(kComparisonDock)), kComparisonShare);
+}
+
+bool MainWindow::openTrack(const QString &path, const QString &units) {
+    showDock(*findChild<QDockWidget *>(QLatin1String(kTrackDock)), kTradeShare);
+    return m_track->open(path, units);
 }
 
 void MainWindow::connectSession() {

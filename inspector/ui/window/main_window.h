@@ -40,6 +40,7 @@ class Ruler;
 class RunDock;
 class StatusLine;
 class TimePlot;
+class TrackDock;
 class TransportBar;
 class WatchList;
 
@@ -61,6 +62,11 @@ public:
     bool grabTo(const QString &path, QString *error);
     // Everything that follows the simulation shows the present moment; called about 30 times a second.
     void refresh();
+
+    // A measured ball is laid over the run, in the frame that the dock has. False if the file can't be read, which the
+    // dock says.
+    bool openTrack(const QString &path, const QString &units);
+    TrackDock &track() { return *m_track; }
 
 protected:
     void closeEvent(QCloseEvent *event) override;
@@ -128,6 +134,7 @@ private:
     // One for each row of the table of actions.
     void openMazeFile();
     void openRecording();
+    void askForTrack();
     void askForPlugin();
     void closeRecording();
     void saveRun();
@@ -182,6 +189,7 @@ private:
     MazeWatcher *m_mazeWatcher = nullptr;
     DocumentDialog *m_documents = nullptr; // once one was asked for
     BallDock *m_ball = nullptr;
+    TrackDock *m_track = nullptr;
     BounceDock *m_bounces = nullptr;
     RunDock *m_runs = nullptr;
     WatchList *m_watched = nullptr;

@@ -53,6 +53,12 @@ const std::vector<MainWindow::ActionRow> &MainWindow::actionRows() {
          QT_TR_NOOP("Watch a recorded run"),
          {},
          &MainWindow::openRecording},
+        {"open_track",
+         QT_TR_NOOP("Open measured ball…"),
+         "",
+         QT_TR_NOOP("A table of a ball that was filmed, to be laid over the run"),
+         {},
+         &MainWindow::askForTrack},
         {"load_plugin",
          QT_TR_NOOP("Load plugin…"),
          "",
@@ -244,8 +250,8 @@ void MainWindow::makeMenus() {
     };
     const MenuRow rows[] = {
         {QT_TR_NOOP("&File"),
-         {"open", "open_recording", "close_recording", "", "load_plugin", "", "save_run", "save_film", "save_plot",
-          "screenshot", "record", "", "quit"}},
+         {"open", "open_recording", "open_track", "close_recording", "", "load_plugin", "", "save_run", "save_film",
+          "save_plot", "screenshot", "record", "", "quit"}},
         {QT_TR_NOOP("&Edit"), {"", "reset_parameters"}},
         {QT_TR_NOOP("&View"),
          {"", "camera_reset", "camera_top", "camera_follow", "", "bounces", "way_ahead", "others_ahead"}},

@@ -2,9 +2,11 @@
 // Files of the window: opened, dropped, remembered, watched; plugins; pages of documentation.
 #include "core/schedule/recording_schedule.h"
 #include "core/setup/lines.h"
+#include "core/track/track_reader.h"
 #include "ui/parts/file_chooser.h"
 #include "ui/parts/message_bar.h"
 #include "ui/parts/settings_keys.h"
+#include "ui/track/track_dock.h"
 #include "ui/window/document_dialog.h"
 #include "ui/window/film.h"
 #include "ui/window/main_window.h"
@@ -42,10 +44,17 @@ void MainWindow::openRecording() {
                [this](const QString &path) { openFile(path); });
 }
 
-// A maze or a recording, which is remembered if it could be opened, and forgotten if not.
+void MainWindow::askForTrack() {
+    chooseFile(*this, m_session.settings(),
+               {tr("Open measured ball"), tr("Tables (*.csv *.tsv *.txt);;All files (*)"), {}, FileUse::Read},
+               [this](const QString &path) { remember(path, openTrack(path, m_track->units())); });
+}
+
+// A maze, a recording or a measured ball, which is remembered if it could be opened, and forgotten if not.
 void MainWindow::openFile(const QString &path) {
-    const bool isOpen = isRecordingFile(path) ? m_session.openRecording(path) : m_session.openLevel(levelOfFile(path));
-    remember(path, isOpen);
+    if (isRecordingFile(path)) return remember(path, m_session.openRecording(path));
+    if (isTrackFile(path)) return remember(path, openTrack(path, m_track->units()));
+    remember(path, m_session.openLevel(levelOfFile(path)));
 }
 
 void MainWindow::remember(const QString &path, bool isOpen) {

@@ -44,7 +44,7 @@ typedef struct phys_scene_view {
         "help", "kind", "level", "list_parameters", "list_steppers", "maze", "normal", "orientation", "parameters",    \
         "plot", "plugin", "point", "position", "record", "replay", "report", "scene", "schedule", "seed", "shaders",   \
         "share", "speed", "spin", "start", "state", "step", "stepper", "steps", "theme", "tilt", "tilt_x", "tilt_y",   \
-        "time", "track_frame", "track_units", "trade", "under", "unknown", "velocity", "version", "view",              \
+        "time", "track", "track_frame", "track_units", "trade", "under", "unknown", "velocity", "version", "view",     \
         "with_orientation", "within", "x", "y", "z"
 
 /** One stepper: appendable, texts static. All functions are called by one thread at a time for one self; none may

@@ -31,6 +31,7 @@ private slots:
     void wrongUseGivesOneLineAndStatus2();
     void windowIsNeededUnlessTheArgumentsSayOtherwise();
     void aFileAloneIsALevelOrARecording();
+    void aTableAloneIsLaidOverTheLevel();
     void listsAskedForTogetherArePrintedTogether();
     void outputsThatWouldDestroyAFileAreRefused_data();
     void outputsThatWouldDestroyAFileAreRefused();
@@ -256,6 +257,16 @@ void TestCommandLine::wrongUseGivesOneLineAndStatus2_data() {
                                             << "--shaders: nothing is drawn";
     QTest::newRow("no folder of shaders") << "--shaders /nowhere"
                                           << "--shaders: expected a folder, found '/nowhere'";
+    QTest::newRow("track without window") << "--headless --track t.csv"
+                                          << "--track: is shown in the window";
+    QTest::newRow("no such track") << "--track /nowhere/t.csv"
+                                   << "--track: '/nowhere/t.csv'";
+    QTest::newRow("level for a track") << LEVELS_FOLDER "/01.txt --track t.csv"
+                                       << "--track: 't.csv'";
+    QTest::newRow("two tracks") << "a.csv --track b.csv"
+                                << "--track: doesn't go with the file 'a.csv'";
+    QTest::newRow("units of no track") << "--track-units x=mm"
+                                       << "--track-units: needs --fit or --track";
     QTest::newRow("one level and all") << "--all-levels --level 2"
                                        << "--all-levels";
 }
@@ -289,6 +300,22 @@ void TestCommandLine::aFileAloneIsALevelOrARecording() {
     QVERIFY2(!level.exitStatus, qPrintable(level.error));
     QCOMPARE(level.options.level.name, QString("03"));
     QVERIFY(level.options.level.mesh.endsWith("03.obj"));
+}
+
+void TestCommandLine::aTableAloneIsLaidOverTheLevel() {
+    const QTemporaryDir folder;
+    const QString table = folder.filePath("video.csv");
+    QByteArray rows = "t_ms,x_mm,y_mm\n";
+    for (int i = 0; i < 10; ++i) rows += QByteArray::number(i) + ",0,0\n";
+    put(table, rows);
+    const CommandLine alone = parsed({table, "--level", "2", "--track-frame", "5,0,90,1"});
+    QVERIFY2(!alone.exitStatus, qPrintable(alone.error));
+    QVERIFY(alone.options.action == Options::Action::Run);
+    QVERIFY(!alone.options.headless);
+    QCOMPARE(alone.options.fit.track, table);
+    QCOMPARE(alone.options.fit.frame.x, 5e-3);
+    QCOMPARE(alone.options.level.name, QString("02"));
+    QCOMPARE(parsed({"--track", table, "--track-units", "px=0.2mm"}).options.fit.unitWords, QString("px=0.2mm"));
 }
 
 void TestCommandLine::listsAskedForTogetherArePrintedTogether() {

@@ -4,6 +4,7 @@
 #include "support/compare.h"
 
 #include <QBuffer>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <numeric>
@@ -24,6 +25,7 @@ private slots:
     void lostPositionsAndGapsAreTold();
     void unusableFilesAreOneLine_data();
     void unusableFilesAreOneLine();
+    void tablesAreKnownByNameOrHeader();
     void wrongUnitsAreOneLine_data();
     void wrongUnitsAreOneLine();
     void frameThereAndBackIsTheSame();
@@ -163,6 +165,21 @@ void TestTrackReader::unusableFilesAreOneLine() {
     QString error;
     QVERIFY(!read(text, {}, &error));
     QCOMPARE(error, line);
+}
+
+void TestTrackReader::tablesAreKnownByNameOrHeader() {
+    const QTemporaryDir folder;
+    const auto isTrack = [&](const char *name, const QByteArray &text) {
+        QFile file(folder.filePath(name));
+        if (!file.open(QIODevice::WriteOnly) || file.write(text) < 0) qFatal("can't write");
+        file.close();
+        return isTrackFile(file.fileName());
+    };
+    QVERIFY(isTrack("a.csv", "nothing of the kind\n")); // whose header is to be told of
+    QVERIFY(isTrack("b.txt", "# by hand\n\nframe;x_mm;y_mm\n"));
+    QVERIFY(!isTrack("c.txt", "physics-maze 1\nbox x y\n"));
+    QVERIFY(!isTrack("d.txt", ""));
+    QVERIFY(!isTrackFile(folder.filePath("none.txt")));
 }
 
 void TestTrackReader::wrongUnitsAreOneLine_data() {

@@ -6,11 +6,9 @@
 
 #include <QComboBox>
 #include <QDialog>
-#include <QDropEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
-#include <QMimeData>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalSpy>
@@ -49,7 +47,7 @@ private slots:
 private:
     QString maze(const QString &name, const QByteArray &more = {});
     void write(const QString &path, const QByteArray &bytes);
-    void drop(const QString &path);
+    void drop(const QString &path) { m_fixture->drop(path); }
     QMenu *recent();
     uint32_t boxes() { return phys_scene_box_count(m_fixture->session().scene().get()); }
     QString strip(); // all that it says
@@ -81,16 +79,6 @@ QString TestWindowFiles::maze(const QString &name, const QByteArray &more) {
     const QString path = m_fixture->path(name);
     write(path, kFloor + more);
     return path;
-}
-
-void TestWindowFiles::drop(const QString &path) {
-    QMimeData data;
-    data.setUrls({QUrl::fromLocalFile(path)});
-    QWidget &window = m_fixture->window();
-    QDragEnterEvent enter(window.rect().center(), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(&window, &enter); // a drop without it is none
-    QDropEvent drop(window.rect().center(), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(&window, &drop);
 }
 
 QString TestWindowFiles::strip() {

@@ -27,6 +27,8 @@ private slots:
     void init();
     void cleanup() { m_fixture.reset(); }
     void openedTrackIsABallAndATrail();
+    void droppedTableIsLaidOverTheRun();
+    void droppedTableThatIsWrongSaysWhy();
     void whereItEndsThereIsNoBall();
     void plotsChooseItsCurves();
     void timeBarShowsItsSpan();
@@ -78,6 +80,29 @@ void TestWindowTrack::openedTrackIsABallAndATrail() {
     QCOMPARE(shown.trails.size(), trails + 2);                     // its way, and the last part of it
     const QString picture = qEnvironmentVariable("TRACK_PICTURE"); // to look at
     if (!picture.isEmpty()) QVERIFY(m_fixture->window().grabTo(picture, nullptr));
+}
+
+void TestWindowTrack::droppedTableIsLaidOverTheRun() {
+    m_fixture->drop(m_fixture->path("track.csv"));
+    QVERIFY(m_fixture->session().track());
+    QCOMPARE(m_fixture->find<QLineEdit>("track_file")->text(), m_fixture->path("track.csv"));
+    QTRY_VERIFY(m_fixture->find<QPlainTextEdit>("track_report")->isVisible());
+    QCOMPARE(m_fixture->session().level().name, QString("03"));
+    auto *recent = m_fixture->find<QMenu>("recent_menu");
+    recent->popup(m_fixture->window().mapToGlobal(QPoint(40, 40)));
+    QCOMPARE(recent->actions().at(0)->text(), QString("&1  track.csv"));
+    QTest::keyClick(recent, Qt::Key_Escape);
+}
+
+void TestWindowTrack::droppedTableThatIsWrongSaysWhy() {
+    QFile file(m_fixture->path("half.csv"));
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write("t,x\n0,1\n") > 0);
+    file.close();
+    m_fixture->drop(file.fileName());
+    QVERIFY(!m_fixture->session().track());
+    auto *report = m_fixture->find<QPlainTextEdit>("track_report");
+    QTRY_VERIFY(report->isVisible());
+    QVERIFY2(report->toPlainText().contains("expected a column y in the header"), qPrintable(report->toPlainText()));
 }
 
 void TestWindowTrack::whereItEndsThereIsNoBall() {

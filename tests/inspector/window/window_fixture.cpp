@@ -6,7 +6,9 @@
 #include "gl/view/maze_view.h"
 
 #include <QApplication>
+#include <QDropEvent>
 #include <QFileDialog>
+#include <QMimeData>
 #include <QSurfaceFormat>
 #include <QWheelEvent>
 
@@ -74,6 +76,15 @@ void Fixture::makeSteps(uint64_t count) {
     const uint64_t end = simulation().latest().current.step + count;
     for (uint64_t i = 0; i < count; ++i) trigger("step");
     QTRY_COMPARE(simulation().latest().current.step, end);
+}
+
+void Fixture::drop(const QString &path) {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(path)});
+    QDragEnterEvent enter(m_window->rect().center(), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(m_window.get(), &enter); // a drop without it is none
+    QDropEvent drop(m_window->rect().center(), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(m_window.get(), &drop);
 }
 
 void Fixture::answerFile(const QString &path) {

@@ -61,6 +61,8 @@ public:
     void type(const QString &text);
     // By the command for a single step; waits for the last one.
     void makeSteps(uint64_t count);
+    // A file from another program onto the window.
+    void drop(const QString &path);
     // Chooses a file in the dialog that is open or about to be.
     void answerFile(const QString &path);
 
