@@ -29,7 +29,8 @@ Order orderOf(const std::string &stepper);
 /// The motion by force, and how far it goes astray if it is disturbed a little.
 class Truth {
 public:
-    /// Empty if the ball starts inside a box, or if the brute force has no answer.
+    /// Empty if the ball starts inside a box, or if there is no answer: a gap of exactly its diameter, or the brute
+    /// force has none.
     static std::optional<Truth> of(const Case &scene);
 
     const std::vector<Motion> &motions() const { return m_motions; }

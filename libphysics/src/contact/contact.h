@@ -76,6 +76,20 @@ class Contacts : public ShortList<Contact> {
 public:
     static constexpr uint32_t kMost = kMostContacts;
 
+    /// Removes the contacts for which `isUnwanted` is true; asks in order. Those that are left still tie as they did.
+    template<class Predicate>
+    void drop(Predicate isUnwanted) {
+        uint32_t kept = 0;
+        bool ties = true; // with the last one that is kept
+        for (uint32_t i = 0; i < count(); ++i) {
+            ties = ties && m_tiesWithPrevious[i];
+            if (isUnwanted((*this)[i])) continue;
+            m_tiesWithPrevious[kept] = kept > 0 && ties;
+            (*this)[kept++] = (*this)[i];
+            ties = true;
+        }
+        shorten(kept);
+    }
     /// Removes edges and corners that a face keeps the ball from: those that don't stand out of its plane.
     void dropHidden(double tolerance);
     /// Sorts by what neither the numbering of boxes nor mirrors nor quarter turns change.

@@ -38,15 +38,7 @@ public:
 
     void clear() { m_count = 0; }
     void add(const T &item) { m_items[m_count++] = item; }
-    /// Removes the items for which `isUnwanted` is true; asks in order.
-    template<class Predicate>
-    void drop(Predicate isUnwanted) {
-        uint32_t kept = 0;
-        for (uint32_t i = 0; i < m_count; ++i) {
-            if (!isUnwanted(m_items[i])) m_items[kept++] = m_items[i];
-        }
-        m_count = kept;
-    }
+    void shorten(uint32_t count) { m_count = count; }
 
 private:
     std::array<T, kMostContacts> m_items;

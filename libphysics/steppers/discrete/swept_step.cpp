@@ -57,7 +57,8 @@ Ball SweptStep::at(double t, Reporter &reporter) const {
     } else if (!step.rollBetweenWalls(m_contacts, ball)) {
         m_effort += kEffortOfContacts;
         const StepContext context{m_context.setting, reporter};
-        ball.supported = hold(context, m_contacts, ContactRule::SecondOrder, t, ball);
+        const ContactRule rule = m_slipEnds ? ContactRule::Symplectic : ContactRule::SecondOrder;
+        ball.supported = hold(context, m_contacts, rule, t, ball);
     } else {
         ball.supported = true;
     }
@@ -73,7 +74,7 @@ bool SweptStep::toNextEvent() {
     if (advanceFreely()) return true;
     beginPhase();
     const double rest = m_input.dt - m_done;
-    const double t = firstEvent(timeToStopOrRoll(std::min(rest, horizon())));
+    const double t = firstEvent(timeToStopOrRoll(timeToSlipEnd(std::min(rest, horizon()))));
     finishPhase(t);
     m_done = t == rest ? m_input.dt : m_done + t;
     return m_done >= m_input.dt;
@@ -199,6 +200,41 @@ double SweptStep::timeToZero(double end, double start, Left left) const {
     for (int i = 0; i < kMostHalvings && rest <= kZero * start; ++i) rest = left(at(t *= 0.5));
     // What grows at first is looked at again from there.
     return rest < start ? std::min(end, t * start / (start - rest)) : t;
+}
+
+/// Near its end a slip turns ever faster: phases halve what is left of it, down to where an error of first order is one
+/// of second. Such a last phase meets the slip that it leaves, as the law asks where friction feeds on the pressure
+/// that it makes: there a slip ends at once.
+double SweptStep::timeToSlipEnd(double end) {
+    m_slipEnds = false;
+    if (!m_context.isRigid() || m_isAlone || m_contacts.empty()) return end;
+    const double radius = m_context.radius();
+    constexpr double kShortest = 1.0 / 1024.0;
+    const double gravity = glm::length(m_context.setting.gravity());
+    const double last = m_substep * std::max(kShortest, m_substep * std::sqrt(gravity / radius));
+    const double rolling = kRolling * (glm::length(m_ball.velocity) + radius * glm::length(m_ball.spin));
+    const double none = std::max(rolling, m_slow);
+    const Motion start = motionOf(m_ball);
+    Ball after = m_ball;
+    double t = 0.0;
+    const auto look = [&](double time) {
+        if (time != t) after = at(t = time);
+    };
+    double shortest = end;
+    bool anyEnds = false;
+    for (const Contact &contact : m_contacts) {
+        const Vec3 slip = slipAt(start, contact.normal, radius);
+        const double speed = glm::length(slip);
+        if (contact.friction == 0.0 || speed <= none) continue;
+        const auto left = [&] { return glm::dot(slipAt(motionOf(after), contact.normal, radius), slip) / speed; };
+        look(shortest);
+        while (left() <= kZero * speed && t > last) look(0.25 * t);
+        const double rest = std::max(0.0, left());
+        anyEnds = anyEnds || rest <= kZero * speed;
+        if (rest < 0.5 * speed) shortest = std::max(std::min(last, end), 0.5 * t * speed / (speed - rest));
+    }
+    m_slipEnds = anyEnds;
+    return std::min(shortest, end);
 }
 
 /// Resistance ends with the ball's way, and begins with the end of a slip: neither may lie inside a phase.

@@ -49,6 +49,7 @@ private:
     void finishPhase(double t);
     template<class Left>
     double timeToZero(double end, double start, Left left) const;
+    double timeToSlipEnd(double end);
     double timeToStopOrRoll(double end);
     Vec3 slipOnTop(const Ball &ball) const;
     double horizon() const;
@@ -68,12 +69,13 @@ private:
     double m_slow;    ///< m/s: slower is none, for a contact that lasts
     Ball m_ball;
     mutable uint32_t m_effort = 0;
-    double m_done = 0.0;    ///< s of the step that lie behind the ball
-    Contacts m_contacts;    ///< the contacts of this phase
-    bool m_isAlone = false; ///< nothing but one top face is touched
-    bool m_resists = false; ///< resistance may stop the ball, beside other contacts
-    double m_stop = 0.0;    ///< s into the phase at which it does
-    double m_roll = 0.0;    ///< s into the phase at which the floor's slip ends
+    double m_done = 0.0;     ///< s of the step that lie behind the ball
+    Contacts m_contacts;     ///< the contacts of this phase
+    bool m_isAlone = false;  ///< nothing but one top face is touched
+    bool m_resists = false;  ///< resistance may stop the ball, beside other contacts
+    bool m_slipEnds = false; ///< somewhere in this phase, which is short then
+    double m_stop = 0.0;     ///< s into the phase at which it does
+    double m_roll = 0.0;     ///< s into the phase at which the floor's slip ends
 };
 
 } // namespace phys
