@@ -29,7 +29,7 @@ public:
     }
 
     FloorRegion run() {
-        if (!lookAround() || !m_floor) return {};
+        if (isTooNear() || !lookAround() || !m_floor) return {};
         cutToFloor();
         for (uint32_t i = 0; i < m_count; ++i) {
             if (isTouched(*m_boxes[i]) && !leanOn(*m_boxes[i])) return {};
@@ -43,6 +43,17 @@ public:
 
 private:
     static constexpr uint32_t kRoom = 32;
+
+    /// Whether the ball is so near to a box that no region has it: asked first, as it is the usual reason.
+    bool isTooNear() const {
+        const std::span<const uint32_t> near = m_scene.boxesNear(m_place.x, m_place.y, m_scene.hasManyBoxes);
+        return std::any_of(near.begin(), near.end(), [&](uint32_t number) {
+            const phys_box &box = m_scene.boxes[number];
+            const bool isInTheWay = box.max.z > m_place.z - m_scene.radius + m_scene.tolerance &&
+                                    box.min.z <= m_place.z + kCandidateReach * m_scene.radius + m_margin;
+            return isInTheWay && !(sideOf(box).beyond > 0.0) && !isTouched(box);
+        });
+    }
 
     /// Collects what isn't lower than the floor. False if that is too much.
     bool lookAround() {
@@ -116,25 +127,32 @@ private:
         return true;
     }
 
-    /// Cuts off the side on which the box is, along the axis on which it is further away. False if it is too near.
-    bool cutAway(const phys_box &box) {
-        double most = 0.0;
-        int axis = 0;
-        bool isLow = false;
-        for (int each = 0; each < 2; ++each) {
-            const double above = m_place[each] - (&box.max.x)[each] - m_clear;
-            const double below = (&box.min.x)[each] - m_place[each] - m_clear;
-            if (std::max(above, below) <= most) continue;
-            most = std::max(above, below);
-            axis = each;
-            isLow = above > below;
+    /// Where a box is, seen from the ball: along the axis on which it is further away.
+    struct Side {
+        int axis;
+        bool isLow;
+        double beyond; ///< m: further away than it must be
+    };
+
+    Side sideOf(const phys_box &box) const {
+        Side side{0, false, 0.0};
+        for (int axis = 0; axis < 2; ++axis) {
+            const double above = m_place[axis] - (&box.max.x)[axis] - m_clear;
+            const double below = (&box.min.x)[axis] - m_place[axis] - m_clear;
+            if (std::max(above, below) > side.beyond) side = {axis, above > below, std::max(above, below)};
         }
+        return side;
+    }
+
+    /// Cuts off the side on which the box is. False if it is too near.
+    bool cutAway(const phys_box &box) {
+        const auto [axis, isLow, beyond] = sideOf(box);
         FloorRegion::Range &range = m_region.along[axis];
         if (isLow)
             range.low = std::max(range.low, (&box.max.x)[axis] + m_clear);
         else
             range.high = std::min(range.high, (&box.min.x)[axis] - m_clear);
-        return most > 0.0;
+        return beyond > 0.0;
     }
 
     bool isEasy() const {

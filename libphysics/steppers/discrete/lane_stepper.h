@@ -50,7 +50,7 @@ private:
         const bool isUsual = dt >= 1e-9 && dt <= 1e3;
         const double reach = isOpen ? 1e6 : 0.5 * scene.radius * (1.0 - 1e-9) - 4.0 * scene.tolerance;
         // mayRest's, under the strongest gravity.
-        return {dt, isUsual ? reach : -1.0, 3.5e-17 * scene.radius, isOpen, false};
+        return {dt, reach, isUsual ? reach / dt : -1.0, 3.5e-17 * scene.radius, isOpen, false};
     }
 
     static bool isAtRest(const phys_state &state) {
@@ -105,7 +105,7 @@ private:
         limits.mayGrip = kind.grips();
         const bool mayLean = kind.mayLean(params);
         const auto along = [mayLean](const FloorRegion::Range &range, double place, double velocity) {
-            return InRegion<Single>{place,
+            return InRegion<double>{place,
                                     velocity,
                                     range.low,
                                     range.high,
@@ -114,26 +114,34 @@ private:
         };
         const bool rests = isAtRest(in);
         const phys_vec3 &g = params.gravity;
-        const BallsInRegion<Single> ball{along(region.along[0], in.position.x, in.velocity.x),
+        const BallsInRegion<double> ball{along(region.along[0], in.position.x, in.velocity.x),
                                          along(region.along[1], in.position.y, in.velocity.y),
                                          {{g.x, g.y}, g.z, kind.share(), params.rolling_friction},
                                          kind.grip(params),
                                          kind.friction(params),
                                          rests ? 1.0 : 0.0};
-        const RegionStep<Single> step = StepInRegion<Scheme, kRule, kResists>::make(ball, limits);
-        if (!step.isFine.bits()) return false;
+        return StepInRegion<Scheme, kRule, kResists>::make(ball, limits, [&](const RegionStep<double> &step) {
+            return take(input, kind, rests, ball, step, out, report);
+        });
+    }
+
+    /// Stores what the step makes of the ball. False, and nothing stored, if it can't be made in the region.
+    [[gnu::always_inline]] static bool take(const PlanInput &input, const Kind &kind, bool rests,
+                                            const BallsInRegion<double> &ball, const RegionStep<double> &step,
+                                            phys_state &out, phys_report *report) {
+        const auto &[scene, params, dt, in] = input;
+        if (!step.isFine) return false;
         const Vec3 spinBefore = toVec(in.spin);
-        const Planar<Single> place{ball.x.place + step.displacement.x, ball.y.place + step.displacement.y};
+        const Planar<double> place{ball.x.place + step.displacement.x, ball.y.place + step.displacement.y};
         if (&out != &in) out = in;
-        store(params, kind, scene.radius, rests, {place.x.number(), place.y.number()},
-              {step.velocity.x.number(), step.velocity.y.number()}, out);
+        store(params, kind, scene.radius, rests, {place.x, place.y}, {step.velocity.x, step.velocity.y}, out);
         if (params.options & PHYS_OPTION_ORIENTATION) {
             rotate(out.orientation, 0.5 * dt * (spinBefore + toVec(out.spin)));
         }
         if (!report) return true;
         Reporter reporter(report, in.time);
         reporter.substeps(1, kRule == RegionRule::Swept ? 0 : kSubstepCap);
-        if (!rests) reporter.lostRolling(1.4 * rollingLaw(params).B * length(step.displacement).number());
+        if (!rests) reporter.lostRolling(1.4 * rollingLaw(params).B * length(step.displacement));
         return true;
     }
 
@@ -162,6 +170,7 @@ private:
         const RegionLimits limits = limitsOf(scene, dt);
         lanes.dt = dt;
         lanes.reach = limits.reach;
+        lanes.speed = limits.speed;
         lanes.restSquared = limits.restSquared;
         lanes.isOpen = limits.isOpen;
         lanes.radius = scene.radius;
@@ -206,20 +215,21 @@ private:
 
     template<bool kResists>
     static uint32_t roll(Lanes &lanes) {
-        const RegionLimits limits{lanes.dt, lanes.reach, lanes.restSquared, lanes.isOpen, lanes.mayGrip};
+        const RegionLimits limits{lanes.dt, lanes.reach, lanes.speed, lanes.restSquared, lanes.isOpen, lanes.mayGrip};
         uint32_t moved = 0;
-        for (uint32_t lane = 0; lane < kLaneCount; lane += Pair::kWidth) {
+        for (uint32_t lane = 0; lane < kLaneCount; lane += kWidth<Pair>) {
             const BallsInRegion<Pair> balls = load(lanes, lane);
-            const RegionStep<Pair> step = StepInRegion<Scheme, kRule, kResists>::make(balls, limits);
-            move(balls.x, step.displacement.x, step.velocity.x, step.isFine, lanes.x, lane);
-            move(balls.y, step.displacement.y, step.velocity.y, step.isFine, lanes.y, lane);
-            moved |= step.isFine.bits() << lane;
+            moved |= StepInRegion<Scheme, kRule, kResists>::make(balls, limits, [&](const RegionStep<Pair> &step) {
+                move(balls.x, step.displacement.x, step.velocity.x, step.isFine, lanes.x, lane);
+                move(balls.y, step.displacement.y, step.velocity.y, step.isFine, lanes.y, lane);
+                return bitsOf(step.isFine) << lane;
+            });
         }
         return moved;
     }
 
     [[gnu::always_inline]] static BallsInRegion<Pair> load(const Lanes &lanes, uint32_t lane) {
-        const auto of = [lane](const LaneNumbers &numbers) { return Pair::load(numbers + lane); };
+        const auto of = [lane](const LaneNumbers &numbers) { return phys::load<Pair>(numbers + lane); };
         const auto along = [of](const LaneAxis &axis) {
             return InRegion<Pair>{of(axis.position), of(axis.velocity), of(axis.low),
                                   of(axis.high),     of(axis.lowFace),  of(axis.highFace)};
@@ -234,9 +244,9 @@ private:
 
     /// Stores what became of the balls along an axis; those that aren't fine stay as they were.
     [[gnu::always_inline]] static void move(const InRegion<Pair> &ball, Pair displacement, Pair velocity,
-                                            Pair::Mask isFine, LaneAxis &along, uint32_t lane) {
-        choose(isFine, ball.place + displacement, ball.place).store(along.position + lane);
-        choose(isFine, velocity, ball.velocity).store(along.velocity + lane);
+                                            MaskOf<Pair> isFine, LaneAxis &along, uint32_t lane) {
+        phys::store(choose(isFine, ball.place + displacement, ball.place), along.position + lane);
+        phys::store(choose(isFine, velocity, ball.velocity), along.velocity + lane);
     }
 
     static void leave(const phys_params &params, const Lanes &lanes, uint32_t i, phys_state &state) {

@@ -18,7 +18,8 @@ enum class RegionRule {
 /// What is the same for all balls of a step.
 struct RegionLimits {
     double h;           ///< s
-    double reach;       ///< m: longest way of a step
+    double reach;       ///< m: longest way of a step beside a face
+    double speed;       ///< m/s: on which one step comes that far
     double restSquared; ///< m^2/s^2: square of a speed that isn't rest
     bool isOpen;        ///< whether there is nothing but one floor, which a ball must not leave
     bool mayGrip;       ///< whether `grip` limits the slope of any ball
@@ -42,21 +43,21 @@ struct FloorDrive {
 /// One axis of balls in their regions. Each is where nothing is near, or it is at a face with no speed along the axis.
 template<class N>
 struct InRegion {
-    using Mask = typename N::Mask;
+    using Mask = MaskOf<N>;
 
     N place, velocity;   ///< m, m/s
     N low, high;         ///< m: no wall is near between these
     N lowFace, highFace; ///< m: where the ball leans on a face; beyond all places if there is none
 
-    Mask isAtLow() const { return (place == lowFace) & (velocity == 0.0); }
-    Mask isAtHigh() const { return (place == highFace) & (velocity == 0.0); }
+    Mask isAtLow() const { return all(place == lowFace, velocity == 0.0); }
+    Mask isAtHigh() const { return all(place == highFace, velocity == 0.0); }
     /// Whether nothing is near a place.
-    Mask isFree(N there) const { return (low <= there) & (there <= high); }
-    Mask isFreeAround(N way) const { return (low <= place - way) & (place + way <= high); }
+    Mask isFree(N there) const { return all(low <= there, there <= high); }
+    Mask isFreeAround(N way) const { return all(low <= place - way, place + way <= high); }
     /// Whether that is so, or the ball is still at its face there.
-    Mask has(N there) const { return isFree(there) | ((isAtLow() | isAtHigh()) & (there == place)); }
+    Mask has(N there) const { return any(isFree(there), all(any(isAtLow(), isAtHigh()), there == place)); }
     /// Whether the ball comes to no other face within a way in either direction.
-    Mask isClear(N way) const { return ((low <= place - way) | isAtLow()) & ((place + way <= high) | isAtHigh()); }
+    Mask isClear(N way) const { return all(any(low <= place - way, isAtLow()), any(place + way <= high, isAtHigh())); }
 };
 
 template<class N>
@@ -74,7 +75,7 @@ struct BallsInRegion {
 template<class N>
 struct RegionStep {
     Planar<N> velocity, displacement;
-    typename N::Mask isFine;
+    MaskOf<N> isFine;
 };
 
 /// The law of balls that no resistance stops within the step; nor do they stand still if there is any.
@@ -102,12 +103,10 @@ Planar<N> clampedVelocity(const UnstoppedLaw<N, kResists> &law, const Planar<N> 
 template<class Scheme, RegionRule kRule, bool kResists>
 struct StepInRegion {
     /// The step of balls where they can be moved so.
-    template<class N>
-    [[gnu::always_inline]] static RegionStep<N> make(const BallsInRegion<N> &balls, const RegionLimits &limits) {
-        const bool areFree = ((balls.x.velocity == 0.0) | (balls.y.velocity == 0.0)).bits() == 0;
-        RegionStep<N> step = areFree ? rollFree(balls, limits) : rollOrRest(balls, limits);
-        if (limits.isOpen) step.isFine = step.isFine & staysOnFloor(balls, limits);
-        return step;
+    template<class N, class Take>
+    [[gnu::always_inline]] static auto make(const BallsInRegion<N> &balls, const RegionLimits &limits, Take take) {
+        const bool areFree = bitsOf(any(balls.x.velocity == 0.0, balls.y.velocity == 0.0)) == 0;
+        return areFree ? take(rollFree(balls, limits)) : take(rollOrRest(balls, limits));
     }
 
 private:
@@ -115,14 +114,16 @@ private:
     template<class N>
     [[gnu::always_inline]] static RegionStep<N> rollFree(const BallsInRegion<N> &balls, const RegionLimits &limits) {
         const InRegion<N> &x = balls.x, &y = balls.y;
-        RegionStep<N> step = rollBy(balls.drive.A, balls, limits);
-        step.isFine = step.isFine & x.isFree(x.place + step.displacement.x) & y.isFree(y.place + step.displacement.y) &
-                      staysFast(limits, balls.velocity(), step.velocity);
+        const RegionStep<N> step = rollBy(balls.drive.A, balls, limits);
+        MaskOf<N> isFine =
+            all(step.isFine, x.isFree(x.place + step.displacement.x), y.isFree(y.place + step.displacement.y),
+                staysFast(limits, balls.velocity(), step.velocity));
         if constexpr (kRule == RegionRule::Swept) {
             const Planar<N> turn = 0.5 * limits.h * balls.velocity();
-            step.isFine = step.isFine & x.isFree(x.place + turn.x) & y.isFree(y.place + turn.y);
+            isFine = all(isFine, wayOf(step) <= limits.reach, x.isFree(x.place + turn.x), y.isFree(y.place + turn.y));
         }
-        return step;
+        if (limits.isOpen) isFine = all(isFine, staysOnFloor(balls, limits));
+        return {step.velocity, step.displacement, isFine};
     }
 
     /// Any balls.
@@ -131,8 +132,8 @@ private:
         const auto &[x, y, drive, grip, friction, rests] = balls;
         const double h = limits.h;
         // A face takes the drive into it from a ball that leans on it.
-        const auto leansX = (x.isAtLow() & (drive.A.x < 0.0)) | (x.isAtHigh() & (drive.A.x > 0.0));
-        const auto leansY = (y.isAtLow() & (drive.A.y < 0.0)) | (y.isAtHigh() & (drive.A.y > 0.0));
+        const auto leansX = any(all(x.isAtLow(), drive.A.x < 0.0), all(x.isAtHigh(), drive.A.x > 0.0));
+        const auto leansY = any(all(y.isAtLow(), drive.A.y < 0.0), all(y.isAtHigh(), drive.A.y > 0.0));
         const Planar<N> A{choose(leansX, 0.0, drive.A.x), choose(leansY, 0.0, drive.A.y)};
         const Planar<N> velocity = balls.velocity();
         RegionStep<N> step = rollBy(A, balls, limits);
@@ -142,19 +143,19 @@ private:
         // Which faces a leaning ball meets is looked up on the way that it would take without the one that it leans on.
         const N aheadX = (magnitude(velocity.x) + (magnitude(drive.A.x) + drive.B) * h) * h;
         const N aheadY = (magnitude(velocity.y) + (magnitude(drive.A.y) + drive.B) * h) * h;
-        const auto isClear = x.isClear(choose(leansY, aheadX, 0.0)) & y.isClear(choose(leansX, aheadY, 0.0));
-        auto rolls = step.isFine & isClear & x.has(x.place + step.displacement.x) &
-                     y.has(y.place + step.displacement.y) & staysFast(limits, velocity, step.velocity);
+        const auto isClear = all(x.isClear(choose(leansY, aheadX, 0.0)), y.isClear(choose(leansX, aheadY, 0.0)));
+        auto rolls = all(step.isFine, wayOf(step) <= limits.reach, isClear, x.has(x.place + step.displacement.x),
+                         y.has(y.place + step.displacement.y), staysFast(limits, velocity, step.velocity));
         if constexpr (kRule == RegionRule::Swept) {
             const Planar<N> turn = 0.5 * h * velocity;
-            rolls = rolls & x.has(x.place + turn.x) & y.has(y.place + turn.y);
+            rolls = all(rolls, x.has(x.place + turn.x), y.has(y.place + turn.y));
         }
-        const auto isHeld = (dot(A, A) <= drive.B * drive.B) & (drive.normal <= kMostGravity) & (drive.normal > 0.0) &
-                            (magnitude(drive.pull.x) + magnitude(drive.pull.y) <= kMostGravity);
+        const auto isHeld = all(dot(A, A) <= drive.B * drive.B, isAllowed(drive), isClear);
         const auto isAtRest = rests > 0.0;
         step.velocity = {choose(isAtRest, velocity.x, step.velocity.x), choose(isAtRest, velocity.y, step.velocity.y)};
         step.displacement = {choose(isAtRest, 0.0, step.displacement.x), choose(isAtRest, 0.0, step.displacement.y)};
-        step.isFine = (isAtRest & isHeld & isClear) | ((rests == 0.0) & rolls);
+        step.isFine = any(all(isAtRest, isHeld), all(rests == 0.0, rolls));
+        if (limits.isOpen) step.isFine = all(step.isFine, staysOnFloor(balls, limits));
         return step;
     }
 
@@ -174,38 +175,61 @@ private:
         const Planar<N> v{choose(goesOn, velocity.x, 1.0), choose(goesOn, velocity.y, 0.0)};
         const auto next = Scheme::advance(UnstoppedLaw<N, kResists>{A, drive.B}, v, h);
 
-        const N across = magnitude(drive.pull.x) + magnitude(drive.pull.y);
-        const N way = magnitude(next.displacement.x) + magnitude(next.displacement.y);
-        const auto isAllowed = (across <= kMostGravity) & (drive.normal <= kMostGravity) & (drive.normal > 0.0);
-        auto isFine = goesOn & isAllowed & (reach(balls, h) <= limits.reach) & (way <= limits.reach);
+        MaskOf<N> isFine = all(goesOn, isAllowed(drive), isSlow(balls, limits));
         if (limits.mayGrip)
-            isFine = isFine & (dot(drive.pull, drive.pull) <= balls.grip * (drive.normal * drive.normal));
+            isFine = all(isFine, dot(drive.pull, drive.pull) <= balls.grip * (drive.normal * drive.normal));
         return {next.velocity, next.displacement, isFine};
     }
 
-    /// How far a ball can come, m; never less: isSlow.
+    /// Whether parameters may have this gravity, which in a batch is another one in each step.
+    template<class N>
+    [[gnu::always_inline]] static MaskOf<N> isAllowed(const FloorDrive<N> &drive) {
+        return all(magnitude(drive.pull.x) + magnitude(drive.pull.y) <= kMostGravity, drive.normal <= kMostGravity,
+                   drive.normal > 0.0);
+    }
+
+    /// Whether one look around a ball is enough for its step.
+    template<class N>
+    [[gnu::always_inline]] static MaskOf<N> isSlow(const BallsInRegion<N> &balls, const RegionLimits &limits) {
+        if constexpr (kRule == RegionRule::Swept) return reach(balls, limits.h) <= limits.reach;
+        // reachOfStep, compared by squares.
+        const N fastest = limits.speed - pull(balls) * limits.h;
+        return all(fastest > 0.0, dot(balls.velocity(), balls.velocity()) <= fastest * fastest);
+    }
+
+    /// What may speed a ball up, m/s^2; never less.
+    template<class N>
+    [[gnu::always_inline]] static N pull(const BallsInRegion<N> &balls) {
+        const FloorDrive<N> &drive = balls.drive;
+        return magnitude(drive.pull.x) + magnitude(drive.pull.y) + balls.friction * drive.normal;
+    }
+
+    /// How far a ball comes, m; never less.
+    template<class N>
+    [[gnu::always_inline]] static N wayOf(const RegionStep<N> &step) {
+        return magnitude(step.displacement.x) + magnitude(step.displacement.y);
+    }
+
+    /// How far a ball can come, m; never less.
     template<class N>
     [[gnu::always_inline]] static N reach(const BallsInRegion<N> &balls, double h) {
-        const FloorDrive<N> &drive = balls.drive;
-        const N pull = magnitude(drive.pull.x) + magnitude(drive.pull.y) + balls.friction * drive.normal;
-        return (magnitude(balls.x.velocity) + magnitude(balls.y.velocity) + pull * h) * h;
+        return (magnitude(balls.x.velocity) + magnitude(balls.y.velocity) + pull(balls) * h) * h;
     }
 
     /// What a step must not end with, or lead back by.
     template<class N>
-    [[gnu::always_inline]] static typename N::Mask staysFast(const RegionLimits &limits, const Planar<N> &velocity,
-                                                             const Planar<N> &next) {
+    [[gnu::always_inline]] static MaskOf<N> staysFast(const RegionLimits &limits, const Planar<N> &velocity,
+                                                      const Planar<N> &next) {
         const auto isFast = dot(next, next) > limits.restSquared;
         if constexpr (kRule == RegionRule::Substeps) return isFast;
-        return isFast & (dot(next, velocity) > 1.1e-9 * dot(velocity, velocity));
+        return all(isFast, dot(next, velocity) > 1.1e-9 * dot(velocity, velocity));
     }
 
     /// staysOnOneFloor, where there is nothing else.
     template<class N>
-    [[gnu::always_inline]] static typename N::Mask staysOnFloor(const BallsInRegion<N> &balls,
-                                                                const RegionLimits &limits) {
+    [[gnu::always_inline]] static MaskOf<N> staysOnFloor(const BallsInRegion<N> &balls, const RegionLimits &limits) {
         const N way = reach(balls, limits.h);
-        return balls.x.isFreeAround(way) & balls.y.isFreeAround(way);
+        return all(balls.x.isFreeAround(way), balls.y.isFreeAround(way));
     }
 };
 
