@@ -336,17 +336,18 @@ bool BruteForce::reverses(const Law &law, const Motion &start, const Trial &tria
     });
 }
 
-/// Whether a slip ends somewhere in the step. All substeps that it ends in come to the same speeds, so the estimate of
-/// the error doesn't see that they let it end at their beginning.
-bool BruteForce::sticksTooSoon(const Law &law, const Motion &start, const Trial &trial, Real h) const {
+/// The fastest slip that ends somewhere in the step, 0 if none does.
+Real BruteForce::endingSlip(const Law &law, const Motion &start, const Trial &trial) const {
     const Real none =
         1e-14L * (length(start.velocity) + m_radius * length(start.spin) + std::sqrt(length(law.gravity) * m_radius));
-    return std::any_of(trial.contacts.begin(), trial.contacts.end(), [&](const Contact &contact) {
+    Real fastest = 0;
+    for (const Contact &contact : trial.contacts) {
         const Vector &n = contact.touch.normal;
-        if (contact.pressure <= 0 || contact.isMerged || law.friction(contact.touch) == 0) return false;
+        if (contact.pressure <= 0 || contact.isMerged || law.friction(contact.touch) == 0) continue;
         const Real slip = length(slipAt(start, n, m_radius));
-        return slip * h > m_tolerance * m_radius && length(slipAt(trial.end, n, m_radius)) <= none;
-    });
+        if (slip > none && length(slipAt(trial.end, n, m_radius)) <= none) fastest = std::max(fastest, slip);
+    }
+    return fastest;
 }
 
 bool BruteForce::endsEarly(const Law &law, const Motion &start, const Trial &trial, Real h) const {
@@ -455,9 +456,10 @@ bool BruteForce::run(const Law &law, Real duration, Motion &motion) {
             if (++m_steps > kMostSteps || m_updates > kMostUpdates) return false;
             isHit = endsEarly(law, start, trial, h);
             if (isHit) h = bracket(law, start, h, contacts, trial);
-            const bool isTooSoon = sticksTooSoon(law, start, trial, h);
-            if (isTooSoon) trial.error = std::max(trial.error, 2 * m_tolerance);
-            m_events += isTooSoon;
+            // All substeps that a slip ends in come to the same speeds: the estimate of the error doesn't see that they
+            // let it end at their beginning.
+            const bool sticksTooSoon = endingSlip(law, start, trial) * h > m_tolerance * m_radius;
+            if (sticksTooSoon) trial.error = std::max(trial.error, 2 * m_tolerance);
             if (trial.error <= m_tolerance || h <= kShortestStep) break;
             h = std::max(kShortestStep,
                          h * std::clamp<Real>(0.8L * std::pow(m_tolerance / trial.error, 0.25L), 0.1L, 0.5L));
@@ -466,11 +468,11 @@ bool BruteForce::run(const Law &law, Real duration, Motion &motion) {
         const Real growth = trial.error > 0 ? 0.8L * std::pow(m_tolerance / trial.error, 0.25L) : 4;
         if (!isHit || h * growth > m_suggested) m_suggested = h * std::clamp<Real>(growth, 0.1L, 4);
         m_suggested = std::max(m_suggested, kShortestStep);
+        m_events += isHit || endingSlip(law, start, trial) > 0;
         slaveSpin(law, motion, trial.contacts, trial.end);
         motion = trial.end;
         project(trial.contacts, motion);
         if (isHit) pushOut(motion);
-        m_events += isHit;
         left = h == left ? 0 : left - h;
     }
 }

@@ -54,7 +54,7 @@ private:
     Real firstOverlap(const Motion &start, const Motion &end, Real h, const std::vector<Contact> &contacts) const;
     bool changesFeature(const Motion &start, const Motion &end, const std::vector<Contact> &contacts) const;
     bool reverses(const Law &law, const Motion &start, const Trial &trial) const;
-    bool sticksTooSoon(const Law &law, const Motion &start, const Trial &trial, Real h) const;
+    Real endingSlip(const Law &law, const Motion &start, const Trial &trial) const;
     bool endsEarly(const Law &law, const Motion &start, const Trial &trial, Real h) const;
     Real bracket(const Law &law, const Motion &start, Real h, const std::vector<Contact> &contacts, Trial &trial) const;
     void settle(Motion &motion) const;

@@ -141,7 +141,7 @@ void SweptStep::stopSlowApproach() {
 }
 
 /// Takes the speed along the normals of the contacts from a velocity. Where normals are nearly parallel that would take
-/// far more of it than the ball moves along them: it leaves one of them then.
+/// far more of it than the ball moves along them: it leaves one of them then, or keeps what is no speed along it.
 void SweptStep::keepContacts(const Vec3 &velocity) {
     constexpr double kMostTaken = 4.0; // of the fastest: normals of at least 29 degrees
     for (;;) {
@@ -151,8 +151,10 @@ void SweptStep::keepContacts(const Vec3 &velocity) {
             kept.add(contact.normal);
             fastest = std::max(fastest, glm::dot(velocity, contact.normal));
         }
-        m_ball.velocity = kept.across(velocity);
-        if (fastest <= m_slow || glm::length(m_ball.velocity - velocity) <= kMostTaken * fastest) return;
+        const Vec3 across = kept.across(velocity);
+        const bool takesTooMuch = glm::length(across - velocity) > std::max(kMostTaken * fastest, m_slow);
+        m_ball.velocity = takesTooMuch ? velocity : across;
+        if (fastest <= m_slow || !takesTooMuch) return;
         m_contacts.drop([&](const Contact &contact) { return glm::dot(velocity, contact.normal) == fastest; });
     }
 }
