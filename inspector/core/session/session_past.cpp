@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The past in the session: what was played lately, looked at and taken over.
 #include "core/session/session.h"
-
-#include <QSaveFile>
+#include "core/setup/files.h"
 
 #include <algorithm>
 
@@ -119,11 +118,7 @@ bool Session::saveRun(const QString &path, QString *error) {
     const RunPlace run = runPlace();
     const std::optional<Past> kept = m_simulation->past(error, run.begin, run.end);
     if (!kept) return false;
-    QSaveFile file(path);
-    const QByteArray text = recordingText(kept->recording->recording(), m_registry);
-    if (file.open(QIODevice::WriteOnly) && file.write(text) == text.size() && file.commit()) return true;
-    if (error) *error = QStringLiteral("%1: %2").arg(path, file.errorString());
-    return false;
+    return replaceFile(path, recordingText(kept->recording->recording(), m_registry), error);
 }
 
 } // namespace inspector

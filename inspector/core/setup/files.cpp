@@ -3,6 +3,8 @@
 
 #include "core/setup/lines.h"
 
+#include <QSaveFile>
+
 #include <dirent.h>
 #include <fcntl.h>
 #include <sys/file.h>
@@ -270,6 +272,27 @@ bool OutputFile::finish() {
 
 QString OutputFile::problem() const {
     return m_failure ? quoted(m_name) + QStringLiteral(": ") + reasonOf(m_failure) : QString();
+}
+
+bool replaceFile(const QString &path, const std::function<bool(QIODevice &file)> &write, QString *error) {
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly)) {
+        say(error, path, file.errorString());
+        return false;
+    }
+    // commit() doesn't notice what is lost when the buffer is written: it would put half a file in place. And of a
+    // write that was cut short only errno knows the reason.
+    errno = 0;
+    const bool isWhole = write(file) && file.flush() && file.error() == QSaveFile::NoError;
+    const QString reason = errno ? reasonOf(errno) : file.errorString();
+    if (isWhole && file.commit()) return true;
+    say(error, path, isWhole ? file.errorString() : reason);
+    return false;
+}
+
+bool replaceFile(const QString &path, const QByteArray &bytes, QString *error) {
+    return replaceFile(
+        path, [&](QIODevice &file) { return file.write(bytes) == bytes.size(); }, error);
 }
 
 std::unique_ptr<OutputFile> standardOutput() {

@@ -8,6 +8,7 @@
 #include <QIODevice>
 #include <QString>
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -91,6 +92,11 @@ private:
     QByteArray m_waiting;
     int m_failure = 0; // errno of the first write that failed
 };
+
+// Writes a file whole or not at all: until all of it is on the disk, the name keeps what it had. write: false if it
+// can't. False, and one line in `error` (or nullptr) that begins with the name, if anything of it was lost.
+bool replaceFile(const QString &path, const std::function<bool(QIODevice &file)> &write, QString *error);
+bool replaceFile(const QString &path, const QByteArray &bytes, QString *error);
 
 // Descriptor 1.
 std::unique_ptr<OutputFile> standardOutput();

@@ -8,7 +8,6 @@
 
 #include <QFileInfo>
 #include <QInputDialog>
-#include <QSaveFile>
 #include <QSettings>
 #include <QUndoCommand>
 #include <QUndoStack>
@@ -165,10 +164,9 @@ void SetMenu::askWhereToExport() {
 }
 
 void SetMenu::exportTo(const QString &path) {
-    QSaveFile file(path);
+    QString error;
     const QByteArray text = setText(presentSet(QFileInfo(path).completeBaseName(), m_parameters));
-    const bool isWritten = file.open(QIODevice::WriteOnly) && file.write(text) == text.size() && file.commit();
-    if (!isWritten) emit failed(QStringLiteral("%1: %2").arg(path, file.errorString()));
+    if (!replaceFile(path, text, &error)) emit failed(error);
 }
 
 } // namespace inspector::ui

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/plot_stack.h"
 
+#include "ui/parts/picture_file.h"
 #include "ui/parts/settings_keys.h"
+#include "ui/plots/plot_file.h"
 #include "ui/plots/quantity_menu.h"
 
 #include <QContextMenuEvent>
@@ -19,7 +21,6 @@ namespace {
 
 const QString kUsual = QStringLiteral("velocity_x,velocity_y,speed");
 const QString kPhase = QStringLiteral("phase:");
-constexpr double kPictureScale = 2.0;
 constexpr qsizetype kMostRestored = 16; // a settings file may name any number
 
 // Plots that are offered by name.
@@ -208,9 +209,7 @@ bool PlotStack::save(const QString &path, QString *error) {
         painter.drawPixmap(plot->pos() * kPictureScale, plot->toPixmap(plot->width(), plot->height(), kPictureScale));
     }
     painter.end();
-    if (whole.save(path)) return true;
-    if (error) *error = tr("%1: the plot can't be written").arg(path);
-    return false;
+    return savePicture(whole, path, error);
 }
 
 } // namespace inspector::ui

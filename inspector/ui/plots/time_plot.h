@@ -109,7 +109,6 @@ private:
     void updateReadOut();
     std::optional<Sample> sampleAt(double time) const;
     Qt::Orientations orientationAt(QPointF position, Qt::KeyboardModifiers modifiers) const;
-    bool saveTable(const QString &path, QString *error) const;
 
     const SampleRing &m_samples;
     std::shared_ptr<TimeView> m_time;

@@ -5,6 +5,7 @@
 #include "core/trade/trade_table.h"
 #include "ui/parts/printed_unit.h"
 #include "ui/plots/chart_style.h"
+#include "ui/plots/plot_file.h"
 
 #include <QToolTip>
 
@@ -219,10 +220,7 @@ bool writeTradePicture(const ChartDescription &description, const QString &path,
     chart.show(description, {});
     chart.plotLayout()->insertRow(0);
     chart.plotLayout()->addElement(0, 0, new QCPTextElement(&chart, description.title));
-    const bool isWritten = path.endsWith(QLatin1String(".pdf")) ? chart.savePdf(path, kWidth, kHeight)
-                                                                : chart.savePng(path, kWidth, kHeight, 2.0);
-    if (!isWritten) *error = QObject::tr("can't write '%1'").arg(path);
-    return isWritten;
+    return savePlot(chart, {kWidth, kHeight}, path, error);
 }
 
 } // namespace inspector::ui

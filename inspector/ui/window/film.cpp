@@ -2,6 +2,7 @@
 #include "ui/window/film.h"
 
 #include "core/session/session.h"
+#include "core/setup/files.h"
 #include "core/setup/lines.h"
 #include "gl/view/maze_view.h"
 #include "ui/parts/described.h"
@@ -138,7 +139,8 @@ void Film::goOn() {
     if (m_progress->wasCanceled()) return end({});
     const Snapshot &now = m_session.simulation().latest();
     if (m_session.isInPast() && now.history.place != m_wanted) return;
-    if (!takePicture()) return end(tr("%1: picture %2 can't be written").arg(m_folder.path()).arg(m_taken));
+    QString error;
+    if (!takePicture(&error)) return end(error);
     m_progress->setLabelText(tr("Picture %1 of %2").arg(m_taken).arg(m_count));
     m_progress->setValue(m_taken);
     if (m_taken == m_count) return joinPictures();
@@ -150,9 +152,14 @@ QString Film::fileOf(int picture) const {
     return m_folder.filePath(QStringLiteral("%1.png").arg(picture, kDigits, 10, QLatin1Char('0')));
 }
 
-bool Film::takePicture() {
+bool Film::takePicture(QString *error) {
     m_view.grabFramebuffer(); // the frame of this moment
-    return m_view.picture(m_scale).save(fileOf(++m_taken));
+    const std::unique_ptr<OutputFile> file = OutputFile::open(fileOf(++m_taken), Existing::Replace, {}, error);
+    if (!file) return false;
+    const bool isWritten = m_view.picture(m_scale).save(file.get(), "PNG");
+    if (file->finish() && isWritten) return true;
+    *error = file->problem();
+    return false;
 }
 
 void Film::joinPictures() {
@@ -178,9 +185,13 @@ void Film::useJoined() {
     const QString said =
         QString::fromLocal8Bit(m_tool->readAllStandardError()).trimmed().section(QLatin1Char('\n'), -1);
     if (!isMade) return end(tr("ffmpeg: %1").arg(said.isEmpty() ? tr("ended without a file") : oneLine(said)));
-    QFile::remove(m_path); // replacing it was asked for when it was chosen
-    const bool isThere = QFile::copy(m_folder.filePath("film." + suffixOf(m_plan.kind)), m_path);
-    end(isThere ? QString() : tr("%1: the film can't be written").arg(m_path));
+    QFile film(m_folder.filePath("film." + suffixOf(m_plan.kind)));
+    QString error;
+    if (film.open(QIODevice::ReadOnly))
+        replaceFile(m_path, film.readAll(), &error);
+    else
+        error = tr("%1: %2").arg(film.fileName(), film.errorString());
+    end(error);
 }
 
 void Film::removePictures() {

@@ -60,7 +60,7 @@ private:
     bool makeFolder(const QString &path, QString *error);
     void goOn();
     QString fileOf(int picture) const; // from 1
-    bool takePicture();
+    bool takePicture(QString *error);
     void joinPictures();
     void useJoined();
     void removePictures();

@@ -4,21 +4,17 @@
 #include "core/program/csv_writer.h"
 #include "core/program/outputs.h"
 #include "core/session/session.h"
+#include "core/setup/files.h"
 #include "gl/view/maze_view.h"
+#include "ui/parts/picture_file.h"
 #include "ui/parts/settings_keys.h"
 
 #include <QFileInfo>
 #include <QImage>
-#include <QSaveFile>
 
 namespace inspector::ui {
 
 namespace {
-
-bool fail(QString *error, const QString &line) {
-    if (error) *error = line;
-    return false;
-}
 
 std::vector<Setting> settingsOf(const Parameters &parameters) {
     std::vector<Setting> settings;
@@ -44,22 +40,18 @@ Options optionsOf(Session &session) {
 }
 
 bool saveSamples(Session &session, const QString &path, QString *error) {
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly)) return fail(error, QStringLiteral("%1: %2").arg(path, file.errorString()));
-    writeSamples(file, session.simulation().samples(), 0.0, Columns::All);
-    if (!file.commit()) return fail(error, QStringLiteral("%1: %2").arg(path, file.errorString()));
-    return saveSettingsBeside(session, path, error);
+    const auto write = [&](QIODevice &file) {
+        writeSamples(file, session.simulation().samples(), 0.0, Columns::All);
+        return true;
+    };
+    return replaceFile(path, write, error) && saveSettingsBeside(session, path, error);
 }
 
 } // namespace
 
 bool saveSettingsBeside(Session &session, const QString &csv, QString *error) {
-    QSaveFile file(settingsFileOf(csv));
-    if (!file.open(QIODevice::WriteOnly))
-        return fail(error, QStringLiteral("%1: %2").arg(file.fileName(), file.errorString()));
-    file.write(tableSettings(optionsOf(session)));
-    file.write(spanOf(session.simulation().samples()).toUtf8() + '\n');
-    return file.commit() || fail(error, QStringLiteral("%1: %2").arg(file.fileName(), file.errorString()));
+    const QByteArray text = tableSettings(optionsOf(session)) + spanOf(session.simulation().samples()).toUtf8() + '\n';
+    return replaceFile(settingsFileOf(csv), text, error);
 }
 
 QString lostSamples(Session &session, const QString &path) {
@@ -72,10 +64,10 @@ bool saveRun(Session &session, gl::MazeView &view, const QString &path, QString 
     const QString suffix = QFileInfo(path).suffix().toLower();
     if (suffix == QLatin1String("rec")) return session.saveRun(path, error);
     if (suffix == QLatin1String("csv")) return saveSamples(session, path, error);
-    if (suffix != QLatin1String("png"))
-        return fail(error, QStringLiteral("%1: expected a name that ends in .rec, .csv or .png").arg(path));
     const int scale = session.settings().value(settings_keys::kPictureScale, 1).toInt();
-    return view.picture(scale).save(path) || fail(error, QStringLiteral("%1: the picture can't be written").arg(path));
+    if (suffix == QLatin1String("png")) return savePicture(view.picture(scale), path, error);
+    *error = QStringLiteral("%1: expected a name that ends in .rec, .csv or .png").arg(path);
+    return false;
 }
 
 } // namespace inspector::ui

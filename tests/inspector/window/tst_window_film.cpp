@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The last seconds as pictures in a folder or as one file, with progress, cancelled and undisturbed.
+#include "support/file_limit.h"
+#include "support/files.h"
 #include "ui/parts/message_bar.h"
 #include "ui/parts/number_box.h"
 #include "ui/window/film.h"
@@ -34,6 +36,8 @@ private slots:
     void withoutToolThereArePicturesOnly();
     void toolGetsThePicturesAndTheirRate();
     void whatTheToolCanNotDoIsSaid();
+    void whatAFileLimitLosesIsSaidAndNoPictureIsLeft();
+    void whatAFileLimitLosesOfAFilmIsSaidAndTheLastOneIsKept();
     void filmIsOneFile_data();
     void filmIsOneFile();
 
@@ -165,6 +169,28 @@ void TestWindowFilm::whatTheToolCanNotDoIsSaid() {
     QTRY_VERIFY(isOver());
     QCOMPARE(m_fixture->window().messages().line(), QString("ffmpeg: no room"));
     QVERIFY(!QFile::exists(file));
+}
+
+void TestWindowFilm::whatAFileLimitLosesIsSaidAndNoPictureIsLeft() {
+    const QString folder = m_fixture->path("film");
+    ask("0.2", "10", folder);
+    const support::FileLimit limit(100);
+    QTRY_VERIFY(isOver());
+    QCOMPARE(m_fixture->window().messages().line(), "'" + folder + "/00001.png': File too large");
+    QVERIFY(!QDir(folder).exists());
+}
+
+// The tool, which isn't limited, makes more than the program may write.
+void TestWindowFilm::whatAFileLimitLosesOfAFilmIsSaidAndTheLastOneIsKept() {
+    putInPath("for last; do :; done\nulimit -S -f unlimited\nhead -c 9000000 /dev/zero > \"$last\"\n");
+    qputenv("PATH", qgetenv("PATH") + ":" + m_path);
+    const QString file = m_fixture->path("film.gif");
+    support::write(file, "the last one");
+    ask("0.2", "10", file, 2);
+    const support::FileLimit limit(8'000'000);
+    QTRY_VERIFY(isOver());
+    QCOMPARE(m_fixture->window().messages().line(), "'" + file + "': File too large");
+    QCOMPARE(support::contentOf(file), QByteArray("the last one"));
 }
 
 void TestWindowFilm::filmIsOneFile_data() {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Every run is kept: gone back to by hand, taken over with a change, saved afterwards.
 #include "gl/view/maze_view.h"
+#include "support/file_limit.h"
+#include "support/files.h"
+#include "ui/parts/message_bar.h"
 #include "ui/parts/number_box.h"
 #include "ui/transport/seek_slider.h"
 #include "window_fixture.h"
@@ -15,6 +18,7 @@
 
 using namespace window_test;
 using inspector::Sample;
+using inspector::ui::MessageBar;
 
 class TestWindowPast : public QObject {
     Q_OBJECT
@@ -41,6 +45,8 @@ private slots:
     void parametersAreThoseOfTheMoment();
     void savedRunRepeats();
     void tableAndPictureAreSaved();
+    void whatAFileLimitLosesIsSaidAndTheLastFileIsKept_data();
+    void whatAFileLimitLosesIsSaidAndTheLastFileIsKept();
     void saveAsksForAName();
     void recordingIntoAFileIsSeen();
 
@@ -315,6 +321,26 @@ void TestWindowPast::tableAndPictureAreSaved() {
     QCOMPARE(picture.size(), m_fixture->window().view().size());
     m_fixture->trigger("picture_scale_1");
     QCOMPARE(m_fixture->window().view().picture(2).size(), 2 * m_fixture->window().view().size());
+}
+
+void TestWindowPast::whatAFileLimitLosesIsSaidAndTheLastFileIsKept_data() {
+    QTest::addColumn<QString>("action");
+    QTest::addColumn<QString>("name");
+    for (const char *name : {"kept.rec", "kept.csv", "kept.png"}) QTest::newRow(name) << "save_run" << name;
+    for (const char *name : {"plot.csv", "plot.png", "plot.pdf"}) QTest::newRow(name) << "save_plot" << name;
+}
+
+void TestWindowPast::whatAFileLimitLosesIsSaidAndTheLastFileIsKept() {
+    QFETCH(QString, action);
+    QFETCH(QString, name);
+    const QString file = m_fixture->path(name);
+    support::write(file, "the last one");
+    makeSteps(30);
+    m_fixture->trigger(action);
+    const support::FileLimit limit(100);
+    m_fixture->answerFile(file);
+    QCOMPARE(m_fixture->find<MessageBar>("messages")->line(), "'" + file + "': File too large");
+    QCOMPARE(support::contentOf(file), QByteArray("the last one"));
 }
 
 void TestWindowPast::saveAsksForAName() {
