@@ -63,7 +63,8 @@ uint64_t Grid::entryCount(std::span<const phys_box> boxes, uint64_t most) const 
     return count;
 }
 
-/// Counting sort by cell: count, sum up, fill. Filling in order of the boxes keeps each list ascending.
+/// Counting sort by cell: count, sum up, fill. Filling in order of the boxes keeps each list ascending. Each list is
+/// counted two places further and its end moves there as it is filled: one place before, it is where the list begins.
 void Grid::fill(std::span<const phys_box> boxes) {
     m_columnCount = static_cast<ptrdiff_t>(m_columns);
     const size_t cellCount = m_columnCount * static_cast<ptrdiff_t>(m_rows);
@@ -72,17 +73,17 @@ void Grid::fill(std::span<const phys_box> boxes) {
             for (size_t column = cells.column0; column <= cells.column1; ++column) visit(row * m_columnCount + column);
         }
     };
-    m_first.assign(cellCount + 1, 0); // 32 bits hold any number of entries that the budget allows
+    m_first.assign(cellCount + 2, 0); // 32 bits hold any number of entries that the budget allows
     m_boxCells.reserve(boxes.size());
     for (const phys_box &box : boxes) {
-        visitCells(m_boxCells.emplace_back(cellsOf(box)), [this](size_t cell) { ++m_first[cell + 1]; });
+        visitCells(m_boxCells.emplace_back(cellsOf(box)), [this](size_t cell) { ++m_first[cell + 2]; });
     }
     std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
     m_items.resize(m_first.back());
-    std::vector<uint32_t> next(m_first.begin(), m_first.end() - 1);
     for (uint32_t index = 0; index < boxes.size(); ++index) {
-        visitCells(m_boxCells[index], [&](size_t cell) { m_items[next[cell]++] = index; });
+        visitCells(m_boxCells[index], [&](size_t cell) { m_items[m_first[cell + 1]++] = index; });
     }
+    m_first.pop_back();
 }
 
 uint32_t Grid::overlapping(const Vec2 &low, const Vec2 &high, std::span<uint32_t> out) const {

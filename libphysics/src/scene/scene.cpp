@@ -22,6 +22,10 @@ constexpr uint32_t kMostBoxes = 1'000'000;
 /// Beside a coordinate this many times its radius, a ball is next to nothing: steps would be lost in rounding.
 constexpr double kMostRadii = 1e12;
 
+/// Radii that a cell of the grid is wide. Finer cells list fewer boxes; steps gain nothing by that, and scenes take
+/// longer to make: `scene/2011 walls` of tests/bench/run --rows.
+constexpr double kCellSize = 4.0;
+
 bool isCoordinate(double value) { return std::abs(value) <= kLargestCoordinate; } // false for NaN
 bool isPoint(const phys_vec3 &p) { return isCoordinate(p.x) && isCoordinate(p.y) && isCoordinate(p.z); }
 
@@ -166,7 +170,7 @@ phys_status makeScene(const phys_scene_desc &desc, Scene &out, phys_error *err) 
     if (const phys_status status = measure(out, err)) return status;
     findBounds(out);
     merge(out);
-    out.grid.build(out.boxes, kCandidateReach * out.radius + out.tolerance, 2.0 * out.radius);
+    out.grid.build(out.boxes, kCandidateReach * out.radius + out.tolerance, kCellSize * out.radius);
     findFloor(out);
     checkPlanar(out);
     return PHYS_OK;
