@@ -127,7 +127,8 @@ Recommendation recommend(const TradeResult &result, uint32_t model, const TradeO
                     .arg(compared);
     if (best)
         return {points[*best],
-                nameOf(points[*best]) + QStringLiteral("  # ") + whyOf(points[*best], seconds, radius) + limit};
+                nameOf(points[*best]) + QStringLiteral("  # ") + whyOf(points[*best], seconds, radius) + limit,
+                seconds};
     if (wish.within) return {std::nullopt, QStringLiteral("none: no step takes %1 ns or less").arg(*wish.within)};
     return {std::nullopt, QStringLiteral("none: nothing keeps the error at or under %1 R for %2 s")
                                   .arg(wish.under.inRadii(radius), 0, 'g', 3)

@@ -24,6 +24,7 @@ using TradePictureWriter = std::function<bool(const ChartDescription &, const QS
 struct Recommendation {
     std::optional<TradePoint> point; // nothing if no setting does
     QString line;
+    double seconds = 0.0; // for which it holds
 };
 Recommendation recommend(const TradeResult &result, uint32_t model, const TradeOptions &wish, double radius);
 // The cheapest that is good enough for what is known; the plan has unknowns.

@@ -60,17 +60,55 @@ int matchedCount(const ModelFit &fit) {
                              [](const FittedBounce &bounce) { return bounce.isMatched; }));
 }
 
-void addValues(const ModelFit &fit, QStringList &lines) {
+QStringList valueLines(const ModelFit &fit) {
     qsizetype width = 0;
     for (const FittedValue &value : fit.values) width = std::max(width, value.quantity.id.size());
+    QStringList lines;
     for (const FittedValue &value : fit.values)
         lines += QStringLiteral("  %1  %2").arg(value.quantity.id.leftJustified(int(width)), valueText(value));
+    return lines;
+}
+
+QStringList correlationLines(const ModelFit &fit) {
+    QStringList lines;
     for (size_t i = 0; i < fit.values.size(); ++i)
         for (size_t j = 0; j < i; ++j)
             if (std::abs(fit.correlations[i][j]) > kStrong)
                 lines += QStringLiteral("  %1 and %2 are hard to tell apart: correlation %3")
                              .arg(fit.values[j].quantity.id, fit.values[i].quantity.id)
                              .arg(fit.correlations[i][j], 0, 'f', 2);
+    return lines;
+}
+
+// A ball leaves the board at an exit, and no earlier.
+bool isBeside(const Track &track, const TrackFrame &frame, const phys_scene *scene, QString *line) {
+    constexpr double kShare = 0.1; // of the points
+    phys_box bounds;
+    phys_scene_bounds(scene, &bounds);
+    const auto isOut = [&](const TrackPoint &point) {
+        double x = 0.0;
+        double y = 0.0;
+        frame.toBoard(point.x, point.y, x, y);
+        return x < bounds.min.x || x > bounds.max.x || y < bounds.min.y || y > bounds.max.y;
+    };
+    const auto count = std::count_if(track.points.begin(), track.points.end(), isOut);
+    *line = QStringLiteral("  %1 of %2 points lie beside the board: are units and frame right?")
+                .arg(count)
+                .arg(track.points.size());
+    return double(count) > kShare * double(track.points.size());
+}
+
+QStringList reportWith(const QStringList &values, const FitPlan &plan, const TrackFit &fit) {
+    const ModelFit &best = fit.best();
+    QStringList lines = trackReport(plan.track, best.board.frame, plan.scene.get());
+    lines += QStringLiteral("verdict: ") + verdictText(fit);
+    lines += nameOf(best.model) + QStringLiteral(": ") + breaksText(best);
+    lines += values + correlationLines(best);
+    lines += QStringLiteral("bounces: %1 computed, %2 as measured; %3")
+                 .arg(best.bounces.size())
+                 .arg(matchedCount(best))
+                 .arg(residualText(best));
+    return lines;
 }
 
 } // namespace
@@ -110,7 +148,7 @@ QString verdictText(const TrackFit &fit) {
         .arg(whereText(best, fit.noise));
 }
 
-QStringList trackReport(const Track &track) {
+QStringList trackReport(const Track &track, const TrackFrame &frame, const phys_scene *scene) {
     QStringList lines{
         QStringLiteral("track %1: %2 points in %3 s, %4 Hz, noise %5 mm%6")
             .arg(track.name)
@@ -120,20 +158,15 @@ QStringList trackReport(const Track &track) {
             .arg(noiseOf(track) * kMilli, 0, 'g', 2)
             .arg(track.tilts.empty() ? QStringLiteral("; tilts not measured: one is looked for") : QString())};
     for (const QString &remark : track.remarks) lines += QStringLiteral("  ") + remark;
+    QString beside;
+    if (isBeside(track, frame, scene, &beside)) lines += beside;
     return lines;
 }
 
+QStringList fitSummary(const FitPlan &plan, const TrackFit &fit) { return reportWith({}, plan, fit); }
+
 QStringList fitReport(const FitPlan &plan, const TrackFit &fit) {
-    const ModelFit &best = fit.best();
-    QStringList lines = trackReport(plan.track);
-    lines += QStringLiteral("verdict: ") + verdictText(fit);
-    lines += nameOf(best.model) + QStringLiteral(": ") + breaksText(best);
-    addValues(best, lines);
-    lines += QStringLiteral("bounces: %1 computed, %2 as measured; %3")
-                 .arg(best.bounces.size())
-                 .arg(matchedCount(best))
-                 .arg(residualText(best));
-    return lines;
+    return reportWith(valueLines(fit.best()), plan, fit);
 }
 
 QString fitOptions(const ModelFit &fit) {

@@ -17,9 +17,11 @@ QString valueText(const FittedValue &value);
 // Which model it takes, and where the residuals are if none does.
 QString verdictText(const TrackFit &fit);
 
-// What a track is, and which of its rows were left out: lines for people.
-QStringList trackReport(const Track &track);
-// The same, the verdict, values with intervals and correlations, bounces, residuals.
+// What a track is, which of its rows were left out, and how much of it lies beside the board: lines for people.
+QStringList trackReport(const Track &track, const TrackFrame &frame, const phys_scene *scene);
+// The same, the verdict, correlations, bounces, residuals; for where a table shows the values.
+QStringList fitSummary(const FitPlan &plan, const TrackFit &fit);
+// That with the values and their intervals.
 QStringList fitReport(const FitPlan &plan, const TrackFit &fit);
 
 // The values as options of the command line; those that the track doesn't determine are left out.

@@ -36,13 +36,23 @@ QString withLinks(QString escaped) {
     return escaped.replace(named, QStringLiteral("<a href='\\1'>model.md \\1\\2</a>"));
 }
 
-QString html(const std::vector<LawLine> &lines) {
+// Labels beside what they name.
+QString columns(const std::vector<LawLine> &lines) {
     QString rows;
     for (const LawLine &line : lines)
         rows +=
             QStringLiteral("<tr><td style='padding-right: 12px; white-space: nowrap'><b>%1</b></td><td>%2</td></tr>")
                 .arg(line.label.toHtmlEscaped(), withLinks(line.text.toHtmlEscaped()));
     return QStringLiteral("<table cellspacing='1'>%1</table>").arg(rows);
+}
+
+// Labels before what they name, where there is no room for columns.
+QString paragraphs(const std::vector<LawLine> &lines) {
+    QString text;
+    for (const LawLine &line : lines)
+        text += QStringLiteral("<p style='margin: 0 0 4px 0'><b>%1</b>&ensp;%2</p>")
+                    .arg(line.label.toHtmlEscaped(), withLinks(line.text.toHtmlEscaped()));
+    return text;
 }
 
 } // namespace
@@ -83,6 +93,7 @@ BounceDock::BounceDock(Session &session, QWidget *parent)
     , m_others(addFilter(tr("Other events"), "bounces_others", tr("Take-off, stop, rolling again, contact, release")))
     , m_count(new ElidedLabel)
     , m_table(new QTableView)
+    , m_area(new QScrollArea)
     , m_detail(new QLabel) {
     setObjectName(QStringLiteral("bounces"));
     m_count->setObjectName(QStringLiteral("bounces_count"));
@@ -96,15 +107,17 @@ BounceDock::BounceDock(Session &session, QWidget *parent)
     m_detail->setContentsMargins(8, 2, 4, 2);
     makeTable();
 
-    auto *area = new QScrollArea;
-    area->setWidget(m_detail);
-    area->setWidgetResizable(true);
-    area->setFrameShape(QFrame::NoFrame);
-    area->setFocusPolicy(Qt::TabFocus);
+    m_area->setWidget(m_detail);
+    m_area->setWidgetResizable(true);
+    m_area->setFrameShape(QFrame::NoFrame);
+    m_area->setFocusPolicy(Qt::TabFocus);
+    m_area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // its text is wrapped
+    m_area->setMinimumWidth(fontMetrics().averageCharWidth() * 24);
+    m_area->installEventFilter(this);
     auto *halves = new QSplitter;
     halves->addWidget(m_table);
-    halves->addWidget(area);
-    halves->setSizes({500, 500}); // per mille
+    halves->addWidget(m_area);
+    halves->setSizes({400, 600}); // per mille
     halves->setChildrenCollapsible(false);
     auto *top = new QHBoxLayout;
     top->addWidget(m_slow);
@@ -226,12 +239,19 @@ void BounceDock::clearSelection() {
 void BounceDock::showSelected() {
     const std::optional<LoggedEvent> event = selected();
     if (event) m_awaited.reset();
-    const QString text =
-        event ? html(eventLines(*event, m_session.scene().get(), m_session.registry()))
-              : tr("Click a bounce in the list or in the view: when, where, how fast, and the law that it obeys.");
-    if (text != m_detail->text()) m_detail->setText(text);
+    showDetail(event);
     findMarks();
     emit changed();
+}
+
+void BounceDock::showDetail(const std::optional<LoggedEvent> &event) {
+    const bool isNarrow = m_area->width() < fontMetrics().averageCharWidth() * 60;
+    const std::vector<LawLine> lines =
+        event ? eventLines(*event, m_session.scene().get(), m_session.registry()) : std::vector<LawLine>();
+    const QString text =
+        event ? (isNarrow ? paragraphs(lines) : columns(lines))
+              : tr("Click a bounce in the list or in the view: when, where, how fast, and the law that it obeys.");
+    if (text != m_detail->text()) m_detail->setText(text);
 }
 
 void BounceDock::findMarks() {
@@ -251,6 +271,7 @@ std::vector<double> BounceDock::bounceTimes() const {
 
 // Esc and Ctrl+C are the table's while it has the keyboard, the first only while there is something to leave.
 bool BounceDock::eventFilter(QObject *object, QEvent *event) {
+    if (object == m_area && event->type() == QEvent::Resize) showDetail(selected());
     const bool isOffer = event->type() == QEvent::ShortcutOverride;
     if (object != m_table || (!isOffer && event->type() != QEvent::KeyPress)) return false;
     auto *key = static_cast<QKeyEvent *>(event);

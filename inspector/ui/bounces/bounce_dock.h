@@ -11,6 +11,7 @@
 
 class QCheckBox;
 class QLabel;
+class QScrollArea;
 class QTableView;
 
 namespace inspector::ui {
@@ -55,6 +56,7 @@ private:
     void makeTable();
     void applyFilter();
     void showSelected();
+    void showDetail(const std::optional<LoggedEvent> &event);
     void showCount();
     void selectAwaited();
     void copy() const;
@@ -67,6 +69,7 @@ private:
     QCheckBox *m_others;
     ElidedLabel *m_count;
     QTableView *m_table;
+    QScrollArea *m_area; // shows the next
     QLabel *m_detail;
     BounceMarks m_marks;
     std::optional<LoggedEvent> m_awaited; // was selected in the run before

@@ -31,6 +31,21 @@ void applyChartStyle(QCustomPlot &chart) {
     chart.legend->setBorderPen(Qt::NoPen);
 }
 
+QCPLayoutGrid *putLegendAbove(QCustomPlot &chart, int left) {
+    chart.legend->setVisible(true);
+    auto *line = new QCPLayoutGrid;
+    chart.plotLayout()->insertRow(0);
+    chart.plotLayout()->addElement(0, 0, line);
+    line->addElement(0, 0, chart.legend);
+    line->setColumnStretchFactor(0, 0.001);
+    chart.plotLayout()->setRowStretchFactor(0, 0.001);
+    chart.plotLayout()->setRowSpacing(0);
+    chart.legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
+    chart.legend->setMargins(QMargins(left, 4, 8, 0));
+    chart.legend->setColumnSpacing(18);
+    return line;
+}
+
 void makeLogarithmic(QCPAxis &axis, const QString &label) {
     axis.setLabel(label);
     axis.setScaleType(QCPAxis::stLogarithmic);

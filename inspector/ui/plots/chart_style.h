@@ -5,6 +5,7 @@
 #include <QColor>
 
 class QCPAxis;
+class QCPLayoutGrid;
 class QCustomPlot;
 
 namespace inspector::ui {
@@ -18,6 +19,10 @@ QColor mixed(const QColor &a, const QColor &b, double share);
 
 // Background, axes, grid and legend in the colours and the font of the widget.
 void applyChartStyle(QCustomPlot &chart);
+
+// The legend in one line above the curves, where it hides none of them; left: its margin, pixels. Returns
+// that line, for what else stands in it.
+QCPLayoutGrid *putLegendAbove(QCustomPlot &chart, int left);
 
 // Powers of ten, written as such.
 void makeLogarithmic(QCPAxis &axis, const QString &label);

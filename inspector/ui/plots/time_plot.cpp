@@ -64,21 +64,8 @@ TimePlot::TimePlot(const SampleRing &samples, std::shared_ptr<TimeView> time, QW
     updateReadOut();
 }
 
-// Above the curves, in one line with what is under the cursor, where it hides none of them.
-void TimePlot::layOutLegend() {
-    legend->setVisible(true);
-    auto *line = new QCPLayoutGrid;
-    plotLayout()->insertRow(0);
-    plotLayout()->addElement(0, 0, line);
-    line->addElement(0, 0, legend);
-    line->addElement(0, 1, m_text);
-    line->setColumnStretchFactor(0, 0.001);
-    plotLayout()->setRowStretchFactor(0, 0.001);
-    plotLayout()->setRowSpacing(0);
-    legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
-    legend->setMargins(QMargins(kLeftMargin, 4, 8, 0));
-    legend->setColumnSpacing(18);
-}
+// In one line with what is under the cursor.
+void TimePlot::layOutLegend() { putLegendAbove(*this, kLeftMargin)->addElement(0, 1, m_text); }
 
 void TimePlot::addCurve(Channel channel, QColor Accents::*colour, Qt::PenStyle style) {
     QCPGraph *graph = addGraph();

@@ -34,7 +34,7 @@ ResidualPlot::ResidualPlot(QWidget *parent)
     m_noise->bottomRight->setTypeX(QCPItemPosition::ptAxisRectRatio);
     m_noise->setPen(Qt::NoPen);
     m_noise->setBrush(QColor(0x2a, 0x9f, 0x4f, 45));
-    legend->setVisible(true);
+    putLegendAbove(*this, 0);
     setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
     applyChartStyle(*this);
     clear();

@@ -139,8 +139,9 @@ bool TrackDock::openTrack() {
         m_report->setPlainText(error);
         return false;
     }
-    layOver(m_quantities->begin(m_session.parameters().inputs()));
-    m_report->setPlainText(trackReport(*m_track).join(QLatin1Char('\n')));
+    const BoardGuess board = m_quantities->begin(m_session.parameters().inputs());
+    layOver(board);
+    m_report->setPlainText(trackReport(*m_track, board.frame, m_session.scene().get()).join(QLatin1Char('\n')));
     return true;
 }
 
@@ -202,7 +203,7 @@ void TrackDock::showOutcome(const std::shared_ptr<const FitOutcome> &outcome) {
     m_outcome = outcome;
     showRunning();
     if (!outcome->fit) return m_report->setPlainText(outcome->error);
-    m_report->setPlainText(fitReport(outcome->plan, *outcome->fit).join(QLatin1Char('\n')));
+    m_report->setPlainText(fitSummary(outcome->plan, *outcome->fit).join(QLatin1Char('\n')));
     const ModelFit &best = outcome->fit->best();
     m_quantities->showFound(best);
     m_residuals->show(best, outcome->fit->noise);

@@ -51,6 +51,7 @@ TradeChart::TradeChart(QWidget *parent)
     makeLogarithmic(*xAxis, {});
     makeLogarithmic(*yAxis, {});
     m_front->setName(tr("best for its cost"));
+    for (QCPGraph *line : {m_middle, m_limit}) line->removeFromLegend();
     for (QCPItemTracer *ring : {m_ring, m_goodEnough}) {
         ring->setStyle(QCPItemTracer::tsCircle);
         ring->setVisible(false);
@@ -68,13 +69,13 @@ TradeChart::TradeChart(QWidget *parent)
     beside->addElement(1, 0, new QCPLayoutElement(this));
     beside->setRowStretchFactor(0, 0.001);
     plotLayout()->setColumnStretchFactor(1, 0.001);
-    legend->setVisible(true);
     takeColours();
 }
 
 void TradeChart::show(const ChartDescription &chart, const TradeResult &result) {
     m_description = chart;
     m_points = result.points;
+    legend->setVisible(true); // before, it would name curves that aren't there
     xAxis->setLabel(chart.costLabel);
     yAxis->setLabel(chart.errorLabel);
     addFront();

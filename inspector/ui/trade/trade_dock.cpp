@@ -3,6 +3,7 @@
 
 #include "core/program/trade_command.h"
 #include "core/setup/tables.h"
+#include "core/trade/trade_answer.h"
 #include "core/trade/trade_table.h"
 #include "ui/parts/described.h"
 #include "ui/parts/elided_label.h"
@@ -67,6 +68,7 @@ TradeDock::TradeDock(Session &session, QUndoStack &undo, QWidget *parent)
     layout->addWidget(makeTop());
     layout->addWidget(makeUnknowns());
     layout->addWidget(halves, 1);
+    layout->addWidget(makeGoodEnough());
     layout->addWidget(makeBottom());
 
     connect(m_schedule, &ScheduleChooser::changed, this, &TradeDock::showReady);
@@ -103,6 +105,7 @@ void TradeDock::makeControls() {
     m_model->addItems({tr("Rolling model"), tr("Rigid model")}); // in the order of their numbers
     describe(m_model, tr("Model"), tr("The model whose figures are shown"));
     m_unknowns = named(new QLineEdit(usualUnknowns()), "trade_unknowns");
+    m_unknowns->home(false); // its beginning is seen
     describe(m_unknowns, tr("Not known"),
              tr("What isn't known exactly of the real board, and by how much: tilt, start or a parameter by its name; "
                 "none: nothing"));
@@ -122,6 +125,7 @@ void TradeDock::makeControls() {
     describe(m_share, tr("Share of what isn't known"),
              tr("Errors below this share of what isn't known are good enough"));
     m_goodEnough = named(new ElidedLabel, "trade_good_enough");
+    m_goodEnough->setText(tr("Good enough for what isn't known: not measured yet"));
     m_useGoodEnough = named(new QPushButton(tr("Use this")), "trade_use_good_enough");
     describe(m_useGoodEnough, tr("Use the cheapest setting that is good enough"),
              tr("Let the simulation go on with the cheapest setting that is good enough"));
@@ -145,11 +149,12 @@ void TradeDock::makeControls() {
     m_use->setEnabled(false);
 }
 
-QString TradeDock::answerText(const TradePoint &point) const {
+QString TradeDock::answerText(const TradePoint &point, double seconds) const {
     const double radius = phys_scene_radius(m_session.scene().get());
-    return tr("Cheapest: %1 at %2, off by %3 mm; %4 µs a simulated second")
+    return tr("Cheapest: %1 at %2, off by %3 mm in %4 s; %5 µs a simulated second")
         .arg(QString::fromUtf8(point.stepper), stepSizeText(point.dt))
-        .arg(point.error.positionLargest * radius * 1e3, 0, 'g', 2)
+        .arg(errorUntil(point, seconds) * radius * 1e3, 0, 'g', 2)
+        .arg(seconds, 0, 'g', 3)
         .arg(point.cost.perSecond * 1e6, 0, 'g', 3);
 }
 
@@ -184,6 +189,14 @@ QWidget *TradeDock::makeUnknowns() {
          {static_cast<QWidget *>(label), static_cast<QWidget *>(m_unknowns), static_cast<QWidget *>(m_share),
           static_cast<QWidget *>(m_horizon), static_cast<QWidget *>(m_unknownsError)})
         layout->addWidget(widget);
+    layout->setStretchFactor(m_unknowns, 1);
+    return row;
+}
+
+QWidget *TradeDock::makeGoodEnough() {
+    auto *row = new QWidget;
+    auto *layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_goodEnough, 1);
     layout->addWidget(m_useGoodEnough);
     return row;
@@ -302,8 +315,9 @@ void TradeDock::showEnd(const QString &error) {
     showResult();
     const TradeResult &result = m_worker.result();
     if (!error.isEmpty()) return m_remark->setText(error);
-    const QString summary =
-        result.points.empty() ? QString() : tradeSummary(m_worker.plan(), result).join(QStringLiteral("; "));
+    QStringList lines = tradeSummary(m_worker.plan(), result);
+    if (!m_worker.plan().unknowns.empty()) lines.removeFirst(); // a box has them
+    const QString summary = result.points.empty() ? QString() : lines.join(QStringLiteral("; "));
     m_remark->setText(result.isComplete ? summary : tr("Cancelled; figures as far as they are known. %1").arg(summary));
 }
 
@@ -319,7 +333,9 @@ void TradeDock::showTolerance() {
     TradeOptions wish;
     wish.under = {tolerance(), false};
     const Recommendation answer = recommend(result, model(), wish, radius);
-    m_answer->setText(result.points.empty() ? QString() : answer.point ? answerText(*answer.point) : answer.line);
+    m_answer->setText(result.points.empty() ? QString()
+                      : answer.point        ? answerText(*answer.point, answer.seconds)
+                                            : answer.line);
     m_table->clearSelection();
     if (!answer.point) return;
     const auto isIt = [&](const TradePoint &point) {

@@ -42,6 +42,7 @@ private:
     void leaveKeysToTheGame();
     QWidget *makeTop();
     QWidget *makeUnknowns();
+    QWidget *makeGoodEnough();
     QWidget *makeBottom();
     void makeTable();
 
@@ -62,7 +63,7 @@ private:
     std::optional<size_t> chosenIndex() const;
     std::optional<Unknowns> unknowns(); // as they are written; says what is wrong with them
     uint32_t model() const;
-    QString answerText(const TradePoint &point) const;
+    QString answerText(const TradePoint &point, double seconds) const;
 
     Session &m_session;
     QUndoStack &m_undo;

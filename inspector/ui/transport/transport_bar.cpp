@@ -21,7 +21,7 @@ QString speedText(double speed) {
 } // namespace
 
 TransportBar::TransportBar(Session &session, QUndoStack &undo, const QList<QAction *> &playback, QWidget *parent)
-    : QToolBar(tr("Transport"), parent)
+    : QToolBar(tr("Toolbar"), parent)
     , m_session(session)
     , m_undo(undo) {
     setObjectName(QStringLiteral("transport"));

@@ -59,7 +59,8 @@ constexpr double kTradeShare = 0.42;  // of the window's height, when the dock i
 constexpr double kPlotShare = 0.29;
 constexpr double kComparisonShare = 0.34;
 constexpr double kBouncesShare = 0.42;
-constexpr int kLayoutVersion = 7; // another number forgets layouts of windows with other docks
+constexpr double kBouncesWidth = 0.36; // of the window's, beside the plots
+constexpr int kLayoutVersion = 7;      // another number forgets layouts of windows with other docks
 
 } // namespace
 
@@ -239,7 +240,10 @@ void MainWindow::showDock(QDockWidget &dock, double share) {
     const bool isResized = share > 0.0 && dock.isHidden() && !dock.isFloating();
     dock.show();
     dock.raise();
-    if (isResized) resizeDocks({&dock}, {int(share * height())}, Qt::Vertical);
+    if (!isResized) return;
+    resizeDocks({&dock}, {int(share * height())}, Qt::Vertical);
+    if (dock.objectName() == QLatin1String(kBouncesDock))
+        resizeDocks({&dock}, {int(kBouncesWidth * width())}, Qt::Horizontal);
 }
 
 // Once the window is there: before, tabs can't be raised.
@@ -366,9 +370,7 @@ void MainWindow::selectBounceAt(const gl::Ray &ray) {
     if (m_showsBounces->isChecked()) found = markAt(*m_view, ray, m_bounces->marks(), m_session.scene().get());
     if (!found) return m_bounces->clearSelection();
     m_bounces->select(*found);
-    auto *dock = findChild<QDockWidget *>(QLatin1String(kBouncesDock));
-    dock->show();
-    dock->raise();
+    showDock(*findChild<QDockWidget *>(QLatin1String(kBouncesDock)), kBouncesShare);
 }
 
 // While it runs the ball moves between two snapshots, too.

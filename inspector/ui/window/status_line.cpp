@@ -8,6 +8,8 @@
 #include <QFontDatabase>
 #include <QLabel>
 
+#include <cmath>
+
 namespace inspector::ui {
 
 namespace {
@@ -31,6 +33,18 @@ QString ballText(const Snapshot &snapshot) {
     return translated(QT_TRANSLATE_NOOP("inspector::ui::StatusLine", "rolling"));
 }
 
+// Without a sign before zero.
+QString tiltText(double tilt) {
+    const double tenths = std::round(degrees(tilt) * 10.0) + 0.0;
+    return QStringLiteral("%1°").arg(tenths / 10.0, 0, 'f', 1);
+}
+
+QString ghostText(const Snapshot &snapshot) {
+    if (!snapshot.ghost) return {};
+    return translated(QT_TRANSLATE_NOOP("inspector::ui::StatusLine", "%1 mm apart"))
+        .arg(snapshot.ghost->deviation.distance * 1e3, 0, 'g', 3);
+}
+
 QString speedText(const Snapshot &snapshot) {
     const Statistics &statistics = snapshot.statistics;
     const QString asked = QStringLiteral("%1 ×").arg(statistics.speedAsked, 0, 'g', 4);
@@ -44,19 +58,19 @@ struct Field {
     const char *label;
     const char *tip;
     const char *widest;
-    QString (*text)(const Snapshot &);
-    bool isOfClock = false; // differs from run to run
+    QString (*text)(const Snapshot &); // empty: the field isn't shown
+    bool isOfClock = false;            // differs from run to run
 };
 
 #define FIELD_TEXT(text) QT_TRANSLATE_NOOP("inspector::ui::StatusLine", text)
 const Field kFields[] = {
+    {"status_ghost", FIELD_TEXT("Ghost"), FIELD_TEXT("How far the ball that is compared with is; Ctrl+5 shows more"),
+     "0.00e-00 mm apart", ghostText},
     {"status_ball", FIELD_TEXT("Ball"), FIELD_TEXT("What the last step left the ball doing"), "out of the maze",
      ballText},
     {"status_tilt", FIELD_TEXT("Tilt"), FIELD_TEXT("Slope of the board along x and y"), "-00.0° -00.0°",
      [](const Snapshot &now) {
-         return QStringLiteral("%1° %2°")
-             .arg(degrees(now.inputs.tilt.x), 0, 'f', 1)
-             .arg(degrees(now.inputs.tilt.y), 0, 'f', 1);
+         return QStringLiteral("%1 %2").arg(tiltText(now.inputs.tilt.x), tiltText(now.inputs.tilt.y));
      }},
     {"status_time", FIELD_TEXT("Simulated"), FIELD_TEXT("Simulated time since the start"), "0000.000 s",
      [](const Snapshot &now) { return QStringLiteral("%1 s").arg(now.current.time, 0, 'f', 3); }},
@@ -88,8 +102,11 @@ StatusLine::StatusLine(QWidget *parent)
 }
 
 void StatusLine::showSnapshot(const Snapshot &snapshot) {
-    for (size_t i = 0; i < m_fields.size(); ++i)
-        m_fields[i]->setText(QStringLiteral("%1: %2").arg(translated(kFields[i].label), kFields[i].text(snapshot)));
+    for (size_t i = 0; i < m_fields.size(); ++i) {
+        const QString text = kFields[i].text(snapshot);
+        m_fields[i]->setVisible(!text.isEmpty());
+        m_fields[i]->setText(QStringLiteral("%1: %2").arg(translated(kFields[i].label), text));
+    }
 }
 
 void StatusLine::leaveOutClock() {

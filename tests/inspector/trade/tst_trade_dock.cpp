@@ -10,12 +10,14 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSlider>
 #include <QSpinBox>
 #include <QTableView>
 #include <QToolTip>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace inspector;
 using namespace inspector::ui;
@@ -29,6 +31,7 @@ private slots:
     void rowsShownStayUsableWhileMeasuredAnew();
     void headerSortsByTheFigure();
     void tighterToleranceRecommendsNothingWorse();
+    void answerKeepsWhatWasAskedFor();
     void pointUnderTheMouseIsNamed();
     void clickOnAPointChoosesIt();
     void useAppliesStepperAndStepSize();
@@ -63,14 +66,19 @@ void TestTradeDock::initTestCase() {
 
 void TestTradeDock::measuringFillsTableAndChart() {
     QVERIFY(!find<QPushButton>("trade_use").isEnabled());
+    QVERIFY(!chart().legend->visible());                             // there is nothing that it could name
+    QCOMPARE(find<QLineEdit>("trade_unknowns").cursorPosition(), 0); // so that its beginning is seen
     QTest::mouseClick(&measure(), Qt::LeftButton);
     QVERIFY(isMeasuring());
     QTRY_VERIFY_WITH_TIMEOUT(!isMeasuring(), kLong);
     // Six steppers, seven step sizes; the session's own, 10 ms, is one of them.
     QCOMPARE(table().model()->rowCount(), 6 * 7);
     QVERIFY(remark().contains("compared up to 0.50 s"));
-    QVERIFY(!find<QLabel>("trade_answer").text().isEmpty());
-    const QString picture = qEnvironmentVariable("TRADE_PICTURE"); // to look at
+    QVERIFY2(find<QLabel>("trade_answer").text().contains(" mm in 0.5 s;"),
+             qPrintable(find<QLabel>("trade_answer").text()));
+    QVERIFY(chart().legend->visible());
+    QCOMPARE(find<QLabel>("trade_remark").text().left(9), QString("schedule ")); // a box has the unknowns
+    const QString picture = qEnvironmentVariable("TRADE_PICTURE");               // to look at
     if (!picture.isEmpty()) QVERIFY(m_dock->grab().save(picture));
 }
 
@@ -121,6 +129,19 @@ QString TestTradeDock::tipAt(const QPointF &place) {
     QTest::mouseMove(&chart(), {1, 1});
     QTest::mouseMove(&chart(), place.toPoint());
     return QToolTip::text();
+}
+
+// Of what it says, too: not the error of another span.
+void TestTradeDock::answerKeepsWhatWasAskedFor() {
+    static const QRegularExpression off("off by ([0-9.e+-]+) mm");
+    QSlider &slider = find<QSlider>("trade_tolerance");
+    slider.setFocus();
+    for (int notch = slider.maximum(); notch > slider.minimum(); notch -= slider.pageStep()) {
+        slider.setValue(notch);
+        const QString answer = find<QLabel>("trade_answer").text();
+        const double asked = 1.0 * std::pow(10.0, double(notch) / slider.pageStep());
+        QVERIFY2(off.match(answer).captured(1).toDouble() <= 1.05 * asked, qPrintable(answer));
+    }
 }
 
 void TestTradeDock::pointUnderTheMouseIsNamed() {

@@ -60,6 +60,7 @@ private slots:
     void clickOnATickSelectsItsBounce();
     void lostEventsAreTold();
     void detailHasTheLawWithItsNumbers();
+    void detailIsWrappedBesideAnotherDock();
 
 private:
     void makeSteps(int count);
@@ -465,6 +466,21 @@ void TestWindowBounces::detailHasTheLawWithItsNumbers() {
     QVERIFY(text.contains(QStringLiteral("symplectic-euler")));
     QVERIFY(text.contains(QStringLiteral("<b>Box</b>")));
     QVERIFY(text.contains(QStringLiteral("model.md 2.1 R2")));
+}
+
+// Where the dock is narrow nothing of it is cut off: there are no columns then, and no line is wider than the dock.
+void TestWindowBounces::detailIsWrappedBesideAnotherDock() {
+    m_fixture->press(Qt::Key_7, Qt::ControlModifier);
+    showDock();
+    play(5);
+    m_table->selectRow(0);
+    const auto *detail = m_fixture->find<QLabel>("bounces_detail");
+    QVERIFY2(detail->text().startsWith("<p"), qPrintable(detail->text()));
+    const QWidget *area = detail->parentWidget();
+    QTRY_VERIFY2(detail->width() <= area->width() && detail->minimumSizeHint().width() <= area->width(),
+                 qPrintable(QString("%1 of %2").arg(detail->minimumSizeHint().width()).arg(area->width())));
+    const auto *dock = m_fixture->find<QDockWidget>("bounces_dock");
+    QVERIFY2(dock->width() > 0.3 * m_fixture->window().width(), qPrintable(QString::number(dock->width())));
 }
 
 QTEST_MAIN(TestWindowBounces)

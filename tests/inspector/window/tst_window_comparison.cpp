@@ -43,6 +43,7 @@ private slots:
     void mBringsThemTogether();
     void rBringsThemTogether();
     void figuresAreThoseOfTheMoment();
+    void statusSaysHowFarTheGhostIs();
     void plotShowsTheDistance();
     void zeroHasAPlaceOnTheAxis();
     void gapsAreWhereThereWasNoGhost();
@@ -192,6 +193,14 @@ void TestWindowComparison::figuresAreThoseOfTheMoment() {
         QString("Distance %1 mm = %2 R, speed ").arg(distance() * 1e3, 0, 'g', 4).arg(distance() / 0.006, 0, 'g', 3);
     QVERIFY2(figures().startsWith(expected), qPrintable(figures() + " / " + expected));
     QVERIFY2(figures().contains("0.20 s after they met"), qPrintable(figures()));
+}
+
+void TestWindowComparison::statusSaysHowFarTheGhostIs() {
+    compareWith({"exact"});
+    makeSteps(20);
+    const auto *label = m_fixture->find<QLabel>("status_ghost");
+    QVERIFY(label->isVisible());
+    QCOMPARE(label->text(), QString("Ghost: %1 mm apart").arg(distance() * 1e3, 0, 'g', 3));
 }
 
 void TestWindowComparison::plotShowsTheDistance() {

@@ -65,6 +65,7 @@ private slots:
     void typedTimeStepReachesTheSimulation();
     void chosenStepperReachesTheSession();
     void statusSaysWhatTheSimulationDoes();
+    void statusHasNoSignBeforeZero();
     void aboutNamesVersionsAndLicences();
     void everyControlHasANameToBeRead();
     void windowFitsASmallScreen_data();
@@ -306,6 +307,13 @@ void TestWindowDocks::statusSaysWhatTheSimulationDoes() {
     QTRY_VERIFY(m_fixture->find<QLabel>("status_time")->text().contains("0.010 s"));
     QVERIFY(m_fixture->find<QLabel>("status_speed")->text().contains("paused"));
     QVERIFY(m_fixture->find<QLabel>("status_ball")->text().contains("at rest"));
+    QVERIFY(m_fixture->find<QLabel>("status_ghost")->isHidden());
+}
+
+void TestWindowDocks::statusHasNoSignBeforeZero() {
+    m_fixture->parameters().set({{"tilt_x", -0.04}, {"tilt_y", -0.06}});
+    m_fixture->trigger("step");
+    QTRY_COMPARE(m_fixture->find<QLabel>("status_tilt")->text(), QString("Tilt: 0.0° -0.1°"));
 }
 
 void TestWindowDocks::aboutNamesVersionsAndLicences() {
