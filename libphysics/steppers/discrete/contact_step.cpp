@@ -185,18 +185,26 @@ void lookAhead(const StepContext &context, const Ball &ball, std::span<const Vec
     }
 }
 
-void correctLandings(const StepContext &context, const Ball &ball, double h, Contacts &contacts) {
-    const double gravity = -context.params().gravity.z;
-    const double approach = -ball.velocity.z;
-    for (Contact &contact : contacts) {
-        if (!contact.isTop || !(gravity > 0.0) || !(approach > contact.restSpeed)) continue;
-        // The square of v + h g/2, upwards, plus 2 g times the gap stays the same from substep to substep.
-        const double head = 2.0 * gravity * std::max(0.0, contact.gap);
-        const double before = approach - 0.5 * h * gravity;
-        const double after = contact.restitution * contact.restitution * (before * before + head) - head;
-        const double rebound = after > 0.0 ? std::sqrt(after) - 0.5 * h * gravity : 0.0;
-        contact.restitution = std::max(0.0, rebound) / approach;
+ExplicitLanding::ExplicitLanding(const StepContext &context, const Contacts &contacts, double h, Ball &ball)
+    : m_early(-0.5 * h * context.params().gravity.z) {
+    const double approach = -ball.velocity.z - m_early;
+    if (!(m_early > 0.0) || !(approach > 0.0)) return;
+    for (const Contact &contact : contacts) {
+        if (!contact.isTop) continue;
+        const double head = -2.0 * context.params().gravity.z * std::max(0.0, contact.gap);
+        const double atFace = std::sqrt(approach * approach + head);
+        if (atFace <= contact.restSpeed) continue;
+        m_lands = true;
+        m_head = head;
+        ball.velocity.z = -atFace;
+        return;
     }
+}
+
+void ExplicitLanding::leave(Ball &ball) const {
+    const double speed = ball.velocity.z;
+    if (!m_lands || speed <= 0.0) return;
+    ball.velocity.z = std::max(0.0, std::sqrt(std::max(0.0, speed * speed - m_head)) - m_early);
 }
 
 bool hit(const StepContext &context, const Contacts &contacts, double after, Ball &ball) {

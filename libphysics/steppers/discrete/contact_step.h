@@ -32,9 +32,21 @@ inline void setMotion(const Motion &motion, Ball &ball) {
 /// Finds what the ball touches or reaches within h (s) on any of the `ways` (m).
 void lookAhead(const StepContext &context, const Ball &ball, std::span<const Vec3> ways, double h, Contacts &contacts);
 
-/// Bounces off top faces as high as the law asks for where the position moves with the old velocity: model.md 13.5. It
-/// would hop there for ever, and a hopping ball has neither the drive nor the resistance of one that rolls.
-void correctLandings(const StepContext &context, const Ball &ball, double h, Contacts &contacts);
+/// A landing on a top face where the position moves with the old velocity: such a flight gains speed, and the ball
+/// would hop there for ever, with neither the drive nor the resistance of one that rolls. The ball bounces with the
+/// speed that the flight's energy has at the face: model.md 13.5.
+class ExplicitLanding {
+public:
+    /// Before the impacts: from the substep's velocity to that at the face.
+    ExplicitLanding(const StepContext &context, const Contacts &contacts, double h, Ball &ball);
+    /// After them: back.
+    void leave(Ball &ball) const;
+
+private:
+    bool m_lands = false;
+    double m_head = 0.0; ///< what the gap gives to the square of the speed, m^2/s^2
+    double m_early;      ///< speed by which a substep's velocity is ahead of its place's, m/s
+};
 
 /// The impacts of this moment, `after` seconds into the step, and their events. False if nothing hits.
 bool hit(const StepContext &context, const Contacts &contacts, double after, Ball &ball);

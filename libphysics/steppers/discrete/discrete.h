@@ -471,14 +471,23 @@ private:
     /// The contacts that the ball has, or comes to on the ways.
     void meet(double start, const Ways &ways, Contacts &contacts, Ball &ball) {
         lookAhead(m_context, ball, ways.list(), m_h, contacts);
-        if (Scheme::kContactRule == ContactRule::Explicit) correctLandings(m_context, ball, m_h, contacts);
         SpinOnFloor spin(m_context, contacts, ball);
-        hit(m_context, contacts, start, ball);
+        hitInThisScheme(contacts, start, ball);
         spin.follow(contacts, ball);
         if (rollBetweenWalls(contacts, ball)) {
             spin.settle(true, ball);
         } else {
             spin.settle(holdContacts(contacts, ball), ball);
+        }
+    }
+
+    void hitInThisScheme(const Contacts &contacts, double start, Ball &ball) const {
+        if constexpr (Scheme::kContactRule == ContactRule::Explicit) {
+            const ExplicitLanding landing(m_context, contacts, m_h, ball);
+            hit(m_context, contacts, start, ball);
+            landing.leave(ball);
+        } else {
+            hit(m_context, contacts, start, ball);
         }
     }
 
