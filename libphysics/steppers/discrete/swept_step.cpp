@@ -73,6 +73,10 @@ Ball SweptStep::at(double t) const {
 bool SweptStep::toNextEvent() {
     if (advanceFreely()) return true;
     beginPhase();
+    if (mayRest(m_context.setting, m_ball.velocity) && rests(m_context, m_ball)) {
+        m_done = m_input.dt;
+        return true;
+    }
     const double rest = m_input.dt - m_done;
     const double t = firstEvent(timeToStopOrRoll(timeToSlipEnd(std::min(rest, horizon()))));
     finishPhase(t);
