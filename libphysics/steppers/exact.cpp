@@ -12,13 +12,22 @@ namespace phys {
 
 namespace {
 
-/// The scene is all that a step needs; nothing is kept from one to the next.
+/// What a step needs; nothing of one is kept for the next, as regions follow from the scene.
+struct Exact {
+    explicit Exact(const Scene &ofScene)
+        : scene(ofScene)
+        , regions(ofScene) {}
+
+    const Scene &scene;
+    FloorRegions regions;
+};
+
 phys_status create(const phys_scene_view *view, void **self, phys_error *) {
-    *self = const_cast<void *>(view->scene);
+    *self = new Exact(*static_cast<const Scene *>(view->scene));
     return PHYS_OK;
 }
 
-void destroy(void *) {}
+void destroy(void *self) { delete static_cast<Exact *>(self); }
 
 /// Less gravity (m/s^2) than this moves no ball by anything in the longest step, and nothing moves in less time (s):
 /// but their products with lengths underflow, and what divides by them overflows.
@@ -35,19 +44,19 @@ phys_params withoutNegligibleGravity(phys_params params) {
 
 phys_status step(void *self, const phys_params *params, double dt, const phys_state *in, phys_state *out,
                  phys_report *report, phys_error *err) {
-    const Scene &scene = *static_cast<const Scene *>(self);
+    auto &[scene, regions] = *static_cast<Exact *>(self);
     const double duration = isNegligible(dt) ? 0.0 : dt;
     const phys_vec3 &g = params->gravity;
     if (isNegligible(g.x) || isNegligible(g.y) || isNegligible(g.z)) [[unlikely]] {
         const phys_params clean = withoutNegligibleGravity(*params);
-        return ExactStep(scene, clean, duration, *in, report, err).advance(*out);
+        return ExactStep(scene, regions, clean, duration, *in, report, err).advance(*out);
     }
-    return ExactStep(scene, *params, duration, *in, report, err).advance(*out);
+    return ExactStep(scene, regions, *params, duration, *in, report, err).advance(*out);
 }
 
 phys_status requirements(void *self, const phys_params *params, double dt, const phys_state *state,
                          phys_requirements *out, phys_error *) {
-    const PlanInput input{*static_cast<const Scene *>(self), *params, dt, *state};
+    const PlanInput input{static_cast<const Exact *>(self)->scene, *params, dt, *state};
     describePlan(input, planStep(input, true), *out);
     char(&substeps)[120] = out->reasons[std::countr_zero(static_cast<uint32_t>(PHYS_STAGE_SUBSTEPS))];
     if (out->stages & PHYS_STAGE_SUBSTEPS) return PHYS_OK;

@@ -140,6 +140,30 @@ private:
     Contacts &m_contacts;
 };
 
+/// The feature of a box that is nearest to the ball. False if the centre is inside the box.
+bool findFeature(const Setting &setting, const Vec3 &position, const Motion &motion, double negligible, uint32_t number,
+                 Contact &contact) {
+    const phys_box &box = setting.scene.boxes[number];
+    const double tolerance = setting.tolerance;
+    Vec3 d(0.0); // GCC 12 takes it for uninitialised under ThreadSanitizer
+    for (int axis = 0; axis < 3; ++axis) {
+        const double low = (&box.min.x)[axis];
+        const double high = (&box.max.x)[axis];
+        contact.sides[axis] = sideOf(position[axis], low, high, motion.velocity[axis], tolerance, negligible);
+        d[axis] = offset(position[axis], low, high, tolerance);
+        contact.point[axis] = limited(position[axis], low, high);
+    }
+    const int outside = (d.x != 0.0) + (d.y != 0.0) + (d.z != 0.0);
+    if (outside == 0) return false;
+    // A face's distance is exact: not rounded by a square root.
+    const double distance = outside == 1 ? std::abs(d.x + d.y + d.z) : glm::length(d);
+    contact.normal = d / distance;
+    contact.gap = distance - setting.scene.radius;
+    contact.restSpeed = 0.0;
+    contact.box = number;
+    return true;
+}
+
 } // namespace
 
 void Contacts::dropHidden(double tolerance) {
@@ -190,9 +214,8 @@ bool Contacts::reverseTies() {
 bool findContacts(const Setting &setting, const Vec3 &position, const Motion &motion, std::span<const Vec3> ways,
                   Contacts &out) {
     const Scene &scene = setting.scene;
-    const double tolerance = setting.tolerance;
-    const double touching = scene.radius + tolerance;
-    const double overlapping = scene.radius - tolerance;
+    const double touching = scene.radius + setting.tolerance;
+    const double overlapping = scene.radius - setting.tolerance;
     double furthest = 0.0;
     for (const Vec3 &way : ways) furthest = std::max(furthest, glm::length(way));
     const auto isReached = [&](const phys_box &box) {
@@ -208,30 +231,28 @@ bool findContacts(const Setting &setting, const Vec3 &position, const Motion &mo
         if (!isTouched && (furthest == 0.0 || !isReached(box))) return;
         if (negligible < 0.0) negligible = negligibleSpeed(motion, scene.radius);
         Contact contact;
-        Vec3 d(0.0); // GCC 12 takes it for uninitialised under ThreadSanitizer
-        for (int axis = 0; axis < 3; ++axis) {
-            const double low = (&box.min.x)[axis];
-            const double high = (&box.max.x)[axis];
-            contact.sides[axis] = sideOf(position[axis], low, high, motion.velocity[axis], tolerance, negligible);
-            d[axis] = offset(position[axis], low, high, tolerance);
-            contact.point[axis] = limited(position[axis], low, high);
-        }
-        const int outside = (d.x != 0.0) + (d.y != 0.0) + (d.z != 0.0);
-        if (outside == 0) {
+        if (findFeature(setting, position, motion, negligible, number, contact))
+            gathering.add(contact);
+        else
             isOutside = false;
-            return;
-        }
-        // A face's distance is exact: not rounded by a square root.
-        const double distance = outside == 1 ? std::abs(d.x + d.y + d.z) : glm::length(d);
-        contact.normal = d / distance;
-        contact.gap = distance - scene.radius;
-        contact.restSpeed = 0.0;
-        contact.box = number;
-        gathering.add(contact);
     });
     for (Contact &contact : out) setCoefficients(setting, contact);
     out.sort(motion, setting.gravity(), scene.radius);
     return isOutside;
+}
+
+void findContactsAmong(const Setting &setting, const Vec3 &position, const Motion &motion,
+                       std::span<const uint32_t> boxes, Contacts &out) {
+    const double touching = setting.scene.radius + setting.tolerance;
+    const double negligible = negligibleSpeed(motion, setting.scene.radius);
+    Gathering gathering(setting, position, motion.velocity, out);
+    for (const uint32_t number : boxes) {
+        Contact contact;
+        const bool isTouched = squaredDistance(setting.scene.boxes[number], position) <= touching * touching;
+        if (isTouched && findFeature(setting, position, motion, negligible, number, contact)) gathering.add(contact);
+    }
+    for (Contact &contact : out) setCoefficients(setting, contact);
+    out.sort(motion, setting.gravity(), setting.scene.radius);
 }
 
 } // namespace phys

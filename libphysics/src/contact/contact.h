@@ -127,6 +127,10 @@ struct Setting {
 bool findContacts(const Setting &setting, const Vec3 &position, const Motion &motion, std::span<const Vec3> ways,
                   Contacts &out);
 
+/// The same where nothing but these boxes is near.
+void findContactsAmong(const Setting &setting, const Vec3 &position, const Motion &motion,
+                       std::span<const uint32_t> boxes, Contacts &out);
+
 inline bool findContacts(const Setting &setting, const Vec3 &position, const Motion &motion, const Vec3 &way,
                          Contacts &out) {
     return findContacts(setting, position, motion, std::span(&way, 1), out);

@@ -3,9 +3,9 @@
 // scene alone, so that no answer depends on what is kept.
 #pragma once
 
-#include "floor_region.h"
 #include "footing.h"
 #include "requirements.h"
+#include "shared/floor_region.h"
 
 #include <cstring>
 

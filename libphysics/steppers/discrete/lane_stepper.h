@@ -4,12 +4,12 @@
 
 #include "base/orientation.h"
 #include "floor_contact.h"
-#include "floor_region.h"
 #include "known_places.h"
 #include "region_step.h"
 #include "registry/lanes.h"
 #include "registry/report.h"
 #include "requirements.h"
+#include "shared/floor_region.h"
 
 #include <cmath>
 #include <cstring>

@@ -9,6 +9,7 @@
 #include "exact/series.h"
 #include "exact/uniform.h"
 #include "registry/report.h"
+#include "shared/floor_region.h"
 
 #include <variant>
 
@@ -18,8 +19,8 @@ using Phase = std::variant<Uniform, Resisted, Series>;
 
 class ExactStep {
 public:
-    ExactStep(const Scene &scene, const phys_params &params, double dt, const phys_state &in, phys_report *report,
-              phys_error *err);
+    ExactStep(const Scene &scene, FloorRegions &regions, const phys_params &params, double dt, const phys_state &in,
+              phys_report *report, phys_error *err);
 
     /// Fills everything but the time and the number of the step.
     phys_status advance(phys_state &out);
@@ -39,6 +40,7 @@ private:
     };
 
     const Scene &m_scene;
+    FloorRegions &m_regions;
     const phys_params &m_params;
     Setting m_setting;
     Reporter m_report;
@@ -55,19 +57,25 @@ private:
     std::array<Held, kMostHeld> m_held;        // the same for the law
     uint32_t m_heldCount = 0;
     Response m_response;
-    bool m_isAnswered = false; // m_response is that of the present contacts
-    double m_openWay = 0.0;    // m that the ball surely goes no further than in this step, if nothing stops it
-    uint32_t m_nearBoxes = 0;  // that it can reach on this way
-    bool m_supported = false;  // reported last
+    bool m_isAnswered = false;    // m_response is that of the present contacts
+    double m_openWay = 0.0;       // m that the ball surely goes no further than in this step, if nothing stops it
+    uint32_t m_nearBoxes = 0;     // that it can reach on this way
+    ShortList<uint32_t> m_ground; // all boxes that the ball touches, if it starts in a region of the floor; else none
+    bool m_staysOnGround = false; // meets nothing but these, as long as it leans on them
+    bool m_supported = false;     // reported last
     uint32_t m_wall = PHYS_NO_BOX;
 
     phys_status keep(Pace &pace);
     phys_status checkWork() const;
+    bool findGround();
     phys_status pushOut();
     void leave(phys_state &out);
 
     phys_status resolve();
     void touch();
+    bool movesAlongFaces() const;
+    void keepFaces();
+    void takeFaces();
     bool collide(double negligible);
     void endBounces(double negligible);
     Vec3 actingAcceleration();
@@ -115,6 +123,7 @@ private:
 
     std::span<const Held> held() const { return {m_held.data(), m_heldCount}; }
     const Contact &contactOf(uint32_t held) const { return m_contacts[m_lasting[held]]; }
+    bool isOnGround() const { return m_ground.count() > 0; }
     bool isClosed(uint32_t held) const { return m_response.reactions[held].mode != Mode::open; }
     uint32_t closedBits() const;
     void event(uint32_t kind, double before, double after);

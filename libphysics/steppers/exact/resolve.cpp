@@ -32,6 +32,11 @@ phys_status ExactStep::resolve() {
     m_isAnswered = false;
     const double speed = glm::length(m_motion.velocity), negligible = negligibleSpeed(m_motion, m_scene.radius);
     touch();
+    if (movesAlongFaces()) {
+        keepFaces();
+        roll(false);
+        return PHYS_OK;
+    }
     const bool wasCarried = isCarried(negligible);
     bool hits = false;
     for (int round = 0; round < kMostRounds && !m_work.isTooMuch() && collide(negligible); ++round) {
@@ -47,6 +52,37 @@ phys_status ExactStep::resolve() {
     return PHYS_OK;
 }
 
+/// Whether the ball touches nothing but faces, and has no velocity across any: nothing is hit then, and all of them
+/// last.
+bool ExactStep::movesAlongFaces() const {
+    if (m_contacts.count() > kMostHeld) return false;
+    return std::all_of(m_contacts.begin(), m_contacts.end(), [&](const Contact &contact) {
+        return contact.isFace() && glm::dot(m_motion.velocity, contact.normal) == 0.0;
+    });
+}
+
+void ExactStep::keepFaces() {
+    takeFaces();
+    m_heldCount = 0;
+    const bool moves = m_motion.velocity != Vec3(0.0);
+    for (uint32_t i = 0; i < m_contacts.count(); ++i) {
+        addHeld(i);
+        for (int axis = 0; axis < 3 && moves; ++axis) {
+            if (m_contacts[i].sides[axis] != 0) m_motion.velocity[axis] = 0.0;
+        }
+    }
+}
+
+/// Puts the ball exactly at the radius of the faces that it touches.
+void ExactStep::takeFaces() {
+    for (const Contact &contact : m_contacts) {
+        if (!contact.isFace()) continue;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (contact.sides[axis] != 0) m_position[axis] = contact.point[axis] + contact.sides[axis] * m_scene.radius;
+        }
+    }
+}
+
 /// Whether a floor carries the ball of the rolling model.
 bool ExactStep::isCarried(double negligible) const {
     return std::any_of(m_contacts.begin(), m_contacts.end(), [&](const Contact &contact) {
@@ -55,6 +91,10 @@ bool ExactStep::isCarried(double negligible) const {
 }
 
 void ExactStep::touch() {
+    if (isOnGround() && m_elapsed == 0.0) {
+        m_work.add(Work::kBox * m_ground.count());
+        return findContactsAmong(m_setting, m_position, m_motion, {m_ground.begin(), m_ground.count()}, m_contacts);
+    }
     m_work.add(Work::kBox * m_scene.boxesNear(m_position.x, m_position.y, m_scene.hasManyBoxes).size());
     findContacts(m_setting, m_position, m_motion, Vec3(0.0), m_contacts);
     m_contacts.dropHidden(m_scene.tolerance);
@@ -173,12 +213,7 @@ bool ExactStep::holdNext(double negligible) {
 
 /// The contacts that last: exactly at the radius, without a velocity across, or with one whose bounce ends at once.
 void ExactStep::hold(double negligible) {
-    for (Contact &contact : m_contacts) {
-        if (!contact.isFace()) continue;
-        for (int axis = 0; axis < 3; ++axis) {
-            if (contact.sides[axis] != 0) m_position[axis] = contact.point[axis] + contact.sides[axis] * m_scene.radius;
-        }
-    }
+    takeFaces();
     collectHeld(negligible);
     while (m_heldCount < std::min(m_contacts.count(), kMostHeld) && holdNext(negligible)) {
     }

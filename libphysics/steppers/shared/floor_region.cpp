@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "floor_region.h"
+#include "shared/floor_region.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,7 +86,10 @@ private:
         });
     }
 
+    uint32_t numberOf(const phys_box &box) const { return static_cast<uint32_t>(&box - m_scene.boxes.data()); }
+
     void cutToFloor() {
+        m_region.floor = numberOf(*m_floor);
         for (int axis = 0; axis < 2; ++axis) {
             FloorRegion::Range &range = m_region.along[axis];
             range.low = std::max(range.low, (&m_floor->min.x)[axis] + m_margin);
@@ -120,6 +123,7 @@ private:
         double &face = isLow ? range.lowFace : range.highFace;
         if (face != FloorRegion::kNoFace) return false;
         face = m_place[axis];
+        (isLow ? range.lowBox : range.highBox) = numberOf(box);
         if (isLow)
             range.low = std::max(range.low, face + m_margin);
         else
@@ -185,8 +189,14 @@ private:
                 const bool isLong =
                     (&box.min.x)[1 - axis] + m_margin < length.low && (&box.max.x)[1 - axis] - m_margin > length.high;
                 if (!isLong) continue;
-                if (range.low == (&box.max.x)[axis] + m_clear) range.lowFace = faceAtLow(box, axis);
-                if (range.high == (&box.min.x)[axis] - m_clear) range.highFace = faceAtHigh(box, axis);
+                if (range.low == (&box.max.x)[axis] + m_clear) {
+                    range.lowFace = faceAtLow(box, axis);
+                    range.lowBox = numberOf(box);
+                }
+                if (range.high == (&box.min.x)[axis] - m_clear) {
+                    range.highFace = faceAtHigh(box, axis);
+                    range.highBox = numberOf(box);
+                }
             }
         }
     }

@@ -17,6 +17,7 @@ struct FloorRegion {
         /// m: where the centre is while the ball leans on a face at that end, which is upright and as long as the
         /// region; kNoFace if there is none.
         double lowFace = kNoFace, highFace = kNoFace;
+        uint32_t lowBox = PHYS_NO_BOX, highBox = PHYS_NO_BOX; ///< whose faces those are
 
         bool isFree(double place) const { return place >= low && place <= high; }
         bool has(double place) const { return isFree(place) || place == lowFace || place == highFace; }
@@ -25,6 +26,7 @@ struct FloorRegion {
 
     std::array<Range, 2> along; ///< x, y
     double z = 0.0;             ///< m: height of the centre
+    uint32_t floor = PHYS_NO_BOX;
 
     bool has(const phys_vec3 &place) const { return place.z == z && along[0].has(place.x) && along[1].has(place.y); }
 };
