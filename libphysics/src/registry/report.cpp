@@ -16,6 +16,24 @@ void Reporter::event(uint32_t kind, double after, const Vec3 &point, const Vec3 
         m_startTime + after, fromVec(point), fromVec(normal), speedBefore, speedAfter, kind, box};
 }
 
+// Member by member: a processor waits where it reads two at once that were just written one by one.
+void handOver(const phys_report &fresh, phys_report &out) {
+    out.event_capacity = fresh.event_capacity;
+    out.event_count = fresh.event_count;
+    out.events_lost = fresh.events_lost;
+    out.substeps = fresh.substeps;
+    out.substep_cap = fresh.substep_cap;
+    out.passes = fresh.passes;
+    out.pass_cap = fresh.pass_cap;
+    out.penetration = fresh.penetration;
+    out.energy_before = fresh.energy_before;
+    out.energy_after = fresh.energy_after;
+    out.lost_impact = fresh.lost_impact;
+    out.lost_rolling = fresh.lost_rolling;
+    out.lost_slip = fresh.lost_slip;
+    out.energy_scheme = fresh.energy_scheme;
+}
+
 } // namespace phys
 
 phys_status phys_report_init(phys_report *report, size_t size) {

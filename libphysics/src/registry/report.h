@@ -50,4 +50,8 @@ private:
     double m_startTime;
 };
 
+/// Hands to the caller what a step wrote into a fresh report. All of it is in the first version of the struct, so that
+/// reports of any version have room.
+void handOver(const phys_report &fresh, phys_report &out);
+
 } // namespace phys

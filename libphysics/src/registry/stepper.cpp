@@ -10,6 +10,7 @@
 #include "registry/plugin_call.h"
 #include "registry/plugin_result.h"
 #include "registry/registry.h"
+#include "registry/report.h"
 #include "scene/scene_view.h"
 
 #include <cmath>
@@ -67,8 +68,7 @@ inline phys_status step(const phys_stepper &stepper, const phys_params &params, 
 
 phys_status stepAndReport(const phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
                           phys_state &out, phys_report &report, phys_error *err) {
-    const size_t size = report.struct_size;
-    if (!isKnownSize<phys_report>(size)) {
+    if (!isKnownSize<phys_report>(report.struct_size)) {
         return fail(err, PHYS_ERROR_ARGUMENT, "report.struct_size is %u; expected %zu: call phys_report_init first",
                     report.struct_size, sizeof report);
     }
@@ -81,7 +81,7 @@ phys_status stepAndReport(const phys_stepper &stepper, const phys_params &params
     fresh.energy_after = energyOf(*stepper.scene, params, out);
     fresh.energy_scheme =
         fresh.energy_after + fresh.lost_impact + fresh.lost_rolling + fresh.lost_slip - fresh.energy_before;
-    store(fresh, size, &report);
+    handOver(fresh, report);
     return PHYS_OK;
 }
 

@@ -150,11 +150,16 @@ private:
             const Planar<N> turn = 0.5 * h * velocity;
             rolls = all(rolls, x.has(x.place + turn.x), y.has(y.place + turn.y));
         }
-        const auto isHeld = all(dot(A, A) <= drive.B * drive.B, isAllowed(drive), isClear);
+        step.isFine = rolls;
         const auto isAtRest = rests > 0.0;
-        step.velocity = {choose(isAtRest, velocity.x, step.velocity.x), choose(isAtRest, velocity.y, step.velocity.y)};
-        step.displacement = {choose(isAtRest, 0.0, step.displacement.x), choose(isAtRest, 0.0, step.displacement.y)};
-        step.isFine = any(all(isAtRest, isHeld), all(rests == 0.0, rolls));
+        if (bitsOf(isAtRest)) {
+            const auto isHeld = all(dot(A, A) <= drive.B * drive.B, isAllowed(drive), isClear);
+            step.velocity = {choose(isAtRest, velocity.x, step.velocity.x),
+                             choose(isAtRest, velocity.y, step.velocity.y)};
+            step.displacement = {choose(isAtRest, 0.0, step.displacement.x),
+                                 choose(isAtRest, 0.0, step.displacement.y)};
+            step.isFine = any(all(isAtRest, isHeld), all(rests == 0.0, rolls));
+        }
         if (limits.isOpen) step.isFine = all(step.isFine, staysOnFloor(balls, limits));
         return step;
     }
