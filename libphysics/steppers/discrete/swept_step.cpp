@@ -150,13 +150,16 @@ void SweptStep::keepContacts(const Vec3 &velocity) {
     constexpr double kMostTaken = 4.0; // of the fastest: normals of at least 29 degrees
     for (;;) {
         NormalSpan kept;
-        double fastest = 0.0;
+        double fastest = 0.0; // of those that leave
+        double most = m_slow;
         for (const Contact &contact : m_contacts) {
+            const double speed = glm::dot(velocity, contact.normal);
             kept.add(contact.normal);
-            fastest = std::max(fastest, glm::dot(velocity, contact.normal));
+            fastest = std::max(fastest, speed);
+            most = std::max(most, kMostTaken * std::abs(speed));
         }
         const Vec3 across = kept.across(velocity);
-        const bool takesTooMuch = glm::length(across - velocity) > std::max(kMostTaken * fastest, m_slow);
+        const bool takesTooMuch = glm::length(across - velocity) > most;
         m_ball.velocity = takesTooMuch ? velocity : across;
         if (fastest <= m_slow || !takesTooMuch) return;
         m_contacts.drop([&](const Contact &contact) { return glm::dot(velocity, contact.normal) == fastest; });
@@ -215,9 +218,9 @@ double SweptStep::timeToSlipEnd(double end) {
     m_slipEnds = false;
     if (!m_context.isRigid() || m_isAlone || m_contacts.empty()) return end;
     const double radius = m_context.radius();
-    constexpr double kShortest = 1.0 / 1024.0;
+    constexpr double kShortest = 1.0 / 1024.0, kLongest = 1.0 / 64.0; // of a substep
     const double gravity = glm::length(m_context.setting.gravity());
-    const double last = m_substep * std::max(kShortest, m_substep * std::sqrt(gravity / radius));
+    const double last = m_substep * glm::clamp(m_substep * std::sqrt(gravity / radius), kShortest, kLongest);
     const double rolling = kRolling * (glm::length(m_ball.velocity) + radius * glm::length(m_ball.spin));
     const double none = std::max(rolling, m_slow);
     const Motion start = motionOf(m_ball);

@@ -6,6 +6,7 @@
 
 #include <QtTest>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -187,6 +188,7 @@ class TestReferenceScenes : public QObject {
 private slots:
     void convergesToTheLaw_data();
     void convergesToTheLaw();
+    void sweptCrossesACrackInLongSteps();
 };
 
 void TestReferenceScenes::convergesToTheLaw_data() {
@@ -215,6 +217,16 @@ void TestReferenceScenes::convergesToTheLaw() {
                                        .constData());
         QVERIFY2(run.restsAsItShould(), scene.name.constData());
     }
+}
+
+/// The second edge is met more slowly than a bounce in such a step: what comes so slowly stops there.
+void TestReferenceScenes::sweptCrossesACrackInLongSteps() {
+    const auto scene = std::find_if(referenceScenes().begin(), referenceScenes().end(),
+                                    [](const ReferenceScene &s) { return s.name == "crack_1mm_rolling"; });
+    QVERIFY(scene != referenceScenes().end());
+    Run run(*scene, "swept");
+    const double error = run.error(0.01);
+    QVERIFY2(error <= 1e-14, QByteArray::number(error).constData());
 }
 
 QTEST_GUILESS_MAIN(TestReferenceScenes)
