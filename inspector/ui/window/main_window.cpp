@@ -221,7 +221,7 @@ void MainWindow::addDockAction(QDockWidget &dock, int number, double share) {
     auto *toggle = new QAction(dock.windowTitle(), this);
     toggle->setObjectName(QStringLiteral("show_") + dock.objectName());
     toggle->setCheckable(true);
-    toggle->setShortcut(QKeySequence(QStringLiteral("Ctrl+%1").arg(number % 10)));
+    if (number <= 10) toggle->setShortcut(QKeySequence(QStringLiteral("Ctrl+%1").arg(number % 10)));
     const auto showState = [&dock, toggle] { toggle->setChecked(!dock.isHidden()); };
     connect(&dock, &QDockWidget::visibilityChanged, toggle, showState);
     connect(toggle, &QAction::triggered, &dock, [this, &dock, share, showState] {
