@@ -2,9 +2,9 @@
 // What contacts do to a ball in a substep: the law of contact (model.md 13) in the form that fixed substeps need.
 #pragma once
 
+#include "contact/ball.h"
 #include "contact/impact.h"
 #include "contact/lasting.h"
-#include "contact/response.h"
 #include "registry/report.h"
 
 #include <glm/common.hpp>

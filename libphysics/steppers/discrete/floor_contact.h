@@ -2,7 +2,7 @@
 // How a ball on the floor moves where no wall interferes: it rolls, slides without friction, or slips.
 #pragma once
 
-#include "contact/response.h"
+#include "contact/ball.h"
 #include "scene/scene.h"
 #include "shared/law.h"
 
