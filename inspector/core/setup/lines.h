@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Text from outside (names of files, words of a command line, lines of a file) made fit to be shown in one line.
+// Untrusted text (names of files, words of a command line, lines of a file) made fit to be shown in one line.
 #pragma once
 
 #include <QString>

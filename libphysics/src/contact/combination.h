@@ -60,7 +60,7 @@ Vec3 slipRate(const Combination &c, uint32_t i);
 void solve(Combination &c);
 
 /// Finds the reactions, and all directions that they depend on: of slips that start, and of resistance where a ball
-/// starts to roll. False if those don't settle.
+/// starts to roll. False if the iteration doesn't converge.
 bool settle(Combination &c);
 
 /// Whether what the modes ask for holds, but for accelerations of `zero`.

@@ -30,8 +30,8 @@ inline double negligibleSpeed(const Motion &motion, double radius) {
     return 64.0 * kRounding * (glm::length(motion.velocity) + radius * glm::length(motion.spin));
 }
 
-/// Friction halves a slip again and again without ending it: what contacts leave of a motion is none long before it is
-/// a number that a computer can't halve.
+/// Friction can halve a slip again and again without ending it. Components this much smaller than the motion before the
+/// contacts count as zero, long before they underflow.
 inline void dropTraces(const Motion &before, double radius, Motion &motion) {
     constexpr double kTrace = 1e-100;
     const double most = kTrace * (glm::length(before.velocity) + radius * glm::length(before.spin));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A few linear equations, by elimination with full pivoting. More of them than unknowns are allowed if they agree, and
-// fewer: what they leave open is 0.
+// Small linear systems, by Gaussian elimination with full pivoting. Overdetermined systems are allowed if they are
+// consistent; in underdetermined ones free unknowns are 0.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The shortest vector that has at least given parts along given normals: model.md 13.2.
+// The shortest vector whose components along given normals have given lower bounds: model.md 13.2.
 #pragma once
 
 #include "base/vec.h"
@@ -9,17 +9,16 @@
 
 namespace phys {
 
-/// A part of the vector along a contact's normal.
+/// A lower bound on the vector's component along a contact's normal.
 struct Push {
     Vec3 normal;         ///< unit
-    double wanted;       ///< least part along it
-    double amount = 0.0; ///< the answer, >= 0: how much of the vector this contact makes
+    double wanted;       ///< lower bound of the component along it
+    double amount = 0.0; ///< the solution, >= 0: the vector is the sum of amount * normal
 };
 
-/// Finds the amounts, none negative, whose sum has every part that is wanted and of which none pushes more than it
-/// must: a linear complementarity problem, at most three normals make its answer. Returns the sum. negligible: what
-/// counts as rounding. Where no vector has all parts (opposite normals) the amounts are of no use,
-/// nor once the work is too much.
+/// Solves the linear complementarity problem: amounts >= 0 whose sum satisfies every bound, each 0 where its bound is
+/// exceeded. At most three are positive. Returns the sum. negligible: what counts as rounding. If no vector satisfies
+/// all bounds (opposite normals), or the work limit is reached, the amounts are meaningless.
 Vec3 leastPush(std::span<Push> pushes, double negligible, Work &work);
 
 } // namespace phys

@@ -91,7 +91,7 @@ double accelerationScale(const Moment &moment);
 /// Size of speeds at a moment: |v| + R |om| + sqrt(R |g|).
 double speedScale(const Moment &moment);
 
-/// What rounding of the pressure makes of the most friction that a contact can have: more the rougher it is, m/s^2.
+/// Rounding error of a contact's friction limit mu N that comes from N: it grows with the friction, m/s^2.
 double roundingOfLimit(const Moment &moment, double friction);
 
 /// Friction that a contact has in reserve, (mu N)^2 - |f|^2, where the friction that rolling resistance needs isn't
