@@ -92,16 +92,15 @@ double openingTime(const Target &target, const Phase &phase, const Outlook &arou
     if (a > 0.0) t = std::min(t, std::sqrt(R / a));
     t *= 0x1p-5;
     if (target.isBehindFace) return t;
-    if (target.rate < 0.0) { // by rounding, which may be all of the speed: no longer than the way into the box is none
-        if (speed > 0.0) t = std::min(t, 8.0 * sameNormal(around.scene) * R / speed);
-        for (int i = 0; i < 60 && gapAt(target, phase, R, t, until).value < -around.scene.tolerance; ++i) t *= 0.5;
-        return t;
+    double shorter = t;
+    for (int i = 0; i < 24 && target.rate >= 0.0; ++i, shorter *= 0.5) {
+        const Look now = gapAt(target, phase, R, shorter, until);
+        if (now.rate > 0.0 && now.value >= -around.scene.tolerance) return shorter;
     }
-    for (int i = 0; i < 24; ++i, t *= 0.5) {
-        const Look now = gapAt(target, phase, R, t, until);
-        if (now.rate > 0.0 && now.value >= -around.scene.tolerance) return t;
-    }
-    return 0.0;
+    // It doesn't open but for rounding, which may be all of the speed: no longer than the way into the box is none.
+    if (target.rate < 0.0 && speed > 0.0) t = std::min(t, 8.0 * sameNormal(around.scene) * R / speed);
+    for (int i = 0; i < 60 && gapAt(target, phase, R, t, until).value < -around.scene.tolerance; ++i) t *= 0.5;
+    return t;
 }
 
 /// First time in [from, until] at which the ball touches this box and moves towards it.

@@ -16,6 +16,7 @@ constexpr double kNoise = 1e-25;   // relative to the speeds
 constexpr double kNoForce = 1e-12; // relative to the accelerations
 constexpr double kDirectionNoise = 4.0 * 0x1p-52;
 constexpr double kSlipEnds = 2e-13;   // relative to the velocities that it is the difference of
+constexpr double kStalls = 0x1p-7;    // share that a slip loses while its series are good: its direction is rounding
 constexpr double kKeptFor = 0.25;     // of the unit: what sticks only by prestress is looked at again and again
 constexpr double kLookAhead = 0x1p-6; // of the horizon: where a force that is zero shows its sign
 
@@ -489,6 +490,7 @@ uint32_t Series::spent(std::span<Vec3> slips) const {
 /// a speed that is small enough falls as it does now.
 End Series::zeroOf(const Jet &speed, double until, double small, Cause cause, uint32_t contact, Work &work) const {
     const double time = firstFall(speed, until, work);
+    if (-speed[1] * m_horizon < kStalls * m_unit * speed[0]) small *= 8.0;
     if (time != kNever || speed[0] > small || speed[1] >= 0.0) return {m_unit * time, cause, contact};
     return {0.0, cause, contact, m_unit * speed[0] / -speed[1]};
 }
