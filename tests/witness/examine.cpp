@@ -212,9 +212,12 @@ private:
         const phys_status status = phys_step(m_engine.stepper.get(), &m_params, leg.dt, &in, &out, &m_report, &error);
         const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
         m_verdict.seconds = std::max(m_verdict.seconds, taken.count());
-        if (status) {
+        if (status && !m_verdict.status) {
             m_verdict.status = status;
             m_verdict.statusText = error.text;
+            m_verdict.step = m_verdict.steps;
+        }
+        if (status) {
             if (std::memcmp(&out, &pattern, sizeof out) != 0) complain("untouched", "a failed step wrote its state");
             if (std::memcmp(&m_report, &untouched, sizeof m_report) != 0) {
                 complain("untouched", "a failed step wrote its report");

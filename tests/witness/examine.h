@@ -12,8 +12,8 @@ namespace witness {
 struct Verdict {
     std::string check;
     std::string what;
-    uint64_t step = 0;            ///< at which it failed, or ended with a status
-    phys_status status = PHYS_OK; ///< that ended the run early
+    uint64_t step = 0;            ///< at which it failed, or first was refused
+    phys_status status = PHYS_OK; ///< the first that isn't
     std::string statusText;
     uint64_t steps = 0;      ///< done
     uint32_t substeps = 0;   ///< most in a step

@@ -136,7 +136,7 @@ Verdict judgeLaw(const phys_registry *registry, const std::string &stepper, cons
     Verdict verdict;
     verdict.status = convergence.status;
     verdict.statusText = convergence.statusText;
-    verdict.steps = 1;
+    verdict.steps = verdict.step = 1;
     if (!convergence.isWrong) return verdict;
     verdict.check = "law";
     verdict.what = convergence.what;

@@ -72,7 +72,7 @@ private:
             ++findings.refused[stepper];
             list(stepper, model, scene, phys_status_name(verdict.status), verdict.statusText);
             // What a start leaves no room for isn't what a run came to.
-            const std::string when = verdict.steps == 0 ? " at the start" : "";
+            const std::string when = verdict.step == 0 ? " at the start" : "";
             const std::string status = phys_status_name(verdict.status) + when;
             ++row.byStatus[status];
             m_survey.refusals.try_emplace(status + ' ' + kinds()[kind], stepper + ": " + verdict.statusText);
