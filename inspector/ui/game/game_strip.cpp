@@ -102,14 +102,15 @@ GameText gameText(Session &session, const Snapshot &now) {
 
 GameStrip::GameStrip(QWidget *parent)
     : QFrame(parent)
-    , m_title(new QLabel)
-    , m_line(new QLabel)
+    , m_title(new ElidedLabel)
+    , m_line(new ElidedLabel)
     , m_hint(new ElidedLabel)
     , m_clock(new QLabel)
     , m_close(new QToolButton) {
     setObjectName(QStringLiteral("game_strip"));
     m_title->setFont(scaled(font(), 1.15, true));
     m_line->setFont(scaled(font(), 1.15, false));
+    for (ElidedLabel *label : {m_title, m_line}) label->setWidest({}); // as wide as their texts, where there is room
     m_hint->setForegroundRole(QPalette::PlaceholderText);
     m_clock->setFont(scaled(QFontDatabase::systemFont(QFontDatabase::FixedFont), 1.3, true));
     m_close->setObjectName(QStringLiteral("game_strip_close"));

@@ -10,6 +10,8 @@ class QToolButton;
 
 namespace inspector::ui {
 
+class ElidedLabel;
+
 // What the game says above the view.
 struct GameText {
     QString title;
@@ -46,9 +48,9 @@ private:
 
     GameText m_text;
     GameText m_dismissed;
-    QLabel *m_title;
-    QLabel *m_line;
-    QLabel *m_hint;
+    ElidedLabel *m_title;
+    ElidedLabel *m_line;
+    ElidedLabel *m_hint;
     QLabel *m_clock;
     QToolButton *m_close;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Docks, bars and menus: closed, opened, moved, remembered and put back.
 #include "gl/view/maze_view.h"
+#include "ui/game/game_strip.h"
 #include "ui/parts/message_bar.h"
 #include "window_fixture.h"
 
@@ -70,6 +71,7 @@ private slots:
     void everyControlHasANameToBeRead();
     void windowFitsASmallScreen_data();
     void windowFitsASmallScreen();
+    void stripWidensNoWindow();
     void standingWindowDrawsNothing();
     void messageCanBeReadInEveryTheme_data();
     void messageCanBeReadInEveryTheme();
@@ -368,6 +370,18 @@ void TestWindowDocks::windowFitsASmallScreen() {
                                         .arg(window.minimumSizeHint().width())
                                         .arg(window.minimumSizeHint().height())));
     QVERIFY(window.view().height() >= 150);
+}
+
+// Whatever a level is called, and however it ended.
+void TestWindowDocks::stripWidensNoWindow() {
+    inspector::ui::GameStrip strip;
+    inspector::ui::GameText text;
+    text.title = QString(80, 'm');
+    text.line = QString(80, 'm');
+    text.hint = QString(80, 'm');
+    text.isResult = true;
+    strip.setText(text);
+    QVERIFY2(strip.minimumSizeHint().width() < 300, qPrintable(QString::number(strip.minimumSizeHint().width())));
 }
 
 // Until something is there to be seen.
