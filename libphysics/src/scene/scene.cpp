@@ -2,10 +2,10 @@
 #include "scene/scene.h"
 
 #include "base/error.h"
-#include "scene/lowest.h"
 #include "scene/merge.h"
 #include "scene/nearest.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -144,16 +144,6 @@ uint32_t nearestPart(const Scene &scene, std::span<const uint32_t> parts, const 
 } // namespace
 
 uint32_t Scene::givenBox(uint32_t box, const Vec3 &point) const { return nearestPart(*this, partsOf(box), point); }
-
-uint32_t Scene::boxesWithin(const Vec3 &centre, double reach, std::span<uint32_t> out) const {
-    Lowest<uint32_t> found(out);
-    const double furthest = reach * (1.0 + 1e-12);
-    visitBoxes(centre - furthest, centre + furthest, [&](uint32_t box) {
-        if (squaredDistance(boxes[box], centre) <= furthest * furthest) found.add(box);
-    });
-    found.sort();
-    return found.count();
-}
 
 bool Scene::overFloor(double x, double y) const {
     const std::span<const uint32_t> candidates = boxesNear(x, y, hasManyBoxes);

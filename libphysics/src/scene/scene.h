@@ -48,10 +48,6 @@ struct Scene {
         return useGrid ? grid.near(x, y) : std::span<const uint32_t>(allBoxes);
     }
 
-    /// Boxes that are `reach` (m, from the centre) or less away from a centre, ascending; one a rounding step further
-    /// may be among them. Returns how many there are; writes the first out.size() of them.
-    uint32_t boxesWithin(const Vec3 &centre, double reach, std::span<uint32_t> out) const;
-
     /// Calls visit(box) for the boxes that overlap or touch the region between two corners, each once, in any order.
     template<class Visit>
     void visitBoxes(const Vec3 &low, const Vec3 &high, Visit visit) const {

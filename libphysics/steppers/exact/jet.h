@@ -46,11 +46,6 @@ inline double dotTerm(const VecJet &a, const VecJet &b, int k) {
     for (int j = 0; j <= k; ++j) sum += glm::dot(a[j], b[k - j]);
     return sum;
 }
-inline Vec3 crossTerm(const VecJet &a, const VecJet &b, int k) {
-    Vec3 sum(0.0);
-    for (int j = 0; j <= k; ++j) sum += glm::cross(a[j], b[k - j]);
-    return sum;
-}
 inline Vec3 termOf(const Jet &a, const VecJet &b, int k) {
     Vec3 sum(0.0);
     for (int j = 0; j <= k; ++j) sum += a[j] * b[k - j];
