@@ -80,7 +80,7 @@ bool ExactStep::isUniform() const {
     for (uint32_t i = 0; i < m_heldCount; ++i) {
         const Reaction &reaction = m_response.reactions[i];
         if (reaction.mode == Mode::open) continue;
-        if (!contactOf(i).isFace()) return false;
+        if (!contactOf(i).isFace()) return isInGroove(0) || isInGroove(1) || isInGroove(2);
         if (reaction.mode == Mode::slipping) {
             const Vec3 rate =
                 m_response.acceleration - m_scene.radius * glm::cross(m_response.spinAcceleration, m_held[i].normal);
@@ -93,6 +93,34 @@ bool ExactStep::isUniform() const {
         }
     }
     return true;
+}
+
+/// Whether an edge and another smooth contact hold the ball in a groove along an axis, so that it can move along that
+/// alone. Series would make motions of rounding, which normals that all but oppose each other make large.
+bool ExactStep::isInGroove(int axis) const {
+    Vec3 first(0.0);
+    bool holds = false, hasEdge = false;
+    for (uint32_t i = 0; i < m_heldCount; ++i) {
+        if (!isClosed(i)) continue;
+        if (m_response.reactions[i].mode != Mode::smooth || contactOf(i).sides[axis] != 0) return false;
+        const Vec3 &n = m_held[i].normal;
+        holds = holds || glm::length(glm::cross(first, n)) > kParallel;
+        hasEdge = hasEdge || !contactOf(i).isFace();
+        first = n;
+    }
+    Vec3 across = m_motion.velocity;
+    across[axis] = 0.0;
+    return holds && hasEdge && across == Vec3(0.0);
+}
+
+/// What is across a groove that holds the ball was rounding.
+void ExactStep::keepInGroove() {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!isInGroove(axis)) continue;
+        const double along = m_response.acceleration[axis];
+        m_response.acceleration = Vec3(0.0);
+        m_response.acceleration[axis] = along;
+    }
 }
 
 /// Whether a single face presses, and which contact that is.
@@ -123,6 +151,7 @@ void ExactStep::stopHeld() {
 phys_status ExactStep::choose(Phase &phase) {
     if (const phys_status status = respondNow()) return status;
     m_isAnswered = true;
+    keepInGroove();
     stopHeld();
     const Vec3 g = m_setting.gravity();
     uint32_t closed = kMostHeld;

@@ -26,6 +26,8 @@ public:
     phys_status advance(phys_state &out);
 
 private:
+    /// Sine of the angle between normals, or of one and a plane, below which they are parallel but for rounding.
+    static constexpr double kParallel = 1e-12;
     static constexpr uint32_t kManyBoxes = 0xffffffff;
 
     /// How the events of a step get on.
@@ -96,6 +98,8 @@ private:
     phys_status jam();
     void takeJammed(const Moment &jammed);
     bool isUniform() const;
+    bool isInGroove(int axis) const;
+    void keepInGroove();
     bool isAlone(uint32_t &closed) const;
     bool isStill() const;
     bool restsNow() const;

@@ -19,9 +19,6 @@ constexpr double kLastBounce = 1e-13;
 /// Where what is between two bounces has another law than what comes after the last: the error is of first order there.
 constexpr double kLastHop = 1e-26;
 
-/// Sine of the angle between normals, or of one and a plane, below which they are parallel but for rounding.
-constexpr double kParallel = 1e-12;
-
 /// But with a restitution above this the bounces down there would never end.
 constexpr double kSlowDecay = 0.95;
 
