@@ -71,8 +71,6 @@ phys_status step(void *self, const phys_params *params, double dt, const phys_st
     KnownPlaces &places = *static_cast<KnownPlaces *>(self);
     const PlanInput input{places.scene(), *params, dt, *in};
     if (!report && stay(input, places.footing(), *out)) return PHYS_OK;
-    const auto glide = [](DiscreteStep<VelocityVerlet> &whole, Ball &ball) { return whole.glideOnFloor(ball); };
-    if (!report && isSimple(input) && stepOnFloor<VelocityVerlet>(input, *out, glide)) return PHYS_OK;
     return sweepStep(input, *out, report, err);
 }
 

@@ -61,27 +61,6 @@ void finishStep(const DiscreteStep<Scheme> &substep, const PlanInput &input, con
     if (reporter.wanted()) reportTransitions(reporter, input, before, out);
 }
 
-/// Whether a step is one substep on the floor for sure, from motion to motion, and asks for nothing else.
-inline bool isSimple(const PlanInput &input) {
-    const phys_vec3 &v = input.state.velocity;
-    return input.params.options == 0 && (v.x != 0.0 || v.y != 0.0) && isSlow(input) && !spinsFast(input);
-}
-
-/// Tries a simple step without a report: move(substep, ball) does it. False, with `out` untouched, if it doesn't, or if
-/// the ball may come to rest, which needs to be told why.
-template<class Scheme, class Move>
-bool stepOnFloor(const PlanInput &input, phys_state &out, Move move) {
-    const phys_params &params = input.params;
-    Reporter silent(nullptr, 0.0);
-    const StepPlan plan{false, params.rolling_friction > 0.0 ? uint32_t{PHYS_STAGE_RESISTANCE} : 0U, 1.0};
-    DiscreteStep<Scheme> substep({input.scene, params}, silent, plan, input.dt);
-    Ball ball = loadBall(input.state);
-    if (!move(substep, ball) || mayRest({input.scene, params}, ball.velocity)) return false;
-    if (&out != &input.state) std::memcpy(out.orientation, input.state.orientation, sizeof out.orientation);
-    storeBall(input.scene, params, ball, 0, out);
-    return true;
-}
-
 template<class Scheme>
 struct DiscreteStepper {
     static phys_status requirements(void *self, const phys_params *params, double dt, const phys_state *state,
@@ -94,20 +73,9 @@ struct DiscreteStepper {
     static phys_status step(void *self, const phys_params *params, double dt, const phys_state *in, phys_state *out,
                             phys_report *report, phys_error *err) {
         KnownPlaces &places = *static_cast<KnownPlaces *>(self);
-        const PlanInput input{places.scene(), *params, dt, *in};
-        if (!report && stay(input, places.footing(), *out)) return PHYS_OK;
-        const auto run = [](DiscreteStep<Scheme> &substep, Ball &ball) { return substep.runOnFloor(0.0, ball); };
-        const bool maySkip = !report && isSimple(input) && !asReported(*params);
-        if (maySkip && stepOnFloor<Scheme>(input, *out, run)) return PHYS_OK;
-        return anyStep(self, params, dt, in, out, report, err);
-    }
-
-private:
-    /// Takes what `step` takes, so that the steps that don't come here need save nothing for the call.
-    [[gnu::noinline]] static phys_status anyStep(void *self, const phys_params *params, double dt, const phys_state *in,
-                                                 phys_state *out, phys_report *report, phys_error *err) {
-        const Scene &scene = static_cast<KnownPlaces *>(self)->scene();
+        const Scene &scene = places.scene();
         const PlanInput input{scene, *params, dt, *in};
+        if (!report && stay(input, places.footing(), *out)) return PHYS_OK;
         const StepPlan stepPlan = plan(input);
         if (stepPlan.substeps > kSubstepCap) return refuseSubsteps(stepPlan.substeps, err);
 
@@ -131,6 +99,7 @@ private:
         return PHYS_OK;
     }
 
+private:
     static StepPlan plan(const PlanInput &input) { return planStep(input, asReported(input.params)); }
 };
 
