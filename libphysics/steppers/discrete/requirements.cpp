@@ -42,7 +42,7 @@ bool passesBy(const PlanInput &input) {
 double reachOfStep(const PlanInput &input) {
     const phys_params &params = input.params;
     const Vec3 gravity = toVec(params.gravity);
-    const double drive = glm::length(input.isOnFloor() ? Vec3(gravity.x, gravity.y, 0.0) : gravity);
+    const double drive = glm::length(input.isCarried() ? Vec3(gravity.x, gravity.y, 0.0) : gravity);
     double speed = glm::length(toVec(input.state.velocity)) + drive * input.dt;
     if (params.model == PHYS_MODEL_RIGID) {
         // The floor's friction adds no more speed than 2/7 of the slip that it takes away.

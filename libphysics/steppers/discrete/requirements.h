@@ -33,6 +33,9 @@ struct PlanInput {
         return std::abs(state.position.z - scene.supportedZ) <= scene.tolerance && state.velocity.z == 0.0;
     }
 
+    /// The same, and on it: beside an edge there is nothing below.
+    bool isCarried() const { return isOnFloor() && scene.overFloor(state.position.x, state.position.y); }
+
     /// Whether nothing can push a ball that rolls on the floor upwards.
     bool isPlanar() const {
         return scene.isPlanar() && (params.model == PHYS_MODEL_ROLLING || params.wall_friction == 0.0);
@@ -57,8 +60,12 @@ inline bool isSlow(const PlanInput &input) {
     const phys_vec3 &g = input.params.gravity;
     const double friction = input.params.model == PHYS_MODEL_RIGID ? input.params.sliding_friction * g.z : 0.0;
     const double drive = std::abs(g.x) + std::abs(g.y) + std::abs(friction);
+    const double safe = 0.5 * input.scene.radius;
     // Sums of components are never smaller than lengths.
-    return (std::abs(v.x) + std::abs(v.y) + drive * input.dt) * input.dt <= 0.5 * input.scene.radius;
+    const double reach = (std::abs(v.x) + std::abs(v.y) + drive * input.dt) * input.dt;
+    if (reach > safe) return false;
+    // A ball that has come over an edge falls: in short steps by too little to ask for it.
+    return reach + std::abs(g.z) * input.dt * input.dt <= safe || input.isCarried();
 }
 
 /// Friction may turn the spin of so many radians into a way of a quarter of the radius: 2/7 of it is speed.
