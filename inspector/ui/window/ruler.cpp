@@ -45,13 +45,14 @@ Ruler::Ruler(gl::MazeView &view, QObject *parent)
 }
 
 bool Ruler::eventFilter(QObject *, QEvent *event) {
-    const auto *mouse = static_cast<const QMouseEvent *>(event); // if it is one
+    const auto mouse = [event]() -> const QMouseEvent & { return *static_cast<const QMouseEvent *>(event); };
     switch (event->type()) {
     case QEvent::MouseButtonPress:
         dismiss();
-        return mouse->button() == Qt::LeftButton && mouse->modifiers() & Qt::ShiftModifier && begin(mouse->position());
+        return mouse().button() == Qt::LeftButton && mouse().modifiers() & Qt::ShiftModifier &&
+               begin(mouse().position());
     case QEvent::MouseMove:
-        if (m_isDragged) drawTo(mouse->position());
+        if (m_isDragged) drawTo(mouse().position());
         return m_isDragged;
     case QEvent::MouseButtonRelease:
         return std::exchange(m_isDragged, false);
