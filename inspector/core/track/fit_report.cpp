@@ -41,7 +41,7 @@ QString breaksText(const ModelFit &fit) {
 
 // Where a model lacks something: bounces or the way between them.
 QString whereText(const ModelFit &fit, double noise) {
-    const QString text = residualText(fit);
+    QString text = residualText(fit);
     if (fit.bounces.empty())
         return text + QStringLiteral("; no wall is hit: what the ball does on the floor is missing");
     const QString parted =

@@ -17,7 +17,7 @@ namespace {
 QString say(const char *text) { return QCoreApplication::translate("inspector::ui::GameStrip", text); }
 
 QString winLine(const Session &session, const Game &game) {
-    const QString time = clockText(game.time());
+    QString time = clockText(game.time());
     const QString obstacle = session.whyNoBestTime();
     if (!obstacle.isEmpty())
         return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "%1 – no best time: %2")).arg(time, obstacle);
@@ -31,8 +31,7 @@ QString winLine(const Session &session, const Game &game) {
 QString promptHint(Session &session) {
     if (session.hasAutopilot())
         return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "The autopilot plays · A takes over"));
-    const QString play =
-        say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Arrow keys tilt the board · roll the ball out"));
+    QString play = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Arrow keys tilt the board · roll the ball out"));
     if (session.isLevelOfTheList()) return play;
     if (session.exits() && session.exits()->empty())
         return say(

@@ -228,6 +228,7 @@ void TrackDock::takeOver() {
     Parameters &parameters = m_session.parameters();
     const std::vector<Setting> after = fittedSettings();
     std::vector<Setting> before;
+    before.reserve(after.size());
     for (const Setting &setting : after)
         before.push_back({setting.id, parameters.value(parameters.indexOf(setting.id))});
     QString error;

@@ -18,6 +18,7 @@ namespace {
 
 std::vector<Setting> settingsOf(const Parameters &parameters) {
     std::vector<Setting> settings;
+    settings.reserve(static_cast<size_t>(parameters.count()));
     for (int i = 0; i < parameters.count(); ++i)
         settings.push_back({QString::fromUtf8(parameters.row(i).id), parameters.value(i)});
     return settings;

@@ -16,7 +16,7 @@ template<class T>
 inline constexpr uint32_t kFirstSize = 0;
 #define PHYS_LAST_OF_FIRST_VERSION(type, member)                                                                       \
     template<>                                                                                                         \
-    inline constexpr uint32_t kFirstSize<type> = offsetof(type, member) + sizeof(type::member)
+    inline constexpr uint32_t kFirstSize<type> = (offsetof(type, member) + sizeof(type::member))
 PHYS_LAST_OF_FIRST_VERSION(phys_scene_desc, start);
 PHYS_LAST_OF_FIRST_VERSION(phys_params, stepper);
 PHYS_LAST_OF_FIRST_VERSION(phys_report, energy_scheme);

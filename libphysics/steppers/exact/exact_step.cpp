@@ -234,9 +234,11 @@ void ExactStep::turn(const P &phase, double t) {
     constexpr double kRoot3 = 1.7320508075688772, kMostParts = 16.0;
     const double angle = t * std::max(glm::length(m_motion.spin), glm::length(phase.spinAt(t)));
     const double parts = std::clamp(std::ceil(angle), 1.0, kMostParts), h = t / parts;
-    for (double part = 0.5; part < parts; ++part) {
+    for (int part = 0; part < parts; ++part) {
         // Magnus' series with two Gauss points, of fourth order.
-        const Vec3 first = phase.spinAt((part - kRoot3 / 6.0) * h), second = phase.spinAt((part + kRoot3 / 6.0) * h);
+        const double middle = part + 0.5;
+        const Vec3 first = phase.spinAt((middle - kRoot3 / 6.0) * h);
+        const Vec3 second = phase.spinAt((middle + kRoot3 / 6.0) * h);
         rotate(m_orientation, 0.5 * h * (first + second) + kRoot3 / 12.0 * h * h * glm::cross(second, first));
     }
 }
