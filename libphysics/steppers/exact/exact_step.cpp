@@ -84,34 +84,40 @@ phys_status ExactStep::checkWork() const {
                 static_cast<unsigned long long>(Work::kMost), m_left);
 }
 
-/// Looks whether the ball is on a floor where it touches nothing but that and the faces it leans on: true if it stays
-/// there.
-bool ExactStep::findGround() {
+/// Looks for the region of the floor that the ball is in, and for the boxes that it touches there.
+void ExactStep::findGround() {
     const Vec3 &v = m_motion.velocity;
-    const FloorRegion *region = m_regions.around(fromVec(m_position), v.x == 0.0 || v.y == 0.0);
-    if (!region) return false;
-    const double bend = 0.5 * m_left * m_left * glm::length(m_setting.gravity());
-    m_ground.add(region->floor);
-    bool stays = true;
+    m_region = m_regions.around(fromVec(m_position), v.x == 0.0 || v.y == 0.0);
+    if (!m_region) return;
+    m_ground.add(m_region->floor);
     for (int axis = 0; axis < 2; ++axis) {
-        const FloorRegion::Range &range = region->along[axis];
-        const double place = m_position[axis], way = m_left * v[axis];
-        if (place == range.lowFace || place == range.highFace) {
-            m_ground.add(place == range.lowFace ? range.lowBox : range.highBox);
-        } else {
-            stays = stays && range.isFree(place + std::min(way, 0.0) - bend) &&
-                    range.isFree(place + std::max(way, 0.0) + bend);
-        }
+        const FloorRegion::Range &range = m_region->along[axis];
+        if (m_position[axis] == range.lowFace) m_ground.add(range.lowBox);
+        if (m_position[axis] == range.highFace) m_ground.add(range.highBox);
     }
     m_nearBoxes = m_ground.count();
-    return stays;
+}
+
+/// Whether the ball stays in its region from now on, unless it leaves a face that it leans on.
+bool ExactStep::staysOnGround(double acceleration) const {
+    if (!m_region) return false;
+    const double bend = 0.5 * m_left * m_left * acceleration;
+    for (int axis = 0; axis < 2; ++axis) {
+        const FloorRegion::Range &range = m_region->along[axis];
+        const double place = m_position[axis], way = m_left * m_motion.velocity[axis];
+        if (place == range.lowFace || place == range.highFace) continue;
+        if (!range.isFree(place + std::min(way, 0.0) - bend) || !range.isFree(place + std::max(way, 0.0) + bend)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 /// Out of the boxes that the given state lies in: model.md 5.7.
 phys_status ExactStep::pushOut() {
     const double R = m_scene.radius, least = R - m_scene.tolerance;
-    m_staysOnGround = findGround();
-    if (m_staysOnGround) return PHYS_OK;
+    findGround();
+    if (staysOnGround(glm::length(m_setting.gravity()))) return PHYS_OK;
     const double speed = glm::length(m_motion.velocity);
     m_openWay = m_left * (speed + m_left * glm::length(m_setting.gravity()));
     const double reach = R * (1.0 + 1e-9) + m_scene.tolerance + m_openWay;
@@ -203,8 +209,9 @@ End ExactStep::firstEvent(const P &phase, Border &border) {
         if (phase.velocity == Vec3(0.0) && restsNow()) return end;
     }
     end.cut(ownEnd(phase, m_left));
-    const bool meetsNothing = isOpen(phase.mostAcceleration());
-    if (meetsNothing && m_staysOnGround) return end;
+    const double acceleration = phase.mostAcceleration();
+    const bool meetsNothing = isOpen(acceleration);
+    if (meetsNothing && staysOnGround(acceleration)) return end;
     const Outlook around{m_scene, m_position, m_motion, m_contacts, m_work, closedBits()};
     for (uint32_t i = 0; i < m_heldCount; ++i) {
         if (isClosed(i)) cutAtBorder(around, contactOf(i), phase, end.after, border);
@@ -218,11 +225,8 @@ End ExactStep::firstEvent(const P &phase, Border &border) {
 /// Whether nothing can be met in this step but what the ball leans on.
 bool ExactStep::isOpen(double acceleration) const {
     if (m_elapsed > 0.0) return false;
-    const double most = glm::length(m_setting.gravity());
-    if (m_staysOnGround ? acceleration > most
-                        : m_left * (glm::length(m_motion.velocity) + 0.5 * m_left * acceleration) > m_openWay) {
-        return false;
-    }
+    const double way = m_left * (glm::length(m_motion.velocity) + 0.5 * m_left * acceleration);
+    if (!staysOnGround(acceleration) && way > m_openWay) return false;
     uint32_t closed = 0;
     for (uint32_t i = 0; i < m_heldCount; ++i) closed += isClosed(i) ? 1 : 0;
     return closed == m_nearBoxes;

@@ -59,17 +59,18 @@ private:
     std::array<Held, kMostHeld> m_held;        // the same for the law
     uint32_t m_heldCount = 0;
     Response m_response;
-    bool m_isAnswered = false;    // m_response is that of the present contacts
-    double m_openWay = 0.0;       // m that the ball surely goes no further than in this step, if nothing stops it
-    uint32_t m_nearBoxes = 0;     // that it can reach on this way
-    ShortList<uint32_t> m_ground; // all boxes that the ball touches, if it starts in a region of the floor; else none
-    bool m_staysOnGround = false; // meets nothing but these, as long as it leans on them
-    bool m_supported = false;     // reported last
+    bool m_isAnswered = false; // m_response is that of the present contacts
+    double m_openWay = 0.0;    // m that the ball surely goes no further than in this step, if nothing stops it
+    uint32_t m_nearBoxes = 0;  // that it can reach on this way
+    const FloorRegion *m_region = nullptr; // that the ball starts in
+    ShortList<uint32_t> m_ground;          // all boxes that it touches there
+    bool m_supported = false;              // reported last
     uint32_t m_wall = PHYS_NO_BOX;
 
     phys_status keep(Pace &pace);
     phys_status checkWork() const;
-    bool findGround();
+    void findGround();
+    bool staysOnGround(double acceleration) const;
     phys_status pushOut();
     void leave(phys_state &out);
 
