@@ -56,6 +56,13 @@ phys_status explainParams(const phys_params &params, phys_error *err) {
     return PHYS_OK;
 }
 
+phys_status explainOwnRows(const phys_params &params, std::span<const phys_param_row *const> rows, phys_error *err) {
+    for (const phys_param_row *row : rows) {
+        if (const phys_status status = checkValue(readRow(params, *row), *row, err)) return status;
+    }
+    return PHYS_OK;
+}
+
 } // namespace phys
 
 phys_status phys_params_init(phys_params *params, size_t size) {

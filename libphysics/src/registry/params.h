@@ -121,14 +121,14 @@ phys_status explainParams(const phys_params &params, phys_error *err);
 phys_status checkValue(double value, const phys_param_row &row, phys_error *err);
 
 /// As explainParams for the values that a stepper's own rows stand for; PHYS_OK if they are valid.
+phys_status explainOwnRows(const phys_params &params, std::span<const phys_param_row *const> rows, phys_error *err);
+
 inline phys_status checkOwnRows(const phys_params &params, std::span<const phys_param_row *const> rows,
                                 phys_error *err) {
     for (const phys_param_row *row : rows) {
-        const double value = readRow(params, *row);
-        if (value == row->initial) continue; // the usual case
-        if (const phys_status status = checkValue(value, *row, err)) return status;
+        if (readRow(params, *row) != row->initial) return explainOwnRows(params, rows, err);
     }
-    return PHYS_OK;
+    return PHYS_OK; // the usual case
 }
 
 } // namespace phys

@@ -72,11 +72,15 @@ private:
     /// The region of a ball that is as InRegion says, or nullptr.
     static const FloorRegion *regionOf(KnownPlaces &places, const phys_state &state, bool mayLean) {
         const phys_vec3 &p = state.position, &v = state.velocity;
-        const FloorRegion *region = places.regions().around(p, v.x == 0.0 || v.y == 0.0);
-        const auto isThere = [mayLean](const FloorRegion::Range &range, double place, double speed) {
-            return range.isFree(place) || (mayLean && speed == 0.0);
+        const auto isIn = [mayLean](const FloorRegion::Range &range, double place, double speed) {
+            return range.isFree(place) || (mayLean && speed == 0.0 && range.isFace(place));
         };
-        return region && isThere(region->along[0], p.x, v.x) && isThere(region->along[1], p.y, v.y) ? region : nullptr;
+        const auto has = [&](const FloorRegion &region) {
+            return p.z == region.z && isIn(region.along[0], p.x, v.x) && isIn(region.along[1], p.y, v.y);
+        };
+        if (has(places.regions().last())) return &places.regions().last();
+        const FloorRegion *region = places.regions().find(p, v.x == 0.0 || v.y == 0.0);
+        return region && has(*region) ? region : nullptr;
     }
 
     static double faceOf(double face, bool mayLean) { return mayLean ? face : FloorRegion::kNoFace; }

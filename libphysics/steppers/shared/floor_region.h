@@ -20,7 +20,8 @@ struct FloorRegion {
         uint32_t lowBox = PHYS_NO_BOX, highBox = PHYS_NO_BOX; ///< whose faces those are
 
         bool isFree(double place) const { return place >= low && place <= high; }
-        bool has(double place) const { return isFree(place) || place == lowFace || place == highFace; }
+        bool isFace(double place) const { return place == lowFace || place == highFace; }
+        bool has(double place) const { return isFree(place) || isFace(place); }
     };
     static constexpr double kNoFace = 0x1p200; ///< beyond all places
 
@@ -43,10 +44,12 @@ public:
     const FloorRegion *around(const phys_vec3 &place, bool isLeaning) {
         return m_last->has(place) ? m_last : find(place, isLeaning);
     }
-
-private:
+    /// The one that was found last.
+    const FloorRegion &last() const { return *m_last; }
+    /// As around, without asking the last one first.
     const FloorRegion *find(const phys_vec3 &place, bool isLeaning);
 
+private:
     static constexpr uint32_t kKept = 1024; ///< a power of two
 
     const Scene &m_scene;
