@@ -2,7 +2,10 @@
 """Parameters by name, with the library's ranges and defaults; one set or an array of them."""
 from __future__ import annotations
 
+import functools
+from collections.abc import Iterable
 from ctypes import byref
+from itertools import repeat
 from typing import Any
 
 import numpy as np
@@ -19,12 +22,25 @@ def gravity_from_tilt(tilt_x: Any, tilt_y: Any, strength: Any = 9.81) -> np.ndar
 
     Returns an array of their common shape + (3,): the bits of phys_gravity_from_tilt.
     """
-    tilts = np.broadcast_arrays(*(np.asarray(value, "f8") for value in (tilt_x, tilt_y, strength)))
-    gravity = np.empty(tilts[0].shape + (3,))
+    given = [np.asarray(value, "f8") for value in (tilt_x, tilt_y, strength)]
+    shape = np.broadcast_shapes(*(values.shape for values in given))
+    gravity = np.empty(shape + (3,))
     places = range(address(gravity), address(gravity) + gravity.nbytes, 24)
-    statuses = map(lib.phys_gravity_from_tilt, *(tilt.ravel().tolist() for tilt in tilts), places)
+    numbers = (repeat(values.item()) if values.size == 1 else np.broadcast_to(values, shape).ravel().tolist()
+               for values in given)
+    statuses = map(lib.phys_gravity_from_tilt, *numbers, places)
     check(min(statuses, default=0))  # all of them: errors are negative
     return gravity
+
+
+def _by_name(rows: Iterable[ParamRow]) -> dict[str, ParamRow]:
+    """A later library may have rows whose values lie behind the struct that this package knows: without those."""
+    return {row.id.decode(): row for row in rows if row.offset + 4 <= params_dtype.itemsize}
+
+
+@functools.cache
+def _rows_of_library() -> dict[str, ParamRow]:
+    return _by_name(library_rows())
 
 
 class Params:
@@ -39,10 +55,7 @@ class Params:
     record: np.ndarray  #: the C structs, dtype params_dtype
 
     def __init__(self, own_rows: list[ParamRow] | None = None, **values: Any) -> None:
-        rows = {row.id.decode(): row for row in library_rows() + (own_rows or [])}
-        # A later library may have rows whose values lie behind the struct that this package knows.
-        rows = {name: row for name, row in rows.items() if row.offset + 4 <= params_dtype.itemsize}
-        object.__setattr__(self, "_rows", rows)
+        object.__setattr__(self, "_rows", _rows_of_library() | _by_name(own_rows or []))
         shapes = [np.shape(value)[:-1] if name == "gravity" else np.shape(value) for name, value in values.items()]
         record = np.zeros(np.broadcast_shapes(*shapes), params_dtype)
         first = np.zeros((), params_dtype)

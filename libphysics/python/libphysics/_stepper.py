@@ -276,7 +276,8 @@ def _output(states: np.ndarray, shape: tuple[int, ...], out: np.ndarray | None) 
     elif out.dtype != state_dtype or out.shape != shape or not (out.flags.c_contiguous and out.flags.writeable):
         raise ValueError(f"out: expected a contiguous array of state_dtype and shape {shape} that can be written")
     if out is not given:
-        out[...] = given
+        whole = f"V{state_dtype.itemsize}"  # numpy copies records member by member
+        out.view(whole)[...] = given.view(whole)
     return out
 
 
