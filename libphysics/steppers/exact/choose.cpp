@@ -21,6 +21,9 @@ bool isCollinear(const Vec3 &a, const Vec3 &b) {
     return isRounding(glm::cross(hat(a), hat(b)), 1.0);
 }
 
+/// s: longer than any step. What moves so slowly that its squares underflow has no time of its own.
+constexpr double kLongestUnit = 0x1p100;
+
 } // namespace
 
 phys_status ExactStep::respondNow() {
@@ -77,6 +80,8 @@ bool ExactStep::restsNow() const {
 
 /// Whether all accelerations stay as they are: only faces press, and slips and resistance keep their directions.
 bool ExactStep::isUniform() const {
+    const bool isTurningOnly = m_motion.velocity == Vec3(0.0) && m_response.acceleration == Vec3(0.0);
+    if (isTurningOnly && m_response.spinAcceleration == Vec3(0.0)) return true;
     for (uint32_t i = 0; i < m_heldCount; ++i) {
         const Reaction &reaction = m_response.reactions[i];
         if (reaction.mode == Mode::open) continue;
@@ -190,7 +195,7 @@ void ExactStep::buildSeries(Series &series) {
     const double R = m_scene.radius;
     const double scale = glm::length(m_setting.gravity()) + glm::length(m_response.acceleration) +
                          glm::dot(m_motion.velocity, m_motion.velocity) / R;
-    double unit = std::sqrt(R / scale);
+    double unit = std::min(std::sqrt(R / scale), kLongestUnit);
     for (uint32_t i = 0; i < m_heldCount; ++i) {
         if (m_response.reactions[i].mode != Mode::slipping) continue;
         unit = std::min(unit, 3.0 * glm::length(m_response.reactions[i].slip) / scale);
