@@ -304,11 +304,39 @@ bool SweptStep::holds(uint32_t box) const {
                        [&](const Contact &contact) { return contact.box == box; });
 }
 
+/// Whether the ball flies, or rolls or slides on one top face, too fast for resistance to stop it.
+bool SweptStep::isParabola(double end) const {
+    if (m_contacts.empty()) return true;
+    if (!m_isAlone || m_context.isRigid()) return false;
+    const Law<Vec2> law = rollingLaw(m_context.params());
+    return !nearStop(law, inPlane(m_ball.velocity), end);
+}
+
+/// Whether a phase is a parabola in a rectangle where nothing but its contacts can be met, and none of them ends. last:
+/// the ball at its end.
+bool SweptStep::isUneventful(double end, const Ball &last) const {
+    if (!isParabola(end)) return false;
+    const Vec3 corner = m_ball.position + 0.5 * end * m_ball.velocity; // of the triangle around it
+    const Vec3 low = glm::min(corner, glm::min(m_ball.position, last.position));
+    const Vec3 high = glm::max(corner, glm::max(m_ball.position, last.position));
+    if (std::max(beyondFeature({low, {}, {}, false}), beyondFeature({high, {}, {}, false})) > 0.0) return false;
+    const double radius = m_context.radius();
+    const double apart = radius - 0.5 * m_context.scene().tolerance;
+    bool isUneventful = true;
+    m_context.scene().visitBoxes(low - radius, high + radius, [&](uint32_t number) {
+        ++m_effort;
+        const phys_box &box = m_context.scene().boxes[number];
+        const Vec3 beside = glm::max(Vec3(0.0), glm::max(low - toVec(box.max), toVec(box.min) - high));
+        isUneventful = isUneventful && (holds(number) || glm::dot(beside, beside) >= apart * apart);
+    });
+    return isUneventful;
+}
+
 /// Times at which the phase is looked at, up to its end: quarters, and where the ball turns back along an axis.
-SweptStep::Looks SweptStep::looks(double end) const {
+SweptStep::Looks SweptStep::looks(double end, const Ball &last) const {
     Looks looks;
     for (int quarter = 1; quarter <= 3; ++quarter) looks.add(0.25 * quarter * end);
-    const Vec3 change = at(end).velocity - m_ball.velocity;
+    const Vec3 change = last.velocity - m_ball.velocity;
     for (int axis = 0; axis < 3; ++axis) {
         const double speed = m_ball.velocity[axis];
         if (speed * (speed + change[axis]) < 0.0) looks.add(-speed / change[axis] * end);
@@ -319,11 +347,13 @@ SweptStep::Looks SweptStep::looks(double end) const {
 
 /// The first event of the phase, or its end.
 double SweptStep::firstEvent(double end) const {
-    const Looks looks = this->looks(end);
+    const Ball last = at(end);
+    if (isUneventful(end, last)) return end;
+    const Looks looks = this->looks(end, last);
     double before = 0.0;
     double lateBefore = NAN; // not needed before an event
     for (uint32_t i = 0; i < looks.count; ++i) {
-        const double late = lateness(at(looks.times[i]));
+        const double late = lateness(looks.times[i] == end ? last : at(looks.times[i]));
         if (late > m_context.scene().tolerance) {
             return root(before, i == 0 ? lateness(m_ball) : lateBefore, looks.times[i], late);
         }

@@ -54,7 +54,9 @@ private:
     Vec3 slipOnTop(const Ball &ball) const;
     double horizon() const;
     bool isClear(double t) const;
-    Looks looks(double end) const;
+    bool isParabola(double end) const;
+    bool isUneventful(double end, const Ball &last) const;
+    Looks looks(double end, const Ball &last) const;
     double firstEvent(double end) const;
     double root(double before, double lateBefore, double after, double lateAfter) const;
     double lateness(const Ball &ball) const;
