@@ -159,11 +159,11 @@ double LastingContacts::sweep(double rollingFriction, bool arePressed, Motion &m
 
 /// Whether one contact at a time would come to the reactions too slowly: cos^2 of the normals' angle is what a sweep
 /// leaves of an error.
-bool LastingContacts::haveLikeNormals() const {
-    constexpr double kLike = 0.9;
+bool LastingContacts::haveAlignedNormals() const {
+    constexpr double kAligned = 0.9;
     for (const Lasting *a = begin(); a != end(); ++a) {
         for (const Lasting *b = a + 1; b != end(); ++b) {
-            if (glm::dot(a->lever, b->lever) > kLike) return true;
+            if (std::abs(glm::dot(a->lever, b->lever)) > kAligned) return true;
         }
     }
     return false;
@@ -210,7 +210,7 @@ double LastingContacts::pressTogether(double negligible, Motion &motion) {
 
 /// False if that comes to no end.
 bool LastingContacts::settle(double rollingFriction, double negligible, bool releases, Motion &motion) {
-    const bool pressesTogether = haveLikeNormals();
+    const bool pressesTogether = haveAlignedNormals();
     for (int i = 0; i < kMostSweeps; ++i) {
         const double pressed = pressesTogether ? pressTogether(negligible, motion) : kNotPressed;
         const bool arePressed = pressed != kNotPressed;

@@ -43,7 +43,7 @@ private:
     bool settle(double rollingFriction, double negligible, bool releases, Motion &motion);
     void settleWithoutResistance(double negligible, const Motion &driven, Motion &motion);
     void unload();
-    bool haveLikeNormals() const;
+    bool haveAlignedNormals() const;
     double pressTogether(double negligible, Motion &motion);
     bool releaseOpposite(double negligible);
     double relieve();

@@ -312,13 +312,6 @@ bool leaveOverlaps(const StepContext &context, Ball &ball) {
     return pushed.isFree;
 }
 
-bool paysForPush(const StepContext &context, const Ball &ball) {
-    Reporter silent(nullptr, 0.0);
-    Ball pushed = ball;
-    if (!leaveOverlaps({context.setting, silent}, pushed)) return false;
-    return -glm::dot(context.setting.gravity(), pushed.position - ball.position) <= kineticEnergy(context, ball);
-}
-
 void payForLift(const StepContext &context, const Contacts &contacts, const Vec3 &way, Ball &ball) {
     const double lifted = -glm::dot(context.setting.gravity(), way);
     if (!(lifted > 0.0)) return;

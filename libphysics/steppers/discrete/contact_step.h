@@ -99,9 +99,6 @@ private:
 /// Moves the ball out of all boxes. Its velocity stays. False if there is no room for it.
 bool leaveOverlaps(const StepContext &context, Ball &ball);
 
-/// Whether a ball has the energy that a push out of all boxes would lift it by.
-bool paysForPush(const StepContext &context, const Ball &ball);
-
 /// Takes from a ball's motion the energy of a push that lifted it by `way`. One that began the substep, with these
 /// contacts, inside a box is lifted for nothing.
 void payForLift(const StepContext &context, const Contacts &contacts, const Vec3 &way, Ball &ball);

@@ -454,12 +454,12 @@ private:
         return leaveOverlaps(m_context, ball);
     }
 
-    /// Contacts lead the ball to where it wouldn't have come without them. If it moves too slowly to pay for the push
-    /// out of what it would overlap there, it meets that, too. Adds to the ways those that it takes.
+    /// Contacts lead the ball to where it wouldn't have come without them: what it would overlap there, it meets, too.
+    /// Between two edges impacts may follow each other ever faster. Adds to the ways those that it takes.
     void meetAll(double start, Ways &ways, Contacts &contacts, Ball &ball) {
         const Ball before = ball;
         meet(start, ways, contacts, ball);
-        while (!ways.isFull() && overlapsAnother(contacts, ball) && !paysForPush(m_context, ball)) {
+        while (!ways.isFull() && overlapsAnother(contacts, ball)) {
             const uint32_t met = contacts.count();
             ways.add(ball.position - before.position);
             ball = before;
