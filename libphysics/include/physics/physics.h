@@ -410,8 +410,9 @@ typedef void (*phys_scan_function)(void *context, const char *path, phys_status 
 /** Loads every *.so (Windows: *.dll) of a folder, in order of name. Paths are UTF-8.
  *  folder NULL: the folders of PHYS_PLUGIN_PATH (separated by ':', on Windows by ';'),
  *  then `physics-1` beside the library. A refused file doesn't end the scan; `report` (or NULL) hears of each.
- *  Errors: ARGUMENT, FILE (the folder named isn't there), MEMORY. Not while another thread uses the registry. Since
- *  1.0. */
+ *  registry NULL: loads nothing, `report` hears PHYS_OK and an empty text of each file that would be loaded. A host can
+ *  so try each in a process of its own first, because a damaged one may end the process that loads it.
+ *  Errors: FILE (the folder named isn't there), MEMORY. Not while another thread uses the registry. Since 1.0. */
 PHYS_API phys_status phys_registry_scan(phys_registry *registry, const char *folder, phys_scan_function report,
                                         void *context, phys_error *err);
 

@@ -59,9 +59,9 @@ phys_status load(phys_registry &registry, const std::string &path, phys_error *e
     return PHYS_OK;
 }
 
-/// What a scan knows: where the plugins go, and who wants to hear of each file.
+/// What a scan knows: where the plugins go (NULL: nowhere, they are only listed), and who wants to hear of each file.
 struct Scan {
-    phys_registry &registry;
+    phys_registry *registry;
     phys_scan_function report;
     void *context;
 
@@ -70,12 +70,13 @@ struct Scan {
     }
 
     void loadOne(const std::string &path) const {
-        const size_t before = registry.plugins.size();
+        if (!registry) return tell(path, PHYS_OK, "");
+        const size_t before = registry->plugins.size();
         phys_error error{};
-        if (const phys_status status = load(registry, path, &error)) return tell(path, status, error.text);
+        if (const phys_status status = load(*registry, path, &error)) return tell(path, status, error.text);
         std::string ids = "loaded";
-        for (size_t i = before; i < registry.plugins.size(); ++i) {
-            ids += (i > before ? ", " : " ") + std::string(registry.plugins[i].api->id);
+        for (size_t i = before; i < registry->plugins.size(); ++i) {
+            ids += (i > before ? ", " : " ") + std::string(registry->plugins[i].api->id);
         }
         tell(path, PHYS_OK, ids);
     }
@@ -131,8 +132,7 @@ phys_status phys_registry_load_file(phys_registry *registry, const char *path, p
 
 phys_status phys_registry_scan(phys_registry *registry, const char *folder, phys_scan_function report, void *context,
                                phys_error *err) try {
-    if (!registry) return phys::fail(err, PHYS_ERROR_ARGUMENT, "registry is NULL");
-    return phys::scan({*registry, report, context}, folder, err);
+    return phys::scan({registry, report, context}, folder, err);
 } catch (const std::bad_alloc &) {
     return phys::fail(err, PHYS_ERROR_MEMORY, "out of memory for a plugin");
 } catch (...) {

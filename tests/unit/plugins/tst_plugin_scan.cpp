@@ -52,6 +52,7 @@ private slots:
     void pluginsBesideTheLibraryAreFound();
     void anExceptionOfTheListenerStaysInside();
     void aScanNeedsNoListener();
+    void aScanWithoutARegistryOnlyListsTheFiles();
     void aTableLongerThanOursLoads();
     void pluginsStayWhenTheirRegistryGoes();
     void rowsOfAPluginReachTheParameters();
@@ -153,6 +154,15 @@ void PluginScan::anExceptionOfTheListenerStaysInside() {
 void PluginScan::aScanNeedsNoListener() {
     QCOMPARE(phys_registry_scan(m_registry, FIXTURES "/good", nullptr, nullptr, nullptr), PHYS_OK);
     QCOMPARE(phys_registry_count(m_registry), m_builtIn + 2);
+}
+
+void PluginScan::aScanWithoutARegistryOnlyListsTheFiles() {
+    QCOMPARE(scan(nullptr, FIXTURES "/good"), (QByteArrayList{"good.so: PHYS_OK: ", "other.so: PHYS_OK: "}));
+    QCOMPARE(scan(nullptr, FIXTURES "/refused").size(), QDir(FIXTURES "/refused").entryList({"*.so"}).size());
+    qputenv("PHYS_PLUGIN_PATH", "/nowhere/at/all:" FIXTURES "/good");
+    QCOMPARE(scan(nullptr, nullptr).mid(0, 2),
+             (QByteArrayList{"all: PHYS_ERROR_FILE: /nowhere/at/all: a folder of PHYS_PLUGIN_PATH that can't be read",
+                             "good.so: PHYS_OK: "}));
 }
 
 void PluginScan::aTableLongerThanOursLoads() {
