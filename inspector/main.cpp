@@ -6,6 +6,7 @@
 #include "core/program/ending.h"
 #include "core/program/headless.h"
 #include "core/program/outputs.h"
+#include "core/program/plugins.h"
 #include "core/program/trade_command.h"
 #include "core/session/session.h"
 #include "core/setup/files.h"
@@ -21,6 +22,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstring>
 
 namespace {
 
@@ -109,6 +111,7 @@ int runWithWindow(const Options &options, QTextStream &messages) {
 
 int main(int argc, char **argv) {
     keepStandardDescriptors();
+    if (argc == 2 && std::strcmp(argv[1], kProbeOption) == 0) return probePlugin();
     noteEndingSignals();
     QCoreApplication::setApplicationName(QStringLiteral("physics-inspector"));
     QCoreApplication::setOrganizationName(QStringLiteral("libphysics"));
@@ -117,7 +120,7 @@ int main(int argc, char **argv) {
     int count = std::min(argc, 1); // Qt gets the program's name alone
 
     auto withoutDisplay = std::make_unique<QCoreApplication>(count, argv);
-    const CommandLine line = parseCommandLine(words);
+    const CommandLine line = parseCommandLine(words, loadProbedPlugin);
     messages << line.error << Qt::flush;
     if (line.exitStatus) {
         const std::unique_ptr<OutputFile> out = standardOutput();

@@ -76,6 +76,14 @@ Measure isolated(const Work &work) {
     return {text[0] == '1', text.substr(1)};
 }
 
+phys_status load(const char *file, support::RegistryPtr &registry, phys_error &error) {
+    phys_registry *created = nullptr;
+    phys_status status = phys_registry_create(&created, &error);
+    registry.reset(created);
+    if (!status) status = phys_registry_load_file(created, file, &error);
+    return status;
+}
+
 bool say(const char *name, const Measure &measure) {
     std::printf("%-5s %-16s %s\n", measure.isWrong ? "FAIL" : "ok", name, measure.text.c_str());
     std::fflush(stdout);
@@ -106,18 +114,24 @@ int main(int argc, char **argv) {
         std::fprintf(stderr, "usage: %s FILE.so [--stepper ID]\n", argv[0]);
         return 2;
     }
-    phys_registry *created = nullptr;
+    support::RegistryPtr registry;
     phys_error error{};
-    phys_status status = phys_registry_create(&created, &error);
-    const support::RegistryPtr registry(created);
-    if (!status) status = phys_registry_load_file(created, argv[1], &error);
-    if (status) {
+    // A damaged file ends the process that loads it.
+    const Measure trial = isolated([&] {
+        load(argv[1], registry, error);
+        return Measure{};
+    });
+    if (trial.isWrong) {
+        std::fprintf(stderr, "physics-check: %s: %s\n", argv[1], trial.text.c_str());
+        return 2;
+    }
+    if (load(argv[1], registry, error)) {
         std::fprintf(stderr, "physics-check: %s\n", error.text);
         return 2;
     }
     bool isFine = true;
-    for (const std::string &id : witness::stepperIds(created, phys_registry_count(nullptr))) {
-        if (!hasStepper || id == argv[3]) isFine = card(argv[1], {created, id}) && isFine;
+    for (const std::string &id : witness::stepperIds(registry.get(), phys_registry_count(nullptr))) {
+        if (!hasStepper || id == argv[3]) isFine = card(argv[1], {registry.get(), id}) && isFine;
     }
     return isFine ? 0 : 1;
 }

@@ -2,6 +2,7 @@
 #include "core/program/command_line.h"
 
 #include "core/program/outputs.h"
+#include "core/program/plugins.h"
 #include "core/recording/recording.h"
 #include "core/setup/files.h"
 #include "core/setup/lines.h"
@@ -37,7 +38,7 @@ QStringList normalised(const QStringList &arguments) {
     return result;
 }
 
-// The files of --plugin.
+// The files of --plugin. They are loaded before the parser is made, because their steppers' rows become options, too.
 QStringList pluginsOf(const QStringList &arguments) {
     const QString prefix = QStringLiteral("--plugin=");
     QStringList paths;
@@ -46,34 +47,6 @@ QStringList pluginsOf(const QStringList &arguments) {
         if (arguments[i] == QLatin1String("--plugin") && i + 1 < arguments.size()) paths += arguments[++i];
     }
     return paths;
-}
-
-// Of the files of the plugin folders, what was refused.
-struct Refusals {
-    const QStringList &named; // by --plugin: those that are in a folder, too, are no news
-    QStringList lines;
-};
-
-void noteRefusal(void *context, const char *path, phys_status status, const char *text) {
-    auto *refusals = static_cast<Refusals *>(context);
-    const QString file = decodePath(path);
-    const auto isFile = [&](const QString &name) { return isSameFile(name, file); };
-    if (status == PHYS_OK || std::any_of(refusals->named.begin(), refusals->named.end(), isFile)) return;
-    refusals->lines += QStringLiteral("plugin left out: ") + oneLine(decodePath(text));
-}
-
-// Plugins are loaded before the parser is made, because their steppers' rows become options, too. refused: a line for
-// each file of the plugin folders that was left out.
-Registry registryWith(const QStringList &plugins, QStringList *refused) {
-    QString error;
-    Registry registry = makeRegistry(&error);
-    if (!registry) throw WrongUse{error};
-    for (const QString &path : plugins)
-        if (!loadPlugin(registry, path, &error)) throw WrongUse{QStringLiteral("--plugin: ") + error};
-    Refusals refusals{plugins, {}};
-    phys_registry_scan(registry.get(), nullptr, noteRefusal, &refusals, nullptr);
-    *refused = refusals.lines;
-    return registry;
 }
 
 // One row of each id: the board's, the library's and all steppers' own.
@@ -549,10 +522,12 @@ CommandLine ended(const QString &output) {
     return result;
 }
 
-CommandLine parseOrThrow(const QStringList &arguments) {
-    QStringList refused;
+CommandLine parseOrThrow(const QStringList &arguments, PluginLoader load) {
+    QString error;
+    QStringList leftOut;
     const QStringList plugins = pluginsOf(arguments);
-    const Registry registry = registryWith(plugins, &refused);
+    const Registry registry = registryWith(plugins, load, &leftOut, &error);
+    if (!registry) throw WrongUse{QStringLiteral("--plugin: ") + error};
     const std::vector<const phys_param_row *> rows = allRows(registry);
     QCommandLineParser parser;
     parser.setApplicationDescription(QStringLiteral("Shows, plays and tunes one ball rolling through a maze."));
@@ -567,16 +542,18 @@ CommandLine parseOrThrow(const QStringList &arguments) {
     if (parser.isSet("list-steppers")) lists += stepperTable(registry);
     if (parser.isSet("list-parameters")) lists += parameterTable(rows);
     CommandLine result = lists.isEmpty() ? CommandLine{} : ended(lists);
-    for (const QString &line : refused) result.error += QStringLiteral("physics-inspector: %1\n").arg(line);
+    for (const QString &line : leftOut)
+        result.error += QStringLiteral("physics-inspector: plugin left out: %1\n").arg(line);
     if (lists.isEmpty()) result.options = readOptions(parser, rows, registry, plugins);
+    result.options.pluginLoader = load;
     return result;
 }
 
 } // namespace
 
-CommandLine parseCommandLine(const QStringList &arguments) {
+CommandLine parseCommandLine(const QStringList &arguments, PluginLoader load) {
     try {
-        return parseOrThrow(normalised(arguments));
+        return parseOrThrow(normalised(arguments), load);
     } catch (const WrongUse &wrong) {
         CommandLine result;
         result.exitStatus = 2;

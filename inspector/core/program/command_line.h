@@ -17,8 +17,8 @@ struct CommandLine {
     QString error; // for standard error: a line of wrong use, or one for each plugin that was left out
 };
 
-// arguments: the program's name first; file names by decodePath(). Loads plugins and opens, but doesn't change, the
-// files to be written. Needs a QCoreApplication.
-CommandLine parseCommandLine(const QStringList &arguments);
+// arguments: the program's name first; file names by decodePath(). Loads plugins by `load`, and opens, but doesn't
+// change, the files to be written. Needs a QCoreApplication.
+CommandLine parseCommandLine(const QStringList &arguments, PluginLoader load = loadPlugin);
 
 } // namespace inspector

@@ -32,8 +32,9 @@ struct Options {
     enum class Action { Run, PlayAllLevels, Trade, Fit, Replay };
 
     Action action = Action::Run;
-    Registry registry;         // with the plugins loaded
-    QStringList plugins;       // files of --plugin
+    Registry registry;   // with the plugins loaded
+    QStringList plugins; // files of --plugin
+    PluginLoader pluginLoader = loadPlugin;
     std::vector<Level> levels; // the list
     Level level;
     QByteArray stepper = PHYS_STEPPER_DEFAULT;

@@ -62,6 +62,7 @@ std::unique_ptr<Session> Session::open(const Options &options, QSettings &settin
 Session::Session(const Options &options, QSettings &settings, const Scene &scene, const Stepper &stepper)
     : m_settings(settings)
     , m_registry(options.registry)
+    , m_pluginLoader(options.pluginLoader)
     , m_levels(options.levels)
     , m_level(options.level)
     , m_scene(scene)
@@ -198,9 +199,9 @@ bool Session::loadPlugin(const QString &file) {
         const QString before = decodePath(info.file);
         if (!before.isEmpty() && !files.contains(before)) files += before;
     }
-    files += file;
-    for (const QString &each : files)
-        if (!inspector::loadPlugin(registry, each, &error)) return report(error);
+    for (const QString &before : files)
+        if (!inspector::loadPlugin(registry, before, &error)) return report(error);
+    if (!m_pluginLoader(registry, file, &error)) return report(error);
     m_registriesBefore.push_back(std::exchange(m_registry, registry));
     emit steppersAdded();
     return true;

@@ -237,6 +237,7 @@ private:
 
     QSettings &m_settings;
     Registry m_registry;
+    PluginLoader m_pluginLoader;
     std::vector<Registry> m_registriesBefore; // rows and names of theirs are in use
     std::vector<Level> m_levels;
     Level m_level;

@@ -29,6 +29,7 @@ QString stepperName(const Registry &registry, uint32_t index);
 
 // Loads one plugin file into the registry. Only while no other thread uses it.
 bool loadPlugin(const Registry &registry, const QString &path, QString *error);
+using PluginLoader = bool (*)(const Registry &registry, const QString &path, QString *error);
 
 // Writes the library's text into `error` (or nullptr).
 void tell(QString *error, const phys_error &failure);

@@ -37,6 +37,7 @@ private slots:
     void paceOutOfRangeIsRefused_data();
     void paceOutOfRangeIsRefused();
     void levelBesideTheListKeepsTheGamesPlace();
+    void pluginsAreLoadedAsTheOptionsSay();
 
 private:
     std::unique_ptr<QTemporaryDir> m_folder;
@@ -250,6 +251,18 @@ void TestSession::levelBesideTheListKeepsTheGamesPlace() {
     QCOMPARE(m_session->level().name, QString("mine"));
     QCOMPARE(m_session->game().level(), 1);
     QCOMPARE(m_session->game().phase(), Game::Phase::Prompt);
+}
+
+void TestSession::pluginsAreLoadedAsTheOptionsSay() {
+    Options options = optionsOf(1);
+    options.pluginLoader = [](const Registry &, const QString &path, QString *error) {
+        *error = path + " is refused";
+        return false;
+    };
+    const auto session = Session::open(options, *m_settings, nullptr);
+    QSignalSpy failures(session.get(), &Session::failed);
+    QVERIFY(!session->loadPlugin("any.so"));
+    QCOMPARE(failures.value(0).value(0).toString(), QString("any.so is refused"));
 }
 
 QTEST_GUILESS_MAIN(TestSession)
