@@ -28,7 +28,8 @@ bool FloorView::look(const StepContext &context, const Vec3 &start, const Vec3 &
     for (const uint32_t i : scene.boxesNear(start.x, start.y, scene.hasManyBoxes)) {
         const phys_box &box = scene.boxes[i];
         if (box.max.z <= top + tolerance) { // what isn't higher than the floor can't be met on it
-            if (box.max.z >= top - tolerance && Scene::isOver(box, start.x, start.y)) m_floor = &box;
+            const bool isFloor = box.max.z >= top - tolerance && Scene::isOver(box, start.x, start.y);
+            if (isFloor && (!m_floor || box.max.z > m_floor->max.z)) m_floor = &box; // the nearest of them
             continue;
         }
         const bool isFar =

@@ -31,6 +31,7 @@ public:
     FloorRegion run() {
         if (isTooNear() || !lookAround() || !m_floor) return {};
         cutToFloor();
+        if (!isOverFloor(0, m_place.x) || !isOverFloor(1, m_place.y)) return {};
         for (uint32_t i = 0; i < m_count; ++i) {
             if (isTouched(*m_boxes[i]) && !leanOn(*m_boxes[i])) return {};
         }
@@ -75,12 +76,13 @@ private:
         return isEasy;
     }
 
-    /// Whether another floor overlaps the region, so that which of them carries the ball may change.
+    /// Whether another floor overlaps the region or its faces, so that which of them carries the ball may change.
     bool hasOtherFloor() const {
+        const double ends = 2.0 * m_margin; // of the faces, and of what counts as touched there
         return std::any_of(m_floors.begin(), m_floors.begin() + m_floorCount, [&](const phys_box *box) {
             const auto isBeside = [&](int axis) {
-                return (&box->min.x)[axis] > m_region.along[axis].high ||
-                       (&box->max.x)[axis] < m_region.along[axis].low;
+                return (&box->min.x)[axis] > m_region.along[axis].high + ends ||
+                       (&box->max.x)[axis] < m_region.along[axis].low - ends;
             };
             return box != m_floor && !isBeside(0) && !isBeside(1);
         });
@@ -95,6 +97,11 @@ private:
             range.low = std::max(range.low, (&m_floor->min.x)[axis] + m_margin);
             range.high = std::min(range.high, (&m_floor->max.x)[axis] - m_margin);
         }
+    }
+
+    /// Whether a centre is beside the ends of the floor: on them another floor may carry the ball.
+    bool isOverFloor(int axis, double place) const {
+        return place >= (&m_floor->min.x)[axis] + m_margin && place <= (&m_floor->max.x)[axis] - m_margin;
     }
 
     double faceAtLow(const phys_box &box, int axis) const { return (&box.max.x)[axis] + m_scene.radius; }
@@ -189,11 +196,11 @@ private:
                 const bool isLong =
                     (&box.min.x)[1 - axis] + m_margin < length.low && (&box.max.x)[1 - axis] - m_margin > length.high;
                 if (!isLong) continue;
-                if (range.low == (&box.max.x)[axis] + m_clear) {
+                if (range.low == (&box.max.x)[axis] + m_clear && isOverFloor(axis, faceAtLow(box, axis))) {
                     range.lowFace = faceAtLow(box, axis);
                     range.lowBox = numberOf(box);
                 }
-                if (range.high == (&box.min.x)[axis] - m_clear) {
+                if (range.high == (&box.min.x)[axis] - m_clear && isOverFloor(axis, faceAtHigh(box, axis))) {
                     range.highFace = faceAtHigh(box, axis);
                     range.highBox = numberOf(box);
                 }
