@@ -36,6 +36,20 @@ ExactStep::ExactStep(const Scene &scene, FloorRegions &regions, const phys_param
 phys_status ExactStep::advance(phys_state &out) {
     m_report.substeps(1, 0);
     if (const phys_status status = pushOut()) return status;
+    if (!rollsOn()) {
+        if (const phys_status status = followEvents()) return status;
+    }
+    if (const phys_status status = checkWork()) return status;
+    const Vec3 sum = m_position + m_motion.velocity + m_motion.spin;
+    if (!std::isfinite(sum.x + sum.y + sum.z)) {
+        return fail(m_err, PHYS_ERROR_INTERNAL, "the step's result isn't a number");
+    }
+    leave(out);
+    return PHYS_OK;
+}
+
+/// The loop of model.md 8.1.
+phys_status ExactStep::followEvents() {
     if (const phys_status status = resolve()) return status;
     Pace pace(m_left);
     Phase phase(Uniform{m_motion.velocity, Vec3(0.0), m_motion.spin, Vec3(0.0)});
@@ -55,12 +69,6 @@ phys_status ExactStep::advance(phys_state &out) {
         if (m_left == 0.0 && end.cause == Cause::time) break;
         if (const phys_status status = resolve()) return status;
     }
-    if (const phys_status status = checkWork()) return status;
-    const Vec3 sum = m_position + m_motion.velocity + m_motion.spin;
-    if (!std::isfinite(sum.x + sum.y + sum.z)) {
-        return fail(m_err, PHYS_ERROR_INTERNAL, "the step's result isn't a number");
-    }
-    leave(out);
     return PHYS_OK;
 }
 
@@ -86,6 +94,7 @@ phys_status ExactStep::checkWork() const {
 
 /// Looks for the region of the floor that the ball is in, and for the boxes that it touches there.
 void ExactStep::findGround() {
+    if (runsAllStages()) return;
     const Vec3 &v = m_motion.velocity;
     m_region = m_regions.around(fromVec(m_position), v.x == 0.0 || v.y == 0.0);
     if (!m_region) return;
@@ -224,12 +233,60 @@ End ExactStep::firstEvent(const P &phase, Border &border) {
 
 /// Whether nothing can be met in this step but what the ball leans on.
 bool ExactStep::isOpen(double acceleration) const {
-    if (m_elapsed > 0.0) return false;
+    if (m_elapsed > 0.0 || runsAllStages()) return false;
     const double way = m_left * (glm::length(m_motion.velocity) + 0.5 * m_left * acceleration);
     if (!staysOnGround(acceleration) && way > m_openWay) return false;
     uint32_t closed = 0;
     for (uint32_t i = 0; i < m_heldCount; ++i) closed += isClosed(i) ? 1 : 0;
     return closed == m_nearBoxes;
+}
+
+/// Most steps of most scenes: a ball rolls along a curve over one floor and stays in its region. Then nothing needs to
+/// be resolved, chosen or searched for. False if it isn't that plain.
+bool ExactStep::rollsOn() {
+    if (m_ground.count() != 1 || m_nearBoxes != 1 || m_motion.velocity.z != 0.0 || !(m_left > 0.0)) return false;
+    const Vec3 level(m_params.gravity.x, m_params.gravity.y, 0.0), up(0.0, 0.0, 1.0);
+    const double R = m_scene.radius, pressure = -m_params.gravity.z, resistance = m_params.rolling_friction * pressure;
+    if (!(resistance > 0.0) || !turnsAgainst(level, resistance)) return false;
+    if (m_setting.isRigid()) {
+        if (2.0 / 7.0 * glm::length(level) > m_params.sliding_friction * pressure) return false;
+        if (!isNoSlip(moment(), slipAt(moment(), up))) return false;
+    }
+    const Vec3 spin = m_setting.isRigid() ? m_motion.spin : rollingSpin(inPlane(m_motion.velocity), R);
+    const Resisted phase =
+        Resisted::rolling(2, m_motion.velocity, 5.0 / 7.0 * level, 5.0 / 7.0 * resistance, R, spin, up);
+    if (isNoSlip(moment(), R * Vec3(spin.x, spin.y, 0.0)) || phase.end().after < m_left) return false;
+    if (!staysOnGround(phase.mostAcceleration())) return false;
+    holdFloor(level, pressure);
+    follow(phase, {m_left, Cause::time, 0}, Border());
+    return true;
+}
+
+/// Whether the way of a rolling ball surely bends: its velocity has a direction of its own beside the drive.
+bool ExactStep::turnsAgainst(const Vec3 &drive, double resistance) const {
+    constexpr double kLeast = 1e-10; // sine of the angle between the velocity and how it changes
+    const Vec3 &v = m_motion.velocity;
+    const double across = v.x * drive.y - v.y * drive.x, most = kLeast * (glm::length(drive) + resistance);
+    return across * across > most * most * glm::dot(v, v);
+}
+
+/// What `resolve` and `choose` come to where a ball rolls over one floor.
+void ExactStep::holdFloor(const Vec3 &level, double pressure) {
+    Contact floor{};
+    floor.box = m_region->floor;
+    floor.sides = {0, 0, 1};
+    floor.normal = {0.0, 0.0, 1.0};
+    floor.isTop = true;
+    floor.isGlued = !m_setting.isRigid();
+    floor.friction = m_setting.isRigid() ? m_params.sliding_friction : 0.0;
+    m_contacts.add(floor);
+    addHeld(0);
+    m_motion.velocity.z = 0.0;
+    roll(false);
+    m_response.count = 1;
+    m_response.reactions[0] = {Mode::sticking, pressure, Vec3(0.0), Vec3(0.0), Vec3(0.0)};
+    m_response.acceleration = level;
+    m_isAnswered = true;
 }
 
 template<class P>

@@ -67,10 +67,14 @@ private:
     bool m_supported = false;              // reported last
     uint32_t m_wall = PHYS_NO_BOX;
 
+    phys_status followEvents();
     phys_status keep(Pace &pace);
     phys_status checkWork() const;
     void findGround();
     bool staysOnGround(double acceleration) const;
+    bool rollsOn();
+    bool turnsAgainst(const Vec3 &drive, double resistance) const;
+    void holdFloor(const Vec3 &level, double pressure);
     phys_status pushOut();
     void leave(phys_state &out);
 
@@ -128,6 +132,7 @@ private:
 
     std::span<const Held> held() const { return {m_held.data(), m_heldCount}; }
     const Contact &contactOf(uint32_t held) const { return m_contacts[m_lasting[held]]; }
+    bool runsAllStages() const { return (m_params.options & PHYS_OPTION_ALL_STAGES) != 0; }
     bool isOnGround() const { return m_ground.count() > 0; }
     bool isClosed(uint32_t held) const { return m_response.reactions[held].mode != Mode::open; }
     uint32_t closedBits() const;
