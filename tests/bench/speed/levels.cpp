@@ -46,6 +46,7 @@ Level levelOf(int number) {
 /// What is measured: seconds of CPU time a step on one level.
 struct Contender {
     std::string name;
+    uint64_t steps; ///< that are made on a level
     std::function<double(const Level &)> secondsPerStep;
 };
 
@@ -133,10 +134,11 @@ double stepEngine(const EngineKind &kind, const Level &level) {
 std::vector<Contender> contenders() {
     std::vector<Contender> all;
     const auto add = [&](const char *name, const Way &way, double (*step)(const Way &, const Level &)) {
-        all.push_back({name, [way, step](const Level &level) { return step(way, level); }});
+        const uint64_t steps = step == stepAsBatch ? kBalls * kBatchSteps : kSteps;
+        all.push_back({name, steps, [way, step](const Level &level) { return step(way, level); }});
     };
     for (const EngineKind &kind : chipmunkEngines()) {
-        all.push_back({kind.name, [kind](const Level &level) { return stepEngine(kind, level); }});
+        all.push_back({kind.name, kSteps, [kind](const Level &level) { return stepEngine(kind, level); }});
     }
     add("symplectic-euler", {"symplectic-euler", PHYS_MODEL_ROLLING, 0, false}, stepOneByOne);
     add("velocity-verlet", {"velocity-verlet", PHYS_MODEL_ROLLING, 0, false}, stepOneByOne);
@@ -228,7 +230,7 @@ void print(const std::map<std::string, std::vector<double>> &medians) {
 
 } // namespace
 
-/// Runs one contender on all levels and nothing else: what a profiler looks at.
+/// Runs one contender on all levels and nothing else, and prints how many steps that were: what a profiler looks at.
 int runOnly(const std::string &name, const std::vector<Level> &levels) {
     const std::vector<Contender> all = contenders();
     const auto chosen = std::find_if(all.begin(), all.end(), [&](const Contender &each) { return each.name == name; });
@@ -237,6 +239,7 @@ int runOnly(const std::string &name, const std::vector<Level> &levels) {
         return 2;
     }
     for (const Level &level : levels) chosen->secondsPerStep(level);
+    std::printf("%llu\n", static_cast<unsigned long long>(chosen->steps * levels.size()));
     return 0;
 }
 

@@ -11,8 +11,8 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <functional>
+#include <string>
 #include <thread>
 
 namespace {
@@ -166,6 +166,8 @@ void printBeside(const std::vector<EngineKind> &kinds, const Scene &scene, const
         print(what, least, secondsPerStep(kinds.front(), scene) * 1e6 * rate);
 }
 
+Scene roomyMaze() { return mazeScene(kMazeSizes.front(), kMazeSizes.front().seeds.front()); }
+
 void printRates(const phys_scene &level) {
     const ScenePointer open = openFloor(phys_scene_radius(&level));
     std::printf("%-78s %8s %9s\n", "1,024 balls, 500 steps of 10 ms, a tilt of its own each 0.5 s for each", "at least",
@@ -178,10 +180,30 @@ void printRates(const phys_scene &level) {
     print("level 10, symplectic-euler, two threads, times as fast", 1.9, gainOfTwoThreads(level));
     printBeside(mujocoEngines(), topView(level),
                 "level 10, symplectic-euler, times as fast as MuJoCo's mj_step in a loop", 100, inLevel);
-    const Scene maze = mazeScene(kMazeSizes.front(), kMazeSizes.front().seeds.front());
+    const Scene maze = roomyMaze();
     const ScenePointer roomy = createScene(maze);
     printBeside(chipmunkEngines(), maze, "roomy maze, frictionless, symplectic-euler, times as fast as Chipmunk",
                 1 / 0.06, rate(Balls(*roomy, maze.rolls)));
+}
+
+/// What a profiler looks at; prints how many steps that were.
+void runOnce(const Balls &balls) {
+    const StepperPointer stepper = createStepper(PHYS_STEPPER_DEFAULT, balls.scene);
+    balls.run(stepper.get(), 0, kBalls);
+    std::printf("%llu\n", static_cast<unsigned long long>(kBalls * kSteps));
+}
+
+void runInRoomyMaze() {
+    const Scene maze = roomyMaze();
+    const ScenePointer roomy = createScene(maze);
+    runOnce(Balls(*roomy, maze.rolls));
+}
+
+void runInTheOpen(const phys_scene &level) {
+    const ScenePointer open = openFloor(phys_scene_radius(&level));
+    Balls balls(*open);
+    balls.keepTilts();
+    runOnce(balls);
 }
 
 /// The sweep that tests/bench/speed/sweep.py makes too.
@@ -218,13 +240,17 @@ void printSweep(const phys_scene &level) {
 
 int main(int count, char **arguments) {
     const ScenePointer level = loadScene(kLevel);
-    const bool isSweep = count == 2 && std::strcmp(arguments[1], "--sweep") == 0;
-    if (count > 1 && !isSweep) {
-        std::fputs("usage: bench_many [--sweep]\n", stderr);
+    const std::string what = count == 2 ? arguments[1] : "";
+    if (count == 1) {
+        printRates(*level);
+    } else if (what == "--sweep") {
+        printSweep(*level);
+    } else if (what == "--roomy") {
+        runInRoomyMaze();
+    } else if (what == "--open") {
+        runInTheOpen(*level);
+    } else {
+        std::fputs("usage: bench_many [--sweep|--roomy|--open]\n", stderr);
         return 2;
     }
-    if (isSweep)
-        printSweep(*level);
-    else
-        printRates(*level);
 }
