@@ -77,8 +77,9 @@ void Series::build(const Moment &moment, std::span<const Held> held, const Respo
         ++m_count;
     }
     begin(response);
+    const bool slides = isSliding();
     for (int k = 1; k < kOrder; ++k) {
-        forces(k);
+        slides ? slide(k) : forces(k);
         move(k);
     }
     m_a[kOrder] = m_al[kOrder] = Vec3(0.0);
@@ -198,6 +199,26 @@ void Series::directions(Contact &contact, int k) {
     if (k == 0) return;
     contact.d[k] = Vec3(0.0);
     for (int j = 0; j <= k; ++j) contact.d[k] += contact.inverse[k - j] * contact.u[j + shift];
+}
+
+/// Whether the ball slips on one face and leans on a smooth one across it: the pressure on the first is constant then,
+/// so that nothing has to be solved.
+bool Series::isSliding() const {
+    if (m_count != 2) return false;
+    const Contact &a = m_contacts[0], &b = m_contacts[1];
+    const bool areModes =
+        (a.mode == Mode::slipping && b.mode == Mode::smooth) || (a.mode == Mode::smooth && b.mode == Mode::slipping);
+    return areModes && a.isFlat && b.isFlat && glm::dot(a.n[0], b.n[0]) == 0.0;
+}
+
+void Series::slide(int k) {
+    const bool slipsFirst = m_contacts[0].mode == Mode::slipping;
+    Contact &face = m_contacts[slipsFirst ? 0 : 1], &wall = m_contacts[slipsFirst ? 1 : 0];
+    face.N[k] = 0.0;
+    face.r[k] = face.N[0] * (-face.held.friction * face.d[k]);
+    wall.N[k] = -glm::dot(wall.n[0], face.r[k]);
+    m_a[k] = face.r[k] + wall.N[k] * wall.n[0];
+    m_al[k] = -kInertia / m_moment.radius * face.crossNormal(face.r, k);
 }
 
 void Series::forces(int k) {

@@ -86,6 +86,8 @@ private:
     uint32_t given(uint32_t i) const { return m_index[i]; }
 
     void begin(const Response &response);
+    bool isSliding() const;
+    void slide(int k);
     void forces(int k);
     void knownForces(Contact &contact, int k);
     void knownAccelerations(int k);

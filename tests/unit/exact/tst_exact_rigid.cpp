@@ -13,6 +13,7 @@ private slots:
     void slipEndsRolling();
     void impactCostsSpeedTwice();
     void slipAfterAnImpactLastsAsLongAsPredicted();
+    void slipBesideAWallOnTheRoughestFloorEndsInTime();
     void roughWallLiftsTheBall_data();
     void roughWallLiftsTheBall();
     void grooveTakesFiveNinths();
@@ -86,6 +87,20 @@ void ExactRigid::slipAfterAnImpactLastsAsLongAsPredicted() {
     QCOMPARE(run.events.size(), size_t(2));
     QVERIFY(near(run.events[1].time - run.events[0].time, 0.087374399301004805592, 2.0));
     QVERIFY(near(run.state.velocity.x, -1.0 / 7.0, 2.0));
+}
+
+/// u_x' = g_x - (7/2) mu N u_x/|u| and u_y' = -(5/2) mu N u_y/|u|, by quadrature to 30 digits.
+void ExactRigid::slipBesideAWallOnTheRoughestFloorEndsInTime() {
+    Run run({kFloor, exact::wall(-1, -1, 1, -0.0078125)}, 0.0078125, {0, 0, 0.0078125});
+    run.params.model = PHYS_MODEL_RIGID;
+    run.params.sliding_friction = 1e6;
+    run.params.wall_friction = 0.0;
+    run.params.gravity = {3.4751098306613488, -3.4751098306613506, -8.4901898288366731};
+    run.state.spin = {219.63732325533238, 180.42133102093305, 182.32103503476674};
+    run.step(1e-3);
+    const std::vector<phys_event> rolls = run.eventsOf(PHYS_EVENT_ROLL);
+    QCOMPARE(rolls.size(), size_t(1));
+    QVERIFY(near(rolls[0].time, 9.45696980532896536804e-08, 2.0));
 }
 
 void ExactRigid::roughWallLiftsTheBall_data() {
