@@ -114,7 +114,7 @@ private:
     template<class N>
     [[gnu::always_inline]] static RegionStep<N> rollFree(const BallsInRegion<N> &balls, const RegionLimits &limits) {
         const InRegion<N> &x = balls.x, &y = balls.y;
-        const RegionStep<N> step = rollBy(balls.drive.A, balls, limits);
+        RegionStep<N> step = rollBy(balls.drive.A, balls, limits);
         MaskOf<N> isFine =
             all(step.isFine, x.isFree(x.place + step.displacement.x), y.isFree(y.place + step.displacement.y),
                 staysFast(limits, balls.velocity(), step.velocity));
@@ -123,7 +123,8 @@ private:
             isFine = all(isFine, wayOf(step) <= limits.reach, x.isFree(x.place + turn.x), y.isFree(y.place + turn.y));
         }
         if (limits.isOpen) isFine = all(isFine, staysOnFloor(balls, limits));
-        return {step.velocity, step.displacement, isFine};
+        step.isFine = isFine;
+        return step;
     }
 
     /// Any balls.
