@@ -100,26 +100,33 @@ bool ExactStep::isUniform() const {
     return true;
 }
 
-/// Whether an edge and another smooth contact hold the ball in a groove along an axis, so that it can move along that
+/// Whether smooth contacts, an edge among them, hold the ball in a groove along an axis, so that it can move along that
 /// alone. Series would make motions of rounding, which normals that all but oppose each other make large.
 bool ExactStep::isInGroove(int axis) const {
     Vec3 first(0.0);
-    bool holds = false, hasEdge = false;
+    bool holds = false;
     for (uint32_t i = 0; i < m_heldCount; ++i) {
         if (!isClosed(i)) continue;
         if (m_response.reactions[i].mode != Mode::smooth || contactOf(i).sides[axis] != 0) return false;
         const Vec3 &n = m_held[i].normal;
         holds = holds || glm::length(glm::cross(first, n)) > kParallel;
-        hasEdge = hasEdge || !contactOf(i).isFace();
         first = n;
     }
     Vec3 across = m_motion.velocity;
     across[axis] = 0.0;
-    return holds && hasEdge && across == Vec3(0.0);
+    return holds && across == Vec3(0.0);
+}
+
+bool ExactStep::pressesFacesAlone() const {
+    for (uint32_t i = 0; i < m_heldCount; ++i) {
+        if (isClosed(i) && !contactOf(i).isFace()) return false;
+    }
+    return true;
 }
 
 /// What is across a groove that holds the ball was rounding.
 void ExactStep::keepInGroove() {
+    if (pressesFacesAlone()) return;
     for (int axis = 0; axis < 3; ++axis) {
         if (!isInGroove(axis)) continue;
         const double along = m_response.acceleration[axis];

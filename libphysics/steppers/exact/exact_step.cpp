@@ -51,10 +51,10 @@ phys_status ExactStep::advance(phys_state &out) {
 /// The loop of model.md 8.1.
 phys_status ExactStep::followEvents() {
     if (const phys_status status = resolve()) return status;
-    Pace pace(m_left);
+    ZenoGuard guard(m_left);
     Phase phase(Uniform{m_motion.velocity, Vec3(0.0), m_motion.spin, Vec3(0.0)});
     while (m_left > 0.0) {
-        if (const phys_status status = keep(pace)) return status;
+        if (const phys_status status = checkProgress(guard)) return status;
         if (const phys_status status = choose(phase)) return status;
         if (isStill() && restsNow()) break;
         End end;
@@ -73,12 +73,12 @@ phys_status ExactStep::followEvents() {
 }
 
 /// Refuses a step that doesn't come to its end, or not in any time worth waiting for.
-phys_status ExactStep::keep(Pace &pace) {
-    if (pace.momentStart - m_left > pace.moment) {
-        pace.momentStart = m_left;
-        pace.eventsInMoment = 0;
+phys_status ExactStep::checkProgress(ZenoGuard &guard) {
+    if (guard.momentStart - m_left > guard.moment) {
+        guard.momentStart = m_left;
+        guard.eventsInMoment = 0;
     }
-    if (++pace.eventsInMoment > kMomentCap) {
+    if (++guard.eventsInMoment > kMomentCap) {
         return fail(m_err, PHYS_ERROR_EVENT_CAP, "more than %u events at one moment, %.9g s before the step's end",
                     kMomentCap, m_left);
     }

@@ -30,9 +30,9 @@ private:
     static constexpr double kParallel = 1e-12;
     static constexpr uint32_t kManyBoxes = 0xffffffff;
 
-    /// How the events of a step get on.
-    struct Pace {
-        explicit Pace(double left)
+    /// Tells Zeno's behaviour, events that follow each other without end in no time.
+    struct ZenoGuard {
+        explicit ZenoGuard(double left)
             : moment(1e-9 * left)
             , momentStart(left) {}
 
@@ -68,7 +68,7 @@ private:
     uint32_t m_wall = PHYS_NO_BOX;
 
     phys_status followEvents();
-    phys_status keep(Pace &pace);
+    phys_status checkProgress(ZenoGuard &guard);
     phys_status checkWork() const;
     void findGround();
     bool staysOnGround(double acceleration) const;
@@ -104,6 +104,7 @@ private:
     void takeJammed(const Moment &jammed);
     bool isUniform() const;
     bool isInGroove(int axis) const;
+    bool pressesFacesAlone() const;
     void keepInGroove();
     bool isAlone(uint32_t &closed) const;
     bool isStill() const;
