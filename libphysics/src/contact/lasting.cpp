@@ -24,6 +24,8 @@ Vec3 clipped(const Vec3 &v, double most) {
 
 double size(const Vec3 &v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
+bool areOpposite(const Lasting &a, const Lasting &b) { return size(a.lever + b.lever) <= kSameNormal; }
+
 /// The least reaction that keeps the ball from approaching.
 double reactionOf(const Lasting &contact, const Motion &motion) {
     const double missing = contact.slow - glm::dot(contact.limit, motion.velocity);
@@ -158,12 +160,12 @@ double LastingContacts::sweep(double rollingFriction, bool arePressed, Motion &m
 }
 
 /// Whether one contact at a time would come to the reactions too slowly: cos^2 of the normals' angle is what a sweep
-/// leaves of an error.
+/// leaves of an error. Opposite ones don't share a load: releaseOpposite.
 bool LastingContacts::haveAlignedNormals() const {
     constexpr double kAligned = 0.9;
     for (const Lasting *a = begin(); a != end(); ++a) {
         for (const Lasting *b = a + 1; b != end(); ++b) {
-            if (std::abs(glm::dot(a->lever, b->lever)) > kAligned) return true;
+            if (std::abs(glm::dot(a->lever, b->lever)) > kAligned && !areOpposite(*a, *b)) return true;
         }
     }
     return false;
@@ -210,8 +212,10 @@ double LastingContacts::pressTogether(double negligible, Motion &motion) {
 
 /// False if that comes to no end.
 bool LastingContacts::settle(double rollingFriction, double negligible, bool releases, Motion &motion) {
-    const bool pressesTogether = haveAlignedNormals();
+    constexpr int kMostTogether = 100; // a very rough contact may take turns with others for ever
+    const bool areAligned = haveAlignedNormals();
     for (int i = 0; i < kMostSweeps; ++i) {
+        const bool pressesTogether = areAligned && i < kMostTogether;
         const double pressed = pressesTogether ? pressTogether(negligible, motion) : kNotPressed;
         const bool arePressed = pressed != kNotPressed;
         const double swept = sweep(rollingFriction, arePressed, motion);
@@ -249,7 +253,7 @@ bool LastingContacts::releaseOpposite(double negligible) {
     for (Lasting *a = begin(); a != end(); ++a) {
         for (Lasting *b = a + 1; b != end(); ++b) {
             const double squeeze = std::min(a->reaction, b->reaction);
-            if (squeeze <= negligible || size(a->lever + b->lever) > kSameNormal) continue;
+            if (squeeze <= negligible || !areOpposite(*a, *b)) continue;
             a->reaction -= squeeze;
             b->reaction -= squeeze;
             any = true;

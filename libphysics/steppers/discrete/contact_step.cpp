@@ -11,9 +11,6 @@ namespace phys {
 
 namespace {
 
-/// Speeds below this share of sqrt(g R) are what rounding leaves of a ball that stopped.
-constexpr double kStill = 1e-12;
-
 /// Slip below this share of the speeds is none.
 constexpr double kRolling = 1e-9;
 

@@ -22,6 +22,9 @@ struct StepContext {
     bool isRigid() const { return setting.isRigid(); }
 };
 
+/// Below this share of gravity, or of sqrt(g R), is what rounding leaves of a ball that stopped.
+inline constexpr double kStill = 1e-12;
+
 inline Motion motionOf(const Ball &ball) { return {ball.velocity, ball.spin}; }
 
 inline void setMotion(const Motion &motion, Ball &ball) {

@@ -46,6 +46,16 @@ public:
     /// Whether the ball stays as it is.
     bool rests(Ball &ball) const { return phys::rests(m_context, ball); }
 
+    /// Whether a substep left the ball as it was, but for rounding, and so will all that follow: it rests, or turns on
+    /// the spot.
+    bool stays(const Ball &before, const Ball &after) const {
+        const Vec3 pull = m_h * m_context.setting.gravity();
+        const double negligible = kStill * kStill * glm::dot(pull, pull);
+        const Vec3 turned = m_context.radius() * (after.spin - before.spin);
+        return glm::dot(before.velocity, before.velocity) <= negligible &&
+               glm::dot(after.velocity, after.velocity) <= negligible && glm::dot(turned, turned) <= negligible;
+    }
+
     /// A substep of a ball that lies on a floor and meets nothing but upright smooth faces, `start` seconds into the
     /// step: bounces act along one axis, and the drive loses what faces take, model.md 13.5. False, and nothing done,
     /// elsewhere.

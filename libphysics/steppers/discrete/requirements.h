@@ -10,7 +10,7 @@
 namespace phys {
 
 /// More substeps than this in one step are refused.
-inline constexpr uint32_t kSubstepCap = 10'000;
+inline constexpr uint32_t kSubstepCap = 1'000'000;
 
 /// What one step runs.
 struct StepPlan {

@@ -93,7 +93,9 @@ struct DiscreteStepper {
         if (reporter.wanted()) before.supported = substep.supports(before);
         Ball ball = loadBall(*in);
         for (uint32_t i = 1; i <= substeps; ++i) {
+            const Ball last = ball;
             if (!substep.run(i * h, ball)) return refuseStuck(before.position, err);
+            if (i < substeps && substep.stays(last, ball)) break;
         }
         finishStep(substep, input, before, ball, stepPlan, reporter, *out);
         return PHYS_OK;

@@ -57,7 +57,7 @@ namespace {
 
 const QByteArray kFloor = "box -0.1 -0.1 -0.01 0.05 0.1 0\n";
 // So long that a ball gets too fast for an Euler scheme's substeps, with a wall to look out for.
-const QByteArray kLongFloor = "box -0.1 -0.1 -0.01 1000 0.1 0\nbox 999 -0.1 0 1000 0.1 0.02\n";
+const QByteArray kLongFloor = "box -0.1 -0.1 -0.01 1e5 0.1 0\nbox 99999 -0.1 0 1e5 0.1 0.02\n";
 
 Options optionsOf(int level) {
     Options options;
@@ -327,7 +327,7 @@ void TestComparison::refusedStepIsSaidOnceAndTheBallGoesOn() {
     options.level = levelOfFile(mazeOf(kLongFloor));
     options.settings = {{"tilt_x", 30.0}};
     options.stepper = "exact";
-    options.dt = 1.0;
+    options.dt = 10.0;
     const auto alone = open(options);
     makeSteps(*alone, 15);
     options.comparison = GhostChoice{"symplectic-euler", 1};
@@ -454,9 +454,9 @@ void TestComparison::tableWithoutAGhostIsAsBefore() {
 
 void TestComparison::refusedRunHasEmptyFieldsAndStatus1() {
     const Result result = runOf({"--headless", "--level", mazeOf(kLongFloor), "--stepper", "exact", "--tilt-x", "30",
-                                 "--dt", "1", "--duration", "15", "--compare", "symplectic-euler"});
+                                 "--dt", "10", "--duration", "150", "--compare", "symplectic-euler"});
     QCOMPARE(result.status, 1);
-    QVERIFY2(result.messages.contains("physics-inspector: --compare: at 8 s: this step needs "),
+    QVERIFY2(result.messages.contains("physics-inspector: --compare: at 80 s: this step needs "),
              qPrintable(result.messages));
     QCOMPARE(result.rows().size(), 15);
     QVERIFY(!result.rows().first().endsWith(','));
