@@ -255,4 +255,16 @@ void findContactsAmong(const Setting &setting, const Vec3 &position, const Motio
     out.sort(motion, setting.gravity(), setting.scene.radius);
 }
 
+Contact contactAtFace(const Setting &setting, const Vec3 &position, uint32_t box, int axis, int side) {
+    const phys_box &bounds = setting.scene.boxes[box];
+    Contact contact{};
+    contact.point = position;
+    contact.point[axis] = side > 0 ? (&bounds.max.x)[axis] : (&bounds.min.x)[axis];
+    contact.sides[static_cast<size_t>(axis)] = side;
+    contact.normal[axis] = side;
+    contact.box = box;
+    setCoefficients(setting, contact);
+    return contact;
+}
+
 } // namespace phys

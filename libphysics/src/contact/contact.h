@@ -131,6 +131,10 @@ bool findContacts(const Setting &setting, const Vec3 &position, const Motion &mo
 void findContactsAmong(const Setting &setting, const Vec3 &position, const Motion &motion,
                        std::span<const uint32_t> boxes, Contacts &out);
 
+/// The contact of a ball with a face that it is exactly at the radius of, beside the face's ends. side: +1 or -1, the
+/// direction of its normal along the axis.
+Contact contactAtFace(const Setting &setting, const Vec3 &position, uint32_t box, int axis, int side);
+
 inline bool findContacts(const Setting &setting, const Vec3 &position, const Motion &motion, const Vec3 &way,
                          Contacts &out) {
     return findContacts(setting, position, motion, std::span(&way, 1), out);

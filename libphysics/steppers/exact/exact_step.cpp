@@ -257,7 +257,8 @@ bool ExactStep::rollsOn() {
         Resisted::rolling(2, m_motion.velocity, 5.0 / 7.0 * level, 5.0 / 7.0 * resistance, R, spin, up);
     if (isNoSlip(moment(), R * Vec3(spin.x, spin.y, 0.0)) || phase.end().after < m_left) return false;
     if (!staysOnGround(phase.mostAcceleration())) return false;
-    holdFloor(level, pressure);
+    holdGround();
+    answerRolling(level, pressure);
     follow(phase, {m_left, Cause::time, 0}, Border());
     return true;
 }
@@ -270,19 +271,8 @@ bool ExactStep::turnsAgainst(const Vec3 &drive, double resistance) const {
     return across * across > most * most * glm::dot(v, v);
 }
 
-/// What `resolve` and `choose` come to where a ball rolls over one floor.
-void ExactStep::holdFloor(const Vec3 &level, double pressure) {
-    Contact floor{};
-    floor.box = m_region->floor;
-    floor.sides = {0, 0, 1};
-    floor.normal = {0.0, 0.0, 1.0};
-    floor.isTop = true;
-    floor.isGlued = !m_setting.isRigid();
-    floor.friction = m_setting.isRigid() ? m_params.sliding_friction : 0.0;
-    m_contacts.add(floor);
-    addHeld(0);
-    m_motion.velocity.z = 0.0;
-    roll(false);
+/// What `choose` comes to where a ball rolls over one floor.
+void ExactStep::answerRolling(const Vec3 &level, double pressure) {
     m_response.count = 1;
     m_response.reactions[0] = {Mode::sticking, pressure, Vec3(0.0), Vec3(0.0), Vec3(0.0)};
     m_response.acceleration = level;

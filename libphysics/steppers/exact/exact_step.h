@@ -74,14 +74,16 @@ private:
     bool staysOnGround(double acceleration) const;
     bool rollsOn();
     bool turnsAgainst(const Vec3 &drive, double resistance) const;
-    void holdFloor(const Vec3 &level, double pressure);
+    void answerRolling(const Vec3 &level, double pressure);
     phys_status pushOut();
     void leave(phys_state &out);
 
     phys_status resolve();
     void touch();
     bool movesAlongFaces() const;
+    bool movesAlongGround() const;
     void keepFaces();
+    void holdGround();
     void takeFaces();
     bool collide(double negligible);
     void endBounces(double negligible);

@@ -28,10 +28,14 @@ constexpr double kSlowDecay = 0.95;
 phys_status ExactStep::resolve() {
     m_isAnswered = false;
     const double speed = glm::length(m_motion.velocity), negligible = negligibleSpeed(m_motion, m_scene.radius);
+    if (movesAlongGround()) {
+        holdGround();
+        return PHYS_OK;
+    }
     touch();
     if (movesAlongFaces()) {
+        takeFaces();
         keepFaces();
-        roll(false);
         return PHYS_OK;
     }
     const bool wasCarried = isCarried(negligible);
@@ -58,8 +62,30 @@ bool ExactStep::movesAlongFaces() const {
     });
 }
 
+/// Whether the ball starts on a floor in a region of it, at one smooth wall at most, and has no velocity across them:
+/// then nothing depends on the order of contacts.
+bool ExactStep::movesAlongGround() const {
+    const Vec3 &v = m_motion.velocity;
+    if (m_elapsed > 0.0 || !isOnGround() || m_ground.count() > 2 || v.z != 0.0) return false;
+    const bool isSmooth = !m_setting.isRigid() || m_params.wall_friction == 0.0;
+    return m_ground.count() == 1 || (isSmooth && v[m_region->leansAlong(m_position)] == 0.0);
+}
+
+/// What is touched there needs no search.
+void ExactStep::holdGround() {
+    m_contacts.clear();
+    m_contacts.add(contactAtFace(m_setting, m_position, m_region->floor, 2, 1));
+    m_position.z = m_contacts[0].point.z + m_scene.radius;
+    if (m_ground.count() > 1) {
+        const int axis = m_region->leansAlong(m_position);
+        const int side = m_position[axis] == m_region->along[static_cast<size_t>(axis)].lowFace ? 1 : -1;
+        m_contacts.add(contactAtFace(m_setting, m_position, m_ground[1], axis, side));
+    }
+    keepFaces();
+}
+
+/// All contacts last, and nothing is left of a velocity across them.
 void ExactStep::keepFaces() {
-    takeFaces();
     m_heldCount = 0;
     const bool moves = m_motion.velocity != Vec3(0.0);
     for (uint32_t i = 0; i < m_contacts.count(); ++i) {
@@ -68,6 +94,7 @@ void ExactStep::keepFaces() {
             if (m_contacts[i].sides[axis] != 0) m_motion.velocity[axis] = 0.0;
         }
     }
+    roll(false);
 }
 
 /// Puts the ball exactly at the radius of the faces that it touches.

@@ -29,6 +29,10 @@ struct FloorRegion {
     double z = 0.0;             ///< m: height of the centre
     uint32_t floor = PHYS_NO_BOX;
 
+    /// The axis across a face that a ball in the region leans on.
+    int leansAlong(const Vec3 &place) const {
+        return place.x == along[0].lowFace || place.x == along[0].highFace ? 0 : 1;
+    }
     bool has(const phys_vec3 &place) const { return place.z == z && along[0].has(place.x) && along[1].has(place.y); }
 };
 
