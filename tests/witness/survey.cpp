@@ -16,6 +16,11 @@ namespace {
 
 std::string nameOf(uint32_t model) { return model == PHYS_MODEL_RIGID ? "rigid" : "rolling"; }
 
+/// Gravity that doesn't pull down while the floor carries the ball, or a start without room: model.md 11.
+bool hasNoAnswer(const Verdict &verdict) {
+    return verdict.status == PHYS_ERROR_RANGE || (verdict.status == PHYS_ERROR_STUCK && verdict.step == 0);
+}
+
 class Surveyor {
 public:
     explicit Surveyor(const Plan &plan)
@@ -69,12 +74,13 @@ private:
         row.slowest = std::max(row.slowest, verdict.seconds);
         Findings &findings = m_survey.kinds[kinds()[kind]];
         if (verdict.status) {
-            ++findings.refused[stepper];
+            if (!hasNoAnswer(verdict)) ++findings.refused[stepper];
             list(stepper, model, scene, phys_status_name(verdict.status), verdict.statusText);
             // What a start leaves no room for isn't what a run came to.
             const std::string when = verdict.step == 0 ? " at the start" : "";
             const std::string status = phys_status_name(verdict.status) + when;
             ++row.byStatus[status];
+            ++(hasNoAnswer(verdict) ? row.withoutAnswer : row.refused);
             m_survey.refusals.try_emplace(status + ' ' + kinds()[kind], stepper + ": " + verdict.statusText);
         }
         if (verdict.check.empty()) return;
@@ -171,13 +177,14 @@ void printKinds(std::FILE *file, const Survey &survey) {
 } // namespace
 
 void print(std::FILE *file, const Survey &survey) {
-    std::fprintf(file, "%-26s %8s %9s %8s %6s %6s  %s\n", "stepper model", "runs", "steps", "compared", "wrong",
-                 "known", "wrong by check; statuses; slowest step");
+    std::fprintf(file, "%-26s %8s %9s %8s %6s %6s %9s %7s  %s\n", "stepper model", "runs", "steps", "compared", "wrong",
+                 "known", "no answer", "refused", "wrong by check; statuses; slowest step");
     for (const auto &[name, row] : survey.rows) {
-        std::fprintf(file, "%-26s %8llu %9llu %8llu %6llu %6llu ", name.c_str(),
+        std::fprintf(file, "%-26s %8llu %9llu %8llu %6llu %6llu %9llu %7llu ", name.c_str(),
                      static_cast<unsigned long long>(row.runs), static_cast<unsigned long long>(row.steps),
                      static_cast<unsigned long long>(row.compared), static_cast<unsigned long long>(row.wrong),
-                     static_cast<unsigned long long>(row.known));
+                     static_cast<unsigned long long>(row.known), static_cast<unsigned long long>(row.withoutAnswer),
+                     static_cast<unsigned long long>(row.refused));
         for (const auto &[check, count] : row.byCheck) {
             std::fprintf(file, " %s %llu", check.c_str(), static_cast<unsigned long long>(count));
         }

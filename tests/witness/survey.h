@@ -52,12 +52,14 @@ struct Row {
     uint64_t known = 0;
     std::map<std::string, uint64_t> byCheck;
     std::map<std::string, uint64_t> byStatus;
+    uint64_t withoutAnswer = 0; ///< refused, as what was asked for has no answer
+    uint64_t refused = 0;       ///< all others
     double slowest = 0.0;
 };
 
 /// Wrong and refused runs of one kind of scene.
 struct Findings {
-    std::map<std::string, uint64_t> wrong, refused; ///< by stepper
+    std::map<std::string, uint64_t> wrong, refused; ///< by stepper; refused although there is an answer
 };
 
 struct Survey {

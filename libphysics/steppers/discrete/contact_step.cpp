@@ -289,16 +289,17 @@ bool hold(const StepContext &context, const Contacts &contacts, ContactRule kind
 
 void NormalSpan::add(const Vec3 &normal) {
     constexpr double kParallel = 1e-9;
-    Vec3 own = normal;
-    for (uint32_t i = 0; i < m_count; ++i) own -= glm::dot(own, m_basis[i]) * m_basis[i];
-    const double length = glm::length(own);
-    if (m_count < 3 && length > kParallel) m_basis[m_count++] = own / length;
+    if (m_count == 3 || glm::length(across(normal)) <= kParallel) return;
+    if (m_count == 0) m_first = normal;
+    if (m_count == 1) m_along = glm::normalize(glm::cross(m_first, normal));
+    ++m_count;
 }
 
-Vec3 NormalSpan::across(Vec3 vector) const {
-    if (m_count == 3) return Vec3(0.0);
-    for (uint32_t i = 0; i < m_count; ++i) vector -= glm::dot(vector, m_basis[i]) * m_basis[i];
-    return vector;
+Vec3 NormalSpan::across(const Vec3 &vector) const {
+    if (m_count == 0) return vector;
+    if (m_count == 1) return vector - glm::dot(vector, m_first) * m_first;
+    // Either order of two normals gives the same, to the bit; and no negative zeros.
+    return m_count == 2 ? glm::dot(vector, m_along) * m_along + Vec3(0.0) : Vec3(0.0);
 }
 
 bool leaveOverlaps(const StepContext &context, Ball &ball) {

@@ -92,10 +92,11 @@ public:
     void add(const Vec3 &normal);
     uint32_t count() const { return m_count; }
     /// The part of a vector that is at right angles to all of them.
-    Vec3 across(Vec3 vector) const;
+    Vec3 across(const Vec3 &vector) const;
 
 private:
-    std::array<Vec3, 3> m_basis; ///< orthonormal
+    Vec3 m_first{0.0}; ///< normal
+    Vec3 m_along{0.0}; ///< unit, at right angles to the first two
     uint32_t m_count = 0;
 };
 
