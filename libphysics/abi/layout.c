@@ -132,7 +132,7 @@ MEMBER(phys_stepper_info, row_count, 6 * P, 4);
 MEMBER(phys_stepper_info, flags, 6 * P + 4, 4);
 
 /* appendable */
-SIZE(phys_batch, NUMBER_AT(NUMBER_AT(32 + 9 * P) + 8 + 2 * P));
+SIZE(phys_batch, NUMBER_AT(NUMBER_AT(32 + 9 * P) + 8 + 2 * P) + 2 * P);
 MEMBER(phys_batch, struct_size, 0, 4);
 MEMBER(phys_batch, stop_flags, 4, 4);
 MEMBER(phys_batch, ball_count, 8, 8);
@@ -150,6 +150,8 @@ MEMBER(phys_batch, path_ball_stride, 32 + 8 * P, P);
 MEMBER(phys_batch, path_every, NUMBER_AT(32 + 9 * P), 8);
 MEMBER(phys_batch, steps_done, NUMBER_AT(32 + 9 * P) + 8, P);
 MEMBER(phys_batch, statuses, NUMBER_AT(32 + 9 * P) + 8 + P, P);
+MEMBER(phys_batch, impacts, NUMBER_AT(32 + 9 * P) + 8 + 2 * P, P);
+MEMBER(phys_batch, energy_lost, NUMBER_AT(32 + 9 * P) + 8 + 3 * P, P);
 
 /* frozen */
 SIZE(phys_requirements, 728);

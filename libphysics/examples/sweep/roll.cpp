@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "roll.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sweep {
@@ -9,7 +10,6 @@ namespace {
 
 constexpr double kTilt = 0.1;        // rad
 constexpr uint64_t kStepsASide = 64; // the board leans to +x, +y, -x, -y in turn, so many steps each
-constexpr uint32_t kRoom = 64;       // for events of one step
 
 /// The tilt of a step, from its number alone: no job depends on another.
 phys_vec3 gravityOf(uint64_t step) {
@@ -20,26 +20,28 @@ phys_vec3 gravityOf(uint64_t step) {
     return gravity;
 }
 
-uint64_t impactsIn(const phys_report &report) {
-    uint64_t count = report.events_lost;
-    for (uint32_t i = 0; i < report.event_count; ++i) count += report.events[i].kind == PHYS_EVENT_IMPACT ? 1 : 0;
-    return count;
-}
-
-/// Steps until the time is up, the ball is out or a step fails.
+/// Steps until the time is up, the ball is out or a step fails: a batch for each side that the board leans to.
 void stepThrough(phys_stepper *stepper, phys_params params, double dt, double seconds, Outcome &outcome) {
-    phys_event events[kRoom];
-    phys_report report;
-    phys_report_init(&report, sizeof report);
-    report.events = events;
-    report.event_capacity = kRoom;
     const auto steps = static_cast<uint64_t>(std::llround(seconds / dt));
     phys_state &state = outcome.state;
+    phys_status status = PHYS_OK;
+    phys_batch batch;
+    phys_batch_init(&batch, sizeof batch);
+    batch.stop_flags = PHYS_OUT;
+    batch.ball_count = 1;
+    batch.dt = dt;
+    batch.params = &params;
+    batch.states = &state;
+    batch.statuses = &status;
+    batch.impacts = &outcome.impacts;
+    batch.energy_lost = &outcome.energyLost;
     while (state.step < steps && !(state.flags & PHYS_OUT)) {
         params.gravity = gravityOf(state.step);
-        if (phys_step(stepper, &params, dt, &state, &state, &report, &outcome.error)) return;
-        outcome.impacts += impactsIn(report);
-        outcome.energyLost += report.lost_impact + report.lost_rolling + report.lost_slip;
+        batch.step_count = std::min(kStepsASide, steps - state.step);
+        if (phys_batch_run(stepper, &batch, 0, 1, &outcome.error)) return;
+        if (!status) continue;
+        phys_step(stepper, &params, dt, &state, &state, nullptr, &outcome.error); // says why it fails
+        return;
     }
 }
 

@@ -215,6 +215,8 @@ typedef struct phys_batch {
     uint64_t path_every;
     uint64_t *steps_done;
     phys_status *statuses;
+    uint64_t *impacts;
+    double *energy_lost;
 } phys_batch;
 phys_status phys_batch_init(phys_batch *batch, size_t size);
 phys_status phys_batch_run(phys_stepper *stepper, const phys_batch *batch, uint64_t first, uint64_t count,

@@ -54,7 +54,8 @@ class Batch(ctypes.Structure):
                 ("dt", c_double), ("params", c_void_p), ("params_stride", c_size_t), ("gravity", c_void_p),
                 ("gravity_ball_stride", c_size_t), ("gravity_step_stride", c_size_t), ("states", c_void_p),
                 ("states_stride", c_size_t), ("path", c_void_p), ("path_ball_stride", c_size_t),
-                ("path_every", c_uint64), ("steps_done", c_void_p), ("statuses", c_void_p)]
+                ("path_every", c_uint64), ("steps_done", c_void_p), ("statuses", c_void_p),
+                ("impacts", c_void_p), ("energy_lost", c_void_p)]
 
 
 SCAN_FUNCTION = ctypes.CFUNCTYPE(None, c_void_p, c_char_p, c_int32, c_char_p)

@@ -6,6 +6,7 @@
 #include "registry/params.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace phys {
 
@@ -37,9 +38,31 @@ phys_status BallRun::check(bool paramsAreChecked) const {
     return checkState(state(), nullptr);
 }
 
+/// Adds what a report tells to the ball's tally.
+phys_status BallRun::stepAndTally(phys_state &next) const {
+    phys_event events[64];
+    phys_report report{};
+    report.struct_size = sizeof report;
+    report.event_capacity = std::size(events);
+    report.events = events;
+    if (const phys_status status = makeStep(*m_stepper, m_params, m_batch->dt, state(), next, &report, nullptr)) {
+        return status;
+    }
+    const auto isImpact = [](const phys_event &event) { return event.kind == PHYS_EVENT_IMPACT; };
+    if (m_batch->impacts) {
+        m_batch->impacts[m_number] +=
+            report.events_lost + static_cast<uint64_t>(std::count_if(events, events + report.event_count, isImpact));
+    }
+    if (m_batch->energy_lost) {
+        m_batch->energy_lost[m_number] += report.lost_impact + report.lost_rolling + report.lost_slip;
+    }
+    return PHYS_OK;
+}
+
 phys_status BallRun::tryStep(phys_state &next) const {
     if (m_gravity && !gravityIsValid(m_params)) return PHYS_ERROR_RANGE;
     if (const phys_status status = checkPull(*m_stepper->scene, m_params, state(), nullptr)) return status;
+    if (wantsTally(*m_batch)) return stepAndTally(next);
     if (m_batch->dt > 0.0) return advance(*m_stepper, m_params, m_batch->dt, state(), next, nullptr, nullptr);
     next = state();
     return PHYS_OK;

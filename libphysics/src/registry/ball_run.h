@@ -18,6 +18,9 @@ T *at(T *first, size_t stride, uint64_t index) {
 /// States that a ball's path has.
 inline uint64_t pathLength(const phys_batch &batch) { return batch.path ? batch.step_count / batch.path_every : 0; }
 
+/// Whether more is asked of a batch's balls than where they are.
+inline bool wantsTally(const phys_batch &batch) { return batch.impacts || batch.energy_lost; }
+
 /// Parameters of one size, whatever version of the struct the caller has.
 phys_params wholeParams(const phys_params &given);
 
@@ -51,6 +54,7 @@ public:
 private:
     phys_status check(bool paramsAreChecked) const;
     phys_status tryStep(phys_state &next) const;
+    phys_status stepAndTally(phys_state &next) const;
 
     const phys_stepper *m_stepper = nullptr;
     const phys_batch *m_batch = nullptr;

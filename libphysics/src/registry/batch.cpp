@@ -95,7 +95,7 @@ phys_status runBalls(const phys_stepper &stepper, const phys_batch &batch, uint6
     }
     Outcome outcome(batch, err);
     // Who slides in a lane isn't asked whether it slips.
-    const bool mayUseLanes = batch.dt > 0.0 && !(batch.stop_flags & PHYS_SLIPPING);
+    const bool mayUseLanes = batch.dt > 0.0 && !(batch.stop_flags & PHYS_SLIPPING) && !wantsTally(batch);
     const LaneSteps *steps = mayUseLanes ? stepper.lanes : nullptr;
     const uint64_t together = steps ? SideBySide::kMost : 1;
     for (uint64_t ball = first; ball < first + count;) {

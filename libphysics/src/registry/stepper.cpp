@@ -49,7 +49,7 @@ phys_status stepInFull(const phys_stepper &stepper, const phys_params &params, d
     return PHYS_OK;
 }
 
-/// As phys_step with checked arguments: `out` may be `in`, and is written on success only.
+/// makeStep, inlined: each step of a caller makes it.
 inline phys_status step(const phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
                         phys_state &out, phys_report *report, phys_error *err) {
     if (dt == 0.0) {
@@ -100,6 +100,11 @@ phys_status requirementsOfPlugin(const phys_stepper &stepper, const phys_params 
 }
 
 } // namespace
+
+phys_status makeStep(const phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
+                     phys_state &out, phys_report *report, phys_error *err) {
+    return step(stepper, params, dt, in, out, report, err);
+}
 
 void advanceClock(double dt, uint64_t steps, phys_state &state) {
     for (uint64_t i = 0; i < steps; ++i) {

@@ -51,7 +51,7 @@ struct Case {
     uint64_t balls, steps;
     double dt;
     uint32_t stopFlags;
-    bool ownParams, hasGravity, gravityPerBall, gravityPerStep, hasPath;
+    bool ownParams, hasGravity, gravityPerBall, gravityPerStep, hasPath, hasTally;
     size_t padding;
     uint64_t every;
     std::vector<phys_params> params;
@@ -68,12 +68,15 @@ struct Results {
     std::vector<phys_state> states, path;
     std::vector<uint64_t> done;
     std::vector<phys_status> statuses;
+    std::vector<uint64_t> impacts; ///< if they are wanted
+    std::vector<double> energyLost;
 
     bool operator==(const Results &other) const {
         const auto same = [](const std::vector<phys_state> &a, const std::vector<phys_state> &b) {
             return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0);
         };
-        return same(states, other.states) && same(path, other.path) && done == other.done && statuses == other.statuses;
+        return same(states, other.states) && same(path, other.path) && done == other.done &&
+               statuses == other.statuses && impacts == other.impacts && energyLost == other.energyLost;
     }
 };
 
@@ -109,6 +112,7 @@ Case draw(Random &random) {
     made.gravityPerBall = random.below(2);
     made.gravityPerStep = random.below(2);
     made.hasPath = random.below(2);
+    made.hasTally = random.below(3) == 0;
     made.padding = 8 * random.below(3);
     made.every = 1 + random.below(7);
     const uint32_t model = random.below(2);
@@ -133,6 +137,7 @@ Case drawLong(Random &random) {
     made.dt = random.between(0.002, 0.02);
     made.stopFlags = random.below(3) ? 0 : PHYS_OUT;
     made.hasGravity = made.gravityPerBall = made.gravityPerStep = made.hasPath = true;
+    made.hasTally = random.below(4) == 0;
     made.every = 1;
     phys_params params = drawParams(random, random.below(2));
     params.restitution_wall = random.below(2) ? 0.0 : 0.5;
@@ -161,19 +166,37 @@ Case drawLong(Random &random) {
 
 uint64_t pathLength(const Case &given) { return given.hasPath ? given.steps / given.every : 0; }
 
+/// What tallies begin with: they are added to.
+constexpr uint64_t kImpactsBefore = 3;
+constexpr double kEnergyBefore = 0.25; // J/kg
+
+uint64_t impactsIn(const phys_report &report) {
+    const auto isImpact = [](const phys_event &event) { return event.kind == PHYS_EVENT_IMPACT; };
+    return report.events_lost +
+           static_cast<uint64_t>(std::count_if(report.events, report.events + report.event_count, isImpact));
+}
+
 Results stepOneByOne(phys_stepper *stepper, const Case &given) {
     Results results;
+    std::vector<phys_event> events(64);
+    phys_report report;
+    phys_report_init(&report, sizeof report);
+    report.events = events.data();
+    report.event_capacity = static_cast<uint32_t>(events.size());
     for (uint64_t ball = 0; ball < given.balls; ++ball) {
         phys_state state = given.starts[ball];
         phys_params params = given.paramsOf(ball);
         phys_status status = PHYS_OK;
-        uint64_t done = 0;
+        uint64_t done = 0, impacts = kImpactsBefore;
+        double energyLost = kEnergyBefore;
         std::vector<phys_state> path;
         while (done < given.steps && !(state.flags & given.stopFlags)) {
             if (given.hasGravity) params.gravity = given.gravityOf(ball, done);
-            status = phys_step(stepper, &params, given.dt, &state, &state, nullptr, nullptr);
+            status = phys_step(stepper, &params, given.dt, &state, &state, given.hasTally ? &report : nullptr, nullptr);
             if (status) break;
             ++done;
+            impacts += impactsIn(report);
+            energyLost += report.lost_impact + report.lost_rolling + report.lost_slip;
             if (given.hasPath && done % given.every == 0) path.push_back(state);
         }
         path.resize(pathLength(given), state);
@@ -181,6 +204,9 @@ Results stepOneByOne(phys_stepper *stepper, const Case &given) {
         results.path.insert(results.path.end(), path.begin(), path.end());
         results.done.push_back(done);
         results.statuses.push_back(status);
+        if (!given.hasTally) continue;
+        results.impacts.push_back(impacts);
+        results.energyLost.push_back(energyLost);
     }
     return results;
 }
@@ -217,6 +243,10 @@ Results runBatch(const Case &given, const std::function<phys_status(phys_batch &
     results.path.resize(given.balls * pathLength(given));
     results.done.resize(given.balls);
     results.statuses.resize(given.balls, 77);
+    if (given.hasTally) {
+        results.impacts.resize(given.balls, kImpactsBefore);
+        results.energyLost.resize(given.balls, kEnergyBefore);
+    }
     phys_batch batch;
     phys_batch_init(&batch, sizeof batch);
     batch.stop_flags = given.stopFlags;
@@ -235,6 +265,8 @@ Results runBatch(const Case &given, const std::function<phys_status(phys_batch &
     batch.path_every = given.every;
     batch.steps_done = results.done.data();
     batch.statuses = results.statuses.data();
+    batch.impacts = given.hasTally ? results.impacts.data() : nullptr;
+    batch.energy_lost = given.hasTally ? results.energyLost.data() : nullptr;
     const phys_status status = run(batch);
     if (returned) *returned = status;
     results.states = states.elements();
@@ -432,7 +464,7 @@ void TestBatch::wrongBatchIsRefusedAndNothingTouched() {
         &status);
     QCOMPARE(status, PHYS_ERROR_ARGUMENT);
     QVERIFY2(QByteArray(error.text).contains(named), error.text);
-    const Results untouched{given.starts, {}, {0, 0}, {77, 77}};
+    const Results untouched{given.starts, {}, {0, 0}, {77, 77}, {}, {}};
     QVERIFY(found == untouched);
 }
 
