@@ -335,8 +335,9 @@ void ExactStep::follow(const P &phase, const End &end, const Border &border) {
     const double passed = std::min(t + end.rest, m_left);
     m_elapsed += passed;
     m_left -= passed;
+    // Before normals are turned: a slip that has ended would begin again at a place further round an edge.
+    if (passed > t && end.cause == Cause::grip) m_position += (passed - t) * m_motion.velocity;
     settle(end, border);
-    if (passed > t) m_position += (passed - t) * m_motion.velocity;
 }
 
 /// What the end of a phase makes exact.
