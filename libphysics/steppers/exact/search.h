@@ -86,6 +86,11 @@ template<class Phase>
 double openingTime(const Target &target, const Phase &phase, const Outlook &around, double until) {
     const double R = around.scene.radius, speed = glm::length(around.motion.velocity);
     if (target.rate > negligibleSpeed(around.motion, R)) return 0.0;
+    // A box lies behind the plane of its nearest point: where all that may lead through that is rounding nothing is
+    // met.
+    const double least = phase.least(target.normal, target.rate, 0.0, until);
+    const double deepest = until * (std::min(target.rate, 0.0) + 0.5 * until * std::min(least, 0.0));
+    if (deepest < 0.0 && deepest >= -around.scene.tolerance) return until;
     double t = until;
     if (speed > 0.0) t = std::min(t, R / speed);
     const double a = phase.mostAcceleration();
