@@ -229,6 +229,7 @@ void readParameterFile(const QString &path, Options &options) {
     const std::optional<QByteArray> text = readFile(path, kMegabyte, &error);
     const std::optional<ParameterSet> set = text ? readSet(*text, path, &error) : std::nullopt;
     if (!set) throw WrongUse{QStringLiteral("--parameters: ") + error};
+    options.parameters = path;
     options.settings = set->values;
 }
 

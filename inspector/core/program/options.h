@@ -40,6 +40,7 @@ struct Options {
     QByteArray stepper = PHYS_STEPPER_DEFAULT;
     double dt = Engine::kDefaultDt; // s
     double speed = 1.0;             // simulated seconds per second
+    QString parameters;             // file that some of the settings are from; empty: none
     std::vector<Setting> settings;
     bool headless = false;
     bool autopilot = false;

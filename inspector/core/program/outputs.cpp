@@ -41,9 +41,11 @@ std::vector<Output> outputsOf(const Options &options) {
 }
 
 QStringList inputsOf(const Options &options) {
-    QStringList inputs{options.level.path, options.level.mesh, options.replay, options.trade.schedule,
-                       options.fit.track};
+    QStringList inputs{options.level.path,     options.level.mesh, options.replay,
+                       options.trade.schedule, options.fit.track,  options.parameters};
     inputs += options.plugins;
+    for (const Level &level : options.levels) inputs += {level.path, level.mesh};
+    for (const QString &name : fileNamesIn(options.shaders)) inputs += options.shaders + QLatin1Char('/') + name;
     inputs.removeAll(QString());
     return inputs;
 }

@@ -324,7 +324,7 @@ void TestCommandLine::listsAskedForTogetherArePrintedTogether() {
 }
 
 void TestCommandLine::outputsThatWouldDestroyAFileAreRefused_data() {
-    QTest::addColumn<QString>("words"); // FOLDER/level.txt, .obj, run.rec, table.csv and note.txt are there
+    QTest::addColumn<QString>("words"); // FOLDER/level.txt, .obj, run.rec, a.set, table.csv and note.txt are there
     QTest::addColumn<QString>("said");  // empty: not refused
     const QString force = "--force ";
     QTest::newRow("table onto the level") << "--level FOLDER/level.txt --csv FOLDER/level.txt"
@@ -339,6 +339,12 @@ void TestCommandLine::outputsThatWouldDestroyAFileAreRefused_data() {
                                      << "--csv: 'FOLDER/run.rec' is read by this run";
     QTest::newRow("onto the schedule") << "--trade 1 --schedule FOLDER/table.csv --csv FOLDER/table.csv"
                                        << "is read by this run";
+    QTest::newRow("onto the parameters") << force + "--parameters FOLDER/a.set --csv FOLDER/a.set"
+                                         << "--csv: 'FOLDER/a.set' is read by this run";
+    QTest::newRow("onto another level") << force + "--record " LEVELS_FOLDER "/02.txt"
+                                        << "is read by this run";
+    QTest::newRow("onto a shader") << force + "--shaders FOLDER --grab FOLDER/note.png"
+                                   << "--grab: 'FOLDER/note.png' is read by this run";
     QTest::newRow("two outputs, new") << "--csv FOLDER/new --record FOLDER/new"
                                       << "--record: 'FOLDER/new' is written by this run already";
     QTest::newRow("two outputs, there") << "--csv FOLDER/table.csv --record FOLDER/table.csv"
@@ -384,6 +390,7 @@ void TestCommandLine::outputsThatWouldDestroyAFileAreRefused() {
     QVERIFY(QFile::copy(LEVELS_FOLDER "/01.txt", level));
     put(path + "/level.obj", "v 0 0 0\n");
     put(path + "/run.rec", "physics-recording 1\n");
+    put(path + "/a.set", "physics-parameters 1\nname a\nset rolling_friction 0.01\n");
     put(path + "/table.csv", "time [s],step,x [m]\n");
     put(path + "/track.csv", "time [s],x [m],y [m]\n");
     put(path + "/mine.csv.txt", "mine");
@@ -401,7 +408,7 @@ void TestCommandLine::outputsThatWouldDestroyAFileAreRefused() {
     }
     // Nothing is changed and nothing is left.
     QCOMPARE(QDir(path).entryList(QDir::Files).join(' '),
-             QString("level.obj level.txt mine.csv.txt note.png note.txt run.rec table.csv track.csv"));
+             QString("a.set level.obj level.txt mine.csv.txt note.png note.txt run.rec table.csv track.csv"));
     QCOMPARE(readFile(path + "/note.txt", 100, nullptr), QByteArray("mine"));
     QCOMPARE(QFileInfo(level).size(), QFileInfo(LEVELS_FOLDER "/01.txt").size());
 }
