@@ -4,6 +4,7 @@
 #include "generator/writers.h"
 
 #include <cerrno>
+#include <cstdio>
 #include <fstream>
 #include <system_error>
 
@@ -29,23 +30,30 @@ bool isReplaceable(const OutputFile &file) {
     return stream.gcount() == 0 || mark == file.content.substr(0, kMark);
 }
 
-void writeTemporary(const OutputFile &file) {
-    errno = 0;
-    std::ofstream stream(temporaryOf(file), std::ios::binary | std::ios::trunc);
-    stream.write(file.content.data(), static_cast<std::streamsize>(file.content.size()));
-    stream.close();
-    if (!stream) throw FileError(file.path.string() + ": cannot write: " + std::generic_category().message(errno));
+FileError cannotWrite(const OutputFile &file, int reason) {
+    return FileError(file.path.string() + ": cannot write: " + std::generic_category().message(reason));
+}
+
+// Makes it, so that a file of this name, which another program may be writing just now, stays as it is.
+std::FILE *openTemporary(const OutputFile &file) {
+    const std::string name = temporaryOf(file).string();
+    std::FILE *stream = std::fopen(name.c_str(), "wbx");
+    if (!stream && errno == EEXIST) throw FileError(name + ": there is a file of this name already");
+    if (!stream) throw cannotWrite(file, errno);
+    return stream;
+}
+
+void writeTemporary(const OutputFile &file, std::FILE *stream) {
+    const bool isWritten = std::fwrite(file.content.data(), 1, file.content.size(), stream) == file.content.size();
+    const int reason = errno;
+    if (std::fclose(stream) != 0) throw cannotWrite(file, errno);
+    if (!isWritten) throw cannotWrite(file, reason);
 }
 
 void moveIntoPlace(const OutputFile &file) {
     std::error_code error;
     fs::rename(temporaryOf(file), file.path, error);
     if (error) throw FileError(file.path.string() + ": cannot replace: " + error.message());
-}
-
-void removeTemporaries(const std::vector<OutputFile> &files) {
-    std::error_code ignored; // the failure that led here is the one to report
-    for (const OutputFile &file : files) fs::remove(temporaryOf(file), ignored);
 }
 
 } // namespace
@@ -66,11 +74,17 @@ std::vector<OutputFile> ballFiles(const fs::path &folder) {
 void writeFiles(const std::vector<OutputFile> &files) {
     for (const OutputFile &file : files)
         if (!isReplaceable(file)) throw FileError(file.path.string() + ": there is another file of this name already");
+    std::vector<fs::path> temporaries;
     try {
-        for (const OutputFile &file : files) writeTemporary(file);
+        for (const OutputFile &file : files) {
+            std::FILE *stream = openTemporary(file);
+            temporaries.push_back(temporaryOf(file));
+            writeTemporary(file, stream);
+        }
         for (const OutputFile &file : files) moveIntoPlace(file);
     } catch (...) {
-        removeTemporaries(files);
+        std::error_code ignored; // the failure that led here is the one to report
+        for (const fs::path &temporary : temporaries) fs::remove(temporary, ignored);
         throw;
     }
 }

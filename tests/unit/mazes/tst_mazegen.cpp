@@ -53,6 +53,7 @@ private slots:
     void helpListsEveryOption();
     void versionIsThatOfTheProject();
     void filesOfAnotherKindAreNotReplaced();
+    void aFileOfAnotherProgramsThatIsBeingWrittenStays();
 };
 
 void TestMazegen::oneRunWritesFourFilesAndSaysSoInOneLine() {
@@ -255,6 +256,17 @@ void TestMazegen::filesOfAnotherKindAreNotReplaced() {
     QCOMPARE(outcome.errors, QString("mazegen: notes.scad: there is another file of this name already\n"));
     QCOMPARE(filesIn(folder.path()), QStringList{"notes.scad"});
     QCOMPARE(contentOf(folder.filePath("notes.scad")), QByteArray("cube(1);"));
+}
+
+/// Before a file is put into its place its bytes have another name.
+void TestMazegen::aFileOfAnotherProgramsThatIsBeingWrittenStays() {
+    QTemporaryDir folder;
+    support::write(folder.filePath("maze.mtl.part"), "half");
+    const Outcome outcome = run(folder.path(), kMaze);
+    QCOMPARE(outcome.errors, QString("mazegen: maze.mtl.part: there is a file of this name already\n"));
+    QCOMPARE(outcome.status, 1);
+    QCOMPARE(filesIn(folder.path()), QStringList{"maze.mtl.part"});
+    QCOMPARE(contentOf(folder.filePath("maze.mtl.part")), QByteArray("half"));
 }
 
 QTEST_APPLESS_MAIN(TestMazegen)
