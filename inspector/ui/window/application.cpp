@@ -11,6 +11,7 @@
 #include "ui/window/unattended_run.h"
 
 #include <QApplication>
+#include <QScreen>
 #include <QSocketNotifier>
 #include <QSurfaceFormat>
 #include <QTextStream>
@@ -37,6 +38,15 @@ bool hasDisplay() {
     return isSet("DISPLAY") || isSet("WAYLAND_DISPLAY") || isSet("QT_QPA_PLATFORM");
 }
 
+// A window so many times larger than usual takes gigabytes.
+QString scaleProblem() {
+    const QScreen *screen = QGuiApplication::primaryScreen();
+    const double scale = screen ? screen->devicePixelRatio() * screen->logicalDotsPerInch() / 96.0 : 1.0;
+    if (scale >= 0.1 && scale <= 10.0) return {};
+    return QStringLiteral("the screen's scale is %1, by QT_SCALE_FACTOR and QT_FONT_DPI; expected 0.1 to 10")
+        .arg(scale);
+}
+
 // Ends the event loop when the program is told to end.
 void watchEndingSignals(QObject &owner) {
     if (endingDescriptor() < 0) return;
@@ -59,6 +69,8 @@ std::unique_ptr<QApplication> makeApplication(int &argc, char **argv) {
 }
 
 QString displayProblem(const Options &options) {
+    const QString wrongScale = scaleProblem();
+    if (!wrongScale.isEmpty()) return wrongScale;
     if (options.view != Options::View::Solid) return {};
     const QString problem = gl::displayProblem();
     return problem.isEmpty() ? problem : QStringLiteral("--view 3d: %1; --view 2d needs no OpenGL").arg(problem);
