@@ -2,14 +2,25 @@
 #include "ui/parts/picture_file.h"
 
 #include "core/setup/files.h"
+#include "core/setup/lines.h"
 
+#include <QBuffer>
 #include <QImage>
 
 namespace inspector::ui {
 
+// In memory, because the coder of PNG prints a line of its own when a file can't be written.
+QByteArray pngOf(const QImage &picture) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    return buffer.open(QIODevice::WriteOnly) && picture.save(&buffer, "PNG") ? bytes : QByteArray();
+}
+
 bool savePicture(const QImage &picture, const QString &path, QString *error) {
-    return replaceFile(
-        path, [&](QIODevice &file) { return picture.save(&file, "PNG"); }, error);
+    const QByteArray png = pngOf(picture);
+    if (!png.isEmpty()) return replaceFile(path, png, error);
+    if (error) *error = quoted(path) + QStringLiteral(": the picture is empty");
+    return false;
 }
 
 } // namespace inspector::ui

@@ -7,6 +7,7 @@
 #include "gl/view/maze_view.h"
 #include "ui/parts/described.h"
 #include "ui/parts/number_box.h"
+#include "ui/parts/picture_file.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -156,7 +157,8 @@ bool Film::takePicture(QString *error) {
     m_view.grabFramebuffer(); // the frame of this moment
     const std::unique_ptr<OutputFile> file = OutputFile::open(fileOf(++m_taken), Existing::Replace, {}, error);
     if (!file) return false;
-    const bool isWritten = m_view.picture(m_scale).save(file.get(), "PNG");
+    const QByteArray png = pngOf(m_view.picture(m_scale));
+    const bool isWritten = !png.isEmpty() && file->write(png) == png.size();
     if (file->finish() && isWritten) return true;
     *error = file->problem();
     return false;

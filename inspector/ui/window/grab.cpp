@@ -3,9 +3,10 @@
 
 #include "core/setup/files.h"
 #include "core/setup/lines.h"
+#include "ui/parts/picture_file.h"
 
 #include <QCoreApplication>
-#include <QImageWriter>
+#include <QImage>
 #include <QPixmap>
 #include <QWidget>
 
@@ -14,13 +15,14 @@ namespace inspector::ui {
 bool grabToFile(QWidget &widget, const QString &path, QString *error) {
     const std::unique_ptr<OutputFile> file = OutputFile::open(path, Existing::Replace, {}, error);
     if (!file) return false;
-    QImageWriter writer(file.get(), path.section(QLatin1Char('.'), -1).toLower().toLatin1());
-    const bool isWritten = writer.write(widget.grab().toImage());
-    if (file->finish() && isWritten) return true;
+    const QByteArray png = pngOf(widget.grab().toImage());
+    file->write(png);
+    if (file->finish() && !png.isEmpty()) return true;
     const QString reason = file->problem();
     if (error)
-        *error = QCoreApplication::translate("Grab", "the picture can't be written: %1")
-                     .arg(reason.isEmpty() ? quoted(path) + QStringLiteral(": ") + writer.errorString() : reason);
+        *error =
+            QCoreApplication::translate("Grab", "the picture can't be written: %1")
+                .arg(reason.isEmpty() ? quoted(path) + QStringLiteral(": ") + QStringLiteral("it is empty") : reason);
     return false;
 }
 

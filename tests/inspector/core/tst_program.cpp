@@ -19,6 +19,8 @@ private slots:
     void windowWithoutADisplayGivesStatus2AndOneLine();
     void displayThatCantBeOpenedGivesStatus2AndOneLine_data();
     void displayThatCantBeOpenedGivesStatus2AndOneLine();
+    void aScaleThatNoScreenHasGivesStatus2AndOneLine_data();
+    void aScaleThatNoScreenHasGivesStatus2AndOneLine();
     void platformWithoutOpenGLGetsAFlatPicture();
     void picturesOfOneCommandAreTheSame();
     void askedFor3dWithoutOpenGLGivesStatus2AndOneLine();
@@ -150,6 +152,29 @@ void TestProgram::displayThatCantBeOpenedGivesStatus2AndOneLine() {
     QVERIFY2(isOneLine(result.messages) && result.messages.contains("--headless"), result.messages.constData());
 }
 
+void TestProgram::aScaleThatNoScreenHasGivesStatus2AndOneLine_data() {
+    QTest::addColumn<QString>("variable");
+    QTest::addColumn<QString>("value");
+    QTest::newRow("scale") << "QT_SCALE_FACTOR"
+                           << "1000";
+    QTest::newRow("dots") << "QT_FONT_DPI"
+                          << "100000";
+    QTest::newRow("nothing to see") << "QT_SCALE_FACTOR"
+                                    << "1e-9";
+}
+
+void TestProgram::aScaleThatNoScreenHasGivesStatus2AndOneLine() {
+    QFETCH(QString, variable);
+    QFETCH(QString, value);
+    const QTemporaryDir folder;
+    QProcessEnvironment environment = noScreen(folder.path());
+    environment.insert(variable, value);
+    const Result result = runOf({"--duration", "0.01", "--grab", folder.filePath("p.png")}, environment);
+    QCOMPARE(result.status, 2);
+    QVERIFY2(isOneLine(result.messages) && result.messages.contains("the screen's scale is "),
+             result.messages.constData());
+}
+
 void TestProgram::platformWithoutOpenGLGetsAFlatPicture() {
     const QTemporaryDir folder;
     QProcessEnvironment environment = noDisplay();
@@ -214,6 +239,8 @@ void TestProgram::whatAFileLimitLosesIsTold_data() {
     QTest::newRow("table of a replay") << QByteArray("--replay \"$1/r\" --headless --csv \"$1/t\"");
     QTest::newRow("recording") << QByteArray("--headless --duration 1 --record \"$1/t\" >/dev/null");
     QTest::newRow("curves") << QByteArray("--trade 1 --steps 10ms --duration 0.1 --plot \"$1/t.svg\" >/dev/null");
+    QTest::newRow("curves as a picture") << QByteArray(
+        "--trade 1 --steps 10ms --duration 0.1 --plot \"$1/t.png\" >/dev/null");
     QTest::newRow("picture") << QByteArray("--level 2 --grab \"$1/t.png\"");
     QTest::newRow("recording of a window") << QByteArray("--duration 1 --autopilot --record \"$1/t\"");
     QTest::newRow("table of a window") << QByteArray("--duration 1 --autopilot --csv \"$1/t\"");
@@ -227,6 +254,7 @@ void TestProgram::whatAFileLimitLosesIsTold() {
         "ulimit -f 1; export QT_QPA_PLATFORM=offscreen XDG_CONFIG_HOME=\"$1\"; exec \"$0\" " + words, folder.path());
     QCOMPARE(result.status, 1);
     QCOMPARE(result.messages.count("File too large\n"), 1);
+    QVERIFY2(!result.messages.contains("libpng"), result.messages.constData());
 }
 
 void TestProgram::settingsThatCantBeWrittenAreTold() {
