@@ -481,8 +481,8 @@ PHYS_API phys_status phys_batch_init(phys_batch *batch, size_t size);
 
 /** Runs the balls first .. first + count - 1 of a batch: for each, the bits that phys_step gives in a loop. A ball that
  *  fails keeps its last good state and its status, the others go on; what remains of its path, and of that of a ball
- * that is done, repeats its last state. Impacts and energy are those of the reports that phys_step would give; what a
- * step has more than 64 events of counts as impacts. Who wants neither has faster steps. Allocates nothing. One thread
+ * that is done, repeats its last state. Impacts and energy are those of the reports that phys_step would give; a
+ * step's events beyond 64 count as impacts. Who wants neither has faster steps. Allocates nothing. One thread
  * at a time per stepper; threads with a stepper each may run disjoint ranges of one batch. On failure outputs are
  * untouched, but for the last of these cases. Errors: ARGUMENT, RANGE (of parameters that all balls share); if statuses
  * is NULL, the error of the first ball that fails, with its number, after all have run. Since 1.1. */
