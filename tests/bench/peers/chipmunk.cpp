@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Chipmunk 7 as Debian builds it: two dimensions, double, assertions on. Its top view has no floor.
+// Chipmunk 7: two dimensions, double. Its top view has no floor.
 #include "peers/engine.h"
 
 #include <chipmunk/chipmunk.h>
