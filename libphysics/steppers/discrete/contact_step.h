@@ -86,6 +86,9 @@ bool hold(const StepContext &context, const Contacts &contacts, ContactRule kind
 /// Puts a ball onto a face exactly, where rounding would leave it beside; a touching one loses its speed along it.
 void snapToFace(const StepContext &context, const Contact &face, Ball &ball);
 
+/// Speed along normals that contacts may take together, of the fastest along one: normals of at least 29 degrees.
+inline constexpr double kMostTaken = 4.0;
+
 /// What several normals span.
 class NormalSpan {
 public:

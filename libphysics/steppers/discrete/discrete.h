@@ -554,18 +554,23 @@ private:
         });
     }
 
-    /// The contacts that the ball doesn't leave; it may leave those it touches with a speed that is none.
+    /// The contacts that the ball doesn't leave; it may leave those it touches with a speed that is none. That speed is
+    /// taken, unless normals are so nearly parallel that it would be far more: two edges of a hair crack.
     Contacts keepContacts(const Contacts &contacts, Ball &ball) const {
         Contacts result = contacts;
         NormalSpan kept;
+        double fastest = 0.0;
         result.drop([&](const Contact &contact) {
             const double speed = glm::dot(ball.velocity, contact.normal);
             const bool isTouched = contact.gap <= m_context.scene().tolerance;
             if (speed > 0.0 && (!isTouched || speed > contact.restSpeed)) return true;
-            if (isTouched) kept.add(contact.normal);
+            if (!isTouched) return false;
+            kept.add(contact.normal);
+            fastest = std::max(fastest, std::abs(speed));
             return false;
         });
-        ball.velocity = kept.across(ball.velocity);
+        const Vec3 across = kept.across(ball.velocity);
+        if (glm::distance(across, ball.velocity) <= kMostTaken * fastest) ball.velocity = across;
         return result;
     }
 

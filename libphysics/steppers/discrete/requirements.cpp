@@ -57,7 +57,9 @@ double substepsNeeded(const PlanInput &input) {
     const double safe = 0.5 * scene.radius;
     const double reach = reachOfStep(input);
     if (scene.boxes.empty() || staysOnOneFloor(input, reach) || passesBy(input)) return 1.0;
-    const double forWay = reach <= safe ? 1.0 : std::ceil(reach / safe);
+    // What can lift a ball off the floor lets it fall within a long step.
+    const double fall = input.isPlanar() ? 0.0 : input.dt * input.dt * std::abs(input.params.gravity.z);
+    const double forWay = reach <= safe ? 1.0 : std::ceil((reach + fall) / safe);
     const double spin = glm::length(toVec(input.state.spin));
     return spinsFast(input) ? std::max(forWay, std::ceil(spin * input.dt / kSafeTurn)) : forWay;
 }

@@ -148,7 +148,6 @@ void SweptStep::stopSlowApproach() {
 /// Takes the speed along the normals of the contacts from a velocity. Where normals are nearly parallel that would take
 /// far more of it than the ball moves along them: it leaves one of them then, or keeps what is no speed along it.
 void SweptStep::keepContacts(const Vec3 &velocity) {
-    constexpr double kMostTaken = 4.0; // of the fastest: normals of at least 29 degrees
     for (;;) {
         NormalSpan kept;
         double fastest = 0.0; // of those that leave
