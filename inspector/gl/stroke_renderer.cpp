@@ -7,17 +7,17 @@ namespace inspector::gl {
 
 namespace {
 
-struct Attribute {
+struct InstanceAttribute {
     GLint size;
     std::size_t offset;
 };
 
 // In the order of the locations in stroke.vert.
-constexpr Attribute kAttributes[] = {{3, offsetof(Stroke, from)},
-                                     {3, offsetof(Stroke, to)},
-                                     {4, offsetof(Stroke, from_colour)},
-                                     {4, offsetof(Stroke, to_colour)},
-                                     {2, offsetof(Stroke, width)}}; // width and round_ends
+constexpr InstanceAttribute kInstanceAttributes[] = {{3, offsetof(Stroke, from)},
+                                                     {3, offsetof(Stroke, to)},
+                                                     {4, offsetof(Stroke, from_colour)},
+                                                     {4, offsetof(Stroke, to_colour)},
+                                                     {2, offsetof(Stroke, width)}}; // width and round_ends
 static_assert(offsetof(Stroke, round_ends) == offsetof(Stroke, width) + sizeof(float));
 
 } // namespace
@@ -30,7 +30,7 @@ StrokeRenderer::StrokeRenderer(QOpenGLFunctions_3_3_Core *gl)
     const QOpenGLVertexArrayObject::Binder binder(&m_array);
     m_instances.bind();
     GLuint location = 0;
-    for (const Attribute &attribute : kAttributes) {
+    for (const InstanceAttribute &attribute : kInstanceAttributes) {
         m_gl->glEnableVertexAttribArray(location);
         m_gl->glVertexAttribPointer(
             location, attribute.size, GL_FLOAT, GL_FALSE, sizeof(Stroke),

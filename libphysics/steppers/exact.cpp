@@ -31,9 +31,9 @@ void destroy(void *self) { delete static_cast<Exact *>(self); }
 
 /// Less gravity (m/s^2) than this moves no ball by anything in the longest step, and nothing moves in less time (s):
 /// but their products with lengths underflow, and what divides by them overflows.
-constexpr double kNegligible = 0x1p-400;
+constexpr double kTooSmall = 0x1p-400;
 
-bool isNegligible(double value) { return value != 0.0 && std::abs(value) < kNegligible; }
+bool isNegligible(double value) { return value != 0.0 && std::abs(value) < kTooSmall; }
 
 phys_params withoutNegligibleGravity(phys_params params) {
     for (double *component : {&params.gravity.x, &params.gravity.y, &params.gravity.z}) {
@@ -42,8 +42,8 @@ phys_params withoutNegligibleGravity(phys_params params) {
     return params;
 }
 
-phys_status step(void *self, const phys_params *params, double dt, const phys_state *in, phys_state *out,
-                 phys_report *report, phys_error *err) {
+phys_status stepExact(void *self, const phys_params *params, double dt, const phys_state *in, phys_state *out,
+                      phys_report *report, phys_error *err) {
     auto &[scene, regions] = *static_cast<Exact *>(self);
     const double duration = isNegligible(dt) ? 0.0 : dt;
     const phys_vec3 &g = params->gravity;
@@ -54,8 +54,8 @@ phys_status step(void *self, const phys_params *params, double dt, const phys_st
     return ExactStep(scene, regions, *params, duration, *in, report, err).advance(*out);
 }
 
-phys_status requirements(void *self, const phys_params *params, double dt, const phys_state *state,
-                         phys_requirements *out, phys_error *) {
+phys_status requirementsOfExact(void *self, const phys_params *params, double dt, const phys_state *state,
+                                phys_requirements *out, phys_error *) {
     const PlanInput input{static_cast<const Exact *>(self)->scene, *params, dt, *state};
     describePlan(input, planStep(input, true), *out);
     char(&substeps)[120] = out->reasons[std::countr_zero(static_cast<uint32_t>(PHYS_STAGE_SUBSTEPS))];
@@ -78,8 +78,8 @@ constinit const phys_stepper_api kExact = {
     .reserved = 0,
     .create = create,
     .destroy = destroy,
-    .step = step,
-    .requirements = requirements,
+    .step = stepExact,
+    .requirements = requirementsOfExact,
     .extension = nullptr,
 };
 

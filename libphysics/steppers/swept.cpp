@@ -33,8 +33,8 @@ StepPlan planSweep(const PlanInput &input) {
     return plan;
 }
 
-phys_status requirements(void *self, const phys_params *params, double dt, const phys_state *state,
-                         phys_requirements *out, phys_error *) {
+phys_status requirementsOfSwept(void *self, const phys_params *params, double dt, const phys_state *state,
+                                phys_requirements *out, phys_error *) {
     const PlanInput input{static_cast<KnownPlaces *>(self)->scene(), *params, dt, *state};
     describePlan(input, planSweep(input), *out);
     return PHYS_OK;
@@ -66,8 +66,8 @@ phys_status sweepStep(const PlanInput &input, phys_state &out, phys_report *repo
     return PHYS_OK;
 }
 
-phys_status step(void *self, const phys_params *params, double dt, const phys_state *in, phys_state *out,
-                 phys_report *report, phys_error *err) {
+phys_status stepSwept(void *self, const phys_params *params, double dt, const phys_state *in, phys_state *out,
+                      phys_report *report, phys_error *err) {
     KnownPlaces &places = *static_cast<KnownPlaces *>(self);
     const PlanInput input{places.scene(), *params, dt, *in};
     if (!report && stay(input, places.footing(), *out)) return PHYS_OK;
@@ -88,8 +88,8 @@ constinit const phys_stepper_api kSwept = {sizeof(phys_stepper_api),
                                            0,
                                            makePlaces,
                                            deletePlaces,
-                                           step,
-                                           requirements,
+                                           stepSwept,
+                                           requirementsOfSwept,
                                            LaneStepper<VelocityVerlet, RegionRule::Swept>::extension};
 
 } // namespace phys

@@ -16,7 +16,7 @@ struct LevelRow {
 };
 
 // The seeds were chosen so that the way out grows from level to level: 9 cells in the first, 47 in the last.
-constexpr std::array<LevelRow, 10> kLevels = {{
+constexpr std::array<LevelRow, 10> kLevelRows = {{
     {7, 4, 4, Algorithm::Backtracker, 0},
     {2, 5, 4, Algorithm::Wilson, 0},
     {13, 5, 5, Algorithm::Backtracker, 0},
@@ -35,8 +35,8 @@ std::string numbered(std::size_t level) { return (level < 10 ? "0" : "") + std::
 
 std::vector<Recipe> levelRecipes() {
     std::vector<Recipe> recipes;
-    recipes.reserve(kLevels.size());
-    for (const LevelRow &row : kLevels)
+    recipes.reserve(kLevelRows.size());
+    for (const LevelRow &row : kLevelRows)
         recipes.push_back({row.seed, row.width, row.height, row.algorithm, row.loopMillionths, {}});
     return recipes;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/events/bounce_law.h"
 
+#include "core/events/event_figures.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -45,9 +47,6 @@ double allowanceOf(const LoggedEvent &bounce, const phys_vec3 &normal) {
     return bounce.step.dt * (isInAir ? pull : 5.0 / 7.0 * (pull + params.rolling_friction * press));
 }
 
-QString number(double value) { return QString::number(value, 'g', 4); }
-QString speed(double value) { return QStringLiteral("%1 m/s").arg(number(value)); }
-
 QString verdict(double deviation) {
     if (deviation == 0.0) return QStringLiteral("to the last bit");
     if (deviation < kRounding) return QStringLiteral("to rounding (%1)").arg(QString::number(deviation, 'g', 1));
@@ -60,15 +59,15 @@ QString normalText(const LoggedEvent &bounce, const NormalLaw &law) {
                             : isLanding     ? QStringLiteral("2.1 R6")
                                             : QStringLiteral("2.1 R2");
     QString text = QStringLiteral("v'n = -e vn: %1 %2 %3 × %4   (model.md %5)")
-                       .arg(speed(law.found), law.ends ? QStringLiteral("instead of") : QStringLiteral("="),
-                            number(law.restitution), speed(law.before), section);
+                       .arg(speedText(law.found), law.ends ? QStringLiteral("instead of") : QStringLiteral("="),
+                            figureText(law.restitution), speedText(law.before), section);
     if (law.ends) return text + QStringLiteral("; too slow to come off again, so it stays in contact (model.md 6.4)");
     return text + QStringLiteral("; ") + verdict(law.deviation);
 }
 
 QString frictionText(const AlongLaw &law) {
     return QStringLiteral("jt = min(mu j, 2/7 |uc|) = min(%1 × %2, 2/7 × %3) = %4: %5   (model.md 2.2 F3)")
-        .arg(number(law.friction), speed(law.impulse), speed(law.slip), speed(law.tangential),
+        .arg(figureText(law.friction), speedText(law.impulse), speedText(law.slip), speedText(law.tangential),
              law.friction == 0.0 ? QStringLiteral("smooth")
              : law.sticks        ? QStringLiteral("sticks")
                                  : QStringLiteral("slides"));
@@ -79,12 +78,13 @@ QString alongText(const LoggedEvent &bounce, const AlongLaw &law) {
     const QString rule = isRigid(bounce) ? QStringLiteral("v't = vt - jt uc/|uc|")
                          : isLanding     ? QStringLiteral("v't = vt   (model.md 2.1 R6)")
                                          : QStringLiteral("v't = vt   (model.md 2.1 R2)");
-    QString text =
-        QStringLiteral("%1: %2 after this step, expected %3; ").arg(rule, speed(law.found), speed(law.expected));
+    QString text = QStringLiteral("%1: %2 after this step, expected %3; ")
+                       .arg(rule, speedText(law.found), speedText(law.expected));
     const bool isWithin = law.off <= law.allowance;
-    text += isWithin ? QStringLiteral("within the %1 that gravity and friction can do in it").arg(speed(law.allowance))
-                     : QStringLiteral("off by %1, gravity and friction can do %2 in it")
-                           .arg(speed(law.off), speed(law.allowance));
+    text += isWithin
+                ? QStringLiteral("within the %1 that gravity and friction can do in it").arg(speedText(law.allowance))
+                : QStringLiteral("off by %1, gravity and friction can do %2 in it")
+                      .arg(speedText(law.off), speedText(law.allowance));
     const uint32_t others = bounce.step.eventCount - 1;
     if (others == 0) return text;
     return text + QStringLiteral("; %1 more in the same step").arg(others);

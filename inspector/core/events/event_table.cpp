@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/events/event_table.h"
 
+#include "core/events/event_figures.h"
 #include "core/setup/tables.h"
 
 #include <QLocale>
@@ -24,13 +25,12 @@ Figure ratioOf(E event) {
     return -event.event.speed_after / event.event.speed_before;
 }
 
-QString number(double value) { return QString::number(value, 'g', 4); }
-QString speed(double value) { return QStringLiteral("%1 m/s").arg(number(value)); }
-
-QString change(double before, double after) { return QStringLiteral("%1 → %2").arg(speed(before), speed(after)); }
+QString change(double before, double after) {
+    return QStringLiteral("%1 → %2").arg(speedText(before), speedText(after));
+}
 
 QString vector(const phys_vec3 &v, const char *unit) {
-    return QStringLiteral("(%1, %2, %3)%4").arg(number(v.x), number(v.y), number(v.z), QLatin1String(unit));
+    return QStringLiteral("(%1, %2, %3)%4").arg(figureText(v.x), figureText(v.y), figureText(v.z), QLatin1String(unit));
 }
 
 QString whenText(E event, const Registry &registry) {
@@ -57,7 +57,7 @@ QString placeText(E event, double radius) {
     if (place->isAtFace(radius)) return QStringLiteral("at the face");
     const QString text = place->gap > 0.0 ? QStringLiteral("%1 mm in front of the face, so %2 ms early")
                                           : QStringLiteral("%1 mm behind the face, so %2 ms late");
-    return text.arg(number(1e3 * std::abs(place->gap)), number(1e3 * std::abs(place->lateness)));
+    return text.arg(figureText(1e3 * std::abs(place->gap)), figureText(1e3 * std::abs(place->lateness)));
 }
 
 // The law first: it is what one looks for.
@@ -160,7 +160,7 @@ std::vector<LawLine> eventLines(const LoggedEvent &event, const phys_scene *scen
     std::vector<LawLine> lines{{eventText(event), whenText(event, registry)}};
     if (event.count > 1) {
         lines.push_back(
-            {QStringLiteral("Fastest"), QStringLiteral("%1; below is the first").arg(speed(event.fastest))});
+            {QStringLiteral("Fastest"), QStringLiteral("%1; below is the first").arg(speedText(event.fastest))});
     }
     if (event.isBounce())
         addBounceLines(event, phys_scene_radius(scene), lines);

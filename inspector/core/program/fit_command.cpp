@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/program/fit_command.h"
 
+#include "core/program/failure.h"
 #include "core/program/outputs.h"
 #include "core/setup/files.h"
 #include "core/setup/lines.h"
@@ -13,13 +14,7 @@ namespace inspector {
 
 namespace {
 
-// A failure that ends the program, in one line.
-struct Failure {
-    int status;
-    QString line;
-};
-
-FitPlan planOf(const Options &options) {
+FitPlan fitPlanOf(const Options &options) {
     QString error;
     FitPlan plan;
     plan.registry = options.registry;
@@ -51,7 +46,7 @@ void writeTable(const QString &path, const QByteArray &table) {
 int runFit(const Options &options, QIODevice &out, QTextStream &messages) {
     try {
         QString error;
-        const FitPlan plan = planOf(options);
+        const FitPlan plan = fitPlanOf(options);
         const std::optional<TrackFit> fit = fitTrack(plan, {}, {}, &error);
         if (!fit) throw Failure{2, QStringLiteral("--fit: ") + error};
         // --csv - has standard output for the table that programs read; people then read messages.

@@ -2,6 +2,7 @@
 #include "core/program/trade_command.h"
 
 #include "core/program/ending.h"
+#include "core/program/failure.h"
 #include "core/program/outputs.h"
 #include "core/setup/files.h"
 #include "core/setup/lines.h"
@@ -18,13 +19,7 @@ namespace inspector {
 
 namespace {
 
-// A failure that ends the program, in one line.
-struct Failure {
-    int status;
-    QString line;
-};
-
-TradePlan planOf(const Options &options) {
+TradePlan tradePlanOf(const Options &options) {
     QString error;
     TradePlan plan;
     plan.registry = options.registry;
@@ -154,7 +149,7 @@ Recommendation recommendForUnknowns(const TradePlan &plan, const TradeResult &re
 
 int runTrade(const Options &options, const TradeStreams &streams, const TradePictureWriter &writePicture) {
     try {
-        const TradePlan plan = planOf(options);
+        const TradePlan plan = tradePlanOf(options);
         const TradeResult result = measure(plan, streams.progress);
         // --csv - has standard output for the table that programs read; people then read messages.
         const bool isCsv = options.csv == QLatin1String("-");

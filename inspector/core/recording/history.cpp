@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recording/history.h"
 
+#include "core/recording/same_bits.h"
+
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace inspector {
-
-namespace {
-
-// Bits, unlike ==: 0 and -0 are two inputs. None of these types has padding.
-template<class Plain>
-bool isSameBits(const Plain &a, const Plain &b) {
-    return std::memcmp(&a, &b, sizeof a) == 0; // NOLINT(bugprone-suspicious-memory-comparison)
-}
-
-} // namespace
 
 uint64_t Past::beginOfRun(uint64_t place) const { return begin + recording->beginOfRun(place - begin); }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recording/recorder.h"
 
-#include <cstring>
+#include "core/recording/same_bits.h"
 
 namespace inspector {
 
@@ -10,12 +10,6 @@ namespace {
 // A program that crashes loses at most so much of its recording.
 constexpr std::chrono::milliseconds kFlushPeriod{100};
 constexpr qsizetype kFlushSize = 65536; // bytes
-
-// Bits, unlike ==: 0 and -0 are two inputs. None of these types has padding.
-template<class Plain>
-bool isSameBits(const Plain &a, const Plain &b) {
-    return std::memcmp(&a, &b, sizeof a) == 0; // NOLINT(bugprone-suspicious-memory-comparison)
-}
 
 } // namespace
 

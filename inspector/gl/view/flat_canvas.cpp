@@ -22,13 +22,13 @@ constexpr double kSpacing = 1e-4; // of a trail's points, m
 const QColor kBallColour(0xd8, 0xdc, 0xe0);
 const QColor kMarkColour(0xc6, 0x28, 0x28);
 
-QColor toQt(const glm::vec3 &colour) {
+QColor toQColor(const glm::vec3 &colour) {
     const glm::vec3 inside = glm::clamp(colour, 0.0F, 1.0F);
     return QColor::fromRgbF(inside.r, inside.g, inside.b);
 }
 
-QColor toQt(const Colour &colour) {
-    QColor result = toQt(glm::vec3(colour));
+QColor toQColor(const Colour &colour) {
+    QColor result = toQColor(glm::vec3(colour));
     result.setAlphaF(std::clamp(colour.a, 0.0F, 1.0F));
     return result;
 }
@@ -90,7 +90,7 @@ QImage FlatCanvas::picture(const Frame &frame, int scale) {
 void FlatCanvas::paint(QPainter &painter, const Frame &frame) const {
     painter.setRenderHint(QPainter::Antialiasing);
     const View view = m_host.view();
-    painter.fillRect(rect(), toQt(view.backdrop.table));
+    painter.fillRect(rect(), toQColor(view.backdrop.table));
     const Projection projection = view.projection * view.view * m_host.boardPose();
     paintMaze(painter, projection);
     paintStrokes(painter, projection, frame);
@@ -106,7 +106,7 @@ void FlatCanvas::paintMaze(QPainter &painter, const Projection &projection) cons
         const QPointF a = corners[1] - corners[0];
         const QPointF b = corners[2] - corners[0];
         if (a.x() * b.y() - a.y() * b.x() >= 0.0) continue; // y runs down
-        const QColor colour = toQt(triangle.colour);
+        const QColor colour = toQColor(triangle.colour);
         painter.setPen(QPen(colour, kSeam));
         painter.setBrush(colour);
         painter.drawConvexPolygon(corners, 3);
@@ -146,7 +146,7 @@ void FlatCanvas::paintBall(QPainter &painter, const Projection &projection, cons
 
 void FlatCanvas::paintGhost(QPainter &painter, const Projection &projection, const GhostBall &ghost) const {
     const double radius = discRadius(projection, ghost.ball);
-    const QColor colour = toQt(ghost.colour);
+    const QColor colour = toQColor(ghost.colour);
     painter.setPen(QPen(colour.darker(150), 1.0));
     painter.setBrush(colour);
     painter.drawEllipse(place(projection, ghost.ball.position), radius, radius);
@@ -158,7 +158,7 @@ void FlatCanvas::paintStrokes(QPainter &painter, const Projection &projection, c
     for (const Strokes *all : {static_cast<const Strokes *>(&strokes), &frame.strokes}) {
         for (const Stroke &stroke : all->all()) {
             const Qt::PenCapStyle ends = stroke.round_ends > 0.5F ? Qt::RoundCap : Qt::FlatCap;
-            const QColor colour = toQt(0.5F * (stroke.from_colour + stroke.to_colour));
+            const QColor colour = toQColor(0.5F * (stroke.from_colour + stroke.to_colour));
             painter.setPen(QPen(colour, stroke.width, Qt::SolidLine, ends));
             const QPointF from = place(projection, glm::dvec3(stroke.from));
             const QPointF to = place(projection, glm::dvec3(stroke.to));

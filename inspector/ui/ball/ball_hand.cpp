@@ -2,6 +2,7 @@
 #include "ui/ball/ball_hand.h"
 
 #include "ui/ball/ball_command.h"
+#include "ui/parts/board_vector.h"
 
 #include <QLineF>
 #include <QMouseEvent>
@@ -18,8 +19,6 @@ namespace {
 constexpr double kReach = 12.0;   // logical pixels: also a tiny ball can be taken
 constexpr double kSlowest = 1e-4; // m/s: an arrow that can be seen
 const gl::Colour kArrowColour{0.10F, 0.45F, 0.85F, 0.95F};
-
-glm::dvec3 toGlm(const phys_vec3 &v) { return {v.x, v.y, v.z}; }
 
 // Where the ray meets the plane at this height; nothing if it doesn't.
 std::optional<glm::dvec3> pointAt(const gl::Ray &ray, double height) {

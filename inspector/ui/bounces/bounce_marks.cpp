@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/bounces/bounce_marks.h"
 
+#include "ui/parts/board_vector.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,7 +17,7 @@ namespace inspector::ui {
 
 namespace {
 
-constexpr double kReach = 10.0; // logical pixels
+constexpr double kMouseReach = 10.0; // logical pixels
 const gl::Colour kColour{0.72F, 0.06F, 0.36F, 0.95F};
 const gl::Colour kSelectedColour{0.98F, 0.12F, 0.50F, 1.0F};
 constexpr float kOldest = 0.25F;      // of the newest mark's alpha
@@ -23,8 +25,6 @@ constexpr double kNormalLength = 1.4; // radii
 constexpr double kSelectedLength = 3.0;
 constexpr double kRingRadius = 0.5;
 constexpr int kRingPieces = 24;
-
-glm::dvec3 toGlm(const phys_vec3 &v) { return {v.x, v.y, v.z}; }
 
 bool hasBox(const LoggedEvent &event) { return event.event.box != PHYS_NO_BOX; }
 
@@ -128,7 +128,7 @@ std::optional<uint64_t> markAt(const gl::MazeView &view, const gl::Ray &ray, con
     const double radius = phys_scene_radius(scene);
     const QPointF pixel = view.positionOf(ray.origin + ray.direction);
     std::optional<uint64_t> best;
-    double nearest = kReach;
+    double nearest = kMouseReach;
     const auto consider = [&](const LoggedEvent &event) {
         const auto [foot, tip] = endsOf(event, radius);
         const double distance = distanceTo(pixel, view.positionOf(foot), view.positionOf(tip));

@@ -11,11 +11,10 @@ namespace inspector::ui {
 
 namespace {
 
-constexpr double kPerMetre = 1e3;   // mm
-constexpr double kFewest = 1e2;     // upper over lower border, so that a steady distance isn't a ragged line
-constexpr double kBelowZero = 0.4;  // the lower border, of the height of zeros
-const QCPRange kUsual(1e-5, 1e1);   // mm
-constexpr double kSmallest = 1e-12; // mm: zeros of the band have to be somewhere on a logarithmic axis
+constexpr double kFewest = 1e2;        // upper over lower border, so that a steady distance isn't a ragged line
+constexpr double kBelowZero = 0.4;     // the lower border, of the height of zeros
+const QCPRange kUsualRange(1e-5, 1e1); // mm
+constexpr double kSmallest = 1e-12;    // mm: zeros of the band have to be somewhere on a logarithmic axis
 
 // Powers of ten, but 0 where zeros are drawn.
 class ZeroTicker : public QCPAxisTickerLog {
@@ -58,7 +57,7 @@ DistancePlot::DistancePlot(const SampleRing &samples, QWidget *parent)
     for (QCPAxis *axis : {yAxis, yAxis2}) axis->setTicker(QSharedPointer<ZeroTicker>::create());
     yAxis2->setVisible(true);
     connect(yAxis, qOverload<const QCPRange &>(&QCPAxis::rangeChanged), this, &DistancePlot::showRadii);
-    yAxis->setRange(kUsual);
+    yAxis->setRange(kUsualRange);
 }
 
 void DistancePlot::setRadius(double radius) {
@@ -101,11 +100,11 @@ void DistancePlot::loadBesides(const QCPRange &times) {
 }
 
 void DistancePlot::showRadii() {
-    const double radius = m_radius * kPerMetre;
+    const double radius = m_radius * kMillimetresPerMetre;
     yAxis2->setRange(yAxis->range().lower / radius, yAxis->range().upper / radius);
 }
 
-double DistancePlot::plotted(double value) const { return value * kPerMetre; }
+double DistancePlot::plotted(double value) const { return value * kMillimetresPerMetre; }
 
 // NaN stays what it is.
 double DistancePlot::drawn(double plotted) const {
@@ -120,7 +119,7 @@ void DistancePlot::fitValues() {
     bool hasPositive = false;
     const QCPRange all = graph->getValueRange(hasAny);
     const QCPRange positive = graph->getValueRange(hasPositive, QCP::sdPositive);
-    QCPRange fitted = kUsual;
+    QCPRange fitted = kUsualRange;
     if (hasPositive) {
         fitted.lower = powerOfTen(std::floor(std::log10(positive.lower)));
         fitted.upper = std::max(powerOfTen(std::ceil(std::log10(positive.upper))), kFewest * fitted.lower);

@@ -14,6 +14,9 @@ namespace inspector::ui {
 inline constexpr QColor kBandColour(0x2a, 0x9f, 0x4f);
 inline constexpr QColor kBandFill(0x2a, 0x9f, 0x4f, 45);
 
+// Charts of small distances are in mm.
+inline constexpr double kMillimetresPerMetre = 1e3;
+
 // From a (share 0) to b (share 1).
 QColor mixed(const QColor &a, const QColor &b, double share);
 

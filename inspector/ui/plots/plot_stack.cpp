@@ -19,7 +19,7 @@ namespace inspector::ui {
 
 namespace {
 
-const QString kUsual = QStringLiteral("velocity_x,velocity_y,speed");
+const QString kUsualPlots = QStringLiteral("velocity_x,velocity_y,speed");
 const QString kPhase = QStringLiteral("phase:");
 constexpr qsizetype kMostRestored = 16; // a settings file may name any number
 
@@ -168,11 +168,11 @@ void PlotStack::clear() { first().clear(); }
 void PlotStack::reset() {
     while (m_plots.size() > 1) removePlot(m_plots.back());
     while (!m_phasePlots.empty()) removePlot(m_phasePlots.back());
-    first().setContent(plotContentOf(kUsual));
+    first().setContent(plotContentOf(kUsualPlots));
 }
 
 void PlotStack::restore() {
-    const QStringList contents = m_settings.value(settings_keys::kPlots, QStringList{kUsual}).toStringList();
+    const QStringList contents = m_settings.value(settings_keys::kPlots, QStringList{kUsualPlots}).toStringList();
     const QStringList heights = m_settings.value(settings_keys::kPlotSizes).toStringList();
     for (const QString &text : contents.mid(0, kMostRestored)) {
         const bool isPhase = text.startsWith(kPhase);
@@ -180,7 +180,7 @@ void PlotStack::restore() {
         if (isPhase && content.channels.size() == 2) makePhasePlot(content.channels[0], content.channels[1]);
         if (!isPhase) makePlot(content);
     }
-    if (m_plots.empty()) makePlot(plotContentOf(kUsual));
+    if (m_plots.empty()) makePlot(plotContentOf(kUsualPlots));
     QList<int> sizes;
     for (const QString &height : heights) sizes += std::clamp(height.toInt(), 0, QWIDGETSIZE_MAX);
     if (sizes.size() == QSplitter::count()) setSizes(sizes);

@@ -7,11 +7,7 @@
 
 namespace inspector::ui {
 
-namespace {
-
-constexpr double kPerMetre = 1e3; // mm
-
-} // namespace
+namespace {} // namespace
 
 ResidualPlot::ResidualPlot(QWidget *parent)
     : QCustomPlot(parent)
@@ -48,17 +44,17 @@ void ResidualPlot::clear() {
 
 void ResidualPlot::show(const ModelFit &fit, double noise) {
     clear();
-    double largest = 3.0 * noise * kPerMetre;
+    double largest = 3.0 * noise * kMillimetresPerMetre;
     for (const FitResidual &residual : fit.residuals) {
-        const double x = (residual.seen.x - residual.computed.x) * kPerMetre;
-        const double y = (residual.seen.y - residual.computed.y) * kPerMetre;
+        const double x = (residual.seen.x - residual.computed.x) * kMillimetresPerMetre;
+        const double y = (residual.seen.y - residual.computed.y) * kMillimetresPerMetre;
         m_x->addData(residual.seen.time, x);
         m_y->addData(residual.seen.time, y);
         largest = std::max({largest, std::abs(x), std::abs(y)});
     }
     for (const FittedBounce &bounce : fit.bounces) m_bounces->addData(bounce.impact.time, -1.05 * largest);
-    m_noise->topLeft->setCoords(0.0, 2.0 * noise * kPerMetre);
-    m_noise->bottomRight->setCoords(1.0, -2.0 * noise * kPerMetre);
+    m_noise->topLeft->setCoords(0.0, 2.0 * noise * kMillimetresPerMetre);
+    m_noise->bottomRight->setCoords(1.0, -2.0 * noise * kMillimetresPerMetre);
     m_noise->setVisible(true);
     if (!fit.residuals.empty()) xAxis->setRange(fit.residuals.front().seen.time, fit.residuals.back().seen.time);
     yAxis->setRange(-1.15 * largest, 1.15 * largest);

@@ -37,7 +37,7 @@ namespace {
 constexpr int kPerDecade = 20;
 constexpr int kSmallest = -6 * kPerDecade;
 constexpr int kLargest = 2 * kPerDecade;
-constexpr int kRefreshPeriod = 200; // ms
+constexpr int kChartPeriod = 200; // ms
 
 template<typename Widget>
 Widget *named(Widget *widget, const char *name) {
@@ -75,7 +75,7 @@ TradeDock::TradeDock(Session &session, QUndoStack &undo, QWidget *parent)
     connect(m_measure, &QPushButton::clicked, this, &TradeDock::toggle);
     connect(m_model, &QComboBox::currentIndexChanged, this, &TradeDock::showResult);
     connect(&m_worker, &TradeWorker::changed, &m_refresh, [this] {
-        if (!m_refresh.isActive()) m_refresh.start(kRefreshPeriod);
+        if (!m_refresh.isActive()) m_refresh.start(kChartPeriod);
     });
     m_refresh.setSingleShot(true);
     connect(&m_refresh, &QTimer::timeout, this, &TradeDock::showResult);

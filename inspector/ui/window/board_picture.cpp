@@ -3,6 +3,7 @@
 
 #include "mesh/mesh_builder.h"
 #include "mesh/mesh_file.h"
+#include "ui/parts/board_vector.h"
 #include "ui/parts/theme.h"
 
 #include <QFileInfo>
@@ -31,8 +32,6 @@ constexpr float kOtherWayWidth = 1.5F;
 constexpr double kOldAlpha = 0.45;
 constexpr double kGhostAlpha = 0.55;
 constexpr double kGhostSize = 0.99; // of the ball, which hides it where they are in the same place
-
-glm::dvec3 toGlm(const phys_vec3 &v) { return {v.x, v.y, v.z}; }
 
 gl::Ball ballOf(const phys_state &state, double radius) {
     gl::Ball ball;
@@ -65,28 +64,28 @@ std::vector<glm::dvec3> pointsOf(const SampleRing &samples, const PastWay &way) 
     return points;
 }
 
-gl::Colour toGlm(const QColor &colour, double alpha) {
+gl::Colour withAlpha(const QColor &colour, double alpha) {
     return {colour.redF(), colour.greenF(), colour.blueF(), static_cast<float>(alpha)};
 }
 
 // The ghost with its trail, on top of the ball's and thinner, so that both are seen where they are the same.
 void addGhost(gl::Frame &frame, const SampleRing &samples, const phys_state &state, double metAt) {
     const QColor colour = accentsFor(QGuiApplication::palette()).ghost;
-    gl::GhostBall ghost{ballOf(state, kGhostSize * frame.ball.radius), toGlm(colour, kGhostAlpha)};
+    gl::GhostBall ghost{ballOf(state, kGhostSize * frame.ball.radius), withAlpha(colour, kGhostAlpha)};
     frame.ghosts.push_back(ghost);
     // The sample of the meeting itself still tells where the ghost was before.
     const double afterMeeting = std::nextafter(metAt, std::numeric_limits<double>::infinity());
     const double begin = std::max(state.time - kComparedTrailTime, afterMeeting);
     const PastWay way{Channel::GhostX, Channel::GhostY, Channel::GhostZ, begin, state};
-    frame.trails.push_back({pointsOf(samples, way), toGlm(colour, kTrailAlpha), kGhostTrailWidth});
+    frame.trails.push_back({pointsOf(samples, way), withAlpha(colour, kTrailAlpha), kGhostTrailWidth});
 }
 
 // The measured ball where it was at that time, on its way, all of which is seen, too.
 void addTrack(gl::Frame &frame, const ShownTrack &track, double time) {
     const QColor colour = accentsFor(QGuiApplication::palette()).selected;
     const double height = frame.ball.position.z;
-    gl::Trail all{{}, toGlm(colour, kOldAlpha), kGhostTrailWidth};
-    gl::Trail lately{{}, toGlm(colour, kTrailAlpha), kGhostTrailWidth};
+    gl::Trail all{{}, withAlpha(colour, kOldAlpha), kGhostTrailWidth};
+    gl::Trail lately{{}, withAlpha(colour, kTrailAlpha), kGhostTrailWidth};
     const size_t stride = track.points().size() / kTrackPoints + 1;
     for (size_t i = 0; i < track.points().size(); ++i) {
         const TrackPoint &point = track.points()[i];
@@ -97,7 +96,7 @@ void addTrack(gl::Frame &frame, const ShownTrack &track, double time) {
     frame.trails.push_back(std::move(all));
     const std::optional<ShownTrack::Place> place = track.at(time);
     if (!place) return;
-    gl::GhostBall ghost{frame.ball, toGlm(colour, kGhostAlpha)};
+    gl::GhostBall ghost{frame.ball, withAlpha(colour, kGhostAlpha)};
     ghost.ball.radius *= kGhostSize;
     ghost.ball.position = {place->x, place->y, height};
     lately.points.push_back(ghost.ball.position);
@@ -108,7 +107,7 @@ void addTrack(gl::Frame &frame, const ShownTrack &track, double time) {
 // Where the ball had gone before another way was taken.
 void addOldFuture(gl::Frame &frame, const std::vector<Sample> &samples) {
     if (samples.empty()) return;
-    gl::Trail trail{{}, toGlm(accentsFor(QGuiApplication::palette()).ball, kOldAlpha), kGhostTrailWidth};
+    gl::Trail trail{{}, withAlpha(accentsFor(QGuiApplication::palette()).ball, kOldAlpha), kGhostTrailWidth};
     const size_t stride = samples.size() / kTrailPoints + 1;
     for (size_t i = samples.size(); i-- > 0;) // pale at its far end
         if (i % stride == 0)
@@ -137,7 +136,7 @@ gl::Frame currentFrame(Session &session) {
     frame.tilt_x = now.inputs.tilt.x;
     frame.tilt_y = now.inputs.tilt.y;
     frame.ball = ballOf(state, phys_scene_radius(session.scene().get()));
-    frame.trails.push_back({pointsOf(samples, way), toGlm(accentsFor(QGuiApplication::palette()).ball, kTrailAlpha),
+    frame.trails.push_back({pointsOf(samples, way), withAlpha(accentsFor(QGuiApplication::palette()).ball, kTrailAlpha),
                             now.ghost ? kBallTrailWidth : kTrailWidth});
     addOldFuture(frame, session.oldFuture());
     if (session.track()) addTrack(frame, *session.track(), state.time);
@@ -149,10 +148,10 @@ void addWayAhead(gl::Frame &frame, const WayAhead &way) {
     if (way.points.size() < 2) return;
     const QColor colour = accentsFor(QGuiApplication::palette()).total;
     for (const Way &other : way.others)
-        frame.trails.push_back(trailAhead(other, toGlm(colour, kOtherWayAlpha), kOtherWayWidth));
-    frame.trails.push_back(trailAhead(way.points, toGlm(colour, kWayAlpha), kGhostTrailWidth));
+        frame.trails.push_back(trailAhead(other, withAlpha(colour, kOtherWayAlpha), kOtherWayWidth));
+    frame.trails.push_back(trailAhead(way.points, withAlpha(colour, kWayAlpha), kGhostTrailWidth));
     if (!way.impact) return;
-    const gl::Colour mark = toGlm(colour, 1.0);
+    const gl::Colour mark = withAlpha(colour, 1.0);
     frame.strokes.point(toGlm(way.impact->point), mark, 7.0F);
     frame.strokes.arrow(toGlm(way.impact->point), toGlm(way.impact->normal), frame.ball.radius, mark, 2.0F);
 }

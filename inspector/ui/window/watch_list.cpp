@@ -17,13 +17,13 @@
 namespace inspector::ui {
 
 namespace {
-const QString kUsual = QStringLiteral("position_x,position_y,speed,energy,substeps,step_time");
+const QString kUsualWatched = QStringLiteral("position_x,position_y,speed,energy,substeps,step_time");
 }
 
 WatchList::WatchList(Session &session, QWidget *parent)
     : QTreeWidget(parent)
     , m_session(session)
-    , m_channels(plotContentOf(session.settings().value(settings_keys::kWatched, kUsual).toString()).channels) {
+    , m_channels(plotContentOf(session.settings().value(settings_keys::kWatched, kUsualWatched).toString()).channels) {
     setObjectName(QStringLiteral("watched"));
     setFrameShape(QFrame::NoFrame);
     setRootIsDecorated(false);

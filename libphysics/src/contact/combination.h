@@ -7,6 +7,8 @@
 
 namespace phys {
 
+inline constexpr double kSettled = 4e-15; ///< change of a direction that is rounding
+
 /// One combination of modes and its equations, model.md 14.1.
 struct Combination {
     const Moment &moment;

@@ -19,6 +19,12 @@ struct Motion {
     Vec3 spin;
 };
 
+/// v, shortened to length `most` if it is longer.
+inline Vec3 clipped(const Vec3 &v, double most) {
+    const double size = glm::length(v);
+    return size > most ? most / size * v : v;
+}
+
 /// Velocity of the ball's surface across a contact's normal.
 inline Vec3 slipAt(const Motion &motion, const Vec3 &normal, double radius) {
     const Vec3 surface = motion.velocity - radius * glm::cross(motion.spin, normal);

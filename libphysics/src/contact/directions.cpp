@@ -6,10 +6,9 @@ namespace phys {
 
 namespace {
 
-constexpr int kMostPasses = 100;   // of the directions in which slips and rolling start
-constexpr int kMostPulling = 24;   // with a contact that would have to pull: what hasn't settled by then won't fit
-constexpr int kPlainPasses = 8;    // before they are mixed: until then they turn the right way
-constexpr double kSettled = 4e-15; // of a direction
+constexpr int kMostStartPasses = 100; // of the directions in which slips and rolling start
+constexpr int kMostPulling = 24;      // with a contact that would have to pull: what hasn't settled by then won't fit
+constexpr int kPlainPasses = 8;       // before they are mixed: until then they turn the right way
 
 /// One of each contact, and that of resistance last.
 using Aims = std::array<Vec3, kMostHeld + 1>;
@@ -128,7 +127,7 @@ bool settleDirections(Combination &c, const Sought &sought) {
     Mixing mixing;
     int pullingPasses = 0;
     const double zero = kRoughly * accelerationScale(c.moment);
-    for (int pass = 0; pass < kMostPasses && !c.work.isTooMuch(); ++pass) {
+    for (int pass = 0; pass < kMostStartPasses && !c.work.isTooMuch(); ++pass) {
         const Aims aims = aimsOf(c, sought), asked = askedFor(c, sought);
         double change = 0.0;
         for (size_t i = 0; i < aims.size(); ++i) change = std::max(change, glm::length(asked[i] - aims[i]));

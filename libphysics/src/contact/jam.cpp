@@ -7,8 +7,7 @@ namespace phys {
 
 namespace {
 
-constexpr int kMostPasses = 50;    // of the directions that slips are left with
-constexpr double kSettled = 4e-15; // of a direction
+constexpr int kMostJamPasses = 50; // of the directions that slips are left with
 constexpr double kMostMore = 1e-9; // relative, of impulses that count as equal
 
 /// Impulses at once: the forces of a combination, and what they make of the motion.
@@ -55,7 +54,7 @@ void push(Jam &jam) {
 
 /// As `push`, with friction against the slips that are left. False if their directions don't settle.
 bool settle(Jam &jam) {
-    for (int pass = 0; pass < kMostPasses && !jam.c.work.isTooMuch(); ++pass) {
+    for (int pass = 0; pass < kMostJamPasses && !jam.c.work.isTooMuch(); ++pass) {
         push(jam);
         double change = 0.0;
         for (uint32_t i = 0; i < jam.c.count(); ++i) {

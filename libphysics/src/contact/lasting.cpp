@@ -17,11 +17,6 @@ constexpr double kNotPressed = -1.0;
 
 Vec3 across(const Vec3 &v, const Vec3 &normal) { return v - glm::dot(v, normal) * normal; }
 
-Vec3 clipped(const Vec3 &v, double most) {
-    const double size = glm::length(v);
-    return size > most ? most / size * v : v;
-}
-
 double size(const Vec3 &v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 bool areOpposite(const Lasting &a, const Lasting &b) { return size(a.lever + b.lever) <= kSameNormal; }

@@ -10,7 +10,7 @@ namespace phys {
 
 namespace {
 
-constexpr int kMostSweeps = 4000;
+constexpr int kMostPushSweeps = 4000;
 
 Vec3 sumOf(std::span<const Push> pushes) {
     Vec3 sum(0.0);
@@ -115,7 +115,7 @@ private:
 void sweep(std::span<Push> pushes, double negligible, Work &work) {
     for (Push &push : pushes) push.amount = 0.0;
     Vec3 sum(0.0);
-    for (int i = 0; i < kMostSweeps && !work.isTooMuch(); ++i) {
+    for (int i = 0; i < kMostPushSweeps && !work.isTooMuch(); ++i) {
         work.add(Work::kPush * pushes.size());
         double largest = 0.0;
         for (Push &push : pushes) {

@@ -16,11 +16,6 @@ constexpr int kMostNewtonSteps = 40;
 /// An impulse of 1 changes the slip of its own contact by 7/2.
 constexpr double kSlipShare = 2.0 / 7.0;
 
-Vec3 clipped(const Vec3 &v, double most) {
-    const double size = glm::length(v);
-    return size > most ? most / size * v : v;
-}
-
 void apply(const Vec3 &normal, const Vec3 &impulse, double radius, Motion &motion) {
     motion.velocity += impulse;
     motion.spin -= 2.5 / radius * glm::cross(normal, impulse);

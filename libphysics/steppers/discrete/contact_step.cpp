@@ -11,9 +11,6 @@ namespace phys {
 
 namespace {
 
-/// Slip below this share of the speeds is none.
-constexpr double kRolling = 1e-9;
-
 /// Order 2: the end that fixes the normals and the normals that fix the end, in turns.
 constexpr int kMidpointPasses = 3;
 

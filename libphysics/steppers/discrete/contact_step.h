@@ -11,6 +11,9 @@
 
 namespace phys {
 
+/// Slip below this share of the speeds is none.
+inline constexpr double kRolling = 1e-9;
+
 /// What stays the same during one step.
 struct StepContext {
     Setting setting;

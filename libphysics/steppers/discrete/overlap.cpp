@@ -10,7 +10,7 @@ namespace phys {
 
 namespace {
 
-constexpr int kMostPasses = 8;
+constexpr int kMostOverlapPasses = 8;
 
 struct Overlap {
     Nearest nearest{{}, {}, INFINITY, 0};
@@ -45,7 +45,7 @@ Contact contactOf(const StepContext &context, const Overlap &overlap) {
 } // namespace
 
 void collideAsReported(const StepContext &context, double h, double after, Ball &ball) {
-    for (int pass = 0; pass < kMostPasses; ++pass) {
+    for (int pass = 0; pass < kMostOverlapPasses; ++pass) {
         const Overlap overlap = deepestOverlap(context.scene(), ball.position);
         if (overlap.box == PHYS_NO_BOX) return;
         context.report.penetration(context.radius() - overlap.nearest.distance);

@@ -10,9 +10,6 @@ namespace {
 /// Speeds below this share of sqrt(g R) along a normal don't leave a contact.
 constexpr double kSlow = 1e-11;
 
-/// Slip below this share of the speeds is none.
-constexpr double kRolling = 1e-9;
-
 /// Bisection alone would take 53.
 constexpr int kMostRefinements = 80;
 

@@ -10,10 +10,10 @@ namespace phys {
 
 namespace {
 
-constexpr double kInertia = 2.5;   // m R^2 / I of a solid ball
-constexpr double kTail = 1e-17;    // relative size of the last terms
-constexpr double kNoise = 1e-25;   // relative to the speeds
-constexpr double kNoForce = 1e-12; // relative to the accelerations
+constexpr double kInverseInertia = 2.5; // m R^2 / I of a solid ball
+constexpr double kTail = 1e-17;         // relative size of the last terms
+constexpr double kNoise = 1e-25;        // relative to the speeds
+constexpr double kNoForce = 1e-12;      // relative to the accelerations
 constexpr double kDirectionNoise = 4.0 * 0x1p-52;
 constexpr double kSlipEnds = 2e-13;   // relative to the velocities that it is the difference of
 constexpr double kStalls = 0x1p-7;    // share that a slip loses while its series are good: its direction is rounding
@@ -22,7 +22,7 @@ constexpr double kLookAhead = 0x1p-6; // of the horizon: where a force that is z
 
 Vec3 axisOf(uint32_t i) { return {i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0}; }
 
-Vec3 hat(const Vec3 &v) {
+Vec3 unitOf(const Vec3 &v) {
     const double size = glm::length(v);
     return size > 0.0 ? v / size : Vec3(0.0);
 }
@@ -166,8 +166,8 @@ void Series::rollingDirection(int k) {
 Vec3 Series::steadied(const Vec3 &al, int k) const {
     if (!m_rollStarts) return al;
     const Contact &contact = m_contacts[m_rolls];
-    const double growth =
-        kInertia * contact.held.resistance / m_moment.radius * contact.N[0] * m_unit * m_rollInverse[0] / (k + 1);
+    const double growth = kInverseInertia * contact.held.resistance / m_moment.radius * contact.N[0] * m_unit *
+                          m_rollInverse[0] / (k + 1);
     const Vec3 &n = contact.held.normal;
     const Vec3 across = al - glm::dot(al, n) * n - glm::dot(al, m_rolling[0]) * m_rolling[0];
     return al - growth / (1.0 + growth) * across;
@@ -218,7 +218,7 @@ void Series::slide(int k) {
     face.r[k] = face.N[0] * (-face.held.friction * face.d[k]);
     wall.N[k] = -glm::dot(wall.n[0], face.r[k]);
     m_a[k] = face.r[k] + wall.N[k] * wall.n[0];
-    m_al[k] = -kInertia / m_moment.radius * face.crossNormal(face.r, k);
+    m_al[k] = -kInverseInertia / m_moment.radius * face.crossNormal(face.r, k);
 }
 
 void Series::forces(int k) {
@@ -257,7 +257,7 @@ void Series::knownAccelerations(int k) {
     m_a[k] = m_al[k] = Vec3(0.0);
     for (const Contact &contact : contacts()) {
         m_a[k] += contact.r[k];
-        m_al[k] -= kInertia / R * contact.crossNormal(contact.r, k);
+        m_al[k] -= kInverseInertia / R * contact.crossNormal(contact.r, k);
     }
     if (m_rolls < m_count) {
         const Contact &contact = m_contacts[m_rolls];
@@ -265,7 +265,7 @@ void Series::knownAccelerations(int k) {
             m_om[k + 1] = Vec3(0.0);
             rollingDirection(k);
         }
-        m_al[k] -= kInertia * contact.held.resistance / R * termOf(contact.N, m_rolling, k);
+        m_al[k] -= kInverseInertia * contact.held.resistance / R * termOf(contact.N, m_rolling, k);
         m_al[k] = steadied(m_al[k], k);
     }
     for (Contact &contact : contacts()) {
@@ -288,9 +288,10 @@ Vec3 Series::basis(const Contact &contact, uint32_t part) const {
 }
 
 Vec3 Series::spinPerForce(const Contact &contact, const Vec3 &force, int k) const {
-    Vec3 spin = -kInertia / m_moment.radius * glm::cross(contact.n[0], force);
+    Vec3 spin = -kInverseInertia / m_moment.radius * glm::cross(contact.n[0], force);
     if (m_rolls < m_count && &contact == &m_contacts[m_rolls]) {
-        spin -= kInertia * contact.held.resistance / m_moment.radius * glm::dot(force, contact.n[0]) * m_rolling[0];
+        spin -=
+            kInverseInertia * contact.held.resistance / m_moment.radius * glm::dot(force, contact.n[0]) * m_rolling[0];
     }
     return steadied(spin, k);
 }
@@ -502,7 +503,7 @@ uint32_t Series::spent(std::span<Vec3> slips) const {
         bits |= 1U << given(i);
         // Where all friction is less than rounding it has no direction yet.
         const VecJet friction = frictionOf(contact);
-        slips[given(i)] = m_mirror.back(-hat(2.0 * left[0] < most * most ? friction[0] : friction.at(soon)));
+        slips[given(i)] = m_mirror.back(-unitOf(2.0 * left[0] < most * most ? friction[0] : friction.at(soon)));
     }
     return bits;
 }

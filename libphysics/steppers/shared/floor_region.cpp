@@ -9,8 +9,8 @@ namespace phys {
 
 namespace {
 
-constexpr double kWindow = 5.0;    ///< radii that a region reaches at most, from where it was asked for
-constexpr uint32_t kMostBoxes = 8; ///< as many as a FloorView holds
+constexpr double kWindow = 5.0;     ///< radii that a region reaches at most, from where it was asked for
+constexpr uint32_t kMostFloors = 8; ///< as many as a FloorView holds
 
 /// A region as it is cut smaller.
 class Cutting {
@@ -170,7 +170,7 @@ private:
         // A ball that just fits between two faces touches both.
         const bool hasRoom =
             m_region.along[0].low <= m_region.along[0].high && m_region.along[1].low <= m_region.along[1].high;
-        return hasRoom && m_region.has(fromVec(m_place)) && !hasOtherFloor() && seen() <= kMostBoxes;
+        return hasRoom && m_region.has(fromVec(m_place)) && !hasOtherFloor() && seen() <= kMostFloors;
     }
 
     /// How many boxes a FloorView may see from somewhere in the region.

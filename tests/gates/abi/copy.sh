@@ -16,13 +16,14 @@ change() {
     ! cmp -s "$scratch/before" "$copy/$1" || fail "nothing to break in $1: adapt this test"
 }
 
-# build: the copy's library, all in one go and without optimisation.
+# build: the copy's library, all sources in one and without optimisation.
 build() {
-    find "$copy/src" "$copy/steppers" -name '*.cpp' ! -name '*_windows.cpp' -print0 | sort -z |
-        xargs -0 -P2 -I{} sh -c '${CMAKE_CXX_COMPILER_LAUNCHER:-} "${CXX:-g++}" -std=c++20 -g -O0 -fPIC -w \
-            -fvisibility=hidden -fvisibility-inlines-hidden -I"$0/include" -I"$0/src" -I"$0/steppers" \
-            -c "$1" -o "$1.o"' "$copy" {}
+    find "$copy/src" "$copy/steppers" -name '*.cpp' ! -name '*_windows.cpp' | LC_ALL=C sort |
+        sed 's/.*/#include "&"/' >"$copy/library.cpp"
+    ${CMAKE_CXX_COMPILER_LAUNCHER:-} "${CXX:-g++}" -std=c++20 -g -O0 -fPIC -w -fvisibility=hidden \
+        -fvisibility-inlines-hidden -I"$copy/include" -I"$copy/src" -I"$copy/steppers" \
+        -c "$copy/library.cpp" -o "$copy/library.o"
     g++ -shared -Wl,-soname,libphysics.so.1 -Wl,--version-script="$copy/src/physics.map" -o "$copy/libphysics.so" \
-        $(find "$copy/src" "$copy/steppers" -name '*.o')
+        "$copy/library.o"
     ln -sf libphysics.so "$copy/libphysics.so.1"
 }

@@ -19,6 +19,9 @@ quietly() {
     "$@" >"$scratch/output" 2>&1 || { cat "$scratch/output" >&2; fail "failed: $*"; }
 }
 
+# What makes CMake compile a library's sources in one go, which takes a third of the time.
+in_one_go=(-DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0)
+
 # rolls PROGRAM: the C example runs and the ball has moved.
 rolls() {
     "$1" "$source/mazes/levels/01.txt" >"$scratch/table"
