@@ -95,7 +95,7 @@ void flipHash(const QString &file, int step) {
     write(file, lines.join('\n'));
 }
 
-QPoint handleOf(const QSlider &slider) {
+QPoint timeHandleOf(const QSlider &slider) {
     QStyleOptionSlider option;
     option.initFrom(&slider);
     option.orientation = Qt::Horizontal;
@@ -249,11 +249,11 @@ void TestWindowReplay::sliderIsDraggedByTheMouse() {
     open(recorded());
     goTo(0);
     const auto pixel = [&](int position) { return QPoint(slider()->pixelOf(position), slider()->height() / 2); };
-    drag(slider(), handleOf(*slider()), pixel(250));
+    drag(slider(), timeHandleOf(*slider()), pixel(250));
     QTRY_COMPARE(place().position, uint64_t(slider()->value()));
     QVERIFY(qAbs(slider()->value() - 250) <= 1); // a step is more than a pixel here
     // Back, and a press beside the handle goes there.
-    drag(slider(), handleOf(*slider()), pixel(30));
+    drag(slider(), timeHandleOf(*slider()), pixel(30));
     QTRY_COMPARE(place().position, uint64_t(slider()->value()));
     QVERIFY(qAbs(slider()->value() - 30) <= 1);
     QTest::mouseClick(slider(), Qt::LeftButton, {}, pixel(480));
