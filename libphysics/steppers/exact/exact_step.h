@@ -94,6 +94,7 @@ private:
     bool areBouncing() const;
     bool holdNext(double negligible);
     void hold(double negligible);
+    bool crosses(const Vec3 &first, const Vec3 &second, const Vec3 &along) const;
     void project();
     bool isCarried(double negligible) const;
     void roll(bool isImpact);

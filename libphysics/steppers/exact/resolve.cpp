@@ -244,6 +244,15 @@ void ExactStep::hold(double negligible) {
     project();
 }
 
+/// Whether the ball is too fast for the groove between two contacts on the same side of it: so fast that it rises over
+/// their edges, while its speeds across the contacts, which all but have one normal, are rounding. model.md 6.4.
+bool ExactStep::crosses(const Vec3 &first, const Vec3 &second, const Vec3 &along) const {
+    if (glm::dot(first, second) <= 0.0) return false;
+    const Vec3 across = m_motion.velocity - glm::dot(m_motion.velocity, along) * along;
+    const Vec3 wide = first - second; // in radii
+    return glm::dot(across, across) > glm::dot(wide, wide) * m_scene.radius * glm::length(m_setting.gravity());
+}
+
 /// Removes what is left of the velocity across the lasting contacts.
 void ExactStep::project() {
     Vec3 &v = m_motion.velocity;
@@ -254,6 +263,7 @@ void ExactStep::project() {
             const Vec3 line = glm::cross(n, m_held[j].normal);
             if (glm::dot(line, line) < kParallel * kParallel) continue;
             const Vec3 along = hat(line);
+            if (crosses(m_held[i].normal, m_held[j].normal, along)) continue;
             for (uint32_t k = 0; k < j; ++k) {
                 if (std::abs(glm::dot(m_held[k].normal, along)) > kParallel) v = Vec3(0.0);
             }
