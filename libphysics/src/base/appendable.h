@@ -20,7 +20,7 @@ inline constexpr uint32_t kFirstSize = 0;
 PHYS_LAST_OF_FIRST_VERSION(phys_scene_desc, start);
 PHYS_LAST_OF_FIRST_VERSION(phys_params, stepper);
 PHYS_LAST_OF_FIRST_VERSION(phys_report, energy_scheme);
-PHYS_LAST_OF_FIRST_VERSION(phys_batch, energy_lost);
+PHYS_LAST_OF_FIRST_VERSION(phys_batch, statuses);
 PHYS_LAST_OF_FIRST_VERSION(phys_stepper_api, extension);
 PHYS_LAST_OF_FIRST_VERSION(phys_plugin, steppers);
 #undef PHYS_LAST_OF_FIRST_VERSION

@@ -314,6 +314,7 @@ private slots:
     void pluginsRunThroughTheirStep();
     void nothingIsAllocated_data() { addStepperRows(); }
     void nothingIsAllocated();
+    void batchWithoutTalliesInItIsTaken();
     void wrongBatchIsRefusedAndNothingTouched_data();
     void wrongBatchIsRefusedAndNothingTouched();
     void firstFailureIsToldWhereStatusesAreNotAskedFor();
@@ -408,6 +409,22 @@ void TestBatch::nothingIsAllocated() {
         },
         &status);
     QCOMPARE(status, PHYS_OK);
+}
+
+// As programs have it that were compiled against a header without `impacts` and what follows.
+void TestBatch::batchWithoutTalliesInItIsTaken() {
+    const ScenePtr scene = openRoom();
+    const StepperPtr stepper = stepperOf(PHYS_STEPPER_DEFAULT, scene.get());
+    Case given = plainCase();
+    const Results expected = stepOneByOne(stepper.get(), given);
+    uint64_t behind = 7; // what would be written to if it were read
+    const Results found = runBatch(given, [&](phys_batch &batch) {
+        batch.struct_size = offsetof(phys_batch, impacts);
+        batch.impacts = &behind;
+        return phys_batch_run(stepper.get(), &batch, 0, batch.ball_count, nullptr);
+    });
+    QVERIFY(found == expected);
+    QCOMPARE(behind, uint64_t{7});
 }
 
 using Change = std::function<void(phys_batch &, uint64_t &first, uint64_t &count)>;
