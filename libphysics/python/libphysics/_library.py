@@ -154,7 +154,8 @@ def library_rows() -> list[ParamRow]:
 
 def _expect(holds: bool, what: str) -> None:
     if not holds:
-        raise ImportError(f"this package and libphysics {lib.phys_version().decode()} disagree about {what}")
+        raise ImportError(f"this package and {lib._name}, libphysics {lib.phys_version().decode()}, disagree about {what}: "
+                          "build it anew, or name another by PHYSICS_LIBRARY")
 
 
 def _compare_sizes() -> None:
