@@ -106,7 +106,8 @@ void TestReplayInC::severalRunsInOneFileAreSame() {
 }
 
 void TestReplayInC::stepThatFailedFailsAgain() {
-    const QString file = recorded({"--level", "1", "--tilt-x", "80", "--dt", "10", "--duration", "1000"});
+    const QString file =
+        recorded({"--level", "1", "--tilt-x", "80", "--gravity", "1000", "--dt", "10", "--duration", "1000"});
     QVERIFY(contentOf(file).contains("\nfailed "));
     compareVerdicts(file, 0);
 }
