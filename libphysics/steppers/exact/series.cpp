@@ -20,6 +20,9 @@ constexpr double kStalls = 0x1p-7;    // share that a slip loses while its serie
 constexpr double kKeptFor = 0.25;     // of the unit: what sticks only by prestress is looked at again and again
 constexpr double kLookAhead = 0x1p-6; // of the horizon: where a force that is zero shows its sign
 
+/// What rows of the roughest contacts are divided by: beside longer ones the others would count as none.
+double unitOfFriction(double mu) { return std::max(mu, 1.0); }
+
 Vec3 axisOf(uint32_t i) { return {i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0}; }
 
 Vec3 unitOf(const Vec3 &v) {
@@ -334,7 +337,8 @@ void Series::addRows(const Contact &contact, int k, dense::Equations &equations)
                 contact.directionKnown[static_cast<int>(i)] - growth * glm::dot(across, contact.rateKnown);
             dense::Values &factors = add(growth * across, true, known);
             factors[contact.column + i] += 1.0;
-            factors[contact.column + 3] -= n0[static_cast<int>(i)] - mu * d0[static_cast<int>(i)];
+            factors[contact.column + 3] -=
+                (n0[static_cast<int>(i)] - mu * d0[static_cast<int>(i)]) / unitOfFriction(mu);
         }
     } else if (contact.mode == Mode::spent) {
         const Vec3 d0 = contact.d[0], e = glm::cross(n0, d0);
@@ -347,9 +351,10 @@ void Series::addRows(const Contact &contact, int k, dense::Equations &equations)
             along -= mu * contact.N[k - j] * glm::dot(contact.d[j], d0);
             along += 0.5 * mu * contact.N[0] * glm::dot(contact.d[j], contact.d[k - j]);
         }
-        dense::Values &factors = equations.add(along);
+        const double unit = unitOfFriction(mu);
+        dense::Values &factors = equations.add(along / unit);
         for (uint32_t part = 0; part < 3 && !equations.areSolved(); ++part) {
-            factors[contact.column + part] = d0[static_cast<int>(part)] + mu * n0[static_cast<int>(part)];
+            factors[contact.column + part] = (d0[static_cast<int>(part)] + mu * n0[static_cast<int>(part)]) / unit;
         }
     }
 }
@@ -402,7 +407,7 @@ void Series::solveOrder(int k) {
         if (isOne)
             contact.N[k] = x[contact.column];
         else if (contact.mode == Mode::starting)
-            contact.N[k] = x[contact.column + 3];
+            contact.N[k] = x[contact.column + 3] / unitOfFriction(contact.held.friction);
         else
             contact.N[k] += glm::dot(force, contact.n[0]);
         a += force;
