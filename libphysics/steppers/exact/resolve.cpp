@@ -78,7 +78,9 @@ void ExactStep::holdGround() {
     m_position.z = m_contacts[0].point.z + m_scene.radius;
     if (m_ground.count() > 1) {
         const int axis = m_region->leansAlong(m_position);
-        const int side = m_position[axis] == m_region->along[static_cast<size_t>(axis)].lowFace ? 1 : -1;
+        const FloorRegion::Range &range = m_region->along[static_cast<size_t>(axis)];
+        const int side = m_position[axis] == range.lowFace ? 1 : -1;
+        m_position[axis] = side > 0 ? range.lowFace : range.highFace; // a zero may have the other sign
         m_contacts.add(contactAtFace(m_setting, m_position, m_ground[1], axis, side));
     }
     keepFaces();
@@ -97,13 +99,25 @@ void ExactStep::keepFaces() {
     roll(false);
 }
 
-/// Puts the ball exactly at the radius of the faces that it touches.
+/// Puts the ball exactly at the radius of the faces that it touches, and amid those that face each other: at the radius
+/// of either, a ball at rest would be moved to and fro.
 void ExactStep::takeFaces() {
+    constexpr uint32_t kLow = 1, kHigh = 2; // the side of the face that the ball is on
+    std::array<Vec3, 2> at{};
+    std::array<uint32_t, 3> sides{};
     for (const Contact &contact : m_contacts) {
         if (!contact.isFace()) continue;
         for (int axis = 0; axis < 3; ++axis) {
-            if (contact.sides[axis] != 0) m_position[axis] = contact.point[axis] + contact.sides[axis] * m_scene.radius;
+            const int side = contact.sides[axis];
+            if (side == 0) continue;
+            at[side > 0 ? 1 : 0][axis] = contact.point[axis] + side * m_scene.radius;
+            sides[static_cast<size_t>(axis)] |= side > 0 ? kHigh : kLow;
         }
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        const uint32_t touched = sides[static_cast<size_t>(axis)];
+        if (touched == 0) continue;
+        m_position[axis] = touched == (kLow | kHigh) ? 0.5 * (at[0][axis] + at[1][axis]) : at[touched - 1][axis];
     }
 }
 

@@ -129,7 +129,7 @@ private:
         const bool isLow = m_place[axis] == faceAtLow(box, axis);
         double &face = isLow ? range.lowFace : range.highFace;
         if (face != FloorRegion::kNoFace) return false;
-        face = m_place[axis];
+        face = isLow ? faceAtLow(box, axis) : faceAtHigh(box, axis); // m_place may be a zero of the other sign
         (isLow ? range.lowBox : range.highBox) = numberOf(box);
         if (isLow)
             range.low = std::max(range.low, face + m_margin);
