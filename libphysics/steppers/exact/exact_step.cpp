@@ -408,6 +408,11 @@ void ExactStep::keepContacts() {
             if (side == 0) continue;
             m_position[axis] = (side > 0 ? (&box.max.x)[axis] : (&box.min.x)[axis]) + R * n[axis];
             if (contact.isFace()) m_motion.velocity[axis] = 0.0;
+            for (uint32_t j = 0; j < i && contact.isFace(); ++j) { // amid two walls, as takeFaces does
+                const Contact &other = contactOf(j);
+                if (!isClosed(j) || !other.isFace() || other.sides[axis] != -side) continue;
+                m_position[axis] = 0.5 * (m_position[axis] + other.point[axis] - side * R);
+            }
         }
         if (!contact.isFace()) m_motion.velocity -= speed * n;
     }
