@@ -50,13 +50,15 @@ int finished(OutputFile &out, int status, QTextStream &messages) {
     return std::max(status, 1);
 }
 
+// For the progress of long work, which is for people's eyes alone.
+QTextStream *terminalOf(QTextStream &messages) { return isatty(STDERR_FILENO) ? &messages : nullptr; }
+
 int runTradeOnTerminal(const Options &options, QTextStream &messages) {
     const std::unique_ptr<OutputFile> file = standardOutput();
     int status = 0;
     {
         QTextStream out(file.get());
-        QTextStream *progress = isatty(STDERR_FILENO) ? &messages : nullptr;
-        status = runTrade(options, {out, messages, progress}, ui::writeTradePicture);
+        status = runTrade(options, {out, messages, terminalOf(messages)}, ui::writeTradePicture);
     }
     return finished(*file, status, messages);
 }
@@ -70,7 +72,7 @@ bool needsToDraw(const Options &options) {
 int runWithoutWindow(const Options &options, QTextStream &messages) {
     if (options.action == Options::Action::Trade) return runTradeOnTerminal(options, messages);
     const std::unique_ptr<OutputFile> out = standardOutput();
-    return finished(*out, runHeadless(options, *out, messages), messages);
+    return finished(*out, runHeadless(options, *out, messages, terminalOf(messages)), messages);
 }
 
 bool areWritten(QSettings &settings, QTextStream &messages) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/program/fit_command.h"
 
+#include "core/program/ending.h"
 #include "core/program/failure.h"
+#include "core/program/long_work.h"
 #include "core/program/outputs.h"
 #include "core/setup/files.h"
 #include "core/setup/lines.h"
@@ -33,6 +35,16 @@ FitPlan fitPlanOf(const Options &options) {
     return plan;
 }
 
+TrackFit measure(const FitPlan &plan, QTextStream *progress) {
+    QString error;
+    LongWork work(progress);
+    const FitProgress listener = [&work](double share, const QString &what) { work.progressed(share, what); };
+    std::optional<TrackFit> fit = fitTrack(plan, listener, work.stop(), &error);
+    if (endingSignal()) throw Failure{statusAfter(endingSignal()), QStringLiteral("--fit: ended before its end")};
+    if (!fit) throw Failure{2, QStringLiteral("--fit: ") + error};
+    return std::move(*fit);
+}
+
 void writeTable(const QString &path, const QByteArray &table) {
     QString error;
     const std::unique_ptr<OutputFile> file = OutputFile::open(path, Existing::Replace, {}, &error);
@@ -43,22 +55,20 @@ void writeTable(const QString &path, const QByteArray &table) {
 
 } // namespace
 
-int runFit(const Options &options, QIODevice &out, QTextStream &messages) {
+int runFit(const Options &options, QIODevice &out, QTextStream &messages, QTextStream *progress) {
     try {
-        QString error;
         const FitPlan plan = fitPlanOf(options);
-        const std::optional<TrackFit> fit = fitTrack(plan, {}, {}, &error);
-        if (!fit) throw Failure{2, QStringLiteral("--fit: ") + error};
+        const TrackFit fit = measure(plan, progress);
         // --csv - has standard output for the table that programs read; people then read messages.
         const bool isCsv = options.csv == QLatin1String("-");
         QTextStream standard(&out);
         QTextStream &text = isCsv ? messages : standard;
-        for (const QString &line : fitReport(plan, *fit)) text << oneLine(line) << '\n';
-        text << "options: " << fitOptions(fit->best()) << '\n';
+        for (const QString &line : fitReport(plan, fit)) text << oneLine(line) << '\n';
+        text << "options: " << fitOptions(fit.best()) << '\n';
         text.flush();
-        if (isCsv) out.write(fitCsv(fit->best()));
-        if (!isStandardOutput(options.csv)) writeTable(options.csv, fitCsv(fit->best()));
-        return fit->verdict == FitVerdict::Neither ? 1 : 0;
+        if (isCsv) out.write(fitCsv(fit.best()));
+        if (!isStandardOutput(options.csv)) writeTable(options.csv, fitCsv(fit.best()));
+        return fit.verdict == FitVerdict::Neither ? 1 : 0;
     } catch (const Failure &failure) {
         report(messages, failure.line);
         return failure.status;

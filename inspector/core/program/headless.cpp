@@ -151,10 +151,10 @@ Outcome play(Engine &engine, const Limits &limits, const std::function<bool(cons
     return outcome;
 }
 
-int runHeadless(const Options &options, QIODevice &out, QTextStream &messages) {
+int runHeadless(const Options &options, QIODevice &out, QTextStream &messages, QTextStream *progress) {
     if (options.action == Options::Action::PlayAllLevels) return playAllLevels(options, out, messages);
     if (options.action == Options::Action::Replay) return runReplay(options, out, messages);
-    if (options.action == Options::Action::Fit) return runFit(options, out, messages);
+    if (options.action == Options::Action::Fit) return runFit(options, out, messages, progress);
     QString error;
     const std::unique_ptr<Engine> engine = makeEngine(options, options.level, &error);
     if (!engine) {

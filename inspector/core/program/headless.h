@@ -37,7 +37,7 @@ Outcome play(Engine &engine, const Limits &limits, const std::function<bool(cons
 
 // Does what the options ask for. Tables go to `out`, messages to `messages`. The program's exit status: 0; 1 if the run
 // failed, the autopilot didn't win or a table can't be written; 2 if something asked for can't be opened; after a
-// signal what is the custom. What `out` lost is for its owner to tell.
-int runHeadless(const Options &options, QIODevice &out, QTextStream &messages);
+// signal what is the custom. What `out` lost is for its owner to tell. progress: a terminal, or nullptr.
+int runHeadless(const Options &options, QIODevice &out, QTextStream &messages, QTextStream *progress);
 
 } // namespace inspector

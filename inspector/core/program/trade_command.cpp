@@ -3,6 +3,7 @@
 
 #include "core/program/ending.h"
 #include "core/program/failure.h"
+#include "core/program/long_work.h"
 #include "core/program/outputs.h"
 #include "core/setup/files.h"
 #include "core/setup/lines.h"
@@ -43,29 +44,12 @@ TradePlan tradePlanOf(const Options &options) {
     return plan;
 }
 
-constexpr char kClearLine[] = "\r\x1b[K"; // to its beginning, and erase (ECMA-48)
-
-// One line that fits into the 80 columns of the narrowest usual terminal: a wrapped one couldn't be overwritten.
-void showProgress(QTextStream &terminal, double share, const QString &what) {
-    constexpr int kBar = 30;
-    constexpr int kText = 38;
-    const int full = int(std::lround(share * kBar));
-    const QString bar = QString(full, QLatin1Char('#')) + QString(kBar - full, QLatin1Char('.'));
-    const QString percent = QString::number(int(share * 100.0)).rightJustified(3);
-    terminal << kClearLine << '[' << bar << "] " << percent << " %  " << what.left(kText);
-    terminal.flush();
-}
-
 TradeResult measure(const TradePlan &plan, QTextStream *progress) {
     QString error;
+    LongWork work(progress);
     TradeListener listener;
-    std::stop_source stop;
-    listener.progressed = [progress, &stop](double share, const QString &what) {
-        if (endingSignal()) stop.request_stop();
-        if (progress) showProgress(*progress, share, what);
-    };
-    std::optional<TradeResult> result = measureTrade(plan, listener, stop.get_token(), &error);
-    if (progress) *progress << kClearLine << Qt::flush;
+    listener.progressed = [&work](double share, const QString &what) { work.progressed(share, what); };
+    std::optional<TradeResult> result = measureTrade(plan, listener, work.stop(), &error);
     if (endingSignal()) throw Failure{statusAfter(endingSignal()), QStringLiteral("--trade: ended before its end")};
     if (!result) throw Failure{2, error};
     return std::move(*result);

@@ -146,7 +146,11 @@ std::optional<PieceFit> Climb::grown(const PieceFit &fit) {
 void Climb::run(size_t first, size_t end, int mostBreaks, const FitProgress &progress) {
     const size_t count = std::min(end, m_track.points.size());
     m_next = first;
+    const auto tell = [&](size_t point) {
+        if (progress) progress(length(0, point) / length(0, count - 1), modelName(m_board.params.model));
+    };
     while (m_next + kFewestPoints < count && breaks() < mostBreaks && !m_stop.stop_requested()) {
+        tell(m_next);
         m_open = begun(m_next);
         if (!m_open) { // in a bounce, perhaps
             m_next = std::max(m_next + 3, smoothestAfter(m_track, m_next + 1, kReach));
@@ -159,8 +163,7 @@ void Climb::run(size_t first, size_t end, int mostBreaks, const FitProgress &pro
             std::optional<PieceFit> more = grown(*m_open);
             if (!more) break;
             m_open = std::move(more);
-            if (progress)
-                progress(length(0, m_open->piece.last) / length(0, count - 1), modelName(m_board.params.model));
+            tell(m_open->piece.last);
         }
         close();
     }

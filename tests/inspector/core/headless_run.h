@@ -16,6 +16,7 @@ struct Result {
     int status;
     QByteArray out;
     QString messages;
+    QString progress; // as a terminal gets it
 
     QByteArrayList rows() const {
         return out.trimmed().split('\n').mid(1); // without the header
@@ -24,13 +25,15 @@ struct Result {
 
 inline Result runOf(const QStringList &words) {
     const CommandLine line = parseCommandLine(QStringList{"physics-inspector"} + words);
-    if (line.exitStatus) return {*line.exitStatus, {}, line.error};
+    if (line.exitStatus) return {*line.exitStatus, {}, line.error, {}};
     QBuffer out;
     out.open(QIODevice::WriteOnly);
     QString text;
     QTextStream messages(&text);
-    const int status = runHeadless(line.options, out, messages);
-    return {status, out.data(), text};
+    QString shown;
+    QTextStream progress(&shown);
+    const int status = runHeadless(line.options, out, messages, &progress);
+    return {status, out.data(), text, shown};
 }
 
 } // namespace inspector

@@ -34,6 +34,7 @@ private slots:
     void timeOfWinningIsSaidWhenTheRunGoesOn();
     void rowThatLacksAValueHasNoBlanks();
     void lostSamplesAreTold();
+    void progressOfAFitIsALineAndIsErased();
     void columnsWithoutAnyValueAreLeftOut();
     void tableOfARingHasTheSameRowsAsThatOfTheRun();
 };
@@ -49,6 +50,23 @@ void TestHeadless::headerNamesEveryColumnWithItsUnit() {
                                      "velocity_y [m/s],velocity_z [m/s],speed [m/s],spin_x [rad/s],spin_y [rad/s],"
                                      "spin_z [rad/s],energy [J/kg],tilt_x [deg],tilt_y [deg],substeps,penetration [m],"
                                      "flags\n"));
+}
+
+void TestHeadless::progressOfAFitIsALineAndIsErased() {
+    const QTemporaryDir folder;
+    QFile table(folder.filePath("t.csv"));
+    QVERIFY(table.open(QIODevice::WriteOnly));
+    table.write("t,x,y\n");
+    for (int i = 0; i < 100; ++i)
+        table.write(QByteArray::number(i * 100) + ",0.00" + QByteArray::number(i % 7) + ",0\n");
+    table.close();
+    const Result result = inspector::runOf({"--fit", table.fileName(), "--level", "1"});
+    QCOMPARE(result.status, 1); // no ball moves like that
+    const QStringList lines = result.progress.split("\r\x1b[K");
+    QVERIFY(lines.size() > 2);
+    QCOMPARE(lines.first(), QString());
+    QCOMPARE(lines.last(), QString());
+    for (const QString &line : lines) QVERIFY2(line.size() < 80 && !line.contains('\n'), qPrintable(line));
 }
 
 void TestHeadless::firstLineIsTheHeaderAndNothingIsAComment() {

@@ -20,6 +20,7 @@ private slots:
     void frameIsFound();
     void unknownQuantityIsOneLine();
     void stoppedFitIsNone();
+    void fitCanBeStoppedWhereNothingIsLikeTheTrack();
 
 private:
     FitPlan plan(const Scene &scene, Track track, const char *quantities);
@@ -154,6 +155,22 @@ void TestTrackFit::unknownQuantityIsOneLine() {
     QString error;
     QVERIFY(!parseFitQuantities("tilt,weight", &error));
     QVERIFY2(error.endsWith("tilt, frame; found 'weight'"), qPrintable(error));
+}
+
+// A picture in 100 s, of a ball that is everywhere: no piece of it can be fitted.
+void TestTrackFit::fitCanBeStoppedWhereNothingIsLikeTheTrack() {
+    Track track;
+    for (int i = 0; i < 300; ++i) track.points.push_back({100.0 * i, 1e-3 * std::sin(i), 1e-3 * std::cos(i)});
+    track.tilts = {{0.0, {}}};
+    std::stop_source stop;
+    int told = 0;
+    const FitProgress progress = [&](double, const QString &) {
+        if (++told == 10) stop.request_stop();
+    };
+    QString error;
+    QVERIFY(!fitTrack(plan(level(1), track, "rolling_friction,tilt"), progress, stop.get_token(), &error));
+    QCOMPARE(error, QString("stopped"));
+    QCOMPARE(told, 10);
 }
 
 void TestTrackFit::stoppedFitIsNone() {

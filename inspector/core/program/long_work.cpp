@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/program/long_work.h"
+
+#include "core/program/ending.h"
+
+#include <cmath>
+
+namespace inspector {
+
+namespace {
+
+constexpr char kClearLine[] = "\r\x1b[K"; // to its beginning, and erase (ECMA-48)
+
+// It fits into the 80 columns of the narrowest usual terminal: a wrapped line couldn't be overwritten.
+QString progressLine(double share, const QString &what) {
+    constexpr int kBar = 30;
+    constexpr int kText = 38;
+    const int full = int(std::lround(share * kBar));
+    const QString bar = QString(full, QLatin1Char('#')) + QString(kBar - full, QLatin1Char('.'));
+    const QString percent = QString::number(int(share * 100.0)).rightJustified(3);
+    return QStringLiteral("[%1] %2 %  %3").arg(bar, percent, what.left(kText));
+}
+
+} // namespace
+
+LongWork::LongWork(QTextStream *terminal)
+    : m_terminal(terminal) {}
+
+LongWork::~LongWork() {
+    if (m_terminal) *m_terminal << kClearLine << Qt::flush;
+}
+
+void LongWork::progressed(double share, const QString &what) {
+    if (endingSignal()) m_stop.request_stop();
+    if (m_terminal) *m_terminal << kClearLine << progressLine(share, what) << Qt::flush;
+}
+
+} // namespace inspector
