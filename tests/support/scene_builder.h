@@ -8,7 +8,7 @@
 
 namespace support {
 
-/// Floors have their top at z = 0; walls stand on it, twice as high as the ball. All lengths in m.
+/// Floors have their top at z = 0; walls stand on it, 4 R high. All lengths in m.
 class SceneBuilder {
 public:
     SceneBuilder &ball(double radius);
