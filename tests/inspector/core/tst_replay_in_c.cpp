@@ -120,7 +120,7 @@ void TestReplayInC::cutOffRecordingIsSameAsFarAsItGoes() {
 
 void TestReplayInC::differenceIsAtTheSameStep() {
     QByteArray text = contentOf(recorded({"--level", "1", "--tilt-x", "3", "--duration", "0.5"}));
-    char &digit = text[text.size() - 6 - 17 * 20]; // the last of a hash
+    char &digit = text[text.size() - 6 - qsizetype{17} * 20]; // the last of a hash
     digit = digit == '0' ? '1' : '0';
     compareVerdicts(written(text), 1);
 }
