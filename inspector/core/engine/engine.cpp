@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/engine/engine.h"
 
+#include "core/setup/walls.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,17 +14,9 @@ namespace {
 // Between the ball and the nearest wall, m: looked for around it, further and further. NaN if none is near.
 double wallGap(const phys_scene *scene, const phys_vec3 &centre) {
     constexpr double kFarthest = 32.0; // radii
-    std::array<phys_contact, 64> contacts;
     const double radius = phys_scene_radius(scene);
-    for (double reach = 2.0; reach <= kFarthest; reach *= 2.0) {
-        uint32_t count = 0;
-        phys_scene_contacts(scene, &centre, reach * radius, contacts.data(), uint32_t(contacts.size()), &count);
-        if (count > contacts.size()) break; // in such a crowd something nearer would have been found
-        double gap = std::numeric_limits<double>::infinity();
-        for (const phys_contact &contact : std::span(contacts).first(count))
-            if (contact.normal.z < 0.5) gap = std::min(gap, contact.gap);
-        if (std::isfinite(gap)) return gap;
-    }
+    for (double reach = 2.0; reach <= kFarthest; reach *= 2.0)
+        if (const std::optional<phys_contact> wall = nearestWall(scene, centre, reach * radius)) return wall->gap;
     return std::numeric_limits<double>::quiet_NaN();
 }
 

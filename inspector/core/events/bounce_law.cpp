@@ -92,11 +92,6 @@ QString alongText(const LoggedEvent &bounce, const AlongLaw &law) {
 
 } // namespace
 
-Surface surfaceOf(const phys_event &event) {
-    const bool isTop = event.normal.z == 1.0;
-    return event.kind == PHYS_EVENT_LANDING || isTop ? Surface::Floor : Surface::Wall;
-}
-
 double restitutionOf(const LoggedEvent &bounce) {
     const phys_params &params = bounce.step.params;
     return surfaceOf(bounce.event) == Surface::Floor ? params.restitution_floor : params.restitution_wall;

@@ -12,11 +12,7 @@
 
 namespace inspector {
 
-enum class Surface { Wall, Floor };
-
-// Which coefficients count: those of the floor on top faces, of the walls on all other faces, edges and corners
-// (model.md 13.1).
-Surface surfaceOf(const phys_event &event);
+// The coefficients of the surface that it bounces off.
 double restitutionOf(const LoggedEvent &bounce);
 double frictionOf(const LoggedEvent &bounce); // of the rigid model
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/events/event_log.h"
 
-#include "core/events/counted_impact.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -16,8 +14,6 @@ double speedOf(const phys_state &state) {
 }
 
 bool isSlowEnough(const phys_event &event) { return std::abs(event.speed_before) < kCountedImpact; }
-
-bool isBounce(const phys_event &event) { return event.kind == PHYS_EVENT_IMPACT || event.kind == PHYS_EVENT_LANDING; }
 
 phys_event leftMaze(const StepFacts &step) {
     phys_event event{};

@@ -4,6 +4,7 @@
 
 #include "core/engine/engine.h"
 #include "core/engine/slot_ring.h"
+#include "core/events/bounce.h"
 
 #include <atomic>
 #include <vector>
@@ -35,7 +36,7 @@ struct LoggedEvent {
     double fastest = 0.0; // largest speed before, of all of them, m/s
     StepFacts step;       // of the first
 
-    bool isBounce() const { return event.kind == PHYS_EVENT_IMPACT || event.kind == PHYS_EVENT_LANDING; }
+    bool isBounce() const { return inspector::isBounce(event); }
     bool isSlow() const; // a bounce, but no faster than that of a ball that leans on a wall
 };
 

@@ -101,7 +101,7 @@ const std::vector<EventColumn> &eventColumns() {
          [](E e) { return Figure(e.event.speed_after); }},
         {"ratio", "Ratio", "", "speed after by speed before: the restitution that was found", 3, true, ratioOf},
         {"step", "Step", "", "that it happened in", -1, true, [](E e) { return Figure(double(e.step.after.step)); }},
-        {"restitution", "e", "", "the parameter that counts for this box: of walls or of floors", 3, false,
+        {"restitution", "e", "", "the parameter that counts: that of floors on top faces, else that of walls", 3, false,
          [](E e) { return ifBounce(e, restitutionOf(e)); }},
         {"depth [m]", "Depth", "m", "deepest of the step, before it was resolved", 6, false,
          [](E e) { return ifBounce(e, e.step.penetration); }},

@@ -2,7 +2,8 @@
 #include "core/schedule/trade_reference.h"
 
 #include "base/elementary.h"
-#include "core/events/counted_impact.h"
+#include "core/events/bounce.h"
+#include "core/setup/walls.h"
 
 #include <algorithm>
 #include <array>
@@ -189,12 +190,7 @@ double TradeReference::pushedHorizon(double length, double visible, uint64_t see
 
 // Sideways; not where a wall is in the way, which a ball in contact would be pushed into.
 void TradeReference::push(phys_state &state, double length, double angle) const {
-    std::array<phys_contact, 16> contacts;
-    uint32_t count = 0;
-    phys_scene_contacts(m_scene.get(), &state.position, 2.0 * length, contacts.data(), uint32_t(contacts.size()),
-                        &count);
-    const auto isWall = [](const phys_contact &contact) { return contact.normal.z < 0.5; };
-    if (std::any_of(contacts.begin(), contacts.begin() + std::min<uint32_t>(count, 16), isWall)) return;
+    if (nearestWall(m_scene.get(), state.position, 2.0 * length)) return;
     state.position.x += length * phys::elementary::cos(angle);
     state.position.y += length * phys::elementary::sin(angle);
 }

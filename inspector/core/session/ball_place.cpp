@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/ball_place.h"
 
-#include <algorithm>
-#include <array>
+#include "core/setup/walls.h"
+
 #include <optional>
 
 namespace inspector {
 
 namespace {
 
-constexpr int kPushes = 64; // out of a corner takes several
-constexpr uint32_t kContacts = 64;
+constexpr int kPushes = 64;     // out of a corner takes several
 constexpr double kTouch = 1e-9; // of the radius
 
 // The highest floor under this place: tops of boxes that a ball at the start could roll on.
@@ -28,29 +27,15 @@ std::optional<double> floorBelow(const phys_scene *scene, const phys_vec3 &place
     return found;
 }
 
-// The deepest overlap to the side.
-std::optional<phys_contact> deepest(const phys_scene *scene, const phys_vec3 &place) {
-    std::array<phys_contact, kContacts> contacts{};
-    uint32_t count = 0;
-    if (phys_scene_contacts(scene, &place, 0.0, contacts.data(), kContacts, &count) != PHYS_OK) return std::nullopt;
-    std::optional<phys_contact> worst;
-    for (uint32_t i = 0; i < std::min(count, kContacts); ++i) {
-        const bool isAside = contacts[i].normal.z < 0.9 && contacts[i].gap < -kTouch * phys_scene_radius(scene);
-        if (isAside && (!worst || contacts[i].gap < worst->gap)) worst = contacts[i];
-    }
-    return worst;
-}
-
 } // namespace
 
 phys_vec3 freePlace(const phys_scene *scene, const phys_vec3 &wanted) {
     phys_vec3 place = wanted;
     for (int i = 0; i < kPushes; ++i) {
         if (const std::optional<double> floor = floorBelow(scene, place)) place.z = *floor + phys_scene_radius(scene);
-        const std::optional<phys_contact> overlap = deepest(scene, place);
-        if (!overlap) break;
-        place.x -= overlap->gap * overlap->normal.x;
-        place.y -= overlap->gap * overlap->normal.y;
+        const std::optional<phys_contact> wall = nearestWall(scene, place, 0.0);
+        if (!wall || wall->gap >= -kTouch * phys_scene_radius(scene)) break;
+        pushOut(*wall, phys_scene_radius(scene), place);
     }
     return place;
 }

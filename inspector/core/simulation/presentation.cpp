@@ -91,8 +91,6 @@ void Presentation::noteStep(double stepTime) {
 void Presentation::noteEvents() {
     const Engine &engine = m_run->engine();
     m_events.note(engine, m_run->stepperPlace());
-    for (const phys_event &event : engine.events())
-        if (event.kind == PHYS_EVENT_IMPACT) ++m_impacts;
 }
 
 void Presentation::hold() {
@@ -110,7 +108,6 @@ void Presentation::release() {
 void Presentation::clear() {
     m_samples.clear();
     m_events.clear();
-    m_impacts = 0;
 }
 
 void Presentation::publish(Clock::time_point due) {
@@ -130,7 +127,7 @@ void Presentation::publish(Clock::time_point due) {
     snapshot.running = m_isRunning;
     if (m_ghost && m_ghost->isThere())
         snapshot.ghost = {m_ghost->previous(), m_ghost->state(), m_ghost->met(), m_ghost->deviation()};
-    snapshot.statistics = {m_meter.stepsPerSecond(), m_speed, m_meter.speed(), m_pacer.lostTime(), m_impacts};
+    snapshot.statistics = {m_meter.stepsPerSecond(), m_speed, m_meter.speed(), m_pacer.lostTime()};
     m_run->addTo(snapshot);
     m_snapshots.publish(snapshot);
 }

@@ -75,7 +75,6 @@ private:
     bool m_isHeld = false;
     uint64_t m_runCount = 0;
     uint64_t m_published = 0;
-    uint64_t m_impacts = 0;
     std::optional<GhostEngine> m_ghost{};
     uint64_t m_ghostNumber = 0;
     std::shared_ptr<const ShownTrack> m_track{};

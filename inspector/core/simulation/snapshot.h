@@ -15,7 +15,6 @@ struct Statistics {
     double speedAsked = 1.0;     // simulated seconds per second
     double speedReached = 0.0;   // over the last half second; 0 while paused
     double lostTime = 0.0;       // dropped since the start of the run, s of the clock
-    uint64_t impacts = 0;        // since the start of the run
 };
 
 // The ghost, as the ball is shown.

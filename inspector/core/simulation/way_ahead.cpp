@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/way_ahead.h"
 
+#include "core/events/bounce.h"
+
 #include <array>
 #include <chrono>
+#include <span>
 #include <utility>
 
 namespace inspector {
@@ -10,7 +13,7 @@ namespace inspector {
 namespace {
 
 constexpr uint32_t kEvents = 32;
-constexpr double kImpactSpeed = 1e-3; // m/s: slower ones aren't worth a mark
+constexpr double kBounceSpeed = 1e-3; // m/s: slower ones aren't worth a mark
 // A scene in which the exact stepper takes its time gets a shorter way, and fewer others.
 constexpr std::chrono::milliseconds kBudget{20};
 constexpr auto kCount = uint64_t(WayFinder::kReach / WayFinder::kInterval + 0.5);
@@ -18,10 +21,9 @@ constexpr uint64_t kEnd = PHYS_OUT | PHYS_AT_REST;
 
 using Clock = std::chrono::steady_clock;
 
-std::optional<phys_event> firstImpact(const phys_report &report) {
-    for (uint32_t i = 0; i < report.event_count; ++i)
-        if (report.events[i].kind == PHYS_EVENT_IMPACT && -report.events[i].speed_before > kImpactSpeed)
-            return report.events[i];
+std::optional<phys_event> firstBounce(const phys_report &report) {
+    for (const phys_event &event : std::span(report.events, report.event_count))
+        if (isBounce(event) && -event.speed_before > kBounceSpeed) return event;
     return std::nullopt;
 }
 
@@ -65,7 +67,7 @@ WayAhead wayAhead(const Stepper &stepper, const phys_state &state, const phys_pa
     for (uint64_t i = 0; i < kCount && Clock::now() < end; ++i) {
         if (phys_step(stepper.get(), &params, WayFinder::kInterval, &now, &now, &report, nullptr) != PHYS_OK) break;
         way.points.push_back(now.position);
-        if (!way.impact) way.impact = firstImpact(report);
+        if (!way.bounce) way.bounce = firstBounce(report);
         if (now.flags & kEnd) break;
     }
     const auto endOfOthers = Clock::now() + kBudget;

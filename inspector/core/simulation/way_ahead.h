@@ -16,7 +16,7 @@ using Way = std::vector<phys_vec3>; // m, at equal times, the present place firs
 
 struct WayAhead {
     Way points;
-    std::optional<phys_event> impact; // the next one
+    std::optional<phys_event> bounce; // the next one
     std::vector<Way> others;          // on other boards
 };
 

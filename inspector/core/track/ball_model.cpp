@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/track/ball_model.h"
 
+#include "core/setup/walls.h"
+
 #include <algorithm>
 #include <array>
 
@@ -11,12 +13,12 @@ namespace {
 // One run: the state and the reports of its steps.
 class Run {
 public:
-    Run(phys_stepper *stepper, const BoardGuess &board, const phys_state &state, std::vector<TrackImpact> *impacts)
+    Run(phys_stepper *stepper, const BoardGuess &board, const phys_state &state, std::vector<TrackBounce> *bounces)
         : m_stepper(stepper)
         , m_board(board)
         , m_params(board.params)
         , m_state(state)
-        , m_impacts(impacts) {
+        , m_bounces(bounces) {
         m_params.options &= ~uint32_t(PHYS_OPTION_ORIENTATION);
         phys_report_init(&m_report, sizeof m_report);
         m_report.events = m_events.data();
@@ -32,20 +34,19 @@ public:
 
     bool step(double dt, double end) {
         if (m_isRefused) return false;
-        phys_report *const report = m_impacts ? &m_report : nullptr;
+        phys_report *const report = m_bounces ? &m_report : nullptr;
         m_isRefused = phys_step(m_stepper, &m_params, dt, &m_state, &m_state, report, nullptr) != PHYS_OK;
-        if (!m_isRefused && report) keepImpacts(end);
+        if (!m_isRefused && report) keepBounces(end);
         return !m_isRefused;
     }
 
 private:
     // The state's time is that since the piece's begin.
-    void keepImpacts(double end) {
+    void keepBounces(double end) {
         for (uint32_t i = 0; i < m_report.event_count; ++i) {
             const phys_event &event = m_events[i];
-            if (event.kind == PHYS_EVENT_IMPACT)
-                m_impacts->push_back({end + (event.time - m_state.time), m_state.position.x, m_state.position.y,
-                                      -event.speed_before, event.box, event.normal.z > 0.5});
+            if (isBounce(event))
+                m_bounces->push_back({end + (event.time - m_state.time), -event.speed_before, surfaceOf(event)});
         }
     }
 
@@ -53,7 +54,7 @@ private:
     const BoardGuess &m_board;
     phys_params m_params;
     phys_state m_state;
-    std::vector<TrackImpact> *m_impacts;
+    std::vector<TrackBounce> *m_bounces;
     std::array<phys_event, 64> m_events;
     phys_report m_report{};
     bool m_isRefused = false;
@@ -61,20 +62,11 @@ private:
 
 // Measured with noise, a ball that leans on a wall seems to be in it.
 void pushOutOfWalls(const phys_scene *scene, phys_vec3 &centre) {
-    constexpr int kPasses = 4;
-    for (int pass = 0; pass < kPasses; ++pass) {
-        std::array<phys_contact, 16> contacts;
-        uint32_t count = 0;
-        phys_scene_contacts(scene, &centre, 0.0, contacts.data(), uint32_t(contacts.size()), &count);
-        bool isFree = true;
-        for (uint32_t i = 0; i < std::min<uint32_t>(count, 16); ++i) {
-            const phys_contact &contact = contacts[i];
-            if (contact.gap >= 0.0 || contact.normal.z > 0.5) continue;
-            centre.x -= contact.gap * contact.normal.x * (1.0 + 1e-9);
-            centre.y -= contact.gap * contact.normal.y * (1.0 + 1e-9);
-            isFree = false;
-        }
-        if (isFree) return;
+    constexpr int kPushes = 8;
+    for (int i = 0; i < kPushes; ++i) {
+        const std::optional<phys_contact> wall = nearestWall(scene, centre, 0.0);
+        if (!wall || wall->gap >= 0.0) return;
+        pushOut(*wall, phys_scene_radius(scene), centre);
     }
 }
 
@@ -102,8 +94,8 @@ BallModel::BallModel(const Registry &registry, const Scene &scene, const Track &
 }
 
 bool BallModel::run(const BoardGuess &board, const StartGuess &start, size_t first, size_t last,
-                    std::vector<TrackPoint> &measured, std::vector<TrackImpact> *impacts) const {
-    Run run(m_stepper.get(), board, rollingState(m_scene.get(), start), impacts);
+                    std::vector<TrackPoint> &measured, std::vector<TrackBounce> *bounces) const {
+    Run run(m_stepper.get(), board, rollingState(m_scene.get(), start), bounces);
     double time = m_track.points[first].time;
     // The last change that the ball feels already; before the first it is tilted likewise.
     size_t change = size_t(std::upper_bound(m_tilts.begin(), m_tilts.end(), time - board.delay,

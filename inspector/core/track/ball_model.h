@@ -3,6 +3,7 @@
 // looked for.
 #pragma once
 
+#include "core/events/bounce.h"
 #include "core/setup/handles.h"
 #include "core/track/track.h"
 
@@ -25,12 +26,10 @@ struct StartGuess {
 // On the scene's floor; where noise has it in a wall, beside that.
 phys_state rollingState(const phys_scene *scene, const StartGuess &start);
 
-struct TrackImpact {
+struct TrackBounce {
     double time;  // s
-    double x, y;  // m, of the centre, on the board
     double speed; // along the normal, before, m/s, > 0
-    uint32_t box;
-    bool isOnFloor;
+    Surface surface;
 };
 
 class BallModel {
@@ -41,10 +40,10 @@ public:
     const Track &track() const { return m_track; }
     double radius() const { return phys_scene_radius(m_scene.get()); }
 
-    // Where points first .. last (both included) would be measured, in the tracker's frame; `impacts` (or nullptr) gets
-    // what it hits. If "exact" refuses, the ball stays where it is from there on, and false.
+    // Where points first .. last (both included) would be measured, in the tracker's frame; `bounces` (or
+    // nullptr) gets what it bounces off. If "exact" refuses, the ball stays where it is from there on, and false.
     bool run(const BoardGuess &board, const StartGuess &start, size_t first, size_t last,
-             std::vector<TrackPoint> &measured, std::vector<TrackImpact> *impacts = nullptr) const;
+             std::vector<TrackPoint> &measured, std::vector<TrackBounce> *bounces = nullptr) const;
 
 private:
     const Track &m_track;

@@ -42,10 +42,10 @@ QString breaksText(const ModelFit &fit) {
 // Where a model lacks something: bounces or the way between them.
 QString whereText(const ModelFit &fit, double noise) {
     QString text = residualText(fit);
-    if (fit.bounces.empty())
+    if (!fit.bouncesOff(Surface::Wall))
         return text + QStringLiteral("; no wall is hit: what the ball does on the floor is missing");
     const QString parted =
-        QStringLiteral("; %1 of %2 times they part at a bounce").arg(fit.breaksAtWalls).arg(fit.breaks);
+        QStringLiteral("; %1 of %2 times they part at a wall").arg(fit.breaksAtWalls).arg(fit.breaks);
     if (fit.rmsNearBounces > 2.0 * fit.rmsElsewhere || 3 * fit.breaksAtWalls >= 2 * fit.breaks)
         return text + parted +
                QStringLiteral("; what happens at walls is missing (spin, speed-dependent restitution, soft walls)");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/track/track_fit.h"
 
-#include "core/events/counted_impact.h"
+#include "core/events/bounce.h"
 #include "core/setup/tables.h"
 
 #include <algorithm>
@@ -218,15 +218,11 @@ ModelFit Climb::result() const {
 FittedValue Climb::valueOf(size_t i, const ModelFit &fit) const {
     const FitQuantity &quantity = m_quantities[i];
     FittedValue value{quantity, m_knowledge.mean[i], m_knowledge.deviation(i), {}};
-    const auto isHit = [&](bool isFloor) {
-        return std::any_of(fit.bounces.begin(), fit.bounces.end(),
-                           [&](const FittedBounce &bounce) { return bounce.impact.isOnFloor == isFloor; });
-    };
     const bool isOfWall =
         quantity.id == QLatin1String("restitution_wall") || quantity.id == QLatin1String("wall_friction");
-    if (isOfWall && !isHit(false))
+    if (isOfWall && !fit.bouncesOff(Surface::Wall))
         value.reason = QStringLiteral("no wall is hit");
-    else if (quantity.id == QLatin1String("restitution_floor") && !isHit(true))
+    else if (quantity.id == QLatin1String("restitution_floor") && !fit.bouncesOff(Surface::Floor))
         value.reason = QStringLiteral("no bounce on the floor");
     else if (value.deviation > 0.5 * quantity.doubt)
         value.reason = quantity.id == QLatin1String("delay") ? QStringLiteral("the tilt doesn't change")
@@ -237,26 +233,27 @@ FittedValue Climb::valueOf(size_t i, const ModelFit &fit) const {
 // With the board as it is known at the end, every piece from the start that suits it best.
 void Climb::addResiduals(ModelFit &fit) const {
     std::vector<TrackPoint> computed;
-    std::vector<TrackImpact> impacts;
+    std::vector<TrackBounce> bounces;
     for (Piece &piece : fit.pieces) {
         if (fit.pieces.size() > 1)
             if (const auto again = fitPiece(m_model, {}, {}, fit.board, piece, m_noise, kSteps)) piece = again->piece;
-        m_model.run(fit.board, piece.start, piece.first, piece.last, computed, &impacts);
+        m_model.run(fit.board, piece.start, piece.first, piece.last, computed, &bounces);
         for (size_t i = 0; i < computed.size(); ++i)
             fit.residuals.push_back({m_track.points[piece.first + i], computed[i]});
     }
-    for (const TrackImpact &impact : impacts)
-        if (impact.speed >= kCountedImpact) fit.bounces.push_back({impact, false});
+    for (const TrackBounce &bounce : bounces)
+        if (bounce.speed >= kCountedImpact) fit.bounces.push_back({bounce});
 }
 
-// Whether the computed ball bounces about where the piece ends: after that the measured one goes another way.
+// Whether the computed ball bounces off a wall about where the piece ends: after that the measured one goes another
+// way.
 bool Climb::endsAtWall(const Piece &piece) const {
     std::vector<TrackPoint> computed;
-    std::vector<TrackImpact> impacts;
-    m_model.run(m_board, piece.start, piece.first, pointAfter(piece.last, kNearBreak), computed, &impacts);
+    std::vector<TrackBounce> bounces;
+    m_model.run(m_board, piece.start, piece.first, pointAfter(piece.last, kNearBreak), computed, &bounces);
     const double begin = m_track.points[piece.last].time - kNearBreak;
-    return std::any_of(impacts.begin(), impacts.end(), [&](const TrackImpact &impact) {
-        return impact.time >= begin && impact.speed >= kCountedImpact;
+    return std::any_of(bounces.begin(), bounces.end(), [&](const TrackBounce &bounce) {
+        return bounce.surface == Surface::Wall && bounce.time >= begin && bounce.speed >= kCountedImpact;
     });
 }
 
@@ -277,11 +274,11 @@ double rmsAt(const std::vector<FitResidual> &residuals, Wanted isWanted) {
 void Climb::matchBounces(ModelFit &fit) const {
     for (FittedBounce &bounce : fit.bounces)
         bounce.isMatched = rmsAt(fit.residuals, [&](double time) {
-                               return std::abs(time - bounce.impact.time) <= kNearMatch;
+                               return std::abs(time - bounce.time) <= kNearMatch;
                            }) < kMatched * m_noise;
     const auto isNear = [&](double time) {
         return std::any_of(fit.bounces.begin(), fit.bounces.end(), [&](const FittedBounce &bounce) {
-            return time >= bounce.impact.time && time <= bounce.impact.time + ModelFit::kNear;
+            return time >= bounce.time && time <= bounce.time + ModelFit::kNear;
         });
     };
     fit.rms = rmsAt(fit.residuals, [](double) { return true; });
@@ -343,6 +340,11 @@ FitVerdict verdictOf(const std::vector<ModelFit> &fits) {
 }
 
 } // namespace
+
+bool ModelFit::bouncesOff(Surface surface) const {
+    return std::any_of(bounces.begin(), bounces.end(),
+                       [surface](const FittedBounce &bounce) { return bounce.surface == surface; });
+}
 
 const ModelFit &TrackFit::best() const {
     const auto better = [](const ModelFit &a, const ModelFit &b) {

@@ -36,9 +36,8 @@ struct FitResidual {
     TrackPoint seen, computed;
 };
 
-struct FittedBounce {
-    TrackImpact impact;
-    bool isMatched; // what was measured around it is as computed
+struct FittedBounce : TrackBounce {
+    bool isMatched = false; // what was measured around it is as computed
 };
 
 struct ModelFit {
@@ -46,7 +45,7 @@ struct ModelFit {
     BoardGuess board;
     std::vector<Piece> pieces; // one if the whole track is described at once
     int breaks = 0;            // moments at which the computed ball and the measured one part
-    int breaksAtWalls = 0;     // of these, those with a bounce
+    int breaksAtWalls = 0;     // of these, those with a bounce off one
     std::vector<FittedValue> values;
     std::vector<std::vector<double>> correlations; // between values
     double rms = 0.0;                              // m
@@ -57,6 +56,8 @@ struct ModelFit {
     double rmsElsewhere = 0.0;
 
     static constexpr double kNear = 0.25; // s, after a bounce
+
+    bool bouncesOff(Surface surface) const;
 };
 
 enum class FitVerdict { RollingSuffices, RigidNeeded, Neither };

@@ -2,9 +2,9 @@
 #include "core/trade/drawn_balls.h"
 
 #include "core/schedule/trade_reference.h"
+#include "core/setup/walls.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <utility>
 
@@ -12,12 +12,9 @@ namespace inspector {
 
 namespace {
 
-bool isFree(const phys_scene *scene, const phys_vec3 &centre) {
-    std::array<phys_contact, 16> contacts;
-    uint32_t count = 0;
-    phys_scene_contacts(scene, &centre, 0.0, contacts.data(), uint32_t(contacts.size()), &count);
-    const auto isInside = [](const phys_contact &contact) { return contact.gap < 0.0 && contact.normal.z < 0.5; };
-    return std::none_of(contacts.begin(), contacts.begin() + std::min<uint32_t>(count, 16), isInside);
+bool isInWall(const phys_scene *scene, const phys_vec3 &centre) {
+    const std::optional<phys_contact> wall = nearestWall(scene, centre, 0.0);
+    return wall && wall->gap < 0.0;
 }
 
 } // namespace
@@ -29,7 +26,7 @@ DrawnBalls::DrawnBalls(Stepper stepper, const Scene &scene, const std::vector<Dr
         Ball ball{draw, start};
         ball.state.position.x += draw.startOffset.x;
         ball.state.position.y += draw.startOffset.y;
-        if (!isFree(scene.get(), ball.state.position)) ball.state.position = start.position;
+        if (isInWall(scene.get(), ball.state.position)) ball.state.position = start.position;
         m_balls.push_back(ball);
     }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trade/trade.h"
 
-#include "core/events/counted_impact.h"
+#include "core/events/bounce.h"
 #include "core/trade/good_enough.h"
 #include "core/trade/quantile.h"
 #include "core/trade/trade_run.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/bounces/bounce_dock.h"
 
-#include "core/events/counted_impact.h"
+#include "core/events/bounce.h"
 #include "core/events/event_table.h"
 #include "ui/bounces/bounce_table_model.h"
 #include "ui/parts/elided_label.h"

@@ -52,7 +52,7 @@ void ResidualPlot::show(const ModelFit &fit, double noise) {
         m_y->addData(residual.seen.time, y);
         largest = std::max({largest, std::abs(x), std::abs(y)});
     }
-    for (const FittedBounce &bounce : fit.bounces) m_bounces->addData(bounce.impact.time, -1.05 * largest);
+    for (const FittedBounce &bounce : fit.bounces) m_bounces->addData(bounce.time, -1.05 * largest);
     m_noise->topLeft->setCoords(0.0, 2.0 * noise * kMillimetresPerMetre);
     m_noise->bottomRight->setCoords(1.0, -2.0 * noise * kMillimetresPerMetre);
     m_noise->setVisible(true);

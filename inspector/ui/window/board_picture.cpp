@@ -150,10 +150,10 @@ void addWayAhead(gl::Frame &frame, const WayAhead &way) {
     for (const Way &other : way.others)
         frame.trails.push_back(trailAhead(other, withAlpha(colour, kOtherWayAlpha), kOtherWayWidth));
     frame.trails.push_back(trailAhead(way.points, withAlpha(colour, kWayAlpha), kGhostTrailWidth));
-    if (!way.impact) return;
+    if (!way.bounce) return;
     const gl::Colour mark = withAlpha(colour, 1.0);
-    frame.strokes.point(toGlm(way.impact->point), mark, 7.0F);
-    frame.strokes.arrow(toGlm(way.impact->point), toGlm(way.impact->normal), frame.ball.radius, mark, 2.0F);
+    frame.strokes.point(toGlm(way.bounce->point), mark, 7.0F);
+    frame.strokes.arrow(toGlm(way.bounce->point), toGlm(way.bounce->normal), frame.ball.radius, mark, 2.0F);
 }
 
 gl::Mesh mazeMesh(Session &session, QString *error) {

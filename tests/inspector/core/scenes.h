@@ -7,21 +7,23 @@
 #include <QTest>
 
 #include <memory>
+#include <vector>
 
 namespace inspector {
 
-// A square floor of 2 m with the ball in its middle and no walls: the ball can roll for a while.
-inline Scene openFloor() {
-    const phys_box floor{{-1.0, -1.0, -0.01}, {1.0, 1.0, 0.0}};
+inline Scene sceneOf(const std::vector<phys_box> &boxes) {
     phys_scene_desc description;
     phys_scene_desc_init(&description, sizeof description);
-    description.boxes = &floor;
-    description.box_count = 1;
+    description.boxes = boxes.data();
+    description.box_count = uint32_t(boxes.size());
     QString error;
     Scene scene = makeScene(description, &error);
     if (!scene) qFatal("%s", qPrintable(error));
     return scene;
 }
+
+// A square floor of 2 m with the ball in its middle and no walls: the ball can roll for a while.
+inline Scene openFloor() { return sceneOf({{{-1.0, -1.0, -0.01}, {1.0, 1.0, 0.0}}}); }
 
 inline Scene levelScene(int number) {
     QString error;

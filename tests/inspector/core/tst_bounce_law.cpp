@@ -32,6 +32,7 @@ private slots:
     void wrongBounceIsOffByItsShare();
     void bounceThatEndsIsNotCalledWrong();
     void landingTakesTheFloorsRestitution();
+    void impactWithATopsNormalTakesTheWallsRestitution();
     void edgesTakeTheWallsRestitution_data();
     void edgesTakeTheWallsRestitution();
     void tableReadsBackExactly();
@@ -283,6 +284,14 @@ void TestBounceLaw::landingTakesTheFloorsRestitution() {
     bounce.event.kind = PHYS_EVENT_LANDING;
     bounce.event.normal = {0.0, 0.0, 1.0};
     QCOMPARE(normalLaw(bounce).restitution, 0.25);
+    QCOMPARE(normalLaw(bounce).deviation, 0.0);
+}
+
+// Right at the border of a top face the normal is the same; the edge's coefficients are the walls' (model.md 13.1).
+void TestBounceLaw::impactWithATopsNormalTakesTheWallsRestitution() {
+    LoggedEvent bounce = madeUp(-0.5, 0.25);
+    bounce.event.normal = {0.0, 0.0, 1.0};
+    QCOMPARE(normalLaw(bounce).restitution, 0.5);
     QCOMPARE(normalLaw(bounce).deviation, 0.0);
 }
 

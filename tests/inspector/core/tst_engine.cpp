@@ -24,6 +24,8 @@ private slots:
     void withoutPilotTheInputsCountAgain();
     void sampleTellsWhatTheStepDid();
     void sampleTellsTheGapToTheNearestWall();
+    void lowKerbIsAWall();
+    void flushTilesAreNoWalls();
     void farFromWallsThereIsNoGap();
 };
 
@@ -192,6 +194,22 @@ void TestEngine::sampleTellsTheGapToTheNearestWall() {
     const auto engine = engineOn(wallAhead(0.07));
     makeSteps(*engine, 1);
     QVERIFY(std::abs(engine->sample()[Channel::WallGap] - (0.07 - 0.006)) < 1e-12);
+}
+
+// The edge of a kerb of 0.4 R, which the ball almost touches, is not far above it but in its way.
+void TestEngine::lowKerbIsAWall() {
+    constexpr double kRadius = 0.006;
+    constexpr double kDistance = 0.9 * kRadius;
+    const auto engine = engineOn(wallAhead(kDistance, 0.4 * kRadius));
+    const double gap = std::hypot(kDistance, 0.6 * kRadius) - kRadius;
+    QVERIFY(std::abs(engine->sample()[Channel::WallGap] - gap) < 1e-12);
+}
+
+void TestEngine::flushTilesAreNoWalls() {
+    const auto engine =
+        engineOn(sceneOf({{{-1.0, -1.0, -0.01}, {0.02, 1.0, 0.0}}, {{0.02, -0.5, -0.01}, {1.0, 0.5, 0.0}}}));
+    makeSteps(*engine, 1);
+    QVERIFY(std::isnan(engine->sample()[Channel::WallGap]));
 }
 
 void TestEngine::farFromWallsThereIsNoGap() {

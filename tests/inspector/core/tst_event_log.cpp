@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The log of events: what is kept, what is folded together, and that a reader beside the writer sees whole entries.
-#include "core/events/counted_impact.h"
+#include "core/events/bounce.h"
 #include "core/events/event_log.h"
 #include "core/simulation/simulation.h"
 #include "scenes.h"

@@ -36,7 +36,6 @@ private slots:
     void leavingTheMazeIsReportedOnceAndTheFallEnds();
     void samplesEndAtTheExit();
     void pilotOnTheThreadGivesTheSameBitsAsByHand();
-    void impactsAreCounted();
     void deletingARunningSimulationEndsItsThread();
 };
 
@@ -354,14 +353,6 @@ void TestSimulation::pilotOnTheThreadGivesTheSameBitsAsByHand() {
     engine->setPilot(pilot);
     while (engine->state().step < reached.step) QVERIFY(engine->step(nullptr));
     QCOMPARE(phys_state_hash(&engine->state()), phys_state_hash(&reached));
-}
-
-void TestSimulation::impactsAreCounted() {
-    const auto simulation = simulationOf(levelScene(1));
-    simulation->setInputs(tilted(-8.0, 0.0)); // into the wall behind the start
-    for (int i = 0; i < 100; ++i) simulation->stepOnce();
-    QTRY_COMPARE(simulation->latest().current.step, uint64_t(100));
-    QVERIFY(simulation->latest().statistics.impacts > 0);
 }
 
 void TestSimulation::deletingARunningSimulationEndsItsThread() {

@@ -4,6 +4,7 @@
 #include "core/simulation/way_ahead.h"
 #include "scenes.h"
 #include "support/compare.h"
+#include "wall_ahead.h"
 
 #include <array>
 #include <cmath>
@@ -17,10 +18,12 @@ class TestWayAhead : public QObject {
 private slots:
     void wayIsTheExactSteppersWay();
     void nextImpactIsMarked();
+    void nextLandingIsMarked();
     void restingBallHasNoWay();
     void latestQuestionIsAnswered();
     void otherBoardsHaveWaysOfTheirOwn();
     void ballIsPutWhereItFits();
+    void ballIsPutBesideALowKerb();
     void ballBesideTheFloorStaysInTheAir();
     void rollingSpinTouchesTheFloorAtRest();
 
@@ -54,16 +57,26 @@ void TestWayAhead::wayIsTheExactSteppersWay() {
 void TestWayAhead::nextImpactIsMarked() {
     const Scene scene = levelScene(1);
     const WayAhead way = wayAhead(exactOn(scene), startOf(scene), tilted(-3.0, 5.0).params);
-    QVERIFY(way.impact.has_value());
-    QVERIFY(way.impact->time > 0.0 && way.impact->time < WayFinder::kReach);
-    QVERIFY(way.impact->speed_before < 0.0);
+    QVERIFY(way.bounce.has_value());
+    QVERIFY(way.bounce->time > 0.0 && way.bounce->time < WayFinder::kReach);
+    QVERIFY(way.bounce->speed_before < 0.0);
+}
+
+// A ball falls by 0.2 m for sqrt(2 h/g).
+void TestWayAhead::nextLandingIsMarked() {
+    const Scene scene = openFloor();
+    phys_state state = startOf(scene);
+    state.position.z += 0.2;
+    const WayAhead way = wayAhead(exactOn(scene), state, tilted(0.0, 0.0).params);
+    QVERIFY(way.bounce.has_value());
+    QVERIFY(std::abs(way.bounce->time - std::sqrt(2.0 * 0.2 / 9.81)) < 1e-9);
 }
 
 void TestWayAhead::restingBallHasNoWay() {
     const Scene scene = openFloor();
     const WayAhead way = wayAhead(exactOn(scene), startOf(scene), tilted(0.0, 0.0).params);
     QCOMPARE(way.points.size(), size_t(2)); // it is at rest after the first step
-    QVERIFY(!way.impact);
+    QVERIFY(!way.bounce);
 }
 
 void TestWayAhead::latestQuestionIsAnswered() {
@@ -107,6 +120,16 @@ void TestWayAhead::ballIsPutWhereItFits() {
             QVERIFY2(contacts[c].gap > -1e-6 * radius,
                      qPrintable(QStringLiteral("seed %1, place %2: %3 m").arg(kSeed).arg(i).arg(contacts[c].gap)));
     }
+}
+
+// The edge of a kerb of 0.6 mm pushes a ball of 6 mm almost straight up, and yet aside.
+void TestWayAhead::ballIsPutBesideALowKerb() {
+    constexpr double kHeight = 6e-4;
+    const Scene scene = wallAhead(0.1, kHeight);
+    const double radius = phys_scene_radius(scene.get());
+    const phys_vec3 place = freePlace(scene.get(), {0.1 - 0.1 * radius, 0.0, radius});
+    // It touches the edge: (R - h)^2 + d^2 = R^2.
+    COMPARE_WITHIN(place.x, 0.1 - std::sqrt(radius * radius - std::pow(radius - kHeight, 2)), 1e-6 * radius);
 }
 
 void TestWayAhead::ballBesideTheFloorStaysInTheAir() {

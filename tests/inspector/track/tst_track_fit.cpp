@@ -2,6 +2,7 @@
 // Does the fit find what made a track, and say what it can't know? On tracks with known numbers.
 #include "core/track/fit_report.h"
 #include "inspector/core/scenes.h"
+#include "inspector/core/wall_ahead.h"
 #include "inspector/track/made_track.h"
 #include "support/compare.h"
 
@@ -12,10 +13,13 @@ class TestTrackFit : public QObject {
 
 private slots:
     void modelRollsAsTheClosedForm();
+    void landingIsABounceOffTheFloor();
+    void edgeOfALowKerbIsAWall();
     void truthLiesNearItsIntervals();
     void wrongModelIsNamed();
     void withoutWallsRestitutionIsNotDetermined();
     void withoutBouncesTheFloorIsNotDetermined();
+    void lowKerbsTellTheWallsRestitution();
     void gravityIsFound();
     void frameIsFound();
     void unknownQuantityIsOneLine();
@@ -23,6 +27,7 @@ private slots:
     void fitCanBeStoppedWhereNothingIsLikeTheTrack();
 
 private:
+    std::vector<TrackBounce> bouncesOn(const Scene &scene);
     FitPlan plan(const Scene &scene, Track track, const char *quantities);
     Registry m_registry = makeRegistry(nullptr);
 };
@@ -51,7 +56,34 @@ const FittedValue &valueOf(const ModelFit &fit, const char *id) {
     qFatal("no %s", id);
 }
 
+// The floor of the start ends 3 cm to its right; another one lies 2 cm below.
+Scene stepDown() {
+    return sceneOf({{{-1.0, -1.0, -0.02}, {0.03, 1.0, 0.0}}, {{-1.0, -1.0, -0.04}, {1.0, 1.0, -0.02}}});
+}
+
+// Four edges of 0.4 R around the start.
+Scene betweenKerbs() {
+    constexpr double kHeight = 0.4 * 0.006;
+    return sceneOf({{{-0.1, -0.1, -0.01}, {0.1, 0.1, 0.0}},
+                    {{-0.1, -0.1, 0.0}, {-0.05, 0.1, kHeight}},
+                    {{0.05, -0.1, 0.0}, {0.1, 0.1, kHeight}},
+                    {{-0.05, -0.1, 0.0}, {0.05, -0.05, kHeight}},
+                    {{-0.05, 0.05, 0.0}, {0.05, 0.1, kHeight}}});
+}
+
 } // namespace
+
+// Of 2 s from rest under a tilt of 2 degrees to the right.
+std::vector<TrackBounce> TestTrackFit::bouncesOn(const Scene &scene) {
+    Track track;
+    for (int i = 0; i <= 60; ++i) track.points.push_back({i / 30.0, 0.0, 0.0});
+    track.tilts = {{0.0, {radians(2.0), 0.0}}};
+    const BallModel model(m_registry, scene, track, nullptr);
+    std::vector<TrackPoint> seen;
+    std::vector<TrackBounce> bounces;
+    if (!model.run(usual(), {0.0, 0.0, 0.0, 0.0}, 0, 60, seen, &bounces)) qFatal("refused");
+    return bounces;
+}
 
 FitPlan TestTrackFit::plan(const Scene &scene, Track track, const char *quantities) {
     QString error;
@@ -76,6 +108,21 @@ void TestTrackFit::modelRollsAsTheClosedForm() {
     QVERIFY(model.run(board, {0.0, 0.0, 0.0, 0.0}, 0, 60, seen));
     COMPARE_WITHIN(seen.back().x, 5.0 / 14.0 * 9.81 * std::sin(0.02) * 0.7 * 0.7, 1e-12);
     COMPARE_EXACT(seen[18].x, 0.0); // 0.3 s
+}
+
+// From a step of 2 cm the ball lands on the floor below.
+void TestTrackFit::landingIsABounceOffTheFloor() {
+    const std::vector<TrackBounce> bounces = bouncesOn(stepDown());
+    QVERIFY(!bounces.empty());
+    QCOMPARE(bounces[0].surface, Surface::Floor);
+    COMPARE_WITHIN(bounces[0].speed, std::sqrt(2.0 * 9.81 * 0.02), 0.01);
+}
+
+// An edge has the walls' coefficients, however steep its normal (model.md 13.1): here 0.6 of it is upwards.
+void TestTrackFit::edgeOfALowKerbIsAWall() {
+    const std::vector<TrackBounce> bounces = bouncesOn(wallAhead(0.05, 0.4 * 0.006));
+    QVERIFY(!bounces.empty());
+    QCOMPARE(bounces[0].surface, Surface::Wall);
 }
 
 // Intervals of 95 %: four of their halves away, chance doesn't lead.
@@ -123,6 +170,17 @@ void TestTrackFit::withoutBouncesTheFloorIsNotDetermined() {
                                      "restitution_wall,restitution_floor,tilt,delay"));
     QCOMPARE(valueText(valueOf(fit.best(), "restitution_floor")), QString("not determined: no bounce on the floor"));
     QVERIFY(valueOf(fit.best(), "restitution_wall").isDetermined());
+}
+
+void TestTrackFit::lowKerbsTellTheWallsRestitution() {
+    const BoardGuess truth = support::drawTruth(PHYS_MODEL_ROLLING, 2);
+    const Scene scene = betweenKerbs();
+    const TrackFit fit = fitted(plan(scene, support::makeTrack(m_registry, scene, truth, {.duration = 8.0, .seed = 2}),
+                                     "restitution_wall,tilt,delay"));
+    const FittedValue &restitution = valueOf(fit.best(), "restitution_wall");
+    QVERIFY2(restitution.isDetermined(), qPrintable(valueText(restitution)));
+    QVERIFY2(std::abs(restitution.value - truth.params.restitution_wall) < 4.0 * restitution.halfInterval(),
+             qPrintable(valueText(restitution)));
 }
 
 void TestTrackFit::gravityIsFound() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which points are best for their cost, and which one is recommended: on points made by hand.
-#include "core/events/counted_impact.h"
+#include "core/events/bounce.h"
 #include "core/program/trade_command.h"
 #include "core/schedule/trade_reference.h"
 #include "core/trade/trade_answer.h"

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which events are bounces, and whose coefficients count in them.
+#pragma once
+
+#include <physics/physics.h>
+
+namespace inspector {
+
+/// m/s along the normal. Slower impacts are those of a ball that leans on a wall, which discrete steppers report in
+/// every step: the trade doesn't compare them, the list of events folds them together.
+inline constexpr double kCountedImpact = 0.05;
+
+inline bool isBounce(const phys_event &event) {
+    return event.kind == PHYS_EVENT_IMPACT || event.kind == PHYS_EVENT_LANDING;
+}
+
+enum class Surface { Wall, Floor };
+
+/// Of a bounce. The floor's coefficients count on top faces, the walls' on all other faces, on edges and on corners
+/// (model.md 13.1). Its kind tells: the normal of an edge can be as steep as one likes.
+inline Surface surfaceOf(const phys_event &bounce) {
+    return bounce.kind == PHYS_EVENT_LANDING ? Surface::Floor : Surface::Wall;
+}
+
+} // namespace inspector

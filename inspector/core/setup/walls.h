@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The walls around a ball: what it can run into from the side.
+#pragma once
+
+#include <physics/physics.h>
+
+#include <optional>
+
+namespace inspector {
+
+/// The nearest wall whose gap is at most `reach` (m, >= 0), of overlapped ones the deepest; nothing if there is none.
+/// centre: of the ball, m. A wall is a box that rises above the ball's lowest point, be it a low kerb or the side of a
+/// pit; the floor that carries the ball, and tiles flush with it, are none. Any thread.
+std::optional<phys_contact> nearestWall(const phys_scene *scene, const phys_vec3 &centre, double reach);
+
+/// Moves a ball that overlaps a wall sideways until it touches it. radius, centre: of the ball, m.
+void pushOut(const phys_contact &wall, double radius, phys_vec3 &centre);
+
+} // namespace inspector
