@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Plugins that end the process that loads them: damaged headers, constructors that crash, end or hang.
+#include "process_run.h"
 #include "support/files.h"
 
 #include <QProcess>
@@ -9,6 +10,8 @@
 #include <link.h>
 
 #include <cstring>
+
+using namespace inspector;
 
 class TestDamagedPlugins : public QObject {
     Q_OBJECT
@@ -24,28 +27,18 @@ private slots:
 
 namespace {
 
-struct Result {
-    int status; // -1: crashed, or didn't end
-    QByteArray out, messages;
-};
-
-Result runOf(const QString &program, const QStringList &arguments, const QString &variable = {},
-             const QString &value = {}) {
+Ended tryPlugin(const QString &program, const QStringList &arguments, const QString &variable = {},
+                const QString &value = {}) {
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.remove("PHYS_PLUGIN_PATH");
     if (!variable.isEmpty()) environment.insert(variable, value);
     process.setProcessEnvironment(environment);
     process.start(program, arguments);
-    const bool hasEnded = process.waitForFinished(60000) && process.exitStatus() == QProcess::NormalExit;
-    return {hasEnded ? process.exitCode() : -1, process.readAllStandardOutput(), process.readAllStandardError()};
+    return endOf(process);
 }
 
 const QStringList kStep{"--headless", "--duration", "0.01", "--stepper", "adaptive-drag", "--csv", "/dev/null"};
-
-bool isOneLine(const QByteArray &messages) {
-    return messages.startsWith("physics-inspector: ") && messages.count('\n') == 1;
-}
 
 // A part of a file.
 struct Part {
@@ -85,7 +78,7 @@ void TestDamagedPlugins::aFlippedByteOfTheHeadersIsNoMatterOrRefusedInOneLine() 
             QByteArray file = whole;
             file[at] = char(~file[at]);
             support::write(path, file);
-            const Result result = runOf(INSPECTOR, kStep + QStringList{"--plugin", path});
+            const Ended result = tryPlugin(INSPECTOR, kStep + QStringList{"--plugin", path});
             const QByteArray where = QByteArray::number(at) + ": " + result.messages;
             if (result.status == 0) {
                 QVERIFY2(result.messages.startsWith("level 01 not won"), where.constData());
@@ -119,7 +112,7 @@ void TestDamagedPlugins::oneThatEndsTheProcessIsRefusedInOneLine_data() {
 void TestDamagedPlugins::oneThatEndsTheProcessIsRefusedInOneLine() {
     QFETCH(QString, how);
     QFETCH(QString, reason);
-    const Result result = runOf(INSPECTOR, {"--headless", "--duration", "0.01", "--plugin", ENDING}, "ENDING", how);
+    const Ended result = tryPlugin(INSPECTOR, {"--headless", "--duration", "0.01", "--plugin", ENDING}, "ENDING", how);
     QCOMPARE(result.status, 2);
     QCOMPARE(QString(result.messages),
              QString("physics-inspector: --plugin: '" ENDING "': loading it %1\n").arg(reason));
@@ -129,7 +122,7 @@ void TestDamagedPlugins::oneOfAPluginFolderIsLeftOut() {
     const QTemporaryDir folder;
     support::write(folder.filePath("a.so"), damaged());
     QVERIFY(QFile::copy(ADAPTIVE_DRAG, folder.filePath("b.so")));
-    const Result result = runOf(INSPECTOR, kStep, "PHYS_PLUGIN_PATH", folder.path());
+    const Ended result = tryPlugin(INSPECTOR, kStep, "PHYS_PLUGIN_PATH", folder.path());
     QCOMPARE(result.status, 0);
     const QByteArray line = "physics-inspector: plugin left out: '" + folder.filePath("a.so").toUtf8();
     QVERIFY2(result.messages.startsWith(line + "': loading it ends a process "), result.messages.constData());
@@ -137,14 +130,14 @@ void TestDamagedPlugins::oneOfAPluginFolderIsLeftOut() {
 }
 
 void TestDamagedPlugins::whatOnePrintsWhileItIsTriedIsNotSeen() {
-    const Result result = runOf(INSPECTOR, {"--list-steppers", "--plugin", ENDING}, "ENDING", "print");
+    const Ended result = tryPlugin(INSPECTOR, {"--list-steppers", "--plugin", ENDING}, "ENDING", "print");
     QCOMPARE(result.status, 2); // it has no stepper
     QVERIFY2(result.out.isEmpty() && isOneLine(result.messages), result.out + result.messages);
     QVERIFY2(result.messages.contains("expected the symbol phys_plugin_entry; found none"), result.messages);
 }
 
 void TestDamagedPlugins::reportCardOfOneIsOneLine() {
-    const Result result = runOf(PHYSICS_CHECK, {ENDING}, "ENDING", "abort");
+    const Ended result = tryPlugin(PHYSICS_CHECK, {ENDING}, "ENDING", "abort");
     QCOMPARE(result.status, 2);
     QCOMPARE(result.messages, QByteArray("physics-check: " ENDING ": crashes: Aborted\n"));
     QVERIFY(result.out.isEmpty());

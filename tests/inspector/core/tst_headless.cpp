@@ -41,7 +41,7 @@ private slots:
 
 namespace {
 
-Result runOf(const QString &words) { return inspector::runOf(("--headless " + words).split(' ')); }
+Result headless(const QString &words) { return inspector::runOf(("--headless " + words).split(' ')); }
 
 } // namespace
 
@@ -70,7 +70,7 @@ void TestHeadless::progressOfAFitIsALineAndIsErased() {
 }
 
 void TestHeadless::firstLineIsTheHeaderAndNothingIsAComment() {
-    const QByteArrayList lines = runOf("--level 2 --duration 0.05").out.trimmed().split('\n');
+    const QByteArrayList lines = headless("--level 2 --duration 0.05").out.trimmed().split('\n');
     QVERIFY2(lines.first().startsWith("time [s],step,position_x [m],"), lines.first().constData());
     for (const QByteArray &line : lines) QCOMPARE(line.count(','), lines.first().count(','));
 }
@@ -78,7 +78,7 @@ void TestHeadless::firstLineIsTheHeaderAndNothingIsAComment() {
 void TestHeadless::fileBesideTheTableTellsHowToRepeatTheRun() {
     const QTemporaryDir folder;
     const QString path = folder.filePath("t.csv");
-    runOf("--level 2 --dt 0.005 --duration 0.01 --tilt-x 2.5 --stepper rk4 --csv " + path);
+    headless("--level 2 --dt 0.005 --duration 0.01 --tilt-x 2.5 --stepper rk4 --csv " + path);
     const QByteArray settings = support::contentOf(path + ".txt");
     phys_stepper_info info;
     phys_registry_find(nullptr, "rk4", &info, nullptr);
@@ -98,13 +98,13 @@ void TestHeadless::fileOfAnotherKindBesideTheTableStays() {
     QVERIFY(other.open(QIODevice::WriteOnly));
     other.write("mine");
     other.close();
-    const Result run = runOf("--duration 0.01 --csv " + path);
+    const Result run = headless("--duration 0.01 --csv " + path);
     QVERIFY(run.status != 0);
     QCOMPARE(support::contentOf(path + ".txt"), QByteArray("mine"));
 }
 
 void TestHeadless::rowPerStepReadsBackExactly() {
-    const QByteArrayList rows = runOf("--duration 0.5 --tilt-x 3 --tilt-y 1").rows();
+    const QByteArrayList rows = headless("--duration 0.5 --tilt-x 3 --tilt-y 1").rows();
     QCOMPARE(rows.size(), 50);
     const auto engine = engineOn(levelScene(1));
     engine->setInputs(tilted(3.0, 1.0));
@@ -120,17 +120,17 @@ void TestHeadless::rowPerStepReadsBackExactly() {
 }
 
 void TestHeadless::everySoManyStepsIsARow() {
-    const QByteArrayList rows = runOf("--duration 1 --csv-every 30").rows();
+    const QByteArrayList rows = headless("--duration 1 --csv-every 30").rows();
     QCOMPARE(rows.size(), 3);
     QVERIFY(rows[0].startsWith("0.3") && rows[2].contains(", 90,"));
 }
 
 void TestHeadless::localeMakesNoDifference() {
-    const QByteArray before = runOf("--duration 0.2 --tilt-x 3").out;
+    const QByteArray before = headless("--duration 0.2 --tilt-x 3").out;
     const QLocale locale;
     QLocale::setDefault(QLocale(QLocale::German));
     std::setlocale(LC_ALL, "de_DE.UTF-8"); // no effect where it isn't installed; Qt's is always there
-    const QByteArray after = runOf("--duration 0.2 --tilt-x 3").out;
+    const QByteArray after = headless("--duration 0.2 --tilt-x 3").out;
     std::setlocale(LC_ALL, "C");
     QLocale::setDefault(locale);
     QCOMPARE(after, before);
@@ -150,13 +150,13 @@ void TestHeadless::durationIsReachedInWholeSteps() {
     QFETCH(double, duration);
     QFETCH(double, dt);
     QFETCH(int, steps);
-    const Result result = runOf(QString("--duration %1 --dt %2").arg(duration).arg(dt));
+    const Result result = headless(QString("--duration %1 --dt %2").arg(duration).arg(dt));
     QCOMPARE(result.status, 0);
     QCOMPARE(result.rows().size(), steps);
 }
 
 void TestHeadless::runWithoutDurationEndsOutOfTheMaze() {
-    const Result result = runOf("--autopilot");
+    const Result result = headless("--autopilot");
     QCOMPARE(result.status, 0);
     const QByteArrayList rows = result.rows();
     QVERIFY(rows.last().split(',').last().toInt() & PHYS_OUT);
@@ -166,13 +166,13 @@ void TestHeadless::runWithoutDurationEndsOutOfTheMaze() {
 
 // A ball that friction holds at any tilt of the pilot: tan(8 degrees) = 0.14.
 void TestHeadless::autopilotThatDoesntGetOutGivesStatus1() {
-    const Result result = runOf("--autopilot --rolling-friction 0.2 --csv-every 1000000");
+    const Result result = headless("--autopilot --rolling-friction 0.2 --csv-every 1000000");
     QCOMPARE(result.status, 1);
     QVERIFY2(result.messages.startsWith("level 01 not won after 600.00 s"), qPrintable(result.messages));
 }
 
 void TestHeadless::allLevelsAreWonAndEachHasALine() {
-    const Result result = runOf("--all-levels");
+    const Result result = headless("--all-levels");
     QCOMPARE(result.status, 0);
     const QByteArrayList lines = result.out.trimmed().split('\n');
     QCOMPARE(lines.size(), 10);
@@ -183,7 +183,7 @@ void TestHeadless::allLevelsAreWonAndEachHasALine() {
 }
 
 void TestHeadless::missingLevelGivesOneLineAndStatus2() {
-    const Result result = runOf("--level nowhere/none.txt");
+    const Result result = headless("--level nowhere/none.txt");
     QCOMPARE(result.status, 2);
     QVERIFY2(result.messages.contains("nowhere/none.txt"), qPrintable(result.messages));
     QCOMPARE(result.messages.count('\n'), 1);
@@ -191,7 +191,7 @@ void TestHeadless::missingLevelGivesOneLineAndStatus2() {
 }
 
 void TestHeadless::unwritableTableGivesOneLineAndStatus2() {
-    const Result result = runOf("--csv /nowhere/table.csv");
+    const Result result = headless("--csv /nowhere/table.csv");
     QCOMPARE(result.status, 2);
     QVERIFY2(result.messages.contains("/nowhere/table.csv"), qPrintable(result.messages));
 }
@@ -199,15 +199,15 @@ void TestHeadless::unwritableTableGivesOneLineAndStatus2() {
 void TestHeadless::fullDiskGivesOneLineAndStatus1() {
     if (!QFile::exists("/dev/full")) QSKIP("this system has no /dev/full");
     for (const char *duration : {"10", "0.01"}) { // also what fits into a buffer
-        const Result result = runOf(QString("--csv /dev/full --duration ") + duration);
+        const Result result = headless(QString("--csv /dev/full --duration ") + duration);
         QCOMPARE(result.status, 1);
         QVERIFY2(result.messages.contains("--csv: '/dev/full': No space left"), qPrintable(result.messages));
     }
 }
 
 void TestHeadless::timeOfWinningIsSaidWhenTheRunGoesOn() {
-    const QString won = runOf("--autopilot").messages.section(" s (simulated)", 0, 0);
-    const Result longer = runOf("--autopilot --duration 100 --csv-every 1000000");
+    const QString won = headless("--autopilot").messages.section(" s (simulated)", 0, 0);
+    const Result longer = headless("--autopilot --duration 100 --csv-every 1000000");
     QCOMPARE(longer.messages.section(" s (simulated)", 0, 0), won);
     QVERIFY2(longer.messages.contains(" 10000 steps"), qPrintable(longer.messages));
 }
@@ -265,7 +265,7 @@ void TestHeadless::tableOfARingHasTheSameRowsAsThatOfTheRun() {
     QVERIFY2(writeTable(folder.filePath("t.csv"), samples, line.options, &error), qPrintable(error));
     QFile file(folder.filePath("t.csv"));
     QVERIFY(file.open(QIODevice::ReadOnly));
-    QCOMPARE(file.readAll(), runOf("--duration 0.4").out);
+    QCOMPARE(file.readAll(), headless("--duration 0.4").out);
 }
 
 QTEST_GUILESS_MAIN(TestHeadless)

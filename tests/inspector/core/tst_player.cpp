@@ -3,6 +3,7 @@
 #include "core/recording/player.h"
 #include "core/recording/recorder.h"
 #include "core/simulation/simulation.h"
+#include "recorded_steps.h"
 #include "scenes.h"
 #include "support/random.h"
 
@@ -10,7 +11,6 @@
 #include <QTemporaryDir>
 
 #include <algorithm>
-#include <cstring>
 
 using namespace inspector;
 
@@ -50,23 +50,8 @@ private:
 
 namespace {
 
-uint64_t hashOf(const Snapshot &snapshot) { return phys_state_hash(&snapshot.current); }
-
 constexpr const char *kMaze1 = LEVELS_FOLDER "/01.txt";
 constexpr const char *kMaze3 = LEVELS_FOLDER "/03.txt";
-
-template<class Plain>
-bool isSameBits(const Plain &a, const Plain &b) {
-    return std::memcmp(&a, &b, sizeof a) == 0; // NOLINT(bugprone-suspicious-memory-comparison)
-}
-
-void stepRecorded(Engine &engine, Recorder &recorder, int steps) {
-    for (int i = 0; i < steps; ++i) {
-        QString error;
-        if (!engine.step(&error)) qFatal("%s", qPrintable(error));
-        recorder.note(engine);
-    }
-}
 
 uint64_t hashAt(const PlayableRecording &recording, uint64_t position) {
     for (const Segment &segment : recording.recording().segments) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The program itself, from the outside: output, messages, exit status; no display.
+#include "process_run.h"
+
 #include <QDir>
 #include <QFileInfo>
 #include <QProcess>
@@ -7,6 +9,8 @@
 #include <QTest>
 
 #include <csignal>
+
+using namespace inspector;
 
 class TestProgram : public QObject {
     Q_OBJECT
@@ -43,11 +47,6 @@ private slots:
 
 namespace {
 
-struct Result {
-    int status;
-    QByteArray out, messages;
-};
-
 QProcessEnvironment noDisplay() {
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     for (const char *name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "PHYS_PLUGIN_PATH"})
@@ -55,12 +54,7 @@ QProcessEnvironment noDisplay() {
     return environment;
 }
 
-Result endOf(QProcess &process) {
-    const bool hasEnded = process.waitForFinished(60000) && process.exitStatus() == QProcess::NormalExit;
-    return {hasEnded ? process.exitCode() : -1, process.readAllStandardOutput(), process.readAllStandardError()};
-}
-
-Result runOf(const QStringList &arguments, const QProcessEnvironment &environment = noDisplay()) {
+Ended runProgram(const QStringList &arguments, const QProcessEnvironment &environment = noDisplay()) {
     QProcess process;
     process.setProcessEnvironment(environment);
     process.start(INSPECTOR, arguments);
@@ -77,28 +71,24 @@ QProcessEnvironment noScreen(const QString &settingsFolder) {
 }
 
 // By a shell, for redirections and names of any bytes: $0 is the program, $1 a folder.
-Result runByShell(const QByteArray &script, const QString &folder = {}) {
+Ended runByShell(const QByteArray &script, const QString &folder = {}) {
     QProcess process;
     process.setProcessEnvironment(noDisplay());
     process.start("/bin/sh", {"-c", QString::fromLatin1(script), INSPECTOR, folder});
     return endOf(process);
 }
 
-bool isOneLine(const QByteArray &messages) {
-    return messages.startsWith("physics-inspector: ") && messages.count('\n') == 1;
-}
-
 } // namespace
 
 void TestProgram::helpNeedsNoDisplay() {
-    const Result result = runOf({"--help"});
+    const Ended result = runProgram({"--help"});
     QCOMPARE(result.status, 0);
     QVERIFY(result.out.contains("--tilt-x <deg>"));
     QVERIFY(result.messages.isEmpty());
 }
 
 void TestProgram::tableGoesToStandardOutputAndMessagesDont() {
-    const Result result = runOf({"--headless", "--duration", "0.03"});
+    const Ended result = runProgram({"--headless", "--duration", "0.03"});
     QCOMPARE(result.status, 0);
     QVERIFY(result.out.startsWith("time [s],step,"));
     QVERIFY(result.out.contains("\n0.03, 3,"));
@@ -106,13 +96,13 @@ void TestProgram::tableGoesToStandardOutputAndMessagesDont() {
 }
 
 void TestProgram::allLevelsAreWon() {
-    const Result result = runOf({"--headless", "--autopilot", "--all-levels"});
+    const Ended result = runProgram({"--headless", "--autopilot", "--all-levels"});
     QCOMPARE(result.status, 0);
     QCOMPARE(result.out.count(" won in "), 10);
 }
 
 void TestProgram::wrongUseGivesStatus2AndOneLine() {
-    const Result result = runOf({"--headless", "--dt", "never"});
+    const Ended result = runProgram({"--headless", "--dt", "never"});
     QCOMPARE(result.status, 2);
     QVERIFY(result.out.isEmpty());
     QCOMPARE(
@@ -122,11 +112,11 @@ void TestProgram::wrongUseGivesStatus2AndOneLine() {
 }
 
 void TestProgram::windowWithoutADisplayGivesStatus2AndOneLine() {
-    const Result result = runOf({"--level", "2"});
+    const Ended result = runProgram({"--level", "2"});
     QCOMPARE(result.status, 2);
     QVERIFY2(result.messages.startsWith("physics-inspector: no display"), result.messages.constData());
     QCOMPARE(result.messages.count('\n'), 1);
-    const Result replay = runOf({"--replay", "some.rec"});
+    const Ended replay = runProgram({"--replay", "some.rec"});
     QCOMPARE(replay.status, 2);
     QVERIFY2(replay.messages.startsWith("physics-inspector: no display"), replay.messages.constData());
 }
@@ -147,7 +137,7 @@ void TestProgram::displayThatCantBeOpenedGivesStatus2AndOneLine() {
     QFETCH(QString, value);
     QProcessEnvironment environment = noDisplay();
     environment.insert(variable, value);
-    const Result result = runOf({}, environment);
+    const Ended result = runProgram({}, environment);
     QCOMPARE(result.status, 2);
     QVERIFY2(isOneLine(result.messages) && result.messages.contains("--headless"), result.messages.constData());
 }
@@ -169,7 +159,7 @@ void TestProgram::aScaleThatNoScreenHasGivesStatus2AndOneLine() {
     const QTemporaryDir folder;
     QProcessEnvironment environment = noScreen(folder.path());
     environment.insert(variable, value);
-    const Result result = runOf({"--duration", "0.01", "--grab", folder.filePath("p.png")}, environment);
+    const Ended result = runProgram({"--duration", "0.01", "--grab", folder.filePath("p.png")}, environment);
     QCOMPARE(result.status, 2);
     QVERIFY2(isOneLine(result.messages) && result.messages.contains("the screen's scale is "),
              result.messages.constData());
@@ -180,7 +170,7 @@ void TestProgram::platformWithoutOpenGLGetsAFlatPicture() {
     QProcessEnvironment environment = noDisplay();
     environment.insert("QT_QPA_PLATFORM", "offscreen");
     const QString picture = folder.filePath("p.png");
-    const Result result = runOf({"--level", "2", "--grab", picture}, environment);
+    const Ended result = runProgram({"--level", "2", "--grab", picture}, environment);
     QVERIFY2(result.status == 0, result.messages.constData());
     QVERIFY(QFile::exists(picture));
 }
@@ -189,7 +179,7 @@ void TestProgram::picturesOfOneCommandAreTheSame() {
     const QTemporaryDir folder;
     QByteArrayList pictures;
     for (const char *name : {"1.png", "2.png"}) {
-        const Result result = runOf(
+        const Ended result = runProgram(
             {"--level", "2", "--autopilot", "--compare", "rk4", "--duration", "0.7", "--grab", folder.filePath(name)},
             noScreen(folder.path()));
         QVERIFY2(result.status == 0, result.messages.constData());
@@ -203,7 +193,7 @@ void TestProgram::picturesOfOneCommandAreTheSame() {
 void TestProgram::askedFor3dWithoutOpenGLGivesStatus2AndOneLine() {
     QProcessEnvironment environment = noDisplay();
     environment.insert("QT_QPA_PLATFORM", "offscreen");
-    const Result result = runOf({"--view", "3d"}, environment);
+    const Ended result = runProgram({"--view", "3d"}, environment);
     QCOMPARE(result.status, 2);
     QVERIFY2(isOneLine(result.messages) && result.messages.contains("--view 2d"), result.messages.constData());
 }
@@ -224,8 +214,8 @@ void TestProgram::whatAFullStandardOutputLosesIsTold() {
     if (!QFile::exists("/dev/full")) QSKIP("this system has no /dev/full");
     QFETCH(QByteArray, words);
     const QTemporaryDir folder;
-    QCOMPARE(runOf({"--headless", "--duration", "0.1", "--record", folder.filePath("r")}).status, 0);
-    const Result result = runByShell("exec \"$0\" " + words + " >/dev/full", folder.path());
+    QCOMPARE(runProgram({"--headless", "--duration", "0.1", "--record", folder.filePath("r")}).status, 0);
+    const Ended result = runByShell("exec \"$0\" " + words + " >/dev/full", folder.path());
     QCOMPARE(result.status, 1);
     QVERIFY2(result.messages.contains("physics-inspector: 'standard output': No space left on device\n"),
              result.messages.constData());
@@ -249,8 +239,8 @@ void TestProgram::whatAFileLimitLosesIsTold_data() {
 void TestProgram::whatAFileLimitLosesIsTold() {
     QFETCH(QByteArray, words);
     const QTemporaryDir folder;
-    QCOMPARE(runOf({"--headless", "--duration", "0.3", "--record", folder.filePath("r")}).status, 0);
-    const Result result = runByShell(
+    QCOMPARE(runProgram({"--headless", "--duration", "0.3", "--record", folder.filePath("r")}).status, 0);
+    const Ended result = runByShell(
         "ulimit -f 1; export QT_QPA_PLATFORM=offscreen XDG_CONFIG_HOME=\"$1\"; exec \"$0\" " + words, folder.path());
     QCOMPARE(result.status, 1);
     QCOMPARE(result.messages.count("File too large\n"), 1);
@@ -269,7 +259,7 @@ void TestProgram::settingsThatCantBeWrittenAreTold() {
     QVERIFY(process.waitForStarted());
     QTRY_VERIFY(QFile::exists(folder.filePath("r")));
     process.terminate();
-    const Result result = endOf(process);
+    const Ended result = endOf(process);
     QCOMPARE(result.status, 128 + SIGTERM);
     QVERIFY2(result.messages.contains("physics-inspector.conf': settings can't be read or written\n"),
              result.messages.constData());
@@ -293,7 +283,7 @@ void TestProgram::settingsThatWouldBeWaitedForAreTold() {
     const QTemporaryDir folder;
     QVERIFY(QDir(folder.path()).mkdir("libphysics"));
     runByShell("f=$1/libphysics/physics-inspector.conf; " + command + " \"$f\"", folder.path());
-    const Result result = runOf({"--duration", "0"}, noScreen(folder.path()));
+    const Ended result = runProgram({"--duration", "0"}, noScreen(folder.path()));
     QCOMPARE(result.status, 0);
     QVERIFY2(isOneLine(result.messages) && result.messages.endsWith(": settings aren't kept: " + reason),
              result.messages.constData());
@@ -306,26 +296,26 @@ void TestProgram::settingsThatNameAHugeObjectEndNothing() {
     QVERIFY(settings.open(QIODevice::WriteOnly));
     settings.write("[window]\ntheme=@Variant(\\0\\0\\0\\tix0x6`2)\n");
     settings.close();
-    const Result result = runOf({"--duration", "0"}, noScreen(folder.path()));
+    const Ended result = runProgram({"--duration", "0"}, noScreen(folder.path()));
     QCOMPARE(result.status, 0);
     QCOMPARE(result.messages, QByteArray());
 }
 
 void TestProgram::aClosedPipeEndsTheRunQuietlyAndItsRecordingWhole() {
     const QTemporaryDir folder;
-    const Result result = runByShell("\"$0\" --headless --duration 1e6 --record \"$1/r\" | head -n 1", folder.path());
+    const Ended result = runByShell("\"$0\" --headless --duration 1e6 --record \"$1/r\" | head -n 1", folder.path());
     QCOMPARE(result.status, 0); // of head
     QCOMPARE(result.out, QByteArray(result.out).left(result.out.indexOf('\n') + 1));
     QVERIFY2(!result.messages.contains("standard output"), result.messages.constData());
-    QVERIFY(runOf({"--replay", folder.filePath("r"), "--check"}).out.startsWith("same: "));
+    QVERIFY(runProgram({"--replay", folder.filePath("r"), "--check"}).out.startsWith("same: "));
 }
 
 void TestProgram::aClosedStandardOutputIsNoOtherFile() {
     const QTemporaryDir folder;
-    const Result result =
+    const Ended result =
         runByShell("exec \"$0\" --headless --duration 0.1 --record \"$1/r\" >&- 2>\"$1/said\"", folder.path());
     QCOMPARE(result.status, 1);
-    const Result check = runOf({"--replay", folder.filePath("r"), "--check"});
+    const Ended check = runProgram({"--replay", folder.filePath("r"), "--check"});
     QCOMPARE(check.status, 0);
 }
 
@@ -346,7 +336,7 @@ void TestProgram::aSignalLeavesTableAndRecordingWhole() {
     QVERIFY(process.waitForStarted());
     QTRY_VERIFY(QFileInfo(folder.filePath("r")).size() > 100000);
     ::kill(pid_t(process.processId()), signal);
-    const Result result = endOf(process);
+    const Ended result = endOf(process);
     QCOMPARE(result.status, 128 + signal);
     QFile table(folder.filePath("t"));
     QVERIFY(table.open(QIODevice::ReadOnly));
@@ -361,12 +351,12 @@ void TestProgram::filesOfAnyNameAreOpened() {
     const QTemporaryDir folder;
     const QByteArray name = "\"$1/$(printf 'h\\366he \\033[31m\\nx.txt')\"";
     const QByteArray prepare = "cp '" LEVELS_FOLDER "/01.txt' " + name + " && ";
-    const Result run =
+    const Ended run =
         runByShell(prepare + "\"$0\" --headless --duration 0.1 --level " + name + " --record \"$1/r\"", folder.path());
     QCOMPARE(run.status, 0);
     QCOMPARE(run.messages.count('\n'), 1);
     QVERIFY2(run.messages.contains("level h\\xf6he \\x1b[31m\\nx not won"), run.messages.constData());
-    const Result again = runByShell("\"$0\" --replay \"$1/r\" --check; rm " + name, folder.path());
+    const Ended again = runByShell("\"$0\" --replay \"$1/r\" --check; rm " + name, folder.path());
     QVERIFY2(again.out.startsWith("same: 10 steps"), again.messages.constData());
 }
 
@@ -379,7 +369,7 @@ void TestProgram::aSecondProgramRecordingIntoOneFileIsTold() {
     first.start(INSPECTOR, words);
     QVERIFY(first.waitForStarted());
     QTRY_VERIFY(QFileInfo(folder.filePath("r")).size() > 1000);
-    const Result second = runOf(words);
+    const Ended second = runProgram(words);
     first.kill();
     first.waitForFinished();
     QCOMPARE(second.status, 2);
@@ -395,14 +385,14 @@ void TestProgram::pluginFoldersAreScannedAndWhatIsRefusedIsTold() {
     broken.close();
     QProcessEnvironment environment = noDisplay();
     environment.insert("PHYS_PLUGIN_PATH", folder.path());
-    const Result result = runOf({"--list-steppers"}, environment);
+    const Ended result = runProgram({"--list-steppers"}, environment);
     QCOMPARE(result.status, 0);
     QVERIFY(result.out.contains("\nadaptive-drag "));
     QVERIFY2(isOneLine(result.messages) && result.messages.contains("plugin left out: ") &&
                  result.messages.contains("b.so"),
              result.messages.constData());
     // One that is named and in the folder, too, is no mistake.
-    const Result named = runOf({"--list-steppers", "--plugin", folder.filePath("a.so")}, environment);
+    const Ended named = runProgram({"--list-steppers", "--plugin", folder.filePath("a.so")}, environment);
     QCOMPARE(named.messages.count("left out"), 1);
 }
 

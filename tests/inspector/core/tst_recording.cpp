@@ -6,12 +6,11 @@
 #include "core/session/session.h"
 #include "core/setup/settings_file.h"
 #include "headless_run.h"
+#include "recorded_steps.h"
 #include "scenes.h"
 #include "support/files.h"
 
 #include <QTemporaryDir>
-
-#include <cstring>
 
 using namespace inspector;
 using support::contentOf;
@@ -74,20 +73,6 @@ std::unique_ptr<Engine> recordedEngine(Recorder &recorder, const QByteArray &ste
     const Scene scene = levelScene(1);
     recorder.setOrigin(originOf(registry, stepper, maze));
     return std::make_unique<Engine>(scene, makeStepper(registry, stepper, scene, nullptr));
-}
-
-void stepRecorded(Engine &engine, Recorder &recorder, int steps) {
-    for (int i = 0; i < steps; ++i) {
-        QString error;
-        QVERIFY2(engine.step(&error), qPrintable(error));
-        recorder.note(engine);
-    }
-}
-
-// Of types without padding.
-template<class Plain>
-bool isSameBits(const Plain &a, const Plain &b) {
-    return std::memcmp(&a, &b, sizeof a) == 0; // NOLINT(bugprone-suspicious-memory-comparison)
 }
 
 } // namespace

@@ -32,12 +32,12 @@ private slots:
 
 namespace {
 
-constexpr double kDt = 0.01;
+constexpr double kSampleDt = 0.01;
 
 // Every value follows from the number, so that a torn sample shows.
 Sample sampleOf(uint64_t number) {
     Sample sample;
-    sample.time = double(number) * kDt;
+    sample.time = double(number) * kSampleDt;
     sample.step = number;
     for (size_t i = 0; i < kChannelCount; ++i) sample.values[i] = double(number * 100 + i);
     return sample;
@@ -99,15 +99,15 @@ void TestSampleRing::findIsTheFirstAtOrAfterATime() {
     SampleRing ring(256);
     fill(ring, 1000);
     QCOMPARE(ring.find(-1.0), ring.first());
-    QCOMPARE(ring.find(900 * kDt), uint64_t(900));
-    QCOMPARE(ring.find(900.5 * kDt), uint64_t(901));
+    QCOMPARE(ring.find(900 * kSampleDt), uint64_t(900));
+    QCOMPARE(ring.find(900.5 * kSampleDt), uint64_t(901));
     QCOMPARE(ring.find(1e9), ring.last());
 }
 
 void TestSampleRing::fewSamplesAreShownOneByOne() {
     SampleRing ring(256);
     fill(ring, 100);
-    const std::vector<Column> columns = ring.columns(Channel::Speed, 9.5 * kDt, 19.5 * kDt, 100);
+    const std::vector<Column> columns = ring.columns(Channel::Speed, 9.5 * kSampleDt, 19.5 * kSampleDt, 100);
     QCOMPARE(columns.size(), size_t(12)); // 10 .. 19 and one on each side
     for (size_t i = 0; i < columns.size(); ++i) {
         const Sample expected = sampleOf(9 + i);
@@ -130,8 +130,8 @@ void TestSampleRing::columnsHoldTheExtremesOfTheirSamples() {
         ring.append(sample);
     }
     for (int round = 0; round < 200; ++round) {
-        const double from = double(4904 + random() % 4000) * kDt;
-        const double to = from + double(random() % 4000) * kDt;
+        const double from = double(4904 + random() % 4000) * kSampleDt;
+        const double to = from + double(random() % 4000) * kSampleDt;
         const std::vector<Column> columns = ring.columns(Channel::VelocityX, from, to, 1 + random() % 300);
         QVERIFY(!columns.empty());
         const uint64_t end = std::min(ring.last(), ring.find(to) + 1);
@@ -159,7 +159,7 @@ void TestSampleRing::columnsStayWhereTheyAreWhileThePlotScrolls() {
     SampleRing ring(4096);
     fill(ring, 4000);
     const std::vector<Column> before = ring.columns(Channel::Speed, 10.0, 30.0, 500);
-    const std::vector<Column> after = ring.columns(Channel::Speed, 10.0 + kDt, 30.0 + kDt, 500);
+    const std::vector<Column> after = ring.columns(Channel::Speed, 10.0 + kSampleDt, 30.0 + kSampleDt, 500);
     // All but the columns that the plot's borders cut are the same.
     for (size_t i = 1; i + 1 < after.size(); ++i) {
         const auto isSame = [&](const Column &column) {
@@ -208,7 +208,7 @@ void TestSampleRing::missingValuesCountInNoColumn() {
     for (const size_t columns : {1, 3, 10, 40, 300}) {
         double min = std::nan("");
         double max = std::nan("");
-        for (const Column &column : ring.columns(Channel::Distance, 0.0, kCount * kDt, columns)) {
+        for (const Column &column : ring.columns(Channel::Distance, 0.0, kCount * kSampleDt, columns)) {
             QCOMPARE(std::isnan(column.min), std::isnan(column.max));
             min = std::fmin(min, column.min);
             max = std::fmax(max, column.max);
@@ -216,7 +216,7 @@ void TestSampleRing::missingValuesCountInNoColumn() {
         QCOMPARE(min, sampleOf(100)[Channel::Distance]);
         QCOMPARE(max, sampleOf(199)[Channel::Distance]);
     }
-    for (const Column &column : ring.columns(Channel::Distance, 0.0, kCount * kDt, 300))
+    for (const Column &column : ring.columns(Channel::Distance, 0.0, kCount * kSampleDt, 300))
         QCOMPARE(std::isnan(column.min), column.time < sampleOf(100).time || column.time > sampleOf(199).time);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The engine on its thread: the same bits, nothing lost, nobody waits. No test here depends on how fast it runs.
 #include "core/simulation/simulation.h"
+#include "recorded_steps.h"
 #include "scenes.h"
 #include "support/compare.h"
 
@@ -40,8 +41,6 @@ private slots:
 };
 
 namespace {
-
-uint64_t hashOf(const Snapshot &snapshot) { return phys_state_hash(&snapshot.current); }
 
 std::unique_ptr<Simulation> simulationOf(const Scene &scene) {
     return std::make_unique<Simulation>(scene, defaultStepper(scene));

@@ -3,6 +3,7 @@
 #include "core/trade/drawn_balls.h"
 #include "core/trade/live_band.h"
 #include "inspector/core/scenes.h"
+#include "inspector/trade/unknowns_of.h"
 #include "support/compare.h"
 
 #include <cmath>
@@ -41,13 +42,6 @@ private:
 namespace {
 
 constexpr int kPatience = 60000; // ms
-
-Unknowns unknownsOf(const char *words) {
-    QString error;
-    const std::optional<Unknowns> unknowns = parseUnknowns(words, &error);
-    if (!unknowns) qFatal("%s", qPrintable(error));
-    return *unknowns;
-}
 
 } // namespace
 

@@ -3,6 +3,7 @@
 #include "core/trade/good_enough.h"
 #include "core/trade/trade_options.h"
 #include "inspector/core/scenes.h"
+#include "inspector/trade/unknowns_of.h"
 #include "support/compare.h"
 
 #include <algorithm>
@@ -31,14 +32,7 @@ private slots:
 
 namespace {
 
-constexpr double kRadius = 0.006;
-
-Unknowns unknownsOf(const char *words) {
-    QString error;
-    const std::optional<Unknowns> unknowns = parseUnknowns(words, &error);
-    if (!unknowns) qFatal("%s", qPrintable(error));
-    return *unknowns;
-}
+constexpr double kBallRadius = 0.006;
 
 Band bandOf(const Scene &scene, Tilt tilt, double duration, const char *words) {
     const Registry registry = makeRegistry(nullptr);
@@ -152,7 +146,7 @@ void TestTradeUnknowns::bandOfAnUnknownStartStaysWhatItIs() {
 // 5/14 g (tan(tilt + d) - tan(tilt)) t^2 for small d: the same square.
 void TestTradeUnknowns::bandOfAnUnknownTiltGrowsWithTheSquareOfTime() {
     const Band band = bandOf(openFloor(), {0.0, 0.0}, 1.0, "tilt=0.1deg");
-    const double middle = 5.0 / 14.0 * 9.81 * radians(0.1) * std::sqrt(2.0 / 3.141592653589793) / kRadius;
+    const double middle = 5.0 / 14.0 * 9.81 * radians(0.1) * std::sqrt(2.0 / 3.141592653589793) / kBallRadius;
     COMPARE_WITHIN(band.middleAt(1.0), middle, 0.1 * middle);
     COMPARE_WITHIN(band.middleAt(0.5), 0.25 * band.middleAt(1.0), 1e-6);
     for (size_t i = 0; i < band.times.size(); ++i)

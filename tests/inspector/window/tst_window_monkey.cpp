@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Hands that know nothing: random keys, clicks, drags, wheels and texts, all over the window and its dialogs. Whatever
 // they do, the program goes on and the ball is somewhere. Longer: MONKEY_ACTIONS=5000 MONKEY_SEED=2
-// build/dev/tests/inspector/window/tst_window_monkey (under xvfb-run)
+// build/dev/tests/inspector/window/window_suites tst_window_monkey (under xvfb-run)
 #include "gl/view/maze_view.h"
 #include "window_fixture.h"
 

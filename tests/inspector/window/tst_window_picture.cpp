@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The window at its start, compared with a picture that a person has looked at.
-// A wanted change: UPDATE_GOLDEN=1 build/dev/tests/inspector/window/tst_window_picture (under xvfb-run), look at the
-// new picture in tests/inspector/window/golden, and commit it with the change.
+// A wanted change: UPDATE_GOLDEN=1 build/dev/tests/inspector/window/window_suites tst_window_picture (under xvfb-run),
+// look at the new picture in tests/inspector/window/golden, and commit it with the change.
 #include "gl/view/maze_view.h"
 #include "window_fixture.h"
 

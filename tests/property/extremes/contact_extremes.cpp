@@ -15,20 +15,12 @@ using support::SceneBuilder;
 
 namespace {
 
-constexpr double kRadius = 0.0625;
-constexpr double kDt = 0x1p-7;
-
 SceneBuilder leftWall() { return support::openFloor(10.0).wall(-5, -10, 0, 10).start(kRadius, 0.0); }
 
 /// No friction anywhere: a rigid ball keeps its spin and loses nothing to slip.
 void makeSmooth(Experiment &ball) {
     ball.params.rolling_friction = 0.0;
     ball.params.sliding_friction = 0.0;
-}
-
-/// The case's phrase, unless a step was refused.
-Outcome outcome(const Watch &watch, const QByteArray &phrase) {
-    return {watch.refusal().isEmpty() ? phrase : watch.refusal(), watch.problem()};
 }
 
 /// Whether the ball's centre is at a place in the plane, within what the library takes for a touch.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ways to say what is expected of which stepper.
+// What the cases have in common: their ball, their step, and ways to say what is expected of which stepper.
 #pragma once
 
 #include "support/stepper_rows.h"
@@ -8,6 +8,9 @@
 #include <functional>
 
 namespace extremes {
+
+inline constexpr double kRadius = 0.0625; // m, of most cases
+inline constexpr double kDt = 0x1p-7;     // s
 
 using Expected = std::function<QByteArray(const QByteArray &stepper, uint32_t model)>;
 

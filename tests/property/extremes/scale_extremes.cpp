@@ -15,13 +15,6 @@ using support::SceneBuilder;
 
 namespace {
 
-constexpr double kRadius = 0.0625;
-constexpr double kDt = 0x1p-7;
-
-Outcome outcome(const Watch &watch, const QByteArray &phrase) {
-    return {watch.refusal().isEmpty() ? phrase : watch.refusal(), watch.problem()};
-}
-
 /// Whether the ball is between the walls of a square room with its lower corner at (x, y).
 bool isInRoom(const phys_state &state, double width, double x = 0.0, double y = 0.0) {
     return state.position.x > x && state.position.x < x + width && state.position.y > y && state.position.y < y + width;

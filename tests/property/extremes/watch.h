@@ -2,6 +2,8 @@
 // Steps a ball and looks, after each step, for what must never happen.
 #pragma once
 
+#include "catalogue.h"
+
 #include "support/experiment.h"
 
 #include <QByteArray>
@@ -30,6 +32,11 @@ private:
     QByteArray m_refusal;
     QByteArray m_problem;
 };
+
+/// The case's phrase, unless a step was refused.
+inline Outcome outcome(const Watch &watch, const QByteArray &phrase) {
+    return {watch.refusal().isEmpty() ? phrase : watch.refusal(), watch.problem()};
+}
 
 /// Largest penetration that rounding explains: the library's tolerance is 4 roundings of the largest coordinate, and
 /// pushing out rounds a few times more.

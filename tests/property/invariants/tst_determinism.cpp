@@ -15,7 +15,7 @@ using namespace support;
 
 namespace {
 
-constexpr int kScenes = 8;
+constexpr int kRepeatedScenes = 8;
 
 /// One step in another way than Experiment::step.
 using OtherStep = std::function<bool(Experiment &, double)>;
@@ -99,7 +99,7 @@ void TestDeterminism::sameBitsStepped() {
     QFETCH(uint32_t, model);
     QFETCH(int, way);
     Random random(testSeed());
-    for (int scene = 0; scene < kScenes; ++scene) {
+    for (int scene = 0; scene < kRepeatedScenes; ++scene) {
         const Drawn drawn = draw(random, model);
         Experiment a = makeExperiment(drawn, stepper);
         Experiment b = makeExperiment(drawn, stepper);
@@ -137,7 +137,7 @@ void TestDeterminism::allStagesChangeNoBitOfTheMotion() {
     QFETCH(QByteArray, stepper);
     QFETCH(uint32_t, model);
     Random random(testSeed());
-    for (int scene = 0; scene < 2 * kScenes; ++scene) {
+    for (int scene = 0; scene < 2 * kRepeatedScenes; ++scene) {
         Drawn drawn = draw(random, model);
         // Every other scene without boxes inside the room: few enough to need no grid.
         if (scene % 2 == 1) {

@@ -15,7 +15,7 @@ using namespace support;
 
 namespace {
 
-constexpr int kScenes = 16;
+constexpr int kEnergyScenes = 16;
 
 double speedOf(const phys_state &state) { return std::hypot(state.velocity.x, state.velocity.y, state.velocity.z); }
 
@@ -60,7 +60,7 @@ private:
 template<class Check>
 void TestEnergy::eachStep(const QByteArray &stepper, uint32_t model, Check check) {
     Random random(testSeed());
-    for (int scene = 0; scene < kScenes; ++scene) {
+    for (int scene = 0; scene < kEnergyScenes; ++scene) {
         const Drawn drawn = draw(random, model);
         Experiment ball = makeExperiment(drawn, stepper);
         for (int i = 0; i < kSegment * kSegments; ++i) {

@@ -2,6 +2,7 @@
 // Every wrong argument is refused with its code and one line, and leaves every output as it was.
 #include "support/compare.h"
 #include "support/experiment.h"
+#include "support/special_values.h"
 #include "support/stepper_rows.h"
 
 #include <QTest>
@@ -14,9 +15,6 @@
 using namespace support;
 
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// All that any function writes to, filled with a pattern.
 struct Outputs {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The table of parameter rows: complete, consistent, and the only way in.
 #include "support/compare.h"
+#include "support/special_values.h"
 #include "support/stepper_rows.h"
 
 #include <QRegularExpression>
@@ -9,15 +10,11 @@
 
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <vector>
 
 using namespace support;
 
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 using RowPtr = const phys_param_row *;
 

@@ -16,7 +16,7 @@ using namespace support;
 
 namespace {
 
-constexpr double kDt = 1.0 / 64.0;
+constexpr double kLongDt = 1.0 / 64.0;
 
 /// A ball in a handful of walls whose next step needs no stage at all.
 Experiment plainBall(const QByteArray &stepper) {
@@ -84,7 +84,7 @@ private slots:
 
 private:
     /// Asks; `m_error` says why not.
-    bool ask(Experiment &ball, double dt = kDt) {
+    bool ask(Experiment &ball, double dt = kLongDt) {
         return phys_stepper_requirements(ball.stepper(), &ball.params, dt, &ball.state, &m_answer, &m_error) == PHYS_OK;
     }
     QByteArray reason(uint32_t stage) const { return m_answer.reasons[indexOf(stage)]; }
@@ -163,7 +163,7 @@ void TestRequirements::fastBallNeedsSubsteps() {
     QCOMPARE(m_answer.substeps, substeps);
     QCOMPARE((m_answer.stages & PHYS_STAGE_SUBSTEPS) != 0, substeps > 1);
     QCOMPARE(reason(PHYS_STAGE_SUBSTEPS).startsWith("not needed"), substeps == 1);
-    QVERIFY2(ball.step(kDt), ball.error());
+    QVERIFY2(ball.step(kLongDt), ball.error());
     QCOMPARE(ball.report.substeps, substeps);
     QVERIFY(ball.report.substep_cap >= substeps);
 }
@@ -212,7 +212,7 @@ void TestRequirements::questionChangesNothing() {
         const phys_state before = asked.state;
         QVERIFY2(ask(asked), m_error.text);
         QVERIFY(sameBits(asked.state, before));
-        QVERIFY2(asked.step(kDt) && unasked.step(kDt), asked.error());
+        QVERIFY2(asked.step(kLongDt) && unasked.step(kLongDt), asked.error());
         QVERIFY(sameBits(asked.state, unasked.state));
     }
 }

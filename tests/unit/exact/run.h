@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <istream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -16,6 +18,16 @@ inline constexpr double kU = 2.220446049250313e-16; // a rounding step at 1
 
 inline phys_box floorOver(double x0, double y0, double x1, double y1) { return {{x0, y0, -1.0}, {x1, y1, 0.0}}; }
 inline phys_box wall(double x0, double y0, double x1, double y1) { return {{x0, y0, 0.0}, {x1, y1, 16.0}}; }
+inline const phys_box kFloor = floorOver(-2, -2, 2, 2);
+
+inline bool equal(const phys_vec3 &a, const phys_vec3 &b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+
+using Turn = std::function<phys_vec3(const phys_vec3 &)>; ///< by right angles, or a mirror image
+
+inline phys_box turned(const phys_box &box, const Turn &turn) {
+    const phys_vec3 a = turn(box.min), b = turn(box.max);
+    return {{std::min(a.x, b.x), std::min(a.y, b.y), a.z}, {std::max(a.x, b.x), std::max(a.y, b.y), b.z}};
+}
 
 /// What a ball does in a scene whose floor lies at z = 0.
 class Run {
@@ -96,3 +108,5 @@ inline double difference(const phys_state &state, double x, double y, double vx,
 }
 
 } // namespace exact
+
+inline std::istream &operator>>(std::istream &in, phys_vec3 &v) { return in >> v.x >> v.y >> v.z; }

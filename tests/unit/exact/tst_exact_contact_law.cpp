@@ -10,6 +10,7 @@
 #include <functional>
 #include <sstream>
 
+using exact::equal;
 using exact::kU;
 using exact::Run;
 
@@ -20,7 +21,7 @@ struct Sample {
     bool isAtRest;
 };
 
-struct Turn {
+struct Tilting {
     double duration;
     phys_vec3 gravity;
 };
@@ -32,11 +33,9 @@ struct Case {
     phys_params params{};
     std::vector<phys_box> boxes;
     phys_vec3 position{}, velocity{}, spin{};
-    std::vector<Turn> turns;
+    std::vector<Tilting> turns;
     std::vector<Sample> samples;
 };
-
-std::istream &operator>>(std::istream &in, phys_vec3 &v) { return in >> v.x >> v.y >> v.z; }
 
 void readLine(const std::string &line, std::vector<Case> &cases) {
     std::istringstream in(line);
@@ -68,7 +67,7 @@ void readLine(const std::string &line, std::vector<Case> &cases) {
     if (word == "steps") {
         double count = 0.0, length = 0.0;
         in >> count >> length;
-        in >> last.turns.emplace_back(Turn{count * length, {}}).gravity;
+        in >> last.turns.emplace_back(Tilting{count * length, {}}).gravity;
     }
     if (word == "sample") {
         Sample &sample = last.samples.emplace_back();
@@ -90,8 +89,8 @@ const std::vector<Case> &cases() {
     return all;
 }
 
-struct Start : Run {
-    explicit Start(const Case &of)
+struct CaseRun : Run {
+    explicit CaseRun(const Case &of)
         : Run(of.boxes, of.radius, of.position, of.velocity) {
         const uint32_t model = of.isRigid ? PHYS_MODEL_RIGID : PHYS_MODEL_ROLLING;
         params = of.params;
@@ -101,10 +100,10 @@ struct Start : Run {
 };
 
 /// Calls arrived(sample) with the ball at each sample's time, in steps no longer than `longest`.
-void follow(const Case &of, Start &run, double longest, const std::function<void(const Sample &)> &arrived) {
+void follow(const Case &of, CaseRun &run, double longest, const std::function<void(const Sample &)> &arrived) {
     size_t next = 0;
     double time = 0.0, turned = 0.0;
-    for (const Turn &turn : of.turns) {
+    for (const Tilting &turn : of.turns) {
         run.params.gravity = turn.gravity;
         const double end = turned + turn.duration;
         while (next < of.samples.size() && of.samples[next].time <= end * (1.0 + 1e-12)) {
@@ -151,15 +150,13 @@ Case imageOf(Case of, const Image &image) {
     of.position = image(of.position, false);
     of.velocity = image(of.velocity, false);
     of.spin = image(of.spin, true);
-    for (Turn &turn : of.turns) turn.gravity = image(turn.gravity, false);
+    for (Tilting &turn : of.turns) turn.gravity = image(turn.gravity, false);
     return of;
 }
 
-bool equal(const phys_vec3 &a, const phys_vec3 &b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
-
 std::vector<phys_state> statesOf(const Case &of) {
     std::vector<phys_state> states;
-    Start run(of);
+    CaseRun run(of);
     follow(of, run, 1.0, [&](const Sample &) { states.push_back(run.state); });
     return states;
 }
@@ -195,7 +192,7 @@ private:
 
 void ExactContactLaw::followsTheReference() {
     const Case &of = chosen();
-    Start run(of);
+    CaseRun run(of);
     follow(of, run, 10.0, [&](const Sample &sample) {
         QVERIFY2(error(run.state, sample, of.radius) <= allowed(of),
                  qPrintable(QString("off by %1 at %2 s").arg(error(run.state, sample, of.radius)).arg(sample.time)));
@@ -205,7 +202,7 @@ void ExactContactLaw::followsTheReference() {
 
 void ExactContactLaw::isTheSameInPieces() {
     const Case &of = chosen();
-    Start run(of);
+    CaseRun run(of);
     follow(of, run, 1.0 / 256.0, [&](const Sample &sample) {
         QVERIFY2(error(run.state, sample, of.radius) <= 4.0 * allowed(of),
                  qPrintable(QString("off by %1 at %2 s").arg(error(run.state, sample, of.radius)).arg(sample.time)));
@@ -247,9 +244,9 @@ void ExactContactLaw::fourTimesAsLargeIsTheSameToTheBit() {
     large.position = times(4.0, large.position);
     large.velocity = times(2.0, large.velocity);
     large.spin = times(0.5, large.spin);
-    for (Turn &turn : large.turns) turn.duration *= 2.0;
+    for (Tilting &turn : large.turns) turn.duration *= 2.0;
     for (Sample &sample : large.samples) sample.time *= 2.0;
-    Start run(chosen()), largeRun(large);
+    CaseRun run(chosen()), largeRun(large);
     std::vector<phys_state> states, largeStates;
     follow(chosen(), run, 10.0, [&](const Sample &) { states.push_back(run.state); });
     follow(large, largeRun, 20.0, [&](const Sample &) { largeStates.push_back(largeRun.state); });

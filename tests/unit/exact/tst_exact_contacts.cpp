@@ -4,6 +4,7 @@
 
 #include <QtTest>
 
+using exact::kFloor;
 using exact::kU;
 using exact::Run;
 
@@ -22,12 +23,6 @@ private slots:
     void ballInAWallIsPushedOut();
     void ballBetweenTwoWallsTooCloseIsStuck();
 };
-
-namespace {
-
-const phys_box kFloor = exact::floorOver(-2, -2, 2, 2);
-
-} // namespace
 
 void ExactContacts::edgeIsHitByAParabola() {
     Run run({kFloor, exact::wall(0.5, -1, 1.5, -0.04)}, 0.02, {0, 0, 0.02}, {1, 0.2, 0});

@@ -6,6 +6,7 @@
 
 #include <limits>
 
+using exact::kFloor;
 using exact::kU;
 using exact::Run;
 
@@ -40,12 +41,6 @@ private slots:
     void inTheFloorAndPulledUpItFlies();
     void leastTimeMovesNothing();
 };
-
-namespace {
-
-const phys_box kFloor = exact::floorOver(-2, -2, 2, 2);
-
-} // namespace
 
 void ExactExtremes::elasticBouncesKeepTheEnergy() {
     Run run({kFloor, exact::wall(-1, -1, -0.5, 1), exact::wall(0.5, -1, 1, 1)}, 0.125, {0, 0, 0.125}, {1, 0.0, 0});

@@ -9,6 +9,7 @@
 
 using exact::kU;
 using exact::Run;
+using exact::Turn;
 
 namespace {
 
@@ -73,19 +74,12 @@ Room randomRoom(uint32_t seed) {
     return room;
 }
 
-using Turn = std::function<phys_vec3(phys_vec3)>;
-
-phys_vec3 same(phys_vec3 v) { return v; }
-
-phys_box turned(const phys_box &box, const Turn &turn) {
-    const phys_vec3 a = turn(box.min), b = turn(box.max);
-    return {{std::min(a.x, b.x), std::min(a.y, b.y), a.z}, {std::max(a.x, b.x), std::max(a.y, b.y), b.z}};
-}
+phys_vec3 same(const phys_vec3 &v) { return v; }
 
 /// The states at the end of each segment of the room, turned; each segment cut into `parts` steps.
 std::vector<phys_state> play(const Room &room, int parts = 1, const Turn &turn = same, double scale = 1.0) {
     std::vector<phys_box> boxes;
-    for (const phys_box &box : room.boxes) boxes.push_back(turned(box, turn));
+    for (const phys_box &box : room.boxes) boxes.push_back(exact::turned(box, turn));
     for (phys_box &box : boxes) {
         for (double *value = &box.min.x; value <= &box.max.z; ++value) *value *= scale;
     }

@@ -6,12 +6,13 @@
 #include <QtTest>
 
 #include <fstream>
-#include <functional>
 #include <limits>
 #include <sstream>
 
+using exact::equal;
 using exact::kU;
 using exact::Run;
+using exact::Turn;
 
 namespace {
 
@@ -37,8 +38,6 @@ struct Scene {
     phys_vec3 position{}, velocity{};
     std::vector<Step> steps;
 };
-
-std::istream &operator>>(std::istream &in, phys_vec3 &v) { return in >> v.x >> v.y >> v.z; }
 
 /// Impacts weaker than this aren't listed: those that end infinitely many differ (model.md 6.4). m/s
 constexpr double kWeakest = 1e-5;
@@ -117,20 +116,13 @@ double error(const phys_state &state, const Step &step) {
 /// model.md 8: rounding of a coordinate times what the way so far makes of it. The boards are some metres large.
 double bound(const Step &step, size_t events) { return 2.0 * kU * (1.0 + step.sensitivity) * double(events + 1); }
 
-using Turn = std::function<phys_vec3(const phys_vec3 &)>;
-
 Scene turned(Scene scene, const Turn &turn) {
-    for (phys_box &box : scene.boxes) {
-        const phys_vec3 a = turn(box.min), b = turn(box.max);
-        box = {{std::min(a.x, b.x), std::min(a.y, b.y), a.z}, {std::max(a.x, b.x), std::max(a.y, b.y), b.z}};
-    }
+    for (phys_box &box : scene.boxes) box = exact::turned(box, turn);
     scene.position = turn(scene.position);
     scene.velocity = turn(scene.velocity);
     for (Step &step : scene.steps) step.gravity = turn(step.gravity);
     return scene;
 }
-
-bool equal(const phys_vec3 &a, const phys_vec3 &b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
 QString told(const Scene &scene, size_t step, double error, double bound) {
     return QString("%1, step %2: %3, allowed %4").arg(scene.name.c_str()).arg(step).arg(error).arg(bound);

@@ -25,7 +25,7 @@ private slots:
 
 namespace {
 
-const phys_box kFloor = exact::floorOver(-8, -8, 8, 8);
+const phys_box kWideFloor = exact::floorOver(-8, -8, 8, 8);
 
 /// Rolls with the velocity that it has.
 void roll(Run &run, double radius) {
@@ -45,7 +45,7 @@ bool near(double found, double wanted, double units) {
 } // namespace
 
 void ExactRigid::slipEndsRolling() {
-    Run run({kFloor}, 0.005, {0, 0, 0.005}, {0.3, 0.2, 0});
+    Run run({kWideFloor}, 0.005, {0, 0, 0.005}, {0.3, 0.2, 0});
     roll(run, 0.005);
     run.state.spin = {-30, 80, 15};
     run.params.sliding_friction = 0.2;
@@ -65,7 +65,7 @@ void ExactRigid::slipEndsRolling() {
 
 void ExactRigid::impactCostsSpeedTwice() {
     // model.md 4: (5 eps - 2)/7 of the normal speed is left; 0.0882 go to the wall, 0.2268 to slip.
-    Run run({kFloor, exact::wall(0.1, -4, 1, 4)}, 0.005, {0, 0, 0.005}, {0.7, 0.4, 0});
+    Run run({kWideFloor, exact::wall(0.1, -4, 1, 4)}, 0.005, {0, 0, 0.005}, {0.7, 0.4, 0});
     roll(run, 0.005);
     run.params.restitution_wall = 0.8;
     run.params.sliding_friction = 0.3;
@@ -78,7 +78,7 @@ void ExactRigid::impactCostsSpeedTwice() {
 }
 
 void ExactRigid::slipAfterAnImpactLastsAsLongAsPredicted() {
-    Run run({kFloor, exact::wall(0.1, -4, 1, 4)}, 0.005, {0, 0, 0.005}, {0.5, 0, 0});
+    Run run({kWideFloor, exact::wall(0.1, -4, 1, 4)}, 0.005, {0, 0, 0.005}, {0.5, 0, 0});
     roll(run, 0.005);
     run.params.restitution_wall = 0.8;
     run.params.sliding_friction = 0.3;
@@ -91,7 +91,7 @@ void ExactRigid::slipAfterAnImpactLastsAsLongAsPredicted() {
 
 /// u_x' = g_x - (7/2) mu N u_x/|u| and u_y' = -(5/2) mu N u_y/|u|, by quadrature to 30 digits.
 void ExactRigid::slipBesideAWallOnTheRoughestFloorEndsInTime() {
-    Run run({kFloor, exact::wall(-1, -1, 1, -0.0078125)}, 0.0078125, {0, 0, 0.0078125});
+    Run run({kWideFloor, exact::wall(-1, -1, 1, -0.0078125)}, 0.0078125, {0, 0, 0.0078125});
     run.params.model = PHYS_MODEL_RIGID;
     run.params.sliding_friction = 1e6;
     run.params.wall_friction = 0.0;
@@ -115,7 +115,7 @@ void ExactRigid::roughWallLiftsTheBall() {
     QFETCH(double, friction);
     QFETCH(double, vy);
     QFETCH(double, vz);
-    Run run({kFloor, exact::wall(0.0, -4, 1, 4)}, 0.0625, {-0.0625, 0, 0.0625}, {0.7, 0.4, 0});
+    Run run({kWideFloor, exact::wall(0.0, -4, 1, 4)}, 0.0625, {-0.0625, 0, 0.0625}, {0.7, 0.4, 0});
     roll(run, 0.0625);
     run.params.restitution_wall = 0.8;
     run.params.restitution_floor = 0.5;
@@ -135,7 +135,7 @@ void ExactRigid::roughWallLiftsTheBall() {
 }
 
 void ExactRigid::grooveTakesFiveNinths() {
-    Run run({kFloor, exact::wall(-1, -4, 0, 4)}, 0.0625, {0.0625, 0, 0.0625});
+    Run run({kWideFloor, exact::wall(-1, -4, 0, 4)}, 0.0625, {0.0625, 0, 0.0625});
     roll(run, 0.0625);
     run.params.sliding_friction = 0.5;
     run.params.wall_friction = 0.25;
@@ -149,7 +149,7 @@ void ExactRigid::grooveTakesFiveNinths() {
 
 void ExactRigid::ballSpinsDownAtTheWall() {
     // model.md 6.5, eps = 0: on a level board the spin takes (2/5) V/(mu_s gn); along the wall u_t is 0 throughout.
-    Run run({kFloor, exact::wall(0, -4, 1, 4)}, 0.0625, {-0.0625, 0, 0.0625}, {0.5, 0.25, 0});
+    Run run({kWideFloor, exact::wall(0, -4, 1, 4)}, 0.0625, {-0.0625, 0, 0.0625}, {0.5, 0.25, 0});
     roll(run, 0.0625);
     run.params.restitution_wall = 0.0;
     run.params.sliding_friction = 0.25;
@@ -165,7 +165,7 @@ void ExactRigid::ballSpinsDownAtTheWall() {
 
 void ExactRigid::ballSpinsDownInACorner() {
     // Touching a second wall that it isn't pressed on costs no search: w' = -(5/2) mu_s gn = -5.
-    Run run({kFloor, exact::wall(-1, 0, 1, 1), exact::wall(0, -1, 1, 1)}, 0.0625, {-0.0625, -0.0625, 0.0625});
+    Run run({kWideFloor, exact::wall(-1, 0, 1, 1), exact::wall(0, -1, 1, 1)}, 0.0625, {-0.0625, -0.0625, 0.0625});
     roll(run, 0.0625);
     run.state.spin = {-16.0, 0.0, 0.0};
     run.params.restitution_wall = 0.0;
@@ -179,7 +179,7 @@ void ExactRigid::ballSpinsDownInACorner() {
 }
 
 void ExactRigid::ballThatPivotsOnTheSpotIsNotAtRest() {
-    Run run({kFloor}, 0.0625, {0, 0, 0.0625}); // model.md 14.1: nothing acts about the normal
+    Run run({kWideFloor}, 0.0625, {0, 0, 0.0625}); // model.md 14.1: nothing acts about the normal
     run.params.model = PHYS_MODEL_RIGID;
     run.state.spin = {0.0, 0.0, 3.0};
     run.step(1.0);
@@ -209,7 +209,7 @@ void ExactRigid::wholeSceneFollowsTheReference() {
         {0.87357517023508365062, 0.062765469598179168658, 0.14612508380174811199, -0.0016915177359239416363}};
     Run run({exact::wall(-0.125, -0.125, 1.125, 0), exact::wall(-0.125, 1, 1.125, 1.125), exact::wall(-0.125, 0, 0, 1),
              exact::wall(1, 0, 1.125, 1), exact::wall(0.375, 0.3125, 0.625, 0.375),
-             exact::wall(0.625, 0.3125, 0.6875, 0.6875), kFloor},
+             exact::wall(0.625, 0.3125, 0.6875, 0.6875), kWideFloor},
             0.0625, {0.25, 0.1875, 0.0625}, {0.75, 0.5, 0});
     roll(run, 0.0625);
     run.params.restitution_wall = 0.75;

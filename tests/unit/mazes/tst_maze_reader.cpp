@@ -42,7 +42,7 @@ QString write(const QTemporaryDir &folder, const QByteArray &content) {
 const QByteArray kHeader = "physics-maze 1\nunits m\nball 0.006\nstart 0 0 0.006\n"; // four lines
 const QByteArray kFloor = "box -1 -1 -0.005 1 1 0\n";
 
-void levelRows() {
+void levelPaths() {
     QTest::addColumn<QString>("path");
     for (int level = 1; level <= 10; ++level) {
         const QString name = QStringLiteral("%1").arg(level, 2, 10, QLatin1Char('0'));
@@ -56,9 +56,9 @@ class TestMazeReader : public QObject {
     Q_OBJECT
 
 private slots:
-    void everyLevelIsReadAsWritten_data() { levelRows(); }
+    void everyLevelIsReadAsWritten_data() { levelPaths(); }
     void everyLevelIsReadAsWritten();
-    void inEveryLevelTheBallRestsOnTheFloorAmongWallsOnly_data() { levelRows(); }
+    void inEveryLevelTheBallRestsOnTheFloorAmongWallsOnly_data() { levelPaths(); }
     void inEveryLevelTheBallRestsOnTheFloorAmongWallsOnly();
     void theExampleOfTheReadmeIsRead();
     void commentsBlanksAndLineEndsDontMatter();

@@ -10,7 +10,7 @@
 
 namespace {
 
-constexpr double kRadius = 0.25;
+constexpr double kBallRadius = 0.25;
 constexpr double kDt = 0.5;
 
 phys_params defaultParams() {
@@ -66,8 +66,8 @@ void PluginResult::initTestCase() {
     phys_scene_desc_init(&desc, sizeof desc);
     desc.boxes = &floor;
     desc.box_count = 1;
-    desc.radius = kRadius;
-    desc.start = {1, 2, kRadius};
+    desc.radius = kBallRadius;
+    desc.start = {1, 2, kBallRadius};
     QCOMPARE(phys_scene_create(&desc, &m_scene, &error), PHYS_OK);
     QCOMPARE(phys_scene_start(m_scene, &m_start), PHYS_OK);
 }

@@ -100,18 +100,18 @@ const std::vector<ReferenceScene> &referenceScenes() {
 }
 
 /// What a stepper promises: its error is at most this at the step size h.
-struct Promise {
+struct Bound {
     double order;
     double factor; ///< m/s^order
 };
 
 /// An impact found up to h too early costs up to (1 + eps) v_n h at each bounce, a speed of up to 0.7 m/s in these
 /// scenes; what is found in its place costs the scheme's own g h^2.
-Promise promiseOf(const QByteArray &stepper, const ReferenceScene &scene) {
+Bound boundOf(const QByteArray &stepper, const ReferenceScene &scene) {
     if (stepper == "exact") return {0.0, 1e-9};
     if (stepper == "swept") return {2.0, 20.0};
     const bool isSecond = stepper == "velocity-verlet" || stepper == "rk4";
-    return isSecond && scene.isSmooth ? Promise{2.0, 20.0} : Promise{1.0, 4.0};
+    return isSecond && scene.isSmooth ? Bound{2.0, 20.0} : Bound{1.0, 4.0};
 }
 
 double largestDifference(const phys_vec3 &a, const phys_vec3 &b) {
@@ -206,7 +206,7 @@ void TestReferenceScenes::convergesToTheLaw() {
     QFETCH(int, number);
     QFETCH(QByteArray, stepper);
     const ReferenceScene &scene = referenceScenes()[static_cast<size_t>(number)];
-    const Promise promise = promiseOf(stepper, scene);
+    const Bound promise = boundOf(stepper, scene);
     for (const double h : {1e-3, 5e-4, 2.5e-4}) {
         Run run(scene, stepper);
         const double error = run.error(h);

@@ -13,10 +13,10 @@ using namespace support;
 
 namespace {
 
-constexpr double kRadius = 0.0625;
+constexpr double kBallRadius = 0.0625;
 
-SceneBuilder leftWall() {
-    return SceneBuilder().ball(kRadius).floor(-9, -9, 9, 9).wall(-1, -9, 0, 9).start(kRadius, 0.0);
+SceneBuilder wallOnTheLeft() {
+    return SceneBuilder().ball(kBallRadius).floor(-9, -9, 9, 9).wall(-1, -9, 0, 9).start(kBallRadius, 0.0);
 }
 
 Experiment rigid(const SceneBuilder &scene, const QByteArray &stepper, double slidingFriction) {
@@ -74,7 +74,7 @@ private slots:
 
 void TestRigidModel::rollingBallKeepsTheEffectiveRestitution() {
     QFETCH(QByteArray, stepper);
-    Experiment ball = rigid(leftWall(), stepper, 0.3);
+    Experiment ball = rigid(wallOnTheLeft(), stepper, 0.3);
     ball.setPosition(0.25, 0.0);
     ball.roll(-0.7, 0.4);
     const double dt = 0x1p-12;
@@ -91,14 +91,14 @@ void TestRigidModel::rollingBallKeepsTheEffectiveRestitution() {
 
 void TestRigidModel::slipAfterABounceLastsAsLongAsPredicted() {
     QFETCH(QByteArray, stepper);
-    Experiment ball = rigid(leftWall(), stepper, 0.3);
-    ball.setPosition(kRadius + 0x1p-20, 0.0);
+    Experiment ball = rigid(wallOnTheLeft(), stepper, 0.3);
+    ball.setPosition(kBallRadius + 0x1p-20, 0.0);
     ball.roll(-0.5, 0.0);
     const double dt = 0x1p-12;
     QVERIFY2(stepUntilItRolls(ball, dt, 8192).rolls, ball.error());
     // model.md 12.2: t_s, the way, 1/7; the impact is at most a step late, and so is the end of the slip.
     COMPARE_WITHIN(ball.state.time, 0.087374399301004805592, 2.0 * dt);
-    COMPARE_WITHIN(ball.state.position.x - kRadius, 0.023715908381701304375, 2.0 * 0.4 * dt);
+    COMPARE_WITHIN(ball.state.position.x - kBallRadius, 0.023715908381701304375, 2.0 * 0.4 * dt);
     COMPARE_WITHIN(ball.state.velocity.x, 1.0 / 7.0, rounding(1e4, 0.5));
 }
 
@@ -118,10 +118,10 @@ void TestRigidModel::roughWallLiftsTheBall() {
     QFETCH(double, wallFriction);
     QFETCH(double, vz);
     QFETCH(double, vt);
-    Experiment ball = rigid(leftWall(), stepper, 0.3);
+    Experiment ball = rigid(wallOnTheLeft(), stepper, 0.3);
     if (!ball.isReady()) QSKIP(ball.error());
     ball.params.wall_friction = wallFriction;
-    ball.setPosition(kRadius + 0x1p-12, 0.0);
+    ball.setPosition(kBallRadius + 0x1p-12, 0.0);
     ball.roll(-0.7, 0.4);
     bool bounced = false;
     const double dt = 0x1p-10;
@@ -168,7 +168,7 @@ void TestRigidModel::slipEndsInTheComputedVelocity() {
 
 void TestRigidModel::spinAboutTheVerticalIsFree() {
     QFETCH(QByteArray, stepper);
-    Experiment ball = rigid(leftWall(), stepper, 0.3);
+    Experiment ball = rigid(wallOnTheLeft(), stepper, 0.3);
     ball.setPosition(0.5, 0.0);
     ball.roll(-0.7, 0.4);
     ball.state.spin.z = 12.5;
@@ -207,13 +207,13 @@ void TestRigidModel::slipsOnASlopeTooSteepForFriction() {
     QVERIFY2(ball.stepFor(1.0, 1.0 / 128.0), ball.error());
     COMPARE_WITHIN(ball.state.velocity.x, 4.0, rounding(1e3, 4.0));
     // w' = (5/2) mu_s gn.
-    COMPARE_WITHIN(ball.state.spin.y * kRadius, 2.5, rounding(1e3, 4.0));
+    COMPARE_WITHIN(ball.state.spin.y * kBallRadius, 2.5, rounding(1e3, 4.0));
 }
 
 void TestRigidModel::rollsInTheGrooveOfFloorAndRoughWall() {
     QFETCH(QByteArray, stepper);
     if (promiseOf(stepper).heats) QSKIP("Explicit Euler doesn't stay in contact: model.md 10.3");
-    Experiment ball = rigid(leftWall(), stepper, 0.5);
+    Experiment ball = rigid(wallOnTheLeft(), stepper, 0.5);
     ball.params.gravity = {-0.8, 0.5, -9.81};
     ball.params.wall_friction = 0.25; // at least 5/36, model.md 12.2
     const double dt = 0x1p-10;
@@ -222,7 +222,7 @@ void TestRigidModel::rollsInTheGrooveOfFloorAndRoughWall() {
     const double slack = promiseOf(stepper).smooth == 0 ? rounding(1e4, 1.0) : dt;
     COMPARE_WITHIN(ball.state.velocity.y, 5.0 / 9.0 * 0.5, slack);
     COMPARE_WITHIN(ball.state.position.y, 5.0 / 9.0 * 0.5 / 2.0, slack);
-    COMPARE_EXACT(ball.state.position.x, kRadius);
+    COMPARE_EXACT(ball.state.position.x, kBallRadius);
 }
 
 QTEST_GUILESS_MAIN(TestRigidModel)

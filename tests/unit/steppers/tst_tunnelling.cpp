@@ -10,13 +10,13 @@ using namespace support;
 namespace {
 
 // R = h and dt as in model.md 12.3 but for powers of two: the limits 0.5, 0.75 and 1.5 m/s are exact.
-constexpr double kRadius = 0.00390625;
+constexpr double kSmallRadius = 0.00390625;
 constexpr double kThickness = 0.00390625;
-constexpr double kDt = 0.0078125;
+constexpr double kStep = 0.0078125;
 constexpr int kPhases = 64;
 
 SceneBuilder thinWall() {
-    return SceneBuilder().ball(kRadius).floor(-100, -1, 100, 1).wall(0.0, -1.0, kThickness, 1.0);
+    return SceneBuilder().ball(kSmallRadius).floor(-100, -1, 100, 1).wall(0.0, -1.0, kThickness, 1.0);
 }
 
 /// What happened at one phase.
@@ -31,13 +31,13 @@ Passage run(const QByteArray &stepper, bool asReported, double speed, double dir
     Experiment ball(thinWall(), stepper);
     if (hasOwnRow(stepper, "as_reported")) ball.params.stepper[0] = asReported ? 1.0 : 0.0;
     const double face = direction > 0 ? 0.0 : kThickness;
-    const double touch = face - direction * kRadius;
-    const double ahead = (2.0 + static_cast<double>(phase) / kPhases) * speed * kDt;
+    const double touch = face - direction * kSmallRadius;
+    const double ahead = (2.0 + static_cast<double>(phase) / kPhases) * speed * kStep;
     ball.setPosition(touch - direction * ahead, 0.0);
     ball.roll(direction * speed, 0.0);
     Passage passage;
     for (int i = 0; i < 12; ++i) {
-        if (!ball.step(kDt)) return passage;
+        if (!ball.step(kStep)) return passage;
         if (ball.report.event_count > 0) passage.isSeen = true;
     }
     passage.isThrough = direction * (ball.state.position.x - kThickness / 2) > 0;
@@ -145,13 +145,14 @@ void TestTunnelling::isNeverPassed() {
 
 void TestTunnelling::aThousandthOfARadiusIsAWall() {
     QFETCH(QByteArray, stepper);
-    const auto scene = SceneBuilder().ball(kRadius).floor(-9, -1, 9, 1).wall(0.0, -1.0, kRadius / 1000.0, 1.0);
+    const auto scene =
+        SceneBuilder().ball(kSmallRadius).floor(-9, -1, 9, 1).wall(0.0, -1.0, kSmallRadius / 1000.0, 1.0);
     for (int phase = 0; phase < kPhases; ++phase) {
         Experiment ball(scene, stepper);
-        ball.setPosition(-0.125 - 2.0 * kDt * phase / kPhases, 0.0);
+        ball.setPosition(-0.125 - 2.0 * kStep * phase / kPhases, 0.0);
         ball.roll(2.0, 0.0);
         for (int i = 0; i < 40; ++i) {
-            QVERIFY2(ball.step(kDt), ball.error());
+            QVERIFY2(ball.step(kStep), ball.error());
             QVERIFY(ball.state.position.x < 0.0);
         }
         QVERIFY(ball.state.velocity.x < 0.0);

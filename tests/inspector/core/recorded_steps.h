@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// What suites of recordings do to an engine and compare.
+#pragma once
+
+#include "core/engine/engine.h"
+#include "core/recording/recorder.h"
+#include "core/simulation/snapshot.h"
+
+#include <cstdint>
+#include <cstring>
+
+namespace inspector {
+
+inline void stepRecorded(Engine &engine, Recorder &recorder, int steps) {
+    for (int i = 0; i < steps; ++i) {
+        QString error;
+        if (!engine.step(&error)) qFatal("%s", qPrintable(error));
+        recorder.note(engine);
+    }
+}
+
+/// Of types without padding.
+template<class Plain>
+bool isSameBits(const Plain &a, const Plain &b) {
+    return std::memcmp(&a, &b, sizeof a) == 0; // NOLINT(bugprone-suspicious-memory-comparison)
+}
+
+inline uint64_t hashOf(const Snapshot &snapshot) { return phys_state_hash(&snapshot.current); }
+
+} // namespace inspector

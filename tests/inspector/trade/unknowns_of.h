@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// What isn't known of a board, from the words that --unknown takes.
+#pragma once
+
+#include "core/trade/trade_options.h"
+
+inline inspector::Unknowns unknownsOf(const char *words) {
+    QString error;
+    const std::optional<inspector::Unknowns> unknowns = inspector::parseUnknowns(words, &error);
+    if (!unknowns) qFatal("%s", qPrintable(error));
+    return *unknowns;
+}
