@@ -43,12 +43,16 @@ class Run(NamedTuple):
 
     states: the last good state of each ball, batch. path: every k-th state, batch + (steps // k,), or None.
     steps_done, statuses: batch; a ball whose status is below 0 failed in the step after its last good state.
+    impacts, energy_lost: batch; how many impacts a ball had, and what it lost to impacts, rolling and slip, J/kg, as the
+    reports of its steps would say; or None.
     """
 
     states: np.ndarray
     path: np.ndarray | None
     steps_done: np.ndarray
     statuses: np.ndarray
+    impacts: np.ndarray | None = None
+    energy_lost: np.ndarray | None = None
 
     def check(self) -> "Run":
         """Raises PhysicsError if a ball failed, with the number of the first of them; returns itself otherwise."""
@@ -169,14 +173,16 @@ class Stepper:
         return Step(after, report, happened[:int(report["event_count"])])
 
     def run(self, states: np.ndarray, params: Params | np.ndarray, dt: float, steps: int, *, gravity: Any = None,
-            every: int = 0, stop: int | np.integer = 0, threads: int = 1, out: np.ndarray | None = None) -> Run:
+            every: int = 0, stop: int | np.integer = 0, threads: int = 1, tally: bool = False,
+            out: np.ndarray | None = None) -> Run:
         """Many balls, many steps: for each ball the bits that `step` gives in a loop.
 
         states: state_dtype, any shape. params: one set or an array of them. gravity: m/s^2, in place of that of params:
         (3,) for all, or (..., 1, 3) for each ball, or (..., steps, 3) for each ball and step. The shapes of states and
         params and gravity's `...` broadcast to the batch. every: keep every k-th state as `path`; 0: none. stop: a ball
         is done once its state has one of these flags, for instance OUT. threads: how many run, with the interpreter's
-        lock released. out: states of the batch's shape that are written, for instance `states` itself.
+        lock released. tally: whether `impacts` and `energy_lost` are wanted; steps are slower then. out: states of the
+        batch's shape that are written, for instance `states` itself.
         Wrong arguments raise PhysicsError; a ball that fails has its status in the result (`Run.check` raises).
         """
         for name, value in (("steps", steps), ("every", every), ("stop", stop), ("threads", threads)):
@@ -201,10 +207,14 @@ class Stepper:
             batch.path, batch.path_every = address(path), every
             batch.path_ball_stride = path.shape[-1] * state_dtype.itemsize
         batch.steps_done, batch.statuses = address(done), address(statuses)
+        impacts = np.zeros(shape, "u8") if tally else None
+        energy_lost = np.zeros(shape, "f8") if tally else None
+        if impacts is not None and energy_lost is not None:
+            batch.impacts, batch.energy_lost = address(impacts), address(energy_lost)
         if result.size:
             with self._lock:
                 self._run_ranges(batch, max(1, min(threads, result.size)))
-        return Run(result, path, done, statuses)
+        return Run(result, path, done, statuses, impacts, energy_lost)
 
     def _run_ranges(self, batch: Batch, threads: int) -> None:
         def run(index: int) -> None:

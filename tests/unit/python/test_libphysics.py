@@ -214,6 +214,29 @@ class RunTest(unittest.TestCase):
             self.assertEqual(run.path[ball].tobytes(), expected[3::4].tobytes())
             self.assertEqual(run.states[ball].tobytes(), expected[-1].tobytes())
 
+    def test_tally_is_what_the_reports_of_single_steps_say(self):
+        gravity = lp.gravity_from_tilt(np.linspace(-0.1, 0.1, 5), 0.05)[:, None]
+        run = self.stepper.run(self.scene.start(), self.stepper.params(), 0.01, 200, gravity=gravity, threads=2,
+                               tally=True).check()
+        self.assertEqual((run.impacts.dtype, run.energy_lost.dtype), ("u8", "f8"))
+        for ball in range(5):
+            state, params = self.scene.start(), self.stepper.params(gravity=gravity[ball, 0])
+            impacts, lost = 0, 0.0
+            for _ in range(200):
+                state, report, events = self.stepper.step(state, params, 0.01)
+                impacts += np.count_nonzero(events["kind"] == lp.EVENT_IMPACT)
+                lost += report["lost_impact"] + report["lost_rolling"] + report["lost_slip"]
+            self.assertEqual((run.impacts[ball], run.energy_lost[ball]), (impacts, lost))
+        self.assertGreater(run.impacts.min(), 0)
+
+    def test_tally_has_the_shape_of_the_batch_and_is_made_when_asked_for(self):
+        states, params = self.scene.start((2, 3)), self.stepper.params()
+        run = self.stepper.run(states, params, 0.01, 5, tally=True)
+        self.assertEqual((run.impacts.shape, run.energy_lost.shape), ((2, 3), (2, 3)))
+        run = self.stepper.run(states, params, 0.01, 5)
+        self.assertIsNone(run.impacts)
+        self.assertIsNone(run.energy_lost)
+
     def test_batch_has_the_shape_that_numpy_would_give(self):
         params = self.stepper.params(restitution_wall=np.linspace(0, 1, 4)[:, None])
         gravity = lp.gravity_from_tilt(np.linspace(0, 0.1, 3), 0.0)[:, None]
