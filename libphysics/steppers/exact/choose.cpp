@@ -146,6 +146,25 @@ bool ExactStep::isAlone(uint32_t &closed) const {
     return closed != kMostHeld;
 }
 
+/// Whether the ball slips on one face, leans on a smooth one across it, surely, and touches nothing else.
+bool ExactStep::slides(Slide::Faces &faces) const {
+    faces.rough = faces.smooth = kMostHeld;
+    for (uint32_t i = 0; i < m_heldCount; ++i) {
+        if (!isClosed(i)) continue;
+        const Mode mode = m_response.reactions[i].mode;
+        uint32_t &place = mode == Mode::slipping ? faces.rough : faces.smooth;
+        if (place != kMostHeld || !contactOf(i).isFace()) return false;
+        if (mode != Mode::slipping && mode != Mode::smooth) return false;
+        place = i;
+    }
+    if (faces.rough == kMostHeld || faces.smooth == kMostHeld) return false;
+    faces.roughAxis = axisOf(contactOf(faces.rough));
+    faces.smoothAxis = axisOf(contactOf(faces.smooth));
+    const double friction = m_held[faces.rough].friction * m_response.reactions[faces.rough].pressure;
+    const double least = 0.01 * friction + 1e-9 * accelerationScale(moment());
+    return faces.roughAxis != faces.smoothAxis && m_response.reactions[faces.smooth].pressure > least;
+}
+
 /// Nothing is left of the velocity of a ball that resistance holds: it was rounding, model.md 14.1.
 void ExactStep::stopHeld() {
     if (m_response.rolling != Vec3(0.0) || isStill()) return;
@@ -190,6 +209,10 @@ phys_status ExactStep::choose(Phase &phase) {
                                       5.0 / 7.0 * (face.resistance * reaction.pressure), m_scene.radius, m_motion.spin,
                                       face.normal);
         }
+    } else if (Slide::Faces faces; slides(faces)) {
+        const Held &rough = m_held[faces.rough];
+        phase.emplace<Slide>(moment(), faces, rough.normal, m_response.reactions[faces.rough], rough.friction,
+                             m_response.reactions[faces.smooth]);
     } else {
         buildSeries(phase.emplace<Series>());
     }

@@ -206,8 +206,8 @@ End ExactStep::ownEnd(const Resisted &phase, double) {
     return end;
 }
 
-template<>
-End ExactStep::ownEnd(const Series &phase, double until) {
+template<class P>
+End ExactStep::ownEnd(const P &phase, double until) {
     return phase.end(until, m_work);
 }
 
@@ -241,10 +241,11 @@ bool ExactStep::isOpen(double acceleration) const {
     return closed == m_nearBoxes;
 }
 
-/// Most steps of most scenes: a ball rolls along a curve over one floor and stays in its region. Then nothing needs to
-/// be resolved, chosen or searched for. False if it isn't that plain.
+/// Most steps of most scenes: a ball rolls along a curve over one floor. Then nothing needs to be resolved or chosen,
+/// and nothing searched for in a region that it stays in. Whether that is all of the step; false if it isn't that
+/// plain.
 bool ExactStep::rollsOn() {
-    if (m_ground.count() != 1 || m_nearBoxes != 1 || m_motion.velocity.z != 0.0 || !(m_left > 0.0)) return false;
+    if (m_ground.count() != 1 || m_motion.velocity.z != 0.0 || !(m_left > 0.0)) return false;
     const Vec3 level(m_params.gravity.x, m_params.gravity.y, 0.0), up(0.0, 0.0, 1.0);
     const double R = m_scene.radius, pressure = -m_params.gravity.z, resistance = m_params.rolling_friction * pressure;
     if (!(resistance > 0.0) || !turnsAgainst(level, resistance)) return false;
@@ -256,11 +257,14 @@ bool ExactStep::rollsOn() {
     const Resisted phase =
         Resisted::rolling(2, m_motion.velocity, 5.0 / 7.0 * level, 5.0 / 7.0 * resistance, R, spin, up);
     if (isNoSlip(moment(), R * Vec3(spin.x, spin.y, 0.0)) || phase.end().after < m_left) return false;
-    if (!staysOnGround(phase.mostAcceleration())) return false;
     holdGround();
     answerRolling(level, pressure);
-    follow(phase, {m_left, Cause::time, 0}, Border());
-    return true;
+    noteContacts();
+    Border border;
+    const bool isFree = m_nearBoxes == 1 && staysOnGround(phase.mostAcceleration());
+    const End end = isFree ? End{m_left, Cause::time, 0} : firstEvent(phase, border);
+    follow(phase, end, border);
+    return end.cause == Cause::time;
 }
 
 /// Whether the way of a rolling ball surely bends: its velocity has a direction of its own beside the drive.
@@ -294,20 +298,14 @@ void ExactStep::turn(const P &phase, double t) {
     }
 }
 
-namespace {
-
-Losses lossesOf(const Resisted &phase, double t) { return phase.losses(t); }
-Losses lossesOf(const Series &phase, double t) { return phase.losses(t); }
-Losses lossesOf(const Uniform &, double) { return {}; }
-
-} // namespace
-
 template<class P>
 void ExactStep::follow(const P &phase, const End &end, const Border &border) {
     const double t = end.after;
     if (m_report.wanted() && t > 0.0) {
-        Losses lost = lossesOf(phase, t);
-        if constexpr (std::is_same_v<P, Uniform>) {
+        Losses lost;
+        if constexpr (!std::is_same_v<P, Uniform>) {
+            lost = phase.losses(t);
+        } else {
             for (uint32_t i = 0; i < m_heldCount; ++i) {
                 const Reaction &reaction = m_response.reactions[i];
                 const double R = m_scene.radius;

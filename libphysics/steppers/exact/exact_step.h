@@ -7,6 +7,7 @@
 #include "exact/resisted.h"
 #include "exact/search.h"
 #include "exact/series.h"
+#include "exact/slide.h"
 #include "exact/uniform.h"
 #include "registry/report.h"
 #include "shared/floor_region.h"
@@ -15,7 +16,7 @@
 
 namespace phys {
 
-using Phase = std::variant<Uniform, Resisted, Series>;
+using Phase = std::variant<Uniform, Resisted, Slide, Series>;
 
 class ExactStep {
 public:
@@ -110,6 +111,7 @@ private:
     bool pressesFacesAlone() const;
     void keepInGroove();
     bool isAlone(uint32_t &closed) const;
+    bool slides(Slide::Faces &faces) const;
     bool isStill() const;
     bool restsNow() const;
     void buildSeries(Series &series);

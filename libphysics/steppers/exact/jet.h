@@ -2,8 +2,10 @@
 // Taylor series in one variable, of numbers and of vectors.
 #pragma once
 
+#include "base/elementary.h"
 #include "base/vec.h"
 #include "contact/work.h"
+#include "exact/phase.h"
 #include "shared/first_zero.h"
 
 #include <array>
@@ -12,6 +14,9 @@
 namespace phys {
 
 inline constexpr int kOrder = 24;
+inline constexpr double kTail = 1e-17;     ///< relative size of the last terms
+inline constexpr double kNoise = 1e-25;    ///< relative to the speeds: terms below are nothing but rounding
+inline constexpr double kSlipEnds = 2e-13; ///< relative to the velocities that a slip is the difference of
 
 template<class T>
 struct JetOf {
@@ -28,6 +33,12 @@ struct JetOf {
     T rateAt(double s) const {
         T sum = double(kOrder) * c[kOrder];
         for (int k = kOrder - 1; k >= 1; --k) sum = sum * s + double(k) * c[static_cast<size_t>(k)];
+        return sum;
+    }
+    /// From 0 to s.
+    T integralAt(double s) const {
+        T sum(0.0);
+        for (int k = kOrder; k >= 0; --k) sum = s * (sum + c[static_cast<size_t>(k)] / (k + 1.0));
         return sum;
     }
 };
@@ -52,12 +63,22 @@ inline Vec3 termOf(const Jet &a, const VecJet &b, int k) {
     return sum;
 }
 
-/// Term k of square^(-1/2), whose terms before k are known.
-inline double inverseRootTerm(const Jet &square, const Jet &root, int k) {
-    if (k == 0) return 1.0 / std::sqrt(square[0]);
-    double sum = 0.0;
-    for (int j = 1; j <= k; ++j) sum += (-0.5 * j - (k - j)) * square[j] * root[k - j];
-    return sum / (k * square[0]);
+/// Term k of the length of a vector with terms v[0], v[1], ..., and of its direction, whose term 0 is left as it is.
+template<class V>
+void addDirectionTerm(const V *v, int k, Jet &length, JetOf<V> &direction) {
+    if (k == 0) {
+        length[0] = glm::length(v[0]);
+        return;
+    }
+    // Twice the first term times term k of the length: what v.v has more than the known terms. Pairs come twice.
+    double twice = glm::dot(v[0], v[k]);
+    for (int j = 1; 2 * j < k; ++j) twice += glm::dot(v[j], v[k - j]) - length[j] * length[k - j];
+    twice *= 2.0;
+    if (k % 2 == 0) twice += glm::dot(v[k / 2], v[k / 2]) - length[k / 2] * length[k / 2];
+    length[k] = 0.5 * twice / length[0];
+    V rest = v[k];
+    for (int j = 1; j <= k; ++j) rest -= length[j] * direction[k - j];
+    direction[k] = rest / length[0];
 }
 
 /// First s in [0, end] at which a polynomial falls through zero; kNever if it doesn't.
@@ -73,5 +94,31 @@ inline double firstFall(const Jet &g, double end, Work &work) {
     };
     return firstZero(look, 0.0, end, zero);
 }
+
+/// In units: how long a series is good. noise: what a term is surely nothing but rounding below.
+template<class V>
+double validUntil(const JetOf<V> &f, int last, double noise) {
+    const double scale = std::max({noise, glm::length(f[0]), glm::length(f[1]), glm::length(f[2])});
+    double most = kNever;
+    for (const int k : {last - 1, last}) {
+        const double size = glm::length(f[k]);
+        if (!std::isfinite(size)) return 0.0; // the unit is far too long
+        if (size > 0.0) most = std::min(most, elementary::root(kTail * scale / size, k));
+    }
+    return most;
+}
+
+/// The time that series count in, and the longest for which they are good to rounding.
+struct Reach {
+    double unit = 1.0, horizon = 0.0; ///< s
+
+    /// valid: how long they would be good, in units.
+    void measure(double valid) { horizon = unit * std::min(0.8 * valid, 4.0); }
+};
+
+/// When a speed falls to zero. Where its direction turns to the last the series never reach that time: what is left of
+/// a speed that is small enough falls as it does now.
+End zeroOfSpeed(const Jet &speed, double until, const Reach &reach, double small, Cause cause, uint32_t contact,
+                Work &work);
 
 } // namespace phys

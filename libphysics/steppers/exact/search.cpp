@@ -7,9 +7,6 @@ namespace {
 
 double side(const phys_box &box, int axis, int sign) { return sign > 0 ? (&box.max.x)[axis] : (&box.min.x)[axis]; }
 
-/// Of a face's normal.
-int axisOf(const Contact &face) { return face.sides[0] != 0 ? 0 : face.sides[1] != 0 ? 1 : 2; }
-
 } // namespace
 
 bool Outlook::isBehind(const Contact &face, const phys_box &other) const {

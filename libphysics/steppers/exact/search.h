@@ -18,6 +18,9 @@ namespace phys {
 /// are two.
 inline double sameNormal(const Scene &scene) { return 4.0 * (kRounding + scene.tolerance / scene.radius); }
 
+/// Of a face's normal.
+inline int axisOf(const Contact &face) { return face.sides[0] != 0 ? 0 : face.sides[1] != 0 ? 1 : 2; }
+
 /// Where a phase starts, and what lasts during it.
 struct Outlook {
     const Scene &scene;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "exact/series.h"
 
-#include "base/elementary.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -11,11 +9,8 @@ namespace phys {
 namespace {
 
 constexpr double kInverseInertia = 2.5; // m R^2 / I of a solid ball
-constexpr double kTail = 1e-17;         // relative size of the last terms
-constexpr double kNoise = 1e-25;        // relative to the speeds
 constexpr double kNoForce = 1e-12;      // relative to the accelerations
 constexpr double kDirectionNoise = 4.0 * 0x1p-52;
-constexpr double kSlipEnds = 2e-13;   // relative to the velocities that it is the difference of
 constexpr double kStalls = 0x1p-7;    // share that a slip loses while its series are good: its direction is rounding
 constexpr double kKeptFor = 0.25;     // of the unit: what sticks only by prestress is looked at again and again
 constexpr double kLookAhead = 0x1p-6; // of the horizon: where a force that is zero shows its sign
@@ -30,18 +25,6 @@ Vec3 unitOf(const Vec3 &v) {
     return size > 0.0 ? v / size : Vec3(0.0);
 }
 
-/// noise: what a term is surely nothing but rounding below.
-double validUntil(const VecJet &f, int last, double noise) {
-    const double scale = std::max({noise, glm::length(f[0]), glm::length(f[1]), glm::length(f[2])});
-    double most = kNever;
-    for (const int k : {last - 1, last}) {
-        const double size = glm::length(f[k]);
-        if (!std::isfinite(size)) return 0.0; // the unit is far too long
-        if (size > 0.0) most = std::min(most, elementary::root(kTail * scale / size, k));
-    }
-    return most;
-}
-
 /// Whether what is zero, give or take, falls in the moments to come: the sign of the first value that isn't.
 bool falls(const Jet &f, double zero, double end) {
     double s = 0x1p-30 * end;
@@ -51,11 +34,19 @@ bool falls(const Jet &f, double zero, double end) {
 
 } // namespace
 
+End zeroOfSpeed(const Jet &speed, double until, const Reach &reach, double small, Cause cause, uint32_t contact,
+                Work &work) {
+    const double time = firstFall(speed, until, work);
+    if (-speed[1] * reach.horizon < kStalls * reach.unit * speed[0]) small *= 8.0;
+    if (time != kNever || speed[0] > small || speed[1] >= 0.0) return {reach.unit * time, cause, contact};
+    return {0.0, cause, contact, reach.unit * speed[0] / -speed[1]};
+}
+
 void Series::build(const Moment &moment, std::span<const Held> held, const Response &response, double unit,
                    uint32_t kept) {
     m_mirror = Mirror(moment, held);
     m_moment = m_mirror.seen(moment);
-    m_unit = unit;
+    m_reach.unit = unit;
     const Sorted sorted(m_mirror, held);
     m_count = m_unknowns = 0;
     m_rolls = kMostHeld;
@@ -80,9 +71,8 @@ void Series::build(const Moment &moment, std::span<const Held> held, const Respo
         ++m_count;
     }
     begin(response);
-    const bool slides = isSliding();
     for (int k = 1; k < kOrder; ++k) {
-        slides ? slide(k) : forces(k);
+        forces(k);
         move(k);
     }
     m_a[kOrder] = m_al[kOrder] = Vec3(0.0);
@@ -130,7 +120,7 @@ void Series::begin(const Response &response) {
 
 /// From the accelerations of order k to the motion of order k + 1, and the directions that follow from it.
 void Series::move(int k) {
-    const double step = m_unit / (k + 1);
+    const double step = unit() / (k + 1);
     m_p[k + 1] = step * m_v[k];
     m_v[k + 1] = step * m_a[k];
     m_om[k + 1] = step * m_al[k];
@@ -155,22 +145,16 @@ void Series::move(int k) {
 void Series::rollingDirection(int k) {
     const Vec3 n = m_contacts[m_rolls].held.normal;
     const int shift = m_rollStarts ? 1 : 0;
-    const auto turning = [&](int j) { return m_om[j + shift] - glm::dot(m_om[j + shift], n) * n; };
-    double sum = 0.0;
-    for (int j = 0; j <= k; ++j) sum += glm::dot(turning(j), turning(k - j));
-    m_rollSquare[k] = sum;
-    m_rollInverse[k] = inverseRootTerm(m_rollSquare, m_rollInverse, k);
-    if (k == 0) return;
-    m_rolling[k] = Vec3(0.0);
-    for (int j = 0; j <= k; ++j) m_rolling[k] += m_rollInverse[k - j] * turning(j);
+    m_turning[k + shift] = m_om[k + shift] - glm::dot(m_om[k + shift], n) * n;
+    addDirectionTerm(&m_turning[shift], k, m_turningSpeed, m_rolling);
 }
 
 /// Of a ball that starts to roll: the resistance that turns with the spin acceleration takes part in it.
 Vec3 Series::steadied(const Vec3 &al, int k) const {
     if (!m_rollStarts) return al;
     const Contact &contact = m_contacts[m_rolls];
-    const double growth = kInverseInertia * contact.held.resistance / m_moment.radius * contact.N[0] * m_unit *
-                          m_rollInverse[0] / (k + 1);
+    const double growth = kInverseInertia * contact.held.resistance / m_moment.radius * contact.N[0] * unit() /
+                          (m_turningSpeed[0] * (k + 1));
     const Vec3 &n = contact.held.normal;
     const Vec3 across = al - glm::dot(al, n) * n - glm::dot(al, m_rolling[0]) * m_rolling[0];
     return al - growth / (1.0 + growth) * across;
@@ -194,34 +178,7 @@ void Series::directions(Contact &contact, int k) {
         return;
     }
     // The slip itself, or its quotient by the time where it starts.
-    const int shift = contact.mode == Mode::starting ? 1 : 0;
-    double sum = 0.0;
-    for (int j = 0; j <= k; ++j) sum += glm::dot(contact.u[j + shift], contact.u[k - j + shift]);
-    contact.square[k] = sum;
-    contact.inverse[k] = inverseRootTerm(contact.square, contact.inverse, k);
-    if (k == 0) return;
-    contact.d[k] = Vec3(0.0);
-    for (int j = 0; j <= k; ++j) contact.d[k] += contact.inverse[k - j] * contact.u[j + shift];
-}
-
-/// Whether the ball slips on one face and leans on a smooth one across it: the pressure on the first is constant then,
-/// so that nothing has to be solved.
-bool Series::isSliding() const {
-    if (m_count != 2) return false;
-    const Contact &a = m_contacts[0], &b = m_contacts[1];
-    const bool areModes =
-        (a.mode == Mode::slipping && b.mode == Mode::smooth) || (a.mode == Mode::smooth && b.mode == Mode::slipping);
-    return areModes && a.isFlat && b.isFlat && glm::dot(a.n[0], b.n[0]) == 0.0;
-}
-
-void Series::slide(int k) {
-    const bool slipsFirst = m_contacts[0].mode == Mode::slipping;
-    Contact &face = m_contacts[slipsFirst ? 0 : 1], &wall = m_contacts[slipsFirst ? 1 : 0];
-    face.N[k] = 0.0;
-    face.r[k] = face.N[0] * (-face.held.friction * face.d[k]);
-    wall.N[k] = -glm::dot(wall.n[0], face.r[k]);
-    m_a[k] = face.r[k] + wall.N[k] * wall.n[0];
-    m_al[k] = -kInverseInertia / m_moment.radius * face.crossNormal(face.r, k);
+    addDirectionTerm(&contact.u[contact.mode == Mode::starting ? 1 : 0], k, contact.speed, contact.d);
 }
 
 void Series::forces(int k) {
@@ -240,7 +197,9 @@ void Series::knownForces(Contact &contact, int k) {
         for (int j = 1; j <= contact.lastNormal(k); ++j) contact.r[k] += contact.N[k - j] * contact.n[j];
         break;
     case Mode::slipping:
-        for (int j = 1; j <= k; ++j) contact.r[k] += contact.N[k - j] * (contact.n[j] - mu * contact.d[j]);
+        for (int j = 1; j <= k; ++j) contact.r[k] -= contact.N[k - j] * contact.d[j];
+        contact.r[k] *= mu;
+        for (int j = 1; j <= contact.lastNormal(k); ++j) contact.r[k] += contact.N[k - j] * contact.n[j];
         break;
     case Mode::starting: {
         contact.u[k + 1] = Vec3(0.0);
@@ -329,7 +288,7 @@ void Series::addRows(const Contact &contact, int k, dense::Equations &equations)
     }
     add(n0, false, -apart);
     if (contact.mode == Mode::starting) {
-        const double growth = m_unit * mu * contact.N[0] * contact.inverse[0] / (k + 1);
+        const double growth = unit() * mu * contact.N[0] / (contact.speed[0] * (k + 1));
         const Vec3 d0 = contact.d[0];
         for (uint32_t i = 0; i < 3; ++i) {
             const Vec3 across = axisOf(i) - d0[static_cast<int>(i)] * d0;
@@ -344,7 +303,7 @@ void Series::addRows(const Contact &contact, int k, dense::Equations &equations)
         const Vec3 d0 = contact.d[0], e = glm::cross(n0, d0);
         double across = 0.0, along = 0.0;
         for (int i = 2; i <= k; ++i) across += glm::dot(glm::cross(contact.u[i], contact.d[k + 1 - i]), n0);
-        add(e, true, (k + 1) / m_unit * across - glm::dot(e, contact.rateKnown));
+        add(e, true, (k + 1) / unit() * across - glm::dot(e, contact.rateKnown));
         for (int j = 1; j <= k; ++j) {
             along += contact.N[k - j] * glm::dot(contact.n[j], d0) - mu * glm::dot(contact.r[k - j], contact.n[j]);
             if (j == k) continue;
@@ -428,28 +387,29 @@ void Series::measure() {
     if (!slips) {
         for (const Contact &contact : contacts()) s = std::min(s, validUntil(contact.r, kOrder - 1, 0.0));
     }
-    s = std::min(0.8 * s, 4.0);
-    for (const Contact &contact : contacts()) s = contact.isKept ? std::min(s, kKeptFor) : s;
-    m_horizon = s * m_unit;
+    for (const Contact &contact : contacts()) s = contact.isKept ? std::min(s, kKeptFor / 0.8) : s;
+    m_reach.measure(s);
+    s = m_reach.horizon / m_reach.unit;
     double most = 0.0, jerk = 0.0;
     for (int k = kOrder; k >= 0; --k) most = most * s + glm::length(m_a[k]);
     for (int k = kOrder; k >= 1; --k) jerk = jerk * s + k * glm::length(m_a[k]);
     m_most = most;
-    m_jerk = jerk / m_unit;
+    m_jerk = jerk / unit();
 }
 
 Way Series::at(double t) const {
-    const double s = t / m_unit;
+    const double s = t / unit();
     return {m_mirror.back(m_p.at(s)), m_mirror.back(m_v.at(s))};
 }
 
-Vec3 Series::spinAt(double t) const { return m_mirror.backSpin(m_om.at(t / m_unit)); }
+Vec3 Series::spinAt(double t) const { return m_mirror.backSpin(m_om.at(t / unit())); }
 
 double Series::least(const Vec3 &n, double, double t, double until) const {
-    return glm::dot(m_mirror.seen(n), m_a.at(t / m_unit)) - m_jerk * (until - t);
+    return glm::dot(m_mirror.seen(n), m_a.at(t / unit())) - m_jerk * (until - t);
 }
 
 Jet Series::slipSpeed(const Contact &contact) const {
+    if (contact.mode == Mode::slipping) return contact.speed;
     Jet speed;
     for (int k = 0; k <= kOrder; ++k) speed[k] = dotTerm(contact.u, contact.d, k);
     return speed;
@@ -491,14 +451,14 @@ uint32_t Series::opening() const {
     const double zero = m_noForce;
     for (uint32_t i = 0; i < m_count; ++i) {
         const Jet &N = m_contacts[i].N;
-        if (N[0] <= zero && falls(N, zero, kLookAhead * m_horizon / m_unit)) bits |= 1U << given(i);
+        if (N[0] <= zero && falls(N, zero, kLookAhead * horizon() / unit())) bits |= 1U << given(i);
     }
     return bits;
 }
 
 uint32_t Series::spent(std::span<Vec3> slips) const {
     uint32_t bits = 0;
-    const double soon = kLookAhead * m_horizon / m_unit;
+    const double soon = kLookAhead * horizon() / unit();
     for (uint32_t i = 0; i < m_count; ++i) {
         const Contact &contact = m_contacts[i];
         if (contact.mode != Mode::sticking || contact.held.isGlued || contact.isKept) continue;
@@ -513,49 +473,35 @@ uint32_t Series::spent(std::span<Vec3> slips) const {
     return bits;
 }
 
-/// When a speed falls to zero. Where its direction turns to the last the series never reach that time: what is left of
-/// a speed that is small enough falls as it does now.
-End Series::zeroOf(const Jet &speed, double until, double small, Cause cause, uint32_t contact, Work &work) const {
-    const double time = firstFall(speed, until, work);
-    if (-speed[1] * m_horizon < kStalls * m_unit * speed[0]) small *= 8.0;
-    if (time != kNever || speed[0] > small || speed[1] >= 0.0) return {m_unit * time, cause, contact};
-    return {0.0, cause, contact, m_unit * speed[0] / -speed[1]};
-}
-
 End Series::end(double until, Work &work) const {
-    End end{m_horizon, Cause::time, 0};
-    const double s = std::min(until, m_horizon) / m_unit;
+    End end{horizon(), Cause::time, 0};
+    const double s = std::min(until, horizon()) / unit();
     const double speed = speedScale(m_moment);
     const double noForce = m_noForce;
     for (uint32_t i = 0; i < m_count; ++i) {
         const Contact &contact = m_contacts[i];
         Jet force = contact.N;
         if (force[0] <= noForce) force[0] += noForce;
-        end.cut({m_unit * firstFall(force, s, work), Cause::release, given(i)});
+        end.cut({unit() * firstFall(force, s, work), Cause::release, given(i)});
         if (contact.mode == Mode::slipping) {
-            end.cut(zeroOf(slipSpeed(contact), s, kSlipEnds * speed, Cause::grip, given(i), work));
+            end.cut(zeroOfSpeed(slipSpeed(contact), s, m_reach, kSlipEnds * speed, Cause::grip, given(i), work));
         } else if (contact.mode == Mode::sticking && !contact.held.isGlued && !contact.isKept) {
             Jet left = reserveOf(contact);
             const double zero = noReserve(contact);
             if (left[0] <= zero) left[0] += zero + noForce * noForce;
-            end.cut({m_unit * firstFall(left, s, work), Cause::spent, given(i)});
+            end.cut({unit() * firstFall(left, s, work), Cause::spent, given(i)});
         }
     }
     if (m_rolls < m_count && !m_rollStarts) {
-        Jet left;
-        for (int k = 0; k <= kOrder; ++k) left[k] = m_moment.radius * dotTerm(m_om, m_rolling, k);
-        end.cut(zeroOf(left, s, kSlipEnds * speed, Cause::stop, given(m_rolls), work));
+        Jet left = m_turningSpeed;
+        for (double &term : left.c) term *= m_moment.radius;
+        end.cut(zeroOfSpeed(left, s, m_reach, kSlipEnds * speed, Cause::stop, given(m_rolls), work));
     }
     return end;
 }
 
 Losses Series::losses(double t) const {
-    const double s = t / m_unit;
-    const auto integral = [&](const Jet &power) {
-        double sum = 0.0;
-        for (int k = kOrder; k >= 0; --k) sum = (sum + power[k] / (k + 1)) * s;
-        return m_unit * sum;
-    };
+    const double s = t / unit();
     Losses lost;
     for (const Contact &contact : contacts()) {
         if (contact.mode == Mode::sticking || contact.mode == Mode::smooth) continue;
@@ -565,7 +511,7 @@ Losses Series::losses(double t) const {
         const Jet speed = slipSpeed(contact);
         Jet power;
         for (int k = 0; k <= kOrder; ++k) power[k] = contact.held.friction * termOf(contact.N, speed, k);
-        lost.slip += integral(power);
+        lost.slip += unit() * power.integralAt(s);
     }
     if (m_rolls < m_count) {
         const Contact &contact = m_contacts[m_rolls];
@@ -574,7 +520,7 @@ Losses Series::losses(double t) const {
         for (int k = 0; k <= kOrder; ++k) {
             power[k] = contact.held.resistance * m_moment.radius * termOf(contact.N, turning, k);
         }
-        lost.rolling += integral(power);
+        lost.rolling += unit() * power.integralAt(s);
     }
     return lost;
 }

@@ -21,10 +21,10 @@ public:
     void build(const Moment &moment, std::span<const Held> held, const Response &response, double unit, uint32_t kept);
 
     /// Longest time for which the series are good to rounding, s.
-    double horizon() const { return m_horizon; }
+    double horizon() const { return m_reach.horizon; }
     /// The unit that suits the series, s.
-    double suitableUnit() const { return 2.0 * m_horizon; }
-    double unit() const { return m_unit; }
+    double suitableUnit() const { return 2.0 * horizon(); }
+    double unit() const { return m_reach.unit; }
 
     Way at(double t) const;
     Place placeAt(double t) const {
@@ -53,8 +53,8 @@ private:
         bool isFlat; ///< a face, whose normal never turns
         VecJet n, u, d, r;
         Jet N;
-        Jet square, inverse; ///< of the slip, or of its rate when it starts
-        Vec3 rateKnown;      ///< of the slip at the present order, without what the unknowns add
+        Jet speed;      ///< of the slip, or of its quotient by the time when it starts
+        Vec3 rateKnown; ///< of the slip at the present order, without what the unknowns add
         Vec3 directionKnown;
         uint32_t column = 0;
 
@@ -74,10 +74,11 @@ private:
     std::array<uint32_t, kMostHeld> m_index{};
     uint32_t m_count = 0, m_unknowns = 0;
     uint32_t m_rolls = kMostHeld; ///< the contact at which resistance acts
-    double m_unit = 1.0, m_horizon = 0.0, m_most = 0.0, m_jerk = 0.0, m_noForce = 0.0;
+    Reach m_reach;
+    double m_most = 0.0, m_jerk = 0.0, m_noForce = 0.0;
     VecJet m_p, m_v, m_om, m_a, m_al;
-    VecJet m_rolling;                ///< hat(om_t)
-    Jet m_rollSquare, m_rollInverse; ///< of om_t, or of its quotient by the time where the ball starts
+    VecJet m_turning, m_rolling; ///< om_t, and its direction
+    Jet m_turningSpeed;          ///< |om_t|, or of its quotient by the time where the ball starts
     bool m_rollStarts = false;
     dense::Equations m_equations; ///< of the unknowns of an order
 
@@ -86,8 +87,6 @@ private:
     uint32_t given(uint32_t i) const { return m_index[i]; }
 
     void begin(const Response &response);
-    bool isSliding() const;
-    void slide(int k);
     void forces(int k);
     void knownForces(Contact &contact, int k);
     void knownAccelerations(int k);
@@ -104,7 +103,6 @@ private:
     VecJet frictionOf(const Contact &contact) const;
     Jet reserveOf(const Contact &contact) const;
     double noReserve(const Contact &contact) const;
-    End zeroOf(const Jet &speed, double until, double small, Cause cause, uint32_t contact, Work &work) const;
     Jet slipSpeed(const Contact &contact) const;
 };
 

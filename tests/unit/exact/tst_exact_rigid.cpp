@@ -14,6 +14,7 @@ private slots:
     void impactCostsSpeedTwice();
     void slipAfterAnImpactLastsAsLongAsPredicted();
     void slipBesideAWallOnTheRoughestFloorEndsInTime();
+    void slipBesideAWallDecaysByItsPowerLaw();
     void roughWallLiftsTheBall_data();
     void roughWallLiftsTheBall();
     void grooveTakesFiveNinths();
@@ -101,6 +102,27 @@ void ExactRigid::slipBesideAWallOnTheRoughestFloorEndsInTime() {
     const std::vector<phys_event> rolls = run.eventsOf(PHYS_EVENT_ROLL);
     QCOMPARE(rolls.size(), size_t(1));
     QVERIFY(near(rolls[0].time, 9.45696980532896536804e-08, 2.0));
+}
+
+void ExactRigid::slipBesideAWallDecaysByItsPowerLaw() {
+    // model.md 14.2 without gravity along the wall: du_y / du_x = (7/5) u_y / u_x.
+    const double radius = 0.005;
+    Run run({kFloor, exact::wall(radius, -4, 1, 4)}, radius, {0, 0, radius}, {0, 0.1, 0});
+    roll(run, radius);
+    run.params.sliding_friction = 0.3;
+    run.params.gravity = {2.0, 0.0, -9.8};
+    run.state.spin = {0, 40, 0}; // the slip is (-0.2, 0.1)
+    for (int i = 0; i < 20; ++i) {
+        run.step(0.001);
+        const double across = -radius * run.state.spin.y;
+        const double along = run.state.velocity.y + radius * run.state.spin.x;
+        QVERIFY(near(along, 0.1 * std::pow(across / -0.2, 1.4), 1.0));
+        QVERIFY(run.state.flags & PHYS_SLIPPING);
+        QVERIFY(near(run.report.energy_scheme, 0.0, 1.0));
+    }
+    run.step(0.1);
+    QVERIFY(near(run.state.velocity.y, 0.1 * 5 / 7, 1.0));
+    QVERIFY(!(run.state.flags & PHYS_SLIPPING));
 }
 
 void ExactRigid::roughWallLiftsTheBall_data() {

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// A ball that slips on one face and leans on a smooth one across it: nothing but the slip has to be known, as a Taylor
+// series of the time. model.md 14.2.
+#pragma once
+
+#include "contact/modes.h"
+#include "exact/jet.h"
+
+namespace phys {
+
+class Slide {
+public:
+    static constexpr uint64_t kLook = 30; ///< work
+
+    /// The two contacts: their numbers, and the axes of their normals.
+    struct Faces {
+        uint32_t rough, smooth;
+        int roughAxis, smoothAxis;
+    };
+
+    Slide(const Moment &moment, const Faces &faces, const Vec3 &normal, const Reaction &rough, double friction,
+          const Reaction &smooth);
+
+    Way at(double t) const;
+    Place placeAt(double t) const;
+    Vec3 spinAt(double t) const { return placeAt(t).spin; }
+    double least(const Vec3 &n, double rate, double t, double until) const;
+    double mostAcceleration() const { return std::max(std::abs(m_start), std::abs(m_limit)); }
+    double horizon() const { return m_reach.horizon; }
+    End end(double until, Work &work) const;
+    Losses losses(double t) const { return {m_limitOfFriction * m_speed.integralAt(t / unit()) * unit(), 0.0}; }
+
+private:
+    Faces m_faces;
+    int m_along;              ///< the axis along both faces
+    Vec3 m_normal, m_spin;    ///< of the rough face; at the start
+    double m_radius, m_small; ///< m; m/s: speed that is rounding
+    double m_limitOfFriction; ///< mu N, m/s^2
+    double m_rolling, m_g;    ///< along both faces: the velocity less 2/7 of the slip; gravity
+    double m_start, m_limit;  ///< m/s^2: acceleration along both faces at first, and what it tends to
+    JetOf<Vec2> m_u, m_d;     ///< slip and its direction: across the smooth face, along both
+    Jet m_speed, m_pressure;  ///< of the slip; on the smooth face
+    Reach m_reach;
+
+    double unit() const { return m_reach.unit; }
+};
+
+} // namespace phys
