@@ -14,6 +14,9 @@ namespace witness {
 
 namespace {
 
+/// Seconds of a processor for one step above which a run is listed.
+constexpr double kSlow = 0.1;
+
 std::string nameOf(uint32_t model) { return model == PHYS_MODEL_RIGID ? "rigid" : "rolling"; }
 
 /// Gravity that doesn't pull down while the floor carries the ball, or a start without room: model.md 11.
@@ -72,6 +75,7 @@ private:
         ++m_survey.runs;
         row.steps += verdict.steps;
         row.slowest = std::max(row.slowest, verdict.seconds);
+        if (verdict.seconds > kSlow) list(stepper, model, scene, "slow", std::to_string(verdict.seconds) + " s");
         Findings &findings = m_survey.kinds[kinds()[kind]];
         if (verdict.status) {
             if (!hasNoAnswer(verdict)) ++findings.refused[stepper];

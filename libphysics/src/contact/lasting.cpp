@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "contact/lasting.h"
 
+#include "contact/coulomb_newton.h"
+
 #include <cmath>
 #include <initializer_list>
 
@@ -8,14 +10,15 @@ namespace phys {
 
 namespace {
 
-constexpr int kMostSweeps = 3000;
+constexpr int kMostSweeps = 300;
+
+/// Sweeps after which Newton's method is tried first; then after twice as many each time.
+constexpr int kFirstNewton = 12;
 
 /// Changes below this share of the speeds are rounding.
 constexpr double kNegligible = 1e-15;
 
 constexpr double kNotPressed = -1.0;
-
-Vec3 across(const Vec3 &v, const Vec3 &normal) { return v - glm::dot(v, normal) * normal; }
 
 double size(const Vec3 &v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
@@ -32,12 +35,11 @@ Vec3 frictionOf(Lasting &contact, const Motion &motion, double radius) {
     contact.isSpent = false;
     if (contact.reaction == 0.0 || (contact.friction == 0.0 && !contact.isGlued)) return Vec3(0.0);
     const Vec3 slip = slipAt(motion, contact.limit, radius);
-    // An impulse of 1 changes the slip by 7/2.
-    const Vec3 sticking = across(contact.rubbing - 2.0 / 7.0 * slip, contact.lever);
+    const Vec3 sticking = across(contact.rubbing - kEndsSlip * slip, contact.lever);
     const double most = contact.friction * contact.reaction;
     if (contact.isGlued || glm::dot(sticking, sticking) <= most * most) return sticking;
     contact.isSpent = true;
-    return clipped(across(contact.rubbing - 2.0 / 7.0 * (contact.slipBefore + slip), contact.lever), most);
+    return clipped(across(contact.rubbing - kEndsSlip * (contact.slipBefore + slip), contact.lever), most);
 }
 
 /// Resistance against the mean spin, at most what ends it.
@@ -205,17 +207,49 @@ double LastingContacts::pressTogether(double negligible, Motion &motion) {
     return size(change);
 }
 
+/// What lies far from where sweeps lead is another answer: one in which friction makes the pressure that it feeds on.
+bool LastingContacts::solveByNewton(double rollingFriction, double negligible, bool isLast, Motion &motion) {
+    const auto pressure = [&] {
+        double sum = 0.0;
+        for (const Lasting &contact : *this) sum += contact.reaction;
+        return sum;
+    };
+    const LastingContacts before = *this;
+    const Motion motionBefore = motion;
+    const double most = isLast ? INFINITY : 2.0 * pressure();
+    if (!solveCoulomb({{begin(), end()}, m_radius, rollingFriction, negligible}, motion)) return false;
+    m_needsNewton = pressure() <= most;
+    if (m_needsNewton) return true;
+    *this = before;
+    motion = motionBefore;
+    return false;
+}
+
 /// False if that comes to no end.
 bool LastingContacts::settle(double rollingFriction, double negligible, bool releases, Motion &motion) {
-    constexpr int kMostTogether = 100; // a very rough contact may take turns with others for ever
-    const bool areAligned = haveAlignedNormals();
+    int nextNewton = m_needsNewton ? 0 : kFirstNewton;
     for (int i = 0; i < kMostSweeps; ++i) {
-        const bool pressesTogether = areAligned && i < kMostTogether;
-        const double pressed = pressesTogether ? pressTogether(negligible, motion) : kNotPressed;
+        if (i == nextNewton) {
+            nextNewton = std::max(kFirstNewton, 2 * nextNewton);
+            const bool isSolved = solveByNewton(rollingFriction, negligible, i > kMostSweeps / 2, motion);
+            if (isSolved && !(releases && releaseOpposite(negligible))) return true;
+        }
+        const bool isSettled = sweep(rollingFriction, false, motion) <= negligible;
+        const bool isReleased = releases && releaseOpposite(negligible);
+        if (isSettled && !isReleased) return true;
+    }
+    return false;
+}
+
+/// The same where normals are nearly parallel, which sweeps alone would take long for.
+bool LastingContacts::settleTogether(double rollingFriction, double negligible, Motion &motion) {
+    constexpr int kMostTogether = 40; // a very rough contact may take turns with others for ever
+    for (int i = 0; i < kMostTogether; ++i) {
+        const double pressed = pressTogether(negligible, motion);
         const bool arePressed = pressed != kNotPressed;
         const double swept = sweep(rollingFriction, arePressed, motion);
         const bool isSettled = swept <= negligible && (!arePressed || pressed <= negligible);
-        const bool isReleased = releases && releaseOpposite(negligible);
+        const bool isReleased = releaseOpposite(negligible);
         if (isSettled && !isReleased) return true;
     }
     return false;
@@ -231,6 +265,11 @@ void LastingContacts::unload() {
 /// driven: the motion without any impulse. Where friction feeds on itself sweeps may come to no end: then a squeeze
 /// stays, and if that doesn't help nothing rubs.
 void LastingContacts::settleWithoutResistance(double negligible, const Motion &driven, Motion &motion) {
+    if (haveAlignedNormals()) {
+        if (settleTogether(0.0, negligible, motion)) return;
+        unload();
+        motion = driven;
+    }
     if (settle(0.0, negligible, true, motion)) return;
     unload();
     motion = driven;
@@ -306,7 +345,8 @@ void LastingContacts::solve(double rollingFriction, Motion &motion) {
     // The resistance depends on how contacts share their load.
     constexpr int kMostShares = 20;
     for (int i = 0; i < kMostShares; ++i) {
-        settle(rollingFriction, negligible, true, motion);
+        if (!haveAlignedNormals() || !settleTogether(rollingFriction, negligible, motion))
+            settle(rollingFriction, negligible, true, motion);
         if (relieve() <= negligible) return;
     }
 }

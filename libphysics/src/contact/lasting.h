@@ -30,6 +30,12 @@ struct Lasting {
     }
 };
 
+/// Of a slip: the friction that ends it. An impulse of 1 changes the slip of its own contact by 7/2.
+inline constexpr double kEndsSlip = 2.0 / 7.0;
+
+/// The part of a vector across a lever.
+inline Vec3 across(const Vec3 &vector, const Vec3 &lever) { return vector - glm::dot(vector, lever) * lever; }
+
 class LastingContacts : public ShortList<Lasting> {
 public:
     explicit LastingContacts(double radius)
@@ -41,6 +47,8 @@ public:
 
 private:
     bool settle(double rollingFriction, double negligible, bool releases, Motion &motion);
+    bool settleTogether(double rollingFriction, double negligible, Motion &motion);
+    bool solveByNewton(double rollingFriction, double negligible, bool isLast, Motion &motion);
     void settleWithoutResistance(double negligible, const Motion &driven, Motion &motion);
     void unload();
     bool haveAlignedNormals() const;
@@ -50,6 +58,7 @@ private:
     double sweep(double rollingFriction, bool arePressed, Motion &motion);
 
     double m_radius;
+    bool m_needsNewton = false; ///< sweeps came to the last answer too slowly
 };
 
 } // namespace phys
