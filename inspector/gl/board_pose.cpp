@@ -7,14 +7,14 @@
 
 namespace inspector::gl {
 
-glm::dmat4 boardToWorld(double tilt_x, double tilt_y, const glm::dvec3 &pivot) {
+glm::dmat4 boardToWorld(double tiltX, double tiltY, const glm::dvec3 &pivot) {
     const glm::dmat4 identity(1.0);
-    const double slope_x = std::tan(tilt_x);
-    const double slope_y = std::tan(tilt_y);
-    const double slope = std::hypot(slope_x, slope_y);
+    const double slopeX = std::tan(tiltX);
+    const double slopeY = std::tan(tiltY);
+    const double slope = std::hypot(slopeX, slopeY);
     if (slope == 0.0) return identity;
     // The level line of the slope is the axis.
-    const glm::dvec3 axis(-slope_y / slope, slope_x / slope, 0.0);
+    const glm::dvec3 axis(-slopeY / slope, slopeX / slope, 0.0);
     return glm::translate(identity, pivot) * glm::rotate(identity, std::atan(slope), axis) *
            glm::translate(identity, -pivot);
 }

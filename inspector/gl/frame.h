@@ -42,8 +42,8 @@ struct Trail {
 };
 
 struct Frame {
-    double tilt_x = 0.0; // slopes along x and y as boardToWorld() takes them
-    double tilt_y = 0.0;
+    double tiltX = 0.0; // slopes along x and y as boardToWorld() takes them
+    double tiltY = 0.0;
     Ball ball;
     std::vector<GhostBall> ghosts;
     std::vector<Trail> trails;
@@ -61,7 +61,7 @@ struct View {
     glm::dmat4 view{1.0};       // world to eye; the world is the board frame of a level board
     glm::dmat4 projection{1.0}; // eye to clip
     glm::ivec2 pixels{1, 1};    // size of the framebuffer in device pixels
-    double pixel_ratio = 1.0;   // device pixels per logical pixel
+    double pixelRatio = 1.0;    // device pixels per logical pixel
     Quality quality = Quality::Medium;
     Backdrop backdrop;
 };

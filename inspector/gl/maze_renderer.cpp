@@ -54,9 +54,9 @@ QVector4D toQt(const glm::vec4 &v) { return {v.x, v.y, v.z, v.w}; }
 glm::dvec4 sphere(const Ball &ball) { return {ball.position, ball.radius}; }
 
 // So far below the light that it changes nothing.
-Ball absentBall(const glm::dvec3 &to_light) {
+Ball absentBall(const glm::dvec3 &toLight) {
     Ball ball;
-    ball.position = -1e3 * to_light;
+    ball.position = -1e3 * toLight;
     return ball;
 }
 
@@ -65,15 +65,15 @@ glm::dmat4 orthographicAround(const Bounds &bounds, const glm::dvec3 &back) {
     const glm::dvec3 helper = std::abs(back.y) < 0.9 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0);
     const glm::dvec3 right = glm::normalize(glm::cross(helper, back));
     const glm::dvec3 up = glm::cross(back, right);
-    const glm::dmat3 light_from_board = glm::transpose(glm::dmat3(right, up, back));
-    const glm::dvec3 centre = light_from_board * bounds.centre();
+    const glm::dmat3 lightFromBoard = glm::transpose(glm::dmat3(right, up, back));
+    const glm::dvec3 centre = lightFromBoard * bounds.centre();
     const glm::dvec3 half = 0.5 * bounds.size();
     glm::dvec3 extent(0.0);
-    for (int axis = 0; axis < 3; ++axis) extent += glm::abs(light_from_board[axis]) * half[axis];
+    for (int axis = 0; axis < 3; ++axis) extent += glm::abs(lightFromBoard[axis]) * half[axis];
     extent = 1.02 * extent + 1e-4;
     const glm::dvec3 lo = centre - extent;
     const glm::dvec3 hi = centre + extent;
-    return glm::ortho(lo.x, hi.x, lo.y, hi.y, -hi.z, -lo.z) * glm::dmat4(light_from_board);
+    return glm::ortho(lo.x, hi.x, lo.y, hi.y, -hi.z, -lo.z) * glm::dmat4(lightFromBoard);
 }
 
 // Boards are seen from above: what hides is drawn before what it hides, which then isn't shaded.
@@ -97,10 +97,10 @@ Mesh highestFirst(Mesh mesh) {
 struct MazeRenderer::Scene {
     const Frame &frame;
     const View &view;
-    glm::dmat4 board_to_world;
-    glm::dmat4 clip_from_board;
-    glm::dmat4 shadow_from_board;
-    glm::dvec3 to_light; // these three in the board frame
+    glm::dmat4 worldFromBoard;
+    glm::dmat4 clipFromBoard;
+    glm::dmat4 shadowFromBoard;
+    glm::dvec3 toLight; // these three in the board frame
     glm::dvec3 up;
     glm::dvec3 eye;
 };
@@ -124,7 +124,7 @@ MazeRenderer::MazeRenderer(QOpenGLFunctions_3_3_Core *gl)
     , m_strokes(gl)
     , m_grain(QOpenGLTexture::Target2D)
     , m_occlusion(gl) {
-    m_no_vertices.create();
+    m_noVertices.create();
     m_grain.setFormat(QOpenGLTexture::R8_UNorm);
     m_grain.setSize(kGrainTexels, kGrainTexels);
     m_grain.setMipLevels(m_grain.maximumMipLevels());
@@ -142,8 +142,8 @@ void MazeRenderer::setMaze(const Mesh &mesh) {
     m_bounds = mesh.bounds();
     m_beacon = beaconOf(mesh);
     ++m_mazes;
-    m_is_occlusion_stale = true;
-    m_is_shadow_stale = true;
+    m_isOcclusionStale = true;
+    m_isShadowStale = true;
 }
 
 MazeRenderer::Beacon MazeRenderer::beaconOf(const Mesh &mesh) {
@@ -169,11 +169,11 @@ void MazeRenderer::render(const Frame &frame, const View &view) {
     drawMoving(scene);
 }
 
-void MazeRenderer::renderStill(const Frame &frame, const View &view) {
+void MazeRenderer::renderStatic(const Frame &frame, const View &view) {
     const Scene scene = describe(frame, view);
     if (!prepare(scene)) return;
     clear();
-    drawBoard(scene, absentBall(scene.to_light));
+    drawBoard(scene, absentBall(scene.toLight));
 }
 
 void MazeRenderer::renderMoving(const Frame &frame, const View &view) {
@@ -204,14 +204,14 @@ void MazeRenderer::smooth(unsigned picture, const View &view) {
 
 // One triangle.
 void MazeRenderer::drawOverAll() {
-    const QOpenGLVertexArrayObject::Binder binder(&m_no_vertices);
+    const QOpenGLVertexArrayObject::Binder binder(&m_noVertices);
     m_gl->glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-MazeRenderer::Still MazeRenderer::stillOf(const Frame &frame, const View &view) {
+MazeRenderer::StaticScene MazeRenderer::staticSceneOf(const Frame &frame, const View &view) {
     m_shaders.update(view.quality);
     const Scene scene = describe(frame, view);
-    return {scene.clip_from_board, scene.board_to_world, view.pixels, view.quality, view.backdrop, m_mazes,
+    return {scene.clipFromBoard,   scene.worldFromBoard, view.pixels, view.quality, view.backdrop, m_mazes,
             m_shaders.generation()};
 }
 
@@ -223,7 +223,7 @@ bool MazeRenderer::prepare(const Scene &scene) {
     m_gl->glDepthMask(GL_TRUE);
     m_gl->glDisable(GL_BLEND);
     m_gl->glEnable(GL_CULL_FACE);
-    if (m_is_occlusion_stale) makeOcclusionMap();
+    if (m_isOcclusionStale) makeOcclusionMap();
     if (scene.view.quality != Quality::Low) updateShadowMap(scene, scene.view.quality);
     m_gl->glViewport(0, 0, scene.view.pixels.x, scene.view.pixels.y);
     bindTextures();
@@ -236,16 +236,16 @@ void MazeRenderer::clear() { m_gl->glClear(GL_DEPTH_BUFFER_BIT); }
 // Pixels (x, y, width, height) of the piece of board around the ball that it darkens, and of that its shadow falls on.
 glm::ivec4 MazeRenderer::changedByBall(const Scene &scene) const {
     const glm::ivec4 all(0, 0, scene.view.pixels);
-    if (scene.to_light.z < kSteepLight) return all;
+    if (scene.toLight.z < kSteepLight) return all;
     const Ball &ball = scene.frame.ball;
     const double radius = 1.05 * ball.radius; // the shadow's edge is a little soft also where the ball touches
     // Down the light to the lowest place of the board; the shadow widens by the disc.
-    const double fall = std::max(ball.position.z + radius - m_bounds.minimum.z, 0.0) / (scene.to_light.z - kLightDisc);
-    const glm::dvec3 foot = ball.position - fall * scene.to_light;
-    const double foot_radius = radius + kLightDisc * fall;
+    const double fall = std::max(ball.position.z + radius - m_bounds.minimum.z, 0.0) / (scene.toLight.z - kLightDisc);
+    const glm::dvec3 foot = ball.position - fall * scene.toLight;
+    const double footRadius = radius + kLightDisc * fall;
     const double reach = kBallReach * ball.radius;
-    glm::dvec3 lo = glm::max(glm::min(ball.position - reach, foot - foot_radius), m_bounds.minimum);
-    glm::dvec3 hi = glm::min(glm::max(ball.position + reach, foot + foot_radius), m_bounds.maximum);
+    glm::dvec3 lo = glm::max(glm::min(ball.position - reach, foot - footRadius), m_bounds.minimum);
+    glm::dvec3 hi = glm::min(glm::max(ball.position + reach, foot + footRadius), m_bounds.maximum);
     lo.z = m_bounds.minimum.z;
     hi.z = m_bounds.maximum.z;
     if (lo.x >= hi.x || lo.y >= hi.y) return glm::ivec4(0);
@@ -253,7 +253,7 @@ glm::ivec4 MazeRenderer::changedByBall(const Scene &scene) const {
     glm::dvec2 last(-1.0);
     for (int corner = 0; corner < 8; ++corner) {
         const glm::dvec3 place(corner & 1 ? lo.x : hi.x, corner & 2 ? lo.y : hi.y, corner & 4 ? lo.z : hi.z);
-        const glm::dvec4 clip = scene.clip_from_board * glm::dvec4(place, 1.0);
+        const glm::dvec4 clip = scene.clipFromBoard * glm::dvec4(place, 1.0);
         if (clip.w <= 0.0) return all; // behind the eye
         first = glm::min(first, glm::dvec2(clip) / clip.w);
         last = glm::max(last, glm::dvec2(clip) / clip.w);
@@ -280,32 +280,32 @@ void MazeRenderer::drawMoving(const Scene &scene) {
 }
 
 MazeRenderer::Scene MazeRenderer::describe(const Frame &frame, const View &view) const {
-    const glm::dmat4 board_to_world = boardToWorld(frame.tilt_x, frame.tilt_y, boardPivot(m_bounds));
-    const glm::dmat4 eye_from_board = view.view * board_to_world;
-    const glm::dmat3 to_board = glm::transpose(glm::dmat3(board_to_world));
-    const glm::dvec3 to_light = to_board * kToLight;
+    const glm::dmat4 worldFromBoard = boardToWorld(frame.tiltX, frame.tiltY, boardPivot(m_bounds));
+    const glm::dmat4 eyeFromBoard = view.view * worldFromBoard;
+    const glm::dmat3 toBoard = glm::transpose(glm::dmat3(worldFromBoard));
+    const glm::dvec3 toLight = toBoard * kToLight;
     // From clip coordinates -1..1 to texture coordinates 0..1.
     const glm::dmat4 half(glm::dvec4(0.5, 0, 0, 0), glm::dvec4(0, 0.5, 0, 0), glm::dvec4(0, 0, 0.5, 0),
                           glm::dvec4(0.5, 0.5, 0.5, 1));
     return {frame,
             view,
-            board_to_world,
-            view.projection * eye_from_board,
-            half * orthographicAround(m_bounds, to_light),
-            to_light,
-            to_board * glm::dvec3(0.0, 0.0, 1.0),
-            glm::dvec3(glm::inverse(eye_from_board)[3])};
+            worldFromBoard,
+            view.projection * eyeFromBoard,
+            half * orthographicAround(m_bounds, toLight),
+            toLight,
+            toBoard * glm::dvec3(0.0, 0.0, 1.0),
+            glm::dvec3(glm::inverse(eyeFromBoard)[3])};
 }
 
-void MazeRenderer::drawDepth(DepthTarget &target, const glm::dmat4 &clip_from_board) {
+void MazeRenderer::drawDepth(DepthTarget &target, const glm::dmat4 &clipFromBoard) {
     QOpenGLShaderProgram &program = m_shaders.use(Program::Depth);
-    program.setUniformValue("clip_from_board", toQt(clip_from_board));
+    program.setUniformValue("clip_from_board", toQt(clipFromBoard));
     target.drawInto([this] { m_maze.draw(); });
 }
 
 // The board seen straight from above gives the heights, their blur how much of the sky each place sees.
 void MazeRenderer::makeOcclusionMap() {
-    m_is_occlusion_stale = false;
+    m_isOcclusionStale = false;
     constexpr double kReach = 0.012; // m, over which a wall darkens what is beside it
     DepthTarget heights(m_gl, OcclusionMap::kSize);
     const glm::dvec3 lo = m_bounds.minimum;
@@ -325,15 +325,15 @@ void MazeRenderer::updateShadowMap(const Scene &scene, Quality quality) {
     const int size = quality == Quality::High ? 1536 : 1024;
     if (!m_shadow || m_shadow->size() != size) {
         m_shadow = std::make_unique<DepthTarget>(m_gl, size);
-        m_is_shadow_stale = true;
+        m_isShadowStale = true;
     }
     constexpr double kNoticeable = 1e-5; // rad; far below a texel's width at the board's edge
-    if (!m_is_shadow_stale && glm::distance(m_shadow_direction, scene.to_light) < kNoticeable) return;
-    m_is_shadow_stale = false;
-    m_shadow_direction = scene.to_light;
+    if (!m_isShadowStale && glm::distance(m_shadowDirection, scene.toLight) < kNoticeable) return;
+    m_isShadowStale = false;
+    m_shadowDirection = scene.toLight;
     m_gl->glEnable(GL_POLYGON_OFFSET_FILL);
     m_gl->glPolygonOffset(1.5F, 2.0F);
-    drawDepth(*m_shadow, orthographicAround(m_bounds, scene.to_light));
+    drawDepth(*m_shadow, orthographicAround(m_bounds, scene.toLight));
     m_gl->glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
@@ -347,9 +347,9 @@ void MazeRenderer::bindTextures() {
 }
 
 void MazeRenderer::setLighting(QOpenGLShaderProgram &program, const Scene &scene) {
-    program.setUniformValue("clip_from_board", toQt(scene.clip_from_board));
-    program.setUniformValue("shadow_from_board", toQt(scene.shadow_from_board));
-    program.setUniformValue("to_light", toQt(glm::vec3(scene.to_light)));
+    program.setUniformValue("clip_from_board", toQt(scene.clipFromBoard));
+    program.setUniformValue("shadow_from_board", toQt(scene.shadowFromBoard));
+    program.setUniformValue("to_light", toQt(glm::vec3(scene.toLight)));
     program.setUniformValue("world_up", toQt(glm::vec3(scene.up)));
     program.setUniformValue("eye", toQt(glm::vec3(scene.eye)));
     program.setUniformValue("light_radiance", toQt(kLightRadiance));
@@ -389,9 +389,9 @@ void MazeRenderer::drawBackdrop(const Scene &scene) {
     QOpenGLShaderProgram &program = m_shaders.use(Program::Backdrop);
     const glm::dvec3 half = 0.5 * m_bounds.size();
     const double reach = std::hypot(half.x, half.y);
-    const glm::dmat4 world_from_clip = glm::inverse(scene.view.projection * scene.view.view);
-    program.setUniformValue("world_from_clip", toQt(world_from_clip));
-    program.setUniformValue("world_to_board", toQt(glm::inverse(scene.board_to_world)));
+    const glm::dmat4 worldFromClip = glm::inverse(scene.view.projection * scene.view.view);
+    program.setUniformValue("world_from_clip", toQt(worldFromClip));
+    program.setUniformValue("world_to_board", toQt(glm::inverse(scene.worldFromBoard)));
     program.setUniformValue("eye", toQt(glm::vec3(glm::inverse(scene.view.view)[3])));
     program.setUniformValue("to_light", toQt(glm::vec3(kToLight)));
     program.setUniformValue("board_centre", toQt(glm::vec3(m_bounds.centre())));
@@ -420,9 +420,9 @@ void MazeRenderer::drawStrokes(const Scene &scene) {
     if (trails.empty() && scene.frame.strokes.empty()) return;
 
     QOpenGLShaderProgram &program = m_shaders.use(Program::Stroke);
-    program.setUniformValue("clip_from_board", toQt(scene.clip_from_board));
+    program.setUniformValue("clip_from_board", toQt(scene.clipFromBoard));
     program.setUniformValue("pixels", static_cast<float>(scene.view.pixels.x), static_cast<float>(scene.view.pixels.y));
-    program.setUniformValue("pixel_ratio", static_cast<float>(scene.view.pixel_ratio));
+    program.setUniformValue("pixel_ratio", static_cast<float>(scene.view.pixelRatio));
     program.setUniformValue("opacity", 1.0F);
     m_gl->glDepthMask(GL_FALSE);
     m_gl->glDisable(GL_CULL_FACE); // which way round a stroke's corners go depends on where it runs

@@ -33,20 +33,20 @@ public:
     void render(const Frame &frame, const View &view);
 
     // What decides how board and table look, but for what the ball changes in them.
-    struct Still {
-        glm::dmat4 clip_from_board{0.0};
-        glm::dmat4 board_to_world{0.0};
+    struct StaticScene {
+        glm::dmat4 clipFromBoard{0.0};
+        glm::dmat4 worldFromBoard{0.0};
         glm::ivec2 pixels{0};
         Quality quality = Quality::Low;
         Backdrop backdrop;
         uint64_t maze = 0;
         uint64_t shaders = 0;
-        bool operator==(const Still &) const = default;
+        bool operator==(const StaticScene &) const = default;
     };
-    Still stillOf(const Frame &frame, const View &view);
+    StaticScene staticSceneOf(const Frame &frame, const View &view);
     // render() in two parts, pixel by pixel, for whoever keeps the picture of the first one, with its depths: board and
     // table; then all that moves, with the piece of the board that the ball changes.
-    void renderStill(const Frame &frame, const View &view);
+    void renderStatic(const Frame &frame, const View &view);
     void renderMoving(const Frame &frame, const View &view);
     // Draws a finished picture, a texture of as many pixels, without the steps of its edges.
     void smooth(unsigned picture, const View &view);
@@ -69,7 +69,7 @@ private:
     glm::ivec4 changedByBall(const Scene &scene) const;
     void makeOcclusionMap();
     void updateShadowMap(const Scene &scene, Quality quality);
-    void drawDepth(DepthTarget &target, const glm::dmat4 &clip_from_board);
+    void drawDepth(DepthTarget &target, const glm::dmat4 &clipFromBoard);
     void bindTextures();
     void setLighting(QOpenGLShaderProgram &program, const Scene &scene);
     void drawBoard(const Scene &scene, const Ball &ball);
@@ -86,14 +86,14 @@ private:
     MeshBuffer m_maze;
     MeshBuffer m_ball;
     StrokeRenderer m_strokes;
-    QOpenGLVertexArrayObject m_no_vertices; // core profile draws nothing without one
+    QOpenGLVertexArrayObject m_noVertices; // core profile draws nothing without one
     QOpenGLTexture m_grain;
     OcclusionMap m_occlusion;
-    bool m_is_occlusion_stale = true;
+    bool m_isOcclusionStale = true;
 
     std::unique_ptr<DepthTarget> m_shadow;
-    glm::dvec3 m_shadow_direction{0.0}; // what the map was drawn for
-    bool m_is_shadow_stale = true;
+    glm::dvec3 m_shadowDirection{0.0}; // what the map was drawn for
+    bool m_isShadowStale = true;
 
     Bounds m_bounds;
     Beacon m_beacon;

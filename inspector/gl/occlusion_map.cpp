@@ -36,12 +36,12 @@ OcclusionMap::OcclusionMap(QOpenGLFunctions_3_3_Core *gl)
 
 OcclusionMap::~OcclusionMap() { m_gl->glDeleteTextures(1, &m_texture); }
 
-void OcclusionMap::upload(std::vector<float> heights, int radius_x, int radius_y) {
+void OcclusionMap::upload(std::vector<float> heights, int radiusX, int radiusY) {
     std::vector<float> scratch(kSize);
     // Two box means are close to a bell.
     for (int pass = 0; pass < 2; ++pass) {
-        for (int row = 0; row < kSize; ++row) blurLine(&heights[kRow * row], kSize, 1, radius_x, scratch);
-        for (int column = 0; column < kSize; ++column) blurLine(&heights[column], kSize, kRow, radius_y, scratch);
+        for (int row = 0; row < kSize; ++row) blurLine(&heights[kRow * row], kSize, 1, radiusX, scratch);
+        for (int column = 0; column < kSize; ++column) blurLine(&heights[column], kSize, kRow, radiusY, scratch);
     }
     m_gl->glBindTexture(GL_TEXTURE_2D, m_texture);
     m_gl->glTexImage2D(GL_TEXTURE_2D, 0, GL_R16, kSize, kSize, 0, GL_RED, GL_FLOAT, heights.data());

@@ -21,7 +21,7 @@ public:
     GLuint texture() const { return m_texture; }
 
     // kSize x kSize heights scaled to 0..1; the mean is taken over about `radius` texels in x and y.
-    void upload(std::vector<float> heights, int radius_x, int radius_y);
+    void upload(std::vector<float> heights, int radiusX, int radiusY);
 
 private:
     QOpenGLFunctions_3_3_Core *m_gl;

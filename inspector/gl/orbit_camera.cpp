@@ -27,12 +27,12 @@ const double kTangent = std::tan(0.5 * OrbitCamera::kFieldOfView);
 
 // Where the corners get to while the board tilts. They reach farthest at full tilt, or so near to it that the air
 // around the board takes the difference.
-Corners sweptCorners(const Bounds &bounds, double largest_tilt) {
+Corners sweptCorners(const Bounds &bounds, double largestTilt) {
     const glm::dvec3 pivot = boardPivot(bounds);
     Corners corners;
-    for (const double tilt_x : {-largest_tilt, 0.0, largest_tilt}) {
-        for (const double tilt_y : {-largest_tilt, 0.0, largest_tilt}) {
-            const glm::dmat4 pose = boardToWorld(tilt_x, tilt_y, pivot);
+    for (const double tiltX : {-largestTilt, 0.0, largestTilt}) {
+        for (const double tiltY : {-largestTilt, 0.0, largestTilt}) {
+            const glm::dmat4 pose = boardToWorld(tiltX, tiltY, pivot);
             for (int i = 0; i < 8; ++i) {
                 const glm::dvec3 corner((i & 1) ? bounds.maximum.x : bounds.minimum.x,
                                         (i & 2) ? bounds.maximum.y : bounds.minimum.y,
@@ -48,9 +48,9 @@ Corners sweptCorners(const Bounds &bounds, double largest_tilt) {
 
 void OrbitCamera::setViewport(const glm::dvec2 &size) { m_viewport = glm::max(size, glm::dvec2(1.0)); }
 
-void OrbitCamera::setBounds(const Bounds &bounds, double largest_tilt) {
+void OrbitCamera::setBounds(const Bounds &bounds, double largestTilt) {
     m_bounds = bounds;
-    m_largest_tilt = largest_tilt;
+    m_largestTilt = largestTilt;
     keepWithinLimits();
 }
 
@@ -70,11 +70,11 @@ void OrbitCamera::zoom(double steps, const glm::dvec2 &cursor) {
     // Shrinking eye and target towards the point under the cursor leaves the ray to that point as it is.
     const Axes camera = axes();
     const glm::dvec2 offset = (cursor - 0.5 * m_viewport) * metresPerPixel();
-    const glm::dvec3 fixed_point = m_target + offset.x * camera.right - offset.y * camera.up;
-    const double old_distance = m_distance;
+    const glm::dvec3 fixedPoint = m_target + offset.x * camera.right - offset.y * camera.up;
+    const double oldDistance = m_distance;
     m_distance *= std::pow(kZoomPerStep, steps);
     keepWithinLimits();
-    m_target = fixed_point + (m_target - fixed_point) * (m_distance / old_distance);
+    m_target = fixedPoint + (m_target - fixedPoint) * (m_distance / oldDistance);
     keepWithinLimits();
 }
 
@@ -95,7 +95,7 @@ void OrbitCamera::fit() {
     const glm::dvec2 tangent = kFilledShare * kTangent * glm::dvec2(m_viewport.x / m_viewport.y, 1.0);
     glm::dvec2 positive(-std::numeric_limits<double>::infinity());
     glm::dvec2 negative = positive;
-    for (const glm::dvec3 &corner : sweptCorners(m_bounds, m_largest_tilt)) {
+    for (const glm::dvec3 &corner : sweptCorners(m_bounds, m_largestTilt)) {
         const glm::dvec3 offset = corner - centre;
         const glm::dvec2 across(glm::dot(offset, camera.right), glm::dot(offset, camera.up));
         const double back = glm::dot(offset, camera.back);
@@ -132,9 +132,9 @@ glm::dmat4 OrbitCamera::view() const {
 
 glm::dmat4 OrbitCamera::projection() const {
     // Everything lies within a few radii of the target; the ratio of far to near stays small for 16 bits of depth.
-    const double near_plane = std::max(0.02 * m_distance, m_distance - 2.5 * radius());
-    const double far_plane = m_distance + 4.0 * radius();
-    return glm::perspective(kFieldOfView, m_viewport.x / m_viewport.y, near_plane, far_plane);
+    const double nearPlane = std::max(0.02 * m_distance, m_distance - 2.5 * radius());
+    const double farPlane = m_distance + 4.0 * radius();
+    return glm::perspective(kFieldOfView, m_viewport.x / m_viewport.y, nearPlane, farPlane);
 }
 
 glm::dvec3 OrbitCamera::eye() const { return m_target + m_distance * axes().back; }
@@ -151,11 +151,11 @@ Ray OrbitCamera::ray(const glm::dvec2 &pixel) const {
     return {eye(), glm::normalize(offset.x * camera.right - offset.y * camera.up - m_distance * camera.back)};
 }
 
-Ray OrbitCamera::pickRay(const glm::dvec2 &pixel, const glm::dmat4 &board_to_world) const {
+Ray OrbitCamera::pickRay(const glm::dvec2 &pixel, const glm::dmat4 &worldFromBoard) const {
     const Ray world = ray(pixel);
-    const glm::dmat4 world_to_board = glm::inverse(board_to_world);
-    return {glm::dvec3(world_to_board * glm::dvec4(world.origin, 1.0)),
-            glm::normalize(glm::dvec3(world_to_board * glm::dvec4(world.direction, 0.0)))};
+    const glm::dmat4 boardFromWorld = glm::inverse(worldFromBoard);
+    return {glm::dvec3(boardFromWorld * glm::dvec4(world.origin, 1.0)),
+            glm::normalize(glm::dvec3(boardFromWorld * glm::dvec4(world.direction, 0.0)))};
 }
 
 OrbitCamera::Axes OrbitCamera::axes() const {

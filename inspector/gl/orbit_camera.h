@@ -25,9 +25,9 @@ public:
 
     // Size of the picture in logical pixels; less than 1 counts as 1.
     void setViewport(const glm::dvec2 &size);
-    // What reset() shows and what the limits of distance and target follow from. largest_tilt: rad in [0, pi/2), by
+    // What reset() shows and what the limits of distance and target follow from. largestTilt: rad in [0, pi/2), by
     // which the board may be tilted about its pivot in x and in y and still be shown whole.
-    void setBounds(const Bounds &bounds, double largest_tilt);
+    void setBounds(const Bounds &bounds, double largestTilt);
 
     // A drag by so many pixels turns the scene with the hand.
     void orbit(const glm::dvec2 &drag);
@@ -57,7 +57,7 @@ public:
     glm::dvec2 project(const glm::dvec3 &world) const;
     // The ray through a pixel, in world coordinates and in those of a tilted board.
     Ray ray(const glm::dvec2 &pixel) const;
-    Ray pickRay(const glm::dvec2 &pixel, const glm::dmat4 &board_to_world) const;
+    Ray pickRay(const glm::dvec2 &pixel, const glm::dmat4 &worldFromBoard) const;
 
 private:
     struct Axes {
@@ -70,7 +70,7 @@ private:
 
     glm::dvec2 m_viewport{1.0};
     Bounds m_bounds{{-0.1, -0.1, 0.0}, {0.1, 0.1, 0.02}};
-    double m_largest_tilt = 0.0;
+    double m_largestTilt = 0.0;
     glm::dvec3 m_target{0.0};
     double m_distance = 1.0;
     double m_azimuth = kStartAzimuth;

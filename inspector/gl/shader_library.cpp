@@ -26,16 +26,16 @@ constexpr std::array<Recipe, 6> kRecipes{{{"maze.vert", {"maze.frag", "lighting.
                                           {"smooth.vert", {"smooth.frag", nullptr}}}};
 
 QString pathOf(const QString &directory, const char *name) {
-    QString override_path = directory + QLatin1Char('/') + QLatin1String(name);
-    if (!directory.isEmpty() && (fileExists(override_path) || isFolder(override_path))) return override_path;
+    QString overridePath = directory + QLatin1Char('/') + QLatin1String(name);
+    if (!directory.isEmpty() && (fileExists(overridePath) || isFolder(overridePath))) return overridePath;
     return QLatin1String(":/shaders/") + QLatin1String(name);
 }
 
 // Branches on a uniform cost a software renderer both sides, so the quality is a constant of the source.
 QByteArray withQuality(QByteArray source, Quality quality) {
-    const qsizetype line_end = source.indexOf('\n') + 1; // after #version, which must come first
+    const qsizetype lineEnd = source.indexOf('\n') + 1; // after #version, which must come first
     const QByteArray define = "#define QUALITY " + QByteArray::number(static_cast<int>(quality)) + "\n#line 2\n";
-    return source.insert(line_end, define);
+    return source.insert(lineEnd, define);
 }
 
 // Embedded files are Qt's; those of a folder are read like every file from outside.
@@ -74,18 +74,18 @@ std::unique_ptr<QOpenGLShaderProgram> buildProgram(const Recipe &recipe, const Q
 } // namespace
 
 ShaderLibrary::ShaderLibrary() {
-    const auto note_change = [this] {
-        m_is_stale = true;
+    const auto noteChange = [this] {
+        m_isStale = true;
         watch(); // editors replace files, which ends the watch on the old one
         emit changed();
     };
-    connect(&m_watcher, &QFileSystemWatcher::fileChanged, this, note_change);
-    connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, note_change);
+    connect(&m_watcher, &QFileSystemWatcher::fileChanged, this, noteChange);
+    connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, noteChange);
 }
 
 void ShaderLibrary::setDirectory(const QString &path) {
     m_directory = path;
-    m_is_stale = true;
+    m_isStale = true;
     if (!m_watcher.files().isEmpty()) m_watcher.removePaths(m_watcher.files());
     if (!m_watcher.directories().isEmpty()) m_watcher.removePaths(m_watcher.directories());
     if (!path.isEmpty() && !isFolder(path))
@@ -110,8 +110,8 @@ void ShaderLibrary::watch() {
 }
 
 bool ShaderLibrary::update(Quality quality) {
-    if (!m_is_stale && quality == m_quality) return true;
-    m_is_stale = false;
+    if (!m_isStale && quality == m_quality) return true;
+    m_isStale = false;
     m_quality = quality;
     QString log;
     Set programs = build(m_directory, quality, &log);
@@ -119,7 +119,7 @@ bool ShaderLibrary::update(Quality quality) {
         emit failed(log);
         if (m_programs[0]) return true;
         programs = build({}, quality, &log); // nothing drawn yet: begin with the embedded ones
-        if (!programs[0]) return m_is_stale = true, false;
+        if (!programs[0]) return m_isStale = true, false;
     }
     m_programs = std::move(programs);
     ++m_generation;

@@ -52,7 +52,7 @@ private:
     Set m_programs;
     uint64_t m_generation = 0;
     Quality m_quality = Quality::Medium;
-    bool m_is_stale = true;
+    bool m_isStale = true;
 };
 
 } // namespace inspector::gl

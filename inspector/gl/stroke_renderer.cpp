@@ -15,10 +15,10 @@ struct InstanceAttribute {
 // In the order of the locations in stroke.vert.
 constexpr InstanceAttribute kInstanceAttributes[] = {{3, offsetof(Stroke, from)},
                                                      {3, offsetof(Stroke, to)},
-                                                     {4, offsetof(Stroke, from_colour)},
-                                                     {4, offsetof(Stroke, to_colour)},
-                                                     {2, offsetof(Stroke, width)}}; // width and round_ends
-static_assert(offsetof(Stroke, round_ends) == offsetof(Stroke, width) + sizeof(float));
+                                                     {4, offsetof(Stroke, fromColour)},
+                                                     {4, offsetof(Stroke, toColour)},
+                                                     {2, offsetof(Stroke, width)}}; // width and roundEnds
+static_assert(offsetof(Stroke, roundEnds) == offsetof(Stroke, width) + sizeof(float));
 
 } // namespace
 

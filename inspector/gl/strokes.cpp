@@ -57,9 +57,9 @@ void Strokes::trail(std::span<const glm::dvec3> points, const Colour &colour, fl
     for (std::size_t i = 1; i < points.size(); ++i) {
         // The newest point is always reached, so that the trail ends at the ball.
         if (i + 1 < points.size() && glm::distance(points[begin], points[i]) < spacing) continue;
-        const Colour old_colour = faded(colour, static_cast<double>(begin) / last);
-        const Colour new_colour = faded(colour, static_cast<double>(i) / last);
-        m_strokes.push_back({points[begin], points[i], old_colour, new_colour, width, 0.0F});
+        const Colour oldColour = faded(colour, static_cast<double>(begin) / last);
+        const Colour newColour = faded(colour, static_cast<double>(i) / last);
+        m_strokes.push_back({points[begin], points[i], oldColour, newColour, width, 0.0F});
         begin = i;
     }
 }

@@ -16,10 +16,10 @@ using Colour = glm::vec4; // sRGB with straight alpha, 0..1
 struct Stroke {
     glm::vec3 from;
     glm::vec3 to;
-    Colour from_colour;
-    Colour to_colour;
-    float width;      // logical pixels
-    float round_ends; // 1: half discs at both ends; 0: cut off, so that translucent pieces join without a darker dot
+    Colour fromColour;
+    Colour toColour;
+    float width;     // logical pixels
+    float roundEnds; // 1: half discs at both ends; 0: cut off, so that translucent pieces join without a darker dot
 };
 
 // Immediate calls from anywhere; the renderer draws all of them with one flush. Positions in the board frame, m.

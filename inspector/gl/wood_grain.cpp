@@ -27,9 +27,9 @@ double noise(double u, double v, int columns, int rows, unsigned salt) {
     const int column = static_cast<int>(std::floor(x));
     const int row = static_cast<int>(std::floor(y));
     const auto corner = [&](int dx, int dy) {
-        const int wrapped_x = ((column + dx) % columns + columns) % columns;
-        const int wrapped_y = ((row + dy) % rows + rows) % rows;
-        return latticeValue(wrapped_x, wrapped_y, salt);
+        const int wrappedX = ((column + dx) % columns + columns) % columns;
+        const int wrappedY = ((row + dy) % rows + rows) % rows;
+        return latticeValue(wrappedX, wrappedY, salt);
     };
     const double s = smooth(x - column);
     return std::lerp(std::lerp(corner(0, 0), corner(1, 0), s), std::lerp(corner(0, 1), corner(1, 1), s),

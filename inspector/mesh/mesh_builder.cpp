@@ -34,19 +34,19 @@ void MeshBuilder::beginPiece(const Material &material, const Bounds &bounds) {
     m_prototype.albedo = {toByte(albedo.r), toByte(albedo.g), toByte(albedo.b), 255};
     m_prototype.surface = {toByte(material.reflectance), toByte(material.roughness), toByte(material.grain),
                            toByte(material.emission)};
-    m_along_y = bounds.size().y > bounds.size().x;
-    m_grain_origin = {scatter(m_pieces, 1), scatter(m_pieces, 2)};
-    m_piece_begin = m_mesh.vertices.size();
+    m_alongY = bounds.size().y > bounds.size().x;
+    m_grainOrigin = {scatter(m_pieces, 1), scatter(m_pieces, 2)};
+    m_pieceBegin = m_mesh.vertices.size();
     ++m_pieces;
 }
 
 glm::vec2 MeshBuilder::grainCoordinate(const glm::vec3 &position, const glm::vec3 &normal) const {
-    const float along = m_along_y ? position.y : position.x;
-    const float side = m_along_y ? position.x : position.y;
+    const float along = m_alongY ? position.y : position.x;
+    const float side = m_alongY ? position.x : position.y;
     // Top and bottom show the plank's width, its sides the height, its ends (cut fibres) both.
-    const bool is_end = std::abs(m_along_y ? normal.y : normal.x) > 0.8F;
-    if (is_end) return m_grain_origin + glm::vec2(side, position.z);
-    return m_grain_origin + glm::vec2(along, std::abs(normal.z) > 0.6F ? side : position.z);
+    const bool isEnd = std::abs(m_alongY ? normal.y : normal.x) > 0.8F;
+    if (isEnd) return m_grainOrigin + glm::vec2(side, position.z);
+    return m_grainOrigin + glm::vec2(along, std::abs(normal.z) > 0.6F ? side : position.z);
 }
 
 void MeshBuilder::triangle(const std::array<glm::vec3, 3> &positions, const std::array<glm::vec3, 3> &normals) {
@@ -62,7 +62,7 @@ void MeshBuilder::triangle(const std::array<glm::vec3, 3> &positions, const std:
 std::uint32_t MeshBuilder::indexOf(const Vertex &vertex) {
     constexpr std::size_t kLookBack = 8;
     std::vector<Vertex> &vertices = m_mesh.vertices;
-    const std::size_t oldest = std::max(m_piece_begin, vertices.size() - std::min(vertices.size(), kLookBack));
+    const std::size_t oldest = std::max(m_pieceBegin, vertices.size() - std::min(vertices.size(), kLookBack));
     for (std::size_t i = vertices.size(); i-- > oldest;) {
         if (vertices[i].position == vertex.position && vertices[i].normal == vertex.normal)
             return static_cast<std::uint32_t>(i);
@@ -126,8 +126,8 @@ Mesh mazeFromBoxes(std::span<const MazeBox> boxes) {
     for (const MazeBox &box : boxes) {
         builder.beginPiece(boxMaterial(box.kind), {box.minimum, box.maximum});
         const glm::dvec3 size = box.maximum - box.minimum;
-        const bool is_flat = box.kind == BoxKind::Floor || box.kind == BoxKind::Exit;
-        const double chamfer = is_flat ? 0.0 : 0.12 * std::min({size.x, size.y, size.z});
+        const bool isFlat = box.kind == BoxKind::Floor || box.kind == BoxKind::Exit;
+        const double chamfer = isFlat ? 0.0 : 0.12 * std::min({size.x, size.y, size.z});
         addChamferedBox(builder, box, static_cast<float>(chamfer));
     }
     return builder.take();
@@ -148,8 +148,8 @@ Mesh patternedBall() {
     for (int stack = 0; stack < kStacks; ++stack) {
         for (int slice = 0; slice < kSlices; ++slice) {
             // Eight fields like a beach ball's, swapped at the equator: no turn but a full one looks the same as none.
-            const bool is_dark = (slice / (kSlices / 8) + stack / (kStacks / 2)) % 2 == 0;
-            builder.beginPiece(is_dark ? dark : light, {});
+            const bool isDark = (slice / (kSlices / 8) + stack / (kStacks / 2)) % 2 == 0;
+            builder.beginPiece(isDark ? dark : light, {});
             const glm::vec3 a = at(stack, slice);
             const glm::vec3 b = at(stack + 1, slice);
             const glm::vec3 c = at(stack + 1, slice + 1);

@@ -25,10 +25,10 @@ private:
     glm::vec2 grainCoordinate(const glm::vec3 &position, const glm::vec3 &normal) const;
 
     Mesh m_mesh;
-    std::size_t m_piece_begin = 0; // first vertex of the current piece
-    Vertex m_prototype{};          // carries the current piece's material
-    bool m_along_y = false;
-    glm::vec2 m_grain_origin{0.0F};
+    std::size_t m_pieceBegin = 0; // first vertex of the current piece
+    Vertex m_prototype{};         // carries the current piece's material
+    bool m_alongY = false;
+    glm::vec2 m_grainOrigin{0.0F};
     unsigned m_pieces = 0;
 };
 

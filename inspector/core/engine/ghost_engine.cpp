@@ -21,24 +21,24 @@ Deviation deviationOf(const Engine &ball, const Engine &other) {
             ball.report().energy_after - other.report().energy_after};
 }
 
-std::optional<GhostMeans> makeMeans(const Registry &registry, const GhostChoice &ghostChoice, const Scene &scene,
-                                    QString *error) {
-    GhostMeans means{scene, {}, {}, ghostChoice.substeps};
+std::optional<GhostSetup> makeGhostSetup(const Registry &registry, const GhostChoice &ghostChoice, const Scene &scene,
+                                         QString *error) {
+    GhostSetup setup{scene, {}, {}, ghostChoice.substeps};
     phys_error failure;
-    if (phys_registry_find(registry.get(), ghostChoice.stepper.constData(), &means.info, &failure) != PHYS_OK) {
+    if (phys_registry_find(registry.get(), ghostChoice.stepper.constData(), &setup.info, &failure) != PHYS_OK) {
         tell(error, failure);
         return std::nullopt;
     }
-    means.stepper = makeStepper(registry, ghostChoice.stepper, scene, error);
-    if (!means.stepper) return std::nullopt;
-    return means;
+    setup.stepper = makeStepper(registry, ghostChoice.stepper, scene, error);
+    if (!setup.stepper) return std::nullopt;
+    return setup;
 }
 
-GhostEngine::GhostEngine(const Engine &leader, const GhostMeans &means, const QByteArray &leaderId)
-    : m_engine(leader.scene(), means.stepper)
-    , m_info(means.info)
-    , m_substeps(means.substeps)
-    , m_own(means.own) {
+GhostEngine::GhostEngine(const Engine &leader, const GhostSetup &setup, const QByteArray &leaderId)
+    : m_engine(leader.scene(), setup.stepper)
+    , m_info(setup.info)
+    , m_substeps(setup.substeps)
+    , m_own(setup.own) {
     setLeaderStepper(leaderId);
     meet(leader);
 }

@@ -27,7 +27,7 @@ struct Deviation {
 };
 
 // What moves a ghost.
-struct GhostMeans {
+struct GhostSetup {
     Scene scene;     // the leader's
     Stepper stepper; // made for it
     phys_stepper_info info;
@@ -36,14 +36,14 @@ struct GhostMeans {
 };
 
 // Nothing, and one line in `error` (or nullptr), if there is no such stepper or it can't do this scene.
-std::optional<GhostMeans> makeMeans(const Registry &registry, const GhostChoice &ghostChoice, const Scene &scene,
-                                    QString *error);
+std::optional<GhostSetup> makeGhostSetup(const Registry &registry, const GhostChoice &ghostChoice, const Scene &scene,
+                                         QString *error);
 
 class GhostEngine {
 public:
     // At the leader's present state. leaderId: of its stepper; where both have the same one the ghost obeys the
     // leader's values of the stepper's own rows, otherwise initial ones.
-    GhostEngine(const Engine &leader, const GhostMeans &means, const QByteArray &leaderId);
+    GhostEngine(const Engine &leader, const GhostSetup &setup, const QByteArray &leaderId);
 
     // Its own parameters, all but the tilt, which is the leader's; nothing: the leader's.
     void setOwnInputs(const std::optional<Inputs> &own) { m_own = own; }

@@ -28,7 +28,7 @@ phys_vec3 plus(const phys_vec3 &a, double factor, const phys_vec3 &b) {
     return {a.x + factor * b.x, a.y + factor * b.y, a.z + factor * b.z};
 }
 
-phys_vec3 across(const phys_vec3 &a, const phys_vec3 &normal) { return plus(a, -dot(a, normal), normal); }
+phys_vec3 tangentialPart(const phys_vec3 &a, const phys_vec3 &normal) { return plus(a, -dot(a, normal), normal); }
 
 double share(double part, double whole) { return whole > 0.0 ? part / whole : part; }
 
@@ -41,7 +41,7 @@ double allowanceOf(const LoggedEvent &bounce, const phys_vec3 &normal) {
     const phys_params &params = bounce.step.params;
     const bool isInAir = (bounce.step.before.flags | bounce.step.after.flags) & PHYS_AIRBORNE;
     const phys_vec3 drive{params.gravity.x, params.gravity.y, isInAir ? params.gravity.z : 0.0};
-    const double pull = length(across(drive, normal));
+    const double pull = length(tangentialPart(drive, normal));
     const double press = std::abs(params.gravity.z);
     if (isRigid(bounce)) return bounce.step.dt * (9.0 / 7.0 * pull + 2.0 * params.sliding_friction * press);
     return bounce.step.dt * (isInAir ? pull : 5.0 / 7.0 * (pull + params.rolling_friction * press));
@@ -65,7 +65,7 @@ QString normalText(const LoggedEvent &bounce, const NormalLaw &law) {
     return text + QStringLiteral("; ") + verdict(law.deviation);
 }
 
-QString frictionText(const AlongLaw &law) {
+QString frictionText(const TangentialLaw &law) {
     return QStringLiteral("jt = min(mu j, 2/7 |uc|) = min(%1 × %2, 2/7 × %3) = %4: %5   (model.md 2.2 F3)")
         .arg(figureText(law.friction), speedText(law.impulse), speedText(law.slip), speedText(law.tangential),
              law.friction == 0.0 ? QStringLiteral("smooth")
@@ -73,7 +73,7 @@ QString frictionText(const AlongLaw &law) {
                                  : QStringLiteral("slides"));
 }
 
-QString alongText(const LoggedEvent &bounce, const AlongLaw &law) {
+QString tangentialText(const LoggedEvent &bounce, const TangentialLaw &law) {
     const bool isLanding = bounce.event.kind == PHYS_EVENT_LANDING;
     const QString rule = isRigid(bounce) ? QStringLiteral("v't = vt - jt uc/|uc|")
                          : isLanding     ? QStringLiteral("v't = vt   (model.md 2.1 R6)")
@@ -105,8 +105,8 @@ double frictionOf(const LoggedEvent &bounce) {
 Motion motionOf(const phys_state &state, const phys_vec3 &normal) {
     Motion motion{};
     motion.normal = dot(state.velocity, normal);
-    motion.along = across(state.velocity, normal);
-    motion.alongSpeed = length(motion.along);
+    motion.tangential = tangentialPart(state.velocity, normal);
+    motion.tangentialSpeed = length(motion.tangential);
     motion.spin = state.spin;
     return motion;
 }
@@ -123,15 +123,16 @@ NormalLaw normalLaw(const LoggedEvent &bounce) {
 }
 
 // model.md 2.2 F3, from the state before the step: its velocity and spin aren't quite those right before the impact.
-AlongLaw alongLaw(const LoggedEvent &bounce, double radius) {
+TangentialLaw tangentialLaw(const LoggedEvent &bounce, double radius) {
     const phys_vec3 &normal = bounce.event.normal;
     const Motion before = motionOf(bounce.step.before, normal);
     const Motion after = motionOf(bounce.step.after, normal);
-    phys_vec3 expected = before.along;
-    AlongLaw law{};
+    phys_vec3 expected = before.tangential;
+    TangentialLaw law{};
     if (isRigid(bounce)) {
         // The contact point moves with v - R (om x n).
-        const phys_vec3 slip = across(plus(bounce.step.before.velocity, -radius, cross(before.spin, normal)), normal);
+        const phys_vec3 slip =
+            tangentialPart(plus(bounce.step.before.velocity, -radius, cross(before.spin, normal)), normal);
         law.friction = frictionOf(bounce);
         law.impulse = bounce.event.speed_after - bounce.event.speed_before;
         law.slip = length(slip);
@@ -140,8 +141,8 @@ AlongLaw alongLaw(const LoggedEvent &bounce, double radius) {
         if (law.slip > 0.0) expected = plus(expected, -law.tangential / law.slip, slip);
     }
     law.expected = length(expected);
-    law.found = after.alongSpeed;
-    law.off = length(plus(after.along, -1.0, expected));
+    law.found = after.tangentialSpeed;
+    law.off = length(plus(after.tangential, -1.0, expected));
     law.allowance = allowanceOf(bounce, normal);
     return law;
 }
@@ -166,10 +167,10 @@ std::optional<BouncePlace> bouncePlace(const LoggedEvent &bounce, double radius)
 
 std::vector<LawLine> lawLines(const LoggedEvent &bounce, double radius) {
     if (!bounce.isBounce()) return {};
-    const AlongLaw along = alongLaw(bounce, radius);
+    const TangentialLaw tangential = tangentialLaw(bounce, radius);
     std::vector<LawLine> lines{{QStringLiteral("Law"), normalText(bounce, normalLaw(bounce))}};
-    if (isRigid(bounce)) lines.push_back({QStringLiteral("Friction"), frictionText(along)});
-    lines.push_back({QStringLiteral("Along"), alongText(bounce, along)});
+    if (isRigid(bounce)) lines.push_back({QStringLiteral("Friction"), frictionText(tangential)});
+    lines.push_back({QStringLiteral("Along"), tangentialText(bounce, tangential)});
     return lines;
 }
 

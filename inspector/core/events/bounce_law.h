@@ -18,10 +18,10 @@ double frictionOf(const LoggedEvent &bounce); // of the rigid model
 
 // Components of the ball's velocity and spin at the contact.
 struct Motion {
-    double normal;     // m/s along the normal
-    phys_vec3 along;   // m/s, across the normal
-    double alongSpeed; // its length
-    phys_vec3 spin;    // rad/s
+    double normal;          // m/s, along the normal
+    phys_vec3 tangential;   // m/s, in the tangent plane
+    double tangentialSpeed; // its length
+    phys_vec3 spin;         // rad/s
 };
 Motion motionOf(const phys_state &state, const phys_vec3 &normal);
 
@@ -37,8 +37,8 @@ struct NormalLaw {
 NormalLaw normalLaw(const LoggedEvent &bounce);
 
 // Across the normal: unchanged in the rolling model (R2, R6); in the rigid one Coulomb's impulse (F3). Steps report no
-// speeds across: these are those of the states before and after the step, with all else that happened in it.
-struct AlongLaw {
+// tangential speeds: these are those of the states before and after the step, with all else that happened in it.
+struct TangentialLaw {
     double expected;  // m/s
     double found;     // m/s
     double off;       // m/s, length of the difference of the two as vectors
@@ -50,7 +50,7 @@ struct AlongLaw {
     double tangential; // impulse jt, m/s
     bool sticks;       // jt took all the slip
 };
-AlongLaw alongLaw(const LoggedEvent &bounce, double radius);
+TangentialLaw tangentialLaw(const LoggedEvent &bounce, double radius);
 
 // Where the ball was when it bounced. A step reports only when that was: the place follows from the state before the
 // step and the normal speeds at both ends of the time between, for which nothing else may have happened first.

@@ -69,7 +69,7 @@ void addBounceLines(E event, double radius, std::vector<LawLine> &lines) {
     lines.push_back({QStringLiteral("Found"), placeText(event, radius)});
     lines.push_back({QStringLiteral("Normal speed"), change(event.event.speed_before, event.event.speed_after)});
     lines.push_back({QStringLiteral("Speed along"),
-                     QStringLiteral("%1 in this step").arg(change(before.alongSpeed, after.alongSpeed))});
+                     QStringLiteral("%1 in this step").arg(change(before.tangentialSpeed, after.tangentialSpeed))});
     lines.push_back(
         {QStringLiteral("Spin"),
          QStringLiteral("%1 → %2 in this step").arg(vector(before.spin, ""), vector(after.spin, " rad/s"))});

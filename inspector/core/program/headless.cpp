@@ -78,11 +78,11 @@ public:
     bool open(const Options &options, const Engine &engine, QTextStream &messages) {
         if (!options.comparison) return true;
         m_id = QString::fromUtf8(options.comparison->stepper);
-        auto means = makeMeans(options.registry, *options.comparison, engine.scene(), &m_refusal);
-        if (means && !options.comparisonSettings.empty()) means->own = ghostsInputs(options, nullptr);
-        if (means) m_ghost.emplace(engine, *means, options.stepper);
-        if (!means) report(messages, QStringLiteral("--compare: ") + m_refusal);
-        return means.has_value();
+        auto setup = makeGhostSetup(options.registry, *options.comparison, engine.scene(), &m_refusal);
+        if (setup && !options.comparisonSettings.empty()) setup->own = ghostsInputs(options, nullptr);
+        if (setup) m_ghost.emplace(engine, *setup, options.stepper);
+        if (!setup) report(messages, QStringLiteral("--compare: ") + m_refusal);
+        return setup.has_value();
     }
 
     // After a step of the engine.

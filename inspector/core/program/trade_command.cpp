@@ -126,7 +126,7 @@ Recommendation recommendForUnknowns(const TradePlan &plan, const TradeResult &re
                                            "%4 ns a step, %5 µs a simulated second")
                                 .arg(result.goodEnough->largest * 100.0, 0, 'g', 2)
                                 .arg(plan.horizon)
-                                .arg(result.goodEnough->rehearsals + int(plan.schedules.size()))
+                                .arg(result.goodEnough->validations + int(plan.schedules.size()))
                                 .arg(point.cost.perStep * 1e9, 0, 'g', 3)
                                 .arg(point.cost.perSecond * 1e6, 0, 'g', 3)};
 }

@@ -51,13 +51,13 @@ void Comparison::begin() {
     m_refusal.clear();
     m_ghost = 0;
     QString error;
-    auto means = makeMeans(m_session.registry(), m_ghostChoice, m_session.scene(), &error);
-    if (!means) {
+    auto setup = makeGhostSetup(m_session.registry(), m_ghostChoice, m_session.scene(), &error);
+    if (!setup) {
         m_session.simulation().endComparison();
         return refuse(error);
     }
-    means->own = ownInputs();
-    m_ghost = m_session.simulation().compareWith(*means, m_session.stepperId());
+    setup->own = ownInputs();
+    m_ghost = m_session.simulation().compareWith(*setup, m_session.stepperId());
     emit changed();
 }
 

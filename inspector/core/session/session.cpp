@@ -74,7 +74,7 @@ Session::Session(const Options &options, QSettings &settings, const Scene &scene
     , m_simulation(std::make_unique<Simulation>(scene, stepper, origin()))
     , m_comparison(std::make_unique<Comparison>(*this))
     , m_wayFinder(options.registry)
-    , m_knownLimit(options.registry) {
+    , m_liveUncertainty(options.registry) {
     connect(&m_parameters, &Parameters::changed, this, &Session::sendInputs);
     connect(m_simulation.get(), &Simulation::recordingFailed, this, [this](const QString &line) {
         showRecording(false);
@@ -385,10 +385,10 @@ void Session::askAnew() {
 std::vector<OtherBoard> Session::otherBoards(const Snapshot &now) const {
     std::vector<OtherBoard> boards;
     if (!m_showsOthers || now.running || m_unknowns.empty()) return boards;
-    for (const Draw &draw : drawBoards(m_unknowns, now.inputs, kOthersAhead, kOthersSeed)) {
-        Inputs drawn{draw.params, {}, draw.gravity};
-        tiltBoard(drawn, {now.inputs.tilt.x + draw.tiltOffset.x, now.inputs.tilt.y + draw.tiltOffset.y});
-        boards.push_back({drawn.params, draw.startOffset});
+    for (const SampledBoard &board : sampleBoards(m_unknowns, now.inputs, kOthersAhead, kOthersSeed)) {
+        Inputs inputs{board.params, {}, board.gravity};
+        tiltBoard(inputs, {now.inputs.tilt.x + board.tiltOffset.x, now.inputs.tilt.y + board.tiltOffset.y});
+        boards.push_back({inputs.params, board.startOffset});
     }
     return boards;
 }

@@ -7,7 +7,7 @@
 #include "core/session/ball_place.h"
 #include "core/session/comparison.h"
 #include "core/session/game.h"
-#include "core/session/known_limit.h"
+#include "core/session/live_uncertainty.h"
 #include "core/setup/handles.h"
 #include "core/setup/levels.h"
 #include "core/setup/parameters.h"
@@ -62,7 +62,7 @@ public:
     Simulation &simulation() { return *m_simulation; }
     Game &game() { return m_game; }
     Comparison &comparison() { return *m_comparison; }
-    KnownLimit &knownLimit() { return m_knownLimit; }
+    LiveUncertainty &liveUncertainty() { return m_liveUncertainty; }
     QSettings &settings() { return m_settings; }
     const std::vector<Level> &levels() const { return m_levels; }
     const Level &level() const { return m_level; } // that is open; maybe a file that isn't in the list
@@ -271,7 +271,7 @@ private:
     std::unique_ptr<Simulation> m_simulation;
     std::unique_ptr<Comparison> m_comparison;
     WayFinder m_wayFinder;
-    KnownLimit m_knownLimit;
+    LiveUncertainty m_liveUncertainty;
     std::shared_ptr<const ShownTrack> m_track;
     bool m_followsTrack = false;
 };

@@ -38,11 +38,11 @@ void Presentation::followDt() {
 
 // ---- ghost ----
 
-void Presentation::compare(uint64_t number, const GhostMeans &means, const QByteArray &leaderId) {
+void Presentation::compare(uint64_t number, const GhostSetup &setup, const QByteArray &leaderId) {
     m_ghost.reset();
     m_ghostNumber = number;
     // A replay may have gone on to another scene; then this is asked for again.
-    if (means.scene == m_run->engine().scene()) m_ghost.emplace(m_run->engine(), means, leaderId);
+    if (setup.scene == m_run->engine().scene()) m_ghost.emplace(m_run->engine(), setup, leaderId);
 }
 
 void Presentation::meetGhost() {

@@ -34,7 +34,7 @@ public:
 
     // ---- ghost ----
 
-    void compare(uint64_t number, const GhostMeans &means, const QByteArray &leaderId);
+    void compare(uint64_t number, const GhostSetup &setup, const QByteArray &leaderId);
     GhostEngine *ghost() { return m_ghost ? &*m_ghost : nullptr; }
     void endComparison() { m_ghost.reset(); }
     void meetGhost(); // at the ball's present state; one of another scene is gone

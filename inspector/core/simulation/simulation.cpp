@@ -135,9 +135,9 @@ void Simulation::stopRecording() {
     post([](Worker &worker) { worker.live.endRecording(); });
 }
 
-uint64_t Simulation::compareWith(const GhostMeans &means, const QByteArray &leaderId) {
-    post([means, leaderId, number = ++m_ghostCount](Worker &worker) {
-        worker.presentation.compare(number, means, leaderId);
+uint64_t Simulation::compareWith(const GhostSetup &setup, const QByteArray &leaderId) {
+    post([setup, leaderId, number = ++m_ghostCount](Worker &worker) {
+        worker.presentation.compare(number, setup, leaderId);
     });
     return m_ghostCount;
 }

@@ -66,7 +66,7 @@ public:
     // A ghost meets the ball and follows it from now on, in the place of one before. At a restart and when a state
     // is set they meet again; with another scene it is gone. leaderId: of the present stepper. Returns the ghost's
     // number, as in its refusals.
-    uint64_t compareWith(const GhostMeans &means, const QByteArray &leaderId);
+    uint64_t compareWith(const GhostSetup &setup, const QByteArray &leaderId);
     // From the next step on; nothing: the ball's.
     void setGhostInputs(const std::optional<Inputs> &own);
     void endComparison();

@@ -13,7 +13,7 @@ namespace {
 // One run: the state and the reports of its steps.
 class Run {
 public:
-    Run(phys_stepper *stepper, const BoardGuess &board, const phys_state &state, std::vector<TrackBounce> *bounces)
+    Run(phys_stepper *stepper, const BoardParameters &board, const phys_state &state, std::vector<TrackBounce> *bounces)
         : m_stepper(stepper)
         , m_board(board)
         , m_params(board.params)
@@ -41,7 +41,7 @@ public:
     }
 
 private:
-    // The state's time is that since the piece's begin.
+    // The state's time is that since the segment's begin.
     void keepBounces(double end) {
         for (uint32_t i = 0; i < m_report.event_count; ++i) {
             const phys_event &event = m_events[i];
@@ -51,7 +51,7 @@ private:
     }
 
     phys_stepper *m_stepper;
-    const BoardGuess &m_board;
+    const BoardParameters &m_board;
     phys_params m_params;
     phys_state m_state;
     std::vector<TrackBounce> *m_bounces;
@@ -72,7 +72,7 @@ void pushOutOfWalls(const phys_scene *scene, phys_vec3 &centre) {
 
 } // namespace
 
-phys_state rollingState(const phys_scene *scene, const StartGuess &start) {
+phys_state rollingState(const phys_scene *scene, const BallStart &start) {
     phys_state state;
     phys_scene_start(scene, &state);
     state.position.x = start.x;
@@ -93,7 +93,7 @@ BallModel::BallModel(const Registry &registry, const Scene &scene, const Track &
     if (m_tilts.empty()) m_tilts.push_back({track.begin(), {}});
 }
 
-bool BallModel::run(const BoardGuess &board, const StartGuess &start, size_t first, size_t last,
+bool BallModel::run(const BoardParameters &board, const BallStart &start, size_t first, size_t last,
                     std::vector<TrackPoint> &measured, std::vector<TrackBounce> *bounces) const {
     Run run(m_stepper.get(), board, rollingState(m_scene.get(), start), bounces);
     double time = m_track.points[first].time;

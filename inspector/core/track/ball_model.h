@@ -10,7 +10,7 @@
 namespace inspector {
 
 // What all of a track has in common.
-struct BoardGuess {
+struct BoardParameters {
     phys_params params; // model and coefficients
     double gravity;     // m/s^2
     Tilt tiltOffset;    // rad, that the board has beyond the tilts of the track
@@ -18,13 +18,13 @@ struct BoardGuess {
     TrackFrame frame;
 };
 
-// At the first point of a piece, on the board: m, m/s. The ball rolls.
-struct StartGuess {
+// At the first point of a segment, on the board: m, m/s. The ball rolls.
+struct BallStart {
     double x, y, vx, vy;
 };
 
 // On the scene's floor; where noise has it in a wall, beside that.
-phys_state rollingState(const phys_scene *scene, const StartGuess &start);
+phys_state rollingState(const phys_scene *scene, const BallStart &start);
 
 struct TrackBounce {
     double time;  // s
@@ -42,7 +42,7 @@ public:
 
     // Where points first .. last (both included) would be measured, in the tracker's frame; `bounces` (or
     // nullptr) gets what it bounces off. If "exact" refuses, the ball stays where it is from there on, and false.
-    bool run(const BoardGuess &board, const StartGuess &start, size_t first, size_t last,
+    bool run(const BoardParameters &board, const BallStart &start, size_t first, size_t last,
              std::vector<TrackPoint> &measured, std::vector<TrackBounce> *bounces = nullptr) const;
 
 private:

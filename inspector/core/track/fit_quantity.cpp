@@ -21,8 +21,8 @@ const phys_param_row *rowOf(const char *id) {
 }
 
 // A coefficient of the library's rows; looked for in the range that its slider offers.
-FitQuantity coefficient(const char *id, double most, double notch, double doubt, std::vector<double> guesses,
-                        bool isOfRigid, double phys_params::*member) {
+FitQuantity coefficient(const char *id, double most, double increment, double priorDeviation,
+                        std::vector<double> initialGuesses, bool isRigidOnly, double phys_params::*member) {
     const phys_param_row *row = rowOf(id);
     return {QString::fromUtf8(id),
             QString::fromUtf8(row->label),
@@ -30,11 +30,11 @@ FitQuantity coefficient(const char *id, double most, double notch, double doubt,
             1.0,
             row->low,
             std::min(row->high, most),
-            notch,
-            doubt,
-            std::move(guesses),
-            isOfRigid,
-            [member](BoardGuess &board) -> double & { return board.params.*member; }};
+            increment,
+            priorDeviation,
+            std::move(initialGuesses),
+            isRigidOnly,
+            [member](BoardParameters &board) -> double & { return board.params.*member; }};
 }
 
 } // namespace
@@ -54,10 +54,10 @@ std::vector<FitQuantity> fitQuantities() {
                            3.0 * kDegree,
                            {},
                            false,
-                           [axis](BoardGuess &board) -> double & { return board.tiltOffset.*axis; }};
+                           [axis](BoardParameters &board) -> double & { return board.tiltOffset.*axis; }};
     };
     const auto frame = [](const char *id, const char *label, const char *unit, double perUnit, double lower,
-                          double upper, double doubt, double TrackFrame::*member) {
+                          double upper, double priorDeviation, double TrackFrame::*member) {
         return FitQuantity{QString::fromUtf8(id),
                            QString::fromUtf8(label),
                            QString::fromUtf8(unit),
@@ -65,10 +65,10 @@ std::vector<FitQuantity> fitQuantities() {
                            lower,
                            upper,
                            1e-7,
-                           doubt,
+                           priorDeviation,
                            {},
                            false,
-                           [member](BoardGuess &board) -> double & { return board.frame.*member; }};
+                           [member](BoardParameters &board) -> double & { return board.frame.*member; }};
     };
     return {
         coefficient("rolling_friction", kMostFriction, 1e-6, 0.02, {}, false, &phys_params::rolling_friction),
@@ -86,7 +86,7 @@ std::vector<FitQuantity> fitQuantities() {
          1.0,
          {},
          false,
-         [](BoardGuess &board) -> double & { return board.gravity; }},
+         [](BoardParameters &board) -> double & { return board.gravity; }},
         tilt("tilt_x", "Tilt x offset", &Tilt::x),
         tilt("tilt_y", "Tilt y offset", &Tilt::y),
         {QStringLiteral("delay"),
@@ -99,7 +99,7 @@ std::vector<FitQuantity> fitQuantities() {
          0.2,
          {0.0, 0.1},
          false,
-         [](BoardGuess &board) -> double & { return board.delay; }},
+         [](BoardParameters &board) -> double & { return board.delay; }},
         frame("frame_x", "Frame x", "mm", 1e-3, -1.0, 1.0, 0.05, &TrackFrame::x),
         frame("frame_y", "Frame y", "mm", 1e-3, -1.0, 1.0, 0.05, &TrackFrame::y),
         frame("frame_angle", "Frame angle", "deg", kDegree, -4.0, 4.0, 0.2, &TrackFrame::angle),

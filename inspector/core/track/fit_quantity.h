@@ -11,16 +11,16 @@
 namespace inspector {
 
 struct FitQuantity {
-    QString id;                  // rolling_friction
-    QString label;               // for people: Rolling friction
-    QString unit;                // for people; "" if it has none
-    double perUnit;              // SI in one unit of people
-    double lower, upper;         // SI, what it may be
-    double notch;                // SI, of the difference quotient: changes positions by less than they are measured to
-    double doubt;                // SI, how far off what is set may be: a standard deviation
-    std::vector<double> guesses; // SI, other places to start from
-    bool isOfRigid;              // has no effect in the rolling model
-    std::function<double &(BoardGuess &)> of;
+    QString id;            // rolling_friction
+    QString label;         // for people: Rolling friction
+    QString unit;          // for people; "" if it has none
+    double perUnit;        // SI in one unit of people
+    double lower, upper;   // SI, what it may be
+    double increment;      // SI, of the difference quotient: changes positions by less than they are measured to
+    double priorDeviation; // SI, how far off what is set may be: a standard deviation
+    std::vector<double> initialGuesses; // SI, other places to start from
+    bool isRigidOnly;                   // has no effect in the rolling model
+    std::function<double &(BoardParameters &)> of;
 };
 
 // In the order in which to show them. Lengths, of the frame, are measured in the size of the scene, m.

@@ -32,10 +32,10 @@ QString residualText(const ModelFit &fit) {
 }
 
 QString breaksText(const ModelFit &fit) {
-    if (fit.pieces.empty()) return QStringLiteral("nowhere like the track");
-    if (fit.breaks == 0 && fit.pieces.size() == 1) return QStringLiteral("the whole track at once");
+    if (fit.segments.empty()) return QStringLiteral("nowhere like the track");
+    if (fit.breaks == 0 && fit.segments.size() == 1) return QStringLiteral("the whole track at once");
     if (fit.breaks == 0)
-        return QStringLiteral("in %1 pieces, in which computed and measured ball never part").arg(fit.pieces.size());
+        return QStringLiteral("in %1 pieces, in which computed and measured ball never part").arg(fit.segments.size());
     return QStringLiteral("computed and measured ball part %1 times").arg(fit.breaks);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/track/shown_track.h"
 
-#include "core/track/pieces.h"
+#include "core/track/track_segment.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ double usualBegin(const Track &track) {
     return track.begin() >= 0.0 && track.begin() < kSoonAfter ? track.begin() : 0.0;
 }
 
-ShownTrack::ShownTrack(const Track &track, const BoardGuess &board, double begin)
+ShownTrack::ShownTrack(const Track &track, const BoardParameters &board, double begin)
     : m_start(startAt(track, board.frame, 0))
     , m_longest(kJoined * track.period()) {
     const double shift = begin - track.begin();

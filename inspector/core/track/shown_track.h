@@ -13,7 +13,7 @@ namespace inspector {
 class ShownTrack {
 public:
     // Its points at the run's times from `begin` on, s. board: its frame, and offset and delay of its tilts.
-    ShownTrack(const Track &track, const BoardGuess &board, double begin);
+    ShownTrack(const Track &track, const BoardParameters &board, double begin);
 
     struct Place {
         double x, y;   // m
@@ -36,7 +36,7 @@ public:
 private:
     std::vector<TrackPoint> m_points;
     std::vector<TiltChange> m_tilts;
-    StartGuess m_start;
+    BallStart m_start;
     double m_longest; // s, between points that are joined
 };
 

@@ -13,25 +13,25 @@ namespace inspector {
 namespace {
 
 constexpr double kLeastNoise = 1e-7;                                // m: a track without any still has rounding
-constexpr double kFirstLength = 0.3;                                // s, of a piece when it begins
-constexpr double kFirstStride = 0.2;                                // s, that a piece grows by at first
+constexpr double kFirstLength = 0.3;                                // s, of a segment when it begins
+constexpr double kFirstStride = 0.2;                                // s, that a segment grows by at first
 constexpr double kShortestStride = 0.05;                            // s
-constexpr double kLonger = 1.6;                                     // the next stride after one that succeeded
-constexpr double kLongest = 2.0;                                    // s: a longer piece tells hardly more than two
-constexpr size_t kFewestPoints = 12;                                // that a piece begins with
+constexpr double kStrideGrowth = 1.6;                               // the next stride after one that succeeded
+constexpr double kLongestSegment = 2.0;                             // s: a longer segment tells hardly more than two
+constexpr size_t kFewestPoints = 12;                                // that a segment begins with
 constexpr int kSteps = 8;                                           // of a fit, at most
-constexpr double kReach = 0.15;                                     // s, within which the next piece begins
+constexpr double kReach = 0.15;                                     // s, within which the next segment begins
 constexpr double kTrialLength = 4.0;                                // s, that a board to begin with has to explain
 constexpr std::array<double, 4> kTrialPlaces{0.0, 0.25, 0.5, 0.75}; // of the track
-constexpr int kMostClimbs = 2;                                      // along the whole track
+constexpr int kMostAttempts = 2;                                    // along the whole track
 constexpr size_t kWindow = 40;                                      // residuals that are judged together
-constexpr double kChance = 4.0;        // standard deviations by which noise may look larger than it is
-constexpr double kNoiseDoubt = 1.04;   // it is known to some percent
-constexpr double kForgotten = 10.0;    // by which deviations grow before all pieces are fitted once more
-constexpr int kGivenUp = 6;            // breaks, after which a model is no longer tried
-constexpr double kMatched = 3.0;       // times the noise, near a matched bounce
-constexpr double kNearMatch = 0.05;    // s
-constexpr double kNearBreak = 0.1;     // s
+constexpr double kMostDeviations = 4.0;    // standard deviations by which noise may look larger than it is
+constexpr double kNoiseUncertainty = 1.04; // it is known to some percent
+constexpr double kInflation = 10.0;        // by which deviations grow before all segments are fitted once more
+constexpr int kMostBreaks = 6;             // breaks, after which a model is no longer tried
+constexpr double kMatched = 3.0;           // times the noise, near a matched bounce
+constexpr double kNearMatch = 0.05;        // s
+constexpr double kNearBreak = 0.1;         // s
 constexpr double kAllowedBreaks = 0.1; // of bounces, at which a model may fail: one may be told from noise by luck only
 
 double rmsOf(const std::vector<double> &residuals, size_t from, size_t to) {
@@ -40,65 +40,65 @@ double rmsOf(const std::vector<double> &residuals, size_t from, size_t to) {
     return std::sqrt(squares / double(std::max<size_t>(to - from, 1)));
 }
 
-// One model along the track. A piece begins somewhere and grows, fitted anew each time, as long as its residuals are
+// One model along the track. A segment begins somewhere and grows, fitted anew each time, as long as its residuals are
 // noise: what was learned of the board so far tells the next moments well enough that a bounce isn't taken for another.
-// Where it can grow no more another piece begins, and what is known of the board is taken along.
-class Climb {
+// Where it can grow no more another segment begins, and what is known of the board is taken along.
+class SequentialFit {
 public:
-    Climb(const FitPlan &plan, const BallModel &model, const BoardGuess &begin, double noise,
-          const std::stop_token &stop)
+    SequentialFit(const FitPlan &plan, const BallModel &model, const BoardParameters &begin, double noise,
+                  const std::stop_token &stop)
         : m_model(model)
         , m_track(model.track())
         , m_board(begin)
         , m_noise(noise)
         , m_stop(stop) {
         for (const FitQuantity &quantity : plan.quantities)
-            if (begin.params.model == PHYS_MODEL_RIGID || !quantity.isOfRigid) m_quantities.push_back(quantity);
-        m_knowledge = weakKnowledge(m_quantities, begin);
+            if (begin.params.model == PHYS_MODEL_RIGID || !quantity.isRigidOnly) m_quantities.push_back(quantity);
+        m_estimate = weakPrior(m_quantities, begin);
     }
 
     // From one point to before another, until so many breaks.
     void run(size_t first, size_t end, int mostBreaks, const FitProgress &progress);
     void refine();
-    bool hasBegun() const { return !m_pieces.empty(); }
-    int breaks() const { return int(m_parted.size()); }
+    bool hasBegun() const { return !m_segments.empty(); }
+    int breaks() const { return int(m_diverged.size()); }
     size_t next() const { return m_next; }
     ModelFit result() const;
 
 private:
-    bool isNoise(const PieceFit &fit) const;
-    std::optional<PieceFit> fitted(const Piece &piece, const BoardGuess &board) const;
-    std::optional<PieceFit> begun(size_t first) const;
+    bool isNoise(const SegmentFit &fit) const;
+    std::optional<SegmentFit> fitted(const TrackSegment &segment, const BoardParameters &board) const;
+    std::optional<SegmentFit> started(size_t first) const;
     void close();
-    std::optional<PieceFit> grown(const PieceFit &fit);
+    std::optional<SegmentFit> grown(const SegmentFit &fit);
     double length(size_t first, size_t last) const { return m_track.points[last].time - m_track.points[first].time; }
     size_t pointAfter(size_t first, double time) const;
     FittedValue valueOf(size_t i, const ModelFit &fit) const;
     void addResiduals(ModelFit &fit) const;
     void matchBounces(ModelFit &fit) const;
-    bool endsAtWall(const Piece &piece) const;
+    bool endsAtWall(const TrackSegment &segment) const;
 
     const BallModel &m_model;
     const Track &m_track;
-    BoardGuess m_board;
+    BoardParameters m_board;
     double m_noise;
     const std::stop_token &m_stop;
     std::vector<FitQuantity> m_quantities;
-    BoardKnowledge m_knowledge;
-    std::vector<Piece> m_pieces;
-    std::optional<PieceFit> m_open; // that grows
-    double m_stride = 0.0;          // s, that it grows by
-    bool m_isParted = false;        // not even the next points are as computed
-    std::vector<Piece> m_parted;    // pieces at whose ends the computed ball and the measured one part
-    size_t m_next = 0;              // point that hasn't been looked at
+    BoardEstimate m_estimate;
+    std::vector<TrackSegment> m_segments;
+    std::optional<SegmentFit> m_growing;  // that grows
+    double m_stride = 0.0;                // s, that it grows by
+    bool m_hasDiverged = false;           // not even the next points are as computed
+    std::vector<TrackSegment> m_diverged; // segments at whose ends the computed ball and the measured one part
+    size_t m_next = 0;                    // point that hasn't been looked at
 };
 
 // As a whole and in every window: a bounce that isn't as measured shows in the latter.
-bool Climb::isNoise(const PieceFit &fit) const {
+bool SequentialFit::isNoise(const SegmentFit &fit) const {
     const size_t count = fit.residuals.size();
     const auto isNoiseIn = [&](size_t from, size_t to) {
-        const double chance = 1.0 + kChance / std::sqrt(2.0 * double(to - from));
-        return rmsOf(fit.residuals, from, to) < m_noise * kNoiseDoubt * chance;
+        const double chance = 1.0 + kMostDeviations / std::sqrt(2.0 * double(to - from));
+        return rmsOf(fit.residuals, from, to) < m_noise * kNoiseUncertainty * chance;
     };
     for (size_t from = 0; from < count; from += kWindow)
         if (!isNoiseIn(count > from + kWindow ? from : count - std::min(count, kWindow),
@@ -107,18 +107,18 @@ bool Climb::isNoise(const PieceFit &fit) const {
     return isNoiseIn(0, count);
 }
 
-std::optional<PieceFit> Climb::fitted(const Piece &piece, const BoardGuess &board) const {
-    std::optional<PieceFit> fit = fitPiece(m_model, m_quantities, m_knowledge, board, piece, m_noise, kSteps);
+std::optional<SegmentFit> SequentialFit::fitted(const TrackSegment &segment, const BoardParameters &board) const {
+    std::optional<SegmentFit> fit = fitSegment(m_model, m_quantities, m_estimate, board, segment, m_noise, kSteps);
     return fit && isNoise(*fit) ? fit : std::nullopt;
 }
 
-size_t Climb::pointAfter(size_t first, double time) const {
+size_t SequentialFit::pointAfter(size_t first, double time) const {
     size_t point = first;
     while (point + 1 < m_track.points.size() && length(first, point) < time) ++point;
     return point;
 }
 
-std::optional<PieceFit> Climb::begun(size_t first) const {
+std::optional<SegmentFit> SequentialFit::started(size_t first) const {
     const size_t last = std::max(pointAfter(first, kFirstLength), first + kFewestPoints);
     if (last >= m_track.points.size()) return std::nullopt;
     return fitted({first, last, startAt(m_track, m_board.frame, first), {}}, m_board);
@@ -127,23 +127,23 @@ std::optional<PieceFit> Climb::begun(size_t first) const {
 // By a stride that becomes longer as long as the ball is where it is expected, and shorter where it isn't. Edges drive
 // neighbouring ways apart, and there are many minima close together: where the points to come aren't predicted by those
 // before, it is better to begin anew. Nothing then, or where the ball parts from the measured one.
-std::optional<PieceFit> Climb::grown(const PieceFit &fit) {
-    const Piece &piece = fit.piece;
-    const bool isShort = piece.last - piece.first <= 3 * kFewestPoints;
+std::optional<SegmentFit> SequentialFit::grown(const SegmentFit &fit) {
+    const TrackSegment &segment = fit.segment;
+    const bool isShort = segment.last - segment.first <= 3 * kFewestPoints;
     for (; m_stride >= kShortestStride; m_stride *= 0.5) {
-        Piece longer = piece;
-        m_stride = std::min(m_stride, kLongest - length(piece.first, piece.last));
-        longer.last = pointAfter(piece.last, m_stride);
-        std::optional<PieceFit> more = fitted(longer, fit.board);
-        m_isParted = !more;
-        if (!more || !(isShort || isPredicted(m_model, m_quantities, m_knowledge, fit, *more, m_noise))) continue;
-        m_stride *= kLonger;
+        TrackSegment longer = segment;
+        m_stride = std::min(m_stride, kLongestSegment - length(segment.first, segment.last));
+        longer.last = pointAfter(segment.last, m_stride);
+        std::optional<SegmentFit> more = fitted(longer, fit.board);
+        m_hasDiverged = !more;
+        if (!more || !(isShort || isPredicted(m_model, m_quantities, m_estimate, fit, *more, m_noise))) continue;
+        m_stride *= kStrideGrowth;
         return more;
     }
     return std::nullopt;
 }
 
-void Climb::run(size_t first, size_t end, int mostBreaks, const FitProgress &progress) {
+void SequentialFit::run(size_t first, size_t end, int mostBreaks, const FitProgress &progress) {
     const size_t count = std::min(end, m_track.points.size());
     m_next = first;
     const auto tell = [&](size_t point) {
@@ -151,107 +151,110 @@ void Climb::run(size_t first, size_t end, int mostBreaks, const FitProgress &pro
     };
     while (m_next + kFewestPoints < count && breaks() < mostBreaks && !m_stop.stop_requested()) {
         tell(m_next);
-        m_open = begun(m_next);
-        if (!m_open) { // in a bounce, perhaps
+        m_growing = started(m_next);
+        if (!m_growing) { // in a bounce, perhaps
             m_next = std::max(m_next + 3, smoothestAfter(m_track, m_next + 1, kReach));
             continue;
         }
-        m_stride = std::max(m_stride, kFirstStride); // as long as in the piece before
-        m_isParted = false;
-        while (m_open->piece.last + 1 < count && length(m_open->piece.first, m_open->piece.last) < kLongest &&
+        m_stride = std::max(m_stride, kFirstStride); // as long as in the segment before
+        m_hasDiverged = false;
+        while (m_growing->segment.last + 1 < count &&
+               length(m_growing->segment.first, m_growing->segment.last) < kLongestSegment &&
                !m_stop.stop_requested()) {
-            std::optional<PieceFit> more = grown(*m_open);
+            std::optional<SegmentFit> more = grown(*m_growing);
             if (!more) break;
-            m_open = std::move(more);
-            tell(m_open->piece.last);
+            m_growing = std::move(more);
+            tell(m_growing->segment.last);
         }
         close();
     }
 }
 
-void Climb::close() {
-    if (m_isParted) m_parted.push_back(m_open->piece);
-    m_board = m_open->board;
-    m_knowledge = m_open->knowledge;
-    m_pieces.push_back(m_open->piece);
-    m_next = m_open->piece.last + 1;
+void SequentialFit::close() {
+    if (m_hasDiverged) m_diverged.push_back(m_growing->segment);
+    m_board = m_growing->board;
+    m_estimate = m_growing->estimate;
+    m_segments.push_back(m_growing->segment);
+    m_next = m_growing->segment.last + 1;
     if (m_next + kFewestPoints < m_track.points.size()) m_next = smoothestAfter(m_track, m_next, kReach);
 }
 
-// The first pieces were fitted when little was known of the board: all once more, from what is known now but held for
+// The first segments were fitted when little was known of the board: all once more, from what is known now but held for
 // much less certain, so that it counts for next to nothing beside them.
-void Climb::refine() {
-    std::sort(m_pieces.begin(), m_pieces.end(), [](const Piece &a, const Piece &b) { return a.first < b.first; });
-    for (std::vector<double> &row : m_knowledge.covariance)
-        for (double &number : row) number *= kForgotten * kForgotten;
-    for (Piece &piece : m_pieces) {
-        const std::optional<PieceFit> fit = fitted(piece, m_board);
+void SequentialFit::refine() {
+    std::sort(m_segments.begin(), m_segments.end(),
+              [](const TrackSegment &a, const TrackSegment &b) { return a.first < b.first; });
+    for (std::vector<double> &row : m_estimate.covariance)
+        for (double &number : row) number *= kInflation * kInflation;
+    for (TrackSegment &segment : m_segments) {
+        const std::optional<SegmentFit> fit = fitted(segment, m_board);
         if (!fit) continue; // it tells nothing
-        piece = fit->piece;
-        m_knowledge = fit->knowledge;
+        segment = fit->segment;
+        m_estimate = fit->estimate;
         m_board = fit->board;
     }
 }
 
-ModelFit Climb::result() const {
+ModelFit SequentialFit::result() const {
     ModelFit fit;
     fit.model = m_board.params.model;
     fit.board = m_board;
-    fit.pieces = m_pieces;
+    fit.segments = m_segments;
     fit.breaks = breaks();
-    fit.breaksAtWalls =
-        int(std::count_if(m_parted.begin(), m_parted.end(), [&](const Piece &piece) { return endsAtWall(piece); }));
+    fit.breaksAtWalls = int(std::count_if(m_diverged.begin(), m_diverged.end(),
+                                          [&](const TrackSegment &segment) { return endsAtWall(segment); }));
     addResiduals(fit);
     matchBounces(fit);
     const double allowed = std::max(1.0, kAllowedBreaks * double(fit.bounces.size()));
-    fit.isGood = !m_pieces.empty() && breaks() <= allowed;
+    fit.isGood = !m_segments.empty() && breaks() <= allowed;
     for (size_t i = 0; i < m_quantities.size(); ++i) fit.values.push_back(valueOf(i, fit));
     for (size_t i = 0; i < m_quantities.size(); ++i) {
         fit.correlations.emplace_back();
         for (size_t j = 0; j < m_quantities.size(); ++j)
-            fit.correlations[i].push_back(m_knowledge.covariance[i][j] /
-                                          (m_knowledge.deviation(i) * m_knowledge.deviation(j)));
+            fit.correlations[i].push_back(m_estimate.covariance[i][j] /
+                                          (m_estimate.deviation(i) * m_estimate.deviation(j)));
     }
     return fit;
 }
 
-FittedValue Climb::valueOf(size_t i, const ModelFit &fit) const {
+FittedValue SequentialFit::valueOf(size_t i, const ModelFit &fit) const {
     const FitQuantity &quantity = m_quantities[i];
-    FittedValue value{quantity, m_knowledge.mean[i], m_knowledge.deviation(i), {}};
+    FittedValue value{quantity, m_estimate.mean[i], m_estimate.deviation(i), {}};
     const bool isOfWall =
         quantity.id == QLatin1String("restitution_wall") || quantity.id == QLatin1String("wall_friction");
     if (isOfWall && !fit.bouncesOff(Surface::Wall))
         value.reason = QStringLiteral("no wall is hit");
     else if (quantity.id == QLatin1String("restitution_floor") && !fit.bouncesOff(Surface::Floor))
         value.reason = QStringLiteral("no bounce on the floor");
-    else if (value.deviation > 0.5 * quantity.doubt)
+    else if (value.deviation > 0.5 * quantity.priorDeviation)
         value.reason = quantity.id == QLatin1String("delay") ? QStringLiteral("the tilt doesn't change")
                                                              : QStringLiteral("the track hardly feels it");
     return value;
 }
 
-// With the board as it is known at the end, every piece from the start that suits it best.
-void Climb::addResiduals(ModelFit &fit) const {
+// With the board as it is known at the end, every segment from the start that suits it best.
+void SequentialFit::addResiduals(ModelFit &fit) const {
     std::vector<TrackPoint> computed;
     std::vector<TrackBounce> bounces;
-    for (Piece &piece : fit.pieces) {
-        if (fit.pieces.size() > 1)
-            if (const auto again = fitPiece(m_model, {}, {}, fit.board, piece, m_noise, kSteps)) piece = again->piece;
-        m_model.run(fit.board, piece.start, piece.first, piece.last, computed, &bounces);
+    for (TrackSegment &segment : fit.segments) {
+        if (fit.segments.size() > 1)
+            if (const auto again = fitSegment(m_model, {}, {}, fit.board, segment, m_noise, kSteps))
+                segment = again->segment;
+        m_model.run(fit.board, segment.start, segment.first, segment.last, computed, &bounces);
         for (size_t i = 0; i < computed.size(); ++i)
-            fit.residuals.push_back({m_track.points[piece.first + i], computed[i]});
+            fit.residuals.push_back({m_track.points[segment.first + i], computed[i]});
     }
     for (const TrackBounce &bounce : bounces)
         if (bounce.speed >= kCountedImpact) fit.bounces.push_back({bounce});
 }
 
-// Whether the computed ball bounces off a wall about where the piece ends: after that the measured one goes another
+// Whether the computed ball bounces off a wall about where the segment ends: after that the measured one goes another
 // way.
-bool Climb::endsAtWall(const Piece &piece) const {
+bool SequentialFit::endsAtWall(const TrackSegment &segment) const {
     std::vector<TrackPoint> computed;
     std::vector<TrackBounce> bounces;
-    m_model.run(m_board, piece.start, piece.first, pointAfter(piece.last, kNearBreak), computed, &bounces);
-    const double begin = m_track.points[piece.last].time - kNearBreak;
+    m_model.run(m_board, segment.start, segment.first, pointAfter(segment.last, kNearBreak), computed, &bounces);
+    const double begin = m_track.points[segment.last].time - kNearBreak;
     return std::any_of(bounces.begin(), bounces.end(), [&](const TrackBounce &bounce) {
         return bounce.surface == Surface::Wall && bounce.time >= begin && bounce.speed >= kCountedImpact;
     });
@@ -271,7 +274,7 @@ double rmsAt(const std::vector<FitResidual> &residuals, Wanted isWanted) {
     return count > 0 ? std::sqrt(squares / count) : 0.0;
 }
 
-void Climb::matchBounces(ModelFit &fit) const {
+void SequentialFit::matchBounces(ModelFit &fit) const {
     for (FittedBounce &bounce : fit.bounces)
         bounce.isMatched = rmsAt(fit.residuals, [&](double time) {
                                return std::abs(time - bounce.time) <= kNearMatch;
@@ -287,48 +290,48 @@ void Climb::matchBounces(ModelFit &fit) const {
 }
 
 // Where it is set, and with each other guess of a quantity in turn.
-std::vector<BoardGuess> guessesOf(const FitPlan &plan, const BoardGuess &begin) {
-    std::vector<BoardGuess> guesses{begin};
+std::vector<BoardParameters> initialBoards(const FitPlan &plan, const BoardParameters &begin) {
+    std::vector<BoardParameters> initialGuesses{begin};
     for (const FitQuantity &quantity : plan.quantities) {
-        BoardGuess board = begin;
-        for (const double guess : quantity.guesses) {
+        BoardParameters board = begin;
+        for (const double guess : quantity.initialGuesses) {
             if (guess == quantity.of(board)) continue;
-            guesses.push_back(begin);
-            quantity.of(guesses.back()) = guess;
+            initialGuesses.push_back(begin);
+            quantity.of(initialGuesses.back()) = guess;
         }
     }
-    return guesses;
+    return initialGuesses;
 }
 
-// From several places of the track and several guesses a model is tried a little way. Where it comes through it goes
-// on, to the end and then along what comes before; of several such climbs the first that explains the track counts, or
-// the one that gets farthest before it is given up.
-ModelFit fitModel(const FitPlan &plan, const BallModel &model, const BoardGuess &begin, double noise,
+// From several places of the track and several initialGuesses a model is tried a little way. Where it comes through it
+// goes on, to the end and then along what comes before; of several such attempts the first that explains the track
+// counts, or the one that gets farthest before it is given up.
+ModelFit fitModel(const FitPlan &plan, const BallModel &model, const BoardParameters &begin, double noise,
                   const FitProgress &progress, const std::stop_token &stop) {
     std::optional<ModelFit> best;
-    const auto finish = [&](Climb &climb) {
-        climb.refine();
-        ModelFit fit = climb.result();
+    const auto finish = [&](SequentialFit &attempt) {
+        attempt.refine();
+        ModelFit fit = attempt.result();
         if (!best || fit.isGood || fit.residuals.size() > best->residuals.size()) best = std::move(fit);
     };
     const size_t count = plan.track.points.size();
-    int climbs = 0;
-    for (const BoardGuess &guess : guessesOf(plan, begin)) {
+    int attempts = 0;
+    for (const BoardParameters &guess : initialBoards(plan, begin)) {
         for (const double share : kTrialPlaces) {
-            if (stop.stop_requested() || (best && best->isGood) || climbs == kMostClimbs) break;
+            if (stop.stop_requested() || (best && best->isGood) || attempts == kMostAttempts) break;
             const auto from = size_t(share * double(count));
-            Climb climb(plan, model, guess, noise, stop);
-            climb.run(from, from + size_t(kTrialLength / plan.track.period()), 1, {});
-            if (!climb.hasBegun() || climb.breaks() > 0) continue;
-            climb.run(climb.next(), count, kGivenUp, progress);
-            climb.run(0, from, kGivenUp, progress);
-            finish(climb);
-            ++climbs;
+            SequentialFit attempt(plan, model, guess, noise, stop);
+            attempt.run(from, from + size_t(kTrialLength / plan.track.period()), 1, {});
+            if (!attempt.hasBegun() || attempt.breaks() > 0) continue;
+            attempt.run(attempt.next(), count, kMostBreaks, progress);
+            attempt.run(0, from, kMostBreaks, progress);
+            finish(attempt);
+            ++attempts;
         }
     }
     if (best && best->isGood) return *best;
-    Climb last(plan, model, begin, noise, stop);
-    last.run(0, count, kGivenUp, progress);
+    SequentialFit last(plan, model, begin, noise, stop);
+    last.run(0, count, kMostBreaks, progress);
     finish(last);
     return *best;
 }
@@ -361,7 +364,7 @@ std::optional<TrackFit> fitTrack(const FitPlan &plan, const FitProgress &progres
     result.noise = std::max(noiseOf(plan.track), kLeastNoise);
     std::vector<uint32_t> models{PHYS_MODEL_ROLLING, PHYS_MODEL_RIGID};
     if (plan.model) models = {*plan.model};
-    BoardGuess begin = plan.begin;
+    BoardParameters begin = plan.begin;
     for (const uint32_t kind : models) {
         if (!result.fits.empty() && result.fits.back().isGood) break;
         begin.params.model = kind;

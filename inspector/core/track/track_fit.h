@@ -2,7 +2,7 @@
 // The board on which the computed ball rolls like a measured one.
 #pragma once
 
-#include "core/track/piece_fit.h"
+#include "core/track/segment_fit.h"
 
 #include <functional>
 #include <optional>
@@ -14,7 +14,7 @@ struct FitPlan {
     Registry registry;
     Scene scene;
     Track track;
-    BoardGuess begin; // what isn't looked for stays as it is here
+    BoardParameters begin; // what isn't looked for stays as it is here
     std::vector<FitQuantity> quantities;
     // Only this model; otherwise the rolling one, and the rigid one if that doesn't fit.
     std::optional<uint32_t> model;
@@ -42,10 +42,10 @@ struct FittedBounce : TrackBounce {
 
 struct ModelFit {
     uint32_t model;
-    BoardGuess board;
-    std::vector<Piece> pieces; // one if the whole track is described at once
-    int breaks = 0;            // moments at which the computed ball and the measured one part
-    int breaksAtWalls = 0;     // of these, those with a bounce off one
+    BoardParameters board;
+    std::vector<TrackSegment> segments; // one if the whole track is described at once
+    int breaks = 0;                     // moments at which the computed ball and the measured one part
+    int breaksAtWalls = 0;              // of these, those with a bounce off one
     std::vector<FittedValue> values;
     std::vector<std::vector<double>> correlations; // between values
     double rms = 0.0;                              // m

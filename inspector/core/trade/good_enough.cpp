@@ -34,26 +34,26 @@ std::optional<double> errorOfSetting(const TradePlan &plan, const TradePoint &po
     return note.isEmpty() ? std::optional(error.positionLargest) : std::nullopt;
 }
 
-Rehearsals::Rehearsals(const TradePlan &plan, const std::stop_token &stop)
+ValidationSchedules::ValidationSchedules(const TradePlan &plan, const std::stop_token &stop)
     : m_plan(plan)
     , m_stop(stop) {}
 
-const Rehearsals::Rehearsal &Rehearsals::prepared(int rehearsal) {
-    while (int(m_rehearsals.size()) <= rehearsal) {
-        const TiltSchedule schedule = randomSchedule(kFirstSeed + m_rehearsals.size(), m_plan.horizon);
-        Rehearsal next;
+const ValidationSchedules::Validation &ValidationSchedules::prepared(int validation) {
+    while (int(m_validations.size()) <= validation) {
+        const TiltSchedule schedule = randomSchedule(kFirstSeed + m_validations.size(), m_plan.horizon);
+        Validation next;
         next.reference =
             TradeReference::run(m_plan.registry, m_plan.scene, paramsFor(m_plan, m_plan.inputs.params.model),
                                 segmentsOf(schedule, m_plan.inputs.gravity), nullptr);
         const BandPlan band{m_plan.registry, m_plan.scene, m_plan.inputs, m_plan.unknowns, kBalls, m_plan.horizon};
-        if (next.reference) next.band = ignoranceBand(band, *next.reference, m_stop).middleAt(m_plan.horizon);
-        m_rehearsals.push_back(std::move(next));
+        if (next.reference) next.band = uncertaintyBand(band, *next.reference, m_stop).middleAt(m_plan.horizon);
+        m_validations.push_back(std::move(next));
     }
-    return m_rehearsals[size_t(rehearsal)];
+    return m_validations[size_t(validation)];
 }
 
-std::optional<double> Rehearsals::shareOf(const TradePoint &point, int rehearsal) {
-    const Rehearsal &with = prepared(rehearsal);
+std::optional<double> ValidationSchedules::shareOf(const TradePoint &point, int validation) {
+    const Validation &with = prepared(validation);
     if (!with.reference || !(with.band > 0.0)) return 0.0;
     const std::optional<double> error = errorOfSetting(m_plan, point, *with.reference, m_plan.horizon, m_stop);
     return error ? std::optional(*error / with.band) : std::nullopt;
@@ -70,17 +70,18 @@ double shareOnSchedules(const TradePlan &plan, const TradeResult &result, const 
     return largest;
 }
 
-std::optional<GoodEnough> cheapestGoodEnough(const TradePlan &plan, const TradeResult &result, Rehearsals &rehearsals) {
+std::optional<GoodEnough> cheapestGoodEnough(const TradePlan &plan, const TradeResult &result,
+                                             ValidationSchedules &validations) {
     for (const size_t index : candidates(plan, result)) {
         const TradePoint &point = result.points[index];
         double largest = shareOnSchedules(plan, result, point);
         bool isGood = largest < plan.share;
-        for (int i = 0; isGood && i < rehearsals.count(); ++i) {
-            const std::optional<double> share = rehearsals.shareOf(point, i);
+        for (int i = 0; isGood && i < validations.count(); ++i) {
+            const std::optional<double> share = validations.shareOf(point, i);
             isGood = share && *share < plan.share;
             largest = std::max(largest, share.value_or(0.0));
         }
-        if (isGood) return GoodEnough{index, largest, rehearsals.count()};
+        if (isGood) return GoodEnough{index, largest, validations.count()};
     }
     return std::nullopt;
 }

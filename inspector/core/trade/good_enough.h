@@ -10,26 +10,26 @@ namespace inspector {
 // Schedules besides the plan's on which a setting has to be good enough, too: one that is right on a few may be so by
 // luck, because whether a stepper hits an edge that the exact ball clears is a matter of hundredths of a radius.
 // Made when first asked for.
-class Rehearsals {
+class ValidationSchedules {
 public:
     // Both outlive this.
-    Rehearsals(const TradePlan &plan, const std::stop_token &stop);
+    ValidationSchedules(const TradePlan &plan, const std::stop_token &stop);
 
-    int count() const { return m_plan.rehearsals; }
+    int count() const { return m_plan.validations; }
     // The error of a setting up to the plan's horizon, as a share of the band's middle there. Nothing if its run fails;
     // 0 where "exact" can't do the schedule: that doesn't speak against a setting.
-    std::optional<double> shareOf(const TradePoint &point, int rehearsal);
+    std::optional<double> shareOf(const TradePoint &point, int validation);
 
 private:
-    struct Rehearsal {
+    struct Validation {
         std::optional<TradeReference> reference;
         double band = 0.0; // radii
     };
-    const Rehearsal &prepared(int rehearsal);
+    const Validation &prepared(int validation);
 
     const TradePlan &m_plan;
     const std::stop_token &m_stop;
-    std::vector<Rehearsal> m_rehearsals;
+    std::vector<Validation> m_validations;
 };
 
 // What a setting is wrong by up to the plan's horizon as a share of what isn't known, on the worst of the plan's
@@ -37,7 +37,8 @@ private:
 double shareOnSchedules(const TradePlan &plan, const TradeResult &result, const TradePoint &point);
 
 // Among valid points of the plan's model. Nothing if there is none.
-std::optional<GoodEnough> cheapestGoodEnough(const TradePlan &plan, const TradeResult &result, Rehearsals &rehearsals);
+std::optional<GoodEnough> cheapestGoodEnough(const TradePlan &plan, const TradeResult &result,
+                                             ValidationSchedules &validations);
 
 // The error of one setting against a reference up to a time, radii; nothing if its run fails.
 std::optional<double> errorOfSetting(const TradePlan &plan, const TradePoint &point, const TradeReference &reference,

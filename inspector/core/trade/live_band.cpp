@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trade/live_band.h"
 
-#include "core/trade/drawn_balls.h"
+#include "core/trade/ball_ensemble.h"
 
 #include <chrono>
 #include <cmath>
@@ -18,9 +18,9 @@ constexpr double kLongestStep = 0.05; // s, of "exact", so that a band is smooth
 constexpr Clock::duration kShown = std::chrono::milliseconds(50);
 
 // The board as it is set, and then those that it may really be.
-std::vector<Draw> boardsOf(const Unknowns &unknowns, const Inputs &inputs) {
-    std::vector<Draw> boards = drawBoards(unknowns, inputs, LiveBand::kBalls, kBandSeed);
-    boards.insert(boards.begin(), Draw{inputs.params, inputs.gravity, {}, {}});
+std::vector<SampledBoard> boardsOf(const Unknowns &unknowns, const Inputs &inputs) {
+    std::vector<SampledBoard> boards = sampleBoards(unknowns, inputs, LiveBand::kBalls, kBandSeed);
+    boards.insert(boards.begin(), SampledBoard{inputs.params, inputs.gravity, {}, {}});
     return boards;
 }
 
@@ -39,7 +39,7 @@ struct LiveBand::Work {
     Start start;
     uint64_t number;
     double radius = phys_scene_radius(start.scene.get());
-    std::optional<DrawnBalls> balls{};
+    std::optional<BallEnsemble> balls{};
     Inputs inputs{};
     double time = start.state.time;
     Band band{};
@@ -49,7 +49,7 @@ struct LiveBand::Work {
     void take(const Stepper &stepper, const Inputs &now) {
         if (balls && isSameBoard(inputs, now)) return;
         inputs = now;
-        const std::vector<Draw> boards = boardsOf(start.unknowns, now);
+        const std::vector<SampledBoard> boards = boardsOf(start.unknowns, now);
         if (balls) return balls->setBoards(boards);
         balls.emplace(stepper, start.scene, boards, start.state);
         note();
@@ -62,11 +62,11 @@ struct LiveBand::Work {
         appendQuantiles(band, time, std::move(distances), radius);
     }
 
-    void step(const Piece &piece) {
-        const double count = std::ceil(piece.length / kLongestStep);
+    void step(const Segment &segment) {
+        const double count = std::ceil(segment.length / kLongestStep);
         for (int i = 0; i < int(count); ++i) {
-            balls->step(piece.inputs.tilt, piece.length / count, 1);
-            time += piece.length / count;
+            balls->step(segment.inputs.tilt, segment.length / count, 1);
+            time += segment.length / count;
             if (band.isEmpty() || time >= band.times.back() + kInterval) note();
         }
     }
@@ -86,16 +86,16 @@ void LiveBand::begin(Start start) {
         const std::lock_guard lock(m_mutex);
         m_start = std::move(start);
         ++m_number;
-        m_pieces.clear();
+        m_segments.clear();
         m_band.reset();
     }
     m_wake.notify_one();
 }
 
-void LiveBand::goOn(const std::vector<Piece> &pieces) {
+void LiveBand::goOn(const std::vector<Segment> &segments) {
     {
         const std::lock_guard lock(m_mutex);
-        m_pieces.insert(m_pieces.end(), pieces.begin(), pieces.end());
+        m_segments.insert(m_segments.end(), segments.begin(), segments.end());
     }
     m_wake.notify_one();
 }
@@ -104,7 +104,7 @@ void LiveBand::end() {
     const std::lock_guard lock(m_mutex);
     m_start.reset();
     ++m_number;
-    m_pieces.clear();
+    m_segments.clear();
     m_band.reset();
 }
 
@@ -112,7 +112,7 @@ void LiveBand::finish() {
     std::unique_lock lock(m_mutex);
     m_hurries = true;
     m_wake.notify_one();
-    m_idle.wait(lock, [this] { return !m_start || (m_pieces.empty() && !m_isBusy); });
+    m_idle.wait(lock, [this] { return !m_start || (m_segments.empty() && !m_isBusy); });
     m_hurries = false;
 }
 
@@ -133,7 +133,7 @@ void LiveBand::work(const std::stop_token &stop) {
     while (!stop.stop_requested()) {
         {
             std::unique_lock lock(m_mutex);
-            m_wake.wait(lock, stop, [this] { return m_start && !m_pieces.empty(); });
+            m_wake.wait(lock, stop, [this] { return m_start && !m_segments.empty(); });
             if (!m_start) continue;
             if (!now || now->number != m_number) now.emplace(Work{*m_start, m_number});
             m_isBusy = true;
@@ -150,23 +150,24 @@ void LiveBand::work(const std::stop_token &stop) {
 
 // What waits, or some of it: then the rest is for the next time.
 void LiveBand::compute(Work &work, const std::stop_token &stop) {
-    std::vector<Piece> pieces;
+    std::vector<Segment> segments;
     {
         const std::lock_guard lock(m_mutex);
-        if (work.number == m_number) pieces.swap(m_pieces);
+        if (work.number == m_number) segments.swap(m_segments);
     }
     const Stepper stepper = work.balls ? Stepper() : makeStepper(m_registry, "exact", work.start.scene, nullptr);
     if (!work.balls && !stepper) return;
     const Clock::time_point end = Clock::now() + kShown;
     size_t done = 0;
-    for (; done < pieces.size() && !stop.stop_requested() && !work.isOver() && Clock::now() < end; ++done) {
-        work.take(stepper, pieces[done].inputs);
-        work.step(pieces[done]);
+    for (; done < segments.size() && !stop.stop_requested() && !work.isOver() && Clock::now() < end; ++done) {
+        work.take(stepper, segments[done].inputs);
+        work.step(segments[done]);
     }
     if (done > 0) publish(work.number, work.band);
     if (work.isOver()) return;
     const std::lock_guard lock(m_mutex);
-    if (work.number == m_number) m_pieces.insert(m_pieces.begin(), pieces.begin() + ptrdiff_t(done), pieces.end());
+    if (work.number == m_number)
+        m_segments.insert(m_segments.begin(), segments.begin() + ptrdiff_t(done), segments.end());
 }
 
 } // namespace inspector

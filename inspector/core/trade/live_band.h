@@ -3,7 +3,7 @@
 // under the tilts that the run has had, on a thread of its own.
 #pragma once
 
-#include "core/trade/ignorance.h"
+#include "core/trade/uncertainty_band.h"
 
 #include <condition_variable>
 #include <memory>
@@ -26,7 +26,7 @@ public:
         Unknowns unknowns;
     };
     // What happened next: so long under these inputs.
-    struct Piece {
+    struct Segment {
         Inputs inputs;
         double length; // s, > 0
     };
@@ -36,7 +36,7 @@ public:
 
     // Both return at once. An earlier band is forgotten.
     void begin(Start start);
-    void goOn(const std::vector<Piece> &pieces);
+    void goOn(const std::vector<Segment> &segments);
     void end(); // no band any more
     // Waits until all that happened is computed, without rests.
     void finish();
@@ -57,7 +57,7 @@ private:
     std::condition_variable m_idle;
     std::optional<Start> m_start;
     uint64_t m_number = 0; // of the band asked for
-    std::vector<Piece> m_pieces;
+    std::vector<Segment> m_segments;
     std::shared_ptr<const Band> m_band;
     bool m_isBusy = false;
     bool m_hurries = false;

@@ -88,14 +88,14 @@ public:
     TradeResult takeResult() { return std::move(m_result); }
 
 private:
-    using Lanes = std::vector<ReferenceMotion>; // by schedule
+    using Motions = std::vector<ReferenceMotion>; // by schedule
 
     bool makeReference(size_t schedule, uint32_t model, QString *error);
     TradeSpan spanOf(const TradeReference &reference, uint32_t model) const;
     std::vector<size_t> order() const;
-    Lanes lanesOf(const TradePoint &point) const;
+    Motions motionsOf(const TradePoint &point) const;
     void compareAll();
-    void compare(TradePoint &point, const Lanes &lanes);
+    void compare(TradePoint &point, const Motions &motions);
     std::optional<double> modelErrorOf(size_t schedule, uint32_t model) const;
     void timeAll();
     void time(size_t index);
@@ -161,7 +161,7 @@ TradeSpan Measurement::spanOf(const TradeReference &reference, uint32_t model) c
     span.knowable = reference.roundingHorizon(m_stop);
     if (model != m_plan.inputs.params.model) return span;
     const BandPlan band{m_plan.registry, m_plan.scene, m_plan.inputs, m_plan.unknowns, kBandBalls, span.end};
-    span.band = ignoranceBand(band, reference, m_stop);
+    span.band = uncertaintyBand(band, reference, m_stop);
     return span;
 }
 
@@ -208,36 +208,36 @@ std::vector<size_t> Measurement::order() const {
     return indices;
 }
 
-Measurement::Lanes Measurement::lanesOf(const TradePoint &point) const {
-    Lanes lanes;
+Measurement::Motions Measurement::motionsOf(const TradePoint &point) const {
+    Motions motions;
     for (size_t i = 0; i < m_courses.size(); ++i)
-        lanes.push_back(
+        motions.push_back(
             motionOf(*m_courses[i].references[point.model], point.dt, m_result.spans[i][point.model].compared));
-    return lanes;
+    return motions;
 }
 
 void Measurement::compareAll() {
     const TradePoint *previous = nullptr;
-    Lanes lanes;
+    Motions motions;
     for (const size_t index : order()) {
         TradePoint &point = m_result.points[index];
         if (m_stop.stop_requested()) return;
         if (!m_refusals[point.model].isEmpty()) continue;
         tell(index, "error of");
-        if (!previous || previous->dt != point.dt || previous->model != point.model) lanes = lanesOf(point);
+        if (!previous || previous->dt != point.dt || previous->model != point.model) motions = motionsOf(point);
         previous = &point;
-        compare(point, lanes);
+        compare(point, motions);
         time(index);
     }
 }
 
-void Measurement::compare(TradePoint &point, const Lanes &lanes) {
-    for (size_t i = 0; i < lanes.size(); ++i) {
+void Measurement::compare(TradePoint &point, const Motions &motions) {
+    for (size_t i = 0; i < motions.size(); ++i) {
         QString note;
-        point.errors.push_back(compareRun(runOf(m_plan, point), lanes[i], m_stop, &note));
+        point.errors.push_back(compareRun(runOf(m_plan, point), motions[i], m_stop, &note));
         point.errors.back().model = modelErrorOf(i, point.model);
         if (point.note.isEmpty()) point.note = note;
-        for (const Leg &leg : lanes[i].legs) point.steps += leg.steps;
+        for (const Leg &leg : motions[i].legs) point.steps += leg.steps;
     }
     point.error = worstOf(point.errors);
     point.isValid = point.note.isEmpty() && !m_stop.stop_requested();
@@ -290,8 +290,8 @@ std::optional<double> Measurement::timed(const TradePoint &point) const {
 void Measurement::chooseGoodEnough() {
     if (m_stop.stop_requested() || !m_refusals[m_plan.inputs.params.model].isEmpty()) return;
     if (m_listener.progressed) m_listener.progressed(1.0, QStringLiteral("rehearsing"));
-    Rehearsals rehearsals(m_plan, m_stop);
-    m_result.goodEnough = cheapestGoodEnough(m_plan, m_result, rehearsals);
+    ValidationSchedules validations(m_plan, m_stop);
+    m_result.goodEnough = cheapestGoodEnough(m_plan, m_result, validations);
 }
 
 void Measurement::tell(size_t index, const char *what) {

@@ -5,7 +5,7 @@
 
 #include "core/setup/handles.h"
 #include "core/setup/numbers.h"
-#include "core/trade/ignorance.h"
+#include "core/trade/uncertainty_band.h"
 
 #include <array>
 #include <functional>
@@ -27,7 +27,7 @@ struct TradePlan {
     Unknowns unknowns;    // none: no band, and no setting is good enough for what is known
     double horizon = 1.0; // s that such a setting looks ahead
     double share = 0.25;  // of the band's middle, that its error stays below
-    int rehearsals = 0;   // further schedules on which it has to
+    int validations = 0;  // further schedules on which it has to
 };
 
 // CPU time of the thread, s.
@@ -88,9 +88,9 @@ struct TradeSpan {
 // The cheapest setting whose error stays below the plan's share of what isn't known, on every schedule that was looked
 // at.
 struct GoodEnough {
-    size_t point;   // its index
-    double largest; // of these shares
-    int rehearsals; // schedules that it was seen on besides the plan's
+    size_t point;    // its index
+    double largest;  // of these shares
+    int validations; // schedules that it was seen on besides the plan's
 };
 
 struct TradeResult {

@@ -15,7 +15,7 @@ namespace {
 
 // A setting that fails on none of so many fails on at most 3 in 200 others, with 95 % confidence (the rule of three):
 // fewer than the 1 in 20 that a reader of "good enough" may accept, also after some settings were tried in turn.
-constexpr int kRehearsals = 200;
+constexpr int kValidations = 200;
 
 TiltSchedule makeSchedule(const QString &words, const TradePlan &plan, double duration, QString *error) {
     const QString random = QStringLiteral("random:");
@@ -68,7 +68,7 @@ bool makeSchedules(const QString &words, double duration, TradePlan &plan, QStri
     // A schedule of one's own is the one that matters; of a kind there are others.
     const bool isFile = !isBoth && words != QLatin1String("autopilot") && words != QLatin1String("busy") &&
                         !words.startsWith(QLatin1String("random:"));
-    plan.rehearsals = plan.unknowns.empty() || isFile ? 0 : kRehearsals;
+    plan.validations = plan.unknowns.empty() || isFile ? 0 : kValidations;
     return true;
 }
 

@@ -35,8 +35,8 @@ std::optional<Length> parseLength(const QString &text);
 // ones. Empty if one of them is wrong.
 std::vector<double> parseStepSizes(const QString &text);
 
-// What the words name, into the plan's schedules, with so many rehearsals as its answer needs: "autopilot" (which meets
-// hardly a wall), "busy" (random tilts that lead to many), "both" of these (without a way out the second alone),
+// What the words name, into the plan's schedules, with so many validations as its answer needs: "autopilot" (which
+// meets hardly a wall), "busy" (random tilts that lead to many), "both" of these (without a way out the second alone),
 // "random:SEED", or a file. The plan's other members come first. False and one line in `error` if it can't be had.
 bool makeSchedules(const QString &words, double duration, TradePlan &plan, QString *error);
 

@@ -31,10 +31,10 @@ double angleBetween(const double (&a)[4], const double (&b)[4]) {
     return 4.0 * std::asin(std::min(1.0, 0.5 * std::sqrt(std::min(minus, plus))));
 }
 
-// A ball under the stepper to be judged, with what it reports.
-class Judged {
+// A ball under the stepper to be tested, with what it reports.
+class TestedBall {
 public:
-    explicit Judged(const TradeRun &run, QString *note)
+    explicit TestedBall(const TradeRun &run, QString *note)
         : m_stepper(makeStepper(run.registry, run.stepper, run.scene, note))
         , m_params(run.params)
         , m_radius(phys_scene_radius(run.scene.get())) {
@@ -120,16 +120,16 @@ ReferenceMotion motionOf(const TradeReference &reference, double dt, double unti
 }
 
 TradeError compareRun(const TradeRun &run, const ReferenceMotion &motion, const std::stop_token &stop, QString *note) {
-    Judged judged(run, note);
-    if (!judged.isReady()) return {};
+    TestedBall tested(run, note);
+    if (!tested.isReady()) return {};
     for (size_t i = 0; i < motion.states.size() && !stop.stop_requested(); ++i) {
         const Leg &leg = motion.legs[i];
         if (leg.end > motion.until * (1.0 + 1e-12)) break;
-        if (!judged.advance(leg, motion.segments[leg.segment].gravity, note)) break;
-        judged.compare(leg.end, motion.states[i]);
+        if (!tested.advance(leg, motion.segments[leg.segment].gravity, note)) break;
+        tested.compare(leg.end, motion.states[i]);
     }
-    TradeError error = judged.takeError();
-    error.wrongImpacts = wrongImpacts(motion.impacts, judged.impacts());
+    TradeError error = tested.takeError();
+    error.wrongImpacts = wrongImpacts(motion.impacts, tested.impacts());
     return error;
 }
 

@@ -17,13 +17,13 @@ namespace inspector {
 
 namespace {
 
-// A quantity that can be unknown: how its amount is read, and how a draw is changed by a deviation from what is set.
+// A quantity that can be unknown: how its amount is read, and how a board is changed by a deviation from what is set.
 struct Quantity {
     QString id;
     QString unit;  // of people
     double scale;  // from it to Unknown::amount
     bool hasShare; // has a value to take a percentage of
-    std::function<void(Draw &, const Inputs &, const Unknown &, const std::function<double()> &)> vary;
+    std::function<void(SampledBoard &, const Inputs &, const Unknown &, const std::function<double()> &)> vary;
 };
 
 double clamped(double value, const phys_param_row &row) { return std::clamp(value, row.min, row.max); }
@@ -33,37 +33,38 @@ double deviation(const Unknown &unknown, double value) {
 }
 
 Quantity quantityOf(const phys_param_row &row) {
-    return {QString::fromUtf8(row.id), QString::fromUtf8(row.unit), 1.0, true,
-            [&row](Draw &draw, const Inputs &inputs, const Unknown &unknown, const std::function<double()> &next) {
-                const double value = phys_param_get(&inputs.params, &row);
-                phys_param_set(&draw.params, &row, clamped(value + deviation(unknown, value) * next(), row), nullptr);
-            }};
+    return {
+        QString::fromUtf8(row.id), QString::fromUtf8(row.unit), 1.0, true,
+        [&row](SampledBoard &board, const Inputs &inputs, const Unknown &unknown, const std::function<double()> &next) {
+            const double value = phys_param_get(&inputs.params, &row);
+            phys_param_set(&board.params, &row, clamped(value + deviation(unknown, value) * next(), row), nullptr);
+        }};
 }
 
 std::vector<Quantity> makeQuantities() {
     using Next = const std::function<double()> &;
     std::vector<Quantity> result{
         {"tilt", QStringLiteral("deg"), 1.0, false,
-         [](Draw &draw, const Inputs &, const Unknown &unknown, Next next) {
-             draw.tiltOffset.x += radians(unknown.amount) * next();
-             draw.tiltOffset.y += radians(unknown.amount) * next();
+         [](SampledBoard &board, const Inputs &, const Unknown &unknown, Next next) {
+             board.tiltOffset.x += radians(unknown.amount) * next();
+             board.tiltOffset.y += radians(unknown.amount) * next();
          }},
         {"tilt_x", QStringLiteral("deg"), 1.0, false,
-         [](Draw &draw, const Inputs &, const Unknown &unknown, Next next) {
-             draw.tiltOffset.x += radians(unknown.amount) * next();
+         [](SampledBoard &board, const Inputs &, const Unknown &unknown, Next next) {
+             board.tiltOffset.x += radians(unknown.amount) * next();
          }},
         {"tilt_y", QStringLiteral("deg"), 1.0, false,
-         [](Draw &draw, const Inputs &, const Unknown &unknown, Next next) {
-             draw.tiltOffset.y += radians(unknown.amount) * next();
+         [](SampledBoard &board, const Inputs &, const Unknown &unknown, Next next) {
+             board.tiltOffset.y += radians(unknown.amount) * next();
          }},
         {"start", QStringLiteral("mm"), 1e-3, false,
-         [](Draw &draw, const Inputs &, const Unknown &unknown, Next next) {
-             draw.startOffset.x += unknown.amount * next();
-             draw.startOffset.y += unknown.amount * next();
+         [](SampledBoard &board, const Inputs &, const Unknown &unknown, Next next) {
+             board.startOffset.x += unknown.amount * next();
+             board.startOffset.y += unknown.amount * next();
          }},
         {"gravity", QStringLiteral("m/s^2"), 1.0, true,
-         [](Draw &draw, const Inputs &inputs, const Unknown &unknown, Next next) {
-             draw.gravity = std::max(0.0, inputs.gravity + deviation(unknown, inputs.gravity) * next());
+         [](SampledBoard &board, const Inputs &inputs, const Unknown &unknown, Next next) {
+             board.gravity = std::max(0.0, inputs.gravity + deviation(unknown, inputs.gravity) * next());
          }},
     };
     uint32_t count = 0;
@@ -150,20 +151,20 @@ QString unknownsText(const Unknowns &unknowns) {
     return words.join(QLatin1Char(','));
 }
 
-std::vector<Draw> drawBoards(const Unknowns &unknowns, const Inputs &inputs, int count, uint64_t seed) {
+std::vector<SampledBoard> sampleBoards(const Unknowns &unknowns, const Inputs &inputs, int count, uint64_t seed) {
     std::mt19937_64 numbers(seed);
     // Between -1 and 1 from the upper 53 bits; the standard's distributions differ between libraries.
     const auto next = [&] { return double(numbers() >> 11) * 0x1p-52 - 1.0; };
-    std::vector<Draw> draws;
+    std::vector<SampledBoard> boards;
     for (int i = 0; i < count; ++i) {
-        Draw draw{inputs.params, inputs.gravity, {}, {}};
-        for (const Unknown &unknown : unknowns) find(unknown.id)->vary(draw, inputs, unknown, next);
+        SampledBoard board{inputs.params, inputs.gravity, {}, {}};
+        for (const Unknown &unknown : unknowns) find(unknown.id)->vary(board, inputs, unknown, next);
         // The rigid model takes no more resistance than the friction that carries it.
-        if (draw.params.model == PHYS_MODEL_RIGID)
-            draw.params.rolling_friction = std::min(draw.params.rolling_friction, draw.params.sliding_friction);
-        draws.push_back(draw);
+        if (board.params.model == PHYS_MODEL_RIGID)
+            board.params.rolling_friction = std::min(board.params.rolling_friction, board.params.sliding_friction);
+        boards.push_back(board);
     }
-    return draws;
+    return boards;
 }
 
 } // namespace inspector

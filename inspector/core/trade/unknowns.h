@@ -30,7 +30,7 @@ std::optional<Unknowns> parseUnknowns(const QString &words, QString *error);
 QString unknownsText(const Unknowns &unknowns); // as parseUnknowns() reads them
 
 // A board as it may really be.
-struct Draw {
+struct SampledBoard {
     phys_params params; // without their gravity
     double gravity;     // m/s^2
     Tilt tiltOffset;    // rad, added to every tilt
@@ -39,6 +39,6 @@ struct Draw {
 
 // Independent of each other, even between their bounds; values beyond a row's range are moved to its end. The same for
 // the same seed, everywhere.
-std::vector<Draw> drawBoards(const Unknowns &unknowns, const Inputs &inputs, int count, uint64_t seed);
+std::vector<SampledBoard> sampleBoards(const Unknowns &unknowns, const Inputs &inputs, int count, uint64_t seed);
 
 } // namespace inspector

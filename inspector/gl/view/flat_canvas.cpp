@@ -157,8 +157,8 @@ void FlatCanvas::paintStrokes(QPainter &painter, const Projection &projection, c
     for (const Trail &trail : frame.trails) strokes.trail(trail.points, trail.colour, trail.width, kSpacing);
     for (const Strokes *all : {static_cast<const Strokes *>(&strokes), &frame.strokes}) {
         for (const Stroke &stroke : all->all()) {
-            const Qt::PenCapStyle ends = stroke.round_ends > 0.5F ? Qt::RoundCap : Qt::FlatCap;
-            const QColor colour = toQColor(0.5F * (stroke.from_colour + stroke.to_colour));
+            const Qt::PenCapStyle ends = stroke.roundEnds > 0.5F ? Qt::RoundCap : Qt::FlatCap;
+            const QColor colour = toQColor(0.5F * (stroke.fromColour + stroke.toColour));
             painter.setPen(QPen(colour, stroke.width, Qt::SolidLine, ends));
             const QPointF from = place(projection, glm::dvec3(stroke.from));
             const QPointF to = place(projection, glm::dvec3(stroke.to));

@@ -38,23 +38,23 @@ FramePainter::~FramePainter() = default;
 
 void FramePainter::setMaze(const Mesh &mesh) {
     m_maze = mesh;
-    m_are_meshes_stale = true;
+    m_areMeshesStale = true;
     emit changed();
 }
 
 void FramePainter::setBall(const Mesh &mesh) {
     m_ball = mesh;
-    m_are_meshes_stale = true;
+    m_areMeshesStale = true;
     emit changed();
 }
 
 void FramePainter::setQuality(std::optional<Quality> quality) {
-    m_set_quality = quality;
+    m_setQuality = quality;
     emit changed();
 }
 
 void FramePainter::setShaderDirectory(const QString &path) {
-    m_shader_directory = path;
+    m_shaderDirectory = path;
     if (m_renderer) m_renderer->shaders().setDirectory(path);
     emit changed();
 }
@@ -64,19 +64,19 @@ void FramePainter::begin() {
     QString error;
     m_renderer = MazeRenderer::create(&error);
     if (!m_renderer) return m_host.noteUnusable(error);
-    m_are_meshes_stale = true;
+    m_areMeshesStale = true;
     m_name = rendererName();
     m_chooser = QualityChooser(isSoftwareRenderer(m_name) ? Quality::Medium : Quality::High);
     ShaderLibrary &shaders = m_renderer->shaders();
     connect(&shaders, &ShaderLibrary::changed, this, &FramePainter::changed);
     connect(&shaders, &ShaderLibrary::failed, this, [this](const QString &text) { m_host.noteProblem(text); });
     connect(&shaders, &ShaderLibrary::rebuilt, this, [this] { m_host.noteRebuilt(); });
-    if (!m_shader_directory.isEmpty()) shaders.setDirectory(m_shader_directory);
+    if (!m_shaderDirectory.isEmpty()) shaders.setDirectory(m_shaderDirectory);
 }
 
 void FramePainter::end() {
     m_unsmoothed.reset();
-    m_still_picture.reset();
+    m_staticPicture.reset();
     m_renderer.reset();
 }
 
@@ -86,17 +86,17 @@ void FramePainter::startDebugLogger() {
     auto *logger = new QOpenGLDebugLogger(context);
     if (!logger->initialize()) return;
     connect(logger, &QOpenGLDebugLogger::messageLogged, this, [](const QOpenGLDebugMessage &message) {
-        const bool is_serious =
+        const bool isSerious =
             message.severity() & (QOpenGLDebugMessage::HighSeverity | QOpenGLDebugMessage::MediumSeverity);
-        if (is_serious && message.type() != QOpenGLDebugMessage::PerformanceType)
+        if (isSerious && message.type() != QOpenGLDebugMessage::PerformanceType)
             qWarning("OpenGL: %s", qPrintable(message.message().trimmed()));
     });
     logger->startLogging();
 }
 
 void FramePainter::uploadMeshes() {
-    if (!m_are_meshes_stale) return;
-    m_are_meshes_stale = false;
+    if (!m_areMeshesStale) return;
+    m_areMeshesStale = false;
     m_renderer->setMaze(m_maze);
     if (m_ball) m_renderer->setBall(*m_ball);
 }
@@ -109,13 +109,13 @@ void FramePainter::paint(unsigned framebuffer) {
     uploadMeshes();
     View view = m_host.view();
     view.quality = quality();
-    const bool is_smoothed = view.quality == Quality::High;
-    const bool is_whole = render(frame, view, is_smoothed ? unsmoothed(view) : framebuffer);
+    const bool isSmoothed = view.quality == Quality::High;
+    const bool isWhole = render(frame, view, isSmoothed ? unsmoothed(view) : framebuffer);
     functions().glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    if (is_smoothed) m_renderer->smooth(m_unsmoothed->texture(), view);
+    if (isSmoothed) m_renderer->smooth(m_unsmoothed->texture(), view);
     functions().glFinish(); // drivers queue; the figure is for the finished picture
     const double milliseconds = 1e-6 * static_cast<double>(timer.nsecsElapsed());
-    if (is_whole && !m_set_quality) m_chooser.note(milliseconds);
+    if (isWhole && !m_setQuality) m_chooser.note(milliseconds);
     m_host.noteDrawn(milliseconds);
 }
 
@@ -128,24 +128,24 @@ unsigned FramePainter::unsmoothed(const View &view) {
 // Once board and table stand still they are drawn once more without the ball, and copied from then on. True if all of
 // the picture was drawn.
 bool FramePainter::render(const Frame &frame, const View &view, unsigned framebuffer) {
-    const MazeRenderer::Still still = m_renderer->stillOf(frame, view);
-    if (still != std::exchange(m_still, still)) {
-        m_still_picture.reset();
+    const MazeRenderer::StaticScene staticScene = m_renderer->staticSceneOf(frame, view);
+    if (staticScene != std::exchange(m_staticScene, staticScene)) {
+        m_staticPicture.reset();
         functions().glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
         m_renderer->render(frame, view);
         return true;
     }
-    if (!m_still_picture) makeStill(frame, view);
-    copy(m_still_picture->handle(), framebuffer, view, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    if (!m_staticPicture) makeStaticPicture(frame, view);
+    copy(m_staticPicture->handle(), framebuffer, view, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     functions().glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     m_renderer->renderMoving(frame, view);
     return false;
 }
 
-void FramePainter::makeStill(const Frame &frame, const View &view) {
-    m_still_picture = std::make_unique<QOpenGLFramebufferObject>(sizeOf(view), formatOf(0));
-    m_still_picture->bind();
-    m_renderer->renderStill(frame, view);
+void FramePainter::makeStaticPicture(const Frame &frame, const View &view) {
+    m_staticPicture = std::make_unique<QOpenGLFramebufferObject>(sizeOf(view), formatOf(0));
+    m_staticPicture->bind();
+    m_renderer->renderStatic(frame, view);
 }
 
 void FramePainter::copy(unsigned from, unsigned to, const View &view, unsigned buffers) {
@@ -159,7 +159,7 @@ QImage FramePainter::picture(const Frame &frame, int scale) {
     if (!m_renderer) return {};
     View view = m_host.view();
     view.quality = quality();
-    view.pixel_ratio *= scale;
+    view.pixelRatio *= scale;
     view.pixels *= scale;
     QOpenGLFramebufferObject target(sizeOf(view), formatOf(kSamples));
     target.bind();

@@ -31,7 +31,7 @@ public:
     void setBall(const Mesh &mesh);
     // Until called chosen, from Medium on for a software renderer, from High otherwise.
     void setQuality(std::optional<Quality> quality);
-    Quality quality() const { return m_set_quality.value_or(m_chooser.quality()); }
+    Quality quality() const { return m_setQuality.value_or(m_chooser.quality()); }
     void setShaderDirectory(const QString &path);
     // What draws; empty before the first picture.
     QString name() const { return m_name; }
@@ -57,21 +57,21 @@ private:
     bool render(const Frame &frame, const View &view, unsigned framebuffer);
     void copy(unsigned from, unsigned to, const View &view, unsigned buffers);
     unsigned unsmoothed(const View &view); // to draw into what is smoothed then
-    void makeStill(const Frame &frame, const View &view);
+    void makeStaticPicture(const Frame &frame, const View &view);
 
     CanvasHost &m_host;
     Mesh m_maze; // kept for the next context
     std::optional<Mesh> m_ball;
-    bool m_are_meshes_stale = true;
-    QString m_shader_directory;
-    std::optional<Quality> m_set_quality;
+    bool m_areMeshesStale = true;
+    QString m_shaderDirectory;
+    std::optional<Quality> m_setQuality;
     QualityChooser m_chooser{Quality::Medium};
     QString m_name;
 
     std::unique_ptr<MazeRenderer> m_renderer; // these three live and die with the context
     std::unique_ptr<QOpenGLFramebufferObject> m_unsmoothed;
-    std::unique_ptr<QOpenGLFramebufferObject> m_still_picture; // of board and table, once two frames had them alike
-    MazeRenderer::Still m_still;                               // of the last frame
+    std::unique_ptr<QOpenGLFramebufferObject> m_staticPicture; // of board and table, once two frames had them alike
+    MazeRenderer::StaticScene m_staticScene;                   // of the last frame
 };
 
 } // namespace inspector::gl

@@ -45,7 +45,7 @@ QImage ImageCanvas::draw() {
     QImage image = m_target->toImage();
     m_context->doneCurrent();
     image.reinterpretAsFormat(QImage::Format_RGB32); // all of it is opaque
-    image.setDevicePixelRatio(view.pixel_ratio);
+    image.setDevicePixelRatio(view.pixelRatio);
     return image;
 }
 

@@ -38,8 +38,8 @@ Backdrop backdropOf(const QPalette &palette) {
     // The table takes the window's colour; the horizon is lighter in a light theme and darker in a dark one.
     const QColor window = palette.color(QPalette::Window);
     const glm::vec3 table = toGlm(window);
-    const bool is_dark = window.lightnessF() < 0.5;
-    return {is_dark ? table * 1.15F : table * 0.97F, is_dark ? table * 0.55F : glm::mix(table, glm::vec3(1.0F), 0.5F)};
+    const bool isDark = window.lightnessF() < 0.5;
+    return {isDark ? table * 1.15F : table * 0.97F, isDark ? table * 0.55F : glm::mix(table, glm::vec3(1.0F), 0.5F)};
 }
 
 } // namespace
@@ -53,7 +53,7 @@ MazeView::MazeView(Drawing drawing, QWidget *parent)
     m_pulse.setTimerType(Qt::PreciseTimer);
     m_pulse.setInterval(kPulseMilliseconds);
     connect(&m_pulse, &QTimer::timeout, this, [this] {
-        if (isVisible() && m_is_new()) update();
+        if (isVisible() && m_isNew()) update();
     });
 }
 
@@ -69,7 +69,7 @@ void MazeView::makeCanvas(Drawing drawing) {
     layout()->addWidget(&m_canvas->widget());
     m_canvas->setMaze(m_maze);
     if (m_ball) m_canvas->setBall(*m_ball);
-    if (!m_shader_directory.isEmpty()) m_canvas->setShaderDirectory(m_shader_directory);
+    if (!m_shaderDirectory.isEmpty()) m_canvas->setShaderDirectory(m_shaderDirectory);
     resetCamera();
 }
 
@@ -89,19 +89,19 @@ void MazeView::changeEvent(QEvent *event) {
 
 void MazeView::setMaze(const Mesh &mesh) {
     const Bounds bounds = mesh.bounds();
-    const bool is_same_size = bounds.minimum == m_bounds.minimum && bounds.maximum == m_bounds.maximum;
+    const bool isSameSize = bounds.minimum == m_bounds.minimum && bounds.maximum == m_bounds.maximum;
     m_bounds = bounds;
     m_maze = mesh;
     m_canvas->setMaze(mesh);
-    m_camera.setBounds(bounds, m_largest_tilt);
-    if (!is_same_size) resetCamera();
+    m_camera.setBounds(bounds, m_largestTilt);
+    if (!isSameSize) resetCamera();
     update();
 }
 
 void MazeView::setLargestTilt(double tilt) {
-    m_largest_tilt = tilt;
+    m_largestTilt = tilt;
     m_camera.setBounds(m_bounds, tilt);
-    if (!m_is_camera_moved) m_camera.fit();
+    if (!m_isCameraMoved) m_camera.fit();
     update();
 }
 
@@ -117,7 +117,7 @@ void MazeView::setFrame(const Frame &frame) {
 
 void MazeView::setFrameSource(std::function<Frame()> source, std::function<bool()> isNew) {
     m_source = std::move(source);
-    m_is_new = std::move(isNew);
+    m_isNew = std::move(isNew);
     if (m_source) {
         m_pulse.start();
     } else {
@@ -128,13 +128,13 @@ void MazeView::setFrameSource(std::function<Frame()> source, std::function<bool(
 void MazeView::setQuality(std::optional<Quality> quality) { m_canvas->setQuality(quality); }
 
 void MazeView::setShaderDirectory(const QString &path) {
-    m_shader_directory = path;
+    m_shaderDirectory = path;
     m_canvas->setShaderDirectory(path);
 }
 
 void MazeView::resetCamera() {
     setFollowing(false);
-    m_is_camera_moved = false;
+    m_isCameraMoved = false;
     if (m_drawing == Drawing::Flat) return lookFromAbove();
     m_camera.reset();
     update();
@@ -149,27 +149,27 @@ void MazeView::lookFromAbove() {
 }
 
 void MazeView::setFollowing(bool isOn) {
-    if (isOn == m_is_following) return;
-    m_is_following = isOn;
+    if (isOn == m_isFollowing) return;
+    m_isFollowing = isOn;
     if (isOn) m_camera.approach(kFollowShare);
     if (!isOn) m_camera.fit();
     emit followingChanged(isOn);
     update();
 }
 
-QPointF MazeView::positionOf(const glm::dvec3 &board_point) const {
-    const glm::dvec2 pixel = m_camera.project(glm::dvec3(boardPose() * glm::dvec4(board_point, 1.0)));
+QPointF MazeView::positionOf(const glm::dvec3 &boardPoint) const {
+    const glm::dvec2 pixel = m_camera.project(glm::dvec3(boardPose() * glm::dvec4(boardPoint, 1.0)));
     return {pixel.x, pixel.y};
 }
 
 Ray MazeView::rayAt(const QPointF &place) const { return m_camera.pickRay(toGlm(place), boardPose()); }
 
-glm::dmat4 MazeView::boardPose() const { return boardToWorld(m_frame.tilt_x, m_frame.tilt_y, boardPivot(m_bounds)); }
+glm::dmat4 MazeView::boardPose() const { return boardToWorld(m_frame.tiltX, m_frame.tiltY, boardPivot(m_bounds)); }
 
 void MazeView::resizeEvent(QResizeEvent *event) {
     QWidget::resizeEvent(event);
     m_camera.setViewport({width(), height()});
-    if (!m_is_camera_moved && !m_is_following) m_camera.fit();
+    if (!m_isCameraMoved && !m_isFollowing) m_camera.fit();
 }
 
 View MazeView::view() const {
@@ -177,8 +177,8 @@ View MazeView::view() const {
     view.view = m_camera.view();
     view.projection = m_camera.projection();
     // The one place where logical pixels become those of the device.
-    view.pixel_ratio = devicePixelRatioF();
-    view.pixels = {std::lround(width() * view.pixel_ratio), std::lround(height() * view.pixel_ratio)};
+    view.pixelRatio = devicePixelRatioF();
+    view.pixels = {std::lround(width() * view.pixelRatio), std::lround(height() * view.pixelRatio)};
     view.backdrop = backdropOf(palette());
     return view;
 }
@@ -193,26 +193,26 @@ void MazeView::keepVisible(Ball &ball) const {
 const Frame &MazeView::nextFrame() {
     ++m_pictures;
     if (m_source) m_frame = m_source();
-    if (m_is_following) m_camera.lookAt(glm::dvec3(boardPose() * glm::dvec4(m_frame.ball.position, 1.0)));
+    if (m_isFollowing) m_camera.lookAt(glm::dvec3(boardPose() * glm::dvec4(m_frame.ball.position, 1.0)));
     keepVisible(m_frame.ball);
     for (GhostBall &ghost : m_frame.ghosts) keepVisible(ghost.ball);
     return m_frame;
 }
 
 void MazeView::mousePressEvent(QMouseEvent *event) {
-    m_press_position = event->position();
-    m_last_position = event->position();
-    m_is_dragging = false;
+    m_pressPosition = event->position();
+    m_lastPosition = event->position();
+    m_isDragging = false;
 }
 
 void MazeView::mouseMoveEvent(QMouseEvent *event) {
     if (event->buttons() == Qt::NoButton) return;
-    const double moved = (event->position() - m_press_position).manhattanLength();
-    m_is_dragging = m_is_dragging || moved >= QGuiApplication::styleHints()->startDragDistance();
-    if (!m_is_dragging) return;
-    m_is_camera_moved = true;
-    const glm::dvec2 drag = toGlm(event->position() - m_last_position);
-    m_last_position = event->position();
+    const double moved = (event->position() - m_pressPosition).manhattanLength();
+    m_isDragging = m_isDragging || moved >= QGuiApplication::styleHints()->startDragDistance();
+    if (!m_isDragging) return;
+    m_isCameraMoved = true;
+    const glm::dvec2 drag = toGlm(event->position() - m_lastPosition);
+    m_lastPosition = event->position();
     if (event->buttons() & Qt::LeftButton) {
         m_camera.orbit({drag.x, m_drawing == Drawing::Flat ? 0.0 : drag.y});
     } else {
@@ -222,18 +222,18 @@ void MazeView::mouseMoveEvent(QMouseEvent *event) {
 }
 
 void MazeView::mouseReleaseEvent(QMouseEvent *event) {
-    if (m_is_dragging || event->button() != Qt::LeftButton) return;
+    if (m_isDragging || event->button() != Qt::LeftButton) return;
     emit clicked(rayAt(event->position()));
 }
 
 void MazeView::mouseDoubleClickEvent(QMouseEvent *event) {
-    m_is_dragging = true; // its release is no click
+    m_isDragging = true; // its release is no click
     event->accept();
     resetCamera();
 }
 
 void MazeView::wheelEvent(QWheelEvent *event) {
-    m_is_camera_moved = true;
+    m_isCameraMoved = true;
     m_camera.zoom(event->angleDelta().y() / kWheelUnitsPerStep, toGlm(event->position()));
     event->accept();
     update();

@@ -60,10 +60,10 @@ public:
     void lookFromAbove();
     // The ball stays in the middle, from nearer by; until told otherwise or everything is shown again.
     void setFollowing(bool isOn);
-    bool isFollowing() const { return m_is_following; }
+    bool isFollowing() const { return m_isFollowing; }
 
     // Time that the last picture took until it was finished, ms; 0 before the first.
-    double lastFrameMilliseconds() const { return m_frame_milliseconds; }
+    double lastFrameMilliseconds() const { return m_frameMilliseconds; }
     // What draws, for instance "llvmpipe (LLVM 15.0.6, 256 bits)"; empty before the first picture.
     QString rendererName() const { return m_canvas->name(); }
     // The picture as it is now, `scale` pixels for each of the device, 1 to 4; null before the first.
@@ -73,7 +73,7 @@ public:
     // The ray under a place of this widget, in the board frame.
     Ray rayAt(const QPointF &place) const;
     // Where a point of the board (board frame, m) is drawn, in logical pixels of this widget.
-    QPointF positionOf(const glm::dvec3 &board_point) const;
+    QPointF positionOf(const glm::dvec3 &boardPoint) const;
 
 signals:
     // A click without a drag, as a ray in the board frame.
@@ -97,7 +97,7 @@ private:
     View view() const override;
     const OrbitCamera &lookedThrough() const override { return m_camera; }
     glm::dmat4 boardPose() const override;
-    void noteDrawn(double milliseconds) override { m_frame_milliseconds = milliseconds; }
+    void noteDrawn(double milliseconds) override { m_frameMilliseconds = milliseconds; }
     void noteProblem(const QString &text) override { emit problem(text); }
     void noteRebuilt() override { emit shadersRebuilt(); }
     void noteUnusable(const QString &reason) override;
@@ -110,20 +110,20 @@ private:
     OrbitCamera m_camera;
     Frame m_frame;
     std::function<Frame()> m_source;
-    std::function<bool()> m_is_new;
+    std::function<bool()> m_isNew;
     uint64_t m_pictures = 0;
     QTimer m_pulse;
     Mesh m_maze; // kept for another canvas
     std::optional<Mesh> m_ball;
     Bounds m_bounds;
-    double m_largest_tilt = 0.0; // rad
-    QString m_shader_directory;
-    double m_frame_milliseconds = 0.0;
-    QPointF m_press_position;
-    QPointF m_last_position;
-    bool m_is_dragging = false;
-    bool m_is_camera_moved = false; // by hand; until then a resized view shows everything
-    bool m_is_following = false;
+    double m_largestTilt = 0.0; // rad
+    QString m_shaderDirectory;
+    double m_frameMilliseconds = 0.0;
+    QPointF m_pressPosition;
+    QPointF m_lastPosition;
+    bool m_isDragging = false;
+    bool m_isCameraMoved = false; // by hand; until then a resized view shows everything
+    bool m_isFollowing = false;
 };
 
 } // namespace inspector::gl

@@ -24,9 +24,9 @@ void QualityChooser::note(double milliseconds) {
     if (++m_count < kPictures) return;
     m_count = 0;
     if (m_fastest > kSlow && m_quality != Quality::Low) {
-        m_is_limit = true;
+        m_isLimit = true;
         use(Quality(int(m_quality) - 1));
-    } else if (m_slowest < kVeryFast && m_quality != Quality::High && !m_is_limit) {
+    } else if (m_slowest < kVeryFast && m_quality != Quality::High && !m_isLimit) {
         use(Quality(int(m_quality) + 1));
     }
 }

@@ -19,9 +19,9 @@ private:
     void use(Quality quality);
 
     Quality m_quality;
-    bool m_is_limit = false; // better ones are too slow
-    int m_count = 0;         // of pictures in this quality
-    double m_fastest = 0.0;  // ms; of those
+    bool m_isLimit = false; // better ones are too slow
+    int m_count = 0;        // of pictures in this quality
+    double m_fastest = 0.0; // ms; of those
     double m_slowest = 0.0;
 };
 

@@ -102,8 +102,9 @@ void ComparisonDock::showComparison() {
 void ComparisonDock::refresh(const Snapshot &now) {
     if (!isVisible()) return;
     if (!m_session.isInPast()) // the past has nothing new
-        m_session.knownLimit().follow(now, m_session.simulation().samples(), m_session.scene(), m_session.unknowns());
-    m_band = m_session.knownLimit().band();
+        m_session.liveUncertainty().follow(now, m_session.simulation().samples(), m_session.scene(),
+                                           m_session.unknowns());
+    m_band = m_session.liveUncertainty().band();
     m_plot->showBand(m_band);
     m_figures->setText(summary(now));
     m_plot->refresh();

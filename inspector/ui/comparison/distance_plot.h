@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/trade/ignorance.h"
+#include "core/trade/uncertainty_band.h"
 #include "ui/plots/time_plot.h"
 
 namespace inspector::ui {

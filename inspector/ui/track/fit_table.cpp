@@ -34,8 +34,8 @@ FitTable::FitTable(QWidget *parent)
         auto *name = new QTableWidgetItem(quantity.label);
         name->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable);
         name->setCheckState(Qt::Unchecked);
-        name->setToolTip(quantity.isOfRigid ? tr("%1; has no effect in the rolling model").arg(quantity.id)
-                                            : quantity.id);
+        name->setToolTip(quantity.isRigidOnly ? tr("%1; has no effect in the rolling model").arg(quantity.id)
+                                              : quantity.id);
         setItem(row, Name, name);
         auto *begin = new QTableWidgetItem;
         begin->setFlags(isTyped(quantity) ? Qt::ItemIsEnabled | Qt::ItemIsEditable : Qt::NoItemFlags);
@@ -83,15 +83,15 @@ void FitTable::want(const QString &words) {
     }
 }
 
-BoardGuess FitTable::begin(const Inputs &inputs) const {
-    BoardGuess board = m_typed;
+BoardParameters FitTable::begin(const Inputs &inputs) const {
+    BoardParameters board = m_typed;
     board.params = inputs.params;
     board.gravity = inputs.gravity;
     return board;
 }
 
 void FitTable::showBegin(const Inputs &inputs) {
-    BoardGuess board = begin(inputs);
+    BoardParameters board = begin(inputs);
     const QSignalBlocker silent(this);
     for (int row = 0; row < rowCount(); ++row) {
         const FitQuantity &quantity = m_quantities[size_t(row)];

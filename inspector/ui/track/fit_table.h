@@ -20,7 +20,7 @@ public:
     QString words() const; // as parseFitQuantities() reads them
     void want(const QString &words);
     // Where a fit begins.
-    BoardGuess begin(const Inputs &inputs) const;
+    BoardParameters begin(const Inputs &inputs) const;
     void setFrame(const TrackFrame &frame) { m_typed.frame = frame; } // to be shown by the next
     void showBegin(const Inputs &inputs);
     void showFound(const ModelFit &fit);
@@ -36,7 +36,7 @@ private:
     void read(QTableWidgetItem *item);
 
     std::vector<FitQuantity> m_quantities;
-    BoardGuess m_typed{}; // but for its coefficients and its gravity
+    BoardParameters m_typed{}; // but for its coefficients and its gravity
 };
 
 } // namespace inspector::ui

@@ -139,13 +139,13 @@ bool TrackDock::openTrack() {
         m_report->setPlainText(error);
         return false;
     }
-    const BoardGuess board = m_quantities->begin(m_session.parameters().inputs());
+    const BoardParameters board = m_quantities->begin(m_session.parameters().inputs());
     layOver(board);
     m_report->setPlainText(trackReport(*m_track, board.frame, m_session.scene().get()).join(QLatin1Char('\n')));
     return true;
 }
 
-void TrackDock::layOver(const BoardGuess &board) {
+void TrackDock::layOver(const BoardParameters &board) {
     m_session.showTrack(std::make_shared<ShownTrack>(*m_track, board, usualBegin(*m_track)));
 }
 
@@ -153,7 +153,7 @@ void TrackDock::layOver(const BoardGuess &board) {
 void TrackDock::follow(bool isOn) {
     if (isOn && m_track) {
         const bool isFitted = m_outcome && m_outcome->fit;
-        const BoardGuess board =
+        const BoardParameters board =
             isFitted ? m_outcome->fit->best().board : m_quantities->begin(m_session.parameters().inputs());
         m_session.showTrack(std::make_shared<ShownTrack>(*m_track, board, 0.0));
     }

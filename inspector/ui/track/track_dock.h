@@ -38,7 +38,7 @@ private:
     QWidget *makeControls();
     void chooseTrackFile();
     bool openTrack(); // as it is typed; says what is wrong with it
-    void layOver(const BoardGuess &board);
+    void layOver(const BoardParameters &board);
     void follow(bool isOn);
     void forget(); // the track and the fit, of another maze
     void toggle(); // begins to fit, or cancels

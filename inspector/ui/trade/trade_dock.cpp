@@ -297,7 +297,7 @@ void TradeDock::showGoodEnough() {
     m_goodEnough->setText(tr("Good enough: %1 at %2, off by at most %3 % of it on %4 schedules; %5 µs a second")
                               .arg(QString::fromUtf8(point.stepper), stepSizeText(point.dt))
                               .arg(result.goodEnough->largest * 100.0, 0, 'g', 2)
-                              .arg(result.goodEnough->rehearsals + int(m_worker.plan().schedules.size()))
+                              .arg(result.goodEnough->validations + int(m_worker.plan().schedules.size()))
                               .arg(point.cost.perSecond * 1e6, 0, 'g', 3));
 }
 

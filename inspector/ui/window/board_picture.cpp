@@ -133,8 +133,8 @@ gl::Frame currentFrame(Session &session) {
     const double trailTime = now.ghost ? kComparedTrailTime : kTrailTime;
     const PastWay way{Channel::PositionX, Channel::PositionY, Channel::PositionZ, state.time - trailTime, state};
     gl::Frame frame;
-    frame.tilt_x = now.inputs.tilt.x;
-    frame.tilt_y = now.inputs.tilt.y;
+    frame.tiltX = now.inputs.tilt.x;
+    frame.tiltY = now.inputs.tilt.y;
     frame.ball = ballOf(state, phys_scene_radius(session.scene().get()));
     frame.trails.push_back({pointsOf(samples, way), withAlpha(accentsFor(QGuiApplication::palette()).ball, kTrailAlpha),
                             now.ghost ? kBallTrailWidth : kTrailWidth});

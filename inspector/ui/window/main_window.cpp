@@ -5,7 +5,7 @@
 #include "core/setup/stored_values.h"
 #include "gl/view/maze_view.h"
 #include "ui/ball/ball_dock.h"
-#include "ui/ball/ball_hand.h"
+#include "ui/ball/ball_dragger.h"
 #include "ui/bounces/bounce_dock.h"
 #include "ui/comparison/comparison_dock.h"
 #include "ui/comparison/distance_plot.h"
@@ -133,7 +133,7 @@ void MainWindow::makeCentre(gl::Drawing drawing) {
     m_strip = new GameStrip;
     new GameKeys(m_session, *this, *m_view); // the window owns both
     new WheelGuard(*this);
-    m_hand = new BallHand(m_session, *m_view, *m_undo, this);
+    m_hand = new BallDragger(m_session, *m_view, *m_undo, this);
     m_ruler = new Ruler(*m_view, this);
     m_mazeWatcher = new MazeWatcher(this);
     m_time = new TimeBar(m_session,
@@ -448,7 +448,7 @@ void MainWindow::showComparison() {
 
 bool MainWindow::grabTo(const QString &path, QString *error) {
     refresh();
-    m_session.knownLimit().finish(); // this and the next lines: pictures of one moment are the same
+    m_session.liveUncertainty().finish(); // this and the next lines: pictures of one moment are the same
     refresh();
     m_session.lookAheadAtOnce();
     m_status->leaveOutClock();

@@ -24,7 +24,7 @@ struct Ray;
 namespace inspector::ui {
 
 class BallDock;
-class BallHand;
+class BallDragger;
 class BounceDock;
 class ComparisonDock;
 class DocumentDialog;
@@ -184,7 +184,7 @@ private:
     PlotPanel *m_plotPanel = nullptr;
     ComparisonDock *m_comparison = nullptr;
     LevelPanel *m_levels = nullptr;
-    BallHand *m_hand = nullptr;
+    BallDragger *m_hand = nullptr;
     Ruler *m_ruler = nullptr;
     MazeWatcher *m_mazeWatcher = nullptr;
     DocumentDialog *m_documents = nullptr; // once one was asked for

@@ -47,7 +47,7 @@ FitPlan planOf(const Registry &registry, const Scene &scene, Track track) {
     return plan;
 }
 
-void judge(Series &series, const ModelFit &fit, BoardGuess truth) {
+void judge(Series &series, const ModelFit &fit, BoardParameters truth) {
     for (const FittedValue &value : fit.values) {
         Count &count = series.counts[value.quantity.id];
         count.unit = value.quantity.unit;
@@ -66,7 +66,7 @@ Series run(const QStringList &mazes, uint32_t made, int first, int last, bool is
         QString error;
         const Scene scene = loadScene(mazes[seed % mazes.size()], &error);
         if (!scene) qFatal("%s", qPrintable(error));
-        const BoardGuess truth = support::drawTruth(made, uint64_t(seed));
+        const BoardParameters truth = support::drawTruth(made, uint64_t(seed));
         const FitPlan plan =
             planOf(registry, scene, support::makeTrack(registry, scene, truth, {.seed = uint64_t(seed)}));
         const double begin = cpuTime();
@@ -89,7 +89,7 @@ Series run(const QStringList &mazes, uint32_t made, int first, int last, bool is
                                     << one.breaks << ", bounces " << one.bounces.size() << "; ";
             QTextStream(stderr) << series.seconds.back() << " s\n";
             for (const FittedValue &value : fit->best().values) {
-                BoardGuess board = truth;
+                BoardParameters board = truth;
                 QTextStream(stderr) << "   " << value.quantity.id << " " << value.value / value.quantity.perUnit
                                     << " +- " << value.halfInterval() / value.quantity.perUnit << ", truth "
                                     << value.quantity.of(board) / value.quantity.perUnit << " " << value.reason << "\n";

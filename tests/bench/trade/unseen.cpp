@@ -48,7 +48,7 @@ Trial tryUnseen(const TradePlan &plan, const TradePoint &setting) {
             TradeReference::run(plan.registry, plan.scene, paramsFor(plan, PHYS_MODEL_ROLLING), segments, nullptr);
         if (!reference) continue;
         const BandPlan bandPlan{plan.registry, plan.scene, plan.inputs, plan.unknowns, kBalls, plan.horizon};
-        const double band = ignoranceBand(bandPlan, *reference, {}).middleAt(plan.horizon);
+        const double band = uncertaintyBand(bandPlan, *reference, {}).middleAt(plan.horizon);
         const std::optional<double> error = errorOfSetting(plan, setting, *reference, plan.horizon, {});
         ++trial.schedules;
         if (!error) continue;

@@ -165,9 +165,9 @@ void TestBounceLaw::headOnBounceObeysTheLaw() {
     QCOMPARE(law.deviation, 0.0);
     QVERIFY(!law.ends);
     // Nothing moves along the wall, neither before nor after.
-    const AlongLaw along = alongLaw(bounce, 0.006);
-    QCOMPARE(along.expected, 0.0);
-    QCOMPARE(along.off, 0.0);
+    const TangentialLaw tangential = tangentialLaw(bounce, 0.006);
+    QCOMPARE(tangential.expected, 0.0);
+    QCOMPARE(tangential.off, 0.0);
 }
 
 void TestBounceLaw::speedIsThatOfTheClosedFormAtItsTime_data() { addRows(); }
@@ -244,7 +244,7 @@ void TestBounceLaw::roughWallTakesTwoSeventhsOfTheSlip() {
     QFETCH(QByteArray, stepper);
     QFETCH(uint32_t, model);
     const LoggedEvent bounce = firstImpact(stepper, model, 0.3);
-    const AlongLaw law = alongLaw(bounce, 0.006);
+    const TangentialLaw law = tangentialLaw(bounce, 0.006);
     if (model == PHYS_MODEL_ROLLING) { // which knows no slip
         QCOMPARE(law.tangential, 0.0);
         return;

@@ -140,7 +140,7 @@ void TestComparison::threadGivesTheSameBitsAsStepsByHand() {
     Engine ball(scene, defaultStepper(scene));
     ball.setPilot(Autopilot::create(scene.get(), nullptr));
     QString error;
-    GhostEngine ghost(ball, *makeMeans(options.registry, {"exact", 2}, scene, &error), PHYS_STEPPER_DEFAULT);
+    GhostEngine ghost(ball, *makeGhostSetup(options.registry, {"exact", 2}, scene, &error), PHYS_STEPPER_DEFAULT);
     for (uint64_t i = 0; i < steps; ++i) {
         QVERIFY(ball.step(&error) && ghost.follow(ball, &error));
         Sample expected = ball.sample();

@@ -51,9 +51,9 @@ Engine ballOf(const Scene &scene, const QByteArray &id) { return {scene, makeSte
 
 GhostEngine ghostOf(const Engine &ball, const GhostChoice &ghostChoice, const QByteArray &ballsId) {
     QString error;
-    const auto means = makeMeans(registry(), ghostChoice, ball.scene(), &error);
-    if (!means) qFatal("%s", qPrintable(error));
-    return {ball, *means, ballsId};
+    const auto setup = makeGhostSetup(registry(), ghostChoice, ball.scene(), &error);
+    if (!setup) qFatal("%s", qPrintable(error));
+    return {ball, *setup, ballsId};
 }
 
 // Tilts by where it is: both balls would get different tilts if each had a pilot of its own.
@@ -376,7 +376,7 @@ void TestGhostEngine::refusalLeavesTheBallAlone() {
 }
 
 void TestGhostEngine::missingStepperGivesOneLine() {
-    QVERIFY(!makeMeans(registry(), {"none", 1}, openFloor(), &m_error));
+    QVERIFY(!makeGhostSetup(registry(), {"none", 1}, openFloor(), &m_error));
     QVERIFY2(m_error.startsWith("no stepper has the id 'none'"), qPrintable(m_error));
 }
 
@@ -384,8 +384,8 @@ void TestGhostEngine::sceneThatTheStepperCantDoGivesOneLine() {
     const Registry withPlugin = makeRegistry(nullptr);
     QVERIFY2(loadPlugin(withPlugin, MISBEHAVING, &m_error), qPrintable(m_error));
     const GhostChoice ghostChoice{"wants-walls", 1};
-    QVERIFY2(makeMeans(withPlugin, ghostChoice, longFloor(), &m_error), qPrintable(m_error));
-    QVERIFY(!makeMeans(withPlugin, ghostChoice, openFloor(), &m_error));
+    QVERIFY2(makeGhostSetup(withPlugin, ghostChoice, longFloor(), &m_error), qPrintable(m_error));
+    QVERIFY(!makeGhostSetup(withPlugin, ghostChoice, openFloor(), &m_error));
     QCOMPARE(m_error, QStringLiteral("a floor without walls is too simple"));
 }
 

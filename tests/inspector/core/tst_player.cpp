@@ -364,9 +364,9 @@ void TestPlayer::aFineGhostDoesntKeepASeekFromBeingReplaced() {
     simulation->startReplay(recording);
     QTRY_VERIFY(simulation->latest().replay.isChecked);
     QString error;
-    const auto means = makeMeans(registry, {"exact", GhostChoice::kMostSubsteps}, recording->scene(0), &error);
-    QVERIFY2(means, qPrintable(error));
-    simulation->compareWith(*means, PHYS_STEPPER_DEFAULT);
+    const auto setup = makeGhostSetup(registry, {"exact", GhostChoice::kMostSubsteps}, recording->scene(0), &error);
+    QVERIFY2(setup, qPrintable(error));
+    simulation->compareWith(*setup, PHYS_STEPPER_DEFAULT);
     QSignalSpy ran(simulation.get(), &Simulation::runningChanged);
     simulation->seek(20000);
     simulation->run(); // tells that the commands so far are taken
@@ -484,10 +484,10 @@ void TestPlayer::ghostFollowsAReplayAsItFollowsTheLiveBall() {
     recordManyThings();
     const auto recording = opened();
     const auto simulation = simulationOnLevel1();
-    const auto means = makeMeans(recording->registry(), {"velocity-verlet", 2}, recording->scene(0), nullptr);
-    QVERIFY(means);
+    const auto setup = makeGhostSetup(recording->registry(), {"velocity-verlet", 2}, recording->scene(0), nullptr);
+    QVERIFY(setup);
     simulation->startReplay(recording);
-    simulation->compareWith(*means, PHYS_STEPPER_DEFAULT);
+    simulation->compareWith(*setup, PHYS_STEPPER_DEFAULT);
     simulation->seek(1201); // a step after a restart
     for (int i = 0; i < 250; ++i) simulation->stepOnce();
     QTRY_COMPARE(simulation->latest().replay.position, uint64_t(1451));
@@ -503,7 +503,7 @@ void TestPlayer::ghostFollowsAReplayAsItFollowsTheLiveBall() {
     Player player = checkedPlayer(recording);
     player.seek(1200);
     QVERIFY(player.enterRun());
-    GhostEngine ghost(player.engine(), *means, "exact");
+    GhostEngine ghost(player.engine(), *setup, "exact");
     for (int i = 0; i < 251; ++i) QVERIFY(player.next() && ghost.follow(player.engine(), nullptr));
     QVERIFY(isSameBits(played, ghost.state()));
     QVERIFY(isSameBits(simulation->latest().ghost->current, ghost.state()));

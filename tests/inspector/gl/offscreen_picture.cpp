@@ -56,13 +56,13 @@ QImage OffscreenPicture::draw(const Frame &frame, Quality quality) {
 
 QImage OffscreenPicture::drawInParts(const Frame &frame, Quality quality) {
     m_target->bind();
-    m_renderer->renderStill(frame, viewOf(quality));
+    m_renderer->renderStatic(frame, viewOf(quality));
     m_renderer->renderMoving(frame, viewOf(quality));
     return m_target->toImage().convertToFormat(QImage::Format_RGB32);
 }
 
-MazeRenderer::Still OffscreenPicture::stillOf(const Frame &frame, Quality quality) {
-    return m_renderer->stillOf(frame, viewOf(quality));
+MazeRenderer::StaticScene OffscreenPicture::staticSceneOf(const Frame &frame, Quality quality) {
+    return m_renderer->staticSceneOf(frame, viewOf(quality));
 }
 
 QPoint OffscreenPicture::pixelOf(const glm::dvec3 &place) const {

@@ -30,7 +30,8 @@ public:
     QImage draw(const inspector::gl::Frame &frame, inspector::gl::Quality quality = inspector::gl::Quality::Medium);
     // The same by what stands still and then what moves.
     QImage drawInParts(const inspector::gl::Frame &frame, inspector::gl::Quality quality);
-    inspector::gl::MazeRenderer::Still stillOf(const inspector::gl::Frame &frame, inspector::gl::Quality quality);
+    inspector::gl::MazeRenderer::StaticScene staticSceneOf(const inspector::gl::Frame &frame,
+                                                           inspector::gl::Quality quality);
 
     // The pixel where a point of a level board is drawn.
     QPoint pixelOf(const glm::dvec3 &place) const;

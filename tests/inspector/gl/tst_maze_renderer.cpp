@@ -97,7 +97,7 @@ private slots:
         QFETCH(double, tilt);
         Frame frame;
         frame.ball.position = ball;
-        frame.tilt_x = tilt;
+        frame.tiltX = tilt;
         frame.ghosts.push_back({{{0.02, -0.03, 0.006}}, Colour(0.2F, 0.5F, 1.0F, 0.5F)});
         frame.trails.push_back({{{-0.05, 0.0, 0.006}, {0.0, 0.06, 0.006}, ball}, Colour(1.0F, 0.5F, 0.0F, 0.9F), 3.0F});
         const QImage whole = m_picture->draw(frame, quality);
@@ -105,12 +105,13 @@ private slots:
     }
 
     void otherBallStandsStillOtherTiltDoesNot() {
-        const MazeRenderer::Still still = m_picture->stillOf(frameWithBallAt(0.04, 0.02), Quality::Low);
-        QVERIFY(m_picture->stillOf(frameWithBallAt(-0.04, 0.01), Quality::Low) == still);
-        QVERIFY(m_picture->stillOf(frameWithBallAt(0.04, 0.02), Quality::Medium) != still);
+        const MazeRenderer::StaticScene staticScene =
+            m_picture->staticSceneOf(frameWithBallAt(0.04, 0.02), Quality::Low);
+        QVERIFY(m_picture->staticSceneOf(frameWithBallAt(-0.04, 0.01), Quality::Low) == staticScene);
+        QVERIFY(m_picture->staticSceneOf(frameWithBallAt(0.04, 0.02), Quality::Medium) != staticScene);
         Frame tilted = frameWithBallAt(0.04, 0.02);
-        tilted.tilt_y = 1e-6;
-        QVERIFY(m_picture->stillOf(tilted, Quality::Low) != still);
+        tilted.tiltY = 1e-6;
+        QVERIFY(m_picture->staticSceneOf(tilted, Quality::Low) != staticScene);
     }
 
     void ballIsDrawnWhereTheCameraProjectsIt_data() {
@@ -187,7 +188,7 @@ private slots:
     void tiltMovesThePicture() {
         Frame frame = frameWithoutBall();
         const QImage level = m_picture->draw(frame);
-        frame.tilt_x = 0.15;
+        frame.tiltX = 0.15;
         QVERIFY(changedPixels(level, m_picture->draw(frame)) >
                 OffscreenPicture::kWidth * OffscreenPicture::kHeight / 20);
     }
@@ -199,7 +200,7 @@ private slots:
         const QPoint right = m_picture->pixelOf({0.0975, -0.08, 0.004});
         const QPoint below = m_picture->pixelOf({0.0975, -0.08, -0.012});
         const QRgb rim = m_picture->draw(frame, Quality::Low).pixel(right);
-        frame.tilt_x = 0.16; // 16 mm at the rim
+        frame.tiltX = 0.16; // 16 mm at the rim
         const QImage tilted = m_picture->draw(frame, Quality::Low);
         QVERIFY(difference(tilted.pixel(below), rim) < difference(tilted.pixel(right), rim));
     }

@@ -170,7 +170,7 @@ private slots:
 
     void clickGivesTheRayThroughTheBoardPoint() {
         Frame frame;
-        frame.tilt_x = 0.1;
+        frame.tiltX = 0.1;
         m_view->setFrame(frame);
         m_view->grabFramebuffer();
         const glm::dvec3 place(0.04, -0.03, 0.0);

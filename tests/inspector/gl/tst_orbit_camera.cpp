@@ -43,8 +43,8 @@ std::vector<glm::dvec3> corners() {
 }
 
 // How far the board, tilted so, reaches from the middle of the picture: 1 is the edge, in width or height.
-double filledShare(const OrbitCamera &camera, const glm::dvec2 &viewport, double tilt_x, double tilt_y) {
-    const glm::dmat4 pose = boardToWorld(tilt_x, tilt_y, boardPivot(kBoard));
+double filledShare(const OrbitCamera &camera, const glm::dvec2 &viewport, double tiltX, double tiltY) {
+    const glm::dmat4 pose = boardToWorld(tiltX, tiltY, boardPivot(kBoard));
     double share = 0.0;
     for (const glm::dvec3 &corner : corners()) {
         const glm::dvec2 pixel = camera.project(glm::dvec3(pose * glm::dvec4(corner, 1.0)));
@@ -229,11 +229,11 @@ private slots:
     }
 
     void downIsWhereGravityPullsOnATiltedBoard() {
-        const double tilt_x = 0.15;
-        const double tilt_y = -0.09;
-        const glm::dmat3 turn(boardToWorld(tilt_x, tilt_y, {0.01, 0.02, 0.0}));
+        const double tiltX = 0.15;
+        const double tiltY = -0.09;
+        const glm::dmat3 turn(boardToWorld(tiltX, tiltY, {0.01, 0.02, 0.0}));
         const glm::dvec3 down = glm::transpose(turn) * glm::dvec3(0.0, 0.0, -1.0);
-        QVERIFY(isNear(down, glm::normalize(glm::dvec3(std::tan(tilt_x), std::tan(tilt_y), -1.0)), kRounding));
+        QVERIFY(isNear(down, glm::normalize(glm::dvec3(std::tan(tiltX), std::tan(tiltY), -1.0)), kRounding));
     }
 
     void pivotOfATiltedBoardStaysInPlace() {

@@ -13,7 +13,7 @@ namespace support {
 
 struct MadeTrack {
     inspector::Track track;
-    inspector::BoardGuess truth;
+    inspector::BoardParameters truth;
 };
 
 struct Recipe {
@@ -41,7 +41,7 @@ private:
 
 // Random tilts from the scene's start; ends early where the ball leaves the maze. Empty if "exact" refuses.
 inline inspector::Track makeTrack(const inspector::Registry &registry, const inspector::Scene &scene,
-                                  const inspector::BoardGuess &truth, const Recipe &recipe) {
+                                  const inspector::BoardParameters &truth, const Recipe &recipe) {
     using namespace inspector;
     Track ideal;
     ideal.name = "made";
@@ -84,10 +84,10 @@ inline QByteArray csvOf(const inspector::Track &track) {
 }
 
 // A board with numbers drawn from what a hand-built one may have; the tilt's offset and delay unknown.
-inline inspector::BoardGuess drawTruth(uint32_t model, uint64_t seed) {
+inline inspector::BoardParameters drawTruth(uint32_t model, uint64_t seed) {
     using namespace inspector;
     Normal normal(seed * 7919U + 17U);
-    BoardGuess truth{initialInputs().params, 9.81, {}, 0.0, {}};
+    BoardParameters truth{initialInputs().params, 9.81, {}, 0.0, {}};
     truth.params.model = model;
     truth.params.rolling_friction = normal.uniform(0.001, 0.01);
     truth.params.restitution_wall = normal.uniform(0.3, 0.7);

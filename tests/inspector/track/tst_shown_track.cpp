@@ -35,7 +35,7 @@ Track straight(double begin = 0.0) {
     return track;
 }
 
-BoardGuess plain() { return {initialInputs().params, 9.81, {}, 0.0, {}}; }
+BoardParameters plain() { return {initialInputs().params, 9.81, {}, 0.0, {}}; }
 
 } // namespace
 
@@ -67,7 +67,7 @@ void TestShownTrack::gapsAreEmpty() {
 }
 
 void TestShownTrack::frameBringsItOntoTheBoard() {
-    BoardGuess board = plain();
+    BoardParameters board = plain();
     board.frame = {2.0, radians(90.0), 0.5, 0.0};
     const ShownTrack shown(straight(), board, 0.0);
     const auto place = shown.at(0.2);
@@ -88,7 +88,7 @@ void TestShownTrack::ownTimesStayIfTheyBeginSoon() {
 }
 
 void TestShownTrack::tiltsComeWithOffsetAndDelay() {
-    BoardGuess board = plain();
+    BoardParameters board = plain();
     board.tiltOffset = {0.001, 0.002};
     board.delay = 0.05;
     const ShownTrack shown(straight(), board, 0.0);

@@ -76,7 +76,7 @@ private:
         QTRY_COMPARE_WITH_TIMEOUT(find<QPushButton>("track_fit").text(), QString("Fit"), kLong);
     }
 
-    BoardGuess m_truth = support::drawTruth(PHYS_MODEL_ROLLING, 2);
+    BoardParameters m_truth = support::drawTruth(PHYS_MODEL_ROLLING, 2);
 };
 
 void TestTrackDock::initTestCase() {

@@ -41,7 +41,7 @@ Scene level(int number) {
     return scene;
 }
 
-BoardGuess usual() { return {initialInputs().params, 9.81, {}, 0.0, {}}; }
+BoardParameters usual() { return {initialInputs().params, 9.81, {}, 0.0, {}}; }
 
 TrackFit fitted(const FitPlan &plan) {
     QString error;
@@ -99,7 +99,7 @@ void TestTrackFit::modelRollsAsTheClosedForm() {
     Track track;
     for (int i = 0; i <= 60; ++i) track.points.push_back({i / 60.0, 0.0, 0.0});
     track.tilts = {{0.0, {}}, {0.2, {0.02, 0.0}}};
-    BoardGuess board = usual();
+    BoardParameters board = usual();
     board.params.rolling_friction = 0.0;
     board.delay = 0.1;
     QString error;
@@ -127,14 +127,14 @@ void TestTrackFit::edgeOfALowKerbIsAWall() {
 
 // Intervals of 95 %: four of their halves away, chance doesn't lead.
 void TestTrackFit::truthLiesNearItsIntervals() {
-    const BoardGuess truth = support::drawTruth(PHYS_MODEL_ROLLING, 2);
+    const BoardParameters truth = support::drawTruth(PHYS_MODEL_ROLLING, 2);
     const Scene scene = level(3);
     const TrackFit fit = fitted(plan(scene, support::makeTrack(m_registry, scene, truth, {.duration = 8.0, .seed = 2}),
                                      "rolling_friction,restitution_wall,tilt,delay"));
     QCOMPARE(fit.verdict, FitVerdict::RollingSuffices);
     COMPARE_WITHIN(fit.best().rms, 1e-4, 1e-5);
     for (const FittedValue &value : fit.best().values) {
-        BoardGuess board = truth;
+        BoardParameters board = truth;
         QVERIFY2(value.isDetermined(), qPrintable(value.quantity.id + ": " + value.reason));
         QVERIFY2(std::abs(value.value - value.quantity.of(board)) < 4.0 * value.halfInterval(),
                  qPrintable(value.quantity.id + ": " + valueText(value)));
@@ -142,7 +142,7 @@ void TestTrackFit::truthLiesNearItsIntervals() {
 }
 
 void TestTrackFit::wrongModelIsNamed() {
-    const BoardGuess truth = support::drawTruth(PHYS_MODEL_RIGID, 3);
+    const BoardParameters truth = support::drawTruth(PHYS_MODEL_RIGID, 3);
     const Scene scene = level(4);
     FitPlan wrong = plan(scene, support::makeTrack(m_registry, scene, truth, {.duration = 8.0, .seed = 3}),
                          "rolling_friction,restitution_wall,tilt,delay");
@@ -153,7 +153,7 @@ void TestTrackFit::wrongModelIsNamed() {
 }
 
 void TestTrackFit::withoutWallsRestitutionIsNotDetermined() {
-    const BoardGuess truth = support::drawTruth(PHYS_MODEL_ROLLING, 4);
+    const BoardParameters truth = support::drawTruth(PHYS_MODEL_ROLLING, 4);
     const TrackFit fit =
         fitted(plan(openFloor(), support::makeTrack(m_registry, openFloor(), truth, {.duration = 4.0, .seed = 4}),
                     "rolling_friction,restitution_wall,tilt,delay"));
@@ -164,7 +164,7 @@ void TestTrackFit::withoutWallsRestitutionIsNotDetermined() {
 }
 
 void TestTrackFit::withoutBouncesTheFloorIsNotDetermined() {
-    const BoardGuess truth = support::drawTruth(PHYS_MODEL_ROLLING, 2);
+    const BoardParameters truth = support::drawTruth(PHYS_MODEL_ROLLING, 2);
     const Scene scene = level(3);
     const TrackFit fit = fitted(plan(scene, support::makeTrack(m_registry, scene, truth, {.duration = 4.0, .seed = 2}),
                                      "restitution_wall,restitution_floor,tilt,delay"));
@@ -173,7 +173,7 @@ void TestTrackFit::withoutBouncesTheFloorIsNotDetermined() {
 }
 
 void TestTrackFit::lowKerbsTellTheWallsRestitution() {
-    const BoardGuess truth = support::drawTruth(PHYS_MODEL_ROLLING, 2);
+    const BoardParameters truth = support::drawTruth(PHYS_MODEL_ROLLING, 2);
     const Scene scene = betweenKerbs();
     const TrackFit fit = fitted(plan(scene, support::makeTrack(m_registry, scene, truth, {.duration = 8.0, .seed = 2}),
                                      "restitution_wall,tilt,delay"));
@@ -184,7 +184,7 @@ void TestTrackFit::lowKerbsTellTheWallsRestitution() {
 }
 
 void TestTrackFit::gravityIsFound() {
-    BoardGuess truth = support::drawTruth(PHYS_MODEL_ROLLING, 2);
+    BoardParameters truth = support::drawTruth(PHYS_MODEL_ROLLING, 2);
     truth.gravity = 9.78;
     const Scene scene = level(3);
     const TrackFit fit = fitted(plan(scene, support::makeTrack(m_registry, scene, truth, {.duration = 8.0, .seed = 2}),
@@ -196,7 +196,7 @@ void TestTrackFit::gravityIsFound() {
 
 // A tracker whose picture is turned by 2 degrees and 1 % too small.
 void TestTrackFit::frameIsFound() {
-    BoardGuess truth = support::drawTruth(PHYS_MODEL_ROLLING, 2);
+    BoardParameters truth = support::drawTruth(PHYS_MODEL_ROLLING, 2);
     truth.frame.angle = radians(2.0);
     truth.frame.scale = 1.01;
     const Scene scene = level(3);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What isn't known of the board beside a run that is played: as if it had been computed by hand, from where it begins.
-#include "core/trade/drawn_balls.h"
+#include "core/trade/ball_ensemble.h"
 #include "core/trade/live_band.h"
 #include "inspector/core/scenes.h"
 #include "inspector/trade/unknowns_of.h"
@@ -28,7 +28,7 @@ private slots:
 
 private:
     void begin(const char *words, double time = 0.0);
-    void roll(int pieces, double length, Tilt tilt = {0.02, 0.01});
+    void roll(int segments, double length, Tilt tilt = {0.02, 0.01});
     // Waits for a band that goes as far, s.
     Band bandUntil(double time);
 
@@ -57,10 +57,10 @@ void TestLiveBand::begin(const char *words, double time) {
     m_band->begin({m_scene, start, unknownsOf(words)});
 }
 
-void TestLiveBand::roll(int pieces, double length, Tilt tilt) {
-    LiveBand::Piece piece{m_inputs, length};
-    piece.inputs.tilt = tilt;
-    m_band->goOn(std::vector<LiveBand::Piece>(size_t(pieces), piece));
+void TestLiveBand::roll(int segments, double length, Tilt tilt) {
+    LiveBand::Segment segment{m_inputs, length};
+    segment.inputs.tilt = tilt;
+    m_band->goOn(std::vector<LiveBand::Segment>(size_t(segments), segment));
 }
 
 Band TestLiveBand::bandUntil(double time) {
@@ -78,8 +78,8 @@ void TestLiveBand::quantilesAreThoseOfDrawnBalls() {
     phys_scene_start(m_scene.get(), &start);
     const Stepper stepper = makeStepper(m_registry, "exact", m_scene, nullptr);
     const Unknowns unknowns = unknownsOf("tilt=0.1deg,rolling_friction=50%");
-    DrawnBalls balls(stepper, m_scene, drawBoards(unknowns, m_inputs, LiveBand::kBalls, kBandSeed), start);
-    DrawnBalls known(stepper, m_scene, {Draw{m_inputs.params, m_inputs.gravity, {}, {}}}, start);
+    BallEnsemble balls(stepper, m_scene, sampleBoards(unknowns, m_inputs, LiveBand::kBalls, kBandSeed), start);
+    BallEnsemble known(stepper, m_scene, {SampledBoard{m_inputs.params, m_inputs.gravity, {}, {}}}, start);
     Band expected;
     appendQuantiles(expected, 0.0, balls.distancesFrom(known.centre(0)), m_radius);
     for (int i = 1; i <= 25; ++i) {

@@ -42,7 +42,7 @@ Band bandOf(const Scene &scene, Tilt tilt, double duration, const char *words) {
     const auto reference = TradeReference::run(registry, scene, inputs.params,
                                                segmentsOf({"tilt", {{0.0, tilt}}, duration}, inputs.gravity), &error);
     if (!reference) qFatal("%s", qPrintable(error));
-    return ignoranceBand({registry, scene, inputs, unknownsOf(words), 400, duration}, *reference, {});
+    return uncertaintyBand({registry, scene, inputs, unknownsOf(words), 400, duration}, *reference, {});
 }
 
 } // namespace
@@ -112,7 +112,7 @@ void TestTradeUnknowns::boardsLieWithinTheAmounts() {
     const Inputs inputs = initialInputs();
     double largestTilt = 0.0;
     double largestStart = 0.0;
-    for (const Draw &draw : drawBoards(unknownsOf("tilt=0.1deg,start=0.1mm,gravity=1%"), inputs, 1000, 7)) {
+    for (const SampledBoard &draw : sampleBoards(unknownsOf("tilt=0.1deg,start=0.1mm,gravity=1%"), inputs, 1000, 7)) {
         largestTilt = std::max({largestTilt, std::abs(draw.tiltOffset.x), std::abs(draw.tiltOffset.y)});
         largestStart = std::max({largestStart, std::abs(draw.startOffset.x), std::abs(draw.startOffset.y)});
         QVERIFY(std::abs(draw.gravity - inputs.gravity) <= 0.01 * inputs.gravity);
@@ -126,8 +126,8 @@ void TestTradeUnknowns::boardsStayWithinTheRangesOfTheirRows() {
     Inputs inputs = initialInputs();
     inputs.params.model = PHYS_MODEL_RIGID;
     inputs.params.restitution_wall = 0.99;
-    for (const Draw &draw :
-         drawBoards(unknownsOf("restitution_wall=0.2,rolling_friction=3,sliding_friction=0.2"), inputs, 300, 7)) {
+    for (const SampledBoard &draw :
+         sampleBoards(unknownsOf("restitution_wall=0.2,rolling_friction=3,sliding_friction=0.2"), inputs, 300, 7)) {
         phys_error failure;
         QVERIFY2(phys_params_check(&draw.params, &failure) == PHYS_OK, failure.text);
     }
@@ -221,8 +221,8 @@ void TestTradeUnknowns::smallerShareIsNeverMetByACheaperSetting() {
     for (const double share : {1.0, 0.1, 1e-3, 1e-6}) {
         plan.share = share;
         const std::stop_token stop;
-        Rehearsals rehearsals(plan, stop);
-        const std::optional<GoodEnough> answer = cheapestGoodEnough(plan, *result, rehearsals);
+        ValidationSchedules validations(plan, stop);
+        const std::optional<GoodEnough> answer = cheapestGoodEnough(plan, *result, validations);
         QVERIFY(answer);
         const double cost = result->points[answer->point].cost.perSecond;
         QVERIFY(cost >= before);

@@ -303,7 +303,7 @@ void TestWindowParameters::boardIsDrawnAsGravityIsTilted() {
     m_fixture->parameters().set({{QStringLiteral("tilt_x"), 15.0}, {QStringLiteral("tilt_y"), -12.0}});
     QTRY_COMPARE(m_fixture->simulated("tilt_y"), -12.0);
     const inspector::gl::Frame frame = inspector::ui::currentFrame(m_fixture->session());
-    const glm::dmat3 turn(inspector::gl::boardToWorld(frame.tilt_x, frame.tilt_y, glm::dvec3(0.0)));
+    const glm::dmat3 turn(inspector::gl::boardToWorld(frame.tiltX, frame.tiltY, glm::dvec3(0.0)));
     const glm::dvec3 down = glm::transpose(turn) * glm::dvec3(0.0, 0.0, -1.0);
     const phys_vec3 gravity = m_fixture->simulation().latest().inputs.params.gravity;
     const glm::dvec3 pull = glm::normalize(glm::dvec3(gravity.x, gravity.y, gravity.z));

@@ -50,7 +50,7 @@ private:
 void TestWindowTrack::init() {
     m_fixture = std::make_unique<Fixture>(3);
     QVERIFY(m_fixture->isReady());
-    const BoardGuess board{initialInputs().params, 9.81, {}, 0.0, {}};
+    const BoardParameters board{initialInputs().params, 9.81, {}, 0.0, {}};
     m_track = support::makeTrack(m_fixture->session().registry(), m_fixture->session().scene(), board,
                                  {.duration = 2.0, .rate = 100.0, .noise = 0.0});
     QFile file(m_fixture->path("track.csv"));

@@ -40,6 +40,6 @@ void appendQuantiles(Band &band, double time, std::vector<double> distances, dou
 
 // Of the largest distances up to each time, as errors of settings are the largest up to it. Empty if nothing
 // is unknown or "exact" can't step the draws.
-Band ignoranceBand(const BandPlan &plan, const TradeReference &reference, const std::stop_token &stop);
+Band uncertaintyBand(const BandPlan &plan, const TradeReference &reference, const std::stop_token &stop);
 
 } // namespace inspector

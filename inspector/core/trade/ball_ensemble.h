@@ -7,14 +7,14 @@
 
 namespace inspector {
 
-class DrawnBalls {
+class BallEnsemble {
 public:
-    // At `start`, each moved by its draw; but not into a wall: no board that was looked at starts there. stepper:
-    // "exact", made for the scene. draws: at least one.
-    DrawnBalls(Stepper stepper, const Scene &scene, const std::vector<Draw> &draws, const phys_state &start);
+    // At `start`, each moved by its board; but not into a wall: no board that was looked at starts there. stepper:
+    // "exact", made for the scene. boards: at least one.
+    BallEnsemble(Stepper stepper, const Scene &scene, const std::vector<SampledBoard> &boards, const phys_state &start);
 
     // The balls roll on, on these boards; as many as before.
-    void setBoards(const std::vector<Draw> &draws);
+    void setBoards(const std::vector<SampledBoard> &boards);
     // So many steps of dt under a tilt. A ball that is out stays where it left the maze.
     void step(const Tilt &tilt, double dt, uint64_t steps);
 
@@ -25,7 +25,7 @@ public:
 
 private:
     struct Ball {
-        Draw draw;
+        SampledBoard board;
         phys_state state;
         bool isRefused = false;
     };

@@ -9,9 +9,9 @@
 
 namespace inspector {
 
-class KnownLimit {
+class LiveUncertainty {
 public:
-    explicit KnownLimit(Registry registry)
+    explicit LiveUncertainty(Registry registry)
         : m_band(std::move(registry)) {}
 
     // Called now and then while somebody looks; what there was since the last time is made up for. samples: of the run
@@ -27,7 +27,7 @@ private:
     bool isOfBand(const Snapshot &now, const Scene &scene, const Unknowns &unknowns) const;
     bool begin(const Snapshot &now, const SampleRing &samples, const Scene &scene, const Unknowns &unknowns);
     void end();
-    void take(const Sample &sample, const Inputs &inputs, std::vector<LiveBand::Piece> &pieces);
+    void take(const Sample &sample, const Inputs &inputs, std::vector<LiveBand::Segment> &segments);
 
     LiveBand m_band;
     // What the present band is of; without a scene there is none.
@@ -39,7 +39,7 @@ private:
     uint64_t m_next = 0;   // sample
     double m_time = 0.0;   // s, of the sample before
     // Not over yet. Pieces end where the samples say, so that a band doesn't depend on when somebody looked.
-    std::optional<LiveBand::Piece> m_open;
+    std::optional<LiveBand::Segment> m_open;
 };
 
 } // namespace inspector

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/known_limit.h"
+#include "core/session/live_uncertainty.h"
 
 #include <cmath>
 #include <cstring>
@@ -15,12 +15,12 @@ bool isSameTilt(const Inputs &inputs, const Sample &sample) { return inputs.tilt
 
 } // namespace
 
-bool KnownLimit::isOfBand(const Snapshot &now, const Scene &scene, const Unknowns &unknowns) const {
+bool LiveUncertainty::isOfBand(const Snapshot &now, const Scene &scene, const Unknowns &unknowns) const {
     return scene == m_scene && now.run == m_run && unknowns == m_unknowns &&
            std::memcmp(&now.ghost->met, &m_met, sizeof m_met) == 0;
 }
 
-void KnownLimit::end() {
+void LiveUncertainty::end() {
     if (!m_scene) return;
     m_scene.reset();
     m_open.reset();
@@ -28,7 +28,8 @@ void KnownLimit::end() {
 }
 
 // From the first step after they met; false once the ring has lost that.
-bool KnownLimit::begin(const Snapshot &now, const SampleRing &samples, const Scene &scene, const Unknowns &unknowns) {
+bool LiveUncertainty::begin(const Snapshot &now, const SampleRing &samples, const Scene &scene,
+                            const Unknowns &unknowns) {
     m_scene = scene;
     m_met = now.ghost->met;
     m_run = now.run;
@@ -41,33 +42,34 @@ bool KnownLimit::begin(const Snapshot &now, const SampleRing &samples, const Sce
     return !samples.read(m_next, first) || first.step == m_met.step + 1;
 }
 
-// Longer pieces are taken in parts anyway.
-void KnownLimit::take(const Sample &sample, const Inputs &inputs, std::vector<LiveBand::Piece> &pieces) {
+// Longer segments are taken in parts anyway.
+void LiveUncertainty::take(const Sample &sample, const Inputs &inputs, std::vector<LiveBand::Segment> &segments) {
     constexpr double kLongest = 0.05; // s
     const double length = sample.time - m_time;
     m_time = sample.time;
     const bool goesOn = m_open && m_open->length < kLongest && isSameTilt(m_open->inputs, sample);
-    if (m_open && !goesOn) pieces.push_back(*m_open);
+    if (m_open && !goesOn) segments.push_back(*m_open);
     if (!goesOn) {
-        m_open = LiveBand::Piece{inputs, 0.0};
+        m_open = LiveBand::Segment{inputs, 0.0};
         m_open->inputs.tilt = tiltOf(sample);
     }
     m_open->length += length;
 }
 
-void KnownLimit::follow(const Snapshot &now, const SampleRing &samples, const Scene &scene, const Unknowns &unknowns) {
+void LiveUncertainty::follow(const Snapshot &now, const SampleRing &samples, const Scene &scene,
+                             const Unknowns &unknowns) {
     if (unknowns.empty() || !now.ghost) return end();
     if (!isOfBand(now, scene, unknowns)) m_isWhole = begin(now, samples, scene, unknowns);
-    std::vector<LiveBand::Piece> pieces;
+    std::vector<LiveBand::Segment> segments;
     Sample sample;
     for (const uint64_t last = samples.last(); m_isWhole && m_next < last; ++m_next) {
         m_isWhole = samples.read(m_next, sample);
-        if (m_isWhole && sample.time > m_time) take(sample, now.inputs, pieces);
+        if (m_isWhole && sample.time > m_time) take(sample, now.inputs, segments);
     }
-    if (!pieces.empty()) m_band.goOn(pieces);
+    if (!segments.empty()) m_band.goOn(segments);
 }
 
-void KnownLimit::finish() {
+void LiveUncertainty::finish() {
     if (m_open) m_band.goOn({*m_open});
     m_open.reset();
     m_band.finish();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/track/pieces.h"
+#include "core/track/track_segment.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,11 +55,11 @@ double roughness(const Track &track, size_t first) {
 
 } // namespace
 
-StartGuess startAt(const Track &track, const TrackFrame &frame, size_t first) {
+BallStart startAt(const Track &track, const TrackFrame &frame, size_t first) {
     const size_t count = smoothCount(track, first);
     const Parabola x = parabola(track, &TrackPoint::x, first, count);
     const Parabola y = parabola(track, &TrackPoint::y, first, count);
-    StartGuess start{};
+    BallStart start{};
     frame.toBoard(x.value, y.value, start.x, start.y);
     TrackFrame turned = frame; // a velocity isn't moved
     turned.x = turned.y = 0.0;

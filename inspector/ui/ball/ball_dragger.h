@@ -15,14 +15,14 @@ namespace inspector::ui {
 
 // The ball in one's hand, while everything stands: a drag puts it to another place, out of walls and onto the floor; a
 // drag with Ctrl pulls its velocity. One undo takes a drag back.
-class BallHand : public QObject {
+class BallDragger : public QObject {
     Q_OBJECT
 
 public:
     static constexpr double kArrow = 0.2; // s: the arrow ends where the ball would be after this time
 
     // All outlive the hand.
-    BallHand(Session &session, gl::MazeView &view, QUndoStack &undo, QObject *parent);
+    BallDragger(Session &session, gl::MazeView &view, QUndoStack &undo, QObject *parent);
 
     // The arrow of the velocity, while everything stands.
     void addArrow(gl::Strokes &strokes) const;

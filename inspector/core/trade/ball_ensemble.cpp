@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/trade/drawn_balls.h"
+#include "core/trade/ball_ensemble.h"
 
 #include "core/schedule/trade_reference.h"
 #include "core/setup/walls.h"
@@ -19,27 +19,28 @@ bool isInWall(const phys_scene *scene, const phys_vec3 &centre) {
 
 } // namespace
 
-DrawnBalls::DrawnBalls(Stepper stepper, const Scene &scene, const std::vector<Draw> &draws, const phys_state &start)
+BallEnsemble::BallEnsemble(Stepper stepper, const Scene &scene, const std::vector<SampledBoard> &boards,
+                           const phys_state &start)
     : m_stepper(std::move(stepper))
-    , m_statuses(draws.size()) {
-    for (const Draw &draw : draws) {
-        Ball ball{draw, start};
-        ball.state.position.x += draw.startOffset.x;
-        ball.state.position.y += draw.startOffset.y;
+    , m_statuses(boards.size()) {
+    for (const SampledBoard &board : boards) {
+        Ball ball{board, start};
+        ball.state.position.x += board.startOffset.x;
+        ball.state.position.y += board.startOffset.y;
         if (isInWall(scene.get(), ball.state.position)) ball.state.position = start.position;
         m_balls.push_back(ball);
     }
 }
 
-void DrawnBalls::setBoards(const std::vector<Draw> &draws) {
-    for (size_t i = 0; i < m_balls.size(); ++i) m_balls[i].draw = draws[i];
+void BallEnsemble::setBoards(const std::vector<SampledBoard> &boards) {
+    for (size_t i = 0; i < m_balls.size(); ++i) m_balls[i].board = boards[i];
 }
 
-void DrawnBalls::step(const Tilt &tilt, double dt, uint64_t steps) {
+void BallEnsemble::step(const Tilt &tilt, double dt, uint64_t steps) {
     for (Ball &ball : m_balls) {
-        const Tilt &offset = ball.draw.tiltOffset;
-        ball.isRefused |= phys_gravity_from_tilt(tilt.x + offset.x, tilt.y + offset.y, ball.draw.gravity,
-                                                 &ball.draw.params.gravity) != PHYS_OK;
+        const Tilt &offset = ball.board.tiltOffset;
+        ball.isRefused |= phys_gravity_from_tilt(tilt.x + offset.x, tilt.y + offset.y, ball.board.gravity,
+                                                 &ball.board.params.gravity) != PHYS_OK;
     }
     phys_batch batch;
     phys_batch_init(&batch, sizeof batch);
@@ -47,7 +48,7 @@ void DrawnBalls::step(const Tilt &tilt, double dt, uint64_t steps) {
     batch.ball_count = m_balls.size();
     batch.step_count = steps;
     batch.dt = dt;
-    batch.params = &m_balls.front().draw.params;
+    batch.params = &m_balls.front().board.params;
     batch.params_stride = sizeof(Ball);
     batch.states = &m_balls.front().state;
     batch.states_stride = sizeof(Ball);
@@ -56,7 +57,7 @@ void DrawnBalls::step(const Tilt &tilt, double dt, uint64_t steps) {
     for (size_t i = 0; i < m_balls.size(); ++i) m_balls[i].isRefused |= !hasRun || m_statuses[i] != PHYS_OK;
 }
 
-std::vector<double> DrawnBalls::distancesFrom(const phys_vec3 &centre) const {
+std::vector<double> BallEnsemble::distancesFrom(const phys_vec3 &centre) const {
     std::vector<double> distances;
     distances.reserve(m_balls.size());
     for (const Ball &ball : m_balls)
@@ -65,7 +66,7 @@ std::vector<double> DrawnBalls::distancesFrom(const phys_vec3 &centre) const {
     return distances;
 }
 
-int DrawnBalls::refused() const {
+int BallEnsemble::refused() const {
     return int(std::count_if(m_balls.begin(), m_balls.end(), [](const Ball &ball) { return ball.isRefused; }));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/track/piece_fit.h"
+#include "core/track/segment_fit.h"
 
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_errno.h>
@@ -23,15 +23,15 @@ Matrix makeMatrix(size_t rows, size_t columns) { return {gsl_matrix_calloc(rows,
 
 constexpr size_t kStartNumbers = 4;
 // Of the difference quotients of a start: m, m, m/s, m/s.
-constexpr double kStartNotches[kStartNumbers] = {1e-7, 1e-7, 1e-6, 1e-6};
+constexpr double kStartIncrements[kStartNumbers] = {1e-7, 1e-7, 1e-6, 1e-6};
 // How far off a start is at most that was read off a track, or found with fewer points: standard deviations. A wall
 // takes up a push towards it, so the points of a ball that leans on one may not tell.
-constexpr double kStartDoubts[kStartNumbers] = {1e-3, 1e-3, 2e-2, 2e-2};
+constexpr double kStartDeviations[kStartNumbers] = {1e-3, 1e-3, 2e-2, 2e-2};
 constexpr double kSmallestDecrement = 1e-2; // of the sum of squares, in units of the noise: a fit ends
-constexpr double kBent = 1e-3;              // sum of squares in units of the noise, by which slopes may mislead
+constexpr double kNonlinearity = 1e-3;      // sum of squares in units of the noise, by which jacobian may mislead
 constexpr int kMostTries = 5;               // of steps from one place
 
-double &startNumber(StartGuess &start, size_t which) {
+double &startNumber(BallStart &start, size_t which) {
     double *const numbers[kStartNumbers]{&start.x, &start.y, &start.vx, &start.vy};
     return *numbers[which];
 }
@@ -51,218 +51,222 @@ Matrix choleskyOf(const std::vector<std::vector<double>> &covariance) {
 // (value - mean).
 class Problem {
 public:
-    Problem(const BallModel &model, const std::vector<FitQuantity> &quantities, const BoardKnowledge &before,
-            const BoardGuess &board, const Piece &piece, double noise)
+    Problem(const BallModel &model, const std::vector<FitQuantity> &quantities, const BoardEstimate &before,
+            const BoardParameters &board, const TrackSegment &segment, double noise)
         : m_model(model)
         , m_quantities(quantities)
         , m_before(before)
         , m_lower(choleskyOf(before.covariance))
         , m_board(board)
-        , m_piece(piece)
+        , m_segment(segment)
         , m_noise(noise) {
-        if (m_piece.notches.size() == numbers()) return;
-        m_piece.notches.clear();
-        for (size_t i = 0; i < numbers(); ++i) m_piece.notches.push_back(usualNotch(i));
+        if (m_segment.increments.size() == numbers()) return;
+        m_segment.increments.clear();
+        for (size_t i = 0; i < numbers(); ++i) m_segment.increments.push_back(usualIncrement(i));
     }
 
     bool isReady() const { return m_lower != nullptr; }
-    size_t shared() const { return m_quantities.size(); }
-    size_t numbers() const { return shared() + kStartNumbers; }
-    size_t pointResiduals() const { return 2 * (m_piece.last - m_piece.first + 1); }
+    size_t quantityCount() const { return m_quantities.size(); }
+    size_t numbers() const { return quantityCount() + kStartNumbers; }
+    size_t pointResiduals() const { return 2 * (m_segment.last - m_segment.first + 1); }
     size_t residuals() const { return pointResiduals() + numbers(); }
 
     Vector begin() {
         Vector x = makeVector(numbers());
-        for (size_t i = 0; i < shared(); ++i) gsl_vector_set(x.get(), i, m_quantities[i].of(m_board) / unitOf(i));
+        for (size_t i = 0; i < quantityCount(); ++i)
+            gsl_vector_set(x.get(), i, m_quantities[i].of(m_board) / unitOf(i));
         for (size_t k = 0; k < kStartNumbers; ++k)
-            gsl_vector_set(x.get(), shared() + k, startNumber(m_piece.start, k) / unitOf(shared() + k));
+            gsl_vector_set(x.get(), quantityCount() + k, startNumber(m_segment.start, k) / unitOf(quantityCount() + k));
         return x;
     }
 
     // Quantities beyond their bounds count as at them.
-    BoardGuess boardAt(const gsl_vector *x) const {
-        BoardGuess board = m_board;
-        for (size_t i = 0; i < shared(); ++i)
+    BoardParameters boardAt(const gsl_vector *x) const {
+        BoardParameters board = m_board;
+        for (size_t i = 0; i < quantityCount(); ++i)
             m_quantities[i].of(board) =
                 std::clamp(gsl_vector_get(x, i) * unitOf(i), m_quantities[i].lower, m_quantities[i].upper);
         return board;
     }
 
-    Piece pieceAt(const gsl_vector *x) const {
-        Piece piece = m_piece;
+    TrackSegment segmentAt(const gsl_vector *x) const {
+        TrackSegment segment = m_segment;
         for (size_t k = 0; k < kStartNumbers; ++k)
-            startNumber(piece.start, k) = gsl_vector_get(x, shared() + k) * unitOf(shared() + k);
-        return piece;
+            startNumber(segment.start, k) = gsl_vector_get(x, quantityCount() + k) * unitOf(quantityCount() + k);
+        return segment;
     }
 
-    // False after too many tries without new slopes, which ends the fit: none of them was better.
+    // False after too many tries without new jacobian, which ends the fit: none of them was better.
     bool evaluate(const gsl_vector *x, gsl_vector *f) {
         if (m_tries++ == kMostTries) return false;
-        run(boardAt(x), pieceAt(x), m_here);
-        for (size_t i = 0; i < m_here.size(); ++i) gsl_vector_set(f, i, m_here[i]);
-        const Vector apart = makeVector(std::max<size_t>(shared(), 1));
-        for (size_t i = 0; i < shared(); ++i)
+        run(boardAt(x), segmentAt(x), m_residuals);
+        for (size_t i = 0; i < m_residuals.size(); ++i) gsl_vector_set(f, i, m_residuals[i]);
+        const Vector apart = makeVector(std::max<size_t>(quantityCount(), 1));
+        for (size_t i = 0; i < quantityCount(); ++i)
             gsl_vector_set(apart.get(), i, gsl_vector_get(x, i) * unitOf(i) - m_before.mean[i]);
-        if (shared() > 0) gsl_blas_dtrsv(CblasLower, CblasNoTrans, CblasNonUnit, m_lower.get(), apart.get());
-        for (size_t i = 0; i < shared(); ++i) gsl_vector_set(f, m_here.size() + i, gsl_vector_get(apart.get(), i));
+        if (quantityCount() > 0) gsl_blas_dtrsv(CblasLower, CblasNoTrans, CblasNonUnit, m_lower.get(), apart.get());
+        for (size_t i = 0; i < quantityCount(); ++i)
+            gsl_vector_set(f, m_residuals.size() + i, gsl_vector_get(apart.get(), i));
         for (size_t k = 0; k < kStartNumbers; ++k)
-            gsl_vector_set(f, m_here.size() + shared() + k,
-                           (gsl_vector_get(x, shared() + k) * unitOf(shared() + k) - startNumber(m_piece.start, k)) /
-                               kStartDoubts[k]);
+            gsl_vector_set(f, m_residuals.size() + quantityCount() + k,
+                           (gsl_vector_get(x, quantityCount() + k) * unitOf(quantityCount() + k) -
+                            startNumber(m_segment.start, k)) /
+                               kStartDeviations[k]);
         return true;
     }
 
-    // GSL asks for slopes where it has just asked for residuals.
+    // GSL asks for jacobian where it has just asked for residuals.
     void differentiate(const gsl_vector *x, gsl_matrix *jacobian) {
         m_tries = 0;
-        if (isAlongSlopes(x)) {
-            gsl_matrix_memcpy(jacobian, m_slopes.get());
+        if (isLinearAt(x)) {
+            gsl_matrix_memcpy(jacobian, m_jacobian.get());
             return;
         }
         gsl_matrix_set_zero(jacobian);
-        const BoardGuess board = boardAt(x);
-        const Piece piece = pieceAt(x);
-        for (size_t i = 0; i < shared(); ++i) {
-            setColumn(board, piece, jacobian, i);
-            setKnown(jacobian, i);
+        const BoardParameters board = boardAt(x);
+        const TrackSegment segment = segmentAt(x);
+        for (size_t i = 0; i < quantityCount(); ++i) {
+            setColumn(board, segment, jacobian, i);
+            setPriorRows(jacobian, i);
         }
         for (size_t k = 0; k < kStartNumbers; ++k) {
-            setColumn(board, piece, jacobian, shared() + k);
-            gsl_matrix_set(jacobian, m_here.size() + shared() + k, shared() + k,
-                           unitOf(shared() + k) / kStartDoubts[k]);
+            setColumn(board, segment, jacobian, quantityCount() + k);
+            gsl_matrix_set(jacobian, m_residuals.size() + quantityCount() + k, quantityCount() + k,
+                           unitOf(quantityCount() + k) / kStartDeviations[k]);
         }
-        keepSlopes(x, jacobian);
+        keepJacobian(x, jacobian);
     }
 
     double unitOf(size_t number) const {
-        return number < shared() ? std::sqrt(m_before.covariance[number][number])
-                                 : 1e3 * kStartNotches[number - shared()];
+        return number < quantityCount() ? std::sqrt(m_before.covariance[number][number])
+                                        : 1e3 * kStartIncrements[number - quantityCount()];
     }
 
     // Of points alone, at any numbers.
     std::vector<double> residualsAt(const std::vector<double> &numbers) {
         const Vector x = makeVector(numbers.size());
         for (size_t i = 0; i < numbers.size(); ++i) gsl_vector_set(x.get(), i, numbers[i]);
-        run(boardAt(x.get()), pieceAt(x.get()), m_here);
-        return m_here;
+        run(boardAt(x.get()), segmentAt(x.get()), m_residuals);
+        return m_residuals;
     }
 
 private:
-    void run(const BoardGuess &board, const Piece &piece, std::vector<double> &residuals) {
-        m_model.run(board, piece.start, piece.first, piece.last, m_measured);
+    void run(const BoardParameters &board, const TrackSegment &segment, std::vector<double> &residuals) {
+        m_model.run(board, segment.start, segment.first, segment.last, m_measured);
         residuals.clear();
         for (size_t i = 0; i < m_measured.size(); ++i) {
-            const TrackPoint &seen = m_model.track().points[piece.first + i];
+            const TrackPoint &seen = m_model.track().points[segment.first + i];
             residuals.push_back((m_measured[i].x - seen.x) / m_noise);
             residuals.push_back((m_measured[i].y - seen.y) / m_noise);
         }
     }
 
-    void keepSlopes(const gsl_vector *x, const gsl_matrix *jacobian) {
-        m_slopes = makeMatrix(jacobian->size1, jacobian->size2);
-        gsl_matrix_memcpy(m_slopes.get(), jacobian);
-        m_slopesAt = makeVector(x->size);
-        gsl_vector_memcpy(m_slopesAt.get(), x);
-        m_atSlopes = m_here;
+    void keepJacobian(const gsl_vector *x, const gsl_matrix *jacobian) {
+        m_jacobian = makeMatrix(jacobian->size1, jacobian->size2);
+        gsl_matrix_memcpy(m_jacobian.get(), jacobian);
+        m_jacobianAt = makeVector(x->size);
+        gsl_vector_memcpy(m_jacobianAt.get(), x);
+        m_jacobianResiduals = m_residuals;
     }
 
-    // Whether the residuals at x are what the slopes from elsewhere let expect: then they hold here, too.
-    bool isAlongSlopes(const gsl_vector *x) const {
-        if (!m_slopes) return false;
+    // Whether the residuals at x are what the jacobian from elsewhere let expect: then they hold here, too.
+    bool isLinearAt(const gsl_vector *x) const {
+        if (!m_jacobian) return false;
         const Vector shift = makeVector(x->size);
         gsl_vector_memcpy(shift.get(), x);
-        gsl_vector_sub(shift.get(), m_slopesAt.get());
-        const Vector expected = makeVector(m_slopes->size1);
-        gsl_blas_dgemv(CblasNoTrans, 1.0, m_slopes.get(), shift.get(), 0.0, expected.get());
+        gsl_vector_sub(shift.get(), m_jacobianAt.get());
+        const Vector expected = makeVector(m_jacobian->size1);
+        gsl_blas_dgemv(CblasNoTrans, 1.0, m_jacobian.get(), shift.get(), 0.0, expected.get());
         double squares = 0.0;
-        for (size_t i = 0; i < m_here.size(); ++i) {
-            const double bend = m_here[i] - m_atSlopes[i] - gsl_vector_get(expected.get(), i);
+        for (size_t i = 0; i < m_residuals.size(); ++i) {
+            const double bend = m_residuals[i] - m_jacobianResiduals[i] - gsl_vector_get(expected.get(), i);
             squares += bend * bend;
         }
-        return squares < kBent;
+        return squares < kNonlinearity;
     }
 
-    // By a difference quotient, whose notch is right if it moves the ball by much less than it is measured to, and by
-    // much more than the jumps where a ball on a wall has bounced once more.
-    void setColumn(const BoardGuess &board, const Piece &piece, gsl_matrix *jacobian, size_t column) {
+    // By a difference quotient, whose increment is right if it moves the ball by much less than it is measured to, and
+    // by much more than the jumps where a ball on a wall has bounced once more.
+    void setColumn(const BoardParameters &board, const TrackSegment &segment, gsl_matrix *jacobian, size_t column) {
         constexpr double kWanted = 0.05; // in units of the noise
         constexpr double kTooFar = 0.5;
-        double &notch = m_piece.notches[column];
+        double &increment = m_segment.increments[column];
         double moved = 0.0;
         for (int attempt = 0; attempt < 2; ++attempt) {
-            const double taken = runBeside(board, piece, column, notch);
+            const double taken = runShifted(board, segment, column, increment);
             moved = 0.0;
-            for (size_t i = 0; i < m_here.size(); ++i) {
-                const double difference = m_there[i] - m_here[i];
+            for (size_t i = 0; i < m_residuals.size(); ++i) {
+                const double difference = m_shiftedResiduals[i] - m_residuals[i];
                 moved = std::max(moved, std::abs(difference));
                 gsl_matrix_set(jacobian, i, column, difference / (taken / unitOf(column)));
             }
-            const double usual = usualNotch(column);
-            notch = std::clamp(notch * kWanted / std::max(moved, 1e-9), 1e-3 * usual, 10.0 * usual);
+            const double usual = usualIncrement(column);
+            increment = std::clamp(increment * kWanted / std::max(moved, 1e-9), 1e-3 * usual, 10.0 * usual);
             if (moved < kTooFar) return;
         }
     }
 
     // With one number changed; by how much, which is less than nothing at its upper bound.
-    double runBeside(BoardGuess board, Piece piece, size_t column, double notch) {
-        if (column >= shared()) {
-            startNumber(piece.start, column - shared()) += notch;
+    double runShifted(BoardParameters board, TrackSegment segment, size_t column, double increment) {
+        if (column >= quantityCount()) {
+            startNumber(segment.start, column - quantityCount()) += increment;
         } else {
             double &value = m_quantities[column].of(board);
-            if (value + notch > m_quantities[column].upper) notch = -notch;
-            value += notch;
+            if (value + increment > m_quantities[column].upper) increment = -increment;
+            value += increment;
         }
-        run(board, piece, m_there);
-        return notch;
+        run(board, segment, m_shiftedResiduals);
+        return increment;
     }
 
-    double usualNotch(size_t number) const {
-        return number < shared() ? m_quantities[number].notch : kStartNotches[number - shared()];
+    double usualIncrement(size_t number) const {
+        return number < quantityCount() ? m_quantities[number].increment : kStartIncrements[number - quantityCount()];
     }
 
-    void setKnown(gsl_matrix *jacobian, size_t column) {
-        const Vector unit = makeVector(shared());
+    void setPriorRows(gsl_matrix *jacobian, size_t column) {
+        const Vector unit = makeVector(quantityCount());
         gsl_vector_set(unit.get(), column, unitOf(column));
         gsl_blas_dtrsv(CblasLower, CblasNoTrans, CblasNonUnit, m_lower.get(), unit.get());
-        for (size_t i = 0; i < shared(); ++i)
-            gsl_matrix_set(jacobian, m_here.size() + i, column, gsl_vector_get(unit.get(), i));
+        for (size_t i = 0; i < quantityCount(); ++i)
+            gsl_matrix_set(jacobian, m_residuals.size() + i, column, gsl_vector_get(unit.get(), i));
     }
 
     const BallModel &m_model;
     const std::vector<FitQuantity> &m_quantities;
-    const BoardKnowledge &m_before;
+    const BoardEstimate &m_before;
     Matrix m_lower;
-    BoardGuess m_board;
-    Piece m_piece;
+    BoardParameters m_board;
+    TrackSegment m_segment;
     double m_noise;
     std::vector<TrackPoint> m_measured;
-    std::vector<double> m_here, m_there;
+    std::vector<double> m_residuals, m_shiftedResiduals;
     int m_tries = 0;
-    Matrix m_slopes{nullptr, gsl_matrix_free}; // the last ones, and where they are from
-    Vector m_slopesAt{nullptr, gsl_vector_free};
-    std::vector<double> m_atSlopes; // residuals there
+    Matrix m_jacobian{nullptr, gsl_matrix_free}; // the last ones, and where they are from
+    Vector m_jacobianAt{nullptr, gsl_vector_free};
+    std::vector<double> m_jacobianResiduals; // residuals there
 };
 
 int residualsForGsl(const gsl_vector *x, void *problem, gsl_vector *f) {
     return static_cast<Problem *>(problem)->evaluate(x, f) ? GSL_SUCCESS : GSL_EMAXITER;
 }
 
-int slopesForGsl(const gsl_vector *x, void *problem, gsl_matrix *jacobian) {
+int jacobianForGsl(const gsl_vector *x, void *problem, gsl_matrix *jacobian) {
     static_cast<Problem *>(problem)->differentiate(x, jacobian);
     return GSL_SUCCESS;
 }
 
 // R of J = Q R: the numbers' covariance is R^-1 R^-T.
-Matrix triangleOf(const gsl_matrix *jacobian) {
+Matrix triangularFactorOf(const gsl_matrix *jacobian) {
     const size_t count = jacobian->size2;
     const Matrix both = makeMatrix(jacobian->size1, count);
     gsl_matrix_memcpy(both.get(), jacobian);
     const Vector tau = makeVector(count);
     gsl_linalg_QR_decomp(both.get(), tau.get());
-    Matrix triangle = makeMatrix(count, count);
+    Matrix triangularFactor = makeMatrix(count, count);
     for (size_t i = 0; i < count; ++i)
-        for (size_t j = i; j < count; ++j) gsl_matrix_set(triangle.get(), i, j, gsl_matrix_get(both.get(), i, j));
-    return triangle;
+        for (size_t j = i; j < count; ++j)
+            gsl_matrix_set(triangularFactor.get(), i, j, gsl_matrix_get(both.get(), i, j));
+    return triangularFactor;
 }
 
 // By how much a step of Gauss and Newton would lessen the sum of squares: |R^-T g|^2 with g = J^T f.
@@ -270,17 +274,17 @@ double decrement(const gsl_multifit_nlinear_workspace *workspace) {
     const gsl_matrix *jacobian = gsl_multifit_nlinear_jac(workspace);
     const Vector gradient = makeVector(jacobian->size2);
     gsl_blas_dgemv(CblasTrans, 1.0, jacobian, gsl_multifit_nlinear_residual(workspace), 0.0, gradient.get());
-    gsl_blas_dtrsv(CblasUpper, CblasTrans, CblasNonUnit, triangleOf(jacobian).get(), gradient.get());
+    gsl_blas_dtrsv(CblasUpper, CblasTrans, CblasNonUnit, triangularFactorOf(jacobian).get(), gradient.get());
     double squares = 0.0;
     gsl_blas_ddot(gradient.get(), gradient.get(), &squares);
     return squares;
 }
 
-Matrix covarianceOf(const gsl_matrix *triangle) {
-    const size_t count = triangle->size1;
+Matrix covarianceOf(const gsl_matrix *triangularFactor) {
+    const size_t count = triangularFactor->size1;
     const Matrix inverse = makeMatrix(count, count);
     gsl_matrix_set_identity(inverse.get());
-    gsl_blas_dtrsm(CblasLeft, CblasUpper, CblasNoTrans, CblasNonUnit, 1.0, triangle, inverse.get());
+    gsl_blas_dtrsm(CblasLeft, CblasUpper, CblasNoTrans, CblasNonUnit, 1.0, triangularFactor, inverse.get());
     Matrix covariance = makeMatrix(count, count);
     gsl_blas_dgemm(CblasNoTrans, CblasTrans, 1.0, inverse.get(), inverse.get(), 0.0, covariance.get());
     return covariance;
@@ -293,10 +297,10 @@ std::vector<std::vector<double>> rowsOf(const gsl_matrix *matrix, size_t count) 
     return rows;
 }
 
-BoardKnowledge knowledgeAfter(const Problem &problem, const std::vector<FitQuantity> &quantities, BoardGuess board,
-                              const gsl_matrix *covariance) {
-    const size_t n = problem.shared();
-    BoardKnowledge after{{}, std::vector<std::vector<double>>(n, std::vector<double>(n))};
+BoardEstimate estimateAfter(const Problem &problem, const std::vector<FitQuantity> &quantities, BoardParameters board,
+                            const gsl_matrix *covariance) {
+    const size_t n = problem.quantityCount();
+    BoardEstimate after{{}, std::vector<std::vector<double>>(n, std::vector<double>(n))};
     for (size_t i = 0; i < n; ++i) {
         after.mean.push_back(quantities[i].of(board));
         for (size_t j = 0; j < n; ++j)
@@ -307,29 +311,29 @@ BoardKnowledge knowledgeAfter(const Problem &problem, const std::vector<FitQuant
 
 } // namespace
 
-double BoardKnowledge::deviation(size_t i) const { return std::sqrt(covariance[i][i]); }
+double BoardEstimate::deviation(size_t i) const { return std::sqrt(covariance[i][i]); }
 
-BoardKnowledge weakKnowledge(const std::vector<FitQuantity> &quantities, const BoardGuess &board) {
-    BoardKnowledge weak;
+BoardEstimate weakPrior(const std::vector<FitQuantity> &quantities, const BoardParameters &board) {
+    BoardEstimate weak;
     const size_t n = quantities.size();
     weak.covariance.assign(n, std::vector<double>(n));
     for (size_t i = 0; i < n; ++i) {
-        BoardGuess copy = board;
+        BoardParameters copy = board;
         weak.mean.push_back(quantities[i].of(copy));
-        weak.covariance[i][i] = quantities[i].doubt * quantities[i].doubt;
+        weak.covariance[i][i] = quantities[i].priorDeviation * quantities[i].priorDeviation;
     }
     return weak;
 }
 
-std::optional<PieceFit> fitPiece(const BallModel &model, const std::vector<FitQuantity> &quantities,
-                                 const BoardKnowledge &before, const BoardGuess &board, const Piece &piece,
-                                 double noise, int steps) {
+std::optional<SegmentFit> fitSegment(const BallModel &model, const std::vector<FitQuantity> &quantities,
+                                     const BoardEstimate &before, const BoardParameters &board,
+                                     const TrackSegment &segment, double noise, int steps) {
     gsl_set_error_handler_off(); // its statuses are looked at
-    Problem problem(model, quantities, before, board, piece, noise);
+    Problem problem(model, quantities, before, board, segment, noise);
     if (!problem.isReady()) return std::nullopt;
     gsl_multifit_nlinear_fdf fdf{};
     fdf.f = residualsForGsl;
-    fdf.df = slopesForGsl;
+    fdf.df = jacobianForGsl;
     fdf.n = problem.residuals();
     fdf.p = problem.numbers();
     fdf.params = &problem;
@@ -344,13 +348,13 @@ std::optional<PieceFit> fitPiece(const BallModel &model, const std::vector<FitQu
 
     const gsl_vector *position = gsl_multifit_nlinear_position(workspace.get());
     const gsl_vector *residual = gsl_multifit_nlinear_residual(workspace.get());
-    PieceFit fit{problem.boardAt(position), problem.pieceAt(position), {}, {}, {}, {}, {}};
+    SegmentFit fit{problem.boardAt(position), problem.segmentAt(position), {}, {}, {}, {}, {}};
     const gsl_matrix *jacobian = gsl_multifit_nlinear_jac(workspace.get());
-    const Matrix triangle = triangleOf(jacobian);
-    fit.knowledge = knowledgeAfter(problem, quantities, fit.board, covarianceOf(triangle.get()).get());
+    const Matrix triangularFactor = triangularFactorOf(jacobian);
+    fit.estimate = estimateAfter(problem, quantities, fit.board, covarianceOf(triangularFactor.get()).get());
     for (size_t i = 0; i < fdf.p; ++i) fit.numbers.push_back(gsl_vector_get(position, i));
-    fit.triangle = rowsOf(triangle.get(), fdf.p);
-    fit.slopes = rowsOf(jacobian, problem.pointResiduals());
+    fit.triangularFactor = rowsOf(triangularFactor.get(), fdf.p);
+    fit.jacobian = rowsOf(jacobian, problem.pointResiduals());
     for (size_t i = 0; i < problem.pointResiduals(); ++i) fit.residuals.push_back(gsl_vector_get(residual, i) * noise);
     return fit;
 }
@@ -358,36 +362,36 @@ std::optional<PieceFit> fitPiece(const BallModel &model, const std::vector<FitQu
 namespace {
 
 // Shifts of the numbers by one deviation, those first that move the ball most in the residuals from `first` on: the
-// axes of the uncertainty there. In units of the noise, each with the residuals that the slopes let expect.
+// axes of the uncertainty there. In units of the noise, each with the residuals that the jacobian let expect.
 struct Shift {
     std::vector<double> numbers;
     std::vector<double> expected;
     double largest = 0.0;
 };
 
-std::vector<Shift> shiftsOf(const PieceFit &before, const PieceFit &after) {
+std::vector<Shift> shiftsOf(const SegmentFit &before, const SegmentFit &after) {
     const size_t first = before.residuals.size();
     const size_t added = after.residuals.size() - first;
     const size_t count = before.numbers.size();
-    const Matrix triangle = makeMatrix(count, count);
-    const Matrix slopes = makeMatrix(std::max(added, count), count); // GSL wants no fewer rows than columns
+    const Matrix triangularFactor = makeMatrix(count, count);
+    const Matrix jacobian = makeMatrix(std::max(added, count), count); // GSL wants no fewer rows than columns
     for (size_t i = 0; i < count; ++i) {
-        for (size_t j = i; j < count; ++j) gsl_matrix_set(triangle.get(), i, j, before.triangle[i][j]);
-        for (size_t r = 0; r < added; ++r) gsl_matrix_set(slopes.get(), r, i, after.slopes[first + r][i]);
+        for (size_t j = i; j < count; ++j) gsl_matrix_set(triangularFactor.get(), i, j, before.triangularFactor[i][j]);
+        for (size_t r = 0; r < added; ++r) gsl_matrix_set(jacobian.get(), r, i, after.jacobian[first + r][i]);
     }
-    // slopes R^-1 = U S V^T: the axes are the columns of R^-1 V, and move the ball by those of U S.
-    gsl_blas_dtrsm(CblasRight, CblasUpper, CblasNoTrans, CblasNonUnit, 1.0, triangle.get(), slopes.get());
+    // jacobian R^-1 = U S V^T: the axes are the columns of R^-1 V, and move the ball by those of U S.
+    gsl_blas_dtrsm(CblasRight, CblasUpper, CblasNoTrans, CblasNonUnit, 1.0, triangularFactor.get(), jacobian.get());
     const Matrix turned = makeMatrix(count, count);
     const Vector sizes = makeVector(count);
     const Vector work = makeVector(count);
-    gsl_linalg_SV_decomp(slopes.get(), turned.get(), sizes.get(), work.get());
-    gsl_blas_dtrsm(CblasLeft, CblasUpper, CblasNoTrans, CblasNonUnit, 1.0, triangle.get(), turned.get());
+    gsl_linalg_SV_decomp(jacobian.get(), turned.get(), sizes.get(), work.get());
+    gsl_blas_dtrsm(CblasLeft, CblasUpper, CblasNoTrans, CblasNonUnit, 1.0, triangularFactor.get(), turned.get());
     std::vector<Shift> shifts(count);
     for (size_t k = 0; k < count; ++k) {
         Shift &shift = shifts[k];
         for (size_t i = 0; i < count; ++i) shift.numbers.push_back(gsl_matrix_get(turned.get(), i, k));
         for (size_t r = 0; r < added; ++r) {
-            shift.expected.push_back(gsl_matrix_get(slopes.get(), r, k) * gsl_vector_get(sizes.get(), k));
+            shift.expected.push_back(gsl_matrix_get(jacobian.get(), r, k) * gsl_vector_get(sizes.get(), k));
             shift.largest = std::max(shift.largest, std::abs(shift.expected.back()));
         }
     }
@@ -396,16 +400,16 @@ std::vector<Shift> shiftsOf(const PieceFit &before, const PieceFit &after) {
 
 } // namespace
 
-bool isPredicted(const BallModel &model, const std::vector<FitQuantity> &quantities, const BoardKnowledge &knowledge,
-                 const PieceFit &before, const PieceFit &after, double noise) {
+bool isPredicted(const BallModel &model, const std::vector<FitQuantity> &quantities, const BoardEstimate &estimate,
+                 const SegmentFit &before, const SegmentFit &after, double noise) {
     constexpr double kFarthest = 5.0;   // in units of the noise: a ball that is known no better isn't known
     constexpr double kBend = 0.5;       // of the move, that may be out of proportion
     constexpr double kSmall = 0.5;      // in units of the noise: moves that don't matter
     constexpr size_t kFewestShifts = 2; // that are tried however small they are
     const std::vector<Shift> shifts = shiftsOf(before, after);
-    Piece piece = after.piece;
-    piece.start = before.piece.start;
-    Problem problem(model, quantities, knowledge, before.board, piece, noise);
+    TrackSegment segment = after.segment;
+    segment.start = before.segment.start;
+    Problem problem(model, quantities, estimate, before.board, segment, noise);
     const size_t first = before.residuals.size();
     const std::vector<double> here = problem.residualsAt(before.numbers);
     for (size_t k = 0; k < shifts.size(); ++k) {

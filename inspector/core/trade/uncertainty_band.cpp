@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/trade/ignorance.h"
+#include "core/trade/uncertainty_band.h"
 
-#include "core/trade/drawn_balls.h"
+#include "core/trade/ball_ensemble.h"
 #include "core/trade/quantile.h"
 
 #include <algorithm>
@@ -48,14 +48,14 @@ std::optional<double> Band::timeUntil(double radii) const {
     return times[size_t(reached - middle.begin())];
 }
 
-Band ignoranceBand(const BandPlan &plan, const TradeReference &reference, const std::stop_token &stop) {
+Band uncertaintyBand(const BandPlan &plan, const TradeReference &reference, const std::stop_token &stop) {
     Band band;
     const Stepper stepper = makeStepper(plan.registry, "exact", plan.scene, nullptr);
     if (!stepper || plan.unknowns.empty() || plan.balls < 1) return band;
     const double radius = phys_scene_radius(plan.scene.get());
     phys_state start;
     phys_scene_start(plan.scene.get(), &start);
-    DrawnBalls balls(stepper, plan.scene, drawBoards(plan.unknowns, plan.inputs, plan.balls, kBandSeed), start);
+    BallEnsemble balls(stepper, plan.scene, sampleBoards(plan.unknowns, plan.inputs, plan.balls, kBandSeed), start);
     std::vector<double> farthest = balls.distancesFrom(start.position);
     appendQuantiles(band, 0.0, farthest, radius);
     for (size_t i = 0; i < reference.legs().size() && !stop.stop_requested(); ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/ball/ball_hand.h"
+#include "ui/ball/ball_dragger.h"
 
 #include "ui/ball/ball_command.h"
 #include "ui/parts/board_vector.h"
@@ -30,7 +30,7 @@ std::optional<glm::dvec3> pointAt(const gl::Ray &ray, double height) {
 
 } // namespace
 
-BallHand::BallHand(Session &session, gl::MazeView &view, QUndoStack &undo, QObject *parent)
+BallDragger::BallDragger(Session &session, gl::MazeView &view, QUndoStack &undo, QObject *parent)
     : QObject(parent)
     , m_session(session)
     , m_view(view)
@@ -38,7 +38,7 @@ BallHand::BallHand(Session &session, gl::MazeView &view, QUndoStack &undo, QObje
     view.installEventFilter(this);
 }
 
-bool BallHand::isOverBall(const QPointF &place) const {
+bool BallDragger::isOverBall(const QPointF &place) const {
     const phys_state &ball = m_session.simulation().latest().current;
     const double radius = phys_scene_radius(m_session.scene().get());
     const glm::dvec3 centre = toGlm(ball.position);
@@ -47,7 +47,7 @@ bool BallHand::isOverBall(const QPointF &place) const {
     return QLineF(middle, place).length() <= std::max(kReach, QLineF(middle, side).length());
 }
 
-bool BallHand::eventFilter(QObject *, QEvent *event) {
+bool BallDragger::eventFilter(QObject *, QEvent *event) {
     switch (event->type()) {
     case QEvent::MouseButtonPress:
         return take(*static_cast<QMouseEvent *>(event));
@@ -61,7 +61,7 @@ bool BallHand::eventFilter(QObject *, QEvent *event) {
     }
 }
 
-bool BallHand::take(const QMouseEvent &event) {
+bool BallDragger::take(const QMouseEvent &event) {
     const Snapshot &now = m_session.simulation().latest();
     if (event.button() != Qt::LeftButton || now.running || m_session.isReplaying()) return false;
     if (!isOverBall(event.position())) return false;
@@ -70,7 +70,7 @@ bool BallHand::take(const QMouseEvent &event) {
     return true;
 }
 
-void BallHand::move(const QMouseEvent &event) {
+void BallDragger::move(const QMouseEvent &event) {
     const std::optional<glm::dvec3> point = pointAt(m_view.rayAt(event.position()), m_before->position.z);
     if (!point) return;
     phys_state state = *m_before;
@@ -85,7 +85,7 @@ void BallHand::move(const QMouseEvent &event) {
     m_session.placeBall(state);
 }
 
-bool BallHand::drop() {
+bool BallDragger::drop() {
     if (!m_before) return false;
     const phys_state before = *std::exchange(m_before, std::nullopt);
     const bool hasMoved =
@@ -94,7 +94,7 @@ bool BallHand::drop() {
     return hasMoved; // a mere click is the view's
 }
 
-void BallHand::addArrow(gl::Strokes &strokes) const {
+void BallDragger::addArrow(gl::Strokes &strokes) const {
     const Snapshot &now = m_session.simulation().latest();
     const glm::dvec3 velocity = toGlm(now.current.velocity);
     const double speed = glm::length(velocity);
