@@ -330,7 +330,9 @@ void ExactStep::follow(const P &phase, const End &end, const Border &border) {
         m_position += place.way;
         m_motion = {place.velocity, place.spin};
     }
-    const double passed = std::min(t + end.rest, m_left);
+    // Not waited for where the ball's velocity changes meanwhile by more than the speed that vanishes.
+    const bool waits = end.rest * phase.mostAcceleration() <= 16.0 * kSlipEnds * speedScale(moment());
+    const double passed = std::min(t + (waits ? end.rest : 0.0), m_left);
     m_elapsed += passed;
     m_left -= passed;
     // Before normals are turned: a slip that has ended would begin again at a place further round an edge.

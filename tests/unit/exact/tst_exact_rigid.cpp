@@ -107,7 +107,7 @@ void ExactRigid::slipBesideAWallOnTheRoughestFloorEndsInTime() {
 void ExactRigid::slipBesideAWallDecaysByItsPowerLaw() {
     // model.md 14.2 without gravity along the wall: du_y / du_x = (7/5) u_y / u_x.
     const double radius = 0.005;
-    Run run({kFloor, exact::wall(radius, -4, 1, 4)}, radius, {0, 0, radius}, {0, 0.1, 0});
+    Run run({exact::kFloor, exact::wall(radius, -4, 1, 4)}, radius, {0, 0, radius}, {0, 0.1, 0});
     roll(run, radius);
     run.params.sliding_friction = 0.3;
     run.params.gravity = {2.0, 0.0, -9.8};
