@@ -145,10 +145,11 @@ uint32_t nearestPart(const Scene &scene, std::span<const uint32_t> parts, const 
 
 uint32_t Scene::givenBox(uint32_t box, const Vec3 &point) const { return nearestPart(*this, partsOf(box), point); }
 
-bool Scene::overFloor(double x, double y) const {
+bool Scene::overFloor(double x, double y, double reach) const {
     const std::span<const uint32_t> candidates = boxesNear(x, y, hasManyBoxes);
     return std::any_of(candidates.begin(), candidates.end(), [&](uint32_t i) {
-        return std::abs(boxes[i].max.z - floorTop) <= tolerance && isOver(boxes[i], x, y);
+        return std::abs(boxes[i].max.z - floorTop) <= tolerance && isOver(boxes[i], x - reach, y - reach) &&
+               isOver(boxes[i], x + reach, y + reach);
     });
 }
 

@@ -67,8 +67,9 @@ struct Scene {
     /// Number of the given box that gave a merged one the place nearest to `point`; the lowest of equals.
     uint32_t givenBox(uint32_t box, const Vec3 &point) const;
 
-    /// Whether (x, y) lies over a box whose top is the floor's plane, borders included.
-    bool overFloor(double x, double y) const;
+    /// Whether one box whose top is the floor's plane lies below all places that are up to `reach` (m) away from (x, y)
+    /// along each axis, borders included.
+    bool overFloor(double x, double y, double reach = 0.0) const;
 
     static bool isOver(const phys_box &box, double x, double y) {
         return x >= box.min.x && x <= box.max.x && y >= box.min.y && y <= box.max.y;

@@ -57,9 +57,11 @@ double substepsNeeded(const PlanInput &input) {
     const double safe = 0.5 * scene.radius;
     const double reach = reachOfStep(input);
     if (scene.boxes.empty() || staysOnOneFloor(input, reach) || passesBy(input)) return 1.0;
-    // What can lift a ball off the floor lets it fall within a long step.
-    const double fall = input.isPlanar() ? 0.0 : input.dt * input.dt * std::abs(input.params.gravity.z);
-    const double forWay = reach <= safe ? 1.0 : std::ceil((reach + fall) / safe);
+    // What can lift a ball off the floor, and the floor's edge, let it fall within a long step.
+    const double fall = input.dt * input.dt * std::abs(input.params.gravity.z);
+    const bool leaves = fall > safe && input.isCarried() && !input.isCarried(reach);
+    const double way = leaves || !input.isPlanar() ? reach + fall : reach;
+    const double forWay = (leaves ? way : reach) <= safe ? 1.0 : std::ceil(way / safe);
     const double spin = glm::length(toVec(input.state.spin));
     return spinsFast(input) ? std::max(forWay, std::ceil(spin * input.dt / kSafeTurn)) : forWay;
 }
@@ -75,8 +77,12 @@ void describePlan(const PlanInput &input, const StepPlan &plan, phys_requirement
         !input.isOnFloor() ? "the ball is not on the floor"
         : input.isPlanar() ? "not needed: the floor carries the ball and walls push it sideways only"
                            : "a low box or a rough wall can lift the ball off the floor");
-    say(out, 1, "%sthe ball moves at most %.2g of its radius in this step; half a radius is safe",
-        plan.substeps > 1.0 ? "" : "not needed: ", reachOfStep(input) / scene.radius);
+    const double reach = reachOfStep(input) / scene.radius;
+    if (plan.substeps > 1.0 && reach <= 0.5 && !spinsFast(input))
+        say(out, 1, "%s", "the ball may come over the floor's edge, and fall by more than half a radius in this step");
+    else
+        say(out, 1, "%sthe ball moves at most %.2g of its radius in this step; half a radius is safe",
+            plan.substeps > 1.0 ? "" : "not needed: ", reach);
     say(out, 2, "%s",
         params.rolling_friction > 0.0 ? "rolling_friction is above 0" : "not needed: rolling_friction is 0");
     say(out, 3, "%s",

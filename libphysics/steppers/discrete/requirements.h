@@ -33,8 +33,10 @@ struct PlanInput {
         return std::abs(state.position.z - scene.supportedZ) <= scene.tolerance && state.velocity.z == 0.0;
     }
 
-    /// The same, and on it: beside an edge there is nothing below.
-    bool isCarried() const { return isOnFloor() && scene.overFloor(state.position.x, state.position.y); }
+    /// The same, and on it: beside an edge there is nothing below. reach: also wherever it moves by no more, m.
+    bool isCarried(double reach = 0.0) const {
+        return isOnFloor() && scene.overFloor(state.position.x, state.position.y, reach);
+    }
 
     /// Whether nothing can push a ball that rolls on the floor upwards.
     bool isPlanar() const {
@@ -64,8 +66,8 @@ inline bool isSlow(const PlanInput &input) {
     // Sums of components are never smaller than lengths.
     const double reach = (std::abs(v.x) + std::abs(v.y) + drive * input.dt) * input.dt;
     if (reach > safe) return false;
-    // A ball that has come over an edge falls: in short steps by too little to ask for it.
-    return reach + std::abs(g.z) * input.dt * input.dt <= safe || input.isCarried();
+    // A ball that comes over an edge falls: in short steps by too little to ask for it.
+    return reach + std::abs(g.z) * input.dt * input.dt <= safe || input.isCarried(reach);
 }
 
 /// Friction may turn the spin of so many radians into a way of a quarter of the radius: 2/7 of it is speed.
