@@ -122,7 +122,7 @@ private:
             const Planar<N> turn = 0.5 * limits.h * balls.velocity();
             isFine = all(isFine, wayOf(step) <= limits.reach, x.isFree(x.place + turn.x), y.isFree(y.place + turn.y));
         }
-        if (limits.isOpen) isFine = all(isFine, staysOnFloor(balls, limits));
+        if (mayFall(balls, limits)) isFine = all(isFine, staysOnFloor(balls, limits));
         step.isFine = isFine;
         return step;
     }
@@ -161,7 +161,7 @@ private:
                                  choose(isAtRest, 0.0, step.displacement.y)};
             step.isFine = any(all(isAtRest, isHeld), all(rests == 0.0, rolls));
         }
-        if (limits.isOpen) step.isFine = all(step.isFine, staysOnFloor(balls, limits));
+        if (mayFall(balls, limits)) step.isFine = all(step.isFine, staysOnFloor(balls, limits));
         return step;
     }
 
@@ -231,7 +231,14 @@ private:
         return all(isFast, dot(next, velocity) > 1.1e-9 * dot(velocity, velocity));
     }
 
-    /// staysOnOneFloor, where there is nothing else.
+    /// Whether a ball must be seen to stay on the floor: there is nothing else, or the step is long, mayFallOffFloor.
+    template<class N>
+    [[gnu::always_inline]] static bool mayFall(const BallsInRegion<N> &balls, const RegionLimits &limits) {
+        if (limits.isOpen) return true;
+        if constexpr (kRule == RegionRule::Swept) return false;
+        return bitsOf(balls.drive.normal * (limits.h * limits.h) > limits.reach) != 0;
+    }
+
     template<class N>
     [[gnu::always_inline]] static MaskOf<N> staysOnFloor(const BallsInRegion<N> &balls, const RegionLimits &limits) {
         const N way = reach(balls, limits.h);

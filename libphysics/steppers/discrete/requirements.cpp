@@ -58,9 +58,8 @@ double substepsNeeded(const PlanInput &input) {
     const double reach = reachOfStep(input);
     if (scene.boxes.empty() || staysOnOneFloor(input, reach) || passesBy(input)) return 1.0;
     // What can lift a ball off the floor, and the floor's edge, let it fall within a long step.
-    const double fall = input.dt * input.dt * std::abs(input.params.gravity.z);
-    const bool leaves = fall > safe && input.isCarried() && !input.isCarried(reach);
-    const double way = leaves || !input.isPlanar() ? reach + fall : reach;
+    const bool leaves = mayFallOffFloor(input);
+    const double way = leaves || !input.isPlanar() ? reach + fallOfStep(input) : reach;
     const double forWay = (leaves ? way : reach) <= safe ? 1.0 : std::ceil(way / safe);
     const double spin = glm::length(toVec(input.state.spin));
     return spinsFast(input) ? std::max(forWay, std::ceil(spin * input.dt / kSafeTurn)) : forWay;

@@ -51,11 +51,19 @@ struct PlanInput {
 /// How far the ball can come in this step, m: model.md 10.4.
 double reachOfStep(const PlanInput &input);
 
+/// How far the ball may fall in this step, m.
+inline double fallOfStep(const PlanInput &input) { return input.dt * input.dt * std::abs(input.params.gravity.z); }
+
+/// Whether a ball that the floor carries may come over its edge in a step that is long enough for a fall.
+inline bool mayFallOffFloor(const PlanInput &input) {
+    return fallOfStep(input) > 0.5 * input.scene.radius && input.isCarried() && !input.isCarried(reachOfStep(input));
+}
+
 /// No substep moves the ball by more than half its radius, so that nothing is tunnelled through; one is enough where
 /// there is nothing to hit.
 double substepsNeeded(const PlanInput &input);
 
-/// Whether one substep is enough at a glance: substepsNeeded is 1 then.
+/// Whether one substep is enough at a glance: substepsNeeded is 1 then, unless mayFallOffFloor.
 inline bool isSlow(const PlanInput &input) {
     if (!input.isOnFloor()) return false;
     const phys_vec3 &v = input.state.velocity;
@@ -66,8 +74,8 @@ inline bool isSlow(const PlanInput &input) {
     // Sums of components are never smaller than lengths.
     const double reach = (std::abs(v.x) + std::abs(v.y) + drive * input.dt) * input.dt;
     if (reach > safe) return false;
-    // A ball that comes over an edge falls: in short steps by too little to ask for it.
-    return reach + std::abs(g.z) * input.dt * input.dt <= safe || input.isCarried(reach);
+    // A ball that has come over an edge falls: in short steps by too little to ask for it.
+    return reach + std::abs(g.z) * input.dt * input.dt <= safe || input.isCarried();
 }
 
 /// Friction may turn the spin of so many radians into a way of a quarter of the radius: 2/7 of it is speed.
@@ -88,7 +96,8 @@ inline StepPlan planStep(const PlanInput &input, bool asReported) {
     const auto stage = [](bool runs, uint32_t bit) { return runs ? bit : 0U; };
     const phys_params &params = input.params;
     StepPlan plan{asReported, 0, 1.0};
-    if (!asReported && (!isSlow(input) || spinsFast(input))) plan.substeps = substepsNeeded(input);
+    if (!asReported && (!isSlow(input) || spinsFast(input) || mayFallOffFloor(input)))
+        plan.substeps = substepsNeeded(input);
     plan.stages = stage(!input.isOnFloor() || !input.isPlanar(), PHYS_STAGE_VERTICAL) |
                   stage(plan.substeps > 1.0, PHYS_STAGE_SUBSTEPS) |
                   stage(params.rolling_friction > 0.0, PHYS_STAGE_RESISTANCE) |
