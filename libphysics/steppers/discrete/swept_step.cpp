@@ -85,8 +85,8 @@ bool SweptStep::toNextEvent() {
 /// The whole step where nothing happens in it.
 bool SweptStep::advanceFreely() {
     if (m_done > 0.0 || !isSlow(m_input) || spinsFast(m_input)) return false;
-    Step step({m_input.scene, m_input.params}, m_context.report, m_plan, m_input.dt);
-    return step.glideOnFloor(m_ball);
+    const StepContext context{{m_input.scene, m_input.params}, m_context.report};
+    return FloorRun<VelocityVerlet>(context, m_plan, m_input.dt).glide(m_ball);
 }
 
 void SweptStep::beginPhase() {

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: MIT
+// A substep of a ball that lies on a floor and meets nothing but upright smooth faces: bounces act along one axis, and
+// the drive loses what faces take, model.md 13.5. Everything else is left to DiscreteStep.
+#pragma once
+
+#include "contact_step.h"
+#include "floor_contact.h"
+#include "floor_view.h"
+#include "requirements.h"
+
+#include <cmath>
+
+namespace phys {
+
+/// Energy that a smooth motion takes, J/kg.
+struct SmoothLoss {
+    double rolling = 0.0;
+    double slip = 0.0;
+};
+
+/// A share of a speed that is none.
+inline constexpr double kZero = 1e-9;
+
+template<class Scheme>
+class FloorRun {
+public:
+    /// A substep of h seconds. The context outlives it.
+    FloorRun(const StepContext &context, const StepPlan &plan, double h)
+        : m_context(context)
+        , m_stages(plan.stages)
+        , m_h(h) {}
+
+    /// The substep, which begins `start` seconds into the step. False, and nothing done, if the ball may meet anything
+    /// else.
+    bool run(double start, Ball &ball) {
+        if (!liesOnFloor(ball)) return false;
+        Ahead ahead = rollAhead(ball);
+        const Vec3 end = ball.position + Vec3(ahead.roll.displacement, 0.0);
+        FloorView view;
+        if (!view.look(m_context, ball.position, end, sum(ahead.roll.displacement))) return false;
+        if (!view.isEmpty() && !view.findFaces(m_context, ball.position, end)) return false;
+        if (!view.faces().empty()) return meetFaces(start, view, ball);
+        finish(ahead.roll, ball);
+        return true;
+    }
+
+    /// The same without any event: the ball rolls freely, or along faces that it touches and doesn't leave. For a
+    /// stepper that has events inside a step: false, and nothing done, if there is or may be one.
+    bool glide(Ball &ball) {
+        if (!liesOnFloor(ball)) return false;
+        Ahead ahead = rollAhead(ball);
+        const bool slips = ahead.contact == FloorContact::Slips;
+        if (slips && m_context.params().rolling_friction > 0.0) return false; // works once that has ended
+        // The way may lead back: it stays in the triangle of its ends and this corner.
+        const Vec2 turn = 0.5 * m_h * inPlane(ball.velocity);
+        const Vec3 end = ball.position + Vec3(ahead.roll.displacement, 0.0);
+        FloorView view;
+        if (!view.look(m_context, ball.position, end, std::max(sum(turn), sum(ahead.roll.displacement)))) return false;
+        if (!view.isEmpty()) {
+            if (!view.findFaces(m_context, ball.position, ball.position)) return false;
+            if (!view.faces().empty() && (slips || !rollAlong(view.faces(), ball, ahead))) return false;
+            const Vec2 from = inPlane(ball.position), to = from + ahead.roll.displacement, corner = from + turn;
+            if (!view.isClear(m_context, glm::min(from, glm::min(to, corner)), glm::max(from, glm::max(to, corner))))
+                return false;
+        }
+        finish(ahead.roll, ball);
+        return true;
+    }
+
+    Law<Vec2> lawOnFloor(FloorContact contact) const {
+        Law<Vec2> law = velocityLaw(contact, m_context.params());
+        law.resists = m_stages & PHYS_STAGE_RESISTANCE;
+        return law;
+    }
+
+    /// The smooth motion of a ball on the floor alone.
+    SmoothLoss roll(FloorContact contact, const Law<Vec2> &law, Ball &ball) const {
+        FreeRoll next;
+        rollFreely(contact, law, ball, next);
+        place(next, ball);
+        return next.loss;
+    }
+
+    /// Whether friction on the floor holds against what the walls leave of the drive.
+    bool grips(FloorContact contact, const Vec2 &drive) const {
+        const phys_params &params = m_context.params();
+        const bool needsGrip = m_context.isRigid() && contact == FloorContact::Rolls;
+        return !needsGrip || glm::length(drive) <= 2.5 * params.sliding_friction * -params.gravity.z;
+    }
+
+    void book(const SmoothLoss &loss) const {
+        m_context.report.lostRolling(loss.rolling);
+        m_context.report.lostSlip(loss.slip);
+    }
+
+private:
+    /// What the smooth law makes of a motion on the floor.
+    struct FreeRoll {
+        Vec2 velocity, displacement;
+        Vec3 spin;
+        SmoothLoss loss;
+    };
+
+    /// The substep as if there were no walls.
+    struct Ahead {
+        FloorContact contact;
+        Law<Vec2> law; ///< means something unless the contact slips
+        FreeRoll roll;
+    };
+
+    /// Never smaller than the length.
+    static double sum(const Vec2 &v) { return std::abs(v.x) + std::abs(v.y); }
+
+    bool liesOnFloor(const Ball &ball) const { return ball.velocity.z == 0.0 && m_context.params().gravity.z < 0.0; }
+
+    Ahead rollAhead(const Ball &ball) const {
+        const FloorContact contact =
+            floorContact(m_context.params(), m_context.radius(), inPlane(ball.velocity), ball.spin);
+        const Law<Vec2> law = lawOnFloor(contact);
+        Ahead ahead{contact, law, {}};
+        rollFreely(contact, law, ball, ahead.roll);
+        return ahead;
+    }
+
+    // Number by number: a processor waits where it reads two at once that were just written one by one, and swept would
+    // take a tenth longer.
+    static void set(Vec2 &to, const Vec2 &from) { to.x = from.x, to.y = from.y; }
+    static void set(Vec3 &to, const Vec3 &from) { to.x = from.x, to.y = from.y, to.z = from.z; }
+
+    static void place(const FreeRoll &next, Ball &ball) {
+        ball.position.x += next.displacement.x;
+        ball.position.y += next.displacement.y;
+        set(ball.velocity, Vec3(next.velocity, 0.0));
+        set(ball.spin, next.spin);
+    }
+
+    void finish(const FreeRoll &next, Ball &ball) const {
+        book(next.loss);
+        place(next, ball);
+        ball.supported = true;
+    }
+
+    void rollFreely(FloorContact contact, const Law<Vec2> &law, const Ball &ball, FreeRoll &next) const {
+        if (contact == FloorContact::Slips) {
+            next = slipFreely(ball);
+            return;
+        }
+        const Advance<Vec2> moved = advance(law, inPlane(ball.velocity));
+        const double drilling = m_context.isRigid() ? ball.spin.z : 0.0;
+        const Vec3 spin(ball.spin.x, ball.spin.y, drilling);
+        set(next.velocity, moved.velocity);
+        set(next.displacement, moved.displacement);
+        set(next.spin, spinAfter(contact, moved.velocity, spin, m_context.radius()));
+        next.loss.rolling = m_context.report.wanted() ? 1.4 * law.B * glm::length(moved.displacement) : 0.0;
+        next.loss.slip = 0.0;
+    }
+
+    FreeRoll slipFreely(const Ball &ball) const {
+        const phys_params &params = m_context.params();
+        double path = 0.0;
+        Vec3 spin = ball.spin;
+        const Advance<Vec2> slipped = slip<Scheme>(params, m_context.radius(), m_h, inPlane(ball.velocity), spin,
+                                                   m_context.report.wanted() ? &path : nullptr);
+        const double lost = params.sliding_friction * -params.gravity.z * path;
+        return {slipped.velocity, slipped.displacement, spin, {0.0, lost}};
+    }
+
+    /// v = 0 stays 0 up to the stiction limit, the limit included: model.md 2.1 R4.
+    Advance<Vec2> advance(const Law<Vec2> &law, const Vec2 &velocity) const {
+        if (velocity == Vec2(0.0) && glm::dot(law.A, law.A) <= law.B * law.B) return {Vec2(0.0), Vec2(0.0)};
+        if (!(m_stages & PHYS_STAGE_VERTICAL)) return Scheme::advance(law, velocity, m_h);
+        const Law<Vec3> inSpace{Vec3(law.A, 0.0), law.B, law.resists};
+        const Advance<Vec3> moved = Scheme::advance(inSpace, Vec3(velocity, 0.0), m_h);
+        return {inPlane(moved.velocity), inPlane(moved.displacement)};
+    }
+
+    /// A bounce off the faces that come fast enough. Returns whether there was one.
+    bool bounce(std::span<const UprightFace> faces, Ball &ball) const {
+        const auto restSpeed = [&](const UprightFace &face) { return restSpeedOf(face); };
+        const auto approach = [&](const UprightFace &face) { return -ball.velocity[face.axis] * face.normal; };
+        if (std::none_of(faces.begin(), faces.end(),
+                         [&](const UprightFace &face) { return approach(face) > restSpeed(face); }))
+            return false;
+        const double negligible = negligibleSpeed(motionOf(ball), m_context.radius());
+        for (const UprightFace &face : faces) {
+            const double speed = approach(face);
+            if (speed <= negligible) continue;
+            const double restitution = speed > restSpeed(face) ? m_context.params().restitution_wall : 0.0;
+            ball.velocity[face.axis] += (1.0 + restitution) * speed * face.normal;
+        }
+        return true;
+    }
+
+    double restSpeedOf(const UprightFace &face) const {
+        return 2.0 * m_h * std::max(0.0, -(&m_context.params().gravity.x)[face.axis] * face.normal);
+    }
+
+    /// Rolls along faces that the ball touches and keeps its way along, with the drive that they leave. False if it
+    /// doesn't keep it, or may stop.
+    bool rollAlong(std::span<const UprightFace> faces, const Ball &ball, Ahead &ahead) const {
+        if (m_context.isRigid() && m_context.params().wall_friction > 0.0) return false;
+        const Vec2 velocity = inPlane(ball.velocity);
+        for (const UprightFace &face : faces) {
+            if (velocity[face.axis] != 0.0) return false;
+            if (ahead.law.A[face.axis] * face.normal < 0.0) ahead.law.A[face.axis] = 0.0;
+        }
+        if (!grips(ahead.contact, ahead.law.A)) return false;
+        rollFreely(ahead.contact, ahead.law, ball, ahead.roll);
+        const bool mayStop = ahead.law.B > 0.0 && velocity != Vec2(0.0);
+        return !mayStop || glm::dot(ahead.roll.velocity, velocity) > kZero * glm::dot(velocity, velocity);
+    }
+
+    bool meetFaces(double start, const FloorView &view, Ball &ball) {
+        const phys_params &params = m_context.params();
+        const double radius = m_context.radius();
+        if (m_context.isRigid() && params.wall_friction > 0.0) return false;
+        const std::span<const UprightFace> faces = view.faces();
+        Ball next = ball;
+        next.supported = true;
+        const bool bounces = bounce(faces, next);
+        const FloorContact contact = floorContact(params, radius, inPlane(next.velocity), next.spin);
+        if (contact == FloorContact::Slips) return false;
+        const Ball bounced = next;
+        Law<Vec2> law = lawOnFloor(contact);
+        const double tolerance = m_context.scene().tolerance;
+        // Held at one face it comes to another within the substep: the rule of order 1 meets both.
+        const bool arrives = std::any_of(faces.begin(), faces.end(), [&](const UprightFace &face) {
+            return face.gap > tolerance && next.velocity[face.axis] * face.normal <= 0.0;
+        });
+        const bool keeps = Scheme::kContactRule == ContactRule::SecondOrder && !arrives;
+        std::array<bool, 2> presses{};
+        for (uint32_t i = 0; i < faces.size(); ++i) {
+            const UprightFace &face = faces[i];
+            double &speed = next.velocity[face.axis];
+            double &drive = law.A[face.axis];
+            const bool isTouched = face.gap <= tolerance;
+            if (keeps) {
+                const bool leaves = speed * face.normal > (isTouched ? restSpeedOf(face) : 0.0);
+                if (leaves) continue;
+                speed = 0.0;
+                presses[i] = drive * face.normal < 0.0;
+                if (presses[i]) drive = 0.0;
+            } else if (isTouched && drive * face.normal < -speed * face.normal / m_h) {
+                presses[i] = true;
+                drive = -speed / m_h;
+            }
+        }
+        if (!grips(contact, law.A)) return false;
+        const SmoothLoss loss = roll(contact, law, next);
+        for (uint32_t i = 0; i < faces.size(); ++i) {
+            const UprightFace &face = faces[i];
+            double &speed = next.velocity[face.axis];
+            if (!keeps && face.gap > tolerance && speed * face.normal < -face.gap / m_h) {
+                speed = -face.gap / m_h * face.normal;
+                presses[i] = true;
+            }
+            if (!presses[i]) continue;
+            next.position[face.axis] = face.place;
+            if (face.gap <= tolerance) speed = 0.0;
+        }
+        if (!view.hasRoom(m_context, ball.position, next.position)) return false;
+        next.spin = spinAfter(contact, inPlane(next.velocity), next.spin, radius);
+        book(loss);
+        if (bounces) bookBounce(start, faces, ball, bounced);
+        ball = next;
+        return true;
+    }
+
+    void bookBounce(double start, std::span<const UprightFace> faces, const Ball &before, const Ball &after) const {
+        Reporter &report = m_context.report;
+        report.passes(1);
+        if (!report.wanted()) return;
+        // The spin that follows the velocity has its share.
+        const double inertia = m_context.isRigid() ? 0.5 : 0.7;
+        report.lostImpact(inertia *
+                          (glm::dot(before.velocity, before.velocity) - glm::dot(after.velocity, after.velocity)));
+        for (const UprightFace &face : faces) {
+            const double approach = before.velocity[face.axis] * face.normal;
+            if (!(approach < 0.0)) continue;
+            Vec3 normal(0.0);
+            normal[face.axis] = face.normal;
+            const Vec3 point = before.position - (m_context.radius() + face.gap) * normal;
+            report.event(PHYS_EVENT_IMPACT, start, point, normal, approach,
+                         std::max(0.0, after.velocity[face.axis] * face.normal),
+                         m_context.scene().givenBox(face.box, point));
+        }
+    }
+
+    const StepContext &m_context;
+    uint32_t m_stages; ///< PHYS_STAGE_* bits
+    double m_h;
+};
+
+} // namespace phys
