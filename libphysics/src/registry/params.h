@@ -80,9 +80,9 @@ inline bool isWithin(double value, const phys_param_row &row) {
     return value >= row.min && value <= row.max;
 } // NaN: false
 
-inline bool mustBeWhole(const phys_param_row &row) { return row.flags & (PHYS_ROW_CHOICE | PHYS_ROW_SWITCH); }
+constexpr bool mustBeWhole(const phys_param_row &row) { return row.flags & (PHYS_ROW_CHOICE | PHYS_ROW_SWITCH); }
 
-[[gnu::always_inline]] inline bool isAllowed(double value, const phys_param_row &row) {
+inline bool isAllowed(double value, const phys_param_row &row) {
     // The ranges of whole rows are small: the conversion can't overflow.
     return isWithin(value, row) && (!mustBeWhole(row) || value == static_cast<double>(static_cast<int32_t>(value)));
 }
@@ -91,16 +91,25 @@ inline bool rigidFrictionsAgree(const phys_params &params) {
     return params.model != PHYS_MODEL_RIGID || params.rolling_friction <= params.sliding_friction;
 }
 
+/// Of a row of the library.
+template<size_t Index>
+inline bool rowIsValid(const phys_params &params) {
+    constexpr const phys_param_row &row = kRows[Index];
+    const double value = readRow(params, row);
+    if constexpr (mustBeWhole(row)) return isAllowed(value, row);
+    return isWithin(value, row);
+}
+
 /// Whether the values of the library's rows are allowed, wherever in phys_params they lie. Unrolled by hand: offsets
 /// and limits become constants.
 template<size_t... Index>
 inline bool rowsAreValid(const phys_params &params, std::index_sequence<Index...>) {
-    return (isAllowed(readRow(params, kRows[Index]), kRows[Index]) && ...);
+    return (rowIsValid<Index>(params) && ...);
 }
 
 template<size_t... Index>
 inline bool inputsAreValid(const phys_params &params, std::index_sequence<Index...>) {
-    return ((!(kRows[Index].flags & PHYS_ROW_INPUT) || isAllowed(readRow(params, kRows[Index]), kRows[Index])) && ...);
+    return ((!(kRows[Index].flags & PHYS_ROW_INPUT) || rowIsValid<Index>(params)) && ...);
 }
 
 /// The part of paramsAreValid that the gravity of a step may fail.

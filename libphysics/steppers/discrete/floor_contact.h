@@ -26,7 +26,7 @@ Advance<V> stopping(const Law &law, const V &velocity, double h) {
 
 /// One Euler step of the velocity, clamped where it may end in a stop.
 template<class Law, class V>
-[[gnu::always_inline]] inline V eulerVelocity(const Law &law, const V &velocity, double h) {
+V eulerVelocity(const Law &law, const V &velocity, double h) {
     if (nearStop(law, velocity, h)) return clampedVelocity(law, velocity, h);
     return velocity + h * acceleration(law, velocity);
 }
@@ -79,8 +79,8 @@ inline Vec3 spinAfter(FloorContact contact, const Vec2 &velocity, const Vec3 &sp
 /// A substep of slipping: q moves uniformly accelerated whatever friction does, the scheme carries the slip u,
 /// model.md 3.6. Changes the spin; slipPath: or nullptr.
 template<class Scheme>
-[[gnu::noinline]] Advance<Vec2> slip(const phys_params &params, double radius, double h, const Vec2 &velocity,
-                                     Vec3 &spin, double *slipPath) {
+Advance<Vec2> slip(const phys_params &params, double radius, double h, const Vec2 &velocity, Vec3 &spin,
+                   double *slipPath) {
     const Vec2 w = spinSpeed(spin, radius);
     const Vec2 q = (5.0 * velocity + 2.0 * w) / 7.0;
     const Vec2 qDrive = 5.0 / 7.0 * inPlane(params.gravity);

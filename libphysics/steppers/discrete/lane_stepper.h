@@ -97,15 +97,8 @@ private:
         if (isOther || (report && kind.slides) || !isOnFloor(input, kind)) return false;
         const FloorRegion *region = regionOf(places, in, kind.mayLean(params));
         if (!region) return false;
-        return params.rolling_friction > 0.0 ? stepIn<true>(*region, input, kind, out, report)
-                                             : stepIn<false>(*region, input, kind, out, report);
-    }
 
-    template<bool kResists>
-    [[gnu::always_inline]] static bool stepIn(const FloorRegion &region, const PlanInput &input, const Kind &kind,
-                                              phys_state &out, phys_report *report) {
-        const auto &[scene, params, dt, in] = input;
-        RegionLimits limits = limitsOf(scene, dt);
+        RegionLimits limits = limitsOf(places.scene(), dt);
         limits.mayGrip = kind.grips();
         const bool mayLean = kind.mayLean(params);
         const auto along = [mayLean](const FloorRegion::Range &range, double place, double velocity) {
@@ -118,21 +111,22 @@ private:
         };
         const bool rests = isAtRest(in);
         const phys_vec3 &g = params.gravity;
-        const BallsInRegion<double> ball{along(region.along[0], in.position.x, in.velocity.x),
-                                         along(region.along[1], in.position.y, in.velocity.y),
+        const BallsInRegion<double> ball{along(region->along[0], in.position.x, in.velocity.x),
+                                         along(region->along[1], in.position.y, in.velocity.y),
                                          {{g.x, g.y}, g.z, kind.share(), params.rolling_friction},
                                          kind.grip(params),
                                          kind.friction(params),
                                          rests ? 1.0 : 0.0};
-        return StepInRegion<Scheme, kRule, kResists>::make(ball, limits, [&](const RegionStep<double> &step) {
+        const auto takeStep = [&](const RegionStep<double> &step) {
             return take(input, kind, rests, ball, step, out, report);
-        });
+        };
+        return params.rolling_friction > 0.0 ? StepInRegion<Scheme, kRule, true>::make(ball, limits, takeStep)
+                                             : StepInRegion<Scheme, kRule, false>::make(ball, limits, takeStep);
     }
 
     /// Stores what the step makes of the ball. False, and nothing stored, if it can't be made in the region.
-    [[gnu::always_inline]] static bool take(const PlanInput &input, const Kind &kind, bool rests,
-                                            const BallsInRegion<double> &ball, const RegionStep<double> &step,
-                                            phys_state &out, phys_report *report) {
+    static bool take(const PlanInput &input, const Kind &kind, bool rests, const BallsInRegion<double> &ball,
+                     const RegionStep<double> &step, phys_state &out, phys_report *report) {
         const auto &[scene, params, dt, in] = input;
         if (!step.isFine) return false;
         const Vec3 spinBefore = toVec(in.spin);
@@ -150,8 +144,8 @@ private:
     }
 
     /// Stores a ball but for its height, orientation, time and step.
-    [[gnu::always_inline]] static void store(const phys_params &params, const Kind &kind, double radius, bool rests,
-                                             const Vec2 &place, const Vec2 &velocity, phys_state &state) {
+    static void store(const phys_params &params, const Kind &kind, double radius, bool rests, const Vec2 &place,
+                      const Vec2 &velocity, phys_state &state) {
         if (rests) {
             state.velocity = state.spin = {0.0, 0.0, 0.0};
             return;
@@ -232,7 +226,7 @@ private:
         return moved;
     }
 
-    [[gnu::always_inline]] static BallsInRegion<Pair> load(const Lanes &lanes, uint32_t lane) {
+    static BallsInRegion<Pair> load(const Lanes &lanes, uint32_t lane) {
         const auto of = [lane](const LaneNumbers &numbers) { return phys::load<Pair>(numbers + lane); };
         const auto along = [of](const LaneAxis &axis) {
             return InRegion<Pair>{of(axis.position), of(axis.velocity), of(axis.low),
@@ -247,8 +241,8 @@ private:
     }
 
     /// Stores what became of the balls along an axis; those that aren't fine stay as they were.
-    [[gnu::always_inline]] static void move(const InRegion<Pair> &ball, Pair displacement, Pair velocity,
-                                            MaskOf<Pair> isFine, LaneAxis &along, uint32_t lane) {
+    static void move(const InRegion<Pair> &ball, Pair displacement, Pair velocity, MaskOf<Pair> isFine, LaneAxis &along,
+                     uint32_t lane) {
         phys::store(choose(isFine, ball.place + displacement, ball.place), along.position + lane);
         phys::store(choose(isFine, velocity, ball.velocity), along.velocity + lane);
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A step of balls on the floor, each in a region where nothing but rolling, leaning on walls and resting happens. It is
-// written for one ball and for several side by side (base/pair.h), and does what DiscreteStep::runOnFloor and
-// glideOnFloor do there, and LastFooting at rest.
+// written for one ball and for several side by side (base/pair.h), and does what FloorRun does there, and LastFooting
+// at rest.
 #pragma once
 
 #include "base/pair.h"
@@ -104,7 +104,7 @@ template<class Scheme, RegionRule kRule, bool kResists>
 struct StepInRegion {
     /// The step of balls where they can be moved so.
     template<class N, class Take>
-    [[gnu::always_inline]] static auto make(const BallsInRegion<N> &balls, const RegionLimits &limits, Take take) {
+    static auto make(const BallsInRegion<N> &balls, const RegionLimits &limits, Take take) {
         const bool areFree = bitsOf(any(balls.x.velocity == 0.0, balls.y.velocity == 0.0)) == 0;
         return areFree ? take(rollFree(balls, limits)) : take(rollOrRest(balls, limits));
     }
@@ -112,7 +112,7 @@ struct StepInRegion {
 private:
     /// Balls none of which is at a face or at rest.
     template<class N>
-    [[gnu::always_inline]] static RegionStep<N> rollFree(const BallsInRegion<N> &balls, const RegionLimits &limits) {
+    static RegionStep<N> rollFree(const BallsInRegion<N> &balls, const RegionLimits &limits) {
         const InRegion<N> &x = balls.x, &y = balls.y;
         RegionStep<N> step = rollBy(balls.drive.A, balls, limits);
         MaskOf<N> isFine =
@@ -129,7 +129,7 @@ private:
 
     /// Any balls.
     template<class N>
-    [[gnu::always_inline]] static RegionStep<N> rollOrRest(const BallsInRegion<N> &balls, const RegionLimits &limits) {
+    static RegionStep<N> rollOrRest(const BallsInRegion<N> &balls, const RegionLimits &limits) {
         const auto &[x, y, drive, grip, friction, rests] = balls;
         const double h = limits.h;
         // A face takes the drive into it from a ball that leans on it.
@@ -167,8 +167,7 @@ private:
 
     /// The step under a drive, wherever it leads.
     template<class N>
-    [[gnu::always_inline]] static RegionStep<N> rollBy(const Planar<N> &A, const BallsInRegion<N> &balls,
-                                                       const RegionLimits &limits) {
+    static RegionStep<N> rollBy(const Planar<N> &A, const BallsInRegion<N> &balls, const RegionLimits &limits) {
         const double h = limits.h;
         const FloorDrive<N> &drive = balls.drive;
         const Planar<N> velocity = balls.velocity();
@@ -189,14 +188,14 @@ private:
 
     /// Whether parameters may have this gravity, which in a batch is another one in each step.
     template<class N>
-    [[gnu::always_inline]] static MaskOf<N> isAllowed(const FloorDrive<N> &drive) {
+    static MaskOf<N> isAllowed(const FloorDrive<N> &drive) {
         return all(magnitude(drive.pull.x) + magnitude(drive.pull.y) <= kMostGravity, drive.normal <= kMostGravity,
                    drive.normal > 0.0);
     }
 
     /// Whether one look around a ball is enough for its step.
     template<class N>
-    [[gnu::always_inline]] static MaskOf<N> isSlow(const BallsInRegion<N> &balls, const RegionLimits &limits) {
+    static MaskOf<N> isSlow(const BallsInRegion<N> &balls, const RegionLimits &limits) {
         if constexpr (kRule == RegionRule::Swept) return reach(balls, limits.h) <= limits.reach;
         // reachOfStep, compared by squares.
         const N fastest = limits.speed - pull(balls) * limits.h;
@@ -205,27 +204,26 @@ private:
 
     /// What may speed a ball up, m/s^2; never less.
     template<class N>
-    [[gnu::always_inline]] static N pull(const BallsInRegion<N> &balls) {
+    static N pull(const BallsInRegion<N> &balls) {
         const FloorDrive<N> &drive = balls.drive;
         return magnitude(drive.pull.x) + magnitude(drive.pull.y) + balls.friction * drive.normal;
     }
 
     /// How far a ball comes, m; never less.
     template<class N>
-    [[gnu::always_inline]] static N wayOf(const RegionStep<N> &step) {
+    static N wayOf(const RegionStep<N> &step) {
         return magnitude(step.displacement.x) + magnitude(step.displacement.y);
     }
 
     /// How far a ball can come, m; never less.
     template<class N>
-    [[gnu::always_inline]] static N reach(const BallsInRegion<N> &balls, double h) {
+    static N reach(const BallsInRegion<N> &balls, double h) {
         return (magnitude(balls.x.velocity) + magnitude(balls.y.velocity) + pull(balls) * h) * h;
     }
 
     /// What a step must not end with, or lead back by.
     template<class N>
-    [[gnu::always_inline]] static MaskOf<N> staysFast(const RegionLimits &limits, const Planar<N> &velocity,
-                                                      const Planar<N> &next) {
+    static MaskOf<N> staysFast(const RegionLimits &limits, const Planar<N> &velocity, const Planar<N> &next) {
         const auto isFast = dot(next, next) > limits.restSquared;
         if constexpr (kRule == RegionRule::Substeps) return isFast;
         return all(isFast, dot(next, velocity) > 1.1e-9 * dot(velocity, velocity));
@@ -240,7 +238,7 @@ private:
     }
 
     template<class N>
-    [[gnu::always_inline]] static MaskOf<N> staysOnFloor(const BallsInRegion<N> &balls, const RegionLimits &limits) {
+    static MaskOf<N> staysOnFloor(const BallsInRegion<N> &balls, const RegionLimits &limits) {
         const N way = reach(balls, limits.h);
         return all(balls.x.isFreeAround(way), balls.y.isFreeAround(way));
     }
