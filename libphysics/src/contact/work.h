@@ -19,7 +19,7 @@ public:
     static constexpr uint64_t kPush = 4;        ///< of contacts that share an impact: one in one set that is tried
     static constexpr uint64_t kDisc = 8;        ///< a contact's part in a sweep of friction
     static constexpr uint64_t kEquations = 120; ///< a set of modes, solved
-    static constexpr uint64_t kSeries = 3000;   ///< a set of power series
+    static constexpr uint64_t kSeries = 850;    ///< an unknown of a set of power series
     static constexpr uint64_t kJet = 8;         ///< a power series and its rate at a moment
 
     void add(uint64_t units) { m_done += units; }

@@ -244,7 +244,7 @@ void ExactStep::buildSeries(Series &series) {
                 response.reactions[i].direction = slips[i];
             }
             series.build(moment(), held(), response, unit, kept);
-            m_work.add(Work::kSeries);
+            m_work.add(Work::kSeries * series.unknowns());
             const bool isLong = series.horizon() > unit && unit < longest && !hasShrunk;
             if (series.horizon() >= 0.1 * unit && !isLong) break;
             hasShrunk = !isLong;

@@ -68,6 +68,7 @@ phys_status ExactStep::followEvents() {
         // What a phase met at the very end of the step is resolved in this step.
         if (m_left == 0.0 && end.cause == Cause::time) break;
         if (const phys_status status = resolve()) return status;
+        skipBounces();
     }
     return PHYS_OK;
 }
@@ -297,6 +298,8 @@ void ExactStep::turn(const P &phase, double t) {
         rotate(m_orientation, 0.5 * h * (first + second) + kRoot3 / 12.0 * h * h * glm::cross(second, first));
     }
 }
+
+template void ExactStep::turn(const Uniform &phase, double t);
 
 template<class P>
 void ExactStep::follow(const P &phase, const End &end, const Border &border) {

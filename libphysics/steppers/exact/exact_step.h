@@ -87,6 +87,8 @@ private:
     void holdGround();
     void takeFaces();
     bool collide(double negligible);
+    void skipBounces();
+    double clearWay(const Contact &face, double height) const;
     void endBounces(double negligible);
     Vec3 actingAcceleration();
     double lastBounce(const Contact &contact, const Vec3 &acting) const;

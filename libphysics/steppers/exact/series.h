@@ -25,6 +25,7 @@ public:
     /// The unit that suits the series, s.
     double suitableUnit() const { return 2.0 * horizon(); }
     double unit() const { return m_reach.unit; }
+    uint32_t unknowns() const { return m_unknowns; }
 
     Way at(double t) const;
     Place placeAt(double t) const {

@@ -12,6 +12,9 @@ class ExactContacts : public QObject {
     Q_OBJECT
 private slots:
     void bouncesKeepTheirTimesToTheLast();
+    void elasticBouncesBelowSightDontCountUp_data();
+    void elasticBouncesBelowSightDontCountUp();
+    void bouncesThatHardlyDecayKeepTheirTimes();
     void edgeIsHitByAParabola();
     void grazingChangesNothing();
     void cornerReversesBothComponents();
@@ -146,6 +149,50 @@ void ExactContacts::bouncesKeepTheirTimesToTheLast() {
         QVERIFY(std::abs(impacts[i].time - 4.8 * (1.0 - still)) <= 16.0 * kU);
         QVERIFY(std::abs(impacts[i].speed_before + 1.2 * still) <= 16.0 * kU * still);
     }
+}
+
+void ExactContacts::elasticBouncesBelowSightDontCountUp_data() {
+    QTest::addColumn<bool>("isRigid");
+    QTest::addColumn<double>("acceleration"); // of the mean motion along the floor
+    QTest::addColumn<double>("tolerance");
+    QTest::newRow("friction acts in no flight") << false << 0.49 << 8.0 * kU;
+    QTest::newRow("friction ends each flight's slip") << true << 0.35 << 1.1e-7; // of half a flight's pull
+}
+
+void ExactContacts::elasticBouncesBelowSightDontCountUp() {
+    QFETCH(bool, isRigid);
+    QFETCH(double, acceleration);
+    QFETCH(double, tolerance);
+    Run run({exact::floorOver(-4, -4, 4, 4)}, 0.1, {0, 0, 0.1}, {0.25, 0, 1e-6});
+    run.params.model = isRigid ? PHYS_MODEL_RIGID : PHYS_MODEL_ROLLING;
+    run.params.restitution_floor = 1.0;
+    run.params.sliding_friction = 0.5;
+    run.params.gravity = {0.49, 0, -9.8};
+    run.state.spin = {0, 2.5, 0};
+    run.step(1.0); // 4.9 million bounces, 5e-14 m high
+    QVERIFY(std::abs(run.state.velocity.x - (0.25 + acceleration)) <= tolerance);
+    QVERIFY(std::abs(run.state.position.x - (0.25 + 0.5 * acceleration)) <= tolerance);
+    QVERIFY(std::abs(run.state.velocity.z) <= 1e-6 * (1.0 + 1e-9));
+    QVERIFY(std::abs(double(run.report.event_count) + double(run.report.events_lost) - 4.9e6) <= 1.0);
+    QVERIFY(std::abs(run.report.energy_scheme) <= 8.0 * kU);
+}
+
+/// model.md 6.4, many bounces at once.
+void ExactContacts::bouncesThatHardlyDecayKeepTheirTimes() {
+    const double eps = 0.99, flight = 2.0 * 0.1 / 9.8;
+    Run run({exact::floorOver(-4, -4, 4, 4)}, 0.1, {0, 0, 0.1}, {0.25, 0, 0.1});
+    run.params.restitution_floor = eps;
+    run.params.gravity = {0, 0, -9.8};
+    run.step(2.0);
+    const std::vector<phys_event> landings = run.eventsOf(PHYS_EVENT_LANDING);
+    QVERIFY(landings.size() > 300);
+    for (size_t i = 0; i < landings.size(); ++i) {
+        const double still = std::pow(eps, double(i + 1));
+        QVERIFY(std::abs(landings[i].time - flight * (1.0 - still) / (1.0 - eps)) <= 64.0 * kU);
+        QVERIFY(std::abs(landings[i].speed_after - 0.1 * still) <= 8.0 * kU);
+        QVERIFY(std::abs(landings[i].point.x - 0.25 * landings[i].time) <= 8.0 * kU);
+    }
+    QVERIFY(std::abs(run.report.lost_impact + run.report.energy_after - run.report.energy_before) <= 8.0 * kU);
 }
 
 QTEST_GUILESS_MAIN(ExactContacts)
