@@ -79,7 +79,7 @@ Series run(const QStringList &mazes, uint32_t made, int first, int last, bool is
         series.seconds.push_back(cpuTime() - begin);
         ++series.fits;
         series.rightModel += fit->verdict == right;
-        series.whole += fit->best().pieces.size() == 1;
+        series.whole += fit->best().segments.size() == 1;
         if (fit->best().model == made) judge(series, fit->best(), truth);
         if (isVerbose) {
             QTextStream(stderr) << "seed " << seed << ": points " << plan.track.points.size() << ", noise "
