@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/program/command_line.h"
 
+#include "core/program/option_table.h"
 #include "core/program/outputs.h"
 #include "core/program/plugins.h"
 #include "core/recording/recording.h"
@@ -20,14 +21,12 @@ namespace inspector {
 
 namespace {
 
-// Wrong use: one line says what, what was expected and what was found.
+/// Wrong use: one line with the option, what was expected and what was found.
 struct WrongUse {
     QString line;
 };
 
-QString dashed(QString text) { return text.replace(QLatin1Char('_'), QLatin1Char('-')); }
-
-// --rolling_friction=1 and --rolling-friction=1 are the same option.
+/// Makes --rolling_friction=1 and --rolling-friction=1 the same option.
 QStringList normalised(const QStringList &arguments) {
     QStringList result;
     for (const QString &argument : arguments) {
@@ -38,7 +37,8 @@ QStringList normalised(const QStringList &arguments) {
     return result;
 }
 
-// The files of --plugin. They are loaded before the parser is made, because their steppers' rows become options, too.
+/// The files of --plugin. They are loaded before the parser is set up, because their steppers' rows become options,
+/// too.
 QStringList pluginsOf(const QStringList &arguments) {
     const QString prefix = QStringLiteral("--plugin=");
     QStringList paths;
@@ -49,7 +49,7 @@ QStringList pluginsOf(const QStringList &arguments) {
     return paths;
 }
 
-// One row of each id: the board's, the library's and all steppers' own.
+/// One row per id: the board's, the library's and all steppers' own.
 std::vector<const phys_param_row *> allRows(const Registry &registry) {
     const Parameters parameters;
     std::vector<const phys_param_row *> rows;
@@ -64,137 +64,6 @@ std::vector<const phys_param_row *> allRows(const Registry &registry) {
         }
     }
     return rows;
-}
-
-QString optionName(const phys_param_row &row) { return dashed(QString::fromUtf8(row.id)); }
-
-QString valueName(const phys_param_row &row) {
-    if (row.flags & PHYS_ROW_CHOICE) return choicesOf(row).join(QLatin1Char('|'));
-    return row.unit[0] ? QString::fromUtf8(row.unit) : QStringLiteral("number");
-}
-
-void addOptions(QCommandLineParser &parser, const std::vector<const phys_param_row *> &rows) {
-    const auto text = [](const char *words) { return QString::fromUtf8(words); };
-    const QString seconds = QStringLiteral("s");
-    parser.addOptions({
-        {"level", text("Level to open: its number, or the path of a maze text file. Default 1."), text("number|file")},
-        {"stepper", text("Stepper to compute with; --list-steppers shows them. Default " PHYS_STEPPER_DEFAULT "."),
-         "id"},
-        {"dt", text("Length of a step, 1e-6 to 10 s: as 0.01, 5ms, 20us or 1/60. Default 0.01."), seconds},
-        {"speed", text("Simulated seconds per second, 1/16 to 16; no effect with --headless. Default 1."), "factor"},
-        {"plugin",
-         text("Load the steppers of this plugin file; may be repeated. The plugins in the folders of PHYS_PLUGIN_PATH "
-              "and "
-              "in physics-1 beside the library are there without it."),
-         "file"},
-        {"parameters",
-         text("Take parameters from this text file, as the window exports them: lines 'set rolling_friction 0.002'. "
-              "Options of single parameters come after it."),
-         "file"},
-        {"autopilot", text("Let the autopilot tilt the board.")},
-        {"duration",
-         text("End after so many simulated seconds. Default with --headless: when the ball is out of the "
-              "maze, after 60 s at the latest, with --autopilot 600 s."),
-         seconds},
-        {"headless", text("Run without a window, as fast as possible, and write a table of the steps (CSV).")},
-        {"csv", text("Write the table to this file; -: to standard output. Default with --headless: standard output."),
-         "file"},
-        {"csv-every", text("Write every so many-th step. Default 1."), "steps"},
-        {"record",
-         text("Record the run into this text file: inputs, versions and the hash of every state, through restarts and "
-              "other levels until the program ends."),
-         "file"},
-        {"replay",
-         text("Open the window with this recording and play it; --headless: run its inputs again without a window and "
-              "write the table; status 1 if a step differs."),
-         "file"},
-        {"check",
-         text("With --replay, without a window: print 'same' or the first step that differs, instead of the table.")},
-        {"compare",
-         text("Compare with a second ball, which this stepper moves under the same inputs: without a window by columns "
-              "of the table, in the window as a ghost."),
-         text("id")},
-        {"compare-substeps",
-         text("With --compare: so many steps of the second ball, of dt over so many, for each of the first. Default "
-              "1."),
-         text("number")},
-        {"compare-set",
-         text("With --compare: parameters of the second ball, as restitution_wall=0.6,rolling_friction=0.004; the "
-              "others, and the tilts, are the first ball's."),
-         text("list")},
-        {"force",
-         text("Let --csv, --record, --grab and --plot take the place of a file of another kind, or of a recording.")},
-        {"grab",
-         text("Save a picture of the window at the end of the run, and quit. With --replay: of the recording's end, or "
-              "at --duration."),
-         "file.png"},
-        {"shaders",
-         text("Draw with the GLSL files in this folder instead of the embedded ones of the same names; a file that is "
-              "saved takes effect at once."),
-         text("folder")},
-        {"view",
-         text("Draw the board by OpenGL, or flat, from above, without it. Default: 3d where there is OpenGL 3.3."),
-         "3d|2d"},
-        {"all-levels", text("Play all levels without a window by the autopilot, print a line for each; status 1 unless "
-                            "all are won.")},
-        {"trade",
-         text("Measure what every stepper and step size costs on this level, what it is wrong by against "
-              "stepper exact, and recommend a setting; without a window."),
-         text("number|file")},
-        {"schedule",
-         text(
-             "With --trade, how the board tilts: autopilot (hardly meets a wall), busy (random tilts that lead to many "
-             "walls), both of these, random:SEED, or a file: times and tilts, a table from --csv or a recording (its "
-             "last run). Default both."),
-         text("schedule")},
-        {"steps",
-         text("With --trade: these step sizes (0.01, 5ms, 1/60), or with a + before them these besides the "
-              "usual ones."),
-         text("list")},
-        {"under",
-         text("With --trade: recommend the cheapest that keeps the position error at or under this. Default "
-              "1mm."),
-         text("length, as 1mm or 0.1R")},
-        {"unknown",
-         text("With --trade: what isn't known exactly, tilt, start or a parameter by its name, and by how much; shows "
-              "how far off the ball is by that alone, and recommends the cheapest setting whose error stays below a "
-              "share of it. none: no such answer. Default ") +
-             usualUnknowns() + QLatin1Char('.'),
-         text("list")},
-        {"share", text("With --unknown: that share, above 0 to 1. Default 0.25."), text("number")},
-        {"with-orientation", text("With --trade: let steppers turn the ball, too, which only drawing needs.")},
-        {"for",
-         text("With --trade: ask for so long. Default with --unknown 1 s, with --under as long as can be compared."),
-         seconds},
-        {"within", text("With --trade: recommend the most accurate that takes at most so long for a step."),
-         text("ns")},
-        {"plot", text("With --trade: draw the chart into this file."), text("file.svg|pdf|png")},
-        {"fit",
-         text(
-             "Find the board on which the computed ball rolls like a measured one, with intervals and a verdict on the "
-             "models; without a window. The file is a table with columns t, x, y and, if measured, tilt_x, tilt_y."),
-         text("file.csv")},
-        {"fit-for",
-         text("With --fit: look for these; tilt is both offsets, frame is where the tracker's frame is on the board. "
-              "Default ") +
-             usualFitQuantities() + QLatin1Char('.'),
-         text("list")},
-        {"track", text("Open the window with this table of a measured ball, as --fit reads it, laid over the run."),
-         text("file.csv")},
-        {"track-units",
-         text("With --fit or --track: what the columns' names don't say, as t=ms, x=mm, tilt=rad, px=0.25mm, fps=60, "
-              "mirror=y."),
-         text("list")},
-        {"track-frame",
-         text("With --fit or --track: the tracker's frame on the board: place of its origin [mm], angle [deg], scale. "
-              "Default 0,0,0,1."),
-         text("x,y,angle,scale")},
-        {"list-steppers", text("Print the steppers that can be chosen.")},
-        {"list-parameters", text("Print the parameters with unit, range and default.")},
-    });
-    parser.addVersionOption();
-    parser.addOption({{"h", "help"}, text("Print this help.")});
-    for (const phys_param_row *row : rows) parser.addOption({optionName(*row), text(row->help), valueName(*row)});
 }
 
 double valueOf(const QString &option, const NumberReading &read) {
@@ -214,7 +83,7 @@ double durationOf(const QCommandLineParser &parser, const QString &option, doubl
     return valueOf(option, readDuration(parser.value(option), min, max));
 }
 
-// text: of this option.
+/// text: the option's value.
 double parameterOf(const QString &option, const QString &text, const phys_param_row &row) {
     const qsizetype choice = choicesOf(row).indexOf(text.toLower());
     if (choice >= 0) return row.min + double(choice);
@@ -251,7 +120,7 @@ void readParameters(const QCommandLineParser &parser, const std::vector<const ph
             throw WrongUse{QStringLiteral("--%1: stepper '%2' has no such parameter")
                                .arg(optionName(*row), QString::fromUtf8(options.stepper))};
         options.settings.push_back({id, parameterOf(optionName(*row), parser.value(optionName(*row)),
-                                                    parameters.row(index))}); // another's range may differ
+                                                    parameters.row(index))}); // the current stepper's range may differ
     }
     if (!parameters.set(options.settings, &error)) throw WrongUse{error};
 }
@@ -313,7 +182,7 @@ void readComparison(const QCommandLineParser &parser, Options &options) {
     options.comparison = ghostChoice;
 }
 
-// Values of rows that the second ball has; together with the first ball's others they have to be allowed.
+/// Reads the second ball's parameters, which must be valid together with the first ball's others.
 void readGhostsParameters(const QCommandLineParser &parser, Options &options) {
     const QString option = QStringLiteral("compare-set");
     if (!parser.isSet(option)) return;
@@ -364,7 +233,7 @@ void readRecordings(const QCommandLineParser &parser, const std::vector<const ph
     options.headless = !isWatched;
 }
 
-// Options that need --trade, and those that can't go with it.
+/// Checks options that need --trade, and those that exclude it.
 void checkTradeWords(const QCommandLineParser &parser) {
     const bool trades = parser.isSet("trade");
     for (const char *name :
@@ -410,7 +279,7 @@ void readTrade(const QCommandLineParser &parser, Options &options) {
         throw wrong("plot", "a file name ending in .svg, .pdf or .png");
 }
 
-// The file that stands alone; empty if there is none.
+/// The positional file argument; empty if there is none.
 QString fileOf(const QCommandLineParser &parser) {
     const QStringList words = parser.positionalArguments();
     if (words.isEmpty()) return {};
@@ -439,7 +308,7 @@ TrackFrame readFrame(const QCommandLineParser &parser) {
     return {numbers[3], radians(numbers[2]), numbers[0] * 1e-3, numbers[1] * 1e-3};
 }
 
-// The file, its units and its place, which the fit and the window read alike.
+/// The file, its units and its frame, for the fit and the window alike.
 void readTrackOptions(const QCommandLineParser &parser, FitOptions &fit) {
     QString error;
     fit.unitWords = parser.value("track-units");
@@ -449,7 +318,7 @@ void readTrackOptions(const QCommandLineParser &parser, FitOptions &fit) {
     if (parser.isSet("track-frame")) fit.frame = readFrame(parser);
 }
 
-// file: that stands alone; empty if it is no track.
+/// file: the positional argument, if it is a track; else empty.
 void readTrackOfWindow(const QCommandLineParser &parser, const QString &file, Options &options) {
     options.fit.track = parser.isSet("track") ? parser.value("track") : file;
     for (const char *name : {"track-units", "track-frame"})

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The options of the command line with their help.
+#pragma once
+
+#include <physics/physics.h>
+
+#include <QString>
+
+#include <vector>
+
+class QCommandLineParser;
+
+namespace inspector {
+
+/// An id as options spell it: rolling-friction for rolling_friction.
+QString dashed(QString id);
+
+/// The name of a parameter's option, without the dashes before it.
+QString optionName(const phys_param_row &row);
+
+/// Adds all options. rows: those of the parameters, which become options, too.
+void addOptions(QCommandLineParser &parser, const std::vector<const phys_param_row *> &rows);
+
+} // namespace inspector
