@@ -44,27 +44,28 @@ class TrackDock;
 class TransportBar;
 class WatchList;
 
-// The window: composes view, docks, bars and menus over a session and forwards between them.
+/// The window: assembles view, docks, bars and menus over a session and connects them.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 
 public:
-    // session: outlives the window.
-    explicit MainWindow(Session &session, gl::Drawing drawing = {}); // solid
+    /// session must outlive the window.
+    explicit MainWindow(Session &session, gl::Drawing drawing = {}); ///< solid
     ~MainWindow() override;
 
     gl::MazeView &view() { return *m_view; }
     MessageBar &messages() { return *m_messages; }
-    // reason: one line.
+    /// reason: one line.
     void sayWhyFlat(const QString &reason);
 
-    // Writes a picture of the whole window as it is now. False and one line in `error` (or nullptr) if that fails.
+    /// Writes a picture of the whole window as it is now. Returns false, with one line in `error` (may be nullptr), on
+    /// failure.
     bool grabTo(const QString &path, QString *error);
-    // Everything that follows the simulation shows the present moment; called about 30 times a second.
+    /// Updates everything that follows the simulation; called about 30 times a second.
     void refresh();
 
-    // A measured ball is laid over the run, in the frame that the dock has. False if the file can't be read, which the
-    // dock says.
+    /// Overlays a measured ball on the run, in the dock's frame. False if the file can't be read, which the dock
+    /// reports.
     bool openTrack(const QString &path, const QString &units);
     TrackDock &track() { return *m_track; }
 
@@ -77,8 +78,13 @@ private:
     struct ActionRow;
     struct DockRow;
     static const std::vector<ActionRow> &actionRows();
+    static std::vector<ActionRow> fileRows();
+    static std::vector<ActionRow> viewRows();
+    static std::vector<ActionRow> runRows();
+    static std::vector<ActionRow> ghostRows();
+    static std::vector<ActionRow> helpRows();
 
-    // Made once, in this order.
+    /// Called once each, in this order.
     void makeActions();
     void makeCentre(gl::Drawing drawing);
     void makeDocks();
@@ -131,7 +137,7 @@ private:
     int theme() const;
     void chooseTheme(int number);
 
-    // One for each row of the table of actions.
+    /// One for each row of the table of actions.
     void openMazeFile();
     void openRecording();
     void askForTrack();
@@ -187,7 +193,7 @@ private:
     BallDragger *m_hand = nullptr;
     Ruler *m_ruler = nullptr;
     MazeWatcher *m_mazeWatcher = nullptr;
-    DocumentDialog *m_documents = nullptr; // once one was asked for
+    DocumentDialog *m_documents = nullptr; ///< created on demand
     BallDock *m_ball = nullptr;
     TrackDock *m_track = nullptr;
     BounceDock *m_bounces = nullptr;
@@ -197,8 +203,8 @@ private:
     TransportBar *m_transport = nullptr;
     TimeBar *m_time = nullptr;
     StatusLine *m_status = nullptr;
-    QByteArray m_firstLayout; // of docks and bars, before anyone moved them
-    uint64_t m_drawn = 0;     // numbers of what is in the view, together
+    QByteArray m_firstLayout; ///< of docks and bars, before the user moved them
+    uint64_t m_drawn = 0;     ///< sum of the versions of what the view shows
     QTimer m_refresh;
 };
 

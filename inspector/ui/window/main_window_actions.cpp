@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Menus and what they do: one table of actions, and a few menus of choices.
+// Menus and their commands: one table of actions, and a few menus of choices.
 #include "core/setup/stored_values.h"
 #include "gl/view/maze_view.h"
 #include "ui/bounces/bounce_dock.h"
@@ -33,187 +33,123 @@ namespace inspector::ui {
 struct MainWindow::ActionRow {
     const char *name;
     const char *text;
-    const char *keys; // as in QKeySequence, "; " between several
+    const char *keys; ///< as in QKeySequence, "; " between several
     const char *tip;
-    std::optional<Glyph> glyph;
     void (MainWindow::*run)();
+    std::optional<Glyph> glyph = {};
 };
 
-const std::vector<MainWindow::ActionRow> &MainWindow::actionRows() {
-    static const std::vector<ActionRow> rows{
-        {"open",
-         QT_TR_NOOP("Open maze file…"),
-         "Ctrl+O",
-         QT_TR_NOOP("A maze as a text file"),
-         {},
+std::vector<MainWindow::ActionRow> MainWindow::fileRows() {
+    return {
+        {"open", QT_TR_NOOP("Open maze file…"), "Ctrl+O", QT_TR_NOOP("A maze as a text file"),
          &MainWindow::openMazeFile},
-        {"open_recording",
-         QT_TR_NOOP("Open recording…"),
-         "Ctrl+Shift+O",
-         QT_TR_NOOP("Watch a recorded run"),
-         {},
+        {"open_recording", QT_TR_NOOP("Open recording…"), "Ctrl+Shift+O", QT_TR_NOOP("Watch a recorded run"),
          &MainWindow::openRecording},
-        {"open_track",
-         QT_TR_NOOP("Open measured ball…"),
-         "",
-         QT_TR_NOOP("A table of a ball that was filmed, to be laid over the run"),
-         {},
-         &MainWindow::askForTrack},
-        {"load_plugin",
-         QT_TR_NOOP("Load plugin…"),
-         "",
-         QT_TR_NOOP("Steppers of a plugin file, to be chosen like the others"),
-         {},
-         &MainWindow::askForPlugin},
+        {"open_track", QT_TR_NOOP("Open measured ball…"), "",
+         QT_TR_NOOP("A table of a ball that was filmed, to be laid over the run"), &MainWindow::askForTrack},
+        {"load_plugin", QT_TR_NOOP("Load plugin…"), "",
+         QT_TR_NOOP("Steppers of a plugin file, to be chosen like the others"), &MainWindow::askForPlugin},
         {"close_recording", QT_TR_NOOP("Close recording"), "Ctrl+W",
-         QT_TR_NOOP("Back to the start of the level from before"), Glyph::Close, &MainWindow::closeRecording},
-        {"save_run",
-         QT_TR_NOOP("Save run…"),
-         "Ctrl+S",
-         QT_TR_NOOP("What was just seen, as a recording, a table of all samples or a picture"),
-         {},
-         &MainWindow::saveRun},
-        {"save_film",
-         QT_TR_NOOP("Save film…"),
-         "Ctrl+Shift+F",
-         QT_TR_NOOP("The last seconds as a film, or as pictures in a folder"),
-         {},
-         &MainWindow::saveFilm},
-        {"save_plot",
-         QT_TR_NOOP("Save plot…"),
-         "Ctrl+Shift+S",
-         QT_TR_NOOP("As CSV, PNG or PDF"),
-         {},
+         QT_TR_NOOP("Back to the start of the level from before"), &MainWindow::closeRecording, Glyph::Close},
+        {"save_run", QT_TR_NOOP("Save run…"), "Ctrl+S",
+         QT_TR_NOOP("What was just seen, as a recording, a table of all samples or a picture"), &MainWindow::saveRun},
+        {"save_film", QT_TR_NOOP("Save film…"), "Ctrl+Shift+F",
+         QT_TR_NOOP("The last seconds as a film, or as pictures in a folder"), &MainWindow::saveFilm},
+        {"save_plot", QT_TR_NOOP("Save plot…"), "Ctrl+Shift+S", QT_TR_NOOP("As CSV, PNG or PDF"),
          &MainWindow::savePlot},
-        {"screenshot", QT_TR_NOOP("Save picture of the window…"), "Ctrl+P", "", {}, &MainWindow::saveScreenshot},
-        {"record",
-         QT_TR_NOOP("Record…"),
-         "",
-         QT_TR_NOOP("Write the run into a file that repeats it, until chosen again"),
-         {},
-         &MainWindow::toggleRecording},
-        {"quit", QT_TR_NOOP("Quit"), "Ctrl+Q", "", {}, &MainWindow::quit},
-        {"reset_parameters",
-         QT_TR_NOOP("Reset all parameters"),
-         "Ctrl+R",
-         QT_TR_NOOP("Every parameter back to its default"),
-         {},
-         &MainWindow::resetParameters},
-        {"reset_layout",
-         QT_TR_NOOP("Reset layout"),
-         "",
-         QT_TR_NOOP("All docks back to where they were at first"),
-         {},
-         &MainWindow::resetLayout},
-        {"camera_reset",
-         QT_TR_NOOP("Camera: everything"),
-         "Home",
-         QT_TR_NOOP("Show the whole board from the front"),
-         {},
-         &MainWindow::resetCamera},
-        {"camera_top", QT_TR_NOOP("Camera: from above"), "T", "", {}, &MainWindow::lookFromAbove},
-        {"camera_follow",
-         QT_TR_NOOP("Camera: follow the ball"),
-         "F",
-         QT_TR_NOOP("Keep the ball in the middle, from nearer by"),
-         {},
-         &MainWindow::toggleFollowing},
-        {"bounces",
-         QT_TR_NOOP("Show bounces"),
-         "B",
-         QT_TR_NOOP("A mark where the ball has bounced; click it"),
-         {},
-         &MainWindow::toggleBounces},
-        {"way_ahead",
-         QT_TR_NOOP("Show the way ahead"),
-         "W",
-         QT_TR_NOOP("Where the ball goes in the next 2 s if nothing changes, by the exact stepper"),
-         {},
-         &MainWindow::toggleWayAhead},
-        {"others_ahead",
-         QT_TR_NOOP("Show what isn't known ahead"),
-         "U",
-         QT_TR_NOOP(
-             "While paused: where else the ball may go, as little as tilt, friction, restitution and start are known; "
-             "the Trade dock says within what"),
-         {},
-         &MainWindow::toggleOthersAhead},
-        {"play", QT_TR_NOOP("Start, or next level"), "Return; Enter", "", {}, &MainWindow::confirm},
-        {"run", QT_TR_NOOP("Run"), "Space", QT_TR_NOOP("Run or pause"), Glyph::Run, &MainWindow::toggleRunning},
-        {"pause", QT_TR_NOOP("Pause"), "Esc", "", {}, &MainWindow::pause},
-        {"step", QT_TR_NOOP("Single step"), ".", QT_TR_NOOP("Make one step of dt and pause"), Glyph::Step,
-         &MainWindow::stepOnce},
-        {"step_back", QT_TR_NOOP("Step back"), ",", QT_TR_NOOP("Look at the step before"), Glyph::StepBack,
-         &MainWindow::stepBack},
-        {"bounce_back", QT_TR_NOOP("Previous bounce"), "Ctrl+Left", QT_TR_NOOP("Look at the bounce before"),
-         Glyph::BounceBack, &MainWindow::bounceBack},
-        {"bounce_on", QT_TR_NOOP("Next bounce"), "Ctrl+Right", QT_TR_NOOP("Look at the next bounce"), Glyph::BounceOn,
-         &MainWindow::bounceOn},
-        {"restart", QT_TR_NOOP("Restart"), "R", QT_TR_NOOP("The ball back to the start; the run is kept"),
-         Glyph::Restart, &MainWindow::restart},
-        {"to_start", QT_TR_NOOP("To the beginning"), "Ctrl+Home", QT_TR_NOOP("Look at the beginning of the run"),
-         Glyph::Begin, &MainWindow::goToStart},
-        {"end", QT_TR_NOOP("To the end"), "Ctrl+End", QT_TR_NOOP("Back to the present, or to the end of a recording"),
-         Glyph::End, &MainWindow::goToEnd},
-        {"go_on",
-         QT_TR_NOOP("Go on from here"),
-         "G",
-         QT_TR_NOOP("Play on from the moment shown"),
-         {},
-         &MainWindow::goOnFromHere},
-        {"autopilot", QT_TR_NOOP("Autopilot"), "A", QT_TR_NOOP("Let the program tilt the board"), Glyph::Autopilot,
-         &MainWindow::toggleAutopilot},
-        {"compare",
-         QT_TR_NOOP("Compare"),
-         "C",
-         QT_TR_NOOP("Let a second ball, moved by another stepper, start where the ball is"),
-         {},
-         &MainWindow::toggleComparison},
-        {"meet_again",
-         QT_TR_NOOP("Meet again"),
-         "M",
-         QT_TR_NOOP("Put the ghost back onto the ball"),
-         {},
-         &MainWindow::meetAgain},
-        {"ghost_parameters",
-         QT_TR_NOOP("Ghost's own parameters"),
-         "Shift+C",
-         QT_TR_NOOP("Let the ghost have other parameters than the ball: sliders of its own"),
-         {},
-         &MainWindow::toggleGhostParameters},
-        {"copy_to_ghost",
-         QT_TR_NOOP("Copy to ghost"),
-         "Shift+X",
-         QT_TR_NOOP("Give the ghost the ball's parameters"),
-         {},
-         &MainWindow::copyToGhost},
-        {"swap_with_ghost",
-         QT_TR_NOOP("Swap with ghost"),
-         "X",
-         QT_TR_NOOP("Exchange the ball's parameters and the ghost's"),
-         {},
-         &MainWindow::swapWithGhost},
-        {"keys", QT_TR_NOOP("Keys"), "F1", "", {}, &MainWindow::showKeys},
-        {"page_inspector",
-         QT_TR_NOOP("Guide to this window"),
-         "Shift+F1",
-         QT_TR_NOOP("What all of it does"),
-         {},
-         &MainWindow::showGuide},
-        {"page_model",
-         QT_TR_NOOP("The model: equations"),
-         "",
-         QT_TR_NOOP("What is computed, with derivations"),
-         {},
-         &MainWindow::showModelPage},
-        {"page_accuracy",
-         QT_TR_NOOP("How accurate it is"),
-         "",
-         QT_TR_NOOP("How far to trust the numbers"),
-         {},
-         &MainWindow::showAccuracyPage},
-        {"about", QT_TR_NOOP("About"), "", "", {}, &MainWindow::showAbout},
+        {"screenshot", QT_TR_NOOP("Save picture of the window…"), "Ctrl+P", "", &MainWindow::saveScreenshot},
+        {"record", QT_TR_NOOP("Record…"), "",
+         QT_TR_NOOP("Write the run into a file that repeats it, until chosen again"), &MainWindow::toggleRecording},
+        {"quit", QT_TR_NOOP("Quit"), "Ctrl+Q", "", &MainWindow::quit},
     };
+}
+
+std::vector<MainWindow::ActionRow> MainWindow::viewRows() {
+    return {
+        {"reset_parameters", QT_TR_NOOP("Reset all parameters"), "Ctrl+R",
+         QT_TR_NOOP("Every parameter back to its default"), &MainWindow::resetParameters},
+        {"reset_layout", QT_TR_NOOP("Reset layout"), "", QT_TR_NOOP("All docks back to where they were at first"),
+         &MainWindow::resetLayout},
+        {"camera_reset", QT_TR_NOOP("Camera: everything"), "Home", QT_TR_NOOP("Show the whole board from the front"),
+         &MainWindow::resetCamera},
+        {"camera_top", QT_TR_NOOP("Camera: from above"), "T", "", &MainWindow::lookFromAbove},
+        {"camera_follow", QT_TR_NOOP("Camera: follow the ball"), "F",
+         QT_TR_NOOP("Keep the ball in the middle, from nearer by"), &MainWindow::toggleFollowing},
+        {"bounces", QT_TR_NOOP("Show bounces"), "B", QT_TR_NOOP("A mark where the ball has bounced; click it"),
+         &MainWindow::toggleBounces},
+        {"way_ahead", QT_TR_NOOP("Show the way ahead"), "W",
+         QT_TR_NOOP("Where the ball goes in the next 2 s if nothing changes, by the exact stepper"),
+         &MainWindow::toggleWayAhead},
+        {"others_ahead", QT_TR_NOOP("Show what isn't known ahead"), "U",
+         QT_TR_NOOP("While paused: where else the ball may go, as little as tilt, friction, restitution and start are "
+                    "known; the Trade dock says within what"),
+         &MainWindow::toggleOthersAhead},
+    };
+}
+
+std::vector<MainWindow::ActionRow> MainWindow::runRows() {
+    return {
+        {"play", QT_TR_NOOP("Start, or next level"), "Return; Enter", "", &MainWindow::confirm},
+        {"run", QT_TR_NOOP("Run"), "Space", QT_TR_NOOP("Run or pause"), &MainWindow::toggleRunning, Glyph::Run},
+        {"pause", QT_TR_NOOP("Pause"), "Esc", "", &MainWindow::pause},
+        {"step", QT_TR_NOOP("Single step"), ".", QT_TR_NOOP("Make one step of dt and pause"), &MainWindow::stepOnce,
+         Glyph::Step},
+        {"step_back", QT_TR_NOOP("Step back"), ",", QT_TR_NOOP("Look at the step before"), &MainWindow::stepBack,
+         Glyph::StepBack},
+        {"bounce_back", QT_TR_NOOP("Previous bounce"), "Ctrl+Left", QT_TR_NOOP("Look at the bounce before"),
+         &MainWindow::bounceBack, Glyph::BounceBack},
+        {"bounce_on", QT_TR_NOOP("Next bounce"), "Ctrl+Right", QT_TR_NOOP("Look at the next bounce"),
+         &MainWindow::bounceOn, Glyph::BounceOn},
+        {"restart", QT_TR_NOOP("Restart"), "R", QT_TR_NOOP("The ball back to the start; the run is kept"),
+         &MainWindow::restart, Glyph::Restart},
+        {"to_start", QT_TR_NOOP("To the beginning"), "Ctrl+Home", QT_TR_NOOP("Look at the beginning of the run"),
+         &MainWindow::goToStart, Glyph::Begin},
+        {"end", QT_TR_NOOP("To the end"), "Ctrl+End", QT_TR_NOOP("Back to the present, or to the end of a recording"),
+         &MainWindow::goToEnd, Glyph::End},
+        {"go_on", QT_TR_NOOP("Go on from here"), "G", QT_TR_NOOP("Play on from the moment shown"),
+         &MainWindow::goOnFromHere},
+        {"autopilot", QT_TR_NOOP("Autopilot"), "A", QT_TR_NOOP("Let the program tilt the board"),
+         &MainWindow::toggleAutopilot, Glyph::Autopilot},
+    };
+}
+
+std::vector<MainWindow::ActionRow> MainWindow::ghostRows() {
+    return {
+        {"compare", QT_TR_NOOP("Compare"), "C",
+         QT_TR_NOOP("Let a second ball, moved by another stepper, start where the ball is"),
+         &MainWindow::toggleComparison},
+        {"meet_again", QT_TR_NOOP("Meet again"), "M", QT_TR_NOOP("Put the ghost back onto the ball"),
+         &MainWindow::meetAgain},
+        {"ghost_parameters", QT_TR_NOOP("Ghost's own parameters"), "Shift+C",
+         QT_TR_NOOP("Let the ghost have other parameters than the ball: sliders of its own"),
+         &MainWindow::toggleGhostParameters},
+        {"copy_to_ghost", QT_TR_NOOP("Copy to ghost"), "Shift+X", QT_TR_NOOP("Give the ghost the ball's parameters"),
+         &MainWindow::copyToGhost},
+        {"swap_with_ghost", QT_TR_NOOP("Swap with ghost"), "X",
+         QT_TR_NOOP("Exchange the ball's parameters and the ghost's"), &MainWindow::swapWithGhost},
+    };
+}
+
+std::vector<MainWindow::ActionRow> MainWindow::helpRows() {
+    return {
+        {"keys", QT_TR_NOOP("Keys"), "F1", "", &MainWindow::showKeys},
+        {"page_inspector", QT_TR_NOOP("Guide to this window"), "Shift+F1", QT_TR_NOOP("What all of it does"),
+         &MainWindow::showGuide},
+        {"page_model", QT_TR_NOOP("The model: equations"), "", QT_TR_NOOP("What is computed, with derivations"),
+         &MainWindow::showModelPage},
+        {"page_accuracy", QT_TR_NOOP("How accurate it is"), "", QT_TR_NOOP("How far to trust the numbers"),
+         &MainWindow::showAccuracyPage},
+        {"about", QT_TR_NOOP("About"), "", "", &MainWindow::showAbout},
+    };
+}
+
+const std::vector<MainWindow::ActionRow> &MainWindow::actionRows() {
+    static const std::vector<ActionRow> rows = [] {
+        std::vector<ActionRow> all;
+        for (const auto &part : {fileRows(), viewRows(), runRows(), ghostRows(), helpRows()})
+            all.insert(all.end(), part.begin(), part.end());
+        return all;
+    }();
     return rows;
 }
 
@@ -236,7 +172,7 @@ void MainWindow::makeActions() {
     action("way_ahead")->setCheckable(true);
     action("way_ahead")->setChecked(m_session.settings().value(settings_keys::kShowWayAhead, true).toBool());
     action("others_ahead")->setCheckable(true);
-    action("copy_to_ghost")->setIconText(tr("Copy")); // on buttons
+    action("copy_to_ghost")->setIconText(tr("Copy")); // for buttons
     action("swap_with_ghost")->setIconText(tr("Swap"));
     m_showsBounces = action("bounces");
     m_showsBounces->setCheckable(true);
@@ -299,7 +235,7 @@ void MainWindow::addUndoActions(QMenu &menu) {
     undo->setShortcuts(QKeySequence::Undo);
     redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
     menu.insertActions(menu.actions().constFirst(), {undo, redo});
-    addActions({undo, redo}); // to be listed with the others
+    addActions({undo, redo}); // so that they are listed with the others
 }
 
 void MainWindow::addViewChoices(QMenu &menu) {
@@ -333,7 +269,7 @@ void MainWindow::addChoice(QMenu &menu, const char *name, const QStringList &tex
             [this, group, chosen] { group->actions()[(this->*chosen)()]->setChecked(true); });
 }
 
-// 0: the view chooses.
+/// The quality menu's choice; 0: automatic.
 int MainWindow::quality() const {
     const auto set = storedChoice(m_session.settings(), settings_keys::kQuality, gl::kQualityCount);
     return set ? *set + 1 : 0;
@@ -371,14 +307,14 @@ void MainWindow::chooseTheme(int number) {
 
 void MainWindow::closeRecording() { m_session.closeRecording(); }
 
-// What a replay offers, and what the live ball does.
+/// Enables the actions of a replay or of the live ball.
 void MainWindow::showReplay(bool isOn) {
     for (const char *name : {"close_recording", "go_on"}) action(name)->setEnabled(isOn);
     for (const char *name : {"play", "autopilot", "reset_parameters", "save_run", "save_film"})
         action(name)->setEnabled(!isOn);
     findChild<QDockWidget *>(QStringLiteral("parameters_dock"))
         ->setWindowTitle(isOn ? tr("Parameters, as recorded") : tr("Parameters"));
-    m_undo->clear(); // what it would change isn't there any more
+    m_undo->clear(); // its commands refer to what is no longer there
     showComparison();
     m_time->reset();
     watchMaze();
@@ -434,7 +370,7 @@ void MainWindow::saveScreenshot() {
                });
 }
 
-// line: why not, or what is to be known of it, or empty.
+/// line: why it failed, a remark, or empty.
 void MainWindow::showSaved(const QString &line) {
     m_messages->settle(Cause::File);
     if (!line.isEmpty()) m_messages->showLine(line, Cause::File);
@@ -442,7 +378,7 @@ void MainWindow::showSaved(const QString &line) {
 
 void MainWindow::toggleRecording() {
     if (m_session.isRecording()) return m_session.stopRecording();
-    action("record")->setChecked(false); // until a file is chosen
+    action("record")->setChecked(false); // stays off until a file is chosen
     chooseFile(*this, m_session.settings(),
                {tr("Record the run"), tr("Recording (*.rec)"), tr("run.rec"), FileUse::Write},
                [this](const QString &path) { m_session.startRecording(path); });
@@ -467,7 +403,7 @@ void MainWindow::toggleOthersAhead() { m_session.showOthersAhead(action("others_
 
 void MainWindow::confirm() { m_session.game().confirm(); }
 
-// Esc closes a result first; when all stands still it lets go of what is selected.
+/// Esc first dismisses a result; if paused, it clears the selection.
 void MainWindow::pause() {
     if (m_ruler->dismiss()) return;
     if (m_strip->dismiss()) return;
@@ -497,7 +433,7 @@ void MainWindow::goToEnd() {
 void MainWindow::bounceBack() { jumpToBounce(-1); }
 void MainWindow::bounceOn() { jumpToBounce(1); }
 
-// The nearest before or after the moment shown; what the step there has done counts as at it.
+/// The nearest bounce before or after the moment shown; one within the last step counts as at the moment.
 void MainWindow::jumpToBounce(int direction) {
     const Snapshot &now = m_session.simulation().latest();
     const std::vector<double> times = m_bounces->bounceTimes();
@@ -534,7 +470,7 @@ void MainWindow::restart() {
 
 void MainWindow::toggleAutopilot() {
     m_session.setAutopilot(!m_session.hasAutopilot());
-    action("autopilot")->setChecked(m_session.hasAutopilot()); // also after a refusal
+    action("autopilot")->setChecked(m_session.hasAutopilot()); // resets it after a refusal
 }
 
 void MainWindow::toggleComparison() { m_session.comparison().setOn(!m_session.comparison().isOn()); }
