@@ -11,7 +11,7 @@ namespace inspector {
 
 namespace {
 
-// Between the ball and the nearest wall, m: looked for around it, further and further. NaN if none is near.
+/// The gap between the ball and the nearest wall, m, searched for in growing distances. NaN if none is near.
 double wallGap(const phys_scene *scene, const phys_vec3 &centre) {
     constexpr double kFarthest = 32.0; // radii
     const double radius = phys_scene_radius(scene);
@@ -51,7 +51,7 @@ void Engine::setState(const phys_state &state, const EnergySums &sums) {
     m_report.event_capacity = kEventCapacity;
 }
 
-// Asked at multiples of its period, counted in steps from the start, so that a run can be repeated.
+/// Called at multiples of its period, counted in steps from the start, so that a run can be repeated.
 void Engine::askPilot() {
     if (!m_pilot) return;
     const auto interval = uint64_t(std::max(1.0, std::round(m_pilot->period() / std::max(m_dt, 1e-9))));

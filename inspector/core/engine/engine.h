@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One simulation stepped by hand: stepper, state, inputs and dt. No thread, no clock, the same bits in every run.
+// One simulation stepped by its caller: stepper, state, inputs and dt. No thread, no clock, the same bits in every run.
 // Two engines on one scene are two balls; Simulation puts one on a thread.
 #pragma once
 
@@ -15,47 +15,47 @@
 
 namespace inspector {
 
-// Summed up since a ball was put somewhere, J/kg; the last is made, not lost.
+/// Energy lost since the state was last set, J/kg; `scheme` is gained, not lost.
 struct EnergySums {
     double impact = 0.0, rolling = 0.0, slip = 0.0, scheme = 0.0;
 };
 
 class Engine {
 public:
-    static constexpr double kDefaultDt = 0.01;  // s
-    static constexpr double kSmallestDt = 1e-6; // s, what a person may choose
-    static constexpr double kLargestDt = 10.0;  // s
+    static constexpr double kDefaultDt = 0.01;  ///< s
+    static constexpr double kSmallestDt = 1e-6; ///< s, what the user may choose
+    static constexpr double kLargestDt = 10.0;  ///< s
     static constexpr uint32_t kEventCapacity = 64;
 
-    // At the scene's start, with the library's defaults.
+    /// At the scene's start, with the library's defaults.
     Engine(Scene scene, Stepper stepper);
 
     const Scene &scene() const { return m_scene; }
-    // Starts anew, without a pilot.
+    /// Restarts in another scene, without a pilot.
     void setScene(Scene scene, Stepper stepper);
-    // Goes on from the same state; the stepper was made for the same scene.
+    /// Continues from the same state; the stepper must have been made for the same scene.
     void setStepper(Stepper stepper) { m_stepper = std::move(stepper); }
 
     void setInputs(const Inputs &inputs);
-    const Inputs &inputs() const { return m_inputs; }  // of the last step, pilot's tilt included
-    void setPilot(std::shared_ptr<const Pilot> pilot); // or nullptr: the tilt of the inputs counts
-    void setDt(double dt) { m_dt = dt; }               // s, >= 0
+    const Inputs &inputs() const { return m_inputs; }  ///< of the last step, pilot's tilt included
+    void setPilot(std::shared_ptr<const Pilot> pilot); ///< or nullptr: the tilt of the inputs counts
+    void setDt(double dt) { m_dt = dt; }               ///< s, >= 0
     double dt() const { return m_dt; }
 
-    // At the scene's start, or at the one that was set.
+    /// Goes to the scene's start, or to the one set by setStart().
     void restart();
-    void setStart(const std::optional<phys_state> &start) { m_start = start; } // nothing: the scene's
-    // sums: 0, or those that the run had there.
+    void setStart(const std::optional<phys_state> &start) { m_start = start; } ///< empty: the scene's
+    /// sums: zero, or what the run had lost up to there.
     void setState(const phys_state &state, const EnergySums &sums = {});
     const phys_state &state() const { return m_state; }
     const phys_state &previous() const { return m_previous; }
     const EnergySums &sums() const { return m_sums; }
     const EnergySums &previousSums() const { return m_previousSums; }
 
-    // One step of dt. On failure the state stays as it was and `error` gets the library's line.
+    /// One step of dt. On failure the state stays as it was and `error` gets the library's line.
     bool step(QString *error);
 
-    const phys_report &report() const { return m_report; } // of the last step; all zero before the first
+    const phys_report &report() const { return m_report; } ///< of the last step; all zero before the first
     std::span<const phys_event> events() const { return {m_events.data(), m_report.event_count}; }
     Sample sample() const;
 
@@ -65,11 +65,11 @@ private:
     Scene m_scene;
     Stepper m_stepper;
     std::shared_ptr<const Pilot> m_pilot;
-    bool m_pilotIsNew = false; // not asked yet
+    bool m_pilotIsNew = false; ///< not called yet
     Inputs m_given = initialInputs();
     Inputs m_inputs = m_given;
     double m_dt = kDefaultDt;
-    std::optional<phys_state> m_start; // its own
+    std::optional<phys_state> m_start; ///< set by setStart()
     phys_state m_state{};
     phys_state m_previous{};
     std::array<phys_event, kEventCapacity> m_events{};

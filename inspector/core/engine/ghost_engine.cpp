@@ -45,7 +45,7 @@ GhostEngine::GhostEngine(const Engine &leader, const GhostSetup &setup, const QB
 
 void GhostEngine::meet(const Engine &leader) {
     phys_state state = leader.state();
-    state.step *= uint64_t(m_substeps); // so that its time goes on being counted in steps: model.md 10.6
+    state.step *= uint64_t(m_substeps); // so that its time is still computed from the step count: model.md 10.6
     m_engine.setState(state);
     m_previous = leader.previous();
     m_met = leader.state();
@@ -53,7 +53,7 @@ void GhostEngine::meet(const Engine &leader) {
     m_isThere = true;
 }
 
-// Under the same strength of gravity its direction is the leader's to the last bit.
+/// With the same magnitude of gravity its direction equals the leader's to the last bit.
 Inputs GhostEngine::inputsBeside(const Engine &leader) const {
     Inputs inputs = m_own ? *m_own : leader.inputs();
     if (m_own && m_own->gravity != leader.inputs().gravity) {
@@ -71,7 +71,7 @@ bool GhostEngine::follow(const Engine &leader, QString *error) {
     m_engine.setInputs(inputsBeside(leader));
     m_engine.setDt(leader.dt() / m_substeps);
     m_previous = m_engine.state();
-    if (m_previous.flags & PHYS_OUT) return true; // it waits at the exit
+    if (m_previous.flags & PHYS_OUT) return true; // it stays at the exit
     for (int i = 0; i < m_substeps && m_isThere; ++i) m_isThere = m_engine.step(error);
     if (!m_isThere) return false;
     m_deviation = deviationOf(leader, m_engine);

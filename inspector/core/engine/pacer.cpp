@@ -19,7 +19,7 @@ void Pacer::start(Clock::time_point now, double dt, double speed) {
 
 Clock::duration Pacer::interval() const { return ticks(m_interval); }
 
-// Multiplied, not summed: rounding to ticks doesn't add up.
+/// Multiplied, not summed, so that rounding to ticks doesn't accumulate.
 Clock::time_point Pacer::deadline() const { return m_start + ticks(double(m_steps + 1) * m_interval); }
 
 bool Pacer::isDue(Clock::time_point now) {

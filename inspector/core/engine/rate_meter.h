@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Steps and simulated time per second of the clock, over windows of half a second. Fed with times, like Pacer.
+// Steps and simulated time per second of wall-clock time, over windows of half a second. Times are passed in, as for
+// Pacer.
 #pragma once
 
 #include "core/engine/pacer.h"
@@ -8,13 +9,13 @@ namespace inspector {
 
 class RateMeter {
 public:
-    // A new run of steps begins: no rate is known yet.
+    /// A new run begins: no rate is known yet.
     void start(Clock::time_point now);
-    // One step of dt seconds was made.
+    /// One step of dt seconds was made.
     void count(Clock::time_point now, double dt);
 
     double stepsPerSecond() const { return m_stepsPerSecond; }
-    double speed() const { return m_speed; } // simulated seconds per second
+    double speed() const { return m_speed; } ///< simulated seconds per second
 
 private:
     Clock::time_point m_begin{};

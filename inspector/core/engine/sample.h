@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every step leaves for plots and tables: a fixed set of channels, described by one table.
+// What is recorded of every step for plots and tables: a fixed set of channels, described by one table.
 #pragma once
 
 #include "core/setup/inputs.h"
@@ -27,14 +27,14 @@ enum class Channel {
     Substeps,
     Penetration,
     Flags,
-    // Of the comparison with a second ball: NaN in steps without one.
+    /// The comparison with a second ball: NaN in steps without one.
     GhostX,
     GhostY,
     GhostZ,
     Distance,
     SpeedDifference,
     EnergyDifference,
-    // For plots; not in every table.
+    /// For plots; not in all tables.
     Acceleration,
     Kinetic,
     Potential,
@@ -42,34 +42,34 @@ enum class Channel {
     LostRolling,
     LostSlip,
     Scheme,
-    StepTime, // NaN where nobody looked at the clock
+    StepTime, ///< NaN where it wasn't timed
     GhostSpeed,
     GhostEnergy,
-    WallGap, // NaN where no wall is near
-    // Of a measured ball: NaN without one.
+    WallGap, ///< NaN where no wall is near
+    /// The measured ball: NaN without one.
     TrackX,
     TrackY,
     TrackSpeed,
     TrackDistance,
 };
 
-inline constexpr size_t kBallChannelCount = size_t(Channel::Flags) + 1;             // that every step has
-inline constexpr size_t kTableChannelCount = size_t(Channel::EnergyDifference) + 1; // with a ghost's
+inline constexpr size_t kBallChannelCount = size_t(Channel::Flags) + 1;             ///< channels of every step
+inline constexpr size_t kTableChannelCount = size_t(Channel::EnergyDifference) + 1; ///< including a ghost's
 inline constexpr size_t kChannelCount = size_t(Channel::TrackDistance) + 1;
 
 struct ChannelInfo {
-    const char *id;       // for columns and settings: velocity_x
-    const char *label;    // for people: Velocity x
-    const char *unit;     // "" if it has none
-    const char *group;    // in menus
-    bool isGhost = false; // of another ball: dashed in plots
+    const char *id;       ///< for columns and settings: velocity_x
+    const char *label;    ///< for display: Velocity x
+    const char *unit;     ///< "" if it has none
+    const char *group;    ///< in menus
+    bool isGhost = false; ///< dashed in plots
 };
 
-// In the order of the enumeration.
+/// In the order of the enumeration.
 const std::array<ChannelInfo, kChannelCount> &channelInfos();
 
 struct Sample {
-    double time = 0.0; // s since the start
+    double time = 0.0; ///< s since the start
     uint64_t step = 0;
     std::array<double, kChannelCount> values{};
 
@@ -77,7 +77,7 @@ struct Sample {
     double &operator[](Channel channel) { return values[size_t(channel)]; }
 };
 
-// Without a comparison, and without what one state alone doesn't tell.
+/// Without the comparison, and without what can't be told from one state.
 Sample makeSample(const phys_state &state, const Inputs &inputs, const phys_report &report);
 
 } // namespace inspector

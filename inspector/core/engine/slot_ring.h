@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A ring of plain values that one thread writes while any others read: the one lock-free protocol of the stepping
-// thread's histories (samples, events).
+// A ring of plain values that one thread writes while any number of threads read: the lock-free protocol of the
+// stepping thread's histories (samples, events). Each slot is a sequence lock.
 #pragma once
 
 #include <algorithm>
@@ -15,9 +15,9 @@
 
 namespace inspector {
 
-// Zeroed words that cost no memory before they are written: the system gives pages when they are touched. Each is
-// stored with release and loaded with acquire, so that a reader who meets a new word also sees what came before it; on
-// x86 and ARM64 both cost nothing extra.
+/// Zero-initialised words whose pages are only allocated when they are touched. Stores are release and loads acquire,
+/// so that a reader who sees a new word also sees what was written before it; on x86 and ARM64 this costs nothing
+/// extra.
 class SharedWords {
 public:
     explicit SharedWords(size_t count)
@@ -37,28 +37,28 @@ private:
     std::unique_ptr<uint64_t[], Free> m_words;
 };
 
-// Values are numbered from 0 for ever; the oldest are overwritten. Nobody waits: a read returns false for what is gone,
-// not there yet or just being written, and never a mixture of two values.
+/// Values are numbered from 0 and never renumbered; the oldest are overwritten. No side ever blocks: a read returns
+/// false for what is gone, not there yet or being written, and never returns a torn value.
 template<typename Value>
 class SlotRing {
 public:
     static constexpr size_t kWords = sizeof(Value) / sizeof(uint64_t);
     static_assert(sizeof(Value) == kWords * sizeof(uint64_t) && std::is_trivially_copyable_v<Value>);
 
-    // capacity: rounded up to a power of two.
+    /// capacity: rounded up to a power of two.
     explicit SlotRing(size_t capacity)
         : m_capacity(std::bit_ceil(capacity))
         , m_words(m_capacity * kSlotWords) {}
 
     // ---- the writer's side ----
 
-    uint64_t written() const { return m_written; } // the next one's number
+    uint64_t written() const { return m_written; } ///< number of the next value
 
     void append(const Value &value) {
         write(value);
         publish();
     }
-    // The same in two parts, between which the writer may add what belongs to the value elsewhere.
+    /// append() in two parts, between which the writer may add what belongs to the value elsewhere.
     void write(const Value &value) {
         m_begun.store(m_written + 1, std::memory_order_relaxed);
         store(m_written, value);
@@ -68,32 +68,32 @@ public:
         if (!m_isHeld) m_last.store(m_written, std::memory_order_release);
     }
 
-    // One that is still there.
+    /// Overwrites a value that is still there.
     void rewrite(uint64_t number, const Value &value) { store(number, value); }
 
-    // Nothing before counts any more; numbers go on.
+    /// Discards everything before; numbers continue.
     void clear() {
         m_cleared = m_written;
         ++m_clears;
         if (!m_isHeld) show();
     }
 
-    // Those from `number` on are taken back: their numbers are given again.
+    /// Takes back the values from `number` on: their numbers are given again.
     void truncate(uint64_t number) {
         m_written = std::clamp(number, m_cleared, m_written);
         ++m_truncations;
         if (!m_isHeld) show();
     }
 
-    // What is done between the two is seen by nobody before the second, and then all at once.
+    /// Between hold() and release() readers see the old content; at release() all changes become visible at once.
     void hold() { m_isHeld = true; }
     void release() {
         m_isHeld = false;
         show();
     }
     bool isHeld() const { return m_isHeld; }
-    uint64_t cleared() const { return m_cleared; } // the first that counts
-    // Also what is held back.
+    uint64_t cleared() const { return m_cleared; } ///< the first that is still valid
+    /// Also reads what is held back.
     bool readOwn(uint64_t number, Value &out) const {
         return number < m_written && m_written - number <= m_capacity && readSlot(number, out);
     }
@@ -107,9 +107,9 @@ public:
         const uint64_t oldest = begun > m_capacity ? begun - m_capacity : 0;
         return std::max(oldest, m_seenCleared.load(std::memory_order_acquire));
     }
-    // How often clear() was called: a reader that sees another number starts anew.
+    /// How often clear() was called: a reader that sees another number must start over.
     uint64_t generation() const { return m_generation.load(std::memory_order_acquire); }
-    // How often values were taken back.
+    /// How often truncate() was called.
     uint64_t truncations() const { return m_seenTruncations.load(std::memory_order_acquire); }
     uint64_t firstOfGeneration() const { return m_seenCleared.load(std::memory_order_acquire); }
 
@@ -117,11 +117,11 @@ public:
         return number >= first() && number < last() && readSlot(number, out);
     }
 
-    // One word of a value, for scans that look at first() again afterwards.
+    /// One word of a value, for scans that check first() again afterwards.
     uint64_t word(uint64_t number, size_t index) const { return m_words.load(slotOf(number) + kHead + index); }
 
 private:
-    static constexpr size_t kHead = 2; // version, odd while the slot is being written; number
+    static constexpr size_t kHead = 2; ///< version, odd while the slot is being written; number
     static constexpr size_t kSlotWords = kHead + kWords;
 
     size_t slotOf(uint64_t number) const { return size_t(number & (m_capacity - 1)) * kSlotWords; }
@@ -148,7 +148,7 @@ private:
         m_words.store(slot, version + 2);
     }
 
-    // First what is gone, then what is new: values from before and after a clear() are never seen together.
+    /// Removals are published before additions: values from before and after a clear() are never seen together.
     void show() {
         m_seenCleared.store(m_cleared, std::memory_order_release);
         m_last.store(m_written, std::memory_order_release);
@@ -157,16 +157,16 @@ private:
     }
 
     size_t m_capacity;
-    SharedWords m_words; // [slot][kSlotWords]
-    // The writer's own: what there is to see once it isn't held back any more.
+    SharedWords m_words; ///< [slot][kSlotWords]
+    /// The writer's state, visible to readers after release().
     uint64_t m_written = 0;
-    uint64_t m_cleared = 0; // m_written at the last clear()
+    uint64_t m_cleared = 0; ///< m_written at the last clear()
     uint64_t m_clears = 0;
     uint64_t m_truncations = 0;
     bool m_isHeld = false;
-    // What is seen.
+    /// What readers see.
     std::atomic<uint64_t> m_last{0};
-    std::atomic<uint64_t> m_begun{0}; // m_last, or one more while a value is being written
+    std::atomic<uint64_t> m_begun{0}; ///< m_last, or one more while a value is being written
     std::atomic<uint64_t> m_seenCleared{0};
     std::atomic<uint64_t> m_seenTruncations{0};
     std::atomic<uint64_t> m_generation{0};

@@ -16,8 +16,8 @@ inline bool isBounce(const phys_event &event) {
 
 enum class Surface { Wall, Floor };
 
-/// Of a bounce. The floor's coefficients count on top faces, the walls' on all other faces, on edges and on corners
-/// (model.md 13.1). Its kind tells: the normal of an edge can be as steep as one likes.
+/// The surface of a bounce. The floor's coefficients count on top faces, the walls' on all other faces, on edges and on
+/// corners (model.md 13.1). The kind decides, not the normal: that of an edge can be arbitrarily steep.
 inline Surface surfaceOf(const phys_event &bounce) {
     return bounce.kind == PHYS_EVENT_LANDING ? Surface::Floor : Surface::Wall;
 }

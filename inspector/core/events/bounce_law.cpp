@@ -10,10 +10,10 @@ namespace inspector {
 
 namespace {
 
-// Differences below this are rounding, share of the speed.
+/// Share of the speed below which a difference is rounding.
 constexpr double kRounding = 1e-13;
 
-// A gap below this share of the radius is none.
+/// Share of the radius below which a gap counts as none.
 constexpr double kTouching = 1e-9;
 
 double dot(const phys_vec3 &a, const phys_vec3 &b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
@@ -23,7 +23,7 @@ phys_vec3 cross(const phys_vec3 &a, const phys_vec3 &b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-// a + factor b
+/// a + factor b
 phys_vec3 plus(const phys_vec3 &a, double factor, const phys_vec3 &b) {
     return {a.x + factor * b.x, a.y + factor * b.y, a.z + factor * b.z};
 }
@@ -34,9 +34,9 @@ double share(double part, double whole) { return whole > 0.0 ? part / whole : pa
 
 bool isRigid(const LoggedEvent &bounce) { return bounce.step.params.model == PHYS_MODEL_RIGID; }
 
-// What gravity and friction can change of the velocity along the contact within the step, m/s. Of the drive, 5/7 where
-// the ball rolls (model.md 2.1). In the rigid model friction works on the slip with 7/2 mu gn (3.6), of which an impact
-// that sticks takes 2/7.
+/// How much gravity and friction can change the tangential velocity within the step, m/s. Of gravity's part along the
+/// surface 5/7 acts where the ball rolls (model.md 2.1). In the rigid model friction changes the slip by 7/2 mu gn
+/// (3.6), of which an impact that sticks takes 2/7.
 double allowanceOf(const LoggedEvent &bounce, const phys_vec3 &normal) {
     const phys_params &params = bounce.step.params;
     const bool isInAir = (bounce.step.before.flags | bounce.step.after.flags) & PHYS_AIRBORNE;
@@ -122,7 +122,8 @@ NormalLaw normalLaw(const LoggedEvent &bounce) {
     return law;
 }
 
-// model.md 2.2 F3, from the state before the step: its velocity and spin aren't quite those right before the impact.
+/// model.md 2.2 F3, from the state before the step, whose velocity and spin aren't exactly those right before the
+/// impact.
 TangentialLaw tangentialLaw(const LoggedEvent &bounce, double radius) {
     const phys_vec3 &normal = bounce.event.normal;
     const Motion before = motionOf(bounce.step.before, normal);
@@ -157,8 +158,7 @@ std::optional<BouncePlace> bouncePlace(const LoggedEvent &bounce, double radius)
     const double speed = dot(before.velocity, event.normal);
     const double start = dot(plus(before.position, -1.0, event.point), event.normal) - radius;
     BouncePlace place{};
-    // The mean speed under a constant acceleration; that of any other speed that only rises or only falls lies between
-    // those of both ends.
+    // The mean speed under a constant acceleration; for any monotonic speed it lies between those at both ends.
     place.gap = start + 0.5 * (speed + event.speed_before) * passed;
     place.uncertainty = 0.5 * std::abs(event.speed_before - speed) * passed;
     place.lateness = place.gap / event.speed_before;

@@ -78,7 +78,7 @@ bool EventLog::isOneMore(const LoggedEvent &entry, const phys_event &event, doub
     return event.time - entry.until <= std::max(kFoldTime, 2.0 * dt);
 }
 
-// The newest entry of the same kind and box decides: after a fast impact a new row of slow ones begins.
+/// The newest entry of the same kind and box decides: after a fast impact a new entry of slow ones begins.
 LoggedEvent *EventLog::entryToGrow(const phys_event &event, double dt) {
     const uint64_t end = m_entries.written();
     const uint64_t begin = std::max(m_entries.cleared(), end > kReach ? end - kReach : 0);
@@ -116,7 +116,7 @@ void EventLog::clear() {
     announce();
 }
 
-// What an entry that began before has grown by since stays in it.
+/// An entry that began earlier keeps the count of what was folded into it since.
 void EventLog::forgetAfter(double time) {
     uint64_t number = m_entries.written();
     LoggedEvent entry;

@@ -46,7 +46,7 @@ QString whenText(E event, const Registry &registry) {
 
 QString boxText(E event, const phys_scene *scene) {
     const uint32_t number = event.event.box;
-    if (number >= phys_scene_box_count(scene)) return QString::number(number); // of a scene that has gone
+    if (number >= phys_scene_box_count(scene)) return QString::number(number); // of a scene that is no longer loaded
     const phys_box &box = phys_scene_boxes(scene)[number];
     return QStringLiteral("%1: from %2 to %3").arg(number).arg(vector(box.min, ""), vector(box.max, " m"));
 }
@@ -60,7 +60,7 @@ QString placeText(E event, double radius) {
     return text.arg(figureText(1e3 * std::abs(place->gap)), figureText(1e3 * std::abs(place->lateness)));
 }
 
-// The law first: it is what one looks for.
+/// The law first: it is the most wanted line.
 void addBounceLines(E event, double radius, std::vector<LawLine> &lines) {
     const Motion before = motionOf(event.step.before, event.event.normal);
     const Motion after = motionOf(event.step.after, event.event.normal);

@@ -10,13 +10,14 @@ namespace inspector {
 
 namespace {
 
-constexpr double kGravity = 9.81;          // m/s^2; with another strength the pilot is just bolder or shyer
-constexpr double kRolling = 5.0 / 7.0;     // of the slope's force accelerates a rolling ball, model.md 2.1
-constexpr double kBrakingShare = 0.35;     // of the acceleration at full tilt that the speed plan counts on
-constexpr double kSlowest = 0.05;          // m/s: fast enough to get going against rolling friction
-constexpr double kFastest = 0.45;          // m/s
-constexpr double kReaction = 0.12;         // s in which the velocity is led to the wanted one
-constexpr double kComfortableMargin = 0.4; // radii between a straight way and the walls
+constexpr double kGravity = 9.81; ///< m/s^2; under another gravity the pilot is bolder or more careful
+constexpr double kRolling =
+    5.0 / 7.0; ///< share of gravity along the slope that accelerates a rolling ball, model.md 2.1
+constexpr double kBrakingShare = 0.35;     ///< share of the acceleration at full tilt that the speed plan counts on
+constexpr double kSlowest = 0.05;          ///< m/s: fast enough to get going against rolling friction
+constexpr double kFastest = 0.45;          ///< m/s
+constexpr double kReaction = 0.12;         ///< s, time constant with which the velocity approaches the target
+constexpr double kComfortableMargin = 0.4; ///< radii between a straight way and the walls
 
 } // namespace
 
@@ -40,8 +41,8 @@ Autopilot::Autopilot(const phys_scene *scene)
     : m_space(scene)
     , m_wayOut(m_space) {}
 
-// The farthest cell of the way that can be reached in a straight line. Beside a wall or in a corner there may be none
-// with a comfortable margin: then with as much as there is at the ball itself.
+/// The farthest cell of the path that can be reached in a straight line. Next to a wall or in a corner none may be
+/// reachable with a comfortable margin: then with as much as the ball itself has.
 Autopilot::Aim Autopilot::aim(Point from) const {
     FreeSpace::Cell cell = m_space.nearestFree(from);
     if (cell == FreeSpace::kNowhere) return {from, true};
@@ -62,7 +63,7 @@ Tilt Autopilot::tilt(const phys_state &state) const {
     const double dy = target.point.y - here.y;
     const double distance = phys::elementary::hypot(dx, dy);
 
-    // The speed from which the ball still comes to a stand at the aim; out of the maze there is nothing to stop for.
+    // The speed from which the ball can still stop at the aim; outside of the maze there is nothing to stop for.
     const double limit = radians(kPlayTilt);
     const double braking =
         kBrakingShare * kRolling * kGravity * (phys::elementary::sin(limit) / phys::elementary::cos(limit));

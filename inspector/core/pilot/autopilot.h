@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Plays any level: aims at the farthest point of the way out that the ball can reach in a straight line, no faster
-// than it can brake, and tilts the board by no more than a person can.
+// Plays any level: aims at the farthest point of the path to the exit that the ball can reach in a straight line, no
+// faster than it can brake, and tilts the board no more than a player can.
 #pragma once
 
 #include "core/pilot/pilot.h"
@@ -15,13 +15,14 @@ namespace inspector {
 
 class Autopilot : public Pilot {
 public:
-    // Null and one line in `error` (or nullptr) if no way leads out from the scene's start. Needs the scene only now.
+    /// Null, with one line in `error` (may be nullptr), if no path leads out from the scene's start. The scene isn't
+    /// used later.
     static std::shared_ptr<const Autopilot> create(const phys_scene *scene, QString *error);
 
-    // The same for the same state. Any thread.
+    /// A pure function of the state. Any thread.
     Tilt tilt(const phys_state &state) const override;
 
-    // The way from a point, for drawing; from cell to cell. m
+    /// The way from a point, for drawing; from cell to cell. m
     std::vector<Point> way(Point from) const;
 
 private:

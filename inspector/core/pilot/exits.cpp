@@ -12,10 +12,10 @@ using Cell = FreeSpace::Cell;
 namespace {
 
 constexpr uint32_t kMostBoxes = 100000;
-constexpr double kCoarsest = 1.0;   // radii from one place looked at to the next; a passage is twice as wide
-constexpr double kThickness = 2e-4; // m
+constexpr double kCoarsest = 1.0;   ///< radii, grid spacing; a passage is at least twice as wide
+constexpr double kThickness = 2e-4; ///< m
 
-// Cells of one exit are neighbours, or have one cell between them.
+/// Cells of one exit are adjacent, or have one cell between them.
 bool isNear(const phys_box &box, Point point, double distance) {
     return point.x >= box.min.x - distance && point.x <= box.max.x + distance && point.y >= box.min.y - distance &&
            point.y <= box.max.y + distance;
@@ -36,7 +36,7 @@ void addTo(std::vector<phys_box> &exits, Point point, const FreeSpace &space, do
     found->max.y = std::max(found->max.y, point.y + half);
 }
 
-// As wide as the ball: the cells are places of its centre.
+/// Widened by the ball: cells are positions of its centre.
 phys_box widened(phys_box exit, double radius) {
     const bool runsAlongX = exit.max.x - exit.min.x > exit.max.y - exit.min.y;
     (runsAlongX ? exit.min.x : exit.min.y) -= radius;
@@ -57,7 +57,7 @@ std::optional<std::vector<phys_box>> exitsOf(const phys_scene *scene) {
     const Cell first = space.isMarked() ? space.nearestFree({start.position.x, start.position.y}) : FreeSpace::kNowhere;
     if (first == FreeSpace::kNowhere) return std::nullopt;
 
-    // Flood the maze from the start; where it touches the outside is an exit.
+    // Flood-fill the maze from the start; where it touches the outside is an exit.
     std::vector<phys_box> exits;
     const double floor = start.position.z - space.radius();
     std::vector<bool> isSeen(size_t(space.cellCount()), false);

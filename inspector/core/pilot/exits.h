@@ -9,8 +9,8 @@
 
 namespace inspector {
 
-// A thin box on the floor at each place where the ball, from its start, can roll out of the maze. Nothing if that can't
-// be found: the ball starts in a wall, or the maze is larger than a search of half a second.
+/// A thin box on the floor at each place where the ball, from its start, can roll out of the maze. Nothing if that
+/// can't be determined: the ball starts in a wall, or the maze is too large to search in half a second.
 std::optional<std::vector<phys_box>> exitsOf(const phys_scene *scene);
 
 } // namespace inspector

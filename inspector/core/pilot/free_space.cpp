@@ -12,9 +12,9 @@ namespace {
 
 constexpr double kCellsPerRadius = 4.0;
 constexpr double kMostCells = 1e6;
-constexpr double kFarClearance = 2.0;          // radii; more room than this makes no difference
-constexpr double kReach = 1.0 + kFarClearance; // radii: from the ball's centre to a wall that makes one
-constexpr double kMostVisits = 3e8;            // of cells, for all boxes: some seconds
+constexpr double kFarClearance = 2.0;          ///< radii; a larger clearance makes no difference
+constexpr double kReach = 1.0 + kFarClearance; ///< radii, from the ball's centre to a wall that matters
+constexpr double kMostVisits = 3e8;            ///< cell visits for all boxes: some seconds
 
 } // namespace
 
@@ -36,7 +36,8 @@ FreeSpace::FreeSpace(const phys_scene *scene)
         m_clearance.assign(m_clearance.size(), -1.0F);
 }
 
-// What the ball stands on at its start is floor (to a thousandth of its radius), what else it can touch is wall.
+/// The floor is what the ball stands on at its start (to a thousandth of its radius); everything else that it can touch
+/// is wall.
 void FreeSpace::markBoxes(std::span<const phys_box> boxes) {
     const double floor = m_start.z - m_radius;
     std::vector<bool> hasFloor(m_clearance.size(), false);
@@ -55,7 +56,7 @@ void FreeSpace::layGrid() {
     const double margin = 3.0 * m_radius;
     const double width = m_bounds.max.x - m_bounds.min.x + 2.0 * margin;
     const double height = m_bounds.max.y - m_bounds.min.y + 2.0 * margin;
-    // At most kMostCells of them a side and, but for cut ones at the border, in all.
+    // At most kMostCells per side and, except for cut ones at the border, in all.
     m_spacing = std::max({m_radius / kCellsPerRadius, std::sqrt(width) * std::sqrt(height / kMostCells),
                           width / kMostCells, height / kMostCells});
     m_origin = {m_bounds.min.x - margin, m_bounds.min.y - margin};
@@ -98,7 +99,7 @@ double FreeSpace::cellsAround(const phys_box &box, double reach) const {
     return double(columns.last - columns.first + 1) * double(rows.last - rows.first + 1);
 }
 
-// All cells within `reach` of the box seen from above, with their centre's distance to it.
+/// All cells within `reach` of the box seen from above, with their centre's distance to it.
 template<typename Visit>
 void FreeSpace::visitAround(const phys_box &box, double reach, const Visit &visit) const {
     const Range columns = columnsAround(box, reach);
@@ -114,8 +115,8 @@ void FreeSpace::visitAround(const phys_box &box, double reach, const Visit &visi
     }
 }
 
-// Lowers the clearance of all cells that the box is near to: distance in space at the rolling ball's height, so a low
-// kerb counts by its edge.
+/// Lowers the clearance of all cells near the box: the distance in space at the rolling ball's height, so that a low
+/// kerb counts by its edge.
 void FreeSpace::markWall(const phys_box &box) {
     const double dz = std::max({box.min.z - m_start.z, m_start.z - box.max.z, 0.0});
     visitAround(box, kReach * m_radius, [&](Cell cell, double gap) {

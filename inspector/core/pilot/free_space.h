@@ -11,7 +11,7 @@
 namespace inspector {
 
 struct Point {
-    double x = 0.0; // m
+    double x = 0.0; ///< m
     double y = 0.0;
 };
 
@@ -19,34 +19,35 @@ class FreeSpace {
 public:
     explicit FreeSpace(const phys_scene *scene);
 
-    using Cell = int32_t; // number of a cell, row by row; kNowhere outside of the grid
+    using Cell = int32_t; ///< index of a cell, row by row; kNowhere outside of the grid
     static constexpr Cell kNowhere = -1;
 
     int columns() const { return m_columns; }
     int rows() const { return m_rows; }
     Cell cellCount() const { return m_columns * m_rows; }
-    double spacing() const { return m_spacing; } // m
-    double radius() const { return m_radius; }   // of the ball, m
+    double spacing() const { return m_spacing; } ///< m
+    double radius() const { return m_radius; }   ///< of the ball, m
 
     Cell cellAt(Point point) const;
     Point centre(Cell cell) const;
-    // Room between the ball's surface and the nearest wall, m, at most 2 radii; not positive where the ball can't be.
+    /// Clearance between the ball's surface and the nearest wall, m, at most 2 radii; not positive where the ball can't
+    /// be.
     double clearance(Cell cell) const { return m_clearance[size_t(cell)]; }
-    // False if the boxes cover the grid so often that marking them would take minutes; then no cell is free.
+    /// False if the boxes cover the grid so often that marking them would take minutes; then no cell is free.
     bool isMarked() const { return m_isMarked; }
     bool isFree(Cell cell) const { return cell != kNowhere && clearance(cell) > 0.0; }
-    // Beyond the bounds of all boxes: there the ball has left the maze.
+    /// Beyond the bounds of all boxes, where the ball has left the maze.
     bool isOutside(Cell cell) const;
-    // The free cell nearest to a point, within a ball's radius; kNowhere if there is none.
+    /// The free cell nearest to a point, within a ball's radius; kNowhere if there is none.
     Cell nearestFree(Point point) const;
-    // Whether a straight way keeps at least this clearance, m.
+    /// Whether the straight line keeps at least this clearance, m.
     bool isClear(Point from, Point to, double clearance) const;
 
 private:
     void layGrid();
     void markBoxes(std::span<const phys_box> boxes);
     struct Range {
-        int first, last; // columns or rows, both included
+        int first, last; ///< columns or rows, both included
     };
     Range columnsAround(const phys_box &box, double reach) const;
     Range rowsAround(const phys_box &box, double reach) const;
@@ -59,7 +60,7 @@ private:
     phys_vec3 m_start{};
     phys_box m_bounds{};
     double m_spacing = 0.0;
-    Point m_origin; // corner of the first cell
+    Point m_origin; ///< corner of the first cell
     int m_columns = 0;
     int m_rows = 0;
     std::vector<float> m_clearance;

@@ -5,13 +5,13 @@
 
 namespace inspector {
 
-// Someone who tilts the board in place of the sliders. Asked by the thread that steps, before a step.
+/// Tilts the board instead of the sliders. Called by the stepping thread before a step.
 class Pilot {
 public:
     virtual ~Pilot() = default;
-    // The tilt from this state on, rad; a function of the state alone, so that a run can be repeated from anywhere.
+    /// The tilt from this state on, rad; a function of the state alone, so that a run can be repeated from anywhere.
     virtual Tilt tilt(const phys_state &state) const = 0;
-    // s of simulated time between two questions: as often as a hand moves. 0: before each step.
+    /// Simulated time between two calls, s: about as often as a hand moves. 0: before each step.
     virtual double period() const { return 0.02; }
 };
 

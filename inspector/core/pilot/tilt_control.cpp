@@ -9,12 +9,12 @@ namespace inspector {
 
 namespace {
 
-// Below these the board is level and still: a tenth of what can be seen.
+/// Below these the board counts as level and at rest: a tenth of what is visible.
 constexpr double kStillTilt = radians(1e-3);
 constexpr double kStillRate = radians(1e-2);
 
-// A critically damped spring towards `target`, solved exactly over the time, so the frame rate doesn't matter:
-// x - target = (c + d t) exp(-t / tau),  d = rate + c / tau.
+/// A critically damped spring towards `target`, solved exactly over the time, so the frame rate doesn't matter:
+/// x - target = (c + d t) exp(-t / tau),  d = rate + c / tau.
 void follow(double target, double seconds, double &tilt, double &rate) {
     const double tau = TiltControl::kResponse;
     const double c = tilt - target;
@@ -25,7 +25,7 @@ void follow(double target, double seconds, double &tilt, double &rate) {
     if (target == 0.0 && std::abs(tilt) < kStillTilt && std::abs(rate) < kStillRate) tilt = rate = 0.0;
 }
 
-// To a billionth, so that a heading along an axis gives a tilt along that axis alone.
+/// Rounded to 1e-9, so that a heading along an axis tilts about that axis alone.
 double rounded(double share) { return std::round(share * 1e9) / 1e9; }
 
 Tilt wantedTilt(const TiltKeys &keys) {

@@ -14,13 +14,13 @@ using Cell = FreeSpace::Cell;
 
 namespace {
 
-// Near a wall a metre costs up to this many times as much, so that the way keeps to the middle of the corridors.
+/// Cost factor of a metre right next to a wall, so that the path keeps to the middle of the corridors.
 constexpr double kWallPrice = 6.0;
-constexpr double kComfortableClearance = 1.5; // radii
+constexpr double kComfortableClearance = 1.5; ///< radii
 
 struct Neighbour {
     int column, row;
-    double distance; // cells
+    double distance; ///< cells
 };
 
 constexpr double kDiagonal = 1.4142135623730951;
@@ -46,8 +46,8 @@ double WayOut::price(Cell cell) const {
     return 1.0 + (kWallPrice - 1.0) * (1.0 - room) * (1.0 - room);
 }
 
-// Dijkstra's algorithm from all free cells outside of the maze inwards. Equal costs are ordered by cell, so the way is
-// the same on every machine.
+/// Dijkstra's algorithm, inwards from all free cells outside of the maze. Ties are broken by cell index, so that the
+/// path is the same on every machine.
 void WayOut::search() {
     using Entry = std::pair<double, Cell>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The shortest way out of the maze from everywhere: for each cell of the free space the next one.
+// The shortest path out of the maze from everywhere: for each cell of the free space the next one.
 #pragma once
 
 #include "core/pilot/free_space.h"
@@ -10,13 +10,13 @@ namespace inspector {
 
 class WayOut {
 public:
-    // The space must outlive this.
+    /// space must outlive this object.
     explicit WayOut(const FreeSpace &space);
 
-    // The neighbour through which the way leads; kNowhere at its end, and where no way out exists.
+    /// The next cell of the path; kNowhere at its end, and where there is no path out.
     FreeSpace::Cell next(FreeSpace::Cell cell) const { return m_next[size_t(cell)]; }
     bool exists(FreeSpace::Cell from) const;
-    // All cells from `from` to the first one outside of the maze; empty if no way exists.
+    /// All cells from `from` to the first one outside of the maze; empty if there is no path.
     std::vector<FreeSpace::Cell> cells(FreeSpace::Cell from) const;
 
 private:

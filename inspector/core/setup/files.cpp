@@ -19,7 +19,7 @@ namespace inspector {
 
 namespace {
 
-constexpr ushort kEscape = 0xdc00; // + the byte
+constexpr ushort kEscape = 0xdc00; ///< + the byte
 
 QString reasonOf(int failure) { return QString::fromStdString(std::generic_category().message(failure)); }
 
@@ -38,7 +38,7 @@ void sayTooLarge(QString *error, const QString &path, qint64 limit) {
     say(error, path, QStringLiteral("expected a file of at most %1 MB, found a larger one").arg(limit / kMegabyte));
 }
 
-// A descriptor that is closed at the end of its scope; -1: none.
+/// Closes a descriptor at the end of its scope; -1: none.
 class Descriptor {
 public:
     explicit Descriptor(int number)
@@ -55,7 +55,7 @@ private:
     int m_number;
 };
 
-// Without waiting: a pipe that nobody writes to would be waited for for ever. Devices are not even opened.
+/// Opens without blocking: opening a pipe without a writer would block for ever. Devices are not even opened.
 int openToRead(const QString &path, qint64 *size, QString *error) {
     const QByteArray name = encodePath(path);
     struct stat info {};
@@ -74,12 +74,12 @@ int openToRead(const QString &path, qint64 *size, QString *error) {
         say(error, path, reasonOf(errno));
         return -1;
     }
-    if (!isRegular()) return -1; // another one by now
+    if (!isRegular()) return -1; // replaced meanwhile
     *size = info.st_size;
     return file.release();
 }
 
-// Up to `count` bytes; nothing if they can't be read.
+/// Up to `count` bytes; nothing if they can't be read.
 std::optional<QByteArray> readUpTo(int descriptor, qint64 count) {
     QByteArray bytes;
     char block[65536];
@@ -99,7 +99,7 @@ std::optional<QByteArray> readUpTo(int descriptor, qint64 count) {
 QString decodePath(const QByteArray &bytes) {
     QString path;
     for (qsizetype begin = 0; begin < bytes.size();) {
-        // As far as it is UTF-8 (which has no surrogates, so that what is made of other bytes can be told from it).
+        // The longest prefix that is valid UTF-8 (UTF-8 has no surrogates, so they can mark other bytes unambiguously).
         qsizetype length = std::min<qsizetype>(4, bytes.size() - begin);
         QString character;
         for (; length > 0; --length) {
@@ -163,7 +163,7 @@ std::optional<QByteArray> readFile(const QString &path, qint64 limit, QString *e
     if (size > limit) return sayTooLarge(error, path, limit), std::nullopt;
     std::optional<QByteArray> bytes = readUpTo(file.number(), limit + 1);
     if (!bytes) return say(error, path, reasonOf(errno)), std::nullopt;
-    if (bytes->size() > limit) return sayTooLarge(error, path, limit), std::nullopt; // it grows, or is in /proc
+    if (bytes->size() > limit) return sayTooLarge(error, path, limit), std::nullopt; // it is growing, or is in /proc
     return bytes;
 }
 
@@ -175,7 +175,7 @@ QByteArray beginningOf(const QString &path, qint64 count) {
 
 namespace {
 
-// Whether what is there may be replaced; the reason, else.
+/// Why the existing file must not be replaced; empty if it may be.
 QString refusalOf(int descriptor, Existing existing, const QByteArray &mark) {
     if (existing == Existing::Replace) return {};
     char first[64];
@@ -228,7 +228,7 @@ OutputFile::OutputFile(int descriptor, const QString &name)
 
 OutputFile::~OutputFile() { finish(); }
 
-// What was there goes at the first byte that takes its place.
+/// Truncates an existing file when its replacement's first byte is written.
 void OutputFile::begin() {
     if (m_hasBegun) return;
     m_hasBegun = true;
@@ -262,7 +262,7 @@ bool OutputFile::finish() {
     flush();
     if (m_isOwn) {
         if (m_isNew && !m_hasBegun) ::unlink(encodePath(m_name).constData());
-        // Some file systems tell only now that there is no room.
+        // Some file systems report only here that the disk is full.
         if (::close(m_descriptor) != 0 && !m_failure) m_failure = errno;
     }
     m_descriptor = -1;
@@ -280,8 +280,8 @@ bool replaceFile(const QString &path, const std::function<bool(QIODevice &file)>
         say(error, path, file.errorString());
         return false;
     }
-    // commit() doesn't notice what is lost when the buffer is written: it would put half a file in place. And of a
-    // write that was cut short only errno knows the reason.
+    // commit() doesn't notice a loss while the buffer is written and would put half a file in place. After a short
+    // write only errno knows the reason.
     errno = 0;
     const bool isWhole = write(file) && file.flush() && file.error() == QSaveFile::NoError;
     const QString reason = errno ? reasonOf(errno) : file.errorString();

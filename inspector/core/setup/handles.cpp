@@ -25,7 +25,7 @@ Registry makeRegistry(QString *error) {
 Scene loadScene(const QString &path, QString *error) {
     phys_scene *scene = nullptr;
     phys_error failure;
-    // Read here, because only what is a file, and ends, is to be waited for.
+    // Read here, because the library would block on a pipe or read a device for ever.
     const std::optional<QByteArray> text = readFile(path, kLargestMaze, error);
     if (!text) return {};
     const QByteArray name = encodePath(path);

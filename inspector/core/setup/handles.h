@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Owners of what the library creates. Each keeps alive what it was made from, so they may go in any order.
+// Shared owners of the library's objects. Each keeps alive what it was made from, so they can be released in any order.
 #pragma once
 
 #include <physics/physics.h>
@@ -15,23 +15,23 @@ using Registry = std::shared_ptr<phys_registry>;
 using Scene = std::shared_ptr<const phys_scene>;
 using Stepper = std::shared_ptr<phys_stepper>;
 
-// All return null on failure and put the library's line into `error` (or nullptr).
-// Any thread; a stepper then belongs to one thread at a time.
+/// All return null on failure and put the library's message into `error` (may be nullptr). Any thread; a stepper then
+/// belongs to one thread at a time.
 Registry makeRegistry(QString *error);
 Scene loadScene(const QString &path, QString *error);
 Scene makeScene(const phys_scene_desc &description, QString *error);
 Stepper makeStepper(const Registry &registry, const QByteArray &id, const Scene &scene, QString *error);
 
-// Place of a stepper in the registry's order, and its id there. kNoStepper and "" for what isn't there. Any thread.
+/// A stepper's index in the registry, and the id at an index. kNoStepper and "" for unknown ones. Any thread.
 inline constexpr uint32_t kNoStepper = 0xffffffff;
 uint32_t stepperIndex(const Registry &registry, const char *id);
 QString stepperName(const Registry &registry, uint32_t index);
 
-// Loads one plugin file into the registry. Only while no other thread uses it.
+/// Loads one plugin file into the registry. No other thread may use the registry meanwhile.
 bool loadPlugin(const Registry &registry, const QString &path, QString *error);
 using PluginLoader = bool (*)(const Registry &registry, const QString &path, QString *error);
 
-// Writes the library's text into `error` (or nullptr).
+/// Puts the library's message into `error` (may be nullptr).
 void tell(QString *error, const phys_error &failure);
 
 } // namespace inspector

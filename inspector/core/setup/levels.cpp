@@ -15,13 +15,13 @@ namespace {
 
 const QString kSuffix = QStringLiteral(".txt");
 
-// A maze says so in its first line, which comments may come before.
+/// A maze file's first line says so; comments may precede it.
 bool isMaze(const QString &path) {
     constexpr qint64 kBeginning = 4096; // bytes
     return beginningOf(path, kBeginning).contains("physics-maze");
 }
 
-// Digits count as the number that they write: 2 before 10.
+/// Natural order: digits compare as numbers, 2 before 10.
 bool isBefore(const QString &a, const QString &b) {
     qsizetype i = 0;
     qsizetype j = 0;
@@ -48,7 +48,7 @@ bool isBefore(const QString &a, const QString &b) {
     return a.size() - i != b.size() - j ? a.size() - i < b.size() - j : a < b;
 }
 
-// The number that a level's name is; 0 if it is none.
+/// The level's name as a number; 0 if it isn't one.
 int numberOf(const QString &name) {
     bool isNumber = false;
     const int number = name.toInt(&isNumber);
@@ -94,7 +94,7 @@ std::optional<Level> findLevel(const std::vector<Level> &levels, const QString &
         if (error) *error = QStringLiteral("expected %1, found %2").arg(expected).arg(number);
         return std::nullopt;
     };
-    // Names that are numbers are what levels are called by; else it is their place in the list.
+    // Levels are numbered by their names if all of them are numbers; otherwise by position.
     const bool areNumbered =
         std::all_of(levels.begin(), levels.end(), [](const Level &level) { return numberOf(level.name) > 0; });
     for (const Level &level : levels)

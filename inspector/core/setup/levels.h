@@ -9,24 +9,24 @@
 namespace inspector {
 
 struct Level {
-    QString name; // 01
-    QString path; // of its text file
-    QString mesh; // of its .obj beside it; empty if there is none
+    QString name; ///< 01
+    QString path; ///< of its text file
+    QString mesh; ///< of its .obj beside it; empty if there is none
 };
 
-// The text file as a level, whether it is one of the list or not.
+/// The text file as a level, whether it is in the list or not.
 Level levelOfFile(const QString &path);
 
-// The levels of a folder: its text files that are mazes, in order of name, 2 before 10.
+/// The levels in a folder: its text files that are mazes, in natural order of their names (2 before 10).
 std::vector<Level> levelsIn(const QString &folder);
 
-// Where the levels are: the environment variable PHYSICS_LEVELS, else the share folder of an installation, else the
-// source tree. Empty if nowhere.
+/// The folder of the levels: the environment variable PHYSICS_LEVELS, else the share folder of an installation, else
+/// the source tree. Empty if there is none.
 QString levelsFolder();
 
-// What a person calls a level: its number, or the path of a file. The number is its name where all names of the list
-// are numbers (010 is 10), else its place in the list, from 1. Nothing and one line in `error` (or nullptr) if the list
-// has no such number.
+/// Finds a level by what the user typed: its number, or the path of a file. The number is its name where all names in
+/// the list are numbers (010 is 10), else its position in the list, from 1. Returns nothing, with one line in `error`
+/// (may be nullptr), if there is no such number.
 std::optional<Level> findLevel(const std::vector<Level> &levels, const QString &text, QString *error);
 
 } // namespace inspector

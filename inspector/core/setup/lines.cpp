@@ -5,9 +5,9 @@ namespace inspector {
 
 namespace {
 
-constexpr qsizetype kMostQuoted = 200; // characters
+constexpr qsizetype kMostQuoted = 200; ///< characters
 
-// U+2028, U+2029 and the marks of direction are no control characters by category, yet break or turn a line.
+/// U+2028, U+2029 and the direction marks aren't control characters by category, yet break or reverse a line.
 bool isShownAsIs(QChar character) {
     switch (character.category()) {
     case QChar::Other_Control:
@@ -36,7 +36,7 @@ QString escape(QChar character) {
     }
 }
 
-// decodePath() keeps a byte that isn't UTF-8 as the surrogate 0xdc00 + byte.
+/// decodePath() keeps a byte that isn't UTF-8 as the surrogate 0xdc00 + byte.
 bool isEscapedByte(const QString &text, qsizetype index) {
     const bool isAlone = index == 0 || !text[index - 1].isHighSurrogate();
     return text[index].isLowSurrogate() && isAlone;

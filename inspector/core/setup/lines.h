@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Untrusted text (names of files, words of a command line, lines of a file) made fit to be shown in one line.
+// Untrusted text (file names, words of a command line, lines of a file) made safe to show in one line.
 #pragma once
 
 #include <QString>
@@ -7,12 +7,12 @@
 
 namespace inspector {
 
-// Control characters, line breaks and marks that turn the direction of text as escapes (\n, \x1b, \u202e).
+/// Escapes control characters, line breaks and marks of text direction (\n, \x1b, \u202e).
 QString oneLine(const QString &text);
-// The same between single quotes; the middle of a text that is longer than 200 characters is left out.
+/// The same between single quotes; texts longer than 200 characters lose their middle.
 QString quoted(const QString &text);
 
-// "physics-inspector: LINE", as one line whatever it quotes.
+/// Prints "physics-inspector: LINE" as one line, whatever it quotes.
 void report(QTextStream &messages, const QString &line);
 
 } // namespace inspector

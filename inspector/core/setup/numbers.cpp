@@ -15,7 +15,8 @@ namespace inspector {
 
 namespace {
 
-// numerator / denominator of its kind's basic unit. Both are exact, so that 9 ms are the double nearest to 0.009.
+/// numerator / denominator in the basic unit of its dimension. Both are exact, so that 9 ms is the double nearest to
+/// 0.009.
 struct Unit {
     const char *name;
     const char *kind;
@@ -37,14 +38,14 @@ const Unit *unitOf(const QString &name) {
     return found == std::end(kUnits) ? nullptr : found;
 }
 
-// One spelling for each unit: micro by its two letters, powers as digits.
+/// Normalises the spelling: u for micro, digits for powers.
 QString plainUnit(QString unit) {
     unit.replace(QChar(0x00b5), QLatin1Char('u')).replace(QChar(0x03bc), QLatin1Char('u'));
     unit.replace(QChar(0x00b2), QStringLiteral("^2")).replace(QChar(0x00b0), QStringLiteral("deg"));
     return unit;
 }
 
-// What a text consists of; a second number after a slash.
+/// A parsed text; the second number follows a slash.
 struct Parts {
     QString first, second, unit;
 };
@@ -53,14 +54,14 @@ std::optional<Parts> partsOf(const QString &text) {
     static const QString number = QStringLiteral("((?:[0-9]+[.,]?[0-9]*|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?)");
     static const QRegularExpression whole(QStringLiteral("^([+-]?)") + number + QStringLiteral("(?:\\s*/\\s*") +
                                           number + QStringLiteral(")?(?:\\s*([^\\s0-9.,+/-].*))?$"));
-    constexpr qsizetype kLongest = 400; // no number needs more characters
+    constexpr qsizetype kLongest = 400; // characters; no number needs more
     const QRegularExpressionMatch match = whole.match(text.left(kLongest + 1));
     if (text.size() > kLongest || !match.hasMatch()) return std::nullopt;
     const QString sign = match.captured(1) == QLatin1String("-") ? QStringLiteral("-") : QString();
     return Parts{sign + match.captured(2), match.captured(3), plainUnit(match.captured(4).trimmed())};
 }
 
-// 1,000 is one in Berlin and a thousand in Boston; 0,125 can only be an eighth.
+/// 1,000 is one in Berlin and a thousand in Boston; 0,125 can only be an eighth.
 bool hasTwoMeanings(const QString &digits) {
     static const QRegularExpression grouped(QStringLiteral("^-?[1-9][0-9]{0,2},[0-9]{3}$"));
     return grouped.match(digits).hasMatch();
@@ -74,23 +75,23 @@ std::optional<double> doubleOf(QString digits) {
     return isRead && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-// From one unit to another by one multiplication or division: both factors are whole numbers, but for rad.
+/// Converts by one multiplication or division: except for rad, both factors are integers.
 double converted(double value, const Unit &from, const Unit &to) {
     const double up = from.numerator * to.denominator;
     const double down = from.denominator * to.numerator;
     return up >= down ? value * (up / down) : value / (down / up);
 }
 
-// A number in the unit wanted; else why not, in words that may be empty.
+/// A number in the wanted unit, or why there is none (may be empty).
 struct Amount {
     std::optional<double> value;
     QString why;
 };
 
-// Units that a number has where it is written without one, and that of the result.
+/// Units assumed for input without one, and the unit of the result.
 struct Units {
-    QString plain;    // of 5
-    QString quotient; // of 1/60
+    QString plain;    ///< of 5
+    QString quotient; ///< of 1/60
     QString wanted;
 };
 
@@ -131,7 +132,7 @@ bool isNotFinite(QString text) {
 }
 
 Amount amountOf(QString text, const Units &units) {
-    // A minus as it is typeset, and the spaces of tables that numbers are copied from.
+    // A typographic minus, and the kinds of spaces found in copied tables.
     text.replace(QChar(0x2212), QLatin1Char('-'));
     text.replace(QChar(0x00a0), QLatin1Char(' ')).replace(QChar(0x202f), QLatin1Char(' '));
     text = text.trimmed();
@@ -191,8 +192,8 @@ NumberReading readDuration(const QString &text, double min, double max, const QS
 QString durationText(double seconds) {
     const double rate = std::round(1.0 / seconds);
     const QString milliseconds = QStringLiteral("%1 ms");
-    constexpr int kMostDigits = 17; // that a double needs
-    constexpr int kFewDigits = 6;   // with which a decimal is easier to read than a quotient
+    constexpr int kMostDigits = 17; // enough for any double
+    constexpr int kFewDigits = 6;   // up to here a decimal is easier to read than a quotient
     const double all = std::numeric_limits<double>::max();
     for (int digits = 1; digits <= kMostDigits; ++digits) {
         if (digits > kFewDigits && 1.0 / rate == seconds) return QStringLiteral("1/%1 s").arg(rate, 0, 'f', 0);

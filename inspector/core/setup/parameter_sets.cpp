@@ -21,7 +21,7 @@ struct Sets {
     Q_DECLARE_TR_FUNCTIONS(Sets)
 };
 
-// The walls are of the floor's material.
+/// Walls and floor are of the same material.
 struct Material {
     double restitution;
     double rolling_friction;
@@ -40,7 +40,7 @@ ParameterSet setOf(const QString &name, const Material &material, const QString 
 
 } // namespace
 
-// Figures and sources are in README.md of the inspector, too.
+/// README.md of the inspector lists the figures and their sources, too.
 const std::vector<ParameterSet> &knownSets() {
     static const std::vector<ParameterSet> sets{
         setOf(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters that belong together under a name, some measured by others, and their text:
+// Named sets of parameters, some from published measurements, and their text format:
 //
 //   physics-parameters 1
 //   name Steel on wood
@@ -17,20 +17,20 @@ namespace inspector {
 
 struct ParameterSet {
     QString name;
-    QString about; // where its values are from; not in its text
+    QString about; ///< source of the values; not in its text
     std::vector<Setting> values;
 };
 
-// Of materials, from published figures.
+/// Sets for materials, from published figures.
 const std::vector<ParameterSet> &knownSets();
 
-// Values of all rows but the tilt.
+/// The current values of all rows except the tilt.
 ParameterSet presentSet(const QString &name, const Parameters &parameters);
-// Those of its values whose rows are there: a stepper's own may not be.
+/// The set's values whose rows exist: a stepper's own rows may not.
 std::vector<Setting> valuesFor(const Parameters &parameters, const ParameterSet &set);
 
 QByteArray setText(const ParameterSet &set);
-// Nothing, and one line in `error` (or nullptr) that begins with the file and the line, if it is no such text.
+/// Returns nothing, with one line in `error` (may be nullptr) that begins with file and line, if the text isn't a set.
 std::optional<ParameterSet> readSet(const QByteArray &text, const QString &file, QString *error);
 
 } // namespace inspector

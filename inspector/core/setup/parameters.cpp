@@ -14,8 +14,8 @@ constexpr uint32_t boardOffset(size_t place) {
     return uint32_t(offsetof(phys_params, stepper) + place * sizeof(double));
 }
 
-// The floor carries the ball: without any gravity no step can be made.
-constexpr double kLeastGravity = 1e-6; // m/s^2
+/// The floor carries the ball: without gravity no step is possible.
+constexpr double kLeastGravity = 1e-6; ///< m/s^2
 
 constexpr size_t kTiltX = 0;
 constexpr size_t kTiltY = 1;

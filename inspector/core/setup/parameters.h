@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The values that a person can set, as a model over parameter rows. Sliders, reset, settings keys, command-line
-// options and columns are all made from the rows; nothing else knows a range, a unit or a default.
+// The user's values, as a model over parameter rows. Sliders, reset, settings keys, command-line options and columns
+// are all generated from the rows; nothing else knows a range, a unit or a default.
 #pragma once
 
 #include "core/setup/inputs.h"
@@ -12,13 +12,13 @@
 
 namespace inspector {
 
-// The board's own rows, in the library's form: tilt_x, tilt_y (deg) and gravity (m/s^2).
+/// The board's own rows, in the library's form: tilt_x, tilt_y (deg) and gravity (m/s^2).
 const std::vector<phys_param_row> &boardRows();
 
-// Whether it is one of the two tilts.
+/// Whether the row is one of the two tilts.
 bool isTilt(const phys_param_row &row);
 
-// A value for the row with this id.
+/// A value for the row with this id.
 struct Setting {
     QString id;
     double value = 0.0;
@@ -31,40 +31,40 @@ class Parameters : public QObject {
 public:
     explicit Parameters(QObject *parent = nullptr);
 
-    // Rows in the order in which to show them: the board's, the library's, the current stepper's own.
+    /// Rows in display order: the board's, the library's, the current stepper's own.
     int count() const { return int(m_rows.size()); }
     const phys_param_row &row(int index) const { return *m_rows[size_t(index)]; }
-    bool isOfStepper(int index) const { return index >= m_commonCount; } // its own row
-    std::vector<Setting> initialOfStepper() const;                       // of all its own rows
-    // Index of the row with this id, -1 if there is none. '-' counts as '_', so command-line spelling works too.
+    bool isOfStepper(int index) const { return index >= m_commonCount; } ///< the row is the stepper's own
+    std::vector<Setting> initialOfStepper() const;                       ///< of the stepper's own rows
+    /// Index of the row with this id, -1 if there is none. '-' equals '_', so that command-line spelling works, too.
     int indexOf(const QString &id) const;
 
-    // In the row's unit. NaN for an index that isn't there.
+    /// In the row's unit. NaN for an invalid index.
     double value(int index) const;
-    // Sets a value if the library accepts it, alone and together with the others; otherwise nothing changes and
-    // `error` (or nullptr) gets the library's line.
+    /// Sets a value if the library accepts it, alone and together with the others; otherwise nothing changes and
+    /// `error` (may be nullptr) gets the library's message.
     bool set(int index, double value, QString *error = nullptr);
-    // The same for several at once: all or none. They are checked together, so their order doesn't matter.
+    /// The same for several at once: all or none. They are checked together, so that their order doesn't matter.
     bool set(const std::vector<Setting> &settings, QString *error = nullptr);
     bool isInitial(int index) const;
     void reset(int index);
     void resetAll();
 
-    // Replaces the stepper's own rows (initial values). Their texts live as long as the registry.
+    /// Replaces the stepper's own rows, at their initial values. The texts in `info` must live as long as the registry.
     void setStepper(const phys_stepper_info &info);
 
-    // What the next step is to obey. Orientation is on: this program draws the ball.
+    /// The inputs of the next step. Orientation is on: this program draws the ball.
     Inputs inputs() const;
 
 signals:
-    // After each change of a value; `inputs()` is new.
+    /// Sent after each change of a value; inputs() is up to date.
     void changed(int index, double value);
-    // The list of rows is another one.
+    /// The list of rows has changed.
     void rowsChanged();
 
 private:
-    // The board's rows point into the `stepper` values of a phys_params of their own, so that the library reads, writes
-    // and checks them like any other row.
+    /// The board's rows address the `stepper` values of a phys_params of their own, so that the library reads, writes
+    /// and checks them like any other row.
     struct Values {
         phys_params board;
         phys_params params;
@@ -74,11 +74,11 @@ private:
     bool accept(const Values &values, QString *error);
 
     std::vector<const phys_param_row *> m_rows;
-    int m_commonCount = 0; // rows before the stepper's own
+    int m_commonCount = 0; ///< rows before the stepper's own
     Values m_values;
 };
 
-// Values of the rows that both have, the tilt left out: what one ball can take over from another.
+/// Values of the rows that both have, except the tilt: what one ball can take over from another.
 std::vector<Setting> sharedValues(const Parameters &from, const Parameters &to);
 
 } // namespace inspector

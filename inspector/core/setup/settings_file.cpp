@@ -18,7 +18,7 @@ namespace inspector {
 
 namespace {
 
-// The character that up to `most` hexadecimal digits at `at` name, which is moved behind them; nothing without a digit.
+/// Decodes up to `most` hexadecimal digits at `at`, which is advanced; nothing if there is no digit.
 std::optional<QChar> hexadecimal(QStringView text, qsizetype &at, int most) {
     qsizetype end = at;
     const auto isDigit = [](QChar c) { return c.unicode() < 128 && std::isxdigit(c.unicode()); };
@@ -62,7 +62,7 @@ QString encodeKey(const QString &key) {
 
 // ---- values ----
 
-// What the escape behind a backslash at `at` stands for, which is moved behind it.
+/// Decodes the escape after a backslash at `at`, which is advanced.
 QChar escaped(QStringView text, qsizetype &at) {
     const QChar c = text[at++];
     switch (c.unicode()) {
@@ -79,7 +79,7 @@ QChar escaped(QStringView text, qsizetype &at) {
     }
 }
 
-// A list's texts: between quotes, or bare up to a comma. None: an empty list.
+/// The items of a list: quoted, or unquoted up to a comma. No items: an empty list.
 QStringList itemsOf(QStringView text) {
     if (text.trimmed().isEmpty()) return {};
     QStringList items;
@@ -94,13 +94,13 @@ QStringList itemsOf(QStringView text) {
         const QChar c = text[i++];
         if (c == QLatin1Char('"')) {
             isInQuotes = !isInQuotes;
-            if (isInQuotes) item.clear(); // the spaces before
+            if (isInQuotes) item.clear(); // skip leading spaces
             wasInQuotes = true;
         } else if (c == QLatin1Char(',') && !isInQuotes) {
             finish();
         } else if (c == QLatin1Char('\\') && i < text.size()) {
             item += escaped(text, i);
-        } else if (isInQuotes || !wasInQuotes) { // not the spaces behind
+        } else if (isInQuotes || !wasInQuotes) { // ignore trailing spaces
             item += c;
         }
     }
@@ -108,7 +108,7 @@ QStringList itemsOf(QStringView text) {
     return items;
 }
 
-// Nothing for what Qt's own format writes of values that are no text. It doubles an @ that begins a text.
+/// Nothing for values that aren't text in Qt's own format, which doubles an @ at the begin of a text.
 std::optional<QVariant> decodeValue(QStringView text) {
     QStringList items = itemsOf(text);
     for (QString &item : items) {
@@ -151,14 +151,14 @@ bool read(QIODevice &file, QSettings::SettingsMap &settings) {
     return true;
 }
 
-// QSaveFile doesn't notice what is lost when it writes its buffer at the end: it would put half a file in place.
+/// QSaveFile doesn't notice a loss while its buffer is written at the end and would put half a file in place.
 bool write(QIODevice &file, const QSettings::SettingsMap &settings) {
     const QByteArray bytes = writeSettings(settings);
     auto *saved = qobject_cast<QFileDevice *>(&file);
     return file.write(bytes) == bytes.size() && (!saved || (saved->flush() && saved->size() == bytes.size()));
 }
 
-// What QSettings would wait for without end: a pipe, or a lock that isn't given back.
+/// Why QSettings would block for ever: a pipe, or a lock that is never released.
 QString reasonAgainst(const QString &path) {
     const QString lockPath = path + QStringLiteral(".lock");
     for (const QString &name : {path, lockPath}) {

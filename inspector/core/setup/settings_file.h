@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The format of the settings file: keys and text, and nothing that Qt makes objects of. Its own reader builds whatever
-// a value names (`@Variant`, `@ByteArray`), as large as it says, so that a damaged file ended the program.
+// The format of the settings file: keys and text only. Qt's own reader constructs whatever object a value names
+// (`@Variant`, `@ByteArray`), of any size, so that a damaged file could end the program. a value names (`@Variant`,
+// `@ByteArray`), as large as it says, so that a damaged file ended the program.
 //
 //     window/quality="2"
 //     window/recent="/a.txt", "/b.txt"      a list
 //
-// In keys `%` and two or four (`%U`) hexadecimal digits are a character, in values `\\`, `\"`, `\n`, `\r`, `\t` and
+// In keys, `%` and two or four (`%U`) hexadecimal digits stand for a character; in values `\\`, `\"`, `\n`, `\r`, `\t`
+// and `\x` with up to four digits do. `[section]` lines and unquoted values, as earlier versions wrote them, are read.
+// Other lines, and values in Qt's syntax for objects, are ignored: their keys have their defaults.
 // `\x` and up to four digits. `[section]` lines and bare values, as of earlier versions, are read. Lines that are none
 // of this, and values in Qt's syntax for objects, are left out: their keys have their defaults.
 #pragma once
@@ -16,15 +19,15 @@
 
 namespace inspector {
 
-// For the constructor of QSettings, which writes by a temporary file under a lock. What it writes of a value is its
-// text: bytes are stored by storeBytes() (stored_values.h). A file that is larger than a megabyte counts as empty.
+/// For the constructor of QSettings, which writes through a temporary file under a lock. Values are written as text;
+/// store bytes by storeBytes() (stored_values.h). A file larger than a megabyte counts as empty.
 QSettings::Format settingsFormat();
 
-// The user's own, as QSettings names it. Of what QSettings would wait for without end, one line in `problem`, and a
-// name that can't be opened: settings then last as long as the program.
+/// The user's settings file, as QSettings names it. If QSettings would block on that file, returns a name that can't be
+/// opened, with one line in `problem`: settings then last as long as the program.
 QString userSettingsFile(QString *problem);
 
-// What the format does, for tests.
+/// The two directions of the format, for tests.
 QSettings::SettingsMap readSettings(const QByteArray &bytes);
 QByteArray writeSettings(const QSettings::SettingsMap &settings);
 

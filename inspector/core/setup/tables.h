@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the program says of itself in text: version, steppers, parameters.
+// The program in text: version, steppers, parameters; and number formats of tables.
 #pragma once
 
 #include "core/setup/handles.h"
@@ -11,26 +11,27 @@
 
 namespace inspector {
 
-// The shortest decimal that reads back as the same number, bit by bit; the same in every locale.
+/// The shortest decimal that reads back to the same bits, in every locale.
 QByteArray exactText(double number);
 
-// Fields of a table, with its end. After each comma a blank, by which gnuplot separates unless it is told otherwise;
-// but none in a line that lacks a value: gnuplot then leaves that line out, instead of counting its columns wrong.
+/// One line of a table, with its line end. Fields are separated by a comma and a space, because gnuplot separates by
+/// spaces by default; but there is none in a line that lacks a value: gnuplot then skips that line instead of
+/// miscounting its columns.
 QByteArray csvLine(const QList<QByteArray> &fields);
 
-// rolling or rigid
+/// rolling or rigid
 QString modelName(uint32_t model);
-// 16.67 ms
+/// 16.67 ms
 QString stepSizeText(double dt);
 
-// Of this program: 1.1.0.
+/// Of this program: 1.1.0.
 const char *programVersion();
-// physics-inspector 1.1.0, libphysics 1.0.0
+/// physics-inspector 1.1.0, libphysics 1.0.0
 QString versionLine();
 
-// The choices of a row in lower case, in the order of their numbers; empty if it isn't a choice.
+/// The names of a row's choices in lower case, by number; empty if it has none.
 QStringList choicesOf(const phys_param_row &row);
-// The values that a row allows, for people: "rolling or rigid", "a number from 0 to 1 m/s".
+/// The values that a row allows, for messages: "rolling or rigid", "a number from 0 to 1 m/s".
 QString expectedOf(const phys_param_row &row);
 
 QString stepperTable(const Registry &registry);

@@ -11,7 +11,8 @@ namespace inspector {
 
 namespace {
 
-constexpr double kFlush = 1e-3; // radii: a box that rises above the ball's lowest point by less is flush with the floor
+constexpr double kFlush =
+    1e-3; ///< radii: a box that rises above the ball's lowest point by less is flush with the floor
 
 } // namespace
 
@@ -35,7 +36,7 @@ std::optional<phys_contact> nearestWall(const phys_scene *scene, const phys_vec3
     return nearest;
 }
 
-// Sideways, the nearest point of the wall stays the nearest.
+/// Moving sideways keeps the nearest point of the wall.
 void pushOut(const phys_contact &wall, double radius, phys_vec3 &centre) {
     constexpr double kSlack = 1e-9; // of the distance, against rounding
     const double aside = std::hypot(wall.normal.x, wall.normal.y);
