@@ -16,7 +16,7 @@ uint64_t Past::endOfRun(uint64_t place) const {
     return begin + (next == runs.end() ? recording->length() : *next);
 }
 
-// From the last keyframe of the run that isn't later, by steps of the dt that it has.
+/// Steps with the block's dt from the run's last keyframe that isn't later.
 uint64_t Past::placeAt(double time, uint64_t place) const {
     const uint64_t first = beginOfRun(place) - begin;
     const uint64_t last = endOfRun(place) - begin;
@@ -79,7 +79,7 @@ Segment History::segmentOf(const Block &block, bool isFirst) {
     return segment;
 }
 
-// One entry a maze, with the scene that it was opened as last.
+/// One entry per maze, with the scene as it was opened last.
 void History::addMaze(std::vector<PlayableRecording::Maze> &mazes, const Place &place) {
     const MazeSource &source = place.origin.maze;
     const auto known =
@@ -90,7 +90,7 @@ void History::addMaze(std::vector<PlayableRecording::Maze> &mazes, const Place &
         mazes.push_back({source, levelOfFile(source.path), place.scene});
 }
 
-// Whole blocks but for the last, so that every place has its keyframe.
+/// Whole blocks except for the last, so that every place has its keyframe.
 std::optional<Past> History::past(uint64_t from, uint64_t to, QString *error) const {
     Recording recording;
     recording.program = QStringLiteral("physics-inspector");

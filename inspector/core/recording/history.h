@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The last steps of whatever was played, kept in memory: enough to make each of them again from anywhere, and to save
-// them as a recording afterwards.
+// The most recent steps of the live ball, kept in memory: enough to repeat each of them from anywhere, and to save them
+// as a recording afterwards.
 #pragma once
 
 #include "core/engine/engine.h"
@@ -14,57 +14,58 @@
 
 namespace inspector {
 
-// A copy of what was kept, ready to run. Places count the steps since the program began; those of the recording begin
-// at `begin`.
+/// A copy of the history, ready to be replayed. Places count the steps since the program began; those of the recording
+/// begin at `begin`.
 struct Past {
     std::shared_ptr<const PlayableRecording> recording;
-    std::vector<Keyframe> keyframes; // rising, at most History::kBlockSteps apart, the first at 0
+    std::vector<Keyframe> keyframes; ///< ascending, at most History::kBlockSteps apart, the first at 0
     uint64_t begin = 0;
 
     uint64_t end() const { return begin + recording->length(); }
-    // Of the run that the step before `place` belongs to: where it begins and ends.
+    /// Begin and end of the run to which the step before `place` belongs.
     uint64_t beginOfRun(uint64_t place) const;
     uint64_t endOfRun(uint64_t place) const;
-    // The first place at or after `time`, s, in the run of `place`; its end if it doesn't get there.
+    /// The first place at or after `time`, s, in the run of `place`; the run's end if it doesn't last that long.
     uint64_t placeAt(double time, uint64_t place) const;
 };
 
-// Memory: 8 bytes a step and some 700 for each change of tilt, parameters or step size: at most 55 MB, and 20 MB for 10
-// minutes at 1 ms under the autopilot, which tilts anew every 20 ms.
+/// Memory: 8 bytes a step and about 700 for each change of tilt, parameters or step size: at most 55 MB, and 20 MB for
+/// 10 minutes at 1 ms under the autopilot, which tilts anew every 20 ms.
 class History {
 public:
-    static constexpr uint64_t kMostSteps = uint64_t(1) << 20; // 17 minutes at 1 ms
+    static constexpr uint64_t kMostSteps = uint64_t(1) << 20; ///< 17 minutes at 1 ms
     static constexpr size_t kMostBlocks = size_t(1) << 16;
-    static constexpr uint64_t kBlockSteps = 512; // and so the most that it takes to go anywhere
+    static constexpr uint64_t kBlockSteps = 512; ///< also the most steps that any jump takes
 
     explicit History(uint64_t mostSteps = kMostSteps);
 
-    // From the next step on.
+    /// Takes effect from the next step on.
     void setOrigin(const Origin &origin);
-    // After each step of the engine.
+    /// Called after each step of the engine.
     void note(const Engine &engine);
 
-    // Places [begin(), end()] can be gone to.
+    /// Places [begin(), end()] can be shown again.
     uint64_t begin() const { return m_blocks.empty() ? m_end : m_blocks.front().begin; }
     uint64_t end() const { return m_end; }
-    // What is kept of [from, to). Nothing and one line in `error` if a stepper isn't there any more.
+    /// A copy of what is kept of [from, to). Returns nothing, with one line in `error`, if a stepper is no longer
+    /// available.
     std::optional<Past> past(uint64_t from, uint64_t to, QString *error) const;
 
 private:
-    // Where steps happen, shared by their blocks.
+    /// The scene and stepper of steps, shared by their blocks.
     struct Place {
         Origin origin;
         Scene scene;
     };
-    // Steps in a row under the same conditions.
+    /// Consecutive steps under the same conditions.
     struct Block {
         uint64_t begin;
         std::shared_ptr<const Place> place;
-        double dt; // s
+        double dt; ///< s
         Inputs inputs;
         phys_state from;
-        EnergySums sums; // there
-        bool isRun;      // doesn't go on from the block before
+        EnergySums sums; ///< at the block's begin
+        bool isRun;      ///< begins a run: doesn't continue the previous block
         std::vector<uint64_t> hashes;
     };
 
@@ -76,10 +77,10 @@ private:
 
     uint64_t m_mostSteps;
     Origin m_origin;
-    std::shared_ptr<const Place> m_place; // of the next steps; null: not known yet
+    std::shared_ptr<const Place> m_place; ///< of the next steps; null: not known yet
     std::deque<Block> m_blocks;
     uint64_t m_end = 0;
-    phys_state m_last{}; // after the last step
+    phys_state m_last{}; ///< after the last step
 };
 
 } // namespace inspector

@@ -11,7 +11,7 @@ namespace inspector {
 
 namespace {
 
-// Where the file could be on this machine; one of the list is that of the list.
+/// The places where the maze could be on this machine; one in the list of levels is given as that level.
 std::vector<Level> placesOf(const QString &path, const QString &recording, const std::vector<Level> &levels) {
     const QString name = path.section(QLatin1Char('/'), -1);
     std::vector<Level> places;
@@ -24,7 +24,7 @@ std::vector<Level> placesOf(const QString &path, const QString &recording, const
     return places;
 }
 
-// The maze with the recorded bytes. Nothing and one line in `error` if there is none.
+/// The maze with the recorded hash. Returns nothing, with one line in `error`, if there is none.
 std::optional<Level> findMaze(const MazeSource &maze, const QString &recording, const std::vector<Level> &levels,
                               QString *error) {
     QString found;
@@ -98,7 +98,7 @@ std::optional<size_t> PlayableRecording::addMaze(const MazeSource &source, const
     return m_mazes.size() - 1;
 }
 
-// That of the segment before, if it is the same: most segments differ by a tilt.
+/// Reuses the previous segment's stepper if it is the same: most segments differ only by a tilt.
 Stepper PlayableRecording::stepperFor(size_t index, size_t maze, QString *error) const {
     const QByteArray &id = segment(index).conditions.stepper.id;
     const bool isSame = index > 0 && m_places.back().maze == maze && segment(index - 1).conditions.stepper.id == id;
@@ -108,7 +108,7 @@ Stepper PlayableRecording::stepperFor(size_t index, size_t maze, QString *error)
 uint64_t PlayableRecording::positionAt(double seconds) const {
     for (size_t index = 0; index < m_places.size(); ++index) {
         const double dt = segment(index).conditions.dt;
-        const double steps = std::round(seconds / dt); // rounded: 0.3 s are 30 steps of 0.01 s, not 29
+        const double steps = std::round(seconds / dt); // rounded: 0.3 s is 30 steps of 0.01 s, not 29
         if (steps < double(segment(index).hashes.size())) return begin(index) + uint64_t(std::max(0.0, steps));
         seconds -= dt * double(segment(index).hashes.size());
     }

@@ -33,7 +33,8 @@ bool Player::next() {
     return m_shown.step();
 }
 
-// From the keyframe before, or from here if that is nearer. At least one step is made: it tells what there was before.
+/// From the previous keyframe, or from the current position if that is nearer. At least one step is made, so that the
+/// previous state is known.
 uint64_t Player::seek(uint64_t position) {
     position = std::min(position, checked());
     if (position == m_shown.position()) return 0;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A recording to be watched: forwards, backwards, from any place. Steps can't be made backwards, so the recording is
-// run once from its beginning, its hashes are checked and a keyframe is kept now and then; from there any place is
-// near.
+// Plays a recording forwards, backwards, and from any position. Steps can't be reversed, so the recording is run once
+// from its beginning to check its hashes and to store keyframes; from those any position is near.
 #pragma once
 
 #include "core/recording/replay.h"
@@ -10,48 +9,49 @@
 
 namespace inspector {
 
-// No thread, no clock, no widgets. One thread at a time, to which the recording's steppers then belong.
+/// No thread, no clock, no widgets. One thread at a time, to which the recording's steppers then belong.
 class Player {
 public:
-    // Steps from one keyframe to the next, and so the most that it takes to go anywhere. 160 bytes each.
+    /// Steps between keyframes, and so the most that a seek takes. 160 bytes each.
     static constexpr uint64_t kKeyframeInterval = 512;
 
-    // At the beginning of a recording that has a segment.
+    /// Starts at the beginning of a recording, which must have a segment.
     explicit Player(std::shared_ptr<const PlayableRecording> recording);
-    // Of one whose keyframes are known, the first at 0: nothing is left to be checked.
+    /// For a recording whose keyframes are known, the first at 0: nothing is left to check.
     Player(std::shared_ptr<const PlayableRecording> recording, std::vector<Keyframe> keyframes);
 
     const PlayableRecording &recording() const { return *m_recording; }
 
     // ---- once through: checks hashes and lays keyframes ----
 
-    // One step further; false if that is done.
+    /// Checks one step; false when everything is checked.
     bool check();
-    uint64_t checked() const { return m_isKnown ? m_recording->length() : m_check.position(); } // steps
-    bool isChecked() const { return m_isChecked; }                                              // all that can be
+    uint64_t checked() const { return m_isKnown ? m_recording->length() : m_check.position(); } ///< steps
+    bool isChecked() const { return m_isChecked; } ///< everything that can be is checked
     const std::optional<Difference> &difference() const { return m_check.difference(); }
-    // The last position: the recording's length, or before a step that fails although it didn't.
+    /// The last position: the recording's length, or before a step that fails here although it succeeded in the
+    /// recording.
     uint64_t end() const { return m_isChecked ? checked() : m_recording->length(); }
 
     // ---- shown ----
 
     const Engine &engine() const { return m_shown.engine(); }
     uint64_t position() const { return m_shown.position(); }
-    size_t segment() const { return m_shown.segment(); } // of the last step
-    // True if the next step begins a run; shows the state that it begins with.
+    size_t segment() const { return m_shown.segment(); } ///< of the last step
+    /// True if the next step begins a run, whose first state is then shown.
     bool enterRun();
-    // The next step; false at the end.
+    /// The next step; false at the end.
     bool next();
-    // Shows position 0 .. checked(); the engine has made the step that leads there. Returns how many steps it took, at
-    // most kKeyframeInterval.
+    /// Shows position 0 .. checked(), with the engine having made the step that leads there. Returns the number of
+    /// steps this took, at most kKeyframeInterval.
     uint64_t seek(uint64_t position);
 
 private:
     std::shared_ptr<const PlayableRecording> m_recording;
     Replay m_check;
     Replay m_shown;
-    std::vector<Keyframe> m_keyframes; // rising
-    bool m_isKnown = false;            // without a check
+    std::vector<Keyframe> m_keyframes; ///< ascending
+    bool m_isKnown = false;            ///< keyframes were given: nothing to check
     bool m_isChecked = false;
 };
 

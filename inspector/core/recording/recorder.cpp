@@ -7,9 +7,9 @@ namespace inspector {
 
 namespace {
 
-// A program that crashes loses at most so much of its recording.
+/// The most that a crash loses of a recording.
 constexpr std::chrono::milliseconds kFlushPeriod{100};
-constexpr qsizetype kFlushSize = 65536; // bytes
+constexpr qsizetype kFlushSize = 65536; ///< bytes
 
 } // namespace
 
@@ -65,7 +65,7 @@ void Recorder::putConditions(const Engine &engine) {
     if (isNewLevel) m_state.reset();
 }
 
-// What is new at the step that began at this state.
+/// Writes what changed with the step that began at this state.
 void Recorder::putNews(const Engine &engine, const phys_state &from) {
     if (hasNewConditions(engine)) putConditions(engine);
     if (!m_state || !isSameBits(*m_state, from)) put(stateText(from));

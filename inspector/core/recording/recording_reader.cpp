@@ -15,7 +15,7 @@ namespace inspector {
 
 namespace {
 
-// A line that can't be followed: what was expected, what was found.
+/// A malformed line: what was expected, what was found.
 struct WrongLine {
     QString reason;
 };
@@ -51,7 +51,7 @@ uint64_t hash(const QByteArray &text) {
     return *number;
 }
 
-// Whether a ball can have this state: asked of a step of no time where there is nothing.
+/// Throws if no ball can have this state: tries a step of dt 0 on an empty floor.
 void checkState(const phys_state &state) {
     phys_scene_desc nothing;
     phys_params params;
@@ -65,7 +65,7 @@ void checkState(const phys_state &state) {
         throw WrongLine{stepper ? QString::fromUtf8(failure.text) : QStringLiteral("out of memory")};
 }
 
-// Takes the lines one by one.
+/// Parses the lines one by one.
 class Reader {
 public:
     explicit Reader(const Registry &registry)
@@ -77,7 +77,7 @@ public:
 private:
     struct Rule {
         const char *word;
-        int fields; // after the word; -1: the rest of the line is one
+        int fields; ///< number of fields after the keyword; -1: the rest of the line is one
         const char *expected;
         void (Reader::*read)(const QByteArrayList &fields);
     };
@@ -107,8 +107,8 @@ private:
     int m_line = 0;
     int m_mazeLine = 0;
     int m_stepperLine = 0;
-    bool m_isOpen = false;    // the last segment goes on
-    bool m_needsState = true; // a level doesn't say where the ball is
+    bool m_isOpen = false;    ///< the last segment can be continued
+    bool m_needsState = true; ///< a `state` line must follow a `level` line
 };
 
 const std::array<Reader::Rule, 11> Reader::kRules{{
@@ -158,7 +158,7 @@ void Reader::readWord(const QByteArray &line) {
     if (isInput) m_isOpen = false;
 }
 
-// As pathText() wrote it.
+/// Reverses pathText().
 QString pathOf(const QByteArray &text) {
     QByteArray bytes;
     for (qsizetype i = 0; i < text.size(); ++i) {
@@ -218,7 +218,7 @@ void Reader::readOptions(const QByteArrayList &fields) {
 void Reader::readBoard(const QByteArrayList &fields) {
     std::array<double, 6> numbers{};
     std::transform(fields.begin(), fields.end(), numbers.begin(), finite);
-    phys_vec3 ignored; // what is recorded counts: another C library may round it otherwise
+    phys_vec3 ignored; // the recorded one counts: another C library may round it differently
     if (phys_gravity_from_tilt(numbers[0], numbers[1], numbers[2], &ignored) != PHYS_OK)
         fail(QStringLiteral("two tilts within pi/2 and a strength >= 0"), "board " + fields.join(' '));
     Inputs &inputs = m_conditions.inputs;
@@ -250,7 +250,7 @@ void Reader::readFailure(const QByteArrayList &fields) {
     m_isOpen = false;
 }
 
-// The one that the next step belongs to.
+/// The segment of the next step.
 Segment &Reader::segment() {
     if (m_isOpen) return m_recording.segments.back();
     checkConditions();
@@ -285,9 +285,9 @@ std::optional<Recording> parseRecording(const QByteArray &text, const Registry &
     qsizetype begin = 0;
     for (int number = 1;; ++number) {
         const qsizetype end = text.indexOf('\n', begin);
-        if (end < 0 && number > 1) break; // what an interrupted program left of a line
+        if (end < 0 && number > 1) break; // an incomplete line from an interrupted program
         QByteArray line = text.mid(begin, end < 0 ? -1 : end - begin);
-        while (line.endsWith('\r')) line.chop(1); // mailed
+        while (line.endsWith('\r')) line.chop(1); // line ends converted by mail or editors
         try {
             reader.read(line);
         } catch (const WrongLine &wrong) {

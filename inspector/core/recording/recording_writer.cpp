@@ -16,13 +16,13 @@ QByteArray line(const QByteArray &word, std::initializer_list<double> numbers) {
     return text + '\n';
 }
 
-// A line break would end the line.
+/// Replaces line breaks, which would end the line.
 QByteArray unbroken(const QString &text) { return text.toUtf8().replace('\n', ' ').replace('\r', ' '); }
 
-// Unlike ==: 0 and -0 are two numbers.
+/// Compares bits: 0 and -0 differ.
 bool isSame(double a, double b) { return std::bit_cast<uint64_t>(a) == std::bit_cast<uint64_t>(b); }
 
-// The bytes of a name; line breaks and % as in a URL.
+/// A file name's bytes, with line breaks and % encoded as in a URL.
 QByteArray pathText(const QString &path) {
     return encodePath(path).replace('%', "%25").replace('\n', "%0A").replace('\r', "%0D");
 }
@@ -84,7 +84,7 @@ QByteArray conditionsText(const Conditions *before, const Conditions &now, const
     const bool isNewStepper = !before || !(before->stepper == now.stepper);
     if (isNewStepper) text += "stepper " + now.stepper.id + ' ' + now.stepper.version + '\n';
     if (!before || !isSame(before->dt, now.dt)) text += line("dt", {now.dt});
-    // All rows with a new stepper: reading its line sets its own to their initial values.
+    // A new stepper needs all rows: reading its line resets its own to their initial values.
     text += rowsText(isNewStepper ? nullptr : &before->inputs.params, now.inputs.params, info);
     const QByteArray board = boardText(now.inputs);
     return before && boardText(before->inputs) == board ? text : text + board;

@@ -9,7 +9,7 @@ namespace {
 
 QString text(uint64_t hash) { return QString::fromLatin1(hashText(hash)); }
 
-// The versions that aren't those of the recording; each begins with a separator.
+/// The versions that differ from the recording's; each begins with a separator.
 QString otherVersions(const PlayableRecording &playable) {
     const Recording &recording = playable.recording();
     const Registry &registry = playable.registry();
@@ -95,7 +95,7 @@ void Replay::takeConditions(size_t segment) {
     m_engine->setInputs(now.inputs);
 }
 
-// A step that failed left the state as it was, and the run went on from there.
+/// A recorded failure left the state as it was, and the run continued from there.
 void Replay::failAsRecorded() {
     const QString &expected = m_recording->segment(m_segment).failure;
     if (expected.isEmpty()) return;

@@ -12,41 +12,42 @@
 
 namespace inspector {
 
-// The first step whose result isn't the recorded one.
+/// The first step whose result isn't the recorded one.
 struct Difference {
-    uint64_t number = 0; // of the recording's steps, from 1
-    uint64_t step = 0;   // since the start or restart, as phys_state.step
-    double time = 0.0;   // s, at its beginning
-    QString expected;    // a hash, or a failure's line
+    uint64_t number = 0; ///< of the step in the recording, from 1
+    uint64_t step = 0;   ///< since the last start or restart, as
+    double time = 0.0;   ///< s, at its beginning
+    QString expected;    ///< a hash, or the message of a failure
     QString found;
 };
 
-// A place in a recording to which a replay can go back.
+/// A snapshot to which a replay can return.
 struct Keyframe {
     uint64_t position = 0;
-    size_t segment = 0; // of the step before
+    size_t segment = 0; ///< of the previous step
     phys_state state{};
     EnergySums sums;
 };
 
-// Makes a recording's steps again, one by one, and compares the hash of every state.
+/// Repeats a recording's steps one by one and compares the hash of every state.
 class Replay {
 public:
-    // At the recording's beginning.
+    /// Starts at the recording's beginning.
     explicit Replay(std::shared_ptr<const PlayableRecording> recording);
 
-    // Takes the conditions of the next step, and its state if it doesn't go on from the one before. False at the end.
+    /// Applies the conditions of the next step, and its initial state if it begins a run. False at the end.
     bool prepare();
-    // Makes the next step. False at the end, which is also where a step fails that didn't: `difference` tells it.
+    /// Makes the next step. False at the end, and where a step fails that succeeded in the recording: then `difference`
+    /// is set.
     bool step();
-    uint64_t position() const { return m_position; } // steps made
-    size_t segment() const { return m_segment; }     // of the last step
-    // As after the last step; there is one if the recording has a segment.
+    uint64_t position() const { return m_position; } ///< steps made
+    size_t segment() const { return m_segment; }     ///< of the last step
+    /// The engine after the last step; exists if the recording has a segment.
     const Engine &engine() const { return *m_engine; }
-    const std::optional<Difference> &difference() const { return m_difference; } // the first that was met
+    const std::optional<Difference> &difference() const { return m_difference; } ///< the first one found
 
     Keyframe keyframe() const { return {m_position, m_segment, m_engine->state(), m_engine->sums()}; }
-    void moveTo(const Keyframe &place); // of this recording
+    void moveTo(const Keyframe &place); ///< a keyframe of this recording
 
 private:
     void enter(size_t segment);
@@ -58,23 +59,23 @@ private:
     std::unique_ptr<Engine> m_engine;
     size_t m_segment = 0;
     uint64_t m_position = 0;
-    bool m_isStuck = false; // the next step fails although it didn't
+    bool m_isStuck = false; ///< the next step fails here but not in the recording
     std::optional<Difference> m_difference;
 };
 
 struct ReplayOutcome {
-    uint64_t steps = 0; // that ran
+    uint64_t steps = 0; ///< steps made
     std::optional<Difference> difference;
 };
 
-// From beginning to end; shows each step to `visit`, which ends the replay by returning false.
+/// Replays from beginning to end; passes each step to `visit`, which ends the replay by returning false.
 ReplayOutcome replay(const std::shared_ptr<const PlayableRecording> &recording,
                      const std::function<bool(const Engine &)> &visit);
 
-// What a person would set to have these conditions.
+/// The settings by which the user would get these conditions.
 std::vector<Setting> settingsOf(const Conditions &conditions, const Registry &registry);
 
-// "same: 812 steps", or what differs first and, in the same line, which versions differ.
+/// "same: 812 steps", or the first difference and, in the same line, which versions differ.
 QString verdict(const PlayableRecording &recording, const ReplayOutcome &outcome);
 
 } // namespace inspector

@@ -6,7 +6,7 @@
 
 namespace inspector {
 
-/// Bits, unlike ==: 0 and -0 are two inputs. For types without padding.
+/// Compares bits, unlike ==: 0 and -0 differ. For types without padding.
 template<class Plain>
 bool isSameBits(const Plain &a, const Plain &b) {
     static_assert(std::is_trivially_copyable_v<Plain>);

@@ -8,9 +8,9 @@ namespace inspector {
 
 namespace {
 
-// How long the ball goes on falling after it left the maze, s of simulated time.
+/// How long the ball keeps falling after it left the maze, s of simulated time.
 constexpr double kFallTime = 0.4;
-// Of a step: 30 steps of 0.01 s are 0.3 s.
+/// Share of a step: 30 steps of 0.01 s are 0.3 s.
 constexpr double kRounding = 1e-6;
 
 double timeOfLeaving(const phys_state &state) {
@@ -128,7 +128,7 @@ void LiveRun::flushRecording() {
     dropBadRecorder();
 }
 
-// failure: the library's line if the step failed, else empty.
+/// failure: the library's message if the step failed, else empty.
 void LiveRun::record(const QString &failure) {
     if (!m_recorder) return;
     if (failure.isEmpty())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The ball that a person plays with: steps as it is told, kept in memory, and recorded into a file if asked for.
+// The ball that the user plays with: stepped live, kept in the history, and recorded into a file on request.
 #pragma once
 
 #include "core/recording/history.h"
@@ -32,24 +32,26 @@ public:
     void setDt(double dt) { m_engine.setDt(dt); }
     void setPilot(std::shared_ptr<const Pilot> pilot) { m_engine.setPilot(std::move(pilot)); }
     void setOrigin(const Origin &origin);
-    void pauseAt(double time) { m_pauseAt = time; } // s
+    void pauseAt(double time) { m_pauseAt = time; } ///< s
 
-    // Shown again, in the place of another run.
+    /// Shown again, replacing another run.
     void begin();
-    // Goes on from the last step of another run: all that it had, so that the next one is what that one's would be.
-    // Inputs that were given after `number`, but came before, stay.
+    /// Continues from the last step of another run with its complete state, so that the next step is the one that run
+    /// would have made. Inputs given after `number` stay, even if they arrived earlier.
     void goOnFrom(const Engine &from, const Stepper &stepper, uint64_t number);
 
     // ---- into a file ----
 
     void startRecording(const QString &file, const Origin &origin);
     void endRecording();
-    void flushRecording(); // it may stay paused for long
+    void flushRecording(); ///< the run may stay paused for long
 
     // ---- in memory ----
 
     const History &history() const { return m_history; }
-    uint64_t beginPlace() const { return m_beginPlace; } // where it began; may not be kept any more
+    uint64_t beginPlace() const {
+        return m_beginPlace;
+    } ///< the place where it began, which the history may have dropped
 
 private:
     void record(const QString &failure);
@@ -58,10 +60,10 @@ private:
 
     Presentation &m_presentation;
     Engine m_engine;
-    uint32_t m_stepperPlace = kNoStepper;                       // in the registry
-    uint64_t m_obeyed = 0;                                      // number of the inputs that count
-    double m_leftAt = std::numeric_limits<double>::infinity();  // when the ball left the maze, s
-    double m_pauseAt = std::numeric_limits<double>::infinity(); // s
+    uint32_t m_stepperPlace = kNoStepper;                       ///< in the registry
+    uint64_t m_obeyed = 0;                                      ///< number of the inputs in use
+    double m_leftAt = std::numeric_limits<double>::infinity();  ///< when the ball left the maze, s
+    double m_pauseAt = std::numeric_limits<double>::infinity(); ///< s
     std::optional<Recorder> m_recorder{};
     History m_history{};
     uint64_t m_beginPlace = 0;

@@ -8,7 +8,7 @@ namespace inspector {
 
 namespace {
 
-// Steps of an earlier run that plots and trails get to see: a moment's work.
+/// Steps of an earlier run that are repeated for plots and trails: takes a moment.
 constexpr uint64_t kStepsOfARun = 100000;
 
 } // namespace
@@ -43,7 +43,7 @@ bool PastRun::showAt(uint64_t position) {
 
 void PastRun::goTo(uint64_t position) { showAt(position); }
 
-// Made again from its beginning to its end; the player is where it was afterwards.
+/// Repeats the run from its beginning to its end; the player returns to where it was.
 void PastRun::refillSamples(uint64_t first) {
     const uint64_t position = m_player.position();
     const uint64_t end = std::min(m_past.endOfRun(first + 1), first + kStepsOfARun) - m_past.begin;
@@ -69,14 +69,14 @@ void PastRun::showLiveRun() {
         m_presentation.clear();
 }
 
-// The live ball has just been put where this one is.
+/// Called when the live ball has been put where this one is.
 void PastRun::forgetFuture() {
     const double time = engine().state().time;
     m_presentation.samples().truncate(m_presentation.samples().find(std::nextafter(time, HUGE_VAL)));
     m_presentation.events().forgetAfter(time);
 }
 
-// As the samples tell it.
+/// Reconstructed from the samples.
 std::optional<Ghost> PastRun::ghost() const {
     const SampleRing &samples = m_presentation.samples();
     Sample sample;

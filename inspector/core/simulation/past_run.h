@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The past of the live ball, watched like a recording; but samples and events stay those of the run shown, all of it.
+// The history of the live ball, played like a recording; but samples and events remain those of the whole run shown.
 #pragma once
 
 #include "core/simulation/replay_run.h"
@@ -8,17 +8,17 @@ namespace inspector {
 
 class PastRun : public ReplayRun {
 public:
-    // At its end. shownRun: the place where the run begins that samples and events are of.
+    /// Starts at the end of the past. shownRun: the place where the run begins that samples and events belong to.
     PastRun(Presentation &presentation, const LiveRun &live, const Past &past, uint64_t shownRun, uint64_t number);
 
     void addTo(Snapshot &snapshot) const override;
     void prepareToGoOn() override {}
-    void step(Clock::time_point due) override; // to the end of the run that is shown
+    void step(Clock::time_point due) override; ///< stops at the end of the run shown
     void goTo(uint64_t position) override;
     void forgetFuture() override;
 
     uint64_t shownRun() const { return m_shownRun; }
-    // Samples and events of the live run again.
+    /// Restores samples and events of the live run.
     void showLiveRun();
 
 protected:

@@ -41,16 +41,16 @@ void Presentation::followDt() {
 void Presentation::compare(uint64_t number, const GhostSetup &setup, const QByteArray &leaderId) {
     m_ghost.reset();
     m_ghostNumber = number;
-    // A replay may have gone on to another scene; then this is asked for again.
+    // A replay may have moved to another scene; then the comparison is requested again.
     if (setup.scene == m_run->engine().scene()) m_ghost.emplace(m_run->engine(), setup, leaderId);
 }
 
 void Presentation::meetGhost() {
-    if (m_ghost && m_ghost->scene() != m_run->engine().scene()) m_ghost.reset(); // its stepper is of the other
+    if (m_ghost && m_ghost->scene() != m_run->engine().scene()) m_ghost.reset(); // its stepper is of the other scene
     if (m_ghost) m_ghost->meet(m_run->engine());
 }
 
-// Last of all that a step does to the state: nothing of the ball depends on it.
+/// Steps the ghost, after everything else: the ball never depends on it.
 void Presentation::leadGhost() {
     QString line;
     if (!m_ghost || m_ghost->follow(m_run->engine(), &line)) return;
@@ -79,7 +79,7 @@ Sample Presentation::sample() const {
 void Presentation::noteStep(double stepTime) {
     countStep();
     const Engine &engine = m_run->engine();
-    if (engine.previous().flags & PHYS_OUT) return; // out of the maze it only falls
+    if (engine.previous().flags & PHYS_OUT) return; // outside of the maze it only falls
     leadGhost();
     Sample sample = this->sample();
     if (m_ghost) m_ghost->addTo(sample);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the window's thread gets to see of the run that is shown: its pace, samples, events, ghost and snapshots.
+// What the window's thread sees of the run shown: pace, samples, events, ghost and snapshots.
 #pragma once
 
 #include "core/engine/rate_meter.h"
@@ -10,13 +10,13 @@
 
 namespace inspector {
 
-// Belongs to the thread that steps.
+/// Used by the stepping thread only.
 class Presentation {
 public:
     Presentation(Simulation &owner, SampleRing &samples, EventLog &events, LatestValue<Snapshot> &snapshots);
 
-    void show(const Run &run) { m_run = &run; } // before anything else
-    Simulation &owner() { return m_owner; }     // for its signals
+    void show(const Run &run) { m_run = &run; } ///< must be called first
+    Simulation &owner() { return m_owner; }     ///< for its signals
     SampleRing &samples() { return m_samples; }
     EventLog &events() { return m_events; }
 
@@ -25,9 +25,9 @@ public:
     bool isRunning() const { return m_isRunning; }
     void setRunning(bool isRunning);
     void setSpeed(double speed);
-    // Rates and deadlines count from now; what was lost in this run stays counted.
+    /// Restarts rates and deadlines; the lost time of this run is kept.
     void startPacing();
-    void followDt(); // starts anew if the run has another dt than before
+    void followDt(); ///< restarts pacing if the run's dt has changed
     bool isDue() { return m_isRunning && m_pacer.isDue(Clock::now()); }
     Clock::time_point deadline() const { return m_pacer.deadline(); }
     void advance() { m_pacer.advance(); }
@@ -37,25 +37,25 @@ public:
     void compare(uint64_t number, const GhostSetup &setup, const QByteArray &leaderId);
     GhostEngine *ghost() { return m_ghost ? &*m_ghost : nullptr; }
     void endComparison() { m_ghost.reset(); }
-    void meetGhost(); // at the ball's present state; one of another scene is gone
+    void meetGhost(); ///< restarts the ghost at the ball's state; a ghost of another scene is removed
 
     // ---- measured ball ----
 
-    void setTrack(std::shared_ptr<const ShownTrack> track) { m_track = std::move(track); } // or nullptr
+    void setTrack(std::shared_ptr<const ShownTrack> track) { m_track = std::move(track); } ///< or nullptr
 
     // ---- what happened ----
 
-    // The state was set from outside: samples and events begin anew.
+    /// The state was set from outside: samples and events start over.
     void beginRun();
     void countStep();
-    // Of the run's last step, with the measured ball.
+    /// The sample of the run's last step, with the measured ball.
     Sample sample() const;
-    // After a step: its sample and events. stepTime: what it took, us, or NaN.
+    /// Records sample and events after a step. stepTime: duration of the step, us, or NaN.
     void noteStep(double stepTime);
     void noteEvents();
-    // Readers see what there was before and after, and nothing between.
+    /// Between hold() and release() readers keep seeing the old content.
     void hold();
-    void release(); // if held
+    void release(); ///< if held
     void clear();
     void publish(Clock::time_point due);
 
@@ -70,7 +70,7 @@ private:
     Pacer m_pacer{};
     RateMeter m_meter{};
     double m_speed = 1.0;
-    double m_pacedDt = 0.0; // s
+    double m_pacedDt = 0.0; ///< s
     bool m_isRunning = false;
     bool m_isHeld = false;
     uint64_t m_runCount = 0;

@@ -10,12 +10,12 @@ namespace inspector {
 
 namespace {
 
-// Steps before the place sought that plots and trails get to see.
-constexpr uint64_t kStepsBefore = 10000; // the 10 s of a plot at 1 ms
-// A replay is checked ahead in pieces, between which there is time for steps and commands.
+/// Steps before the target of a seek that are repeated for plots and trails.
+constexpr uint64_t kStepsBefore = 10000; ///< the 10 s of a plot at 1 ms
+/// A replay is checked ahead in slices, between which steps and commands are handled.
 constexpr std::chrono::milliseconds kCheckSlice{1};
 constexpr std::chrono::milliseconds kShowSlice{20};
-constexpr int kStepsPerLook = 32; // at the clock
+constexpr int kStepsPerLook = 32; ///< steps between two looks at the clock
 constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
 
 } // namespace
@@ -32,7 +32,7 @@ void ReplayRun::addTo(Snapshot &snapshot) const {
                        differenceAt(), m_player.segment(),  m_seeks};
 }
 
-// Where the first difference shows: after that step, or at the end if the step fails.
+/// The position of the first difference: after that step, or at the end if the step fails.
 std::optional<uint64_t> ReplayRun::differenceAt() const {
     if (!m_player.difference()) return std::nullopt;
     return std::min(m_player.difference()->number, m_player.end());
@@ -42,7 +42,7 @@ void ReplayRun::prepareToGoOn() {
     if (!m_sought && m_player.position() == m_player.end()) restart();
 }
 
-// A ball that has left the maze goes on as recorded.
+/// Outside of the maze the ball continues as recorded.
 void ReplayRun::step(Clock::time_point due) {
     if (m_player.enterRun()) m_presentation.beginRun();
     if (m_player.next()) {
@@ -89,13 +89,13 @@ void ReplayRun::goToSought() {
 
 void ReplayRun::goTo(uint64_t position) {
     if (m_player.position() == position) return;
-    m_presentation.endComparison(); // what it would have to do is long
+    m_presentation.endComparison(); // it would have to repeat too much
     while (!showAt(position)) {
     }
 }
 
-// Plots and trails then show what they do when it is played: what was before it in its run is made again, too. A piece
-// of that, because a fine ghost makes it long.
+/// Plots and trails must look as if it had been played: the run before the position is repeated, too. In slices,
+/// because a fine ghost makes this slow.
 bool ReplayRun::showAt(uint64_t position) {
     const uint64_t end = std::min(position, m_player.end());
     const uint64_t start = m_player.recording().beginOfRun(end);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A recording that is watched in the place of the live ball, which waits.
+// A recording played in place of the live ball, which waits.
 #pragma once
 
 #include "core/recording/player.h"
@@ -11,38 +11,38 @@ namespace inspector {
 
 class ReplayRun : public Run {
 public:
-    // number: of the replay, from 1.
+    /// number: identifies the replay, from 1.
     ReplayRun(Presentation &presentation, const LiveRun &live, Player player, uint64_t number);
 
     const Engine &engine() const override { return m_player.engine(); }
     uint32_t stepperPlace() const override { return m_player.recording().stepperPlace(m_player.segment()); }
     void addTo(Snapshot &snapshot) const override;
-    void prepareToGoOn() override; // at its end it begins again
+    void prepareToGoOn() override; ///< at its end it starts over
     void step(Clock::time_point due) override;
     void stepOnce() override;
     void restart() override;
 
-    const Stepper &stepper() const { return m_player.recording().stepper(m_player.segment()); } // of the last step
+    const Stepper &stepper() const { return m_player.recording().stepper(m_player.segment()); } ///< of the last step
 
     // ---- going to another place ----
 
-    // Asked for: goes there as soon as all before it is checked.
+    /// Requests a seek, done as soon as everything before the position is checked.
     void seek(uint64_t position, uint64_t number);
     void stepBack();
     bool isSeeking() const { return m_sought.has_value(); }
-    void goToSought(); // a piece of it: commands are obeyed in between
-    // At once, however long it takes.
+    void goToSought(); ///< does part of it, so that commands are handled in between
+    /// Seeks synchronously, however long it takes.
     virtual void goTo(uint64_t position);
-    // The live ball takes over here: what is shown of later steps isn't so any more.
+    /// The live ball takes over here: later steps that are shown become invalid.
     virtual void forgetFuture() {}
 
     // ---- checking ----
 
     bool isChecked() const { return m_player.isChecked(); }
-    void checkAhead(); // a piece, while no step is due
+    void checkAhead(); ///< checks part of it while no step is due
 
 protected:
-    // A piece of showing this position, all before which is checked; true if it is done.
+    /// Does part of showing this position, before which everything is checked; true when done.
     virtual bool showAt(uint64_t position);
 
     Presentation &m_presentation;
@@ -58,7 +58,7 @@ private:
 
     uint64_t m_number;
     std::optional<Seek> m_sought{};
-    uint64_t m_seeks = 0; // number of the last one done
+    uint64_t m_seeks = 0; ///< number of the last one done
 };
 
 } // namespace inspector

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What can be shown: the live ball, a recording, or the past that is kept. The thread that steps shows one at a time.
+// What can be shown: the live ball, a recording, or the history. The stepping thread shows one at a time.
 #pragma once
 
 #include "core/engine/engine.h"
@@ -8,7 +8,7 @@
 
 namespace inspector {
 
-// What a run of balls answers to the commands of a person, whichever it is.
+/// How a run reacts to the user's commands, whichever kind it is.
 class Run {
 public:
     Run() = default;
@@ -16,13 +16,13 @@ public:
     Run &operator=(const Run &) = delete;
     virtual ~Run() = default;
 
-    virtual const Engine &engine() const = 0;  // the ball that is shown
-    virtual uint32_t stepperPlace() const = 0; // of the last step's stepper in the registry, or kNoStepper
+    virtual const Engine &engine() const = 0;  ///< of the ball shown
+    virtual uint32_t stepperPlace() const = 0; ///< index of the last step's stepper in the registry, or kNoStepper
     virtual void addTo(Snapshot &snapshot) const = 0;
 
-    virtual void prepareToGoOn() {}               // it is about to go on by itself
-    virtual void step(Clock::time_point due) = 0; // by its own, and shows it
-    virtual void stepOnce() = 0;                  // because it was asked for
+    virtual void prepareToGoOn() {}               ///< called before it runs
+    virtual void step(Clock::time_point due) = 0; ///< makes the next due step and shows it
+    virtual void stepOnce() = 0;                  ///< makes one step on request
     virtual void restart() = 0;
 };
 

@@ -23,14 +23,14 @@ SampleRing::SampleRing(size_t capacity)
     }
 }
 
-// The nodes that this sample fills are closed before it is seen.
+/// The nodes that this sample completes are written before it becomes visible.
 void SampleRing::append(const Sample &sample) {
     m_samples.write(sample);
     closeNodes(m_samples.written());
     m_samples.publish();
 }
 
-// Writes the nodes whose last sample was just appended, from the samples up.
+/// Writes the nodes completed by the last sample, bottom up.
 void SampleRing::closeNodes(uint64_t count) {
     for (Level &level : m_levels) {
         if (count % level.span != 0) return;
@@ -63,7 +63,8 @@ uint64_t SampleRing::find(double time) const {
     return begin;
 }
 
-// Over samples [begin, end), by nodes whose span is less than `limit` where they fit and single samples elsewhere.
+/// Over samples [begin, end), from nodes whose span is less than `limit` where they fit and from single samples
+/// elsewhere.
 SampleRing::Extremes SampleRing::extremesBelow(uint64_t limit, size_t channel, uint64_t begin, uint64_t end) const {
     const double start = valueOf(begin, channel);
     Extremes result{start, start};
@@ -80,7 +81,7 @@ SampleRing::Extremes SampleRing::extremesBelow(uint64_t limit, size_t channel, u
             const double value = valueOf(begin, channel);
             part = {value, value};
         }
-        result = {std::fmin(result.min, part.min), std::fmax(result.max, part.max)}; // of a number and none: the number
+        result = {std::fmin(result.min, part.min), std::fmax(result.max, part.max)}; // fmin and fmax ignore a NaN
         begin += widest ? widest->span : 1;
     }
     return result;
@@ -94,7 +95,8 @@ std::vector<Column> SampleRing::columns(Channel channel, double from, double to,
     const uint64_t end = std::min(newest, find(to) + 1);
     if (begin >= end || columns == 0) return {};
 
-    // Columns are a power of two wide and start at its multiples, so that they don't flicker while the plot scrolls.
+    // Column widths are powers of two and columns start at multiples of it, so that they don't flicker while the plot
+    // scrolls.
     uint64_t width = 1;
     while ((end - 1) / width - begin / width + 1 > columns && width < capacity()) width *= 2;
     std::vector<Column> result;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every sample of the last steps, with a pyramid of extremes, so that a plot of any zoom costs pixels, not samples.
+// The samples of the last steps, with a pyramid of extremes (like mipmaps), so that the cost of a plot depends on its
+// pixels, not on the number of samples.
 #pragma once
 
 #include "core/engine/sample.h"
@@ -9,48 +10,48 @@
 
 namespace inspector {
 
-// Extremes of a channel over the samples of one column of a plot; NaN if none of them has a value.
+/// Minimum and maximum of a channel over the samples of one column of a plot; NaN if none of them has a value.
 struct Column {
-    double time = 0.0; // of its first sample, s
+    double time = 0.0; ///< of its first sample, s
     double min = 0.0;
     double max = 0.0;
 };
 
-// One thread appends, any others read at the same time, as SlotRing says.
+/// One thread appends, any others read at the same time, as SlotRing says.
 class SampleRing {
 public:
-    // 8.7 minutes at 1 ms; memory grows with the samples, to some 200 MB.
+    /// 8.7 minutes at 1 ms; memory grows with the samples, to some 200 MB.
     static constexpr size_t kDefaultCapacity = size_t(1) << 19;
 
-    // capacity: rounded up to a power of two, at least 256.
+    /// capacity: rounded up to a power of two, at least 256.
     explicit SampleRing(size_t capacity = kDefaultCapacity);
 
-    // Writer's side. Times must not fall between two clear().
+    /// Writer only. Times must not decrease between two clear().
     void append(const Sample &sample);
     void clear() { m_samples.clear(); }
     void truncate(uint64_t number) { m_samples.truncate(number); }
     void hold() { m_samples.hold(); }
     void release() { m_samples.release(); }
 
-    // Readers' side. Numbers [first(), last()) can be read just now.
+    /// Readers. Samples [first(), last()) can be read just now.
     size_t capacity() const { return m_samples.capacity(); }
     uint64_t first() const { return m_samples.first(); }
     uint64_t last() const { return m_samples.last(); }
-    uint64_t generation() const { return m_samples.generation(); } // another one: start anew
+    uint64_t generation() const { return m_samples.generation(); } ///< changes when readers must start over
     bool read(uint64_t number, Sample &out) const { return m_samples.read(number, out); }
-    // Number of the first sample whose time is at least `time`; last() if there is none.
+    /// Number of the first sample whose time is at least `time`; last() if there is none.
     uint64_t find(double time) const;
-    // At most `columns` extremes of one channel over [from, to] seconds, in order of time. One sample to the left and
-    // right of the range is included, so that lines reach the plot's border. Costs O(columns + log capacity).
+    /// At most `columns` extremes of one channel over [from, to] seconds, in order of time. One sample on either side
+    /// of the range is included, so that lines reach the plot's border. Costs O(columns + log capacity).
     std::vector<Column> columns(Channel channel, double from, double to, size_t columns) const;
 
 private:
-    static constexpr size_t kFan = 16; // children of a node of the pyramid
+    static constexpr size_t kFan = 16; ///< children of a node of the pyramid
 
     struct Level {
-        uint64_t span;        // samples under one node
-        size_t nodes;         // ring of so many nodes
-        SharedWords extremes; // [node][channel][min, max]
+        uint64_t span;        ///< samples under one node
+        size_t nodes;         ///< size of this level's ring
+        SharedWords extremes; ///< [node][channel][min, max]
 
         size_t place(uint64_t number, size_t channel) const {
             return (size_t(number / span % nodes) * kChannelCount + channel) * 2;

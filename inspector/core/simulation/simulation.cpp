@@ -17,7 +17,7 @@ namespace inspector {
 
 namespace {
 
-// Linux delays timers by up to 50 us to save energy; a lot for steps of 1 ms.
+/// Linux delays timers by up to 50 us to save energy, which is a lot for steps of 1 ms.
 void askForExactTimers() {
 #ifdef __linux__
     prctl(PR_SET_TIMERSLACK, 1000UL); // ns, this thread
@@ -126,7 +126,7 @@ void Simulation::setPilot(std::shared_ptr<const Pilot> pilot) {
     post([pilot = std::move(pilot)](Worker &worker) { worker.live.setPilot(pilot); });
 }
 
-// Files are opened and closed by the stepping thread too, one after the other.
+/// The stepping thread opens and closes files, too, in order.
 void Simulation::startRecording(const QString &file, const Origin &origin) {
     post([file, origin](Worker &worker) { worker.live.startRecording(file, origin); });
 }
@@ -207,7 +207,7 @@ void Simulation::returnToPresent() {
 
 void Simulation::setInputs(const Inputs &inputs) {
     m_inputs.publish({inputs, ++m_givenCount});
-    // Passing through the lock makes sure that a worker about to wait has seen the inputs or hears the call.
+    // Taking the lock ensures that a worker about to wait either has seen the inputs or will receive the notification.
     { const std::lock_guard lock(m_mutex); }
     m_wake.notify_one();
 }
@@ -217,9 +217,9 @@ Snapshot Simulation::latest() {
     return m_snapshots.value();
 }
 
-// Waits for work: a command, new inputs, or the next step's deadline. The lock is never held while working. Inputs are
-// taken before the commands: whatever was posted before them is then there as well, so that no step is made with the
-// old stepper and the values of the new one.
+/// Waits for work: a command, new inputs, or the next step's deadline. The lock is never held while working. Inputs are
+/// taken before commands: whatever was posted before the commands is then there as well, so that no step combines the
+/// old stepper with the new one's values.
 Simulation::Work Simulation::nextWork(const std::stop_token &stop) {
     const bool isRunning = m_worker->presentation.isRunning();
     const bool canWait = !m_worker->presentation.isDue() && !m_worker->isSeeking() && !m_worker->isChecking();
@@ -241,7 +241,7 @@ void Simulation::work(const std::stop_token &stop) {
         const auto [hasInputs, commands] = nextWork(stop);
         if (hasInputs) worker.live.obey(m_inputs.value());
         for (const Command &command : commands) command(worker);
-        if (!worker.isSeeking()) presentation.release(); // it was given up
+        if (!worker.isSeeking()) presentation.release(); // the seek was abandoned
         if (worker.isSeeking()) {
             worker.replay->goToSought();
         } else if (presentation.isDue()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From one run that is shown to another.
+// Switches from one run shown to another.
 #include "core/simulation/simulation_worker.h"
 
 #include <utility>
@@ -43,7 +43,7 @@ void Simulation::Worker::showLive() {
     replay.reset();
 }
 
-// Goes on running or stays paused.
+/// Stays running or paused.
 void Simulation::Worker::goOnLive(uint64_t number) {
     live.goOnFrom(replay->engine(), replay->stepper(), number);
     replay->forgetFuture();

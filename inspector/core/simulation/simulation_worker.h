@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What belongs to the thread that steps: the live ball, and what may be shown in its place.
+// State of the stepping thread: the live ball, and what may be shown in its place.
 #pragma once
 
 #include "core/simulation/past_run.h"
@@ -9,8 +9,8 @@ namespace inspector {
 struct Simulation::Worker {
     Presentation presentation;
     LiveRun live;
-    std::unique_ptr<ReplayRun> replay{}; // shown in the place of the live ball: a recording, or
-    PastRun *past = nullptr;             // `replay`, if it is the past
+    std::unique_ptr<ReplayRun> replay{}; ///< shown in place of the live ball: a recording, or
+    PastRun *past = nullptr;             ///< `replay`, if it is the past
 
     Worker(Simulation &owner, const Scene &scene, const Stepper &stepper);
 
@@ -20,8 +20,8 @@ struct Simulation::Worker {
     void startReplay(const std::shared_ptr<const PlayableRecording> &recording, uint64_t number);
     void lookBack(const Past &kept, uint64_t number);
     void leavePast();
-    void showLive(); // paused
-    // The live ball goes on from what is shown. number: of what counts as given by the command.
+    void showLive(); ///< paused
+    /// The live ball continues from what is shown. number: of the inputs given with the command.
     void goOnLive(uint64_t number);
 };
 

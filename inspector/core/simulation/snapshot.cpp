@@ -12,7 +12,7 @@ phys_vec3 mixed(const phys_vec3 &a, const phys_vec3 &b, double t) {
     return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z)};
 }
 
-// Normalised linear mix along the shorter way: between two steps the angle is small.
+/// Normalised linear interpolation (nlerp) along the shorter path: between two steps the angle is small.
 void mixOrientation(const double a[4], const double b[4], double t, double out[4]) {
     const double dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
     const double sign = dot < 0.0 ? -1.0 : 1.0;
@@ -24,7 +24,7 @@ void mixOrientation(const double a[4], const double b[4], double t, double out[4
     for (int i = 0; i < 4; ++i) out[i] /= std::sqrt(length);
 }
 
-// Share of the step up to `current` that is over at `now`.
+/// Fraction of the step to `current` that has passed at `now`.
 double shareOf(const Snapshot &snapshot, Clock::time_point now) {
     const std::chrono::duration<double> passed = now - snapshot.due;
     const std::chrono::duration<double> interval = snapshot.interval;

@@ -13,8 +13,8 @@ namespace inspector {
 namespace {
 
 constexpr uint32_t kEvents = 32;
-constexpr double kBounceSpeed = 1e-3; // m/s: slower ones aren't worth a mark
-// A scene in which the exact stepper takes its time gets a shorter way, and fewer others.
+constexpr double kBounceSpeed = 1e-3; ///< m/s: slower ones aren't worth a mark
+/// In scenes where the exact stepper is slow, the path is shorter and there are fewer others.
 constexpr std::chrono::milliseconds kBudget{20};
 constexpr auto kCount = uint64_t(WayFinder::kReach / WayFinder::kInterval + 0.5);
 constexpr uint64_t kEnd = PHYS_OUT | PHYS_AT_REST;
@@ -27,7 +27,7 @@ std::optional<phys_event> firstBounce(const phys_report &report) {
     return std::nullopt;
 }
 
-// A ball that can't be where it may really be, in a wall, has no way.
+/// A ball whose offset would put it into a wall has no path.
 Way wayOn(const OtherBoard &board, const Stepper &stepper, phys_state state, std::vector<phys_state> &path) {
     state.position.x += board.offset.x;
     state.position.y += board.offset.y;

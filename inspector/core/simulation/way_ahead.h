@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the ball goes from here if nothing changes: the next seconds, by the exact stepper, on a thread of its own.
+// Predicts the ball's path over the next seconds if nothing changes, by the exact stepper, on a thread of its own.
 #pragma once
 
 #include "core/setup/handles.h"
@@ -12,32 +12,33 @@
 
 namespace inspector {
 
-using Way = std::vector<phys_vec3>; // m, at equal times, the present place first; ends where the ball leaves or rests
+using Way = std::vector<phys_vec3>; ///< m, at equal times, the current position first; ends where the ball leaves the
+                                    ///< maze or comes to rest
 
 struct WayAhead {
     Way points;
-    std::optional<phys_event> bounce; // the next one
-    std::vector<Way> others;          // on other boards
+    std::optional<phys_event> bounce; ///< the next one
+    std::vector<Way> others;          ///< on other boards
 };
 
-// A board and a place of the ball as they may really be.
+/// A possible true board and ball position, within what isn't known.
 struct OtherBoard {
     phys_params params;
-    phys_vec3 offset; // m, of the ball
+    phys_vec3 offset; ///< m, of the ball
 };
 
 class WayFinder {
 public:
-    static constexpr double kReach = 2.0;           // s
-    static constexpr double kInterval = 1.0 / 60.0; // s, from one point to the next
+    static constexpr double kReach = 2.0;           ///< s
+    static constexpr double kInterval = 1.0 / 60.0; ///< s, from one point to the next
 
     explicit WayFinder(Registry registry);
-    ~WayFinder(); // ends the thread
+    ~WayFinder(); ///< ends the thread
 
-    // Latest wins; returns at once. Where the exact stepper refuses, the way ends.
+    /// Latest wins; returns immediately. The path ends where the exact stepper refuses.
     void ask(const Scene &scene, const phys_state &state, const phys_params &params,
              const std::vector<OtherBoard> &others = {});
-    // The answer to the last question that has one. Another number: another answer.
+    /// The answer to the latest question answered so far.
     WayAhead latest() const;
     uint64_t answers() const;
 
@@ -51,16 +52,16 @@ private:
     void work(const std::stop_token &stop);
 
     Registry m_registry;
-    mutable std::mutex m_mutex; // guards the next three; never held while stepping
+    mutable std::mutex m_mutex; ///< guards the next three; never held while stepping
     std::condition_variable_any m_wake;
     std::optional<Question> m_question;
     WayAhead m_answer;
     uint64_t m_answers = 0;
-    std::jthread m_thread; // last: ends before anything above it goes
+    std::jthread m_thread; ///< last member: it is joined before the others are destroyed
 };
 
-// The same, by the calling thread. stepper: `exact`, made for the scene. What can't be computed in some hundredths of a
-// second is left out.
+/// The same on the calling thread. stepper: `exact`, made for the scene. What can't be computed in a few hundredths of
+/// a second is left out.
 WayAhead wayAhead(const Stepper &stepper, const phys_state &state, const phys_params &params,
                   const std::vector<OtherBoard> &others = {});
 
