@@ -10,7 +10,7 @@ namespace inspector {
 
 namespace {
 
-// One run: the state and the reports of its steps.
+/// One run: its state and the reports of its steps.
 class Run {
 public:
     Run(phys_stepper *stepper, const BoardParameters &board, const phys_state &state, std::vector<TrackBounce> *bounces)
@@ -41,7 +41,7 @@ public:
     }
 
 private:
-    // The state's time is that since the segment's begin.
+    /// end: time at the end of the step, s; the state's own time starts at the segment's begin.
     void keepBounces(double end) {
         for (uint32_t i = 0; i < m_report.event_count; ++i) {
             const phys_event &event = m_events[i];
@@ -60,7 +60,7 @@ private:
     bool m_isRefused = false;
 };
 
-// Measured with noise, a ball that leans on a wall seems to be in it.
+/// With measurement noise a ball that leans on a wall appears to overlap it.
 void pushOutOfWalls(const phys_scene *scene, phys_vec3 &centre) {
     constexpr int kPushes = 8;
     for (int i = 0; i < kPushes; ++i) {
@@ -97,7 +97,7 @@ bool BallModel::run(const BoardParameters &board, const BallStart &start, size_t
                     std::vector<TrackPoint> &measured, std::vector<TrackBounce> *bounces) const {
     Run run(m_stepper.get(), board, rollingState(m_scene.get(), start), bounces);
     double time = m_track.points[first].time;
-    // The last change that the ball feels already; before the first it is tilted likewise.
+    // The last change that has taken effect; before the first change its tilt applies, too.
     size_t change = size_t(std::upper_bound(m_tilts.begin(), m_tilts.end(), time - board.delay,
                                             [](double now, const TiltChange &one) { return now < one.time; }) -
                            m_tilts.begin());

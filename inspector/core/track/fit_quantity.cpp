@@ -20,7 +20,7 @@ const phys_param_row *rowOf(const char *id) {
     return nullptr;
 }
 
-// A coefficient of the library's rows; looked for in the range that its slider offers.
+/// A coefficient from the library's rows, within the range of its slider.
 FitQuantity coefficient(const char *id, double most, double increment, double priorDeviation,
                         std::vector<double> initialGuesses, bool isRigidOnly, double phys_params::*member) {
     const phys_param_row *row = rowOf(id);
@@ -40,7 +40,7 @@ FitQuantity coefficient(const char *id, double most, double increment, double pr
 } // namespace
 
 std::vector<FitQuantity> fitQuantities() {
-    // A ball that loses nothing never stops to bounce on a wall that it leans on.
+    // With no loss at all, a ball that leans on a wall would never stop bouncing.
     constexpr double kMostRestitution = 0.99;
     constexpr double kMostFriction = 1.0;
     const auto tilt = [](const char *id, const char *label, double Tilt::*axis) {

@@ -10,12 +10,12 @@ namespace inspector {
 
 namespace {
 
-constexpr double kMilli = 1e3;  // mm in a metre
-constexpr double kStrong = 0.8; // correlations above are told of
+constexpr double kMilli = 1e3;  ///< mm/m
+constexpr double kStrong = 0.8; ///< stronger correlations are reported
 
 QString unitText(const QString &unit) { return unit.isEmpty() ? QString() : QLatin1Char(' ') + unit; }
 
-// As many digits as the interval is known to: two of its own.
+/// Rounded to two significant digits of the interval.
 QString rounded(double value, double interval) {
     if (!(interval > 0.0) || !std::isfinite(interval)) return QString::number(value, 'g', 4);
     const int digits = std::clamp(1 - int(std::floor(std::log10(interval))), 0, 9);
@@ -35,11 +35,12 @@ QString breaksText(const ModelFit &fit) {
     if (fit.segments.empty()) return QStringLiteral("nowhere like the track");
     if (fit.breaks == 0 && fit.segments.size() == 1) return QStringLiteral("the whole track at once");
     if (fit.breaks == 0)
-        return QStringLiteral("in %1 pieces, in which computed and measured ball never part").arg(fit.segments.size());
+        return QStringLiteral("in %1 segments, in which computed and measured ball never part")
+            .arg(fit.segments.size());
     return QStringLiteral("computed and measured ball part %1 times").arg(fit.breaks);
 }
 
-// Where a model lacks something: bounces or the way between them.
+/// Where a model is insufficient: at bounces or between them.
 QString whereText(const ModelFit &fit, double noise) {
     QString text = residualText(fit);
     if (!fit.bouncesOff(Surface::Wall))
@@ -80,7 +81,7 @@ QStringList correlationLines(const ModelFit &fit) {
     return lines;
 }
 
-// A ball leaves the board at an exit, and no earlier.
+/// Whether too many points lie outside of the board, which the ball leaves only at an exit.
 bool isBeside(const Track &track, const TrackFrame &frame, const phys_scene *scene, QString *line) {
     constexpr double kShare = 0.1; // of the points
     phys_box bounds;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A fit in words and numbers, for people and for tables.
+// Reports of a fit, as text and as tables.
 #pragma once
 
 #include "core/track/track_fit.h"
@@ -9,25 +9,25 @@
 
 namespace inspector {
 
-// 0.00213 ± 0.00004, in people's units; "not determined: no wall is hit" if so.
+/// 0.00213 ± 0.00004, in display units, or "not determined: no wall is hit".
 QString numbersText(const FittedValue &value);
-// The same with its unit.
+/// The same with its unit.
 QString valueText(const FittedValue &value);
 
-// Which model it takes, and where the residuals are if none does.
+/// Which model is sufficient, and where the residuals are if none is.
 QString verdictText(const TrackFit &fit);
 
-// What a track is, which of its rows were left out, and how much of it lies beside the board: lines for people.
+/// Describes a track, the rows that were left out, and how much of it lies outside of the board: lines for display.
 QStringList trackReport(const Track &track, const TrackFrame &frame, const phys_scene *scene);
-// The same, the verdict, correlations, bounces, residuals; for where a table shows the values.
+/// The same with verdict, correlations, bounces and residuals; without the values, for use next to a table of them.
 QStringList fitSummary(const FitPlan &plan, const TrackFit &fit);
-// That with the values and their intervals.
+/// The summary with the values and their intervals.
 QStringList fitReport(const FitPlan &plan, const TrackFit &fit);
 
-// The values as options of the command line; those that the track doesn't determine are left out.
+/// The values as command-line options, without those that the track doesn't determine.
 QString fitOptions(const ModelFit &fit);
 
-// A row per point: time, measured and computed position, residuals. The header is the first line.
+/// One row per point: time, measured and computed position, residuals; with a header line.
 QByteArray fitCsv(const ModelFit &fit);
 
 } // namespace inspector

@@ -6,9 +6,9 @@
 namespace inspector {
 
 void FitWorker::start(FitPlan plan) {
-    m_thread = {}; // stops and joins
+    m_thread = {}; // requests a stop and joins
     m_isRunning = true;
-    // Queued calls go away with this object; those of an earlier run are told by its number.
+    // Queued calls are dropped with this object; those of an earlier run are recognised by its number.
     const auto post = [this, run = ++m_run](auto act) {
         QMetaObject::invokeMethod(
             this,

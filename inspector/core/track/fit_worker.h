@@ -14,7 +14,7 @@ namespace inspector {
 struct FitOutcome {
     FitPlan plan;
     std::optional<TrackFit> fit;
-    QString error; // one line without a fit
+    QString error; ///< one line if there is no fit
 };
 
 class FitWorker : public QObject {
@@ -24,9 +24,9 @@ public:
     explicit FitWorker(QObject *parent = nullptr)
         : QObject(parent) {}
 
-    // From the thread that owns this object. Ends a fit that runs.
+    /// Called by the owner's thread. Cancels a running fit.
     void start(FitPlan plan);
-    void cancel(); // no ended() follows
+    void cancel(); ///< ended() isn't sent
     bool isRunning() const { return m_isRunning; }
 
 signals:
@@ -36,7 +36,7 @@ signals:
 private:
     bool m_isRunning = false;
     uint64_t m_run = 0;
-    std::jthread m_thread; // last: ends before anything above it goes
+    std::jthread m_thread; ///< last member: it is joined before the others are destroyed
 };
 
 } // namespace inspector

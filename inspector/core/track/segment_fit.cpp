@@ -22,21 +22,23 @@ Vector makeVector(size_t size) { return {gsl_vector_calloc(size), gsl_vector_fre
 Matrix makeMatrix(size_t rows, size_t columns) { return {gsl_matrix_calloc(rows, columns), gsl_matrix_free}; }
 
 constexpr size_t kStartNumbers = 4;
-// Of the difference quotients of a start: m, m, m/s, m/s.
+/// Finite-difference increments of a start: m, m, m/s, m/s.
 constexpr double kStartIncrements[kStartNumbers] = {1e-7, 1e-7, 1e-6, 1e-6};
-// How far off a start is at most that was read off a track, or found with fewer points: standard deviations. A wall
-// takes up a push towards it, so the points of a ball that leans on one may not tell.
+/// Prior standard deviations of a start read off a track or found with fewer points: m, m, m/s, m/s. A wall absorbs a
+/// push towards it, so the points of a ball that leans on one may not determine its start.
 constexpr double kStartDeviations[kStartNumbers] = {1e-3, 1e-3, 2e-2, 2e-2};
-constexpr double kSmallestDecrement = 1e-2; // of the sum of squares, in units of the noise: a fit ends
-constexpr double kNonlinearity = 1e-3;      // sum of squares in units of the noise, by which jacobian may mislead
-constexpr int kMostTries = 5;               // of steps from one place
+constexpr double kSmallestDecrement =
+    1e-2; ///< decrease of the sum of squares, in units of the noise, at which a fit has converged
+constexpr double kNonlinearity =
+    1e-3;                     ///< sum of squares, in units of the noise, by which the linear prediction may be off
+constexpr int kMostTries = 5; ///< trial steps with one Jacobian
 
 double &startNumber(BallStart &start, size_t which) {
     double *const numbers[kStartNumbers]{&start.x, &start.y, &start.vx, &start.vy};
     return *numbers[which];
 }
 
-// L of covariance = L L^T; null if it isn't positive definite.
+/// L of covariance = L L^T; null if the covariance isn't positive definite.
 Matrix choleskyOf(const std::vector<std::vector<double>> &covariance) {
     const size_t n = covariance.size();
     Matrix lower = makeMatrix(std::max<size_t>(n, 1), std::max<size_t>(n, 1));
@@ -46,9 +48,8 @@ Matrix choleskyOf(const std::vector<std::vector<double>> &covariance) {
     return lower;
 }
 
-// The problem as GSL sees it. Numbers: the quantities, then the start, all in units in which they are about 1.
-// Residuals: x and y of each point in units of the noise, then how far the quantities are from what was known, L^-1
-// (value - mean).
+/// The problem as GSL sees it. Unknowns: the quantities, then the start, all scaled to be about 1. Residuals: x and y
+/// of each point in units of the noise, then the deviation from the prior, L^-1 (value - mean).
 class Problem {
 public:
     Problem(const BallModel &model, const std::vector<FitQuantity> &quantities, const BoardEstimate &before,
@@ -80,7 +81,7 @@ public:
         return x;
     }
 
-    // Quantities beyond their bounds count as at them.
+    /// Quantities are clamped to their bounds.
     BoardParameters boardAt(const gsl_vector *x) const {
         BoardParameters board = m_board;
         for (size_t i = 0; i < quantityCount(); ++i)
@@ -96,7 +97,7 @@ public:
         return segment;
     }
 
-    // False after too many tries without new jacobian, which ends the fit: none of them was better.
+    /// False after too many trials with one Jacobian, which ends the fit: none of them was an improvement.
     bool evaluate(const gsl_vector *x, gsl_vector *f) {
         if (m_tries++ == kMostTries) return false;
         run(boardAt(x), segmentAt(x), m_residuals);
@@ -115,7 +116,7 @@ public:
         return true;
     }
 
-    // GSL asks for jacobian where it has just asked for residuals.
+    /// GSL asks for the Jacobian where it has just asked for the residuals.
     void differentiate(const gsl_vector *x, gsl_matrix *jacobian) {
         m_tries = 0;
         if (isLinearAt(x)) {
@@ -142,7 +143,7 @@ public:
                                         : 1e3 * kStartIncrements[number - quantityCount()];
     }
 
-    // Of points alone, at any numbers.
+    /// The points' residuals (without the prior's) at these numbers.
     std::vector<double> residualsAt(const std::vector<double> &numbers) {
         const Vector x = makeVector(numbers.size());
         for (size_t i = 0; i < numbers.size(); ++i) gsl_vector_set(x.get(), i, numbers[i]);
@@ -169,7 +170,7 @@ private:
         m_jacobianResiduals = m_residuals;
     }
 
-    // Whether the residuals at x are what the jacobian from elsewhere let expect: then they hold here, too.
+    /// Whether the last Jacobian predicts the residuals at x: then it is still valid and isn't computed again.
     bool isLinearAt(const gsl_vector *x) const {
         if (!m_jacobian) return false;
         const Vector shift = makeVector(x->size);
@@ -185,8 +186,8 @@ private:
         return squares < kNonlinearity;
     }
 
-    // By a difference quotient, whose increment is right if it moves the ball by much less than it is measured to, and
-    // by much more than the jumps where a ball on a wall has bounced once more.
+    /// By a finite difference. A good increment moves the ball by much less than the noise, and by much more than the
+    /// jumps where a ball that leans on a wall has bounced once more.
     void setColumn(const BoardParameters &board, const TrackSegment &segment, gsl_matrix *jacobian, size_t column) {
         constexpr double kWanted = 0.05; // in units of the noise
         constexpr double kTooFar = 0.5;
@@ -206,7 +207,7 @@ private:
         }
     }
 
-    // With one number changed; by how much, which is less than nothing at its upper bound.
+    /// Runs with one number changed; returns the increment, which is negative at the upper bound.
     double runShifted(BoardParameters board, TrackSegment segment, size_t column, double increment) {
         if (column >= quantityCount()) {
             startNumber(segment.start, column - quantityCount()) += increment;
@@ -241,9 +242,9 @@ private:
     std::vector<TrackPoint> m_measured;
     std::vector<double> m_residuals, m_shiftedResiduals;
     int m_tries = 0;
-    Matrix m_jacobian{nullptr, gsl_matrix_free}; // the last ones, and where they are from
+    Matrix m_jacobian{nullptr, gsl_matrix_free}; ///< the last one, and where it was computed
     Vector m_jacobianAt{nullptr, gsl_vector_free};
-    std::vector<double> m_jacobianResiduals; // residuals there
+    std::vector<double> m_jacobianResiduals; ///< residuals there
 };
 
 int residualsForGsl(const gsl_vector *x, void *problem, gsl_vector *f) {
@@ -255,7 +256,7 @@ int jacobianForGsl(const gsl_vector *x, void *problem, gsl_matrix *jacobian) {
     return GSL_SUCCESS;
 }
 
-// R of J = Q R: the numbers' covariance is R^-1 R^-T.
+/// R of J = Q R; the covariance is R^-1 R^-T.
 Matrix triangularFactorOf(const gsl_matrix *jacobian) {
     const size_t count = jacobian->size2;
     const Matrix both = makeMatrix(jacobian->size1, count);
@@ -269,7 +270,7 @@ Matrix triangularFactorOf(const gsl_matrix *jacobian) {
     return triangularFactor;
 }
 
-// By how much a step of Gauss and Newton would lessen the sum of squares: |R^-T g|^2 with g = J^T f.
+/// The decrease of the sum of squares in a Gauss-Newton step: |R^-T g|^2 with g = J^T f.
 double decrement(const gsl_multifit_nlinear_workspace *workspace) {
     const gsl_matrix *jacobian = gsl_multifit_nlinear_jac(workspace);
     const Vector gradient = makeVector(jacobian->size2);
@@ -328,7 +329,7 @@ BoardEstimate weakPrior(const std::vector<FitQuantity> &quantities, const BoardP
 std::optional<SegmentFit> fitSegment(const BallModel &model, const std::vector<FitQuantity> &quantities,
                                      const BoardEstimate &before, const BoardParameters &board,
                                      const TrackSegment &segment, double noise, int steps) {
-    gsl_set_error_handler_off(); // its statuses are looked at
+    gsl_set_error_handler_off(); // statuses are checked instead
     Problem problem(model, quantities, before, board, segment, noise);
     if (!problem.isReady()) return std::nullopt;
     gsl_multifit_nlinear_fdf fdf{};
@@ -342,7 +343,7 @@ std::optional<SegmentFit> fitSegment(const BallModel &model, const std::vector<F
                               gsl_multifit_nlinear_free);
     const Vector x = problem.begin();
     if (!workspace || gsl_multifit_nlinear_init(x.get(), &fdf, workspace.get()) != GSL_SUCCESS) return std::nullopt;
-    // That it may come to no end within the steps is seen from the residuals.
+    // Whether it has converged is judged from the residuals.
     for (int step = 0; step < steps && decrement(workspace.get()) > kSmallestDecrement; ++step)
         if (gsl_multifit_nlinear_iterate(workspace.get()) != GSL_SUCCESS) break;
 
@@ -361,8 +362,8 @@ std::optional<SegmentFit> fitSegment(const BallModel &model, const std::vector<F
 
 namespace {
 
-// Shifts of the numbers by one deviation, those first that move the ball most in the residuals from `first` on: the
-// axes of the uncertainty there. In units of the noise, each with the residuals that the jacobian let expect.
+/// Shifts of the numbers by one standard deviation along the axes of their uncertainty, those first that move the ball
+/// most in the residuals from `first` on. In units of the noise, each with the linearly predicted residuals.
 struct Shift {
     std::vector<double> numbers;
     std::vector<double> expected;
@@ -379,7 +380,7 @@ std::vector<Shift> shiftsOf(const SegmentFit &before, const SegmentFit &after) {
         for (size_t j = i; j < count; ++j) gsl_matrix_set(triangularFactor.get(), i, j, before.triangularFactor[i][j]);
         for (size_t r = 0; r < added; ++r) gsl_matrix_set(jacobian.get(), r, i, after.jacobian[first + r][i]);
     }
-    // jacobian R^-1 = U S V^T: the axes are the columns of R^-1 V, and move the ball by those of U S.
+    // J R^-1 = U S V^T: the axes are the columns of R^-1 V, and move the residuals by those of U S.
     gsl_blas_dtrsm(CblasRight, CblasUpper, CblasNoTrans, CblasNonUnit, 1.0, triangularFactor.get(), jacobian.get());
     const Matrix turned = makeMatrix(count, count);
     const Vector sizes = makeVector(count);
@@ -402,10 +403,10 @@ std::vector<Shift> shiftsOf(const SegmentFit &before, const SegmentFit &after) {
 
 bool isPredicted(const BallModel &model, const std::vector<FitQuantity> &quantities, const BoardEstimate &estimate,
                  const SegmentFit &before, const SegmentFit &after, double noise) {
-    constexpr double kFarthest = 5.0;   // in units of the noise: a ball that is known no better isn't known
-    constexpr double kBend = 0.5;       // of the move, that may be out of proportion
-    constexpr double kSmall = 0.5;      // in units of the noise: moves that don't matter
-    constexpr size_t kFewestShifts = 2; // that are tried however small they are
+    constexpr double kFarthest = 5.0;   // in units of the noise: beyond this the position isn't known
+    constexpr double kBend = 0.5;       // share of a move by which it may be nonlinear
+    constexpr double kSmall = 0.5;      // in units of the noise: negligible moves
+    constexpr size_t kFewestShifts = 2; // always tried, however small
     const std::vector<Shift> shifts = shiftsOf(before, after);
     TrackSegment segment = after.segment;
     segment.start = before.segment.start;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Least squares of positions over one segment of a track: numbers of the board and the segment's start.
+// Nonlinear least squares of positions over one segment of a track: fits board quantities and the segment's start.
 #pragma once
 
 #include "core/track/fit_quantity.h"
@@ -7,7 +7,7 @@
 
 namespace inspector {
 
-// What is known of the quantities before a segment is looked at: normally distributed around a mean.
+/// A Gaussian estimate of the quantities: the prior of one segment's fit is the posterior of the one before.
 struct BoardEstimate {
     std::vector<double> mean;
     std::vector<std::vector<double>> covariance;
@@ -15,31 +15,31 @@ struct BoardEstimate {
     double deviation(size_t i) const;
 };
 
-// Next to nothing: each quantity about where it is set, as far off as the range that it may be in allows.
+/// A weak prior: each quantity around its current value, as uncertain as its range allows.
 BoardEstimate weakPrior(const std::vector<FitQuantity> &quantities, const BoardParameters &board);
 
 struct SegmentFit {
     BoardParameters board;
     TrackSegment segment;
-    BoardEstimate estimate;        // after the segment
-    std::vector<double> residuals; // m, x and y of each point in turn
+    BoardEstimate estimate;        ///< posterior, after the segment
+    std::vector<double> residuals; ///< m, x and y of each point in turn
 
-    // The quantities and the start's four numbers, all as the solver scales them: where it ended, with their covariance
-    // and the residuals' jacobian in units of the noise.
+    /// Solution of the scaled problem (the quantities, then the start's four numbers), with its covariance and the
+    /// Jacobian of the residuals in units of the noise.
     std::vector<double> numbers;
-    std::vector<std::vector<double>> triangularFactor; // R of J = Q R, whose covariance is R^-1 R^-T
-    std::vector<std::vector<double>> jacobian;         // by residual
+    std::vector<std::vector<double>> triangularFactor; ///< R of J = Q R; the covariance is R^-1 R^-T
+    std::vector<std::vector<double>> jacobian;         ///< a row per residual
 };
 
-// By Levenberg and Marquardt's method from GSL, at most so many steps. Begins at the board and the start given; noise:
-// of a coordinate, m. Nothing if the linear algebra fails.
+/// Levenberg-Marquardt by GSL, at most `steps` steps, starting from the given board and start; noise: of a coordinate,
+/// m. Returns nothing if the linear algebra fails.
 std::optional<SegmentFit> fitSegment(const BallModel &model, const std::vector<FitQuantity> &quantities,
                                      const BoardEstimate &before, const BoardParameters &board,
                                      const TrackSegment &segment, double noise, int steps);
 
-// Whether a fit told where the ball would be at points that were added since, and so nearly in proportion that its
-// deviations mean something: within its uncertainty no edge is hit or missed. before, after: of one segment and with
-// the same estimate from before it.
+/// Whether the fit `before` predicted the ball at the points that `after` adds, and so nearly linearly that its
+/// covariance is meaningful: within the uncertainty no edge is hit or missed. before, after: fits of the same segment
+/// with the same prior.
 bool isPredicted(const BallModel &model, const std::vector<FitQuantity> &quantities, const BoardEstimate &estimate,
                  const SegmentFit &before, const SegmentFit &after, double noise);
 

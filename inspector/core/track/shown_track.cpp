@@ -10,10 +10,10 @@ namespace inspector {
 
 namespace {
 
-constexpr double kJoined = 2.5;    // periods: what is further apart is a gap
-constexpr size_t kAround = 2;      // points on either side that a velocity is taken from
-constexpr double kRounding = 1e-9; // s
-constexpr double kSoonAfter = 1.0; // s
+constexpr double kJoined = 2.5;    ///< periods: a larger distance is a gap
+constexpr size_t kAround = 2;      ///< points on either side used for a velocity
+constexpr double kRounding = 1e-9; ///< s
+constexpr double kSoonAfter = 1.0; ///< s
 
 } // namespace
 
@@ -52,7 +52,7 @@ std::optional<ShownTrack::Place> ShownTrack::at(double time) const {
     return Place{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), (to.x - from.x) / span, (to.y - from.y) / span};
 }
 
-// A step that begins at a switch, but for rounding, has the new tilt.
+/// A step that begins at a switch, up to rounding, has the new tilt.
 Tilt ShownTrack::tiltAt(double time) const {
     const auto after = std::upper_bound(m_tilts.begin(), m_tilts.end(), time + kRounding,
                                         [](double now, const TiltChange &change) { return now < change.time; });

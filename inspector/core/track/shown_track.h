@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A measured ball beside a run: on the board, at the run's times.
+// A measured ball overlaid on a run: in the board frame, at the run's times.
 #pragma once
 
 #include "core/engine/sample.h"
@@ -12,38 +12,39 @@ namespace inspector {
 
 class ShownTrack {
 public:
-    // Its points at the run's times from `begin` on, s. board: its frame, and offset and delay of its tilts.
+    /// The points are shifted to the run's times, beginning at `begin`, s. board: gives the frame, and offset and delay
+    /// of the tilts.
     ShownTrack(const Track &track, const BoardParameters &board, double begin);
 
     struct Place {
-        double x, y;   // m
-        double vx, vy; // m/s, over some points: noise is less there
+        double x, y;   ///< m
+        double vx, vy; ///< m/s, over several points to reduce noise
     };
-    double begin() const { return m_points.front().time; } // s
+    double begin() const { return m_points.front().time; } ///< s
     double end() const { return m_points.back().time; }
-    const std::vector<TrackPoint> &points() const { return m_points; } // on the board
-    // Between points linearly; nothing before the first, after the last and where some are missing.
+    const std::vector<TrackPoint> &points() const { return m_points; } ///< in the board frame
+    /// Linear between points; nothing before the first, after the last and in gaps.
     std::optional<Place> at(double time) const;
 
     bool hasTilts() const { return !m_tilts.empty(); }
-    Tilt tiltAt(double time) const; // the first before it begins; it has some
-    // On the floor of the scene where the ball was first seen, rolling.
+    Tilt tiltAt(double time) const; ///< before the track begins its first tilt; only if it has tilts
+    /// A rolling ball on the floor where the ball was first seen.
     phys_state start(const phys_scene *scene) const;
 
-    // Fills in the channels of the measured ball.
+    /// Sets the channels of the measured ball.
     void addTo(Sample &sample) const;
 
 private:
     std::vector<TrackPoint> m_points;
     std::vector<TiltChange> m_tilts;
     BallStart m_start;
-    double m_longest; // s, between points that are joined
+    double m_longest; ///< s, largest distance of joined points
 };
 
-// A run by itself: its times are a recording's or another program's, and begin soon after 0. Others begin at 0.
+/// When a track begins in a run: at its own time if that is soon after 0, as in tables of runs; otherwise at 0.
 double usualBegin(const Track &track);
 
-// Tilts the board as the track's was.
+/// Tilts the board as the track's was tilted.
 class TrackPilot : public Pilot {
 public:
     explicit TrackPilot(std::shared_ptr<const ShownTrack> track)

@@ -15,7 +15,7 @@ double medianOf(std::vector<double> values) {
     return *middle;
 }
 
-// Of places at equal times, m; gaps are left out.
+/// Third differences of equally spaced positions, m; gaps are skipped.
 std::vector<double> thirdDifferences(const Track &track) {
     const double usual = 1.5 * track.period();
     std::vector<double> lengths;
@@ -53,8 +53,8 @@ void TrackFrame::toTrack(double boardX, double boardY, double &trackX, double &t
 double noiseOf(const Track &track) {
     constexpr double kOfThirdDifference = 4.47213595499958; // sqrt(1 + 9 + 9 + 1), of independent numbers
     constexpr double kOfPlane = 1.1774100225154747;         // the median distance from 0, in deviations of a coordinate
-    constexpr double kBounce = 3.5;                         // of the median: not noise
-    constexpr size_t kBeside = 2;                           // differences around a bounce feel it, too
+    constexpr double kBounce = 3.5;                         // times the median: a bounce, not noise
+    constexpr size_t kBeside = 2;                           // neighbouring differences that a bounce affects
     constexpr int kPasses = 4;
     std::vector<double> lengths = thirdDifferences(track);
     std::vector<bool> isSmooth(lengths.size(), true);

@@ -12,27 +12,28 @@ namespace inspector {
 
 namespace {
 
-constexpr double kLeastNoise = 1e-7;                                // m: a track without any still has rounding
-constexpr double kFirstLength = 0.3;                                // s, of a segment when it begins
-constexpr double kFirstStride = 0.2;                                // s, that a segment grows by at first
-constexpr double kShortestStride = 0.05;                            // s
-constexpr double kStrideGrowth = 1.6;                               // the next stride after one that succeeded
-constexpr double kLongestSegment = 2.0;                             // s: a longer segment tells hardly more than two
-constexpr size_t kFewestPoints = 12;                                // that a segment begins with
-constexpr int kSteps = 8;                                           // of a fit, at most
-constexpr double kReach = 0.15;                                     // s, within which the next segment begins
-constexpr double kTrialLength = 4.0;                                // s, that a board to begin with has to explain
-constexpr std::array<double, 4> kTrialPlaces{0.0, 0.25, 0.5, 0.75}; // of the track
-constexpr int kMostAttempts = 2;                                    // along the whole track
-constexpr size_t kWindow = 40;                                      // residuals that are judged together
-constexpr double kMostDeviations = 4.0;    // standard deviations by which noise may look larger than it is
-constexpr double kNoiseUncertainty = 1.04; // it is known to some percent
-constexpr double kInflation = 10.0;        // by which deviations grow before all segments are fitted once more
-constexpr int kMostBreaks = 6;             // breaks, after which a model is no longer tried
-constexpr double kMatched = 3.0;           // times the noise, near a matched bounce
-constexpr double kNearMatch = 0.05;        // s
-constexpr double kNearBreak = 0.1;         // s
-constexpr double kAllowedBreaks = 0.1; // of bounces, at which a model may fail: one may be told from noise by luck only
+constexpr double kLeastNoise = 1e-7;     ///< m: even a noiseless track has rounding
+constexpr double kFirstLength = 0.3;     ///< s, initial length of a segment
+constexpr double kFirstStride = 0.2;     ///< s, initial growth of a segment
+constexpr double kShortestStride = 0.05; ///< s
+constexpr double kStrideGrowth = 1.6;    ///< factor of the next stride after a success
+constexpr double kLongestSegment = 2.0;  ///< s: a longer segment adds little information
+constexpr size_t kFewestPoints = 12;     ///< in a new segment
+constexpr int kSteps = 8;                ///< iterations of a fit
+constexpr double kReach = 0.15;          ///< s, within which the next segment must begin
+constexpr double kTrialLength = 4.0;     ///< s, that initial parameters must explain in a trial
+constexpr std::array<double, 4> kTrialPlaces{0.0, 0.25, 0.5, 0.75}; ///< as shares of the track
+constexpr int kMostAttempts = 2;                                    ///< at fitting the whole track
+constexpr size_t kWindow = 40;                                      ///< residuals judged together
+constexpr double kMostDeviations = 4.0;    ///< standard deviations by which a sample of noise may exceed its mean
+constexpr double kNoiseUncertainty = 1.04; ///< the noise itself is known to a few percent
+constexpr double kInflation = 10.0;        ///< factor on the deviations before all segments are fitted again
+constexpr int kMostBreaks = 6;             ///< breaks after which a model is abandoned
+constexpr double kMatched = 3.0;           ///< times the noise, around a matched bounce
+constexpr double kNearMatch = 0.05;        ///< s
+constexpr double kNearBreak = 0.1;         ///< s
+/// Share of bounces at which a good model may diverge: a random residual may look like a break.
+constexpr double kAllowedBreaks = 0.1;
 
 double rmsOf(const std::vector<double> &residuals, size_t from, size_t to) {
     double squares = 0.0;
@@ -40,9 +41,9 @@ double rmsOf(const std::vector<double> &residuals, size_t from, size_t to) {
     return std::sqrt(squares / double(std::max<size_t>(to - from, 1)));
 }
 
-// One model along the track. A segment begins somewhere and grows, fitted anew each time, as long as its residuals are
-// noise: what was learned of the board so far tells the next moments well enough that a bounce isn't taken for another.
-// Where it can grow no more another segment begins, and what is known of the board is taken along.
+/// Fits one model along the track, segment by segment. A segment is extended and refitted as long as its residuals are
+/// noise: the estimate so far predicts the next moments well enough that bounces aren't confused. Where it can't be
+/// extended, a new segment begins with the current estimate as its prior.
 class SequentialFit {
 public:
     SequentialFit(const FitPlan &plan, const BallModel &model, const BoardParameters &begin, double noise,
@@ -57,7 +58,7 @@ public:
         m_estimate = weakPrior(m_quantities, begin);
     }
 
-    // From one point to before another, until so many breaks.
+    /// Fits points [first, end), until there are `mostBreaks` breaks.
     void run(size_t first, size_t end, int mostBreaks, const FitProgress &progress);
     void refine();
     bool hasBegun() const { return !m_segments.empty(); }
@@ -86,14 +87,14 @@ private:
     std::vector<FitQuantity> m_quantities;
     BoardEstimate m_estimate;
     std::vector<TrackSegment> m_segments;
-    std::optional<SegmentFit> m_growing;  // that grows
-    double m_stride = 0.0;                // s, that it grows by
-    bool m_hasDiverged = false;           // not even the next points are as computed
-    std::vector<TrackSegment> m_diverged; // segments at whose ends the computed ball and the measured one part
-    size_t m_next = 0;                    // point that hasn't been looked at
+    std::optional<SegmentFit> m_growing;  ///< the segment being extended
+    double m_stride = 0.0;                ///< s, by which it is extended next
+    bool m_hasDiverged = false;           ///< even the next points disagree with the computed ball
+    std::vector<TrackSegment> m_diverged; ///< segments at whose ends the computed and the measured ball diverge
+    size_t m_next = 0;                    ///< first point not used yet
 };
 
-// As a whole and in every window: a bounce that isn't as measured shows in the latter.
+/// Tested as a whole and in every window: a mismatched bounce shows up only in the latter.
 bool SequentialFit::isNoise(const SegmentFit &fit) const {
     const size_t count = fit.residuals.size();
     const auto isNoiseIn = [&](size_t from, size_t to) {
@@ -124,9 +125,9 @@ std::optional<SegmentFit> SequentialFit::started(size_t first) const {
     return fitted({first, last, startAt(m_track, m_board.frame, first), {}}, m_board);
 }
 
-// By a stride that becomes longer as long as the ball is where it is expected, and shorter where it isn't. Edges drive
-// neighbouring ways apart, and there are many minima close together: where the points to come aren't predicted by those
-// before, it is better to begin anew. Nothing then, or where the ball parts from the measured one.
+/// Extends a segment by a stride that grows while the prediction holds, and shrinks where it doesn't. Edges make
+/// neighbouring paths diverge and create many nearby minima: where the fit so far doesn't predict the following points,
+/// it is better to begin a new segment. Nothing then, or where the ball diverges from the measured one.
 std::optional<SegmentFit> SequentialFit::grown(const SegmentFit &fit) {
     const TrackSegment &segment = fit.segment;
     const bool isShort = segment.last - segment.first <= 3 * kFewestPoints;
@@ -152,11 +153,11 @@ void SequentialFit::run(size_t first, size_t end, int mostBreaks, const FitProgr
     while (m_next + kFewestPoints < count && breaks() < mostBreaks && !m_stop.stop_requested()) {
         tell(m_next);
         m_growing = started(m_next);
-        if (!m_growing) { // in a bounce, perhaps
+        if (!m_growing) { // perhaps within a bounce
             m_next = std::max(m_next + 3, smoothestAfter(m_track, m_next + 1, kReach));
             continue;
         }
-        m_stride = std::max(m_stride, kFirstStride); // as long as in the segment before
+        m_stride = std::max(m_stride, kFirstStride); // keep the stride of the previous segment
         m_hasDiverged = false;
         while (m_growing->segment.last + 1 < count &&
                length(m_growing->segment.first, m_growing->segment.last) < kLongestSegment &&
@@ -179,8 +180,8 @@ void SequentialFit::close() {
     if (m_next + kFewestPoints < m_track.points.size()) m_next = smoothestAfter(m_track, m_next, kReach);
 }
 
-// The first segments were fitted when little was known of the board: all once more, from what is known now but held for
-// much less certain, so that it counts for next to nothing beside them.
+/// The first segments were fitted with a weak prior: fit all again, from the final estimate with an inflated
+/// covariance, so that it hardly counts.
 void SequentialFit::refine() {
     std::sort(m_segments.begin(), m_segments.end(),
               [](const TrackSegment &a, const TrackSegment &b) { return a.first < b.first; });
@@ -188,7 +189,7 @@ void SequentialFit::refine() {
         for (double &number : row) number *= kInflation * kInflation;
     for (TrackSegment &segment : m_segments) {
         const std::optional<SegmentFit> fit = fitted(segment, m_board);
-        if (!fit) continue; // it tells nothing
+        if (!fit) continue; // no information from this segment
         segment = fit->segment;
         m_estimate = fit->estimate;
         m_board = fit->board;
@@ -232,7 +233,7 @@ FittedValue SequentialFit::valueOf(size_t i, const ModelFit &fit) const {
     return value;
 }
 
-// With the board as it is known at the end, every segment from the start that suits it best.
+/// With the final board, and for every segment its best start.
 void SequentialFit::addResiduals(ModelFit &fit) const {
     std::vector<TrackPoint> computed;
     std::vector<TrackBounce> bounces;
@@ -248,8 +249,7 @@ void SequentialFit::addResiduals(ModelFit &fit) const {
         if (bounce.speed >= kCountedImpact) fit.bounces.push_back({bounce});
 }
 
-// Whether the computed ball bounces off a wall about where the segment ends: after that the measured one goes another
-// way.
+/// Whether the computed ball bounces off a wall near the segment's end, after which the measured one goes elsewhere.
 bool SequentialFit::endsAtWall(const TrackSegment &segment) const {
     std::vector<TrackPoint> computed;
     std::vector<TrackBounce> bounces;
@@ -260,7 +260,7 @@ bool SequentialFit::endsAtWall(const TrackSegment &segment) const {
     });
 }
 
-// Root mean square of a coordinate's residuals at the times that are wanted, m.
+/// Root mean square of the residuals of a coordinate at the wanted times, m.
 template<typename Wanted>
 double rmsAt(const std::vector<FitResidual> &residuals, Wanted isWanted) {
     double squares = 0.0;
@@ -289,7 +289,7 @@ void SequentialFit::matchBounces(ModelFit &fit) const {
     fit.rmsElsewhere = rmsAt(fit.residuals, [&](double time) { return !isNear(time); });
 }
 
-// Where it is set, and with each other guess of a quantity in turn.
+/// The initial board, and one with each further starting value of a quantity.
 std::vector<BoardParameters> initialBoards(const FitPlan &plan, const BoardParameters &begin) {
     std::vector<BoardParameters> initialGuesses{begin};
     for (const FitQuantity &quantity : plan.quantities) {
@@ -303,9 +303,9 @@ std::vector<BoardParameters> initialBoards(const FitPlan &plan, const BoardParam
     return initialGuesses;
 }
 
-// From several places of the track and several initialGuesses a model is tried a little way. Where it comes through it
-// goes on, to the end and then along what comes before; of several such attempts the first that explains the track
-// counts, or the one that gets farthest before it is given up.
+/// Tries a model on a short part of the track from several places and starting values. Where it succeeds, the fit
+/// continues to the end and then backwards to the begin; the first attempt that explains the track counts, otherwise
+/// the one that gets farthest before it is abandoned.
 ModelFit fitModel(const FitPlan &plan, const BallModel &model, const BoardParameters &begin, double noise,
                   const FitProgress &progress, const std::stop_token &stop) {
     std::optional<ModelFit> best;
@@ -369,7 +369,7 @@ std::optional<TrackFit> fitTrack(const FitPlan &plan, const FitProgress &progres
         if (!result.fits.empty() && result.fits.back().isGood) break;
         begin.params.model = kind;
         result.fits.push_back(fitModel(plan, model, begin, result.noise, progress, stop));
-        // Tilt and delay are much the same in the other model.
+        // Tilt and delay are about the same in the other model.
         begin.tiltOffset = result.fits.back().board.tiltOffset;
         begin.delay = result.fits.back().board.delay;
     }

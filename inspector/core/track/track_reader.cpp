@@ -17,9 +17,9 @@ namespace inspector {
 namespace {
 
 constexpr size_t kFewestRows = 10;
-constexpr int kToldRows = 5;          // of the bad ones
-constexpr double kGap = 3.5;          // of the usual period
-constexpr double kLargestTilt = 89.0; // degrees
+constexpr int kToldRows = 5;          ///< unusable rows that are listed
+constexpr double kGap = 3.5;          ///< times the median period
+constexpr double kLargestTilt = 89.0; ///< degrees
 
 struct Unit {
     const char *name;
@@ -77,7 +77,7 @@ struct Column {
     double scale;
 };
 
-// The columns that a header names.
+/// The columns named by a header.
 class Header {
 public:
     Header(const QString &line, const TrackUnits &units)
@@ -98,7 +98,7 @@ public:
     bool has(Quantity quantity) const { return m_columns.count(quantity) > 0; }
     bool hasTilt() const { return has(Quantity::TiltX) && has(Quantity::TiltY); }
     bool hasGravity() const { return has(Quantity::GravityX) && has(Quantity::GravityY) && has(Quantity::GravityZ); }
-    // A table of this program: the tilt of a row is that of the step that ended at its time.
+    /// A table written by this program: the tilt in a row is that of the step that ended at its time.
     bool isOwnTable() const { return m_isOwnTable; }
 
     QString problem() const {
@@ -111,7 +111,7 @@ public:
         return {};
     }
 
-    // In SI; nothing if the field is no number.
+    /// In SI; nothing if the field isn't a number.
     std::optional<double> value(const QStringList &fields, Quantity quantity) const {
         const Column &column = m_columns.at(quantity);
         if (column.place >= fields.size()) return std::nullopt;
@@ -125,7 +125,7 @@ public:
     }
 
 private:
-    // x [mm], x (mm), x_mm or x.
+    /// x [mm], x (mm), x_mm or x.
     void add(const QString &field, qsizetype place) {
         static const QRegularExpression form(QStringLiteral("^\\s*([A-Za-z_]+?)\\s*(?:[\\[(]([^\\])]*)[\\])])?\\s*$"));
         const QRegularExpressionMatch match = form.match(field);
@@ -190,7 +190,7 @@ private:
     QString m_problem;
 };
 
-// Turns rows into a track, one by one.
+/// Builds a track from rows, one by one.
 class Builder {
 public:
     Builder(const Header &header, const TrackUnits &units, const QString &name)
@@ -279,7 +279,7 @@ private:
         return x && y ? std::optional(Tilt{*x, *y}) : std::nullopt;
     }
 
-    // An accelerometer's vector: only its direction counts.
+    /// An accelerometer's vector: only its direction counts.
     std::optional<Tilt> tiltOfGravity(const QStringList &fields, QString *problem) const {
         const std::optional<double> x = required(fields, Quantity::GravityX, "gravity_x", problem);
         const std::optional<double> y = required(fields, Quantity::GravityY, "gravity_y", problem);
@@ -307,7 +307,7 @@ private:
     TrackUnits m_units;
     Track m_track;
     bool m_isBegun = false;
-    double m_time = 0.0; // s, of the last row
+    double m_time = 0.0; ///< s, of the last row
     int m_bad = 0;
     int m_lost = 0;
 };
@@ -352,7 +352,7 @@ std::optional<Track> readTrack(QIODevice &device, const QString &name, const Tra
     std::optional<Builder> builder;
     for (int number = 1; !device.atEnd(); ++number) {
         QString line = QString::fromUtf8(device.readLine());
-        if (number == 1 && line.startsWith(QChar(0xfeff))) line.remove(0, 1); // as some programs begin a file
+        if (number == 1 && line.startsWith(QChar(0xfeff))) line.remove(0, 1); // a byte order mark
         line = line.trimmed();
         if (line.isEmpty() || line.startsWith(QLatin1Char('#'))) continue;
         if (builder) {
@@ -388,7 +388,7 @@ bool isTrackFile(const QString &path) {
 }
 
 std::optional<Track> readTrackFile(const QString &path, const TrackUnits &units, QString *error) {
-    constexpr qint64 kLargest = 200 * kMegabyte; // hours of pictures
+    constexpr qint64 kLargest = 200 * kMegabyte; // hours of video
     std::optional<QByteArray> bytes = readFile(path, kLargest, error);
     if (!bytes) return std::nullopt;
     QBuffer buffer(&*bytes);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tracks as cameras and trackers write them: a table with a header line, one row per picture.
+// Reads tracks as cameras and trackers write them: a table with a header line, one row per picture.
 //
 // Columns are found by name, in any order, beside any others: t, time or frame; x, y (or position_x, pos_x, ...);
 // tilt_x, tilt_y or gravity_x, gravity_y, gravity_z (or gx, ...). A unit follows the name: x [mm], x (mm), x_mm. The
@@ -15,25 +15,25 @@
 
 namespace inspector {
 
-// Units of columns whose names don't say it; scales of pixels and frames.
+/// Units of columns whose names don't give one; scales of pixels and frames.
 struct TrackUnits {
-    double time = 1.0;                  // s
-    double position = 1.0;              // m
-    double tilt = 0.017453292519943295; // rad: degrees
-    double pixel = 0.0;                 // m; 0: not known
-    double frame = 0.0;                 // s; 0: not known
+    double time = 1.0;                  ///< s
+    double position = 1.0;              ///< m
+    double tilt = 0.017453292519943295; ///< rad: degrees
+    double pixel = 0.0;                 ///< m; 0: not known
+    double frame = 0.0;                 ///< s; 0: not known
     bool mirrorsX = false;
-    bool mirrorsY = false; // as pixels do, which count downwards
+    bool mirrorsY = false; ///< pixel rows count downwards
 };
 
-// Words separated by commas: t=ms, x=mm, tilt=rad, px=0.25mm, fps=60, mirror=y. Nothing and one line in `error` if one
-// of them is wrong.
+/// Parses words separated by commas: t=ms, x=mm, tilt=rad, px=0.25mm, fps=60, mirror=y. Returns nothing, with one line
+/// in `error`, if one of them is wrong.
 std::optional<TrackUnits> parseTrackUnits(const QString &words, QString *error);
 
-// Rows that can't be used are left out and told of in the track's remarks. Nothing and one line in `error` if columns
-// are missing or fewer than 10 rows are left.
+/// Unusable rows are left out and listed in the track's remarks. Returns nothing, with one line in `error`, if columns
+/// are missing or fewer than 10 rows are left.
 std::optional<Track> readTrack(QIODevice &device, const QString &name, const TrackUnits &units, QString *error);
-// Whether a file is meant as one: by its name (.csv, .tsv), or by a header that names x and y.
+/// Whether a file looks like a track: by its name (.csv, .tsv), or by a header that names x and y.
 bool isTrackFile(const QString &path);
 std::optional<Track> readTrackFile(const QString &path, const TrackUnits &units, QString *error);
 

@@ -8,15 +8,16 @@ namespace inspector {
 
 namespace {
 
-constexpr size_t kSmooth = 10; // points that a start is read off
+constexpr size_t kSmooth = 10; ///< points used to estimate a start
 
-// Of a parabola through some points from `first` on by least squares: value and slope at the first, and what remains.
+/// Least-squares parabola through some points from `first` on: value and slope at the first, and the residual.
 struct Parabola {
     double value, slope, residual;
 };
 
 Parabola parabola(const Track &track, double TrackPoint::*coordinate, size_t first, size_t count) {
-    // Normal equations of value + slope t + bend t^2, by Gauss without pivoting: they are positive definite.
+    // Normal equations of value + slope t + bend t^2, solved by Gaussian elimination without pivoting: they are
+    // positive definite.
     double m[3][4]{};
     const double origin = track.points[first].time;
     for (size_t i = first; i < first + count; ++i) {
@@ -47,7 +48,7 @@ Parabola parabola(const Track &track, double TrackPoint::*coordinate, size_t fir
 size_t smoothCount(const Track &track, size_t first) { return std::min(kSmooth, track.points.size() - first); }
 
 double roughness(const Track &track, size_t first) {
-    const size_t before = std::min<size_t>(first, 2); // nor right after a bounce
+    const size_t before = std::min<size_t>(first, 2); // not right after a bounce, either
     const size_t count = smoothCount(track, first) + before;
     return parabola(track, &TrackPoint::x, first - before, count).residual +
            parabola(track, &TrackPoint::y, first - before, count).residual;
@@ -61,7 +62,7 @@ BallStart startAt(const Track &track, const TrackFrame &frame, size_t first) {
     const Parabola y = parabola(track, &TrackPoint::y, first, count);
     BallStart start{};
     frame.toBoard(x.value, y.value, start.x, start.y);
-    TrackFrame turned = frame; // a velocity isn't moved
+    TrackFrame turned = frame; // a velocity isn't translated
     turned.x = turned.y = 0.0;
     turned.toBoard(x.slope, y.slope, start.vx, start.vy);
     return start;
