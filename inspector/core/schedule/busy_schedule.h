@@ -5,9 +5,9 @@
 
 namespace inspector {
 
-// Of some random schedules the one under which the ball meets most walls within `horizon` (s), then altogether, while
-// it stays in the maze; moved by stepper "exact". Nothing in `switches` and one line in `error` if "exact" can't do
-// any.
+/// Of several random schedules, the one under which the ball, moved by stepper "exact", meets the most walls within
+/// `horizon` (s), and then in total, while it stays in the maze. `switches` is empty, with one line in `error`, if
+/// "exact" can't do any.
 TiltSchedule busySchedule(const Registry &registry, const Scene &scene, const Inputs &inputs, double duration,
                           double horizon, QString *error);
 

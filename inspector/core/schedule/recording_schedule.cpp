@@ -11,7 +11,7 @@ namespace {
 
 using Place = std::vector<Segment>::const_iterator;
 
-// The first segment of the last run that has steps; the end if none has.
+/// The first segment of the last run that has steps; the end if there is none.
 Place lastRun(const std::vector<Segment> &segments) {
     Place result = segments.end();
     Place begin = segments.begin();
@@ -22,11 +22,11 @@ Place lastRun(const std::vector<Segment> &segments) {
     return result;
 }
 
-// Up to the next one, the steps of a run follow each other without a gap; times are multiples of dt while dt stays.
+/// Within a run the steps follow each other without a gap; times are multiples of dt while dt stays the same.
 TiltSchedule tiltsOf(Place place, Place end, double duration) {
     TiltSchedule result;
-    double since = 0.0; // when this dt began, s
-    uint64_t steps = 0; // of this dt
+    double since = 0.0; // s, when this dt began
+    uint64_t steps = 0; // made with this dt
     double dt = place->conditions.dt;
     do {
         const Conditions &now = place->conditions;

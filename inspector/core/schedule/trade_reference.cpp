@@ -16,12 +16,12 @@ namespace inspector {
 
 namespace {
 
-constexpr double kRounding = 1e-9; // of a step: a segment that is so near to a whole number of steps is one
+constexpr double kRounding = 1e-9; ///< share of a step: tolerance for a segment to be a whole number of steps
 constexpr int kPushedRuns = 4;
-constexpr double kTurnStep = 0.001; // s
+constexpr double kTurnStep = 0.001; ///< s
 
-// The orientation of "exact" is right to the second order of its step where the way bends: a tenth of a degree after
-// some seconds of 50 ms steps, 2500 times less in these. No motion depends on it.
+/// The orientation of "exact" is accurate to second order in the step where the path bends: off by a tenth of a degree
+/// after some seconds of 50 ms steps, and by 2500 times less with these. The motion doesn't depend on it.
 void takeOrientation(phys_state &state, const phys_state &turned) {
     std::copy(std::begin(turned.orientation), std::end(turned.orientation), state.orientation);
 }
@@ -188,7 +188,7 @@ double TradeReference::pushedHorizon(double length, double visible, uint64_t see
     return reached;
 }
 
-// Sideways; not where a wall is in the way, which a ball in contact would be pushed into.
+/// Pushes sideways, unless a wall is so near that the ball would be pushed into it.
 void TradeReference::push(phys_state &state, double length, double angle) const {
     if (nearestWall(m_scene.get(), state.position, 2.0 * length)) return;
     state.position.x += length * phys::elementary::cos(angle);

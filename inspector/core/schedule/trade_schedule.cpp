@@ -17,7 +17,7 @@ namespace inspector {
 
 namespace {
 
-constexpr double kRandomHold = 0.5; // s
+constexpr double kRandomHold = 0.5; ///< s
 
 struct Row {
     double time;
@@ -28,10 +28,10 @@ void append(std::vector<TiltSwitch> &switches, double time, Tilt tilt) {
     if (switches.empty() || !(switches.back().tilt == tilt)) switches.push_back({time, tilt});
 }
 
-// Reads the lines of a schedule's file one by one.
+/// Parses the lines of a schedule's file, one by one.
 class Reader {
 public:
-    // Nothing wrong: true. Otherwise `error` gets what was expected and what was found.
+    /// False if the line is wrong; `error` then gets what was expected and what was found.
     bool read(const QString &line, QString *error) {
         const QString text = line.section(QLatin1Char('#'), 0, 0).trimmed();
         if (text.isEmpty()) return true;
@@ -56,7 +56,7 @@ public:
     TiltSchedule schedule(double duration) const {
         TiltSchedule result;
         result.duration = m_isTable ? std::min(duration, m_rows.back().time) : duration;
-        double begin = 0.0; // a table's row tells the tilt of the step that ended at its time
+        double begin = 0.0; // a table's row has the tilt of the step that ended at its time
         for (const Row &row : m_rows) {
             const double time = m_isTable ? begin : row.time;
             if (time < result.duration) append(result.switches, time, row.tilt);
@@ -129,7 +129,7 @@ TiltSchedule autopilotSchedule(const Registry &registry, const Scene &scene, con
 TiltSchedule randomSchedule(uint64_t seed, double duration) {
     TiltSchedule result{QStringLiteral("random:%1").arg(seed), {}, duration};
     std::mt19937_64 numbers(seed);
-    // Between -1 and 1 from the upper 53 bits; the standard's distributions differ between libraries.
+    // Uniform in -1 .. 1 from the upper 53 bits; the standard's distributions differ between libraries.
     const auto next = [&] { return double(numbers() >> 11) * 0x1p-52 - 1.0; };
     for (int i = 0; i * kRandomHold < duration; ++i) {
         const double x = next();

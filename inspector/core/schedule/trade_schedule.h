@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tilt of the board over time, decided before anybody steps: every stepper gets the very same input, whatever its
-// step size.
+// The tilt of the board over time, fixed beforehand: every stepper gets the same input, whatever its step size.
 #pragma once
 
 #include "core/setup/handles.h"
@@ -11,31 +10,31 @@
 namespace inspector {
 
 struct TiltSwitch {
-    double time; // s, from which on the tilt holds
-    Tilt tilt;   // rad
+    double time; ///< s, from which the tilt holds
+    Tilt tilt;   ///< rad
 };
 
 struct TiltSchedule {
-    QString name;                     // what made it: "autopilot", "random:7" or a file
-    std::vector<TiltSwitch> switches; // the first at 0, times ascending
-    double duration = 0.0;            // s; the last tilt holds until then
+    QString name;                     ///< its source: "autopilot", "random:7" or a file
+    std::vector<TiltSwitch> switches; ///< the first at 0, times ascending
+    double duration = 0.0;            ///< s; the last tilt holds until then
 };
 
-// s; a whole number of steps of 1/60 s, 10, 5, 2, 1, 0.5 and 0.1 ms, so that no step has to be cut.
+/// s; a multiple of 1/60 s and of 10, 5, 2, 1, 0.5 and 0.1 ms, so that steps needn't be cut.
 inline constexpr double kScheduleHold = 0.05;
 
-// What the autopilot does, asked every kScheduleHold, with the ball moved by stepper "exact"; ends at `duration` or
-// just before the ball leaves the maze. inputs: parameters and strength of gravity. Nothing in `switches` and one line
-// in `error` if it can't be made.
+/// The autopilot's tilts, at intervals of kScheduleHold, with the ball moved by stepper "exact"; ends at `duration` or
+/// just before the ball leaves the maze. inputs: parameters and magnitude of gravity. `switches` is empty, with one
+/// line in `error`, if it can't be made.
 TiltSchedule autopilotSchedule(const Registry &registry, const Scene &scene, const Inputs &inputs, double duration,
                                QString *error);
 
-// Another tilt every half second, each within what a player can do; the same for the same seed, everywhere.
+/// A random tilt every half second, each within a player's range; the same for the same seed on every system.
 TiltSchedule randomSchedule(uint64_t seed, double duration);
 
-// From a file: rows of `time tilt_x tilt_y` (s, degrees; separated by blanks or commas, # begins a comment), or a
-// table that this program wrote with --csv. It ends with the last row of a table; `duration` ends it earlier, and
-// rows without a table's end hold until `duration`. Nothing in `switches` and one line in `error` if it can't be read.
+/// From a file: rows of `time tilt_x tilt_y` (s, degrees; separated by spaces or commas, # begins a comment), or a
+/// table that this program wrote with --csv. A table ends the schedule with its last row, or `duration` earlier;
+/// otherwise the last tilt holds until `duration`. `switches` is empty, with one line in `error`, if it can't be read.
 TiltSchedule readSchedule(const QString &path, double duration, QString *error);
 
 } // namespace inspector

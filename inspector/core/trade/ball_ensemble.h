@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Balls on boards as they may really be, stepped by "exact" under the same tilts.
+// An ensemble of balls on sampled boards, stepped by "exact" under the same tilts.
 #pragma once
 
 #include "core/setup/handles.h"
@@ -9,17 +9,17 @@ namespace inspector {
 
 class BallEnsemble {
 public:
-    // At `start`, each moved by its board; but not into a wall: no board that was looked at starts there. stepper:
-    // "exact", made for the scene. boards: at least one.
+    /// Each ball starts at `start` plus its board's offset, unless that is in a wall: no real ball starts there.
+    /// stepper: "exact", made for the scene. boards: at least one.
     BallEnsemble(Stepper stepper, const Scene &scene, const std::vector<SampledBoard> &boards, const phys_state &start);
 
-    // The balls roll on, on these boards; as many as before.
+    /// Replaces the boards, as many as before; the balls keep their states.
     void setBoards(const std::vector<SampledBoard> &boards);
-    // So many steps of dt under a tilt. A ball that is out stays where it left the maze.
+    /// Makes `steps` steps of dt under a tilt. A ball that is out stays where it left the maze.
     void step(const Tilt &tilt, double dt, uint64_t steps);
 
     const phys_vec3 &centre(size_t ball) const { return m_balls[ball].state.position; }
-    // Of each ball from this place, m; NaN once "exact" couldn't step it.
+    /// The distance of each ball from this point, m; NaN once "exact" has refused it.
     std::vector<double> distancesFrom(const phys_vec3 &centre) const;
     int refused() const;
 

@@ -9,10 +9,10 @@ namespace inspector {
 
 namespace {
 
-constexpr int kBalls = 40; // a band's middle from so many is right to a fifth
+constexpr int kBalls = 40; ///< accuracy of a band's middle: a fifth
 constexpr uint64_t kFirstSeed = 1000;
 
-// Indices of the points to choose from, the cheapest first.
+/// Indices of the eligible points, cheapest first.
 std::vector<size_t> candidates(const TradePlan &plan, const TradeResult &result) {
     std::vector<size_t> order;
     for (size_t i = 0; i < result.points.size(); ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which setting is good enough for what is known of a board.
+// Which setting is good enough, given what isn't known of the board.
 #pragma once
 
 #include "core/trade/trade.h"
@@ -7,23 +7,22 @@
 
 namespace inspector {
 
-// Schedules besides the plan's on which a setting has to be good enough, too: one that is right on a few may be so by
-// luck, because whether a stepper hits an edge that the exact ball clears is a matter of hundredths of a radius.
-// Made when first asked for.
+/// Further schedules on which a setting must be good enough, too: on a few it may be so by luck, because whether a
+/// stepper hits an edge that the exact ball clears is a matter of hundredths of a radius. Made on first use.
 class ValidationSchedules {
 public:
-    // Both outlive this.
+    /// Both must outlive this object.
     ValidationSchedules(const TradePlan &plan, const std::stop_token &stop);
 
     int count() const { return m_plan.validations; }
-    // The error of a setting up to the plan's horizon, as a share of the band's middle there. Nothing if its run fails;
-    // 0 where "exact" can't do the schedule: that doesn't speak against a setting.
+    /// The error of a setting up to the plan's horizon, as a share of the uncertainty band's middle there. Nothing if
+    /// its run fails; 0 where "exact" can't do the schedule, which doesn't count against a setting.
     std::optional<double> shareOf(const TradePoint &point, int validation);
 
 private:
     struct Validation {
         std::optional<TradeReference> reference;
-        double band = 0.0; // radii
+        double band = 0.0; ///< radii
     };
     const Validation &prepared(int validation);
 
@@ -32,15 +31,14 @@ private:
     std::vector<Validation> m_validations;
 };
 
-// What a setting is wrong by up to the plan's horizon as a share of what isn't known, on the worst of the plan's
-// schedules.
+/// A setting's error up to the plan's horizon as a share of the uncertainty, on the worst of the plan's schedules.
 double shareOnSchedules(const TradePlan &plan, const TradeResult &result, const TradePoint &point);
 
-// Among valid points of the plan's model. Nothing if there is none.
+/// Among valid points of the plan's model. Nothing if there is none.
 std::optional<GoodEnough> cheapestGoodEnough(const TradePlan &plan, const TradeResult &result,
                                              ValidationSchedules &validations);
 
-// The error of one setting against a reference up to a time, radii; nothing if its run fails.
+/// The error of one setting against a reference up to a time, radii; nothing if its run fails.
 std::optional<double> errorOfSetting(const TradePlan &plan, const TradePoint &point, const TradeReference &reference,
                                      double until, const std::stop_token &stop);
 

@@ -14,17 +14,17 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kLongestStep = 0.05; // s, of "exact", so that a band is smooth where tilts are steady
+constexpr double kLongestStep = 0.05; ///< s, of "exact", so that a band is smooth while tilts are constant
 constexpr Clock::duration kShown = std::chrono::milliseconds(50);
 
-// The board as it is set, and then those that it may really be.
+/// The nominal board, followed by the sampled ones.
 std::vector<SampledBoard> boardsOf(const Unknowns &unknowns, const Inputs &inputs) {
     std::vector<SampledBoard> boards = sampleBoards(unknowns, inputs, LiveBand::kBalls, kBandSeed);
     boards.insert(boards.begin(), SampledBoard{inputs.params, inputs.gravity, {}, {}});
     return boards;
 }
 
-// Neither has padding; the tilt is none of the board's.
+/// Compares bytes, as neither has padding; the tilt isn't a property of the board.
 bool isSameBoard(const Inputs &a, const Inputs &b) {
     phys_params one = a.params;
     phys_params other = b.params;
@@ -34,7 +34,7 @@ bool isSameBoard(const Inputs &a, const Inputs &b) {
 
 } // namespace
 
-// One band while it is made.
+/// The state of one band's computation.
 struct LiveBand::Work {
     Start start;
     uint64_t number;
@@ -57,7 +57,7 @@ struct LiveBand::Work {
 
     void note() {
         std::vector<double> distances = balls->distancesFrom(balls->centre(0));
-        if (std::isnan(distances.front())) return; // nothing to be far from
+        if (std::isnan(distances.front())) return; // no nominal ball to compare with
         distances.erase(distances.begin());
         appendQuantiles(band, time, std::move(distances), radius);
     }
@@ -121,7 +121,7 @@ std::shared_ptr<const Band> LiveBand::latest() const {
     return m_band;
 }
 
-// Not of a band that is forgotten meanwhile.
+/// Ignored if the band was dropped meanwhile.
 void LiveBand::publish(uint64_t number, const Band &band) {
     auto copy = std::make_shared<const Band>(band);
     const std::lock_guard lock(m_mutex);
@@ -148,7 +148,7 @@ void LiveBand::work(const std::stop_token &stop) {
     }
 }
 
-// What waits, or some of it: then the rest is for the next time.
+/// Processes the queue, or part of it: the rest is for the next call.
 void LiveBand::compute(Work &work, const std::stop_token &stop) {
     std::vector<Segment> segments;
     {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What isn't known of a board beside a run that is being played: boards are drawn, and on each "exact" rolls a ball
-// under the tilts that the run has had, on a thread of its own.
+// The uncertainty band of a run while it is being played: boards are sampled, and on each "exact" rolls a ball under
+// the run's tilts, on a thread of its own.
 #pragma once
 
 #include "core/trade/uncertainty_band.h"
@@ -14,35 +14,35 @@ namespace inspector {
 
 class LiveBand {
 public:
-    static constexpr int kBalls = 64;         // a band's middle from so many is right to a sixth
-    static constexpr double kReach = 120.0;   // s: no longer than that after its start
-    static constexpr double kInterval = 0.02; // s: no nearer together are its times
-    static constexpr double kRest = 3.0;      // of the time computed: a quarter of a processor at most
+    static constexpr int kBalls = 64;         ///< accuracy of a band's middle: a sixth
+    static constexpr double kReach = 120.0;   ///< s after its start, where a band ends
+    static constexpr double kInterval = 0.02; ///< s, minimum distance of its times
+    static constexpr double kRest = 3.0;      ///< idle time per computing time: at most a quarter of a processor
 
-    // From where on a band is wanted.
+    /// Where a band begins.
     struct Start {
         Scene scene;
-        phys_state state; // of all balls, but for what isn't known of the start
+        phys_state state; ///< of all balls, before their offsets
         Unknowns unknowns;
     };
-    // What happened next: so long under these inputs.
+    /// A stretch of the run under constant inputs.
     struct Segment {
         Inputs inputs;
-        double length; // s, > 0
+        double length; ///< s, > 0
     };
 
     explicit LiveBand(Registry registry);
-    ~LiveBand(); // ends the thread
+    ~LiveBand(); ///< ends the thread
 
-    // Both return at once. An earlier band is forgotten.
+    /// Both return immediately. begin() drops an earlier band.
     void begin(Start start);
     void goOn(const std::vector<Segment> &segments);
-    void end(); // no band any more
-    // Waits until all that happened is computed, without rests.
+    void end(); ///< drops the band
+    /// Waits until everything passed in is computed, without idling.
     void finish();
 
-    // As far as it is computed: the distances at each time, s of the run, from the ball of the board as it is set.
-    // Another pointer: another band. Null without one.
+    /// The band computed so far: distances over time, s of the run, from the ball of the nominal board. Every update
+    /// has a new pointer. Null if there is none.
     std::shared_ptr<const Band> latest() const;
 
 private:
@@ -52,16 +52,16 @@ private:
     void publish(uint64_t number, const Band &band);
 
     Registry m_registry;
-    mutable std::mutex m_mutex; // guards all that follows; never held while stepping
+    mutable std::mutex m_mutex; ///< guards everything below; never held while stepping
     std::condition_variable_any m_wake;
     std::condition_variable m_idle;
     std::optional<Start> m_start;
-    uint64_t m_number = 0; // of the band asked for
+    uint64_t m_number = 0; ///< of the band requested
     std::vector<Segment> m_segments;
     std::shared_ptr<const Band> m_band;
     bool m_isBusy = false;
     bool m_hurries = false;
-    std::jthread m_thread; // last: ends before anything above it goes
+    std::jthread m_thread; ///< last member: it is joined before the others are destroyed
 };
 
 } // namespace inspector

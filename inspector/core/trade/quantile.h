@@ -5,7 +5,8 @@
 
 namespace inspector {
 
-// Of values in ascending order, at least one; between two of them linearly. share: 0 the first .. 1 the last.
+/// The quantile of values in ascending order (at least one), with linear interpolation. share: 0 (the first) .. 1 (the
+/// last).
 double quantile(const std::vector<double> &sorted, double share);
 
 } // namespace inspector

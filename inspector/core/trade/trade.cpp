@@ -15,7 +15,7 @@ namespace inspector {
 
 namespace {
 
-constexpr int kBandBalls = 200; // per band that is drawn
+constexpr int kBandBalls = 200; ///< in each band of a chart
 
 TradeCost costOf(std::vector<double> seconds, uint64_t steps, double duration) {
     std::sort(seconds.begin(), seconds.end());
@@ -24,7 +24,7 @@ TradeCost costOf(std::vector<double> seconds, uint64_t steps, double duration) {
     return {median / double(steps), median / duration, spread, int(seconds.size())};
 }
 
-// The largest distance between the two models, both exact, in radii.
+/// The largest distance between the two models, both exact, radii.
 double modelError(const TradeReference &rolling, const TradeReference &rigid, double until, double radius) {
     double largest = 0.0;
     const size_t count = std::min(rolling.states().size(), rigid.states().size());
@@ -38,7 +38,7 @@ std::optional<double> earlier(const std::optional<double> &a, const std::optiona
     return std::min(*a, *b);
 }
 
-// In order of time, without those that aren't larger than the one before.
+/// Sorts by time and keeps the running maxima.
 void keepRecords(std::vector<ErrorRecord> &growth) {
     std::stable_sort(growth.begin(), growth.end(),
                      [](const ErrorRecord &a, const ErrorRecord &b) { return a.time < b.time; });
@@ -50,7 +50,7 @@ void keepRecords(std::vector<ErrorRecord> &growth) {
     });
 }
 
-// The length of the longest sequence of boxes that both have in their order.
+/// The length of the longest common subsequence.
 int commonLength(const std::vector<uint32_t> &a, const std::vector<uint32_t> &b) {
     std::vector<int> row(b.size() + 1, 0);
     for (const uint32_t box : a) {
@@ -71,13 +71,13 @@ std::vector<uint32_t> boxesHit(const std::vector<Impact> &impacts, double speed)
     return boxes;
 }
 
-// One schedule with what a ball does under it.
+/// One schedule and its references.
 struct Course {
     std::vector<TiltSegment> segments;
-    std::optional<TradeReference> references[2]; // by model
+    std::optional<TradeReference> references[2]; ///< by model
 };
 
-// What one measurement holds while it runs.
+/// The state of one measurement.
 class Measurement {
 public:
     Measurement(const TradePlan &plan, const TradeListener &listener, const std::stop_token &stop);
@@ -88,7 +88,7 @@ public:
     TradeResult takeResult() { return std::move(m_result); }
 
 private:
-    using Motions = std::vector<ReferenceMotion>; // by schedule
+    using Motions = std::vector<ReferenceMotion>; ///< by schedule
 
     bool makeReference(size_t schedule, uint32_t model, QString *error);
     TradeSpan spanOf(const TradeReference &reference, uint32_t model) const;
@@ -107,11 +107,11 @@ private:
     const TradeListener &m_listener;
     const std::stop_token &m_stop;
     std::vector<Course> m_courses;
-    QString m_refusals[2];   // why a model has no reference; empty if it has one for every schedule
-    double m_duration = 0.0; // s, of all schedules
+    QString m_refusals[2];   ///< why a model lacks a reference; empty if it has all
+    double m_duration = 0.0; ///< s, total of all schedules
     TradeResult m_result;
-    std::vector<std::vector<double>> m_seconds; // of each point, s of CPU time
-    double m_done = 0.0;                        // steps, counted for the progress
+    std::vector<std::vector<double>> m_seconds; ///< by point, s of CPU time
+    double m_done = 0.0;                        ///< steps done, for the progress
     double m_all = 0.0;
 };
 
@@ -196,7 +196,7 @@ void Measurement::run() {
     m_result.isComplete = !m_stop.stop_requested();
 }
 
-// Points of one model and step size in a row: they share the states to compare with.
+/// Groups points of one model and step size: they share the reference states.
 std::vector<size_t> Measurement::order() const {
     std::vector<size_t> indices(m_result.points.size());
     std::iota(indices.begin(), indices.end(), size_t(0));
@@ -254,7 +254,7 @@ std::optional<double> Measurement::modelErrorOf(size_t schedule, uint32_t model)
                       phys_scene_radius(m_plan.scene.get()));
 }
 
-// One after the other and then all again: a busy moment of the machine doesn't hit all repeats of one point.
+/// All points in turn, then again: a busy moment of the machine doesn't affect all repeats of one point.
 void Measurement::timeAll() {
     for (size_t i = 0; i < m_result.points.size() && !m_stop.stop_requested(); ++i)
         if (m_result.points[i].isValid && int(m_seconds[i].size()) < m_plan.repeats) time(i);
@@ -275,7 +275,7 @@ void Measurement::time(size_t index) {
     if (m_listener.measured) m_listener.measured(index, point);
 }
 
-// CPU time of all schedules, s.
+/// Total CPU time over all schedules, s.
 std::optional<double> Measurement::timed(const TradePoint &point) const {
     double all = 0.0;
     for (const Course &course : m_courses) {

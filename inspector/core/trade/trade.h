@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Speed against accuracy, measured: what each stepper and step size costs on this machine, and what it is wrong by
-// against stepper "exact", for a scene, its parameters and a schedule of tilts.
+// Speed against accuracy (a work-precision study): what each stepper and step size costs on this machine, and its error
+// against stepper "exact", for a scene, its parameters and schedules of tilts.
 #pragma once
 
 #include "core/setup/handles.h"
@@ -18,111 +18,110 @@ namespace inspector {
 struct TradePlan {
     Registry registry;
     Scene scene;
-    Inputs inputs;                       // model, coefficients and strength of gravity; the tilt is the schedules'
-    std::vector<TiltSchedule> schedules; // a point's errors are the worst of them
-    std::vector<double> stepSizes;       // s
-    int repeats = 5;                     // of the timing of each point
-    bool withOrientation = false;        // steppers turn the ball, too, as a program that draws it lets them
+    Inputs inputs; ///< model, coefficients and magnitude of gravity; tilts come from the schedules
+    std::vector<TiltSchedule> schedules; ///< a point's errors are those on the worst of them
+    std::vector<double> stepSizes;       ///< s
+    int repeats = 5;                     ///< timings of each point
+    bool withOrientation = false;        ///< with the ball's orientation, as a program that draws it needs
 
-    Unknowns unknowns;    // none: no band, and no setting is good enough for what is known
-    double horizon = 1.0; // s that such a setting looks ahead
-    double share = 0.25;  // of the band's middle, that its error stays below
-    int validations = 0;  // further schedules on which it has to
+    Unknowns unknowns;    ///< if empty: no band, and no good-enough setting
+    double horizon = 1.0; ///< s, over which such a setting must be good enough
+    double share = 0.25;  ///< share of the band's middle that its error must stay below
+    int validations = 0;  ///< further schedules on which it must
 };
 
-// CPU time of the thread, s.
+/// CPU time of the thread, s.
 struct TradeCost {
     double perStep = 0.0;
-    double perSecond = 0.0; // simulated
-    double spread = 0.0;    // between the quartiles of the repeats, share of the median
-    int repeats = 0;        // 0: not measured yet
+    double perSecond = 0.0; ///< simulated
+    double spread = 0.0;    ///< interquartile range of the repeats, share of the median
+    int repeats = 0;        ///< 0: not measured yet
 };
 
-// The largest position error up to a time.
+/// The largest position error up to a time.
 struct ErrorRecord {
-    double time;  // s
-    double error; // radii
+    double time;  ///< s
+    double error; ///< radii
 };
 
-// Against "exact" with the same model, up to the horizon.
+/// Against "exact" with the same model, up to the horizon.
 struct TradeError {
-    double positionLargest = 0.0;         // radii
-    double positionFinal = 0.0;           // radii
-    double velocityLargest = 0.0;         // m/s; large for a moment when a bounce comes early or late
-    double orientationLargest = 0.0;      // rad; 0 without orientation
-    double energyDrift = 0.0;             // J/kg, made (> 0) or lost (< 0) by the scheme itself
-    double penetrationLargest = 0.0;      // radii
-    std::optional<double> timeUntilWrong; // s, when the position error first passes kWrong radii
-    int wrongImpacts = 0;                 // missing or invented, or out of order
-    std::optional<double> model;          // radii: the rolling model's largest distance from the rigid one
-    std::vector<ErrorRecord> growth;      // of positionLargest, each larger than the one before
+    double positionLargest = 0.0;         ///< radii
+    double positionFinal = 0.0;           ///< radii
+    double velocityLargest = 0.0;         ///< m/s; momentarily large when a bounce is early or late
+    double orientationLargest = 0.0;      ///< rad; 0 without orientation
+    double energyDrift = 0.0;             ///< J/kg, gained (> 0) or lost (< 0) by the scheme itself
+    double penetrationLargest = 0.0;      ///< radii
+    std::optional<double> timeUntilWrong; ///< s, when the position error first passes kWrong radii
+    int wrongImpacts = 0;                 ///< missing, spurious or out of order
+    std::optional<double> model;          ///< radii: the rolling model's largest distance from the rigid one
+    std::vector<ErrorRecord> growth;      ///< running maximum of the position error
 };
 
-inline constexpr double kWrong = 0.1; // radii
+inline constexpr double kWrong = 0.1; ///< radii
 
 struct TradePoint {
     QByteArray stepper;
-    double dt = 0.0; // s
+    double dt = 0.0; ///< s
     uint32_t model = PHYS_MODEL_ROLLING;
-    bool isValid = false;           // has errors, and got to the end
-    QString note;                   // why not, in a line
-    uint64_t steps = 0;             // of the whole schedule
-    std::vector<TradeError> errors; // by schedule
-    TradeError error;               // each figure the worst of them
-    std::optional<double> share;    // of what isn't known, that the error is within the plan's horizon
+    bool isValid = false;           ///< has errors, and reached the end
+    QString note;                   ///< why it isn't valid, in one line
+    uint64_t steps = 0;             ///< for the whole schedule
+    std::vector<TradeError> errors; ///< by schedule
+    TradeError error;               ///< the worst of them, figure by figure
+    std::optional<double> share;    ///< error within the plan's horizon as a share of the uncertainty
     TradeCost cost;
 };
 
-// How far the comparison goes for a model and a schedule, and what there is to compare with.
+/// The extent of the comparison for a model and a schedule, and its references.
 struct TradeSpan {
-    double compared = 0.0;    // s: the horizon, or the end of the reference if that is sooner
-    bool isSensitive = false; // the horizon came first: from there on a push of a millionth of a radius shows
-    QString endReason;        // why the reference ends before the schedule; empty if it doesn't
-    double end = 0.0;         // s, of the reference
-    int impacts = 0;          // counted ones up to the end
-    int early = 0;            // of these, those within the plan's horizon
-    double knowable; // s: until then the rounding of numbers moves the ball by less than a radius; at most the end
-    Band band;       // of the plan's model only
+    double compared = 0.0;    ///< s: the predictability horizon, or the end of the reference if that is earlier
+    bool isSensitive = false; ///< the horizon came first: beyond it a push of a millionth of a radius is visible
+    QString endReason;        ///< why the reference ends before the schedule does; else empty
+    double end = 0.0;         ///< s, of the reference
+    int impacts = 0;          ///< counted impacts up to the end
+    int early = 0;            ///< of these, those within the plan's horizon
+    double knowable;          ///< s: until then rounding moves the ball by less than a radius; at most `end`
+    Band band;                ///< for the plan's model only
 };
 
-// The cheapest setting whose error stays below the plan's share of what isn't known, on every schedule that was looked
-// at.
+/// The cheapest setting whose error stays below the plan's share of the uncertainty on every schedule tried.
 struct GoodEnough {
-    size_t point;    // its index
-    double largest;  // of these shares
-    int validations; // schedules that it was seen on besides the plan's
+    size_t point;    ///< index of the point
+    double largest;  ///< worst share
+    int validations; ///< schedules tried besides the plan's
 };
 
 struct TradeResult {
-    std::vector<std::array<TradeSpan, 2>> spans; // by schedule and model
-    std::vector<TradePoint> points;       // stepper by stepper, from long to short steps; the rolling model's first
-    std::optional<GoodEnough> goodEnough; // of the plan's model
-    bool isComplete = false;              // not cancelled
+    std::vector<std::array<TradeSpan, 2>> spans; ///< by schedule and model
+    std::vector<TradePoint> points;              ///< by stepper, from long to short steps; the rolling model first
+    std::optional<GoodEnough> goodEnough;        ///< for the plan's model
+    bool isComplete = false;                     ///< wasn't cancelled
 
-    // s: as far as all schedules are compared.
+    /// s, up to which all schedules are compared.
     double compared(uint32_t model) const;
 
-    // Of one model, those that a person can choose from.
+    /// The points of one model that can be chosen.
     std::vector<TradePoint> valid(uint32_t model) const;
 };
 
-// Called by the thread that measures. Any may be empty.
+/// Callbacks, on the measuring thread. Each may be empty.
 struct TradeListener {
-    std::function<void(const TradeResult &)> began;                 // spans and points without figures
-    std::function<void(size_t index, const TradePoint &)> measured; // again after each repeat
+    std::function<void(const TradeResult &)> began;                 ///< with spans, and points without figures
+    std::function<void(size_t index, const TradePoint &)> measured; ///< called after each repeat
     std::function<void(double share, const QString &what)> progressed;
 };
 
-// Takes seconds. Stops soon after it is asked to. No result and one line in `error` if "exact" can't do the scene:
-// then there is nothing to compare with.
+/// Takes seconds. Stops soon after it is asked to. No result, with one line in `error`, if "exact" refuses the scene:
+/// then there is no reference.
 std::optional<TradeResult> measureTrade(const TradePlan &plan, const TradeListener &listener,
                                         const std::stop_token &stop, QString *error);
 
-// Impacts of one sequence that the other hasn't in the same order, both ways. Fast ones have to be found among the
-// other's impacts of at least half the speed, so that one near the limit isn't wrong by a rounding.
+/// Counts impacts of either sequence that aren't in the other in the same order. Fast ones are matched with impacts of
+/// at least half the speed, so that rounding near the limit doesn't count.
 int wrongImpacts(const std::vector<Impact> &expected, const std::vector<Impact> &found);
 
-// Each figure the worst of several; at least one.
+/// The worst of several errors, figure by figure; at least one.
 TradeError worstOf(const std::vector<TradeError> &errors);
 
 } // namespace inspector

@@ -10,7 +10,7 @@ namespace inspector {
 
 namespace {
 
-// The index with the least key among those that are wanted; the first of equals.
+/// The index with the smallest key among the wanted ones; the first of equals.
 template<typename Wanted, typename Key>
 std::optional<size_t> least(std::span<const TradePoint> points, Wanted wanted, Key key) {
     std::optional<size_t> best;

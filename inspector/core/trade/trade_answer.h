@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What to choose among measured points. All of these look at the points of one model: what a model costs in accuracy
-// is a question of its own (TradeError::model).
+// Choosing among measured points. All functions take points of one model: the accuracy of a model is a separate
+// question (TradeError::model).
 #pragma once
 
 #include "core/trade/trade.h"
@@ -9,19 +9,19 @@
 
 namespace inspector {
 
-// Indices of the points that no other beats in both CPU time per simulated second and largest position error, from
-// cheap to accurate. Of points with equal figures the first.
+/// The Pareto front: indices of the points that no other beats in both CPU time per simulated second and largest
+/// position error, from cheap to accurate. Of equal points the first.
 std::vector<size_t> paretoFront(std::span<const TradePoint> points);
 
-// The largest position error up to a time, radii; of a point on the worst of its schedules.
+/// The largest position error up to a time, radii; of a point on its worst schedule.
 double errorUntil(const TradeError &error, double time);
 double errorUntil(const TradePoint &point, double time);
 
-// The cheapest per simulated second that keeps the position error at or below `radii` for `seconds`, both inclusive.
+/// The cheapest per simulated second that keeps the position error at or below `radii` for `seconds` (both inclusive).
 std::optional<size_t> cheapestUnder(std::span<const TradePoint> points, double radii, double seconds);
 
-// The most accurate that takes at most so many nanoseconds of CPU time a step; of equally accurate ones the cheapest
-// per simulated second.
+/// The most accurate that takes at most `nanoseconds` of CPU time per step; of equally accurate ones the cheapest per
+/// simulated second.
 std::optional<size_t> mostAccurateWithin(std::span<const TradePoint> points, double nanoseconds);
 
 } // namespace inspector

@@ -12,7 +12,7 @@ namespace inspector {
 
 namespace {
 
-// By place among the steppers of a result; distinct for colour-blind eyes, too (Okabe and Ito).
+/// By position in the result's steppers; distinguishable by colour-blind people (Okabe and Ito).
 const char *colourOf(size_t place) {
     static constexpr std::array<const char *, 7> kColours{"#d55e00", "#0072b2", "#009e73", "#cc79a7",
                                                           "#56b4e9", "#000000", "#e69f00"};
@@ -52,7 +52,7 @@ std::vector<ChartPoint> frontOf(std::vector<ChartPoint> points) {
     return points;
 }
 
-// From the value at the time itself, not of a moment before or after.
+/// The value at exactly this time.
 double at(const std::vector<double> &times, const std::vector<double> &values, double time) {
     const auto after = std::upper_bound(times.begin(), times.end(), time + 1e-9);
     return values[size_t(std::max<std::ptrdiff_t>(after - times.begin() - 1, 0))];

@@ -1,49 +1,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The trade as a chart (elsewhere called a work-precision diagram), described for whoever draws it: cost against error,
-// both logarithmic, a curve per stepper, and what isn't known as a band across.
+// The trade as a chart (elsewhere called a work-precision diagram), described independently of its renderers: cost
+// against error, both logarithmic, a curve per stepper, and the uncertainty of the board as a band.
 #pragma once
 
 #include "core/trade/trade.h"
 
 namespace inspector {
 
-// Errors below this are drawn at it, radii: rounding, and the exact stepper's zero, has no logarithm.
+/// Smaller errors are drawn here, radii: rounding errors, and the exact stepper's zero, which has no logarithm.
 inline constexpr double kSmallestDrawnError = 1e-13;
 
 struct ChartPoint {
-    size_t index; // in the result's points
-    double cost;  // µs of CPU time a simulated second
-    double error; // radii
+    size_t index; ///< in the result's points
+    double cost;  ///< µs of CPU time a simulated second
+    double error; ///< radii
 };
 
 struct ChartCurve {
     QByteArray stepper;
-    const char *colour; // #rrggbb
+    const char *colour; ///< #rrggbb
     std::vector<ChartPoint> points;
 };
 
-// In radii.
+/// In radii.
 struct ChartBand {
     double low, middle, high;
-    double limit; // errors below are good enough
+    double limit; ///< smaller errors are good enough
     QString middleText, limitText;
 };
 
 struct ChartDescription {
     QString title, costLabel, errorLabel;
-    std::vector<ChartCurve> curves; // of every stepper, so that colours stay while results come in
-    std::vector<ChartPoint> front;  // what no other point beats, from cheap to accurate
+    std::vector<ChartCurve> curves; ///< for every stepper, so that colours don't change while results arrive
+    std::vector<ChartPoint> front;  ///< the Pareto front, from cheap to accurate
     std::optional<ChartBand> band;
     std::optional<ChartPoint> goodEnough;
 
-    std::vector<ChartPoint> points() const; // of all curves
+    std::vector<ChartPoint> points() const; ///< of all curves
 };
 
-// Errors on one schedule: up to the plan's horizon if there is a band, otherwise as far as they are compared. schedule:
-// one that the result has.
+/// Describes the errors on one schedule: up to the plan's horizon if there is a band, otherwise up to the end of the
+/// comparison. schedule: an index into the result's.
 ChartDescription describeChart(const TradePlan &plan, const TradeResult &result, uint32_t model, size_t schedule);
 
-// Which schedule a picture shows: the last one, where most happens.
+/// The schedule that a picture shows: the last one, with the most impacts.
 size_t shownSchedule(const TradeResult &result);
 
 } // namespace inspector

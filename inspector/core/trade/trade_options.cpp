@@ -13,8 +13,9 @@ namespace inspector {
 
 namespace {
 
-// A setting that fails on none of so many fails on at most 3 in 200 others, with 95 % confidence (the rule of three):
-// fewer than the 1 in 20 that a reader of "good enough" may accept, also after some settings were tried in turn.
+/// A setting that fails on none of this many fails on at most 3 in 200 others, with 95 % confidence (the rule of
+/// three): less than the 1 in 20 that a reader of "good enough" may accept, also after several settings were tried in
+/// turn.
 constexpr int kValidations = 200;
 
 TiltSchedule makeSchedule(const QString &words, const TradePlan &plan, double duration, QString *error) {
@@ -36,7 +37,7 @@ TiltSchedule makeSchedule(const QString &words, const TradePlan &plan, double du
 
 std::optional<Length> parseLength(const QString &text) {
     const bool isInRadii = text.endsWith(QLatin1Char('R'));
-    if (text.isEmpty() || !text.back().isLetter()) return std::nullopt; // m or R? it has to say
+    if (text.isEmpty() || !text.back().isLetter()) return std::nullopt; // the unit is required: m or R?
     const NumberRange range{0.0, std::numeric_limits<double>::max(), isInRadii ? QString() : QStringLiteral("m")};
     const std::optional<double> value = readNumber(isInRadii ? text.chopped(1) : text, range).value;
     return value && *value > 0.0 ? std::optional(Length{*value, isInRadii}) : std::nullopt;
@@ -58,14 +59,14 @@ bool makeSchedules(const QString &words, double duration, TradePlan &plan, QStri
     plan.schedules.clear();
     for (const QString &word : isBoth ? QStringList{"autopilot", "busy"} : QStringList{words}) {
         TiltSchedule schedule = makeSchedule(word, plan, duration, error);
-        const bool isSpare = isBoth && word == QLatin1String("autopilot"); // many a board has no way out
+        const bool isSpare = isBoth && word == QLatin1String("autopilot"); // many boards have no path out
         if (schedule.switches.empty() && isSpare) continue;
         if (schedule.switches.empty()) return false;
         if (isBoth && plan.schedules.empty() && !isSpare)
             schedule.name += QStringLiteral(" (the autopilot finds no way out)");
         plan.schedules.push_back(std::move(schedule));
     }
-    // A schedule of one's own is the one that matters; of a kind there are others.
+    // A user's own schedule is the one that matters; random kinds are validated on others.
     const bool isFile = !isBoth && words != QLatin1String("autopilot") && words != QLatin1String("busy") &&
                         !words.startsWith(QLatin1String("random:"));
     plan.validations = plan.unknowns.empty() || isFile ? 0 : kValidations;

@@ -10,8 +10,8 @@ namespace inspector {
 
 namespace {
 
-constexpr double kTimed = 0.002;    // s at least, by repeating a short run: the clock's own cost doesn't show
-constexpr size_t kLegsPerLook = 64; // at the wish to stop
+constexpr double kTimed = 0.002;    ///< s, minimum; short runs are repeated so that the clock's own cost is negligible
+constexpr size_t kLegsPerLook = 64; ///< legs between two checks for a stop
 
 double cpuTime() {
     timespec now{};
@@ -19,19 +19,19 @@ double cpuTime() {
     return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
 }
 
-// The angle of the rotation that leads from one orientation to the other, rad. From the difference, because the
-// cosine says nothing of small angles.
+/// The angle of the rotation between two orientations, rad. Computed from their difference, because the cosine is
+/// insensitive to small angles.
 double angleBetween(const double (&a)[4], const double (&b)[4]) {
     double minus = 0.0;
     double plus = 0.0;
     for (size_t i = 0; i < 4; ++i) {
         minus += (a[i] - b[i]) * (a[i] - b[i]);
-        plus += (a[i] + b[i]) * (a[i] + b[i]); // a quaternion and its negative are one rotation
+        plus += (a[i] + b[i]) * (a[i] + b[i]); // a quaternion and its negative are the same rotation
     }
     return 4.0 * std::asin(std::min(1.0, 0.5 * std::sqrt(std::min(minus, plus))));
 }
 
-// A ball under the stepper to be tested, with what it reports.
+/// A ball moved by the stepper under test, and its reports.
 class TestedBall {
 public:
     explicit TestedBall(const TradeRun &run, QString *note)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One stepper along one schedule: once to see what it is wrong by, several times to see what it costs.
+// Runs one stepper along one schedule: once for its errors, several times for its cost.
 #pragma once
 
 #include "core/schedule/trade_reference.h"
@@ -14,27 +14,27 @@ struct TradeRun {
     phys_params params;
 };
 
-// The plan's parameters, of this model.
+/// The plan's parameters, with this model.
 phys_params paramsFor(const TradePlan &plan, uint32_t model);
-// With the initial values of the stepper's own rows. The plan outlives it.
+/// Uses the initial values of the stepper's own rows. The plan must outlive the result.
 TradeRun runOf(const TradePlan &plan, const TradePoint &point);
 
-// What a run is held against.
+/// What a run is compared with.
 struct ReferenceMotion {
     std::vector<TiltSegment> segments;
     std::vector<Leg> legs;
-    std::vector<phys_state> states; // of the reference at their ends
-    std::vector<Impact> impacts;    // of the reference, up to `until`
-    double until;                   // s
+    std::vector<phys_state> states; ///< reference states at their ends
+    std::vector<Impact> impacts;    ///< the reference's impacts, up to `until`
+    double until;                   ///< s
 };
 
-// Of a run in steps of dt with a reference.
+/// The reference for a run in steps of dt.
 ReferenceMotion motionOf(const TradeReference &reference, double dt, double until);
 
-// One line in `note` if the run ended before that.
+/// Sets one line in `note` if the run ended early.
 TradeError compareRun(const TradeRun &run, const ReferenceMotion &motion, const std::stop_token &stop, QString *note);
 
-// CPU time of this thread for the whole schedule, s, with no report asked for. Nothing if a step failed.
+/// CPU time of this thread for the whole schedule, s, without reports. Nothing if a step failed.
 std::optional<double> timeRun(const TradeRun &run, const std::vector<TiltSegment> &segments,
                               const std::vector<Leg> &legs, const std::stop_token &stop);
 

@@ -27,7 +27,7 @@ QByteArray line(double x0, double y0, double x1, double y1, const char *look) {
            "\" " + look + "/>\n";
 }
 
-// Whole decades around all values, and where they lie on the page.
+/// Whole decades around all values, mapped to the page.
 class LogAxis {
 public:
     LogAxis(const std::vector<double> &values, double begin, double end)
@@ -102,7 +102,7 @@ private:
     const ChartDescription &m_chart;
     LogAxis m_x;
     LogAxis m_y;
-    int m_rows = 0; // of the legend
+    int m_rows = 0; ///< rows of the legend
 };
 
 QByteArray Page::grid() const {

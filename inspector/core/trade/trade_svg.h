@@ -5,7 +5,7 @@
 
 namespace inspector {
 
-// The chart for a page of paper: an SVG document.
+/// The chart as an SVG document, for print.
 QByteArray tradeSvg(const ChartDescription &chart);
 
 } // namespace inspector

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The figures of a trade as columns: for the program's table, its CSV and the window's, all from one list.
+// The figures of a trade as columns, one list for the program's table, its CSV and the window's.
 #pragma once
 
 #include "core/trade/trade.h"
@@ -13,29 +13,29 @@
 namespace inspector {
 
 struct TradeColumn {
-    const char *id;    // in CSV, with the unit of a person: position_largest [R]
-    const char *label; // for people, short: max error
-    const char *unit;  // for people; "" without
+    const char *id;    ///< in CSV, with the display unit: position_largest [R]
+    const char *label; ///< for display, short: max error
+    const char *unit;  ///< for display; "" without
     const char *help;
-    double scale; // from `value` to the unit
-    // In SI or radii; nothing if there is no such figure.
+    double scale; ///< factor from `value` to the display unit
+    /// In SI or radii; nothing if the point has no such figure.
     std::optional<double> (*value)(const TradePoint &point);
-    bool isTiming; // differs from run to run; all others don't
+    bool isTiming; ///< varies from run to run, unlike all others
 };
 
-// Steppers' id, step size and model come before these, the note after them.
+/// Stepper id, step size and model precede these columns, the note follows.
 const std::vector<TradeColumn> &tradeColumns();
 
-// A figure in its column's unit, to three digits; "–" without one.
+/// A figure in its column's unit, to three digits; "–" without one.
 QString figureText(const TradeColumn &column, const TradePoint &point);
 
-// What was measured and how far it means something: lines for people.
+/// What was measured and how far it is meaningful: lines for display.
 QStringList tradeSummary(const TradePlan &plan, const TradeResult &result);
 
-// For people, in columns.
+/// A text table for display.
 QString tradeText(const TradeResult &result);
 
-// The header, a row per point: the shortest numbers that read back exactly.
+/// A header and a row per point: the shortest numbers that read back exactly.
 QByteArray tradeCsv(const TradeResult &result);
 QByteArray tradeCsvHeader();
 

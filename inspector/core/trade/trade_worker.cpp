@@ -11,7 +11,7 @@ TradeWorker::TradeWorker(QObject *parent)
 }
 
 void TradeWorker::start(TradePlan plan, const QString &schedule, double duration) {
-    m_thread = {}; // stops and joins
+    m_thread = {}; // requests a stop and joins
     ++m_run;
     m_isRunning = true;
     m_result = {};

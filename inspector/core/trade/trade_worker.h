@@ -19,41 +19,41 @@ class TradeWorker : public QObject {
 public:
     explicit TradeWorker(QObject *parent = nullptr);
 
-    // From the thread that owns this object. Ends a measurement that runs. plan: its schedules are made from the words
-    // (trade_options.h), for at most so long.
+    /// Called by the owner's thread. Cancels a running measurement. plan: its schedules are made from the words
+    /// (trade_options.h), each at most `duration` long, s.
     void start(TradePlan plan, const QString &schedule, double duration);
-    void cancel(); // returns at once; ended() follows
+    void cancel(); ///< returns immediately; ended() follows
     bool isRunning() const { return m_isRunning; }
 
-    // As far as it is known; the owner's thread only.
+    /// The result so far; the owner's thread only.
     const TradeResult &result() const { return m_result; }
-    const TradePlan &plan() const { return m_plan; } // with its schedules once there is a result
+    const TradePlan &plan() const { return m_plan; } ///< has its schedules once there is a result
 
 signals:
-    void changed(); // result() has new figures
+    void changed(); ///< result() has new figures
     void progressed(double share, const QString &what);
-    void ended(const QString &error); // empty if it came to its end or was cancelled
+    void ended(const QString &error); ///< empty if it finished or was cancelled
 
-    void posted(QPrivateSignal); // there is news to take
+    void posted(QPrivateSignal); ///< news was queued
 
 private:
     struct News {
-        uint64_t run; // that it is of
+        uint64_t run; ///< that the news belongs to
         std::function<void()> act;
     };
 
     void measure(TradePlan plan, const QString &schedule, double duration, const std::stop_token &stop);
-    // Acts in the owner's thread, unless another measurement was started meanwhile.
+    /// Runs `act` in the owner's thread, unless another measurement was started meanwhile.
     void post(std::function<void()> act);
     void takeNews();
 
     TradePlan m_plan;
     TradeResult m_result;
     bool m_isRunning = false;
-    uint64_t m_run = 0; // changes only while no thread runs
+    uint64_t m_run = 0; ///< changes only while no thread runs
     std::mutex m_lock;
-    std::vector<News> m_news; // guarded by m_lock
-    std::jthread m_thread;    // last: ends before anything above it goes
+    std::vector<News> m_news; ///< guarded by m_lock
+    std::jthread m_thread;    ///< last member: it is joined before the others are destroyed
 };
 
 } // namespace inspector

@@ -17,12 +17,12 @@ namespace inspector {
 
 namespace {
 
-// A quantity that can be unknown: how its amount is read, and how a board is changed by a deviation from what is set.
+/// A quantity that can be unknown: how its amount is read, and how it varies a board.
 struct Quantity {
     QString id;
-    QString unit;  // of people
-    double scale;  // from it to Unknown::amount
-    bool hasShare; // has a value to take a percentage of
+    QString unit;  ///< for display
+    double scale;  ///< factor to Unknown::amount
+    bool hasShare; ///< has a value, so that the amount can be a percentage
     std::function<void(SampledBoard &, const Inputs &, const Unknown &, const std::function<double()> &)> vary;
 };
 
@@ -153,13 +153,13 @@ QString unknownsText(const Unknowns &unknowns) {
 
 std::vector<SampledBoard> sampleBoards(const Unknowns &unknowns, const Inputs &inputs, int count, uint64_t seed) {
     std::mt19937_64 numbers(seed);
-    // Between -1 and 1 from the upper 53 bits; the standard's distributions differ between libraries.
+    // Uniform in -1 .. 1 from the upper 53 bits; the standard's distributions differ between libraries.
     const auto next = [&] { return double(numbers() >> 11) * 0x1p-52 - 1.0; };
     std::vector<SampledBoard> boards;
     for (int i = 0; i < count; ++i) {
         SampledBoard board{inputs.params, inputs.gravity, {}, {}};
         for (const Unknown &unknown : unknowns) find(unknown.id)->vary(board, inputs, unknown, next);
-        // The rigid model takes no more resistance than the friction that carries it.
+        // The rigid model can't have more rolling resistance than friction.
         if (board.params.model == PHYS_MODEL_RIGID)
             board.params.rolling_friction = std::min(board.params.rolling_friction, board.params.sliding_friction);
         boards.push_back(board);
