@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From the words of the command line to Options. Parameters become options by their rows.
+// Parses the command line into Options. Parameters become options generated from their rows.
 #pragma once
 
 #include "core/program/options.h"
@@ -10,15 +10,15 @@ namespace inspector {
 
 struct CommandLine {
     Options options;
-    // If set the program ends with this status, after `output` to standard output: 0 after help, version and lists, 2
-    // after wrong use.
+    /// If set, the program ends with this status, after printing `output`: 0 after help, version and lists, 2 after
+    /// wrong use.
     std::optional<int> exitStatus;
     QString output;
-    QString error; // for standard error: a line of wrong use, or one for each plugin that was left out
+    QString error; ///< for standard error: what was wrong, or a line for each plugin that was left out
 };
 
-// arguments: the program's name first; file names by decodePath(). Loads plugins by `load`, and opens, but doesn't
-// change, the files to be written. Needs a QCoreApplication.
+/// arguments: program name first; file names by decodePath(). Loads plugins by `load`, and checks that output files can
+/// be opened, without changing them. Needs a QCoreApplication.
 CommandLine parseCommandLine(const QStringList &arguments, PluginLoader load = loadPlugin);
 
 } // namespace inspector

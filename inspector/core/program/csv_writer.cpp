@@ -27,7 +27,7 @@ QByteArray comparisonLines(const Options &options) {
 
 } // namespace
 
-// Each has the columns of the one before, and more after them.
+/// Each extends the previous one's columns.
 std::vector<Channel> channelsOf(Columns columns) {
     const size_t count = columns == Columns::Ball           ? kBallChannelCount
                          : columns == Columns::BallAndGhost ? kTableChannelCount
@@ -119,10 +119,10 @@ std::unique_ptr<OutputFile> openTable(const QString &path, const Options &option
                                       const QString &remark) {
     if (isStandardOutput(path)) return standardOutput();
     std::unique_ptr<OutputFile> table = OutputFile::open(path, Existing::Replace, {}, error);
-    if (!table || !table->isRegular()) return table; // beside a device there is no place for a file
+    if (!table || !table->isRegular()) return table; // a device has no file next to it
     const QByteArray settings = tableSettings(options) + (remark.isEmpty() ? QByteArray() : remark.toUtf8() + '\n');
     const std::unique_ptr<OutputFile> beside =
-        OutputFile::open(settingsFileOf(path), Existing::Replace, {}, error); // outputProblem() has looked
+        OutputFile::open(settingsFileOf(path), Existing::Replace, {}, error); // checked by outputProblem()
     if (!beside) return nullptr;
     beside->write(settings);
     if (beside->finish()) return table;

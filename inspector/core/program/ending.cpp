@@ -19,7 +19,7 @@ void note(int signal) {
     const int before = errno;
     signalSeen = signal;
     const char byte = 0;
-    if (::write(pipeEnds[1], &byte, 1) < 0) { // full: then it is readable anyway
+    if (::write(pipeEnds[1], &byte, 1) < 0) { // the pipe is full, so it is readable anyway
     }
     errno = before;
 }
@@ -27,7 +27,7 @@ void note(int signal) {
 } // namespace
 
 void noteEndingSignals() {
-    // Errors of writing, which the writer tells: nobody reads any more, or the file is as large as it may be.
+    // Write errors that the writer reports: a closed pipe, or the file size limit.
     for (const int number : {SIGPIPE, SIGXFSZ}) std::signal(number, SIG_IGN);
     if (pipeEnds[0] >= 0 || ::pipe2(pipeEnds, O_CLOEXEC | O_NONBLOCK) != 0) return;
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) {

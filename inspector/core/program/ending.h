@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ends a run from outside: Ctrl+C, the system's shutdown, the end of a session. What was written until then is kept.
+// Termination from outside: Ctrl+C, shutdown, end of session. What was written until then is kept.
 #pragma once
 
 namespace inspector {
 
-// From now on SIGINT, SIGTERM and SIGHUP are noted instead of killing the program; a second one kills it. One that is
-// ignored (nohup) stays so. A closed pipe or a limit of file sizes is an error of writing then, no signal.
+/// From now on SIGINT, SIGTERM and SIGHUP are recorded instead of killing the program; a second one kills it. Ignored
+/// ones (nohup) stay ignored. A closed pipe or a file size limit becomes a write error instead of a signal.
 void noteEndingSignals();
 
-// The signal that came; 0: none. Any thread.
+/// The signal received; 0: none. Any thread.
 int endingSignal();
 
-// Readable once a signal came; for an event loop. -1 before noteEndingSignals().
+/// A descriptor that is readable after a signal, for an event loop. -1 before noteEndingSignals().
 int endingDescriptor();
 
-// The program's exit status after a signal, by the shell's custom.
+/// The exit status after a signal, as shells report it.
 inline int statusAfter(int signal) { return 128 + signal; }
 
 } // namespace inspector

@@ -59,7 +59,7 @@ int runFit(const Options &options, QIODevice &out, QTextStream &messages, QTextS
     try {
         const FitPlan plan = fitPlanOf(options);
         const TrackFit fit = measure(plan, progress);
-        // --csv - has standard output for the table that programs read; people then read messages.
+        // With --csv - the table occupies standard output, so that the report goes to messages.
         const bool isCsv = options.csv == QLatin1String("-");
         QTextStream standard(&out);
         QTextStream &text = isCsv ? messages : standard;

@@ -20,8 +20,8 @@ namespace inspector {
 
 namespace {
 
-constexpr double kDefaultDuration = 60.0;    // s, simulated
-constexpr double kAutopilotDuration = 600.0; // s, simulated
+constexpr double kDefaultDuration = 60.0;    ///< s, simulated
+constexpr double kAutopilotDuration = 600.0; ///< s, simulated
 
 QString outcomeLine(const Level &level, const Outcome &outcome) {
     const QString name = QStringLiteral("level %1 ").arg(oneLine(level.name));
@@ -62,7 +62,7 @@ std::unique_ptr<Recorder> makeRecorder(const Options &options) {
     return recorder;
 }
 
-// False, and one line, if the recording isn't all there.
+/// Returns false, with one line, if the recording is incomplete.
 bool endRecording(Recorder *recorder, const Engine &engine, const Outcome &outcome, QTextStream &messages) {
     if (!recorder) return true;
     if (!outcome.error.isEmpty()) recorder->noteFailure(engine, outcome.error);
@@ -71,10 +71,10 @@ bool endRecording(Recorder *recorder, const Engine &engine, const Outcome &outco
     return recorder->isGood();
 }
 
-// The second ball of a run, if the options ask for one, and what is said of it at the end.
+/// The second ball of a run, if the options ask for one, and its summary.
 class ComparedBall {
 public:
-    // False, and one line, if it can't be made.
+    /// Returns false, with one line, if it can't be made.
     bool open(const Options &options, const Engine &engine, QTextStream &messages) {
         if (!options.comparison) return true;
         m_id = QString::fromUtf8(options.comparison->stepper);
@@ -85,14 +85,14 @@ public:
         return setup.has_value();
     }
 
-    // After a step of the engine.
+    /// After a step of the engine.
     void follow(const Engine &engine, Sample &sample) {
         if (!m_ghost || !m_ghost->follow(engine, &m_refusal)) return;
         m_ghost->addTo(sample);
         m_largest = std::max(m_largest, m_ghost->deviation().distance);
     }
 
-    // False if it wasn't there to the end.
+    /// False if it didn't last to the end.
     bool tell(QTextStream &messages) const {
         if (!m_ghost) return true;
         messages << QStringLiteral("distance to %1: %2 mm at the end, at most %3 mm\n")
@@ -107,7 +107,7 @@ public:
 private:
     QString m_id;
     std::optional<GhostEngine> m_ghost;
-    double m_largest = 0.0; // distance, m
+    double m_largest = 0.0; ///< distance, m
     QString m_refusal;
 };
 
@@ -138,7 +138,7 @@ std::unique_ptr<Engine> makeEngine(const Options &options, const Level &level, Q
 Outcome play(Engine &engine, const Limits &limits, const std::function<bool(const Engine &)> &visit) {
     Outcome outcome;
     const auto begin = std::chrono::steady_clock::now();
-    // Counted in whole steps: the last one reaches the duration, but for rounding.
+    // In whole steps: the last one reaches the duration, up to rounding.
     const double count = std::ceil(limits.duration / engine.dt() - 1e-6);
     while (double(outcome.steps) < count && !(outcome.isOut() && !limits.goesOn)) {
         if (!engine.step(&outcome.error)) break;

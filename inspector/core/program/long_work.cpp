@@ -9,9 +9,9 @@ namespace inspector {
 
 namespace {
 
-constexpr char kClearLine[] = "\r\x1b[K"; // to its beginning, and erase (ECMA-48)
+constexpr char kClearLine[] = "\r\x1b[K"; ///< return and erase the line (ECMA-48)
 
-// It fits into the 80 columns of the narrowest usual terminal: a wrapped line couldn't be overwritten.
+/// Fits into 80 columns: a wrapped line couldn't be overwritten.
 QString progressLine(double share, const QString &what) {
     constexpr int kBar = 30;
     constexpr int kText = 38;

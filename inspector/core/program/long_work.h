@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Work that takes a while, on the command line: how far it is, and what ends it.
+// Progress and cancellation of long work on the command line.
 #pragma once
 
 #include <QString>
@@ -11,12 +11,12 @@ namespace inspector {
 
 class LongWork {
 public:
-    // terminal: nullptr shows nothing.
+    /// terminal: where progress is shown, or nullptr.
     explicit LongWork(QTextStream *terminal);
-    // Erases what it showed.
+    /// Erases the progress line.
     ~LongWork();
 
-    // Shows a share of 0..1 and what is at work, in one line; asks for the end after a signal.
+    /// Shows the share done (0..1) and what is being done, in one line; requests a stop after a signal.
     void progressed(double share, const QString &what);
     std::stop_token stop() const { return m_stop.get_token(); }
 

@@ -19,50 +19,50 @@
 
 namespace inspector {
 
-// What is said of a measured ball.
+/// Options of a measured ball.
 struct FitOptions {
-    QString track;     // file; empty: none. Of Action::Fit, or to be laid over the run in the window
-    QString unitWords; // as parseTrackUnits() reads them
+    QString track;     ///< file; empty: none. For Action::Fit, or shown in the window
+    QString unitWords; ///< in the form that parseTrackUnits() reads
     TrackUnits units;
-    TrackFrame frame;                    // where the tracker's is on the board, or where a fit of it begins
-    std::vector<FitQuantity> quantities; // that are looked for
+    TrackFrame frame;                    ///< the tracker's frame on the board, or its initial value in a fit
+    std::vector<FitQuantity> quantities; ///< to be fitted
 };
 
 struct Options {
     enum class Action { Run, PlayAllLevels, Trade, Fit, Replay };
 
     Action action = Action::Run;
-    Registry registry;   // with the plugins loaded
-    QStringList plugins; // files of --plugin
+    Registry registry;   ///< including loaded plugins
+    QStringList plugins; ///< files of --plugin
     PluginLoader pluginLoader = loadPlugin;
-    std::vector<Level> levels; // the list
+    std::vector<Level> levels; ///< the list
     Level level;
     QByteArray stepper = PHYS_STEPPER_DEFAULT;
-    double dt = Engine::kDefaultDt; // s
-    double speed = 1.0;             // simulated seconds per second
-    QString parameters;             // file that some of the settings are from; empty: none
+    double dt = Engine::kDefaultDt; ///< s
+    double speed = 1.0;             ///< simulated seconds per second
+    QString parameters;             ///< file with some of the settings; empty: none
     std::vector<Setting> settings;
     bool headless = false;
     bool autopilot = false;
-    std::optional<double> duration; // s of simulated time
-    QString csv;                    // file; "-": standard output; empty: that if headless, else nowhere
-    uint64_t csvEvery = 1;          // steps from one row to the next
-    QString record;                 // file to write a recording to; empty: none
-    QString replay;                 // recording, of Action::Replay, in the window unless headless
-    bool check = false;             // say whether the replay is the same, instead of writing its table
+    std::optional<double> duration; ///< s of simulated time
+    QString csv;                    ///< file; "-": standard output; empty: that if headless, else nowhere
+    uint64_t csvEvery = 1;          ///< steps from one row to the next
+    QString record;                 ///< file to write a recording to; empty: none
+    QString replay;                 ///< recording, for Action::Replay; played in the window unless headless
+    bool check = false;             ///< report whether the replay is the same, instead of writing its table
     std::optional<GhostChoice> comparison;
-    std::vector<Setting> comparisonSettings; // the second ball's own parameters; empty: the first's
-    TradeOptions trade;                      // of Action::Trade
+    std::vector<Setting> comparisonSettings; ///< the second ball's own parameters; empty: the first's
+    TradeOptions trade;                      ///< for Action::Trade
     FitOptions fit;
-    QString grab;       // file; empty: none
-    bool force = false; // outputs may take the place of any file
+    QString grab;       ///< file; empty: none
+    bool force = false; ///< outputs may overwrite any file
     enum class View { Auto, Flat, Solid };
-    View view = View::Auto; // of the board: without OpenGL where that isn't there, never, always
-    QString shaders;        // folder of files that replace the embedded ones; empty: none
+    View view = View::Auto; ///< of the board: OpenGL if there is any, always, never
+    QString shaders;        ///< folder of files that replace the embedded ones; empty: none
 };
 
-// What the second ball obeys by comparisonSettings, all but the tilt. Nothing and one line in `error` if that isn't
-// allowed.
+/// The second ball's inputs from comparisonSettings, except for the tilt. Returns nothing, with one line in `error`, if
+/// they are invalid.
 std::optional<Inputs> ghostsInputs(const Options &options, QString *error);
 
 } // namespace inspector

@@ -11,11 +11,11 @@ namespace {
 struct Output {
     QString option;
     QString path;
-    QByteArray mark;           // how such a file begins; empty: one that is there stays
-    bool isBesideLast = false; // goes beside the one before, if that is a file
+    QByteArray mark;           ///< first bytes of such a file; empty: an existing one is kept
+    bool isBesideLast = false; ///< stands next to the previous one, if that is a file
 };
 
-// Tables begin with their header.
+/// A table's header is its mark.
 QByteArray markOfTable(Options::Action action) {
     if (action == Options::Action::Trade) return "stepper,dt [s],";
     return action == Options::Action::Fit ? "time [s],x [m],y [m],computed_x" : "time [s],step,";
@@ -57,7 +57,7 @@ QString settingsFileOf(const QString &csv) { return csv + QStringLiteral(".txt")
 bool isStandardOutput(const QString &csv) { return csv.isEmpty() || csv == QLatin1String("-"); }
 
 QString outputProblem(const Options &options) {
-    std::vector<std::unique_ptr<OutputFile>> opened; // until all are, so that a name given twice is found
+    std::vector<std::unique_ptr<OutputFile>> opened; // kept open, so that a name given twice is found
     for (const Output &output : outputsOf(options)) {
         if (output.isBesideLast && !opened.back()->isRegular()) continue;
         const auto refusal = [&](const QString &reason) { return output.option + QStringLiteral(": ") + reason; };

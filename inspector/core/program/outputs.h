@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether a run may write what it is asked to: told before anything runs.
+// Checks a run's output files before anything runs.
 #pragma once
 
 #include "core/program/options.h"
 
 namespace inspector {
 
-// --csv without a file, or with "-".
+/// --csv without a file, or with "-".
 bool isStandardOutput(const QString &csv);
 
-// What made a table stands beside it, in a file of this name that begins so.
+/// The name of the file next to a table that holds its settings.
 QString settingsFileOf(const QString &csv);
 inline constexpr char kSettingsMark[] = "physics-inspector ";
 
-// One line if a file can't be written, is one of the run's inputs or another of its outputs, or is there already and
-// not of the kind that takes its place (a recording never is); --force allows the last. Empty if all is well. Changes
-// no file.
+/// One line if a file can't be written, is one of the run's inputs or another of its outputs, or exists and isn't of
+/// the kind that may be overwritten (a recording never is); --force allows the last. Empty if all is well. Changes no
+/// file.
 QString outputProblem(const Options &options);
 
 } // namespace inspector

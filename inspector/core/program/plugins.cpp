@@ -21,10 +21,10 @@ namespace {
 
 constexpr int kMostMilliseconds = 10'000;
 
-// How the other process ends. None is a status that a plugin would end it with by itself.
+/// Exit statuses of the probe, which no plugin would use by itself.
 enum ProbeStatus { kLoads = 81, kRefused = 82 };
 
-// Why a file can't be loaded; empty if it can.
+/// Probes a file in another process: why it can't be loaded; empty if it can.
 QString probe(const QString &path) {
     QProcess process;
     process.setProcessChannelMode(QProcess::SeparateChannels);
@@ -39,19 +39,19 @@ QString probe(const QString &path) {
         return file + QStringLiteral("loading it doesn't end within %1 s").arg(kMostMilliseconds / 1000);
     }
     const int status = process.exitCode();
-    if (process.exitStatus() == QProcess::CrashExit) // then that is the signal
+    if (process.exitStatus() == QProcess::CrashExit) // the exit code is the signal
         return file + QStringLiteral("loading it ends a process by signal %1, %2").arg(status).arg(strsignal(status));
     if (status == kRefused) return oneLine(decodePath(process.readAllStandardOutput()));
     if (status != kLoads) return file + QStringLiteral("loading it ends a process with status %1").arg(status);
     return {};
 }
 
-// A floor, and a wall that the ball touches.
+/// A floor, and a wall that the ball touches.
 constexpr char kMaze[] = "physics-maze 1\nunits m\nball 0.006\nstart 0 0 0.006\nbox -0.1 -0.1 -0.01 0.1 0.1 0\n"
                          "box 0.006 -0.1 0 0.01 0.1 0.02\n";
 
-// A step by each of the plugin's steppers: its tables may be whole and lead to no code. What the step says is no
-// matter.
+/// Makes a step with each of the plugin's steppers: its tables may be valid but point nowhere. The steps' results don't
+/// matter.
 void tryStep(const Registry &registry) {
     phys_scene *made = nullptr;
     if (phys_scene_parse(kMaze, sizeof kMaze - 1, "trial", &made, nullptr) != PHYS_OK) return;
@@ -69,7 +69,7 @@ void tryStep(const Registry &registry) {
     }
 }
 
-// What phys_registry_scan() finds in the plugin folders.
+/// Results of phys_registry_scan().
 struct Found {
     QStringList files;
     QStringList problems;
@@ -93,7 +93,7 @@ bool loadProbedPlugin(const Registry &registry, const QString &path, QString *er
     return false;
 }
 
-// What a plugin prints is no answer, and where it crashes there is nothing to keep.
+/// A plugin's own output is discarded, and its crash leaves no core file.
 int probePlugin() {
     const rlimit none{0, 0};
     ::setrlimit(RLIMIT_CORE, &none);
@@ -124,7 +124,7 @@ Registry registryWith(const QStringList &plugins, PluginLoader load, QStringList
     *leftOut = found.problems;
     for (const QString &path : found.files) {
         const auto isFile = [&](const QString &plugin) { return isSameFile(plugin, path); };
-        if (std::any_of(plugins.begin(), plugins.end(), isFile)) continue; // it is there already
+        if (std::any_of(plugins.begin(), plugins.end(), isFile)) continue; // already loaded
         QString problem;
         if (!load(registry, path, &problem)) *leftOut += problem;
     }

@@ -13,7 +13,7 @@ namespace inspector {
 
 namespace {
 
-// What the table's first lines say: as the recording began.
+/// The settings written next to the table: those at the recording's beginning.
 Options tableOptions(const Options &options, const Recording &recording) {
     Options result = options;
     if (recording.segments.empty()) return result;
@@ -25,7 +25,7 @@ Options tableOptions(const Options &options, const Recording &recording) {
     return result;
 }
 
-// Where the table goes.
+/// Where the table goes.
 enum class Place { Nowhere, Output, File };
 
 Place placeOfTable(const Options &options) {
@@ -56,7 +56,7 @@ int runReplay(const Options &options, QIODevice &out, QTextStream &messages) {
     if (endingSignal()) return statusAfter(endingSignal());
     const bool isWritten = file ? file->finish() : !writer || writer->isGood();
     if (file && !isWritten) report(messages, QStringLiteral("--csv: ") + file->problem());
-    if (!isWritten) return 1; // not all was compared
+    if (!isWritten) return 1; // the comparison is incomplete
     const QString line = oneLine(verdict(*recording, outcome)) + QLatin1Char('\n');
     if (options.check && place != Place::Output)
         out.write(line.toUtf8());

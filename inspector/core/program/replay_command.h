@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What --replay does without a window.
+// --replay without a window.
 #pragma once
 
 #include "core/program/options.h"
@@ -9,9 +9,9 @@
 
 namespace inspector {
 
-// Does what --replay asks for: the table to `out` or --csv, the verdict to `messages`; with --check the verdict to
-// `out`, a table only to --csv. The program's exit status: 0 if all is the same; 1 if a step differs or the table can't
-// be written; 2 if the recording can't be followed.
+/// Replays a recording: the table goes to `out` or --csv, the verdict to `messages`; with --check the verdict goes to
+/// `out`, and a table only to --csv. Returns the exit status: 0 if all is the same; 1 if a step differs or the table
+/// can't be written; 2 if the recording can't be replayed.
 int runReplay(const Options &options, QIODevice &out, QTextStream &messages);
 
 } // namespace inspector

@@ -26,7 +26,7 @@ TradePlan tradePlanOf(const Options &options) {
     plan.registry = options.registry;
     plan.scene = loadScene(options.level.path, &error);
     if (!plan.scene) throw Failure{2, error};
-    // The values of the command line; a stepper's own are its initial ones here, where all steppers run.
+    // The values of the command line; steppers' own values are initial here, where all steppers run.
     Parameters parameters;
     phys_stepper_info info;
     if (phys_registry_find(options.registry.get(), options.stepper.constData(), &info, nullptr) == PHYS_OK)
@@ -135,7 +135,7 @@ int runTrade(const Options &options, const TradeStreams &streams, const TradePic
     try {
         const TradePlan plan = tradePlanOf(options);
         const TradeResult result = measure(plan, streams.progress);
-        // --csv - has standard output for the table that programs read; people then read messages.
+        // With --csv - the table occupies standard output, so that the report goes to messages.
         const bool isCsv = options.csv == QLatin1String("-");
         QTextStream &text = isCsv ? streams.messages : streams.out;
         if (isCsv) streams.out << tradeCsv(result);

@@ -9,10 +9,10 @@ namespace inspector {
 
 namespace {
 
-constexpr int kPushes = 64;     // out of a corner takes several
-constexpr double kTouch = 1e-9; // of the radius
+constexpr int kPushes = 64;     ///< several are needed in a corner
+constexpr double kTouch = 1e-9; ///< of the radius
 
-// The highest floor under this place: tops of boxes that a ball at the start could roll on.
+/// The height of the highest floor under this position: a top of a box that a ball at the start's height could roll on.
 std::optional<double> floorBelow(const phys_scene *scene, const phys_vec3 &place) {
     phys_state start;
     phys_scene_start(scene, &start);
@@ -40,7 +40,7 @@ phys_vec3 freePlace(const phys_scene *scene, const phys_vec3 &wanted) {
     return place;
 }
 
-// v = spin x (R up): model.md 1.
+/// v = spin x (R up): model.md 1.
 phys_vec3 rollingSpin(const phys_vec3 &velocity, double radius) {
     return {-velocity.y / radius, velocity.x / radius, 0.0};
 }

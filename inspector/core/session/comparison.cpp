@@ -13,7 +13,7 @@ Comparison::Comparison(Session &session)
     connect(&m_parameters, &Parameters::changed, this, [this] { m_session.simulation().setGhostInputs(ownInputs()); });
     connect(&session, &Session::levelOpened, this, &Comparison::begin);
     connect(&session.simulation(), &Simulation::comparisonRefused, this, [this](uint64_t ghost, const QString &line) {
-        if (ghost == m_ghost) refuse(line); // not one that has gone meanwhile
+        if (ghost == m_ghost) refuse(line); // ignore an earlier ghost's
     });
     connect(&session.simulation(), &Simulation::runBegan, this, &Comparison::forgetRefusal);
 }
@@ -45,9 +45,9 @@ void Comparison::setGhostChoice(const GhostChoice &ghostChoice) {
 
 void Comparison::meetAgain() { begin(); }
 
-// A new stepper each time: it costs little, and one that couldn't be made is tried again.
+/// Makes a new stepper each time: it is cheap, and one that couldn't be made is tried again.
 void Comparison::begin() {
-    if (!m_isOn || m_session.isInPast()) return; // of the past there are samples only
+    if (!m_isOn || m_session.isInPast()) return; // the past has samples only
     m_refusal.clear();
     m_ghost = 0;
     QString error;
@@ -67,14 +67,14 @@ void Comparison::refuse(const QString &line) {
     emit changed();
 }
 
-// Both have met again, if there is a ghost.
+/// Called when the ghost has started over, if there is one.
 void Comparison::forgetRefusal() {
     if (m_ghost == 0 || m_refusal.isEmpty()) return;
     m_refusal.clear();
     emit changed();
 }
 
-// Another stepper has other rows of its own; the rest keeps its values.
+/// Adopts the stepper's own rows; the others keep their values.
 void Comparison::takeRows() {
     phys_stepper_info info;
     const char *id = m_ghostChoice.stepper.constData();

@@ -10,33 +10,33 @@ namespace inspector {
 
 class Session;
 
-// Whether the session's ball is compared, and with what: another stepper, a finer step, other parameters. Makes the
-// ghost's stepper for each level and lets the simulation lead it.
+/// The session's comparison: on or off, and with what (another stepper, finer steps, other parameters). Makes the
+/// ghost's stepper for each level and passes it to the simulation.
 class Comparison : public QObject {
     Q_OBJECT
 
 public:
-    // session: owns the comparison.
+    /// session: the owner of this object.
     explicit Comparison(Session &session);
 
     bool isOn() const { return m_isOn; }
     const GhostChoice &ghostChoice() const { return m_ghostChoice; }
-    // While it is on, one line that says why there is no ghost; empty if there was no refusal since the last meeting.
+    /// While it is on, one line that says why there is no ghost; empty if it wasn't refused since it last started.
     QString refusal() const { return m_refusal; }
 
-    void start(const GhostChoice &ghostChoice); // switches it on; both balls meet
+    void start(const GhostChoice &ghostChoice); ///< switches it on; the ghost starts at the ball
     void setOn(bool isOn);
-    void setGhostChoice(const GhostChoice &ghostChoice); // both meet if it is on
-    void meetAgain();                                    // also tries again after a refusal
+    void setGhostChoice(const GhostChoice &ghostChoice); ///< restarts the ghost if it is on
+    void meetAgain();                                    ///< restarts the ghost, also after a refusal
 
-    // The second ball's own parameters, with the rows of its stepper; but the tilt is the ball's. They count while it
-    // has own ones, are the ball's when it gets them first, and are kept meanwhile.
+    /// The second ball's own parameters, including its stepper's rows; the tilt is always the ball's. They are copied
+    /// from the ball when first used, count only while own parameters are on, and are kept otherwise.
     Parameters &parameters() { return m_parameters; }
     bool hasOwnParameters() const { return m_hasOwn; }
-    void setOwnParameters(bool isOn); // on: switches the comparison on, too
+    void setOwnParameters(bool isOn); ///< on also switches the comparison on
 
 signals:
-    void changed(); // on, choice, own parameters or refusal
+    void changed(); ///< any of: on, choice, own parameters, refusal
     void refused(const QString &line);
 
 private:
@@ -51,10 +51,10 @@ private:
     bool m_isOn = false;
     QString m_refusal;
     Parameters m_parameters;
-    QByteArray m_rowsOf; // id of the stepper
+    QByteArray m_rowsOf; ///< id of the stepper whose rows are in use
     bool m_hasOwn = false;
-    bool m_hasValues = false; // was given the ball's
-    uint64_t m_ghost = 0;     // its number; 0: none could be made
+    bool m_hasValues = false; ///< was initialised from the ball
+    uint64_t m_ghost = 0;     ///< number of the ghost; 0: none could be made
 };
 
 } // namespace inspector

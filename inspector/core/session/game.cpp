@@ -65,7 +65,7 @@ void Game::open(int level, const QString &other) {
 void Game::leaveMaze(double time, bool isAssisted) {
     if (m_phase != Phase::Playing) return;
     m_time = time;
-    m_settings.sync(); // another window may have had a better one
+    m_settings.sync(); // another window may have stored a better one
     const std::optional<double> best = bestTime();
     m_isRecord = !isAssisted && !m_maze.isEmpty() && (!best || time < *best);
     if (m_isRecord) m_settings.setValue(bestTimeKey(m_maze), time);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rules of the game: prompt, clock, won, next level. No window, no simulation: it is told and it tells.
+// The rules of the game: prompt, clock, win, next level. Has no window and no simulation: it receives calls and sends
+// signals.
 #pragma once
 
 #include <QObject>
@@ -17,40 +18,40 @@ class Game : public QObject {
 
 public:
     enum class Phase {
-        Prompt, // the level is shown, Enter starts it
+        Prompt, ///< waiting; Enter starts the level
         Playing,
-        Won, // the time is shown, Enter goes on to the next level
+        Won, ///< the time is shown; Enter opens the next level
     };
 
-    // mazes: a text for each level that tells its maze from all others, at least one; best times are kept under it.
-    // settings: where they are kept; outlives the game.
+    /// mazes: a unique text for each level's maze, at least one; best times are stored under it. settings: stores best
+    /// times; must outlive the game.
     Game(const QStringList &mazes, QSettings &settings, QObject *parent = nullptr);
 
     Phase phase() const { return m_phase; }
-    int level() const { return m_level; }        // from 0
-    double time() const { return m_time; }       // that the level took, s; 0 before it's won
-    bool isRecord() const { return m_isRecord; } // whether that was the best ever
+    int level() const { return m_level; }        ///< from 0
+    double time() const { return m_time; }       ///< s, that the level took; 0 before a win
+    bool isRecord() const { return m_isRecord; } ///< whether that is a new best time
     std::optional<double> bestTime(int level) const;
-    std::optional<double> bestTime() const; // of the maze that is open
+    std::optional<double> bestTime() const; ///< of the open maze
 
-    // Enter: starts the level, or goes on to the next one after a win (the first comes after the last).
+    /// Enter: starts the level, or opens the next one after a win (the first follows the last).
     void confirm();
-    // Asks for a level of the list; others are ignored.
+    /// Requests a level of the list; other numbers are ignored.
     void choose(int level);
-    // A level is open: its prompt is shown. -1: `other` is, a maze that isn't in the list, which keeps the place in it;
-    // it has best times of its own.
+    /// A level was opened: shows its prompt. -1: `other` was, a maze outside of the list, which has best times of its
+    /// own; the position in the list is kept.
     void prompt(int level, const QString &other = {});
-    // The same for one that is being played already.
+    /// The same for a level that is already being played.
     void goOn(int level, const QString &other = {});
-    // The prompt of the maze that is open.
+    /// Shows the open maze's prompt again.
     void again();
-    // The ball left the maze, `time` s after the start. Counts only while playing; assisted runs set no record.
+    /// The ball left the maze, `time` s after the start. Ignored unless playing; assisted runs set no best time.
     void leaveMaze(double time, bool isAssisted);
 
 signals:
     void phaseChanged(Game::Phase phase);
-    void levelWanted(int level); // to be opened, then prompt(level)
-    void started();              // the simulation is to run from the start
+    void levelWanted(int level); ///< open it, then call prompt(level)
+    void started();              ///< start the simulation from the beginning
 
 private:
     int levelCount() const { return int(m_mazes.size()); }
@@ -62,7 +63,7 @@ private:
     QSettings &m_settings;
     Phase m_phase = Phase::Prompt;
     int m_level = 0;
-    QString m_maze; // that is open
+    QString m_maze; ///< that is open
     double m_time = 0.0;
     bool m_isRecord = false;
 };

@@ -27,7 +27,7 @@ void LiveUncertainty::end() {
     m_band.end();
 }
 
-// From the first step after they met; false once the ring has lost that.
+/// Begins at the first step after ball and ghost started; false if the ring no longer has it.
 bool LiveUncertainty::begin(const Snapshot &now, const SampleRing &samples, const Scene &scene,
                             const Unknowns &unknowns) {
     m_scene = scene;
@@ -42,7 +42,7 @@ bool LiveUncertainty::begin(const Snapshot &now, const SampleRing &samples, cons
     return !samples.read(m_next, first) || first.step == m_met.step + 1;
 }
 
-// Longer segments are taken in parts anyway.
+/// Longer segments are split anyway.
 void LiveUncertainty::take(const Sample &sample, const Inputs &inputs, std::vector<LiveBand::Segment> &segments) {
     constexpr double kLongest = 0.05; // s
     const double length = sample.time - m_time;

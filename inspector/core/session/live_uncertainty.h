@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How well one can know where the ball is, beside the comparison: what isn't known of the board, from the place where
-// ball and ghost met, under the tilts that there were since.
+// The uncertainty band of the live comparison: what isn't known of the board, from the point where ball and ghost
+// started, under the tilts since then.
 #pragma once
 
 #include "core/simulation/sample_ring.h"
@@ -14,13 +14,13 @@ public:
     explicit LiveUncertainty(Registry registry)
         : m_band(std::move(registry)) {}
 
-    // Called now and then while somebody looks; what there was since the last time is made up for. samples: of the run
-    // that the snapshot shows, on this scene; nothing unknown: no band. Of the past nothing new is to be learned: not
-    // called then.
+    /// Called from time to time while the band is visible; catches up with the samples since the last call. samples: of
+    /// the run that the snapshot shows, on this scene. No band if nothing is unknown. Not called while the past is
+    /// shown.
     void follow(const Snapshot &now, const SampleRing &samples, const Scene &scene, const Unknowns &unknowns);
-    // Waits until the band goes as far as what was followed: for a picture, otherwise it comes a little later.
+    /// Waits until the band is up to date: for a picture; otherwise it lags a little.
     void finish();
-    // Null without one. Another pointer: another band.
+    /// Null if there is none. Every update has a new pointer.
     std::shared_ptr<const Band> band() const { return m_band.latest(); }
 
 private:
@@ -30,15 +30,15 @@ private:
     void take(const Sample &sample, const Inputs &inputs, std::vector<LiveBand::Segment> &segments);
 
     LiveBand m_band;
-    // What the present band is of; without a scene there is none.
+    /// What the current band belongs to; none if there is no scene.
     Scene m_scene;
     phys_state m_met{};
     uint64_t m_run = 0;
     Unknowns m_unknowns;
-    bool m_isWhole = true; // its samples are all there
-    uint64_t m_next = 0;   // sample
-    double m_time = 0.0;   // s, of the sample before
-    // Not over yet. Pieces end where the samples say, so that a band doesn't depend on when somebody looked.
+    bool m_isWhole = true; ///< no samples are missing
+    uint64_t m_next = 0;   ///< number of the next sample
+    double m_time = 0.0;   ///< s, of the previous sample
+    /// The segment being extended. Segments end at samples, so that a band doesn't depend on when it was looked at.
     std::optional<LiveBand::Segment> m_open;
 };
 

@@ -14,11 +14,11 @@ namespace inspector {
 
 namespace {
 
-constexpr int kOthersAhead = 24;                // boards
-constexpr uint64_t kOthersSeed = 1;             // the same ones at every move of a slider
-const QString kModel = QStringLiteral("model"); // the row's id
+constexpr int kOthersAhead = 24;                ///< boards
+constexpr uint64_t kOthersSeed = 1;             ///< fixed, so that moving a slider doesn't resample them
+const QString kModel = QStringLiteral("model"); ///< the row's id
 
-// What a maze is, is its file's bytes: another one of the same number has another best time.
+/// Identifies a maze by its file's bytes: another file of the same number has another best time.
 QString mazeOf(const Level &level) {
     return QString::fromLatin1(hashText(hashOf(readFile(level.path, kLargestMaze, nullptr).value_or(QByteArray()))));
 }
@@ -54,7 +54,7 @@ std::unique_ptr<Session> Session::open(const Options &options, QSettings &settin
         return nullptr;
     }
     if (options.comparisonSettings.empty()) return session;
-    session->comparison().setOwnParameters(true); // the others are the ball's, also a recorded one's
+    session->comparison().setOwnParameters(true); // the other values are the ball's, also of a recorded ball
     if (!session->comparison().parameters().set(options.comparisonSettings, error)) return nullptr;
     return session;
 }
@@ -112,7 +112,7 @@ QString Session::otherMaze() const { return levelIndex() < 0 ? mazeOf(m_level) :
 
 void Session::showPrompt() { m_game.prompt(levelIndex(), otherMaze()); }
 
-// Whoever changes the physics on the way doesn't win by the rules, even if it is changed back.
+/// A change of the physics on the way disqualifies a win, even if it is undone.
 void Session::watchPhysics() {
     bool isUsual = m_stepperId == PHYS_STEPPER_DEFAULT && m_dt == Engine::kDefaultDt && m_speed == 1.0;
     for (int i = 0; i < m_parameters.count(); ++i) {
@@ -151,7 +151,7 @@ bool Session::openLevel(const Level &level) {
     m_scene = scene;
     m_level = level;
     m_simulation->setScene(scene, stepper, origin());
-    m_followsTrack = false; // that ended it
+    m_followsTrack = false; // setPilot() ended it
     showTrack(nullptr);
     levelBoard();
     const bool isFlown = !m_hasAutopilot || fly(&error);
@@ -188,7 +188,7 @@ bool Session::useStepper(const QByteArray &id, QString *error) {
     return true;
 }
 
-// Other threads read the registry meanwhile, and it may be changed by none: they go on with the one before.
+/// Other threads are reading the registry, which must not change then: they continue with the old one.
 bool Session::loadPlugin(const QString &file) {
     QString error;
     const Registry registry = makeRegistry(&error);
@@ -245,7 +245,7 @@ bool Session::setStepping(const Stepping &stepping) {
     QString error;
     if (stepping != before) takeOver();
     if (stepping == before || useStepping(stepping, &error)) return true;
-    useStepping(before, nullptr); // which was possible
+    useStepping(before, nullptr); // can't fail: it was in use before
     return report(error);
 }
 
@@ -253,7 +253,7 @@ bool Session::useStepping(const Stepping &stepping, QString *error) {
     if (stepping.stepper != m_stepperId && !useStepper(stepping.stepper, error)) return false;
     if (!useDt(stepping.dt, error)) return false;
     std::vector<Setting> settings = m_parameters.initialOfStepper();
-    settings.insert(settings.end(), stepping.settings.begin(), stepping.settings.end()); // the last counts
+    settings.insert(settings.end(), stepping.settings.begin(), stepping.settings.end()); // later entries win
     return m_parameters.set(settings, error);
 }
 
@@ -291,7 +291,7 @@ bool Session::setAutopilot(bool isOn) {
     return true;
 }
 
-// Also forgets keys that are still held: a new level starts level.
+/// Also clears keys that are still held: a new level starts level.
 void Session::levelBoard() {
     m_tiltControl = {};
     m_keysTilt = false;
@@ -315,7 +315,7 @@ void Session::advanceKeys(double seconds) {
     if (!m_keysTilt) {
         if (!m_tiltControl.keys().any()) return;
         m_keysTilt = true;
-        m_tiltControl.setTilt(m_parameters.inputs().tilt); // from where sliders left the board
+        m_tiltControl.setTilt(m_parameters.inputs().tilt); // start from the sliders' tilt
     }
     setTilt(m_tiltControl.advance(seconds));
     m_keysTilt = !m_tiltControl.isAtRest();
@@ -325,7 +325,7 @@ void Session::placeBall(const phys_state &state) {
     if (m_replay) return;
     takeOver();
     m_isTakenOver = true;
-    m_simulation->pause(); // first: it stays where it is put
+    m_simulation->pause(); // first, so that the ball stays there
     m_simulation->setState(state);
 }
 
@@ -350,7 +350,7 @@ bool Session::followTrack(bool isOn) {
     setStart(isOn ? std::optional(m_track->start(m_scene.get())) : std::nullopt);
     m_simulation->setPilot(isOn ? std::make_shared<TrackPilot>(m_track) : nullptr);
     if (isOn) {
-        m_isTakenOver = true; // no best time
+        m_isTakenOver = true; // disables the best time
         m_simulation->restart();
         m_simulation->run();
     } else {
@@ -393,7 +393,7 @@ std::vector<OtherBoard> Session::otherBoards(const Snapshot &now) const {
     return boards;
 }
 
-// A question for each other moment; answers come a little later.
+/// Asks once per moment; the answer arrives a little later.
 void Session::lookAhead(const Snapshot &now) {
     if (!m_showsWay) return;
     const uint64_t answers = m_wayFinder.answers();
@@ -437,10 +437,10 @@ void Session::showRecording(bool isOn) {
 
 Origin Session::origin() const { return originOf(m_registry, m_stepperId, m_level.path); }
 
-// What a replay shows isn't the live ball's.
+/// A replay's values aren't the live ball's.
 void Session::sendInputs() {
     if (m_replay || (m_past && m_isFollowing)) return;
-    takeOver(); // by hand
+    takeOver(); // the user changed something
     m_simulation->setInputs(m_parameters.inputs());
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The past in the session: what was played lately, looked at and taken over.
+// The session's past: the history of what was played, shown and taken over.
 #include "core/session/session.h"
 #include "core/setup/files.h"
 
@@ -25,18 +25,18 @@ RunPlace Session::runPlace() {
     return placeIn(m_past->past.beginOfRun(place), m_past->past.endOfRun(place), place);
 }
 
-// The end of the live run, which may have no step yet.
+/// Whether this is the end of the live run, which may have no step yet.
 bool Session::isAtPresent(const RunPlace &run) const {
     const HistoryPlace kept = m_simulation->latest().history;
     return run.place == m_past->past.end() && run.begin == std::max(kept.run, kept.begin);
 }
 
-// Paused at the present.
+/// Shows the past, paused at the present.
 bool Session::lookBack() {
     if (m_past) return true;
     if (m_replay) return false;
     QString error;
-    m_simulation->pause(); // what is kept then stays as it is
+    m_simulation->pause(); // so that the history doesn't change
     std::optional<Past> past = m_simulation->past(&error);
     if (!past) return report(error);
     if (past->recording->length() == 0) return false;
@@ -84,7 +84,7 @@ void Session::takeOver() {
     m_keysTilt = false;
     m_simulation->goOnFrom(position, origin());
     if (m_hasAutopilot) fly(nullptr);
-    m_simulation->setInputs(m_parameters.inputs()); // what is seen counts
+    m_simulation->setInputs(m_parameters.inputs()); // the visible values count
     if (isOtherLevel || m_game.phase() != Game::Phase::Prompt) m_game.goOn(levelIndex(), otherMaze());
     m_comparison->meetAgain();
     emit pastChanged(false);
@@ -95,7 +95,7 @@ void Session::keepOldFuture(uint64_t place) {
     const SampleRing &samples = m_simulation->samples();
     const Snapshot &now = m_simulation->latest();
     m_oldFutureRun = now.run;
-    if (now.history.place != place) return; // not shown yet: its samples may be another run's
+    if (now.history.place != place) return; // not shown yet: the samples may belong to another run
     const uint64_t begin = samples.find(now.current.time);
     const uint64_t stride = (samples.last() - begin) / kOldFuturePoints + 1;
     Sample sample;
@@ -103,7 +103,7 @@ void Session::keepOldFuture(uint64_t place) {
         if (samples.read(number, sample)) m_oldFuture.push_back(sample);
 }
 
-// Rows of runs that aren't kept any more go.
+/// Drops runs that are no longer in the history.
 void Session::watchRuns(const Snapshot &now) {
     if (now.run != m_oldFutureRun) m_oldFuture.clear();
     const HistoryPlace &kept = now.history;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A recording in the session: the simulation shows it, and what a person would set follows the moment shown.
+// The session's replay: the simulation plays a recording, and the user's values follow the moment shown.
 #include "core/session/session.h"
 
 #include <algorithm>
@@ -24,18 +24,18 @@ bool Session::startReplay(const QString &path, QString *error) {
     const Level level = m_replay ? m_replay->levelBefore : m_level;
     const Stepping before = m_replay ? m_replay->before : steppingWithAll();
     m_replay.emplace(Replaying{recording, m_simulation->startReplay(recording), level, before, {}, 0, 0, {}});
-    showPrompt(); // whatever was played is over
+    showPrompt(); // the game played before is over
     emit replayChanged(true);
-    follow(*recording, m_replay->segment, 0); // so that a comparison begins where the recording does
+    follow(*recording, m_replay->segment, 0); // so that a comparison begins with the recording
     m_simulation->run();
     return true;
 }
 
 void Session::closeRecording() {
-    if (m_replay) openLevel(Level(m_replay->levelBefore)); // a copy: the replay goes
+    if (m_replay) openLevel(Level(m_replay->levelBefore)); // a copy, because the replay is destroyed
 }
 
-// The live simulation has waited with all that it had.
+/// The live simulation has kept all its state.
 void Session::leaveReplay() {
     const Stepping before = m_replay->before;
     m_replay.reset();
@@ -45,9 +45,9 @@ void Session::leaveReplay() {
 }
 
 void Session::goOnFromHere() {
-    const Snapshot now = m_simulation->latest(); // conditions and place of one moment
+    const Snapshot now = m_simulation->latest(); // so that conditions and position belong together
     followReplay(now);
-    if (!replayPlace(now)) return; // nothing was shown yet
+    if (!replayPlace(now)) return; // nothing shown yet
     const uint64_t position = now.replay.position;
     m_replay.reset();
     m_isTakenOver = true;
@@ -86,7 +86,7 @@ Stepping Session::steppingWithAll() const {
     return now;
 }
 
-// To be seen; the simulation has it already. What is beyond the range of a row is shown at its end.
+/// Updates the display; the simulation has the values already. Values outside of a row's range are shown at its end.
 void Session::show(const Stepping &stepping) {
     phys_stepper_info info;
     const bool isOther = stepping.stepper != m_stepperId;
