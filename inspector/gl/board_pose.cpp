@@ -13,7 +13,7 @@ glm::dmat4 boardToWorld(double tiltX, double tiltY, const glm::dvec3 &pivot) {
     const double slopeY = std::tan(tiltY);
     const double slope = std::hypot(slopeX, slopeY);
     if (slope == 0.0) return identity;
-    // The level line of the slope is the axis.
+    // The axis is the horizontal line of the slope.
     const glm::dvec3 axis(-slopeY / slope, slopeX / slope, 0.0);
     return glm::translate(identity, pivot) * glm::rotate(identity, std::atan(slope), axis) *
            glm::translate(identity, -pivot);

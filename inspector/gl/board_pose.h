@@ -8,12 +8,13 @@
 
 namespace inspector::gl {
 
-// Board frame to world for a board tilted about `pivot` (m). The angles, rad in (-pi/2, pi/2), are the slopes along x
-// and y as phys_gravity_from_tilt takes them: positive lets the +x or +y side sink, and straight down is
-// (tan tiltX, tan tiltY, -1) in the board frame. Of all poses with that slope the one that doesn't twist.
+/// The transform from the board frame to the world for a board tilted about `pivot` (m). The angles, rad in (-pi/2,
+/// pi/2), are the slopes along x and y as phys_gravity_from_tilt takes them: positive lowers the +x or +y side, and
+/// straight down is (tan tilt_x, tan tilt_y, -1) in the board frame. Of all poses with that slope it is the one without
+/// twist.
 glm::dmat4 boardToWorld(double tiltX, double tiltY, const glm::dvec3 &pivot);
 
-// What a board turns about: the middle of its floor.
+/// The point about which a board tilts: the middle of its floor.
 glm::dvec3 boardPivot(const Bounds &bounds);
 
 } // namespace inspector::gl

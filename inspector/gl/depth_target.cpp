@@ -8,13 +8,13 @@ DepthTarget::DepthTarget(QOpenGLFunctions_3_3_Core *gl, int size)
     , m_size(size) {
     m_gl->glGenTextures(1, &m_texture);
     m_gl->glBindTexture(GL_TEXTURE_2D, m_texture);
-    // 16 bits of a board's size are some micrometres, and half as much to read and write as 24 are.
+    // 16 bits over a board's size resolve a few micrometres, at half the bandwidth of 24.
     m_gl->glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT16, size, size, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT,
                        nullptr);
     m_gl->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     m_gl->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     m_gl->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-    // What is seen fits with a margin: beyond the map nothing throws a shadow.
+    // Everything visible fits with a margin: nothing beyond the map casts a shadow.
     m_gl->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     m_gl->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 

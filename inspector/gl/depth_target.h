@@ -7,8 +7,8 @@
 
 namespace inspector::gl {
 
-// A square depth texture to draw into and to sample with comparison: a shadow map, or heights seen from above.
-// Made, used and destroyed with one context current.
+/// A square depth texture as a render target, sampled with comparison: a shadow map, or heights seen from above.
+/// Created, used and destroyed with the same context current.
 class DepthTarget {
 public:
     DepthTarget(QOpenGLFunctions_3_3_Core *gl, int size);
@@ -19,7 +19,7 @@ public:
     int size() const { return m_size; }
     GLuint texture() const { return m_texture; }
 
-    // Runs `draw` with this target bound and cleared; framebuffer and viewport are afterwards as before.
+    /// Runs `draw` with this target bound and cleared; restores framebuffer and viewport.
     template<typename Draw>
     void drawInto(Draw draw) {
         const Previous previous = begin();
@@ -27,7 +27,7 @@ public:
         end(previous);
     }
 
-    // Depths 0..1, row by row from y = -1.
+    /// Depths 0..1, row by row from y = -1.
     std::vector<float> read();
 
 private:

@@ -24,18 +24,18 @@ namespace inspector::gl {
 
 namespace {
 
-// The key light is a window high up behind the left shoulder of someone at the far side, fixed in the world.
+/// The key light is a window high up behind the left shoulder of an observer at the far side, fixed in the world.
 const glm::dvec3 kToLight = glm::normalize(glm::dvec3(-0.52, 0.34, 0.78));
 constexpr glm::vec3 kLightRadiance{1.02F, 0.97F, 0.88F};
 constexpr glm::vec3 kSkyRadiance{0.42F, 0.44F, 0.49F};
 constexpr glm::vec3 kGroundRadiance{0.26F, 0.20F, 0.15F};
 
-constexpr double kLightDisc = 0.12;  // half angle, as a tangent
-constexpr double kBallReach = 12.0;  // radii; up to there a ball takes some of the sky
-constexpr double kSteepLight = 0.25; // the light's height above the board as a sine; below, shadows are long
+constexpr double kLightDisc = 0.12;  ///< tangent of the half angle
+constexpr double kBallReach = 12.0;  ///< radii, up to which a ball occludes the sky
+constexpr double kSteepLight = 0.25; ///< sine of the light's elevation; below, shadows are long
 
 constexpr int kGrainTexels = 512;
-constexpr int kGrainUnit = 0; // texture units
+constexpr int kGrainUnit = 0; ///< texture units
 constexpr int kOcclusionUnit = 1;
 constexpr int kShadowUnit = 2;
 constexpr int kPictureUnit = 3;
@@ -53,14 +53,14 @@ QVector4D toQt(const glm::vec4 &v) { return {v.x, v.y, v.z, v.w}; }
 
 glm::dvec4 sphere(const Ball &ball) { return {ball.position, ball.radius}; }
 
-// So far below the light that it changes nothing.
+/// So far away along the light that it affects nothing.
 Ball absentBall(const glm::dvec3 &toLight) {
     Ball ball;
     ball.position = -1e3 * toLight;
     return ball;
 }
 
-// Light space: a box just around the bounds, seen along the light. Clip coordinates from board coordinates.
+/// Light space: a box tightly around the bounds, seen along the light. Maps board coordinates to clip coordinates.
 glm::dmat4 orthographicAround(const Bounds &bounds, const glm::dvec3 &back) {
     const glm::dvec3 helper = std::abs(back.y) < 0.9 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0);
     const glm::dvec3 right = glm::normalize(glm::cross(helper, back));
@@ -76,7 +76,7 @@ glm::dmat4 orthographicAround(const Bounds &bounds, const glm::dvec3 &back) {
     return glm::ortho(lo.x, hi.x, lo.y, hi.y, -hi.z, -lo.z) * glm::dmat4(lightFromBoard);
 }
 
-// Boards are seen from above: what hides is drawn before what it hides, which then isn't shaded.
+/// Boards are seen from above: drawing occluders first saves shading what they hide.
 Mesh highestFirst(Mesh mesh) {
     using Triangle = std::array<std::uint32_t, 3>;
     std::vector<Triangle> triangles(mesh.indices.size() / 3);
@@ -100,7 +100,7 @@ struct MazeRenderer::Scene {
     glm::dmat4 worldFromBoard;
     glm::dmat4 clipFromBoard;
     glm::dmat4 shadowFromBoard;
-    glm::dvec3 toLight; // these three in the board frame
+    glm::dvec3 toLight; ///< these three in the board frame
     glm::dvec3 up;
     glm::dvec3 eye;
 };
@@ -202,7 +202,7 @@ void MazeRenderer::smooth(unsigned picture, const View &view) {
     drawOverAll();
 }
 
-// One triangle.
+/// Draws one triangle that covers the viewport.
 void MazeRenderer::drawOverAll() {
     const QOpenGLVertexArrayObject::Binder binder(&m_noVertices);
     m_gl->glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -215,7 +215,7 @@ MazeRenderer::StaticScene MazeRenderer::staticSceneOf(const Frame &frame, const 
             m_shaders.generation()};
 }
 
-// False: there is nothing to draw with.
+/// False if there are no programs to draw with.
 bool MazeRenderer::prepare(const Scene &scene) {
     if (!m_shaders.update(scene.view.quality)) return false;
     m_gl->glEnable(GL_DEPTH_TEST);
@@ -230,16 +230,16 @@ bool MazeRenderer::prepare(const Scene &scene) {
     return true;
 }
 
-// The colours are all drawn over: by the backdrop at the latest.
+/// Colours needn't be cleared: the backdrop covers every pixel.
 void MazeRenderer::clear() { m_gl->glClear(GL_DEPTH_BUFFER_BIT); }
 
-// Pixels (x, y, width, height) of the piece of board around the ball that it darkens, and of that its shadow falls on.
+/// The pixels (x, y, width, height) of the board around the ball that it darkens, and of its shadow.
 glm::ivec4 MazeRenderer::changedByBall(const Scene &scene) const {
     const glm::ivec4 all(0, 0, scene.view.pixels);
     if (scene.toLight.z < kSteepLight) return all;
     const Ball &ball = scene.frame.ball;
-    const double radius = 1.05 * ball.radius; // the shadow's edge is a little soft also where the ball touches
-    // Down the light to the lowest place of the board; the shadow widens by the disc.
+    const double radius = 1.05 * ball.radius; // the shadow's edge is soft even where the ball touches
+    // Along the light to the lowest point of the board; the shadow widens with the light's disc.
     const double fall = std::max(ball.position.z + radius - m_bounds.minimum.z, 0.0) / (scene.toLight.z - kLightDisc);
     const glm::dvec3 foot = ball.position - fall * scene.toLight;
     const double footRadius = radius + kLightDisc * fall;
@@ -264,7 +264,7 @@ glm::ivec4 MazeRenderer::changedByBall(const Scene &scene) const {
     return {begin, glm::max(end - begin, 0)};
 }
 
-// Table and horizon last: they are seen only where nothing hides them.
+/// Table and horizon last: they are visible only where nothing hides them.
 void MazeRenderer::drawBoard(const Scene &scene, const Ball &ball) {
     drawMaze(scene, ball);
     drawBackdrop(scene);
@@ -284,7 +284,7 @@ MazeRenderer::Scene MazeRenderer::describe(const Frame &frame, const View &view)
     const glm::dmat4 eyeFromBoard = view.view * worldFromBoard;
     const glm::dmat3 toBoard = glm::transpose(glm::dmat3(worldFromBoard));
     const glm::dvec3 toLight = toBoard * kToLight;
-    // From clip coordinates -1..1 to texture coordinates 0..1.
+    // Maps clip coordinates -1..1 to texture coordinates 0..1.
     const glm::dmat4 half(glm::dvec4(0.5, 0, 0, 0), glm::dvec4(0, 0.5, 0, 0), glm::dvec4(0, 0, 0.5, 0),
                           glm::dvec4(0.5, 0.5, 0.5, 1));
     return {frame,
@@ -303,10 +303,10 @@ void MazeRenderer::drawDepth(DepthTarget &target, const glm::dmat4 &clipFromBoar
     target.drawInto([this] { m_maze.draw(); });
 }
 
-// The board seen straight from above gives the heights, their blur how much of the sky each place sees.
+/// The board seen straight from above gives the heights; blurred, they tell how much of the sky each point sees.
 void MazeRenderer::makeOcclusionMap() {
     m_isOcclusionStale = false;
-    constexpr double kReach = 0.012; // m, over which a wall darkens what is beside it
+    constexpr double kReach = 0.012; // m, over which a wall darkens its surroundings
     DepthTarget heights(m_gl, OcclusionMap::kSize);
     const glm::dvec3 lo = m_bounds.minimum;
     const glm::dvec3 hi = m_bounds.maximum;
@@ -320,14 +320,15 @@ void MazeRenderer::makeOcclusionMap() {
     m_occlusion.upload(std::move(values), texels(hi.x - lo.x), texels(hi.y - lo.y));
 }
 
-// The maze's shadow on itself changes only when the board turns under the light; the ball's is computed per pixel.
+/// The maze's shadow on itself changes only when the board tilts relative to the light; the ball's is computed per
+/// pixel.
 void MazeRenderer::updateShadowMap(const Scene &scene, Quality quality) {
     const int size = quality == Quality::High ? 1536 : 1024;
     if (!m_shadow || m_shadow->size() != size) {
         m_shadow = std::make_unique<DepthTarget>(m_gl, size);
         m_isShadowStale = true;
     }
-    constexpr double kNoticeable = 1e-5; // rad; far below a texel's width at the board's edge
+    constexpr double kNoticeable = 1e-5; // rad; well below a texel's width at the board's edge
     if (!m_isShadowStale && glm::distance(m_shadowDirection, scene.toLight) < kNoticeable) return;
     m_isShadowStale = false;
     m_shadowDirection = scene.toLight;
@@ -374,7 +375,7 @@ void MazeRenderer::drawMaze(const Scene &scene, const Ball &ball) {
     m_maze.draw();
 }
 
-// tint: opacity 1 is the ball itself; below, a ghost of that opacity whose colours lean towards tint.rgb.
+/// tint: opacity 1 draws the ball itself; less draws a ghost of that opacity, blended towards tint.rgb.
 void MazeRenderer::drawBall(const Scene &scene, const Ball &ball, const Colour &tint) {
     QOpenGLShaderProgram &program = m_shaders.use(Program::Ball);
     setLighting(program, scene);
@@ -396,7 +397,7 @@ void MazeRenderer::drawBackdrop(const Scene &scene) {
     program.setUniformValue("to_light", toQt(glm::vec3(kToLight)));
     program.setUniformValue("board_centre", toQt(glm::vec3(m_bounds.centre())));
     program.setUniformValue("board_half", toQt(glm::vec3(half)));
-    // Far enough below that no corner of a board tilted by a quarter of a radian touches the table.
+    // Low enough that no corner of a board tilted by a quarter of a radian touches the table.
     program.setUniformValue("table_height", static_cast<float>(m_bounds.minimum.z - 0.25 * reach));
     program.setUniformValue("table_colour", toQt(scene.view.backdrop.table));
     program.setUniformValue("horizon_colour", toQt(scene.view.backdrop.horizon));
@@ -404,7 +405,7 @@ void MazeRenderer::drawBackdrop(const Scene &scene) {
 }
 
 void MazeRenderer::drawGhosts(const Scene &scene) {
-    // Each hides its own far side but not the next ghost: depth first, colour where it is nearest.
+    // Each ghost hides its own far side but not the next ghost: depth first, then colour where it is nearest.
     for (const GhostBall &ghost : scene.frame.ghosts) {
         m_gl->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
         drawBall(scene, ghost.ball, ghost.colour);
@@ -425,7 +426,7 @@ void MazeRenderer::drawStrokes(const Scene &scene) {
     program.setUniformValue("pixel_ratio", static_cast<float>(scene.view.pixelRatio));
     program.setUniformValue("opacity", 1.0F);
     m_gl->glDepthMask(GL_FALSE);
-    m_gl->glDisable(GL_CULL_FACE); // which way round a stroke's corners go depends on where it runs
+    m_gl->glDisable(GL_CULL_FACE); // a stroke's winding depends on its direction
     if (!trails.empty()) {
         m_strokes.upload(trails);
         m_strokes.draw();

@@ -17,22 +17,22 @@
 
 namespace inspector::gl {
 
-// Draws a board with its ball into the framebuffer that is bound. Knows meshes and poses, no physics and no widgets.
-// Made, used and destroyed with one context current.
+/// Draws a board with its ball into the bound framebuffer. Knows meshes and poses, no physics and no widgets. Created,
+/// used and destroyed with the same context current.
 class MazeRenderer {
 public:
-    // Nothing, and one line in `error` (not null), when the current context cannot draw this.
+    /// Null, with one line in `error` (not null), if the current context can't draw this.
     static std::unique_ptr<MazeRenderer> create(QString *error);
     ~MazeRenderer();
 
-    // Both are closed, their triangles counter-clockwise from outside: what faces away isn't drawn.
-    void setMaze(const Mesh &mesh); // board frame, m
-    void setBall(const Mesh &mesh); // radius 1 around the origin
+    /// Both meshes must be closed, their triangles counter-clockwise from outside: back faces are culled.
+    void setMaze(const Mesh &mesh); ///< board frame, m
+    void setBall(const Mesh &mesh); ///< radius 1 around the origin
     ShaderLibrary &shaders() { return m_shaders; }
 
     void render(const Frame &frame, const View &view);
 
-    // What decides how board and table look, but for what the ball changes in them.
+    /// Everything that determines the picture of board and table, except for the ball's shadow.
     struct StaticScene {
         glm::dmat4 clipFromBoard{0.0};
         glm::dmat4 worldFromBoard{0.0};
@@ -44,20 +44,20 @@ public:
         bool operator==(const StaticScene &) const = default;
     };
     StaticScene staticSceneOf(const Frame &frame, const View &view);
-    // render() in two parts, pixel by pixel, for whoever keeps the picture of the first one, with its depths: board and
-    // table; then all that moves, with the piece of the board that the ball changes.
+    /// render() in two parts with the same result, for callers that cache the picture of the first one, including
+    /// depth: board and table; then everything that moves, with the part of the board that the ball affects.
     void renderStatic(const Frame &frame, const View &view);
     void renderMoving(const Frame &frame, const View &view);
-    // Draws a finished picture, a texture of as many pixels, without the steps of its edges.
+    /// Draws a finished picture (a texture of the view's size) with antialiased edges.
     void smooth(unsigned picture, const View &view);
 
 private:
-    struct Scene; // what all passes of one frame share
+    struct Scene; ///< data shared by all passes of a frame
 
-    // The part of the maze that shines by itself, the exit, as a lamp for what is around it.
+    /// The emissive part of the maze, the exit, as a light source for its surroundings.
     struct Beacon {
-        glm::vec3 position{0.0F}; // m, board frame
-        glm::vec3 albedo{0.0F};   // sRGB; black: there is none
+        glm::vec3 position{0.0F}; ///< m, board frame
+        glm::vec3 albedo{0.0F};   ///< sRGB; black if there is none
     };
     static Beacon beaconOf(const Mesh &mesh);
 
@@ -86,18 +86,18 @@ private:
     MeshBuffer m_maze;
     MeshBuffer m_ball;
     StrokeRenderer m_strokes;
-    QOpenGLVertexArrayObject m_noVertices; // core profile draws nothing without one
+    QOpenGLVertexArrayObject m_noVertices; ///< the core profile requires one, even without vertices
     QOpenGLTexture m_grain;
     OcclusionMap m_occlusion;
     bool m_isOcclusionStale = true;
 
     std::unique_ptr<DepthTarget> m_shadow;
-    glm::dvec3 m_shadowDirection{0.0}; // what the map was drawn for
+    glm::dvec3 m_shadowDirection{0.0}; ///< light direction of the current map
     bool m_isShadowStale = true;
 
     Bounds m_bounds;
     Beacon m_beacon;
-    uint64_t m_mazes = 0; // how many there were
+    uint64_t m_mazes = 0; ///< counts the mazes set
 };
 
 } // namespace inspector::gl

@@ -9,7 +9,7 @@
 
 namespace inspector::gl {
 
-// A mesh on the graphics side, drawn by one call. Made, used and destroyed with one context current.
+/// A mesh in GPU buffers, drawn by one call. Created, used and destroyed with the same context current.
 class MeshBuffer {
 public:
     explicit MeshBuffer(QOpenGLFunctions_3_3_Core *gl);

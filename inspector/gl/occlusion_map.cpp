@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kRow = OcclusionMap::kSize;
 
-// Running mean over 2 radius + 1 values with the given stride; beyond the ends the end values count.
+/// Running mean over 2 radius + 1 values with the given stride; values beyond the ends repeat the end values.
 void blurLine(float *values, int count, std::ptrdiff_t stride, int radius, std::vector<float> &scratch) {
     const auto at = [&](int i) { return values[stride * std::clamp(i, 0, count - 1)]; };
     double sum = 0.0;
@@ -38,7 +38,7 @@ OcclusionMap::~OcclusionMap() { m_gl->glDeleteTextures(1, &m_texture); }
 
 void OcclusionMap::upload(std::vector<float> heights, int radiusX, int radiusY) {
     std::vector<float> scratch(kSize);
-    // Two box means are close to a bell.
+    // Two box filters approximate a Gaussian.
     for (int pass = 0; pass < 2; ++pass) {
         for (int row = 0; row < kSize; ++row) blurLine(&heights[kRow * row], kSize, 1, radiusX, scratch);
         for (int column = 0; column < kSize; ++column) blurLine(&heights[column], kSize, kRow, radiusY, scratch);

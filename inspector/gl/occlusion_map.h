@@ -7,8 +7,8 @@
 
 namespace inspector::gl {
 
-// Mean height of what stands around each place of the board, as a texture: where it rises above a surface, less of the
-// sky is seen from there. Static, so it costs one look-up per pixel. Made and destroyed with one context current.
+/// A texture of the mean height around each point of the board: where it rises above a surface, less of the sky is
+/// visible from there. Static, so it costs one look-up per pixel. Created and destroyed with the same context current.
 class OcclusionMap {
 public:
     static constexpr int kSize = 512;
@@ -20,7 +20,7 @@ public:
 
     GLuint texture() const { return m_texture; }
 
-    // kSize x kSize heights scaled to 0..1; the mean is taken over about `radius` texels in x and y.
+    /// kSize x kSize heights scaled to 0..1; averaged over about `radiusX` and `radiusY` texels.
     void upload(std::vector<float> heights, int radiusX, int radiusY);
 
 private:

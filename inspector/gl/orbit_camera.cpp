@@ -21,12 +21,12 @@ using Corners = std::vector<glm::dvec3>;
 
 constexpr double kRadiansPerPixel = 0.006;
 constexpr double kZoomPerStep = 0.88;
-constexpr double kFilledShare = 0.95; // of the picture's width and height, the rest is air around the board
+constexpr double kFilledShare = 0.95; ///< share of the picture's width and height; the rest is margin
 
 const double kTangent = std::tan(0.5 * OrbitCamera::kFieldOfView);
 
-// Where the corners get to while the board tilts. They reach farthest at full tilt, or so near to it that the air
-// around the board takes the difference.
+/// The positions of the corners while the board tilts. They reach farthest at full tilt, or so nearly that the margin
+/// covers the difference.
 Corners sweptCorners(const Bounds &bounds, double largestTilt) {
     const glm::dvec3 pivot = boardPivot(bounds);
     Corners corners;
@@ -67,7 +67,7 @@ void OrbitCamera::pan(const glm::dvec2 &drag) {
 }
 
 void OrbitCamera::zoom(double steps, const glm::dvec2 &cursor) {
-    // Shrinking eye and target towards the point under the cursor leaves the ray to that point as it is.
+    // Scaling eye and target towards the point under the cursor keeps the ray to that point.
     const Axes camera = axes();
     const glm::dvec2 offset = (cursor - 0.5 * m_viewport) * metresPerPixel();
     const glm::dvec3 fixedPoint = m_target + offset.x * camera.right - offset.y * camera.up;
@@ -131,7 +131,7 @@ glm::dmat4 OrbitCamera::view() const {
 }
 
 glm::dmat4 OrbitCamera::projection() const {
-    // Everything lies within a few radii of the target; the ratio of far to near stays small for 16 bits of depth.
+    // Everything lies within a few radii of the target; a small ratio of far to near suits 16 bits of depth.
     const double nearPlane = std::max(0.02 * m_distance, m_distance - 2.5 * radius());
     const double farPlane = m_distance + 4.0 * radius();
     return glm::perspective(kFieldOfView, m_viewport.x / m_viewport.y, nearPlane, farPlane);
@@ -159,7 +159,7 @@ Ray OrbitCamera::pickRay(const glm::dvec2 &pixel, const glm::dmat4 &worldFromBoa
 }
 
 OrbitCamera::Axes OrbitCamera::axes() const {
-    // Written out instead of "look at", which has no answer straight from above.
+    // Written out instead of lookAt(), which is singular straight from above.
     const double ca = std::cos(m_azimuth);
     const double sa = std::sin(m_azimuth);
     const double ce = std::cos(m_elevation);

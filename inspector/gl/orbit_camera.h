@@ -12,37 +12,38 @@ namespace inspector::gl {
 
 struct Ray {
     glm::dvec3 origin{0.0};
-    glm::dvec3 direction{0.0, 0.0, -1.0}; // unit length
+    glm::dvec3 direction{0.0, 0.0, -1.0}; ///< unit length
 };
 
 class OrbitCamera {
 public:
-    static constexpr double kFieldOfView = 0.55; // rad, of the picture's height
+    static constexpr double kFieldOfView = 0.55; ///< rad, vertical
     static constexpr double kMinElevation = 0.09;
-    static constexpr double kMaxElevation = 1.5707963267948966;  // straight from above
-    static constexpr double kStartAzimuth = -1.5707963267948966; // from -y, so that x runs to the right
+    static constexpr double kMaxElevation = 1.5707963267948966;  ///< straight from above
+    static constexpr double kStartAzimuth = -1.5707963267948966; ///< from -y, so that x points right
     static constexpr double kStartElevation = 0.96;
 
-    // Size of the picture in logical pixels; less than 1 counts as 1.
+    /// Size of the picture in logical pixels, clamped to at least 1.
     void setViewport(const glm::dvec2 &size);
-    // What reset() shows and what the limits of distance and target follow from. largestTilt: rad in [0, pi/2), by
-    // which the board may be tilted about its pivot in x and in y and still be shown whole.
+    /// The bounds that reset() shows and that limit distance and target. largestTilt: rad in [0, pi/2), up to which the
+    /// board may be tilted about its pivot in x and in y and still be shown whole.
     void setBounds(const Bounds &bounds, double largestTilt);
 
-    // A drag by so many pixels turns the scene with the hand.
+    /// Turns the scene with a drag, in pixels.
     void orbit(const glm::dvec2 &drag);
-    // The point of the target's plane under the cursor stays under it.
+    /// Pans so that the point of the target's plane under the cursor stays under it.
     void pan(const glm::dvec2 &drag);
-    // steps > 0 comes closer; what the cursor points at, in the plane of the target, stays under it.
+    /// steps > 0 zooms in; the point of the target's plane under the cursor stays under it.
     void zoom(double steps, const glm::dvec2 &cursor);
-    // Start direction, all of the bounds in the picture.
+    /// Returns to the start direction with all of the bounds in the picture.
     void reset();
-    // Smallest distance that shows all of the bounds, tilted or not, from the present direction, with some air around.
+    /// Moves to the smallest distance that shows all of the bounds, tilted or not, from the current direction, with a
+    /// margin.
     void fit();
 
-    // The picture's middle; the direction and the distance stay.
+    /// Sets the target; direction and distance stay.
     void lookAt(const glm::dvec3 &world);
-    // To this share of the distance.
+    /// Multiplies the distance by `share`.
     void approach(double share);
 
     glm::dmat4 view() const;
@@ -53,9 +54,9 @@ public:
     double azimuth() const { return m_azimuth; }
     double elevation() const { return m_elevation; }
 
-    // Where a world point is drawn; meaningless for points behind the eye.
+    /// The pixel of a world point; meaningless for points behind the eye.
     glm::dvec2 project(const glm::dvec3 &world) const;
-    // The ray through a pixel, in world coordinates and in those of a tilted board.
+    /// The ray through a pixel, in world coordinates and in those of a tilted board.
     Ray ray(const glm::dvec2 &pixel) const;
     Ray pickRay(const glm::dvec2 &pixel, const glm::dmat4 &worldFromBoard) const;
 
@@ -64,7 +65,7 @@ private:
         glm::dvec3 right, up, back;
     };
     Axes axes() const;
-    double metresPerPixel() const; // in the plane of the target
+    double metresPerPixel() const; ///< in the plane of the target
     double radius() const;
     void keepWithinLimits();
 

@@ -14,10 +14,10 @@ namespace {
 
 struct Recipe {
     const char *vertex;
-    std::array<const char *, 2> fragments; // linked together; the second may be missing
+    std::array<const char *, 2> fragments; ///< linked together; the second may be null
 };
 
-// In the order of Program.
+/// In the order of Program.
 constexpr std::array<Recipe, 6> kRecipes{{{"maze.vert", {"maze.frag", "lighting.frag"}},
                                           {"ball.vert", {"ball.frag", "lighting.frag"}},
                                           {"backdrop.vert", {"backdrop.frag", nullptr}},
@@ -31,14 +31,14 @@ QString pathOf(const QString &directory, const char *name) {
     return QLatin1String(":/shaders/") + QLatin1String(name);
 }
 
-// Branches on a uniform cost a software renderer both sides, so the quality is a constant of the source.
+/// A software renderer executes both branches on a uniform, so the quality is a constant in the source.
 QByteArray withQuality(QByteArray source, Quality quality) {
-    const qsizetype lineEnd = source.indexOf('\n') + 1; // after #version, which must come first
+    const qsizetype lineEnd = source.indexOf('\n') + 1; // after #version, which must be the first line
     const QByteArray define = "#define QUALITY " + QByteArray::number(static_cast<int>(quality)) + "\n#line 2\n";
     return source.insert(lineEnd, define);
 }
 
-// Embedded files are Qt's; those of a folder are read like every file from outside.
+/// Embedded files are read by Qt; those of a directory like every external file.
 std::optional<QByteArray> sourceOf(const QString &path, QString *log) {
     constexpr qint64 kLargest = kMegabyte;
     if (!path.startsWith(QLatin1Char(':'))) return readFile(path, kLargest, log);
@@ -95,7 +95,7 @@ void ShaderLibrary::setDirectory(const QString &path) {
 
 void ShaderLibrary::watch() {
     if (m_directory.isEmpty()) return;
-    // Of a folder that is gone, the nearest that is there tells when it is made again.
+    // If the directory is missing, watch its nearest existing parent for it.
     QString there = QDir::cleanPath(QFileInfo(m_directory).absoluteFilePath());
     while (!isFolder(there) && there.contains(QLatin1Char('/')))
         there = there.left(there.lastIndexOf(QLatin1Char('/')));
@@ -106,7 +106,7 @@ void ShaderLibrary::watch() {
     QStringList paths{m_directory};
     for (const QFileInfo &file : QDir(m_directory).entryInfoList({"*.vert", "*.frag"}, QDir::Files))
         paths.append(file.filePath());
-    m_watcher.addPaths(paths); // those that are watched already stay so
+    m_watcher.addPaths(paths); // already watched paths are unaffected
 }
 
 bool ShaderLibrary::update(Quality quality) {
@@ -118,7 +118,7 @@ bool ShaderLibrary::update(Quality quality) {
     if (!programs[0]) {
         emit failed(log);
         if (m_programs[0]) return true;
-        programs = build({}, quality, &log); // nothing drawn yet: begin with the embedded ones
+        programs = build({}, quality, &log); // nothing drawn yet: start with the embedded ones
         if (!programs[0]) return m_isStale = true, false;
     }
     m_programs = std::move(programs);

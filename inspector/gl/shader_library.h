@@ -14,31 +14,32 @@ namespace inspector::gl {
 
 enum class Program { Maze, Ball, Backdrop, Depth, Stroke, Smooth };
 
-// The programs built from shaders/*.vert and *.frag: those embedded in the executable, file by file overridden by those
-// in a directory that is watched while running. A set that doesn't compile is reported and the last good one stays.
+/// The programs built from shaders/*.vert and *.frag: embedded in the executable, each file overridable by one in a
+/// directory that is watched while running. If a set doesn't compile, that is reported and the last good one stays in
+/// use.
 class ShaderLibrary : public QObject {
     Q_OBJECT
 
 public:
     ShaderLibrary();
 
-    // Empty: embedded files only. Takes effect at the next update().
+    /// path: empty for embedded files only. Takes effect at the next update().
     void setDirectory(const QString &path);
 
-    // Between frames, with the context current: rebuilds when files, directory or quality have changed.
-    // Returns whether there is a set of programs to draw with.
+    /// Call between frames, with the context current: rebuilds if files, directory or quality have changed. Returns
+    /// whether there is a usable set of programs.
     bool update(Quality quality);
 
-    // Another number: another set of programs.
+    /// Changes with every new set of programs.
     uint64_t generation() const { return m_generation; }
 
-    // Bound and ready for uniforms; only after update() has returned true.
+    /// Bound and ready for uniforms; only after update() has returned true.
     QOpenGLShaderProgram &use(Program program);
 
 signals:
-    void changed();                  // a file of the directory has: a new picture is due
-    void rebuilt();                  // a new set is in use
-    void failed(const QString &log); // the last good set stays in use
+    void changed();                  ///< a file of the directory has changed: redraw
+    void rebuilt();                  ///< a new set is in use
+    void failed(const QString &log); ///< the last good set stays in use
 
 private:
     static constexpr std::size_t kCount = 6;

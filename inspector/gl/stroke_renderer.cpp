@@ -12,7 +12,7 @@ struct InstanceAttribute {
     std::size_t offset;
 };
 
-// In the order of the locations in stroke.vert.
+/// In the order of the locations in stroke.vert.
 constexpr InstanceAttribute kInstanceAttributes[] = {{3, offsetof(Stroke, from)},
                                                      {3, offsetof(Stroke, to)},
                                                      {4, offsetof(Stroke, fromColour)},

@@ -9,13 +9,13 @@
 
 namespace inspector::gl {
 
-// Sends strokes to OpenGL: one instanced draw for all. Made, used and destroyed with one context current.
+/// Draws strokes by OpenGL: one instanced draw call for all. Created, used and destroyed with the same context current.
 class StrokeRenderer {
 public:
     explicit StrokeRenderer(QOpenGLFunctions_3_3_Core *gl);
 
     void upload(const Strokes &strokes);
-    // With the stroke program bound.
+    /// The stroke program must be bound.
     void draw();
 
 private:

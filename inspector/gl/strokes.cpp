@@ -26,7 +26,7 @@ void Strokes::point(const glm::dvec3 &position, const Colour &colour, float diam
 void Strokes::arrow(const glm::dvec3 &foot, const glm::dvec3 &direction, double length, const Colour &colour,
                     float width) {
     const glm::dvec3 tip = foot + direction * length;
-    // Any vector that isn't parallel to the arrow spans its head's plane.
+    // Any vector not parallel to the arrow spans its head's plane.
     const glm::dvec3 helper = std::abs(direction.z) < 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(1.0, 0.0, 0.0);
     const glm::dvec3 side = glm::normalize(glm::cross(direction, helper)) * (0.12 * length);
     const glm::dvec3 neck = tip - direction * (0.25 * length);
@@ -55,7 +55,7 @@ void Strokes::trail(std::span<const glm::dvec3> points, const Colour &colour, fl
     const double last = static_cast<double>(points.size() - 1);
     std::size_t begin = 0;
     for (std::size_t i = 1; i < points.size(); ++i) {
-        // The newest point is always reached, so that the trail ends at the ball.
+        // The newest point is never merged, so that the trail ends at the ball.
         if (i + 1 < points.size() && glm::distance(points[begin], points[i]) < spacing) continue;
         const Colour oldColour = faded(colour, static_cast<double>(begin) / last);
         const Colour newColour = faded(colour, static_cast<double>(i) / last);

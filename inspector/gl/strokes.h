@@ -10,30 +10,30 @@
 
 namespace inspector::gl {
 
-using Colour = glm::vec4; // sRGB with straight alpha, 0..1
+using Colour = glm::vec4; ///< sRGB with straight alpha, 0..1
 
-// One line of constant width on the screen; a point is a line of no length with round ends.
+/// A line of constant screen width; a point is a line of length 0 with round ends.
 struct Stroke {
     glm::vec3 from;
     glm::vec3 to;
     Colour fromColour;
     Colour toColour;
-    float width;     // logical pixels
-    float roundEnds; // 1: half discs at both ends; 0: cut off, so that translucent pieces join without a darker dot
+    float width;     ///< logical pixels
+    float roundEnds; ///< 1: half discs at both ends; 0: flat, so that translucent segments join without darker dots
 };
 
-// Immediate calls from anywhere; the renderer draws all of them with one flush. Positions in the board frame, m.
+/// Collects strokes by immediate-mode calls; the renderer draws all of them in one flush. Positions in the board frame,
+/// m.
 class Strokes {
 public:
     void line(const glm::dvec3 &from, const glm::dvec3 &to, const Colour &colour, float width = 2.0F);
     void point(const glm::dvec3 &position, const Colour &colour, float diameter = 8.0F);
-    // An arrow of `length` metres from `foot` along the unit vector `direction`.
+    /// An arrow of `length` metres from `foot` along the unit vector `direction`.
     void arrow(const glm::dvec3 &foot, const glm::dvec3 &direction, double length, const Colour &colour,
                float width = 2.0F);
-    // The edges of an axis-aligned box.
+    /// The edges of an axis-aligned box.
     void box(const glm::dvec3 &minimum, const glm::dvec3 &maximum, const Colour &colour, float width = 1.5F);
-    // A path, oldest point first, fading in towards the newest. Points closer together than `spacing` metres are
-    // merged.
+    /// A path, oldest point first, fading in towards the newest. Points closer than `spacing` metres are merged.
     void trail(std::span<const glm::dvec3> points, const Colour &colour, float width, double spacing);
 
     void clear() { m_strokes.clear(); }

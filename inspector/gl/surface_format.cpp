@@ -34,7 +34,7 @@ QString contextProblem(const QOpenGLContext *context) {
     const QString needed = QStringLiteral("expected desktop OpenGL %1.%2 core").arg(kMajor).arg(kMinor);
     if (!context || !context->isValid()) return QStringLiteral("OpenGL: no context could be made; ") + needed;
     if (context->isOpenGLES()) return QStringLiteral("OpenGL: got OpenGL ES; ") + needed;
-    // Drivers give the newest version that contains the one asked for.
+    // Drivers return the newest version that is compatible with the requested one.
     const auto [major, minor] = context->format().version();
     if (std::pair(major, minor) >= std::pair(kMajor, kMinor)) return {};
     return QStringLiteral("OpenGL: got version %1.%2; %3").arg(major).arg(minor).arg(needed);
@@ -43,12 +43,12 @@ QString contextProblem(const QOpenGLContext *context) {
 namespace {
 
 struct Display {
-    QString problem; // one line, or empty
+    QString problem; ///< one line, or empty
     QString renderer;
 };
 
 Display look() {
-    // These either give no context, or give one and crash as soon as a widget is to be drawn by it.
+    // These platforms either provide no context, or crash as soon as a widget is drawn with it.
     const QString platform = QGuiApplication::platformName();
     for (const char *without : {"offscreen", "minimal", "minimalegl", "vnc", "linuxfb"})
         if (platform == QLatin1String(without))
@@ -63,7 +63,7 @@ Display look() {
     return {QStringLiteral("OpenGL: a context was made but can't be used"), {}};
 }
 
-// A look takes some hundredths of a second.
+/// Cached: probing takes some hundredths of a second.
 const Display &display() {
     static const Display seen = look();
     return seen;

@@ -10,20 +10,20 @@ QT_END_NAMESPACE
 
 namespace inspector::gl {
 
-// Desktop OpenGL 3.3 core by name. Give it to QSurfaceFormat::setDefaultFormat() before the application object exists.
-// Debug builds ask for a debug context.
+/// Desktop OpenGL 3.3 core. Pass it to QSurfaceFormat::setDefaultFormat() before the application object exists. Debug
+/// builds request a debug context.
 QSurfaceFormat surfaceFormat();
 
-// Empty when `context` (may be null) can draw; otherwise one line that says what was got and what is needed.
+/// Empty if `context` (may be null) is usable; otherwise one line that says what was got and what is needed.
 QString contextProblem(const QOpenGLContext *context);
 
-// Empty when OpenGL can draw on the application's display; otherwise one line. Needs the application object.
+/// Empty if OpenGL can draw on the application's display; otherwise one line. Needs the application object.
 QString displayProblem();
 
-// Of the current context, for instance "llvmpipe (LLVM 15.0.6, 256 bits)".
+/// The current context's renderer, for instance "llvmpipe (LLVM 15.0.6, 256 bits)".
 QString rendererName();
 bool isSoftwareRenderer(const QString &name);
-// Whether that of the application's display is one; false if there is none. Needs the application object.
+/// Whether the display's renderer is a software one; false if there is none. Needs the application object.
 bool isDrawnBySoftware();
 
 } // namespace inspector::gl

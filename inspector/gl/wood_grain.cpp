@@ -20,7 +20,7 @@ double latticeValue(int x, int y, unsigned salt) {
 
 double smooth(double t) { return t * t * (3.0 - 2.0 * t); }
 
-// Value noise in 0..1 with period 1 in u and v, made of columns x rows cells.
+/// Value noise in 0..1 with period 1 in u and v, on a lattice of columns x rows cells.
 double noise(double u, double v, int columns, int rows, unsigned salt) {
     const double x = u * columns;
     const double y = v * rows;
@@ -36,7 +36,7 @@ double noise(double u, double v, int columns, int rows, unsigned salt) {
                      smooth(y - row));
 }
 
-// Growth rings cut lengthwise, bent by slow noise, with fine fibres and dark pores over them. About -0.5..0.5.
+/// Growth rings cut lengthwise, distorted by low-frequency noise, with fine fibres and dark pores. About -0.5..0.5.
 double fibre(double u, double v) {
     const double bend = 0.10 * (noise(u, v, 3, 4, 1) - 0.5) + 0.05 * (noise(u, v, 6, 9, 2) - 0.5);
     const double phase = (v + bend) * 9.0 + 0.6 * noise(u, v, 2, 18, 3);

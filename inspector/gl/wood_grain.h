@@ -6,7 +6,7 @@
 
 namespace inspector::gl {
 
-// A square, tileable picture of wood fibres, running along the rows: 128 is the mean. Always the same.
+/// A square, tileable texture of wood fibres along the rows: 128 is the mean. Deterministic.
 std::vector<std::uint8_t> woodGrain(int size);
 
 } // namespace inspector::gl

@@ -11,23 +11,23 @@
 
 namespace inspector::gl {
 
-// How a surface looks: what a .mtl says, in the terms of the shaders.
+/// The appearance of a surface: a .mtl in the terms of the shaders.
 struct Material {
     std::string name;
-    glm::vec3 albedo{0.8F};    // sRGB, 0..1
-    float reflectance = 0.04F; // at normal incidence, 0..1
-    float roughness = 0.6F;    // 0 mirror .. 1 matt
-    float grain = 0.0F;        // strength of the wood grain, 0..1
-    float emission = 0.0F;     // own light in units of the albedo, 0..1
+    glm::vec3 albedo{0.8F};    ///< sRGB, 0..1
+    float reflectance = 0.04F; ///< at normal incidence, 0..1
+    float roughness = 0.6F;    ///< 0 mirror .. 1 matt
+    float grain = 0.0F;        ///< strength of the wood grain, 0..1
+    float emission = 0.0F;     ///< emitted light in units of the albedo, 0..1
 };
 
-// The material rides on the vertex, so that a whole mesh is one draw.
+/// The material is stored per vertex, so that a whole mesh is one draw call.
 struct Vertex {
     glm::vec3 position;
     glm::vec3 normal;
-    glm::vec2 grain;     // m along and across the wood's fibres
-    glm::u8vec4 albedo;  // sRGB; the fourth is spare
-    glm::u8vec4 surface; // reflectance, roughness, grain, emission
+    glm::vec2 grain;     ///< m along and across the wood's fibres
+    glm::u8vec4 albedo;  ///< sRGB; the fourth component is unused
+    glm::u8vec4 surface; ///< reflectance, roughness, grain, emission
 };
 static_assert(sizeof(Vertex) == 40, "MeshBuffer describes this layout to OpenGL");
 
@@ -41,8 +41,8 @@ struct Bounds {
 
 struct Mesh {
     std::vector<Vertex> vertices;
-    std::vector<std::uint32_t> indices; // three per triangle
-    Bounds bounds() const;              // all zero when empty
+    std::vector<std::uint32_t> indices; ///< three per triangle
+    Bounds bounds() const;              ///< all zero when empty
 };
 
 } // namespace inspector::gl

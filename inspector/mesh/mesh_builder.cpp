@@ -17,7 +17,7 @@ std::uint8_t toByte(float value) {
     return static_cast<std::uint8_t>(std::lround(glm::clamp(value, 0.0F, 1.0F) * 255.0F));
 }
 
-// A number in 0..1 that looks random and is always the same for the same piece.
+/// A pseudo-random number in 0..1, always the same for the same piece.
 float scatter(unsigned index, unsigned salt) {
     unsigned hash = index * 0x9E3779B9U + salt * 0x85EBCA6BU;
     hash = (hash ^ (hash >> 15)) * 0x2C1B3C6DU;
@@ -28,7 +28,7 @@ float scatter(unsigned index, unsigned salt) {
 } // namespace
 
 void MeshBuilder::beginPiece(const Material &material, const Bounds &bounds) {
-    // No two planks have quite the same colour.
+    // Vary the colour between planks.
     const float shade = 1.0F + 0.10F * material.grain * (scatter(m_pieces, 3) - 0.5F);
     const glm::vec3 albedo = material.albedo * shade;
     m_prototype.albedo = {toByte(albedo.r), toByte(albedo.g), toByte(albedo.b), 255};
@@ -58,7 +58,7 @@ void MeshBuilder::triangle(const std::array<glm::vec3, 3> &positions, const std:
     }
 }
 
-// Neighbouring triangles come one after the other, so an equal vertex is among the last few or nowhere.
+/// Adjacent triangles are consecutive, so an equal vertex is among the last few or nowhere.
 std::uint32_t MeshBuilder::indexOf(const Vertex &vertex) {
     constexpr std::size_t kLookBack = 8;
     std::vector<Vertex> &vertices = m_mesh.vertices;
@@ -94,7 +94,7 @@ Material boxMaterial(BoxKind kind) {
 
 namespace {
 
-// A box whose four upper edges are cut off by `chamfer` metres at 45 degrees.
+/// A box whose four upper edges are cut off by `chamfer` metres at 45 degrees.
 void addChamferedBox(MeshBuilder &builder, const MazeBox &box, float chamfer) {
     const glm::vec3 lo = box.minimum;
     const glm::vec3 hi = box.maximum;
@@ -147,7 +147,7 @@ Mesh patternedBall() {
     MeshBuilder builder;
     for (int stack = 0; stack < kStacks; ++stack) {
         for (int slice = 0; slice < kSlices; ++slice) {
-            // Eight fields like a beach ball's, swapped at the equator: no turn but a full one looks the same as none.
+            // Eight fields like a beach ball's, swapped at the equator: only a full turn looks the same as none.
             const bool isDark = (slice / (kSlices / 8) + stack / (kStacks / 2)) % 2 == 0;
             builder.beginPiece(isDark ? dark : light, {});
             const glm::vec3 a = at(stack, slice);

@@ -22,14 +22,14 @@ namespace {
 constexpr qint64 kLargestMesh = 200 * kMegabyte;
 constexpr qint64 kLargestMaterials = 10 * kMegabyte;
 
-// What the loader made of the checked text.
+/// The loader's result for the checked text.
 struct Loaded {
     tinyobj::attrib_t attributes;
     std::vector<tinyobj::shape_t> shapes;
     std::vector<tinyobj::material_t> materials;
 };
 
-// Hands the checked materials over, whichever file is asked for.
+/// Returns the checked materials, whichever file is requested.
 class CheckedMaterials : public tinyobj::MaterialReader {
 public:
     explicit CheckedMaterials(const QByteArray &text)
@@ -49,7 +49,7 @@ std::optional<Loaded> load(const CheckedObj &checked, QString *error) {
     Loaded loaded;
     std::istringstream shapes("mtllib checked\n" + checked.shapes.toStdString());
     CheckedMaterials materials(checked.materials);
-    std::string warning; // about materials that aren't there, which is in the note
+    std::string warning; // about missing materials, which the note reports
     std::string reason;
     if (tinyobj::LoadObj(&loaded.attributes, &loaded.shapes, &loaded.materials, &warning, &reason, &shapes, &materials))
         return loaded;
@@ -62,11 +62,11 @@ Material materialOf(const tinyobj::material_t &source) {
     Material material;
     material.name = source.name;
     material.albedo = glm::clamp(glm::vec3(source.diffuse[0], source.diffuse[1], source.diffuse[2]), 0.0F, 1.0F);
-    // Ks 0.5 means the 4 % that wood, paint and plastic reflect; Blinn's exponent becomes a roughness.
+    // Ks 0.5 stands for the 4 % reflectance of wood, paint and plastic; Blinn's exponent becomes a roughness.
     material.reflectance = 0.08F * strongest(source.specular);
     material.roughness = std::pow(2.0F / (std::max(source.shininess, 0.0F) + 2.0F), 0.25F);
     material.emission = strongest(source.emission) / std::max(strongest(source.diffuse), 0.05F);
-    // Wood unless it shines by itself.
+    // Wood unless it emits light.
     material.grain = material.emission > 0.0F ? 0.0F : 1.0F;
     return material;
 }
@@ -76,7 +76,7 @@ glm::vec3 vectorAt(const std::vector<tinyobj::real_t> &values, int index) {
     return {values[first], values[first + 1], values[first + 2]};
 }
 
-// Whether all that is to be drawn is there: the loader counts and triangulates by itself.
+/// Whether nothing is missing: the loader counts and triangulates by itself.
 bool isComplete(const Loaded &loaded) {
     const auto has = [](const std::vector<tinyobj::real_t> &values, int index) {
         return index >= 0 && static_cast<std::size_t>(index) * 3 + 2 < values.size();
@@ -105,12 +105,12 @@ Bounds shapeBounds(const tinyobj::attrib_t &attributes, const tinyobj::shape_t &
     return {minimum, maximum};
 }
 
-// False for a sliver of no area, which has no normal and no pixels.
+/// False for a degenerate triangle, which has no normal and no pixels.
 bool addTriangle(MeshBuilder &builder, const tinyobj::attrib_t &attributes, const tinyobj::index_t *corners) {
     std::array<glm::vec3, 3> positions;
     std::array<glm::vec3, 3> normals;
     for (std::size_t i = 0; i < 3; ++i) positions[i] = vectorAt(attributes.vertices, corners[i].vertex_index);
-    // In double: the area of a small face has no room in a float.
+    // In double: the area of a small face underflows a float.
     const glm::dvec3 area = glm::cross(glm::dvec3(positions[1]) - glm::dvec3(positions[0]),
                                        glm::dvec3(positions[2]) - glm::dvec3(positions[0]));
     if (glm::length(area) == 0.0) return false;
@@ -123,10 +123,10 @@ bool addTriangle(MeshBuilder &builder, const tinyobj::attrib_t &attributes, cons
     return true;
 }
 
-// The number of faces without an area, which are left out.
+/// Returns the number of degenerate faces, which are left out.
 int addShape(MeshBuilder &builder, const Loaded &loaded, const tinyobj::shape_t &shape) {
     const Bounds bounds = shapeBounds(loaded.attributes, shape);
-    int current = -2; // no material of a file has this number
+    int current = -2; // not a valid material number
     int slivers = 0;
     for (std::size_t face = 0; face < shape.mesh.num_face_vertices.size(); ++face) {
         const int id = shape.mesh.material_ids[face];

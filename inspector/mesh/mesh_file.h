@@ -10,12 +10,12 @@
 
 namespace inspector::gl {
 
-// Reads a Wavefront .obj with the .mtl files it names. `problem` (not null) gets one line: file, line where there is
-// one, what was expected, what was found. On failure nothing is returned; with a mesh it says what was left out of it,
-// or is empty.
+/// Reads a Wavefront .obj with its .mtl files. `problem` (not null) gets one line: file, line number if any, what was
+/// expected, what was found. On failure returns nothing; otherwise `problem` says what was left out of the mesh, or is
+/// empty.
 std::optional<Mesh> loadMesh(const QString &path, QString *problem);
 
-// The same from memory; the line begins behind the file's name: "7: expected ...".
+/// The same from memory; the line begins after the file's name: "7: expected ...".
 std::optional<Mesh> parseMesh(const QByteArray &text, const MaterialSource &materials, QString *problem);
 
 } // namespace inspector::gl

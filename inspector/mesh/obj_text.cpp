@@ -13,7 +13,7 @@ namespace inspector::gl {
 
 namespace {
 
-// A line that can't be drawn: what was expected, what was found.
+/// An invalid line: what was expected, what was found.
 struct WrongLine {
     QString reason;
 };
@@ -25,19 +25,19 @@ QString shown(const QByteArray &text) { return quoted(QString::fromUtf8(text)); 
 }
 
 struct Line {
-    int number; // of its first line in the file, from 1
+    int number; ///< of its first line in the file, from 1
     QByteArray keyword;
-    QByteArray rest; // words separated by single spaces
+    QByteArray rest; ///< words separated by single spaces
 };
 
-// Comments begin at a # that doesn't stand inside a word; names may have one.
+/// Comments begin at a # that isn't inside a word; names may contain one.
 QByteArray withoutComment(const QByteArray &line) {
     for (qsizetype i = 0; i < line.size(); ++i)
         if (line[i] == '#' && (i == 0 || line[i - 1] == ' ' || line[i - 1] == '\t')) return line.left(i);
     return line;
 }
 
-// Visits all lines that say something; a backslash at the end of one continues it.
+/// Visits all non-empty lines; a backslash at the end of a line continues it.
 void forEachLine(QByteArray text, const std::function<void(const Line &)> &visit) {
     if (text.startsWith("\xef\xbb\xbf")) text.remove(0, 3);
     text.replace("\r\n", "\n").replace('\r', '\n').replace('\0', ' ');
@@ -72,7 +72,7 @@ std::optional<Number> numberFrom(QByteArray word) {
     return result.ec == std::errc() && result.ptr == end ? std::optional(number) : std::nullopt;
 }
 
-// The first `count` words, written anew.
+/// The first `count` words as validated numbers.
 QByteArray numbersOf(const Line &line, qsizetype count, double limit) {
     const QList<QByteArray> words = line.rest.split(' ');
     QByteArray text;
@@ -117,7 +117,7 @@ private:
         m_checked.shapes += "vn" + numbersOf(line, 3, 1e30) + '\n';
     }
 
-    // Position and normal of each corner, counted from 1; texture coordinates are not drawn.
+    /// Position and normal of each corner, counted from 1; texture coordinates are ignored.
     void readFace(const Line &line) {
         const QList<QByteArray> corners = line.rest.isEmpty() ? QList<QByteArray>() : line.rest.split(' ');
         if (corners.size() < 3)
@@ -140,14 +140,14 @@ private:
         ++m_faces;
     }
 
-    // Counted from 1, or backwards from -1; 0 if there is none.
+    /// The 1-based index; negative input counts backwards from the end. 0 if absent.
     static int indexOf(const QByteArray &word, int count) {
         const int index = numberFrom<int>(word).value_or(0);
         if (index < -count || index > count) return 0;
         return index < 0 ? count + 1 + index : index;
     }
 
-    // One name with spaces, if there is such a file, else several.
+    /// A single name with spaces, if such a file exists, otherwise several names.
     void readLibraries(const QByteArray &rest) {
         const QString all = QString::fromUtf8(rest).replace(QLatin1Char('\\'), QLatin1Char('/'));
         QString reason;
@@ -199,8 +199,8 @@ private:
     int m_normals = 0;
     int m_faces = 0;
     int m_objects = 0;
-    int m_count = 0;                    // materials
-    QHash<QByteArray, int> m_materials; // a name given twice is the last one
+    int m_count = 0;                    ///< materials
+    QHash<QByteArray, int> m_materials; ///< the last definition of a name wins
 };
 
 } // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A Wavefront .obj and its .mtl as text, checked line by line and written anew: what the loader gets consists of lines
-// of known form with numbers and indices in range, whatever the files are like.
+// Validates a Wavefront .obj and its .mtl line by line and writes them anew: the loader only gets lines of known form
+// with numbers and indices in range, whatever is in the files.
 #pragma once
 
 #include <QByteArray>
@@ -11,21 +11,21 @@
 
 namespace inspector::gl {
 
-// Coordinates beyond this are refused, m: a picture of floats shows nothing there.
+/// Larger coordinates are refused, m: floats can't be drawn precisely there.
 inline constexpr double kLargestCoordinate = 1e6;
 
 struct CheckedObj {
-    QByteArray shapes;    // v, vn, f, o and usemtl lines; materials by number: m0, m1, ...
-    QByteArray materials; // newmtl m0 and its Kd, Ks, Ke and Ns lines, and so on
-    QString note;         // the first thing that was left out, with its line; empty if all is there
+    QByteArray shapes;    ///< v, vn, f, o and usemtl lines; materials are named m0, m1, ...
+    QByteArray materials; ///< newmtl m0 and its Kd, Ks, Ke and Ns lines, and so on
+    QString note;         ///< the first thing that was left out, with its line number; empty if nothing was
 };
 
-// Bytes of a material file by its name in the .obj; nothing and the reason if they can't be had.
+/// Returns a material file's bytes by its name in the .obj; nothing, with the reason in `error`, if they can't be read.
 using MaterialSource = std::function<std::optional<QByteArray>(const QString &name, QString *error)>;
 
-// What tools write is understood: comments, continued lines, any line ends, a byte order mark, names with spaces,
-// several material files, colours after a vertex, lines and points (left out). A wrong number or index or no face at
-// all: nothing, and `error` gets "LINE: expected ..., found ...".
+/// Accepts what common tools write: comments, continued lines, any line ends, a byte order mark, names with spaces,
+/// several material files, colours after a vertex, lines and points (ignored). For a wrong number or index, or no face
+/// at all, returns nothing, and `error` gets "LINE: expected ..., found ...".
 std::optional<CheckedObj> checkObj(const QByteArray &text, const MaterialSource &materials, QString *error);
 
 } // namespace inspector::gl

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What fills a view with its picture: by OpenGL, or without it.
+// Draws a view's picture: by OpenGL, or without it.
 #pragma once
 
 #include "gl/frame.h"
@@ -14,17 +14,18 @@
 
 namespace inspector::gl {
 
-// What a canvas asks of the view that it is in.
+/// What a canvas needs from its view.
 class CanvasHost {
 public:
-    virtual const Frame &nextFrame() = 0;                 // the one to draw now
-    virtual View view() const = 0;                        // how it is looked at
-    virtual const OrbitCamera &lookedThrough() const = 0; // logical pixels
-    virtual glm::dmat4 boardPose() const = 0;             // of that frame
-    virtual void noteDrawn(double milliseconds) = 0;      // until the picture was finished
-    virtual void noteProblem(const QString &text) = 0;    // one line or a shader log; it goes on with what it has
-    virtual void noteRebuilt() = 0;                       // shaders
-    virtual void noteUnusable(const QString &reason) = 0; // it can't draw here at all
+    virtual const Frame &nextFrame() = 0;                 ///< the frame to draw now
+    virtual View view() const = 0;                        ///< how it is looked at
+    virtual const OrbitCamera &lookedThrough() const = 0; ///< logical pixels
+    virtual glm::dmat4 boardPose() const = 0;             ///< the board's pose in that frame
+    virtual void noteDrawn(double milliseconds) = 0;      ///< time until the picture was finished
+    virtual void
+    noteProblem(const QString &text) = 0; ///< one line or a shader log; drawing continues with what there is
+    virtual void noteRebuilt() = 0;       ///< shaders
+    virtual void noteUnusable(const QString &reason) = 0; ///< this kind of canvas can't draw here at all
 
 protected:
     ~CanvasHost() = default;
@@ -37,13 +38,13 @@ public:
     virtual QWidget &widget() = 0;
     virtual void setMaze(const Mesh &mesh) = 0;
     virtual void setBall(const Mesh &mesh) = 0;
-    // The picture as it is now, `scale` pixels for each of the device; null before the first.
+    /// The current picture, `scale` pixels per device pixel; null before the first.
     virtual QImage picture(const Frame &frame, int scale) = 0;
-    // What is on the screen.
+    /// The pixels on the screen.
     virtual QImage shown() = 0;
-    virtual QString name() const = 0; // of what draws; empty before the first picture
+    virtual QString name() const = 0; ///< of the renderer; empty before the first picture
 
-    // Nothing: chosen by how long pictures take.
+    /// Empty: chosen by drawing times.
     virtual void setQuality(std::optional<Quality>) {}
     virtual Quality quality() const { return Quality::Low; }
     virtual void setShaderDirectory(const QString &) {}

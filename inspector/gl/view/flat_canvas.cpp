@@ -14,11 +14,11 @@ namespace inspector::gl {
 
 namespace {
 
-const glm::vec3 kLight = glm::normalize(glm::vec3(-0.4F, 0.5F, 1.2F)); // towards it, board frame
+const glm::vec3 kLight = glm::normalize(glm::vec3(-0.4F, 0.5F, 1.2F)); ///< direction to the light, board frame
 constexpr float kAmbient = 0.45F;
-constexpr double kSeam = 1.5;     // pen around a triangle, so that none shows its neighbour's edge, pixels
-constexpr double kMark = 0.32;    // of the ball's radius: spots that show how it rolls
-constexpr double kSpacing = 1e-4; // of a trail's points, m
+constexpr double kSeam = 1.5;     ///< pen width around a triangle, pixels, to cover seams
+constexpr double kMark = 0.32;    ///< share of the ball's radius: spots that show its rotation
+constexpr double kSpacing = 1e-4; ///< between a trail's points, m
 const QColor kBallColour(0xd8, 0xdc, 0xe0);
 const QColor kMarkColour(0xc6, 0x28, 0x28);
 
@@ -51,7 +51,7 @@ void FlatCanvas::setMaze(const Mesh &mesh) {
             middle += triangle.corners[corner] / 3.0;
         }
         const Vertex &vertex = mesh.vertices[mesh.indices[i]];
-        const float own = static_cast<float>(vertex.surface.a) / 255.0F; // its own light
+        const float own = static_cast<float>(vertex.surface.a) / 255.0F; // emission
         const float lit = kAmbient + (1.0F - kAmbient) * std::max(0.0F, glm::dot(vertex.normal, kLight));
         triangle.colour = glm::vec3(vertex.albedo) / 255.0F * std::max(lit, own);
         triangle.height = static_cast<float>(middle.z);
@@ -98,14 +98,14 @@ void FlatCanvas::paint(QPainter &painter, const Frame &frame) const {
     paintBall(painter, projection, frame.ball);
 }
 
-// What faces away is left out: on the screen it runs clockwise.
+/// Back faces are culled: on the screen they are clockwise.
 void FlatCanvas::paintMaze(QPainter &painter, const Projection &projection) const {
     for (const Triangle &triangle : m_triangles) {
         QPointF corners[3];
         for (int i = 0; i < 3; ++i) corners[i] = place(projection, triangle.corners[i]);
         const QPointF a = corners[1] - corners[0];
         const QPointF b = corners[2] - corners[0];
-        if (a.x() * b.y() - a.y() * b.x() >= 0.0) continue; // y runs down
+        if (a.x() * b.y() - a.y() * b.x() >= 0.0) continue; // y points down
         const QColor colour = toQColor(triangle.colour);
         painter.setPen(QPen(colour, kSeam));
         painter.setBrush(colour);
@@ -119,7 +119,7 @@ double FlatCanvas::discRadius(const Projection &projection, const Ball &ball) co
     return std::hypot(reach.x(), reach.y());
 }
 
-// Spots at the ends of its axes, as far as they are seen from above.
+/// Spots at the ends of the ball's axes, if visible from above.
 void FlatCanvas::paintBall(QPainter &painter, const Projection &projection, const Ball &ball) const {
     const QPointF middle = place(projection, ball.position);
     const double radius = discRadius(projection, ball);

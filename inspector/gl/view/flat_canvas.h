@@ -9,16 +9,16 @@ class QPainter;
 
 namespace inspector::gl {
 
-// Draws without OpenGL, for a camera that looks from above: what is higher is drawn later. Holes are where the table
-// shows through the floor.
+/// Draws without OpenGL, for a camera that looks from above, by the painter's algorithm in order of height. Holes show
+/// the table through the floor.
 class FlatCanvas : public QWidget, public Canvas {
 public:
-    // host: outlives the canvas.
+    /// host must outlive the canvas.
     FlatCanvas(CanvasHost &host, QWidget *parent);
 
     QWidget &widget() override { return *this; }
     void setMaze(const Mesh &mesh) override;
-    void setBall(const Mesh &) override {} // a disc
+    void setBall(const Mesh &) override {} ///< the ball is drawn as a disc
     QImage picture(const Frame &frame, int scale) override;
     QImage shown() override { return grab().toImage(); }
     QString name() const override;
@@ -29,10 +29,10 @@ protected:
 private:
     struct Triangle {
         glm::dvec3 corners[3];
-        glm::vec3 colour; // sRGB, shaded
-        float height;     // of its middle, m
+        glm::vec3 colour; ///< sRGB, shaded
+        float height;     ///< of its middle, m
     };
-    using Projection = glm::dmat4; // board to clip
+    using Projection = glm::dmat4; ///< board to clip
 
     void paint(QPainter &painter, const Frame &frame) const;
     void paintMaze(QPainter &painter, const Projection &projection) const;
@@ -43,7 +43,7 @@ private:
     double discRadius(const Projection &projection, const Ball &ball) const;
 
     CanvasHost &m_host;
-    std::vector<Triangle> m_triangles; // the lowest first
+    std::vector<Triangle> m_triangles; ///< lowest first
 };
 
 } // namespace inspector::gl

@@ -15,11 +15,11 @@ namespace inspector::gl {
 
 namespace {
 
-constexpr int kSamples = 4; // of saved pictures
+constexpr int kSamples = 4; ///< of saved pictures
 
 QOpenGLExtraFunctions &functions() { return *QOpenGLContext::currentContext()->extraFunctions(); }
 
-// As a widget's own one, so that depths can be copied between them.
+/// Like a widget's own framebuffer, so that depth can be copied between them.
 QOpenGLFramebufferObjectFormat formatOf(int samples) {
     QOpenGLFramebufferObjectFormat format;
     format.setSamples(samples);
@@ -113,7 +113,7 @@ void FramePainter::paint(unsigned framebuffer) {
     const bool isWhole = render(frame, view, isSmoothed ? unsmoothed(view) : framebuffer);
     functions().glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     if (isSmoothed) m_renderer->smooth(m_unsmoothed->texture(), view);
-    functions().glFinish(); // drivers queue; the figure is for the finished picture
+    functions().glFinish(); // drivers queue commands; measure until the picture is finished
     const double milliseconds = 1e-6 * static_cast<double>(timer.nsecsElapsed());
     if (isWhole && !m_setQuality) m_chooser.note(milliseconds);
     m_host.noteDrawn(milliseconds);
@@ -125,8 +125,8 @@ unsigned FramePainter::unsmoothed(const View &view) {
     return m_unsmoothed->handle();
 }
 
-// Once board and table stand still they are drawn once more without the ball, and copied from then on. True if all of
-// the picture was drawn.
+/// When board and table don't change, they are drawn once without the ball and copied from then on. True if everything
+/// was drawn anew.
 bool FramePainter::render(const Frame &frame, const View &view, unsigned framebuffer) {
     const MazeRenderer::StaticScene staticScene = m_renderer->staticSceneOf(frame, view);
     if (staticScene != std::exchange(m_staticScene, staticScene)) {

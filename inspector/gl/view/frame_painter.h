@@ -17,50 +17,49 @@ QT_END_NAMESPACE
 
 namespace inspector::gl {
 
-// What canvases that draw by OpenGL have in common: meshes, quality, and how a frame gets into a framebuffer. GUI
-// thread only; what says so needs the canvas's context current.
+/// Common parts of the OpenGL canvases: meshes, quality, and drawing a frame into a framebuffer. GUI thread only; some
+/// functions need the canvas's context current.
 class FramePainter : public QObject {
     Q_OBJECT
 
 public:
-    // host: outlives the painter.
+    /// host must outlive the painter.
     explicit FramePainter(CanvasHost &host);
     ~FramePainter() override;
 
     void setMaze(const Mesh &mesh);
     void setBall(const Mesh &mesh);
-    // Until called chosen, from Medium on for a software renderer, from High otherwise.
+    /// Empty (as initially): chosen automatically, starting with Medium for a software renderer and High otherwise.
     void setQuality(std::optional<Quality> quality);
     Quality quality() const { return m_setQuality.value_or(m_chooser.quality()); }
     void setShaderDirectory(const QString &path);
-    // What draws; empty before the first picture.
+    /// The renderer's name; empty before the first picture.
     QString name() const { return m_name; }
 
-    // For the context that is current, once for each; tells the host if it can't be used.
+    /// Call once for each new context, while it is current; reports to the host if it is unusable.
     void begin();
-    // Before that context goes; it is current.
+    /// Call before that context is destroyed, while it is current.
     void end();
 
-    // Draws the host's next frame and waits until it is finished; the context is current. framebuffer: with depths and
-    // stencil, of as many pixels as the host's view.
+    /// Draws the host's next frame and waits until it is finished; the context must be current. framebuffer: of the
+    /// size of the host's view, with depth and stencil.
     void paint(unsigned framebuffer);
-    // Into a framebuffer of its own, with as many samples as there are, `scale` pixels for each of the device; the
-    // context is current.
+    /// Draws into a multisampled framebuffer of its own, `scale` pixels per device pixel; the context must be current.
     QImage picture(const Frame &frame, int scale);
 
 signals:
-    void changed(); // a new picture is due
+    void changed(); ///< a redraw is needed
 
 private:
     void startDebugLogger();
     void uploadMeshes();
     bool render(const Frame &frame, const View &view, unsigned framebuffer);
     void copy(unsigned from, unsigned to, const View &view, unsigned buffers);
-    unsigned unsmoothed(const View &view); // to draw into what is smoothed then
+    unsigned unsmoothed(const View &view); ///< framebuffer whose picture is antialiased afterwards
     void makeStaticPicture(const Frame &frame, const View &view);
 
     CanvasHost &m_host;
-    Mesh m_maze; // kept for the next context
+    Mesh m_maze; ///< kept for the next context
     std::optional<Mesh> m_ball;
     bool m_areMeshesStale = true;
     QString m_shaderDirectory;
@@ -68,10 +67,11 @@ private:
     QualityChooser m_chooser{Quality::Medium};
     QString m_name;
 
-    std::unique_ptr<MazeRenderer> m_renderer; // these three live and die with the context
+    std::unique_ptr<MazeRenderer> m_renderer; ///< these three belong to the context
     std::unique_ptr<QOpenGLFramebufferObject> m_unsmoothed;
-    std::unique_ptr<QOpenGLFramebufferObject> m_staticPicture; // of board and table, once two frames had them alike
-    MazeRenderer::StaticScene m_staticScene;                   // of the last frame
+    std::unique_ptr<QOpenGLFramebufferObject>
+        m_staticPicture;                     ///< cached board and table, made when two frames in a row share them
+    MazeRenderer::StaticScene m_staticScene; ///< of the last frame
 };
 
 } // namespace inspector::gl

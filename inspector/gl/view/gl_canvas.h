@@ -7,13 +7,13 @@
 
 namespace inspector::gl {
 
-// Draws by OpenGL, onto the screen, by which the whole window is then put together: cheap for a graphics card. GUI
-// thread only.
+/// Draws by OpenGL directly onto the screen; Qt then composes the whole window by OpenGL, which is cheap on a graphics
+/// card. GUI thread only.
 class GlCanvas : public QOpenGLWidget, public Canvas {
     Q_OBJECT
 
 public:
-    // host: outlives the canvas.
+    /// host must outlive the canvas.
     GlCanvas(CanvasHost &host, QWidget *parent);
     ~GlCanvas() override;
 

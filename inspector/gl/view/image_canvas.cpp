@@ -44,7 +44,7 @@ QImage ImageCanvas::draw() {
     m_painter.paint(m_target->handle());
     QImage image = m_target->toImage();
     m_context->doneCurrent();
-    image.reinterpretAsFormat(QImage::Format_RGB32); // all of it is opaque
+    image.reinterpretAsFormat(QImage::Format_RGB32); // the picture is opaque
     image.setDevicePixelRatio(view.pixelRatio);
     return image;
 }

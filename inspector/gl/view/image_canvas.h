@@ -10,13 +10,13 @@
 
 namespace inspector::gl {
 
-// Draws by OpenGL into an image, which Qt puts onto the screen like all other widgets: cheap for a software renderer,
-// which would have to put the whole window together for each picture otherwise. GUI thread only.
+/// Draws by OpenGL into an image, which Qt paints like any other widget: cheap with a software renderer, which would
+/// have to compose the whole window for each picture otherwise. GUI thread only.
 class ImageCanvas : public QWidget, public Canvas {
     Q_OBJECT
 
 public:
-    // host: outlives the canvas.
+    /// host must outlive the canvas.
     ImageCanvas(CanvasHost &host, QWidget *parent);
     ~ImageCanvas() override;
 
@@ -41,7 +41,7 @@ private:
     CanvasHost &m_host;
     FramePainter m_painter;
     QOffscreenSurface m_surface;
-    std::unique_ptr<QOpenGLContext> m_context; // from the first picture on
+    std::unique_ptr<QOpenGLContext> m_context; ///< created with the first picture
     std::unique_ptr<QOpenGLFramebufferObject> m_target;
 };
 

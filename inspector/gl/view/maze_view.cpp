@@ -24,9 +24,9 @@ namespace inspector::gl {
 namespace {
 
 constexpr int kPulseMilliseconds = 16;
-constexpr double kLeastBall = 3.0;           // radius of a ball in the picture, logical pixels
-constexpr double kFollowShare = 0.4;         // of the distance that shows everything
-constexpr double kWheelUnitsPerStep = 120.0; // QWheelEvent: eighths of a degree, 15 degrees a notch
+constexpr double kLeastBall = 3.0;           ///< minimum radius of a ball in the picture, logical pixels
+constexpr double kFollowShare = 0.4;         ///< share of the distance that shows everything
+constexpr double kWheelUnitsPerStep = 120.0; ///< QWheelEvent: eighths of a degree, 15 degrees a notch
 
 glm::dvec2 toGlm(const QPointF &point) { return {point.x(), point.y()}; }
 
@@ -57,7 +57,7 @@ MazeView::MazeView(Drawing drawing, QWidget *parent)
     });
 }
 
-MazeView::~MazeView() { delete m_canvas; } // while there is a host
+MazeView::~MazeView() { delete m_canvas; } ///< before the host's other members
 
 void MazeView::makeCanvas(Drawing drawing) {
     delete std::exchange(m_canvas, nullptr);
@@ -65,7 +65,7 @@ void MazeView::makeCanvas(Drawing drawing) {
     if (m_drawing == Drawing::Flat) m_canvas = new FlatCanvas(*this, this);
     if (m_drawing == Drawing::Picture) m_canvas = new ImageCanvas(*this, this);
     if (m_drawing == Drawing::Screen) m_canvas = new GlCanvas(*this, this);
-    m_canvas->widget().setAttribute(Qt::WA_TransparentForMouseEvents); // they are the view's
+    m_canvas->widget().setAttribute(Qt::WA_TransparentForMouseEvents); // mouse events are handled by the view
     layout()->addWidget(&m_canvas->widget());
     m_canvas->setMaze(m_maze);
     if (m_ball) m_canvas->setBall(*m_ball);
@@ -73,7 +73,7 @@ void MazeView::makeCanvas(Drawing drawing) {
     resetCamera();
 }
 
-// Once nothing of the other canvas is being called.
+/// Queued, so that no function of the old canvas is on the stack.
 void MazeView::noteUnusable(const QString &reason) {
     emit problem(tr("%1; the board is drawn from above instead").arg(reason));
     QMetaObject::invokeMethod(
@@ -84,7 +84,7 @@ void MazeView::update() { m_canvas->widget().update(); }
 
 void MazeView::changeEvent(QEvent *event) {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange) update(); // the table has the window's colour
+    if (event->type() == QEvent::PaletteChange) update(); // the table uses the window's colour
 }
 
 void MazeView::setMaze(const Mesh &mesh) {
@@ -143,7 +143,7 @@ void MazeView::resetCamera() {
 void MazeView::lookFromAbove() {
     setFollowing(false);
     m_camera.reset();
-    m_camera.orbit({0.0, 1e4}); // as far as it goes
+    m_camera.orbit({0.0, 1e4}); // up to the limit
     m_camera.fit();
     update();
 }
@@ -176,14 +176,14 @@ View MazeView::view() const {
     View view;
     view.view = m_camera.view();
     view.projection = m_camera.projection();
-    // The one place where logical pixels become those of the device.
+    // The one place that converts logical to device pixels.
     view.pixelRatio = devicePixelRatioF();
     view.pixels = {std::lround(width() * view.pixelRatio), std::lround(height() * view.pixelRatio)};
     view.backdrop = backdropOf(palette());
     return view;
 }
 
-// In a large maze, seen whole, a ball of its own size would be a dot that nobody finds.
+/// In a large maze shown whole, a ball at its true size would be an invisible dot.
 void MazeView::keepVisible(Ball &ball) const {
     const QPointF reach = positionOf(ball.position + glm::dvec3(ball.radius, 0.0, 0.0)) - positionOf(ball.position);
     const double radius = std::hypot(reach.x(), reach.y());
@@ -227,7 +227,7 @@ void MazeView::mouseReleaseEvent(QMouseEvent *event) {
 }
 
 void MazeView::mouseDoubleClickEvent(QMouseEvent *event) {
-    m_isDragging = true; // its release is no click
+    m_isDragging = true; // so that the release isn't a click
     event->accept();
     resetCamera();
 }

@@ -13,14 +13,14 @@
 namespace inspector::gl {
 
 enum class Drawing {
-    Solid,   // by OpenGL, in whichever of the next two ways is cheaper here
-    Screen,  // onto the screen
-    Picture, // into a picture
-    Flat,    // without it, from above
+    Solid,   ///< by OpenGL, the cheaper of the next two here
+    Screen,  ///< directly onto the screen
+    Picture, ///< into an image
+    Flat,    ///< without OpenGL, from above
 };
 
-// The picture as a widget: left drag orbits, right or middle drag pans, the wheel zooms to the cursor, a double click
-// shows everything again. Keys are left to the window. GUI thread only.
+/// The board as a widget: left drag orbits, right or middle drag pans, the wheel zooms to the cursor, a double click
+/// shows everything again. Keys are left to the window. GUI thread only.
 class MazeView : public QWidget, private CanvasHost {
     Q_OBJECT
 
@@ -28,57 +28,57 @@ public:
     explicit MazeView(Drawing drawing = Drawing::Solid, QWidget *parent = nullptr);
     ~MazeView() override;
 
-    Drawing drawing() const { return m_drawing; } // never Solid
-    // The next picture shows what has changed.
+    Drawing drawing() const { return m_drawing; } ///< never Solid
+    /// Requests a redraw.
     void update();
 
-    // May be called before the widget is shown. A maze of other bounds resets the camera.
+    /// May be called before the widget is shown. A maze with other bounds resets the camera.
     void setMaze(const Mesh &mesh);
-    // rad, in x and in y: up to there the whole board stays in the picture. 0 until told.
+    /// rad, in x and in y, up to which the whole board stays in the picture. Initially 0.
     void setLargestTilt(double tilt);
-    void setBall(const Mesh &mesh); // radius 1 around the origin
+    void setBall(const Mesh &mesh); ///< radius 1 around the origin
 
-    // Draws this frame once...
+    /// Draws this frame once...
     void setFrame(const Frame &frame);
-    // ...or asks `source` for one before each picture, up to 60 times a second while visible and while `isNew` says
-    // that there is another one to show; null ends that.
+    /// ...or asks `source` for one before each picture, up to 60 times a second while visible and while `isNew` returns
+    /// true; null ends that.
     void setFrameSource(
         std::function<Frame()> source, std::function<bool()> isNew = [] { return true; });
-    // How many pictures were drawn.
+    /// The number of pictures drawn.
     uint64_t pictures() const { return m_pictures; }
 
-    // Nothing, as at first: the best one in which pictures come in time, found by what they take.
+    /// Empty (as initially): the best quality that is drawn in time.
     void setQuality(std::optional<Quality> quality);
     Quality quality() const { return m_canvas->quality(); }
 
-    // Shader files here replace the embedded ones, also while running; empty: embedded only.
+    /// Shader files in this directory replace the embedded ones, also while running; empty: embedded only.
     void setShaderDirectory(const QString &path);
 
     OrbitCamera &camera() { return m_camera; }
-    // Shows everything from the start direction.
+    /// Shows everything from the start direction.
     void resetCamera();
     void lookFromAbove();
-    // The ball stays in the middle, from nearer by; until told otherwise or everything is shown again.
+    /// The camera follows the ball from nearer by, until switched off or reset.
     void setFollowing(bool isOn);
     bool isFollowing() const { return m_isFollowing; }
 
-    // Time that the last picture took until it was finished, ms; 0 before the first.
+    /// Time until the last picture was finished, ms; 0 before the first.
     double lastFrameMilliseconds() const { return m_frameMilliseconds; }
-    // What draws, for instance "llvmpipe (LLVM 15.0.6, 256 bits)"; empty before the first picture.
+    /// The renderer, for instance "llvmpipe (LLVM 15.0.6, 256 bits)"; empty before the first picture.
     QString rendererName() const { return m_canvas->name(); }
-    // The picture as it is now, `scale` pixels for each of the device, 1 to 4; null before the first.
+    /// The current picture, `scale` (1 to 4) pixels per device pixel; null before the first.
     QImage picture(int scale) { return m_canvas->picture(m_frame, scale); }
-    // What is on the screen.
+    /// The pixels on the screen.
     QImage grabFramebuffer() { return m_canvas->shown(); }
-    // The ray under a place of this widget, in the board frame.
+    /// The ray through a point of this widget, in the board frame.
     Ray rayAt(const QPointF &place) const;
-    // Where a point of the board (board frame, m) is drawn, in logical pixels of this widget.
+    /// Where a point (board frame, m) is drawn, in logical pixels of this widget.
     QPointF positionOf(const glm::dvec3 &boardPoint) const;
 
 signals:
-    // A click without a drag, as a ray in the board frame.
+    /// A click without a drag, as a ray in the board frame.
     void clicked(const inspector::gl::Ray &ray);
-    // One line or a shader log; the view goes on with what it has.
+    /// One line or a shader log; drawing continues with what there is.
     void problem(const QString &text);
     void shadersRebuilt();
     void followingChanged(bool isOn);
@@ -106,23 +106,23 @@ private:
     void keepVisible(Ball &ball) const;
 
     Drawing m_drawing = Drawing::Flat;
-    Canvas *m_canvas = nullptr; // a child
+    Canvas *m_canvas = nullptr; ///< a child
     OrbitCamera m_camera;
     Frame m_frame;
     std::function<Frame()> m_source;
     std::function<bool()> m_isNew;
     uint64_t m_pictures = 0;
     QTimer m_pulse;
-    Mesh m_maze; // kept for another canvas
+    Mesh m_maze; ///< kept for a new canvas
     std::optional<Mesh> m_ball;
     Bounds m_bounds;
-    double m_largestTilt = 0.0; // rad
+    double m_largestTilt = 0.0; ///< rad
     QString m_shaderDirectory;
     double m_frameMilliseconds = 0.0;
     QPointF m_pressPosition;
     QPointF m_lastPosition;
     bool m_isDragging = false;
-    bool m_isCameraMoved = false; // by hand; until then a resized view shows everything
+    bool m_isCameraMoved = false; ///< by the user; until then resizing shows everything
     bool m_isFollowing = false;
 };
 

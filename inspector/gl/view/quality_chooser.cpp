@@ -7,9 +7,9 @@ namespace inspector::gl {
 
 namespace {
 
-constexpr int kPictures = 8;      // that decide
-constexpr double kSlow = 16.0;    // ms; less than 60 pictures a second
-constexpr double kVeryFast = 3.0; // ms; a better quality takes up to four times as long
+constexpr int kPictures = 8;      ///< pictures per decision
+constexpr double kSlow = 16.0;    ///< ms; less than 60 pictures a second
+constexpr double kVeryFast = 3.0; ///< ms; a better quality takes up to four times as long
 
 } // namespace
 
