@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads the command line, decides between window and no window, and hands over. There is one application object at a
-// time: words are read, and everything without a window runs, beside one that needs no display.
+// Reads the command line, decides between window and no window, and delegates. Only one application object exists at a
+// time: the command line is parsed, and everything without a window runs, with one that needs no display.
 #include "core/program/command_line.h"
 #include "core/program/csv_writer.h"
 #include "core/program/ending.h"
@@ -28,14 +28,14 @@ namespace {
 
 using namespace inspector;
 
-// What is written to a standard stream that the caller has closed would end in the next file that is opened.
+/// If a standard descriptor is closed, the next opened file would receive its output.
 void keepStandardDescriptors() {
-    int descriptor = ::open("/dev/null", O_RDONLY); // so that writing fails
+    int descriptor = ::open("/dev/null", O_RDONLY); // read-only, so that writing fails
     while (descriptor >= 0 && descriptor <= STDERR_FILENO) descriptor = ::dup(descriptor);
     if (descriptor >= 0) ::close(descriptor);
 }
 
-// Qt's own options are left out: it takes --plugin for one of them.
+/// Qt's own options are disabled: it would take --plugin for one of them.
 QStringList wordsOf(int argc, char **argv) {
     QStringList words;
     std::transform(argv, argv + argc, std::back_inserter(words), [](const char *word) { return decodePath(word); });
@@ -43,14 +43,14 @@ QStringList wordsOf(int argc, char **argv) {
     return words;
 }
 
-// The status, unless standard output lost something. Who closed a pipe has read what there was to read.
+/// The exit status: `status`, unless standard output lost data. A closed pipe isn't an error.
 int finished(OutputFile &out, int status, QTextStream &messages) {
     if (out.finish()) return status;
     if (!out.isUnread()) report(messages, out.problem());
     return std::max(status, 1);
 }
 
-// For the progress of long work, which is for people's eyes alone.
+/// Where to show progress: only on a terminal.
 QTextStream *terminalOf(QTextStream &messages) { return isatty(STDERR_FILENO) ? &messages : nullptr; }
 
 int runTradeOnTerminal(const Options &options, QTextStream &messages) {
@@ -63,7 +63,7 @@ int runTradeOnTerminal(const Options &options, QTextStream &messages) {
     return finished(*file, status, messages);
 }
 
-// Curves as text are written by the core alone; pictures need an application that can draw, but no screen.
+/// The core writes SVG by itself; other pictures need an application that can draw, but no screen.
 bool needsToDraw(const Options &options) {
     const QString &plot = options.trade.plot;
     return !plot.isEmpty() && !plot.endsWith(QLatin1String(".svg"));
@@ -119,7 +119,7 @@ int main(int argc, char **argv) {
     QCoreApplication::setOrganizationName(QStringLiteral("libphysics"));
     const QStringList words = wordsOf(argc, argv);
     QTextStream messages(stderr);
-    int count = std::min(argc, 1); // Qt gets the program's name alone
+    int count = std::min(argc, 1); // Qt gets only the program's name
 
     auto withoutDisplay = std::make_unique<QCoreApplication>(count, argv);
     const CommandLine line = parseCommandLine(words, loadProbedPlugin);

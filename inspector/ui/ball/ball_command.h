@@ -7,7 +7,7 @@ class QUndoStack;
 
 namespace inspector::ui {
 
-// The ball was put to a place by hand, where it is already: one undo takes all of it back.
+/// Pushes a command for a ball that the user has already moved: one undo reverts all of it.
 void pushBallCommand(Session &session, QUndoStack &undo, const phys_state &before, const phys_state &after);
 
 } // namespace inspector::ui

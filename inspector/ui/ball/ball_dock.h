@@ -14,15 +14,15 @@ namespace inspector::ui {
 
 class NumberBox;
 
-// The ball's position, velocity and spin as numbers, to be typed while everything stands, and where it starts.
+/// Position, velocity and spin of the ball as numbers, editable while paused, and its start.
 class BallDock : public QScrollArea {
     Q_OBJECT
 
 public:
-    // Both outlive the dock.
+    /// Both must outlive the dock.
     BallDock(Session &session, QUndoStack &undo, QWidget *parent = nullptr);
 
-    // Shows the present moment; called about 30 times a second.
+    /// Shows the current moment; called about 30 times a second.
     void refresh(const Snapshot &now);
 
 private:
@@ -30,7 +30,7 @@ private:
 
     Session &m_session;
     QUndoStack &m_undo;
-    std::vector<NumberBox *> m_boxes; // in the order of the rows
+    std::vector<NumberBox *> m_boxes; ///< in row order
     QPushButton *m_startHere;
     QPushButton *m_usualStart;
 };

@@ -16,11 +16,11 @@ namespace inspector::ui {
 
 namespace {
 
-constexpr double kReach = 12.0;   // logical pixels: also a tiny ball can be taken
-constexpr double kSlowest = 1e-4; // m/s: an arrow that can be seen
+constexpr double kReach = 12.0;   ///< logical pixels, so that a tiny ball can be grabbed, too
+constexpr double kSlowest = 1e-4; ///< m/s, smallest velocity with a visible arrow
 const gl::Colour kArrowColour{0.10F, 0.45F, 0.85F, 0.95F};
 
-// Where the ray meets the plane at this height; nothing if it doesn't.
+/// Intersects the ray with the plane at this height; nothing if it misses.
 std::optional<glm::dvec3> pointAt(const gl::Ray &ray, double height) {
     if (std::abs(ray.direction.z) < 1e-9) return std::nullopt;
     const double along = (height - ray.origin.z) / ray.direction.z;
@@ -91,7 +91,7 @@ bool BallDragger::drop() {
     const bool hasMoved =
         toGlm(before.position) != toGlm(m_now.position) || toGlm(before.velocity) != toGlm(m_now.velocity);
     if (hasMoved) pushBallCommand(m_session, m_undo, before, m_now);
-    return hasMoved; // a mere click is the view's
+    return hasMoved; // a click without a move is left to the view
 }
 
 void BallDragger::addArrow(gl::Strokes &strokes) const {

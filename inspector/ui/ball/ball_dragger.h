@@ -13,18 +13,19 @@ class QUndoStack;
 
 namespace inspector::ui {
 
-// The ball in one's hand, while everything stands: a drag puts it to another place, out of walls and onto the floor; a
-// drag with Ctrl pulls its velocity. One undo takes a drag back.
+/// Moves the ball by the mouse while paused: a drag moves it, out of walls and onto the floor; a drag with Ctrl sets
+/// its velocity. One undo reverts a drag.
 class BallDragger : public QObject {
     Q_OBJECT
 
 public:
-    static constexpr double kArrow = 0.2; // s: the arrow ends where the ball would be after this time
+    /// Length of the arrow, s: its tip is where the ball would be after this time.
+    static constexpr double kArrow = 0.2;
 
-    // All outlive the hand.
+    /// All must outlive this object.
     BallDragger(Session &session, gl::MazeView &view, QUndoStack &undo, QObject *parent);
 
-    // The arrow of the velocity, while everything stands.
+    /// Adds the velocity's arrow while paused.
     void addArrow(gl::Strokes &strokes) const;
 
 protected:
@@ -39,9 +40,9 @@ private:
     Session &m_session;
     gl::MazeView &m_view;
     QUndoStack &m_undo;
-    std::optional<phys_state> m_before; // of the drag
+    std::optional<phys_state> m_before; ///< before the drag
     phys_state m_now{};
-    bool m_pulls = false; // the velocity
+    bool m_pulls = false; ///< sets the velocity, not the position
 };
 
 } // namespace inspector::ui

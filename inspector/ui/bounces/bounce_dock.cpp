@@ -30,13 +30,13 @@ namespace {
 
 constexpr size_t kMarks = 20;
 
-// A section of the model's page that is named becomes a link to it.
+/// Makes links of references to sections of the model page.
 QString withLinks(QString escaped) {
     static const QRegularExpression named(QStringLiteral("model\\.md (\\d+\\.\\d+)( [A-Z]\\d)?"));
     return escaped.replace(named, QStringLiteral("<a href='\\1'>model.md \\1\\2</a>"));
 }
 
-// Labels beside what they name.
+/// Labels to the left of the texts.
 QString columns(const std::vector<LawLine> &lines) {
     QString rows;
     for (const LawLine &line : lines)
@@ -46,7 +46,7 @@ QString columns(const std::vector<LawLine> &lines) {
     return QStringLiteral("<table cellspacing='1'>%1</table>").arg(rows);
 }
 
-// Labels before what they name, where there is no room for columns.
+/// Labels above the texts, where there is no room for columns.
 QString paragraphs(const std::vector<LawLine> &lines) {
     QString text;
     for (const LawLine &line : lines)
@@ -57,7 +57,7 @@ QString paragraphs(const std::vector<LawLine> &lines) {
 
 } // namespace
 
-// Leaves out what isn't to be seen.
+/// Hides the kinds of rows that are switched off.
 class BounceFilter : public QSortFilterProxyModel {
 public:
     BounceFilter(const BounceTableModel &events, QObject *parent)
@@ -111,7 +111,7 @@ BounceDock::BounceDock(Session &session, QWidget *parent)
     m_area->setWidgetResizable(true);
     m_area->setFrameShape(QFrame::NoFrame);
     m_area->setFocusPolicy(Qt::TabFocus);
-    m_area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // its text is wrapped
+    m_area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // the text wraps
     m_area->setMinimumWidth(fontMetrics().averageCharWidth() * 24);
     m_area->installEventFilter(this);
     auto *halves = new QSplitter;
@@ -133,7 +133,7 @@ BounceDock::BounceDock(Session &session, QWidget *parent)
     showCount();
 }
 
-// A box that leaves a kind of rows in or out, as the settings remember it.
+/// A check box that shows or hides a kind of rows, remembered in the settings.
 QCheckBox *BounceDock::addFilter(const QString &text, const char *name, const QString &tip) {
     auto *box = new QCheckBox(text);
     box->setObjectName(QLatin1String(name));
@@ -161,7 +161,7 @@ void BounceDock::makeTable() {
     QHeaderView *header = m_table->horizontalHeader();
     header->setHighlightSections(false);
     header->setStretchLastSection(true);
-    // As wide as the longest that is to be expected: the columns stay where they are while rows come.
+    // As wide as the longest expected text, so that columns keep their widths while rows arrive.
     const QStringList widest{QStringLiteral("000.0000"), tr("Leaning: 0.00 s, 000 impacts"), QStringLiteral("000")};
     for (int column = 0; column < m_events->columnCount(); ++column) {
         const QString title = m_events->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
@@ -175,7 +175,7 @@ void BounceDock::makeTable() {
     connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this, &BounceDock::showSelected);
 }
 
-// The newest stay in sight, unless someone looks at others.
+/// Keeps the newest row visible, unless the user has scrolled away.
 void BounceDock::refresh() {
     const QScrollBar *bar = m_table->verticalScrollBar();
     const bool follows = bar->value() == bar->maximum() && !m_table->selectionModel()->hasSelection();
@@ -185,10 +185,10 @@ void BounceDock::refresh() {
     selectAwaited();
     if (follows) m_table->scrollToBottom();
     showCount();
-    showSelected(); // a row of slow impacts may have grown
+    showSelected(); // an entry of slow impacts may have grown
 }
 
-// A run that is made again, as by going back in a recording, has the same events.
+/// A run that is repeated, for instance by seeking in a recording, has the same events.
 void BounceDock::selectAwaited() {
     if (!m_awaited) return;
     const phys_event &awaited = m_awaited->event;
@@ -269,7 +269,7 @@ std::vector<double> BounceDock::bounceTimes() const {
     return times;
 }
 
-// Esc and Ctrl+C are the table's while it has the keyboard, the first only while there is something to leave.
+/// While the table has the focus it handles Ctrl+C, and Esc if something is selected.
 bool BounceDock::eventFilter(QObject *object, QEvent *event) {
     if (object == m_area && event->type() == QEvent::Resize) showDetail(selected());
     const bool isOffer = event->type() == QEvent::ShortcutOverride;
@@ -283,7 +283,7 @@ bool BounceDock::eventFilter(QObject *object, QEvent *event) {
     return true;
 }
 
-// For spreadsheets and editors: columns between tabs, and the same as CSV.
+/// For spreadsheets and editors: tab-separated text, and the same as CSV.
 void BounceDock::copy() const {
     QModelIndexList rows = m_table->selectionModel()->selectedRows();
     std::sort(rows.begin(), rows.end());

@@ -20,33 +20,33 @@ class BounceFilter;
 class BounceTableModel;
 class ElidedLabel;
 
-// What happened in this run, one row an event, and all about the chosen one: the numbers and the law they obey.
+/// The events of this run, one row each, and the details of the selected one: its numbers and the law that they obey.
 class BounceDock : public QWidget {
     Q_OBJECT
 
 public:
-    // session: outlives the dock.
+    /// session must outlive the dock.
     explicit BounceDock(Session &session, QWidget *parent = nullptr);
 
-    // Shows what is new; called about 30 times a second.
+    /// Shows new events; called about 30 times a second.
     void refresh();
 
     std::optional<LoggedEvent> selected() const;
-    void select(uint64_t number); // an entry of the log, also one that the list hides just now
-    void selectAt(double time);   // the bounce at that very time
+    void select(uint64_t number); ///< an entry of the log, even one hidden by filters
+    void selectAt(double time);   ///< the bounce at exactly this time
     void clearSelection();
 
-    // The last bounces that aren't slow, and the selected event.
+    /// The last bounces that aren't slow, and the selected event.
     const BounceMarks &marks() const { return m_marks; }
-    // When the bounces were that aren't slow, s.
+    /// The times of all bounces that aren't slow, s.
     std::vector<double> bounceTimes() const;
 
     QSize sizeHint() const override { return {900, 260}; }
 
 signals:
-    // A section of the model's page, by its number.
+    /// A section of the model page was requested, by number.
     void sectionWanted(const QString &section);
-    void changed(); // events or selection
+    void changed(); ///< events or selection changed
 
 protected:
     bool eventFilter(QObject *object, QEvent *event) override;
@@ -69,10 +69,10 @@ private:
     QCheckBox *m_others;
     ElidedLabel *m_count;
     QTableView *m_table;
-    QScrollArea *m_area; // shows the next
+    QScrollArea *m_area; ///< scrolls the next member
     QLabel *m_detail;
     BounceMarks m_marks;
-    std::optional<LoggedEvent> m_awaited; // was selected in the run before
+    std::optional<LoggedEvent> m_awaited; ///< selected in the previous run
 };
 
 } // namespace inspector::ui

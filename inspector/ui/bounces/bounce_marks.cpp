@@ -17,11 +17,11 @@ namespace inspector::ui {
 
 namespace {
 
-constexpr double kMouseReach = 10.0; // logical pixels
+constexpr double kMouseReach = 10.0; ///< logical pixels
 const gl::Colour kColour{0.72F, 0.06F, 0.36F, 0.95F};
 const gl::Colour kSelectedColour{0.98F, 0.12F, 0.50F, 1.0F};
-constexpr float kOldest = 0.25F;      // of the newest mark's alpha
-constexpr double kNormalLength = 1.4; // radii
+constexpr float kOldest = 0.25F;      ///< share of the newest mark's alpha
+constexpr double kNormalLength = 1.4; ///< radii
 constexpr double kSelectedLength = 3.0;
 constexpr double kRingRadius = 0.5;
 constexpr int kRingPieces = 24;
@@ -32,7 +32,7 @@ bool isSelected(const BounceMarks &marks, const LoggedEvent &event) {
     return marks.selected && marks.selected->number == event.number;
 }
 
-// Off the surface, so that it doesn't eat half of what lies on it.
+/// Slightly above the surface, which would hide half of it.
 glm::dvec3 footOf(const LoggedEvent &event, double radius) {
     return toGlm(event.event.point) + 0.05 * radius * toGlm(event.event.normal);
 }
@@ -43,7 +43,7 @@ void addMark(gl::Strokes &strokes, const LoggedEvent &event, double radius, cons
     strokes.arrow(foot, toGlm(event.event.normal), kNormalLength * radius, colour, 2.0F);
 }
 
-// In the plane across `normal`.
+/// A ring in the plane perpendicular to `normal`.
 void addRing(gl::Strokes &strokes, const glm::dvec3 &middle, const glm::dvec3 &normal, double radius) {
     const glm::dvec3 helper = std::abs(normal.z) < 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(1.0, 0.0, 0.0);
     const glm::dvec3 right = radius * glm::normalize(glm::cross(helper, normal));
@@ -70,7 +70,7 @@ void addSelected(gl::Strokes &strokes, const LoggedEvent &event, const phys_scen
     addRing(strokes, foot, normal, kRingRadius * radius);
 }
 
-// Whether the straight line from `from` to `to` meets the inside of the box before it gets there.
+/// Whether the segment from `from` to `to` passes through the inside of the box.
 bool isBetween(const phys_box &box, const glm::dvec3 &from, const glm::dvec3 &to) {
     const glm::dvec3 low = toGlm(box.min);
     const glm::dvec3 high = toGlm(box.max);
@@ -95,13 +95,13 @@ bool isVisible(const glm::dvec3 &eye, const glm::dvec3 &point, const phys_scene 
     return std::none_of(boxes.begin(), boxes.end(), [&](const phys_box &box) { return isBetween(box, eye, point); });
 }
 
-// Both ends of a mark as it is drawn.
+/// Both ends of a mark as drawn.
 std::array<glm::dvec3, 2> endsOf(const LoggedEvent &event, double radius) {
     const glm::dvec3 foot = footOf(event, radius);
     return {foot, foot + kNormalLength * radius * toGlm(event.event.normal)};
 }
 
-// From the pixel to the segment between two others.
+/// The distance of a pixel from a line segment.
 double distanceTo(const QPointF &pixel, const QPointF &from, const QPointF &to) {
     const QPointF run = to - from;
     const double square = QPointF::dotProduct(run, run);
@@ -137,7 +137,7 @@ std::optional<uint64_t> markAt(const gl::MazeView &view, const gl::Ray &ray, con
         nearest = distance;
         best = event.number;
     };
-    // The one that is drawn on top of others in its place comes first.
+    // The topmost mark is tried first.
     if (marks.selected) consider(*marks.selected);
     std::for_each(marks.recent.rbegin(), marks.recent.rend(), consider);
     return best;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bounces in the 3D view: drawn, and found again under the mouse.
+// Bounces in the 3D view: drawing and picking.
 #pragma once
 
 #include "core/events/event_log.h"
@@ -10,17 +10,17 @@
 
 namespace inspector::ui {
 
-// What of the log is drawn.
+/// The drawn entries of the log.
 struct BounceMarks {
-    std::vector<LoggedEvent> recent; // oldest first: the older, the fainter
+    std::vector<LoggedEvent> recent; ///< oldest first: the older, the fainter
     std::optional<LoggedEvent> selected;
 };
 
-// A point and its normal for each; the selected one larger, with its box.
+/// Adds a point and its normal for each; the selected one larger, with its box.
 void addMarks(gl::Strokes &strokes, const BounceMarks &marks, const phys_scene *scene);
 
-// Number of the entry whose mark is nearest to where the ray meets the screen, within a few pixels. One of which
-// neither point nor normal can be seen from there doesn't count.
+/// The number of the entry whose mark is nearest to the ray on the screen, within a few pixels. Marks whose point and
+/// normal are both hidden are ignored.
 std::optional<uint64_t> markAt(const gl::MazeView &view, const gl::Ray &ray, const BounceMarks &marks,
                                const phys_scene *scene);
 

@@ -11,7 +11,7 @@ namespace inspector::ui {
 
 namespace {
 
-// Rows are taken away in so large pieces: a table that loses a row at each refresh can't be read.
+/// Old rows are removed in blocks: a table that loses a row at each refresh is unreadable.
 constexpr uint64_t kDroppedAtOnce = 128;
 
 const std::vector<const EventColumn *> &shownColumns() {
@@ -24,7 +24,7 @@ const std::vector<const EventColumn *> &shownColumns() {
     return columns;
 }
 
-// Time, what happened, the other figures, the stepper.
+/// Columns: time, event, the other figures, stepper.
 constexpr int kWhat = 1;
 int stepperColumn() { return int(shownColumns().size()) + 1; }
 const EventColumn &figureAt(int column) { return *shownColumns()[size_t(column < kWhat ? column : column - 1)]; }
@@ -42,7 +42,7 @@ bool BounceTableModel::refresh() {
     const bool isNewRun = startAnew();
     if (revision == m_revision && !isNewRun) return false;
     dropOldest();
-    // What is just being written is taken the next time.
+    // An entry being written is fetched the next time.
     if (growNewest() && appendNew()) m_revision = revision;
     return true;
 }
@@ -72,7 +72,7 @@ bool BounceTableModel::growNewest() {
     for (size_t row = m_events.size() - reach; row < m_events.size(); ++row) {
         LoggedEvent now;
         if (!m_log.read(m_events[row].number, now)) {
-            if (m_events[row].number < m_log.first()) continue; // it has gone there, not here
+            if (m_events[row].number < m_log.first()) continue; // overwritten in the log, but not yet removed here
             return false;
         }
         if (now.count == m_events[row].count) continue;

@@ -9,19 +9,20 @@
 
 namespace inspector::ui {
 
-// The entries of a run's log as rows, oldest first; a copy, so that a row stays what it was while it is looked at.
+/// The entries of a run's log as rows, oldest first. They are copies, so that a row doesn't change while it is
+/// selected.
 class BounceTableModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    // log: outlives the model.
+    /// log must outlive the model.
     BounceTableModel(const EventLog &log, const Registry &registry, QObject *parent = nullptr);
 
-    // Takes what is new in the log; false if there is nothing.
+    /// Fetches new entries of the log; false if there are none.
     bool refresh();
 
     const std::deque<LoggedEvent> &events() const { return m_events; }
-    // Row of the entry with this number; -1 if it isn't there.
+    /// Row of the entry with this number; -1 if it isn't there.
     int rowOf(uint64_t number) const;
 
     int rowCount(const QModelIndex &parent = {}) const override;
@@ -36,12 +37,12 @@ private:
     bool appendNew();
 
     const EventLog &m_log;
-    const Registry &m_registry; // others may come
+    const Registry &m_registry; ///< may be replaced
 
     std::deque<LoggedEvent> m_events;
-    uint64_t m_next = 0; // number of the first entry that isn't here yet
+    uint64_t m_next = 0; ///< number of the first entry not fetched yet
     uint64_t m_generation = 0;
-    uint64_t m_revision = 0; // of the log as it is here
+    uint64_t m_revision = 0; ///< revision of the log as fetched
 };
 
 } // namespace inspector::ui

@@ -15,23 +15,23 @@ class ElidedLabel;
 class NumberBox;
 class PlotPanel;
 
-// The ball beside a second one: which stepper moves that, how far both are apart now and over time.
+/// The comparison with a second ball: its stepper, and the distance of both, now and over time.
 class ComparisonDock : public QWidget {
     Q_OBJECT
 
 public:
     struct Actions {
-        QAction &compare; // checkable
+        QAction &compare; ///< checkable
         QAction &meetAgain;
-        QAction &ownParameters; // checkable
+        QAction &ownParameters; ///< checkable
     };
 
-    // session and actions outlive the dock.
+    /// session and actions outlive the dock.
     ComparisonDock(Session &session, const Actions &actions, QWidget *parent = nullptr);
 
     QSize sizeHint() const override { return {700, 300}; }
     DistancePlot &plot() { return *m_plot; }
-    // Called about 30 times a second.
+    /// Called about 30 times a second.
     void refresh(const Snapshot &now);
 
 signals:
@@ -39,9 +39,9 @@ signals:
 
 private:
     QWidget *makeControls(const Actions &actions);
-    void choose(); // what the controls say
+    void choose(); ///< applies the controls
     void chooseSubsteps(double count);
-    void showComparison(); // what the session says
+    void showComparison(); ///< shows the session's state
     QString summary(const Snapshot &now) const;
 
     Session &m_session;
@@ -49,7 +49,7 @@ private:
     NumberBox *m_substeps;
     ElidedLabel *m_figures;
     DistancePlot *m_plot;
-    std::shared_ptr<const Band> m_band; // of what isn't known; or null
+    std::shared_ptr<const Band> m_band; ///< uncertainty band; or null
 };
 
 } // namespace inspector::ui

@@ -11,15 +11,16 @@ namespace inspector::ui {
 
 namespace {
 
-constexpr double kFewest = 1e2;        // upper over lower border, so that a steady distance isn't a ragged line
-constexpr double kBelowZero = 0.4;     // the lower border, of the height of zeros
-const QCPRange kUsualRange(1e-5, 1e1); // mm
-constexpr double kSmallest = 1e-12;    // mm: zeros of the band have to be somewhere on a logarithmic axis
+/// Minimum ratio of upper to lower border, so that a constant distance isn't a ragged line.
+constexpr double kFewest = 1e2;
+constexpr double kBelowZero = 0.4;     ///< lower border as a share of the position of zeros
+const QCPRange kUsualRange(1e-5, 1e1); ///< mm
+constexpr double kSmallest = 1e-12;    ///< mm, where zeros of the band are drawn on a logarithmic axis
 
-// Powers of ten, but 0 where zeros are drawn.
+/// Ticks at powers of ten, and 0 where zeros are drawn.
 class ZeroTicker : public QCPAxisTickerLog {
 public:
-    // height: that zeros are drawn at; 0 if there are none.
+    /// height: the position of zeros; 0 if there are none.
     void setZero(double height) { m_zero = height; }
 
 protected:
@@ -45,7 +46,7 @@ DistancePlot::DistancePlot(const SampleRing &samples, QWidget *parent)
     , m_middle(addGraph()) {
     setObjectName(QStringLiteral("distance_plot"));
     addCurve(Channel::Distance, &Accents::total);
-    curves().front().graph->removeFromLegend(); // the axis says it
+    curves().front().graph->removeFromLegend(); // the axis label is enough
     m_high->setName(tr("Not known (9 boards in 10)"));
     m_high->setBrush(kBandFill);
     m_high->setChannelFillGraph(m_low);
@@ -81,7 +82,7 @@ void DistancePlot::showBand(const std::shared_ptr<const Band> &band) {
     drawAnew();
 }
 
-// With the points next to the border, so that the band reaches it.
+/// Includes the next points outside of the range, so that the band reaches the border.
 void DistancePlot::loadBesides(const QCPRange &times) {
     const std::vector<double> all = m_band ? m_band->times : std::vector<double>();
     const auto after = std::lower_bound(all.begin(), all.end(), times.lower);
@@ -106,13 +107,13 @@ void DistancePlot::showRadii() {
 
 double DistancePlot::plotted(double value) const { return value * kMillimetresPerMetre; }
 
-// NaN stays what it is.
+/// NaN is passed through.
 double DistancePlot::drawn(double plotted) const {
     const double lowest = std::max(m_zero, yAxis->range().lower);
     return plotted < lowest ? lowest : plotted;
 }
 
-// From a power of ten to another; zeros lie at a further one, a little above the border.
+/// Whole decades; zeros get one more below, slightly above the border.
 void DistancePlot::fitValues() {
     const QCPGraph *graph = curves().front().graph;
     bool hasAny = false;

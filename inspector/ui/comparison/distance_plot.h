@@ -6,20 +6,20 @@
 
 namespace inspector::ui {
 
-// How far the ball is from the one that it is compared with, over time, on a logarithmic axis: in mm, and in radii at
-// the right border. Zeros are drawn one decade below everything else, at a tick that says 0. Behind it lies what isn't
-// known of the board: where the distance is below that band, nobody could tell both balls apart.
+/// The distance of the ball from the ghost over time, on a logarithmic axis: in mm, and in radii at the right border.
+/// Zeros are drawn one decade below everything else, at a tick labelled 0. Behind it is the uncertainty band of the
+/// board: where the distance is below it, both balls couldn't be told apart on a real board.
 class DistancePlot : public TimePlot {
     Q_OBJECT
 
 public:
-    // samples: outlives the plot.
+    /// samples must outlive the plot.
     explicit DistancePlot(const SampleRing &samples, QWidget *parent = nullptr);
 
-    void setRadius(double radius); // of the ball, m
-    // Who they are, for the legend.
+    void setRadius(double radius); ///< of the ball, m
+    /// Names for the legend.
     void setNames(const QString &ball, const QString &ghost);
-    void showBand(const std::shared_ptr<const Band> &band); // null: none
+    void showBand(const std::shared_ptr<const Band> &band); ///< null: none
 
 protected:
     double plotted(double value) const override;
@@ -32,12 +32,12 @@ protected:
 private:
     void showRadii();
 
-    double m_radius = 0.006; // m
-    double m_zero = 0.0;     // mm: the height that zeros are drawn at; 0 if there are none
-    QCPGraph *m_ball;        // entries of the legend
+    double m_radius = 0.006; ///< m
+    double m_zero = 0.0;     ///< mm, the position of zeros; 0 if there are none
+    QCPGraph *m_ball;        ///< legend entries
     QCPGraph *m_ghost;
     std::shared_ptr<const Band> m_band;
-    QCPGraph *m_low; // of the band
+    QCPGraph *m_low; ///< of the band
     QCPGraph *m_high;
     QCPGraph *m_middle;
 };

@@ -18,13 +18,13 @@ namespace inspector::ui {
 
 namespace {
 
-constexpr int kPulse = 16;           // ms
-constexpr double kLongestTurn = 0.1; // s: after a stall the board doesn't jump
+constexpr int kPulse = 16;           ///< ms
+constexpr double kLongestTurn = 0.1; ///< s, so that the board doesn't jump after a stall
 
 bool isArrow(int key) { return key >= Qt::Key_Left && key <= Qt::Key_Down; }
 bool isEnter(int key) { return key == Qt::Key_Return || key == Qt::Key_Enter; }
 
-// Where something is typed. The keys of a list to choose from, too, as long as it is open.
+/// Whether the widget takes text, or is an open list of choices.
 bool isText(const QWidget *widget) {
     const auto *combo = qobject_cast<const QComboBox *>(widget);
     return qobject_cast<const QLineEdit *>(widget) || qobject_cast<const QAbstractSpinBox *>(widget) ||
@@ -41,7 +41,7 @@ bool isInDialog(const QWidget *widget) {
     return false;
 }
 
-// Says something that can't be read: whoever typed it is not done.
+/// Whether the text is invalid, so that editing must go on.
 bool isUnreadable(const QWidget *widget) {
     const auto *combo = qobject_cast<const QComboBox *>(widget);
     const auto *box = qobject_cast<const NumberBox *>(combo ? combo->lineEdit() : widget);
@@ -73,7 +73,7 @@ bool GameKeys::isForGame(const QKeyEvent &event) const {
     return m_session.game().phase() == Game::Phase::Playing || !focus || focus == &m_view || focus == &m_window;
 }
 
-// Keys that a widget needs although the window has a command for them.
+/// Keys that a widget needs although the window has a command for them.
 bool GameKeys::isForWidget(const QKeyEvent &event, const QWidget *widget) const {
     if (isEnter(event.key())) return isText(widget) || isList(widget);
     if (event.key() == Qt::Key_Escape) return isText(widget);
@@ -91,7 +91,7 @@ bool GameKeys::eventFilter(QObject *object, QEvent *event) {
         event->accept();
         if (!QApplication::activePopupWidget()) return true;
         if (isEnter(key->key())) returnKeyboardAfter(widget);
-        return false; // an open list chooses already now
+        return false; // an open list takes the key right now
     }
     if (takeArrow(*key)) {
         event->accept();
@@ -103,7 +103,7 @@ bool GameKeys::eventFilter(QObject *object, QEvent *event) {
     return false;
 }
 
-// A key that went down as the game's also comes up as the game's, or the board would stay tilted.
+/// If the game took a key's press it must also get its release, or the board would stay tilted.
 bool GameKeys::takeArrow(const QKeyEvent &event) {
     if (!isArrow(event.key())) return false;
     unsigned &held = m_held[size_t(event.key() - Qt::Key_Left)];
@@ -116,7 +116,7 @@ bool GameKeys::takeArrow(const QKeyEvent &event) {
     return true;
 }
 
-// Once the widget has had the key.
+/// Called after the widget has handled the key.
 void GameKeys::returnKeyboardAfter(const QWidget *editor) {
     QMetaObject::invokeMethod(
         this,
@@ -129,7 +129,7 @@ void GameKeys::returnKeyboardAfter(const QWidget *editor) {
         Qt::QueuedConnection);
 }
 
-// Seen from azimuth -90 degrees, where the camera starts, up on the screen is +y of the board.
+/// At azimuth -90 degrees, the camera's initial one, up on the screen is +y of the board.
 void GameKeys::sendKeys() {
     TiltKeys keys{m_held[0] != 0, m_held[2] != 0, m_held[1] != 0, m_held[3] != 0, 0.0};
     keys.heading = gl::OrbitCamera::kStartAzimuth - m_view.camera().azimuth();
@@ -144,8 +144,8 @@ void GameKeys::releaseAll() {
 void GameKeys::advance() {
     const double seconds = 1e-9 * double(m_clock.nsecsElapsed());
     m_clock.restart();
-    if (QApplication::activeWindow() != &m_window) m_held = {}; // where they go up isn't heard
-    sendKeys();                                                 // the camera may have turned
+    if (QApplication::activeWindow() != &m_window) m_held = {}; // releases go to another window
+    sendKeys();                                                 // the camera may have moved
     m_session.advanceKeys(std::min(seconds, kLongestTurn));
 }
 

@@ -18,14 +18,14 @@ class MazeView;
 
 namespace inspector::ui {
 
-// The keyboard's way to the game. While a level is played, arrow keys tilt the board wherever the focus is; otherwise
-// they do so with the focus on the view. They tilt it the way the view shows it, from wherever it is looked at. Where
-// something is typed or chosen, Enter and Esc end that, give the keyboard back to the view and do nothing else.
+/// Routes keys to the game. While a level is played, arrow keys tilt the board whatever has the focus; otherwise only
+/// if the view has it. They act in screen directions, whatever the camera's azimuth. In editors and choosers, Enter and
+/// Esc finish the input and return the focus to the view, without any other effect.
 class GameKeys : public QObject {
     Q_OBJECT
 
 public:
-    // All outlive this object.
+    /// All must outlive this object.
     GameKeys(Session &session, QWidget &window, gl::MazeView &view);
 
 protected:
@@ -43,7 +43,7 @@ private:
     Session &m_session;
     QWidget &m_window;
     gl::MazeView &m_view;
-    // Left, up, right, down (Qt's order): which of the keys for it are held, those of the keypad being others.
+    /// Bit masks of the held keys for left, up, right, down (Qt's order); the keypad's keys count separately.
     std::array<unsigned, 4> m_held{};
     QTimer m_pulse;
     QElapsedTimer m_clock;

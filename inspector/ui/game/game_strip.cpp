@@ -27,7 +27,7 @@ QString winLine(const Session &session, const Game &game) {
     return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "%1 – best time %2")).arg(time, clockText(*best));
 }
 
-// What is to be done; of one's own maze also what the list of levels can't say.
+/// A hint what to do; for the user's own maze also what the list of levels can't show.
 QString promptHint(Session &session) {
     if (session.hasAutopilot())
         return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "The autopilot plays · A takes over"));
@@ -74,7 +74,7 @@ GameText gameText(Session &session, const Snapshot &now) {
     }
     switch (game.phase()) {
     case Game::Phase::Prompt:
-        // Whoever just lets the ball roll, without the game, needs no prompt.
+        // No prompt if the ball is rolling without the game.
         if (now.running || now.current.step > 0) break;
         text.title = title;
         text.line = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Press Enter to start"));
@@ -109,7 +109,7 @@ GameStrip::GameStrip(QWidget *parent)
     setObjectName(QStringLiteral("game_strip"));
     m_title->setFont(scaled(font(), 1.15, true));
     m_line->setFont(scaled(font(), 1.15, false));
-    for (ElidedLabel *label : {m_title, m_line}) label->setWidest({}); // as wide as their texts, where there is room
+    for (ElidedLabel *label : {m_title, m_line}) label->setWidest({}); // as wide as their texts if there is room
     m_hint->setForegroundRole(QPalette::PlaceholderText);
     m_clock->setFont(scaled(QFontDatabase::systemFont(QFontDatabase::FixedFont), 1.3, true));
     m_close->setObjectName(QStringLiteral("game_strip_close"));

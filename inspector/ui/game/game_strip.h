@@ -12,23 +12,23 @@ namespace inspector::ui {
 
 class ElidedLabel;
 
-// What the game says above the view.
+/// The game's text above the view.
 struct GameText {
     QString title;
     QString line;
     QString hint;
     QString clock;
-    bool isResult = false; // a level is done: can be closed
+    bool isResult = false; ///< a level is finished: can be dismissed
     bool operator==(const GameText &) const = default;
 };
 
-// What the open level is called: "Level 3", or the name of a file that isn't in the list.
+/// The open level's title: "Level 3", or the name of a file outside of the list.
 QString levelTitle(const Session &session);
 
-// now: of the session's simulation.
+/// now: of the session's simulation.
 GameText gameText(Session &session, const Snapshot &now);
 
-// A line of constant height, so that the view below stays where it is and nothing lies over the board.
+/// A banner of constant height, so that the view below doesn't move and nothing covers the board.
 class GameStrip : public QFrame {
     Q_OBJECT
 
@@ -36,8 +36,8 @@ public:
     explicit GameStrip(QWidget *parent = nullptr);
 
     void setText(const GameText &text);
-    const GameText &text() const { return m_text; } // as shown
-    // Closes a result until there is another; false if none is shown.
+    const GameText &text() const { return m_text; } ///< the shown text
+    /// Dismisses a result; false if none is shown.
     bool dismiss();
 
 protected:

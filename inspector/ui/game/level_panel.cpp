@@ -15,7 +15,7 @@ LevelPanel::LevelPanel(Session &session, QWidget *parent)
     setFrameShape(QFrame::NoFrame);
     setRootIsDecorated(false);
     setAlternatingRowColors(true);
-    setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the game
+    setFocusPolicy(Qt::TabFocus); // a click doesn't take the keyboard from the game
     setHeaderLabels({tr("Level"), tr("Best time")});
     header()->setStretchLastSection(true);
     header()->setSectionsMovable(false);
@@ -37,7 +37,7 @@ LevelPanel::LevelPanel(Session &session, QWidget *parent)
 
 void LevelPanel::showState() {
     const QSignalBlocker silent(this);
-    setCurrentItem(nullptr); // a file that isn't in the list
+    setCurrentItem(nullptr); // none: a file outside of the list
     for (int i = 0; i < topLevelItemCount(); ++i) {
         const std::optional<double> best = m_session.game().bestTime(i);
         topLevelItem(i)->setText(1, best ? clockText(*best) : QStringLiteral("–"));

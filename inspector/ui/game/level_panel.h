@@ -7,12 +7,12 @@
 
 namespace inspector::ui {
 
-// The levels with their best times; choosing one opens it.
+/// The levels with their best times; choosing one opens it.
 class LevelPanel : public QTreeWidget {
     Q_OBJECT
 
 public:
-    // session: outlives the panel.
+    /// session must outlive the panel.
     explicit LevelPanel(Session &session, QWidget *parent = nullptr);
     QSize sizeHint() const override { return {280, 200}; }
 

@@ -10,7 +10,7 @@
 namespace inspector::ui {
 
 namespace {
-constexpr double kSlow = 0.1; // of the hand's speed, with Shift
+constexpr double kSlow = 0.1; ///< speed of a drag with Shift
 }
 
 FineSlider::FineSlider(int last, int fine, QWidget *parent)
@@ -49,7 +49,7 @@ void FineSlider::keyPressEvent(QKeyEvent *event) {
     }
 }
 
-// With Shift the wheel turns sideways on some systems.
+/// With Shift the wheel scrolls horizontally on some systems.
 void FineSlider::wheelEvent(QWheelEvent *event) {
     const QPoint turned = event->angleDelta();
     stepBy((turned.y() != 0 ? turned.y() : turned.x()) / 120.0, event->modifiers());

@@ -5,13 +5,13 @@
 
 namespace inspector::ui {
 
-// A slider whose notches are `fine` places apart. It moves by notches; with Shift by places, and a drag with Shift is a
-// tenth as fast as the hand. A press beside the handle brings it there.
+/// A slider whose notches are `fine` positions apart. It moves by notches; with Shift by single positions, and a drag
+/// with Shift is ten times slower. A press next to the handle moves it there.
 class FineSlider : public QSlider {
     Q_OBJECT
 
 public:
-    // last: the place at the right end. fine: > 0.
+    /// last: the position at the right end. fine: > 0.
     FineSlider(int last, int fine, QWidget *parent = nullptr);
 
     QSize minimumSizeHint() const override { return {120, QSlider::minimumSizeHint().height()}; }
@@ -29,8 +29,8 @@ private:
     void stepBy(double notches, Qt::KeyboardModifiers modifiers);
 
     int m_fine;
-    int m_lastX = 0;        // of the mouse, while it drags
-    double m_dragged = 0.0; // where the handle would be between two places
+    int m_lastX = 0;        ///< of the mouse during a drag
+    double m_dragged = 0.0; ///< exact position of the handle during a slow drag
 };
 
 } // namespace inspector::ui

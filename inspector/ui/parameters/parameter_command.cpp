@@ -16,7 +16,7 @@ ParameterCommand::ParameterCommand(Parameters &parameters, std::vector<Setting> 
     , m_gesture(gesture) {}
 
 bool ParameterCommand::mergeWith(const QUndoCommand *later) {
-    const auto *other = static_cast<const ParameterCommand *>(later); // the same id() is the same class
+    const auto *other = static_cast<const ParameterCommand *>(later); // the same id() means the same class
     const bool isSameRow = m_after.size() == 1 && other->m_after.size() == 1 && m_after[0].id == other->m_after[0].id;
     if (&m_parameters != &other->m_parameters || !isSameRow || m_gesture != other->m_gesture) return false;
     m_after = other->m_after;
@@ -24,7 +24,7 @@ bool ParameterCommand::mergeWith(const QUndoCommand *later) {
     return true;
 }
 
-// Rows of a stepper that isn't chosen any more have nothing to be set to.
+/// Skips rows of a stepper that is no longer selected.
 void ParameterCommand::apply(const std::vector<Setting> &settings) {
     std::vector<Setting> present;
     std::copy_if(settings.begin(), settings.end(), std::back_inserter(present),

@@ -9,10 +9,10 @@
 
 namespace inspector::ui {
 
-// One edit of parameters by hand. Edits of one row within one gesture (a drag, a turn of the wheel) become one.
+/// One edit of parameters by the user. Edits of one row within one gesture (a drag, a turn of the wheel) are merged.
 class ParameterCommand : public QUndoCommand {
 public:
-    // The parameters have the values of `after` already. gesture: edits with another number stay apart.
+    /// The parameters already have the values of `after`. gesture: edits with different numbers aren't merged.
     ParameterCommand(Parameters &parameters, std::vector<Setting> before, std::vector<Setting> after, int gesture,
                      const QString &text);
 

@@ -22,7 +22,7 @@ namespace inspector::ui {
 
 namespace {
 
-// What can't be changed just now but is there to be read: fainter than what can, stronger than what has no effect.
+/// For rows that can't be edited just now: fainter than editable ones, stronger than ones without effect.
 QPalette readable(const QPalette &palette) {
     QPalette result;
     for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
@@ -70,12 +70,12 @@ QSize ParameterPanel::sizeHint() const {
 void ParameterPanel::changeEvent(QEvent *event) {
     QScrollArea::changeEvent(event);
     if (event->type() != QEvent::PaletteChange || m_ball.rows.empty()) return;
-    updateLocks(); // another theme
+    updateLocks(); // the theme may have changed
     for (ParameterRow *row : m_ghost.rows)
         if (row) row->takeColours();
 }
 
-// The ghost's row of the same parameter is the next line; those that only its stepper has come last.
+/// The ghost's row of a parameter follows the ball's; rows that only its stepper has come last.
 void ParameterPanel::rebuild() {
     auto *page = new QWidget;
     auto *grid = new QGridLayout(page);
@@ -98,7 +98,7 @@ void ParameterPanel::rebuild() {
         if (!m_ghost.rows[size_t(index)] && !isTilt(row)) addRow(m_ghost, index, *grid, line++);
     }
     addResetAll(*grid, line);
-    setWidget(page); // deletes the page before it
+    setWidget(page); // deletes the previous page
     setMinimumWidth(page->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
     showGhost();
 }
@@ -159,7 +159,7 @@ void ParameterPanel::edit(Side &side, int index, double value) {
     m_undo.push(new ParameterCommand(side.parameters, {{id, before}}, {{id, value}}, m_gesture, text));
 }
 
-// Several rows at once, as one step of undo.
+/// Sets several rows as one undo step.
 void ParameterPanel::change(Side &side, const std::vector<Setting> &wanted, const QString &text) {
     std::vector<Setting> before;
     for (const Setting &setting : wanted)
@@ -178,7 +178,7 @@ void ParameterPanel::resetAll() {
     change(m_ball, initial, tr("reset of all parameters"));
 }
 
-// A recorded ball's are as they were.
+/// A recorded ball's values can't be changed.
 void ParameterPanel::useSet(Side &side, const ParameterSet &set) {
     if (side.owner == Owner::Ball && m_session.isReplaying())
         return emit refused(tr("a recording is shown as it was; Go on from here makes its parameters yours to change"));
@@ -210,11 +210,11 @@ void ParameterPanel::showValue(const Side &side, int index, double value) {
     const phys_param_row &row = side.parameters.row(index);
     ParameterRow *shown = side.rows[size_t(index)];
     if (!shown) return;
-    // The spring behind the keys passes through angles of any number of digits, live or recorded.
+    // The keys' tilt, live or recorded, takes angles with any number of digits.
     const bool isShown = m_session.isTiltedByKeys() || m_session.isReplaying() || m_session.isInPast();
     const bool isPassing = isTilt(row) && isShown;
     shown->showValue(isPassing ? std::round(value / row.step) * row.step : value);
-    if (row.flags & PHYS_ROW_CHOICE) updateLocks(); // the model may be another one
+    if (row.flags & PHYS_ROW_CHOICE) updateLocks(); // the model may have changed
 }
 
 void ParameterPanel::showFlownTilt(Tilt tilt) {
@@ -225,7 +225,7 @@ void ParameterPanel::showFlownTilt(Tilt tilt) {
     }
 }
 
-// The sliders show the parameters again when nobody flies any more.
+/// The sliders show the parameters again when the autopilot is off.
 void ParameterPanel::showAutopilot() {
     for (int index = 0; index < m_ball.parameters.count(); ++index)
         m_ball.rows[size_t(index)]->showValue(m_ball.parameters.value(index));

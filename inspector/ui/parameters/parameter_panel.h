@@ -18,41 +18,41 @@ class ParameterRow;
 class SetMenu;
 enum class Owner;
 
-// Every row of Parameters, to be seen and set; below each the ghost's, while that has own ones. Edits go through the
-// undo stack.
+/// Shows and edits every row of Parameters; below each the ghost's, while it has its own. Edits go through the undo
+/// stack.
 class ParameterPanel : public QScrollArea {
     Q_OBJECT
 
 public:
     struct Actions {
-        QAction &ghostsOwn; // checkable
+        QAction &ghostsOwn; ///< checkable
         QAction &copy;
         QAction &swap;
     };
 
-    // All outlive the panel.
+    /// All must outlive the panel.
     ParameterPanel(Session &session, QUndoStack &undo, const Actions &actions, QWidget *parent = nullptr);
 
     void resetAll();
     void copyToGhost();
     void swapWithGhost();
-    // While the autopilot flies: the tilt that it chose, rad.
+    /// Shows the autopilot's tilt, rad, while it plays.
     void showFlownTilt(Tilt tilt);
     QSize sizeHint() const override;
 
 signals:
-    // A value was refused; the library's line.
+    /// A value was refused; line: the library's message.
     void refused(const QString &line);
 
 protected:
     void changeEvent(QEvent *event) override;
 
 private:
-    // One ball's.
+    /// One ball's parameters and rows.
     struct Side {
         Owner owner;
         Parameters &parameters;
-        std::vector<ParameterRow *> rows{}; // null for those that it hasn't: the ghost's tilt
+        std::vector<ParameterRow *> rows{}; ///< null for rows that the ball hasn't: the ghost's tilt
     };
 
     void rebuild();

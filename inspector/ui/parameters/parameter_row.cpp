@@ -50,7 +50,7 @@ ParameterRow::ParameterRow(const phys_param_row &row, Place place, QGridLayout &
     takeColours();
 }
 
-// In the lists of those who have them read to them the two balls' are beside each other.
+/// Screen readers list the two balls' parameters side by side.
 QString ParameterRow::name() const {
     const QString label = QString::fromUtf8(m_row.label);
     return m_place.owner == Owner::Ghost ? tr("%1, the ghost's").arg(label) : label;

@@ -17,17 +17,17 @@ namespace inspector::ui {
 
 class NumberBox;
 
-// Whose parameter it is.
+/// Which ball the parameter belongs to.
 enum class Owner { Ball, Ghost };
 
-// The widgets of one parameter in one line of a grid, made from its row: label, slider and number (or a list of
-// choices, or a check box), reset. They show what they are told and say what a person did; the value is elsewhere.
+/// The widgets of one parameter in one line of a grid, generated from its row: label, slider and number (or a list of
+/// choices, or a check box), reset. They display values passed in and report edits; the value is stored elsewhere.
 class ParameterRow : public QObject {
     Q_OBJECT
 
 public:
-    // Object names for styles and tests: the row's id + _slider, _box, _choice, _switch, _reset; before it ghost_ for
-    // the ghost's, whose label says so in its colour; and no more than that where the ball's is the line above.
+    /// Object names for styles and tests: the row's id + _slider, _box, _choice, _switch, _reset; the ghost's have the
+    /// prefix ghost_. The ghost's label is in its colour, and is only that where the ball's row is the line above.
     struct Place {
         Owner owner;
         bool isBelowTheBalls;
@@ -35,17 +35,17 @@ public:
     ParameterRow(const phys_param_row &row, Place place, QGridLayout &grid, int line, QObject *parent);
 
     void setVisible(bool isVisible);
-    // Another theme.
+    /// Applies the theme's colours.
     void takeColours();
     void showValue(double value);
-    // The value just typed isn't allowed: said beside it. False if nothing was typed.
+    /// Shows that the value just typed is invalid. False if nothing was typed.
     bool refuse(const QString &reason);
-    // reason: why it can't be edited just now; empty if it can.
+    /// reason: why it can't be edited just now; empty if it can.
     void setLocked(const QString &reason);
 
 signals:
     void edited(double value);
-    // What comes next is another edit than what was.
+    /// A new gesture begins: later edits aren't merged with earlier ones.
     void gestureBegun();
 
 private:
@@ -60,9 +60,9 @@ private:
     phys_param_row m_row;
     Place m_place;
     std::vector<QWidget *> m_widgets;
-    NumberBox *m_box = nullptr; // of a row that is neither a choice nor a switch
+    NumberBox *m_box = nullptr; ///< null for a choice or a switch
     QToolButton *m_reset;
-    QWidget *m_label = nullptr; // that names the ghost
+    QWidget *m_label = nullptr; ///< names the ghost
     std::function<void(double)> m_show;
     bool m_isInitial = true;
     bool m_isLocked = false;

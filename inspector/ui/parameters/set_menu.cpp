@@ -21,12 +21,12 @@ namespace {
 
 const QString kFilter = QStringLiteral("(*.txt)");
 
-// A name may hold what separates keys.
+/// A name may contain the separator of keys.
 QString keyOf(const QString &name) {
     return settings_keys::kParameterSets + QString::fromLatin1(QUrl::toPercentEncoding(name));
 }
 
-// A set in the settings, as its text; an empty one isn't there.
+/// Stores a set's text in the settings; an empty one is removed.
 class KeptSetCommand : public QUndoCommand {
 public:
     KeptSetCommand(QSettings &settings, const QString &name, QString after, const QString &text)
@@ -144,7 +144,7 @@ void SetMenu::askWhatToImport() {
                [this](const QString &path) { import(path); });
 }
 
-// It is kept under its name, and used.
+/// Stores it under its name, and applies it.
 void SetMenu::import(const QString &path) {
     QString error;
     const std::optional<QByteArray> text = readFile(path, kMegabyte, &error);

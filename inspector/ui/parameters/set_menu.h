@@ -14,17 +14,18 @@ namespace inspector::ui {
 
 enum class Owner;
 
-// Named sets of parameters: the known ones and those that a person keeps in the settings; to be used, saved, deleted,
-// imported and exported. What it changes goes through the undo stack.
+/// Menu of named parameter sets: built-in ones and the user's own, kept in the settings; to apply, save, delete, import
+/// and export. Changes go through the undo stack.
 class SetMenu : public QMenu {
     Q_OBJECT
 
 public:
-    // parameters: the ball's, which are saved. All outlive the menu. asked: whether the ghost has own ones.
+    /// parameters: the ball's, which are saved. All must outlive the menu. ghostHasOwn: asked whether the ghost has its
+    /// own.
     SetMenu(const Parameters &parameters, QSettings &settings, QUndoStack &undo, std::function<bool()> ghostHasOwn,
             QWidget *parent);
 
-    // By name; damaged ones are left out.
+    /// The user's sets, by name; damaged ones are left out.
     std::vector<ParameterSet> kept() const;
 
 signals:

@@ -8,11 +8,11 @@ namespace inspector::ui {
 
 namespace {
 
-constexpr double kDecades = 3.0; // from here on equal ratios
+constexpr double kDecades = 3.0; ///< from here on logarithmic
 constexpr double kNotchesPerDecade = 20.0;
 constexpr double kMostNotches = 10000.0;
 
-// To so many significant digits: 0.3, not 0.30000000000000004.
+/// Rounds to `digits` significant digits: 0.3, not 0.30000000000000004.
 double withDigits(double value, int digits) {
     if (value == 0.0) return 0.0;
     const int before = int(std::floor(std::log10(std::abs(value)))) + 1;
@@ -43,7 +43,7 @@ double SliderScale::valueAt(int place) const {
     if (place >= m_last) return m_high;
     const double share = double(place) / m_last;
     if (m_isLogarithmic) return withDigits(m_low * std::pow(m_high / m_low, share), 4);
-    // Digits of the finest step, counted from those of the largest value: 1e-12 has the same use of them as 1.
+    // The digits of the finest step, relative to the largest value, so that 1e-12 is treated like 1.
     const double value = m_low + (m_high - m_low) * share;
     const double unit = std::pow(10.0, std::floor(std::log10((m_high - m_low) / m_last)) - 2.0);
     return withDigits(std::round(value / unit) * unit, 12);

@@ -5,17 +5,17 @@
 
 namespace inspector::ui {
 
-// Which values the places of a slider stand for: equally far apart, or by equal ratios where a row spans decades. A
-// notch is kFine places, so that a value between two notches can be had.
+/// Maps slider positions to values: linear, or logarithmic where a row spans decades. A notch is kFine positions, so
+/// that values between two notches can be set.
 class SliderScale {
 public:
     static constexpr int kFine = 10;
 
     explicit SliderScale(const phys_param_row &row);
 
-    int last() const { return m_last; } // of row.high; that of row.low is 0
-    int placeOf(double value) const;    // the nearest; the ends for what lies beyond them
-    double valueAt(int place) const;    // with few digits
+    int last() const { return m_last; } ///< position of row.high; that of row.low is 0
+    int placeOf(double value) const;    ///< the nearest position; clamped to the ends
+    double valueAt(int place) const;    ///< rounded to few digits
 
 private:
     double m_low, m_high;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Widgets that stand for an action of the window. A click on either leaves the keyboard to the game.
+// Widgets for actions of the window. A click on either doesn't take the keyboard from the game.
 #pragma once
 
 #include <QString>
@@ -10,9 +10,9 @@ class QToolButton;
 
 namespace inspector::ui {
 
-// Object names: the prefix and the action's.
+/// A button. Object names: the prefix and the action's.
 QToolButton *buttonFor(QAction &action, const QString &prefix);
-// Of a checkable one.
+/// A check box, for a checkable action.
 QCheckBox *switchFor(QAction &action, const QString &prefix);
 
 } // namespace inspector::ui

@@ -7,7 +7,7 @@
 
 namespace inspector::ui {
 
-/// A vector of the board frame as what draws takes it.
+/// A vector of the board frame as a glm vector.
 inline glm::dvec3 toGlm(const phys_vec3 &v) { return {v.x, v.y, v.z}; }
 
 } // namespace inspector::ui

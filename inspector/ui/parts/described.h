@@ -6,8 +6,7 @@
 
 namespace inspector::ui {
 
-// What a control is, for those who see it and for those who have it read to them. The name is empty where the text of
-// the widget is its name; the tip is plain text.
+/// Sets a control's accessible name and tool tip. name: empty where the widget's text is its name; tip: plain text.
 inline void describe(QWidget *widget, const QString &name, const QString &tip) {
     widget->setAccessibleName(name);
     widget->setAccessibleDescription(tip);

@@ -5,14 +5,14 @@
 
 namespace inspector::ui {
 
-// One line as wide as there is room; what doesn't fit is in the tip, above what that says otherwise.
+/// One line of text, elided to the available width; the full text is in the tool tip, above the tip set otherwise.
 class ElidedLabel : public QLabel {
     Q_OBJECT
 
 public:
     explicit ElidedLabel(QWidget *parent = nullptr);
 
-    // As wide as this text wherever there is room, and narrower where not: what is shown moves nothing beside it.
+    /// Reserves the width of this text if there is room, so that changes of the text don't move its neighbours.
     void setWidest(const QString &text);
 
     QSize sizeHint() const override;
@@ -25,7 +25,7 @@ protected:
 private:
     QString shown() const;
 
-    int m_widest = 0; // px
+    int m_widest = 0; ///< px
 };
 
 } // namespace inspector::ui

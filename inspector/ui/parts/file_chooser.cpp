@@ -16,7 +16,7 @@ void chooseFile(QWidget &window, QSettings &settings, const FileQuestion &questi
     dialog->setFileMode(question.use == FileUse::Read ? QFileDialog::ExistingFile : QFileDialog::AnyFile);
     dialog->setAcceptMode(question.use == FileUse::Read ? QFileDialog::AcceptOpen : QFileDialog::AcceptSave);
     if (!question.name.isEmpty()) dialog->selectFile(question.name);
-    // A name without an ending gets that of the kind of file chosen.
+    // A name without a suffix gets that of the selected kind of file.
     const auto followFilter = [dialog](const QString &filter) {
         dialog->setDefaultSuffix(filter.section(QStringLiteral("*."), 1).section(QLatin1Char(')'), 0, 0));
     };

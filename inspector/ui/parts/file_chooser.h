@@ -14,12 +14,12 @@ enum class FileUse { Read, Write };
 
 struct FileQuestion {
     QString title;
-    QString filter; // as QFileDialog's
-    QString name;   // proposed
+    QString filter; ///< in QFileDialog's form
+    QString name;   ///< the suggested name
     FileUse use;
 };
 
-// Asks for a file, starting in the folder of the last one; nothing waits for the answer.
+/// Asks for a file, starting in the last used folder; doesn't block.
 void chooseFile(QWidget &window, QSettings &settings, const FileQuestion &question,
                 const std::function<void(const QString &path)> &use);
 

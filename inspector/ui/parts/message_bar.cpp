@@ -80,10 +80,10 @@ void MessageBar::changeEvent(QEvent *event) {
     QFrame::changeEvent(event);
 }
 
-// The plate's colour goes with that of the text, which is the window's.
+/// The background matches the text colour, which is the window's.
 void MessageBar::takeColours() {
     const QColor plate = accentsFor(QApplication::palette()).warning;
-    if (palette().color(QPalette::Window) == plate) return; // the change was this one
+    if (palette().color(QPalette::Window) == plate) return; // this call caused the change
     QPalette own;
     own.setColor(QPalette::Window, plate);
     setPalette(own);

@@ -9,32 +9,32 @@ class QLabel;
 
 namespace inspector::ui {
 
-// What a message is about: it goes when that is settled.
+/// What a message is about; it disappears when that is settled.
 enum class Cause {
-    Command,    // something that a person wanted: until the next that works
-    Step,       // that failed: until there is another run, or it goes on
-    Parameter,  // a value of a slider
-    Level,      // the open level's files
-    View,       // shaders
-    Comparison, // a stepper that refused the ghost
-    Recording,  // the file that is written
-    Replay,     // the recording that is watched
-    File,       // a file that was to be saved
+    Command,    ///< a command failed: until the next one that succeeds
+    Step,       ///< a step failed: until another run begins, or it goes on
+    Parameter,  ///< a slider's value
+    Level,      ///< the open level's files
+    View,       ///< shaders
+    Comparison, ///< a stepper that refused the ghost
+    Recording,  ///< the file that is written
+    Replay,     ///< the recording that is watched
+    File,       ///< a file couldn't be saved
 };
 
-// A line across the window that says what went wrong, until it is closed or its cause has gone. Nothing waits for it.
+/// A line across the window with a problem, until it is closed or settled. It doesn't block.
 class MessageBar : public QFrame {
     Q_OBJECT
 
 public:
     explicit MessageBar(QWidget *parent = nullptr);
 
-    // The same line again is counted instead of repeated; a new one takes the place of one with the same cause.
+    /// The same line again is counted instead of repeated; a new line replaces one with the same cause.
     void showLine(const QString &line, Cause cause);
-    // What was wrong isn't any more.
+    /// The problem no longer exists.
     void settle(Cause cause);
-    uint64_t count() const { return m_count; }                                               // of messages so far
-    QString line() const { return m_messages.empty() ? QString() : m_messages.back().line; } // empty while hidden
+    uint64_t count() const { return m_count; }                                               ///< of messages so far
+    QString line() const { return m_messages.empty() ? QString() : m_messages.back().line; } ///< empty while hidden
     void dismiss();
 
 signals:
@@ -55,7 +55,7 @@ private:
     QLabel *m_icon;
     QLabel *m_text;
     uint64_t m_count = 0;
-    std::vector<Message> m_messages; // oldest first; the newest is shown
+    std::vector<Message> m_messages; ///< oldest first; the newest is shown
 };
 
 } // namespace inspector::ui

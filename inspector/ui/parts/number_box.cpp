@@ -18,12 +18,12 @@ namespace inspector::ui {
 namespace {
 
 constexpr int kMostDigits = 9;
-constexpr double kRounding = 1e-12; // of a value: nobody typed it
-constexpr double kFine = 0.1;       // of a notch, with Shift
+constexpr double kRounding = 1e-12; ///< share of a value: smaller differences weren't typed
+constexpr double kFine = 0.1;       ///< share of a notch, with Shift
 constexpr double kPage = 10.0;
-constexpr int kNoteWidth = 320; // logical pixels
+constexpr int kNoteWidth = 320; ///< logical pixels
 
-// Digits after the point that `number` needs, at most kMostDigits.
+/// Decimals that `number` needs, at most kMostDigits.
 int digitsOf(double number) {
     const QByteArray text = QByteArray::number(number, 'f', kMostDigits);
     qsizetype end = text.size();
@@ -31,7 +31,7 @@ int digitsOf(double number) {
     return int(end - 1 - text.indexOf('.'));
 }
 
-// With a notch's digits where that is the whole number, else with as many as it has.
+/// With a notch's decimals if they represent the number exactly, else with as many as it needs.
 QString numberText(double value, double notch) {
     const QString text = QString::number(value, 'f', digitsOf(notch));
     const bool isWhole = std::abs(text.toDouble() - value) <= kRounding * std::abs(value);
@@ -60,7 +60,7 @@ NumberBox::NumberBox(QWidget *parent)
     : QLineEdit(parent) {
     setAlignment(Qt::AlignRight);
     setFocusPolicy(Qt::StrongFocus);
-    connect(this, &QLineEdit::textEdited, this, &NumberBox::accept); // judged again when it is entered
+    connect(this, &QLineEdit::textEdited, this, &NumberBox::accept); // validated again when entered
 }
 
 void NumberBox::setKind(Kind kind) {
@@ -96,7 +96,7 @@ void NumberBox::refuse(const QString &reason) {
     if (hasFocus()) showReason();
 }
 
-// The text may be right again.
+/// The text may be valid again.
 void NumberBox::accept() {
     if (m_note) m_note->hide();
     if (m_reason.isEmpty()) return;
@@ -115,7 +115,7 @@ void NumberBox::stepBy(double notches) {
     if (m_kind.notch <= 0.0) return;
     apply();
     if (isRefused()) return;
-    // On multiples of the finest notch, so that steps there and back meet.
+    // Snaps to multiples of the finest notch, so that steps back and forth cancel.
     const double finest = kFine * m_kind.notch;
     const double stepped = std::round((m_value + notches * m_kind.notch) / finest) * finest;
     const QString text = QString::number(stepped, 'g', 12);
@@ -148,7 +148,7 @@ void NumberBox::showReason() {
     m_note->raise();
 }
 
-// A field takes the keys of undo for its letters. Once the number counts they are the window's.
+/// A field uses the undo keys for its text while typing; otherwise they are the window's.
 bool NumberBox::event(QEvent *event) {
     if (event->type() == QEvent::ShortcutOverride && !isModified()) {
         const auto *key = static_cast<QKeyEvent *>(event);
@@ -191,7 +191,7 @@ void NumberBox::hideEvent(QHideEvent *event) {
     QLineEdit::hideEvent(event);
 }
 
-// Wide enough for usual values, not for the largest that is allowed.
+/// Wide enough for common values, not for the largest possible.
 QSize NumberBox::sizeHint() const {
     QStyleOptionFrame option;
     initStyleOption(&option);

@@ -11,28 +11,28 @@ class QLabel;
 
 namespace inspector::ui {
 
-// A field for one number, read as people write numbers (core/setup/numbers.h). It counts when Enter is pressed or the
-// field is left. What can't be read, or isn't allowed, stays as it was typed, marked and with the reason below, and
-// nothing is entered; Esc takes it back. Up, Down and the wheel change the number by a notch, with Shift by a tenth.
+/// A field for one number, in any form that core/setup/numbers.h reads. It is entered by Enter or by leaving the field.
+/// Invalid input stays as typed, marked and with the reason below, and isn't entered; Esc discards it. Up, Down and the
+/// wheel change the number by a notch, with Shift by a tenth.
 class NumberBox : public QLineEdit {
     Q_OBJECT
 
 public:
-    // What a field reads and shows.
+    /// How a field parses and formats.
     struct Kind {
         std::function<NumberReading(const QString &text)> read;
         std::function<QString(double value)> show;
-        double notch = 0.0; // 0: no stepping
-        QString widest;     // the longest usual text
+        double notch = 0.0; ///< 0: no stepping
+        QString widest;     ///< the longest common text
     };
 
     explicit NumberBox(QWidget *parent = nullptr);
 
     void setKind(Kind kind);
     double value() const { return m_value; }
-    // Shows it, unless another text is being typed just now.
+    /// Shows the value, unless the user is typing.
     void setValue(double value);
-    // What was entered isn't allowed; one line that says why.
+    /// Marks what was entered as invalid; reason: one line.
     void refuse(const QString &reason);
     bool isRefused() const { return !m_reason.isEmpty(); }
     const QString &reason() const { return m_reason; }
@@ -41,7 +41,7 @@ public:
     QSize minimumSizeHint() const override { return sizeHint(); }
 
 signals:
-    // A person has entered another number. Whoever hears it may refuse() it or set it.
+    /// The user has entered another number. Receivers may refuse() it or set it.
     void entered(double value);
 
 protected:
@@ -63,15 +63,15 @@ private:
     QString m_reason;
     struct {
         QString tip, description;
-    } m_usual;                // while there is a reason in their place
-    QLabel *m_note = nullptr; // the reason, while the field has the keyboard; owned by the window
+    } m_usual;                // replaced while a reason is shown
+    QLabel *m_note = nullptr; ///< the reason, while the field has the focus; owned by the window
 };
 
-// A number in this range, with at least as many decimals as a notch has.
+/// A number in this range, shown with at least as many decimals as a notch has.
 NumberBox::Kind numberKind(const NumberRange &range, double notch);
-// A whole number from min to max.
+/// An integer from min to max.
 NumberBox::Kind wholeNumberKind(int min, int max);
-// A time in seconds; a number without a unit is in ms.
+/// A time in seconds; input without a unit is in ms.
 NumberBox::Kind durationKind(double min, double max);
 
 } // namespace inspector::ui

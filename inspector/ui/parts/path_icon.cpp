@@ -11,7 +11,7 @@ namespace inspector::ui {
 
 namespace {
 
-// Shapes in a square of 16 x 16.
+/// Shapes in a 16 x 16 square.
 constexpr double kSide = 16.0;
 
 struct Drawing {
@@ -33,14 +33,14 @@ QPainterPath line(std::initializer_list<QPointF> points) {
     return path;
 }
 
-// Against the clock to the upper left, with an arrow head there: back to what was.
+/// Counter-clockwise to the upper left, with an arrow head there: return.
 Drawing turnBack() {
     Drawing drawing;
     const QRectF circle(3.0, 3.0, 10.0, 10.0);
     drawing.stroked.arcMoveTo(circle, -150.0);
     drawing.stroked.arcTo(circle, -150.0, 285.0);
     const QPointF end = drawing.stroked.currentPosition();
-    const QPointF ahead(-1.8, 1.8); // along the circle there
+    const QPointF ahead(-1.8, 1.8); // tangent of the circle there
     const QPointF aside(1.8, 1.8);
     drawing.filled = line({end + ahead, end + aside, end - aside});
     drawing.filled.closeSubpath();
@@ -82,7 +82,7 @@ Drawing drawingOf(Glyph glyph) {
         drawing.filled.addRect(11.0, 3.0, 2.0, 10.0);
         drawing.filled.addPath(triangle(3.0, 10.0));
         break;
-    case Glyph::Autopilot: // a way through
+    case Glyph::Autopilot: // a path through a maze
         drawing.stroked = line({{3.0, 13.0}, {3.0, 7.0}, {9.0, 7.0}, {9.0, 3.0}, {13.0, 3.0}});
         drawing.filled.addEllipse(QPointF(3.0, 13.0), 2.0, 2.0);
         break;

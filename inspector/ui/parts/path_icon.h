@@ -26,7 +26,7 @@ enum class Glyph {
     Add
 };
 
-// A line drawing in the current palette's text colour, sharp at every size and resolution.
+/// A line drawing in the current palette's text colour, sharp at every size and resolution.
 QIcon glyphIcon(Glyph glyph);
 
 } // namespace inspector::ui

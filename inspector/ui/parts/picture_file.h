@@ -8,10 +8,11 @@ class QImage;
 
 namespace inspector::ui {
 
-// As a file of PNG has it; empty if the picture is.
+/// The picture as PNG bytes; empty if the picture is.
 QByteArray pngOf(const QImage &picture);
 
-// Writes it whole, as PNG, or leaves what there was. False and one line in `error` (or nullptr) if it can't be written.
+/// Writes the picture as PNG, whole or not at all. Returns false, with one line in `error` (may be nullptr), if it
+/// can't be written.
 bool savePicture(const QImage &picture, const QString &path, QString *error);
 
 } // namespace inspector::ui

@@ -5,7 +5,7 @@
 
 namespace inspector::ui {
 
-// A unit as it is printed: deg as a degree sign, powers raised.
+/// A unit as typeset: a degree sign for deg, raised powers.
 QString printedUnit(const QString &unit);
 
 } // namespace inspector::ui

@@ -7,8 +7,8 @@ class QComboBox;
 
 namespace inspector::ui {
 
-// An item for each stepper: its name, its summary as the tip, its id (a QByteArray) as the data.
-// Those that it has are left out.
+/// Adds an item for each stepper: name, summary as the tool tip, id (a QByteArray) as the data. Steppers already there
+/// are skipped.
 void addStepperItems(QComboBox &chooser, const Registry &registry);
 
 } // namespace inspector::ui

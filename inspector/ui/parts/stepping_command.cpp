@@ -19,7 +19,7 @@ public:
         , m_after(std::move(after)) {}
 
     void undo() override { m_session.setStepping(m_before); }
-    void redo() override { m_session.setStepping(m_after); } // nothing to do when it is pushed
+    void redo() override { m_session.setStepping(m_after); } ///< no effect when it is pushed
 
 private:
     Session &m_session;

@@ -7,8 +7,8 @@ class QUndoStack;
 
 namespace inspector::ui {
 
-// Changes how steps are made; one undo takes all of it back. text: what was done, for the menu. False if the session
-// refused, which it has said.
+/// Changes stepper, step size and settings as one undo step. text: the menu text. False if the session refused, which
+/// it has reported.
 bool changeStepping(Session &session, QUndoStack &undo, const Stepping &wanted, const QString &text);
 
 } // namespace inspector::ui

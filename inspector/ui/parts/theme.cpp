@@ -14,7 +14,7 @@ struct SystemLook {
     QString style;
 };
 
-// The desktop's, as it was before any theme was chosen.
+/// The desktop's style and palette, before any theme was chosen.
 const SystemLook &systemLook() {
     static const SystemLook look{QApplication::palette(), QApplication::style()->objectName()};
     return look;
@@ -61,12 +61,12 @@ void applyTheme(Theme theme) {
         QApplication::setPalette(system.palette);
         return;
     }
-    // Only Fusion follows any palette; styles of desktops bring their own colours.
+    // Only Fusion respects every palette; desktop styles bring their own colours.
     QApplication::setStyle(QStringLiteral("fusion"));
     const Shades &shades = theme == Theme::Dark ? kDark : kLight;
     QApplication::setPalette(paletteOf(shades));
     if (theme != Theme::Dark) return;
-    // Fusion frames an empty box with a darker shade of the window: it would hardly be seen.
+    // Fusion draws an empty check box with a darker shade of the window, hardly visible.
     QPalette boxes = paletteOf(shades);
     boxes.setColor(QPalette::Base, QColor(shades.light));
     QApplication::setPalette(boxes, "QCheckBox");
@@ -76,7 +76,7 @@ bool isDark(const QPalette &palette) {
     return palette.color(QPalette::Window).lightnessF() < palette.color(QPalette::WindowText).lightnessF();
 }
 
-// Hues that colour-blind people tell apart (blue, orange, and grey for the whole).
+/// Hues that colour-blind people can tell apart (blue, orange, and grey for the total).
 Accents accentsFor(const QPalette &palette) {
     if (isDark(palette))
         return {QColor(0x5aa9f5), QColor(0xf5a04a), QColor(0xd8dadd), QColor(0x5c4a12),

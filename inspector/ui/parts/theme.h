@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Light or dark: one palette from which every widget, icon, plot and the 3D view take their colours.
+// Light or dark theme: one palette from which all widgets, icons, plots and the 3D view take their colours.
 #pragma once
 
 #include <QColor>
@@ -16,13 +16,13 @@ void applyTheme(Theme theme);
 
 bool isDark(const QPalette &palette);
 
-// Colours with a meaning, readable on the palette's base.
+/// Semantic colours, readable on the palette's base.
 struct Accents {
-    QColor x, y, total; // components and magnitude of a vector
-    QColor warning;     // background of a message
-    QColor ball, ghost; // in a comparison: trails and legend
-    QColor selected;    // the bounce that is looked at
-    QColor alarm;       // a mark where something is wrong
+    QColor x, y, total; ///< components and magnitude of a vector
+    QColor warning;     ///< background of a message
+    QColor ball, ghost; ///< in a comparison: trails and legend
+    QColor selected;    ///< the selected bounce
+    QColor alarm;       ///< marks errors
 };
 Accents accentsFor(const QPalette &palette);
 

@@ -28,7 +28,7 @@ bool WheelGuard::eventFilter(QObject *object, QEvent *event) {
     if (event->type() != QEvent::Wheel) return false;
     const auto *widget = qobject_cast<const QWidget *>(object);
     if (!hasValue(widget) || widget->hasFocus()) return false;
-    event->ignore(); // it goes on to the parent
+    event->ignore(); // propagates to the parent
     return true;
 }
 

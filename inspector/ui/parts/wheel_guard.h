@@ -5,8 +5,8 @@
 
 namespace inspector::ui {
 
-// Scrolling must not turn what happens to be under the cursor: in this window the wheel changes the value of a slider,
-// number or list only while that has the keyboard; otherwise it scrolls what they lie in.
+/// Scrolling must not change the widget that happens to be under the cursor: the wheel changes a slider, number or list
+/// only while it has the focus; otherwise it scrolls their container.
 class WheelGuard : public QObject {
     Q_OBJECT
 

@@ -8,7 +8,7 @@
 namespace inspector::ui {
 
 namespace {
-constexpr double kHeight = 9.0; // pixels
+constexpr double kHeight = 9.0; ///< pixels
 constexpr double kReach = 6.0;
 } // namespace
 
@@ -53,7 +53,7 @@ void BounceTicks::draw(QCPPainter *painter) {
     const double to = std::min(m_to, axis->range().upper);
     painter->setAntialiasing(false);
     painter->setPen(QPen(m_tick, 1.5));
-    double drawn = -1.0; // several in one pixel are one line
+    double drawn = -1.0; // ticks in the same pixel are drawn once
     for (auto time = std::lower_bound(m_times.begin(), m_times.end(), from); time != m_times.end(); ++time) {
         if (*time > to) break;
         const double x = std::round(axis->coordToPixel(*time));

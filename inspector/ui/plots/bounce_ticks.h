@@ -8,20 +8,20 @@
 
 namespace inspector::ui {
 
-// Marks on a plot's time axis: short lines up from its lower border; the selected one goes all the way up.
+/// Marks on a plot's time axis: short lines at its lower border; the selected one spans the whole height.
 class BounceTicks : public QCPAbstractItem {
     Q_OBJECT
 
 public:
     explicit BounceTicks(QCustomPlot *plot);
 
-    // s, rising; selected: maybe none of them. False if nothing changes.
+    /// times: s, ascending; selected: need not be one of them. False if nothing changes.
     bool show(std::vector<double> times, std::optional<double> selected);
-    // Only those between are drawn, s.
+    /// Only ticks in this range are drawn, s.
     void setRange(double from, double to);
     void setColours(const QColor &tick, const QColor &selected);
 
-    // Of the tick at this pixel, or within a few pixels of it.
+    /// The time of the tick at this pixel, or within a few pixels of it.
     std::optional<double> timeAt(const QPointF &pixel) const;
 
     const std::vector<double> &times() const { return m_times; }

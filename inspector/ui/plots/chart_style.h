@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What all charts look like, made from the palette.
+// The common style of charts, from the palette.
 #pragma once
 
 #include <QColor>
@@ -10,24 +10,24 @@ class QCustomPlot;
 
 namespace inspector::ui {
 
-// Of what isn't known of a board.
+/// The colour of uncertainty bands.
 inline constexpr QColor kBandColour(0x2a, 0x9f, 0x4f);
 inline constexpr QColor kBandFill(0x2a, 0x9f, 0x4f, 45);
 
-// Charts of small distances are in mm.
+/// Charts of small distances are in mm.
 inline constexpr double kMillimetresPerMetre = 1e3;
 
-// From a (share 0) to b (share 1).
+/// Blends from a (share 0) to b (share 1).
 QColor mixed(const QColor &a, const QColor &b, double share);
 
-// Background, axes, grid and legend in the colours and the font of the widget.
+/// Sets background, axes, grid and legend to the widget's colours and font.
 void applyChartStyle(QCustomPlot &chart);
 
-// The legend in one line above the curves, where it hides none of them; left: its margin, pixels. Returns
-// that line, for what else stands in it.
+/// Puts the legend into one line above the curves, so that it hides nothing; left: its margin, pixels. Returns that
+/// line's layout, for further elements.
 QCPLayoutGrid *putLegendAbove(QCustomPlot &chart, int left);
 
-// Powers of ten, written as such.
+/// Makes an axis logarithmic, labelled in powers of ten.
 void makeLogarithmic(QCPAxis &axis, const QString &label);
 
 } // namespace inspector::ui

@@ -50,7 +50,7 @@ void PhasePlot::takeColours() {
     m_isStale = true;
 }
 
-// Every n-th sample, n so that the number of points stays small.
+/// Draws every n-th sample, to limit the number of points.
 void PhasePlot::refresh() {
     const uint64_t last = m_samples.last();
     if (!m_isStale && last == m_shown) return;
@@ -66,13 +66,13 @@ void PhasePlot::refresh() {
         if (m_samples.read(number, sample)) points.append(QCPCurveData(sample.time, sample[m_x], sample[m_y]));
     m_curve->data()->set(points, true);
     const bool hasEnd = !points.isEmpty() && std::isfinite(points.constLast().key + points.constLast().value);
-    m_dot->setVisible(hasEnd); // without a ghost it has no values
+    m_dot->setVisible(hasEnd); // NaN without a ghost
     if (hasEnd) m_dot->position->setCoords(points.constLast().key, points.constLast().value);
     if (m_fits) fit();
     replot(QCustomPlot::rpQueuedReplot);
 }
 
-// Lengths over lengths look as they are: the axis with fewer units a pixel is stretched.
+/// Two lengths get the same scale: the axis with fewer units per pixel is stretched.
 void PhasePlot::fit() {
     m_curve->rescaleAxes();
     for (QCPAxis *axis : {xAxis, yAxis}) {

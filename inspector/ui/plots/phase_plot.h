@@ -10,18 +10,18 @@
 
 namespace inspector::ui {
 
-// One quantity over another, of the time that the plots beside it show: a way on the board, a phase portrait.
+/// One quantity over another, in the time range of the other plots: a path on the board, a phase portrait.
 class PhasePlot : public QCustomPlot {
     Q_OBJECT
 
 public:
-    // samples: outlives the plot.
+    /// samples must outlive the plot.
     PhasePlot(const SampleRing &samples, Channel x, Channel y, std::shared_ptr<TimeView> time,
               QWidget *parent = nullptr);
 
     Channel x() const { return m_x; }
     Channel y() const { return m_y; }
-    // Shows what is new; called about 30 times a second.
+    /// Shows new samples; called about 30 times a second.
     void refresh();
     const QCPCurve &curve() const { return *m_curve; }
 

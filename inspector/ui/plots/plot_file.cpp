@@ -12,7 +12,7 @@ namespace inspector::ui {
 
 namespace {
 
-// QCustomPlot::savePdf() doesn't tell what is lost.
+/// QCustomPlot::savePdf() doesn't report write errors.
 bool drawPdf(QCustomPlot &plot, const QSize &size, QIODevice &file) {
     QPdfWriter pdf(&file);
     pdf.setPageLayout({QPageSize(QSizeF(size), QPageSize::Point), QPageLayout::Portrait, {}});

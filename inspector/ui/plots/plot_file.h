@@ -8,10 +8,10 @@ class QCustomPlot;
 
 namespace inspector::ui {
 
-constexpr double kPictureScale = 2.0; // pixels per pixel of the screen, for print
+constexpr double kPictureScale = 2.0; ///< pixels per screen pixel, for print
 
-// Writes a plot of that size, in pixels of the screen, as what the name's ending says, .png or .pdf; whole, or it
-// leaves what there was. False and one line in `error` if it can't.
+/// Writes a plot of this size, in screen pixels, as .png or .pdf by the name's suffix; whole or not at all. Returns
+/// false, with one line in `error`, on failure.
 bool savePlot(QCustomPlot &plot, const QSize &size, const QString &path, QString *error);
 
 } // namespace inspector::ui

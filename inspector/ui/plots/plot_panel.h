@@ -12,12 +12,12 @@ namespace inspector::ui {
 
 class TimeView;
 
-// Plots over time with their buttons beside them: follow, pause, clear, save.
+/// Plots over time with their buttons: follow, pause, clear, save.
 class PlotPanel : public QWidget {
     Q_OBJECT
 
 public:
-    // content: the plots, which the panel owns from now on. time: theirs. prefix: of the buttons' names.
+    /// content: the plots, which the panel takes over. time: their time view. prefix: of the buttons' names.
     PlotPanel(QWidget *content, TimeView &time, const QString &prefix, QWidget *parent = nullptr);
 
     QToolButton *addButton(Glyph glyph, const QString &name, const QString &tip);

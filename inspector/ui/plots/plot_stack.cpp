@@ -21,9 +21,9 @@ namespace {
 
 const QString kUsualPlots = QStringLiteral("velocity_x,velocity_y,speed");
 const QString kPhase = QStringLiteral("phase:");
-constexpr qsizetype kMostRestored = 16; // a settings file may name any number
+constexpr qsizetype kMostRestored = 16; ///< a settings file may list any number
 
-// Plots that are offered by name.
+/// A predefined plot.
 struct Offer {
     const char *name;
     const char *content;
@@ -186,7 +186,7 @@ void PlotStack::restore() {
     if (sizes.size() == QSplitter::count()) setSizes(sizes);
 }
 
-// In the order in which they are: those over time first.
+/// In their order: time plots first.
 void PlotStack::remember() {
     QStringList contents;
     for (const QuantityPlot *plot : m_plots) contents += textOf(plot->content());

@@ -15,43 +15,43 @@ class QSettings;
 
 namespace inspector::ui {
 
-// Any number of plots above each other, on one time axis. What they show is chosen by their menus (right click) or
-// dropped onto them, and remembered.
+/// Any number of stacked plots with a common time axis. Their quantities are chosen by context menus or dropped onto
+/// them, and remembered.
 class PlotStack : public QSplitter {
     Q_OBJECT
 
 public:
-    // Both outlive the stack.
+    /// Both must outlive the stack.
     PlotStack(const SampleRing &samples, QSettings &settings, QWidget *parent = nullptr);
 
     TimeView &time() { return *m_time; }
-    QuantityPlot &first() { return *m_plots.front(); } // there is always one
+    QuantityPlot &first() { return *m_plots.front(); } ///< there is always at least one
     const std::vector<QuantityPlot *> &plots() const { return m_plots; }
     const std::vector<PhasePlot *> &phasePlots() const { return m_phasePlots; }
 
-    // Shows what is new; called about 30 times a second.
+    /// Shows new samples; called about 30 times a second.
     void refresh(const RunContext &context);
     void showBounces(const std::vector<double> &times, std::optional<double> selected);
     void setFollowing(bool isOn);
     void setPaused(bool isOn);
     void clear();
-    // As at first: the velocity.
+    /// Resets to the initial plot: the velocity.
     void reset();
 
     QuantityPlot *addPlot(const PlotContent &content);
     PhasePlot *addPhasePlot(Channel x, Channel y);
-    void removePlot(QWidget *plot); // but the last over time
-    // The menu of one of the plots.
+    void removePlot(QWidget *plot); ///< except for the last time plot
+    /// Fills one plot's context menu.
     void fillMenu(QMenu &menu, QWidget *plot);
 
-    // As TimePlot::save(), all of them in one picture.
+    /// As TimePlot::save(), with all plots in one picture.
     bool save(const QString &path, QString *error);
 
 signals:
-    void bounceClicked(double time); // s
+    void bounceClicked(double time); ///< s
 
 private:
-    // Without being remembered.
+    /// Doesn't store the change in the settings.
     QuantityPlot *makePlot(const PlotContent &content);
     PhasePlot *makePhasePlot(Channel x, Channel y);
     void offerMenu(QWidget *plot);
@@ -61,7 +61,7 @@ private:
     const SampleRing &m_samples;
     QSettings &m_settings;
     std::shared_ptr<TimeView> m_time;
-    std::vector<QuantityPlot *> m_plots; // from the top
+    std::vector<QuantityPlot *> m_plots; ///< from top to bottom
     std::vector<PhasePlot *> m_phasePlots;
     std::vector<double> m_bounces;
     std::optional<double> m_selected;

@@ -9,12 +9,12 @@ class QMenu;
 
 namespace inspector::ui {
 
-// A submenu for each group of quantities, with an entry for each of them. isChosen: whether it is ticked; choose: what
-// an entry does.
+/// Adds a submenu for each group of quantities, with an entry for each. isChosen: whether it is checked; choose: called
+/// when it is triggered.
 void addQuantities(QMenu &menu, const std::function<bool(Channel)> &isChosen,
                    const std::function<void(Channel)> &choose);
 
-// What a quantity is dragged as: its id.
+/// MIME type of a dragged quantity; the data is its id.
 inline constexpr char kQuantityMime[] = "application/x-physics-quantity";
 
 } // namespace inspector::ui

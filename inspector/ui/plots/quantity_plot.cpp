@@ -15,14 +15,14 @@ namespace inspector::ui {
 
 namespace {
 
-constexpr double kMargin = 0.08; // above and below the values, share of their span
-constexpr double kShrink = 0.1;  // of the way per picture, so that the axis doesn't jump about
-constexpr double kNoise = 1e-9;  // of the largest value: isn't blown up
+constexpr double kMargin = 0.08; ///< margin above and below the values, share of their span
+constexpr double kShrink = 0.1;  ///< share of the distance per picture, so that the axis moves smoothly
+constexpr double kNoise = 1e-9;  ///< share of the largest value: smaller variations aren't magnified
 const QString kLogarithmic = QStringLiteral("log:");
 QColor Accents::*const kColours[] = {&Accents::x,     &Accents::y,        &Accents::total, &Accents::ball,
                                      &Accents::ghost, &Accents::selected, &Accents::alarm};
 
-// m/s, or nothing where quantities of several units are together.
+/// The common unit; empty if the quantities have different ones.
 QString unitOf(const std::vector<Channel> &channels) {
     QString unit;
     for (const Channel channel : channels) {
@@ -110,7 +110,7 @@ void QuantityPlot::fitValues() {
         fitSpan();
 }
 
-// From one power of ten to another.
+/// Fits the axis to whole decades.
 void QuantityPlot::fitPowers() {
     QCPRange values(0.0, 0.0);
     for (const Curve &curve : curves()) {
@@ -137,14 +137,14 @@ void QuantityPlot::fitSpan() {
     const double span = std::max(values.size(), smallest);
     const double reach = 0.5 * span + kMargin * span;
     values = QCPRange(values.center() - reach, values.center() + reach);
-    // Out at once, in slowly.
+    // Widen immediately, shrink slowly.
     const QCPRange now = fitsAtOnce() ? values : yAxis->range();
     const double lower = std::min(values.lower, now.lower + kShrink * (values.lower - now.lower));
     const double upper = std::max(values.upper, now.upper + kShrink * (values.upper - now.upper));
     yAxis->setRange(lower, upper);
 }
 
-// What a logarithmic axis can't show lies at its lower end.
+/// Clamps values that a logarithmic axis can't show to its lower end.
 double QuantityPlot::drawn(double plotted) const {
     if (!m_content.isLogarithmic || plotted > yAxis->range().lower) return plotted;
     return std::isnan(plotted) ? plotted : yAxis->range().lower;

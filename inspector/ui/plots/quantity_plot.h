@@ -10,27 +10,27 @@ class QDropEvent;
 
 namespace inspector::ui {
 
-// What a plot shows, as it is remembered: "velocity_x,speed", "log:distance".
+/// A plot's content and its settings text: "velocity_x,speed", "log:distance".
 struct PlotContent {
     std::vector<Channel> channels;
     bool isLogarithmic = false;
     bool operator==(const PlotContent &) const = default;
 };
 QString textOf(const PlotContent &content);
-PlotContent plotContentOf(const QString &text); // without what isn't known
+PlotContent plotContentOf(const QString &text); ///< unknown names are ignored
 
-// Any quantities over time: components and ghosts together, a ghost's dashed.
+/// Any quantities over time; a ghost's are dashed.
 class QuantityPlot : public TimePlot {
     Q_OBJECT
 
 public:
-    // samples: outlives the plot.
+    /// samples must outlive the plot.
     QuantityPlot(const SampleRing &samples, const PlotContent &content, std::shared_ptr<TimeView> time = nullptr,
                  QWidget *parent = nullptr);
 
     const PlotContent &content() const { return m_content; }
     void setContent(const PlotContent &content);
-    void add(Channel channel); // if it isn't there already
+    void add(Channel channel); ///< no effect if it is there already
 
 signals:
     void contentChanged();

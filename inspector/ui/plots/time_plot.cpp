@@ -13,12 +13,12 @@ namespace inspector::ui {
 
 namespace {
 
-constexpr double kSmallestSpan = 1e-9; // of values
+constexpr double kSmallestSpan = 1e-9; ///< smallest span of values
 constexpr double kLargestSpan = 1e9;
-constexpr int kLeftMargin = 74; // pixels, so that plots above each other are aligned
+constexpr int kLeftMargin = 74; ///< pixels, so that stacked plots are aligned
 constexpr float kOldAlpha = 0.35F;
 
-// As wide as allowed, around the same middle. A logarithmic axis is bounded by its values.
+/// Limits the range, keeping its middle. A logarithmic axis is limited by its values.
 QCPRange bounded(const QCPAxis &axis) {
     const QCPRange range = axis.range();
     if (axis.scaleType() == QCPAxis::stLogarithmic) return range.bounded(kSmallestSpan * kSmallestSpan, kLargestSpan);
@@ -28,7 +28,7 @@ QCPRange bounded(const QCPAxis &axis) {
 
 } // namespace
 
-// Takes the room that there is instead of asking for it.
+/// Uses the available room instead of requesting it.
 class ReadOutText : public QCPTextElement {
 public:
     explicit ReadOutText(QCustomPlot *plot)
@@ -64,13 +64,13 @@ TimePlot::TimePlot(const SampleRing &samples, std::shared_ptr<TimeView> time, QW
     updateReadOut();
 }
 
-// In one line with what is under the cursor.
+/// In one line with the read-out.
 void TimePlot::layOutLegend() { putLegendAbove(*this, kLeftMargin)->addElement(0, 1, m_text); }
 
 void TimePlot::addCurve(Channel channel, QColor Accents::*colour, Qt::PenStyle style) {
     QCPGraph *graph = addGraph();
     graph->setName(QString::fromUtf8(channelInfos()[size_t(channel)].label));
-    graph->setAdaptiveSampling(false); // the ring gives one column per pixel already
+    graph->setAdaptiveSampling(false); // the ring already returns one column per pixel
     auto *dot = new QCPItemTracer(this);
     dot->setStyle(QCPItemTracer::tsCircle);
     dot->setSize(7);
@@ -156,7 +156,7 @@ QCPRange TimePlot::shownTimes() const {
     return times;
 }
 
-// Puts the visible part of a channel into its curve.
+/// Loads the visible part of a channel into its curve.
 void TimePlot::load(const Curve &curve) {
     const auto [from, to] = shownTimes();
     const size_t pixels = size_t(std::max(1, int(axisRect()->width() * devicePixelRatioF())));
@@ -236,7 +236,7 @@ void TimePlot::mouseMoveEvent(QMouseEvent *event) {
     m_time->setCursor(isOverPlot ? std::optional(xAxis->pixelToCoord(event->position().x())) : std::nullopt);
     if (!(event->buttons() & Qt::LeftButton)) return;
     m_isStale = true;
-    // Dragged values stay where they were put; a dragged time no longer follows.
+    // After dragging values they aren't fitted any more; after dragging time it doesn't follow.
     if (axisRect()->rangeDrag() == Qt::Vertical) m_fitsValues = false;
     if (axisRect()->rangeDrag() == Qt::Horizontal) m_time->setFollowing(false);
 }
@@ -247,7 +247,7 @@ void TimePlot::mouseReleaseEvent(QMouseEvent *event) {
     if (const std::optional<double> time = m_ticks->timeAt(event->position())) emit bounceClicked(*time);
 }
 
-// Also while nothing moves that would bring a new picture.
+/// Redraws explicitly, because nothing else may change.
 void TimePlot::mouseDoubleClickEvent(QMouseEvent *event) {
     setFollowing(true);
     refresh();
@@ -265,7 +265,7 @@ void TimePlot::wheelEvent(QWheelEvent *event) {
     if (orientation == Qt::Vertical) m_fitsValues = false;
     axisRect()->setRangeZoom(orientation);
     QCustomPlot::wheelEvent(event);
-    xAxis->setRange(m_time->range()); // which has limits
+    xAxis->setRange(m_time->range()); // which is limited
     yAxis->setRange(bounded(*yAxis));
 }
 
@@ -309,7 +309,7 @@ void TimePlot::updateReadOut() {
     }
     for (const Curve &curve : m_curves) {
         const double value = m_readOut ? drawn(plotted((*m_readOut)[curve.channel])) : std::nan("");
-        curve.dot->setVisible(std::isfinite(value)); // without a ghost it has no values
+        curve.dot->setVisible(std::isfinite(value)); // NaN without a ghost
         if (std::isfinite(value)) curve.dot->position->setCoords(m_readOut->time, value);
     }
     m_text->setText(m_readOut ? tr("%1 s   %2").arg(m_readOut->time, 0, 'f', 4).arg(textOf(*m_readOut)) : QString());

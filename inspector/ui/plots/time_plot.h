@@ -17,21 +17,21 @@ namespace inspector::ui {
 class BounceTicks;
 class ReadOutText;
 
-// What is drawn behind a run beside its own samples.
+/// What is drawn in addition to a run's own samples.
 struct RunContext {
-    const std::vector<Sample> *oldFuture = nullptr; // what had come before another way was taken; or nullptr
-    std::optional<double> moment;                   // that is looked at in the past, s
+    const std::vector<Sample> *oldFuture = nullptr; ///< the discarded future, after the past was taken over; or nullptr
+    std::optional<double> moment;                   ///< the moment shown in the past, s
 };
 
-// Channels of the ring over time, fed with what is visible and no more; which ones, and how their values are shown, is
-// said by the kinds of plot below it. While it follows, the newest sample stays at the right border and the values fill
-// the height. Wheel: zoom of time; drag: pan; over the value axis (or with Ctrl) both act on values; double click:
-// follow again. What is under the cursor is said above the curves.
+/// Channels of a sample ring over time, loading only what is visible; subclasses say which, and how values are shown.
+/// While it follows, the newest sample is at the right border and the values fill the height. Wheel: zoom in time;
+/// drag: pan; over the value axis (or with Ctrl) both act on values; double click: follow again. Values under the
+/// cursor are shown above the curves.
 class TimePlot : public QCustomPlot {
     Q_OBJECT
 
 public:
-    // Shows what is new; called about 30 times a second, never per sample.
+    /// Shows new samples; called about 30 times a second, not per sample.
     void refresh();
 
     TimeView &time() { return *m_time; }
@@ -39,23 +39,24 @@ public:
     void setFollowing(bool isOn);
     bool isPaused() const { return m_time->pausedAt().has_value(); }
     void setPaused(bool isOn);
-    // Forgets what was up to now.
+    /// Hides everything up to now.
     void clear();
 
-    // Ticks at the times of bounces, s, rising; the selected one, maybe none of them, is a line all the way up.
+    /// Shows ticks at the times of bounces, s, ascending; the selected one, which need not be among them, spans the
+    /// height.
     void showBounces(std::vector<double> times, std::optional<double> selected);
     void setContext(const RunContext &context);
 
-    // Writes what the name's ending says: .csv (all samples since clear()), .png or .pdf (the picture). False and one
-    // line in `error` (or nullptr) if that fails.
+    /// Writes, by the name's suffix, .csv (all samples since clear()), .png or .pdf (the picture). Returns false, with
+    /// one line in `error` (may be nullptr), on failure.
     bool save(const QString &path, QString *error);
 
-    // The sample under the cursor, while there is one.
+    /// The sample under the cursor, if there is one.
     std::optional<Sample> readOut() const { return m_readOut; }
-    QString readOutText() const; // as it is said above the curves
+    QString readOutText() const; ///< as shown above the curves
 
 signals:
-    void bounceClicked(double time); // of its tick, s
+    void bounceClicked(double time); ///< the tick's time, s
 
 protected:
     struct Curve {
@@ -63,31 +64,31 @@ protected:
         QColor Accents::*colour;
         Qt::PenStyle style;
         QCPGraph *graph;
-        QCPGraph *old;      // of the old future
-        QCPItemTracer *dot; // on the sample under the cursor
+        QCPGraph *old;      ///< curve of the discarded future
+        QCPItemTracer *dot; ///< on the sample under the cursor
     };
 
-    // samples: outlives the plot. time: shared with others, or its own.
+    /// samples must outlive the plot. time: shared with other plots, or null for its own.
     TimePlot(const SampleRing &samples, std::shared_ptr<TimeView> time, QWidget *parent);
     void addCurve(Channel channel, QColor Accents::*colour, Qt::PenStyle style = Qt::SolidLine);
     void clearCurves();
-    QCPGraph *addKey(QColor Accents::*colour); // an entry of the legend without a curve
+    QCPGraph *addKey(QColor Accents::*colour); ///< a legend entry without a curve
     const std::vector<Curve> &curves() const { return m_curves; }
     bool fitsAtOnce() const { return m_fitsAtOnce; }
     void fitAgain();
 
-    // A value in the unit of the value axis; NaN where there is none.
+    /// Converts a value to the value axis's unit; NaN if there is none.
     virtual double plotted(double value) const { return value; }
-    // Where on the value axis, as it is just now, a plotted value is drawn.
+    /// The position on the current value axis at which a plotted value is drawn.
     virtual double drawn(double plotted) const { return plotted; }
-    // Moves the value axis to what the curves show just now. Not called once a person has moved it.
+    /// Fits the value axis to the visible curves. Not called after the user has moved the axis.
     virtual void fitValues() = 0;
-    // Loads what is drawn besides the curves, between these times, s.
+    /// Loads what is drawn in addition to the curves, between these times, s.
     virtual void loadBesides(const QCPRange &) {}
-    void drawAnew() { m_isStale = true; } // with the next refresh()
-    // Those of its table.
+    void drawAnew() { m_isStale = true; } ///< redraws with the next refresh()
+    /// The columns of the plot's table.
     virtual Columns columns() const { return Columns::Ball; }
-    // What is said of the sample under the cursor, after its time, in one line.
+    /// The text for the sample under the cursor, after its time, in one line.
     virtual QString textOf(const Sample &sample) const = 0;
 
     void mousePressEvent(QMouseEvent *event) override;
@@ -103,7 +104,7 @@ private:
     void layOutLegend();
     void takeColours();
     std::optional<double> newestTime() const;
-    QCPRange shownTimes() const; // maybe none: then its end comes first
+    QCPRange shownTimes() const; ///< may be empty: then the end precedes the begin
     void load(const Curve &curve);
     void loadOldFuture(const Curve &curve);
     void updateReadOut();
@@ -127,8 +128,8 @@ private:
     QPointF m_pressedAt;
     std::optional<Sample> m_readOut;
     bool m_fitsValues = true;
-    bool m_fitsAtOnce = false; // instead of little by little
-    uint64_t m_shown = 0;      // samples at the last picture
+    bool m_fitsAtOnce = false; ///< instead of gradually
+    uint64_t m_shown = 0;      ///< sample count at the last redraw
     bool m_isStale = true;
 };
 

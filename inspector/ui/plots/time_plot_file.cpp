@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the plot becomes a file.
+// Saving a plot to a file.
 #include "core/setup/files.h"
 #include "ui/plots/plot_file.h"
 #include "ui/plots/time_plot.h"

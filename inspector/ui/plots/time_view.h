@@ -10,31 +10,31 @@
 
 namespace inspector::ui {
 
-// Which span of time plots show. Those that share one move together.
+/// The time range that plots show. Plots that share one move together.
 class TimeView : public QObject {
     Q_OBJECT
 
 public:
-    static constexpr double kShortestWindow = 0.01; // s
+    static constexpr double kShortestWindow = 0.01; ///< s
     static constexpr double kLongestWindow = 3600.0;
 
-    // While it follows, the newest sample stays at the right border.
+    /// While it follows, the newest sample is at the right border.
     bool isFollowing() const { return m_isFollowing; }
-    void setFollowing(bool isOn); // on: also ends a pause
-    // Stands still although samples go on coming; at this time, s.
+    void setFollowing(bool isOn); ///< on also ends a pause
+    /// If set, the view is paused at this time, s, while samples keep arriving.
     std::optional<double> pausedAt() const { return m_pausedAt; }
     void pauseAt(std::optional<double> time);
-    // Nothing before is shown, s.
+    /// Nothing before this time is shown, s.
     double clearedAt() const { return m_clearedAt; }
     void clearAt(double time);
-    // A run begins at time 0 again: what was cleared or paused before means nothing any more.
+    /// A new run begins at time 0: clear and pause are reset.
     void noticeRun(uint64_t generation);
 
-    const QCPRange &range() const { return m_range; } // s
+    const QCPRange &range() const { return m_range; } ///< s
     void setRange(const QCPRange &range);
-    void follow(double newest); // to this time, s
-    void zoom(double factor);   // of what is followed
-    // The mouse over any of the plots, s.
+    void follow(double newest); ///< follows to this time, s
+    void zoom(double factor);   ///< zooms the followed range
+    /// The cursor's time in any of the plots, s.
     std::optional<double> cursor() const { return m_cursor; }
     void setCursor(std::optional<double> time);
 
@@ -44,7 +44,7 @@ signals:
     void pausedChanged(bool isOn);
 
 private:
-    double m_window = 10.0; // s in view while following
+    double m_window = 10.0; ///< s, visible while following
     QCPRange m_range{0.0, 10.0};
     bool m_isFollowing = true;
     std::optional<double> m_pausedAt;

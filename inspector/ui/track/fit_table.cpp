@@ -11,7 +11,7 @@ namespace inspector::ui {
 
 namespace {
 
-// Typed here: the parameters have a tilt, but no offset of one, and nothing of a track.
+/// Whether the quantity is typed here: the parameters have no offset of the tilt, and nothing about tracks.
 bool isTyped(const FitQuantity &quantity) {
     return quantity.id.startsWith(QLatin1String("tilt")) || quantity.id.startsWith(QLatin1String("frame")) ||
            quantity.id == QLatin1String("delay");
@@ -28,7 +28,7 @@ FitTable::FitTable(QWidget *parent)
     setRowCount(int(m_quantities.size()));
     setHorizontalHeaderLabels({tr("Look for"), tr("From"), tr("Found ± 95 %"), tr("Unit")});
     setSelectionMode(QAbstractItemView::NoSelection);
-    setTabKeyNavigation(false); // Tab leaves the table
+    setTabKeyNavigation(false); // Tab moves on to the next widget
     for (int row = 0; row < rowCount(); ++row) {
         const FitQuantity &quantity = m_quantities[size_t(row)];
         auto *name = new QTableWidgetItem(quantity.label);
@@ -99,7 +99,7 @@ void FitTable::showBegin(const Inputs &inputs) {
     }
 }
 
-// What is refused goes back to what it was.
+/// Refused input is reset to the previous value.
 void FitTable::read(QTableWidgetItem *item) {
     if (item->column() == Name) emit wantedChanged();
     if (item->column() != Begin) return;

@@ -8,8 +8,8 @@
 
 namespace inspector::ui {
 
-// The numbers of a board that a fit can look for: which of them, from where, and what was found. Coefficients begin
-// where the parameters are; offsets, delay and frame where a person has typed.
+/// The quantities that can be fitted: which are selected, their initial and their fitted values. Coefficients start at
+/// the parameters' values; offsets, delay and frame at what the user typed.
 class FitTable : public QTableWidget {
     Q_OBJECT
 
@@ -17,11 +17,11 @@ public:
     explicit FitTable(QWidget *parent = nullptr);
 
     std::vector<FitQuantity> wanted() const;
-    QString words() const; // as parseFitQuantities() reads them
+    QString words() const; ///< in the form that parseFitQuantities() reads
     void want(const QString &words);
-    // Where a fit begins.
+    /// The initial values of a fit.
     BoardParameters begin(const Inputs &inputs) const;
-    void setFrame(const TrackFrame &frame) { m_typed.frame = frame; } // to be shown by the next
+    void setFrame(const TrackFrame &frame) { m_typed.frame = frame; } ///< shown by the next call
     void showBegin(const Inputs &inputs);
     void showFound(const ModelFit &fit);
     void forgetFound();
@@ -30,13 +30,13 @@ public:
 
 signals:
     void wantedChanged();
-    void refused(const QString &line); // a number that was typed
+    void refused(const QString &line); ///< an invalid number was typed
 
 private:
     void read(QTableWidgetItem *item);
 
     std::vector<FitQuantity> m_quantities;
-    BoardParameters m_typed{}; // but for its coefficients and its gravity
+    BoardParameters m_typed{}; ///< without coefficients and gravity
 };
 
 } // namespace inspector::ui

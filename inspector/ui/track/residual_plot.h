@@ -7,15 +7,15 @@
 
 namespace inspector::ui {
 
-// What a fit leaves of a track over time: measured minus computed, mm, with the tracker's noise as a band and the
-// bounces as ticks.
+/// The residuals of a fit over time: measured minus computed, mm, with the tracker's noise as a band and bounces as
+/// marks.
 class ResidualPlot : public QCustomPlot {
     Q_OBJECT
 
 public:
     explicit ResidualPlot(QWidget *parent = nullptr);
 
-    void show(const ModelFit &fit, double noise); // m
+    void show(const ModelFit &fit, double noise); ///< m
     void clear();
 
 protected:
@@ -25,7 +25,7 @@ private:
     QCPGraph *m_x;
     QCPGraph *m_y;
     QCPGraph *m_bounces;
-    QCPItemRect *m_noise; // two deviations on either side
+    QCPItemRect *m_noise; ///< +-2 standard deviations
 };
 
 } // namespace inspector::ui

@@ -95,7 +95,7 @@ QWidget *TrackDock::makeControls() {
     m_progress->setRange(0, 1000);
     m_progress->setAccessibleName(tr("Progress of the fit"));
     for (QPushButton *button : {m_fit, m_follow, m_takeOver})
-        button->setFocusPolicy(Qt::TabFocus); // keys stay the game's
+        button->setFocusPolicy(Qt::TabFocus); // a click doesn't take the keyboard from the game
     auto *controls = new QWidget;
     auto *layout = new QHBoxLayout(controls);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -149,7 +149,7 @@ void TrackDock::layOver(const BoardParameters &board) {
     m_session.showTrack(std::make_shared<ShownTrack>(*m_track, board, usualBegin(*m_track)));
 }
 
-// From time 0 on, on the board that was found if there is one.
+/// Follows the track from time 0 on, with the fitted board if there is one.
 void TrackDock::follow(bool isOn) {
     if (isOn && m_track) {
         const bool isFitted = m_outcome && m_outcome->fit;
@@ -210,7 +210,7 @@ void TrackDock::showOutcome(const std::shared_ptr<const FitOutcome> &outcome) {
     layOver(best.board);
 }
 
-// The model and the coefficients that the track determines.
+/// The model and those coefficients that the track determines.
 std::vector<Setting> TrackDock::fittedSettings() const {
     if (!m_outcome || !m_outcome->fit || m_outcome->fit->verdict == FitVerdict::Neither) return {};
     const ModelFit &fit = m_outcome->fit->best();
@@ -233,7 +233,7 @@ void TrackDock::takeOver() {
         before.push_back({setting.id, parameters.value(parameters.indexOf(setting.id))});
     QString error;
     if (!parameters.set(after, &error)) return m_report->appendPlainText(error);
-    static int gesture = -1; // edits by hand count upwards
+    static int gesture = -1; // the user's edits count upwards
     m_undo.push(new ParameterCommand(parameters, before, after, gesture--, tr("values of a measured ball")));
 }
 

@@ -17,31 +17,30 @@ namespace inspector::ui {
 class FitTable;
 class ResidualPlot;
 
-// A measured ball: its file, laid over the run; the fit in the background, what it found, and the values to be taken
-// over.
+/// A measured ball: its file, overlaid on the run; its fit in the background, the results, and taking them over.
 class TrackDock : public QWidget {
     Q_OBJECT
 
 public:
-    // Both outlive the dock.
+    /// Both must outlive the dock.
     TrackDock(Session &session, QUndoStack &undo, QWidget *parent = nullptr);
 
-    // Lays the measured ball of a file over the run, as if its name and units (words) were typed; in the frame that is
-    // set. False if it can't be read, which the dock says.
+    /// Overlays the measured ball of a file on the run, as if its name and units were typed, in the current frame.
+    /// False if it can't be read, which the dock reports.
     bool open(const QString &path, const QString &units);
     void setFrame(const TrackFrame &frame);
-    QString units() const; // as they are typed
+    QString units() const; ///< as typed
 
     QSize sizeHint() const override { return {900, 320}; }
 
 private:
     QWidget *makeControls();
     void chooseTrackFile();
-    bool openTrack(); // as it is typed; says what is wrong with it
+    bool openTrack(); ///< opens what is typed; reports what is wrong with it
     void layOver(const BoardParameters &board);
     void follow(bool isOn);
-    void forget(); // the track and the fit, of another maze
-    void toggle(); // begins to fit, or cancels
+    void forget(); ///< drops track and fit, which belong to another maze
+    void toggle(); ///< starts or cancels a fit
     void showOutcome(const std::shared_ptr<const FitOutcome> &outcome);
     void showRunning();
     void takeOver();
@@ -50,7 +49,7 @@ private:
     Session &m_session;
     QUndoStack &m_undo;
     FitWorker m_worker;
-    std::shared_ptr<const FitOutcome> m_outcome; // of the last fit; may be null
+    std::shared_ptr<const FitOutcome> m_outcome; ///< of the last fit; may be null
     std::optional<Track> m_track;
     QLineEdit *m_file;
     QLineEdit *m_units;

@@ -26,7 +26,7 @@ ScheduleChooser::ScheduleChooser(QSettings &settings, QWidget *parent)
     m_kind->addItems({tr("Quiet and busy"), tr("Autopilot (quiet)"), tr("Busy"), tr("Random tilts"),
                       tr("Tilts from a file")}); // in the order of Kind
     describe(m_kind, tr("Tilts"), tr("How the board tilts while all steppers are measured"));
-    m_kind->setFocusPolicy(Qt::TabFocus); // a click leaves the keyboard to the game
+    m_kind->setFocusPolicy(Qt::TabFocus); // a click doesn't take the keyboard from the game
     m_seed->setObjectName(QStringLiteral("trade_seed"));
     m_seed->setRange(0, std::numeric_limits<int>::max());
     m_seed->setValue(1);
@@ -68,7 +68,8 @@ QString ScheduleChooser::words() const {
     case File:
         break;
     }
-    return path.isEmpty() ? QString() : QFileInfo(path).absoluteFilePath(); // no word of those above
+    return path.isEmpty() ? QString()
+                          : QFileInfo(path).absoluteFilePath(); // an absolute path, so that it isn't one of the words
 }
 
 void ScheduleChooser::showKind() {

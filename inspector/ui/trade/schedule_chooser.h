@@ -10,15 +10,15 @@ class QSpinBox;
 
 namespace inspector::ui {
 
-// How the board tilts while the trade is measured: as the autopilot does, at random from a seed, or as a file says.
+/// Chooses the tilts of a trade measurement: the autopilot's, random from a seed, or from a file.
 class ScheduleChooser : public QWidget {
     Q_OBJECT
 
 public:
-    // settings: remember the folder of the file; outlive the chooser.
+    /// settings: store the folder of the file; must outlive the chooser.
     explicit ScheduleChooser(QSettings &settings, QWidget *parent = nullptr);
 
-    // As on the command line (core/trade_options.h); empty while no file is named.
+    /// As on the command line (core/trade/trade_options.h); empty while no file is named.
     QString words() const;
 
 signals:

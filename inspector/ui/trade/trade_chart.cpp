@@ -16,9 +16,9 @@ namespace inspector::ui {
 
 namespace {
 
-constexpr double kReach = 12.0; // px, of the mouse
+constexpr double kReach = 12.0; ///< pixels, picking distance
 
-// Around the values, with some air.
+/// The range of the values with a margin.
 QCPRange rangeOf(const std::vector<double> &values) {
     if (values.empty()) return {1.0, 10.0};
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
@@ -59,11 +59,11 @@ TradeChart::TradeChart(QWidget *parent)
     }
     m_ring->setSize(15);
     m_goodEnough->setSize(21);
-    // As wide as the chart, whatever the costs.
+    // Spans the width of the chart.
     m_band->topLeft->setTypeX(QCPItemPosition::ptAxisRectRatio);
     m_band->bottomRight->setTypeX(QCPItemPosition::ptAxisRectRatio);
     m_band->setVisible(false);
-    auto *beside = new QCPLayoutGrid; // where the legend hides no curve
+    auto *beside = new QCPLayoutGrid; // next to the curves, so that the legend hides none
     plotLayout()->addElement(0, 1, beside);
     beside->addElement(0, 0, legend);
     beside->addElement(1, 0, new QCPLayoutElement(this));
@@ -75,7 +75,7 @@ TradeChart::TradeChart(QWidget *parent)
 void TradeChart::show(const ChartDescription &chart, const TradeResult &result) {
     m_description = chart;
     m_points = result.points;
-    legend->setVisible(true); // before, it would name curves that aren't there
+    legend->setVisible(true); // hidden before, when there are no curves
     xAxis->setLabel(chart.costLabel);
     yAxis->setLabel(chart.errorLabel);
     addFront();

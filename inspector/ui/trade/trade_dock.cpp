@@ -33,11 +33,11 @@ namespace inspector::ui {
 
 namespace {
 
-// The slider counts twentieths of a decade from 1 mm: from a nanometre to a decimetre.
+/// The slider counts twentieths of a decade from 1 mm: from a nanometre to a decimetre.
 constexpr int kPerDecade = 20;
 constexpr int kSmallest = -6 * kPerDecade;
 constexpr int kLargest = 2 * kPerDecade;
-constexpr int kChartPeriod = 200; // ms
+constexpr int kChartPeriod = 200; ///< ms
 
 template<typename Widget>
 Widget *named(Widget *widget, const char *name) {
@@ -105,7 +105,7 @@ void TradeDock::makeControls() {
     m_model->addItems({tr("Rolling model"), tr("Rigid model")}); // in the order of their numbers
     describe(m_model, tr("Model"), tr("The model whose figures are shown"));
     m_unknowns = named(new QLineEdit(usualUnknowns()), "trade_unknowns");
-    m_unknowns->home(false); // its beginning is seen
+    m_unknowns->home(false); // show its beginning
     describe(m_unknowns, tr("Not known"),
              tr("What isn't known exactly of the real board, and by how much: tilt, start or a parameter by its name; "
                 "none: nothing"));
@@ -158,7 +158,7 @@ QString TradeDock::answerText(const TradePoint &point, double seconds) const {
         .arg(point.cost.perSecond * 1e6, 0, 'g', 3);
 }
 
-// A click leaves the keyboard to the game.
+/// A click doesn't take the keyboard from the game.
 void TradeDock::leaveKeysToTheGame() {
     for (QWidget *widget :
          {static_cast<QWidget *>(m_measure), static_cast<QWidget *>(m_model), static_cast<QWidget *>(m_tolerance),
@@ -221,15 +221,15 @@ void TradeDock::makeTable() {
     m_sorted->setFilterKeyColumn(TradeTableModel::Model);
     m_table->setModel(m_sorted);
     m_table->setSortingEnabled(true);
-    m_table->sortByColumn(-1, Qt::AscendingOrder); // as measured
+    m_table->sortByColumn(-1, Qt::AscendingOrder); // in the order of measurement
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->setAlternatingRowColors(true);
     m_table->setWordWrap(false);
-    m_table->setColumnHidden(TradeTableModel::Model, true); // it is chosen above
+    m_table->setColumnHidden(TradeTableModel::Model, true); // the model is chosen above
     QHeaderView *header = m_table->horizontalHeader();
     header->setHighlightSections(false);
-    // Cost and error side by side.
+    // Put cost and error side by side.
     header->moveSection(TradeTableModel::columnOf("cpu_per_second [us]"), TradeTableModel::kNameColumns);
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
@@ -284,7 +284,7 @@ void TradeDock::showResult() {
     showGoodEnough();
 }
 
-// Of the model that was simulated when the measurement began.
+/// For the model that was set when the measurement began.
 void TradeDock::showGoodEnough() {
     const TradeResult &result = m_worker.result();
     const bool isKnown = result.goodEnough && model() == m_worker.plan().inputs.params.model;
@@ -316,7 +316,7 @@ void TradeDock::showEnd(const QString &error) {
     const TradeResult &result = m_worker.result();
     if (!error.isEmpty()) return m_remark->setText(error);
     QStringList lines = tradeSummary(m_worker.plan(), result);
-    if (!m_worker.plan().unknowns.empty()) lines.removeFirst(); // a box has them
+    if (!m_worker.plan().unknowns.empty()) lines.removeFirst(); // they have a box of their own
     const QString summary = result.points.empty() ? QString() : lines.join(QStringLiteral("; "));
     m_remark->setText(result.isComplete ? summary : tr("Cancelled; figures as far as they are known. %1").arg(summary));
 }
@@ -360,7 +360,7 @@ std::optional<size_t> TradeDock::chosenIndex() const {
 void TradeDock::use() {
     const std::optional<size_t> index = chosenIndex();
     if (!index) return;
-    use(TradePoint(m_rows->points()[*index])); // a copy: what it changes may begin a new table
+    use(TradePoint(m_rows->points()[*index])); // a copy, because the change may reset the table
 }
 
 void TradeDock::useGoodEnough() {

@@ -26,13 +26,13 @@ class ScheduleChooser;
 class TradeChart;
 class TradeTableModel;
 
-// Measures the trade of the open level in the background; chart, table, a wish for accuracy and the setting that meets
-// it, which can be put to use.
+/// Measures the trade of the open level in the background; shows chart, table, a tolerance and the recommended setting,
+/// which can be applied.
 class TradeDock : public QWidget {
     Q_OBJECT
 
 public:
-    // Both outlive the dock.
+    /// Both must outlive the dock.
     TradeDock(Session &session, QUndoStack &undo, QWidget *parent = nullptr);
 
     QSize sizeHint() const override { return {900, 360}; }
@@ -46,29 +46,29 @@ private:
     QWidget *makeBottom();
     void makeTable();
 
-    void showReady(); // whether there is something to measure
-    void toggle();    // begins to measure, or cancels
+    void showReady(); ///< enables the button if there is something to measure
+    void toggle();    ///< starts or cancels a measurement
     void showResult();
     void showProgress(double share, const QString &what);
     void showEnd(const QString &error);
-    void showTolerance(); // recommends anew
+    void showTolerance(); ///< updates the recommendation
     void showGoodEnough();
     void choose(size_t index);
-    void use(); // the chosen one
+    void use(); ///< applies the selected one
     void useGoodEnough();
     void use(const TradePoint &point);
-    void forget(); // the figures of another level
+    void forget(); ///< drops another level's figures
 
-    double tolerance() const; // m
+    double tolerance() const; ///< m
     std::optional<size_t> chosenIndex() const;
-    std::optional<Unknowns> unknowns(); // as they are written; says what is wrong with them
+    std::optional<Unknowns> unknowns(); ///< as typed; reports what is wrong with them
     uint32_t model() const;
     QString answerText(const TradePoint &point, double seconds) const;
 
     Session &m_session;
     QUndoStack &m_undo;
     TradeWorker m_worker;
-    QTimer m_refresh; // figures come faster than anyone reads
+    QTimer m_refresh; ///< limits the update rate
     QPushButton *m_measure;
     ScheduleChooser *m_schedule;
     QDoubleSpinBox *m_duration;

@@ -7,7 +7,7 @@
 
 namespace inspector::ui {
 
-// The points of a result as rows, their figures as columns. Under kSortRole a column gives numbers.
+/// The points of a result as rows, their figures as columns. kSortRole returns numbers.
 class TradeTableModel : public QAbstractTableModel {
     Q_OBJECT
 
@@ -18,7 +18,7 @@ public:
     using QAbstractTableModel::QAbstractTableModel;
 
     void show(const TradeResult &result);
-    // Of the figure with this id (core/trade_table.h), which is there.
+    /// The column of the figure with this id (core/trade/trade_table.h), which must exist.
     static int columnOf(const char *id);
 
     int rowCount(const QModelIndex &parent = {}) const override;
@@ -26,7 +26,7 @@ public:
     QVariant data(const QModelIndex &index, int role) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
-    // Of the rows shown; the worker may have begun anew meanwhile.
+    /// The points shown; the worker may have started over meanwhile.
     const std::vector<TradePoint> &points() const { return m_points; }
 
 private:

@@ -14,7 +14,7 @@ namespace inspector::ui {
 
 namespace {
 
-constexpr size_t kMostRuns = 500; // more marks would be a grey bar
+constexpr size_t kMostRuns = 500; ///< more marks would merge into a grey bar
 
 bool isEndKey(const QKeyEvent &event) {
     return (event.key() == Qt::Key_Home || event.key() == Qt::Key_End) && event.modifiers() == Qt::NoModifier;
@@ -25,7 +25,7 @@ bool isEndKey(const QKeyEvent &event) {
 SeekSlider::SeekSlider(QWidget *parent)
     : QSlider(Qt::Horizontal, parent) {
     setFocusPolicy(Qt::StrongFocus);
-    setMinimumHeight(sizeHint().height() + 6); // for the marks
+    setMinimumHeight(sizeHint().height() + 6); // room for the marks
 }
 
 void SeekSlider::setRuns(std::vector<int> positions) {
@@ -63,7 +63,7 @@ int SeekSlider::positionAt(int pixel) const {
     return QStyle::sliderValueFromPosition(minimum(), maximum(), pixel - line.left, line.length);
 }
 
-// Home and End are the slider's while it has the keyboard, not the camera's.
+/// While it has the focus, Home and End are the slider's, not the camera's.
 bool SeekSlider::event(QEvent *event) {
     if (event->type() == QEvent::ShortcutOverride && isEndKey(*static_cast<QKeyEvent *>(event))) {
         event->accept();

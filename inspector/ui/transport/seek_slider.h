@@ -8,8 +8,8 @@
 
 namespace inspector::ui {
 
-// A slider over the positions of a recording. A press goes to where it is; Left and Right are a step, PageUp and
-// PageDown a second, Home and End beginning and end. Marks show where runs begin and where the first difference is.
+/// A slider over the positions of a recording. A press seeks; Left and Right are a step, PageUp and PageDown a second,
+/// Home and End the ends. Marks show where runs begin and where the first difference is.
 class SeekSlider : public QSlider {
     Q_OBJECT
 
@@ -18,14 +18,14 @@ public:
 
     void setRuns(std::vector<int> positions);
     void setDifference(std::optional<int> position);
-    // Where there is a measured ball: from one position to another.
+    /// The positions at which there is a measured ball.
     struct Span {
         int begin, end;
         bool operator==(const Span &) const = default;
     };
     void setSpan(std::optional<Span> span);
     const std::optional<Span> &span() const { return m_span; }
-    // Where this position is, logical pixels from the left.
+    /// The x coordinate of a position, logical pixels.
     int pixelOf(int position) const;
 
 protected:
@@ -37,7 +37,7 @@ protected:
 
 private:
     struct Track {
-        int left, length; // of the handle's middle
+        int left, length; ///< for the centre of the handle
     };
     Track track() const;
     int positionAt(int pixel) const;

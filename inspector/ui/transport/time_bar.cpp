@@ -20,10 +20,10 @@ namespace inspector::ui {
 
 namespace {
 
-// A slider's numbers; 2^31 steps would be a recording of 36 GB.
+/// Clamps to a slider's range; 2^31 steps would be a recording of 36 GB.
 int notchOf(uint64_t position) { return int(std::min<uint64_t>(position, INT_MAX)); }
 
-constexpr int kLeastWidth = 48; // px, of a button with a text
+constexpr int kLeastWidth = 48; ///< pixels, minimum width of a button with a text
 
 QToolButton *buttonOf(QAction *action) {
     auto *button = new QToolButton;
@@ -32,7 +32,7 @@ QToolButton *buttonOf(QAction *action) {
     button->setAutoRaise(!action->icon().isNull());
     if (action->icon().isNull()) button->setMinimumWidth(kLeastWidth);
     if (action->icon().isNull()) button->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-    button->setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the view
+    button->setFocusPolicy(Qt::TabFocus); // a click doesn't take the keyboard from the view
     return button;
 }
 
@@ -109,7 +109,7 @@ void TimeBar::reset() {
     std::vector<int> runs;
     for (size_t i = 1; i < recording.runs().size(); ++i) runs.push_back(notchOf(recording.runs()[i]));
     m_slider->setRuns(std::move(runs));
-    // As wide as it gets, so that nothing moves while it runs.
+    // Reserves the largest width, so that nothing moves while it runs.
     m_place->setWidest(tr("%1 s · step %2 of %2").arg(QStringLiteral("0000.000")).arg(recording.length()));
 }
 
@@ -136,7 +136,7 @@ void TimeBar::showRun(const Snapshot &now) {
     m_place->setText(m_session.isInPast() ? tr("%1 of %2").arg(time).arg(run.end - run.begin) : time);
 }
 
-// The samples of the run, one a step, say which step a time is.
+/// The run's samples, one per step, map times to steps.
 void TimeBar::showTrack() {
     const std::shared_ptr<const ShownTrack> &track = m_session.track();
     if (!track || m_session.isReplaying()) return m_slider->setSpan(std::nullopt);

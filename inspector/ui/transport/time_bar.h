@@ -13,20 +13,20 @@ namespace inspector::ui {
 class ElidedLabel;
 class SeekSlider;
 
-// Under the view: where the moment shown is in its run, or in the recording that is watched, and ways to go elsewhere.
-// Of a recording it also says whether it is the same so far.
+/// Below the view: the position of the moment shown in its run or in the recording, and navigation. For a recording it
+/// also shows whether it is the same so far.
 class TimeBar : public QFrame {
     Q_OBJECT
 
 public:
-    // playback: the window's actions, shown first; endings: shown last, as long as they are enabled. session: outlives
-    // the bar.
+    /// playback: the window's actions, shown first; endings: shown last, while they are enabled. session must outlive
+    /// the bar.
     TimeBar(Session &session, const QList<QAction *> &playback, const QList<QAction *> &endings,
             QWidget *parent = nullptr);
 
-    // Another recording, or none.
+    /// Another recording was opened, or none.
     void reset();
-    // Called about 30 times a second.
+    /// Called about 30 times a second.
     void refresh(const Snapshot &now);
 
 private:

@@ -12,12 +12,12 @@ namespace inspector::ui {
 
 class NumberBox;
 
-// Run, step and restart, and how: speed, stepper, dt.
+/// Run, step and restart, with speed, stepper and dt.
 class TransportBar : public QToolBar {
     Q_OBJECT
 
 public:
-    // playback: the window's actions, shown first. session and undo: outlive the bar.
+    /// playback: the window's actions, shown first. session and undo must outlive the bar.
     TransportBar(Session &session, QUndoStack &undo, const QList<QAction *> &playback, QWidget *parent = nullptr);
 
 private:

@@ -24,7 +24,7 @@ namespace {
 
 const QString kWithout = QStringLiteral("; --headless needs none, and inspector/run plays without one");
 
-// While the application is made: Qt's last words before it aborts become ours.
+/// Message handler while the application is constructed: replaces Qt's messages before it aborts.
 void endWithoutDisplay(QtMsgType type, const QMessageLogContext &, const QString &) {
     if (type != QtFatalMsg) return;
     QTextStream messages(stderr);
@@ -32,13 +32,13 @@ void endWithoutDisplay(QtMsgType type, const QMessageLogContext &, const QString
     std::_Exit(2);
 }
 
-// Qt would abort without one, after several lines.
+/// Qt would abort without one, after several lines.
 bool hasDisplay() {
     const auto isSet = [](const char *name) { return !qEnvironmentVariableIsEmpty(name); };
     return isSet("DISPLAY") || isSet("WAYLAND_DISPLAY") || isSet("QT_QPA_PLATFORM");
 }
 
-// A window so many times larger than usual takes gigabytes.
+/// Why the scale factor is unusable: a window enlarged that much takes gigabytes.
 QString scaleProblem() {
     const QScreen *screen = QGuiApplication::primaryScreen();
     const double scale = screen ? screen->devicePixelRatio() * screen->logicalDotsPerInch() / 96.0 : 1.0;
@@ -47,7 +47,7 @@ QString scaleProblem() {
         .arg(scale);
 }
 
-// Ends the event loop when the program is told to end.
+/// Ends the event loop on a termination signal.
 void watchEndingSignals(QObject &owner) {
     if (endingDescriptor() < 0) return;
     auto *notifier = new QSocketNotifier(endingDescriptor(), QSocketNotifier::Read, &owner);
@@ -84,7 +84,8 @@ int runWindow(Session &session, const Options &options) {
     if (!problem.isEmpty()) window.sayWhyFlat(problem);
     watchEndingSignals(window);
     if (!options.shaders.isEmpty()) window.view().setShaderDirectory(options.shaders);
-    if (!options.grab.isEmpty()) window.view().setQuality(window.view().quality()); // the same on each machine
+    if (!options.grab.isEmpty())
+        window.view().setQuality(window.view().quality()); // fixed, so that it is the same on each machine
     window.show();
     if (!options.fit.track.isEmpty()) {
         window.track().setFrame(options.fit.frame);

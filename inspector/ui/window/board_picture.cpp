@@ -18,20 +18,20 @@ namespace inspector::ui {
 
 namespace {
 
-constexpr double kTrailTime = 1.5;         // s, simulated
-constexpr double kComparedTrailTime = 3.0; // s, simulated
+constexpr double kTrailTime = 1.5;         ///< s, simulated
+constexpr double kComparedTrailTime = 3.0; ///< s, simulated
 constexpr uint64_t kTrailPoints = 300;
 constexpr size_t kTrackPoints = 1000;
 constexpr double kTrailAlpha = 0.9;
-constexpr float kTrailWidth = 3.0F;     // logical pixels
-constexpr float kBallTrailWidth = 4.0F; // beside a ghost's
+constexpr float kTrailWidth = 3.0F;     ///< logical pixels
+constexpr float kBallTrailWidth = 4.0F; ///< next to a ghost's
 constexpr float kGhostTrailWidth = 2.0F;
 constexpr double kWayAlpha = 0.8;
 constexpr double kOtherWayAlpha = 0.3;
 constexpr float kOtherWayWidth = 1.5F;
 constexpr double kOldAlpha = 0.45;
 constexpr double kGhostAlpha = 0.55;
-constexpr double kGhostSize = 0.99; // of the ball, which hides it where they are in the same place
+constexpr double kGhostSize = 0.99; ///< share of the ball's radius, so that the ball hides it where both coincide
 
 gl::Ball ballOf(const phys_state &state, double radius) {
     gl::Ball ball;
@@ -41,14 +41,14 @@ gl::Ball ballOf(const phys_state &state, double radius) {
     return ball;
 }
 
-// One ball's way to `end`, from `begin` on.
+/// One ball's path from `begin` to `end`.
 struct PastWay {
     Channel x, y, z;
-    double begin; // s
+    double begin; ///< s
     phys_state end;
 };
 
-// Every n-th sample, n so that the number of points stays small, counted from 0 so that they don't creep.
+/// Every n-th sample, to limit the number of points, counted from 0 so that they don't shift.
 std::vector<glm::dvec3> pointsOf(const SampleRing &samples, const PastWay &way) {
     std::vector<glm::dvec3> points;
     const uint64_t last = samples.last();
@@ -68,19 +68,19 @@ gl::Colour withAlpha(const QColor &colour, double alpha) {
     return {colour.redF(), colour.greenF(), colour.blueF(), static_cast<float>(alpha)};
 }
 
-// The ghost with its trail, on top of the ball's and thinner, so that both are seen where they are the same.
+/// The ghost with its trail, above the ball's and thinner, so that both are visible where they coincide.
 void addGhost(gl::Frame &frame, const SampleRing &samples, const phys_state &state, double metAt) {
     const QColor colour = accentsFor(QGuiApplication::palette()).ghost;
     gl::GhostBall ghost{ballOf(state, kGhostSize * frame.ball.radius), withAlpha(colour, kGhostAlpha)};
     frame.ghosts.push_back(ghost);
-    // The sample of the meeting itself still tells where the ghost was before.
+    // The sample at the restart itself still has the ghost's earlier position.
     const double afterMeeting = std::nextafter(metAt, std::numeric_limits<double>::infinity());
     const double begin = std::max(state.time - kComparedTrailTime, afterMeeting);
     const PastWay way{Channel::GhostX, Channel::GhostY, Channel::GhostZ, begin, state};
     frame.trails.push_back({pointsOf(samples, way), withAlpha(colour, kTrailAlpha), kGhostTrailWidth});
 }
 
-// The measured ball where it was at that time, on its way, all of which is seen, too.
+/// The measured ball at that time, and its whole path.
 void addTrack(gl::Frame &frame, const ShownTrack &track, double time) {
     const QColor colour = accentsFor(QGuiApplication::palette()).selected;
     const double height = frame.ball.position.z;
@@ -104,19 +104,19 @@ void addTrack(gl::Frame &frame, const ShownTrack &track, double time) {
     frame.trails.push_back(std::move(lately));
 }
 
-// Where the ball had gone before another way was taken.
+/// The ball's discarded path, before the past was taken over.
 void addOldFuture(gl::Frame &frame, const std::vector<Sample> &samples) {
     if (samples.empty()) return;
     gl::Trail trail{{}, withAlpha(accentsFor(QGuiApplication::palette()).ball, kOldAlpha), kGhostTrailWidth};
     const size_t stride = samples.size() / kTrailPoints + 1;
-    for (size_t i = samples.size(); i-- > 0;) // pale at its far end
+    for (size_t i = samples.size(); i-- > 0;) // fades towards its far end
         if (i % stride == 0)
             trail.points.emplace_back(samples[i][Channel::PositionX], samples[i][Channel::PositionY],
                                       samples[i][Channel::PositionZ]);
     frame.trails.push_back(std::move(trail));
 }
 
-// Pale at its far end.
+/// Fades towards its far end.
 gl::Trail trailAhead(const Way &way, const gl::Colour &colour, float width) {
     gl::Trail trail{{}, colour, width};
     for (auto point = way.rbegin(); point != way.rend(); ++point) trail.points.push_back(toGlm(*point));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From what is simulated to what is drawn.
+// Converts the simulated state to drawn frames and meshes.
 #pragma once
 
 #include "core/session/session.h"
@@ -8,16 +8,16 @@
 
 namespace inspector::ui {
 
-// The board and ball at this moment, between two steps, with the way the ball came.
+/// Board and ball at this moment, interpolated between two steps, with the ball's trail.
 gl::Frame currentFrame(Session &session);
 
-// A pale line ahead of the ball, and where it hits next.
+/// Adds a pale line ahead of the ball, and the next bounce.
 void addWayAhead(gl::Frame &frame, const WayAhead &way);
 
-// The open level's mesh: its .obj, or made from the scene's boxes and the places where the ball gets out, where there
-// is none. Made so as well, with one line in `error`, if the file can't be read.
+/// The open level's mesh: its .obj, or one made from the scene's boxes and exits if there is none, or, with one line in
+/// `error`, if it can't be read.
 gl::Mesh mazeMesh(Session &session, QString *error);
-// The ball's mesh beside the levels, or a patterned one of our own.
+/// The ball's mesh next to the levels, or a built-in patterned one.
 gl::Mesh ballMesh(QString *error);
 
 } // namespace inspector::ui

@@ -90,14 +90,14 @@ void DocumentDialog::goTo(const QString &section) {
     }
 }
 
-// From the cursor on, and from the top again.
+/// Searches from the cursor on, then from the top.
 void DocumentDialog::find() {
     if (m_text->find(m_sought->text())) return;
     m_text->moveCursor(QTextCursor::Start);
     m_text->find(m_sought->text());
 }
 
-// Pages are shown here; what they point to besides is the desktop's.
+/// Pages are shown here; other links are opened by the desktop.
 void DocumentDialog::follow(const QUrl &link) {
     const QUrl target = m_text->source().resolved(link);
     if (target.isLocalFile() && target.fileName().endsWith(QLatin1String(".md")))

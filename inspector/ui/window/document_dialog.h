@@ -8,18 +8,18 @@ class QTextBrowser;
 
 namespace inspector::ui {
 
-// Where the pages are: the share folder of an installation, else the source tree. Empty if nowhere.
+/// The folder of the pages: the share folder of an installation, else the source tree. Empty if there is none.
 QString documentFolder();
 
-// The pages of documentation, as a book of its own: links between them work, a text is looked for with Ctrl+F.
+/// The documentation pages: links between them work, Ctrl+F searches.
 class DocumentDialog : public QDialog {
     Q_OBJECT
 
 public:
     explicit DocumentDialog(QWidget *parent);
 
-    // page: relative to documentFolder(). section: the number that a heading begins with, or empty. False if the page
-    // isn't there.
+    /// page: relative to documentFolder(). section: the number that begins a heading, or empty. False if there is no
+    /// such page.
     bool showPage(const QString &page, const QString &section = {});
 
 private:

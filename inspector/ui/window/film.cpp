@@ -26,20 +26,20 @@ namespace inspector::ui {
 namespace {
 
 constexpr std::chrono::milliseconds kLookPeriod{5};
-constexpr double kLongest = 1200.0; // s
+constexpr double kLongest = 1200.0; ///< s
 constexpr int kMostPerSecond = 100;
-constexpr double kRounding = 1e-6;           // of a picture; 0.2 s are two tenths
-constexpr int kDigits = 5;                   // of a picture's number
-const char *const kAllPictures = "%05d.png"; // as ffmpeg names them
+constexpr double kRounding = 1e-6;           ///< share of a picture
+constexpr int kDigits = 5;                   ///< of a picture's number
+const char *const kAllPictures = "%05d.png"; ///< ffmpeg's pattern
 
-// Where it isn't installed there are pictures only.
+/// The encoder; without it only pictures can be written.
 QString joiningTool() { return QStandardPaths::findExecutable(QStringLiteral("ffmpeg")); }
 
 QString suffixOf(FilmKind kind) { return kind == FilmKind::Gif ? QStringLiteral("gif") : QStringLiteral("webm"); }
 
-// What ffmpeg is told, but for the pictures and the file.
+/// ffmpeg's encoding arguments.
 QStringList encodingOf(FilmKind kind) {
-    // One palette of 256 colours, chosen from all pictures.
+    // One palette of 256 colours for all pictures.
     if (kind == FilmKind::Gif)
         return {"-vf", "split[all][for_palette];[for_palette]palettegen[palette];[all][palette]paletteuse"};
     return {"-c:v", "libvpx-vp9", "-pix_fmt", "yuv420p", "-crf", "30", "-b:v", "0", "-row-mt", "1"};
@@ -94,7 +94,7 @@ Film::Film(Session &session, gl::MazeView &view, const FilmPlan &plan, int scale
     , m_wasInPast(session.isInPast())
     , m_progress(new QProgressDialog(&window)) {
     m_first = std::max(0.0, m_last - plan.seconds);
-    m_count = int(std::floor((m_last - m_first) / m_period + kRounding)) + 1; // both ends
+    m_count = int(std::floor((m_last - m_first) / m_period + kRounding)) + 1; // both ends included
     m_progress->setObjectName(QStringLiteral("film_progress"));
     m_progress->setWindowTitle(tr("Save film"));
     m_progress->setRange(0, m_count);
@@ -135,7 +135,7 @@ bool Film::makeFolder(const QString &path, QString *error) {
     return false;
 }
 
-// A picture as soon as its moment is there; then on to the next.
+/// Takes a picture when its moment is shown, then requests the next.
 void Film::goOn() {
     if (m_progress->wasCanceled()) return end({});
     const Snapshot &now = m_session.simulation().latest();
@@ -154,7 +154,7 @@ QString Film::fileOf(int picture) const {
 }
 
 bool Film::takePicture(QString *error) {
-    m_view.grabFramebuffer(); // the frame of this moment
+    m_view.grabFramebuffer(); // draws the frame of this moment
     const std::unique_ptr<OutputFile> file = OutputFile::open(fileOf(++m_taken), Existing::Replace, {}, error);
     if (!file) return false;
     const QByteArray png = pngOf(m_view.picture(m_scale));
@@ -201,7 +201,7 @@ void Film::removePictures() {
     QDir().rmdir(m_folder.path());
 }
 
-// What was made is kept only if it is whole.
+/// Keeps the result only if it is complete.
 void Film::end(const QString &error) {
     m_look.stop();
     if (m_taken < m_count || !error.isEmpty()) removePictures();

@@ -24,42 +24,42 @@ class MazeView;
 namespace inspector::ui {
 
 enum class FilmKind {
-    Pictures, // a folder of PNG files
-    WebM,     // these two are one file, made of the pictures by ffmpeg
+    Pictures, ///< a folder of PNG files
+    WebM,     ///< these two are single files, encoded by ffmpeg
     Gif
 };
 
 struct FilmPlan {
-    double seconds = 10.0; // of simulated time, up to the moment shown
-    int perSecond = 25;    // pictures
+    double seconds = 10.0; ///< s of simulated time, up to the moment shown
+    int perSecond = 25;    ///< pictures
     FilmKind kind = FilmKind::Pictures;
 };
 
-// Asks how long the film is to be, and where ffmpeg is installed, of which kind; nothing waits for the answer.
+/// Asks for the film's length and, if ffmpeg is installed, its kind; doesn't block.
 void askForFilm(QWidget &window, const FilmPlan &usual, const std::function<void(const FilmPlan &plan)> &use);
 
-// Goes through the past of the run shown, picture by picture, and writes them into a new folder, or one file of them;
-// shows how far it is, and can be cancelled, which removes them. Deletes itself at its end, when the moment from before
-// is shown again.
+/// Steps through the past of the run shown, picture by picture, and writes them into a new folder, or encodes them into
+/// one file; shows its progress, and can be cancelled, which removes them. Deletes itself at the end, after returning
+/// to the moment from before.
 class Film : public QObject {
     Q_OBJECT
 
 public:
-    // All outlive it. scale: pixels for each of the view.
+    /// All must outlive this object. scale: pixels per pixel of the view.
     Film(Session &session, gl::MazeView &view, const FilmPlan &plan, int scale, QWidget &window);
 
-    // path: the new folder or the file. False, and one line in `error`, if the folder is there and holds something, or
-    // can't be made.
+    /// path: the new folder or the file. Returns false, with one line in `error`, if the folder exists and isn't empty,
+    /// or can't be made.
     bool begin(const QString &path, QString *error);
 
 signals:
-    // error: why not, or empty.
+    /// error: why it failed, or empty.
     void finished(const QString &error);
 
 private:
     bool makeFolder(const QString &path, QString *error);
     void goOn();
-    QString fileOf(int picture) const; // from 1
+    QString fileOf(int picture) const; ///< from 1
     bool takePicture(QString *error);
     void joinPictures();
     void useJoined();
@@ -70,17 +70,17 @@ private:
     gl::MazeView &m_view;
     int m_scale;
     FilmPlan m_plan;
-    double m_first; // s
+    double m_first; ///< s
     double m_last;
     double m_period;
     bool m_wasInPast;
     QString m_path;
-    std::unique_ptr<QTemporaryDir> m_scratch; // of pictures that become one file
+    std::unique_ptr<QTemporaryDir> m_scratch; ///< holds the pictures to be encoded
     QDir m_folder;
-    QProcess *m_tool = nullptr; // while it makes the file
+    QProcess *m_tool = nullptr; ///< while it is encoding
     QProgressDialog *m_progress;
-    QTimer m_look;         // whether the moment sought is shown
-    uint64_t m_wanted = 0; // place
+    QTimer m_look;         ///< polls whether the requested moment is shown
+    uint64_t m_wanted = 0; ///< place
     int m_taken = 0;
     int m_count = 0;
 };

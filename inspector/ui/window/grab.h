@@ -7,8 +7,8 @@ class QWidget;
 
 namespace inspector::ui {
 
-// Writes a picture of the widget as it is on the screen, OpenGL included. False and one line in `error` (or nullptr)
-// if the file can't be written.
+/// Writes a picture of the widget as on the screen, including OpenGL. Returns false, with one line in `error` (may be
+/// nullptr), if the file can't be written.
 bool grabToFile(QWidget &widget, const QString &path, QString *error);
 
 } // namespace inspector::ui

@@ -19,7 +19,7 @@ namespace inspector::ui {
 
 namespace {
 
-constexpr double kScreenShare = 0.8; // that a dialog takes at most
+constexpr double kScreenShare = 0.8; ///< share of the screen that a dialog takes at most
 
 struct Help {
     Q_DECLARE_TR_FUNCTIONS(Help)
@@ -30,7 +30,7 @@ QString row(const QString &left, const QString &right) {
         .arg(left.toHtmlEscaped(), right.toHtmlEscaped());
 }
 
-// Rows of the table in which this text occurs.
+/// The rows of the table that contain this text.
 QString keysTable(const QWidget &window, const QString &sought) {
     QString rows;
     const auto add = [&](const QString &left, const QString &right) {
@@ -73,7 +73,7 @@ QString partsTable(const QString &renderer) {
     return QStringLiteral("<table cellspacing='3'>%1</table>").arg(rows);
 }
 
-// Keys that turn pages do so wherever the keyboard is.
+/// Page keys scroll whatever has the focus.
 class PageKeys : public QObject {
 public:
     PageKeys(QDialog &dialog, QScrollBar &bar)
@@ -96,7 +96,7 @@ private:
     QScrollBar &m_bar;
 };
 
-// The label that shows it; it scrolls where the screen is low.
+/// Shows a text in a dialog, which scrolls on a small screen; returns its label.
 QLabel *showText(QWidget &window, const char *name, const QString &title, const QString &html) {
     auto *dialog = new QDialog(&window);
     dialog->setObjectName(QLatin1String(name));
@@ -114,7 +114,7 @@ QLabel *showText(QWidget &window, const char *name, const QString &title, const 
     auto *layout = new QVBoxLayout(dialog);
     layout->addWidget(area);
     layout->addWidget(buttons);
-    const QSize wanted = text->sizeHint() + QSize(60, 110); // with the bars and buttons around
+    const QSize wanted = text->sizeHint() + QSize(60, 110); // including scroll bars and buttons
     dialog->resize(wanted.boundedTo(window.screen()->availableSize() * kScreenShare));
     dialog->show();
     return text;

@@ -6,9 +6,9 @@ class QWidget;
 
 namespace inspector::ui {
 
-// Every shortcut of the window's actions, and what the mouse does.
+/// Shows every shortcut of the window's actions, and what the mouse does.
 void showKeysDialog(QWidget &window);
-// Versions and licences. renderer: what draws.
+/// Shows versions and licences. renderer: its name.
 void showAboutDialog(QWidget &window, const QString &renderer);
 
 } // namespace inspector::ui

@@ -52,40 +52,40 @@ namespace inspector::ui {
 
 namespace {
 
-constexpr int kRefreshPeriod = 33; // ms
+constexpr int kRefreshPeriod = 33; ///< ms
 constexpr QSize kUsualSize(1280, 800);
-constexpr double kScreenShare = 0.75; // of a larger screen
-constexpr double kTradeShare = 0.42;  // of the window's height, when the dock is shown
+constexpr double kScreenShare = 0.75; ///< share of a larger screen
+constexpr double kTradeShare = 0.42;  ///< share of the window's height, when the dock is shown
 constexpr double kPlotShare = 0.29;
 constexpr double kComparisonShare = 0.34;
 constexpr double kBouncesShare = 0.42;
-constexpr double kBouncesWidth = 0.36; // of the window's, beside the plots
-constexpr int kLayoutVersion = 7;      // another number forgets layouts of windows with other docks
+constexpr double kBouncesWidth = 0.36; ///< share of the window's width, next to the plots
+constexpr int kLayoutVersion = 7;      ///< a new number invalidates stored layouts with other docks
 
 } // namespace
 
-// A dock: what it is called and where it is at first.
+/// A dock: its names and its initial place.
 struct MainWindow::DockRow {
     const char *name;
     const char *title;
     Qt::DockWidgetArea area;
     double
-        share; // on call, in the place of the plot: of the window's height that it then gets; 0: there from the start
+        share; ///< on call, in the place of the plot: of the window's height that it then gets; 0: there from the start
     QWidget *(*widget)(MainWindow &window);
 };
 
 namespace {
-const char *const kDockNames[] = {"parameters_dock", "levels_dock", "plot_dock"}; // there from the start
+const char *const kDockNames[] = {"parameters_dock", "levels_dock", "plot_dock"}; ///< visible from the start
 const char *const kComparisonDock = "comparison_dock";
 const char *const kBouncesDock = "bounces_dock";
 const char *const kTrackDock = "track_dock";
 
-// What a window manager's frame leaves of the screen, about: before the window is shown nobody knows.
+/// The screen's size without a window manager's frame, estimated: it isn't known before the window is shown.
 QSize roomFor(const QWidget &window) {
     return window.screen()->availableSize() - QSize(0, 2 * window.style()->pixelMetric(QStyle::PM_TitleBarHeight));
 }
 
-// On a small screen what has no room is scrolled to, and the window stays as small as it is.
+/// Makes the content scroll on a small screen, so that the window can stay small.
 QWidget *scrolled(QWidget *content) {
     auto *area = new QScrollArea;
     area->setWidget(content);
@@ -131,7 +131,7 @@ void MainWindow::makeCentre(gl::Drawing drawing) {
     m_view->setLargestTilt(radians(kPlayTilt));
     m_view->setFrameSource([this] { return frame(); }, [this] { return hasNewFrame(); });
     m_strip = new GameStrip;
-    new GameKeys(m_session, *this, *m_view); // the window owns both
+    new GameKeys(m_session, *this, *m_view); // owned by the window
     new WheelGuard(*this);
     m_hand = new BallDragger(m_session, *m_view, *m_undo, this);
     m_ruler = new Ruler(*m_view, this);
@@ -206,8 +206,8 @@ void MainWindow::makeDocks() {
     arrangeOnCall(rows);
 }
 
-// Docks that are there on call lie behind the plots; but bounces beside them, so that a click on one shows its line.
-// That has to be said first: a dock with others behind it isn't split any more.
+/// Docks that are opened on demand are tabbed with the plots, except for bounces next to them, so that both are
+/// visible. This must be done first: a dock with tabs can't be split any more.
 void MainWindow::arrangeOnCall(std::span<const DockRow> rows) {
     const auto dockOf = [this](const char *name) { return findChild<QDockWidget *>(QLatin1String(name)); };
     splitDockWidget(dockOf(kDockNames[2]), dockOf(kBouncesDock), Qt::Horizontal);
@@ -216,7 +216,7 @@ void MainWindow::arrangeOnCall(std::span<const DockRow> rows) {
             tabifyDockWidget(dockOf(kDockNames[2]), dockOf(row.name));
 }
 
-// Its key closes a dock that is seen, and shows one that is closed or lies behind another.
+/// The dock's key closes it if it is visible, and shows it if it is closed or behind another.
 void MainWindow::addDockAction(QDockWidget &dock, int number, double share) {
     auto *toggle = new QAction(dock.windowTitle(), this);
     toggle->setObjectName(QStringLiteral("show_") + dock.objectName());
@@ -233,7 +233,7 @@ void MainWindow::addDockAction(QDockWidget &dock, int number, double share) {
         if (!isSeen) dock.widget()->setFocus();
         showState();
     });
-    addAction(toggle); // to be listed with the others
+    addAction(toggle); // so that it is listed with the others
 }
 
 void MainWindow::showDock(QDockWidget &dock, double share) {
@@ -246,7 +246,7 @@ void MainWindow::showDock(QDockWidget &dock, double share) {
         resizeDocks({&dock}, {int(kBouncesWidth * width())}, Qt::Horizontal);
 }
 
-// Once the window is there: before, tabs can't be raised.
+/// Called when the window is shown: before, tabs can't be raised.
 void MainWindow::showComparisonDock() {
     showDock(*findChild<QDockWidget *>(QLatin1String(kComparisonDock)), kComparisonShare);
 }
@@ -257,7 +257,7 @@ bool MainWindow::openTrack(const QString &path, const QString &units) {
 }
 
 void MainWindow::connectSession() {
-    connectMessages(); // first: what settles one may be told by the next
+    connectMessages(); // first: a message may be settled by the next signal
     connect(&m_session, &Session::levelOpened, this, &MainWindow::openLevel);
     connect(&m_session, &Session::replayChanged, this, &MainWindow::showReplay);
     connect(&m_session, &Session::pastChanged, this, &MainWindow::showPast);
@@ -296,7 +296,7 @@ void MainWindow::connectPlots() {
     });
 }
 
-// A command that works settles what an earlier one couldn't do.
+/// A successful command settles an earlier failure.
 void MainWindow::obey(void (MainWindow::*command)()) {
     const uint64_t count = m_messages->count();
     (this->*command)();
@@ -308,13 +308,13 @@ void MainWindow::settleCommand() {
     m_messages->settle(Cause::Step);
 }
 
-// What a replay, the past and the keys change is no command.
+/// Changes by a replay, the past and the keys aren't commands.
 void MainWindow::settleByChange() {
     if (!m_session.isReplaying() && !m_session.isInPast() && !m_session.isTiltedByKeys()) settleCommand();
 }
 
-// Each message with what settles it. What the stepping thread tells is settled by its own signals, which keep their
-// order, or by a person; a snapshot may be older or newer than the message.
+/// Connects each message with what settles it. Problems of the stepping thread are settled by its own signals, which
+/// keep their order, or by the user; a snapshot may be older or newer than the message.
 void MainWindow::connectMessages() {
     const auto say = [this](Cause cause) {
         return [this, cause](const QString &line) { m_messages->showLine(line, cause); };
@@ -358,13 +358,13 @@ void MainWindow::connectBounces() {
     connect(m_bounces, &BounceDock::changed, this, [this] {
         const std::optional<LoggedEvent> selected = m_bounces->selected();
         const std::optional<double> time = selected ? std::optional(selected->event.time) : std::nullopt;
-        m_view->update(); // the marks
+        m_view->update(); // redraws the marks
         m_plots->showBounces(m_bounces->bounceTimes(), time);
-        m_comparison->plot().showBounces(m_bounces->bounceTimes(), time); // where distances leap
+        m_comparison->plot().showBounces(m_bounces->bounceTimes(), time); // where distances jump
     });
 }
 
-// A click on nothing lets go of what was selected.
+/// A click on nothing clears the selection.
 void MainWindow::selectBounceAt(const gl::Ray &ray) {
     std::optional<uint64_t> found;
     if (m_showsBounces->isChecked()) found = markAt(*m_view, ray, m_bounces->marks(), m_session.scene().get());
@@ -373,7 +373,7 @@ void MainWindow::selectBounceAt(const gl::Ray &ray) {
     showDock(*findChild<QDockWidget *>(QLatin1String(kBouncesDock)), kBouncesShare);
 }
 
-// While it runs the ball moves between two snapshots, too.
+/// While running, the ball moves between two snapshots, too.
 bool MainWindow::hasNewFrame() {
     const Snapshot &now = m_session.simulation().latest();
     const uint64_t seen = now.number + m_session.waysAhead();
@@ -395,7 +395,7 @@ void MainWindow::openLevel() {
     QString ofBall;
     m_view->setMaze(mazeMesh(m_session, &ofMaze));
     m_view->setBall(ballMesh(&ofBall));
-    QTextStream messages(stderr); // for a picture by a script, in which nobody reads the message
+    QTextStream messages(stderr); // for scripted pictures, where nobody sees the message bar
     for (const QString &problem : {ofBall, ofMaze}) {
         if (problem.isEmpty()) continue;
         m_messages->showLine(problem, Cause::Level);
@@ -416,7 +416,7 @@ void MainWindow::showTitle() {
 }
 
 void MainWindow::refresh() {
-    const Snapshot now = m_session.simulation().latest(); // one moment, for everything in the window
+    const Snapshot now = m_session.simulation().latest(); // the same moment for the whole window
     m_session.followReplay(now);
     m_status->showSnapshot(now);
     m_time->refresh(now);
@@ -448,13 +448,14 @@ void MainWindow::showComparison() {
 
 bool MainWindow::grabTo(const QString &path, QString *error) {
     refresh();
-    m_session.liveUncertainty().finish(); // this and the next lines: pictures of one moment are the same
+    m_session.liveUncertainty().finish(); // this and the next lines make pictures of one moment identical
     refresh();
     m_session.lookAheadAtOnce();
     m_status->leaveOutClock();
-    QApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest); // new texts get their room
+    QApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest); // lay out new texts
     for (QCustomPlot *plot : findChildren<QCustomPlot *>())
-        for (int pass = 0; pass < 2; ++pass) plot->replot(); // at once; margins fit what is drawn only the second time
+        for (int pass = 0; pass < 2; ++pass)
+            plot->replot(); // immediately; margins fit the content only the second time
     return grabToFile(*this, path, error);
 }
 
@@ -470,7 +471,7 @@ void MainWindow::restoreLook() {
     useQuality();
 }
 
-// The screen may have become smaller, or its pixels larger, since the geometry was saved.
+/// The screen may be smaller, or its pixels larger, than when the geometry was saved.
 void MainWindow::fitScreen() {
     if (isMaximized() || isFullScreen()) return;
     resize(size().boundedTo(roomFor(*this)));
@@ -487,7 +488,7 @@ void MainWindow::resetLayout() {
     m_plots->reset();
 }
 
-// The view gets most of the window.
+/// Gives most of the window to the view.
 void MainWindow::arrangeDocks() {
     auto *parameters = findChild<QDockWidget *>(QLatin1String(kDockNames[0]));
     auto *levels = findChild<QDockWidget *>(QLatin1String(kDockNames[1]));

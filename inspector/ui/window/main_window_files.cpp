@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files of the window: opened, dropped, remembered, watched; plugins; pages of documentation.
+// Files: opened, dropped, recent, watched; plugins; documentation pages.
 #include "core/schedule/recording_schedule.h"
 #include "core/setup/lines.h"
 #include "core/track/track_reader.h"
@@ -23,9 +23,9 @@ namespace inspector::ui {
 namespace {
 
 constexpr qsizetype kMostRecent = 9;
-constexpr int kSaidFor = 8000; // ms
+constexpr int kSaidFor = 8000; ///< ms
 
-// The one local file that is dragged; empty if it is something else.
+/// The single local file being dragged; empty otherwise.
 QString droppedFile(const QMimeData &data) {
     const QList<QUrl> urls = data.urls();
     return urls.size() == 1 ? urls.constFirst().toLocalFile() : QString();
@@ -50,7 +50,7 @@ void MainWindow::askForTrack() {
                [this](const QString &path) { remember(path, openTrack(path, m_track->units())); });
 }
 
-// A maze, a recording or a measured ball, which is remembered if it could be opened, and forgotten if not.
+/// Opens a maze, a recording or a measured ball; recent files are updated accordingly.
 void MainWindow::openFile(const QString &path) {
     if (isRecordingFile(path)) return remember(path, m_session.openRecording(path));
     if (isTrackFile(path)) return remember(path, openTrack(path, m_track->units()));
@@ -66,7 +66,7 @@ void MainWindow::remember(const QString &path, bool isOpen) {
     settings.setValue(settings_keys::kRecent, recent.mid(0, kMostRecent));
 }
 
-// By the command line; levels have a list of their own.
+/// Adds the command line's file to the recent ones; levels have a list of their own.
 void MainWindow::rememberFirst() {
     if (m_session.isReplaying()) return remember(m_session.recording().recording().file, true);
     if (!m_session.isLevelOfTheList()) remember(m_session.level().path, true);
@@ -81,7 +81,7 @@ void MainWindow::dropEvent(QDropEvent *event) {
     openFile(droppedFile(*event->mimeData()));
 }
 
-// The newest first, with digits as their letters.
+/// Newest first, with digits as mnemonics.
 void MainWindow::addRecent(QMenu &menu) {
     auto *recent = new QMenu(tr("Open recent"), &menu);
     recent->setObjectName(QStringLiteral("recent_menu"));
@@ -137,14 +137,14 @@ void MainWindow::saveFilm() {
     });
 }
 
-// A recording's maze stays what it was, and so does that of the past.
+/// Doesn't watch while a recording or the past is shown: their maze must not change.
 void MainWindow::watchMaze() {
     m_mazeWatcher->watch(m_session.isReplaying() || m_session.isInPast() ? QString() : m_session.level().path);
 }
 
 void MainWindow::readMazeAgain(const QString &path) {
     if (path != m_session.level().path || m_session.isReplaying()) return;
-    if (!m_session.openLevel(levelOfFile(path))) return; // which was said; what is open stays
+    if (!m_session.openLevel(levelOfFile(path))) return; // the failure was reported; the open level stays
     m_messages->showLine(tr("%1 was changed on disk and has been read again").arg(QFileInfo(path).fileName()),
                          Cause::Level);
 }

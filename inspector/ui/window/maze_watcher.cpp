@@ -33,7 +33,7 @@ void MazeWatcher::watch(const QString &path) {
     addPaths();
 }
 
-// A file that was replaced isn't watched any more, its folder is.
+/// A replaced file is no longer watched, but its folder is.
 void MazeWatcher::addPaths() {
     if (m_path.isEmpty()) return;
     const QFileInfo file(m_path);

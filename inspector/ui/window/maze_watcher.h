@@ -7,15 +7,14 @@
 
 namespace inspector::ui {
 
-// Tells when the bytes of a maze's file have become others, however an editor writes them: in place, or as a new file
-// with the name of the old one.
+/// Notifies when the content of a maze's file has changed, whether an editor writes it in place or replaces it.
 class MazeWatcher : public QObject {
     Q_OBJECT
 
 public:
     explicit MazeWatcher(QObject *parent = nullptr);
 
-    // As it is now; empty: nothing is watched.
+    /// Watches the file from its current content on; empty: watches nothing.
     void watch(const QString &path);
 
 signals:
@@ -24,10 +23,10 @@ signals:
 private:
     void look();
     void addPaths();
-    QByteArray digest() const; // empty: it can't be read just now
+    QByteArray digest() const; ///< empty if it can't be read just now
 
     QFileSystemWatcher m_watcher;
-    QTimer m_settling; // an editor may write it in pieces
+    QTimer m_settling; ///< debounces writes in several parts
     QString m_path;
     QByteArray m_known;
 };

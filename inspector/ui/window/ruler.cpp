@@ -17,10 +17,10 @@ namespace inspector::ui {
 namespace {
 
 const gl::Colour kColour(1.0F, 0.85F, 0.1F, 1.0F);
-constexpr float kWidth = 2.5F; // logical pixels
+constexpr float kWidth = 2.5F; ///< logical pixels
 constexpr float kEnd = 8.0F;
-constexpr double kAbove = 5e-4;   // of the line over the floor, m
-constexpr QPoint kBeside(14, 14); // of the text, from the hand
+constexpr double kAbove = 5e-4;   ///< m, height of the line above the floor
+constexpr QPoint kBeside(14, 14); ///< offset of the text from the cursor
 
 QString textOf(const glm::dvec3 &way) {
     const double angle = degrees(std::atan2(way.y, way.x));

@@ -17,17 +17,17 @@ class Strokes;
 
 namespace inspector::ui {
 
-// A drag with Shift over the view measures the floor: the length, and the angle from the board's x axis. It stays until
-// the next press.
+/// Measures the floor by a drag with Shift over the view: the length, and the angle from the board's x axis. Stays
+/// visible until the next press.
 class Ruler : public QObject {
     Q_OBJECT
 
 public:
-    // view: outlives the ruler.
+    /// view must outlive the ruler.
     Ruler(gl::MazeView &view, QObject *parent);
 
     void addTo(gl::Strokes &strokes) const;
-    // False if there was nothing to be seen.
+    /// Removes it; false if it wasn't visible.
     bool dismiss();
 
 protected:
@@ -39,7 +39,7 @@ private:
     std::optional<glm::dvec3> floorAt(const QPointF &place) const;
 
     gl::MazeView &m_view;
-    QLabel *m_text; // over the view
+    QLabel *m_text; ///< label over the view
     glm::dvec3 m_from{0.0};
     glm::dvec3 m_to{0.0};
     bool m_isDragged = false;

@@ -11,7 +11,7 @@ namespace inspector::ui {
 
 namespace {
 
-constexpr int kEndRole = Qt::UserRole; // of the first column: the run's last place
+constexpr int kEndRole = Qt::UserRole; ///< in the first column: the run's last place
 
 QStringList textsOf(const Session &session, const KeptRun &run, bool isLive) {
     QString result = run.isOut ? RunDock::tr("out of the maze") : RunDock::tr("ended inside");

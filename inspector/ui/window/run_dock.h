@@ -7,15 +7,15 @@
 
 namespace inspector::ui {
 
-// The last runs, newest first: level, stepper, time, how it ended. Enter or a double click goes back to one.
+/// The runs in the history, newest first: level, stepper, time, how it ended. Enter or a double click returns to one.
 class RunDock : public QTreeWidget {
     Q_OBJECT
 
 public:
-    // session: outlives the dock.
+    /// session must outlive the dock.
     explicit RunDock(Session &session, QWidget *parent = nullptr);
 
-    // Shows what is new; called about 30 times a second.
+    /// Shows new runs; called about 30 times a second.
     void refresh();
     QSize sizeHint() const override { return {500, 200}; }
 

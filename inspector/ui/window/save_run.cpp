@@ -24,7 +24,7 @@ std::vector<Setting> settingsOf(const Parameters &parameters) {
     return settings;
 }
 
-// With which a command line would begin where the session is now.
+/// The options that describe the session's current state.
 Options optionsOf(Session &session) {
     Options options;
     options.registry = session.registry();

@@ -13,15 +13,15 @@ class MazeView;
 
 namespace inspector::ui {
 
-// Writes the run shown as what the name's ending says: .rec (a recording that repeats it), .csv (a table of all its
-// samples) or .png (the view as it is now, alone). False and one line in `error` if that fails.
+/// Writes the run shown, by the name's suffix, as .rec (a recording that repeats it), .csv (a table of all its samples)
+/// or .png (the current view). Returns false, with one line in `error`, on failure.
 bool saveRun(Session &session, gl::MazeView &view, const QString &path, QString *error);
 
-// What made a table: level, stepper and parameters as they are now, and which samples there still are; in a file beside
-// it. False and one line in `error` (or nullptr) if that can't be written.
+/// Writes the settings of a table into the file next to it: level, stepper and parameters as they are now, and the
+/// samples' span. Returns false, with one line in `error` (may be nullptr), on failure.
 bool saveSettingsBeside(Session &session, const QString &csv, QString *error);
 
-// One line if a table of all samples lacks the run's first ones; else empty.
+/// One line if a table of all samples would lack the run's first ones; otherwise empty.
 QString lostSamples(Session &session, const QString &path);
 
 } // namespace inspector::ui

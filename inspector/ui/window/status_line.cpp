@@ -33,7 +33,7 @@ QString ballText(const Snapshot &snapshot) {
     return translated(QT_TRANSLATE_NOOP("inspector::ui::StatusLine", "rolling"));
 }
 
-// Without a sign before zero.
+/// Avoids "-0".
 QString tiltText(double tilt) {
     const double tenths = std::round(degrees(tilt) * 10.0) + 0.0;
     return QStringLiteral("%1°").arg(tenths / 10.0, 0, 'f', 1);
@@ -58,8 +58,8 @@ struct Field {
     const char *label;
     const char *tip;
     const char *widest;
-    QString (*text)(const Snapshot &); // empty: the field isn't shown
-    bool isOfClock = false;            // differs from run to run
+    QString (*text)(const Snapshot &); ///< an empty text hides the field
+    bool isOfClock = false;            ///< varies from run to run
 };
 
 #define FIELD_TEXT(text) QT_TRANSLATE_NOOP("inspector::ui::StatusLine", text)

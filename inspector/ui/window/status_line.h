@@ -13,7 +13,7 @@ struct Snapshot;
 
 namespace inspector::ui {
 
-// What the simulation says of itself, in fields made from a table.
+/// The simulation's status, in fields made from a table.
 class StatusLine : public QStatusBar {
     Q_OBJECT
 
@@ -21,11 +21,11 @@ public:
     explicit StatusLine(QWidget *parent = nullptr);
 
     void showSnapshot(const Snapshot &snapshot);
-    // Until the next snapshot: what differs from run to run isn't shown.
+    /// Hides, until the next snapshot, values that vary from run to run.
     void leaveOutClock();
 
 private:
-    std::vector<QLabel *> m_fields; // in the order of the table
+    std::vector<QLabel *> m_fields; ///< in table order
 };
 
 } // namespace inspector::ui

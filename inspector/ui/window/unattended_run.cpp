@@ -11,7 +11,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kPeriod = 50ms;
-constexpr int kLooksAtRest = 20; // pictures that a window which only stands there gets before it is grabbed
+constexpr int kLooksAtRest = 20; ///< pictures drawn before an idle window is grabbed
 
 } // namespace
 
@@ -49,11 +49,11 @@ void UnattendedRun::look() {
     ++m_looks;
     if (!isOver()) return;
     if (m_session.simulation().latest().running) {
-        m_session.simulation().pause(); // first, so that everything in the picture is of one moment
+        m_session.simulation().pause(); // first, so that the whole picture shows one moment
         return;
     }
     m_timer.stop();
-    // Behind what the simulation has told about this moment: a win, a difference.
+    // Queued after the simulation's signals of this moment: a win, a difference.
     QMetaObject::invokeMethod(
         this, [this] { finish(m_difference); }, Qt::QueuedConnection);
 }
@@ -61,7 +61,7 @@ void UnattendedRun::look() {
 bool UnattendedRun::isOver() {
     if (m_session.isReplaying()) return isReplayOver();
     const Snapshot now = m_session.simulation().latest();
-    // Both end in a pause at the very step, so that a picture of it repeats.
+    // Both end in a pause at the exact step, so that the picture is reproducible.
     if (m_duration && now.current.time >= *m_duration - 0.5 * now.dt) return !now.running;
     if (now.current.flags & PHYS_OUT) return !now.running;
     return !m_plays && !m_duration && m_looks >= kLooksAtRest;
@@ -79,10 +79,10 @@ void UnattendedRun::startReplay() {
 bool UnattendedRun::isReplayOver() {
     const Snapshot snapshot = m_session.simulation().latest();
     const ReplayPlace &now = snapshot.replay;
-    if (now.difference && m_difference.isEmpty()) return false; // its line is on its way
+    if (now.difference && m_difference.isEmpty()) return false; // its signal hasn't arrived yet
     const bool isThere = now.number > 0 && now.position >= std::min(m_lastPosition, now.end);
     if (m_grabs) return isThere && now.isChecked && m_looks >= kLooksAtRest;
-    return isThere || (!snapshot.running && now.difference == now.position); // it pauses where a step differs
+    return isThere || (!snapshot.running && now.difference == now.position); // it has paused at the differing step
 }
 
 void UnattendedRun::finish(const QString &error) {

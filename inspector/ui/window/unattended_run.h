@@ -9,22 +9,23 @@
 
 namespace inspector::ui {
 
-// A run that nobody watches: with --autopilot the level starts by itself, with --grab or --duration it ends by itself.
-// Of a recording --grab shows the end, or the moment that --duration says, without playing up to there; all of it is
-// checked before.
+/// An unattended run: with --autopilot the level starts by itself, with --grab or --duration it ends by itself. Of a
+/// recording --grab shows the end, or the moment given by --duration, without playing up to there, but after checking
+/// all of it.
 class UnattendedRun : public QObject {
     Q_OBJECT
 
 public:
-    // session: outlives the run.
+    /// session must outlive the run.
     UnattendedRun(Session &session, const Options &options, QObject *parent = nullptr);
 
-    // Does nothing if the options ask for nothing of this.
+    /// No effect unless the options ask for it.
     void start();
 
 signals:
-    // Once: after the options' duration, when the ball is out of the maze or the recording at its end, or at an error
-    // (one line, else empty). A step of a recording that differs is an error, too, but ends nothing.
+    /// Sent once: after the options' duration, when the ball is out of the maze or the recording at its end, or at an
+    /// error (one line, otherwise empty). A differing step of a recording is an error, too, but doesn't end the run
+    /// early.
     void finished(const QString &error);
 
 private:
@@ -36,11 +37,11 @@ private:
     bool isReplayOver();
 
     Session &m_session;
-    std::optional<double> m_duration; // s, simulated
+    std::optional<double> m_duration; ///< s, simulated
     bool m_plays;
     bool m_ends;
     bool m_grabs;
-    uint64_t m_lastPosition = 0; // of a recording
+    uint64_t m_lastPosition = 0; ///< position in a recording
     QString m_difference;
     int m_looks = 0;
     QTimer m_timer;

@@ -29,7 +29,7 @@ WatchList::WatchList(Session &session, QWidget *parent)
     setRootIsDecorated(false);
     setUniformRowHeights(true);
     setAlternatingRowColors(true);
-    setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the game
+    setFocusPolicy(Qt::TabFocus); // a click doesn't take the keyboard from the game
     setDragEnabled(true);
     setHeaderLabels({tr("Quantity"), tr("Value"), tr("Unit")});
     setColumnWidth(0, 130);

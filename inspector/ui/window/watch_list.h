@@ -9,15 +9,15 @@
 
 namespace inspector::ui {
 
-// Chosen quantities as numbers, at the moment shown. A right click chooses them; a name can be dragged onto a plot.
+/// Selected quantities as numbers, at the moment shown. A right click selects them; a name can be dragged onto a plot.
 class WatchList : public QTreeWidget {
     Q_OBJECT
 
 public:
-    // session: outlives the list.
+    /// session must outlive the list.
     explicit WatchList(Session &session, QWidget *parent = nullptr);
 
-    // Shows the present moment; called about 30 times a second.
+    /// Shows the current moment; called about 30 times a second.
     void refresh(const Snapshot &now);
     QSize sizeHint() const override { return {260, 180}; }
 
