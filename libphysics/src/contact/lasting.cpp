@@ -157,15 +157,18 @@ double LastingContacts::sweep(double rollingFriction, bool arePressed, Motion &m
 }
 
 /// Whether one contact at a time would come to the reactions too slowly: cos^2 of the normals' angle is what a sweep
-/// leaves of an error. Opposite ones don't share a load: releaseOpposite.
-bool LastingContacts::haveAlignedNormals() const {
-    constexpr double kAligned = 0.9;
+/// leaves of an error. Opposite ones don't share a load: releaseOpposite. Of more normals than are independent some
+/// contact must let go, for which sweeps would have to shift the load bit by bit.
+bool LastingContacts::shareLoads() const {
+    constexpr double kAligned = 0.9, kFlat = 0.1;
+    if (count() > 3) return true;
     for (const Lasting *a = begin(); a != end(); ++a) {
         for (const Lasting *b = a + 1; b != end(); ++b) {
             if (std::abs(glm::dot(a->lever, b->lever)) > kAligned && !areOpposite(*a, *b)) return true;
         }
     }
-    return false;
+    const LastingContacts &all = *this;
+    return count() == 3 && std::abs(glm::dot(all[0].lever, glm::cross(all[1].lever, all[2].lever))) < kFlat;
 }
 
 /// The least reactions of all contacts at once, while friction stays. Returns the largest change of the velocity (m/s),
@@ -241,7 +244,7 @@ bool LastingContacts::settle(double rollingFriction, double negligible, bool rel
     return false;
 }
 
-/// The same where normals are nearly parallel, which sweeps alone would take long for.
+/// The same for contacts that share loads.
 bool LastingContacts::settleTogether(double rollingFriction, double negligible, Motion &motion) {
     constexpr int kMostTogether = 40; // a very rough contact may take turns with others for ever
     for (int i = 0; i < kMostTogether; ++i) {
@@ -265,7 +268,7 @@ void LastingContacts::unload() {
 /// driven: the motion without any impulse. Where friction feeds on itself sweeps may come to no end: then a squeeze
 /// stays, and if that doesn't help nothing rubs.
 void LastingContacts::settleWithoutResistance(double negligible, const Motion &driven, Motion &motion) {
-    if (haveAlignedNormals()) {
+    if (shareLoads()) {
         if (settleTogether(0.0, negligible, motion)) return;
         unload();
         motion = driven;
@@ -277,7 +280,7 @@ void LastingContacts::settleWithoutResistance(double negligible, const Motion &d
     unload();
     motion = driven;
     for (Lasting &contact : *this) contact.friction = 0.0;
-    settle(0.0, negligible, true, motion);
+    if (!settleTogether(0.0, negligible, motion)) settle(0.0, negligible, true, motion);
 }
 
 /// Faces as far apart as the ball is wide may squeeze it without moving anything, but friction feeds on that. The law
@@ -345,7 +348,7 @@ void LastingContacts::solve(double rollingFriction, Motion &motion) {
     // The resistance depends on how contacts share their load.
     constexpr int kMostShares = 20;
     for (int i = 0; i < kMostShares; ++i) {
-        if (!haveAlignedNormals() || !settleTogether(rollingFriction, negligible, motion))
+        if (!shareLoads() || !settleTogether(rollingFriction, negligible, motion))
             settle(rollingFriction, negligible, true, motion);
         if (relieve() <= negligible) return;
     }

@@ -51,7 +51,7 @@ private:
     bool solveByNewton(double rollingFriction, double negligible, bool isLast, Motion &motion);
     void settleWithoutResistance(double negligible, const Motion &driven, Motion &motion);
     void unload();
-    bool haveAlignedNormals() const;
+    bool shareLoads() const;
     double pressTogether(double negligible, Motion &motion);
     bool releaseOpposite(double negligible);
     double relieve();
