@@ -334,7 +334,7 @@ void ExactStep::follow(const P &phase, const End &end, const Border &border) {
         m_motion = {place.velocity, place.spin};
     }
     // Not waited for where the ball's velocity changes meanwhile by more than the speed that vanishes.
-    const bool waits = end.rest * phase.mostAcceleration() <= 16.0 * kSlipEnds * speedScale(moment());
+    const bool waits = end.rest > 0.0 && end.rest * phase.mostAcceleration() <= 16.0 * kSlipEnds * speedScale(moment());
     const double passed = std::min(t + (waits ? end.rest : 0.0), m_left);
     m_elapsed += passed;
     m_left -= passed;

@@ -72,12 +72,15 @@ Place Resisted::placeAt(double t) const {
             drilling + glm::cross(m_normal, q - 5.0 / 7.0 * v) / m_radius};
 }
 
-double Resisted::least(const Vec3 &n, double rate, double, double) const {
+double Resisted::least(const Vec3 &n, double rate, double t, double until) const {
     const double free = glm::dot(m_A, n);
     if (m_slips) return free - 2.0 / 7.0 * m_B * mostSlipAlong(onFace(n));
     // n.v changes its sign at most once (model.md 3.5), and resistance helps a velocity towards n's back: while rate <=
     // 0 it only slows the fall, and a rate >= 0 under free >= 0 never falls.
-    return rate <= 0.0 || free >= 0.0 ? free : free - m_B;
+    if (rate <= 0.0 || free >= 0.0) return free;
+    // Nor does one that is still there at the end: asked where the bound would lead on by tiny steps.
+    const bool lasts = 32.0 * rate < (m_B - free) * (until - t) && glm::dot(n, at(until).velocity) >= 0.0;
+    return lasts ? 0.0 : free - m_B;
 }
 
 /// The direction of slip turns from where it starts towards A by the smaller angle, model.md 3.1: the largest part
