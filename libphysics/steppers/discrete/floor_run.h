@@ -32,9 +32,9 @@ public:
 
     /// The substep, which begins `start` seconds into the step. False, and nothing done, if the ball may meet anything
     /// else.
-    bool run(double start, Ball &ball) {
+    bool run(double start, Ball &ball) const {
         if (!liesOnFloor(ball)) return false;
-        Ahead ahead = rollAhead(ball);
+        const Ahead ahead = rollAhead(ball);
         const Vec3 end = ball.position + Vec3(ahead.roll.displacement, 0.0);
         FloorView view;
         if (!view.look(m_context, ball.position, end, sum(ahead.roll.displacement))) return false;
@@ -46,7 +46,7 @@ public:
 
     /// The same without any event: the ball rolls freely, or along faces that it touches and doesn't leave. For a
     /// stepper that has events inside a step: false, and nothing done, if there is or may be one.
-    bool glide(Ball &ball) {
+    bool glide(Ball &ball) const {
         if (!liesOnFloor(ball)) return false;
         Ahead ahead = rollAhead(ball);
         const bool slips = ahead.contact == FloorContact::Slips;
@@ -210,7 +210,7 @@ private:
         return !mayStop || glm::dot(ahead.roll.velocity, velocity) > kZero * glm::dot(velocity, velocity);
     }
 
-    bool meetFaces(double start, const FloorView &view, Ball &ball) {
+    bool meetFaces(double start, const FloorView &view, Ball &ball) const {
         const phys_params &params = m_context.params();
         const double radius = m_context.radius();
         if (m_context.isRigid() && params.wall_friction > 0.0) return false;
