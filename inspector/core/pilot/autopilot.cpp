@@ -78,10 +78,4 @@ Tilt Autopilot::tilt(const phys_state &state) const {
     return {slope(dx * share, state.velocity.x), slope(dy * share, state.velocity.y)};
 }
 
-std::vector<Point> Autopilot::way(Point from) const {
-    std::vector<Point> points;
-    for (const FreeSpace::Cell cell : m_wayOut.cells(m_space.nearestFree(from))) points.push_back(m_space.centre(cell));
-    return points;
-}
-
 } // namespace inspector

@@ -9,7 +9,6 @@
 #include <QString>
 
 #include <memory>
-#include <vector>
 
 namespace inspector {
 
@@ -21,9 +20,6 @@ public:
 
     /// A pure function of the state. Any thread.
     Tilt tilt(const phys_state &state) const override;
-
-    /// The way from a point, for drawing; from cell to cell. m
-    std::vector<Point> way(Point from) const;
 
 private:
     explicit Autopilot(const phys_scene *scene);

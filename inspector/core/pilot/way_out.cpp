@@ -82,11 +82,4 @@ bool WayOut::exists(Cell from) const {
     return from != FreeSpace::kNowhere && (m_space.isOutside(from) || m_next[size_t(from)] != FreeSpace::kNowhere);
 }
 
-std::vector<Cell> WayOut::cells(Cell from) const {
-    std::vector<Cell> result;
-    if (!exists(from)) return result;
-    for (Cell cell = from; cell != FreeSpace::kNowhere; cell = next(cell)) result.push_back(cell);
-    return result;
-}
-
 } // namespace inspector

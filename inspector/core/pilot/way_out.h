@@ -16,8 +16,6 @@ public:
     /// The next cell of the path; kNowhere at its end, and where there is no path out.
     FreeSpace::Cell next(FreeSpace::Cell cell) const { return m_next[size_t(cell)]; }
     bool exists(FreeSpace::Cell from) const;
-    /// All cells from `from` to the first one outside of the maze; empty if there is no path.
-    std::vector<FreeSpace::Cell> cells(FreeSpace::Cell from) const;
 
 private:
     void search();

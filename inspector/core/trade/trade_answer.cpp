@@ -2,8 +2,6 @@
 #include "core/trade/trade_answer.h"
 
 #include <algorithm>
-#include <limits>
-#include <numeric>
 #include <tuple>
 
 namespace inspector {
@@ -20,24 +18,6 @@ std::optional<size_t> least(std::span<const TradePoint> points, Wanted wanted, K
 }
 
 } // namespace
-
-std::vector<size_t> paretoFront(std::span<const TradePoint> points) {
-    std::vector<size_t> order(points.size());
-    std::iota(order.begin(), order.end(), size_t(0));
-    std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) {
-        const auto key = [&](size_t i) {
-            return std::tuple(points[i].cost.perSecond, points[i].error.positionLargest);
-        };
-        return key(a) < key(b);
-    });
-    double best = std::numeric_limits<double>::infinity();
-    std::erase_if(order, [&](size_t i) {
-        if (!(points[i].error.positionLargest < best)) return true;
-        best = points[i].error.positionLargest;
-        return false;
-    });
-    return order;
-}
 
 double errorUntil(const TradePoint &point, double time) { return errorUntil(point.error, time); }
 

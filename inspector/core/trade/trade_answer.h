@@ -9,10 +9,6 @@
 
 namespace inspector {
 
-/// The Pareto front: indices of the points that no other beats in both CPU time per simulated second and largest
-/// position error, from cheap to accurate. Of equal points the first.
-std::vector<size_t> paretoFront(std::span<const TradePoint> points);
-
 /// The largest position error up to a time, radii; of a point on its worst schedule.
 double errorUntil(const TradeError &error, double time);
 double errorUntil(const TradePoint &point, double time);

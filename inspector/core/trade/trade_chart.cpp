@@ -39,19 +39,6 @@ std::vector<ChartCurve> curvesOf(const TradeResult &result, uint32_t model, size
     return curves;
 }
 
-std::vector<ChartPoint> frontOf(std::vector<ChartPoint> points) {
-    std::stable_sort(points.begin(), points.end(), [](const ChartPoint &a, const ChartPoint &b) {
-        return a.cost != b.cost ? a.cost < b.cost : a.error < b.error;
-    });
-    double best = std::numeric_limits<double>::infinity();
-    std::erase_if(points, [&](const ChartPoint &point) {
-        if (!(point.error < best)) return true;
-        best = point.error;
-        return false;
-    });
-    return points;
-}
-
 /// The value at exactly this time.
 double at(const std::vector<double> &times, const std::vector<double> &values, double time) {
     const auto after = std::upper_bound(times.begin(), times.end(), time + 1e-9);
@@ -79,6 +66,19 @@ std::vector<ChartPoint> ChartDescription::points() const {
     return all;
 }
 
+std::vector<ChartPoint> paretoFront(std::vector<ChartPoint> points) {
+    std::stable_sort(points.begin(), points.end(), [](const ChartPoint &a, const ChartPoint &b) {
+        return a.cost != b.cost ? a.cost < b.cost : a.error < b.error;
+    });
+    double best = std::numeric_limits<double>::infinity();
+    std::erase_if(points, [&](const ChartPoint &point) {
+        if (!(point.error < best)) return true;
+        best = point.error;
+        return false;
+    });
+    return points;
+}
+
 size_t shownSchedule(const TradeResult &result) { return result.spans.empty() ? 0 : result.spans.size() - 1; }
 
 ChartDescription describeChart(const TradePlan &plan, const TradeResult &result, uint32_t model, size_t schedule) {
@@ -92,7 +92,7 @@ ChartDescription describeChart(const TradePlan &plan, const TradeResult &result,
     chart.costLabel = QStringLiteral("CPU time of a simulated second [µs]");
     chart.errorLabel = QStringLiteral("largest position error [radii]");
     chart.curves = curvesOf(result, model, schedule, until);
-    chart.front = frontOf(chart.points());
+    chart.front = paretoFront(chart.points());
     if (span.band.isEmpty()) return chart;
     chart.band = bandAt(span.band, until, plan.share, phys_scene_radius(plan.scene.get()));
     if (result.goodEnough) chart.goodEnough = chartPoint(result, result.goodEnough->point, schedule, until);

@@ -16,6 +16,9 @@ struct ChartPoint {
     double error; ///< radii
 };
 
+/// The points that no other beats in both cost and error, from cheap to accurate. Of equal points the first.
+std::vector<ChartPoint> paretoFront(std::vector<ChartPoint> points);
+
 struct ChartCurve {
     QByteArray stepper;
     const char *colour; ///< #rrggbb

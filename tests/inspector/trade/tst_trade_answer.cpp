@@ -4,6 +4,7 @@
 #include "core/program/trade_command.h"
 #include "core/schedule/trade_reference.h"
 #include "core/trade/trade_answer.h"
+#include "core/trade/trade_chart.h"
 
 #include <QTest>
 
@@ -48,25 +49,28 @@ TradePoint point(double perStep, double perSecond, double error) {
 
 using Indices = std::vector<size_t>;
 
+Indices frontOf(const std::vector<ChartPoint> &points) {
+    Indices indices;
+    for (const ChartPoint &point : paretoFront(points)) indices.push_back(point.index);
+    return indices;
+}
+
 } // namespace
 
 void TestTradeAnswer::frontIsWhatNoOtherPointBeats() {
-    const std::vector<TradePoint> points{point(1, 40, 0.01), point(1, 10, 1.0), point(1, 20, 2.0), point(1, 30, 0.1),
-                                         point(1, 50, 0.01)};
-    QCOMPARE(paretoFront(points), (Indices{1, 3, 0}));
+    QCOMPARE(frontOf({{0, 40.0, 0.01}, {1, 10.0, 1.0}, {2, 20.0, 2.0}, {3, 30.0, 0.1}, {4, 50.0, 0.01}}),
+             (Indices{1, 3, 0}));
 }
 
 void TestTradeAnswer::equalPointsAreOnTheFrontOnce() {
-    const std::vector<TradePoint> points{point(1, 10, 1.0), point(1, 10, 1.0)};
-    QCOMPARE(paretoFront(points), Indices{0});
+    QCOMPARE(frontOf({{0, 10.0, 1.0}, {1, 10.0, 1.0}}), Indices{0});
 }
 
 void TestTradeAnswer::equallyCheapPointsAreJudgedByTheirError() {
-    const std::vector<TradePoint> points{point(1, 10, 1.0), point(1, 10, 0.5)};
-    QCOMPARE(paretoFront(points), Indices{1});
+    QCOMPARE(frontOf({{0, 10.0, 1.0}, {1, 10.0, 0.5}}), Indices{1});
 }
 
-void TestTradeAnswer::noPointsHaveNoFront() { QVERIFY(paretoFront({}).empty()); }
+void TestTradeAnswer::noPointsHaveNoFront() { QVERIFY(frontOf({}).empty()); }
 
 void TestTradeAnswer::errorUntilATimeIsTheLastRecordUpToIt_data() {
     QTest::addColumn<double>("time");
