@@ -473,6 +473,14 @@ uint32_t Series::spent(std::span<Vec3> slips) const {
     return bits;
 }
 
+/// Whether a contact presses by no more than rounding until s. Its friction moves nothing then, and the series of its
+/// slip's direction need not be good.
+bool Series::isIdle(const Contact &contact, double s) const {
+    double most = 0.0;
+    for (int k = kOrder; k >= 0; --k) most = most * s + std::abs(contact.N[k]);
+    return most <= m_noForce;
+}
+
 End Series::end(double until, Work &work) const {
     End end{horizon(), Cause::time, 0};
     const double s = std::min(until, horizon()) / unit();
@@ -483,7 +491,7 @@ End Series::end(double until, Work &work) const {
         Jet force = contact.N;
         if (force[0] <= noForce) force[0] += noForce;
         end.cut({unit() * firstFall(force, s, work), Cause::release, given(i)});
-        if (contact.mode == Mode::slipping) {
+        if (contact.mode == Mode::slipping && !isIdle(contact, s)) {
             end.cut(zeroOfSpeed(slipSpeed(contact), s, m_reach, kSlipEnds * speed, Cause::grip, given(i), work));
         } else if (contact.mode == Mode::sticking && !contact.held.isGlued && !contact.isKept) {
             Jet left = reserveOf(contact);
@@ -505,9 +513,7 @@ Losses Series::losses(double t) const {
     Losses lost;
     for (const Contact &contact : contacts()) {
         if (contact.mode == Mode::sticking || contact.mode == Mode::smooth) continue;
-        double most = 0.0;
-        for (int k = kOrder; k >= 0; --k) most = most * s + std::abs(contact.N[k]);
-        if (most <= m_noForce) continue; // and the series of its slip, which moves nothing, need not be good
+        if (isIdle(contact, s)) continue;
         const Jet speed = slipSpeed(contact);
         Jet power;
         for (int k = 0; k <= kOrder; ++k) power[k] = contact.held.friction * termOf(contact.N, speed, k);

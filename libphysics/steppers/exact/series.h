@@ -105,6 +105,7 @@ private:
     Jet reserveOf(const Contact &contact) const;
     double noReserve(const Contact &contact) const;
     Jet slipSpeed(const Contact &contact) const;
+    bool isIdle(const Contact &contact, double s) const;
 };
 
 } // namespace phys
