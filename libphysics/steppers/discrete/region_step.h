@@ -231,7 +231,7 @@ private:
 
     /// Whether a ball must be seen to stay on the floor: there is nothing else, or the step is long, mayFallOffFloor.
     template<class N>
-    [[gnu::always_inline]] static bool mayFall(const BallsInRegion<N> &balls, const RegionLimits &limits) {
+    static bool mayFall(const BallsInRegion<N> &balls, const RegionLimits &limits) {
         if (limits.isOpen) return true;
         if constexpr (kRule == RegionRule::Swept) return false;
         return bitsOf(balls.drive.normal * (limits.h * limits.h) > limits.reach) != 0;
