@@ -35,28 +35,6 @@ bool isLawful(const Case &scene) {
     });
 }
 
-/// Whether the ball may come to a gap that is exactly as wide as itself: rounding decides what happens at its mouth.
-bool hasUndecidedGap(const Case &scene) {
-    const Vector start = vectorOf(scene.start.position);
-    const auto isTouched = [&](const phys_box &box) {
-        return touchOf(box, start, scene.radius).gap <= 1e-9L * scene.radius;
-    };
-    const auto overlap = [](const phys_box &a, const phys_box &b, int axis) {
-        return (&a.min.x)[axis] < (&b.max.x)[axis] && (&b.min.x)[axis] < (&a.max.x)[axis];
-    };
-    for (const phys_box &below : scene.boxes) {
-        for (const phys_box &above : scene.boxes) {
-            for (int axis = 0; axis < 3; ++axis) {
-                const double gap = (&above.min.x)[axis] - (&below.max.x)[axis];
-                if (std::abs(gap - 2 * scene.radius) > 1e-9 * scene.radius) continue;
-                const bool isGap = overlap(below, above, (axis + 1) % 3) && overlap(below, above, (axis + 2) % 3);
-                if (isGap && !(isTouched(below) && isTouched(above))) return true;
-            }
-        }
-    }
-    return false;
-}
-
 /// The time in which a ball falls half its radius: of everything that a scene does on its own.
 Real timeScale(const Case &scene) {
     return std::sqrt(scene.radius / (length(vectorOf(scene.legs.front().gravity)) + 1e-30L));
@@ -107,6 +85,27 @@ Order orderOf(const std::string &stepper) {
     };
     const auto found = kOrders.find(stepper);
     return found == kOrders.end() ? Order{1, 1} : found->second;
+}
+
+bool hasUndecidedGap(const Case &scene) {
+    const Vector start = vectorOf(scene.start.position);
+    const auto isTouched = [&](const phys_box &box) {
+        return touchOf(box, start, scene.radius).gap <= 1e-9L * scene.radius;
+    };
+    const auto overlap = [](const phys_box &a, const phys_box &b, int axis) {
+        return (&a.min.x)[axis] < (&b.max.x)[axis] && (&b.min.x)[axis] < (&a.max.x)[axis];
+    };
+    for (const phys_box &below : scene.boxes) {
+        for (const phys_box &above : scene.boxes) {
+            for (int axis = 0; axis < 3; ++axis) {
+                const double gap = (&above.min.x)[axis] - (&below.max.x)[axis];
+                if (std::abs(gap - 2 * scene.radius) > 1e-9 * scene.radius) continue;
+                const bool isGap = overlap(below, above, (axis + 1) % 3) && overlap(below, above, (axis + 2) % 3);
+                if (isGap && !(isTouched(below) && isTouched(above))) return true;
+            }
+        }
+    }
+    return false;
 }
 
 std::vector<Motion> Truth::run(const Law &law, Motion motion, Real tolerance) const {

@@ -26,6 +26,9 @@ struct Order {
 /// ball, which these scenes don't promise. A stepper that isn't there is taken to be of first order.
 Order orderOf(const std::string &stepper);
 
+/// Whether the ball may come to a gap that is exactly as wide as itself: rounding decides what happens at its mouth.
+bool hasUndecidedGap(const Case &scene);
+
 /// The motion by force, and how far it goes astray if it is disturbed a little.
 class Truth {
 public:

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "examine.h"
 
+#include "converge.h"
 #include "free_space.h"
+#include "split.h"
 #include "touch.h"
 
 #include "support/handles.h"
@@ -151,6 +153,7 @@ public:
         , m_space(scene.boxes, scene.radius)
         , m_engine(engineFor(registry, id, scene.boxes, scene.radius, scene.start.position))
         , m_symmetries(symmetries())
+        , m_isExact(orderOf(id).acrossEvents == 0 && !hasUndecidedGap(scene))
         , m_params(scene.params) {
         for (const Symmetry &symmetry : m_symmetries) {
             m_images.push_back(engineFor(registry, id, symmetry.boxes(scene.boxes), symmetry.lengthScale * scene.radius,
@@ -229,6 +232,7 @@ private:
         if (!status) checkPlace(leg, in, out);
         if (!status) checkEnergy(leg, in, out);
         checkRepeats(leg, in, status, out);
+        if (!status && m_isExact) checkParts(leg, in);
         checkImages(leg, in, status, out);
         if (status) return false;
         checkReport(leg, in, out);
@@ -266,6 +270,16 @@ private:
                 complain(check, "other bits: x %.17g, then %.17g", out.position.x, again.out.position.x);
             }
         }
+    }
+
+    /// For a stepper that makes no error of its step size.
+    void checkParts(const Leg &leg, const phys_state &in) {
+        constexpr double kAmplified = 1e3; // a motion is more sensitive in some direction that nobody tries
+        const std::optional<SplitDifference> difference =
+            splitDifference(m_engine.stepper.get(), m_params, leg.dt, in, m_scene.radius);
+        if (!difference || difference->apart <= 1e-8 * m_scene.radius + kAmplified * difference->spread) return;
+        complain("split", "in three parts the step of %.3g s leads %.3g m away; a start off by 1e-12 makes %.3g m",
+                 leg.dt, difference->apart, difference->spread);
     }
 
     void checkImagesOfCreation() {
@@ -457,6 +471,7 @@ private:
     FreeSpace m_space;
     Engine m_engine;
     std::vector<Symmetry> m_symmetries;
+    bool m_isExact; ///< the stepper, and the scene has an answer
     std::vector<Engine> m_images;
     phys_params m_params;
     double m_largest = 0.0;
@@ -469,8 +484,9 @@ private:
 
 const std::vector<std::string> &checkNames() {
     static const std::vector<std::string> kNames = {
-        "inside", "through",  "too_far", "energy", "finite",    "fresh",  "all_stages", "mirrored", "turned", "swapped",
-        "scaled", "shuffled", "doubled", "cut",    "untouched", "effort", "report",     "rest",     "flags",  "law",
+        "inside", "through",   "too_far", "energy",  "finite", "fresh",    "all_stages",
+        "split",  "mirrored",  "turned",  "swapped", "scaled", "shuffled", "doubled",
+        "cut",    "untouched", "effort",  "report",  "rest",   "flags",    "law",
     };
     return kNames;
 }

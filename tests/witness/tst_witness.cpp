@@ -7,7 +7,10 @@
 #include "case.h"
 #include "draw.h"
 #include "free_space.h"
+#include "split.h"
 #include "survey.h"
+
+#include "support/handles.h"
 
 #include <fstream>
 
@@ -25,6 +28,18 @@ struct Miss {
     Real velocity = 0;
     bool isRestRight = true;
 };
+
+support::ScenePtr sceneOf(const std::vector<phys_box> &boxes, double radius) {
+    phys_scene_desc desc;
+    phys_scene_desc_init(&desc, sizeof desc);
+    desc.boxes = boxes.data();
+    desc.box_count = uint32_t(boxes.size());
+    desc.radius = radius;
+    desc.start = {0, 0, radius};
+    phys_scene *scene = nullptr;
+    phys_scene_create(&desc, &scene, nullptr);
+    return support::ScenePtr(scene);
+}
 
 /// The largest differences from the samples of a reference.
 Miss missOf(const Case &scene, Real tolerance) {
@@ -65,6 +80,8 @@ private slots:
     void bruteForceFollowsTheMirror();
     void aClosedWallCantBePassed();
     void aWallWithAnEndCanBeWalkedAroundIfThereIsTime();
+    void partsOfAStepShowAnErrorOfItsSize_data();
+    void partsOfAStepShowAnErrorOfItsSize();
     void aCaseReadsBackAsItWasWritten();
     void aWrongLineOfACaseIsNamed();
     void aKnownFaultIsMatchedByItsWords();
@@ -153,6 +170,32 @@ void Witness::aWallWithAnEndCanBeWalkedAroundIfThereIsTime() {
     const FreeSpace space(boxes, 0.5);
     QVERIFY(!space.isReachable({-1, 0, 0}, {1, 0, 0}, 2));
     QVERIFY(space.isReachable({-1, 0, 0}, {1, 0, 0}, 3)); // past y = 2.5
+}
+
+void Witness::partsOfAStepShowAnErrorOfItsSize_data() {
+    QTest::addColumn<bool>("isExact");
+    QTest::newRow("exact") << true;
+    QTest::newRow("swept") << false;
+}
+
+/// A ball that resistance slows down, far from all walls: nothing else than the order makes a difference.
+void Witness::partsOfAStepShowAnErrorOfItsSize() {
+    QFETCH(bool, isExact);
+    const std::vector<phys_box> floor = {{{-1, -1, -0.02}, {1, 1, 0}}};
+    const support::ScenePtr scene = sceneOf(floor, 0.006);
+    phys_stepper *created = nullptr;
+    QCOMPARE(phys_stepper_create(nullptr, QTest::currentDataTag(), scene.get(), &created, nullptr), PHYS_OK);
+    const support::StepperPtr stepper(created);
+    phys_params params;
+    phys_params_init(&params, sizeof params);
+    params.rolling_friction = 0.01;
+    params.gravity = {0.3, 0.1, -9.8};
+    phys_state state;
+    phys_scene_start(scene.get(), &state);
+    state.velocity = {0.1, -0.2, 0};
+    const std::optional<SplitDifference> difference = splitDifference(stepper.get(), params, 0.1, state, 0.006);
+    QVERIFY(difference);
+    QCOMPARE(difference->apart <= 1e-15, isExact);
 }
 
 void Witness::aCaseReadsBackAsItWasWritten() {

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "split.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace witness {
+
+namespace {
+
+constexpr double kDisturbance = 1e-12;
+constexpr double kChaos = 1e-3; // of the radius: where a disturbance makes more, rounding decides
+
+/// Where the ball is after all parts.
+std::optional<Vector> endOf(phys_stepper *stepper, const phys_params &params, const std::vector<double> &parts,
+                            phys_state state) {
+    for (const double dt : parts) {
+        if (phys_step(stepper, &params, dt, &state, &state, nullptr, nullptr)) return std::nullopt;
+    }
+    return vectorOf(state.position);
+}
+
+/// The start off in each direction, or in its velocities, to either side.
+std::vector<phys_state> disturbed(const phys_state &in, double radius) {
+    std::vector<phys_state> states;
+    for (const double off : {-kDisturbance, kDisturbance}) {
+        for (double phys_vec3::*axis : {&phys_vec3::x, &phys_vec3::y, &phys_vec3::z}) {
+            states.push_back(in);
+            states.back().position.*axis += off * radius;
+        }
+        phys_state other = in;
+        other.velocity = rounded(Real(1 + off) * vectorOf(in.velocity));
+        other.spin = rounded(Real(1 - off) * vectorOf(in.spin));
+        states.push_back(other);
+    }
+    return states;
+}
+
+} // namespace
+
+std::optional<SplitDifference> splitDifference(phys_stepper *stepper, const phys_params &params, double dt,
+                                               const phys_state &in, double radius) {
+    const std::vector<double> whole = {dt};
+    const std::vector<double> parts = {0.375 * dt, 0.25 * dt, 0.375 * dt};
+    const std::optional<Vector> once = endOf(stepper, params, whole, in);
+    const std::optional<Vector> inParts = endOf(stepper, params, parts, in);
+    if (!once || !inParts) return std::nullopt;
+    SplitDifference difference{double(length(*once - *inParts)), 0.0};
+    if (difference.apart <= kDisturbance * radius) return difference;
+    for (const phys_state &start : disturbed(in, radius)) {
+        const std::optional<Vector> onceMoved = endOf(stepper, params, whole, start);
+        const std::optional<Vector> inPartsMoved = endOf(stepper, params, parts, start);
+        if (!onceMoved || !inPartsMoved) return std::nullopt;
+        difference.spread =
+            std::max({difference.spread, double(length(*onceMoved - *once)), double(length(*inPartsMoved - *inParts))});
+    }
+    if (difference.spread > kChaos * radius) return std::nullopt;
+    return difference;
+}
+
+} // namespace witness
