@@ -7,8 +7,6 @@
 
 namespace inspector::ui {
 
-namespace {} // namespace
-
 ResidualPlot::ResidualPlot(QWidget *parent)
     : QCustomPlot(parent)
     , m_x(addGraph())
@@ -18,7 +16,8 @@ ResidualPlot::ResidualPlot(QWidget *parent)
     setObjectName(QStringLiteral("track_residuals"));
     setMinimumSize(220, 140);
     xAxis->setLabel(tr("Time [s]"));
-    yAxis->setLabel(tr("Measured minus computed [mm]"));
+    yAxis->setLabel(tr("Residual [mm]"));
+    setToolTip(tr("Measured minus computed"));
     m_x->setName(tr("x"));
     m_y->setName(tr("y"));
     m_bounces->setName(tr("bounces"));
@@ -31,6 +30,8 @@ ResidualPlot::ResidualPlot(QWidget *parent)
     m_noise->setPen(Qt::NoPen);
     m_noise->setBrush(QColor(0x2a, 0x9f, 0x4f, 45));
     putLegendAbove(*this, 0);
+    legend->setIconSize(16, 16); // fits into the narrowest dock
+    legend->setColumnSpacing(8);
     setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
     applyChartStyle(*this);
     clear();
