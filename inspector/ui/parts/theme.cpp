@@ -3,7 +3,8 @@
 
 #include <QApplication>
 #include <QPalette>
-#include <QStyle>
+#include <QProxyStyle>
+#include <QStyleOptionButton>
 
 namespace inspector::ui {
 
@@ -52,6 +53,24 @@ QPalette paletteOf(const Shades &shades) {
     return palette;
 }
 
+/// Fusion, but for check boxes on dark palettes, of widgets and in lists alike: it frames an empty one with a darker
+/// shade of the window and fills it with the base, which is hardly visible there.
+class ThemeStyle : public QProxyStyle {
+public:
+    ThemeStyle()
+        : QProxyStyle(QStringLiteral("fusion")) {}
+
+    void drawPrimitive(PrimitiveElement element, const QStyleOption *option, QPainter *painter,
+                       const QWidget *widget) const override {
+        const auto *button = qstyleoption_cast<const QStyleOptionButton *>(option);
+        if (element != PE_IndicatorCheckBox || !button || !isDark(button->palette))
+            return QProxyStyle::drawPrimitive(element, option, painter, widget);
+        QStyleOptionButton box(*button);
+        box.palette.setColor(QPalette::Base, box.palette.color(QPalette::Light));
+        QProxyStyle::drawPrimitive(element, &box, painter, widget);
+    }
+};
+
 } // namespace
 
 void applyTheme(Theme theme) {
@@ -62,14 +81,8 @@ void applyTheme(Theme theme) {
         return;
     }
     // Only Fusion respects every palette; desktop styles bring their own colours.
-    QApplication::setStyle(QStringLiteral("fusion"));
-    const Shades &shades = theme == Theme::Dark ? kDark : kLight;
-    QApplication::setPalette(paletteOf(shades));
-    if (theme != Theme::Dark) return;
-    // Fusion draws an empty check box with a darker shade of the window, hardly visible.
-    QPalette boxes = paletteOf(shades);
-    boxes.setColor(QPalette::Base, QColor(shades.light));
-    QApplication::setPalette(boxes, "QCheckBox");
+    QApplication::setStyle(new ThemeStyle);
+    QApplication::setPalette(paletteOf(theme == Theme::Dark ? kDark : kLight));
 }
 
 bool isDark(const QPalette &palette) {

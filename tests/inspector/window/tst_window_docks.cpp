@@ -3,6 +3,7 @@
 #include "gl/view/maze_view.h"
 #include "ui/game/game_strip.h"
 #include "ui/parts/message_bar.h"
+#include "ui/parts/theme.h"
 #include "window_fixture.h"
 
 #include <QAbstractButton>
@@ -14,8 +15,10 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
+#include <QPainter>
 #include <QScreen>
 #include <QSignalSpy>
+#include <QStyleOptionViewItem>
 #include <QTimer>
 #include <QToolButton>
 
@@ -54,6 +57,8 @@ private slots:
     void viewIsTheLargestPart();
     void noTextOfTheParametersIsCut();
     void everyMenuHasItsEntries();
+    void emptyCheckBoxesAreSeen_data();
+    void emptyCheckBoxesAreSeen();
     void qualityReachesTheView_data();
     void qualityReachesTheView();
     void qualityIsRemembered();
@@ -215,6 +220,34 @@ void TestWindowDocks::everyMenuHasItsEntries() {
         QVERIFY2(menu->menu()->actions().size() >= 2, qPrintable(menu->text()));
     }
     QCOMPARE(titles, QStringList({"File", "Edit", "View", "Game", "Help"}));
+}
+
+void TestWindowDocks::emptyCheckBoxesAreSeen_data() {
+    QTest::addColumn<inspector::ui::Theme>("theme");
+    QTest::newRow("light") << inspector::ui::Theme::Light;
+    QTest::newRow("dark") << inspector::ui::Theme::Dark;
+}
+
+// In lists, too: something of an empty box differs from the base around it by a tenth of the scale.
+void TestWindowDocks::emptyCheckBoxesAreSeen() {
+    QFETCH(inspector::ui::Theme, theme);
+    const auto restore = qScopeGuard([] { inspector::ui::applyTheme(inspector::ui::Theme::System); });
+    inspector::ui::applyTheme(theme);
+    QStyleOptionViewItem option;
+    option.rect = QRect(0, 0, 20, 20);
+    option.palette = QApplication::palette();
+    option.state = QStyle::State_Enabled | QStyle::State_Off;
+    const QColor base = option.palette.color(QPalette::Base);
+    QImage image(option.rect.size(), QImage::Format_RGB32);
+    image.fill(base);
+    QPainter painter(&image);
+    QApplication::style()->drawPrimitive(QStyle::PE_IndicatorItemViewItemCheck, &option, &painter);
+    painter.end();
+    int farthest = 0;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            farthest = std::max(farthest, std::abs(image.pixelColor(x, y).lightness() - base.lightness()));
+    QVERIFY2(farthest >= 25, qPrintable(QString::number(farthest)));
 }
 
 void TestWindowDocks::qualityReachesTheView_data() {
