@@ -13,6 +13,7 @@ public:
     static constexpr uint64_t kMost = 10'000'000;
 
     static constexpr uint64_t kEvent = 150;     ///< an event: its impacts, and what lasts then
+    static constexpr uint64_t kBounce = 20;     ///< one of many on a face: its event
     static constexpr uint64_t kBox = 1;         ///< a box of which it is looked whether it is near
     static constexpr uint64_t kSearch = 10;     ///< a box that is near, before it is looked at from the way
     static constexpr uint64_t kImpact = 20;     ///< a contact's part in a round of impacts

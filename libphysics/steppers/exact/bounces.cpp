@@ -30,7 +30,7 @@ double countOf(double ratio, double sum) {
 /// made at once. model.md 6.4.
 void ExactStep::skipBounces() {
     constexpr double kLeast = 0.9; // restitution: with less there are few of them
-    constexpr double kMostAtOnce = 1e6;
+    constexpr double kMostAtOnce = 1e5;
     if (m_contacts.count() != 1 || !m_contacts[0].isFace() || m_contacts[0].restitution < kLeast) return;
     Contact &face = m_contacts[0];
     const Vec3 g = m_setting.gravity(), n = face.normal;
@@ -56,12 +56,12 @@ void ExactStep::skipBounces() {
     };
     const auto speedAfter = [&](double bounces) { return speed - (1.0 - eps) * 0.5 * back * timeOf(bounces); };
     for (double i = 1.0; m_report.wanted() && i <= count; ++i) {
-        m_report.event(face.isTop ? PHYS_EVENT_LANDING : PHYS_EVENT_IMPACT, m_elapsed + timeOf(i),
-                       face.point + wayOf(i), n, -speedAfter(i - 1.0), speedAfter(i),
-                       m_scene.givenBox(face.box, face.point + wayOf(i)));
+        const Vec3 point = face.point + wayOf(i);
+        m_report.event(face.isTop ? PHYS_EVENT_LANDING : PHYS_EVENT_IMPACT, m_elapsed + timeOf(i), point, n,
+                       -speedAfter(i - 1.0), speedAfter(i), m_scene.givenBox(face.box, point));
     }
     const double time = timeOf(count), last = speedAfter(count);
-    m_work.add(static_cast<uint64_t>(count));
+    m_work.add(Work::kBounce * static_cast<uint64_t>(count));
     m_report.lostImpact(0.5 * (speed - last) * (speed + last));
     m_report.lostSlip(0.5 * drag * squaresOf(count) * glm::dot(pull, pull));
     const Vec3 turning = 2.5 * drag / m_scene.radius * glm::cross(n, pull);

@@ -78,8 +78,8 @@ double Resisted::least(const Vec3 &n, double rate, double t, double until) const
     // n.v changes its sign at most once (model.md 3.5), and resistance helps a velocity towards n's back: while rate <=
     // 0 it only slows the fall, and a rate >= 0 under free >= 0 never falls.
     if (rate <= 0.0 || free >= 0.0) return free;
-    // Nor does one that is still there at the end: asked where the bound would lead on by tiny steps.
-    const bool lasts = 32.0 * rate < (m_B - free) * (until - t) && glm::dot(n, at(until).velocity) >= 0.0;
+    // Nor does what comes as far in the end: asked where the bound would lead on by tiny steps.
+    const bool lasts = 32.0 * rate < (m_B - free) * (until - t) && glm::dot(n, at(until).way - at(t).way) >= 0.0;
     return lasts ? 0.0 : free - m_B;
 }
 
