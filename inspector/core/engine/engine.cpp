@@ -13,9 +13,8 @@ namespace {
 
 /// The gap between the ball and the nearest wall, m, searched for in growing distances. NaN if none is near.
 double wallGap(const phys_scene *scene, const phys_vec3 &centre) {
-    constexpr double kFarthest = 32.0; // radii
     const double radius = phys_scene_radius(scene);
-    for (double reach = 2.0; reach <= kFarthest; reach *= 2.0)
+    for (const double reach : {2.0, 4.0, 8.0, 16.0, 32.0}) // radii
         if (const std::optional<phys_contact> wall = nearestWall(scene, centre, reach * radius)) return wall->gap;
     return std::numeric_limits<double>::quiet_NaN();
 }

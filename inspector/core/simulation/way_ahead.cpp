@@ -5,6 +5,7 @@
 
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <span>
 #include <utility>
 
@@ -16,7 +17,7 @@ constexpr uint32_t kEvents = 32;
 constexpr double kBounceSpeed = 1e-3; ///< m/s: slower ones aren't worth a mark
 /// In scenes where the exact stepper is slow, the path is shorter and there are fewer others.
 constexpr std::chrono::milliseconds kBudget{20};
-constexpr auto kCount = uint64_t(WayFinder::kReach / WayFinder::kInterval + 0.5);
+const auto kCount = uint64_t(std::lround(WayFinder::kReach / WayFinder::kInterval));
 constexpr uint64_t kEnd = PHYS_OUT | PHYS_AT_REST;
 
 using Clock = std::chrono::steady_clock;
