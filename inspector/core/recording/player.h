@@ -22,7 +22,7 @@ public:
 
     const PlayableRecording &recording() const { return *m_recording; }
 
-    // ---- once through: checks hashes and lays keyframes ----
+    // ---- checking: compares hashes and stores keyframes ----
 
     /// Checks one step; false when everything is checked.
     bool check();
@@ -33,7 +33,7 @@ public:
     /// recording.
     uint64_t end() const { return m_isChecked ? checked() : m_recording->length(); }
 
-    // ---- shown ----
+    // ---- playback ----
 
     const Engine &engine() const { return m_shown.engine(); }
     uint64_t position() const { return m_shown.position(); }

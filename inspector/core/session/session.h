@@ -96,7 +96,7 @@ public:
     void stopRecording();
     bool isRecording() const { return m_isRecording; }
 
-    // ---- recordings are watched in place of the live ball ----
+    // ---- recordings, played in place of the live ball ----
 
     /// Plays a recording from its beginning. On failure returns false, changes nothing and sends failed() with one
     /// line.
@@ -117,7 +117,7 @@ public:
     /// "same", "same so far" or the first difference, in one line.
     QString replayVerdict(const Snapshot &now) const;
 
-    // ---- the ball in one's hand ----
+    // ---- placing the ball ----
 
     /// Puts the ball there, paused; begins a new run. In the past, the past is taken over first.
     void placeBall(const phys_state &state);
@@ -125,7 +125,7 @@ public:
     void setStart(const std::optional<phys_state> &start);
     bool hasOwnStart() const { return m_hasOwnStart; }
 
-    // ---- a measured ball, laid over the run; forgotten with another level ----
+    // ---- a measured ball, overlaid on the run; dropped with another level ----
 
     void showTrack(std::shared_ptr<const ShownTrack> track); ///< or nullptr
     const std::shared_ptr<const ShownTrack> &track() const { return m_track; }
@@ -146,7 +146,7 @@ public:
     const Unknowns &unknowns() const { return m_unknowns; }
     void setUnknowns(const Unknowns &unknowns);
 
-    // ---- the past: what was played lately is kept, and can be gone back to ----
+    // ---- the past: the history of what was played, which can be shown and taken over ----
 
     bool isInPast() const { return m_past.has_value(); }
     RunPlace runPlace();

@@ -61,7 +61,7 @@ void LiveRun::restart() {
     begin();
 }
 
-// ---- what its next steps are made with ----
+// ---- inputs of the next steps ----
 
 void LiveRun::obey(const GivenInputs &given) {
     if (given.number < m_obeyed) return;
@@ -106,7 +106,7 @@ void LiveRun::goOnFrom(const Engine &from, const Stepper &stepper, uint64_t numb
     m_beginPlace = m_history.end();
 }
 
-// ---- into a file ----
+// ---- recording ----
 
 void LiveRun::startRecording(const QString &file, const Origin &origin) {
     endRecording();

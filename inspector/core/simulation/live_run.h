@@ -22,7 +22,7 @@ public:
     void stepOnce() override { step(Clock::now()); }
     void restart() override;
 
-    // ---- what its next steps are made with ----
+    // ---- inputs of the next steps ----
 
     void obey(const GivenInputs &given);
     void setScene(const Scene &scene, const Stepper &stepper, const Origin &origin);
@@ -40,13 +40,13 @@ public:
     /// would have made. Inputs given after `number` stay, even if they arrived earlier.
     void goOnFrom(const Engine &from, const Stepper &stepper, uint64_t number);
 
-    // ---- into a file ----
+    // ---- recording ----
 
     void startRecording(const QString &file, const Origin &origin);
     void endRecording();
     void flushRecording(); ///< the run may stay paused for long
 
-    // ---- in memory ----
+    // ---- history ----
 
     const History &history() const { return m_history; }
     uint64_t beginPlace() const {

@@ -57,7 +57,7 @@ void Presentation::leadGhost() {
     emit m_owner.comparisonRefused(m_ghostNumber, line);
 }
 
-// ---- what happened ----
+// ---- samples and events ----
 
 void Presentation::beginRun() {
     ++m_runCount;

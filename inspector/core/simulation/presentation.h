@@ -43,7 +43,7 @@ public:
 
     void setTrack(std::shared_ptr<const ShownTrack> track) { m_track = std::move(track); } ///< or nullptr
 
-    // ---- what happened ----
+    // ---- samples and events ----
 
     /// The state was set from outside: samples and events start over.
     void beginRun();

@@ -70,7 +70,7 @@ void ReplayRun::stepOnce() {
 
 void ReplayRun::restart() { m_sought = {0, m_seeks}; }
 
-// ---- going to another place ----
+// ---- seeking ----
 
 void ReplayRun::seek(uint64_t position, uint64_t number) { m_sought = {position, number}; }
 

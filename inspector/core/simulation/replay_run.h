@@ -24,7 +24,7 @@ public:
 
     const Stepper &stepper() const { return m_player.recording().stepper(m_player.segment()); } ///< of the last step
 
-    // ---- going to another place ----
+    // ---- seeking ----
 
     /// Requests a seek, done as soon as everything before the position is checked.
     void seek(uint64_t position, uint64_t number);
