@@ -11,10 +11,10 @@ namespace phys {
 namespace {
 
 /// More impacts than this in one step are refused.
-constexpr uint32_t kEventCap = 10'000;
+constexpr uint32_t kEventCap = 30'000;
 
 /// Nor may the search for them take more than this: some 50 ms.
-constexpr uint32_t kEffortCap = 100'000;
+constexpr uint32_t kEffortCap = 1'000'000;
 
 phys_status refuseEvents(phys_error *err) {
     return fail(err, PHYS_ERROR_EVENT_CAP, "this step has more than %u impacts: take a smaller dt", kEventCap);

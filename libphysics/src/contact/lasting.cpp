@@ -12,6 +12,11 @@ namespace {
 
 constexpr int kMostSweeps = 300;
 
+/// Rounds of sweeps that find the reactions together: a very rough contact may take turns with others for ever. Where
+/// friction feeds on the pressure that it makes, a slip that is far larger than the drive takes the longer ones.
+constexpr int kUsuallyTogether = 40;
+constexpr int kMostTogether = 100;
+
 /// Sweeps after which Newton's method is tried first; then after twice as many each time.
 constexpr int kFirstNewton = 12;
 
@@ -245,9 +250,8 @@ bool LastingContacts::settle(double rollingFriction, double negligible, bool rel
 }
 
 /// The same for contacts that share loads.
-bool LastingContacts::settleTogether(double rollingFriction, double negligible, Motion &motion) {
-    constexpr int kMostTogether = 40; // a very rough contact may take turns with others for ever
-    for (int i = 0; i < kMostTogether; ++i) {
+bool LastingContacts::settleTogether(double rollingFriction, double negligible, int most, Motion &motion) {
+    for (int i = 0; i < most; ++i) {
         const double pressed = pressTogether(negligible, motion);
         const bool arePressed = pressed != kNotPressed;
         const double swept = sweep(rollingFriction, arePressed, motion);
@@ -269,18 +273,21 @@ void LastingContacts::unload() {
 /// stays, and if that doesn't help nothing rubs.
 void LastingContacts::settleWithoutResistance(double negligible, const Motion &driven, Motion &motion) {
     if (shareLoads()) {
-        if (settleTogether(0.0, negligible, motion)) return;
+        if (settleTogether(0.0, negligible, kUsuallyTogether, motion)) return;
         unload();
         motion = driven;
     }
     if (settle(0.0, negligible, true, motion)) return;
     unload();
     motion = driven;
+    if (settleTogether(0.0, negligible, kMostTogether, motion)) return;
+    unload();
+    motion = driven;
     if (settle(0.0, negligible, false, motion)) return;
     unload();
     motion = driven;
     for (Lasting &contact : *this) contact.friction = 0.0;
-    if (!settleTogether(0.0, negligible, motion)) settle(0.0, negligible, true, motion);
+    if (!settleTogether(0.0, negligible, kUsuallyTogether, motion)) settle(0.0, negligible, true, motion);
 }
 
 /// Faces as far apart as the ball is wide may squeeze it without moving anything, but friction feeds on that. The law
@@ -348,7 +355,7 @@ void LastingContacts::solve(double rollingFriction, Motion &motion) {
     // The resistance depends on how contacts share their load.
     constexpr int kMostShares = 20;
     for (int i = 0; i < kMostShares; ++i) {
-        if (!shareLoads() || !settleTogether(rollingFriction, negligible, motion))
+        if (!shareLoads() || !settleTogether(rollingFriction, negligible, kUsuallyTogether, motion))
             settle(rollingFriction, negligible, true, motion);
         if (relieve() <= negligible) return;
     }

@@ -47,7 +47,7 @@ public:
 
 private:
     bool settle(double rollingFriction, double negligible, bool releases, Motion &motion);
-    bool settleTogether(double rollingFriction, double negligible, Motion &motion);
+    bool settleTogether(double rollingFriction, double negligible, int most, Motion &motion);
     bool solveByNewton(double rollingFriction, double negligible, bool isLast, Motion &motion);
     void settleWithoutResistance(double negligible, const Motion &driven, Motion &motion);
     void unload();

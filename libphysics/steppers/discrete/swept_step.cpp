@@ -19,16 +19,23 @@ Setting withTolerance(Setting setting) {
     return setting;
 }
 
-/// The time in which a ball moves by half its radius at most, and by a quarter more if friction makes speed of its
-/// spin, s.
-double safeTime(const PlanInput &input, const Ball &ball) {
-    const double safe = 0.5 * input.scene.radius;
+/// The time in which a ball under so strong a pull (m/s^2) moves by half its radius at most, s.
+double safeTime(double radius, double pull, const Ball &ball) {
+    const double safe = 0.5 * radius;
     const double speed = glm::length(ball.velocity);
-    const double gravity = glm::length(toVec(input.params.gravity));
-    const double root = speed + std::sqrt(speed * speed + 4.0 * gravity * safe);
-    const double forWay = root > 0.0 ? 2.0 * safe / root : INFINITY;
+    const double root = speed + std::sqrt(speed * speed + 4.0 * pull * safe);
+    return root > 0.0 ? 2.0 * safe / root : INFINITY;
+}
+
+/// The time in which friction that makes speed of a ball's spin moves it by a quarter of its radius at most, s.
+double safeTimeOfSpin(const PlanInput &input, const Ball &ball) {
     const double spin = input.params.model == PHYS_MODEL_RIGID ? glm::length(ball.spin) : 0.0;
-    return spin > 0.0 ? std::min(forWay, kSafeTurn / spin) : forWay;
+    return spin > 0.0 ? kSafeTurn / spin : INFINITY;
+}
+
+double safeTime(const PlanInput &input, const Ball &ball) {
+    const double pull = glm::length(toVec(input.params.gravity));
+    return std::min(safeTime(input.scene.radius, pull, ball), safeTimeOfSpin(input, ball));
 }
 
 } // namespace
@@ -42,7 +49,7 @@ SweptStep::SweptStep(const PlanInput &input, Reporter &reporter, const StepPlan 
     , m_ball(start) {}
 
 Ball SweptStep::at(double t, Reporter &reporter) const {
-    constexpr uint32_t kEffortOfContacts = 10;
+    constexpr uint32_t kEffortOfContacts = 40;
     ++m_effort;
     Step step(m_context.setting, reporter, m_plan, t);
     Ball ball = m_ball;
@@ -268,14 +275,35 @@ Vec3 SweptStep::slipOnTop(const Ball &ball) const {
     return slipAt(motionOf(ball), Vec3(0.0, 0.0, 1.0), m_context.radius());
 }
 
-/// How far this phase may be looked at in one piece, s.
+/// How far this phase may be looked at in one piece, s: the rest of the step, halved until nothing is near the way.
 double SweptStep::horizon() const {
     const double rest = m_input.dt - m_done;
     const bool isParabola = m_isAlone || m_contacts.empty();
-    for (double t = rest; isParabola && t > m_substep; t *= 0.5) {
-        if (isClear(t)) return t;
+    const auto halved = [&](int times) { return std::ldexp(rest, -times); };
+    if (isParabola && rest > m_substep) {
+        if (isClear(rest)) return rest;
+        // What is clear for longer is clear for less: between one that is and one that isn't, half of them at a time.
+        int tooLong = 0, clear = std::ilogb(rest / m_substep);
+        if (!(halved(clear) > m_substep)) --clear;
+        if (clear > 0 && isClear(halved(clear))) {
+            while (clear - tooLong > 1) {
+                const int middle = (clear + tooLong) / 2;
+                (isClear(halved(middle)) ? clear : tooLong) = middle;
+            }
+            return halved(clear);
+        }
     }
-    return std::min(rest, safeTime(m_input, m_ball));
+    return std::min(rest, safeTimeOfPhase());
+}
+
+/// The time in which the ball moves by half its radius at most, and by a quarter more by what its spin may do, s.
+double SweptStep::safeTimeOfPhase() const {
+    double friction = 0.0;
+    for (const Contact &contact : m_contacts) friction = std::max(friction, contact.friction);
+    // What presses on one top face is known.
+    const double pull = glm::length(m_context.setting.gravity()) * (m_isAlone ? 1.0 + friction : 1.0);
+    const double forWay = safeTime(m_context.radius(), pull, m_ball);
+    return m_isAlone || friction == 0.0 ? forWay : std::min(forWay, safeTimeOfSpin(m_input, m_ball));
 }
 
 /// Whether the box around the way of t seconds holds nothing but the face that the ball is on.
@@ -287,7 +315,7 @@ bool SweptStep::isClear(double t) const {
     const Vec3 high = glm::max(corner, glm::max(m_ball.position, end));
     bool isClear = true;
     m_context.scene().visitBoxes(low - margin, high + margin, [&](uint32_t i) {
-        ++m_effort;
+        ++m_boxes;
         const phys_box &box = m_context.scene().boxes[i];
         const bool carries = holds(i) && Scene::isOver(box, low.x, low.y) && Scene::isOver(box, high.x, high.y);
         isClear = isClear && carries;
@@ -320,7 +348,7 @@ bool SweptStep::isUneventful(double end, const Ball &last) const {
     const double apart = radius - 0.5 * m_context.scene().tolerance;
     bool isUneventful = true;
     m_context.scene().visitBoxes(low - radius, high + radius, [&](uint32_t number) {
-        ++m_effort;
+        ++m_boxes;
         const phys_box &box = m_context.scene().boxes[number];
         const Vec3 beside = glm::max(Vec3(0.0), glm::max(low - toVec(box.max), toVec(box.min) - high));
         isUneventful = isUneventful && (holds(number) || glm::dot(beside, beside) >= apart * apart);

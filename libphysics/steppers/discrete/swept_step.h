@@ -15,8 +15,8 @@ public:
 
     const Ball &ball() const { return m_ball; }
 
-    /// Places that the ball was tried at, those with several contacts counted by what they cost.
-    uint32_t effort() const { return m_effort; }
+    /// Places that the ball was tried at, and boxes that were looked at, by what they cost: a place in the air is 1.
+    uint32_t effort() const { return m_effort + m_boxes / kBoxesOfPlace; }
 
     /// Moves to the next event and lets it happen. True once the step's end is reached.
     bool toNextEvent();
@@ -53,6 +53,7 @@ private:
     double timeToStopOrRoll(double end);
     Vec3 slipOnTop(const Ball &ball) const;
     double horizon() const;
+    double safeTimeOfPhase() const;
     bool isClear(double t) const;
     bool isParabola(double end) const;
     bool isUneventful(double end, const Ball &last) const;
@@ -70,7 +71,8 @@ private:
     double m_substep; ///< s: longest way in contact at a time
     double m_slow;    ///< m/s: slower is none, for a contact that lasts
     Ball m_ball;
-    mutable uint32_t m_effort = 0;
+    static constexpr uint32_t kBoxesOfPlace = 16;
+    mutable uint32_t m_effort = 0, m_boxes = 0;
     double m_done = 0.0;     ///< s of the step that lie behind the ball
     Contacts m_contacts;     ///< the contacts of this phase
     bool m_isAlone = false;  ///< nothing but one top face is touched
