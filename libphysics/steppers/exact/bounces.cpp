@@ -45,8 +45,10 @@ void ExactStep::skipBounces() {
     if (!(clear > 0.0)) return;
     const double free = 2.0 * clear / (fast + std::sqrt(fast * fast + 2.0 * glm::length(pull) * clear));
     const double most = std::min(countOf(eps, std::min(free, m_left) / flight) - 1.0, kMostAtOnce);
-    const double count =
-        std::floor(eps == 1.0 ? most : std::min(most, elementary::log1p(-0.5) / elementary::log1p(eps - 1.0)));
+    // The last of them is found as without this: which it is must not depend on the steps in which they are made.
+    const double share = std::max(0.5, lastBounce(face, g) / speed);
+    const double decay = eps == 1.0 ? kNever : elementary::log1p(share - 1.0) / elementary::log1p(eps - 1.0) - 1.0;
+    const double count = std::floor(std::min(most, decay));
     if (!(count >= 1.0)) return;
     const auto timeOf = [&](double bounces) { return flight * geometric(eps, bounces); };
     const auto squaresOf = [&](double bounces) { return flight * flight * geometric(eps * eps, bounces); };
