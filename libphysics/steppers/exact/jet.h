@@ -121,4 +121,9 @@ struct Reach {
 End zeroOfSpeed(const Jet &speed, double until, const Reach &reach, double small, Cause cause, uint32_t contact,
                 Work &work);
 
+/// When a slip ends. Where it passes by zero and friction hardly bends it, the series of its speed are good for a
+/// shorter time than those of the slip: the phase ends with them. noise: as for validUntil.
+End endOfSlip(const Jet &speed, double until, const Reach &reach, double small, double noise, uint32_t contact,
+              Work &work);
+
 } // namespace phys

@@ -42,6 +42,14 @@ End zeroOfSpeed(const Jet &speed, double until, const Reach &reach, double small
     return {0.0, cause, contact, reach.unit * speed[0] / -speed[1]};
 }
 
+End endOfSlip(const Jet &speed, double until, const Reach &reach, double small, double noise, uint32_t contact,
+              Work &work) {
+    const double good = 0.8 * validUntil(speed, kOrder, noise);
+    End end = zeroOfSpeed(speed, std::min(until, good), reach, small, Cause::grip, contact, work);
+    if (good < until) end.cut({reach.unit * good, Cause::time, 0});
+    return end;
+}
+
 void Series::build(const Moment &moment, std::span<const Held> held, const Response &response, double unit,
                    uint32_t kept) {
     m_mirror = Mirror(moment, held);
@@ -492,7 +500,7 @@ End Series::end(double until, Work &work) const {
         if (force[0] <= noForce) force[0] += noForce;
         end.cut({unit() * firstFall(force, s, work), Cause::release, given(i)});
         if (contact.mode == Mode::slipping && !isIdle(contact, s)) {
-            end.cut(zeroOfSpeed(slipSpeed(contact), s, m_reach, kSlipEnds * speed, Cause::grip, given(i), work));
+            end.cut(endOfSlip(contact.speed, s, m_reach, kSlipEnds * speed, speed, given(i), work));
         } else if (contact.mode == Mode::sticking && !contact.held.isGlued && !contact.isKept) {
             Jet left = reserveOf(contact);
             const double zero = noReserve(contact);

@@ -28,8 +28,8 @@ Slide::Slide(const Moment &moment, const Faces &faces, const Vec3 &normal, const
         m_u[k + 1] = unit() / (k + 1) * (gravity - B * Vec2(2.5, 3.5) * m_d[k]);
     }
     // It only has to be known as well as the velocities that it is the difference of.
-    const double speed = std::min(glm::length(moment.velocity), m_radius * glm::length(m_spin));
-    m_reach.measure(validUntil(m_u, kOrder, speed));
+    m_fast = std::min(glm::length(moment.velocity), m_radius * glm::length(m_spin));
+    m_reach.measure(validUntil(m_u, kOrder, m_fast));
     m_rolling = moment.velocity[m_along] - 2.0 / 7.0 * m_u[0].y;
     m_start = m_g - B * m_d[0].y;
     m_limit = m_g - std::clamp(m_g, -B, B);
@@ -64,7 +64,7 @@ End Slide::end(double until, Work &work) const {
     End end{m_reach.horizon, Cause::time, 0};
     const double s = std::min(until, m_reach.horizon) / unit();
     end.cut({unit() * firstFall(m_pressure, s, work), Cause::release, m_faces.smooth});
-    end.cut(zeroOfSpeed(m_speed, s, m_reach, m_small, Cause::grip, m_faces.rough, work));
+    if (m_limitOfFriction > 0.0) end.cut(endOfSlip(m_speed, s, m_reach, m_small, m_fast, m_faces.rough, work));
     return end;
 }
 

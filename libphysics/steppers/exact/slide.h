@@ -35,6 +35,7 @@ private:
     int m_along;              ///< the axis along both faces
     Vec3 m_normal, m_spin;    ///< of the rough face; at the start
     double m_radius, m_small; ///< m; m/s: speed that is rounding
+    double m_fast;            ///< m/s: the lesser of the velocities that the slip is the difference of
     double m_limitOfFriction; ///< mu N, m/s^2
     double m_rolling, m_g;    ///< along both faces: the velocity less 2/7 of the slip; gravity
     double m_start, m_limit;  ///< m/s^2: acceleration along both faces at first, and what it tends to
