@@ -33,7 +33,9 @@ inline bool stay(const PlanInput &input, LastFooting &footing, phys_state &out) 
     const phys_state &in = input.state;
     const bool isStill = in.velocity.x == 0.0 && in.velocity.y == 0.0 && in.velocity.z == 0.0 && in.spin.x == 0.0 &&
                          in.spin.y == 0.0 && in.spin.z == 0.0;
-    if (!isStill || !footing.holds(input.params, in.position)) return false;
+    if (!isStill) return false;
+    const uint64_t held = in.flags & PHYS_AT_REST ? footing.flagsOfHeld(input.params, in.position) : 0;
+    if (!held && !footing.holds(input.params, in.position)) return false;
     const phys_box &bounds = input.scene.bounds;
     const bool isInside = in.position.x >= bounds.min.x && in.position.x <= bounds.max.x &&
                           in.position.y >= bounds.min.y && in.position.y <= bounds.max.y;
@@ -42,7 +44,7 @@ inline bool stay(const PlanInput &input, LastFooting &footing, phys_state &out) 
         std::memcpy(out.orientation, in.orientation, sizeof out.orientation);
     }
     out.velocity = out.spin = {0.0, 0.0, 0.0};
-    out.flags = isInside ? PHYS_AT_REST : PHYS_AT_REST | PHYS_OUT;
+    out.flags = held ? held : isInside ? PHYS_AT_REST : PHYS_AT_REST | PHYS_OUT;
     return true;
 }
 

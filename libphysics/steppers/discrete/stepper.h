@@ -88,6 +88,7 @@ struct DiscreteStepper {
         Ball before = loadBall(*in);
         if (!stepPlan.asReported && before.velocity == Vec3(0.0) && substep.rests(before)) {
             finishStep(substep, input, before, before, stepPlan, reporter, *out);
+            if (out->flags & PHYS_AT_REST) places.footing().keepHeld(*params, *out);
             return PHYS_OK;
         }
         if (reporter.wanted()) before.supported = substep.supports(before);
