@@ -14,8 +14,9 @@ namespace witness {
 namespace {
 
 constexpr int kStepCounts[kSizes] = {400, 800, 1600};
-constexpr int kFiner = 16; ///< times as many steps, where those are too few to see the order
-constexpr Real kUsual = 6; ///< errors are below this times what a disturbance of the stepper's order does
+constexpr int kFiner = 16;     ///< times as many steps, where those are too few to see the order
+constexpr Real kAmplified = 4; ///< times a shift of the start: what a motion makes of it that goes the same way
+constexpr Real kUsual = 6;     ///< errors are below this times what a disturbance of the stepper's order does
 
 Motion motionOf(const phys_state &state) {
     return {vectorOf(state.position), vectorOf(state.velocity), vectorOf(state.spin)};
@@ -239,7 +240,7 @@ Convergence compare(const phys_registry *registry, const std::string &stepper, c
         const std::vector<Real> &more = best.spread(factor * disturbance, factor * shift);
         bool isEnough = true;
         for (int i = 0; i < kCheckpoints; ++i) {
-            const bool tookAnotherWay = more[i] > 0.1L * scene.radius;
+            const bool tookAnotherWay = more[i] > 0.1L * scene.radius + kAmplified * factor * shift;
             spread[i] = std::max(spread[i], tookAnotherWay ? more[i] : more[i] / factor);
             isEnough = isEnough && isAllowed(i);
         }
