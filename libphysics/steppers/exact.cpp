@@ -4,6 +4,7 @@
 #include "discrete/requirements.h"
 #include "exact/exact_step.h"
 #include "registry/built_in_steppers.h"
+#include "shared/resting_place.h"
 
 #include <bit>
 #include <cmath>
@@ -12,7 +13,7 @@ namespace phys {
 
 namespace {
 
-/// What a step needs; nothing of one is kept for the next, as regions follow from the scene.
+/// What a step needs. What is kept for the next follows from the scene: no answer depends on it.
 struct Exact {
     explicit Exact(const Scene &ofScene)
         : scene(ofScene)
@@ -20,6 +21,7 @@ struct Exact {
 
     const Scene &scene;
     FloorRegions regions;
+    RestingPlace resting;
 };
 
 phys_status create(const phys_scene_view *view, void **self, phys_error *) {
@@ -42,16 +44,31 @@ phys_params withoutNegligibleGravity(phys_params params) {
     return params;
 }
 
+phys_status advance(Exact &self, const phys_params &params, double dt, const phys_state &in, phys_state &out,
+                    phys_report *report, phys_error *err) {
+    const double duration = isNegligible(dt) ? 0.0 : dt;
+    const phys_vec3 &g = params.gravity;
+    if (isNegligible(g.x) || isNegligible(g.y) || isNegligible(g.z)) [[unlikely]] {
+        const phys_params clean = withoutNegligibleGravity(params);
+        return ExactStep(self.scene, self.regions, clean, duration, in, report, err).advance(out);
+    }
+    return ExactStep(self.scene, self.regions, params, duration, in, report, err).advance(out);
+}
+
 phys_status stepExact(void *self, const phys_params *params, double dt, const phys_state *in, phys_state *out,
                       phys_report *report, phys_error *err) {
-    auto &[scene, regions] = *static_cast<Exact *>(self);
-    const double duration = isNegligible(dt) ? 0.0 : dt;
-    const phys_vec3 &g = params->gravity;
-    if (isNegligible(g.x) || isNegligible(g.y) || isNegligible(g.z)) [[unlikely]] {
-        const phys_params clean = withoutNegligibleGravity(*params);
-        return ExactStep(scene, regions, clean, duration, *in, report, err).advance(*out);
+    Exact &exact = *static_cast<Exact *>(self);
+    if (!standsStill(*in)) return advance(exact, *params, dt, *in, *out, report, err);
+    const uint64_t flags = report ? 0 : exact.resting.flagsOf(*params, *in);
+    if (flags) {
+        leaveResting(*in, flags, *out);
+        return PHYS_OK;
     }
-    return ExactStep(scene, regions, *params, duration, *in, report, err).advance(*out);
+    const phys_vec3 place = in->position;
+    if (const phys_status status = advance(exact, *params, dt, *in, *out, report, err)) return status;
+    const bool stays = standsStill(*out) && (out->flags & PHYS_AT_REST) && toVec(out->position) == toVec(place);
+    if (stays) exact.resting.keep(*params, *out);
+    return PHYS_OK;
 }
 
 phys_status requirementsOfExact(void *self, const phys_params *params, double dt, const phys_state *state,

@@ -40,7 +40,7 @@ phys_status requirementsOfSwept(void *self, const phys_params *params, double dt
     return PHYS_OK;
 }
 
-phys_status sweepStep(const PlanInput &input, LastFooting &footing, phys_state &out, phys_report *report,
+phys_status sweepStep(const PlanInput &input, RestingPlace &resting, phys_state &out, phys_report *report,
                       phys_error *err) {
     const auto &[scene, params, dt, in] = input;
     Reporter reporter(report, in.time);
@@ -54,7 +54,7 @@ phys_status sweepStep(const PlanInput &input, LastFooting &footing, phys_state &
     if (before.velocity == Vec3(0.0) && whole.rests(before)) {
         const bool isInPlace = before.position == toVec(in.position);
         finishStep(whole, input, before, before, plan, reporter, out);
-        if (isInPlace && (out.flags & PHYS_AT_REST)) footing.keepHeld(params, out);
+        if (isInPlace && (out.flags & PHYS_AT_REST)) resting.keep(params, out);
         return PHYS_OK;
     }
     if (reporter.wanted()) before.supported = whole.supports(before);
@@ -73,8 +73,8 @@ phys_status stepSwept(void *self, const phys_params *params, double dt, const ph
                       phys_report *report, phys_error *err) {
     KnownPlaces &places = *static_cast<KnownPlaces *>(self);
     const PlanInput input{places.scene(), *params, dt, *in};
-    if (!report && stay(input, places.footing(), *out)) return PHYS_OK;
-    return sweepStep(input, places.footing(), *out, report, err);
+    if (!report && stay(input, places, *out)) return PHYS_OK;
+    return sweepStep(input, places.resting(), *out, report, err);
 }
 
 } // namespace

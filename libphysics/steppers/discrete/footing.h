@@ -5,7 +5,7 @@
 #include "contact/contact.h"
 #include "floor_contact.h"
 
-#include <cstring>
+#include <cmath>
 
 namespace phys {
 
@@ -54,28 +54,12 @@ public:
         return m_footing.isEasy(params) && m_footing.holds(params);
     }
 
-    /// The flags of a ball that stands still at this place under these parameters, if it was last found to stay there;
-    /// or 0. That follows from the three, so that no answer depends on what is kept.
-    uint64_t flagsOfHeld(const phys_params &params, const phys_vec3 &place) const {
-        const bool isSame = place.x == m_heldAt.x && place.y == m_heldAt.y && place.z == m_heldAt.z &&
-                            std::memcmp(&params, &m_heldBy, sizeof params) == 0;
-        return isSame ? m_heldFlags : 0;
-    }
-    void keepHeld(const phys_params &params, const phys_state &state) {
-        m_heldAt = toVec(state.position);
-        m_heldBy = params;
-        m_heldFlags = state.flags;
-    }
-
 private:
     void lookAt(const phys_params &params, const Vec3 &place);
 
     const Scene &m_scene;
     Vec3 m_place{NAN}; ///< nowhere yet
     Footing m_footing;
-    Vec3 m_heldAt{NAN};
-    phys_params m_heldBy{};
-    uint64_t m_heldFlags = 0;
 };
 
 } // namespace phys

@@ -6,8 +6,7 @@
 #include "footing.h"
 #include "requirements.h"
 #include "shared/floor_region.h"
-
-#include <cstring>
+#include "shared/resting_place.h"
 
 namespace phys {
 
@@ -20,31 +19,29 @@ public:
     const Scene &scene() const { return m_footing.scene(); }
     LastFooting &footing() { return m_footing; }
     FloorRegions &regions() { return m_regions; }
+    RestingPlace &resting() { return m_resting; }
 
 private:
     LastFooting m_footing;
     FloorRegions m_regions;
+    RestingPlace m_resting;
 };
 
 /// The cheapest step: a ball that stands still stays where it is, as the full step would find too. False, with `out`
 /// untouched, if the ball moves or may begin to.
-inline bool stay(const PlanInput &input, LastFooting &footing, phys_state &out) {
+inline bool stay(const PlanInput &input, KnownPlaces &places, phys_state &out) {
     if (input.params.options != 0 || input.params.stepper[0] != 0.0) return false;
     const phys_state &in = input.state;
-    const bool isStill = in.velocity.x == 0.0 && in.velocity.y == 0.0 && in.velocity.z == 0.0 && in.spin.x == 0.0 &&
-                         in.spin.y == 0.0 && in.spin.z == 0.0;
-    if (!isStill) return false;
-    const uint64_t held = in.flags & PHYS_AT_REST ? footing.flagsOfHeld(input.params, in.position) : 0;
-    if (!held && !footing.holds(input.params, in.position)) return false;
-    const phys_box &bounds = input.scene.bounds;
-    const bool isInside = in.position.x >= bounds.min.x && in.position.x <= bounds.max.x &&
-                          in.position.y >= bounds.min.y && in.position.y <= bounds.max.y;
-    if (&out != &in) {
-        out.position = in.position;
-        std::memcpy(out.orientation, in.orientation, sizeof out.orientation);
+    if (!standsStill(in)) return false;
+    uint64_t flags = places.resting().flagsOf(input.params, in);
+    if (!flags) {
+        if (!places.footing().holds(input.params, in.position)) return false;
+        const phys_box &bounds = input.scene.bounds;
+        const bool isInside = in.position.x >= bounds.min.x && in.position.x <= bounds.max.x &&
+                              in.position.y >= bounds.min.y && in.position.y <= bounds.max.y;
+        flags = isInside ? PHYS_AT_REST : PHYS_AT_REST | PHYS_OUT;
     }
-    out.velocity = out.spin = {0.0, 0.0, 0.0};
-    out.flags = held ? held : isInside ? PHYS_AT_REST : PHYS_AT_REST | PHYS_OUT;
+    leaveResting(in, flags, out);
     return true;
 }
 

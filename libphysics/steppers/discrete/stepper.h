@@ -75,7 +75,7 @@ struct DiscreteStepper {
         KnownPlaces &places = *static_cast<KnownPlaces *>(self);
         const Scene &scene = places.scene();
         const PlanInput input{scene, *params, dt, *in};
-        if (!report && stay(input, places.footing(), *out)) return PHYS_OK;
+        if (!report && stay(input, places, *out)) return PHYS_OK;
         const StepPlan stepPlan = plan(input);
         if (stepPlan.substeps > kSubstepCap) return refuseSubsteps(stepPlan.substeps, err);
 
@@ -88,7 +88,7 @@ struct DiscreteStepper {
         Ball before = loadBall(*in);
         if (!stepPlan.asReported && before.velocity == Vec3(0.0) && substep.rests(before)) {
             finishStep(substep, input, before, before, stepPlan, reporter, *out);
-            if (out->flags & PHYS_AT_REST) places.footing().keepHeld(*params, *out);
+            if (out->flags & PHYS_AT_REST) places.resting().keep(*params, *out);
             return PHYS_OK;
         }
         if (reporter.wanted()) before.supported = substep.supports(before);
