@@ -160,6 +160,20 @@ const std::vector<Real> &Truth::spread(Real disturbance, Real shift) const {
     return found->second;
 }
 
+/// The start moved along this way, but no further than until the ball touches what is there.
+phys_state moved(const Case &scene, const Vector &way) {
+    Case other = scene;
+    Real free = 0;
+    Real taken = 1;
+    for (Real part = 1; taken - free > 1e-12L; part = (free + taken) / 2) {
+        other.start.position = rounded(vectorOf(scene.start.position) + part * way);
+        (isLawful(other) ? free : taken) = part;
+        if (free == 1) return other.start;
+    }
+    other.start.position = rounded(vectorOf(scene.start.position) + free * way);
+    return other.start;
+}
+
 std::vector<Real> Truth::disturb(Real disturbance, Real shift) const {
     std::vector<Real> most(kCheckpoints, 0);
     const Motion start = motionOf(m_scene.start);
@@ -184,9 +198,7 @@ std::vector<Real> Truth::disturb(Real disturbance, Real shift) const {
         compare(law, faster);
         // Which of two walls comes first hangs on the place.
         for (const Vector &direction : {Vector{1, 0, 0}, Vector{0, 1, 0}}) {
-            Case moved = m_scene;
-            moved.start.position = rounded(start.place + sign * shift * direction);
-            if (isLawful(moved)) compare(law, motionOf(moved.start));
+            compare(law, motionOf(moved(m_scene, sign * shift * direction)));
         }
         Motion turned = start;
         turned.velocity += off * Vector{-start.velocity.y, start.velocity.x, 0};
