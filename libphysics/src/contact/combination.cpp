@@ -98,6 +98,9 @@ bool isWithinCone(const Combination &c, uint32_t i, double zero) {
     return reserve(c.held[i], c.reactions[i], c.rolling) >= -2.0 * most * mu * c.reactions[i].pressure - zero * zero;
 }
 
+/// Whether a slip starts just now, in the direction that another contact leaves it, which sticks.
+bool isSpent(const Combination &c, uint32_t i) { return (c.spent >> i & 1U) && c.onlySticking() < c.count(); }
+
 } // namespace
 
 bool fits(const Combination &c, double zero) {
@@ -111,7 +114,7 @@ bool fits(const Combination &c, double zero) {
             break;
         case Mode::starting:
             if (std::abs(apart) > zero || reaction.pressure < leastPressure) return false;
-            if (glm::dot(slipRate(c, i), reaction.direction) <= zero) return false;
+            if (glm::dot(slipRate(c, i), reaction.direction) <= (isSpent(c, i) ? -zero : zero)) return false;
             break;
         case Mode::sticking:
             if (std::abs(apart) > zero || reaction.pressure < -zero) return false;

@@ -19,10 +19,21 @@ struct Combination {
     Vec3 acceleration{0.0}, spinAcceleration{0.0};
     std::array<uint32_t, kMostHeld> column{}; ///< first unknown of each contact
     uint32_t unknowns = 0;
+    uint32_t spent = 0; ///< bits of contacts whose friction is spent: they may start without an acceleration
 
     uint32_t count() const { return static_cast<uint32_t>(held.size()); }
     std::span<const Reaction> list() const { return {reactions.data(), held.size()}; }
     bool sticks(uint32_t i) const { return reactions[i].mode == Mode::sticking; }
+    /// The one contact that sticks; count() if none does, or several.
+    uint32_t onlySticking() const {
+        uint32_t only = count();
+        for (uint32_t i = 0; i < count(); ++i) {
+            if (!sticks(i)) continue;
+            if (only < count()) return count();
+            only = i;
+        }
+        return only;
+    }
     bool isOpen(uint32_t i) const { return reactions[i].mode == Mode::open; }
     bool isHeld() const { return squared(rolling) < 1.0 - 1e-12; }
 

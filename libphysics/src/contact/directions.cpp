@@ -147,7 +147,8 @@ uint32_t resisted(const Combination &c) {
     return i;
 }
 
-/// Directions in which slips begin: against the friction that would be needed to stop them.
+/// Directions in which slips begin: against the friction that would be needed to stop them. Where one other contact
+/// sticks, the ball can only turn about the line through both: the slip is across both normals.
 bool aimStarts(Combination &c) {
     Combination stuck = c;
     bool starts = false;
@@ -158,9 +159,15 @@ bool aimStarts(Combination &c) {
     }
     if (!starts) return true;
     solve(stuck);
+    const uint32_t fixed = c.onlySticking();
     for (uint32_t i = 0; i < c.count(); ++i) {
         if (c.reactions[i].mode != Mode::starting) continue;
-        c.reactions[i].direction = -hat(tangential(stuck.reactions[i].force, c.held[i].normal));
+        Vec3 friction = tangential(stuck.reactions[i].force, c.held[i].normal);
+        if (fixed < c.count()) {
+            const Vec3 free = hat(glm::cross(c.held[i].normal, c.held[fixed].normal));
+            if (free != Vec3(0.0)) friction = glm::dot(friction, free) * free;
+        }
+        c.reactions[i].direction = -hat(friction);
         if (c.reactions[i].direction == Vec3(0.0)) return false;
     }
     return true;

@@ -89,6 +89,7 @@ Response enumerate(const Moment &moment, std::span<const Held> held, Work &work,
     std::array<uint32_t, kMostHeld> numbers{};
     do {
         Combination c{moment, held, work};
+        c.spent = excluded.sticking;
         if (!setModes(c, numbers, known, excluded)) continue;
         const bool isSettled = settle(c);
         const size_t fit = fitOf(c, isSettled, bestFit, scale);

@@ -253,7 +253,7 @@ void ExactStep::buildSeries(Series &series) {
         const uint32_t opening = series.opening() & ~excluded.closed;
         const uint32_t slipping = series.spent(slips) & ~(spent | kept);
         if (!opening && !slipping) return;
-        if (!opening && countSticking() == 1) {
+        if (!opening && countSticking() == 1 && excluded.sticking == 0) {
             spent |= slipping;
             withoutResistance(slipping);
             continue;

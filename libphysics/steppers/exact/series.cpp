@@ -11,26 +11,13 @@ namespace {
 constexpr double kInverseInertia = 2.5; // m R^2 / I of a solid ball
 constexpr double kNoForce = 1e-12;      // relative to the accelerations
 constexpr double kDirectionNoise = 4.0 * 0x1p-52;
-constexpr double kStalls = 0x1p-7;    // share that a slip loses while its series are good: its direction is rounding
-constexpr double kKeptFor = 0.25;     // of the unit: what sticks only by prestress is looked at again and again
-constexpr double kLookAhead = 0x1p-6; // of the horizon: where a force that is zero shows its sign
+constexpr double kStalls = 0x1p-7; // share that a slip loses while its series are good: its direction is rounding
+constexpr double kKeptFor = 0.25;  // of the unit: what sticks only by prestress is looked at again and again
 
 /// What rows of the roughest contacts are divided by: beside longer ones the others would count as none.
 double unitOfFriction(double mu) { return std::max(mu, 1.0); }
 
 Vec3 axisOf(uint32_t i) { return {i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0}; }
-
-Vec3 unitOf(const Vec3 &v) {
-    const double size = glm::length(v);
-    return size > 0.0 ? v / size : Vec3(0.0);
-}
-
-/// Whether what is zero, give or take, falls in the moments to come: the sign of the first value that isn't.
-bool falls(const Jet &f, double zero, double end) {
-    double s = 0x1p-30 * end;
-    while (s < end && std::abs(f.at(s)) <= 2.0 * zero) s *= 2.0;
-    return f.at(std::min(s, end)) < -zero;
-}
 
 } // namespace
 
@@ -72,11 +59,14 @@ void Series::build(const Moment &moment, std::span<const Held> held, const Respo
         contact.r[0] = m_mirror.seen(reaction.force);
         contact.N[0] = reaction.pressure;
         contact.d[0] = m_mirror.seen(reaction.direction);
-        contact.column = m_unknowns;
-        const bool isVector = reaction.mode == Mode::sticking || reaction.mode == Mode::spent;
-        m_unknowns += isVector ? 3 : reaction.mode == Mode::starting ? 4 : 1;
         if (reaction.mode == Mode::sticking && contact.held.resistance > 0.0) m_rolls = m_count;
         ++m_count;
+    }
+    findPartners();
+    for (Contact &contact : contacts()) {
+        contact.column = m_unknowns;
+        const bool isVector = contact.mode == Mode::sticking || contact.mode == Mode::spent;
+        m_unknowns += isVector ? 3 : contact.mode == Mode::starting ? 4 : 1;
     }
     begin(response);
     for (int k = 1; k < kOrder; ++k) {
@@ -94,9 +84,28 @@ void Series::build(const Moment &moment, std::span<const Held> held, const Respo
     // A slip of few digits has a direction of few digits, and forces have as many.
     m_noForce = kNoForce * accelerationScale(m_moment);
     for (const Contact &contact : contacts()) {
-        if (contact.mode != Mode::slipping) continue;
+        if (contact.mode != Mode::slipping || contact.partner < m_count) continue;
         m_noForce +=
             contact.held.friction * contact.N[0] * kDirectionNoise * speedScale(m_moment) / glm::length(contact.u[0]);
+    }
+}
+
+/// Slips that start while one other contact sticks: the ball turns about the line through both.
+void Series::findPartners() {
+    uint32_t sticking = 0, partner = kMostHeld;
+    for (uint32_t i = 0; i < m_count; ++i) {
+        m_contacts[i].partner = kMostHeld;
+        if (m_contacts[i].mode != Mode::sticking) continue;
+        ++sticking;
+        partner = i;
+    }
+    if (sticking != 1) return;
+    for (Contact &contact : contacts()) {
+        if (contact.mode != Mode::starting) continue;
+        const Vec3 free = glm::cross(contact.n[0], m_contacts[partner].n[0]);
+        if (free == Vec3(0.0)) continue;
+        contact.partner = partner;
+        contact.mode = Mode::slipping;
     }
 }
 
@@ -134,6 +143,8 @@ void Series::move(int k) {
     m_om[k + 1] = step * m_al[k];
     for (Contact &contact : contacts()) {
         contact.n[k + 1] = contact.isFlat ? Vec3(0.0) : contact.held.across * m_p[k + 1] / m_moment.radius;
+    }
+    for (Contact &contact : contacts()) {
         contact.u[k + 1] = Vec3(0.0);
         if (contact.mode == Mode::slipping) {
             contact.u[k + 1] = m_v[k + 1] + m_moment.radius * contact.crossNormal(m_om, k + 1);
@@ -183,6 +194,13 @@ void Series::directions(Contact &contact, int k) {
         }
         alongE = (alongE - glm::dot(friction, e) / contact.held.friction) / contact.N[0];
         contact.d[k] = alongD * d0 + alongE * e + alongN * n0;
+        return;
+    }
+    if (contact.partner < m_count) {
+        contact.free[k] = glm::dot(contact.d[0], glm::cross(contact.n[0], m_contacts[contact.partner].n[0])) > 0.0
+                              ? contact.crossNormal(m_contacts[contact.partner].n, k)
+                              : -contact.crossNormal(m_contacts[contact.partner].n, k);
+        addDirectionTerm(&contact.free[0], k, contact.speed, contact.d);
         return;
     }
     // The slip itself, or its quotient by the time where it starts.
@@ -417,68 +435,10 @@ double Series::least(const Vec3 &n, double, double t, double until) const {
 }
 
 Jet Series::slipSpeed(const Contact &contact) const {
-    if (contact.mode == Mode::slipping) return contact.speed;
+    if (contact.mode == Mode::slipping && contact.partner == kMostHeld) return contact.speed;
     Jet speed;
     for (int k = 0; k <= kOrder; ++k) speed[k] = dotTerm(contact.u, contact.d, k);
     return speed;
-}
-
-/// Without what rolling resistance needs: model.md 2.2.
-VecJet Series::frictionOf(const Contact &contact) const {
-    VecJet friction;
-    for (int k = 0; k <= kOrder; ++k) friction[k] = contact.r[k] - termOf(contact.N, contact.n, k);
-    if (m_rolls < m_count && &contact == &m_contacts[m_rolls]) {
-        const double share = 5.0 / 7.0 * contact.held.resistance;
-        for (int k = 0; k <= kOrder; ++k) {
-            friction[k] += share * glm::cross(termOf(contact.N, m_rolling, k), contact.held.normal);
-        }
-    }
-    return friction;
-}
-
-/// (mu N)^2 less the square of the friction.
-Jet Series::reserveOf(const Contact &contact) const {
-    const VecJet friction = frictionOf(contact);
-    Jet left;
-    const double mu = contact.held.friction;
-    for (int k = 0; k <= kOrder; ++k) {
-        left[k] = mu * mu * termOf(contact.N, contact.N, k) - dotTerm(friction, friction, k);
-    }
-    left[kOrder] = 0.0;
-    return left;
-}
-
-/// A reserve that is none but for rounding.
-double Series::noReserve(const Contact &contact) const {
-    const double mu = contact.held.friction;
-    return 2.0 * (m_noForce + roundingOfLimit(m_moment, mu)) * mu * contact.N[0];
-}
-
-uint32_t Series::opening() const {
-    uint32_t bits = 0;
-    const double zero = m_noForce;
-    for (uint32_t i = 0; i < m_count; ++i) {
-        const Jet &N = m_contacts[i].N;
-        if (N[0] <= zero && falls(N, zero, kLookAhead * horizon() / unit())) bits |= 1U << given(i);
-    }
-    return bits;
-}
-
-uint32_t Series::spent(std::span<Vec3> slips) const {
-    uint32_t bits = 0;
-    const double soon = kLookAhead * horizon() / unit();
-    for (uint32_t i = 0; i < m_count; ++i) {
-        const Contact &contact = m_contacts[i];
-        if (contact.mode != Mode::sticking || contact.held.isGlued || contact.isKept) continue;
-        const Jet left = reserveOf(contact);
-        const double most = contact.held.friction * contact.N[0], zero = noReserve(contact);
-        if (left[0] > zero || !falls(left, zero, soon)) continue;
-        bits |= 1U << given(i);
-        // Where all friction is less than rounding it has no direction yet.
-        const VecJet friction = frictionOf(contact);
-        slips[given(i)] = m_mirror.back(-unitOf(2.0 * left[0] < most * most ? friction[0] : friction.at(soon)));
-    }
-    return bits;
 }
 
 /// Whether a contact presses by no more than rounding until s. Its friction moves nothing then, and the series of its
@@ -500,11 +460,11 @@ End Series::end(double until, Work &work) const {
         if (force[0] <= noForce) force[0] += noForce;
         end.cut({unit() * firstFall(force, s, work), Cause::release, given(i)});
         if (contact.mode == Mode::slipping && !isIdle(contact, s)) {
+            if (contact.partner < m_count) continue;
             end.cut(endOfSlip(contact.speed, s, m_reach, kSlipEnds * speed, speed, given(i), work));
         } else if (contact.mode == Mode::sticking && !contact.held.isGlued && !contact.isKept) {
-            Jet left = reserveOf(contact);
-            const double zero = noReserve(contact);
-            if (left[0] <= zero) left[0] += zero + noForce * noForce;
+            auto [left, none] = reserveOf(contact);
+            if (left[0] <= none) left[0] += none + noForce * noForce;
             end.cut({unit() * firstFall(left, s, work), Cause::spent, given(i)});
         }
     }

@@ -51,8 +51,9 @@ private:
         Held held;
         Mode mode;
         bool isKept;
-        bool isFlat; ///< a face, whose normal never turns
-        VecJet n, u, d, r;
+        bool isFlat;             ///< a face, whose normal never turns
+        uint32_t partner;        ///< what sticks while this starts to slip, so that it does across both normals
+        VecJet n, u, d, r, free; ///< free: across both normals
         Jet N;
         Jet speed;      ///< of the slip, or of its quotient by the time when it starts
         Vec3 rateKnown; ///< of the slip at the present order, without what the unknowns add
@@ -67,6 +68,11 @@ private:
             for (int j = 0; j <= lastNormal(k); ++j) sum += glm::cross(n[j], b[k - j]);
             return sum;
         }
+    };
+
+    struct Reserve {
+        Jet left;    ///< (m/s^2)^2
+        double none; ///< a reserve that is none but for rounding
     };
 
     Mirror m_mirror{Moment{}, {}};
@@ -87,6 +93,7 @@ private:
     std::span<const Contact> contacts() const { return {m_contacts.data(), m_count}; }
     uint32_t given(uint32_t i) const { return m_index[i]; }
 
+    void findPartners();
     void begin(const Response &response);
     void forces(int k);
     void knownForces(Contact &contact, int k);
@@ -102,8 +109,10 @@ private:
     void directions(Contact &contact, int k);
     void measure();
     VecJet frictionOf(const Contact &contact) const;
-    Jet reserveOf(const Contact &contact) const;
-    double noReserve(const Contact &contact) const;
+    const Contact *otherSticking(const Contact &contact) const;
+    Reserve reserveOf(const Contact &contact) const;
+    bool takeReserve(const Contact &contact, const Contact &other, const VecJet &friction, Reserve &reserve) const;
+    double noReserve(const Contact &contact, double pressure) const;
     Jet slipSpeed(const Contact &contact) const;
     bool isIdle(const Contact &contact, double s) const;
 };
