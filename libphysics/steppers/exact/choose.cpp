@@ -232,7 +232,7 @@ void ExactStep::buildSeries(Series &series) {
     }
     const double longest = std::max(unit, m_left);
     Excluded excluded;
-    uint32_t spent = 0, kept = 0;
+    uint32_t spent = 0, kept = 0, together = 0;
     std::array<Vec3, kMostHeld> slips{}; // directions of those that are spent
     for (int change = 0; change < 8; ++change) {
         bool hasShrunk = false;
@@ -250,6 +250,12 @@ void ExactStep::buildSeries(Series &series) {
             hasShrunk = !isLong;
             unit = isLong ? std::min(4.0 * unit, longest) : std::max(series.suitableUnit(), 0x1p-8 * unit);
         }
+        if (together && series.slipsBack(together)) {
+            spent &= ~together;
+            kept |= together;
+            together = 0;
+            continue;
+        }
         const uint32_t opening = series.opening() & ~excluded.closed;
         const uint32_t slipping = series.spent(slips) & ~(spent | kept);
         if (!opening && !slipping) return;
@@ -258,19 +264,31 @@ void ExactStep::buildSeries(Series &series) {
             withoutResistance(slipping);
             continue;
         }
-        // Contacts that stick together slip with an acceleration from the start, if at all: their directions are bound.
+        // Of contacts that stick together one starts in the direction that another leaves it, or else two at once.
         excluded.closed |= opening;
         excluded.sticking |= opening ? 0 : slipping;
         const Response changed = respond(moment(), held(), m_work, excluded);
-        if (changed.isFound) {
+        if (changed.isFound && (opening || countSticking() != 2 || startsBeside(changed))) {
             m_response = changed;
             continue;
         }
         excluded.sticking &= ~slipping;
         excluded.closed &= ~opening;
         if (opening) return;
-        kept |= slipping;
+        together = series.spentTogether(slips);
+        spent |= together;
+        kept |= together ? 0 : slipping;
     }
+}
+
+/// Whether one contact starts to slip while another one sticks.
+bool ExactStep::startsBeside(const Response &response) const {
+    bool starts = false, sticks = false;
+    for (const Reaction &reaction : response.list()) {
+        starts = starts || reaction.mode == Mode::starting;
+        sticks = sticks || reaction.mode == Mode::sticking;
+    }
+    return starts && sticks;
 }
 
 /// A ball that begins to slip rolls no longer, so that nothing resists its rolling.

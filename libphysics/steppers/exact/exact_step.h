@@ -118,6 +118,7 @@ private:
     bool restsNow() const;
     void buildSeries(Series &series);
     uint32_t countSticking() const;
+    bool startsBeside(const Response &response) const;
     void withoutResistance(uint32_t slipping);
     void noteContacts();
 

@@ -51,6 +51,24 @@ Jet squaresApart(double mu2, const Jet &limit2, const Jet &needed2) {
     return left;
 }
 
+/// Of forces along a line between two contacts, those that bring the force at one into its cone.
+struct Range {
+    double least, most;
+};
+constexpr Range kNone{kNever, -kNever};
+
+/// r, n: force and normal at the contact, pressed by what is along the line.
+Range rangeOfCone(double mu, const Vec3 &r, const Vec3 &n, const Vec3 &along) {
+    // |r + s along|^2 = (1 + mu^2) (n.(r + s along))^2
+    const double most = 1.0 + mu * mu, rn = glm::dot(r, n), ln = glm::dot(along, n);
+    const double q2 = glm::dot(along, along) - most * ln * ln, q1 = glm::dot(r, along) - most * rn * ln;
+    const double discriminant = q1 * q1 - q2 * (glm::dot(r, r) - most * rn * rn);
+    if (discriminant < 0.0) return kNone;
+    const double root = std::sqrt(discriminant), low = (-q1 - root) / q2, high = (-q1 + root) / q2;
+    if (q2 < 0.0) return {low, kNever}; // rough enough for any such pressure
+    return rn - q1 / q2 * ln >= 0.0 ? Range{low, high} : kNone;
+}
+
 } // namespace
 
 /// Without what rolling resistance needs: model.md 2.2.
@@ -117,6 +135,70 @@ bool Series::takeReserve(const Contact &contact, const Contact &other, const Vec
     for (double &term : reserve.left.c) term /= unit * unit * squaredSine[0];
     reserve.none = noReserve(contact, std::max(contact.N[0], most[0] / more[0]));
     return true;
+}
+
+bool Series::slipsBack(uint32_t spent) const {
+    const double soon = kLookAhead * horizon() / unit();
+    for (uint32_t i = 0; i < m_count; ++i) {
+        if ((spent >> given(i) & 1U) && !(slipSpeed(m_contacts[i]).at(soon) > 0.0)) return true;
+    }
+    return false;
+}
+
+/// Whether a contact is one of two that stick by a prestress alone: it presses by other forces than those of the
+/// series.
+bool Series::isPrestressed(const Contact &contact) const {
+    const Contact *other = contact.mode == Mode::sticking ? otherSticking(contact) : nullptr;
+    return other && (contact.isKept || other->isKept);
+}
+
+/// Two contacts whose friction is spent at one moment, whatever presses between both. Bits, and directions of the
+/// slips.
+uint32_t Series::spentTogether(std::span<Vec3> slips) const {
+    constexpr double kTogether = 1e-9; // of the most friction, squared
+    uint32_t bits = 0;
+    for (uint32_t i = 0; i < m_count; ++i) {
+        const Contact &contact = m_contacts[i];
+        if (contact.mode != Mode::sticking) continue;
+        const Vec3 friction = frictionOf(contact)[0];
+        const double most = contact.held.friction * contact.N[0];
+        if (!otherSticking(contact) || glm::dot(friction, friction) < (1.0 - kTogether) * most * most) return 0;
+        bits |= 1U << given(i);
+        slips[given(i)] = m_mirror.back(-unitOf(friction));
+    }
+    return bits;
+}
+
+/// Of two that stick by a prestress alone: when the forces between both that hold them run out, or another one of the
+/// two sets the least. Both slip then, if they can. In units; kNever if not before s.
+double Series::endOfPrestress(double s, Work &work) const {
+    constexpr int kLooks = 16, kHalvings = 50;
+    const Contact *one = nullptr, *other = nullptr;
+    for (const Contact &contact : contacts()) {
+        if (contact.isKept && contact.mode == Mode::sticking) one = &contact;
+    }
+    if (one) other = otherSticking(*one);
+    if (!other) return kNever;
+    const VecJet frictions[] = {frictionOf(*one), frictionOf(*other)};
+    const auto look = [&](double at) {
+        work.add(Work::kJet);
+        const Vec3 n = one->n.at(at), m = other->n.at(at);
+        const Range a = rangeOfCone(one->held.friction, frictions[0].at(at) + one->N.at(at) * n, n, n - m);
+        const Range b = rangeOfCone(other->held.friction, frictions[1].at(at) + other->N.at(at) * m, m, m - n);
+        const bool holds = std::min(a.most, b.most) >= std::max(a.least, b.least);
+        return std::array{holds, a.least < b.least};
+    };
+    const auto first = look(0.0);
+    for (int i = 1; i <= kLooks; ++i) {
+        double low = s * (i - 1) / kLooks, high = s * i / kLooks;
+        if (look(high) == first) continue;
+        for (int halving = 0; halving < kHalvings; ++halving) {
+            const double middle = 0.5 * (low + high);
+            (look(middle) == first ? low : high) = middle;
+        }
+        return high;
+    }
+    return kNever;
 }
 
 uint32_t Series::opening() const {

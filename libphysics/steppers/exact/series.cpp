@@ -454,11 +454,12 @@ End Series::end(double until, Work &work) const {
     const double s = std::min(until, horizon()) / unit();
     const double speed = speedScale(m_moment);
     const double noForce = m_noForce;
+    end.cut({unit() * endOfPrestress(s, work), Cause::spent, 0});
     for (uint32_t i = 0; i < m_count; ++i) {
         const Contact &contact = m_contacts[i];
         Jet force = contact.N;
         if (force[0] <= noForce) force[0] += noForce;
-        end.cut({unit() * firstFall(force, s, work), Cause::release, given(i)});
+        if (!isPrestressed(contact)) end.cut({unit() * firstFall(force, s, work), Cause::release, given(i)});
         if (contact.mode == Mode::slipping && !isIdle(contact, s)) {
             if (contact.partner < m_count) continue;
             end.cut(endOfSlip(contact.speed, s, m_reach, kSlipEnds * speed, speed, given(i), work));

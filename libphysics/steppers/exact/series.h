@@ -45,6 +45,10 @@ public:
     /// Contacts whose friction is spent and is asked for more: they begin to slip without an acceleration. Bits; and
     /// the directions of their slips.
     uint32_t spent(std::span<Vec3> slips) const;
+    /// The same of two at once.
+    uint32_t spentTogether(std::span<Vec3> slips) const;
+    /// Whether one of those slips would drive the ball.
+    bool slipsBack(uint32_t spent) const;
 
 private:
     struct Contact {
@@ -111,6 +115,8 @@ private:
     VecJet frictionOf(const Contact &contact) const;
     const Contact *otherSticking(const Contact &contact) const;
     Reserve reserveOf(const Contact &contact) const;
+    bool isPrestressed(const Contact &contact) const;
+    double endOfPrestress(double s, Work &work) const;
     bool takeReserve(const Contact &contact, const Contact &other, const VecJet &friction, Reserve &reserve) const;
     double noReserve(const Contact &contact, double pressure) const;
     Jet slipSpeed(const Contact &contact) const;
