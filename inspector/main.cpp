@@ -12,7 +12,7 @@
 #include "core/setup/files.h"
 #include "core/setup/lines.h"
 #include "core/setup/settings_file.h"
-#include "ui/trade/trade_chart.h"
+#include "ui/trade/trade_picture.h"
 #include "ui/window/application.h"
 
 #include <QApplication>

@@ -5,7 +5,6 @@
 #include "core/trade/trade_table.h"
 #include "ui/parts/printed_unit.h"
 #include "ui/plots/chart_style.h"
-#include "ui/plots/plot_file.h"
 
 #include <QToolTip>
 
@@ -16,7 +15,7 @@ namespace inspector::ui {
 
 namespace {
 
-constexpr double kReach = 12.0; ///< pixels, picking distance
+constexpr double kPickingReach = 12.0; ///< pixels
 
 /// The range of the values with a margin.
 QCPRange rangeOf(const std::vector<double> &values) {
@@ -163,7 +162,7 @@ std::optional<QPointF> TradeChart::placeOf(size_t index) const {
 
 std::optional<size_t> TradeChart::pointAt(const QPointF &place) const {
     std::optional<size_t> nearest;
-    double reach = kReach;
+    double reach = kPickingReach;
     for (const ChartPoint &point : m_description.points()) {
         const QPointF apart = QPointF(xAxis->coordToPixel(point.cost), yAxis->coordToPixel(point.error)) - place;
         const double distance = std::hypot(apart.x(), apart.y());
@@ -211,17 +210,6 @@ void TradeChart::takeColours() {
     m_band->setBrush(kBandFill);
     m_middle->setPen(QPen(kBandColour, 2.0));
     m_limit->setPen(QPen(kBandColour, 2.0, Qt::DashLine));
-}
-
-bool writeTradePicture(const ChartDescription &description, const QString &path, QString *error) {
-    constexpr int kWidth = 900;
-    constexpr int kHeight = 560;
-    TradeChart chart;
-    chart.setPalette(QPalette(Qt::black, Qt::white));
-    chart.show(description, {});
-    chart.plotLayout()->insertRow(0);
-    chart.plotLayout()->addElement(0, 0, new QCPTextElement(&chart, description.title));
-    return savePlot(chart, {kWidth, kHeight}, path, error);
 }
 
 } // namespace inspector::ui

@@ -57,8 +57,4 @@ private:
 /// All figures of a point, a line each, for the chart's tool tip.
 QString tradePointText(const TradePoint &point);
 
-/// Writes the chart alone, as .pdf or .png. Needs an application that can draw, but no screen. Returns false, with one
-/// line in `error`, if the file can't be written.
-bool writeTradePicture(const ChartDescription &chart, const QString &path, QString *error);
-
 } // namespace inspector::ui

@@ -35,8 +35,8 @@ namespace {
 
 /// The slider counts twentieths of a decade from 1 mm: from a nanometre to a decimetre.
 constexpr int kPerDecade = 20;
-constexpr int kSmallest = -6 * kPerDecade;
-constexpr int kLargest = 2 * kPerDecade;
+constexpr int kFinestTolerance = -6 * kPerDecade;
+constexpr int kCoarsestTolerance = 2 * kPerDecade;
 constexpr int kChartPeriod = 200; ///< ms
 
 template<typename Widget>
@@ -137,7 +137,7 @@ void TradeDock::makeControls() {
     m_remark = named(new ElidedLabel, "trade_remark");
     m_remark->setText(tr("Measures every stepper and step size against stepper exact, beside the simulation."));
     m_tolerance = named(new QSlider(Qt::Horizontal), "trade_tolerance");
-    m_tolerance->setRange(kSmallest, kLargest);
+    m_tolerance->setRange(kFinestTolerance, kCoarsestTolerance);
     m_tolerance->setPageStep(kPerDecade);
     describe(m_tolerance, tr("Accepted error"),
              tr("The largest error that is accepted; the cheapest setting below it is chosen"));

@@ -19,7 +19,7 @@ namespace inspector::ui {
 
 namespace {
 
-constexpr double kScreenShare = 0.8; ///< share of the screen that a dialog takes at most
+constexpr double kLargestShare = 0.8; ///< share of the screen that a dialog takes at most
 
 struct Help {
     Q_DECLARE_TR_FUNCTIONS(Help)
@@ -115,7 +115,7 @@ QLabel *showText(QWidget &window, const char *name, const QString &title, const 
     layout->addWidget(area);
     layout->addWidget(buttons);
     const QSize wanted = text->sizeHint() + QSize(60, 110); // including scroll bars and buttons
-    dialog->resize(wanted.boundedTo(window.screen()->availableSize() * kScreenShare));
+    dialog->resize(wanted.boundedTo(window.screen()->availableSize() * kLargestShare));
     dialog->show();
     return text;
 }
