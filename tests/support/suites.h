@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Several suites in one program, linked once: QTEST_MAIN and its kin add a suite to the program instead of defining its
-// main; suites.cpp runs the one that the first argument names. physics_add_suites includes this before each source.
+// main; suites.cpp runs the one that the first argument names. physics_add_suites has this included before each
+// source, precompiled or not.
 #pragma once
 
 #include <QTest>
