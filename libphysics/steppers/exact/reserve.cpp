@@ -156,6 +156,7 @@ bool Series::isPrestressed(const Contact &contact) const {
 /// slips.
 uint32_t Series::spentTogether(std::span<Vec3> slips) const {
     constexpr double kTogether = 1e-9; // of the most friction, squared
+    if (m_rolls < m_count) return 0;   // what resists ends with the rolling, and the forces jump
     uint32_t bits = 0;
     for (uint32_t i = 0; i < m_count; ++i) {
         const Contact &contact = m_contacts[i];
