@@ -456,8 +456,8 @@ void TestComparison::refusedRunHasEmptyFieldsAndStatus1() {
     const Result result = runOf({"--headless", "--level", mazeOf(kLongFloor), "--stepper", "exact", "--tilt-x", "30",
                                  "--dt", "10", "--duration", "150", "--compare", "symplectic-euler"});
     QCOMPARE(result.status, 1);
-    QVERIFY2(result.messages.contains("physics-inspector: --compare: at 80 s: this step needs "),
-             qPrintable(result.messages));
+    static const QRegularExpression kRefusal("physics-inspector: --compare: at [0-9]+ s: this step needs ");
+    QVERIFY2(result.messages.contains(kRefusal), qPrintable(result.messages));
     QCOMPARE(result.rows().size(), 15);
     QVERIFY(!result.rows().first().endsWith(','));
     QVERIFY2(result.rows().last().endsWith(",,,,,,"), result.rows().last().constData());
