@@ -64,10 +64,9 @@ phys_status stepExact(void *self, const phys_params *params, double dt, const ph
         leaveResting(*in, flags, *out);
         return PHYS_OK;
     }
-    const phys_vec3 place = in->position;
+    const phys_state before = *in;
     if (const phys_status status = advance(exact, *params, dt, *in, *out, report, err)) return status;
-    const bool stays = standsStill(*out) && (out->flags & PHYS_AT_REST) && toVec(out->position) == toVec(place);
-    if (stays) exact.resting.keep(*params, *out);
+    if ((out->flags & PHYS_AT_REST) && isSameMotion(before, *out)) exact.resting.keep(*params, *out);
     return PHYS_OK;
 }
 

@@ -42,6 +42,7 @@ inline bool stay(const PlanInput &input, KnownPlaces &places, phys_state &out) {
         flags = isInside ? PHYS_AT_REST : PHYS_AT_REST | PHYS_OUT;
     }
     leaveResting(in, flags, out);
+    out.velocity = out.spin = {0.0, 0.0, 0.0};
     return true;
 }
 
