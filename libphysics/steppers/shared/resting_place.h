@@ -25,11 +25,16 @@ inline void leaveResting(const phys_state &in, uint64_t flags, phys_state &out) 
     out.flags = flags;
 }
 
-/// Whether the ball is where it was and moves as it did, to the bit: a zero has a sign.
+/// The same bytes: a zero has a sign, and nothing needs to be a number.
+template<class T>
+bool isSame(const T &a, const T &b) {
+    const void *const first = &a, *const second = &b;
+    return std::memcmp(first, second, sizeof a) == 0;
+}
+
+/// Whether the ball is where it was and moves as it did.
 inline bool isSameMotion(const phys_state &a, const phys_state &b) {
-    return std::memcmp(&a.position, &b.position, sizeof a.position) == 0 &&
-           std::memcmp(&a.velocity, &b.velocity, sizeof a.velocity) == 0 &&
-           std::memcmp(&a.spin, &b.spin, sizeof a.spin) == 0;
+    return isSame(a.position, b.position) && isSame(a.velocity, b.velocity) && isSame(a.spin, b.spin);
 }
 
 /// The state in which a ball was last found to stay as it is, and under which parameters. That it does follows from
@@ -43,8 +48,7 @@ public:
 
     /// The flags of the ball if it is known to stay, or 0.
     uint64_t flagsOf(const phys_params &params, const phys_state &state) const {
-        const bool isKnown = (state.flags & PHYS_AT_REST) && isSameMotion(state, m_state) &&
-                             std::memcmp(&params, &m_params, sizeof params) == 0;
+        const bool isKnown = (state.flags & PHYS_AT_REST) && isSameMotion(state, m_state) && isSame(params, m_params);
         return isKnown ? m_state.flags : 0;
     }
 
