@@ -11,8 +11,8 @@ namespace inspector {
 
 namespace {
 
-constexpr double kFlush =
-    1e-3; ///< radii: a box that rises above the ball's lowest point by less is flush with the floor
+/// Radii: a box that rises above the ball's lowest point by less is flush with the floor.
+constexpr double kFlush = 1e-3;
 
 } // namespace
 
