@@ -94,12 +94,14 @@ private:
         return kInertia * m_problem.rollingFriction * of.reaction / radius();
     }
     Vec3 slip(const Lasting &of) const { return slipAt(m_motion, of.limit, radius()); }
-    Vec3 holding(const Lasting &of) const { return across(of.rubbing - kEndsSlip * slip(of), of.lever); }
+    Vec3 holding(const Lasting &of) const { return tangential(of.rubbing - kEndsSlip * slip(of), of.lever); }
     Vec3 limited(const Lasting &of) const {
-        return across(of.rubbing - kEndsSlip * (of.slipBefore + slip(of)), of.lever);
+        return tangential(of.rubbing - kEndsSlip * (of.slipBefore + slip(of)), of.lever);
     }
-    Vec3 holdingSpin(const Lasting &of) const { return across(of.resisting - m_motion.spin, of.lever); }
-    Vec3 limitedSpin(const Lasting &of) const { return across(of.resisting - of.spinBefore - m_motion.spin, of.lever); }
+    Vec3 holdingSpin(const Lasting &of) const { return tangential(of.resisting - m_motion.spin, of.lever); }
+    Vec3 limitedSpin(const Lasting &of) const {
+        return tangential(of.resisting - of.spinBefore - m_motion.spin, of.lever);
+    }
 
     void classify(uint32_t i) {
         const Lasting &c = contact(i);
@@ -132,12 +134,13 @@ private:
             for (uint32_t j = 0; j < count(); ++j) {
                 if (j == i || !sticks(j)) continue;
                 mode.givesWay = true;
-                direction = across(contact(j).lever - c.lever, c.lever);
+                direction = tangential(contact(j).lever - c.lever, c.lever);
                 break;
             }
         }
-        if (direction == Vec3(0.0)) direction = across(m_motion.velocity, c.lever);
-        for (uint32_t j = 0; j < count() && direction == Vec3(0.0); ++j) direction = across(contact(j).lever, c.lever);
+        if (direction == Vec3(0.0)) direction = tangential(m_motion.velocity, c.lever);
+        for (uint32_t j = 0; j < count() && direction == Vec3(0.0); ++j)
+            direction = tangential(contact(j).lever, c.lever);
         if (direction == Vec3(0.0)) direction = Vec3(-c.lever.y, c.lever.x, 0.0);
         if (direction == Vec3(0.0)) direction = Vec3(1.0, 0.0, 0.0);
         mode.rubbing.face(direction, c.lever);
@@ -271,7 +274,7 @@ private:
         const double speed = glm::dot(c.limit, m_motion.velocity) - c.slow;
         if (!mode.presses) return speed >= -most;
         if (std::abs(speed) > most) return c.reaction == 0.0 && speed > 0.0;
-        if (mode.rubbing.answer == Answer::Holds && !mode.givesWay && glm::length(across(slip(c), c.lever)) > most)
+        if (mode.rubbing.answer == Answer::Holds && !mode.givesWay && glm::length(tangential(slip(c), c.lever)) > most)
             return false;
         if (mode.rubbing.answer == Answer::Limited) {
             const double allowed = c.friction * c.reaction;
@@ -280,7 +283,7 @@ private:
             if (glm::length(c.rubbing - wanted) > most) return false;
         }
         if (mode.resisting.answer == Answer::Holds)
-            return radius() * glm::length(across(m_motion.spin, c.lever)) <= most;
+            return radius() * glm::length(tangential(m_motion.spin, c.lever)) <= most;
         if (mode.resisting.answer == Answer::Limited) {
             const Vec3 wanted = clipped(limitedSpin(c), mostResistance(c));
             return radius() * glm::length(c.resisting - wanted) <= most;

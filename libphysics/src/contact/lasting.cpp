@@ -2,6 +2,7 @@
 #include "contact/lasting.h"
 
 #include "contact/coulomb_newton.h"
+#include "contact/held.h"
 
 #include <cmath>
 #include <initializer_list>
@@ -40,18 +41,18 @@ Vec3 frictionOf(Lasting &contact, const Motion &motion, double radius) {
     contact.isSpent = false;
     if (contact.reaction == 0.0 || (contact.friction == 0.0 && !contact.isGlued)) return Vec3(0.0);
     const Vec3 slip = slipAt(motion, contact.limit, radius);
-    const Vec3 sticking = across(contact.rubbing - kEndsSlip * slip, contact.lever);
+    const Vec3 sticking = tangential(contact.rubbing - kEndsSlip * slip, contact.lever);
     const double most = contact.friction * contact.reaction;
     if (contact.isGlued || glm::dot(sticking, sticking) <= most * most) return sticking;
     contact.isSpent = true;
-    return clipped(across(contact.rubbing - kEndsSlip * (contact.slipBefore + slip), contact.lever), most);
+    return clipped(tangential(contact.rubbing - kEndsSlip * (contact.slipBefore + slip), contact.lever), most);
 }
 
 /// Resistance against the mean spin, at most what ends it.
 Vec3 resistanceOf(const Lasting &contact, const Motion &motion, double most) {
-    const Vec3 holding = across(contact.resisting - motion.spin, contact.lever);
+    const Vec3 holding = tangential(contact.resisting - motion.spin, contact.lever);
     if (glm::dot(holding, holding) <= most * most) return holding;
-    return clipped(across(contact.resisting - contact.spinBefore - motion.spin, contact.lever), most);
+    return clipped(tangential(contact.resisting - contact.spinBefore - motion.spin, contact.lever), most);
 }
 
 } // namespace
@@ -315,8 +316,8 @@ double LastingContacts::relieve() {
         for (Lasting *b = a + 1; b != end(); ++b) {
             if (!a->sticks() || !b->sticks()) continue;
             const Vec3 line = a->lever - b->lever;
-            const Vec3 acrossA = across(line, a->lever);
-            const Vec3 acrossB = across(line, b->lever);
+            const Vec3 acrossA = tangential(line, a->lever);
+            const Vec3 acrossB = tangential(line, b->lever);
             const double size = glm::dot(acrossA, acrossA) + glm::dot(acrossB, acrossB);
             if (size <= kNegligible) continue; // parallel normals
             const double share = (glm::dot(b->rubbing, acrossB) - glm::dot(a->rubbing, acrossA)) / size;
@@ -339,7 +340,7 @@ void LastingContacts::solve(double rollingFriction, Motion &motion) {
     const double negligible = kNegligible * (size(motion.velocity) + m_radius * size(motion.spin));
     const Motion driven = motion;
     for (Lasting &contact : *this) {
-        contact.rubbing = across(contact.rubbing, contact.lever);
+        contact.rubbing = tangential(contact.rubbing, contact.lever);
         motion.velocity += contact.reaction * contact.lever + contact.rubbing;
         motion.spin -= 2.5 / m_radius * glm::cross(contact.lever, contact.rubbing);
     }

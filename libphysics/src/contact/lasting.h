@@ -33,9 +33,6 @@ struct Lasting {
 /// Of a slip: the friction that ends it. An impulse of 1 changes the slip of its own contact by 7/2.
 inline constexpr double kEndsSlip = 2.0 / 7.0;
 
-/// The part of a vector across a lever.
-inline Vec3 across(const Vec3 &vector, const Vec3 &lever) { return vector - glm::dot(vector, lever) * lever; }
-
 class LastingContacts : public ShortList<Lasting> {
 public:
     explicit LastingContacts(double radius)

@@ -88,9 +88,8 @@ double ExactStep::clearWay(const Contact &face, double height) const {
         clear = std::min({clear, m_position[axis] - (&own.min.x)[axis] - m_scene.tolerance,
                           (&own.max.x)[axis] - m_position[axis] - m_scene.tolerance});
     }
-    const Contacts &contacts = m_contacts;
     Work unused;
-    const Outlook around{m_scene, m_position, m_motion, contacts, unused};
+    const Outlook around{m_scene, m_position, m_motion, m_contacts, unused};
     visitNear(m_scene, m_position, R + 0.48 * R, [&](const phys_box &box, uint32_t) {
         if (!around.isBehindTouchedFace(box))
             clear = std::min(clear, std::sqrt(squaredDistance(box, m_position)) - reach);

@@ -12,11 +12,6 @@ namespace {
 constexpr double kLookAhead = 0x1p-6; // of the horizon: where a force that is zero shows its sign
 constexpr double kParallel = 1e-12;   // square of the sine of the angle between normals
 
-Vec3 unitOf(const Vec3 &v) {
-    const double size = glm::length(v);
-    return size > 0.0 ? v / size : Vec3(0.0);
-}
-
 /// Whether what is zero, give or take, falls in the moments to come: the sign of the first value that isn't.
 bool falls(const Jet &f, double zero, double end) {
     double s = 0x1p-30 * end;
@@ -165,7 +160,7 @@ uint32_t Series::spentTogether(std::span<Vec3> slips) const {
         const double most = contact.held.friction * contact.N[0];
         if (!otherSticking(contact) || glm::dot(friction, friction) < (1.0 - kTogether) * most * most) return 0;
         bits |= 1U << given(i);
-        slips[given(i)] = m_mirror.back(-unitOf(friction));
+        slips[given(i)] = m_mirror.back(-hat(friction));
     }
     return bits;
 }
@@ -224,7 +219,7 @@ uint32_t Series::spent(std::span<Vec3> slips) const {
         bits |= 1U << given(i);
         // Where all friction is less than rounding it has no direction yet.
         const VecJet friction = frictionOf(contact);
-        slips[given(i)] = m_mirror.back(-unitOf(2.0 * left[0] < most * most ? friction[0] : friction.at(soon)));
+        slips[given(i)] = m_mirror.back(-hat(2.0 * left[0] < most * most ? friction[0] : friction.at(soon)));
     }
     return bits;
 }

@@ -11,8 +11,7 @@ namespace {
 constexpr double kInverseInertia = 2.5; // m R^2 / I of a solid ball
 constexpr double kNoForce = 1e-12;      // relative to the accelerations
 constexpr double kDirectionNoise = 4.0 * 0x1p-52;
-constexpr double kStalls = 0x1p-7; // share that a slip loses while its series are good: its direction is rounding
-constexpr double kKeptFor = 0.25;  // of the unit: what sticks only by prestress is looked at again and again
+constexpr double kKeptFor = 0.25; // of the unit: what sticks only by prestress is looked at again and again
 
 /// What rows of the roughest contacts are divided by: beside longer ones the others would count as none.
 double unitOfFriction(double mu) { return std::max(mu, 1.0); }
@@ -20,22 +19,6 @@ double unitOfFriction(double mu) { return std::max(mu, 1.0); }
 Vec3 axisOf(uint32_t i) { return {i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0}; }
 
 } // namespace
-
-End zeroOfSpeed(const Jet &speed, double until, const Reach &reach, double small, Cause cause, uint32_t contact,
-                Work &work) {
-    const double time = firstFall(speed, until, work);
-    if (-speed[1] * reach.horizon < kStalls * reach.unit * speed[0]) small *= 8.0;
-    if (time != kNever || speed[0] > small || speed[1] >= 0.0) return {reach.unit * time, cause, contact};
-    return {0.0, cause, contact, reach.unit * speed[0] / -speed[1]};
-}
-
-End endOfSlip(const Jet &speed, double until, const Reach &reach, double small, double noise, uint32_t contact,
-              Work &work) {
-    const double good = 0.8 * validUntil(speed, kOrder, noise);
-    End end = zeroOfSpeed(speed, std::min(until, good), reach, small, Cause::grip, contact, work);
-    if (good < until) end.cut({reach.unit * good, Cause::time, 0});
-    return end;
-}
 
 void Series::build(const Moment &moment, std::span<const Held> held, const Response &response, double unit,
                    uint32_t kept) {

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "exact/jet.h"
+
+#include <algorithm>
+
+namespace phys {
+
+namespace {
+
+constexpr double kStalls = 0x1p-7; // share that a slip loses while its series are good: its direction is rounding
+
+} // namespace
+
+End zeroOfSpeed(const Jet &speed, double until, const Reach &reach, double small, Cause cause, uint32_t contact,
+                Work &work) {
+    const double time = firstFall(speed, until, work);
+    if (-speed[1] * reach.horizon < kStalls * reach.unit * speed[0]) small *= 8.0;
+    if (time != kNever || speed[0] > small || speed[1] >= 0.0) return {reach.unit * time, cause, contact};
+    return {0.0, cause, contact, reach.unit * speed[0] / -speed[1]};
+}
+
+End endOfSlip(const Jet &speed, double until, const Reach &reach, double small, double noise, uint32_t contact,
+              Work &work) {
+    const double good = 0.8 * validUntil(speed, kOrder, noise);
+    End end = zeroOfSpeed(speed, std::min(until, good), reach, small, Cause::grip, contact, work);
+    if (good < until) end.cut({reach.unit * good, Cause::time, 0});
+    return end;
+}
+
+} // namespace phys
