@@ -5,7 +5,6 @@
 
 #include "core/pilot/tilt_control.h"
 #include "core/program/options.h"
-#include "core/session/ball_place.h"
 #include "core/session/comparison.h"
 #include "core/session/game.h"
 #include "core/session/live_uncertainty.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/track/ball_model.h"
 
-#include "core/setup/walls.h"
+#include "core/setup/ball_place.h"
 
 #include <algorithm>
 #include <array>
@@ -60,27 +60,14 @@ private:
     bool m_isRefused = false;
 };
 
-/// With measurement noise a ball that leans on a wall appears to overlap it.
-void pushOutOfWalls(const phys_scene *scene, phys_vec3 &centre) {
-    constexpr int kPushes = 8;
-    for (int i = 0; i < kPushes; ++i) {
-        const std::optional<phys_contact> wall = nearestWall(scene, centre, 0.0);
-        if (!wall || wall->gap >= 0.0) return;
-        pushOut(*wall, phys_scene_radius(scene), centre);
-    }
-}
-
 } // namespace
 
 phys_state rollingState(const phys_scene *scene, const BallStart &start) {
     phys_state state;
     phys_scene_start(scene, &state);
-    state.position.x = start.x;
-    state.position.y = start.y;
-    pushOutOfWalls(scene, state.position);
+    state.position = freePlace(scene, {start.x, start.y, state.position.z});
     state.velocity = {start.vx, start.vy, 0.0};
-    const double radius = phys_scene_radius(scene);
-    state.spin = {-start.vy / radius, start.vx / radius, 0.0}; // rolls (model.md 2.1)
+    state.spin = rollingSpin(state.velocity, phys_scene_radius(scene));
     state.flags = 0;
     return state;
 }

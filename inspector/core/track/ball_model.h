@@ -23,7 +23,7 @@ struct BallStart {
     double x, y, vx, vy;
 };
 
-/// A rolling ball on the scene's floor; if noise puts it into a wall, next to it.
+/// A rolling ball on the floor below this place, the start's or a lower one; if noise puts it into a wall, next to it.
 phys_state rollingState(const phys_scene *scene, const BallStart &start);
 
 struct TrackBounce {

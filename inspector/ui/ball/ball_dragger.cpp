@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/ball/ball_dragger.h"
 
+#include "core/setup/ball_place.h"
 #include "ui/ball/ball_command.h"
 #include "ui/parts/board_vector.h"
 

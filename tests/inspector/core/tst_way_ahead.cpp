@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The way ahead is the exact stepper's; a hand puts the ball only where it fits.
-#include "core/session/ball_place.h"
+#include "core/setup/ball_place.h"
 #include "core/simulation/way_ahead.h"
 #include "scenes.h"
 #include "support/compare.h"

@@ -15,6 +15,8 @@ private slots:
     void modelRollsAsTheClosedForm();
     void landingIsABounceOffTheFloor();
     void edgeOfALowKerbIsAWall();
+    void ballStartsOnTheFloorThatIsBelowIt();
+    void lowerFloorAfterADropIsRolledOn();
     void truthLiesNearItsIntervals();
     void wrongModelIsNamed();
     void withoutWallsRestitutionIsNotDetermined();
@@ -59,6 +61,16 @@ const FittedValue &valueOf(const ModelFit &fit, const char *id) {
 // The floor of the start ends 3 cm to its right; another one lies 2 cm below.
 Scene stepDown() {
     return sceneOf({{{-1.0, -1.0, -0.02}, {0.03, 1.0, 0.0}}, {{-1.0, -1.0, -0.04}, {1.0, 1.0, -0.02}}});
+}
+
+// The start's floor ends 3 cm to its right; 2 cm below, another one lies between walls.
+Scene twoFloors() {
+    return sceneOf({{{-0.03, -0.05, -0.04}, {0.03, 0.05, 0.0}},
+                    {{0.03, -0.05, -0.04}, {0.2, 0.05, -0.02}},
+                    {{0.2, -0.05, -0.04}, {0.21, 0.05, 0.02}},
+                    {{-0.04, -0.05, -0.04}, {-0.03, 0.05, 0.02}},
+                    {{-0.04, -0.06, -0.04}, {0.21, -0.05, 0.02}},
+                    {{-0.04, 0.05, -0.04}, {0.21, 0.06, 0.02}}});
 }
 
 // Four edges of 0.4 R around the start.
@@ -123,6 +135,25 @@ void TestTrackFit::edgeOfALowKerbIsAWall() {
     const std::vector<TrackBounce> bounces = bouncesOn(wallAhead(0.05, 0.4 * 0.006));
     QVERIFY(!bounces.empty());
     QCOMPARE(bounces[0].surface, Surface::Wall);
+}
+
+void TestTrackFit::ballStartsOnTheFloorThatIsBelowIt() {
+    constexpr double kRadius = 0.006;
+    const Scene scene = twoFloors();
+    QCOMPARE(rollingState(scene.get(), {0.0, 0.0, 0.0, 0.0}).position.z, kRadius);
+    QCOMPARE(rollingState(scene.get(), {0.1, 0.0, 0.0, 0.0}).position.z, -0.02 + kRadius);
+}
+
+// It falls once, at 0.35 s. Segments that began after that at the start's height would fall again, and most would fit
+// nowhere.
+void TestTrackFit::lowerFloorAfterADropIsRolledOn() {
+    const BoardParameters truth = support::drawTruth(PHYS_MODEL_ROLLING, 2);
+    const Scene scene = twoFloors();
+    const Track track = support::makeTrack(m_registry, scene, truth, {.duration = 8.0, .seed = 2});
+    const TrackFit fit = fitted(plan(scene, track, "rolling_friction,restitution_wall,tilt,delay"));
+    for (const FittedBounce &bounce : fit.best().bounces) QVERIFY(bounce.surface == Surface::Wall || bounce.time < 1.0);
+    QVERIFY2(double(fit.best().residuals.size()) > 0.9 * double(track.points.size()),
+             qPrintable(QString::number(fit.best().residuals.size())));
 }
 
 // Intervals of 95 %: four of their halves away, chance doesn't lead.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/ball_place.h"
+#include "core/setup/ball_place.h"
 
 #include "core/setup/walls.h"
 
