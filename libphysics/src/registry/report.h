@@ -5,6 +5,7 @@
 #include "base/vec.h"
 #include "contact/impact.h"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace phys {
@@ -23,6 +24,16 @@ public:
     /// `after` seconds into the step. For events without a contact: zero vectors and PHYS_NO_BOX.
     void event(uint32_t kind, double after, const Vec3 &point, const Vec3 &normal, double speedBefore,
                double speedAfter, uint32_t box);
+
+    /// Whether another event has a place.
+    bool hasRoom() const { return m_report && m_report->event_count < m_report->event_capacity; }
+
+    /// So many that have none.
+    void lostEvents(double count) {
+        if (!m_report) return;
+        const double all = m_report->events_lost + count;
+        m_report->events_lost = static_cast<uint32_t>(std::min(all, double(UINT32_MAX)));
+    }
 
     void lostImpact(double energy) {
         if (m_report) m_report->lost_impact += energy;

@@ -12,6 +12,8 @@ namespace phys {
 
 namespace {
 
+constexpr double kNear = 0.48; // radii: as far as bounces are followed without a search
+
 /// 1 + ratio + ratio^2 + ..., so many terms.
 double geometric(double ratio, double count) {
     return ratio == 1.0 ? count : elementary::expm1(count * elementary::log1p(ratio - 1.0)) / (ratio - 1.0);
@@ -26,30 +28,88 @@ double countOf(double ratio, double sum) {
 
 } // namespace
 
-/// Bounces on one face are a geometric series: those of them, down to half the speed, that surely meet nothing else are
-/// made at once. model.md 6.4.
-void ExactStep::skipBounces() {
-    constexpr double kLeast = 0.9; // restitution: with less there are few of them
-    constexpr double kMostAtOnce = 1e5;
-    if (m_contacts.count() != 1 || !m_contacts[0].isFace() || m_contacts[0].restitution < kLeast) return;
-    Contact &face = m_contacts[0];
-    const Vec3 g = m_setting.gravity(), n = face.normal;
-    const double back = -glm::dot(g, n), speed = glm::dot(m_motion.velocity, n), eps = face.restitution;
-    if (!(back > 0.0) || !(speed > 0.0)) return;
-    const Vec3 pull = g + back * n, along = m_motion.velocity - speed * n;
-    const double drag = face.friction > 0.0 ? 2.0 / 7.0 : 0.0; // share of the pull that friction takes
-    const bool slips = drag > 0.0 && !isNoSlip(moment(), slipAt(moment(), n));
-    if (slips || drag * glm::length(pull) > 0.5 * face.friction * back) return;
+/// The face that the ball comes back to first, if it leaves all that it touches and faces alone pull it back.
+const Contact *ExactStep::nextBounce() const {
+    const Contact *next = nullptr;
+    double first = kNever;
+    const double negligible = negligibleSpeed(m_motion, m_scene.radius);
+    for (const Contact &contact : m_contacts) {
+        const double speed = glm::dot(m_motion.velocity, contact.normal);
+        if (speed <= negligible) return nullptr;
+        const double back = -glm::dot(m_setting.gravity(), contact.normal);
+        if (!contact.isFace() || !(back > 0.0) || !(speed < first * back)) continue;
+        next = &contact;
+        first = speed / back;
+    }
+    return next;
+}
 
-    const double flight = 2.0 * speed / back, fast = glm::length(along), clear = clearWay(face, 0.25 * speed * flight);
-    if (!(clear > 0.0)) return;
+/// Bounces on one face that surely meet nothing else need no search, and where each is like the one before no flight of
+/// their own: model.md 6.4.
+void ExactStep::skipBounces() {
+    const Contact *next = m_heldCount == 0 ? nextBounce() : nullptr;
+    if (!next) return;
+    const double back = -glm::dot(m_setting.gravity(), next->normal), speed = glm::dot(m_motion.velocity, next->normal);
+    const double flight = 2.0 * speed / back, height = 0.25 * speed * flight;
+    if (flight >= m_left || flight * glm::length(m_motion.velocity) > kNear * m_scene.radius) return;
+    const bool isAlone = m_contacts.count() == 1;
+    const uint32_t box = next->box;
+    m_contacts.drop([&](const Contact &contact) { return contact.box != box; });
+    const Obstacles obstacles = findObstacles(m_contacts[0], height);
+    if (!skipSeries(back, obstacles)) makeBounces(back, obstacles);
+    if (!isAlone) resolve();
+}
+
+/// One bounce after the other, but the last.
+void ExactStep::makeBounces(double back, const Obstacles &obstacles) {
+    Contact &face = m_contacts[0];
+    const Vec3 g = m_setting.gravity(), n = face.normal, pull = g + back * n, start = m_position;
+    do {
+        const double speed = glm::dot(m_motion.velocity, n), flight = 2.0 * speed / back;
+        const Vec3 along = m_motion.velocity - speed * n, way = flight * (along + 0.5 * flight * pull);
+        const double least = std::max(lastBounce(face, g), negligibleSpeed(m_motion, m_scene.radius));
+        if (flight >= m_left || face.restitution * speed <= least) return;
+        if (!isClear(obstacles, m_position - start, flight * along, 0.5 * flight * flight * pull)) return;
+        turn(Uniform{Vec3(0.0), Vec3(0.0), m_motion.spin, Vec3(0.0)}, flight);
+        m_position += way;
+        face.point += way;
+        m_motion.velocity = along + flight * pull - speed * n;
+        m_elapsed += flight;
+        m_left -= flight;
+        m_work.add(Work::kBounce);
+        collide(negligibleSpeed(m_motion, m_scene.radius));
+    } while (!m_work.isTooMuch() && !isRegular(face, pull, back));
+}
+
+/// Whether each bounce is like the one before: friction has ended all slip, or there is none.
+bool ExactStep::isRegular(const Contact &face, const Vec3 &pull, double back) const {
+    constexpr double kLeast = 0.9; // restitution: with less there are few of them
+    if (face.restitution < kLeast) return false;
+    if (face.friction == 0.0) return true;
+    return 2.0 / 7.0 * glm::length(pull) <= 0.5 * face.friction * back &&
+           isNoSlip(moment(), slipAt(moment(), face.normal));
+}
+
+/// Regular bounces are a geometric series: those down to half the speed are made at once. False if there are none.
+bool ExactStep::skipSeries(double back, const Obstacles &obstacles) {
+    Contact &face = m_contacts[0];
+    const Vec3 g = m_setting.gravity(), n = face.normal, pull = g + back * n;
+    if (!isRegular(face, pull, back)) return false;
+    const double speed = glm::dot(m_motion.velocity, n), eps = face.restitution, flight = 2.0 * speed / back;
+    const Vec3 along = m_motion.velocity - speed * n;
+    const double drag = face.friction > 0.0 ? 2.0 / 7.0 : 0.0; // share of the pull that friction takes
+
+    double clear = kNear * m_scene.radius;
+    for (const Obstacle &obstacle : obstacles) clear = std::min(clear, obstacle.gap);
+    if (!(clear > 0.0)) return false;
+    const double fast = glm::length(along);
     const double free = 2.0 * clear / (fast + std::sqrt(fast * fast + 2.0 * glm::length(pull) * clear));
-    const double most = std::min(countOf(eps, std::min(free, m_left) / flight) - 1.0, kMostAtOnce);
+    const double most = countOf(eps, std::min(free, m_left) / flight) - 1.0;
     // The last of them is found as without this: which it is must not depend on the steps in which they are made.
     const double share = std::max(0.5, lastBounce(face, g) / speed);
     const double decay = eps == 1.0 ? kNever : elementary::log1p(share - 1.0) / elementary::log1p(eps - 1.0) - 1.0;
     const double count = std::floor(std::min(most, decay));
-    if (!(count >= 1.0)) return;
+    if (!(count >= 1.0)) return false;
     const auto timeOf = [&](double bounces) { return flight * geometric(eps, bounces); };
     const auto squaresOf = [&](double bounces) { return flight * flight * geometric(eps * eps, bounces); };
     const auto wayOf = [&](double bounces) {
@@ -57,13 +117,17 @@ void ExactStep::skipBounces() {
         return time * along + 0.5 * ((1.0 - drag) * time * time + drag * squaresOf(bounces)) * pull;
     };
     const auto speedAfter = [&](double bounces) { return speed - (1.0 - eps) * 0.5 * back * timeOf(bounces); };
-    for (double i = 1.0; m_report.wanted() && i <= count; ++i) {
+    for (double i = 1.0; i <= count; ++i) {
+        if (!m_report.hasRoom()) {
+            m_report.lostEvents(count - i + 1.0);
+            break;
+        }
         const Vec3 point = face.point + wayOf(i);
         m_report.event(face.isTop ? PHYS_EVENT_LANDING : PHYS_EVENT_IMPACT, m_elapsed + timeOf(i), point, n,
                        -speedAfter(i - 1.0), speedAfter(i), m_scene.givenBox(face.box, point));
     }
     const double time = timeOf(count), last = speedAfter(count);
-    m_work.add(Work::kBounce * static_cast<uint64_t>(count));
+    m_work.add(Work::kBounce);
     m_report.lostImpact(0.5 * (speed - last) * (speed + last));
     m_report.lostSlip(0.5 * drag * squaresOf(count) * glm::dot(pull, pull));
     const Vec3 turning = 2.5 * drag / m_scene.radius * glm::cross(n, pull);
@@ -75,26 +139,44 @@ void ExactStep::skipBounces() {
     m_motion.spin += time * turning;
     m_elapsed += time;
     m_left -= time;
+    return true;
 }
 
-/// How far a ball that bounces so high on a face can go in any direction along it: all the while it is over the face,
-/// and nothing that stands out of its plane is near.
-double ExactStep::clearWay(const Contact &face, double height) const {
-    const double R = m_scene.radius, reach = R + height + m_scene.tolerance;
+/// What a ball that bounces so high on a face may meet, which isn't the face: what stands out of its plane, and its
+/// ends.
+ExactStep::Obstacles ExactStep::findObstacles(const Contact &face, double height) {
+    const double R = m_scene.radius, tolerance = m_scene.tolerance;
     const phys_box &own = m_scene.boxes[face.box];
-    double clear = 0.48 * R - height;
+    Obstacles obstacles;
     for (int axis = 0; axis < 3; ++axis) {
         if (face.sides[axis] != 0) continue;
-        clear = std::min({clear, m_position[axis] - (&own.min.x)[axis] - m_scene.tolerance,
-                          (&own.max.x)[axis] - m_position[axis] - m_scene.tolerance});
+        Vec3 inward(0.0);
+        inward[axis] = 1.0;
+        obstacles.add({inward, m_position[axis] - (&own.min.x)[axis] - tolerance});
+        obstacles.add({-inward, (&own.max.x)[axis] - m_position[axis] - tolerance});
     }
-    Work unused;
-    const Outlook around{m_scene, m_position, m_motion, m_contacts, unused};
-    visitNear(m_scene, m_position, R + 0.48 * R, [&](const phys_box &box, uint32_t) {
-        if (!around.isBehindTouchedFace(box))
-            clear = std::min(clear, std::sqrt(squaredDistance(box, m_position)) - reach);
+    const Outlook around{m_scene, m_position, m_motion, m_contacts, m_work};
+    visitNear(m_scene, m_position, (1.0 + kNear) * R + height, [&](const phys_box &box, uint32_t) {
+        m_work.add(Work::kBox);
+        const Nearest close = nearest(box, m_position);
+        const double off = close.distance - R;
+        if (off > kNear * R + height || around.isBehindTouchedFace(box)) return;
+        if (obstacles.isFull()) obstacles[0].gap = -kNever; // more than can be looked at
+        if (obstacles.isFull()) return;
+        const double rise = height * std::max(0.0, -glm::dot(close.normal, face.normal));
+        obstacles.add({close.normal, (std::abs(off) <= tolerance ? 0.0 : off - tolerance) - rise});
     });
-    return clear;
+    return obstacles;
+}
+
+/// Whether the ball meets none of them from `gone` on, all the while it goes along `way` and along `bend`.
+bool ExactStep::isClear(const Obstacles &obstacles, const Vec3 &gone, const Vec3 &way, const Vec3 &bend) const {
+    if (glm::length(gone) + glm::length(way) + glm::length(bend) > kNear * m_scene.radius) return false;
+    return std::all_of(obstacles.begin(), obstacles.end(), [&](const Obstacle &obstacle) {
+        const double first = glm::dot(obstacle.normal, way), second = glm::dot(obstacle.normal, bend);
+        const double least = std::min(0.0, second < 0.0 ? first + second : first);
+        return obstacle.gap + glm::dot(obstacle.normal, gone) + least >= 0.0;
+    });
 }
 
 } // namespace phys

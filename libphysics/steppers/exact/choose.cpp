@@ -230,6 +230,8 @@ void ExactStep::buildSeries(Series &series) {
         if (m_response.reactions[i].mode != Mode::slipping) continue;
         unit = std::min(unit, 3.0 * glm::length(m_response.reactions[i].slip) / scale);
     }
+    const double turning = std::abs(glm::dot(m_motion.spin, m_response.rolling));
+    if (turning > 0.0) unit = std::min(unit, turning / glm::length(m_response.spinAcceleration));
     const double longest = std::max(unit, m_left);
     Excluded excluded;
     uint32_t spent = 0, kept = 0, together = 0;

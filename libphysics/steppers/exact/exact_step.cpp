@@ -50,7 +50,8 @@ phys_status ExactStep::advance(phys_state &out) {
 
 /// The loop of model.md 8.1.
 phys_status ExactStep::followEvents() {
-    if (const phys_status status = resolve()) return status;
+    resolve();
+    skipBounces();
     ZenoGuard guard(m_left);
     Phase phase(Uniform{m_motion.velocity, Vec3(0.0), m_motion.spin, Vec3(0.0)});
     while (m_left > 0.0) {
@@ -67,7 +68,7 @@ phys_status ExactStep::followEvents() {
             phase);
         // What a phase met at the very end of the step is resolved in this step.
         if (m_left == 0.0 && end.cause == Cause::time) break;
-        if (const phys_status status = resolve()) return status;
+        resolve();
         skipBounces();
     }
     return PHYS_OK;

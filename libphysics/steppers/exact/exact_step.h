@@ -42,6 +42,13 @@ private:
         uint32_t eventsInMoment = 0;
     };
 
+    /// What the ball may meet beside a face lies behind the plane of its nearest point.
+    struct Obstacle {
+        Vec3 normal;
+        double gap; ///< m, less all that the ball moves along the face's normal
+    };
+    using Obstacles = ShortList<Obstacle>;
+
     const Scene &m_scene;
     FloorRegions &m_regions;
     const phys_params &m_params;
@@ -79,7 +86,7 @@ private:
     phys_status pushOut();
     void leave(phys_state &out);
 
-    phys_status resolve();
+    void resolve();
     void touch();
     bool movesAlongFaces() const;
     bool movesAlongGround() const;
@@ -87,8 +94,13 @@ private:
     void holdGround();
     void takeFaces();
     bool collide(double negligible);
+    const Contact *nextBounce() const;
     void skipBounces();
-    double clearWay(const Contact &face, double height) const;
+    void makeBounces(double back, const Obstacles &obstacles);
+    bool isRegular(const Contact &face, const Vec3 &pull, double back) const;
+    bool skipSeries(double back, const Obstacles &obstacles);
+    Obstacles findObstacles(const Contact &face, double height);
+    bool isClear(const Obstacles &obstacles, const Vec3 &gone, const Vec3 &way, const Vec3 &bend) const;
     void endBounces(double negligible);
     Vec3 actingAcceleration();
     double lastBounce(const Contact &contact, const Vec3 &acting) const;

@@ -25,18 +25,16 @@ constexpr double kSlowDecay = 0.95;
 } // namespace
 
 /// Takes all impacts of the moment, and looks at what lasts then.
-phys_status ExactStep::resolve() {
+void ExactStep::resolve() {
     m_isAnswered = false;
     const double speed = glm::length(m_motion.velocity), negligible = negligibleSpeed(m_motion, m_scene.radius);
     if (movesAlongGround()) {
-        holdGround();
-        return PHYS_OK;
+        return holdGround();
     }
     touch();
     if (movesAlongFaces()) {
         takeFaces();
-        keepFaces();
-        return PHYS_OK;
+        return keepFaces();
     }
     const bool wasCarried = isCarried(negligible);
     bool hits = false;
@@ -50,7 +48,6 @@ phys_status ExactStep::resolve() {
     hold(negligible);
     if (collide(negligible)) hold(negligible);
     roll(hits && wasCarried);
-    return PHYS_OK;
 }
 
 /// Whether the ball touches nothing but faces, and has no velocity across any: nothing is hit then, and all of them
