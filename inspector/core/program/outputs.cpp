@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/program/outputs.h"
 
+#include "core/recording/playable_recording.h"
 #include "core/setup/files.h"
 #include "core/setup/lines.h"
 
@@ -40,12 +41,24 @@ std::vector<Output> outputsOf(const Options &options) {
     return outputs;
 }
 
+/// The mazes that a recording was made in, as they are found here; none if it can't be played, which is told later.
+QStringList mazesOf(const QString &recording, const Options &options) {
+    QString error;
+    const auto found = openRecording(recording, options.registry, options.levels, &error);
+    QStringList mazes;
+    for (size_t i = 0; found && i < found->recording().segments.size(); ++i)
+        mazes += {found->level(i).path, found->level(i).mesh};
+    mazes.removeDuplicates();
+    return mazes;
+}
+
 QStringList inputsOf(const Options &options) {
     QStringList inputs{options.level.path,     options.level.mesh, options.replay,
                        options.trade.schedule, options.fit.track,  options.parameters};
     inputs += options.plugins;
     for (const Level &level : options.levels) inputs += {level.path, level.mesh};
     for (const QString &name : fileNamesIn(options.shaders)) inputs += options.shaders + QLatin1Char('/') + name;
+    if (!options.replay.isEmpty()) inputs += mazesOf(options.replay, options);
     inputs.removeAll(QString());
     return inputs;
 }
@@ -57,11 +70,13 @@ QString settingsFileOf(const QString &csv) { return csv + QStringLiteral(".txt")
 bool isStandardOutput(const QString &csv) { return csv.isEmpty() || csv == QLatin1String("-"); }
 
 QString outputProblem(const Options &options) {
+    const std::vector<Output> outputs = outputsOf(options);
+    const QStringList inputs = outputs.empty() ? QStringList() : inputsOf(options);
     std::vector<std::unique_ptr<OutputFile>> opened; // kept open, so that a name given twice is found
-    for (const Output &output : outputsOf(options)) {
+    for (const Output &output : outputs) {
         if (output.isBesideLast && !opened.back()->isRegular()) continue;
         const auto refusal = [&](const QString &reason) { return output.option + QStringLiteral(": ") + reason; };
-        for (const QString &input : inputsOf(options))
+        for (const QString &input : inputs)
             if (isSameFile(output.path, input))
                 return refusal(QStringLiteral("%1 is read by this run").arg(quoted(output.path)));
         for (const auto &other : opened)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // From words to options, and what is said of words that mean nothing.
 #include "core/program/command_line.h"
+#include "core/recording/recording.h"
 #include "core/setup/files.h"
 
 #include <physics/plugin.h>
@@ -45,6 +46,21 @@ CommandLine parsed(const QStringList &words) { return parseCommandLine(QStringLi
 void put(const QString &path, const QByteArray &bytes) {
     QFile file(path);
     QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
+}
+
+// Of one step, which no stepper would make.
+QByteArray recordingIn(const QString &maze) {
+    const Registry registry = makeRegistry(nullptr);
+    phys_stepper_info stepper;
+    phys_registry_find(registry.get(), PHYS_STEPPER_DEFAULT, &stepper, nullptr);
+    Segment segment;
+    segment.conditions.maze = {maze, hashOf(readFile(maze, kLargestMaze, nullptr).value())};
+    segment.conditions.stepper = {stepper.id, stepper.version};
+    segment.conditions.dt = 0.01;
+    segment.hashes = {0};
+    segment.from.emplace();
+    phys_scene_start(loadScene(maze, nullptr).get(), &*segment.from);
+    return recordingText({{}, {}, {}, {segment}, true}, registry);
 }
 
 } // namespace
@@ -337,6 +353,8 @@ void TestCommandLine::outputsThatWouldDestroyAFileAreRefused_data() {
                                    << "is read by this run";
     QTest::newRow("onto the replay") << force + "--headless --replay FOLDER/run.rec --csv FOLDER/run.rec"
                                      << "--csv: 'FOLDER/run.rec' is read by this run";
+    QTest::newRow("onto the replay's maze") << force + "--headless --replay FOLDER/run.rec --csv FOLDER/level.txt"
+                                            << "--csv: 'FOLDER/level.txt' is read by this run";
     QTest::newRow("onto the schedule") << "--trade 1 --schedule FOLDER/table.csv --csv FOLDER/table.csv"
                                        << "is read by this run";
     QTest::newRow("onto the parameters") << force + "--parameters FOLDER/a.set --csv FOLDER/a.set"
@@ -389,7 +407,7 @@ void TestCommandLine::outputsThatWouldDestroyAFileAreRefused() {
     const QString level = path + "/level.txt";
     QVERIFY(QFile::copy(LEVELS_FOLDER "/01.txt", level));
     put(path + "/level.obj", "v 0 0 0\n");
-    put(path + "/run.rec", "physics-recording 1\n");
+    put(path + "/run.rec", recordingIn(level));
     put(path + "/a.set", "physics-parameters 1\nname a\nset rolling_friction 0.01\n");
     put(path + "/table.csv", "time [s],step,x [m]\n");
     put(path + "/track.csv", "time [s],x [m],y [m]\n");
