@@ -14,7 +14,7 @@ skip() {
 }
 
 need_debug_information() {
-    readelf --section-headers "$1" | grep -q '\.debug_info' ||
+    readelf --section-headers "$1" | grep '\.debug_info' >/dev/null ||
         skip "$1 has no debug information, without which abidiff sees no types"
 }
 
