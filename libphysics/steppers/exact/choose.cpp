@@ -247,7 +247,7 @@ void ExactStep::buildSeries(Series &series) {
             }
             series.build(moment(), held(), response, unit, kept);
             m_work.add(Work::kSeries * series.unknowns());
-            const bool isLong = series.horizon() > unit && unit < longest && !hasShrunk;
+            const bool isLong = series.horizon() > 3.0 * unit && unit < longest && !hasShrunk;
             if (series.horizon() >= 0.1 * unit && !isLong) break;
             hasShrunk = !isLong;
             unit = isLong ? std::min(4.0 * unit, longest) : std::max(series.suitableUnit(), 0x1p-8 * unit);
@@ -277,7 +277,9 @@ void ExactStep::buildSeries(Series &series) {
         excluded.sticking &= ~slipping;
         excluded.closed &= ~opening;
         if (opening) return;
-        together = series.spentTogether(slips);
+        auto pressed = m_response.reactions;
+        together = series.spentTogether(pressed, slips);
+        if (together) m_response.reactions = pressed;
         spent |= together;
         kept |= together ? 0 : slipping;
     }

@@ -148,20 +148,29 @@ bool Series::isPrestressed(const Contact &contact) const {
     return other && (contact.isKept || other->isKept);
 }
 
-/// Two contacts whose friction is spent at one moment, whatever presses between both. Bits, and directions of the
-/// slips.
-uint32_t Series::spentTogether(std::span<Vec3> slips) const {
+/// Two contacts whose friction is spent at one moment, with the least forces between both that hold them: bits, the
+/// directions of the slips, and those forces.
+uint32_t Series::spentTogether(std::span<Reaction> reactions, std::span<Vec3> slips) const {
     constexpr double kTogether = 1e-9; // of the most friction, squared
     if (m_rolls < m_count) return 0;   // what resists ends with the rolling, and the forces jump
     uint32_t bits = 0;
     for (uint32_t i = 0; i < m_count; ++i) {
         const Contact &contact = m_contacts[i];
         if (contact.mode != Mode::sticking) continue;
-        const Vec3 friction = frictionOf(contact)[0];
-        const double most = contact.held.friction * contact.N[0];
-        if (!otherSticking(contact) || glm::dot(friction, friction) < (1.0 - kTogether) * most * most) return 0;
+        const Contact *other = otherSticking(contact);
+        if (!other) return 0;
+        const Vec3 line = contact.n[0] - other->n[0];
+        const double least = std::max(rangeOfCone(contact.held.friction, contact.r[0], contact.n[0], line).least,
+                                      rangeOfCone(other->held.friction, other->r[0], other->n[0], -line).least);
+        if (!(std::abs(least) < kNever)) return 0;
+        const Vec3 force = contact.r[0] + least * line;
+        const double pressure = glm::dot(force, contact.n[0]), most = contact.held.friction * pressure;
+        const Vec3 friction = force - pressure * contact.n[0];
+        if (glm::dot(friction, friction) < (1.0 - kTogether) * most * most) return 0;
         bits |= 1U << given(i);
         slips[given(i)] = m_mirror.back(-hat(friction));
+        reactions[given(i)].force = m_mirror.back(force);
+        reactions[given(i)].pressure = pressure;
     }
     return bits;
 }

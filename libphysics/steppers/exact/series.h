@@ -45,8 +45,8 @@ public:
     /// Contacts whose friction is spent and is asked for more: they begin to slip without an acceleration. Bits; and
     /// the directions of their slips.
     uint32_t spent(std::span<Vec3> slips) const;
-    /// The same of two at once.
-    uint32_t spentTogether(std::span<Vec3> slips) const;
+    /// The same of two at once, and the forces with which they do.
+    uint32_t spentTogether(std::span<Reaction> reactions, std::span<Vec3> slips) const;
     /// Whether one of those slips would drive the ball.
     bool slipsBack(uint32_t spent) const;
 
