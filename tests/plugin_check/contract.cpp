@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "contract.h"
 
+#include "trial.h"
+
 #include "support/handles.h"
 
 #include <physics/plugin.h>
 
 #include <array>
+#include <cfenv>
 #include <cmath>
 #include <cstring>
 #include <dlfcn.h>
@@ -15,8 +18,7 @@ namespace plugin_check {
 
 namespace {
 
-constexpr double kRadius = 0.006;
-constexpr double kDt = 0.01;
+constexpr double kStep = 0.01;
 
 /// A floor and a wall, as a plugin sees them.
 class Host {
@@ -87,6 +89,7 @@ public:
         void *self = nullptr;
         if (!create(&self)) return m_breaches;
         for (const bool withReport : {false, true}) step(self, withReport);
+        refusal(self);
         requirements(self);
         guarded("destroy", [&] { m_api.destroy(self); });
         return m_breaches;
@@ -118,12 +121,17 @@ private:
         return status == PHYS_OK;
     }
 
-    void step(void *self, bool withReport) {
+    phys_params initialParams() const {
         phys_params params;
         phys_params_init(&params, sizeof params);
         for (uint32_t i = 0; i < m_api.row_count; ++i) {
             phys_param_set(&params, m_api.rows[i], m_api.rows[i]->initial, nullptr);
         }
+        return params;
+    }
+
+    void step(void *self, bool withReport) {
+        const phys_params params = initialParams();
         phys_state in{};
         in.position = {0, 0, kRadius};
         in.velocity = {0.2, 0.1, 0};
@@ -131,7 +139,7 @@ private:
         in.orientation[3] = 1.0;
         const phys_state given = in;
         phys_state out = in;
-        out.time = kDt;
+        out.time = kStep;
         out.step = 1;
         std::array<phys_event, 3> events{}; // one more than it is told of
         phys_report report;
@@ -142,9 +150,12 @@ private:
         std::memset(error.text, 'x', sizeof error.text);
         error.text[0] = '\0';
         phys_status status = PHYS_OK;
+        const int rounding = std::fegetround();
         const bool isDone = guarded("step", [&] {
-            status = m_api.step(self, &params, kDt, &in, &out, withReport ? &report : nullptr, &error);
+            status = m_api.step(self, &params, kStep, &in, &out, withReport ? &report : nullptr, &error);
         });
+        if (std::fegetround() != rounding) note("step leaves another rounding than it found");
+        std::fesetround(rounding);
         if (std::memcmp(&in, &given, sizeof in) != 0) note("step writes to the state it is given");
         if (!isDone) return;
         if (status) {
@@ -159,8 +170,28 @@ private:
         if (withReport) checkReport(report, events.data());
     }
 
+    /// A step that hardly anything can take; who can't says so in words, by a status of phys_step.
+    void refusal(void *self) {
+        const phys_params params = initialParams();
+        phys_state in{};
+        in.position = {0, 0, kRadius};
+        in.velocity = {1e12, 0, 0};
+        in.orientation[3] = 1.0;
+        phys_state out = in;
+        out.time = 1.0;
+        out.step = 1;
+        phys_error error{};
+        phys_status status = PHYS_OK;
+        if (!guarded("step", [&] { status = m_api.step(self, &params, 1.0, &in, &out, nullptr, &error); })) return;
+        if (!status) return;
+        if (!error.text[0]) note("step refuses 1e12 m/s without a reason");
+        if (status < PHYS_ERROR_EVENT_CAP || status > 0)
+            note(std::string("step refuses 1e12 m/s with ") + phys_status_name(status) +
+                 ", which isn't one of phys_step's");
+    }
+
     void checkState(const phys_state &out) {
-        if (out.time != kDt) note("step changes the time that the host has set");
+        if (out.time != kStep) note("step changes the time that the host has set");
         if (out.step != 1) note("step changes the step number that the host has set");
         if (!isFinite(out)) note("step writes a number that isn't finite");
         if (out.flags & ~uint64_t{PHYS_STATE_FLAGS}) note("step sets unknown flags");
@@ -181,15 +212,14 @@ private:
 
     void requirements(void *self) {
         if (!PHYS_HAS_SLOT(phys_stepper_api, &m_api, requirements)) return;
-        phys_params params;
-        phys_params_init(&params, sizeof params);
+        const phys_params params = initialParams();
         phys_state state{};
         state.position = {0, 0, kRadius};
         state.orientation[3] = 1.0;
         phys_requirements out{};
         phys_error error{};
         phys_status status = PHYS_OK;
-        if (!guarded("requirements", [&] { status = m_api.requirements(self, &params, kDt, &state, &out, &error); }))
+        if (!guarded("requirements", [&] { status = m_api.requirements(self, &params, kStep, &state, &out, &error); }))
             return;
         if (status) note(std::string("requirements fails: ") + phys_status_name(status));
         for (const char(&reason)[120] : out.reasons) {

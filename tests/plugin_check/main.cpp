@@ -2,79 +2,20 @@
 // The report card of a plugin's steppers. Usage: physics-check FILE.so [--stepper ID]
 // Each part runs in a process of its own, so that a crash or an endless loop is one line of the card. Ends with 1 if
 // anything is wrong, 2 if the plugin can't be loaded.
+#include "card.h"
 #include "contract.h"
-#include "measures.h"
+#include "isolation.h"
 
 #include "support/handles.h"
 #include "witness/survey.h"
 
-#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <string>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace {
 
 using namespace plugin_check;
-
-constexpr unsigned kMostSeconds = 20; // for a part
-
-struct Part {
-    const char *name;
-    Measure (*measure)(const Subject &);
-};
-constexpr Part kParts[] = {
-    {"smooth motion", smoothMotion},
-    {"across impacts", impacts},
-    {"invariants", invariants},
-    {"the law", law},
-    {"energy at rest", energyAtRest},
-    {"energy a bounce", energyPerBounce},
-    {"tunnelling", tunnelling},
-    {"threads", threads},
-    {"extremes", extremes},
-    {"misuse", misuse},
-    {"cost", cost},
-};
-
-/// What a part says, from a process of its own.
-template<class Work>
-Measure isolated(const Work &work) {
-    int ends[2];
-    if (pipe(ends)) return {true, "no pipe"};
-    std::fflush(stdout);
-    const pid_t child = fork();
-    if (child == 0) {
-        close(ends[0]);
-        alarm(kMostSeconds);
-        const Measure measure = work();
-        const std::string text = (measure.isWrong ? "1" : "0") + measure.text;
-        size_t written = 0;
-        while (written < text.size()) {
-            const ssize_t count = write(ends[1], text.data() + written, text.size() - written);
-            if (count <= 0) break;
-            written += static_cast<size_t>(count);
-        }
-        _exit(0);
-    }
-    close(ends[1]);
-    std::string text;
-    char buffer[4096];
-    for (ssize_t count; (count = read(ends[0], buffer, sizeof buffer)) > 0;)
-        text.append(buffer, static_cast<size_t>(count));
-    close(ends[0]);
-    int status = 0;
-    waitpid(child, &status, 0);
-    if (WIFSIGNALED(status)) {
-        const int signal = WTERMSIG(status);
-        return {true, signal == SIGALRM ? "not done after " + std::to_string(kMostSeconds) + " s"
-                                        : std::string("crashes: ") + strsignal(signal)};
-    }
-    if (text.empty()) return {true, "ends without a word"};
-    return {text[0] == '1', text.substr(1)};
-}
 
 phys_status load(const char *file, support::RegistryPtr &registry, phys_error &error) {
     phys_registry *created = nullptr;
@@ -85,7 +26,7 @@ phys_status load(const char *file, support::RegistryPtr &registry, phys_error &e
 }
 
 bool say(const char *name, const Measure &measure) {
-    std::printf("%-5s %-16s %s\n", measure.isWrong ? "FAIL" : "ok", name, measure.text.c_str());
+    std::puts(lineOf(name, measure).c_str());
     std::fflush(stdout);
     return !measure.isWrong;
 }
@@ -102,7 +43,7 @@ Measure contract(const std::string &file, const std::string &stepper) {
 bool card(const std::string &file, const Subject &subject) {
     std::printf("stepper %s\n", subject.id.c_str());
     bool isFine = say("contract", isolated([&] { return contract(file, subject.id); }));
-    for (const Part &part : kParts) isFine = say(part.name, isolated([&] { return part.measure(subject); })) && isFine;
+    for (const Part &part : parts()) isFine = say(part.name, isolated([&] { return part.measure(subject); })) && isFine;
     return isFine;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "measures.h"
+#include "trial.h"
 
-#include "support/handles.h"
 #include "witness/draw.h"
 #include "witness/judge.h"
 
@@ -19,81 +18,7 @@ namespace plugin_check {
 
 namespace {
 
-using support::ScenePtr;
-using support::StepperPtr;
 using witness::Case;
-
-std::string format(const char *text, double a, double b = 0, double c = 0) {
-    std::array<char, 200> line{};
-    std::snprintf(line.data(), line.size(), text, a, b, c);
-    return line.data();
-}
-
-/// A floor, 6 mm of ball, gravity straight down.
-Case board(uint32_t model) {
-    Case scene = witness::emptyCase();
-    scene.boxes = {{{-1, -1, -0.1}, {1, 1, 0}}};
-    scene.params.model = model;
-    scene.params.sliding_friction = 0.3;
-    scene.start.position = {0, 0, 0.006};
-    scene.legs = {{{0, 0, -9.81}, 0.01, 1}};
-    return scene;
-}
-
-/// A scene, a stepper, parameters and a state, made ready.
-class Run {
-public:
-    Run(const Subject &subject, const Case &scene) {
-        phys_scene_desc desc;
-        phys_scene_desc_init(&desc, sizeof desc);
-        desc.boxes = scene.boxes.data();
-        desc.box_count = static_cast<uint32_t>(scene.boxes.size());
-        desc.radius = scene.radius;
-        desc.start = scene.start.position;
-        phys_scene *created = nullptr;
-        phys_stepper *made = nullptr;
-        m_status = phys_scene_create(&desc, &created, &m_error);
-        m_scene.reset(created);
-        if (!m_status) m_status = phys_stepper_create(subject.registry, subject.id.c_str(), created, &made, &m_error);
-        m_stepper.reset(made);
-        params = scene.params;
-        params.gravity = scene.legs[0].gravity;
-        phys_stepper_info info;
-        if (!phys_registry_find(subject.registry, subject.id.c_str(), &info, nullptr)) {
-            phys_stepper_info_init_params(&info, &params);
-        }
-        state = scene.start;
-    }
-
-    /// False once a step has failed.
-    bool step(double dt) {
-        if (!m_status) m_status = phys_step(m_stepper.get(), &params, dt, &state, &state, nullptr, &m_error);
-        return m_status == PHYS_OK;
-    }
-    double energy() const {
-        double value = 0;
-        phys_energy(m_scene.get(), &params, &state, &value);
-        return value;
-    }
-    phys_status status() const { return m_status; }
-    std::string why() const { return std::string(phys_status_name(m_status)) + ": " + m_error.text; }
-
-    phys_params params{};
-    phys_state state{};
-
-private:
-    ScenePtr m_scene;
-    StepperPtr m_stepper;
-    phys_status m_status = PHYS_OK;
-    phys_error m_error{};
-};
-
-/// The rigid model, or the rolling one for a stepper that knows no other.
-uint32_t modelOf(const Subject &subject) {
-    Run run(subject, board(PHYS_MODEL_RIGID));
-    run.step(0.001);
-    return run.status() == PHYS_ERROR_UNSUPPORTED ? PHYS_MODEL_ROLLING : PHYS_MODEL_RIGID;
-}
 
 /// The order that errors follow in a scene of half a second, against the brute force.
 Measure orderIn(const Subject &subject, Case scene) {
@@ -218,20 +143,21 @@ Measure energyPerBounce(const Subject &subject) {
 }
 
 Measure tunnelling(const Subject &subject) {
-    for (double speed = 0.1; speed < 2000; speed *= 2) {
+    for (double speed = 0.1; speed < 1e6; speed *= 2) {
         Case scene = board(PHYS_MODEL_ROLLING);
         scene.boxes = {{{-100, -100, -1}, {100, 100, 0}}, {{0.05, -100, 0}, {0.051, 100, 10}}};
         scene.start.velocity = {speed, 0, 0};
         scene.start.spin = {0, speed / 0.006, 0};
         Run run(subject, scene);
         for (int i = 0; i < 100; ++i) {
-            run.step(0.01);
+            if (run.step(0.01) && i == 0 && run.state.position.x == 0)
+                return {true, format("stands still at %.3g m/s", speed)};
             if (run.state.position.x > 0.05)
                 return {true, format("through 1 mm of wall at %.3g m/s, steps of 10 ms", speed)};
         }
         if (run.status()) return {false, format("none up to %.3g m/s, then ", speed) + run.why()};
     }
-    return {false, "none up to 2000 m/s"};
+    return {false, "none up to 800 km/s"};
 }
 
 Measure threads(const Subject &subject) {

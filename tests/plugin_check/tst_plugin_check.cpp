@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Does the report card name what a plugin does wrong.
+#include <QFile>
 #include <QTest>
 
+#include "card.h"
 #include "contract.h"
+#include "isolation.h"
 #include "measures.h"
 
 #include "support/handles.h"
@@ -16,8 +19,39 @@ private slots:
     void aBreachOfTheContractIsNamed();
     void aMotionThatIsWrongIsNamed_data();
     void aMotionThatIsWrongIsNamed();
+    void whatIsUntrueIsNamed_data();
+    void whatIsUntrueIsNamed();
     void aSoundPluginKeepsTheContract();
+    void soundSteppersSayWhatHappens_data();
+    void soundSteppersSayWhatHappens();
+    void theExamplesPageShowsItsCard_data();
+    void theExamplesPageShowsItsCard();
+
+private:
+    support::RegistryPtr registryWith(const QByteArray &file);
 };
+
+namespace {
+
+using plugin_check::Measure;
+using plugin_check::Subject;
+
+#ifdef SANITIZED
+constexpr bool kIsSanitized = true;
+#else
+constexpr bool kIsSanitized = false;
+#endif
+
+using MeasureFunction = Measure(const Subject &);
+
+Measure contract(const Subject &subject) {
+    Measure measure;
+    for (const std::string &breach : plugin_check::breaches(UNTRUE, subject.id)) measure.text += breach + "; ";
+    measure.isWrong = !measure.text.empty();
+    return measure;
+}
+
+} // namespace
 
 void PluginCheck::aBreachOfTheContractIsNamed_data() {
     QTest::addColumn<QByteArray>("breach");
@@ -77,14 +111,101 @@ void PluginCheck::aMotionThatIsWrongIsNamed_data() {
 void PluginCheck::aMotionThatIsWrongIsNamed() {
     QFETCH(QByteArray, file);
     QFETCH(QByteArray, word);
-    phys_registry *created = nullptr;
-    phys_error error{};
-    QCOMPARE(phys_registry_create(&created, &error), PHYS_OK);
-    const support::RegistryPtr registry(created);
-    QVERIFY2(phys_registry_load_file(created, file, &error) == PHYS_OK, error.text);
-    const plugin_check::Measure measure = plugin_check::invariants({created, QTest::currentDataTag()});
+    const support::RegistryPtr registry = registryWith(file);
+    const Measure measure = plugin_check::invariants({registry.get(), QTest::currentDataTag()});
     QVERIFY(measure.isWrong);
     QVERIFY2(measure.text.find(word.toStdString()) != std::string::npos, measure.text.c_str());
+}
+
+support::RegistryPtr PluginCheck::registryWith(const QByteArray &file) {
+    phys_registry *created = nullptr;
+    phys_error error{};
+    if (phys_registry_create(&created, &error) || phys_registry_load_file(created, file, &error))
+        qFatal("%s", error.text);
+    return support::RegistryPtr(created);
+}
+
+void PluginCheck::whatIsUntrueIsNamed_data() {
+    QTest::addColumn<MeasureFunction *>("measure");
+    QTest::addColumn<QByteArray>("words");
+    const auto row = [](const char *id, MeasureFunction *measure, const char *words) {
+        QTest::newRow(id) << measure << QByteArray(words);
+    };
+    using namespace plugin_check;
+    row("normals-turned", reports, "an impact's normal doesn't point from the box to the ball");
+    row("first-box-named", reports, "an impact with another box than the ball's");
+    row("points-at-the-centre", reports, "an impact's point isn't on the box");
+    row("slow-events", reports, "an impact's speed before is wrong");
+    row("events-hidden", reports, "a bounce without an event");
+    row("events-lost", reports, "events lost where there was room");
+    row("substeps-hidden", reports, "a step without substeps");
+    row("resistance-not-booked", reports, "energy lost by rolling isn't booked");
+    row("impacts-not-booked", reports, "energy lost in an impact isn't booked");
+    row("flies-unseen", reports, "not airborne in the air");
+    row("rests-unseen", reports, "at rest without its flag");
+    row("claims-slip", reports, "slipping in the rolling model");
+    row("turns-backwards", reports, "the orientation doesn't follow the spin");
+    row("never-turns", reports, "the orientation doesn't follow the spin");
+    row("stays-sleeping", reports, "the flags of the state before are read");
+    row("claims-exactness", reports, "one step of 0.4 s isn't as good as 400 of 1 ms, which its flags promise");
+    row("requires-more", reports, "requirements tell other substeps than the step takes");
+    row("requires-the-unknown", reports, "requirements of unknown stages");
+    row("swallows-errors", tunnelling, "stands still at");
+    row("fails-silently-when-fast", contract, "step refuses 1e12 m/s without a reason");
+    row("fails-inside", contract, "step refuses 1e12 m/s with PHYS_ERROR_INTERNAL, which isn't one of phys_step's");
+    row("rounds-up", contract, "step leaves another rounding than it found");
+    row("prints", energyPerBounce, "prints 'step 0'");
+    if (kIsSanitized) return; // sanitizers allocate by themselves and need more stack
+    row("keeps-memory", memory, "bytes a step");
+    row("needs-stack", smallStack, "crashes: Segmentation fault");
+}
+
+void PluginCheck::whatIsUntrueIsNamed() {
+    QFETCH(MeasureFunction *, measure);
+    QFETCH(QByteArray, words);
+    const support::RegistryPtr registry = registryWith(UNTRUE);
+    const Subject subject{registry.get(), QTest::currentDataTag()};
+    const Measure found = plugin_check::isolated([&] { return measure(subject); });
+    QVERIFY(found.isWrong);
+    QVERIFY2(found.text.find(words.toStdString()) != std::string::npos, found.text.c_str());
+}
+
+void PluginCheck::soundSteppersSayWhatHappens_data() {
+    QTest::addColumn<QByteArray>("file");
+    QTest::newRow("sound") << QByteArray(UNTRUE);
+    QTest::newRow("adaptive-drag") << QByteArray(EXAMPLE);
+    for (const std::string &id : witness::stepperIds(nullptr)) QTest::newRow(id.c_str()) << QByteArray(EXAMPLE);
+}
+
+void PluginCheck::soundSteppersSayWhatHappens() {
+    QFETCH(QByteArray, file);
+    const support::RegistryPtr registry = registryWith(file);
+    using namespace plugin_check;
+    for (MeasureFunction *const measure : {reports, memory, smallStack}) {
+        if (kIsSanitized && measure != reports) continue;
+        const Measure found = isolated([&] { return measure({registry.get(), QTest::currentDataTag()}); });
+        QVERIFY2(!found.isWrong, found.text.c_str());
+    }
+}
+
+/// But for what differs from machine to machine, and what takes longest.
+void PluginCheck::theExamplesPageShowsItsCard_data() {
+    QTest::addColumn<size_t>("part");
+    const std::span<const plugin_check::Part> parts = plugin_check::parts();
+    for (size_t i = 0; i < parts.size(); ++i) {
+        if (parts[i].measure != plugin_check::cost && parts[i].measure != plugin_check::law)
+            QTest::newRow(parts[i].name) << i;
+    }
+}
+
+void PluginCheck::theExamplesPageShowsItsCard() {
+    QFETCH(size_t, part);
+    QFile page(EXAMPLE_PAGE);
+    QVERIFY(page.open(QIODevice::ReadOnly));
+    const support::RegistryPtr registry = registryWith(EXAMPLE);
+    const Measure measure = plugin_check::parts()[part].measure({registry.get(), "adaptive-drag"});
+    const std::string line = plugin_check::lineOf(QTest::currentDataTag(), measure) + '\n';
+    QVERIFY2(page.readAll().contains(line.c_str()), line.c_str());
 }
 
 void PluginCheck::aSoundPluginKeepsTheContract() {

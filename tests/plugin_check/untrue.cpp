@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+// Steppers that move the ball as they should and say or do something untrue beside it. The id says what.
+#include "support/planted_fault.h"
+
+#include <cfenv>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <vector>
+
+namespace {
+
+using namespace support;
+
+/// A sound step whose events are changed.
+template<class Change>
+phys_status withEvents(Step &step, Change change) {
+    const phys_status status = soundStep(step);
+    for (uint32_t i = 0; !status && step.report && i < step.report->event_count; ++i) change(step.report->events[i]);
+    return status;
+}
+phys_status turnNormals(Step &step) {
+    return withEvents(step, [](phys_event &event) {
+        event.normal = {-event.normal.x, -event.normal.y, event.normal.z};
+    });
+}
+phys_status nameTheFirstBox(Step &step) {
+    return withEvents(step, [](phys_event &event) { event.box = 0; });
+}
+phys_status pointAtTheCentre(Step &step) {
+    return withEvents(step, [&](phys_event &event) { event.point = step.out.position; });
+}
+phys_status slowEvents(Step &step) {
+    return withEvents(step, [](phys_event &event) { event.speed_before *= 0.9; });
+}
+
+/// A sound step whose report is changed.
+template<class Change>
+phys_status withReport(Step &step, Change change) {
+    const phys_status status = soundStep(step);
+    if (!status && step.report) change(*step.report);
+    return status;
+}
+phys_status hideEvents(Step &step) {
+    return withReport(step, [](phys_report &report) { report.event_count = 0; });
+}
+phys_status loseEvents(Step &step) {
+    return withReport(step, [](phys_report &report) { report.events_lost = 5; });
+}
+phys_status hideSubsteps(Step &step) {
+    return withReport(step, [](phys_report &report) { report.substeps = 0; });
+}
+phys_status hideResistance(Step &step) {
+    return withReport(step, [](phys_report &report) { report.lost_rolling = 0; });
+}
+phys_status hideImpacts(Step &step) {
+    return withReport(step, [](phys_report &report) { report.lost_impact = 0; });
+}
+
+/// A sound step whose state is changed in what no motion depends on.
+template<class Change>
+phys_status withState(Step &step, Change change) {
+    const phys_status status = soundStep(step);
+    if (!status) change(step.out);
+    return status;
+}
+phys_status flyUnseen(Step &step) {
+    return withState(step, [](phys_state &out) { out.flags &= ~uint64_t{PHYS_AIRBORNE}; });
+}
+phys_status restUnseen(Step &step) {
+    return withState(step, [](phys_state &out) { out.flags &= ~uint64_t{PHYS_AT_REST}; });
+}
+phys_status claimSlip(Step &step) {
+    return withState(step, [](phys_state &out) { out.flags |= PHYS_SLIPPING; });
+}
+phys_status turnBackwards(Step &step) {
+    return withState(step, [](phys_state &out) { out.orientation[0] = -out.orientation[0]; });
+}
+phys_status neverTurn(Step &step) {
+    step.params.options &= ~uint32_t{PHYS_OPTION_ORIENTATION};
+    return soundStep(step);
+}
+phys_status staySleeping(Step &step) { return step.in.flags & PHYS_AT_REST ? PHYS_OK : soundStep(step); }
+
+bool isTooFast(const Step &step) { return dot(step.in.velocity, step.in.velocity) > 1e10; }
+
+/// What it can't do isn't told: the ball stands still.
+phys_status swallow(Step &step) { return isTooFast(step) ? PHYS_OK : soundStep(step); }
+phys_status failSilently(Step &step) { return isTooFast(step) ? PHYS_ERROR_SUBSTEP_CAP : soundStep(step); }
+phys_status failInside(Step &step) {
+    if (!isTooFast(step)) return soundStep(step);
+    std::snprintf(step.err->text, sizeof step.err->text, "too fast");
+    return PHYS_ERROR_INTERNAL;
+}
+
+/// Off by an error of second order in the step.
+phys_status drift(Step &step) {
+    return withState(step, [&](phys_state &out) { out.position.x += 1e-6 * step.dt * step.dt; });
+}
+phys_status roundUp(Step &step) {
+    std::fesetround(FE_UPWARD);
+    return soundStep(step);
+}
+phys_status print(Step &step) {
+    std::printf("step %llu\n", static_cast<unsigned long long>(step.in.step));
+    return soundStep(step);
+}
+phys_status keepMemory(Step &step) {
+    static std::vector<void *> kept; // of all, so that no compiler takes it for needless
+    kept.push_back(std::malloc(64));
+    return soundStep(step);
+}
+phys_status needStack(Step &step) {
+    volatile char large[200000]; // NOLINT
+    large[0] = 1;
+    return large[0] ? soundStep(step) : PHYS_OK;
+}
+
+phys_status soundRequirements(void *self, const phys_params *params, double dt, const phys_state *state,
+                              phys_requirements *out, phys_error *err) {
+    return phys_stepper_requirements(static_cast<Self *>(self)->sound, params, dt, state, out, err);
+}
+phys_status requireMore(void *self, const phys_params *params, double dt, const phys_state *state,
+                        phys_requirements *out, phys_error *err) {
+    const phys_status status = soundRequirements(self, params, dt, state, out, err);
+    out->substeps += 7;
+    return status;
+}
+phys_status requireTheUnknown(void *self, const phys_params *params, double dt, const phys_state *state,
+                              phys_requirements *out, phys_error *err) {
+    const phys_status status = soundRequirements(self, params, dt, state, out, err);
+    out->stages |= 1U << 20;
+    return status;
+}
+
+template<auto requirements>
+constexpr phys_stepper_api requiring(const char *id) {
+    phys_stepper_api api = doing<soundStep>(id);
+    api.requirements = requirements;
+    return api;
+}
+constexpr phys_stepper_api claimingExactness(const char *id) {
+    phys_stepper_api api = doing<drift>(id);
+    api.flags = PHYS_STEPPER_EXACT_IN_DT;
+    return api;
+}
+
+constexpr phys_stepper_api kTables[] = {
+    requiring<soundRequirements>("sound"),
+    doing<turnNormals>("normals-turned"),
+    doing<nameTheFirstBox>("first-box-named"),
+    doing<pointAtTheCentre>("points-at-the-centre"),
+    doing<slowEvents>("slow-events"),
+    doing<hideEvents>("events-hidden"),
+    doing<loseEvents>("events-lost"),
+    doing<hideSubsteps>("substeps-hidden"),
+    doing<hideResistance>("resistance-not-booked"),
+    doing<hideImpacts>("impacts-not-booked"),
+    doing<flyUnseen>("flies-unseen"),
+    doing<restUnseen>("rests-unseen"),
+    doing<claimSlip>("claims-slip"),
+    doing<turnBackwards>("turns-backwards"),
+    doing<neverTurn>("never-turns"),
+    doing<staySleeping>("stays-sleeping"),
+    claimingExactness("claims-exactness"),
+    requiring<requireMore>("requires-more"),
+    requiring<requireTheUnknown>("requires-the-unknown"),
+    doing<swallow>("swallows-errors"),
+    doing<failSilently>("fails-silently-when-fast"),
+    doing<failInside>("fails-inside"),
+    doing<roundUp>("rounds-up"),
+    doing<print>("prints"),
+    doing<keepMemory>("keeps-memory"),
+    doing<needStack>("needs-stack"),
+};
+constexpr PlantedTables kAll(kTables);
+
+} // namespace
+
+constinit const phys_plugin phys_plugin_entry = {PHYS_ABI_VERSION, sizeof(phys_plugin), std::size(kTables), 0,
+                                                 kAll.list};
