@@ -34,7 +34,16 @@ public:
     DiscreteStep(const DiscreteStep &) = delete;
 
     /// Whether a top face carries the ball.
-    bool supports(const Ball &ball) const { return m_endedOnFloor || lookAround(ball).carrier; }
+    bool supports(const Ball &ball) const {
+        if (m_endedOnFloor || lookAround(ball).carrier) return true;
+        if (!mayLie(ball)) return false;
+        // A rounding beyond its end the face carries the ball still, unless that moves on.
+        Contacts contacts;
+        findContacts(m_context.setting, ball.position, motionOf(ball), Vec3(0.0), contacts);
+        return std::any_of(contacts.begin(), contacts.end(), [&](const Contact &contact) {
+            return contact.isTop && std::abs(contact.gap) <= m_context.setting.tolerance;
+        });
+    }
 
     /// Whether the ball stays as it is.
     bool rests(Ball &ball) const { return phys::rests(m_context, ball); }
@@ -122,11 +131,11 @@ private:
     Around lookAround(const Ball &ball) const {
         const Scene &scene = m_context.scene();
         const Vec3 &p = ball.position;
-        const bool mayRest = m_context.params().gravity.z < 0.0 && std::abs(ball.velocity.z) <= negligibleFall(ball);
+        const bool lies = mayLie(ball);
         Around around{nullptr, INFINITY};
         visitNear(scene, p, kCandidateReach * scene.radius, [&](const phys_box &box, uint32_t) {
-            const bool carries = mayRest && std::abs(p.z - (box.max.z + scene.radius)) <= scene.tolerance &&
-                                 Scene::isOver(box, p.x, p.y);
+            const bool carries =
+                lies && std::abs(p.z - (box.max.z + scene.radius)) <= scene.tolerance && Scene::isOver(box, p.x, p.y);
             if (carries)
                 around.carrier = &box;
             else
@@ -135,9 +144,11 @@ private:
         return around;
     }
 
-    /// Fall in a time too short to count.
-    double negligibleFall(const Ball &ball) const {
-        return ball.velocity.z == 0.0 ? 0.0 : negligibleSpeed(motionOf(ball), m_context.radius());
+    /// Whether a top face under the ball would carry it: its fall, if any, is one in a time too short to count.
+    bool mayLie(const Ball &ball) const {
+        if (!(m_context.params().gravity.z < 0.0)) return false;
+        return ball.velocity.z == 0.0 ||
+               std::abs(ball.velocity.z) <= negligibleSpeed(motionOf(ball), m_context.radius());
     }
 
     /// Whether nothing but what carries the ball is within the reach of its way.

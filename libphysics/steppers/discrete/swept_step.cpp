@@ -10,6 +10,9 @@ namespace {
 /// Speeds below this share of sqrt(g R) along a normal don't leave a contact.
 constexpr double kSlow = 1e-11;
 
+/// Of a substep: what happens then happens now.
+constexpr double kSoon = 1.0 / 64.0;
+
 /// Bisection alone would take 53.
 constexpr int kMostRefinements = 80;
 
@@ -19,10 +22,9 @@ Setting withTolerance(Setting setting) {
     return setting;
 }
 
-/// The time in which a ball under so strong a pull (m/s^2) moves by half its radius at most, s.
-double safeTime(double radius, double pull, const Ball &ball) {
+/// The time in which a ball of that speed under so strong a pull (m/s^2) moves by half its radius at most, s.
+double safeTime(double radius, double pull, double speed) {
     const double safe = 0.5 * radius;
-    const double speed = glm::length(ball.velocity);
     const double root = speed + std::sqrt(speed * speed + 4.0 * pull * safe);
     return root > 0.0 ? 2.0 * safe / root : INFINITY;
 }
@@ -35,7 +37,7 @@ double safeTimeOfSpin(const PlanInput &input, const Ball &ball) {
 
 double safeTime(const PlanInput &input, const Ball &ball) {
     const double pull = glm::length(toVec(input.params.gravity));
-    return std::min(safeTime(input.scene.radius, pull, ball), safeTimeOfSpin(input, ball));
+    return std::min(safeTime(input.scene.radius, pull, glm::length(ball.velocity)), safeTimeOfSpin(input, ball));
 }
 
 } // namespace
@@ -129,12 +131,24 @@ void SweptStep::dropWhatIsLeft() {
     const bool hasHops = std::any_of(m_contacts.begin(), m_contacts.end(),
                                      [&](const Contact &contact) { return speed(contact) > contact.restSpeed; });
     if (hasHops) dropWhatNothingPresses(velocity);
-    for (const Contact &contact : m_contacts) {
-        if (contact.isFace()) snapToFace(m_context, contact, m_ball);
-    }
+    snapToFaces();
     m_isAlone = m_contacts.count() == 1 && m_contacts[0].isTop && m_context.params().gravity.z < 0.0;
     m_resists = !m_isAlone && m_context.params().rolling_friction > 0.0 && m_ball.velocity != Vec3(0.0) &&
                 std::any_of(m_contacts.begin(), m_contacts.end(), [](const Contact &contact) { return contact.isTop; });
+}
+
+/// Of two opposite faces that are a rounding further apart than the ball is wide neither has the last word: it is amid.
+void SweptStep::snapToFaces() {
+    Ball forwards = m_ball, backwards = m_ball;
+    const auto snap = [&](const Contact &contact, Ball &ball) {
+        if (contact.isFace()) snapToFace(m_context, contact, ball);
+    };
+    for (uint32_t i = 0; i < m_contacts.count(); ++i) {
+        snap(m_contacts[i], forwards);
+        snap(m_contacts[m_contacts.count() - 1 - i], backwards);
+    }
+    m_ball.position = 0.5 * (forwards.position + backwards.position);
+    m_ball.velocity = forwards.velocity;
 }
 
 /// What comes too slowly for a bounce stops at several contacts as in an impact: none is pulled back.
@@ -163,19 +177,32 @@ void SweptStep::keepContacts(const Vec3 &velocity) {
             most = std::max(most, kMostTaken * std::abs(speed));
         }
         const Vec3 across = kept.across(velocity);
-        const bool takesTooMuch = glm::length(across - velocity) > most;
+        const double taken = glm::length(across - velocity);
+        const bool takesTooMuch = taken > most && !isBound(taken);
         m_ball.velocity = takesTooMuch ? velocity : across;
         if (fastest <= m_slow || !takesTooMuch) return;
         m_contacts.drop([&](const Contact &contact) { return glm::dot(velocity, contact.normal) == fastest; });
     }
 }
 
-/// Of contacts that the ball leaves slowly those stay that press if the ball doesn't leave them.
+/// Whether a ball that comes to all its contacts at once rocks between them, too slow to climb out over any.
+bool SweptStep::isBound(double speed) const {
+    const Vec3 gravity = m_context.setting.gravity();
+    NormalSpan all;
+    for (const Contact &contact : m_contacts) all.add(contact.normal);
+    const double pull = glm::length(gravity - all.across(gravity));
+    return std::all_of(m_contacts.begin(), m_contacts.end(), [&](const Contact &contact) {
+        const double rise = pull + glm::dot(gravity, contact.normal); // per radius, times the pull
+        return speed <= contact.restSpeed && speed * speed <= rise * m_context.radius();
+    });
+}
+
+/// Of contacts that the ball leaves slowly those stay that press if the ball doesn't leave them now: later it may.
 void SweptStep::dropWhatNothingPresses(const Vec3 &velocity) {
     Ball trial = m_ball;
     Reporter silent(nullptr, 0.0);
     std::array<bool, Contacts::kMost> presses;
-    hold({m_context.setting, silent}, m_contacts, ContactRule::SecondOrder, m_substep, trial, presses);
+    hold({m_context.setting, silent}, m_contacts, ContactRule::SecondOrder, kSoon * m_substep, trial, presses);
     NormalSpan kept;
     const bool *pressing = presses.data();
     m_contacts.drop([&](const Contact &contact) {
@@ -222,32 +249,36 @@ double SweptStep::timeToSlipEnd(double end) {
     m_slipEnds = false;
     if (!m_context.isRigid() || m_isAlone || m_contacts.empty()) return end;
     const double radius = m_context.radius();
-    constexpr double kShortest = 1.0 / 1024.0, kLongest = 1.0 / 64.0; // of a substep
+    constexpr double kShortest = 1.0 / 1024.0; // of a substep
     const double gravity = glm::length(m_context.setting.gravity());
-    const double last = m_substep * glm::clamp(m_substep * std::sqrt(gravity / radius), kShortest, kLongest);
+    const double last = m_substep * glm::clamp(m_substep * std::sqrt(gravity / radius), kShortest, kSoon);
     const double rolling = kRolling * (glm::length(m_ball.velocity) + radius * glm::length(m_ball.spin));
     const double none = std::max(rolling, m_slow);
     const Motion start = motionOf(m_ball);
-    Ball after = m_ball;
-    double t = 0.0;
-    const auto look = [&](double time) {
-        if (time != t) after = at(t = time);
+    Motion after = start;
+    const auto visitSlips = [&](auto visit) { // what is left of each that there is, m/s
+        for (const Contact &contact : m_contacts) {
+            const Vec3 slip = slipAt(start, contact.normal, radius);
+            const double speed = glm::length(slip);
+            if (contact.friction == 0.0 || speed <= none) continue;
+            visit(glm::dot(slipAt(after, contact.normal, radius), slip) / speed, speed);
+        }
     };
-    double shortest = end;
-    bool anyEnds = false;
-    for (const Contact &contact : m_contacts) {
-        const Vec3 slip = slipAt(start, contact.normal, radius);
-        const double speed = glm::length(slip);
-        if (contact.friction == 0.0 || speed <= none) continue;
-        const auto left = [&] { return glm::dot(slipAt(motionOf(after), contact.normal, radius), slip) / speed; };
-        look(shortest);
-        while (left() <= kZero * speed && t > last) look(0.25 * t);
-        const double rest = std::max(0.0, left());
-        anyEnds = anyEnds || rest <= kZero * speed;
-        if (rest < 0.5 * speed) shortest = std::max(std::min(last, end), 0.5 * t * speed / (speed - rest));
+    // All are looked at at the same times, so that no order of contacts matters.
+    double t = end;
+    for (;; t *= 0.25) {
+        after = motionOf(at(t));
+        m_slipEnds = false;
+        visitSlips([&](double left, double speed) { m_slipEnds = m_slipEnds || left <= kZero * speed; });
+        if (!m_slipEnds || t <= last) break;
     }
-    m_slipEnds = anyEnds;
-    return std::min(shortest, end);
+    double shortest = end;
+    visitSlips([&](double left, double speed) {
+        const double rest = std::max(0.0, left);
+        const double half = rest < speed ? 0.5 * t * speed / (speed - rest) : t;
+        shortest = std::min(shortest, std::max(last, half));
+    });
+    return shortest;
 }
 
 /// Resistance ends with the ball's way, and begins with the end of a slip: neither may lie inside a phase.
@@ -257,10 +288,11 @@ double SweptStep::timeToStopOrRoll(double end) {
     const double speed = glm::length(m_ball.velocity);
     const Vec3 slip = slipOnTop(m_ball);
     const double slipSpeed = glm::length(slip);
-    if (slipSpeed > kRolling * (speed + m_context.radius() * glm::length(m_ball.spin))) {
+    const bool slips = slipSpeed > kRolling * (speed + m_context.radius() * glm::length(m_ball.spin));
+    if (slips && m_isAlone) { // beside other contacts it turns on its way, and ends in a phase that is short: above
         const Vec3 direction = slip / slipSpeed;
         m_roll = timeToZero(end, slipSpeed, [&](const Ball &ball) { return glm::dot(slipOnTop(ball), direction); });
-    } else if (m_resists && speed > 0.0) { // resistance acts on what rolls
+    } else if (!slips && m_resists && speed > 0.0) { // resistance acts on what rolls
         const Vec3 direction = m_ball.velocity / speed;
         m_stop = timeToZero(end, speed, [&](const Ball &ball) { return glm::dot(ball.velocity, direction); });
     }
@@ -300,10 +332,15 @@ double SweptStep::horizon() const {
 double SweptStep::safeTimeOfPhase() const {
     double friction = 0.0;
     for (const Contact &contact : m_contacts) friction = std::max(friction, contact.friction);
-    // What presses on one top face is known.
-    const double pull = glm::length(m_context.setting.gravity()) * (m_isAlone ? 1.0 + friction : 1.0);
-    const double forWay = safeTime(m_context.radius(), pull, m_ball);
-    return m_isAlone || friction == 0.0 ? forWay : std::min(forWay, safeTimeOfSpin(m_input, m_ball));
+    const double radius = m_context.radius();
+    const double gravity = glm::length(m_context.setting.gravity());
+    const double speed = glm::length(m_ball.velocity);
+    if (m_isAlone) { // what presses on one top face is known, and its friction makes speed of 2/7 of the slip at most
+        const double ofSlip = 2.0 / 7.0 * glm::length(slipOnTop(m_ball));
+        return std::max(safeTime(radius, (1.0 + friction) * gravity, speed), safeTime(radius, gravity, speed + ofSlip));
+    }
+    const double forWay = safeTime(radius, gravity, speed);
+    return friction == 0.0 ? forWay : std::min(forWay, safeTimeOfSpin(m_input, m_ball));
 }
 
 /// Whether the box around the way of t seconds holds nothing but the face that the ball is on.

@@ -43,8 +43,10 @@ private:
     bool advanceFreely();
     void beginPhase();
     void dropWhatIsLeft();
+    void snapToFaces();
     void stopSlowApproach();
     void keepContacts(const Vec3 &velocity);
+    bool isBound(double speed) const;
     void dropWhatNothingPresses(const Vec3 &velocity);
     void finishPhase(double t);
     template<class Left>
