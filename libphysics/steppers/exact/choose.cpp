@@ -78,14 +78,15 @@ bool ExactStep::restsNow() const {
     return true;
 }
 
-/// Whether all accelerations stay as they are: only faces press, and slips and resistance keep their directions.
-bool ExactStep::isUniform() const {
+/// Whether all accelerations stay as they are: only faces press, or smooth contacts that let the ball move along an
+/// axis alone, and slips and resistance keep their directions.
+bool ExactStep::isUniform(const Vec3 &free) const {
     const bool isTurningOnly = m_motion.velocity == Vec3(0.0) && m_response.acceleration == Vec3(0.0);
     if (isTurningOnly && m_response.spinAcceleration == Vec3(0.0)) return true;
     for (uint32_t i = 0; i < m_heldCount; ++i) {
         const Reaction &reaction = m_response.reactions[i];
         if (reaction.mode == Mode::open) continue;
-        if (!contactOf(i).isFace()) return isInGroove(0) || isInGroove(1) || isInGroove(2);
+        if (!contactOf(i).isFace() && (reaction.mode != Mode::smooth || free == Vec3(1.0))) return false;
         if (reaction.mode == Mode::slipping) {
             const Vec3 rate =
                 m_response.acceleration - m_scene.radius * glm::cross(m_response.spinAcceleration, m_held[i].normal);
@@ -98,41 +99,6 @@ bool ExactStep::isUniform() const {
         }
     }
     return true;
-}
-
-/// Whether smooth contacts, an edge among them, hold the ball in a groove along an axis, so that it can move along that
-/// alone. Series would make motions of rounding, which normals that all but oppose each other make large.
-bool ExactStep::isInGroove(int axis) const {
-    Vec3 first(0.0);
-    bool holds = false;
-    for (uint32_t i = 0; i < m_heldCount; ++i) {
-        if (!isClosed(i)) continue;
-        if (m_response.reactions[i].mode != Mode::smooth || contactOf(i).sides[axis] != 0) return false;
-        const Vec3 &n = m_held[i].normal;
-        holds = holds || glm::length(glm::cross(first, n)) > kParallel;
-        first = n;
-    }
-    Vec3 across = m_motion.velocity;
-    across[axis] = 0.0;
-    return holds && across == Vec3(0.0);
-}
-
-bool ExactStep::pressesFacesAlone() const {
-    for (uint32_t i = 0; i < m_heldCount; ++i) {
-        if (isClosed(i) && !contactOf(i).isFace()) return false;
-    }
-    return true;
-}
-
-/// What is across a groove that holds the ball was rounding.
-void ExactStep::keepInGroove() {
-    if (pressesFacesAlone()) return;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (!isInGroove(axis)) continue;
-        const double along = m_response.acceleration[axis];
-        m_response.acceleration = Vec3(0.0);
-        m_response.acceleration[axis] = along;
-    }
 }
 
 /// Whether a single face presses, and which contact that is.
@@ -182,7 +148,8 @@ void ExactStep::stopHeld() {
 phys_status ExactStep::choose(Phase &phase) {
     if (const phys_status status = respondNow()) return status;
     m_isAnswered = true;
-    keepInGroove();
+    const Vec3 free = freeAxes(moment(), held(), m_response);
+    m_response.acceleration *= free;
     stopHeld();
     const Vec3 g = m_setting.gravity();
     uint32_t closed = kMostHeld;
@@ -192,7 +159,7 @@ phys_status ExactStep::choose(Phase &phase) {
     }
     if (restsNow()) {
         phase = Uniform{Vec3(0.0), Vec3(0.0), m_motion.spin, Vec3(0.0)};
-    } else if (isUniform()) {
+    } else if (isUniform(free)) {
         const Vec3 &a = m_response.acceleration, &v = m_motion.velocity;
         phase = Uniform{v, a, m_motion.spin, m_response.spinAcceleration};
     } else if (isAlone(closed)) {

@@ -93,6 +93,8 @@ private:
     void keepFaces();
     void holdGround();
     void takeFaces();
+    void stopBounces(double negligible);
+    bool isApproaching(double negligible) const;
     bool collide(double negligible);
     const Contact *nextBounce() const;
     void skipBounces();
@@ -120,10 +122,7 @@ private:
     phys_status respondNow();
     phys_status jam();
     void takeJammed(const Moment &jammed);
-    bool isUniform() const;
-    bool isInGroove(int axis) const;
-    bool pressesFacesAlone() const;
-    void keepInGroove();
+    bool isUniform(const Vec3 &free) const;
     bool isAlone(uint32_t &closed) const;
     bool slides(Slide::Faces &faces) const;
     bool isStill() const;

@@ -28,9 +28,7 @@ constexpr double kSlowDecay = 0.95;
 void ExactStep::resolve() {
     m_isAnswered = false;
     const double speed = glm::length(m_motion.velocity), negligible = negligibleSpeed(m_motion, m_scene.radius);
-    if (movesAlongGround()) {
-        return holdGround();
-    }
+    if (movesAlongGround()) return holdGround();
     touch();
     if (movesAlongFaces()) {
         takeFaces();
@@ -47,7 +45,16 @@ void ExactStep::resolve() {
     }
     hold(negligible);
     if (collide(negligible)) hold(negligible);
+    if (isApproaching(negligible)) stopBounces(negligible);
     roll(hits && wasCarried);
+}
+
+/// Contacts that drive the ball into each other again and again: none of them bounces any more.
+void ExactStep::stopBounces(double negligible) {
+    for (Contact &contact : m_contacts) contact.restitution = 0.0;
+    collide(negligible);
+    collectHeld(negligible);
+    project();
 }
 
 /// Whether the ball touches nothing but faces, and has no velocity across any: nothing is hit then, and all of them
@@ -154,12 +161,15 @@ Vec3 ExactStep::actingAcceleration() {
     return response.isFound ? response.acceleration : m_setting.gravity();
 }
 
-/// True if anything was hit.
-bool ExactStep::collide(double negligible) {
-    const bool approaches = std::any_of(m_contacts.begin(), m_contacts.end(), [&](const Contact &contact) {
+bool ExactStep::isApproaching(double negligible) const {
+    return std::any_of(m_contacts.begin(), m_contacts.end(), [&](const Contact &contact) {
         return glm::dot(m_motion.velocity, contact.normal) < -negligible;
     });
-    if (!approaches) return false;
+}
+
+/// True if anything was hit.
+bool ExactStep::collide(double negligible) {
+    if (!isApproaching(negligible)) return false;
     endBounces(negligible);
     const Impacts impacts = resolveImpacts(m_contacts, m_scene.radius, m_motion, m_work);
     m_report.lostImpact(impacts.lostNormal);

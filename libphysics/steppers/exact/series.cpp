@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "exact/series.h"
 
+#include "contact/held.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -20,11 +22,30 @@ Vec3 axisOf(uint32_t i) { return {i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2
 
 } // namespace
 
+Vec3 freeAxes(const Moment &moment, std::span<const Held> held, const Response &response) {
+    constexpr double kParallel = 1e-12;
+    Vec3 first(0.0), line(0.0), free(1.0); // line: that two of the normals leave
+    bool isFixed = false, isFlat = true;
+    for (uint32_t i = 0; i < held.size(); ++i) {
+        if (response.reactions[i].mode == Mode::open) continue;
+        const Vec3 &n = held[i].normal;
+        isFlat = isFlat && isFace(held[i]);
+        isFixed = isFixed || std::abs(glm::dot(line, n)) > kParallel;
+        if (line == Vec3(0.0) && glm::length(glm::cross(first, n)) > kParallel) line = hat(glm::cross(first, n));
+        if (first == Vec3(0.0)) first = n;
+        free *= Vec3(1.0) - held[i].across;
+    }
+    if (isFixed) free = Vec3(0.0);
+    const bool isHeld = isFixed || (line != Vec3(0.0) && free != Vec3(0.0));
+    return isHeld && !isFlat && free * moment.velocity == moment.velocity ? free : Vec3(1.0);
+}
+
 void Series::build(const Moment &moment, std::span<const Held> held, const Response &response, double unit,
                    uint32_t kept) {
     m_mirror = Mirror(moment, held);
     m_moment = m_mirror.seen(moment);
     m_reach.unit = unit;
+    m_free = glm::abs(m_mirror.seen(freeAxes(moment, held, response)));
     const Sorted sorted(m_mirror, held);
     m_count = m_unknowns = 0;
     m_rolls = kMostHeld;
@@ -96,7 +117,7 @@ void Series::begin(const Response &response) {
     m_p[0] = Vec3(0.0);
     m_v[0] = m_moment.velocity;
     m_om[0] = m_moment.spin;
-    m_a[0] = m_mirror.seen(response.acceleration);
+    m_a[0] = m_free * m_mirror.seen(response.acceleration);
     m_al[0] = m_mirror.seenSpin(response.spinAcceleration);
     m_rolling[0] = m_mirror.seenSpin(response.rolling);
     m_rollStarts = false;
@@ -381,7 +402,7 @@ void Series::solveOrder(int k) {
         a += force;
         al += spinPerForce(contact, force, k);
     }
-    m_a[k] += a;
+    m_a[k] = m_free * (m_a[k] + a);
     m_al[k] += al;
     for (Contact &contact : contacts()) contact.rateKnown += a - m_moment.radius * glm::cross(al, contact.n[0]);
 }

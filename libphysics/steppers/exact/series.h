@@ -11,6 +11,10 @@
 
 namespace phys {
 
+/// 1 along the axes on which closed contacts let the ball move, if they hold it to an axis or a place, else everywhere:
+/// what acts across was rounding, which normals that all but oppose each other make large.
+Vec3 freeAxes(const Moment &moment, std::span<const Held> held, const Response &response);
+
 class Series {
 public:
     static constexpr uint64_t kLook = 60; ///< work
@@ -81,6 +85,7 @@ private:
 
     Mirror m_mirror{Moment{}, {}};
     Moment m_moment;
+    Vec3 m_free; ///< freeAxes
     std::array<Contact, kMostHeld> m_contacts;
     std::array<uint32_t, kMostHeld> m_index{};
     uint32_t m_count = 0, m_unknowns = 0;
