@@ -120,6 +120,18 @@ bool pulls(const Combination &c, double zero) {
                        [zero](const Reaction &reaction) { return reaction.pressure < -zero; });
 }
 
+/// What the rounding of accelerations makes of the directions of forces so small.
+double settledWithin(const Combination &c, const Sought &sought) {
+    constexpr double kMost = 1e-6;
+    double force = accelerationScale(c.moment);
+    const double rounding = 4.0 * 0x1p-52 * force;
+    for (uint32_t i = 0; i < c.count(); ++i) {
+        if (sought.starting >> i & 1U) force = std::min(force, c.held[i].friction * c.reactions[i].pressure);
+        if (sought.rolls == i) force = std::min(force, c.held[i].resistance * c.reactions[i].pressure);
+    }
+    return force > 0.0 ? std::clamp(rounding / force, kSettled, kMost) : kSettled;
+}
+
 /// Turns the directions until they agree with the accelerations. False if they don't settle.
 bool settleDirections(Combination &c, const Sought &sought) {
     solve(c);
@@ -131,7 +143,7 @@ bool settleDirections(Combination &c, const Sought &sought) {
         const Aims aims = aimsOf(c, sought), asked = askedFor(c, sought);
         double change = 0.0;
         for (size_t i = 0; i < aims.size(); ++i) change = std::max(change, glm::length(asked[i] - aims[i]));
-        const bool isSettled = change <= kSettled;
+        const bool isSettled = change <= settledWithin(c, sought);
         aim(c, sought, isSettled || pass < kPlainPasses ? asked : mixing.mix(aims, asked));
         solve(c);
         if (isSettled) return true;
