@@ -309,12 +309,15 @@ bool LastingContacts::releaseOpposite(double negligible) {
 
 /// Two contacts that stick can be pressed against each other without moving anything, along the line between their
 /// points. Of all such answers the one with the least friction holds, model.md 13.3: this changes to it, where the
-/// cones allow. Returns the largest change, m/s.
-double LastingContacts::relieve() {
+/// cones allow. One of them may be at its limit by that pressure alone. Returns the largest change, m/s.
+double LastingContacts::relieve(double negligible, const Motion &motion) {
+    const auto isStill = [&](const Lasting &contact) {
+        return contact.reaction > 0.0 && size(slipAt(motion, contact.limit, m_radius)) <= 4.0 * negligible;
+    };
     double largest = 0.0;
     for (Lasting *a = begin(); a != end(); ++a) {
         for (Lasting *b = a + 1; b != end(); ++b) {
-            if (!a->sticks() || !b->sticks()) continue;
+            if (!isStill(*a) || !isStill(*b)) continue;
             const Vec3 line = a->lever - b->lever;
             const Vec3 acrossA = tangential(line, a->lever);
             const Vec3 acrossB = tangential(line, b->lever);
@@ -327,6 +330,7 @@ double LastingContacts::relieve() {
             relievedA.rubbing += share * acrossA;
             relievedB.reaction -= share * glm::dot(line, b->lever);
             relievedB.rubbing -= share * acrossB;
+            relievedA.isSpent = relievedB.isSpent = false;
             if (!relievedA.sticks() || !relievedB.sticks()) continue;
             *a = relievedA;
             *b = relievedB;
@@ -346,7 +350,7 @@ void LastingContacts::solve(double rollingFriction, Motion &motion) {
     }
     settleWithoutResistance(negligible, driven, motion);
     if (rollingFriction == 0.0) return;
-    relieve();
+    relieve(negligible, motion);
     bool anyRolls = false;
     for (Lasting &contact : *this) {
         contact.rolls = contact.isTop && contact.reaction > 0.0 && (contact.isGlued || contact.sticks());
@@ -358,7 +362,7 @@ void LastingContacts::solve(double rollingFriction, Motion &motion) {
     for (int i = 0; i < kMostShares; ++i) {
         if (!shareLoads() || !settleTogether(rollingFriction, negligible, kUsuallyTogether, motion))
             settle(rollingFriction, negligible, true, motion);
-        if (relieve() <= negligible) return;
+        if (relieve(negligible, motion) <= negligible) return;
     }
 }
 

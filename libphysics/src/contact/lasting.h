@@ -51,7 +51,7 @@ private:
     bool shareLoads() const;
     double pressTogether(double negligible, Motion &motion);
     bool releaseOpposite(double negligible);
-    double relieve();
+    double relieve(double negligible, const Motion &motion);
     double sweep(double rollingFriction, bool arePressed, Motion &motion);
 
     double m_radius;
