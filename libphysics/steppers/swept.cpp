@@ -39,8 +39,9 @@ phys_status sweepStep(const PlanInput &input, RestingPlace &resting, phys_state 
     Reporter reporter(report, in.time);
     reporter.substeps(1, 0);
     const StepPlan plan = planSweep(input);
-    DiscreteStep<VelocityVerlet> whole({scene, params}, reporter, plan, dt);
-    const StepContext context{{scene, params}, reporter};
+    Work work(kMostWorkOfContacts);
+    DiscreteStep<VelocityVerlet> whole({scene, params}, reporter, work, plan, dt);
+    const StepContext context{{scene, params}, reporter, work};
 
     Ball before = loadBall(in);
     if (!leaveOverlaps(context, before)) return refuseStuck(before.position, err);
@@ -51,9 +52,10 @@ phys_status sweepStep(const PlanInput &input, RestingPlace &resting, phys_state 
         return PHYS_OK;
     }
     if (reporter.wanted()) before.supported = whole.supports(before);
-    SweptStep sweep(input, reporter, plan, before);
+    SweptStep sweep(input, reporter, work, plan, before);
     while (!sweep.toNextEvent()) {
         if (sweep.effort() > kEffortCap) return refuseEffort(err);
+        if (work.isTooMuch()) return refuseContacts(PHYS_ERROR_EVENT_CAP, err);
     }
     Ball ball = sweep.ball();
     if (!leaveOverlaps(context, ball)) return refuseStuck(before.position, err);

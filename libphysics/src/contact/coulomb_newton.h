@@ -15,6 +15,7 @@ struct CoulombProblem {
     double radius;
     double rollingFriction; ///< 0: nothing resists
     double negligible;      ///< m/s
+    Work &work;
 };
 
 /// Improves the impulses and the motion that they made, which must fit each other, until Coulomb's law holds for all.

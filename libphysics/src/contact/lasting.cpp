@@ -138,6 +138,7 @@ private:
 /// Returns the largest change, m/s.
 double LastingContacts::sweep(double rollingFriction, bool arePressed, Motion &motion) {
     double largest = 0.0;
+    m_work->add(Work::kDisc * count());
     for (Lasting &contact : *this) {
         const double reaction = arePressed ? contact.reaction : reactionOf(contact, motion);
         const double pushed = reaction - contact.reaction;
@@ -208,6 +209,7 @@ double LastingContacts::pressTogether(double negligible, Motion &motion) {
         }
         return false;
     };
+    m_work->add(Work::kPush * count() * count());
     if (!any()) return kNotPressed;
     for (Lasting &contact : *this) contact.reaction = 0.0;
     pressing.store();
@@ -226,7 +228,7 @@ bool LastingContacts::solveByNewton(double rollingFriction, double negligible, b
     const LastingContacts before = *this;
     const Motion motionBefore = motion;
     const double most = isLast ? INFINITY : 2.0 * pressure();
-    if (!solveCoulomb({{begin(), end()}, m_radius, rollingFriction, negligible}, motion)) return false;
+    if (!solveCoulomb({{begin(), end()}, m_radius, rollingFriction, negligible, *m_work}, motion)) return false;
     m_needsNewton = pressure() <= most;
     if (m_needsNewton) return true;
     *this = before;

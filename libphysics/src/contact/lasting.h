@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contact/contact.h"
+#include "contact/work.h"
 
 namespace phys {
 
@@ -35,8 +36,10 @@ inline constexpr double kEndsSlip = 2.0 / 7.0;
 
 class LastingContacts : public ShortList<Lasting> {
 public:
-    explicit LastingContacts(double radius)
-        : m_radius(radius) {}
+    /// work: counts what `solve` does.
+    LastingContacts(double radius, Work &work)
+        : m_radius(radius)
+        , m_work(&work) {}
 
     /// Coulomb's law of all contacts at once, and rolling resistance where a top face rolls: changes the motion that
     /// gravity alone would give. Begins with the impulses that the contacts have: none, or those of a like problem.
@@ -55,6 +58,7 @@ private:
     double sweep(double rollingFriction, bool arePressed, Motion &motion);
 
     double m_radius;
+    Work *m_work;
     bool m_needsNewton = false; ///< sweeps came to the last answer too slowly
 };
 

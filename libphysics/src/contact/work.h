@@ -23,10 +23,14 @@ public:
     static constexpr uint64_t kSeries = 850;    ///< an unknown of a set of power series
     static constexpr uint64_t kJet = 8;         ///< a power series and its rate at a moment
 
+    explicit Work(uint64_t most = kMost)
+        : m_most(most) {}
+
     void add(uint64_t units) { m_done += units; }
-    bool isTooMuch() const { return m_done > kMost; }
+    bool isTooMuch() const { return m_done > m_most; }
 
 private:
+    uint64_t m_most;
     uint64_t m_done = 0;
 };
 

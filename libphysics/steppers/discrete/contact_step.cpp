@@ -62,7 +62,7 @@ Vec3 mixedVelocity(const LastingContacts &contacts, const Vec3 &before, const Ve
 
 LastingContacts holdFirstOrder(const StepContext &context, const Contacts &contacts, bool isExplicit, double h,
                                Ball &ball) {
-    LastingContacts lasting(context.radius());
+    LastingContacts lasting(context.radius(), context.work);
     for (const Contact &contact : contacts) {
         lasting.add(lastingOf(contact, touches(context, contact) ? 0.0 : -contact.gap / h));
     }
@@ -86,7 +86,7 @@ LastingContacts holdFirstOrder(const StepContext &context, const Contacts &conta
 LastingContacts midpointContacts(const StepContext &context, const Contacts &contacts, const Ball &ball,
                                  const Vec3 &velocityAtEnd, double h) {
     const double radius = context.radius();
-    LastingContacts lasting(radius);
+    LastingContacts lasting(radius, context.work);
     const Vec3 sum = ball.velocity + velocityAtEnd;
     const double rolling = kRolling * (glm::length(ball.velocity) + radius * glm::length(ball.spin));
     for (const Contact &contact : contacts) {
@@ -115,7 +115,7 @@ LastingContacts holdSecondOrder(const StepContext &context, const Contacts &cont
     Motion driven = before;
     driven.velocity += h * context.setting.gravity();
     Motion motion = before;
-    LastingContacts lasting(context.radius());
+    LastingContacts lasting(context.radius(), context.work);
     // The normals of faces don't turn.
     const bool turns =
         std::any_of(contacts.begin(), contacts.end(), [](const Contact &contact) { return !contact.isFace(); });
@@ -141,7 +141,7 @@ LastingContacts holdSecondOrder(const StepContext &context, const Contacts &cont
 /// Whether contacts can hold a ball that stands still: friction and resistance included, model.md 13.5.
 bool canHold(const StepContext &context, const Contacts &contacts) {
     const Vec3 gravity = context.setting.gravity();
-    LastingContacts lasting(context.radius());
+    LastingContacts lasting(context.radius(), context.work);
     for (const Contact &contact : contacts) {
         if (contact.gap < -context.setting.tolerance) return false;
         lasting.add(lastingOf(contact, 0.0));
@@ -267,7 +267,7 @@ bool hold(const StepContext &context, const Contacts &contacts, ContactRule kind
         reversed.reverseTies();
         Reporter silent(nullptr, 0.0);
         Ball other = start;
-        holdInThisOrder({context.setting, silent}, reversed, kind, h, other);
+        holdInThisOrder({context.setting, silent, context.work}, reversed, kind, h, other);
         ball.position = 0.5 * (ball.position + other.position);
         ball.velocity = 0.5 * (ball.velocity + other.velocity);
         ball.spin = 0.5 * (ball.spin + other.spin);

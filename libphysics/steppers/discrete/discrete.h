@@ -26,9 +26,9 @@ namespace phys {
 template<class Scheme>
 class DiscreteStep {
 public:
-    DiscreteStep(const Setting &setting, Reporter &report, const StepPlan &plan, double h)
+    DiscreteStep(const Setting &setting, Reporter &report, Work &work, const StepPlan &plan, double h)
         : m_plan(plan)
-        , m_context{setting, report}
+        , m_context{setting, report, work}
         , m_onFloor(m_context, plan, h)
         , m_h(h) {}
     DiscreteStep(const DiscreteStep &) = delete;
@@ -200,10 +200,12 @@ private:
         Contacts contacts;
         if (m_context.report.wanted()) {
             Reporter silent(nullptr, 0.0);
-            DiscreteStep trial(m_context.setting, silent, m_plan, m_h);
+            DiscreteStep trial(m_context.setting, silent, m_context.work, m_plan, m_h);
             trial.meetAll(start, ways, contacts, ball);
             ball = before;
-            meet(start, ways, contacts, ball);
+            Work again; // a report changes no status either
+            DiscreteStep reporting(m_context.setting, m_context.report, again, m_plan, m_h);
+            reporting.meet(start, ways, contacts, ball);
         } else {
             meetAll(start, ways, contacts, ball);
         }
@@ -281,7 +283,7 @@ private:
         if (!arrives) {
             Reporter silent(nullptr, 0.0);
             Ball next = start;
-            const bool pressesOnTop = holdOrFly({m_context.setting, silent}, kept, next);
+            const bool pressesOnTop = holdOrFly({m_context.setting, silent, m_context.work}, kept, next);
             if (kept.empty() || !overlapsAnother(contacts, kept, next)) {
                 const bool presses = m_context.report.wanted() ? holdOrFly(m_context, kept, start) : pressesOnTop;
                 ball = m_context.report.wanted() ? start : next;

@@ -12,6 +12,9 @@ namespace phys {
 /// More substeps than this in one step are refused.
 inline constexpr uint32_t kSubstepCap = 1'000'000;
 
+/// Nor may finding what lasting contacts do in them take more than this: some 0.3 s.
+inline constexpr uint64_t kMostWorkOfContacts = 100'000'000;
+
 /// What one step runs.
 struct StepPlan {
     bool asReported; ///< textbook collisions: definition D of model.md 10 as it is, without substeps

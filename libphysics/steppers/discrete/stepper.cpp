@@ -58,6 +58,11 @@ phys_status refuseSubsteps(double substeps, phys_error *err) {
                 substeps, kSubstepCap);
 }
 
+phys_status refuseContacts(phys_status status, phys_error *err) {
+    return fail(err, status, "what several contacts do in this step takes more than %.9g to compute: take a smaller dt",
+                static_cast<double>(kMostWorkOfContacts));
+}
+
 phys_status refuseStuck(const Vec3 &position, phys_error *err) {
     return fail(err, PHYS_ERROR_STUCK, "the ball at (%.9g, %.9g, %.9g) overlaps boxes with no room for it between them",
                 position.x, position.y, position.z);

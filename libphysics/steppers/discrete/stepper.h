@@ -45,6 +45,8 @@ phys_status makePlaces(const phys_scene_view *view, void **self, phys_error *err
 void deletePlaces(void *self);
 
 phys_status refuseSubsteps(double substeps, phys_error *err);
+/// Where lasting contacts take too much to compute.
+phys_status refuseContacts(phys_status status, phys_error *err);
 phys_status refuseStuck(const Vec3 &position, phys_error *err);
 
 /// Stores the ball after its last substep, with the flags that follow from it and the events that only show now.
@@ -83,7 +85,8 @@ struct DiscreteStepper {
         const double h = dt / stepPlan.substeps;
         Reporter reporter(report, in->time);
         reporter.substeps(substeps, kSubstepCap);
-        DiscreteStep<Scheme> substep({scene, *params}, reporter, stepPlan, h);
+        Work work(kMostWorkOfContacts);
+        DiscreteStep<Scheme> substep({scene, *params}, reporter, work, stepPlan, h);
 
         Ball before = loadBall(*in);
         if (!stepPlan.asReported && before.velocity == Vec3(0.0) && substep.rests(before)) {
@@ -96,6 +99,7 @@ struct DiscreteStepper {
         for (uint32_t i = 1; i <= substeps; ++i) {
             const Ball last = ball;
             if (!substep.run(i * h, ball)) return refuseStuck(before.position, err);
+            if (work.isTooMuch()) return refuseContacts(PHYS_ERROR_SUBSTEP_CAP, err);
             if (i < substeps && substep.stays(last, ball)) break;
         }
         finishStep(substep, input, before, ball, stepPlan, reporter, *out);

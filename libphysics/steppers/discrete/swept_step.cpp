@@ -42,10 +42,10 @@ double safeTime(const PlanInput &input, const Ball &ball) {
 
 } // namespace
 
-SweptStep::SweptStep(const PlanInput &input, Reporter &reporter, const StepPlan &plan, const Ball &start)
+SweptStep::SweptStep(const PlanInput &input, Reporter &reporter, Work &work, const StepPlan &plan, const Ball &start)
     : m_input(input)
     , m_plan(plan)
-    , m_context{withTolerance({input.scene, input.params}), reporter}
+    , m_context{withTolerance({input.scene, input.params}), reporter, work}
     , m_substep(std::min(input.dt, safeTime(input, start)))
     , m_slow(kSlow * std::sqrt(glm::length(toVec(input.params.gravity)) * input.scene.radius))
     , m_ball(start) {}
@@ -53,7 +53,7 @@ SweptStep::SweptStep(const PlanInput &input, Reporter &reporter, const StepPlan 
 Ball SweptStep::at(double t, Reporter &reporter) const {
     constexpr uint32_t kEffortOfContacts = 40;
     ++m_effort;
-    Step step(m_context.setting, reporter, m_plan, t);
+    Step step(m_context.setting, reporter, m_context.work, m_plan, t);
     Ball ball = m_ball;
     if (m_isAlone || m_contacts.empty()) {
         ball.supported = m_isAlone;
@@ -62,7 +62,7 @@ Ball SweptStep::at(double t, Reporter &reporter) const {
         reporter.lostSlip(loss.slip);
     } else if (!step.rollBetweenWalls(m_contacts, ball)) {
         m_effort += kEffortOfContacts;
-        const StepContext context{m_context.setting, reporter};
+        const StepContext context{m_context.setting, reporter, m_context.work};
         const ContactRule rule = m_slipEnds ? ContactRule::Symplectic : ContactRule::SecondOrder;
         ball.supported = hold(context, m_contacts, rule, t, ball);
     } else {
@@ -94,7 +94,7 @@ bool SweptStep::toNextEvent() {
 /// The whole step where nothing happens in it.
 bool SweptStep::advanceFreely() {
     if (m_done > 0.0 || !isSlow(m_input) || spinsFast(m_input)) return false;
-    const StepContext context{{m_input.scene, m_input.params}, m_context.report};
+    const StepContext context{{m_input.scene, m_input.params}, m_context.report, m_context.work};
     return FloorRun<VelocityVerlet>(context, m_plan, m_input.dt).glide(m_ball);
 }
 
@@ -202,7 +202,8 @@ void SweptStep::dropWhatNothingPresses(const Vec3 &velocity) {
     Ball trial = m_ball;
     Reporter silent(nullptr, 0.0);
     std::array<bool, Contacts::kMost> presses;
-    hold({m_context.setting, silent}, m_contacts, ContactRule::SecondOrder, kSoon * m_substep, trial, presses);
+    hold({m_context.setting, silent, m_context.work}, m_contacts, ContactRule::SecondOrder, kSoon * m_substep, trial,
+         presses);
     NormalSpan kept;
     const bool *pressing = presses.data();
     m_contacts.drop([&](const Contact &contact) {

@@ -11,7 +11,7 @@ namespace phys {
 class SweptStep {
 public:
     /// start: the ball at the step's start.
-    SweptStep(const PlanInput &input, Reporter &reporter, const StepPlan &plan, const Ball &start);
+    SweptStep(const PlanInput &input, Reporter &reporter, Work &work, const StepPlan &plan, const Ball &start);
 
     const Ball &ball() const { return m_ball; }
 

@@ -11,6 +11,7 @@ using phys::Lasting;
 using phys::LastingContacts;
 using phys::Motion;
 using phys::Vec3;
+using phys::Work;
 
 constexpr double kRadius = 0.03125;
 constexpr double kRounding = 1e-13;
@@ -57,10 +58,12 @@ private slots:
     void aWedgeCarriesASpinningBallByTheLeastPressure();
     void theRoughestWallAndEdgeRub();
     void whatSticksRollsOnToAGapThatCloses();
+    void whatFindsAnAnswerIsCounted();
 };
 
 void LastingContactsTest::aGrooveOfFloorAndEdgeStopsABallThatSlipsInIt() {
-    LastingContacts contacts(kRadius);
+    Work work;
+    LastingContacts contacts(kRadius, work);
     contacts.add(contact(kUp, 1.0));
     contacts.add(contact({-0.9457302746909354, 0.0, 0.3249526850681613}, 1.0));
     Motion moved = motion({1.2276678411942e-3, 0.021493566551782, -5.487252984322e-3},
@@ -71,7 +74,8 @@ void LastingContactsTest::aGrooveOfFloorAndEdgeStopsABallThatSlipsInIt() {
 }
 
 void LastingContactsTest::aWedgeCarriesASpinningBallByTheLeastPressure() {
-    LastingContacts contacts(kRadius);
+    Work work;
+    LastingContacts contacts(kRadius, work);
     contacts.add(contact({0.99999, -0.004472124774662, 0.0}, 0.5));
     contacts.add(contact({-0.99999, -0.004472124774662, 0.0}, 0.5));
     contacts.add(contact(kUp, 1.0));
@@ -83,7 +87,8 @@ void LastingContactsTest::aWedgeCarriesASpinningBallByTheLeastPressure() {
 }
 
 void LastingContactsTest::theRoughestWallAndEdgeRub() {
-    LastingContacts contacts(kRadius);
+    Work work;
+    LastingContacts contacts(kRadius, work);
     contacts.add(contact({0.0, 1.0, 0.0}, 1e6));
     contacts.add(contact({0.43973312472422432, 0.0, 0.89812848692170411}, 1e6, -1.37e-4));
     Motion moved = motion({0.7289142120866994, -2.5879591329422e-4, -0.3585167864322523},
@@ -94,7 +99,8 @@ void LastingContactsTest::theRoughestWallAndEdgeRub() {
 }
 
 void LastingContactsTest::whatSticksRollsOnToAGapThatCloses() {
-    LastingContacts contacts(kRadius);
+    Work work;
+    LastingContacts contacts(kRadius, work);
     contacts.add(contact(kUp, 0.1));
     contacts.add(contact({0.98270998277775212, -0.18515153185688177, 0.0}, 0.5, -3e-8));
     Motion moved = motion({6.722236873037e-5, 1.146698991461e-3, -2.801433275824e-3},
@@ -104,6 +110,16 @@ void LastingContactsTest::whatSticksRollsOnToAGapThatCloses() {
     QVERIFY(std::abs(moved.velocity.z) < kRounding);
     QVERIFY(glm::length(slip(moved, contacts[0])) < kRounding);
     QVERIFY(glm::length(slip(moved, contacts[1])) < 1e-6);
+}
+
+void LastingContactsTest::whatFindsAnAnswerIsCounted() {
+    Work work(5 * Work::kDisc);
+    LastingContacts contacts(kRadius, work);
+    contacts.add(contact({0.99999, -0.004472124774662, 0.0}, 0.5));
+    contacts.add(contact({-0.99999, -0.004472124774662, 0.0}, 0.5));
+    Motion moved = motion({-1.2e-5, 3e-3, -6.6e-3}, {-0.093, 0.0, 0.0});
+    contacts.solve(0.0, moved);
+    QVERIFY(work.isTooMuch());
 }
 
 QTEST_GUILESS_MAIN(LastingContactsTest)
