@@ -4,6 +4,7 @@
 
 #include "core/engine/engine.h"
 
+#include <QDir>
 #include <QTest>
 
 #include <memory>
@@ -24,6 +25,8 @@ inline Scene sceneOf(const std::vector<phys_box> &boxes) {
 
 // A square floor of 2 m with the ball in its middle and no walls: the ball can roll for a while.
 inline Scene openFloor() { return sceneOf({{{-1.0, -1.0, -0.01}, {1.0, 1.0, 0.0}}}); }
+
+inline int levelCount() { return int(QDir(LEVELS_FOLDER).entryList({"*.txt"}, QDir::Files).size()); }
 
 inline Scene levelScene(int number) {
     QString error;

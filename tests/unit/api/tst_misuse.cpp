@@ -308,7 +308,7 @@ std::vector<Misuse> wrongSteps() {
     for (const double dt : {-1.0, -1e-300, kNaN, kInfinity, -kInfinity})
         add(
             "dt " + digits(dt), PHYS_ERROR_ARGUMENT, [](Bench &) {}, dt);
-    add("params.struct_size", PHYS_ERROR_ARGUMENT, [](Bench &b) { b.ball.params.struct_size -= 8; });
+    add("params.struct_size", PHYS_ERROR_ARGUMENT, [](Bench &b) { b.ball.params.struct_size = 8; });
     add("params.options", PHYS_ERROR_RANGE, [](Bench &b) { b.ball.params.options = PHYS_OPTIONS + 1; });
     uint32_t count = 0;
     const phys_param_row *const first = phys_param_rows(&count);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where levels come from.
 #include "core/setup/levels.h"
+#include "inspector/core/scenes.h"
 
 #include <QDir>
 #include <QTemporaryDir>
@@ -12,7 +13,7 @@ class TestLevels : public QObject {
     Q_OBJECT
 
 private slots:
-    void theTenLevelsAreFoundInOrderWithTheirMeshes();
+    void allLevelsAreFoundInOrderWithTheirMeshes();
     void environmentVariableNamesTheFolder();
     void emptyFolderNameHasNoLevels();
     void numberFindsALevelOfTheList();
@@ -23,9 +24,9 @@ private slots:
     void levelsThatAreNumbersAreCalledByThem();
 };
 
-void TestLevels::theTenLevelsAreFoundInOrderWithTheirMeshes() {
+void TestLevels::allLevelsAreFoundInOrderWithTheirMeshes() {
     const std::vector<Level> levels = levelsIn(LEVELS_FOLDER);
-    QCOMPARE(levels.size(), size_t(10));
+    QCOMPARE(levels.size(), size_t(levelCount()));
     for (size_t i = 0; i < levels.size(); ++i) {
         QCOMPARE(levels[i].name, QString("%1").arg(i + 1, 2, 10, QChar('0')));
         QCOMPARE(levels[i].path, QString(LEVELS_FOLDER "/%1.txt").arg(levels[i].name));
@@ -50,10 +51,10 @@ void TestLevels::numberFindsALevelOfTheList() {
 
 void TestLevels::numberBeyondTheListIsRefused() {
     const std::vector<Level> levels = levelsIn(LEVELS_FOLDER);
-    for (const char *number : {"0", "11", "-1"}) {
+    for (const int number : {0, levelCount() + 1, -1}) {
         QString error;
-        QVERIFY(!findLevel(levels, number, &error));
-        QCOMPARE(error, QString("expected 1 to 10, found %1").arg(number));
+        QVERIFY(!findLevel(levels, QString::number(number), &error));
+        QCOMPARE(error, QString("expected 1 to %1, found %2").arg(levelCount()).arg(number));
     }
 }
 
