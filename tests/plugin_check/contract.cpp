@@ -156,7 +156,7 @@ private:
         });
         if (std::fegetround() != rounding) note("step leaves another rounding than it found");
         std::fesetround(rounding);
-        if (std::memcmp(&in, &given, sizeof in) != 0) note("step writes to the state it is given");
+        if (!isSame(in, given)) note("step writes to the state it is given");
         if (!isDone) return;
         if (status) {
             if (status > 0 || !isKnown(status)) note("step returns the unknown status " + std::to_string(status));

@@ -2,7 +2,6 @@
 #include "isolation.h"
 
 #include <algorithm>
-#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -21,11 +20,6 @@ constexpr unsigned kMostCpuSeconds = 25; // of a part
 constexpr unsigned kMostSeconds = 30;    // of a part, for one that waits
 constexpr unsigned kCardSeconds = 55;    // of all parts
 
-unsigned secondsSoFar() {
-    static const auto begin = std::chrono::steady_clock::now();
-    return static_cast<unsigned>((std::chrono::steady_clock::now() - begin) / std::chrono::seconds(1));
-}
-
 /// Nothing prints: what is written to standard output or error while a part runs is a fault of its own.
 Measure silently(const std::function<Measure()> &work) {
     const int said = memfd_create("said", 0);
@@ -42,8 +36,8 @@ Measure silently(const std::function<Measure()> &work) {
 
 } // namespace
 
-Measure isolated(const std::function<Measure()> &work) {
-    const unsigned before = secondsSoFar();
+Measure Isolation::run(const std::function<Measure()> &work) const {
+    const auto before = static_cast<unsigned>((std::chrono::steady_clock::now() - m_begin) / std::chrono::seconds(1));
     if (before >= kCardSeconds) return {true, "not begun after " + std::to_string(kCardSeconds) + " s"};
     const unsigned most = std::min(kMostSeconds, kCardSeconds - before);
     int ends[2];

@@ -4,11 +4,19 @@
 
 #include "measures.h"
 
+#include <chrono>
 #include <functional>
 
 namespace plugin_check {
 
-/// What the work says; that it crashes, isn't done in time, or prints, if it does. All parts together get a minute.
-Measure isolated(const std::function<Measure()> &work);
+/// The parts of one card, which together get a minute.
+class Isolation {
+public:
+    /// What the work says; that it crashes, isn't done in time, or prints, if it does.
+    Measure run(const std::function<Measure()> &work) const;
+
+private:
+    std::chrono::steady_clock::time_point m_begin = std::chrono::steady_clock::now();
+};
 
 } // namespace plugin_check

@@ -42,8 +42,10 @@ Measure contract(const std::string &file, const std::string &stepper) {
 
 bool card(const std::string &file, const Subject &subject) {
     std::printf("stepper %s\n", subject.id.c_str());
-    bool isFine = say("contract", isolated([&] { return contract(file, subject.id); }));
-    for (const Part &part : parts()) isFine = say(part.name, isolated([&] { return part.measure(subject); })) && isFine;
+    const Isolation isolation;
+    bool isFine = say("contract", isolation.run([&] { return contract(file, subject.id); }));
+    for (const Part &part : parts())
+        isFine = say(part.name, isolation.run([&] { return part.measure(subject); })) && isFine;
     return isFine;
 }
 
@@ -58,7 +60,7 @@ int main(int argc, char **argv) {
     support::RegistryPtr registry;
     phys_error error{};
     // A damaged file ends the process that loads it.
-    const Measure trial = isolated([&] {
+    const Measure trial = Isolation().run([&] {
         load(argv[1], registry, error);
         return Measure{};
     });

@@ -125,8 +125,7 @@ void judgeFlags(const Subject &subject, Complaints &complaints) {
     slope.start.flags = PHYS_STATE_FLAGS;
     Run with(subject, slope);
     if (without.step(kDt) && with.step(kDt)) {
-        complaints.unless(std::memcmp(&with.state, &without.state, sizeof with.state) == 0, // NOLINT
-                          "the flags of the state before are read");
+        complaints.unless(isSame(with.state, without.state), "the flags of the state before are read");
     }
 }
 

@@ -7,11 +7,17 @@
 #include "support/handles.h"
 #include "witness/case.h"
 
+#include <cstring>
 #include <string>
 
 namespace plugin_check {
 
 std::string format(const char *text, double a, double b = 0, double c = 0);
+
+/// No padding: phys_state says so.
+inline bool isSame(const phys_state &a, const phys_state &b) {
+    return std::memcmp(&a, &b, sizeof a) == 0; // NOLINT(bugprone-suspicious-memory-comparison)
+}
 
 constexpr double kRadius = 0.006; // of the ball on the board, m
 

@@ -24,6 +24,8 @@ private slots:
     void aSoundPluginKeepsTheContract();
     void soundSteppersSayWhatHappens_data();
     void soundSteppersSayWhatHappens();
+    void theLawIsFollowedAcrossImpacts_data();
+    void theLawIsFollowedAcrossImpacts();
     void theExamplesPageShowsItsCard_data();
     void theExamplesPageShowsItsCard();
 
@@ -165,7 +167,7 @@ void PluginCheck::whatIsUntrueIsNamed() {
     QFETCH(QByteArray, words);
     const support::RegistryPtr registry = registryWith(UNTRUE);
     const Subject subject{registry.get(), QTest::currentDataTag()};
-    const Measure found = plugin_check::isolated([&] { return measure(subject); });
+    const Measure found = plugin_check::Isolation().run([&] { return measure(subject); });
     QVERIFY(found.isWrong);
     QVERIFY2(found.text.find(words.toStdString()) != std::string::npos, found.text.c_str());
 }
@@ -183,9 +185,22 @@ void PluginCheck::soundSteppersSayWhatHappens() {
     using namespace plugin_check;
     for (MeasureFunction *const measure : {reports, memory, smallStack}) {
         if (kIsSanitized && measure != reports) continue;
-        const Measure found = isolated([&] { return measure({registry.get(), QTest::currentDataTag()}); });
+        const Measure found = Isolation().run([&] { return measure({registry.get(), QTest::currentDataTag()}); });
         QVERIFY2(!found.isWrong, found.text.c_str());
     }
+}
+
+void PluginCheck::theLawIsFollowedAcrossImpacts_data() {
+    QTest::addColumn<bool>("isFollowed");
+    for (const std::string &id : witness::stepperIds(nullptr)) QTest::newRow(id.c_str()) << true;
+    QTest::newRow("wall-friction-halved") << false;
+}
+
+void PluginCheck::theLawIsFollowedAcrossImpacts() {
+    QFETCH(bool, isFollowed);
+    const support::RegistryPtr registry = registryWith(FAULTS);
+    const Measure found = plugin_check::impacts({registry.get(), QTest::currentDataTag()});
+    QVERIFY2(found.isWrong != isFollowed, found.text.c_str());
 }
 
 /// But for what differs from machine to machine, and what takes longest.

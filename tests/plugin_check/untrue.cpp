@@ -111,8 +111,8 @@ phys_status keepMemory(Step &step) {
     return soundStep(step);
 }
 phys_status needStack(Step &step) {
-    volatile char large[200000]; // NOLINT
-    large[0] = 1;
+    volatile char large[200000];                                // NOLINT
+    for (size_t i = sizeof large; i > 0; --i) large[i - 1] = 1; // downwards, so that the guard isn't leapt over
     return large[0] ? soundStep(step) : PHYS_OK;
 }
 
