@@ -40,7 +40,7 @@ void add(phys_registry &registry, const phys_plugin &plugin, const std::string &
     registry.plugins.swap(steppers); // all of them or none
 }
 
-phys_status load(phys_registry &registry, const std::string &path, phys_error *err) {
+phys_status loadFile(phys_registry &registry, const std::string &path, phys_error *err) {
     const std::string name = shown(path);
     if (const phys_status status = checkSharedObjectFile(path, name.c_str(), err)) return status;
     system::SharedObject object(path);
@@ -73,7 +73,7 @@ struct Scan {
         if (!registry) return tell(path, PHYS_OK, "");
         const size_t before = registry->plugins.size();
         phys_error error{};
-        if (const phys_status status = load(*registry, path, &error)) return tell(path, status, error.text);
+        if (const phys_status status = loadFile(*registry, path, &error)) return tell(path, status, error.text);
         std::string ids = "loaded";
         for (size_t i = before; i < registry->plugins.size(); ++i) {
             ids += (i > before ? ", " : " ") + std::string(registry->plugins[i].api->id);
@@ -123,7 +123,7 @@ phys_status phys_registry_load_file(phys_registry *registry, const char *path, p
     if (!registry || !path) {
         return phys::fail(err, PHYS_ERROR_ARGUMENT, "%s is NULL", registry ? "path" : "registry");
     }
-    return phys::load(*registry, path, err);
+    return phys::loadFile(*registry, path, err);
 } catch (const std::bad_alloc &) {
     return phys::fail(err, PHYS_ERROR_MEMORY, "out of memory for a plugin");
 } catch (...) {
