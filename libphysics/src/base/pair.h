@@ -34,6 +34,7 @@ inline double magnitude(double a) { return std::abs(a); }
 inline bool all(bool a, bool b) { return a && b; }
 inline bool any(bool a, bool b) { return a || b; }
 inline uint32_t bitsOf(bool mask) { return mask ? 1 : 0; }
+inline bool areAll(bool mask) { return mask; }
 inline double choose(bool condition, double a, double b) { return condition ? a : b; }
 
 #if defined(__SSE2__) // GCC 12 takes generic vectors apart where they are compared
@@ -80,6 +81,7 @@ inline PairMask all(PairMask a, PairMask b) { return {_mm_and_pd(a.bits, b.bits)
 inline PairMask any(PairMask a, PairMask b) { return {_mm_or_pd(a.bits, b.bits)}; }
 /// Bit 0 is the first number's, bit 1 that of the second.
 inline uint32_t bitsOf(PairMask mask) { return static_cast<uint32_t>(_mm_movemask_pd(mask.bits)); }
+inline bool areAll(PairMask mask) { return bitsOf(mask) == 3; }
 /// condition ? a : b, of each number. Both are computed.
 inline Pair choose(PairMask condition, Pair a, Pair b) {
     return Pair(_mm_or_pd(_mm_and_pd(condition.bits, a.numbers), _mm_andnot_pd(condition.bits, b.numbers)));

@@ -19,8 +19,9 @@ inline bool isUnit(const double (&q)[4]) {
 
 /// Whether a ball can have this state: moderate numbers, a unit quaternion, known flags.
 inline bool stateIsValid(const phys_state &state) {
-    return isModerate(state.position) && isModerate(state.velocity) && isModerate(state.spin) &&
-           isModerate(state.time) && isUnit(state.orientation) &&
+    // Position, velocity, spin, and the first of the orientation's numbers, lie side by side.
+    static_assert(offsetof(phys_state, orientation) - offsetof(phys_state, position) == 9 * sizeof(double));
+    return areModerate<10>(&state.position.x) && isModerate(state.time) && isUnit(state.orientation) &&
            (state.flags & ~static_cast<uint64_t>(PHYS_STATE_FLAGS)) == 0;
 }
 

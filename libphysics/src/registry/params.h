@@ -2,6 +2,8 @@
 // The table of parameter rows, and the check of parameters that every step makes.
 #pragma once
 
+#include "base/pair.h"
+
 #include <physics/physics.h>
 
 #include <algorithm>
@@ -91,6 +93,46 @@ inline bool rigidFrictionsAgree(const phys_params &params) {
     return params.model != PHYS_MODEL_RIGID || params.rolling_friction <= params.sliding_friction;
 }
 
+/// Most rows' numbers lie side by side in phys_params.
+inline constexpr size_t kFirstNumber = offsetof(phys_params, gravity);
+inline constexpr size_t kNumberCount = (offsetof(phys_params, options) - kFirstNumber) / sizeof(double);
+
+constexpr bool isAmongNumbers(const phys_param_row &row) {
+    return !mustBeWhole(row) && row.offset >= kFirstNumber && row.offset < kFirstNumber + kNumberCount * sizeof(double);
+}
+
+/// Their limits, as they lie.
+struct NumberLimits {
+    double min[kNumberCount], max[kNumberCount];
+
+    constexpr NumberLimits()
+        : min{}
+        , max{} {
+        for (const phys_param_row &row : kRows) {
+            if (!isAmongNumbers(row)) continue;
+            const size_t number = (row.offset - kFirstNumber) / sizeof(double);
+            min[number] = row.min;
+            max[number] = row.max;
+        }
+    }
+};
+inline constexpr NumberLimits kNumberLimits;
+static_assert(std::count_if(std::begin(kRows), std::end(kRows), isAmongNumbers) == kNumberCount &&
+              kNumberCount % kWidth<Pair> == 0);
+
+inline MaskOf<Pair> areWithinLimits(const double *numbers, size_t i) {
+    const Pair number = load<Pair>(numbers + i);
+    return all(load<Pair>(kNumberLimits.min + i) <= number, number <= load<Pair>(kNumberLimits.max + i));
+}
+
+inline bool numbersAreValid(const phys_params &params) {
+    const double *numbers = &params.gravity.x;
+    MaskOf<Pair> areFine = areWithinLimits(numbers, 0);
+    for (size_t i = kWidth<Pair>; i < kNumberCount; i += kWidth<Pair>)
+        areFine = all(areFine, areWithinLimits(numbers, i));
+    return areAll(areFine);
+}
+
 /// Of a row of the library.
 template<size_t Index>
 inline bool rowIsValid(const phys_params &params) {
@@ -104,7 +146,7 @@ inline bool rowIsValid(const phys_params &params) {
 /// and limits become constants.
 template<size_t... Index>
 inline bool rowsAreValid(const phys_params &params, std::index_sequence<Index...>) {
-    return (rowIsValid<Index>(params) && ...);
+    return numbersAreValid(params) && ((isAmongNumbers(kRows[Index]) || rowIsValid<Index>(params)) && ...);
 }
 
 template<size_t... Index>
