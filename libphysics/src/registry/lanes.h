@@ -31,8 +31,7 @@ struct Lanes {
     LaneNumbers friction;   ///< coefficient of the sliding friction that may speed the ball up
     LaneNumbers rests;      ///< 1: the ball is at rest, 0: it moves
     double dt;              ///< s
-    double reach;           ///< m: longest way of a step beside a face
-    double speed;           ///< m/s: on which one step comes that far
+    double reach;           ///< m: longest way of a step beside a face; below 0 if dt is unusual
     double restSquared;     ///< m^2/s^2: square of a speed that isn't rest
     bool isOpen;            ///< whether there is nothing but one floor, which the ball must not leave
     double radius;          ///< m

@@ -50,7 +50,7 @@ private:
         const bool isUsual = dt >= 1e-9 && dt <= 1e3;
         const double reach = isOpen ? 1e6 : 0.5 * scene.radius * (1.0 - 1e-9) - 4.0 * scene.tolerance;
         // mayRest's, under the strongest gravity.
-        return {dt, reach, isUsual ? reach / dt : -1.0, 3.5e-17 * scene.radius, isOpen, false};
+        return {dt, isUsual ? reach : -1.0, 3.5e-17 * scene.radius, isOpen, false};
     }
 
     static bool isAtRest(const phys_state &state) {
@@ -116,7 +116,8 @@ private:
                                          {{g.x, g.y}, g.z, kind.share(), params.rolling_friction},
                                          kind.grip(params),
                                          kind.friction(params),
-                                         rests ? 1.0 : 0.0};
+                                         rests ? 1.0 : 0.0,
+                                         g.z < 0.0};
         const auto takeStep = [&](const RegionStep<double> &step) {
             return take(input, kind, rests, ball, step, out, report);
         };
@@ -168,7 +169,6 @@ private:
         const RegionLimits limits = limitsOf(scene, dt);
         lanes.dt = dt;
         lanes.reach = limits.reach;
-        lanes.speed = limits.speed;
         lanes.restSquared = limits.restSquared;
         lanes.isOpen = limits.isOpen;
         lanes.radius = scene.radius;
@@ -213,7 +213,7 @@ private:
 
     template<bool kResists>
     static uint32_t roll(Lanes &lanes) {
-        const RegionLimits limits{lanes.dt, lanes.reach, lanes.speed, lanes.restSquared, lanes.isOpen, lanes.mayGrip};
+        const RegionLimits limits{lanes.dt, lanes.reach, lanes.restSquared, lanes.isOpen, lanes.mayGrip};
         uint32_t moved = 0;
         for (uint32_t lane = 0; lane < kLaneCount; lane += kWidth<Pair>) {
             const BallsInRegion<Pair> balls = load(lanes, lane);
@@ -232,12 +232,14 @@ private:
             return InRegion<Pair>{of(axis.position), of(axis.velocity), of(axis.low),
                                   of(axis.high),     of(axis.lowFace),  of(axis.highFace)};
         };
+        const Planar<Pair> pull{of(lanes.x.gravity), of(lanes.y.gravity)};
         return {along(lanes.x),
                 along(lanes.y),
-                {{of(lanes.x.gravity), of(lanes.y.gravity)}, of(lanes.gravityZ), of(lanes.share), of(lanes.resistance)},
+                {pull, of(lanes.gravityZ), of(lanes.share), of(lanes.resistance)},
                 of(lanes.grip),
                 of(lanes.friction),
-                of(lanes.rests)};
+                of(lanes.rests),
+                isAllowed(pull, of(lanes.gravityZ))};
     }
 
     /// Stores what became of the balls along an axis; those that aren't fine stay as they were.

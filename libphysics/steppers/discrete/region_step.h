@@ -18,8 +18,7 @@ enum class RegionRule {
 /// What is the same for all balls of a step.
 struct RegionLimits {
     double h;           ///< s
-    double reach;       ///< m: longest way of a step beside a face
-    double speed;       ///< m/s: on which one step comes that far
+    double reach;       ///< m: longest way of a step beside a face; below 0 if h is too unusual for a look at once
     double restSquared; ///< m^2/s^2: square of a speed that isn't rest
     bool isOpen;        ///< whether there is nothing but one floor, which a ball must not leave
     bool mayGrip;       ///< whether `grip` limits the slope of any ball
@@ -39,6 +38,12 @@ struct FloorDrive {
         , A(share * along)
         , B(share * (resistance * normal)) {}
 };
+
+/// Whether parameters may have a gravity, which in a batch is another one in each step.
+template<class N>
+MaskOf<N> isAllowed(const Planar<N> &along, N z) {
+    return all(magnitude(along.x) + magnitude(along.y) <= kMostGravity, z >= -kMostGravity, z < 0.0);
+}
 
 /// One axis of balls in their regions. Each is where nothing is near, or it is at a face with no speed along the axis.
 template<class N>
@@ -64,9 +69,10 @@ template<class N>
 struct BallsInRegion {
     InRegion<N> x, y;
     FloorDrive<N> drive;
-    N grip;     ///< square of the slope up to which the ball rolls
-    N friction; ///< coefficient of the sliding friction that may speed the ball up
-    N rests;    ///< 1: the ball is at rest, 0: it moves
+    N grip;              ///< square of the slope up to which the ball rolls
+    N friction;          ///< coefficient of the sliding friction that may speed the ball up
+    N rests;             ///< 1: the ball is at rest, 0: it moves
+    MaskOf<N> isAllowed; ///< whether parameters may have this gravity
 
     Planar<N> velocity() const { return {x.velocity, y.velocity}; }
 };
@@ -130,7 +136,7 @@ private:
     /// Any balls.
     template<class N>
     static RegionStep<N> rollOrRest(const BallsInRegion<N> &balls, const RegionLimits &limits) {
-        const auto &[x, y, drive, grip, friction, rests] = balls;
+        const auto &[x, y, drive, grip, friction, rests, isAllowed] = balls;
         const double h = limits.h;
         // A face takes the drive into it from a ball that leans on it.
         const auto leansX = any(all(x.isAtLow(), drive.A.x < 0.0), all(x.isAtHigh(), drive.A.x > 0.0));
@@ -154,7 +160,7 @@ private:
         step.isFine = rolls;
         const auto isAtRest = rests > 0.0;
         if (bitsOf(isAtRest)) {
-            const auto isHeld = all(dot(A, A) <= drive.B * drive.B, isAllowed(drive), isClear);
+            const auto isHeld = all(dot(A, A) <= drive.B * drive.B, balls.isAllowed, isClear);
             step.velocity = {choose(isAtRest, velocity.x, step.velocity.x),
                              choose(isAtRest, velocity.y, step.velocity.y)};
             step.displacement = {choose(isAtRest, 0.0, step.displacement.x),
@@ -180,17 +186,10 @@ private:
         const Planar<N> v{choose(goesOn, velocity.x, 1.0), choose(goesOn, velocity.y, 0.0)};
         const auto next = Scheme::advance(UnstoppedLaw<N, kResists>{A, drive.B}, v, h);
 
-        MaskOf<N> isFine = all(goesOn, isAllowed(drive), isSlow(balls, limits));
+        MaskOf<N> isFine = all(goesOn, balls.isAllowed, isSlow(balls, limits));
         if (limits.mayGrip)
             isFine = all(isFine, dot(drive.pull, drive.pull) <= balls.grip * (drive.normal * drive.normal));
         return {next.velocity, next.displacement, isFine};
-    }
-
-    /// Whether parameters may have this gravity, which in a batch is another one in each step.
-    template<class N>
-    static MaskOf<N> isAllowed(const FloorDrive<N> &drive) {
-        return all(magnitude(drive.pull.x) + magnitude(drive.pull.y) <= kMostGravity, drive.normal <= kMostGravity,
-                   drive.normal > 0.0);
     }
 
     /// Whether one look around a ball is enough for its step.
@@ -198,8 +197,9 @@ private:
     static MaskOf<N> isSlow(const BallsInRegion<N> &balls, const RegionLimits &limits) {
         if constexpr (kRule == RegionRule::Swept) return reach(balls, limits.h) <= limits.reach;
         // reachOfStep, compared by squares.
-        const N fastest = limits.speed - pull(balls) * limits.h;
-        return all(fastest > 0.0, dot(balls.velocity(), balls.velocity()) <= fastest * fastest);
+        const double hSquared = limits.h * limits.h;
+        const N farthest = limits.reach - hSquared * pull(balls);
+        return all(farthest > 0.0, hSquared * dot(balls.velocity(), balls.velocity()) <= farthest * farthest);
     }
 
     /// What may speed a ball up, m/s^2; never less.
