@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "swept_step.h"
 
+#include "scene/nearest.h"
+#include "shared/first_zero.h"
+
 #include <cmath>
 
 namespace phys {
@@ -50,24 +53,31 @@ SweptStep::SweptStep(const PlanInput &input, Reporter &reporter, Work &work, con
     , m_slow(kSlow * std::sqrt(glm::length(toVec(input.params.gravity)) * input.scene.radius))
     , m_ball(start) {}
 
-Ball SweptStep::at(double t, Reporter &reporter) const {
+SweptStep::Course SweptStep::move(double t, Reporter &reporter, Ball &ball) const {
     constexpr uint32_t kEffortOfContacts = 40;
     ++m_effort;
     Step step(m_context.setting, reporter, m_context.work, m_plan, t);
-    Ball ball = m_ball;
     if (m_isAlone || m_contacts.empty()) {
         ball.supported = m_isAlone;
         const SmoothLoss loss = step.move(ball);
         reporter.lostRolling(loss.rolling);
         reporter.lostSlip(loss.slip);
-    } else if (!step.rollBetweenWalls(m_contacts, ball)) {
-        m_effort += kEffortOfContacts;
-        const StepContext context{m_context.setting, reporter, m_context.work};
-        const ContactRule rule = m_slipEnds ? ContactRule::Symplectic : ContactRule::SecondOrder;
-        ball.supported = hold(context, m_contacts, rule, t, ball);
-    } else {
-        ball.supported = true;
+        return Course::Free;
     }
+    if (step.rollBetweenWalls(m_contacts, ball)) {
+        ball.supported = true;
+        return Course::BetweenWalls;
+    }
+    m_effort += kEffortOfContacts;
+    const StepContext context{m_context.setting, reporter, m_context.work};
+    const ContactRule rule = m_slipEnds ? ContactRule::Symplectic : ContactRule::SecondOrder;
+    ball.supported = hold(context, m_contacts, rule, t, ball);
+    return Course::Held;
+}
+
+Ball SweptStep::at(double t, Reporter &reporter) const {
+    Ball ball = m_ball;
+    move(t, reporter, ball);
     return ball;
 }
 
@@ -367,31 +377,46 @@ bool SweptStep::holds(uint32_t box) const {
 }
 
 /// Whether the ball flies, or rolls or slides on one top face, too fast for resistance to stop it.
-bool SweptStep::isParabola(double end) const {
+bool SweptStep::isParabola(Course course, double end) const {
     if (m_contacts.empty()) return true;
-    if (!m_isAlone || m_context.isRigid()) return false;
-    const Law<Vec2> law = rollingLaw(m_context.params());
-    return !nearStop(law, inPlane(m_ball.velocity), end);
+    if (course == Course::Held) return false;
+    const phys_params &params = m_context.params();
+    const Vec2 velocity = inPlane(m_ball.velocity);
+    const FloorContact contact = floorContact(params, m_context.radius(), velocity, m_ball.spin);
+    if (contact == FloorContact::Slips) return false;
+    const Law<Vec2> law = velocityLaw(contact, params);
+    if (course == Course::Free) return !nearStop(law, velocity, end);
+    return law.B == 0.0 || glm::length(velocity) > 4.0 * (glm::length(law.A) + law.B) * end; // walls may take of A
 }
 
-/// Whether a phase is a parabola in a rectangle where nothing but its contacts can be met, and none of them ends. last:
-/// the ball at its end.
-bool SweptStep::isUneventful(double end, const Ball &last) const {
-    if (!isParabola(end)) return false;
-    const Vec3 corner = m_ball.position + 0.5 * end * m_ball.velocity; // of the triangle around it
-    const Vec3 low = glm::min(corner, glm::min(m_ball.position, last.position));
-    const Vec3 high = glm::max(corner, glm::max(m_ball.position, last.position));
-    if (std::max(beyondFeature({low, {}, {}, false}), beyondFeature({high, {}, {}, false})) > 0.0) return false;
-    const double radius = m_context.radius();
-    const double apart = radius - 0.5 * m_context.scene().tolerance;
-    bool isUneventful = true;
-    m_context.scene().visitBoxes(low - radius, high + radius, [&](uint32_t number) {
+/// When the ball comes to another box in a phase that is a parabola, or its end; nothing if it may come past an end of
+/// a feature that it is in contact with. last: the ball at its end.
+std::optional<double> SweptStep::firstTouchOfParabola(double end, const Ball &last) const {
+    const Vec3 &start = m_ball.position;
+    const Vec3 corner = start + 0.5 * end * m_ball.velocity; // of the triangle around it
+    const Vec3 low = glm::min(corner, glm::min(start, last.position));
+    const Vec3 high = glm::max(corner, glm::max(start, last.position));
+    if (std::max(beyondFeature({low, {}, {}, false}), beyondFeature({high, {}, {}, false})) > 0.0) return std::nullopt;
+    const Scene &scene = m_context.scene();
+    const double radius = scene.radius;
+    const double apart = radius - 0.5 * scene.tolerance;
+    const Vec3 acceleration = 4.0 / (end * end) * (0.5 * (last.position - start) - (corner - start));
+    double first = end;
+    scene.visitBoxes(low - radius, high + radius, [&](uint32_t number) {
         ++m_boxes;
-        const phys_box &box = m_context.scene().boxes[number];
+        const phys_box &box = scene.boxes[number];
         const Vec3 beside = glm::max(Vec3(0.0), glm::max(low - toVec(box.max), toVec(box.min) - high));
-        isUneventful = isUneventful && (holds(number) || glm::dot(beside, beside) >= apart * apart);
+        if (holds(number) || glm::dot(beside, beside) >= apart * apart) return;
+        // A box lies behind the plane of its nearest point: so much the gap is bent at least.
+        const auto look = [&](double t) {
+            ++m_effort;
+            const Nearest close = nearest(box, start + t * m_ball.velocity + 0.5 * t * t * acceleration);
+            return Look{close.distance - radius, glm::dot(close.normal, m_ball.velocity + t * acceleration),
+                        glm::dot(close.normal, acceleration)};
+        };
+        first = std::min(first, firstZero(look, 0.0, first, 0.25 * scene.tolerance));
     });
-    return isUneventful;
+    return first;
 }
 
 /// Times at which the phase is looked at, up to its end: quarters, and where the ball turns back along an axis.
@@ -409,8 +434,11 @@ SweptStep::Looks SweptStep::looks(double end, const Ball &last) const {
 
 /// The first event of the phase, or its end.
 double SweptStep::firstEvent(double end) const {
-    const Ball last = at(end);
-    if (isUneventful(end, last)) return end;
+    Ball last = m_ball;
+    Reporter silent(nullptr, 0.0);
+    if (isParabola(move(end, silent, last), end)) {
+        if (const std::optional<double> touch = firstTouchOfParabola(end, last)) return *touch;
+    }
     const Looks looks = this->looks(end, last);
     double before = 0.0;
     double lateBefore = NAN; // not needed before an event

@@ -6,6 +6,8 @@
 #include "discrete.h"
 #include "velocity_verlet.h"
 
+#include <optional>
+
 namespace phys {
 
 class SweptStep {
@@ -36,7 +38,15 @@ private:
         }
     };
 
-    /// The ball t seconds into this phase, as if there was nothing ahead.
+    /// What leads the ball in a phase.
+    enum class Course : uint8_t {
+        Free,         ///< in the air, or on one top face alone
+        BetweenWalls, ///< the same along upright smooth walls
+        Held          ///< contacts of any kind
+    };
+
+    /// Moves the ball t seconds into this phase, as if there was nothing ahead.
+    Course move(double t, Reporter &reporter, Ball &ball) const;
     Ball at(double t, Reporter &reporter) const;
     Ball at(double t) const;
 
@@ -57,8 +67,8 @@ private:
     double horizon() const;
     double safeTimeOfPhase() const;
     bool isClear(double t) const;
-    bool isParabola(double end) const;
-    bool isUneventful(double end, const Ball &last) const;
+    bool isParabola(Course course, double end) const;
+    std::optional<double> firstTouchOfParabola(double end, const Ball &last) const;
     Looks looks(double end, const Ball &last) const;
     double firstEvent(double end) const;
     double root(double before, double lateBefore, double after, double lateAfter) const;
