@@ -95,7 +95,8 @@ bool ExactStep::isUniform(const Vec3 &free) const {
         if (reaction.mode == Mode::sticking && m_held[i].resistance > 0.0 && m_response.rolling != Vec3(0.0)) {
             Vec3 turning = m_response.spinAcceleration;
             turning -= glm::dot(turning, m_held[i].normal) * m_held[i].normal;
-            if (!isCollinear(m_response.rolling, turning)) return false;
+            const double across = glm::length(glm::cross(m_response.rolling, turning));
+            if (across * m_scene.radius > m_response.noise && !isCollinear(m_response.rolling, turning)) return false;
         }
     }
     return true;

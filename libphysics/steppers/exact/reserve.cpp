@@ -126,6 +126,19 @@ bool Series::takeReserve(const Contact &contact, const Contact &other, const Vec
     if (m_rolls < m_count && &other == &m_contacts[m_rolls]) {
         needed = sum(0.0, -other.held.resistance, product(slide, dot(m_rolling, contact.n)), needed);
     }
+    if (m_rolls < m_count && &contact == &m_contacts[m_rolls]) {
+        // Where the ball slips it doesn't roll against any resistance. That was of the pressure with the least
+        // friction.
+        VecJet against, otherTangent;
+        for (int k = 0; k <= kOrder; ++k) {
+            against[k] = glm::cross(m_rolling[k], contact.held.normal);
+            otherTangent[k] = termOf(cosine, other.n, k) - contact.n[k];
+        }
+        const Jet shared = sum(0.0, 1.0, slide, dot(frictionOf(other), otherTangent));
+        const Jet force = sum(0.0, -0.5, product(sum(-1.0, 1.0, inertia), shared),
+                              product(sum(-1.0, 2.0 / 7.0, inertia), product(more, contact.N)));
+        needed = sum(0.0, contact.held.resistance, product(dot(against, free), force), needed);
+    }
     const double mu = contact.held.friction, unit = inertia[0] * more[0];
     reserve.left = squaresApart(mu * mu, product(squaredSine, product(limit, limit)), product(needed, needed));
     for (double &term : reserve.left.c) term /= unit * unit * squaredSine[0];

@@ -24,6 +24,7 @@ Vec3 axisOf(uint32_t i) { return {i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2
 
 Vec3 freeAxes(const Moment &moment, std::span<const Held> held, const Response &response) {
     constexpr double kParallel = 1e-12;
+    if (std::all_of(held.begin(), held.end(), isFace)) return Vec3(1.0);
     Vec3 first(0.0), line(0.0), free(1.0); // line: that two of the normals leave
     bool isFixed = false, isFlat = true;
     for (uint32_t i = 0; i < held.size(); ++i) {
