@@ -4,7 +4,6 @@
 #include "discrete/requirements.h"
 #include "exact/exact_step.h"
 #include "registry/built_in_steppers.h"
-#include "shared/resting_place.h"
 
 #include <bit>
 #include <cmath>
@@ -21,7 +20,6 @@ struct Exact {
 
     const Scene &scene;
     FloorRegions regions;
-    RestingPlace resting;
 };
 
 phys_status create(const phys_scene_view *view, void **self, phys_error *) {
@@ -57,17 +55,7 @@ phys_status advance(Exact &self, const phys_params &params, double dt, const phy
 
 phys_status stepExact(void *self, const phys_params *params, double dt, const phys_state *in, phys_state *out,
                       phys_report *report, phys_error *err) {
-    Exact &exact = *static_cast<Exact *>(self);
-    if (!standsStill(*in)) return advance(exact, *params, dt, *in, *out, report, err);
-    const uint64_t flags = report ? 0 : exact.resting.flagsOf(*params, *in);
-    if (flags) {
-        leaveResting(*in, flags, *out);
-        return PHYS_OK;
-    }
-    const phys_state before = *in;
-    if (const phys_status status = advance(exact, *params, dt, *in, *out, report, err)) return status;
-    if ((out->flags & PHYS_AT_REST) && isSameMotion(before, *out)) exact.resting.keep(*params, *out);
-    return PHYS_OK;
+    return advance(*static_cast<Exact *>(self), *params, dt, *in, *out, report, err);
 }
 
 phys_status requirementsOfExact(void *self, const phys_params *params, double dt, const phys_state *state,

@@ -33,8 +33,7 @@ phys_status requirementsOfSwept(void *self, const phys_params *params, double dt
     return PHYS_OK;
 }
 
-phys_status sweepStep(const PlanInput &input, RestingPlace &resting, phys_state &out, phys_report *report,
-                      phys_error *err) {
+phys_status sweepStep(const PlanInput &input, phys_state &out, phys_report *report, phys_error *err) {
     const auto &[scene, params, dt, in] = input;
     Reporter reporter(report, in.time);
     reporter.substeps(1, 0);
@@ -46,9 +45,7 @@ phys_status sweepStep(const PlanInput &input, RestingPlace &resting, phys_state 
     Ball before = loadBall(in);
     if (!leaveOverlaps(context, before)) return refuseStuck(before.position, err);
     if (before.velocity == Vec3(0.0) && whole.rests(before)) {
-        const bool isInPlace = before.position == toVec(in.position);
         finishStep(whole, input, before, before, plan, reporter, out);
-        if (isInPlace && (out.flags & PHYS_AT_REST)) resting.keep(params, out);
         return PHYS_OK;
     }
     if (reporter.wanted()) before.supported = whole.supports(before);
@@ -65,10 +62,8 @@ phys_status sweepStep(const PlanInput &input, RestingPlace &resting, phys_state 
 
 phys_status stepSwept(void *self, const phys_params *params, double dt, const phys_state *in, phys_state *out,
                       phys_report *report, phys_error *err) {
-    KnownPlaces &places = *static_cast<KnownPlaces *>(self);
-    const PlanInput input{places.scene(), *params, dt, *in};
-    if (!report && stay(input, places, *out)) return PHYS_OK;
-    return sweepStep(input, places.resting(), *out, report, err);
+    const PlanInput input{static_cast<KnownPlaces *>(self)->scene(), *params, dt, *in};
+    return sweepStep(input, *out, report, err);
 }
 
 } // namespace

@@ -83,6 +83,24 @@ phys_status stepAndReport(const phys_stepper &stepper, const phys_params &params
     return PHYS_OK;
 }
 
+/// A step of a ball at rest, with a built-in stepper and without a report.
+phys_status stepAtRest(phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
+                       phys_state &out, phys_error *err) {
+    if (dt > 0.0 && isModerate(in.time) && stepper.rest.holds(params, dt, in)) {
+        const double time = nextTime(in, dt);
+        const uint64_t number = in.step + 1;
+        if (&out != &in) out = in;
+        out.time = time;
+        out.step = number;
+        return PHYS_OK;
+    }
+    if (const phys_status status = checkArguments(stepper, params, dt, in, err)) return status;
+    const phys_state before = in;
+    if (const phys_status status = step(stepper, params, dt, in, out, nullptr, err)) return status;
+    if (KnownRest::isSameBall(before, out)) stepper.rest.keep(params, dt, out);
+    return PHYS_OK;
+}
+
 phys_status createPlugin(phys_stepper &stepper, phys_error *err) {
     return callPlugin(*stepper.api, "create", err,
                       [&](phys_error &own) { return stepper.api->create(&stepper.view, &stepper.self, &own); });
@@ -142,7 +160,7 @@ phys_status phys_stepper_create(const phys_registry *registry, const char *id, c
         phys_stepper_info unused;
         return phys_registry_find(registry, id, &unused, err); // says which ids there are
     }
-    const phys_stepper fresh{api, nullptr, scene, phys::viewOf(*scene), isPlugin, nullptr};
+    const phys_stepper fresh{api, nullptr, scene, phys::viewOf(*scene), isPlugin, nullptr, {}};
     auto stepper = std::make_unique<phys_stepper>(fresh);
     const phys_status status =
         isPlugin ? phys::createPlugin(*stepper, err) : api->create(&stepper->view, &stepper->self, err);
@@ -178,6 +196,8 @@ phys_status phys_step(phys_stepper *stepper, const phys_params *params, double d
         const phys_params whole = phys::completed(*params, phys_params_init);
         return phys_step(stepper, &whole, dt, in, out, report, err);
     }
+    if ((in->flags & PHYS_AT_REST) && !report && !stepper->isPlugin)
+        return phys::stepAtRest(*stepper, *params, dt, *in, *out, err);
     if (const phys_status status = phys::checkArguments(*stepper, *params, dt, *in, err)) return status;
     return report ? phys::stepAndReport(*stepper, *params, dt, *in, *out, *report, err)
                   : phys::step(*stepper, *params, dt, *in, *out, nullptr, err);

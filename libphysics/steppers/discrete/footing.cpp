@@ -19,12 +19,4 @@ Footing Footing::of(const Contacts &contacts, double tolerance) {
     return footing;
 }
 
-void LastFooting::lookAt(const phys_params &params, const Vec3 &place) {
-    Contacts contacts;
-    const Motion still{Vec3(0.0), Vec3(0.0)};
-    const bool isOutside = findContacts({m_scene, params}, place, still, Vec3(0.0), contacts);
-    m_place = place;
-    m_footing = isOutside ? Footing::of(contacts, m_scene.tolerance) : Footing();
-}
-
 } // namespace phys

@@ -38,28 +38,4 @@ private:
     std::array<bool, 4> m_isFree{true, true, true, true}; ///< to -x, +x, -y, +y
 };
 
-/// Keeps the footing of the place that it was last asked about. It follows from the scene alone, so that no answer
-/// depends on which one is kept: another place is looked up.
-class LastFooting {
-public:
-    explicit LastFooting(const Scene &scene)
-        : m_scene(scene) {}
-
-    const Scene &scene() const { return m_scene; }
-
-    /// Whether a ball at this place that stands still stays there, as far as that is easy to tell.
-    bool holds(const phys_params &params, const phys_vec3 &place) {
-        const bool isKnown = place.x == m_place.x && place.y == m_place.y && place.z == m_place.z;
-        if (!isKnown) lookAt(params, toVec(place));
-        return m_footing.isEasy(params) && m_footing.holds(params);
-    }
-
-private:
-    void lookAt(const phys_params &params, const Vec3 &place);
-
-    const Scene &m_scene;
-    Vec3 m_place{NAN}; ///< nowhere yet
-    Footing m_footing;
-};
-
 } // namespace phys

@@ -91,7 +91,6 @@ private:
                     phys_report *report) {
         KnownPlaces &places = *static_cast<KnownPlaces *>(self);
         const PlanInput input{places.scene(), params, dt, in};
-        if (in.flags == PHYS_AT_REST && !report && stay(input, places, out)) return true;
         const Kind kind(params);
         const bool isOther = params.options & ~static_cast<uint32_t>(PHYS_OPTION_ORIENTATION);
         if (isOther || (report && kind.slides) || !isOnFloor(input, kind)) return false;

@@ -13,7 +13,7 @@ namespace phys {
 inline constexpr uint32_t kSubstepCap = 1'000'000;
 
 /// Nor may finding what lasting contacts do in them take more than this: some 0.3 s.
-inline constexpr uint64_t kMostWorkOfContacts = 100'000'000;
+inline constexpr uint64_t kMostWorkOfContacts = 70'000'000;
 
 /// What one step runs.
 struct StepPlan {

@@ -74,10 +74,8 @@ struct DiscreteStepper {
 
     static phys_status step(void *self, const phys_params *params, double dt, const phys_state *in, phys_state *out,
                             phys_report *report, phys_error *err) {
-        KnownPlaces &places = *static_cast<KnownPlaces *>(self);
-        const Scene &scene = places.scene();
+        const Scene &scene = static_cast<KnownPlaces *>(self)->scene();
         const PlanInput input{scene, *params, dt, *in};
-        if (!report && stay(input, places, *out)) return PHYS_OK;
         const StepPlan stepPlan = plan(input);
         if (stepPlan.substeps > kSubstepCap) return refuseSubsteps(stepPlan.substeps, err);
 
@@ -91,7 +89,6 @@ struct DiscreteStepper {
         Ball before = loadBall(*in);
         if (!stepPlan.asReported && before.velocity == Vec3(0.0) && substep.rests(before)) {
             finishStep(substep, input, before, before, stepPlan, reporter, *out);
-            if (out->flags & PHYS_AT_REST) places.resting().keep(*params, *out);
             return PHYS_OK;
         }
         if (reporter.wanted()) before.supported = substep.supports(before);
