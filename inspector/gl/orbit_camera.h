@@ -52,7 +52,6 @@ public:
     glm::dvec3 target() const { return m_target; }
     double distance() const { return m_distance; }
     double azimuth() const { return m_azimuth; }
-    double elevation() const { return m_elevation; }
 
     /// The pixel of a world point; meaningless for points behind the eye.
     glm::dvec2 project(const glm::dvec3 &world) const;

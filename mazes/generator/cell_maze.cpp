@@ -68,11 +68,6 @@ void CellMaze::open(CellSide wall) {
     }
 }
 
-std::size_t CellMaze::passageCount() const {
-    return static_cast<std::size_t>(std::count(m_openEast.begin(), m_openEast.end(), true) +
-                                    std::count(m_openNorth.begin(), m_openNorth.end(), true));
-}
-
 std::vector<CellSide> CellMaze::closedInnerWalls() const {
     std::vector<CellSide> walls;
     for (std::size_t index = 0; index < cellCount(); ++index) {

@@ -47,8 +47,6 @@ public:
     // The neighbour on that side must exist.
     void open(CellSide wall);
 
-    std::size_t passageCount() const;
-
     // Each closed wall between two cells once, as the east or north side of a cell, in the order of the cells.
     std::vector<CellSide> closedInnerWalls() const;
 

@@ -61,8 +61,6 @@ struct Recording {
     QString library; ///< its version
     std::vector<Segment> segments;
     bool isWhole = false; ///< complete: the program that wrote it wasn't interrupted
-
-    uint64_t stepCount() const;
 };
 
 // ---- writing ----

@@ -52,12 +52,6 @@ uint64_t hashOf(const QByteArray &bytes) {
 
 QByteArray hashText(uint64_t hash) { return QByteArray::number(qulonglong(hash), 16).rightJustified(16, '0'); }
 
-uint64_t Recording::stepCount() const {
-    uint64_t count = 0;
-    for (const Segment &segment : segments) count += segment.hashes.size();
-    return count;
-}
-
 std::vector<const phys_param_row *> recordedRows(const phys_stepper_info &info) {
     std::vector<const phys_param_row *> result;
     uint32_t count = 0;

@@ -20,7 +20,6 @@ struct TradeColumn {
     double scale; ///< factor from `value` to the display unit
     /// In SI or radii; nothing if the point has no such figure.
     std::optional<double> (*value)(const TradePoint &point);
-    bool isTiming; ///< varies from run to run, unlike all others
 };
 
 /// Stepper id, step size and model precede these columns, the note follows.

@@ -26,8 +26,6 @@ public:
 
     TimeView &time() { return *m_time; }
     QuantityPlot &first() { return *m_plots.front(); } ///< there is always at least one
-    const std::vector<QuantityPlot *> &plots() const { return m_plots; }
-    const std::vector<PhasePlot *> &phasePlots() const { return m_phasePlots; }
 
     /// Shows new samples; called about 30 times a second.
     void refresh(const RunContext &context);

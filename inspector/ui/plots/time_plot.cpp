@@ -33,6 +33,7 @@ class ReadOutText : public QCPTextElement {
 public:
     explicit ReadOutText(QCustomPlot *plot)
         : QCPTextElement(plot) {
+        setObjectName(QStringLiteral("read_out"));
         setTextFlags(Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine);
         setMargins(QMargins(12, 0, 4, 0));
     }
@@ -295,8 +296,6 @@ std::optional<Sample> TimePlot::sampleAt(double time) const {
     if (!hasLeft || (hasRight && right.time - time < time - left.time)) return right;
     return left;
 }
-
-QString TimePlot::readOutText() const { return m_text->text(); }
 
 void TimePlot::updateReadOut() {
     m_readOut = m_time->cursor() ? sampleAt(*m_time->cursor()) : std::nullopt;

@@ -51,10 +51,6 @@ public:
     /// one line in `error` (may be nullptr), on failure.
     bool save(const QString &path, QString *error);
 
-    /// The sample under the cursor, if there is one.
-    std::optional<Sample> readOut() const { return m_readOut; }
-    QString readOutText() const; ///< as shown above the curves
-
 signals:
     void bounceClicked(double time); ///< the tick's time, s
 

@@ -288,7 +288,10 @@ void TestRecording::sessionOfAPersonReplaysTheSame() {
     const Result check = checkOf(path("r"));
     QVERIFY2(check.out.startsWith("same: ") && check.out.endsWith(" steps\n"), check.out + check.messages.toUtf8());
     const auto recording = readRecording(path("r"), options.registry, nullptr);
-    QVERIFY(recording && recording->stepCount() >= 101);
+    QVERIFY(recording);
+    size_t steps = 0;
+    for (const Segment &segment : recording->segments) steps += segment.hashes.size();
+    QVERIFY(steps >= 101);
     QCOMPARE(recording->segments.back().conditions.maze.path, options.levels[1].path);
     QCOMPARE(recording->segments.back().conditions.stepper.id, QByteArray("exact"));
 }

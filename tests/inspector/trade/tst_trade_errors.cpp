@@ -250,7 +250,8 @@ void TestTradeErrors::allButTimingIsTheSameAgain() {
     const TradeResult second = measured(again);
     for (size_t i = 0; i < first.points.size(); ++i) {
         for (const TradeColumn &column : tradeColumns())
-            if (!column.isTiming) QVERIFY2(column.value(first.points[i]) == column.value(second.points[i]), column.id);
+            if (!QByteArray(column.id).startsWith("cpu_") && QByteArray(column.id) != "repeats")
+                QVERIFY2(column.value(first.points[i]) == column.value(second.points[i]), column.id);
         QCOMPARE(first.points[i].note, second.points[i].note);
     }
 }

@@ -53,7 +53,8 @@ void TestWindowRecording::menuRecordsUntilItIsChosenAgain() {
     QVERIFY(!record->isChecked());
     const auto isWhole = [&] {
         const auto recording = inspector::readRecording(file, m_fixture->session().registry(), nullptr);
-        return recording && recording->isWhole && recording->stepCount() == 1;
+        return recording && recording->isWhole && recording->segments.size() == 1 &&
+               recording->segments[0].hashes.size() == 1;
     };
     QTRY_VERIFY(isWhole());
 }

@@ -14,6 +14,8 @@
 
 #include <algorithm>
 
+#include <qcustomplot.h>
+
 namespace window_test {
 
 namespace {
@@ -36,6 +38,12 @@ QWidget *keyboardOwner(QWidget &window) {
 }
 
 } // namespace
+
+QString readOutOf(const QCustomPlot *plot) {
+    const auto *text = plot->findChild<QCPTextElement *>("read_out");
+    if (!text) qFatal("no read-out");
+    return text->text();
+}
 
 void prepare() { QSurfaceFormat::setDefaultFormat(inspector::gl::surfaceFormat()); }
 

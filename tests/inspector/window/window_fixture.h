@@ -7,6 +7,7 @@
 #include "ui/window/main_window.h"
 
 #include <QAction>
+#include <QString>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -19,6 +20,8 @@
 #define QTRY_VERIFY2(expression, message) QTRY_VERIFY2_WITH_TIMEOUT((expression), (message), window_test::kPatience)
 #define QTRY_COMPARE(actual, expected) QTRY_COMPARE_WITH_TIMEOUT((actual), (expected), window_test::kPatience)
 
+class QCustomPlot;
+
 namespace window_test {
 
 // A wait's end only stops what hangs: QTest's 5 s are over too soon where the machine is busy with something else.
@@ -26,6 +29,9 @@ constexpr int kPatience = 60000; // ms
 
 // Before the application object exists.
 void prepare();
+
+/// What is said above a plot's curves of the sample under the cursor.
+QString readOutOf(const QCustomPlot *plot);
 
 class Fixture {
 public:
