@@ -26,7 +26,7 @@ public:
     bool isAtRest(const Law &law, const Motion &motion) const;
 
 private:
-    struct Contact {
+    struct Contact { // NOLINT(clang-analyzer-optin.performance.Padding)
         size_t box;
         Touch touch;
         Real pressure; ///< normal impulse

@@ -212,6 +212,7 @@ namespace {
 
 std::vector<Real> errorsOf(const Path &path, const Truth &truth) {
     std::vector<Real> errors;
+    errors.reserve(kCheckpoints);
     for (int i = 0; i < kCheckpoints; ++i) errors.push_back(length(path.motions[i].place - truth.motions()[i].place));
     return errors;
 }
@@ -279,7 +280,7 @@ Convergence compare(const phys_registry *registry, const std::string &stepper, c
 Convergence converge(const phys_registry *registry, const std::string &stepper, const Case &scene, const Truth &truth) {
     const Order orders = orderOf(stepper);
     const int order = truth.hasEvents() ? orders.acrossEvents : orders.betweenEvents;
-    const Convergence usual = compare(registry, stepper, scene, truth, order, 1);
+    Convergence usual = compare(registry, stepper, scene, truth, order, 1);
     if (!usual.isWrong || order == 0) return usual;
     // A slip or a roll that all but ends turns within a few steps: there the order shows with smaller ones.
     const Convergence finer = compare(registry, stepper, scene, truth, order, kFiner);

@@ -102,7 +102,7 @@ Pair logOfNormal(double x, double tail, int exponent) {
     const uint64_t bits = std::bit_cast<uint64_t>(x);
     const int shift = static_cast<int>(static_cast<int64_t>(bits - kLeastBits) >> kMantissaBits);
     const double z = std::bit_cast<double>(bits - (static_cast<uint64_t>(shift) << kMantissaBits));
-    const double *entry = kLogarithms[static_cast<int>(64.0 * z + 0.5) - 45];
+    const double *entry = kLogarithms[static_cast<int>(64.0 * z + 0.5) - 45]; // NOLINT(bugprone-incorrect-roundings)
     const double inverse = entry[0], k = exponent + shift;
     // z/c - 1 in two exact parts, the products having few bits; the tail is that of x, in units of 2^shift.
     const Pair parts = halves(z);

@@ -56,7 +56,7 @@ double residual(std::span<const FrictionDisc> discs, double radius, const Motion
 /// A small dense linear system, solved by elimination with pivots.
 class LinearSystem {
 public:
-    static constexpr size_t kMost = 2 * Contacts::kMost;
+    static constexpr size_t kMost = size_t{2} * Contacts::kMost;
 
     explicit LinearSystem(size_t size)
         : m_size(size) {}

@@ -246,7 +246,7 @@ int runOnly(const std::string &name, const std::vector<Level> &levels) {
         return 2;
     }
     for (const Level &level : levels) chosen->secondsPerStep(level);
-    std::printf("%llu\n", static_cast<unsigned long long>(chosen->steps * levels.size()));
+    std::printf("%llu\n", static_cast<unsigned long long>(chosen->steps) * levels.size());
     return 0;
 }
 

@@ -91,6 +91,7 @@ ScenePointer openFloor(double radius) {
 
 double medianOf(const std::function<double()> &measure) {
     std::vector<double> rounds;
+    rounds.reserve(kRounds);
     for (int round = 0; round < kRounds; ++round) rounds.push_back(measure());
     return median(rounds);
 }
@@ -190,7 +191,7 @@ void printRates(const phys_scene &level) {
 void runOnce(const Balls &balls) {
     const StepperPointer stepper = createStepper(PHYS_STEPPER_DEFAULT, balls.scene);
     balls.run(stepper.get(), 0, kBalls);
-    std::printf("%llu\n", static_cast<unsigned long long>(kBalls * kSteps));
+    std::printf("%llu\n", static_cast<unsigned long long>(kBalls) * kSteps);
 }
 
 void runInRoomyMaze() {

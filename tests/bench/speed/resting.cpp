@@ -54,6 +54,7 @@ double timeOf(phys_stepper *stepper, const phys_scene &scene, uint32_t model, co
     phys_error error;
     check(phys_step(stepper, &params, kStep, &start, &start, nullptr, &error), error);
     std::vector<double> rounds;
+    rounds.reserve(kRounds);
     for (int round = 0; round < kRounds; ++round) {
         rounds.push_back(cpuTimeOf([&] {
             for (int i = 0; i < kStarts; ++i) {
