@@ -224,12 +224,16 @@ End ExactStep::firstEvent(const P &phase, Border &border) {
     const bool meetsNothing = isOpen(acceleration);
     if (meetsNothing && staysOnGround(acceleration)) return end;
     const Outlook around{m_scene, m_position, m_motion, m_contacts, m_work, closedBits()};
+    // What is near is looked for first: the ends of long faces are far, if anything is.
+    const double length = kFirstWindow * m_scene.radius, speed = glm::length(m_motion.velocity);
+    const double soon = meetsNothing ? 0.0 : std::min(end.after, leastTime(length, speed, acceleration));
+    double touch = firstTouch(around, phase, 0.0, soon, length);
     for (uint32_t i = 0; i < m_heldCount; ++i) {
-        if (isClosed(i)) cutAtBorder(around, contactOf(i), phase, end.after, border);
+        if (isClosed(i)) cutAtBorder(around, contactOf(i), phase, std::min(end.after, touch), border);
     }
     end.cut({border.after, Cause::border, 0});
-    if (meetsNothing) return end;
-    end.cut({firstTouch(around, phase, end.after), Cause::touch, 0});
+    if (!meetsNothing && touch == kNever) touch = firstTouch(around, phase, soon, end.after, 2.0 * length);
+    end.cut({touch, Cause::touch, 0});
     return end;
 }
 

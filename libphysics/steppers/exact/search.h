@@ -148,17 +148,26 @@ void visitAlong(const Scene &scene, const Stretch &stretch, Work &work, Visit vi
                      glm::max(stretch.start, stretch.end) + stretch.off, [&](uint32_t i) { look(scene.boxes[i], i); });
 }
 
-/// First time in [0, until] at which the ball touches a box and moves towards it; kNever if it doesn't.
+/// How long a ball of this speed and acceleration surely takes for a way.
+inline double leastTime(double way, double speed, double acceleration) {
+    if (!(acceleration > 0.0 || speed > 0.0)) return kNever;
+    return 2.0 * way / (speed + std::sqrt(speed * speed + 2.0 * acceleration * way));
+}
+
+/// Radii: of the way whose surroundings are looked at first.
+inline constexpr double kFirstWindow = 0.48;
+
+/// First time in [from, until] at which the ball touches a box and moves towards it; kNever if it doesn't. length: of
+/// the way that is looked at first, m.
 template<class Phase>
-double firstTouch(const Outlook &around, const Phase &phase, double until) {
+double firstTouch(const Outlook &around, const Phase &phase, double from, double until, double length) {
     const Scene &scene = around.scene;
     const double a = phase.mostAcceleration(), ball = scene.radius * (1.0 + 1e-9) + scene.tolerance;
-    double best = kNever, length = 0.48 * scene.radius;
+    double best = kNever;
     // Windows of growing length: most ways end near, and only what is near needs to be looked at.
-    for (double from = 0.0; from < until && best == kNever && !around.work.isTooMuch(); length *= 2.0) {
+    for (; from < until && best == kNever && !around.work.isTooMuch(); length *= 2.0) {
         const Way start = phase.at(from);
-        const double v = glm::length(start.velocity);
-        const double window = a > 0.0 || v > 0.0 ? 2.0 * length / (v + std::sqrt(v * v + 2.0 * a * length)) : kNever;
+        const double v = glm::length(start.velocity), window = leastTime(length, v, a);
         const double end = from + window < until ? from + window : until, time = end - from;
         const double way = std::min(length, time * (v + 0.5 * a * time));
         Stretch stretch{around.position + start.way, around.position, ball, ball + way, way > 2.0 * scene.radius};
