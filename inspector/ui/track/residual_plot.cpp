@@ -14,7 +14,7 @@ ResidualPlot::ResidualPlot(QWidget *parent)
     , m_bounces(addGraph())
     , m_noise(new QCPItemRect(this)) {
     setObjectName(QStringLiteral("track_residuals"));
-    setMinimumSize(220, 140);
+    setMinimumSize(140, 110);
     xAxis->setLabel(tr("Time [s]"));
     yAxis->setLabel(tr("Residual [mm]"));
     setToolTip(tr("Measured minus computed"));

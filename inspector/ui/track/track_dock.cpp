@@ -28,7 +28,9 @@ TrackDock::TrackDock(Session &session, QUndoStack &undo, QWidget *parent)
     , m_undo(undo)
     , m_quantities(new FitTable)
     , m_report(new QPlainTextEdit)
-    , m_residuals(new ResidualPlot) {
+    , m_residuals(new ResidualPlot)
+    , m_results(new QSplitter)
+    , m_halves(new QSplitter) {
     setObjectName(QStringLiteral("track"));
     m_report->setObjectName(QStringLiteral("track_report"));
     m_report->setAccessibleName(tr("Result of the fit"));
@@ -37,16 +39,16 @@ TrackDock::TrackDock(Session &session, QUndoStack &undo, QWidget *parent)
     m_report->setPlaceholderText(
         tr("A table of a measured ball, with columns t, x, y and, if measured, tilt_x, tilt_y: the fit finds the "
            "friction, the restitution, the tilt's offset and delay with which the computed ball rolls like it."));
-    auto *halves = new QSplitter;
-    halves->addWidget(m_quantities);
-    halves->addWidget(m_report);
-    halves->addWidget(m_residuals);
-    halves->setSizes({420, 270, 310}); // per mille
-    halves->setChildrenCollapsible(false);
+    m_results->addWidget(m_report);
+    m_results->addWidget(m_residuals);
+    m_halves->addWidget(m_quantities);
+    m_halves->addWidget(m_results);
+    for (QSplitter *splitter : {m_halves, m_results}) splitter->setChildrenCollapsible(false);
+    arrange(Qt::Horizontal);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 4, 6, 6);
     layout->addWidget(makeControls());
-    layout->addWidget(halves, 1);
+    layout->addWidget(m_halves, 1);
     connect(m_fit, &QPushButton::clicked, this, &TrackDock::toggle);
     connect(m_takeOver, &QPushButton::clicked, this, &TrackDock::takeOver);
     connect(m_file, &QLineEdit::textChanged, this, &TrackDock::showRunning);
@@ -66,6 +68,21 @@ TrackDock::TrackDock(Session &session, QUndoStack &undo, QWidget *parent)
     connect(&session, &Session::levelOpened, this, &TrackDock::forget);
     showBegin();
     showRunning();
+}
+
+/// Beside each other, or, where that leaves the table no room for its numbers, the report above the residuals.
+void TrackDock::arrange(Qt::Orientation orientation) {
+    m_results->setOrientation(orientation);
+    const bool isWide = orientation == Qt::Horizontal;
+    m_halves->setSizes(isWide ? QList<int>{420, 580} : QList<int>{660, 340}); // per mille
+    m_results->setSizes(isWide ? QList<int>{466, 534} : QList<int>{400, 600});
+}
+
+void TrackDock::resizeEvent(QResizeEvent *event) {
+    QWidget::resizeEvent(event);
+    constexpr int kNarrow = 620; // logical pixels
+    const Qt::Orientation wanted = width() < kNarrow ? Qt::Vertical : Qt::Horizontal;
+    if (m_results->orientation() != wanted) arrange(wanted);
 }
 
 QWidget *TrackDock::makeControls() {

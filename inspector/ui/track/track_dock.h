@@ -10,6 +10,7 @@ class QLineEdit;
 class QPlainTextEdit;
 class QProgressBar;
 class QPushButton;
+class QSplitter;
 class QUndoStack;
 
 namespace inspector::ui {
@@ -33,7 +34,11 @@ public:
 
     QSize sizeHint() const override { return {900, 320}; }
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 private:
+    void arrange(Qt::Orientation orientation);
     QWidget *makeControls();
     void chooseTrackFile();
     bool openTrack(); ///< opens what is typed; reports what is wrong with it
@@ -60,6 +65,8 @@ private:
     FitTable *m_quantities;
     QPlainTextEdit *m_report;
     ResidualPlot *m_residuals;
+    QSplitter *m_results; ///< report and residuals
+    QSplitter *m_halves;  ///< the table and these
 };
 
 } // namespace inspector::ui

@@ -5,6 +5,7 @@
 #include "inspector/dock_fixture.h"
 #include "inspector/track/made_track.h"
 #include "ui/track/fit_table.h"
+#include "ui/track/residual_plot.h"
 
 #include <QLineEdit>
 #include <QPlainTextEdit>
@@ -30,6 +31,7 @@ private slots:
     void typedBeginningsCount();
     void wrongBeginningIsRefused();
     void ticksAreRemembered();
+    void narrowDockHasRoomForWhatWasFound();
     void otherLevelForgetsTheFit();
 
 private:
@@ -178,6 +180,19 @@ void TestTrackDock::ticksAreRemembered() {
     const TrackDock other(*m_session, m_undo);
     QVERIFY(!other.findChild<FitTable *>("track_quantities")->words().contains("delay"));
     QVERIFY(other.findChild<FitTable *>("track_quantities")->words().contains("restitution_wall"));
+}
+
+// Beside the bounces in a window of 1280 pixels.
+void TestTrackDock::narrowDockHasRoomForWhatWasFound() {
+    const QSize before = m_dock->size();
+    m_dock->resize(465, 300);
+    const auto placeOf = [this](const QWidget &widget) { return widget.mapTo(m_dock.get(), QPoint(0, 0)); };
+    auto &residuals = *m_dock->findChild<ResidualPlot *>();
+    QTRY_VERIFY(placeOf(residuals).y() > placeOf(find<QPlainTextEdit>("track_report")).y());
+    QVERIFY2(table().columnWidth(FitTable::Found) >= 60,
+             qPrintable(QString::number(table().columnWidth(FitTable::Found))));
+    m_dock->resize(before);
+    QTRY_COMPARE(placeOf(residuals).y(), placeOf(find<QPlainTextEdit>("track_report")).y());
 }
 
 void TestTrackDock::otherLevelForgetsTheFit() {
