@@ -119,7 +119,24 @@ std::vector<Motion> Truth::run(const Law &law, Motion motion, Real tolerance) co
     return motions;
 }
 
-std::optional<Truth> Truth::of(const Case &scene) {
+/// A start that overlaps one box, but for its centre, is pushed out of it: to the nearest place, at no cost. Out of
+/// several boxes, or from within one, the law knows no single way.
+Case pushedOut(Case scene) {
+    const Vector start = vectorOf(scene.start.position);
+    std::optional<Touch> overlap;
+    for (const phys_box &box : scene.boxes) {
+        const Touch touch = touchOf(box, start, scene.radius);
+        if (touch.gap > -1e-12L * scene.radius) continue;
+        if (overlap || touch.gap <= -scene.radius) return scene;
+        overlap = touch;
+    }
+    if (overlap) scene.start.position = rounded(start - overlap->gap * overlap->normal);
+    return scene;
+}
+
+std::optional<Truth> Truth::of(const Case &given) {
+    const Case scene = pushedOut(given);
+    const bool isPushedOut = length(vectorOf(scene.start.position) - vectorOf(given.start.position)) > 0;
     if (!isLawful(scene) || hasUndecidedGap(scene)) return std::nullopt;
     Truth truth(scene);
     const Law law = lawAt(scene);
@@ -129,7 +146,7 @@ std::optional<Truth> Truth::of(const Case &scene) {
         if (!force.run(law, Real(scene.duration()) / kCheckpoints, motion)) return std::nullopt;
         truth.m_motions.push_back(motion);
     }
-    truth.m_hasEvents = force.events() > 0;
+    truth.m_hasEvents = force.events() > 0 || isPushedOut;
     const std::vector<Motion> coarser = truth.run(law, motionOf(scene.start), 1e-11L);
     if (coarser.empty()) return std::nullopt;
     for (int i = 0; i < kCheckpoints; ++i) {

@@ -53,7 +53,7 @@ private:
     std::vector<Motion> run(const Law &law, Motion motion, Real tolerance) const;
     std::vector<Real> disturb(Real disturbance, Real shift) const;
 
-    const Case &m_scene;
+    Case m_scene;
     mutable std::shared_ptr<Truth> m_refined;
     mutable std::map<std::pair<Real, Real>, std::vector<Real>> m_spreads;
     std::vector<Motion> m_motions; ///< at the checkpoints, each a quarter of the time

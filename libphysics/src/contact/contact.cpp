@@ -68,10 +68,10 @@ Contact joined(Contact contact, const Contact &other) {
 /// Collects contacts, each normal once. Which of several stays depends on where they are, never on their order.
 class Gathering {
 public:
-    Gathering(const Setting &setting, const Vec3 &position, const Vec3 &velocity, Contacts &contacts)
+    Gathering(const Setting &setting, const Vec3 &position, const Motion &motion, Contacts &contacts)
         : m_setting(setting)
         , m_position(position)
-        , m_velocity(velocity)
+        , m_motion(motion)
         , m_contacts(contacts) {
         contacts.clear();
     }
@@ -106,8 +106,9 @@ private:
     /// Nothing but their boxes' ends tells two contacts apart: whether the ball leaves the second one's first.
     bool liesAhead(const Contact &a, const Contact &b) const {
         const auto outlook = [&](const Contact &contact) {
-            return std::tuple(endAlong(contact, m_velocity), endAlong(contact, m_setting.gravity()),
-                              nearestEnd(contact));
+            const Vec3 driven = glm::cross(m_motion.spin, contact.normal); // by friction
+            return std::tuple(endAlong(contact, m_motion.velocity), endAlong(contact, m_setting.gravity()),
+                              endAlong(contact, driven), nearestEnd(contact));
         };
         return outlook(b) < outlook(a);
     }
@@ -136,7 +137,8 @@ private:
     }
 
     const Setting &m_setting;
-    const Vec3 &m_position, &m_velocity;
+    const Vec3 &m_position;
+    const Motion &m_motion;
     Contacts &m_contacts;
 };
 
@@ -223,7 +225,7 @@ bool findContacts(const Setting &setting, const Vec3 &position, const Motion &mo
             return squaredDistance(box, position + way) < overlapping * overlapping;
         });
     };
-    Gathering gathering(setting, position, motion.velocity, out);
+    Gathering gathering(setting, position, motion, out);
     bool isOutside = true;
     double negligible = -1.0; // not needed before something is near
     visitNear(scene, position, touching + furthest, [&](const phys_box &box, uint32_t number) {
@@ -245,7 +247,7 @@ void findContactsAmong(const Setting &setting, const Vec3 &position, const Motio
                        std::span<const uint32_t> boxes, Contacts &out) {
     const double touching = setting.scene.radius + setting.tolerance;
     const double negligible = negligibleSpeed(motion, setting.scene.radius);
-    Gathering gathering(setting, position, motion.velocity, out);
+    Gathering gathering(setting, position, motion, out);
     for (const uint32_t number : boxes) {
         Contact contact;
         const bool isTouched = squaredDistance(setting.scene.boxes[number], position) <= touching * touching;

@@ -16,6 +16,9 @@ namespace {
 /// More passes than this mean that there is no room this way.
 constexpr uint32_t kMostPasses = 32;
 
+/// Pushes between two faces lead further than either is deep, by as many times.
+constexpr double kAbout = 4.0;
+
 /// How deep the ball is in boxes at one place, m; 0 or less: it overlaps none.
 double deepestAt(const Scene &scene, const Vec3 &position, Work &work) {
     const double touching = scene.radius - scene.tolerance;
@@ -40,10 +43,10 @@ struct Overlaps {
     }
 };
 
-Overlaps overlapsAt(const Scene &scene, const Vec3 &position, double depth, Work &work) {
-    constexpr double kAbout = 4.0; // pushes between two faces lead further than either is deep
+/// about: how much farther from the ball boxes count, m.
+Overlaps overlapsAt(const Scene &scene, const Vec3 &position, double about, Work &work) {
     Overlaps overlaps;
-    const double reach = scene.radius + std::min(kAbout * depth, 0.25 * scene.radius);
+    const double reach = scene.radius + about;
     visitNear(scene, position, reach, [&](const phys_box &box, uint32_t) {
         work.add(Work::kBox);
         if (squaredDistance(box, position) < reach * reach) overlaps.add(nearest(box, position), scene.radius);
@@ -112,13 +115,21 @@ PushOut pushOut(const Scene &scene, Vec3 &position, Work &work) {
             if (result.isFree) position = place;
             return result;
         }
-        Overlaps overlaps = overlapsAt(scene, place, depth, work);
+        Overlaps overlaps = overlapsAt(scene, place, -scene.tolerance, work);
         if (overlaps.isCentreInside) {
             result.isFree = result.passes == 0 && escape(scene, position, work);
             result.passes = 1;
             return result;
         }
-        place += leastPush({overlaps.pushes.data(), overlaps.count}, 0.5 * scene.tolerance, work);
+        const auto pushed = [&] {
+            return place + leastPush({overlaps.pushes.data(), overlaps.count}, 0.5 * scene.tolerance, work);
+        };
+        Vec3 next = pushed();
+        if (deepestAt(scene, next, work) > 0.0) { // what it would be pushed into counts, too
+            overlaps = overlapsAt(scene, place, std::min(kAbout * depth, 0.25 * scene.radius), work);
+            next = pushed();
+        }
+        place = next;
     }
     result.isFree = false;
     return result;
