@@ -41,6 +41,19 @@ struct Overlaps {
         isCentreInside = isCentreInside || nearest.feature == PHYS_FEATURE_INSIDE;
         if (count < Contacts::kMost) pushes[count++] = {nearest.normal, radius - nearest.distance};
     }
+
+    /// The shortest push out of all. Neither mirrors nor the numbering of boxes must change it: of those that are
+    /// equally deep none comes first, it is the mean of both orders.
+    Vec3 leastPushOut(double negligible, Work &work) {
+        const auto inOrder = [&](double direction) {
+            std::sort(pushes.begin(), pushes.begin() + count, [direction](const Push &a, const Push &b) {
+                const Vec3 first = direction * a.normal, second = direction * b.normal;
+                return std::tie(b.wanted, first.x, first.y, first.z) < std::tie(a.wanted, second.x, second.y, second.z);
+            });
+            return leastPush({pushes.data(), count}, negligible, work);
+        };
+        return count < 2 ? inOrder(1.0) : 0.5 * (inOrder(1.0) + inOrder(-1.0));
+    }
 };
 
 /// about: how much farther from the ball boxes count, m.
@@ -50,11 +63,6 @@ Overlaps overlapsAt(const Scene &scene, const Vec3 &position, double about, Work
     visitNear(scene, position, reach, [&](const phys_box &box, uint32_t) {
         work.add(Work::kBox);
         if (squaredDistance(box, position) < reach * reach) overlaps.add(nearest(box, position), scene.radius);
-    });
-    // Mirrors and the numbering of boxes must not change the order.
-    std::sort(overlaps.pushes.begin(), overlaps.pushes.begin() + overlaps.count, [](const Push &a, const Push &b) {
-        return std::tie(b.wanted, a.normal.x, a.normal.y, a.normal.z) <
-               std::tie(a.wanted, b.normal.x, b.normal.y, b.normal.z);
     });
     return overlaps;
 }
@@ -121,9 +129,7 @@ PushOut pushOut(const Scene &scene, Vec3 &position, Work &work) {
             result.passes = 1;
             return result;
         }
-        const auto pushed = [&] {
-            return place + leastPush({overlaps.pushes.data(), overlaps.count}, 0.5 * scene.tolerance, work);
-        };
+        const auto pushed = [&] { return place + overlaps.leastPushOut(0.5 * scene.tolerance, work); };
         Vec3 next = pushed();
         if (deepestAt(scene, next, work) > 0.0) { // what it would be pushed into counts, too
             overlaps = overlapsAt(scene, place, std::min(kAbout * depth, 0.25 * scene.radius), work);
