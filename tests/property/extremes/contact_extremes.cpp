@@ -122,14 +122,19 @@ Outcome manyBoxes(const QByteArray &stepper, uint32_t model, bool duplicates) {
     return outcome(watchB, same ? "as one box, to the last bit" : "not as one box");
 }
 
-Outcome startInside(const QByteArray &stepper, uint32_t model, double x) {
-    Experiment ball(leftWall(), stepper, model);
-    ball.setPosition(x, 0.0);
-    ball.step(kDt);
-    const bool out = depthOf(ball.scene(), ball.state) <= roundingDepth(ball.scene(), ball.state);
-    Watch watch(ball);
-    watch.step(16, kDt);
-    return outcome(watch, out && ball.state.position.x >= kRadius ? "is pushed out" : "stays inside");
+/// The centre's distance from the face, in radii, > 0 outside: least .. most.
+Outcome startInside(const QByteArray &stepper, uint32_t model, double least, double most) {
+    return overDraws([&](support::Random &draw) {
+        Experiment ball(leftWall(), stepper, model);
+        ball.setPosition(draw.between(least, most) * kRadius, draw.between(-5.0, 5.0));
+        const double dt = draw.between(0x1p-10, 0x1p-6);
+        ball.step(dt);
+        const double slack = roundingDepth(ball.scene(), ball.state);
+        const bool out = depthOf(ball.scene(), ball.state) <= slack;
+        Watch watch(ball);
+        watch.step(16, dt);
+        return outcome(watch, out && ball.state.position.x >= kRadius - slack ? "is pushed out" : "stays inside");
+    });
 }
 
 Outcome startWedged(const QByteArray &stepper, uint32_t model) {
@@ -193,29 +198,39 @@ Outcome thinBox(const QByteArray &stepper, uint32_t model) {
 }
 
 Outcome dropOnTheFloor(const QByteArray &stepper, uint32_t model, double restitution) {
-    Experiment ball(support::openFloor(1.0).start({0.0, 0.0, kRadius + 0.1}), stepper, model);
-    if (!ball.isReady()) return {phys_status_name(ball.status()), {}};
-    ball.params.restitution_floor = restitution;
-    Watch watch(ball);
-    watch.step(4096, 0x1p-10);
-    if (restitution < 1.0) {
-        const bool rests = ball.state.position.z == kRadius && ball.state.flags & PHYS_AT_REST;
-        return outcome(watch, rests ? "comes to rest" : "hops on");
-    }
-    double highest = 0.0;
-    for (int i = 0; i < 1024 && watch.step(1, 0x1p-10); ++i)
-        highest = std::max(highest, ball.state.position.z - kRadius);
-    return outcome(watch, change(0.1, highest, "bounces higher", "bounces lower", "keeps its height"));
+    return overDraws([&](support::Random &draw) -> Outcome {
+        const double height = draw.between(0.5, 2.0) * kRadius;
+        const double dt = draw.between(0x1p-10, 0x1p-9);
+        Experiment ball(support::openFloor(1.0).start({0.0, 0.0, kRadius + height}), stepper, model);
+        if (!ball.isReady()) return {phys_status_name(ball.status()), {}};
+        ball.params.restitution_floor = restitution;
+        Watch watch(ball);
+        watch.step(static_cast<uint64_t>(4.0 / dt), dt);
+        if (restitution < 1.0) {
+            const bool rests = ball.state.position.z == kRadius && ball.state.flags & PHYS_AT_REST;
+            return outcome(watch, rests ? "comes to rest" : "hops on");
+        }
+        double highest = 0.0;
+        for (double time = 0.0; time < 1.0 && watch.step(1, dt); time += dt)
+            highest = std::max(highest, ball.state.position.z - kRadius);
+        return outcome(watch, change(height, highest, "bounces higher", "bounces lower", "keeps its height"));
+    });
 }
 
-Outcome lowKerb(const QByteArray &stepper, uint32_t model) {
-    auto scene = support::openFloor(4.0).box({{0.5, -4, 0}, {4, 4, 0.5 * kRadius}}).start(0, 0);
-    Experiment ball(scene, stepper, model);
-    ball.params.restitution_wall = 0.0;
-    ball.roll(2.0, 0.0);
-    Watch watch(ball);
-    watch.step(512, kDt);
-    return outcome(watch, ball.state.position.x > 0.5 ? "climbs it" : "bounces off");
+/// slowest, fastest: in units of sqrt(g R), aslant by up to half a radian.
+Outcome lowKerb(const QByteArray &stepper, uint32_t model, double slowest, double fastest) {
+    return overDraws([&](support::Random &draw) {
+        auto scene = support::openFloor(4.0).box({{0.5, -4, 0}, {4, 4, 0.5 * kRadius}}).start(0.3, 0);
+        Experiment ball(scene, stepper, model);
+        ball.params.restitution_wall = 0.0;
+        const double speed = draw.between(slowest, fastest) * std::sqrt(-ball.params.gravity.z * kRadius);
+        const double angle = draw.between(-0.5, 0.5);
+        const double dt = draw.between(0x1p-9, 0x1p-7);
+        ball.roll(speed * std::cos(angle), speed * std::sin(angle));
+        Watch watch(ball);
+        watch.step(static_cast<uint64_t>((0.2 / (speed * std::cos(angle)) + 0.5) / dt), dt);
+        return outcome(watch, ball.state.position.x > 0.5 ? "climbs it" : "stays below");
+    });
 }
 
 Outcome offTheEdge(const QByteArray &stepper, uint32_t model) {
@@ -240,8 +255,11 @@ std::vector<Extreme> contactExtremes() {
         return
             [duplicates](const QByteArray &stepper, uint32_t model) { return manyBoxes(stepper, model, duplicates); };
     };
-    const auto inside = [](double x) {
-        return [x](const QByteArray &stepper, uint32_t model) { return startInside(stepper, model, x); };
+    const auto inside = [](double least, double most) {
+        return [=](const QByteArray &stepper, uint32_t model) { return startInside(stepper, model, least, most); };
+    };
+    const auto kerb = [](double slowest, double fastest) {
+        return [=](const QByteArray &stepper, uint32_t model) { return lowKerb(stepper, model, slowest, fastest); };
     };
     const auto drop = [](double restitution) {
         return [=](const QByteArray &stepper, uint32_t model) { return dropOnTheFloor(stepper, model, restitution); };
@@ -263,8 +281,8 @@ std::vector<Extreme> contactExtremes() {
         {"restitution 0.5, dropped on the floor", drop(0.5), always("comes to rest")},
         {"infinitely many bounces into a corner", zenoIntoACorner, always("rests in the corner")},
         {"start in a corner, pressed into it", startInACorner, always("rests there")},
-        {"start half a radius inside a wall", inside(0.5 * kRadius), always("is pushed out")},
-        {"start with the centre inside a wall", inside(-0.5 * kRadius), always("is pushed out")},
+        {"start with less than half the ball inside a wall", inside(0.05, 0.95), always("is pushed out")},
+        {"start with the centre inside a wall", inside(-0.95, -0.05), always("is pushed out")},
         {"start between walls closer than the ball", startWedged, always("PHYS_ERROR_STUCK")},
         {"a gap narrower than the ball", gap(0.75 * 2.0 * kRadius), mouth},
         {"a gap exactly as wide as the ball", gap(2.0 * kRadius), always("undefined, but finite")},
@@ -272,7 +290,8 @@ std::vector<Extreme> contactExtremes() {
         {"a wall a thousand times thinner than a step", thinBox, always("bounces off")},
         {"a wall of a thousand flush boxes", boxes(false), always("as one box, to the last bit")},
         {"a thousand boxes in one place", boxes(true), always("as one box, to the last bit")},
-        {"a kerb half a radius high", lowKerb, always("climbs it")},
+        {"a kerb half a radius high, restitution 0, above 3 sqrt(g R)", kerb(3.0, 5.0), always("climbs it")},
+        {"the same below 1.5 sqrt(g R)", kerb(0.3, 1.5), always("stays below")},
         {"over the edge of the board", offTheEdge, always("falls freely")},
     };
 }
