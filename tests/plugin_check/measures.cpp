@@ -61,7 +61,7 @@ Measure impacts(const Subject &subject) {
     scene.boxes.push_back({{-0.06, -1, 0}, {-0.05, 1, 0.05}});
     scene.legs[0].gravity = {0.4, 0.2, -9.79};
     roll(scene, 0.37, 0.05);
-    const Measure rolling = orderIn(subject, scene);
+    Measure rolling = orderIn(subject, scene);
     if (rolling.isWrong || modelOf(subject) == PHYS_MODEL_ROLLING) return rolling;
     scene.params.model = PHYS_MODEL_RIGID;
     scene.params.wall_friction = 0.2;

@@ -2,9 +2,9 @@
 // Is what a step says of itself true: events, losses, flags, orientation, what it needs.
 #include "trial.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <vector>
 
 namespace plugin_check {
@@ -141,8 +141,7 @@ void judgeOrientation(const Subject &subject, Complaints &complaints) {
     for (int i = 0; i < kSteps; ++i) {
         if (!still.step(kDt) || !turning.step(kDt)) return;
     }
-    complaints.unless(std::memcmp(still.state.orientation, scene.start.orientation, sizeof scene.start.orientation) ==
-                          0,
+    complaints.unless(std::ranges::equal(still.state.orientation, scene.start.orientation),
                       "the orientation turns without being asked for");
     const phys_vec3 &spin = scene.start.spin;
     const double rate = std::hypot(spin.x, spin.y);

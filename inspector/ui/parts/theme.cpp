@@ -82,6 +82,7 @@ void applyTheme(Theme theme) {
     }
     // Only Fusion respects every palette; desktop styles bring their own colours.
     QApplication::setStyle(new ThemeStyle);
+    // NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks): Qt owns the style
     QApplication::setPalette(paletteOf(theme == Theme::Dark ? kDark : kLight));
 }
 

@@ -44,9 +44,9 @@ inline Outcome outcome(const Watch &watch, const QByteArray &phrase) {
 template<class Run>
 Outcome overDraws(const Run &run) {
     support::Random draw(support::testSeed());
-    const Outcome first = run(draw);
+    Outcome first = run(draw);
     for (uint64_t i = 1; i < support::effort(20, 100, 1000) && first.problem.isEmpty(); ++i) {
-        const Outcome next = run(draw);
+        Outcome next = run(draw);
         if (!next.problem.isEmpty()) return next;
         if (next.text != first.text) return {first.text + " or " + next.text, {}};
     }
