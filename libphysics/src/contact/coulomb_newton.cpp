@@ -12,8 +12,8 @@ namespace {
 
 constexpr int kMostSteps = 12;
 
-/// Equations of contacts whose gap is still to be closed count least: of a pair that sticks, along the line through
-/// both points, it is they that give way.
+/// Along the line through both points of a pair that sticks no slip ends where a gap is still to be closed: the
+/// equation of such a contact along it counts least.
 constexpr double kGivesWay = 0x1p-20;
 
 constexpr uint32_t kMostContactsOfNewton = 4;
@@ -215,9 +215,10 @@ private:
         if (disc.answer == Answer::None) return;
         for (uint32_t k = 0; k < 2; ++k) {
             if (disc.answer == Answer::Holds) {
-                dense::Values &row = equations.add(-weight * glm::dot(met, disc[k]));
+                const Vec3 direction = k == 0 ? weight * disc.along : disc.sideways;
+                dense::Values &row = equations.add(-glm::dot(met, direction));
                 visitUnknowns(
-                    [&](uint32_t unknown, const Motion &by) { row[unknown] = weight * glm::dot(meetOf(by), disc[k]); });
+                    [&](uint32_t unknown, const Motion &by) { row[unknown] = glm::dot(meetOf(by), direction); });
             } else if (k == 0) {
                 dense::Values &row = equations.add(perPressure * pressure - glm::dot(answer, disc.along));
                 row[own] = 1.0;
@@ -274,8 +275,11 @@ private:
         const double speed = glm::dot(c.limit, m_motion.velocity) - c.slow;
         if (!mode.presses) return speed >= -most;
         if (std::abs(speed) > most) return c.reaction == 0.0 && speed > 0.0;
-        if (mode.rubbing.answer == Answer::Holds && !mode.givesWay && glm::length(tangential(slip(c), c.lever)) > most)
-            return false;
+        if (mode.rubbing.answer == Answer::Holds) {
+            const Vec3 left = mode.givesWay ? glm::dot(slip(c), mode.rubbing.sideways) * mode.rubbing.sideways
+                                            : tangential(slip(c), c.lever);
+            if (glm::length(left) > most) return false;
+        }
         if (mode.rubbing.answer == Answer::Limited) {
             const double allowed = c.friction * c.reaction;
             const Vec3 holds = holding(c);
