@@ -129,7 +129,7 @@ MazeRenderer::MazeRenderer(QOpenGLFunctions_3_3_Core *gl)
     m_grain.setSize(kGrainTexels, kGrainTexels);
     m_grain.setMipLevels(m_grain.maximumMipLevels());
     m_grain.allocateStorage();
-    const std::vector<std::uint8_t> grain = woodGrain(kGrainTexels);
+    static const std::vector<std::uint8_t> grain = woodGrain(kGrainTexels);
     m_grain.setData(QOpenGLTexture::Red, QOpenGLTexture::UInt8, grain.data());
     m_grain.setMinMagFilters(QOpenGLTexture::LinearMipMapNearest, QOpenGLTexture::Linear);
     setBall(patternedBall());
