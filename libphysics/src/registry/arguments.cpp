@@ -10,9 +10,10 @@ namespace phys {
 
 namespace {
 
+/// A ball that comes down on the floor isn't carried yet: it bounces first.
 bool isCarried(const Scene &scene, const phys_state &state) {
     return scene.hasFloor && std::abs(state.position.z - scene.supportedZ) <= scene.tolerance &&
-           state.velocity.z <= 0.0 && scene.overFloor(state.position.x, state.position.y);
+           state.velocity.z == 0.0 && scene.overFloor(state.position.x, state.position.y);
 }
 
 } // namespace

@@ -119,12 +119,16 @@ void SweptStep::beginPhase() {
         }
     };
     lookHere();
-    SpinOnFloor spin(m_context, m_contacts, m_ball);
+    SpinOnFloor landing(m_context, m_contacts, m_ball);
     // The velocity decides on which side of a border the ball is.
     if (hit(m_context, m_contacts, m_done, m_ball)) lookHere();
-    spin.follow(m_contacts, m_ball);
-    spin.settle(true, m_ball);
+    landing.follow(m_contacts, m_ball);
+    landing.settle(true, m_ball);
     dropWhatIsLeft();
+    // What hops too low to leave a top face rolls on it, too: no friction takes its spin for a slip.
+    SpinOnFloor staying(m_context, m_contacts, m_ball);
+    staying.follow(m_contacts, m_ball);
+    staying.settle(true, m_ball);
 }
 
 /// Slow contacts last, from here on without any speed along their normals; those that the ball leaves are none.

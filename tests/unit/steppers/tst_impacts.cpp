@@ -60,6 +60,10 @@ private slots:
     void topEdgeOfAWallHasTheWallsRestitution();
     void topCornerOfAWallHasTheWallsRestitution_data() { addStepperAndModelRows(); }
     void topCornerOfAWallHasTheWallsRestitution();
+    void hopsUnderAnEdgeTakeNoSpeedAlongTheFloor_data() { addStepperRows(); }
+    void hopsUnderAnEdgeTakeNoSpeedAlongTheFloor();
+    void bounceOnTheFloorNeedsNoGravity_data() { addStepperAndModelRows(); }
+    void bounceOnTheFloorNeedsNoGravity();
     void recedingBallIsNotPulledBack_data() { addStepperAndModelRows(); }
     void recedingBallIsNotPulledBack();
     void comesOutBesideACornerFromNextToNothing_data() { addStepperAndModelRows(); }
@@ -138,6 +142,40 @@ void TestImpacts::topCornerOfAWallHasTheWallsRestitution() {
     QFETCH(QByteArray, stepper);
     QFETCH(uint32_t, model);
     bouncesOffTheWallsEnd(stepper, model, {-2.0 / 3.0, -1.0 / 3.0, 2.0 / 3.0}, 0.0);
+}
+
+/// The last of ever smaller bounces between the floor and a low edge, when the spin is still that of the flight.
+void TestImpacts::hopsUnderAnEdgeTakeNoSpeedAlongTheFloor() {
+    QFETCH(QByteArray, stepper);
+    const auto scene = SceneBuilder()
+                           .ball(0.01)
+                           .floor(-0.2, -0.2, 0.2, 0.2)
+                           .box({{0.028416234353686756, 0.0064898354451363273, 0.015069780499342511},
+                                 {0.05, 0.014329151772721156, 0.03}})
+                           .start(0.12, 0.12);
+    Experiment ball(scene, stepper);
+    ball.params.gravity = {1.4123085035631389, -1.386725803533859, -9.6082504253675989};
+    ball.params.restitution_wall = 0.0;
+    ball.params.restitution_floor = 0.98;
+    ball.params.rolling_friction = 0.0;
+    ball.state.position = {0.042920605122102023, 0.022948741420505445, 0.010000000000530133};
+    ball.state.velocity = {0.27287934849386952, -9.2007470102633077e-07, 2.6916234700637879e-07};
+    ball.state.spin = {9.21009, 21.2324, 0.0};
+    const double dt = 5.5e-6;
+    QVERIFY2(ball.step(dt), ball.error());
+    COMPARE_WITHIN(ball.state.velocity.x, 0.27287934849386952, ball.params.gravity.x * dt + 1e-5);
+}
+
+void TestImpacts::bounceOnTheFloorNeedsNoGravity() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    Experiment ball(leftWall(), stepper, model);
+    makeSmooth(ball);
+    ball.params.gravity = {0.0, 0.0, 0.0};
+    ball.params.restitution_floor = 0.5;
+    ball.state.velocity = {0.0, 0.0, -1.0};
+    QVERIFY2(ball.step(1.0 / 64.0), ball.error());
+    COMPARE_EXACT(ball.state.velocity.z, 0.5);
 }
 
 void TestImpacts::recedingBallIsNotPulledBack() {
