@@ -13,7 +13,6 @@ namespace inspector::ui {
 enum class Cause {
     Command,    ///< a command failed: until the next one that succeeds
     Step,       ///< a step failed: until another run begins, or it goes on
-    Parameter,  ///< a slider's value
     Level,      ///< the open level's files
     View,       ///< shaders
     Comparison, ///< a stepper that refused the ghost

@@ -332,8 +332,8 @@ void MainWindow::connectMessages() {
         if (isRunning) m_messages->settle(Cause::Step);
     });
 
-    connect(m_parameters, &ParameterPanel::refused, this, say(Cause::Parameter));
-    connect(&m_session.parameters(), &Parameters::changed, this, settle(Cause::Parameter));
+    connect(m_parameters, &ParameterPanel::refused, this, say(Cause::Command));
+    connect(&m_session.comparison().parameters(), &Parameters::changed, this, &MainWindow::settleCommand);
     connect(m_view, &gl::MazeView::problem, this, say(Cause::View));
     connect(m_view, &gl::MazeView::shadersRebuilt, this, settle(Cause::View));
     connect(&m_session.comparison(), &Comparison::refused, this, say(Cause::Comparison));

@@ -32,12 +32,16 @@ private slots:
     void ghostGetsASetOfItsOwn();
     void exportedFileIsImported();
     void fileThatIsNoneIsRefusedInOneLine();
+    void refusalInARecordingGoesWithTheNextCommand_data();
+    void refusalInARecordingGoesWithTheNextCommand();
+    void refusalInARecordingGoesWithTheGhostsNextValue();
 
 private:
     double own(const char *id) { return m_fixture->parameters().value(m_fixture->parameters().indexOf(id)); }
     QMenu *menu();
     void choose(const QString &text, const QString &inMenu = {});
     void save(const QString &name);
+    void refuseInRecording();
 
     std::unique_ptr<Fixture> m_fixture;
 };
@@ -166,6 +170,44 @@ void TestWindowSets::fileThatIsNoneIsRefusedInOneLine() {
     m_fixture->answerFile(path);
     QTRY_COMPARE(m_fixture->window().messages().line(), path + ":1: expected 'physics-parameters 1', found 'nothing'");
     COMPARE_EXACT(own("gravity"), 9.81);
+}
+
+// A recorded ball's values can't be changed.
+void TestWindowSets::refuseInRecording() {
+    const QString file = m_fixture->path("run.rec");
+    m_fixture->makeSteps(20);
+    QString error;
+    QVERIFY2(m_fixture->session().saveRun(file, &error), qPrintable(error));
+    m_fixture->drop(file);
+    QTRY_VERIFY(m_fixture->session().isReplaying());
+    choose("Steel on wood");
+    QVERIFY(m_fixture->window().messages().line().startsWith("a recording is shown as it was"));
+}
+
+void TestWindowSets::refusalInARecordingGoesWithTheNextCommand_data() {
+    QTest::addColumn<Qt::Key>("key");
+    QTest::addColumn<Qt::KeyboardModifiers>("modifiers");
+    QTest::newRow("go on") << Qt::Key_G << Qt::KeyboardModifiers();
+    QTest::newRow("run") << Qt::Key_Space << Qt::KeyboardModifiers();
+    QTest::newRow("close the recording") << Qt::Key_W << Qt::KeyboardModifiers(Qt::ControlModifier);
+    QTest::newRow("ghost's parameters") << Qt::Key_C << Qt::KeyboardModifiers(Qt::ShiftModifier);
+    QTest::newRow("compare") << Qt::Key_C << Qt::KeyboardModifiers();
+    QTest::newRow("restart") << Qt::Key_R << Qt::KeyboardModifiers();
+}
+
+void TestWindowSets::refusalInARecordingGoesWithTheNextCommand() {
+    QFETCH(Qt::Key, key);
+    QFETCH(Qt::KeyboardModifiers, modifiers);
+    refuseInRecording();
+    m_fixture->press(key, modifiers);
+    QCOMPARE(m_fixture->window().messages().line(), QString());
+}
+
+void TestWindowSets::refusalInARecordingGoesWithTheGhostsNextValue() {
+    m_fixture->press(Qt::Key_C, Qt::ShiftModifier);
+    refuseInRecording();
+    choose("Steel on ice", "For the ghost");
+    QCOMPARE(m_fixture->window().messages().line(), QString());
 }
 
 QTEST_MAIN(TestWindowSets)
