@@ -70,7 +70,9 @@ void NumberBox::setKind(Kind kind) {
 
 void NumberBox::setValue(double value) {
     m_value = value;
-    if (!isModified() && !isRefused()) setText(m_kind.show(value));
+    if (isModified() || isRefused()) return;
+    const QString shown = m_kind.show(value);
+    if (shown != text()) setText(shown);
 }
 
 void NumberBox::apply() {

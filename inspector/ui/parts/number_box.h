@@ -30,7 +30,7 @@ public:
 
     void setKind(Kind kind);
     double value() const { return m_value; }
-    /// Shows the value, unless the user is typing.
+    /// Shows the value, unless the user is typing; a selection stays while the text is the same.
     void setValue(double value);
     /// Marks what was entered as invalid; reason: one line.
     void refuse(const QString &reason);

@@ -28,6 +28,7 @@ private slots:
     void rollingBallIsNotTaken();
     void typedNumbersAreTheBalls_data();
     void typedNumbersAreTheBalls();
+    void selectionStaysWhileTheBallStands();
     void restartBringsItToItsOwnStart();
     void placedBallSetsNoBestTime();
     void ballPlacedAtOnceAfterRunStandsStill();
@@ -150,6 +151,18 @@ void TestWindowBall::typedNumbersAreTheBalls() {
     QTRY_COMPARE(now(), value);
     m_fixture->press(Qt::Key_Z, Qt::ControlModifier);
     QTRY_VERIFY(now() != value);
+}
+
+void TestWindowBall::selectionStaysWhileTheBallStands() {
+    m_fixture->trigger("show_ball_dock");
+    auto *box = m_fixture->find<NumberBox>("ball_x");
+    m_fixture->window().refresh();
+    click(box);
+    m_fixture->key(Qt::Key_A, Qt::ControlModifier);
+    QVERIFY(box->hasSelectedText());
+    m_fixture->window().refresh();
+    m_fixture->type("0");
+    QCOMPARE(box->text(), QString("0"));
 }
 
 void TestWindowBall::restartBringsItToItsOwnStart() {
