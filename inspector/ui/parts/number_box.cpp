@@ -108,6 +108,11 @@ void NumberBox::accept() {
     setAccessibleDescription(m_usual.description);
 }
 
+void NumberBox::enter() {
+    apply();
+    emit editingFinished();
+}
+
 void NumberBox::takeBack() {
     accept();
     setText(m_kind.show(m_value));
@@ -164,12 +169,11 @@ bool NumberBox::event(QEvent *event) {
 
 void NumberBox::keyPressEvent(QKeyEvent *event) {
     const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-    if (isEnter) {
-        apply();
-        emit editingFinished();
+    if (isEnter || event->key() == Qt::Key_Escape) {
+        event->setAccepted(isModified()); // else the dialog's
+        isEnter ? enter() : takeBack();
         return;
     }
-    if (event->key() == Qt::Key_Escape) return takeBack();
     if (const double notches = notchesOf(*event); notches != 0.0 && m_kind.notch > 0.0) return stepBy(notches);
     QLineEdit::keyPressEvent(event);
 }

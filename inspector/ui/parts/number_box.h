@@ -12,8 +12,9 @@ class QLabel;
 namespace inspector::ui {
 
 /// A field for one number, in any form that core/setup/numbers.h reads. It is entered by Enter or by leaving the field.
-/// Invalid input stays as typed, marked and with the reason below, and isn't entered; Esc discards it. Up, Down and the
-/// wheel change the number by a notch, with Shift by a tenth.
+/// Invalid input stays as typed, marked and with the reason below, and isn't entered; Esc discards it. Where nothing
+/// was typed, Enter and Esc are the dialog's. Up, Down and the wheel change the number by a notch, with Shift by a
+/// tenth.
 class NumberBox : public QLineEdit {
     Q_OBJECT
 
@@ -53,6 +54,7 @@ protected:
 
 private:
     void apply();
+    void enter();
     void takeBack();
     void stepBy(double notches);
     void accept();

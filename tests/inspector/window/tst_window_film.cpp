@@ -28,6 +28,8 @@ public:
 private slots:
     void init();
     void cleanup();
+    void escGivesBackAChangedNumberThenLeaves();
+    void enterTakesAChangedNumberThenSaves();
     void filmIsOfTheSecondsAskedFor();
     void picturesFollowTheBall();
     void presentIsShownAgainAfterwards();
@@ -43,6 +45,7 @@ private slots:
 
 private:
     phys_state ball() { return m_fixture->simulation().latest().current; }
+    void openDialog();
     void ask(const QString &seconds, const QString &rate, const QString &path, int kind = 0);
     void putInPath(const QByteArray &script);
     QStringList picturesIn(const QString &folder) { return QDir(folder).entryList({"*.png"}, QDir::Files, QDir::Name); }
@@ -74,12 +77,16 @@ void TestWindowFilm::putInPath(const QByteArray &script) {
     qputenv("PATH", QFile::encodeName(m_fixture->path("tools")));
 }
 
-void TestWindowFilm::ask(const QString &seconds, const QString &rate, const QString &path, int kind) {
+void TestWindowFilm::openDialog() {
     m_fixture->press(Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
     QTRY_VERIFY(m_fixture->window().findChild<QDialog *>("film_dialog"));
     auto *dialog = m_fixture->find<QDialog>("film_dialog");
     dialog->activateWindow(); // as window managers do
     QTRY_COMPARE(QApplication::activeWindow(), dialog);
+}
+
+void TestWindowFilm::ask(const QString &seconds, const QString &rate, const QString &path, int kind) {
+    openDialog();
     const std::pair<const char *, QString> fields[] = {{"film_seconds", seconds}, {"film_rate", rate}};
     for (const auto &[name, text] : fields) {
         auto *box = m_fixture->find<NumberBox>(name);
@@ -91,8 +98,36 @@ void TestWindowFilm::ask(const QString &seconds, const QString &rate, const QStr
     kinds->setFocus();
     for (int i = 0; i < kind; ++i) QTest::keyClick(kinds, Qt::Key_Down);
     QCOMPARE(kinds->currentIndex(), kind);
-    click(dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok));
+    click(m_fixture->find<QDialog>("film_dialog")->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok));
     m_fixture->answerFile(path);
+}
+
+void TestWindowFilm::escGivesBackAChangedNumberThenLeaves() {
+    openDialog();
+    auto *seconds = m_fixture->find<NumberBox>("film_seconds");
+    QCOMPARE(QApplication::focusWidget(), seconds);
+    const QString before = seconds->text();
+    m_fixture->type("7");
+    m_fixture->key(Qt::Key_Escape);
+    QCOMPARE(seconds->text(), before);
+    QVERIFY(m_fixture->find<QDialog>("film_dialog")->isVisible());
+    m_fixture->key(Qt::Key_Escape);
+    QTRY_VERIFY(!m_fixture->window().findChild<QDialog *>("film_dialog"));
+}
+
+void TestWindowFilm::enterTakesAChangedNumberThenSaves() {
+    openDialog();
+    auto *seconds = m_fixture->find<NumberBox>("film_seconds");
+    seconds->selectAll();
+    m_fixture->type("0.2");
+    m_fixture->key(Qt::Key_Return);
+    QCOMPARE(seconds->value(), 0.2);
+    QVERIFY(m_fixture->find<QDialog>("film_dialog")->isVisible());
+    m_fixture->key(Qt::Key_Return);
+    const QString folder = m_fixture->path("film");
+    m_fixture->answerFile(folder);
+    QTRY_VERIFY(isOver());
+    QVERIFY(!picturesIn(folder).isEmpty());
 }
 
 void TestWindowFilm::filmIsOfTheSecondsAskedFor() {
