@@ -72,7 +72,13 @@ void NumberBox::setValue(double value) {
     m_value = value;
     if (isModified() || isRefused()) return;
     const QString shown = m_kind.show(value);
-    if (shown != text()) setText(shown);
+    if (shown != text()) showFromStart(shown);
+}
+
+/// Scrolled to the first digits: the last of many would be read as another number.
+void NumberBox::showFromStart(const QString &shown) {
+    setText(shown);
+    home(false);
 }
 
 void NumberBox::apply() {
@@ -82,7 +88,7 @@ void NumberBox::apply() {
     setModified(false);
     const QString typed = text();
     if (*reading.value != m_value) emit entered(*reading.value);
-    setText(isRefused() ? typed : m_kind.show(m_value));
+    isRefused() ? setText(typed) : showFromStart(m_kind.show(m_value));
     setModified(isRefused());
 }
 
@@ -115,7 +121,7 @@ void NumberBox::enter() {
 
 void NumberBox::takeBack() {
     accept();
-    setText(m_kind.show(m_value));
+    showFromStart(m_kind.show(m_value));
 }
 
 void NumberBox::stepBy(double notches) {
@@ -129,7 +135,7 @@ void NumberBox::stepBy(double notches) {
     const NumberReading reading = m_kind.read(text);
     if (!reading.value || *reading.value == m_value) return;
     emit entered(*reading.value);
-    if (!isRefused()) setText(m_kind.show(m_value));
+    if (!isRefused()) showFromStart(m_kind.show(m_value));
 }
 
 void NumberBox::showReason() {
@@ -190,6 +196,7 @@ void NumberBox::focusOutEvent(QFocusEvent *event) {
     apply();
     if (m_note) m_note->hide();
     QLineEdit::focusOutEvent(event);
+    if (!hasSelectedText()) home(false); // a menu's selection stays
 }
 
 void NumberBox::hideEvent(QHideEvent *event) {

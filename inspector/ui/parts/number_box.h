@@ -53,6 +53,7 @@ protected:
     void hideEvent(QHideEvent *event) override;
 
 private:
+    void showFromStart(const QString &shown);
     void apply();
     void enter();
     void takeBack();

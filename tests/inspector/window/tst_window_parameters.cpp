@@ -37,6 +37,8 @@ private slots:
     void chosenModelReachesTheSimulation();
     void clickedSwitchReachesTheSimulation();
     void typedDigitsAreKept();
+    void longNumberShowsItsBeginning_data();
+    void longNumberShowsItsBeginning();
     void numberBeyondTheSliderLeavesItAtItsEnd();
     void resetButtonGivesTheDefault();
     void resetAllGivesEveryDefault();
@@ -156,6 +158,30 @@ void TestWindowParameters::typedDigitsAreKept() {
     type(box, "0.0012345");
     QCOMPARE(m_fixture->parameters().value(m_fixture->parameters().indexOf("rolling_friction")), 0.0012345);
     QCOMPARE(box->text(), QString("0.0012345"));
+}
+
+void TestWindowParameters::longNumberShowsItsBeginning_data() {
+    QTest::addColumn<QString>("box");
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<Qt::Key>("end");
+    QTest::newRow("Enter") << "restitution_wall_box"
+                           << "1/3" << Qt::Key_Return;
+    QTest::newRow("Tab") << "tilt_x_box"
+                         << "0.05 rad" << Qt::Key_Tab;
+}
+
+void TestWindowParameters::longNumberShowsItsBeginning() {
+    QFETCH(QString, box);
+    QFETCH(QString, text);
+    QFETCH(Qt::Key, end);
+    auto *number = m_fixture->find<NumberBox>(box);
+    number->setFocus();
+    number->selectAll();
+    m_fixture->type(text);
+    m_fixture->key(end);
+    number->grab(); // a paint scrolls it
+    QVERIFY(number->text().size() > 12);
+    QCOMPARE(number->cursorPositionAt({0, number->height() / 2}), 0);
 }
 
 void TestWindowParameters::numberBeyondTheSliderLeavesItAtItsEnd() {
