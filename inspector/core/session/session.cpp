@@ -76,6 +76,7 @@ Session::Session(const Options &options, QSettings &settings, const Scene &scene
     , m_wayFinder(options.registry)
     , m_liveUncertainty(options.registry) {
     connect(&m_parameters, &Parameters::changed, this, &Session::sendInputs);
+    connect(this, &Session::levelOpened, this, &Session::layTrackOver);
     connect(m_simulation.get(), &Simulation::recordingFailed, this, [this](const QString &line) {
         showRecording(false);
         emit recordingFailed(line);
@@ -151,8 +152,7 @@ bool Session::openLevel(const Level &level) {
     m_scene = scene;
     m_level = level;
     m_simulation->setScene(scene, stepper, origin());
-    m_followsTrack = false; // setPilot() ended it
-    showTrack(nullptr);
+    m_followsTrack = false; // setScene() ended it
     levelBoard();
     const bool isFlown = !m_hasAutopilot || fly(&error);
     if (!isFlown) {
@@ -337,13 +337,20 @@ void Session::setStart(const std::optional<phys_state> &start) {
 void Session::showTrack(std::shared_ptr<const ShownTrack> track) {
     followTrack(false);
     m_track = std::move(track);
-    m_simulation->setTrack(m_track);
+    m_trackMaze = m_level.path;
+    layTrackOver();
+}
+
+std::shared_ptr<const ShownTrack> Session::track() const { return m_level.path == m_trackMaze ? m_track : nullptr; }
+
+void Session::layTrackOver() {
+    m_simulation->setTrack(track());
     emit trackChanged();
 }
 
 bool Session::followTrack(bool isOn) {
     if (isOn == m_followsTrack) return true;
-    if (isOn && (m_replay || !m_track || !m_track->hasTilts())) return false;
+    if (isOn && (m_replay || !track() || !m_track->hasTilts())) return false;
     returnToPresent();
     if (isOn) setAutopilot(false);
     m_followsTrack = isOn;

@@ -126,8 +126,9 @@ public:
 
     // ---- a measured ball, overlaid on the run; dropped with another level ----
 
+    /// Of a ball in the maze that is shown: while another one is, it is hidden.
     void showTrack(std::shared_ptr<const ShownTrack> track); ///< or nullptr
-    const std::shared_ptr<const ShownTrack> &track() const { return m_track; }
+    std::shared_ptr<const ShownTrack> track() const;         ///< null while it is hidden
     /// On: begins a run where the measured ball was first seen, under the track's tilts; best with a track that begins
     /// at 0. Off, also by a tilt key: the player controls the board. False if the track has no tilts.
     bool followTrack(bool isOn);
@@ -237,6 +238,7 @@ private:
     Stepping steppingWithAll() const;
     void show(const Stepping &stepping);
     void leaveReplay();
+    void layTrackOver();
 
     QSettings &m_settings;
     Registry m_registry;
@@ -276,6 +278,7 @@ private:
     WayFinder m_wayFinder;
     LiveUncertainty m_liveUncertainty;
     std::shared_ptr<const ShownTrack> m_track;
+    QString m_trackMaze; ///< path
     bool m_followsTrack = false;
 };
 

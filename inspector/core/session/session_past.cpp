@@ -4,6 +4,7 @@
 #include "core/setup/files.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace inspector {
 
@@ -84,7 +85,8 @@ void Session::takeOver() {
     m_keysTilt = false;
     m_simulation->goOnFrom(position, origin());
     if (m_hasAutopilot) fly(nullptr);
-    m_simulation->setInputs(m_parameters.inputs()); // the visible values count
+    if (std::exchange(m_followsTrack, false)) emit trackChanged(); // goOnFrom() ended it
+    m_simulation->setInputs(m_parameters.inputs());                // the visible values count
     if (isOtherLevel || m_game.phase() != Game::Phase::Prompt) m_game.goOn(levelIndex(), otherMaze());
     m_comparison->meetAgain();
     emit pastChanged(false);

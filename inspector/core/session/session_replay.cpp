@@ -20,7 +20,10 @@ bool Session::startReplay(const QString &path, QString *error) {
         return false;
     }
     returnToPresent();
-    if (!m_replay && m_hasAutopilot) setAutopilot(false);
+    if (!m_replay) {
+        setAutopilot(false);
+        followTrack(false);
+    }
     const Level level = m_replay ? m_replay->levelBefore : m_level;
     const Stepping before = m_replay ? m_replay->before : steppingWithAll();
     m_replay.emplace(Replaying{recording, m_simulation->startReplay(recording), level, before, {}, 0, 0, {}});

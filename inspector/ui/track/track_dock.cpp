@@ -13,6 +13,7 @@
 
 #include <QAction>
 #include <QBoxLayout>
+#include <QFileInfo>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QProgressBar>
@@ -65,7 +66,7 @@ TrackDock::TrackDock(Session &session, QUndoStack &undo, QWidget *parent)
     const auto showBegin = [this] { m_quantities->showBegin(m_session.parameters().inputs()); };
     connect(&session.parameters(), &Parameters::changed, this, showBegin);
     connect(&session, &Session::trackChanged, this, &TrackDock::showRunning);
-    connect(&session, &Session::levelOpened, this, &TrackDock::forget);
+    connect(&session, &Session::levelOpened, this, &TrackDock::showLevel);
     showBegin();
     showRunning();
 }
@@ -146,9 +147,7 @@ void TrackDock::setFrame(const TrackFrame &frame) {
 
 bool TrackDock::openTrack() {
     QString error;
-    m_outcome.reset();
-    m_quantities->forgetFound();
-    m_residuals->clear();
+    forgetFit();
     const std::optional<TrackUnits> units = parseTrackUnits(m_units->text(), &error);
     m_track = units ? readTrackFile(m_file->text().trimmed(), *units, &error) : std::nullopt;
     if (!m_track) {
@@ -156,10 +155,15 @@ bool TrackDock::openTrack() {
         m_report->setPlainText(error);
         return false;
     }
-    const BoardParameters board = m_quantities->begin(m_session.parameters().inputs());
-    layOver(board);
-    m_report->setPlainText(trackReport(*m_track, board.frame, m_session.scene().get()).join(QLatin1Char('\n')));
+    m_level = m_session.level().name;
+    layOver(m_quantities->begin(m_session.parameters().inputs()));
+    showTrackReport();
     return true;
+}
+
+void TrackDock::showTrackReport() {
+    const BoardParameters board = m_quantities->begin(m_session.parameters().inputs());
+    m_report->setPlainText(trackReport(*m_track, board.frame, m_session.scene().get()).join(QLatin1Char('\n')));
 }
 
 void TrackDock::layOver(const BoardParameters &board) {
@@ -178,12 +182,21 @@ void TrackDock::follow(bool isOn) {
     showRunning();
 }
 
-void TrackDock::forget() {
+void TrackDock::forgetFit() {
     m_worker.cancel();
     m_outcome.reset();
-    m_track.reset();
     m_quantities->forgetFound();
+    m_residuals->clear();
+}
+
+void TrackDock::showLevel() {
+    forgetFit();
     showRunning();
+    if (!m_track) return;
+    if (m_session.track()) return showTrackReport();
+    m_report->setPlainText(
+        tr("%1 lies over level %2 and is shown there. Enter in the file's box opens it for this one.")
+            .arg(QFileInfo(m_track->name).fileName(), m_level));
 }
 
 void TrackDock::showRunning() {

@@ -44,8 +44,10 @@ private:
     bool openTrack(); ///< opens what is typed; reports what is wrong with it
     void layOver(const BoardParameters &board);
     void follow(bool isOn);
-    void forget(); ///< drops track and fit, which belong to another maze
-    void toggle(); ///< starts or cancels a fit
+    void showTrackReport();
+    void forgetFit();
+    void showLevel(); ///< the fit belonged to the maze before; the track comes back with its level
+    void toggle();    ///< starts or cancels a fit
     void showOutcome(const std::shared_ptr<const FitOutcome> &outcome);
     void showRunning();
     void takeOver();
@@ -56,6 +58,7 @@ private:
     FitWorker m_worker;
     std::shared_ptr<const FitOutcome> m_outcome; ///< of the last fit; may be null
     std::optional<Track> m_track;
+    QString m_level; ///< name of the one it was opened on
     QLineEdit *m_file;
     QLineEdit *m_units;
     QPushButton *m_fit;

@@ -196,8 +196,12 @@ void TestTrackDock::narrowDockHasRoomForWhatWasFound() {
 }
 
 void TestTrackDock::otherLevelForgetsTheFit() {
+    QVERIFY(find<QPushButton>("track_take_over").isEnabled());
     QVERIFY(m_session->openLevel(m_session->levels()[4]));
     QVERIFY(!find<QPushButton>("track_take_over").isEnabled());
+    QCOMPARE(text("Restitution, walls", FitTable::Found), QString());
+    QVERIFY2(!report().contains("verdict"), qPrintable(report()));
+    QCOMPARE(m_dock->findChild<ResidualPlot *>()->graph(0)->dataCount(), 0);
 }
 
 QTEST_MAIN(TestTrackDock)

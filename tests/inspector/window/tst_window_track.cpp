@@ -11,6 +11,7 @@
 #include <QMenu>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QTreeWidget>
 
 #include <cmath>
 
@@ -32,12 +33,19 @@ private slots:
     void whereItEndsThereIsNoBall();
     void plotsChooseItsCurves();
     void timeBarShowsItsSpan();
-    void otherLevelForgetsIt();
+    void otherLevelHidesItAndSaysSo();
+    void itsLevelBringsItBack();
+    void recordingOfItsLevelKeepsIt();
+    void recordingOfAnotherLevelHidesIt();
+    void takingOverThePastEndsRollAlong();
     void rollAlongStartsWhereItStarted();
     void keysTakeTheBoardBack();
 
 private:
     void openTrack();
+    void clickLevel(int number);
+    QString recorded();
+    QString report() { return m_fixture->find<QPlainTextEdit>("track_report")->toPlainText(); }
     Snapshot now() { return m_fixture->simulation().latest(); }
     gl::Frame frame() { return ui::currentFrame(m_fixture->session()); }
     QPushButton &follow() { return *m_fixture->find<QPushButton>("track_follow"); }
@@ -66,6 +74,21 @@ void TestWindowTrack::openTrack() {
     QTest::keyClicks(file, m_fixture->path("track.csv"));
     QTest::keyClick(file, Qt::Key_Return);
     QVERIFY2(m_fixture->session().track(), qPrintable(m_fixture->find<QPlainTextEdit>("track_report")->toPlainText()));
+}
+
+void TestWindowTrack::clickLevel(int number) {
+    auto *levels = m_fixture->find<QTreeWidget>("levels");
+    const QRect place = levels->visualItemRect(levels->topLevelItem(number - 1));
+    QTest::mouseClick(levels->viewport(), Qt::LeftButton, {}, place.center());
+    QCOMPARE(m_fixture->game().level(), number - 1);
+}
+
+// A run of the level that is open, as a file.
+QString TestWindowTrack::recorded() {
+    m_fixture->makeSteps(20);
+    QString error;
+    if (!m_fixture->session().saveRun(m_fixture->path("run.rec"), &error)) qFatal("%s", qPrintable(error));
+    return m_fixture->path("run.rec");
 }
 
 void TestWindowTrack::openedTrackIsABallAndATrail() {
@@ -146,11 +169,60 @@ void TestWindowTrack::timeBarShowsItsSpan() {
     QVERIFY(!slider->span());
 }
 
-void TestWindowTrack::otherLevelForgetsIt() {
+void TestWindowTrack::otherLevelHidesItAndSaysSo() {
     openTrack();
-    QVERIFY(m_fixture->session().openLevel(m_fixture->session().levels().at(1)));
+    clickLevel(4);
     QVERIFY(!m_fixture->session().track());
     QVERIFY(!follow().isEnabled());
+    QVERIFY2(report().startsWith("track.csv lies over level 03"), qPrintable(report()));
+}
+
+void TestWindowTrack::itsLevelBringsItBack() {
+    openTrack();
+    const QString before = report();
+    clickLevel(4);
+    clickLevel(3);
+    QVERIFY(follow().isEnabled());
+    QCOMPARE(report(), before);
+    m_fixture->makeSteps(20);
+    QCOMPARE(frame().ghosts.size(), size_t(1));
+    Sample sample;
+    QVERIFY(m_fixture->simulation().samples().read(19, sample));
+    QVERIFY(std::abs(sample[Channel::TrackX] - m_track.points[20].x) < 1e-6);
+}
+
+void TestWindowTrack::recordingOfItsLevelKeepsIt() {
+    openTrack();
+    m_fixture->drop(recorded());
+    QTRY_VERIFY(m_fixture->session().isReplaying());
+    QVERIFY(m_fixture->session().track());
+    m_fixture->press(Qt::Key_W, Qt::ControlModifier);
+    QVERIFY(!m_fixture->session().isReplaying());
+    QVERIFY(m_fixture->session().track());
+    QVERIFY(follow().isEnabled());
+}
+
+void TestWindowTrack::recordingOfAnotherLevelHidesIt() {
+    clickLevel(4);
+    const QString file = recorded();
+    clickLevel(3);
+    openTrack();
+    m_fixture->drop(file);
+    QTRY_VERIFY(m_fixture->session().isReplaying());
+    QVERIFY(!m_fixture->session().track());
+    m_fixture->press(Qt::Key_W, Qt::ControlModifier);
+    QVERIFY(m_fixture->session().track());
+}
+
+void TestWindowTrack::takingOverThePastEndsRollAlong() {
+    openTrack();
+    click(&follow());
+    QTRY_VERIFY(now().current.step > 20);
+    m_fixture->press(Qt::Key_Comma);
+    QVERIFY(m_fixture->session().isInPast());
+    m_fixture->press(Qt::Key_G);
+    QVERIFY(!m_fixture->session().isInPast());
+    QVERIFY(!follow().isChecked());
 }
 
 void TestWindowTrack::rollAlongStartsWhereItStarted() {
