@@ -96,8 +96,8 @@ private:
     QScrollBar &m_bar;
 };
 
-/// Shows a text in a dialog, which scrolls on a small screen; returns its label.
-QLabel *showText(QWidget &window, const char *name, const QString &title, const QString &html) {
+/// Makes a dialog of a text, which scrolls on a small screen; returns its label.
+QLabel *textDialog(QWidget &window, const char *name, const QString &title, const QString &html) {
     auto *dialog = new QDialog(&window);
     dialog->setObjectName(QLatin1String(name));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -116,14 +116,13 @@ QLabel *showText(QWidget &window, const char *name, const QString &title, const 
     layout->addWidget(buttons);
     const QSize wanted = text->sizeHint() + QSize(60, 110); // including scroll bars and buttons
     dialog->resize(wanted.boundedTo(window.screen()->availableSize() * kLargestShare));
-    dialog->show();
     return text;
 }
 
 } // namespace
 
 void showKeysDialog(QWidget &window) {
-    QLabel *text = showText(window, "keys_dialog", Help::tr("Keys"), keysTable(window, {}));
+    QLabel *text = textDialog(window, "keys_dialog", Help::tr("Keys"), keysTable(window, {}));
     text->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     auto *sought = new QLineEdit;
     sought->setObjectName(QStringLiteral("keys_sought"));
@@ -133,14 +132,15 @@ void showKeysDialog(QWidget &window) {
     QObject::connect(sought, &QLineEdit::textChanged, text,
                      [text, &window](const QString &wanted) { text->setText(keysTable(window, wanted)); });
     static_cast<QVBoxLayout *>(text->window()->layout())->insertWidget(0, sought);
-    sought->setFocus();
+    sought->setFocus(); // first: as it is shown, a dialog gives the focus to the first widget if none has it
+    text->window()->show();
 }
 
 void showAboutDialog(QWidget &window, const QString &renderer) {
     const QString head = QStringLiteral("<h3>%1</h3><p>%2</p>")
                              .arg(versionLine().toHtmlEscaped(),
                                   Help::tr("One ball in a maze of boxes: tilt it, tune it, look at every step."));
-    showText(window, "about_dialog", Help::tr("About"), head + partsTable(renderer));
+    textDialog(window, "about_dialog", Help::tr("About"), head + partsTable(renderer))->window()->show();
 }
 
 } // namespace inspector::ui
