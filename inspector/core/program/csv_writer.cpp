@@ -63,7 +63,7 @@ QString spanOf(const SampleRing &samples) {
     const bool isThere = samples.read(samples.first(), first) && samples.read(samples.last() - 1, last);
     if (!isThere) return QStringLiteral("no samples");
     const QString span = QStringLiteral("samples from %1 s to %2 s").arg(first.time).arg(last.time);
-    return samples.first() > 0 ? span + QStringLiteral("; earlier ones aren't kept") : span;
+    return samples.hasLostSamples() ? span + QStringLiteral("; earlier ones aren't kept") : span;
 }
 
 QByteArray csvHeader(const std::vector<Channel> &channels) {

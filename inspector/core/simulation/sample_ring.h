@@ -37,6 +37,8 @@ public:
     size_t capacity() const { return m_samples.capacity(); }
     uint64_t first() const { return m_samples.first(); }
     uint64_t last() const { return m_samples.last(); }
+    /// Whether samples since the last clear() were overwritten; first() alone doesn't say, as numbers never restart.
+    bool hasLostSamples() const { return first() > m_samples.firstOfGeneration(); }
     uint64_t generation() const { return m_samples.generation(); } ///< changes when readers must start over
     bool read(uint64_t number, Sample &out) const { return m_samples.read(number, out); }
     /// Number of the first sample whose time is at least `time`; last() if there is none.

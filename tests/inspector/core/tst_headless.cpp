@@ -34,6 +34,7 @@ private slots:
     void timeOfWinningIsSaidWhenTheRunGoesOn();
     void rowThatLacksAValueHasNoBlanks();
     void lostSamplesAreTold();
+    void samplesOfAnEarlierRunAreNotMissed();
     void progressOfAFitIsALineAndIsErased();
     void columnsWithoutAnyValueAreLeftOut();
     void tableOfARingHasTheSameRowsAsThatOfTheRun();
@@ -229,6 +230,24 @@ void TestHeadless::lostSamplesAreTold() {
         samples.append(sample);
     }
     QCOMPARE(spanOf(samples), QString("samples from 0.01 s to 2 s"));
+    for (int i = 201; i <= 300; ++i) {
+        sample.time = 0.01 * i;
+        samples.append(sample);
+    }
+    QVERIFY2(spanOf(samples).endsWith(" s to 3 s; earlier ones aren't kept"), qPrintable(spanOf(samples)));
+}
+
+void TestHeadless::samplesOfAnEarlierRunAreNotMissed() {
+    SampleRing samples(256);
+    Sample sample;
+    for (int run = 0; run < 3; ++run) {
+        samples.clear();
+        for (int i = 1; i <= 200; ++i) {
+            sample.time = 0.01 * i;
+            samples.append(sample);
+        }
+        QCOMPARE(spanOf(samples), QString("samples from 0.01 s to 2 s"));
+    }
     for (int i = 201; i <= 300; ++i) {
         sample.time = 0.01 * i;
         samples.append(sample);

@@ -45,6 +45,7 @@ private slots:
     void parametersAreThoseOfTheMoment();
     void savedRunRepeats();
     void tableAndPictureAreSaved();
+    void tableAfterARestartMissesNothing();
     void whatAFileLimitLosesIsSaidAndTheLastFileIsKept_data();
     void whatAFileLimitLosesIsSaidAndTheLastFileIsKept();
     void saveAsksForAName();
@@ -321,6 +322,18 @@ void TestWindowPast::tableAndPictureAreSaved() {
     QCOMPARE(picture.size(), m_fixture->window().view().size());
     m_fixture->trigger("picture_scale_1");
     QCOMPARE(m_fixture->window().view().picture(2).size(), 2 * m_fixture->window().view().size());
+}
+
+void TestWindowPast::tableAfterARestartMissesNothing() {
+    makeSteps(30);
+    m_fixture->key(Qt::Key_R);
+    QTRY_VERIFY(isAt(0));
+    makeSteps(20);
+    m_fixture->trigger("save_run");
+    m_fixture->answerFile(m_fixture->path("kept.csv"));
+    QCOMPARE(m_fixture->find<MessageBar>("messages")->line(), QString());
+    const QByteArrayList settings = support::contentOf(m_fixture->path("kept.csv.txt")).trimmed().split('\n');
+    QCOMPARE(settings.last(), QByteArray("samples from 0.01 s to 0.2 s"));
 }
 
 void TestWindowPast::whatAFileLimitLosesIsSaidAndTheLastFileIsKept_data() {
