@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/live_run.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 namespace inspector {
@@ -102,8 +104,14 @@ void LiveRun::goOnFrom(const Engine &from, const Stepper &stepper, uint64_t numb
     m_engine.setDt(from.dt());
     obey({from.inputs(), number});
     m_engine.setState(from.state(), from.sums());
-    m_leftAt = timeOfLeaving(m_engine.state());
     m_beginPlace = m_history.end();
+    m_leftAt = timeOfLeaving(m_engine.state());
+    if (std::isinf(m_leftAt)) return;
+    // The run's samples end at the exit.
+    const SampleRing &samples = m_presentation.samples();
+    Sample last;
+    if (samples.read(samples.last() - 1, last)) m_leftAt = std::min(m_leftAt, last.time);
+    emit m_presentation.owner().leftMaze(m_leftAt);
 }
 
 // ---- recording ----

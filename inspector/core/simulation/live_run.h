@@ -37,7 +37,7 @@ public:
     /// Shown again, replacing another run.
     void begin();
     /// Continues from the last step of another run with its complete state, so that the next step is the one that run
-    /// would have made. Inputs given after `number` stay, even if they arrived earlier.
+    /// would have made. Inputs given after `number` stay, even if they arrived earlier. Reports a ball that has left.
     void goOnFrom(const Engine &from, const Stepper &stepper, uint64_t number);
 
     // ---- recording ----

@@ -49,6 +49,8 @@ private slots:
     void defaultPhysicsSetABestTime();
     void otherPhysicsSetNoBestTimeAndSayWhy_data();
     void otherPhysicsSetNoBestTimeAndSayWhy();
+    void goingOnAtTheEndOfAWonRecordingIsAWin();
+    void goingOnInThePastAfterTheExitIsAWin();
     void unattendedRunEndsWhenTheLevelIsWon();
     void windowIsGrabbedToAFile();
     void pictureLeavesOutWhatTheClockMeasures();
@@ -306,6 +308,35 @@ void TestWindowGame::otherPhysicsSetNoBestTimeAndSayWhy() {
     leaveByHand();
     QVERIFY(!m_fixture->game().bestTime(0).has_value());
     QVERIFY2(text().line.contains("no best time"), qPrintable(text().line));
+}
+
+// At the time of the exit, not at that of the fall's end.
+void TestWindowGame::goingOnAtTheEndOfAWonRecordingIsAWin() {
+    win();
+    const double time = m_fixture->game().time();
+    QTRY_VERIFY(!m_fixture->simulation().latest().running);
+    QVERIFY(m_fixture->session().saveRun(m_fixture->path("won.rec"), nullptr));
+    m_fixture->drop(m_fixture->path("won.rec"));
+    QTRY_VERIFY(m_fixture->session().isReplaying());
+    m_fixture->key(Qt::Key_End, Qt::ControlModifier);
+    QTRY_VERIFY(m_fixture->simulation().latest().replay.position > 0 &&
+                m_fixture->simulation().latest().replay.position == m_fixture->simulation().latest().replay.end);
+    m_fixture->key(Qt::Key_G);
+    QTRY_COMPARE(text().title, QString("Level 1 done"));
+    QCOMPARE(m_fixture->game().time(), time);
+    QVERIFY2(text().line.contains("no best time"), qPrintable(text().line));
+}
+
+void TestWindowGame::goingOnInThePastAfterTheExitIsAWin() {
+    win();
+    const double time = m_fixture->game().time();
+    QTRY_VERIFY(!m_fixture->simulation().latest().running);
+    m_fixture->key(Qt::Key_Comma);
+    QVERIFY(m_fixture->session().isInPast());
+    m_fixture->key(Qt::Key_G);
+    QVERIFY(!m_fixture->session().isInPast());
+    QTRY_COMPARE(text().title, QString("Level 1 done"));
+    QCOMPARE(m_fixture->game().time(), time);
 }
 
 void TestWindowGame::unattendedRunEndsWhenTheLevelIsWon() {
