@@ -23,6 +23,12 @@ namespace {
 /// Clamps to a slider's range; 2^31 steps would be a recording of 36 GB.
 int notchOf(uint64_t position) { return int(std::min<uint64_t>(position, INT_MAX)); }
 
+/// The step of the state at the bar's left end: a run taken over goes on counting, and the history drops first steps.
+uint64_t firstStepOf(const RunPlace &run, const Snapshot &now) {
+    const uint64_t made = now.history.place - std::min(run.begin, now.history.place);
+    return now.current.step - std::min(made, now.current.step);
+}
+
 constexpr int kLeastWidth = 48; ///< pixels, minimum width of a button with a text
 
 QToolButton *buttonOf(QAction *action) {
@@ -115,7 +121,7 @@ void TimeBar::reset() {
 
 void TimeBar::refresh(const Snapshot &now) {
     m_recording->setVisible(m_session.isRecording());
-    showTrack();
+    showTrack(now);
     if (!m_session.isReplaying()) return showRun(now);
     const std::optional<ReplayPlace> place = m_session.replayPlace(now);
     if (!place) return;
@@ -136,12 +142,19 @@ void TimeBar::showRun(const Snapshot &now) {
     m_place->setText(m_session.isInPast() ? tr("%1 of %2").arg(time).arg(run.end - run.begin) : time);
 }
 
-/// The run's samples, one per step, map times to steps.
-void TimeBar::showTrack() {
+/// The run's samples, one per step, map times to steps; they may begin before the bar does, where a run was taken over.
+void TimeBar::showTrack(const Snapshot &now) {
     const std::shared_ptr<const ShownTrack> &track = m_session.track();
-    if (!track || m_session.isReplaying()) return m_slider->setSpan(std::nullopt);
     const SampleRing &samples = m_session.simulation().samples();
-    const auto notchAt = [&samples](double time) { return notchOf(samples.find(time)); };
+    const uint64_t end = samples.last();
+    Sample last;
+    const bool isShown = track && !m_session.isReplaying() && samples.read(end - 1, last);
+    if (!isShown) return m_slider->setSpan(std::nullopt);
+    const uint64_t firstStep = firstStepOf(m_session.runPlace(), now);
+    const auto notchAt = [&](double time) {
+        const uint64_t step = last.step - (end - std::min(samples.find(time), end)); // the last that ends before
+        return notchOf(step - std::min(firstStep, step));
+    };
     m_slider->setSpan(SeekSlider::Span{notchAt(track->begin()), notchAt(track->end())});
 }
 

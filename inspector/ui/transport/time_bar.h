@@ -32,7 +32,7 @@ public:
 private:
     void goTo(int notch);
     void showRun(const Snapshot &now);
-    void showTrack();
+    void showTrack(const Snapshot &now);
     void showPlace(const ReplayPlace &place, const Snapshot &now);
     void showVerdict(const ReplayPlace &place, const Snapshot &now);
     void goToDifference();

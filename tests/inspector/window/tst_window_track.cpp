@@ -33,6 +33,7 @@ private slots:
     void whereItEndsThereIsNoBall();
     void plotsChooseItsCurves();
     void timeBarShowsItsSpan();
+    void spanBeginsWithTheRun();
     void otherLevelHidesItAndSaysSo();
     void itsLevelBringsItBack();
     void recordingOfItsLevelKeepsIt();
@@ -167,6 +168,20 @@ void TestWindowTrack::timeBarShowsItsSpan() {
     m_fixture->session().showTrack(nullptr);
     m_fixture->window().refresh();
     QVERIFY(!slider->span());
+}
+
+void TestWindowTrack::spanBeginsWithTheRun() {
+    openTrack();
+    m_fixture->session().setDt(0.1);
+    m_fixture->makeSteps(40);
+    m_fixture->trigger("restart");
+    QTRY_COMPARE(now().current.step, uint64_t(0));
+    m_fixture->makeSteps(30);
+    m_fixture->window().refresh();
+    const auto *slider = m_fixture->find<ui::SeekSlider>("time_slider");
+    QVERIFY(slider->span());
+    QCOMPARE(slider->span()->begin, 0);
+    QCOMPARE(slider->span()->end, 19);
 }
 
 void TestWindowTrack::otherLevelHidesItAndSaysSo() {
