@@ -138,8 +138,9 @@ void TimeBar::showRun(const Snapshot &now) {
         m_slider->setMaximum(notchOf(run.end - run.begin));
         m_slider->setValue(notchOf(place));
     }
-    const QString time = tr("%1 s · step %2").arg(now.current.time, 0, 'f', 3).arg(place);
-    m_place->setText(m_session.isInPast() ? tr("%1 of %2").arg(time).arg(run.end - run.begin) : time);
+    const QString time = tr("%1 s · step %2").arg(now.current.time, 0, 'f', 3).arg(now.current.step);
+    const uint64_t lastStep = firstStepOf(run, now) + run.end - run.begin;
+    m_place->setText(m_session.isInPast() ? tr("%1 of %2").arg(time).arg(lastStep) : time);
 }
 
 /// The run's samples, one per step, map times to steps; they may begin before the bar does, where a run was taken over.

@@ -39,6 +39,7 @@ private slots:
     void typedParameterTakesOver();
     void arrowTakesOver();
     void takingOverWithoutAChangeGivesTheSameBits();
+    void timeBarSaysTheStateStep();
     void keysJumpFromBounceToBounce();
     void restartKeepsTheRunBefore();
     void clickOnAnotherLevelKeepsTheRun();
@@ -211,6 +212,23 @@ void TestWindowPast::takingOverWithoutAChangeGivesTheSameBits() {
     QTRY_VERIFY(isAt(place));
     makeSteps(40 - place);
     QVERIFY(isSame(now().current, before[39]));
+}
+
+// Its time and step go on from those of the run taken over, of which it is no part.
+void TestWindowPast::timeBarSaysTheStateStep() {
+    makeSteps(40);
+    goTo(20);
+    const uint64_t place = now().current.step;
+    session().takeOver();
+    QTRY_VERIFY(isAt(place));
+    makeSteps(5);
+    const QString present = QStringLiteral("%1 s · step %2");
+    const auto *label = m_fixture->find<QLabel>("time_place");
+    QCOMPARE(label->text(), present.arg(0.01 * double(place + 5), 0, 'f', 3).arg(place + 5));
+    m_fixture->key(Qt::Key_Comma);
+    QTRY_VERIFY(isAt(place + 4));
+    const QString past = present.arg(0.01 * double(place + 4), 0, 'f', 3).arg(place + 4);
+    QCOMPARE(label->text(), past + QStringLiteral(" of %1").arg(place + 5));
 }
 
 void TestWindowPast::keysJumpFromBounceToBounce() {
