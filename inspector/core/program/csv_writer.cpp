@@ -100,6 +100,18 @@ void writeSamples(QIODevice &out, const SampleRing &samples, double since, Colum
         if (samples.read(number, sample)) out.write(csvRow(sample, channels));
 }
 
+bool saveSamples(const QString &path, const SampleRing &samples, double since, Columns columns, QString *error) {
+    if (samples.find(since) == samples.last()) {
+        if (error) *error = quoted(path) + QStringLiteral(": no samples");
+        return false;
+    }
+    const auto write = [&](QIODevice &file) {
+        writeSamples(file, samples, since, columns);
+        return true;
+    };
+    return replaceFile(path, write, error);
+}
+
 CsvWriter::CsvWriter(QIODevice &out, const Options &options)
     : m_out(out)
     , m_channels(channelsOf(options.comparison ? Columns::BallAndGhost : Columns::Ball))

@@ -27,6 +27,9 @@ QByteArray csvRow(const Sample &sample, const std::vector<Channel> &channels = c
 /// Writes a header and the ring's samples from `since` on, s. With Columns::All, columns without any value are left
 /// out.
 void writeSamples(QIODevice &out, const SampleRing &samples, double since, Columns columns);
+/// Writes them to a file, whole or not at all. Returns false, with one line in `error` (may be nullptr), if that fails
+/// or there are none.
+bool saveSamples(const QString &path, const SampleRing &samples, double since, Columns columns, QString *error);
 
 /// Opens the file that --csv names, or standard output; null, with one line in `error` (may be nullptr), if that fails.
 /// Next to a file, under its name with .txt appended, the settings are written, and the remark if there is one.

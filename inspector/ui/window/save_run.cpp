@@ -40,12 +40,9 @@ Options optionsOf(Session &session) {
     return options;
 }
 
-bool saveSamples(Session &session, const QString &path, QString *error) {
-    const auto write = [&](QIODevice &file) {
-        writeSamples(file, session.simulation().samples(), 0.0, Columns::All);
-        return true;
-    };
-    return replaceFile(path, write, error) && saveSettingsBeside(session, path, error);
+bool saveTable(Session &session, const QString &path, QString *error) {
+    return saveSamples(path, session.simulation().samples(), 0.0, Columns::All, error) &&
+           saveSettingsBeside(session, path, error);
 }
 
 } // namespace
@@ -64,7 +61,7 @@ QString lostSamples(Session &session, const QString &path) {
 bool saveRun(Session &session, gl::MazeView &view, const QString &path, QString *error) {
     const QString suffix = QFileInfo(path).suffix().toLower();
     if (suffix == QLatin1String("rec")) return session.saveRun(path, error);
-    if (suffix == QLatin1String("csv")) return saveSamples(session, path, error);
+    if (suffix == QLatin1String("csv")) return saveTable(session, path, error);
     const int scale = session.settings().value(settings_keys::kPictureScale, 1).toInt();
     if (suffix == QLatin1String("png")) return savePicture(view.picture(scale), path, error);
     *error = QStringLiteral("%1: expected a name that ends in .rec, .csv or .png").arg(path);

@@ -47,6 +47,8 @@ private slots:
     void savedRunRepeats();
     void tableAndPictureAreSaved();
     void tableAfterARestartMissesNothing();
+    void tableWithoutSamplesIsNotWritten_data();
+    void tableWithoutSamplesIsNotWritten();
     void whatAFileLimitLosesIsSaidAndTheLastFileIsKept_data();
     void whatAFileLimitLosesIsSaidAndTheLastFileIsKept();
     void saveAsksForAName();
@@ -352,6 +354,21 @@ void TestWindowPast::tableAfterARestartMissesNothing() {
     QCOMPARE(m_fixture->find<MessageBar>("messages")->line(), QString());
     const QByteArrayList settings = support::contentOf(m_fixture->path("kept.csv.txt")).trimmed().split('\n');
     QCOMPARE(settings.last(), QByteArray("samples from 0.01 s to 0.2 s"));
+}
+
+void TestWindowPast::tableWithoutSamplesIsNotWritten_data() {
+    QTest::addColumn<QString>("action");
+    for (const char *action : {"save_run", "save_plot"}) QTest::newRow(action) << action;
+}
+
+void TestWindowPast::tableWithoutSamplesIsNotWritten() {
+    QFETCH(QString, action);
+    const QString file = m_fixture->path("none.csv");
+    m_fixture->trigger(action);
+    m_fixture->answerFile(file);
+    QCOMPARE(m_fixture->find<MessageBar>("messages")->line(), "'" + file + "': no samples");
+    QVERIFY(!QFile::exists(file));
+    QVERIFY(!QFile::exists(file + ".txt"));
 }
 
 void TestWindowPast::whatAFileLimitLosesIsSaidAndTheLastFileIsKept_data() {
