@@ -2,7 +2,7 @@
 // A scene, a start and what the board does: all that a run needs, as a text that people read and a test replays.
 #pragma once
 
-#include "vector.h"
+#include "integrator/vector.h"
 
 #include <iosfwd>
 #include <string>

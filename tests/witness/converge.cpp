@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "converge.h"
 
-#include "touch.h"
+#include "integrator/touch.h"
 
 #include "support/handles.h"
 

@@ -2,8 +2,8 @@
 // Does a stepper go where the law leads, at its order.
 #pragma once
 
-#include "brute_force.h"
 #include "case.h"
+#include "integrator/brute_force.h"
 
 #include <map>
 #include <memory>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "draw.h"
 
-#include "touch.h"
+#include "integrator/touch.h"
 
 #include <algorithm>
 #include <array>

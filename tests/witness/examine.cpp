@@ -3,8 +3,8 @@
 
 #include "converge.h"
 #include "free_space.h"
+#include "integrator/touch.h"
 #include "split.h"
-#include "touch.h"
 
 #include "support/handles.h"
 

@@ -2,7 +2,7 @@
 // Whether a way of bounded length leads from one place of the ball's centre to another without passing through a box.
 #pragma once
 
-#include "vector.h"
+#include "integrator/vector.h"
 
 #include <array>
 #include <span>

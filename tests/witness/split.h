@@ -2,7 +2,7 @@
 // A step in parts: a stepper that makes no error of its step size comes to the same place either way.
 #pragma once
 
-#include "vector.h"
+#include "integrator/vector.h"
 
 #include <optional>
 

@@ -3,10 +3,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "brute_force.h"
 #include "case.h"
 #include "draw.h"
 #include "free_space.h"
+#include "integrator/brute_force.h"
 #include "split.h"
 #include "survey.h"
 
