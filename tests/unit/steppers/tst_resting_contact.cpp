@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 using namespace support;
 
@@ -82,6 +83,7 @@ private slots:
     void havingRestedChangesNoAnswer();
     void wallTakesItsPartOfTheDriveBeforeStiction_data() { addStepperAndModelRows(); }
     void wallTakesItsPartOfTheDriveBeforeStiction();
+    void stepWhoseContactsTakeTooMuchIsRefused();
 };
 
 void TestRestingContact::withoutCuresElasticBallHeatsUpAsPredicted_data() {
@@ -353,6 +355,23 @@ void TestRestingContact::wallTakesItsPartOfTheDriveBeforeStiction() {
         QCOMPARE((ball.state.flags & PHYS_AT_REST) == 0, above);
         QVERIFY(ball.state.position.x == 0.0625);
     }
+}
+
+/// On two edges, pressed by a hundred times the gravity for eleven seconds: fewer substeps than are allowed, but each
+/// has contacts that must be solved together.
+void TestRestingContact::stepWhoseContactsTakeTooMuchIsRefused() {
+    const auto scene =
+        SceneBuilder().ball(0.7).box({{0, -30, -2}, {30, 30, 0}}).box({{-6, 0, 0}, {-1, 6, 0.4}}).start({0, 0, 0});
+    Experiment ball(scene, "symplectic-euler", PHYS_MODEL_RIGID);
+    ball.params.wall_friction = 0.5;
+    ball.params.gravity = {0.0, 0.04, 0.0};
+    QVERIFY2(ball.step(0.11), ball.error());
+    ball.params.gravity = {-200.0, 0.0, -1000.0};
+    const phys_state before = ball.state;
+    QVERIFY(!ball.step(11.0));
+    QCOMPARE(ball.error(),
+             "what several contacts do in this step takes more than 70000000 to compute: take a smaller dt");
+    QVERIFY(std::memcmp(&ball.state, &before, sizeof before) == 0);
 }
 
 QTEST_GUILESS_MAIN(TestRestingContact)
