@@ -10,7 +10,7 @@ namespace phys {
 class Work {
 public:
     /// Of one step.
-    static constexpr uint64_t kMost = 10'000'000;
+    static constexpr uint64_t kMost = 20'000'000;
 
     static constexpr uint64_t kEvent = 150;     ///< an event: its impacts, and what lasts then
     static constexpr uint64_t kBounce = 20;     ///< one of many on a face: its event
@@ -28,6 +28,8 @@ public:
 
     void add(uint64_t units) { m_done += units; }
     bool isTooMuch() const { return m_done > m_most; }
+    /// How many quarters of the most it has done.
+    uint64_t quarters() const { return 4 * m_done / m_most; }
 
 private:
     uint64_t m_most;

@@ -28,6 +28,28 @@ double countOf(double ratio, double sum) {
 
 } // namespace
 
+/// Bounces on a face that are alike: their times, speeds and ways are geometric series.
+struct ExactStep::BounceSeries {
+    double speed, flight; ///< from the face; the time of the first flight
+    double slowing;       ///< m/s^2: by which the speed falls from bounce to bounce
+    double drag;          ///< share of the pull that friction takes
+    Vec3 along, pull;     ///< velocity and gravity along the face
+
+    BounceSeries(const Motion &motion, const Contact &face, const Vec3 &gravity)
+        : speed(glm::dot(motion.velocity, face.normal)) {
+        const double back = -glm::dot(gravity, face.normal);
+        flight = 2.0 * speed / back;
+        slowing = (1.0 - face.restitution) * 0.5 * back;
+        drag = face.friction > 0.0 ? 2.0 / 7.0 : 0.0;
+        along = motion.velocity - speed * face.normal;
+        pull = gravity + back * face.normal;
+    }
+
+    Vec3 way(const SeriesPart &part) const {
+        return part.time * along + 0.5 * ((1.0 - drag) * part.time * part.time + drag * part.squares) * pull;
+    }
+};
+
 /// The face that the ball comes back to first, if it leaves all that it touches and faces alone pull it back.
 const Contact *ExactStep::nextBounce() const {
     const Contact *next = nullptr;
@@ -51,13 +73,14 @@ void ExactStep::skipBounces() {
     if (!next) return;
     const double back = -glm::dot(m_setting.gravity(), next->normal), speed = glm::dot(m_motion.velocity, next->normal);
     const double flight = 2.0 * speed / back, height = 0.25 * speed * flight;
-    if (flight >= m_left || flight * glm::length(m_motion.velocity) > kNear * m_scene.radius) return;
+    if (flight * glm::length(m_motion.velocity) > kNear * m_scene.radius) return;
+    if (flight >= m_left && height > lastHeight()) return;
     const bool isAlone = m_contacts.count() == 1;
     const uint32_t box = next->box;
     m_contacts.drop([&](const Contact &contact) { return contact.box != box; });
     const Obstacles obstacles = findObstacles(m_contacts[0], height);
-    if (!skipSeries(back, obstacles)) makeBounces(back, obstacles);
-    if (!isAlone) resolve();
+    if (!endSeries(obstacles) && !skipSeries(obstacles)) makeBounces(back, obstacles);
+    if (!isAlone || glm::dot(m_motion.velocity, m_contacts[0].normal) == 0.0) resolve();
 }
 
 /// One bounce after the other, but the last.
@@ -78,68 +101,95 @@ void ExactStep::makeBounces(double back, const Obstacles &obstacles) {
         m_left -= flight;
         m_work.add(Work::kBounce);
         collide(negligibleSpeed(m_motion, m_scene.radius));
-    } while (!m_work.isTooMuch() && !isRegular(face, pull, back));
+    } while (!m_work.isTooMuch() && !isRegular(face));
+}
+
+/// Whether friction ends at each bounce on a face what slip the flight before has made, or there is none.
+bool ExactStep::endsSlips(const Contact &face) const {
+    const Vec3 g = m_setting.gravity();
+    const double back = -glm::dot(g, face.normal);
+    return face.friction == 0.0 ||
+           2.0 / 7.0 * glm::length(g + back * face.normal) <= 0.5 * (1.0 + face.restitution) * face.friction * back;
 }
 
 /// Whether each bounce is like the one before: friction has ended all slip, or there is none.
-bool ExactStep::isRegular(const Contact &face, const Vec3 &pull, double back) const {
+bool ExactStep::isRegular(const Contact &face) const {
     constexpr double kLeast = 0.9; // restitution: with less there are few of them
-    if (face.restitution < kLeast) return false;
-    if (face.friction == 0.0) return true;
-    return 2.0 / 7.0 * glm::length(pull) <= 0.5 * face.friction * back &&
-           isNoSlip(moment(), slipAt(moment(), face.normal));
+    if (face.restitution < kLeast || !endsSlips(face)) return false;
+    return face.friction == 0.0 || isNoSlip(moment(), slipAt(moment(), face.normal));
 }
 
 /// Regular bounces are a geometric series: those down to half the speed are made at once. False if there are none.
-bool ExactStep::skipSeries(double back, const Obstacles &obstacles) {
-    Contact &face = m_contacts[0];
-    const Vec3 g = m_setting.gravity(), n = face.normal, pull = g + back * n;
-    if (!isRegular(face, pull, back)) return false;
-    const double speed = glm::dot(m_motion.velocity, n), eps = face.restitution, flight = 2.0 * speed / back;
-    const Vec3 along = m_motion.velocity - speed * n;
-    const double drag = face.friction > 0.0 ? 2.0 / 7.0 : 0.0; // share of the pull that friction takes
-
-    double clear = kNear * m_scene.radius;
-    for (const Obstacle &obstacle : obstacles) clear = std::min(clear, obstacle.gap);
-    if (!(clear > 0.0)) return false;
-    const double fast = glm::length(along);
-    const double free = 2.0 * clear / (fast + std::sqrt(fast * fast + 2.0 * glm::length(pull) * clear));
-    const double most = countOf(eps, std::min(free, m_left) / flight) - 1.0;
+bool ExactStep::skipSeries(const Obstacles &obstacles) {
+    const Contact &face = m_contacts[0];
+    if (!isRegular(face)) return false;
+    const BounceSeries series(m_motion, face, m_setting.gravity());
+    const double eps = face.restitution, flight = series.flight;
+    const double most = countOf(eps, std::min(freeTime(series, obstacles), m_left) / flight) - 1.0;
     // The last of them is found as without this: which it is must not depend on the steps in which they are made.
-    const double share = std::max(0.5, lastBounce(face, g) / speed);
+    const double share = std::max(0.5, lastBounce(face, m_setting.gravity()) / series.speed);
     const double decay = eps == 1.0 ? kNever : elementary::log1p(share - 1.0) / elementary::log1p(eps - 1.0) - 1.0;
     const double count = std::floor(std::min(most, decay));
     if (!(count >= 1.0)) return false;
-    const auto timeOf = [&](double bounces) { return flight * geometric(eps, bounces); };
-    const auto squaresOf = [&](double bounces) { return flight * flight * geometric(eps * eps, bounces); };
-    const auto wayOf = [&](double bounces) {
-        const double time = timeOf(bounces);
-        return time * along + 0.5 * ((1.0 - drag) * time * time + drag * squaresOf(bounces)) * pull;
+    const auto partOf = [&](double bounces) {
+        const double time = flight * geometric(eps, bounces);
+        return SeriesPart{time, flight * flight * geometric(eps * eps, bounces), series.speed - series.slowing * time};
     };
-    const auto speedAfter = [&](double bounces) { return speed - (1.0 - eps) * 0.5 * back * timeOf(bounces); };
+    double before = series.speed;
     for (double i = 1.0; i <= count; ++i) {
         if (!m_report.hasRoom()) {
             m_report.lostEvents(count - i + 1.0);
             break;
         }
-        const Vec3 point = face.point + wayOf(i);
-        m_report.event(face.isTop ? PHYS_EVENT_LANDING : PHYS_EVENT_IMPACT, m_elapsed + timeOf(i), point, n,
-                       -speedAfter(i - 1.0), speedAfter(i), m_scene.givenBox(face.box, point));
+        const SeriesPart part = partOf(i);
+        const Vec3 point = face.point + series.way(part);
+        m_report.event(face.isTop ? PHYS_EVENT_LANDING : PHYS_EVENT_IMPACT, m_elapsed + part.time, point, face.normal,
+                       -before, part.speed, m_scene.givenBox(face.box, point));
+        before = part.speed;
     }
-    const double time = timeOf(count), last = speedAfter(count);
+    followSeries(series, partOf(count));
+    return true;
+}
+
+/// The rest of infinitely many regular bounces, which rise no higher than rounding, as one sum: until it ends, or the
+/// step does. False if there is no such rest.
+bool ExactStep::endSeries(const Obstacles &obstacles) {
+    const Contact &face = m_contacts[0];
+    if (!endsAsSeries(face)) return false;
+    const BounceSeries series(m_motion, face, m_setting.gravity());
+    if (0.25 * series.speed * series.flight > lastHeight()) return false;
+    const double whole = series.speed / series.slowing;
+    const double time = std::min({whole, m_left, freeTime(series, obstacles)});
+    if (!(time > 0.0)) return false;
+    const double speed = time == whole ? 0.0 : series.speed - series.slowing * time, share = speed / series.speed;
+    const double eps = face.restitution;
+    followSeries(series, {time, series.flight * series.flight * (1.0 - share * share) / (1.0 - eps * eps), speed});
+    return true;
+}
+
+/// How long bounces surely meet nothing but their face.
+double ExactStep::freeTime(const BounceSeries &series, const Obstacles &obstacles) const {
+    double clear = kNear * m_scene.radius;
+    for (const Obstacle &obstacle : obstacles) clear = std::min(clear, obstacle.gap);
+    if (!(clear > 0.0)) return 0.0;
+    const double fast = glm::length(series.along);
+    return 2.0 * clear / (fast + std::sqrt(fast * fast + 2.0 * glm::length(series.pull) * clear));
+}
+
+void ExactStep::followSeries(const BounceSeries &series, const SeriesPart &part) {
+    Contact &face = m_contacts[0];
     m_work.add(Work::kBounce);
-    m_report.lostImpact(0.5 * (speed - last) * (speed + last));
-    m_report.lostSlip(0.5 * drag * squaresOf(count) * glm::dot(pull, pull));
-    const Vec3 turning = 2.5 * drag / m_scene.radius * glm::cross(n, pull);
-    turn(Uniform{Vec3(0.0), Vec3(0.0), m_motion.spin, turning}, time);
-    const Vec3 way = wayOf(count);
+    m_report.lostImpact(0.5 * (series.speed - part.speed) * (series.speed + part.speed));
+    m_report.lostSlip(0.5 * series.drag * part.squares * glm::dot(series.pull, series.pull));
+    const Vec3 turning = 2.5 * series.drag / m_scene.radius * glm::cross(face.normal, series.pull);
+    turn(Uniform{Vec3(0.0), Vec3(0.0), m_motion.spin, turning}, part.time);
+    const Vec3 way = series.way(part);
     m_position += way;
     face.point += way;
-    m_motion.velocity += (1.0 - drag) * time * pull + (last - speed) * n;
-    m_motion.spin += time * turning;
-    m_elapsed += time;
-    m_left -= time;
-    return true;
+    m_motion.velocity += (1.0 - series.drag) * part.time * series.pull + (part.speed - series.speed) * face.normal;
+    m_motion.spin += part.time * turning;
+    m_elapsed += part.time;
+    m_left -= part.time;
 }
 
 /// What a ball that bounces so high on a face may meet, which isn't the face: what stands out of its plane, and its

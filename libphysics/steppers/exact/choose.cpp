@@ -86,6 +86,7 @@ bool ExactStep::isUniform(const Vec3 &free) const {
     for (uint32_t i = 0; i < m_heldCount; ++i) {
         const Reaction &reaction = m_response.reactions[i];
         if (reaction.mode == Mode::open) continue;
+        if (contactOf(i).isFace() && reaction.pressure == 0.0) continue; // amid two walls that are a ball apart
         if (!contactOf(i).isFace() && (reaction.mode != Mode::smooth || free == Vec3(1.0))) return false;
         if (reaction.mode == Mode::slipping) {
             const Vec3 rate =
@@ -132,6 +133,16 @@ bool ExactStep::slides(Slide::Faces &faces) const {
     return faces.roughAxis != faces.smoothAxis && m_response.reactions[faces.smooth].pressure > least;
 }
 
+/// A ball that stays where it is turns about the normals of what it sticks to, if at all.
+void ExactStep::keepFixed() {
+    if (m_motion.velocity != Vec3(0.0) || m_response.acceleration != Vec3(0.0)) return;
+    Vec3 &turning = m_response.spinAcceleration;
+    for (uint32_t i = 0; i < m_heldCount; ++i) {
+        const Vec3 &n = m_held[i].normal;
+        if (m_response.reactions[i].mode == Mode::sticking) turning = glm::dot(turning, n) * n;
+    }
+}
+
 /// Nothing is left of the velocity of a ball that resistance holds: it was rounding, model.md 14.1.
 void ExactStep::stopHeld() {
     if (m_response.rolling != Vec3(0.0) || isStill()) return;
@@ -151,6 +162,7 @@ phys_status ExactStep::choose(Phase &phase) {
     m_isAnswered = true;
     const Vec3 free = freeAxes(moment(), held(), m_response);
     m_response.acceleration *= free;
+    keepFixed();
     stopHeld();
     const Vec3 g = m_setting.gravity();
     uint32_t closed = kMostHeld;
@@ -214,7 +226,7 @@ void ExactStep::buildSeries(Series &series) {
                 response.reactions[i].direction = slips[i];
             }
             series.build(moment(), held(), response, unit, kept);
-            m_work.add(Work::kSeries * series.unknowns());
+            m_work.add(Work::kSeries * (1 + series.unknowns()));
             const bool isLong = series.horizon() > 3.0 * unit && unit < longest && !hasShrunk;
             if (series.horizon() >= 0.1 * unit && !isLong) break;
             hasShrunk = !isLong;

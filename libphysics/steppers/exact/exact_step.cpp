@@ -11,13 +11,6 @@
 
 namespace phys {
 
-namespace {
-
-/// More events than this at one moment end the step with an error: at that pace it wouldn't come to its end.
-constexpr uint32_t kMomentCap = 1'000;
-
-} // namespace
-
 ExactStep::ExactStep(const Scene &scene, FloorRegions &regions, const phys_params &params, double dt,
                      const phys_state &in, phys_report *report, phys_error *err)
     : m_scene(scene)
@@ -52,10 +45,10 @@ phys_status ExactStep::advance(phys_state &out) {
 phys_status ExactStep::followEvents() {
     resolve();
     skipBounces();
-    ZenoGuard guard(m_left);
     Phase phase(Uniform{m_motion.velocity, Vec3(0.0), m_motion.spin, Vec3(0.0)});
     while (m_left > 0.0) {
-        if (const phys_status status = checkProgress(guard)) return status;
+        m_work.add(Work::kEvent);
+        if (const phys_status status = checkWork()) return status;
         if (const phys_status status = choose(phase)) return status;
         if (isStill() && restsNow()) break;
         End end;
@@ -74,20 +67,7 @@ phys_status ExactStep::followEvents() {
     return PHYS_OK;
 }
 
-/// Refuses a step that doesn't come to its end, or not in any time worth waiting for.
-phys_status ExactStep::checkProgress(ZenoGuard &guard) {
-    if (guard.momentStart - m_left > guard.moment) {
-        guard.momentStart = m_left;
-        guard.eventsInMoment = 0;
-    }
-    if (++guard.eventsInMoment > kMomentCap) {
-        return fail(m_err, PHYS_ERROR_EVENT_CAP, "more than %u events at one moment, %.9g s before the step's end",
-                    kMomentCap, m_left);
-    }
-    m_work.add(Work::kEvent);
-    return checkWork();
-}
-
+/// Refuses a step that doesn't come to its end in any time worth waiting for.
 phys_status ExactStep::checkWork() const {
     if (!m_work.isTooMuch()) return PHYS_OK;
     return fail(m_err, PHYS_ERROR_EVENT_CAP, "more to compute than %llu in one step, %.9g s of it still to go",
@@ -186,7 +166,7 @@ End ExactStep::ownEnd(const Uniform &phase, double) {
     End end;
     for (uint32_t i = 0; i < m_heldCount; ++i) {
         const Reaction &reaction = m_response.reactions[i];
-        if (reaction.mode == Mode::slipping) {
+        if (reaction.mode == Mode::slipping && reaction.pressure != 0.0) {
             const Vec3 rate =
                 phase.acceleration - m_scene.radius * glm::cross(phase.spinAcceleration, m_held[i].normal);
             const double slows = -glm::dot(rate, reaction.slip);

@@ -31,23 +31,20 @@ private:
     static constexpr double kParallel = 1e-12;
     static constexpr uint32_t kManyBoxes = 0xffffffff;
 
-    /// Tells Zeno's behaviour, events that follow each other without end in no time.
-    struct ZenoGuard {
-        explicit ZenoGuard(double left)
-            : moment(1e-9 * left)
-            , momentStart(left) {}
-
-        double moment;      ///< s
-        double momentStart; ///< s of the step still to go then
-        uint32_t eventsInMoment = 0;
-    };
-
     /// What the ball may meet beside a face lies behind the plane of its nearest point.
     struct Obstacle {
         Vec3 normal;
         double gap; ///< m, less all that the ball moves along the face's normal
     };
     using Obstacles = ShortList<Obstacle>;
+
+    struct BounceSeries;
+    /// Of a series of bounces, from its start on.
+    struct SeriesPart {
+        double time;
+        double squares; ///< s^2: sum of the squares of the flights' times
+        double speed;   ///< at its end, from the face
+    };
 
     const Scene &m_scene;
     FloorRegions &m_regions;
@@ -76,7 +73,6 @@ private:
     uint32_t m_wall = PHYS_NO_BOX;
 
     phys_status followEvents();
-    phys_status checkProgress(ZenoGuard &guard);
     phys_status checkWork() const;
     void findGround();
     bool staysOnGround(double acceleration) const;
@@ -99,13 +95,20 @@ private:
     const Contact *nextBounce() const;
     void skipBounces();
     void makeBounces(double back, const Obstacles &obstacles);
-    bool isRegular(const Contact &face, const Vec3 &pull, double back) const;
-    bool skipSeries(double back, const Obstacles &obstacles);
+    bool endsSlips(const Contact &face) const;
+    bool isRegular(const Contact &face) const;
+    bool skipSeries(const Obstacles &obstacles);
+    bool endSeries(const Obstacles &obstacles);
+    double freeTime(const BounceSeries &series, const Obstacles &obstacles) const;
+    void followSeries(const BounceSeries &series, const SeriesPart &part);
     Obstacles findObstacles(const Contact &face, double height);
     bool isClear(const Obstacles &obstacles, const Vec3 &gone, const Vec3 &way, const Vec3 &bend) const;
     void endBounces(double negligible);
     Vec3 actingAcceleration();
     double lastBounce(const Contact &contact, const Vec3 &acting) const;
+    bool endsAsSeries(const Contact &face) const;
+    double lastHeight() const;
+    double higher() const;
     void collectHeld(double negligible);
     void addHeld(uint32_t number);
     bool areBouncing() const;
@@ -117,6 +120,7 @@ private:
     void roll(bool isImpact);
     Moment moment() const;
 
+    void keepFixed();
     void stopHeld();
     phys_status choose(Phase &phase);
     phys_status respondNow();

@@ -22,6 +22,10 @@ constexpr double kLastHop = 1e-26;
 /// But with a restitution above this the bounces down there would never end.
 constexpr double kSlowDecay = 0.95;
 
+/// How much higher the last bounces are with each quarter of its work that a step has done: rather less exact than
+/// none.
+constexpr double kHigher = 100.0;
+
 } // namespace
 
 /// Takes all impacts of the moment, and looks at what lasts then.
@@ -192,10 +196,32 @@ double ExactStep::lastBounce(const Contact &contact, const Vec3 &acting) const {
     const double speed = glm::dot(m_motion.velocity, contact.normal);
     const Vec3 round = m_motion.velocity - speed * contact.normal;
     const double back = -(glm::dot(acting, contact.normal) + contact.curving(round, R));
+    if (endsAsSeries(contact)) return 0.0;
     const bool isUpright = contact.normal.z == 0.0;
     const bool isSmooth = (isUpright && contact.friction == 0.0) || contact.restitution > kSlowDecay;
-    return std::sqrt(2.0 * std::max(0.0, back) *
-                     (isSmooth ? std::max(m_scene.tolerance, kLastBounce * R) : kLastHop * R));
+    const double height = isSmooth ? lastHeight() : higher() * kLastHop * R;
+    return std::sqrt(2.0 * std::max(0.0, back) * height);
+}
+
+/// Whether the bounces on a face end as one sum: nothing else is touched, and from now on each is like the one before.
+bool ExactStep::endsAsSeries(const Contact &face) const {
+    constexpr double kElastic = 1.0 - 1e-6; // restitution: such bounces end in no time to speak of
+    const double eps = face.restitution, back = -glm::dot(m_setting.gravity(), face.normal);
+    if (m_contacts.count() != 1 || !face.isFace() || m_work.quarters() > 0) return false;
+    if (!(back > 0.0) || eps <= kSlowDecay || eps > kElastic) return false;
+    if (face.friction == 0.0) return true;
+    const double push = (1.0 + eps) * std::abs(glm::dot(m_motion.velocity, face.normal));
+    return endsSlips(face) && 2.0 / 7.0 * glm::length(slipAt(moment(), face.normal)) <= face.friction * push;
+}
+
+/// As high as the last bounces rise at smooth contacts, m.
+double ExactStep::lastHeight() const { return std::max(m_scene.tolerance, higher() * kLastBounce * m_scene.radius); }
+
+/// How much higher they rise in a step of much work.
+double ExactStep::higher() const {
+    double factor = 1.0;
+    for (uint64_t quarters = m_work.quarters(); quarters > 0; --quarters) factor *= kHigher;
+    return factor;
 }
 
 /// The contacts without a velocity across.
@@ -221,8 +247,7 @@ void ExactStep::addHeld(uint32_t number) {
 /// Whether all contacts but those that are held are left too fast for a last bounce, whatever accelerates the ball.
 bool ExactStep::areBouncing() const {
     constexpr double kMost = 1e3; // relative: no contacts make more of the accelerations at hand
-    const double fast =
-        2.0 * kMost * accelerationScale(moment()) * std::max(m_scene.tolerance, kLastBounce * m_scene.radius);
+    const double fast = 2.0 * kMost * accelerationScale(moment()) * lastHeight();
     return std::all_of(m_contacts.begin(), m_contacts.end(), [&](const Contact &contact) {
         const auto held = m_lasting.begin() + m_heldCount;
         const double speed = glm::dot(m_motion.velocity, contact.normal);

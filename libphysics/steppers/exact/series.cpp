@@ -23,7 +23,7 @@ Vec3 axisOf(uint32_t i) { return {i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2
 } // namespace
 
 Vec3 freeAxes(const Moment &moment, std::span<const Held> held, const Response &response) {
-    constexpr double kParallel = 1e-12;
+    const double parallel = moment.rounding; // sine of the angle between normals
     if (std::all_of(held.begin(), held.end(), isFace)) return Vec3(1.0);
     Vec3 first(0.0), line(0.0), free(1.0); // line: that two of the normals leave
     bool isFixed = false, isFlat = true;
@@ -31,8 +31,8 @@ Vec3 freeAxes(const Moment &moment, std::span<const Held> held, const Response &
         if (response.reactions[i].mode == Mode::open) continue;
         const Vec3 &n = held[i].normal;
         isFlat = isFlat && isFace(held[i]);
-        isFixed = isFixed || std::abs(glm::dot(line, n)) > kParallel;
-        if (line == Vec3(0.0) && glm::length(glm::cross(first, n)) > kParallel) line = hat(glm::cross(first, n));
+        isFixed = isFixed || std::abs(glm::dot(line, n)) > parallel;
+        if (line == Vec3(0.0) && glm::length(glm::cross(first, n)) > parallel) line = hat(glm::cross(first, n));
         if (first == Vec3(0.0)) first = n;
         free *= Vec3(1.0) - held[i].across;
     }

@@ -15,6 +15,8 @@ private slots:
     void elasticBouncesBelowSightDontCountUp_data();
     void elasticBouncesBelowSightDontCountUp();
     void bouncesThatHardlyDecayKeepTheirTimes();
+    void bouncesEndWhenTheirSumDoes_data();
+    void bouncesEndWhenTheirSumDoes();
     void edgeIsHitByAParabola();
     void grazingChangesNothing();
     void cornerReversesBothComponents();
@@ -193,6 +195,26 @@ void ExactContacts::bouncesThatHardlyDecayKeepTheirTimes() {
         QVERIFY(std::abs(landings[i].point.x - 0.25 * landings[i].time) <= 8.0 * kU);
     }
     QVERIFY(std::abs(run.report.lost_impact + run.report.energy_after - run.report.energy_before) <= 8.0 * kU);
+}
+
+void ExactContacts::bouncesEndWhenTheirSumDoes_data() {
+    QTest::addColumn<double>("before"); // s: a step ends as long before the last bounce
+    QTest::newRow("in one step") << 0.0;
+    QTest::newRow("in two, amid bounces too low to be seen") << 4e-5;
+}
+
+/// model.md 6.4: until then nothing of the floor acts along it, from then on the ball rolls.
+void ExactContacts::bouncesEndWhenTheirSumDoes() {
+    QFETCH(double, before);
+    const double eps = 0.999, slope = 0.0098, end = 2.0 * 0.05 / 9.8 / (1.0 - eps);
+    Run run({exact::floorOver(-4, -4, 4, 4)}, 0.1, {0, 0, 0.1}, {0, 0, 0.05});
+    run.params.restitution_floor = eps;
+    run.params.gravity = {slope, 0, -9.8};
+    if (before > 0.0) run.step(end - before);
+    run.step(end + 1.0 - run.state.time);
+    QVERIFY(std::abs(run.state.velocity.x - slope * (end + 5.0 / 7.0)) <= 256.0 * kU);
+    QVERIFY(std::abs(run.state.position.x - slope * (0.5 * end * end + end + 5.0 / 14.0)) <= 4096.0 * kU);
+    QCOMPARE(run.state.velocity.z, 0.0);
 }
 
 QTEST_GUILESS_MAIN(ExactContacts)
