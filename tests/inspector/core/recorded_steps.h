@@ -7,7 +7,6 @@
 #include "core/simulation/snapshot.h"
 
 #include <cstdint>
-#include <cstring>
 
 namespace inspector {
 
@@ -17,12 +16,6 @@ inline void stepRecorded(Engine &engine, Recorder &recorder, int steps) {
         if (!engine.step(&error)) qFatal("%s", qPrintable(error));
         recorder.note(engine);
     }
-}
-
-/// Of types without padding.
-template<class Plain>
-bool isSameBits(const Plain &a, const Plain &b) {
-    return std::memcmp(&a, &b, sizeof a) == 0; // NOLINT(bugprone-suspicious-memory-comparison)
 }
 
 inline uint64_t hashOf(const Snapshot &snapshot) { return phys_state_hash(&snapshot.current); }

@@ -3,11 +3,12 @@
 #include "core/recording/history.h"
 #include "core/recording/player.h"
 #include "scenes.h"
+#include "support/compare.h"
 
-#include <cstring>
 #include <random>
 
 using namespace inspector;
+using support::sameBits;
 
 class TestHistory : public QObject {
     Q_OBJECT
@@ -29,12 +30,6 @@ private:
     std::unique_ptr<History> m_history;
     std::vector<phys_state> m_states; // after each step, from the first
 };
-
-namespace {
-
-bool isSame(const phys_state &a, const phys_state &b) { return std::memcmp(&a, &b, sizeof a) == 0; }
-
-} // namespace
 
 void TestHistory::init() {
     m_registry = makeRegistry(nullptr);
@@ -82,7 +77,7 @@ void TestHistory::everyPlaceIsBitByBitWhatItWas() {
         const uint64_t place = 1 + random() % m_states.size();
         const uint64_t steps = player.seek(place);
         QVERIFY(steps <= History::kBlockSteps);
-        QVERIFY2(isSame(player.engine().state(), m_states[place - 1]), qPrintable(QString::number(place)));
+        QVERIFY2(sameBits(player.engine().state(), m_states[place - 1]), qPrintable(QString::number(place)));
     }
 }
 
@@ -97,7 +92,7 @@ void TestHistory::memoryIsBounded() {
     const Past past = this->past();
     Player player(past.recording, past.keyframes);
     player.seek(1);
-    QVERIFY(isSame(player.engine().state(), m_states[past.begin]));
+    QVERIFY(sameBits(player.engine().state(), m_states[past.begin]));
 }
 
 void TestHistory::runsBeginWhereTheBallWasPut() {

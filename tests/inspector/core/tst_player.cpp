@@ -5,6 +5,7 @@
 #include "core/simulation/simulation.h"
 #include "recorded_steps.h"
 #include "scenes.h"
+#include "support/compare.h"
 #include "support/random.h"
 
 #include <QSignalSpy>
@@ -13,6 +14,7 @@
 #include <algorithm>
 
 using namespace inspector;
+using support::sameBits;
 
 class TestPlayer : public QObject {
     Q_OBJECT
@@ -145,7 +147,7 @@ void TestPlayer::everyStepBackwardsHasItsHash() {
         QCOMPARE(shownHash(player), hashAt(*recording, position));
     }
     player.seek(0);
-    QVERIFY(isSameBits(player.engine().state(), *recording->segment(0).from));
+    QVERIFY(sameBits(player.engine().state(), *recording->segment(0).from));
 }
 
 void TestPlayer::randomSeeksHaveTheirHashes() {
@@ -176,11 +178,11 @@ void TestPlayer::stateBeforeAndReportAreThoseOfTheStep() {
         if (!isNearBoundary && position % 7 != 0) continue;
         sought.seek(recording->length() - position); // from elsewhere
         sought.seek(position);
-        QVERIFY(isSameBits(sought.engine().previous(), played.engine().previous()));
-        QVERIFY(isSameBits(sought.engine().sample().values, played.engine().sample().values));
+        QVERIFY(sameBits(sought.engine().previous(), played.engine().previous()));
+        QVERIFY(sameBits(sought.engine().sample().values, played.engine().sample().values));
         QCOMPARE(sought.segment(), played.segment());
         QCOMPARE(sought.engine().dt(), played.engine().dt());
-        QVERIFY(isSameBits(sought.engine().inputs(), played.engine().inputs()));
+        QVERIFY(sameBits(sought.engine().inputs(), played.engine().inputs()));
     }
 }
 
@@ -326,7 +328,7 @@ void TestPlayer::simulationShowsTheRecordedSamples() {
     for (uint64_t i = 0; i < 700; ++i) {
         player.seek(1701 + i);
         QVERIFY(samples.read(samples.first() + i, sample));
-        QVERIFY(isSameBits(sample.values, player.engine().sample().values));
+        QVERIFY(sameBits(sample.values, player.engine().sample().values));
     }
 }
 
@@ -458,7 +460,7 @@ void TestPlayer::goingOnGivesTheBitsOfAnEngineFromThere() {
         }
         const phys_state expected = engine.state();
         QTRY_COMPARE(simulation->latest().current.step, expected.step);
-        QVERIFY(isSameBits(simulation->latest().current, expected));
+        QVERIFY(sameBits(simulation->latest().current, expected));
     }
 }
 
@@ -475,7 +477,7 @@ void TestPlayer::liveBallIsWhereItWasAfterAReplay() {
     simulation->endReplay();
     QTRY_COMPARE(simulation->latest().replay.number, uint64_t(0));
     QVERIFY(!simulation->latest().running);
-    QVERIFY(isSameBits(simulation->latest().current, before));
+    QVERIFY(sameBits(simulation->latest().current, before));
     QCOMPARE(simulation->samples().first(), simulation->samples().last());
 }
 
@@ -505,8 +507,8 @@ void TestPlayer::ghostFollowsAReplayAsItFollowsTheLiveBall() {
     QVERIFY(player.enterRun());
     GhostEngine ghost(player.engine(), *setup, "exact");
     for (int i = 0; i < 251; ++i) QVERIFY(player.next() && ghost.follow(player.engine(), nullptr));
-    QVERIFY(isSameBits(played, ghost.state()));
-    QVERIFY(isSameBits(simulation->latest().ghost->current, ghost.state()));
+    QVERIFY(sameBits(played, ghost.state()));
+    QVERIFY(sameBits(simulation->latest().ghost->current, ghost.state()));
     QVERIFY(simulation->latest().ghost->deviation.distance > 0.0);
 
     simulation->seek(1701); // on another level: gone until it is asked for there

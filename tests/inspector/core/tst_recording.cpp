@@ -8,12 +8,14 @@
 #include "headless_run.h"
 #include "recorded_steps.h"
 #include "scenes.h"
+#include "support/compare.h"
 #include "support/files.h"
 
 #include <QTemporaryDir>
 
 using namespace inspector;
 using support::contentOf;
+using support::sameBits;
 using support::write;
 
 class TestRecording : public QObject {
@@ -118,7 +120,7 @@ void TestRecording::conditionsComeBackBitByBit() {
     QVERIFY2(recording, qPrintable(error));
     QCOMPARE(recording->segments.size(), size_t(1));
     const Conditions &read = recording->segments[0].conditions;
-    QVERIFY(isSameBits(read.inputs, inputs));
+    QVERIFY(sameBits(read.inputs, inputs));
     QVERIFY(read.dt == 1.0 / 60.0); // not nearly
     QCOMPARE(read.maze.path, QString(LEVELS_FOLDER "/01.txt"));
     QCOMPARE(read.maze.hash, hashOf(contentOf(LEVELS_FOLDER "/01.txt")));
@@ -139,7 +141,7 @@ void TestRecording::startingStateComesBackBitByBit() {
     recorder.close();
     const auto recording = readRecording(path("r"), makeRegistry(nullptr), nullptr);
     QVERIFY(recording && recording->segments.at(0).from);
-    QVERIFY(isSameBits(*recording->segments[0].from, start));
+    QVERIFY(sameBits(*recording->segments[0].from, start));
 }
 
 // The sign of a zero can reach the state's bits.

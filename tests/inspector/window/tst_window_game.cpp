@@ -147,7 +147,7 @@ void TestWindowGame::newBestTimeIsSaid() {
     const auto winIn = [this](double time) {
         m_fixture->key(Qt::Key_Return);
         m_fixture->game().leaveMaze(time, false);
-        const QString line = text().line;
+        QString line = text().line;
         m_fixture->key(Qt::Key_R);
         return line;
     };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every run is kept: gone back to by hand, taken over with a change, saved afterwards.
 #include "gl/view/maze_view.h"
+#include "support/compare.h"
 #include "support/file_limit.h"
 #include "support/files.h"
 #include "ui/parts/message_bar.h"
@@ -14,11 +15,9 @@
 #include <QToolButton>
 #include <QTreeWidget>
 
-#include <cstring>
-
 using namespace window_test;
-using inspector::Sample;
 using inspector::ui::MessageBar;
+using support::sameBits;
 
 class TestWindowPast : public QObject {
     Q_OBJECT
@@ -70,12 +69,6 @@ private:
     std::vector<phys_state> m_states; // after each step
 };
 
-namespace {
-
-bool isSame(const phys_state &a, const phys_state &b) { return std::memcmp(&a, &b, sizeof a) == 0; }
-
-} // namespace
-
 void TestWindowPast::init() {
     m_fixture = std::make_unique<Fixture>();
     QVERIFY(m_fixture->isReady());
@@ -116,7 +109,7 @@ void TestWindowPast::draggedTimeShowsThatMoment() {
     drag(slider(), {slider()->pixelOf(40), middle}, {slider()->pixelOf(10), middle});
     QTRY_VERIFY(session().isInPast() && isAt(uint64_t(slider()->value())));
     QVERIFY(slider()->value() < 20);
-    QVERIFY(isSame(now().current, m_states[now().current.step - 1]));
+    QVERIFY(sameBits(now().current, m_states[now().current.step - 1]));
     QVERIFY(!now().running);
 }
 
@@ -124,11 +117,11 @@ void TestWindowPast::stepBackShowsTheStepBefore() {
     makeSteps(10);
     m_fixture->key(Qt::Key_Comma);
     QTRY_VERIFY(isAt(9));
-    QVERIFY(isSame(now().current, m_states[8]));
+    QVERIFY(sameBits(now().current, m_states[8]));
     m_fixture->key(Qt::Key_Comma);
     QTRY_VERIFY(isAt(8));
-    QVERIFY(isSame(now().current, m_states[7]));
-    QVERIFY(isSame(now().previous, m_states[6]));
+    QVERIFY(sameBits(now().current, m_states[7]));
+    QVERIFY(sameBits(now().previous, m_states[6]));
 }
 
 void TestWindowPast::stepsForwardEndAtThePresent() {
@@ -150,7 +143,7 @@ void TestWindowPast::escReturnsToThePresent() {
     m_fixture->key(Qt::Key_Escape);
     QVERIFY(!session().isInPast());
     QTRY_VERIFY(isAt(10));
-    QVERIFY(isSame(now().current, m_states[9]));
+    QVERIFY(sameBits(now().current, m_states[9]));
 }
 
 void TestWindowPast::spacePlaysWhatWas() {
@@ -160,7 +153,7 @@ void TestWindowPast::spacePlaysWhatWas() {
     QTRY_VERIFY(!session().isInPast()); // up to the present
     QTRY_VERIFY(isAt(20));
     QVERIFY(!now().running);
-    QVERIFY(isSame(now().current, m_states[19]));
+    QVERIFY(sameBits(now().current, m_states[19]));
 }
 
 void TestWindowPast::plotKeepsTheWholeRun() {
@@ -191,7 +184,7 @@ void TestWindowPast::typedParameterTakesOver() {
     const phys_state before = m_states[place];
     makeSteps(1);
     QCOMPARE(now().current.step, place + 1);
-    QVERIFY(!isSame(now().current, before));
+    QVERIFY(!sameBits(now().current, before));
     QCOMPARE(samples.last() - samples.first(), place + 1);
 }
 
@@ -213,7 +206,7 @@ void TestWindowPast::takingOverWithoutAChangeGivesTheSameBits() {
     session().takeOver();
     QTRY_VERIFY(isAt(place));
     makeSteps(40 - place);
-    QVERIFY(isSame(now().current, before[39]));
+    QVERIFY(sameBits(now().current, before[39]));
 }
 
 // Its time and step go on from those of the run taken over, of which it is no part.
@@ -269,7 +262,7 @@ void TestWindowPast::restartKeepsTheRunBefore() {
     runs->setCurrentItem(runs->topLevelItem(1)); // the one before
     m_fixture->key(Qt::Key_Return);
     QTRY_VERIFY(isAt(30));
-    QVERIFY(isSame(now().current, m_states[29]));
+    QVERIFY(sameBits(now().current, m_states[29]));
     const inspector::SampleRing &samples = m_fixture->simulation().samples();
     QTRY_COMPARE(samples.last() - samples.first(), uint64_t(30));
     m_fixture->key(Qt::Key_Escape);
@@ -286,7 +279,7 @@ void TestWindowPast::clickOnAnotherLevelKeepsTheRun() {
     QCOMPARE(session().level().name, QString("03"));
     session().lookAt(session().runs().front().end);
     QTRY_VERIFY(isAt(30));
-    QVERIFY(isSame(now().current, m_states[29]));
+    QVERIFY(sameBits(now().current, m_states[29]));
     QCOMPARE(session().level().name, QString("01"));
     m_fixture->key(Qt::Key_Escape);
     QTRY_VERIFY(isAt(0));

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 // What a plugin's functions do wrong ends as one status and one line, and the caller's state and report stay as they
 // were.
+#include "support/compare.h"
+
 #include <QTest>
 
 #include <physics/physics.h>
 
 #include <array>
-#include <cstring>
+
+using support::sameBits;
 
 namespace {
 
@@ -18,9 +21,6 @@ phys_params defaultParams() {
     phys_params_init(&params, sizeof params);
     return params;
 }
-
-bool sameBytes(const phys_state &a, const phys_state &b) { return std::memcmp(&a, &b, sizeof a) == 0; }
-bool sameBytes(const phys_report &a, const phys_report &b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
 } // namespace
 
@@ -86,7 +86,7 @@ void PluginResult::aGoodResultComesOutAsItIs() {
     expected.step = 1;
     phys_state out{};
     QCOMPARE(phys_step(behaves, &m_params, kDt, &m_start, &out, nullptr, nullptr), PHYS_OK);
-    QVERIFY(sameBytes(out, expected));
+    QVERIFY(sameBits(out, expected));
     phys_stepper_destroy(behaves);
 }
 
@@ -151,8 +151,8 @@ void PluginResult::aWrongStepIsRefused() {
     QCOMPARE(phys_step(wrong, &m_params, kDt, &state, &state, &report, &error), status);
     QCOMPARE(error.status, status);
     QCOMPARE(QByteArray(error.text), line);
-    QVERIFY(sameBytes(state, m_start));
-    QVERIFY(sameBytes(report, given));
+    QVERIFY(sameBits(state, m_start));
+    QVERIFY(sameBits(report, given));
     // Without an error to write to, the same.
     QCOMPARE(phys_step(wrong, &m_params, kDt, &state, &state, &report, nullptr), status);
     phys_stepper_destroy(wrong);
@@ -164,7 +164,7 @@ void PluginResult::anInputWrittenToStaysAsItWas() {
     const phys_state in = m_start;
     phys_state out{};
     QCOMPARE(phys_step(wrong, &m_params, kDt, &in, &out, nullptr, nullptr), PHYS_OK);
-    QVERIFY(sameBytes(in, m_start));
+    QVERIFY(sameBits(in, m_start));
     phys_stepper_destroy(wrong);
 }
 
@@ -232,7 +232,7 @@ void PluginResult::dtZeroNeverReachesThePlugin() {
     QVERIFY(wrong);
     phys_state out{};
     QCOMPARE(phys_step(wrong, &m_params, 0.0, &m_start, &out, nullptr, nullptr), PHYS_OK);
-    QVERIFY(sameBytes(out, m_start));
+    QVERIFY(sameBits(out, m_start));
     phys_stepper_destroy(wrong);
 }
 
