@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "discrete/requirements.h"
 #include "exact/exact_step.h"
+#include "exact/undisturbed.h"
 #include "registry/built_in_steppers.h"
 
 #include <bit>
@@ -44,18 +45,19 @@ phys_params withoutNegligibleGravity(phys_params params) {
 
 phys_status advance(Exact &self, const phys_params &params, double dt, const phys_state &in, phys_state &out,
                     phys_report *report, phys_error *err) {
-    const double duration = isNegligible(dt) ? 0.0 : dt;
-    const phys_vec3 &g = params.gravity;
-    if (isNegligible(g.x) || isNegligible(g.y) || isNegligible(g.z)) [[unlikely]] {
-        const phys_params clean = withoutNegligibleGravity(params);
-        return ExactStep(self.scene, self.regions, clean, duration, in, report, err).advance(out);
-    }
-    return ExactStep(self.scene, self.regions, params, duration, in, report, err).advance(out);
+    if (rollUndisturbed(self.scene, self.regions, params, dt, in, out, report)) return PHYS_OK;
+    return ExactStep(self.scene, self.regions, params, dt, in, report, err).advance(out);
 }
 
 phys_status stepExact(void *self, const phys_params *params, double dt, const phys_state *in, phys_state *out,
                       phys_report *report, phys_error *err) {
-    return advance(*static_cast<Exact *>(self), *params, dt, *in, *out, report, err);
+    Exact &exact = *static_cast<Exact *>(self);
+    const double duration = isNegligible(dt) ? 0.0 : dt;
+    const phys_vec3 &g = params->gravity;
+    if (isNegligible(g.x) || isNegligible(g.y) || isNegligible(g.z)) [[unlikely]] {
+        return advance(exact, withoutNegligibleGravity(*params), duration, *in, *out, report, err);
+    }
+    return advance(exact, *params, duration, *in, *out, report, err);
 }
 
 phys_status requirementsOfExact(void *self, const phys_params *params, double dt, const phys_state *state,

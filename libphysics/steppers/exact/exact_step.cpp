@@ -2,9 +2,9 @@
 #include "exact/exact_step.h"
 
 #include "base/error.h"
-#include "base/orientation.h"
 #include "contact/held.h"
 #include "contact/push_out.h"
+#include "exact/turning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -91,17 +91,7 @@ void ExactStep::findGround() {
 
 /// Whether the ball stays in its region from now on, unless it leaves a face that it leans on.
 bool ExactStep::staysOnGround(double acceleration) const {
-    if (!m_region) return false;
-    const double bend = 0.5 * m_left * m_left * acceleration;
-    for (int axis = 0; axis < 2; ++axis) {
-        const FloorRegion::Range &range = m_region->along[axis];
-        const double place = m_position[axis], way = m_left * m_motion.velocity[axis];
-        if (place == range.lowFace || place == range.highFace) continue;
-        if (!range.isFree(place + std::min(way, 0.0) - bend) || !range.isFree(place + std::max(way, 0.0) + bend)) {
-            return false;
-        }
-    }
-    return true;
+    return m_region && m_region->keeps(m_position, m_motion.velocity, m_left, acceleration);
 }
 
 /// Out of the boxes that the given state lies in: model.md 5.7.
@@ -131,13 +121,10 @@ phys_status ExactStep::pushOut() {
 }
 
 void ExactStep::leave(phys_state &out) {
-    const phys_box &bounds = m_scene.bounds;
-    const Vec3 &p = m_position;
-    out.position = fromVec(p);
+    out.position = fromVec(m_position);
     out.velocity = fromVec(m_motion.velocity);
     out.spin = fromVec(m_motion.spin);
     std::copy(std::begin(m_orientation), std::end(m_orientation), out.orientation);
-    const bool isOut = p.x < bounds.min.x || p.x > bounds.max.x || p.y < bounds.min.y || p.y > bounds.max.y;
     bool carried = false, slips = false;
     for (uint32_t i = 0; i < m_heldCount; ++i) {
         if (!contactOf(i).isTop || (m_isAnswered ? !isClosed(i) : m_params.gravity.z >= 0.0)) continue;
@@ -145,7 +132,8 @@ void ExactStep::leave(phys_state &out) {
         const Vec3 slip = slipAt(moment(), contactOf(i).normal);
         slips = m_setting.isRigid() && m_params.sliding_friction > 0.0 && !isNoSlip(moment(), slip);
     }
-    out.flags = (isOut ? PHYS_OUT : 0) | (carried ? 0 : PHYS_AIRBORNE) | (slips ? PHYS_SLIPPING : 0);
+    out.flags =
+        (isOut(m_scene, out.position) ? PHYS_OUT : 0) | (carried ? 0 : PHYS_AIRBORNE) | (slips ? PHYS_SLIPPING : 0);
     if (!isStill() || m_heldCount == 0) return;
     if (m_isAnswered || respondNow() == PHYS_OK) out.flags |= restsNow() ? PHYS_AT_REST : 0;
 }
@@ -271,17 +259,7 @@ void ExactStep::answerRolling(const Vec3 &level, double pressure) {
 
 template<class P>
 void ExactStep::turn(const P &phase, double t) {
-    if (!(m_params.options & PHYS_OPTION_ORIENTATION)) return;
-    constexpr double kRoot3 = 1.7320508075688772, kMostParts = 16.0;
-    const double angle = t * std::max(glm::length(m_motion.spin), glm::length(phase.spinAt(t)));
-    const double parts = std::clamp(std::ceil(angle), 1.0, kMostParts), h = t / parts;
-    for (int part = 0; part < parts; ++part) {
-        // Magnus' series with two Gauss points, of fourth order.
-        const double middle = part + 0.5;
-        const Vec3 first = phase.spinAt((middle - kRoot3 / 6.0) * h);
-        const Vec3 second = phase.spinAt((middle + kRoot3 / 6.0) * h);
-        rotate(m_orientation, 0.5 * h * (first + second) + kRoot3 / 12.0 * h * h * glm::cross(second, first));
-    }
+    if (m_params.options & PHYS_OPTION_ORIENTATION) phys::turn(m_orientation, phase, t);
 }
 
 template void ExactStep::turn(const Uniform &phase, double t);
@@ -359,7 +337,7 @@ void ExactStep::clearSlips(const End &end, double rounding) {
     for (int sweep = 0; sweep < 4 && !isStill; ++sweep) {
         isStill = true;
         for (uint32_t i = 0; i < m_heldCount; ++i) {
-            if (sticks(i, end) && stick(i, rounding)) isStill = false;
+            if (sticks(i, end) && !contactOf(i).isTop && stick(i, rounding)) isStill = false;
         }
     }
     if (end.cause != Cause::grip && end.cause != Cause::stop) return;

@@ -11,22 +11,23 @@ namespace phys {
 
 namespace {
 
-/// exp(z) - 1. Most steps are short against the times in which velocities change: there a few terms do.
-double expm1(double z) {
-    if (std::abs(z) > 0.04) return elementary::expm1(z);
-    double sum = 1.0 / 362880.0; // of z^k / (k + 1)!
-    for (const double factorial : {40320.0, 5040.0, 720.0, 120.0, 24.0, 6.0, 2.0, 1.0}) sum = sum * z + 1.0 / factorial;
-    return z * sum;
+/// Most steps are short against the times in which velocities change: there some terms do.
+bool isShort(double z) { return std::abs(z) <= 0.3; }
+
+/// (exp(z) - 1)/z of a short z: the sum of z^k/(k + 1)!, in groups of four, so that no term waits for all others.
+double growth(double z) {
+    const double z2 = z * z, z4 = z2 * z2;
+    const double first = (1.0 + z * (1.0 / 2.0)) + z2 * (1.0 / 6.0 + z * (1.0 / 24.0));
+    const double second = (1.0 / 120.0 + z * (1.0 / 720.0)) + z2 * (1.0 / 5040.0 + z * (1.0 / 40320.0));
+    const double third = (1.0 / 362880.0 + z * (1.0 / 3628800.0)) + z2 * (1.0 / 39916800.0 + z * (1.0 / 479001600.0));
+    return first + z4 * (second + z4 * (third + z4 * (1.0 / 6227020800.0)));
 }
 
-/// I(c) = integral of exp(c s) from 0 to xi, given expm1(c xi).
-double integral(double c, double xi, double expm1OfCXi) {
+/// I(c) = integral of exp(c s) from 0 to xi.
+double integral(double c, double xi) {
     const double z = c * xi;
-    // Below, expm1(z)/z is 1 to the last bit, and c may be 0.
-    return std::abs(z) < 1e-17 ? xi : expm1OfCXi / c;
+    return isShort(z) ? xi * growth(z) : elementary::expm1(z) / c;
 }
-
-double integral(double c, double xi) { return integral(c, xi, expm1(c * xi)); }
 
 /// xi at which share * I(c) = t, where share * I(c) is one of the two positive parts of t(xi): an upper bound of xi.
 double xiOfShare(double share, double c, double t) {
@@ -58,20 +59,21 @@ double firstFall(double gap, double rate, double acceleration) {
 ResistedLaw::ResistedLaw(const Vec2 &v0, const Vec2 &A, double B)
     : m_v0(v0)
     , m_a(length(A))
-    , m_B(B) {
-    const double speed = length(v0);
-    if (speed == 0.0) {
+    , m_B(B)
+    , m_speed(length(v0))
+    , m_drive(A.x * v0.x + A.y * v0.y) {
+    if (m_speed == 0.0) {
         // From rest the way is straight along A, model.md 3.2.
         m_fromRest = true;
         if (m_a > 0.0) m_e = A / m_a;
         if (m_a <= B) m_stopTime = 0.0;
         return;
     }
-    m_e = m_a > 0.0 ? A / m_a : v0 / speed;
+    m_e = m_a > 0.0 ? A / m_a : v0 / m_speed;
     const double along = v0.x * m_e.x + v0.y * m_e.y;
     m_vt = m_e.x * v0.y - m_e.y * v0.x;
     // The smaller of P and M from P M = v_t^2/4: no cancellation.
-    const double larger = 0.5 * (speed + std::abs(along));
+    const double larger = 0.5 * (m_speed + std::abs(along));
     const double smaller = larger > 0.0 ? 0.25 * m_vt * (m_vt / larger) : 0.0;
     m_P = along >= 0.0 ? larger : smaller;
     m_M = along >= 0.0 ? smaller : larger;
@@ -89,20 +91,23 @@ ResistedLaw::Point ResistedLaw::at(double t) const {
         const double speed = (m_a - m_B) * t;
         return {0.5 * t * speed * m_e, speed * m_e, 0.5 * t * speed};
     }
-    return atXi(xiAt(t), t);
+    return atTime(t);
 }
 
-/// A start for a time that is short: the inverse of t = s xi + q xi^2/2 + w xi^3/6. -1 for a time that isn't.
+/// A start for a time that is short: the inverse of the first four terms of t(xi). -1 for a time that isn't.
 double ResistedLaw::shortXi(double t) const {
-    const double c1 = m_a - m_B, c2 = -(m_a + m_B), s = m_P + m_M;
-    const double tau = t / s;
-    if (!(-c2 * tau < 0.1)) return -1.0;
-    const double q = (c1 * m_P + c2 * m_M) / s, w = (c1 * c1 * m_P + c2 * c2 * m_M) / s;
-    return tau * (1.0 + tau * (-0.5 * q + tau * (0.5 * q * q - w / 6.0)));
+    const double perSpeed = 1.0 / m_speed, tau = t * perSpeed;
+    if (!((m_a + m_B) * tau < 0.3)) return -1.0;
+    // The derivatives of |v| by xi at the start, in units of |v| and tau.
+    const double damping = 2.0 * m_B * tau, growing = (m_a - m_B) * (m_a + m_B) * (tau * tau);
+    const double first = (m_drive * perSpeed - m_B) * tau, second = growing - damping * first;
+    const double third = growing * first - damping * second;
+    const double q = first * (1.0 / 2.0), w = second * (1.0 / 6.0), y = third * (1.0 / 24.0);
+    return tau * ((1.0 - q) + (2.0 * q * q - w) + (5.0 * q * (w - q * q) - y));
 }
 
-/// Newton's method inside the bracket of model.md 3.4: t(xi) rises strictly, dt/dxi = |v|.
-double ResistedLaw::xiAt(double t) const {
+/// Chebyshev's method inside the bracket of model.md 3.4: t(xi) rises strictly, dt/dxi = |v|.
+ResistedLaw::Point ResistedLaw::atTime(double t) const {
     const double c1 = m_a - m_B, c2 = -(m_a + m_B);
     double low = 0.0, high = kNever, xi = shortXi(t);
     if (xi < 0.0) {
@@ -112,40 +117,43 @@ double ResistedLaw::xiAt(double t) const {
         xi = high;
     }
     for (int iteration = 0; iteration < 60; ++iteration) {
-        const double e1 = expm1(c1 * xi), e2 = expm1(c2 * xi);
-        const double excess = m_P * integral(c1, xi, e1) + m_M * integral(c2, xi, e2) - t;
-        const double fast = m_P * (1.0 + e1), slow = m_M * (1.0 + e2); // |v| and A.v - B|v| are made of them
-        const double speed = fast + slow;
+        const double ofFast = integral(c1, xi), ofSlow = integral(c2, xi);
+        const double excess = m_P * ofFast + m_M * ofSlow - t;
+        const double fast = m_P + m_P * (c1 * ofFast), slow = m_M + m_M * (c2 * ofSlow); // |v| is their sum
         (excess > 0.0 ? high : low) = xi;
-        // Halley's step: t'' = c1 P e^(c1 xi) + c2 M e^(c2 xi).
-        const double newton = excess / speed;
-        const double halley = newton / (1.0 - 0.5 * newton * (c1 * fast + c2 * slow) / speed);
-        const double next = xi - halley;
+        // t'' = c1 P e^(c1 xi) + c2 M e^(c2 xi).
+        const double perSpeed = 1.0 / (fast + slow), newton = excess * perSpeed;
+        const double back = newton * (1.0 + 0.5 * newton * (c1 * fast + c2 * slow) * perSpeed);
         // Convergence is cubic: the step after one so small is below rounding.
-        if (std::abs(halley) <= 1e-6 * std::min(xi, -1.0 / c2)) return std::max(0.0, next);
+        if (back <= xi && std::abs(back) <= 4e-6 * std::min(xi, -1.0 / c2)) return atXi({xi, back, ofFast, ofSlow}, t);
+        const double next = xi - back;
         xi = next > low && next < high ? next : 0.5 * (low + high);
     }
-    return xi;
+    return atXi({xi, 0.0, integral(c1, xi), integral(c2, xi)}, t);
 }
 
-ResistedLaw::Point ResistedLaw::atXi(double xi, double t) const {
-    const double c1 = m_a - m_B, c2 = -(m_a + m_B);
-    const double e1 = expm1(c1 * xi), e2 = expm1(c2 * xi);
-    const double slow = m_M + m_M * e2, slowTime = m_M * integral(c2, xi, e2);
-    double fastTime = m_P * integral(c1, xi, e1), fast = m_P + m_P * e1;
-    if (c1 > 0.0 && slowTime < 0.5 * t) {
-        // The same from the time itself: after a long growth e^(c1 xi) has lost digits.
-        fastTime = t - slowTime;
-        fast = m_P + c1 * fastTime;
-    }
+/// The same integral at xi - back, where back^3 is nothing: so that nothing waits for `back`.
+double ResistedLaw::shifted(double c, double integral, double back) {
+    return integral - back * (1.0 + c * integral) * (1.0 - 0.5 * c * back);
+}
+
+ResistedLaw::Point ResistedLaw::atXi(const Passed &passed, double t) const {
+    const auto &[xi, back, ofFast, ofSlow] = passed;
+    const double c1 = m_a - m_B, c2 = -(m_a + m_B), c3 = m_a - 2.0 * m_B, c4 = -(m_a + 2.0 * m_B);
+    const double slowTime = m_M * shifted(c2, ofSlow, back);
+    // Rather from the time itself: after a long growth e^(c1 xi) has lost digits.
+    const double fastTime = c1 > 0.0 && slowTime < 0.5 * t ? t - slowTime : m_P * shifted(c1, ofFast, back);
+    const double fast = m_P + c1 * fastTime, slow = m_M + c2 * slowTime;
     // P^2 I(2c) = (P I(c)) (P + P e^(c xi))/2: time share times mean speed, which neither over- nor underflows.
     const double alongFast = fastTime * (0.5 * (m_P + fast));
     const double alongSlow = slowTime * (0.5 * (m_M + slow));
-    const double across = m_vt * (m_P * integral(m_a - 2.0 * m_B, xi) + m_M * integral(-m_a - 2.0 * m_B, xi));
-    const double mixed = 2.0 * m_P * m_M * integral(-2.0 * m_B, xi);
+    const double across =
+        m_vt * (m_P * shifted(c3, integral(c3, xi), back) + m_M * shifted(c4, integral(c4, xi), back));
+    const double damping = shifted(-m_B, integral(-m_B, xi), back);
+    const double mixed = 2.0 * m_P * m_M * (damping * (1.0 - 0.5 * m_B * damping));
     // While the velocity changes little, its change is known better than itself: many short phases keep their digits.
-    const Vec2 v = -c2 * xi < 0.5 ? m_v0 + turned(c1 * fastTime - c2 * slowTime, m_vt * expm1(-m_B * xi))
-                                  : turned(fast - slow, m_vt * elementary::exp(-m_B * xi));
+    const Vec2 v = -c2 * xi < 0.5 ? m_v0 + turned(c1 * fastTime - c2 * slowTime, m_vt * (-m_B * damping))
+                                  : turned(fast - slow, m_vt * elementary::exp(-m_B * (xi - back)));
     return {turned(alongFast - alongSlow, across), v, alongFast + mixed + alongSlow};
 }
 

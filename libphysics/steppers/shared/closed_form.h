@@ -36,16 +36,24 @@ public:
 
 private:
     Vec2 m_v0{0.0, 0.0};
-    double m_a = 0.0, m_B = 0.0; // |A|, B
-    Vec2 m_e{1.0, 0.0};          // direction of A (of v0 if A = 0)
-    double m_P = 0.0, m_M = 0.0; // (|v0| + v0.e)/2, (|v0| - v0.e)/2
-    double m_vt = 0.0;           // v0 across e
+    double m_a = 0.0, m_B = 0.0;         // |A|, B
+    double m_speed = 0.0, m_drive = 0.0; // |v0|, A.v0
+    Vec2 m_e{1.0, 0.0};                  // direction of A (of v0 if A = 0)
+    double m_P = 0.0, m_M = 0.0;         // (|v0| + v0.e)/2, (|v0| - v0.e)/2
+    double m_vt = 0.0;                   // v0 across e
     double m_stopTime = kNever;
     bool m_fromRest = false;
 
+    /// Of a moment: xi - back, and the integrals that the time is made of at xi.
+    struct Passed {
+        double xi, back;       ///< s^2/m
+        double ofFast, ofSlow; ///< s^2/m: I(a - B), I(-a - B)
+    };
+
     double shortXi(double t) const;
-    double xiAt(double t) const;
-    Point atXi(double xi, double t) const;
+    Point atTime(double t) const;
+    static double shifted(double c, double integral, double back);
+    Point atXi(const Passed &passed, double t) const;
     Point atStop() const;
     Vec2 turned(double along, double across) const;
 };

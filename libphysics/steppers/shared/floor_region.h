@@ -4,6 +4,7 @@
 
 #include "scene/scene.h"
 
+#include <algorithm>
 #include <array>
 #include <memory>
 
@@ -22,6 +23,10 @@ struct FloorRegion {
         bool isFree(double place) const { return place >= low && place <= high; }
         bool isFace(double place) const { return place == lowFace || place == highFace; }
         bool has(double place) const { return isFree(place) || isFace(place); }
+        bool keeps(double place, double way, double bend) const {
+            return isFace(place) ||
+                   (isFree(place + std::min(way, 0.0) - bend) && isFree(place + std::max(way, 0.0) + bend));
+        }
     };
     static constexpr double kNoFace = 0x1p200; ///< beyond all places
 
@@ -34,7 +39,18 @@ struct FloorRegion {
         return place.x == along[0].lowFace || place.x == along[0].highFace ? 0 : 1;
     }
     bool has(const phys_vec3 &place) const { return place.z == z && along[0].has(place.x) && along[1].has(place.y); }
+    /// Whether a ball in it stays in it for a time, unless it leaves a face that it leans on. acceleration: at most.
+    bool keeps(const Vec3 &place, const Vec3 &velocity, double time, double acceleration) const {
+        const double bend = 0.5 * time * time * acceleration;
+        return along[0].keeps(place.x, time * velocity.x, bend) && along[1].keeps(place.y, time * velocity.y, bend);
+    }
 };
+
+/// Whether a ball is beyond the board.
+inline bool isOut(const Scene &scene, const phys_vec3 &place) {
+    const phys_box &bounds = scene.bounds;
+    return place.x < bounds.min.x || place.x > bounds.max.x || place.y < bounds.min.y || place.y > bounds.max.y;
+}
 
 /// The region around a place; one that has no place at all where nothing is that easy.
 FloorRegion findFloorRegion(const Scene &scene, const Vec3 &place);

@@ -4,6 +4,8 @@
 
 #include <QtTest>
 
+#include <cstring>
+
 using exact::kU;
 using exact::Run;
 
@@ -19,6 +21,8 @@ private slots:
     void restsUpToTheStictionLimit();
     void stopIsReported();
     void turnsTheBallByAFourthOrderRule();
+    void undisturbedStepsHaveTheBitsOfAllStages_data();
+    void undisturbedStepsHaveTheBitsOfAllStages();
 };
 
 namespace {
@@ -105,6 +109,35 @@ void ExactSmooth::turnsTheBallByAFourthOrderRule() {
     };
     const double coarse = error(8), fine = error(16);
     QVERIFY2(coarse / fine > 15.0 && coarse / fine < 17.0, qPrintable(QString::number(coarse / fine)));
+}
+
+void ExactSmooth::undisturbedStepsHaveTheBitsOfAllStages_data() {
+    QTest::addColumn<uint32_t>("model");
+    QTest::addColumn<double>("pull"); // along x
+    QTest::addColumn<double>("vx");
+    for (const uint32_t model : {uint32_t(PHYS_MODEL_ROLLING), uint32_t(PHYS_MODEL_RIGID)}) {
+        const char *name = model == PHYS_MODEL_RIGID ? "rigid" : "rolling";
+        QTest::addRow("%s, freely", name) << model << -0.5 << -0.1;
+        QTest::addRow("%s, along a wall", name) << model << 0.5 << 0.0;
+        QTest::addRow("%s, off a wall", name) << model << -0.5 << 0.0;
+    }
+}
+
+void ExactSmooth::undisturbedStepsHaveTheBitsOfAllStages() {
+    QFETCH(uint32_t, model);
+    QFETCH(double, pull);
+    QFETCH(double, vx);
+    phys_state states[2];
+    for (const uint32_t options : {0U, uint32_t(PHYS_OPTION_ALL_STAGES)}) {
+        Run run({exact::kFloor, exact::wall(0.25, -2, 0.5, 2)}, 0.125, {0.125, 0, 0.125}, {vx, 0.25, 0});
+        run.params.model = model;
+        run.params.options = options | PHYS_OPTION_ORIENTATION;
+        run.setLaw(pull, -0.125, 0.0625);
+        run.state.spin = {0.0 - 0.25 / 0.125, vx / 0.125, -0.0};
+        for (int i = 0; i < 16; ++i) run.step(1.0 / 64.0);
+        states[options ? 1 : 0] = run.state;
+    }
+    QVERIFY(std::memcmp(&states[0], &states[1], sizeof states[0]) == 0);
 }
 
 void ExactSmooth::slidesDownFasterThanItRolls() {
