@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "contract.h"
 
+#include "surroundings.h"
 #include "trial.h"
 
 #include "support/handles.h"
@@ -150,12 +151,11 @@ private:
         std::memset(error.text, 'x', sizeof error.text);
         error.text[0] = '\0';
         phys_status status = PHYS_OK;
-        const int rounding = std::fegetround();
+        const Arithmetic arithmetic = Arithmetic::now();
         const bool isDone = guarded("step", [&] {
             status = m_api.step(self, &params, kStep, &in, &out, withReport ? &report : nullptr, &error);
         });
-        if (std::fegetround() != rounding) note("step leaves another rounding than it found");
-        std::fesetround(rounding);
+        checkArithmetic(arithmetic);
         if (!isSame(in, given)) note("step writes to the state it is given");
         if (!isDone) return;
         if (status) {
@@ -168,6 +168,17 @@ private:
         }
         checkState(out);
         if (withReport) checkReport(report, events.data());
+    }
+
+    /// Sets back what can be set by everybody: the rest of the check computes.
+    void checkArithmetic(const Arithmetic &before) {
+        const Arithmetic now = Arithmetic::now();
+        if (now.rounding != before.rounding) note("step leaves another rounding than it found");
+        if (now.trapped != before.trapped) note("step leaves other exceptions trapped than it found");
+        if (now.hasSubnormals != before.hasSubnormals) note("step leaves subnormal numbers flushed");
+        std::fesetround(before.rounding);
+        fedisableexcept(FE_ALL_EXCEPT);
+        feenableexcept(before.trapped);
     }
 
     /// A step that hardly anything can take; who can't says so in words, by a status of phys_step.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "isolation.h"
 
+#include "surroundings.h"
+
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
@@ -20,12 +22,16 @@ constexpr unsigned kMostCpuSeconds = 25; // of a part
 constexpr unsigned kMostSeconds = 30;    // of a part, for one that waits
 constexpr unsigned kCardSeconds = 55;    // of all parts
 
-/// Nothing prints: what is written to standard output or error while a part runs is a fault of its own.
+/// Nothing prints, and the process stays as it is: what is written to standard output or error while a part runs, and
+/// what is otherwise after it, is a fault of its own.
 Measure silently(const std::function<Measure()> &work) {
     const int said = memfd_create("said", 0);
     dup2(said, STDOUT_FILENO);
     dup2(said, STDERR_FILENO);
+    const Surroundings before;
     Measure measure = work();
+    const std::string changes = before.changes();
+    if (!changes.empty()) measure = {true, measure.text + changes};
     std::fflush(nullptr);
     char text[60] = "";
     const ssize_t length = pread(said, text, sizeof text, 0);
@@ -74,7 +80,7 @@ Measure Isolation::run(const std::function<Measure()> &work) const {
             return {true, "not done after " + std::to_string(kMostCpuSeconds) + " s of the processor"};
         return {true, std::string("crashes: ") + strsignal(signal)};
     }
-    if (text.empty()) return {true, "ends without a word"};
+    if (text.empty()) return {true, "ends without a word, or closes the pipe for it"};
     return {text[0] == '1', text.substr(1)};
 }
 

@@ -156,7 +156,19 @@ void PluginCheck::whatIsUntrueIsNamed_data() {
     row("fails-silently-when-fast", contract, "step refuses 1e12 m/s without a reason");
     row("fails-inside", contract, "step refuses 1e12 m/s with PHYS_ERROR_INTERNAL, which isn't one of phys_step's");
     row("rounds-up", contract, "step leaves another rounding than it found");
+    row("traps-exceptions", contract, "step leaves other exceptions trapped than it found");
     row("prints", energyPerBounce, "prints 'step 0'");
+    row("closes-output", energyPerBounce, "closes file descriptor 1");
+    row("closes-all", energyPerBounce, "closes the pipe");
+    row("redirects-errors", energyPerBounce, "redirects file descriptor 2");
+    row("opens-files", energyPerBounce, "leaves open file descriptor");
+    row("goes-to-root", energyPerBounce, "changes the working directory to /");
+    row("sets-locale", energyPerBounce, "changes the locale to C");
+    row("takes-interrupt", energyPerBounce, "takes the signal Interrupt");
+    row("blocks-hang-up", energyPerBounce, "blocks or unblocks the signal Hangup");
+    row("sets-variable", energyPerBounce, "changes environment variables");
+    row("masks-files", energyPerBounce, "changes the mask of new files' rights");
+    row("ends-alarm", energyPerBounce, "changes the process's alarm");
     if (kIsSanitized) return; // sanitizers allocate by themselves and need more stack
     row("keeps-memory", memory, "bytes a step");
     row("needs-stack", smallStack, "crashes: Segmentation fault");

@@ -3,9 +3,14 @@
 #include "support/planted_fault.h"
 
 #include <cfenv>
+#include <clocale>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 #include <vector>
 
 namespace {
@@ -105,6 +110,40 @@ phys_status print(Step &step) {
     std::printf("step %llu\n", static_cast<unsigned long long>(step.in.step));
     return soundStep(step);
 }
+phys_status trapExceptions(Step &step) {
+    const phys_status status = soundStep(step);
+    feenableexcept(FE_DIVBYZERO);
+    return status;
+}
+
+/// What each does to the process, once, before a sound step.
+template<auto change>
+phys_status changeProcess(Step &step) {
+    change();
+    return soundStep(step);
+}
+void closeOutput() { close(STDOUT_FILENO); }
+void closeAll() {
+    for (int i = 0; i < 64; ++i) close(i);
+}
+void redirectErrors() { dup2(open("/dev/null", O_WRONLY | O_CLOEXEC), STDERR_FILENO); }
+void openFiles() { (void)open("/dev/null", O_RDONLY | O_CLOEXEC); }
+void goToRoot() { (void)!chdir("/"); }
+void setLocale() {
+    static const char *const kOther = std::strcmp(std::setlocale(LC_ALL, nullptr), "C") == 0 ? "C.UTF-8" : "C";
+    std::setlocale(LC_ALL, kOther);
+}
+void takeInterrupt() { std::signal(SIGINT, SIG_IGN); }
+void blockHangUp() {
+    sigset_t hangUp;
+    sigemptyset(&hangUp);
+    sigaddset(&hangUp, SIGHUP);
+    pthread_sigmask(SIG_BLOCK, &hangUp, nullptr);
+}
+void setVariable() { setenv("PHYS_UNTRUE", "1", 1); }
+void maskFiles() { umask(0); }
+void endAlarm() { alarm(0); }
+
 phys_status keepMemory(Step &step) {
     static std::vector<void *> kept; // of all, so that no compiler takes it for needless
     kept.push_back(std::malloc(64));
@@ -170,6 +209,18 @@ constexpr phys_stepper_api kTables[] = {
     doing<failInside>("fails-inside"),
     doing<roundUp>("rounds-up"),
     doing<print>("prints"),
+    doing<trapExceptions>("traps-exceptions"),
+    doing<changeProcess<closeOutput>>("closes-output"),
+    doing<changeProcess<closeAll>>("closes-all"),
+    doing<changeProcess<redirectErrors>>("redirects-errors"),
+    doing<changeProcess<openFiles>>("opens-files"),
+    doing<changeProcess<goToRoot>>("goes-to-root"),
+    doing<changeProcess<setLocale>>("sets-locale"),
+    doing<changeProcess<takeInterrupt>>("takes-interrupt"),
+    doing<changeProcess<blockHangUp>>("blocks-hang-up"),
+    doing<changeProcess<setVariable>>("sets-variable"),
+    doing<changeProcess<maskFiles>>("masks-files"),
+    doing<changeProcess<endAlarm>>("ends-alarm"),
     doing<keepMemory>("keeps-memory"),
     doing<needStack>("needs-stack"),
 };
