@@ -310,6 +310,8 @@ private slots:
     void sameBitsAsSingleSteps();
     void sameBitsAmongWallsKerbsAndRoofs_data() { addStepperRows(); }
     void sameBitsAmongWallsKerbsAndRoofs();
+    void sameBitsWhateverARowIsSetTo_data();
+    void sameBitsWhateverARowIsSetTo();
     void rangesTogetherGiveTheWhole();
     void pluginsRunThroughTheirStep();
     void nothingIsAllocated_data() { addStepperRows(); }
@@ -353,6 +355,41 @@ void TestBatch::sameBitsAmongWallsKerbsAndRoofs() {
         const Results found = runBatch(
             given, [&](phys_batch &batch) { return phys_batch_run(many.get(), &batch, 0, batch.ball_count, nullptr); });
         QVERIFY2(found == expected, qPrintable(QString("case %1 of seed %2").arg(i).arg(testSeed())));
+    }
+}
+
+void TestBatch::sameBitsWhateverARowIsSetTo_data() {
+    QTest::addColumn<QByteArray>("stepper");
+    QTest::addColumn<int>("row");
+    uint32_t count = 0;
+    const phys_param_row *const rows = phys_param_rows(&count);
+    for (const QByteArray &id : stepperIds()) {
+        for (uint32_t i = 0; i < count; ++i)
+            QTest::addRow("%s, %s", id.constData(), rows[i].id) << id << static_cast<int>(i);
+    }
+}
+
+/// The balls roll where nothing is near, which they do side by side.
+void TestBatch::sameBitsWhateverARowIsSetTo() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(int, row);
+    const phys_param_row &changed = phys_param_rows(nullptr)[row];
+    const ScenePtr scene = openRoom();
+    const StepperPtr single = stepperOf(stepper, scene.get());
+    const StepperPtr many = stepperOf(stepper, scene.get());
+    for (const uint32_t model : {PHYS_MODEL_ROLLING, PHYS_MODEL_RIGID}) {
+        Case given = plainCase();
+        const bool isWhole = changed.flags & PHYS_ROW_CHOICE;
+        const double value = isWhole ? changed.high : changed.low + 0.25 * (changed.high - changed.low);
+        for (phys_params &params : given.params) {
+            params.model = model;
+            QCOMPARE(phys_param_set(&params, &changed, value, nullptr), PHYS_OK);
+        }
+        for (phys_state &state : given.starts) state.velocity = {0.5, 0.25, 0.0};
+        const Results expected = stepOneByOne(single.get(), given);
+        const Results found = runBatch(
+            given, [&](phys_batch &batch) { return phys_batch_run(many.get(), &batch, 0, batch.ball_count, nullptr); });
+        QVERIFY(found == expected);
     }
 }
 
