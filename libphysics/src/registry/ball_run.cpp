@@ -63,9 +63,7 @@ phys_status BallRun::tryStep(phys_state &next) const {
     if (m_gravity && !gravityIsValid(m_params)) return PHYS_ERROR_RANGE;
     if (const phys_status status = checkPull(*m_stepper->scene, m_params, state(), nullptr)) return status;
     if (wantsTally(*m_batch)) return stepAndTally(next);
-    if (m_batch->dt > 0.0) return advance(*m_stepper, m_params, m_batch->dt, state(), next, nullptr, nullptr);
-    next = state();
-    return PHYS_OK;
+    return makeStep(*m_stepper, m_params, m_batch->dt, state(), next, nullptr, nullptr);
 }
 
 void BallRun::step(uint64_t number) {

@@ -86,6 +86,13 @@ void Grid::fill(std::span<const phys_box> boxes) {
     m_first.pop_back();
 }
 
+Grid::Square Grid::squareOf(size_t cell) const {
+    const double size = 1.0 / m_perCell;
+    const Vec2 low{m_x0 + static_cast<double>(cell % m_columnCount) * size,
+                   m_y0 + static_cast<double>(cell / m_columnCount) * size};
+    return {low, low + size};
+}
+
 uint32_t Grid::overlapping(const Vec2 &low, const Vec2 &high, std::span<uint32_t> out) const {
     uint32_t count = 0;
     visitOverlapping(low, high, [&](uint32_t box) {

@@ -18,14 +18,31 @@ public:
     /// times that: as much as keeps cells and lists together within mostEntries(boxes.size()).
     void build(std::span<const phys_box> boxes, double reach, double cellSize);
 
-    /// Boxes within reach of a centre at (x, y): a superset, ascending.
-    std::span<const uint32_t> near(double x, double y) const {
+    static constexpr size_t kNoCell = SIZE_MAX;
+    /// The cell of a centre at (x, y), or kNoCell outside of the grid.
+    size_t cellAt(double x, double y) const {
         const double column = (x - m_x0) * m_perCell;
         const double row = (y - m_y0) * m_perCell;
         // Negated so that a NaN finds no cell either.
-        if (!(column >= 0.0 && column < m_columns && row >= 0.0 && row < m_rows)) return {};
-        const ptrdiff_t cell = static_cast<ptrdiff_t>(row) * m_columnCount + static_cast<ptrdiff_t>(column);
+        if (!(column >= 0.0 && column < m_columns && row >= 0.0 && row < m_rows)) return kNoCell;
+        return static_cast<ptrdiff_t>(row) * m_columnCount + static_cast<ptrdiff_t>(column);
+    }
+
+    /// Where a cell is, m.
+    struct Square {
+        Vec2 low, high;
+    };
+    Square squareOf(size_t cell) const;
+
+    /// Boxes within reach of any centre in a cell: a superset, ascending.
+    std::span<const uint32_t> nearCell(size_t cell) const {
         return {m_items.data() + m_first[cell], m_first[cell + 1] - m_first[cell]};
+    }
+
+    /// Boxes within reach of a centre at (x, y): a superset, ascending.
+    std::span<const uint32_t> near(double x, double y) const {
+        const size_t cell = cellAt(x, y);
+        return cell == kNoCell ? std::span<const uint32_t>() : nearCell(cell);
     }
 
     /// Boxes within reach of any centre in the rectangle: a superset, ascending, each once.

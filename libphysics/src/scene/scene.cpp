@@ -24,7 +24,7 @@ constexpr double kMostRadii = 1e12;
 
 /// Radii that a cell of the grid is wide. Finer cells list fewer boxes; steps gain nothing by that, and scenes take
 /// longer to make: `scene/2011 walls` of tests/bench/run --rows.
-constexpr double kCellSize = 4.0;
+constexpr double kCellSize = 6.0;
 
 bool isCoordinate(double value) { return std::abs(value) <= kLargestCoordinate; } // false for NaN
 bool isPoint(const phys_vec3 &p) { return isCoordinate(p.x) && isCoordinate(p.y) && isCoordinate(p.z); }

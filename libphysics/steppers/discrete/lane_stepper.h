@@ -71,16 +71,18 @@ private:
 
     /// The region of a ball that is as InRegion says, or nullptr.
     static const FloorRegion *regionOf(KnownPlaces &places, const phys_state &state, bool mayLean) {
+        const phys_vec3 &v = state.velocity;
+        if (has(places.regions().last(), state, mayLean)) return &places.regions().last();
+        const FloorRegion *region = places.regions().find(state.position, v.x == 0.0 || v.y == 0.0);
+        return region && has(*region, state, mayLean) ? region : nullptr;
+    }
+
+    static bool has(const FloorRegion &region, const phys_state &state, bool mayLean) {
         const phys_vec3 &p = state.position, &v = state.velocity;
         const auto isIn = [mayLean](const FloorRegion::Range &range, double place, double speed) {
             return range.isFree(place) || (mayLean && speed == 0.0 && range.isFace(place));
         };
-        const auto has = [&](const FloorRegion &region) {
-            return p.z == region.z && isIn(region.along[0], p.x, v.x) && isIn(region.along[1], p.y, v.y);
-        };
-        if (has(places.regions().last())) return &places.regions().last();
-        const FloorRegion *region = places.regions().find(p, v.x == 0.0 || v.y == 0.0);
-        return region && has(*region) ? region : nullptr;
+        return p.z == region.z && isIn(region.along[0], p.x, v.x) && isIn(region.along[1], p.y, v.y);
     }
 
     static double faceOf(double face, bool mayLean) { return mayLean ? face : FloorRegion::kNoFace; }
@@ -94,53 +96,60 @@ private:
         const Kind kind(params);
         const bool isOther = params.options & ~static_cast<uint32_t>(PHYS_OPTION_ORIENTATION);
         if (isOther || (report && kind.slides) || !isOnFloor(input, kind)) return false;
-        const FloorRegion *region = regionOf(places, in, kind.mayLean(params));
-        if (!region) return false;
-
         RegionLimits limits = limitsOf(places.scene(), dt);
         limits.mayGrip = kind.grips();
-        const bool mayLean = kind.mayLean(params);
-        const auto along = [mayLean](const FloorRegion::Range &range, double place, double velocity) {
-            return InRegion<double>{place,
-                                    velocity,
-                                    range.low,
-                                    range.high,
-                                    faceOf(range.lowFace, mayLean),
-                                    faceOf(range.highFace, mayLean)};
-        };
-        const bool rests = isAtRest(in);
+        const bool mayLean = kind.mayLean(params), rests = isAtRest(in);
         const phys_vec3 &g = params.gravity;
-        const BallsInRegion<double> ball{along(region->along[0], in.position.x, in.velocity.x),
-                                         along(region->along[1], in.position.y, in.velocity.y),
-                                         {{g.x, g.y}, g.z, kind.share(), params.rolling_friction},
-                                         kind.grip(params),
-                                         kind.friction(params),
-                                         rests ? 1.0 : 0.0,
-                                         g.z < 0.0};
-        const auto takeStep = [&](const RegionStep<double> &step) {
-            return take(input, kind, rests, ball, step, out, report);
-        };
-        return params.rolling_friction > 0.0 ? StepInRegion<Scheme, kRule, true>::make(ball, limits, takeStep)
-                                             : StepInRegion<Scheme, kRule, false>::make(ball, limits, takeStep);
+        const FloorDrive<double> drive{{g.x, g.y}, g.z, kind.share(), params.rolling_friction};
+        const FloorRegion *region = regionOf(places, in, mayLean);
+        for (bool isFirst = true; region; isFirst = false) {
+            const BallsInRegion<double> ball{axisOf(region->along[0], mayLean, in.position.x, in.velocity.x),
+                                             axisOf(region->along[1], mayLean, in.position.y, in.velocity.y),
+                                             drive,
+                                             kind.grip(params),
+                                             kind.friction(params),
+                                             rests ? 1.0 : 0.0,
+                                             g.z < 0.0};
+            const auto asItIs = [](const RegionStep<double> &step) { return step; };
+            const RegionStep<double> step = params.rolling_friction > 0.0
+                                                ? StepInRegion<Scheme, kRule, true>::make(ball, limits, asItIs)
+                                                : StepInRegion<Scheme, kRule, false>::make(ball, limits, asItIs);
+            const Planar<double> end{in.position.x + step.displacement.x, in.position.y + step.displacement.y};
+            if (step.isFine) {
+                take(input, kind, rests, end, step, out, report);
+                return true;
+            }
+            if (!isFirst || (region->along[0].has(end.x) && region->along[1].has(end.y))) return false;
+            // Regions overlap: one around the end may hold the start, too.
+            region = places.regions().find({end.x, end.y, in.position.z}, in.velocity.x == 0.0 || in.velocity.y == 0.0);
+            if (region && !has(*region, in, mayLean)) return false;
+        }
+        return false;
     }
 
-    /// Stores what the step makes of the ball. False, and nothing stored, if it can't be made in the region.
-    static bool take(const PlanInput &input, const Kind &kind, bool rests, const BallsInRegion<double> &ball,
+    static InRegion<double> axisOf(const FloorRegion::Range &range, bool mayLean, double place, double velocity) {
+        return {place,
+                velocity,
+                range.low,
+                range.high,
+                faceOf(range.lowFace, mayLean),
+                faceOf(range.highFace, mayLean)};
+    }
+
+    /// Stores what the step makes of the ball.
+    static void take(const PlanInput &input, const Kind &kind, bool rests, const Planar<double> &place,
                      const RegionStep<double> &step, phys_state &out, phys_report *report) {
         const auto &[scene, params, dt, in] = input;
-        if (!step.isFine) return false;
         const Vec3 spinBefore = toVec(in.spin);
-        const Planar<double> place{ball.x.place + step.displacement.x, ball.y.place + step.displacement.y};
         if (&out != &in) out = in;
         store(params, kind, scene.radius, rests, {place.x, place.y}, {step.velocity.x, step.velocity.y}, out);
         if (params.options & PHYS_OPTION_ORIENTATION) {
             rotate(out.orientation, 0.5 * dt * (spinBefore + toVec(out.spin)));
         }
-        if (!report) return true;
+        if (!report) return;
         Reporter reporter(report, in.time);
         reporter.substeps(1, kRule == RegionRule::Swept ? 0 : kSubstepCap);
         if (!rests) reporter.lostRolling(1.4 * rollingLaw(params).B * length(step.displacement));
-        return true;
     }
 
     /// Stores a ball but for its height, orientation, time and step.

@@ -9,7 +9,6 @@ namespace phys {
 
 namespace {
 
-constexpr double kWindow = 5.0;     ///< radii that a region reaches at most, from where it was asked for
 constexpr uint32_t kMostFloors = 8; ///< as many as a FloorView holds
 
 /// A region as it is cut smaller.
@@ -21,59 +20,50 @@ public:
         , m_margin(4.0 * scene.tolerance)
         , m_clear(scene.radius + m_margin) {
         m_region.z = place.z;
-        const double window = scene.boxes.size() == 1 ? INFINITY : kWindow * scene.radius;
-        for (int axis = 0; axis < 2; ++axis) {
-            m_region.along[axis].low = place[axis] - window;
-            m_region.along[axis].high = place[axis] + window;
-        }
     }
 
-    FloorRegion run() {
-        if (isTooNear() || !lookAround() || !m_floor) return {};
+    /// cell: that of the place in the scene's grid.
+    FloorRegion run(size_t cell) {
+        findWindow(cell);
+        for (const uint32_t number : m_scene.hasManyBoxes ? m_scene.grid.nearCell(cell) : m_scene.allBoxes) {
+            if (!cut(m_scene.boxes[number])) return {};
+        }
+        if (!m_floor) return {};
         cutToFloor();
         if (!isOverFloor(0, m_place.x) || !isOverFloor(1, m_place.y)) return {};
-        for (uint32_t i = 0; i < m_count; ++i) {
-            if (isTouched(*m_boxes[i]) && !leanOn(*m_boxes[i])) return {};
-        }
-        for (uint32_t i = 0; i < m_count; ++i) {
-            if (!isTouched(*m_boxes[i]) && !cutAway(*m_boxes[i])) return {};
-        }
         findFaces();
         return isEasy() ? m_region : FloorRegion();
     }
 
 private:
-    static constexpr uint32_t kRoom = 32;
+    static constexpr uint32_t kRoom = 16;
 
-    /// Whether the ball is so near to a box that no region has it: asked first, as it is the usual reason.
-    bool isTooNear() const {
-        const std::span<const uint32_t> near = m_scene.boxesNear(m_place.x, m_place.y, m_scene.hasManyBoxes);
-        return std::any_of(near.begin(), near.end(), [&](uint32_t number) {
-            const phys_box &box = m_scene.boxes[number];
-            const bool isInTheWay = box.max.z > m_place.z - m_scene.radius + m_scene.tolerance &&
-                                    box.min.z <= m_place.z + kCandidateReach * m_scene.radius + m_margin;
-            return isInTheWay && !(sideOf(box).beyond > 0.0) && !isTouched(box);
-        });
+    /// Begins with all places that only the boxes near this one matter for: its cell, and around it as far as the grid
+    /// lists more than can be touched.
+    void findWindow(size_t cell) {
+        const Grid::Square square = m_scene.grid.squareOf(cell);
+        const double around =
+            m_scene.hasManyBoxes ? (kCandidateReach - 1.0) * m_scene.radius - 2.0 * m_margin : INFINITY;
+        for (int axis = 0; axis < 2; ++axis) {
+            m_region.along[axis].low = square.low[axis] - around;
+            m_region.along[axis].high = square.high[axis] + around;
+        }
     }
 
-    /// Collects what isn't lower than the floor. False if that is too much.
-    bool lookAround() {
+    /// Cuts off what a box leaves no room for. False if the ball is so near to it that no region has it.
+    bool cut(const phys_box &box) {
         const double top = m_place.z - m_scene.radius;
-        const double far = (kWindow + kCandidateReach) * m_scene.radius + m_margin;
-        const Vec3 low(m_place.x - far, m_place.y - far, top - m_margin);
-        const Vec3 high(m_place.x + far, m_place.y + far, m_place.z + kCandidateReach * m_scene.radius + m_margin);
-        bool isEasy = true;
-        m_scene.visitBoxes(low, high, [&](uint32_t number) {
-            const phys_box &box = m_scene.boxes[number];
-            const bool isFloor = box.max.z <= top + m_scene.tolerance;
-            if (isFloor && box.max.z < top - m_scene.tolerance) return;
-            uint32_t &count = isFloor ? m_floorCount : m_count;
-            isEasy = isEasy && count < kRoom;
-            if (!isEasy) return;
-            (isFloor ? m_floors : m_boxes)[count++] = &box;
-            if (isFloor && Scene::isOver(box, m_place.x, m_place.y)) m_floor = &box;
-        });
-        return isEasy;
+        if (box.max.z < top - m_scene.tolerance) return true;
+        if (box.max.z <= top + m_scene.tolerance) {
+            if (m_floorCount == kRoom) return false;
+            m_floors[m_floorCount++] = &box;
+            if (Scene::isOver(box, m_place.x, m_place.y)) m_floor = &box;
+            return true;
+        }
+        if (box.min.z > m_place.z + kCandidateReach * m_scene.radius + m_margin) return true;
+        if (m_count == kRoom) return false;
+        m_boxes[m_count++] = &box;
+        return isTouched(box) ? leanOn(box) : cutAway(box);
     }
 
     /// Whether another floor overlaps the region or its faces, so that which of them carries the ball may change.
@@ -219,23 +209,22 @@ private:
 
 } // namespace
 
-FloorRegion findFloorRegion(const Scene &scene, const Vec3 &place) { return Cutting(scene, place).run(); }
-
 FloorRegions::FloorRegions(const Scene &scene)
     : m_scene(scene)
-    , m_perCell(0.25 / scene.radius)
     , m_regions(std::make_unique<std::array<FloorRegion, kKept>>())
     , m_last(m_regions->data()) {}
 
 const FloorRegion *FloorRegions::find(const phys_vec3 &place, bool isLeaning) {
-    constexpr double kMostCells = 0x1p50; // as whole numbers, in either direction
-    const double column = place.x * m_perCell, row = place.y * m_perCell;
-    const bool isCounted = std::abs(column) < kMostCells && std::abs(row) < kMostCells;
-    const int64_t cell = isCounted ? static_cast<int64_t>(column) + 31 * static_cast<int64_t>(row) : 0;
-    FloorRegion &kept = (*m_regions)[(static_cast<uint64_t>(cell) + (isLeaning ? kKept / 2 : 0)) % kKept];
-    if (!kept.has(place)) kept = findFloorRegion(m_scene, toVec(place));
+    const size_t cell = m_scene.grid.cellAt(place.x, place.y);
+    if (cell == Grid::kNoCell) return nullptr;
+    FloorRegion &kept = (*m_regions)[(cell + (isLeaning ? kKept / 2 : 0)) % kKept];
+    if (!kept.has(place)) {
+        const FloorRegion found = Cutting(m_scene, toVec(place)).run(cell);
+        if (!found.has(place)) return nullptr;
+        kept = found;
+    }
     m_last = &kept;
-    return kept.has(place) ? m_last : nullptr;
+    return m_last;
 }
 
 } // namespace phys

@@ -52,9 +52,6 @@ inline bool isOut(const Scene &scene, const phys_vec3 &place) {
     return place.x < bounds.min.x || place.x > bounds.max.x || place.y < bounds.min.y || place.y > bounds.max.y;
 }
 
-/// The region around a place; one that has no place at all where nothing is that easy.
-FloorRegion findFloorRegion(const Scene &scene, const Vec3 &place);
-
 /// Regions found so far. They follow from the scene alone, and no step depends on which of them it is made in.
 class FloorRegions {
 public:
@@ -73,7 +70,6 @@ private:
     static constexpr uint32_t kKept = 1024; ///< a power of two
 
     const Scene &m_scene;
-    double m_perCell; ///< 1/m
     std::unique_ptr<std::array<FloorRegion, kKept>> m_regions;
     const FloorRegion *m_last; ///< one of them
 };
