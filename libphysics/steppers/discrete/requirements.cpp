@@ -24,7 +24,8 @@ bool staysOnOneFloor(const PlanInput &input, double reach) {
     return Scene::isOver(floor, p.x - reach, p.y - reach) && Scene::isOver(floor, p.x + reach, p.y + reach);
 }
 
-/// Whether the ball's way lies wholly outside the bounds of all boxes, as when it has fallen off the board.
+} // namespace
+
 bool passesBy(const PlanInput &input) {
     const Vec3 from = toVec(input.state.position);
     const Vec3 to = from + input.dt * toVec(input.state.velocity);
@@ -36,8 +37,6 @@ bool passesBy(const PlanInput &input) {
     return low.x > bounds.max.x || high.x < bounds.min.x || low.y > bounds.max.y || high.y < bounds.min.y ||
            low.z > bounds.max.z || high.z < bounds.min.z;
 }
-
-} // namespace
 
 double reachOfStep(const PlanInput &input) {
     const phys_params &params = input.params;

@@ -54,6 +54,9 @@ struct PlanInput {
 /// How far the ball can come in this step, m: model.md 10.4.
 double reachOfStep(const PlanInput &input);
 
+/// Whether the ball's way lies wholly outside the bounds of all boxes, as when it has fallen off the board.
+bool passesBy(const PlanInput &input);
+
 /// How far the ball may fall in this step, m.
 inline double fallOfStep(const PlanInput &input) { return input.dt * input.dt * std::abs(input.params.gravity.z); }
 

@@ -103,7 +103,12 @@ bool SweptStep::toNextEvent() {
 
 /// The whole step where nothing happens in it.
 bool SweptStep::advanceFreely() {
-    if (m_done > 0.0 || !isSlow(m_input) || spinsFast(m_input)) return false;
+    if (m_done > 0.0) return false;
+    if (passesBy(m_input)) {
+        m_ball = at(m_input.dt, m_context.report);
+        return true;
+    }
+    if (!isSlow(m_input) || spinsFast(m_input)) return false;
     const StepContext context{{m_input.scene, m_input.params}, m_context.report, m_context.work};
     return FloorRun<VelocityVerlet>(context, m_plan, m_input.dt).glide(m_ball);
 }
