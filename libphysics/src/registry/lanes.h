@@ -30,6 +30,7 @@ struct Lanes {
     LaneNumbers grip;       ///< square of the slope up to which the ball rolls
     LaneNumbers friction;   ///< coefficient of the sliding friction that may speed the ball up
     LaneNumbers rests;      ///< 1: the ball is at rest, 0: it moves
+    LaneNumbers farthest;   ///< m: longest way of a step where nothing is near
     double dt;              ///< s
     double reach;           ///< m: longest way of a step beside a face; below 0 if dt is unusual
     double restSquared;     ///< m^2/s^2: square of a speed that isn't rest

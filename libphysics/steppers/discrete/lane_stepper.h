@@ -53,6 +53,13 @@ private:
         return {dt, isUsual ? reach : -1.0, 3.5e-17 * scene.radius, isOpen, false};
     }
 
+    /// How far a step may lead where nothing is near. swept looks once whether a long way is free, and makes it in one
+    /// piece then; where it puts the ball exactly onto its floor, and friction can't speed it up, that changes no bit.
+    static double farthestOf(double reach, const phys_params &params, const Kind &kind, const FloorRegion &region) {
+        const bool mayBeLong = kRule == RegionRule::Swept && region.isEven && kind.friction(params) == 0.0;
+        return mayBeLong && reach > 0.0 ? 0x1p100 : reach;
+    }
+
     static bool isAtRest(const phys_state &state) {
         const phys_vec3 &v = state.velocity, &spin = state.spin;
         return state.flags == PHYS_AT_REST && v.x == 0.0 && v.y == 0.0 && spin.x == 0.0 && spin.y == 0.0 &&
@@ -109,6 +116,7 @@ private:
                                              kind.grip(params),
                                              kind.friction(params),
                                              rests ? 1.0 : 0.0,
+                                             report ? limits.reach : farthestOf(limits.reach, params, kind, *region),
                                              g.z < 0.0};
             const auto asItIs = [](const RegionStep<double> &step) { return step; };
             const RegionStep<double> step = params.rolling_friction > 0.0
@@ -128,12 +136,8 @@ private:
     }
 
     static InRegion<double> axisOf(const FloorRegion::Range &range, bool mayLean, double place, double velocity) {
-        return {place,
-                velocity,
-                range.low,
-                range.high,
-                faceOf(range.lowFace, mayLean),
-                faceOf(range.highFace, mayLean)};
+        return {
+            place, velocity, range.low, range.high, faceOf(range.lowFace, mayLean), faceOf(range.highFace, mayLean)};
     }
 
     /// Stores what the step makes of the ball.
@@ -207,6 +211,7 @@ private:
         lanes.mayGrip = lanes.mayGrip || kind.grips();
         lanes.grip[i] = kind.grip(params);
         lanes.rests[i] = isAtRest(state) ? 1.0 : 0.0;
+        lanes.farthest[i] = farthestOf(lanes.reach, params, kind, *region);
         return true;
     }
 
@@ -247,6 +252,7 @@ private:
                 of(lanes.grip),
                 of(lanes.friction),
                 of(lanes.rests),
+                of(lanes.farthest),
                 isAllowed(pull, of(lanes.gravityZ))};
     }
 

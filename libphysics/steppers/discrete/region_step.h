@@ -72,6 +72,7 @@ struct BallsInRegion {
     N grip;              ///< square of the slope up to which the ball rolls
     N friction;          ///< coefficient of the sliding friction that may speed the ball up
     N rests;             ///< 1: the ball is at rest, 0: it moves
+    N farthest;          ///< m: longest way of a step where nothing is near
     MaskOf<N> isAllowed; ///< whether parameters may have this gravity
 
     Planar<N> velocity() const { return {x.velocity, y.velocity}; }
@@ -122,11 +123,11 @@ private:
         const InRegion<N> &x = balls.x, &y = balls.y;
         RegionStep<N> step = rollBy(balls.drive.A, balls, limits);
         MaskOf<N> isFine =
-            all(step.isFine, x.isFree(x.place + step.displacement.x), y.isFree(y.place + step.displacement.y),
-                staysFast(limits, balls.velocity(), step.velocity));
+            all(step.isFine, isSlow(balls, balls.farthest, limits.h), x.isFree(x.place + step.displacement.x),
+                y.isFree(y.place + step.displacement.y), staysFast(limits, balls.velocity(), step.velocity));
         if constexpr (kRule == RegionRule::Swept) {
             const Planar<N> turn = 0.5 * limits.h * balls.velocity();
-            isFine = all(isFine, wayOf(step) <= limits.reach, x.isFree(x.place + turn.x), y.isFree(y.place + turn.y));
+            isFine = all(isFine, wayOf(step) <= balls.farthest, x.isFree(x.place + turn.x), y.isFree(y.place + turn.y));
         }
         if (mayFall(balls, limits)) isFine = all(isFine, staysOnFloor(balls, limits));
         step.isFine = isFine;
@@ -136,7 +137,7 @@ private:
     /// Any balls.
     template<class N>
     static RegionStep<N> rollOrRest(const BallsInRegion<N> &balls, const RegionLimits &limits) {
-        const auto &[x, y, drive, grip, friction, rests, isAllowed] = balls;
+        const auto &[x, y, drive, grip, friction, rests, farthest, isAllowed] = balls;
         const double h = limits.h;
         // A face takes the drive into it from a ball that leans on it.
         const auto leansX = any(all(x.isAtLow(), drive.A.x < 0.0), all(x.isAtHigh(), drive.A.x > 0.0));
@@ -151,8 +152,9 @@ private:
         const N aheadX = (magnitude(velocity.x) + (magnitude(drive.A.x) + drive.B) * h) * h;
         const N aheadY = (magnitude(velocity.y) + (magnitude(drive.A.y) + drive.B) * h) * h;
         const auto isClear = all(x.isClear(choose(leansY, aheadX, 0.0)), y.isClear(choose(leansX, aheadY, 0.0)));
-        auto rolls = all(step.isFine, wayOf(step) <= limits.reach, isClear, x.has(x.place + step.displacement.x),
-                         y.has(y.place + step.displacement.y), staysFast(limits, velocity, step.velocity));
+        auto rolls = all(step.isFine, isSlow(balls, N(limits.reach), h), wayOf(step) <= limits.reach, isClear,
+                         x.has(x.place + step.displacement.x), y.has(y.place + step.displacement.y),
+                         staysFast(limits, velocity, step.velocity));
         if constexpr (kRule == RegionRule::Swept) {
             const Planar<N> turn = 0.5 * h * velocity;
             rolls = all(rolls, x.has(x.place + turn.x), y.has(y.place + turn.y));
@@ -186,19 +188,19 @@ private:
         const Planar<N> v{choose(goesOn, velocity.x, 1.0), choose(goesOn, velocity.y, 0.0)};
         const auto next = Scheme::advance(UnstoppedLaw<N, kResists>{A, drive.B}, v, h);
 
-        MaskOf<N> isFine = all(goesOn, balls.isAllowed, isSlow(balls, limits));
+        MaskOf<N> isFine = all(goesOn, balls.isAllowed);
         if (limits.mayGrip)
             isFine = all(isFine, dot(drive.pull, drive.pull) <= balls.grip * (drive.normal * drive.normal));
         return {next.velocity, next.displacement, isFine};
     }
 
-    /// Whether one look around a ball is enough for its step.
+    /// Whether a ball can't come further than `most` (m).
     template<class N>
-    static MaskOf<N> isSlow(const BallsInRegion<N> &balls, const RegionLimits &limits) {
-        if constexpr (kRule == RegionRule::Swept) return reach(balls, limits.h) <= limits.reach;
+    static MaskOf<N> isSlow(const BallsInRegion<N> &balls, N most, double h) {
+        if constexpr (kRule == RegionRule::Swept) return reach(balls, h) <= most;
         // reachOfStep, compared by squares.
-        const double hSquared = limits.h * limits.h;
-        const N farthest = limits.reach - hSquared * pull(balls);
+        const double hSquared = h * h;
+        const N farthest = most - hSquared * pull(balls);
         return all(farthest > 0.0, hSquared * dot(balls.velocity(), balls.velocity()) <= farthest * farthest);
     }
 

@@ -53,7 +53,7 @@ private:
     /// Cuts off what a box leaves no room for. False if the ball is so near to it that no region has it.
     bool cut(const phys_box &box) {
         const double top = m_place.z - m_scene.radius;
-        if (box.max.z < top - m_scene.tolerance) return true;
+        if (box.max.z < top - m_margin) return true;
         if (box.max.z <= top + m_scene.tolerance) {
             if (m_floorCount == kRoom) return false;
             m_floors[m_floorCount++] = &box;
@@ -82,6 +82,7 @@ private:
 
     void cutToFloor() {
         m_region.floor = numberOf(*m_floor);
+        m_region.isEven = m_place.z == m_floor->max.z + m_scene.radius && m_floorCount == 1;
         for (int axis = 0; axis < 2; ++axis) {
             FloorRegion::Range &range = m_region.along[axis];
             range.low = std::max(range.low, (&m_floor->min.x)[axis] + m_margin);

@@ -33,6 +33,7 @@ struct FloorRegion {
     std::array<Range, 2> along; ///< x, y
     double z = 0.0;             ///< m: height of the centre
     uint32_t floor = PHYS_NO_BOX;
+    bool isEven = false; ///< that height is exactly where the floor carries a ball, and no other floor is near
 
     /// The axis across a face that a ball in the region leans on.
     int leansAlong(const Vec3 &place) const {
