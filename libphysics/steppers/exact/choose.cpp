@@ -157,7 +157,40 @@ void ExactStep::stopHeld() {
     }
 }
 
+/// Most phases of most scenes: a ball rolls along a curve over one floor, and nothing else is touched. False if it
+/// isn't that plain.
+bool ExactStep::rollsOn(Phase &phase) {
+    const double R = m_scene.radius, pressure = -m_params.gravity.z, resistance = m_params.rolling_friction * pressure;
+    const bool isOnFloor = m_heldCount == 1 && contactOf(0).isTop && contactOf(0).isFace() && pressure > 0.0;
+    if (!isOnFloor || m_motion.velocity.z != 0.0 || !(resistance > 0.0)) return false;
+    const Vec3 level(m_params.gravity.x, m_params.gravity.y, 0.0), up(0.0, 0.0, 1.0);
+    if (!turnsAgainst(level, resistance)) return false;
+    if (m_setting.isRigid()) {
+        if (2.0 / 7.0 * glm::length(level) > m_params.sliding_friction * pressure) return false;
+        if (!isNoSlip(moment(), slipAt(moment(), up))) return false;
+    }
+    if (isNoSlip(moment(), R * Vec3(m_motion.spin.x, m_motion.spin.y, 0.0))) return false;
+    phase = Resisted::rolling(2, m_motion.velocity, 5.0 / 7.0 * level, 5.0 / 7.0 * resistance, R, m_motion.spin, up);
+    m_response.count = 1;
+    m_response.reactions[0] = {Mode::sticking, pressure, Vec3(0.0), Vec3(0.0), Vec3(0.0)};
+    m_response.acceleration = level;
+    return true;
+}
+
+/// Whether the way of a rolling ball surely bends: its velocity has a direction of its own beside the drive.
+bool ExactStep::turnsAgainst(const Vec3 &drive, double resistance) const {
+    constexpr double kLeast = 1e-10; // sine of the angle between the velocity and how it changes
+    const Vec3 &v = m_motion.velocity;
+    const double across = v.x * drive.y - v.y * drive.x, most = kLeast * (glm::length(drive) + resistance);
+    return across * across > most * most * glm::dot(v, v);
+}
+
 phys_status ExactStep::choose(Phase &phase) {
+    if (rollsOn(phase)) {
+        m_isAnswered = true;
+        noteContacts();
+        return PHYS_OK;
+    }
     if (const phys_status status = respondNow()) return status;
     m_isAnswered = true;
     const Vec3 free = freeAxes(moment(), held(), m_response);

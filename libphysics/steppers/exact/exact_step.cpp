@@ -29,9 +29,7 @@ ExactStep::ExactStep(const Scene &scene, FloorRegions &regions, const phys_param
 phys_status ExactStep::advance(phys_state &out) {
     m_report.substeps(1, 0);
     if (const phys_status status = pushOut()) return status;
-    if (!rollsOn()) {
-        if (const phys_status status = followEvents()) return status;
-    }
+    if (const phys_status status = followEvents()) return status;
     if (const phys_status status = checkWork()) return status;
     const Vec3 sum = m_position + m_motion.velocity + m_motion.spin;
     if (!std::isfinite(sum.x + sum.y + sum.z)) {
@@ -213,48 +211,6 @@ bool ExactStep::isOpen(double acceleration) const {
     uint32_t closed = 0;
     for (uint32_t i = 0; i < m_heldCount; ++i) closed += isClosed(i) ? 1 : 0;
     return closed == m_nearBoxes;
-}
-
-/// Most steps of most scenes: a ball rolls along a curve over one floor. Then nothing needs to be resolved or chosen,
-/// and nothing searched for in a region that it stays in. Whether that is all of the step; false if it isn't that
-/// plain.
-bool ExactStep::rollsOn() {
-    if (m_ground.count() != 1 || m_motion.velocity.z != 0.0 || !(m_left > 0.0)) return false;
-    const Vec3 level(m_params.gravity.x, m_params.gravity.y, 0.0), up(0.0, 0.0, 1.0);
-    const double R = m_scene.radius, pressure = -m_params.gravity.z, resistance = m_params.rolling_friction * pressure;
-    if (!(resistance > 0.0) || !turnsAgainst(level, resistance)) return false;
-    if (m_setting.isRigid()) {
-        if (2.0 / 7.0 * glm::length(level) > m_params.sliding_friction * pressure) return false;
-        if (!isNoSlip(moment(), slipAt(moment(), up))) return false;
-    }
-    const Vec3 spin = m_setting.isRigid() ? m_motion.spin : rollingSpin(inPlane(m_motion.velocity), R);
-    const Resisted phase =
-        Resisted::rolling(2, m_motion.velocity, 5.0 / 7.0 * level, 5.0 / 7.0 * resistance, R, spin, up);
-    if (isNoSlip(moment(), R * Vec3(spin.x, spin.y, 0.0)) || phase.end().after < m_left) return false;
-    holdGround();
-    answerRolling(level, pressure);
-    noteContacts();
-    Border border;
-    const bool isFree = m_nearBoxes == 1 && staysOnGround(phase.mostAcceleration());
-    const End end = isFree ? End{m_left, Cause::time, 0} : firstEvent(phase, border);
-    follow(phase, end, border);
-    return end.cause == Cause::time;
-}
-
-/// Whether the way of a rolling ball surely bends: its velocity has a direction of its own beside the drive.
-bool ExactStep::turnsAgainst(const Vec3 &drive, double resistance) const {
-    constexpr double kLeast = 1e-10; // sine of the angle between the velocity and how it changes
-    const Vec3 &v = m_motion.velocity;
-    const double across = v.x * drive.y - v.y * drive.x, most = kLeast * (glm::length(drive) + resistance);
-    return across * across > most * most * glm::dot(v, v);
-}
-
-/// What `choose` comes to where a ball rolls over one floor.
-void ExactStep::answerRolling(const Vec3 &level, double pressure) {
-    m_response.count = 1;
-    m_response.reactions[0] = {Mode::sticking, pressure, Vec3(0.0), Vec3(0.0), Vec3(0.0)};
-    m_response.acceleration = level;
-    m_isAnswered = true;
 }
 
 template<class P>

@@ -76,9 +76,6 @@ private:
     phys_status checkWork() const;
     void findGround();
     bool staysOnGround(double acceleration) const;
-    bool rollsOn();
-    bool turnsAgainst(const Vec3 &drive, double resistance) const;
-    void answerRolling(const Vec3 &level, double pressure);
     phys_status pushOut();
     void leave(phys_state &out);
 
@@ -123,6 +120,8 @@ private:
     void keepFixed();
     void stopHeld();
     phys_status choose(Phase &phase);
+    bool rollsOn(Phase &phase);
+    bool turnsAgainst(const Vec3 &drive, double resistance) const;
     phys_status respondNow();
     phys_status jam();
     void takeJammed(const Moment &jammed);
