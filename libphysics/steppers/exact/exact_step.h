@@ -86,6 +86,7 @@ private:
     void keepFaces();
     void holdGround();
     void takeFaces();
+    void takeEdges();
     void stopBounces(double negligible);
     bool isApproaching(double negligible) const;
     bool collide(double negligible);

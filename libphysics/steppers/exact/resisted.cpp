@@ -74,13 +74,27 @@ Place Resisted::placeAt(double t) const {
 
 double Resisted::least(const Vec3 &n, double rate, double t, double until) const {
     const double free = glm::dot(m_A, n);
-    if (m_slips) return free - 2.0 / 7.0 * m_B * mostSlipAlong(onFace(n));
+    if (m_slips) {
+        const double least = free - 2.0 / 7.0 * m_B * mostSlipAlong(onFace(n));
+        const bool lasts = 32.0 * rate < -least * (until - t) && leaves(n, t, until);
+        return lasts ? 0.0 : least;
+    }
     // n.v changes its sign at most once (model.md 3.5), and resistance helps a velocity towards n's back: while rate <=
     // 0 it only slows the fall, and a rate >= 0 under free >= 0 never falls.
     if (rate <= 0.0 || free >= 0.0) return free;
     // Nor does what comes as far in the end: asked where the bound would lead on by tiny steps.
     const bool lasts = 32.0 * rate < (m_B - free) * (until - t) && glm::dot(n, at(until).way - at(t).way) >= 0.0;
     return lasts ? 0.0 : free - m_B;
+}
+
+/// Whether a slipping ball moves along n all the time: the rolling that it comes to does, and its slip, whose part
+/// along n changes its sign at most once (model.md 3.5).
+bool Resisted::leaves(const Vec3 &n, double t, double until) const {
+    const auto leavesAt = [&](double moment) {
+        const double q = glm::dot(n, m_q + moment * m_qRate);
+        return q >= 0.0 && glm::dot(n, inSpace(m_law.at(moment).v)) >= 0.0;
+    };
+    return leavesAt(t) && leavesAt(until);
 }
 
 /// The direction of slip turns from where it starts towards A by the smaller angle, model.md 3.1: the largest part

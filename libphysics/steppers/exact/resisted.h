@@ -9,7 +9,7 @@ namespace phys {
 
 class Resisted {
 public:
-    static constexpr uint64_t kLook = 90; ///< work
+    static constexpr uint64_t kLook = 60; ///< work
 
     /// axis: of the face's normal; velocity and A without a part along it.
     static Resisted rolling(int axis, const Vec3 &velocity, const Vec3 &A, double B, double radius, const Vec3 &spin,
@@ -38,6 +38,7 @@ private:
 
     Vec2 onFace(const Vec3 &v) const;
     Vec3 inSpace(const Vec2 &v) const;
+    bool leaves(const Vec3 &n, double t, double until) const;
     double mostSlipAlong(const Vec2 &n) const;
 };
 

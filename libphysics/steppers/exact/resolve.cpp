@@ -3,6 +3,7 @@
 #include "contact/held.h"
 #include "contact/impact.h"
 #include "exact/exact_step.h"
+#include "scene/nearest.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,6 +46,7 @@ void ExactStep::resolve() {
         // Nothing but rounding is left of a velocity that led straight into what it hit.
         if (glm::length(m_motion.velocity) <= 4.0 * kRounding * speed) m_motion.velocity = Vec3(0.0);
         touch();
+        takeEdges();
         hold(negligible);
     }
     hold(negligible);
@@ -126,6 +128,25 @@ void ExactStep::takeFaces() {
         const uint32_t touched = sides[static_cast<size_t>(axis)];
         if (touched == 0) continue;
         m_position[axis] = touched == (kLow | kHigh) ? 0.5 * (at[0][axis] + at[1][axis]) : at[touched - 1][axis];
+    }
+}
+
+/// The same for edges and corners beside other contacts: hit where they are nearly touched, they drive the ball to and
+/// fro without end.
+void ExactStep::takeEdges() {
+    constexpr int kRounds = 8;
+    for (int round = 0; round < kRounds && m_contacts.count() > 1; ++round) {
+        Vec3 off(0.0); // of all alike: nothing depends on their order
+        double count = 0.0;
+        for (const Contact &contact : m_contacts) {
+            if (contact.isFace()) continue;
+            const double gap = nearest(m_scene.boxes[contact.box], m_position).distance - m_scene.radius;
+            if (std::abs(gap) > kRounding * m_scene.radius) off += gap * contact.normal;
+            count += 1.0;
+        }
+        if (off == Vec3(0.0)) return;
+        m_position -= off / count;
+        takeFaces();
     }
 }
 
