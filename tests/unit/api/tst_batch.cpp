@@ -300,7 +300,23 @@ Case plainCase(uint64_t balls = 2, uint64_t steps = 10) {
     return made;
 }
 
+using RowPtr = const phys_param_row *;
+
+/// The library's and the stepper's own.
+std::vector<RowPtr> rowsOf(const QByteArray &stepper) {
+    std::vector<RowPtr> rows;
+    uint32_t count = 0;
+    const phys_param_row *const first = phys_param_rows(&count);
+    for (uint32_t i = 0; i < count; ++i) rows.push_back(first + i);
+    phys_stepper_info info;
+    phys_registry_find(nullptr, stepper.constData(), &info, nullptr);
+    rows.insert(rows.end(), info.rows, info.rows + info.row_count);
+    return rows;
+}
+
 } // namespace
+
+Q_DECLARE_METATYPE(RowPtr)
 
 class TestBatch : public QObject {
     Q_OBJECT
@@ -360,30 +376,26 @@ void TestBatch::sameBitsAmongWallsKerbsAndRoofs() {
 
 void TestBatch::sameBitsWhateverARowIsSetTo_data() {
     QTest::addColumn<QByteArray>("stepper");
-    QTest::addColumn<int>("row");
-    uint32_t count = 0;
-    const phys_param_row *const rows = phys_param_rows(&count);
+    QTest::addColumn<RowPtr>("row");
     for (const QByteArray &id : stepperIds()) {
-        for (uint32_t i = 0; i < count; ++i)
-            QTest::addRow("%s, %s", id.constData(), rows[i].id) << id << static_cast<int>(i);
+        for (const RowPtr row : rowsOf(id)) QTest::addRow("%s, %s", id.constData(), row->id) << id << row;
     }
 }
 
 /// The balls roll where nothing is near, which they do side by side.
 void TestBatch::sameBitsWhateverARowIsSetTo() {
     QFETCH(QByteArray, stepper);
-    QFETCH(int, row);
-    const phys_param_row &changed = phys_param_rows(nullptr)[row];
+    QFETCH(RowPtr, row);
     const ScenePtr scene = openRoom();
     const StepperPtr single = stepperOf(stepper, scene.get());
     const StepperPtr many = stepperOf(stepper, scene.get());
     for (const uint32_t model : {PHYS_MODEL_ROLLING, PHYS_MODEL_RIGID}) {
         Case given = plainCase();
-        const bool isWhole = changed.flags & PHYS_ROW_CHOICE;
-        const double value = isWhole ? changed.high : changed.low + 0.25 * (changed.high - changed.low);
+        const bool isWhole = row->flags & (PHYS_ROW_CHOICE | PHYS_ROW_SWITCH);
+        const double value = isWhole ? row->high : row->low + 0.25 * (row->high - row->low);
         for (phys_params &params : given.params) {
             params.model = model;
-            QCOMPARE(phys_param_set(&params, &changed, value, nullptr), PHYS_OK);
+            QCOMPARE(phys_param_set(&params, row, value, nullptr), PHYS_OK);
         }
         for (phys_state &state : given.starts) state.velocity = {0.5, 0.25, 0.0};
         const Results expected = stepOneByOne(single.get(), given);
