@@ -137,6 +137,7 @@ void TestWindowDocks::keyOpensADockAndGivesItTheKeyboard_data() {
     QTest::newRow("track") << "track_dock" << Qt::Key_7;
     QTest::newRow("runs") << "runs_dock" << Qt::Key_8;
     QTest::newRow("watch") << "watch_dock" << Qt::Key_9;
+    QTest::newRow("ball") << "ball_dock" << Qt::Key_0;
 }
 
 void TestWindowDocks::keyOpensADockAndGivesItTheKeyboard() {
