@@ -201,14 +201,37 @@ void ExplicitLanding::leave(Ball &ball) const {
     ball.velocity.z = std::max(0.0, std::sqrt(std::max(0.0, speed * speed - m_head)) - m_early);
 }
 
-bool hit(const StepContext &context, const Contacts &contacts, double after, Ball &ball) {
+namespace {
+
+/// Contacts that face those that the ball comes to, with room between: it isn't at both at once. Returns whether there
+/// were any.
+bool dropFacing(const StepContext &context, const Ball &ball, Contacts &contacts) {
+    const Contacts all = contacts;
+    const auto approaches = [&](const Contact &contact) { return glm::dot(ball.velocity, contact.normal) < 0.0; };
+    contacts.drop([&](const Contact &later) {
+        if (approaches(later)) return false;
+        return std::any_of(all.begin(), all.end(), [&](const Contact &first) {
+            const bool hasRoom = !touches(context, first) || !touches(context, later);
+            return approaches(first) && hasRoom && glm::length(first.normal + later.normal) <= kSameNormal;
+        });
+    });
+    return contacts.count() < all.count();
+}
+
+} // namespace
+
+bool hit(const StepContext &context, Contacts &contacts, double after, Ball &ball) {
     const bool any = std::any_of(contacts.begin(), contacts.end(), [&](const Contact &contact) {
         return -glm::dot(ball.velocity, contact.normal) > contact.restSpeed;
     });
     if (!any) return false;
     Motion motion = motionOf(ball);
     Work work; // no more than a step of `exact` may do
-    const Impacts impacts = resolveImpacts(contacts, context.radius(), motion, work);
+    Impacts impacts = resolveImpacts(contacts, context.radius(), motion, work);
+    if (impacts.rounds == kMostImpactRounds && dropFacing(context, ball, contacts)) {
+        motion = motionOf(ball);
+        impacts = resolveImpacts(contacts, context.radius(), motion, work);
+    }
     setMotion(motion, ball);
     context.report.lostImpact(impacts.lostNormal);
     context.report.lostSlip(impacts.lostSlip);

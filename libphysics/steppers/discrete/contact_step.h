@@ -55,8 +55,10 @@ private:
     double m_early;      ///< speed by which a substep's velocity is ahead of its place's, m/s
 };
 
-/// The impacts of this moment, `after` seconds into the step, and their events. False if nothing hits.
-bool hit(const StepContext &context, const Contacts &contacts, double after, Ball &ball);
+/// The impacts of this moment, `after` seconds into the step, and their events. False if nothing hits. Contacts
+/// that face one another, between which the ball would bounce to and fro without an end, are met one at a time: the
+/// later ones are dropped.
+bool hit(const StepContext &context, Contacts &contacts, double after, Ball &ball);
 
 /// The rolling model's spin at a top face, which follows the velocity: model.md 13.1.
 class SpinOnFloor {

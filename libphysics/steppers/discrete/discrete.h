@@ -248,7 +248,7 @@ private:
         }
     }
 
-    void hitInThisScheme(const Contacts &contacts, double start, Ball &ball) const {
+    void hitInThisScheme(Contacts &contacts, double start, Ball &ball) const {
         if constexpr (Scheme::kContactRule == ContactRule::Explicit) {
             const ExplicitLanding landing(m_context, contacts, m_h, ball);
             hit(m_context, contacts, start, ball);
