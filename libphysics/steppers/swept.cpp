@@ -34,13 +34,14 @@ phys_status requirementsOfSwept(void *self, const phys_params *params, double dt
 }
 
 phys_status sweepStep(const PlanInput &input, phys_state &out, phys_report *report, phys_error *err) {
-    const auto &[scene, params, dt, in] = input;
+    const double dt = input.dt;
+    const phys_state &in = input.state;
     Reporter reporter(report, in.time);
     reporter.substeps(1, 0);
     const StepPlan plan = planSweep(input);
     Work work(kMostWorkOfContacts);
-    DiscreteStep<VelocityVerlet> whole({scene, params}, reporter, work, plan, dt);
-    const StepContext context{{scene, params}, reporter, work};
+    const StepContext context{SweptStep::settingOf(input), reporter, work};
+    DiscreteStep<VelocityVerlet> whole(context.setting, reporter, work, plan, dt);
 
     Ball before = loadBall(in);
     if (!leaveOverlaps(context, before)) return refuseStuck(before.position, err);

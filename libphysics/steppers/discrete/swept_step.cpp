@@ -19,12 +19,6 @@ constexpr double kSoon = 1.0 / 64.0;
 /// Bisection alone would take 53.
 constexpr int kMostRefinements = 80;
 
-/// A contact that was just settled may be a few roundings away.
-Setting withTolerance(Setting setting) {
-    setting.tolerance = 2.0 * setting.scene.tolerance;
-    return setting;
-}
-
 /// The time in which a ball of that speed under so strong a pull (m/s^2) moves by half its radius at most, s.
 double safeTime(double radius, double pull, double speed) {
     const double safe = 0.5 * radius;
@@ -45,10 +39,16 @@ double safeTime(const PlanInput &input, const Ball &ball) {
 
 } // namespace
 
+Setting SweptStep::settingOf(const PlanInput &input) {
+    Setting setting(input.scene, input.params);
+    setting.tolerance = 2.0 * input.scene.tolerance;
+    return setting;
+}
+
 SweptStep::SweptStep(const PlanInput &input, Reporter &reporter, Work &work, const StepPlan &plan, const Ball &start)
     : m_input(input)
     , m_plan(plan)
-    , m_context{withTolerance({input.scene, input.params}), reporter, work}
+    , m_context{settingOf(input), reporter, work}
     , m_substep(std::min(input.dt, safeTime(input, start)))
     , m_slow(kSlow * std::sqrt(glm::length(toVec(input.params.gravity)) * input.scene.radius))
     , m_ball(start) {}

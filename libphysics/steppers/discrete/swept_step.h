@@ -12,6 +12,9 @@ namespace phys {
 
 class SweptStep {
 public:
+    /// A contact that was just settled may be a few roundings away.
+    static Setting settingOf(const PlanInput &input);
+
     /// start: the ball at the step's start.
     SweptStep(const PlanInput &input, Reporter &reporter, Work &work, const StepPlan &plan, const Ball &start);
 
