@@ -3,6 +3,8 @@
 #include "contact/combination.h"
 #include "contact/mirror.h"
 
+#include <algorithm>
+
 namespace phys {
 
 namespace {
@@ -52,19 +54,27 @@ void push(Jam &jam) {
     }
 }
 
+/// Change of a slip's direction that is what rounding of the motion makes of it.
+double settledWithin(const Jam &jam, const Vec3 &slip) {
+    constexpr double kMost = 1e-6;
+    const double rounding = 4.0 * 0x1p-52 * speedScale(jam.before);
+    const double speed = glm::length(slip);
+    return speed > 0.0 ? std::clamp(rounding / speed, kSettled, kMost) : kSettled;
+}
+
 /// As `push`, with friction against the slips that are left. False if their directions don't settle.
 bool settle(Jam &jam) {
     for (int pass = 0; pass < kMostJamPasses && !jam.c.work.isTooMuch(); ++pass) {
         push(jam);
-        double change = 0.0;
+        bool isSettled = true;
         for (uint32_t i = 0; i < jam.c.count(); ++i) {
             Reaction &reaction = jam.c.reactions[i];
             if (reaction.mode != Mode::slipping) continue;
-            const Vec3 direction = hat(jam.slipAfter(i));
-            change = std::max(change, glm::length(direction - reaction.direction));
+            const Vec3 slip = jam.slipAfter(i), direction = hat(slip);
+            isSettled = isSettled && glm::length(direction - reaction.direction) <= settledWithin(jam, slip);
             reaction.direction = direction;
         }
-        if (change <= kSettled) return true;
+        if (isSettled) return true;
     }
     return false;
 }
