@@ -14,9 +14,10 @@ namespace witness {
 namespace {
 
 constexpr int kStepCounts[kSizes] = {400, 800, 1600};
-constexpr int kFiner = 16;     ///< times as many steps, where those are too few to see the order
-constexpr Real kAmplified = 4; ///< times a shift of the start: what a motion makes of it that goes the same way
-constexpr Real kUsual = 6;     ///< errors are below this times what a disturbance of the stepper's order does
+constexpr int kFiner = 16;           ///< times as many steps, where those are too few to see the order
+constexpr Real kShareOfOrder = 0.5L; ///< of what the order makes an error fall by
+constexpr Real kAmplified = 4;       ///< times a shift of the start: what a motion makes of it that goes the same way
+constexpr Real kUsual = 6;           ///< errors are below this times what a disturbance of the stepper's order does
 
 Motion motionOf(const phys_state &state) {
     return {vectorOf(state.position), vectorOf(state.velocity), vectorOf(state.spin)};
@@ -301,7 +302,13 @@ Convergence converge(const phys_registry *registry, const std::string &stepper, 
     if (!usual.isWrong || order == 0) return usual;
     // A slip or a roll that all but ends turns within a few steps: there the order shows with smaller ones.
     const Convergence finer = compare(registry, stepper, scene, truth, order, kFiner);
-    return finer.isWrong || finer.status ? usual : finer;
+    if (!finer.isWrong && !finer.status) return finer;
+    // Bounces that are lower than a few steps make a large error, which falls at the order all the same.
+    Convergence finest = compare(registry, stepper, scene, truth, order, kFiner * kFiner);
+    if (finer.status || finest.status) return usual;
+    const Real falls = finer.errors[kSizes - 1] / finest.errors[kSizes - 1];
+    finest.isWrong = falls < kShareOfOrder * std::pow(Real(kFiner), Real(order));
+    return finest.isWrong ? usual : finest;
 }
 
 } // namespace witness
