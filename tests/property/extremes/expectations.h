@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: MIT
-// What the cases have in common: their ball, their step, and ways to say what is expected of which stepper.
+// What the cases have in common: their ball, what they draw, and ways to say what is expected of which stepper.
 #pragma once
 
+#include "support/random.h"
 #include "support/stepper_rows.h"
 #include "support/tolerance.h"
 
+#include <cmath>
 #include <functional>
 
 namespace extremes {
 
 inline constexpr double kRadius = 0.0625; // m, of most cases
-inline constexpr double kDt = 0x1p-7;     // s
+
+/// A step size, s.
+inline double drawDt(support::Random &draw) { return draw.between(0x1p-9, 0x1p-6); }
+
+inline double drawSign(support::Random &draw) { return draw.below(2) ? 1.0 : -1.0; }
+
+inline uint64_t stepsFor(double duration, double dt) { return static_cast<uint64_t>(std::ceil(duration / dt)); }
 
 using Expected = std::function<QByteArray(const QByteArray &stepper, uint32_t model)>;
 

@@ -40,9 +40,10 @@ void TestExtremes::endsAsDocumented() {
     QFETCH(QByteArray, stepper);
     QFETCH(uint32_t, model);
     const Extreme &row = m_extremes[static_cast<size_t>(extreme)];
-    const Outcome outcome = row.run(stepper, model);
+    const Outcome outcome = overDraws(row, stepper, model);
     QVERIFY2(outcome.problem.isEmpty(), outcome.problem);
-    QCOMPARE(outcome.text, row.expected(stepper, model));
+    const QByteArray expected = row.expected(stepper, model);
+    QVERIFY2(isExpected(outcome.text, expected), outcome.text + " instead of " + expected);
 }
 
 QTEST_GUILESS_MAIN(TestExtremes)

@@ -4,9 +4,7 @@
 
 #include "catalogue.h"
 
-#include "support/effort.h"
 #include "support/experiment.h"
-#include "support/random.h"
 
 #include <QByteArray>
 
@@ -38,19 +36,6 @@ private:
 /// The case's phrase, unless a step was refused.
 inline Outcome outcome(const Watch &watch, const QByteArray &phrase) {
     return {watch.refusal().isEmpty() ? phrase : watch.refusal(), watch.problem()};
-}
-
-/// What all draws of heights, places, speeds and step sizes have in common, or two outcomes that differ.
-template<class Run>
-Outcome overDraws(const Run &run) {
-    support::Random draw(support::testSeed());
-    Outcome first = run(draw);
-    for (uint64_t i = 1; i < support::effort(20, 100, 1000) && first.problem.isEmpty(); ++i) {
-        Outcome next = run(draw);
-        if (!next.problem.isEmpty()) return next;
-        if (next.text != first.text) return {first.text + " or " + next.text, {}};
-    }
-    return first;
 }
 
 /// Largest penetration that rounding explains: the library's tolerance is 4 roundings of the largest coordinate, and
