@@ -109,6 +109,7 @@ private:
     double higher() const;
     void collectHeld(double negligible);
     void addHeld(uint32_t number);
+    double squareOfFastBounce() const;
     bool areBouncing() const;
     bool holdNext(double negligible);
     void hold(double negligible);

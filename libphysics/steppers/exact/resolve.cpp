@@ -169,6 +169,12 @@ void ExactStep::touch() {
 
 /// model.md 6.4: what bounces no higher than rounding bounces for the last time.
 void ExactStep::endBounces(double negligible) {
+    const double fast = squareOfFastBounce();
+    const bool bounceOn = std::all_of(m_contacts.begin(), m_contacts.end(), [&](const Contact &contact) {
+        const double speed = glm::dot(m_motion.velocity, contact.normal), after = contact.restitution * speed;
+        return speed >= -negligible || after * after > fast;
+    });
+    if (bounceOn) return;
     collectHeld(negligible);
     const Vec3 acting = actingAcceleration();
     for (Contact &contact : m_contacts) {
@@ -265,10 +271,15 @@ void ExactStep::addHeld(uint32_t number) {
     m_lasting[m_heldCount++] = number;
 }
 
-/// Whether all contacts but those that are held are left too fast for a last bounce, whatever accelerates the ball.
-bool ExactStep::areBouncing() const {
+/// (m/s)^2: a bounce faster than its root isn't the last, whatever accelerates the ball.
+double ExactStep::squareOfFastBounce() const {
     constexpr double kMost = 1e3; // relative: no contacts make more of the accelerations at hand
-    const double fast = 2.0 * kMost * accelerationScale(moment()) * lastHeight();
+    return 2.0 * kMost * accelerationScale(moment()) * lastHeight();
+}
+
+/// Whether all contacts but those that are held are left too fast for a last bounce.
+bool ExactStep::areBouncing() const {
+    const double fast = squareOfFastBounce();
     return std::all_of(m_contacts.begin(), m_contacts.end(), [&](const Contact &contact) {
         const auto held = m_lasting.begin() + m_heldCount;
         const double speed = glm::dot(m_motion.velocity, contact.normal);
