@@ -105,7 +105,10 @@ std::optional<ParameterSet> readSet(const QByteArray &text, const QString &file,
         }
         if (fields[0] != "set" || fields.size() != 3) return fail(QStringLiteral("'set PARAMETER NUMBER'"), words);
         const NumberReading value = readNumber(QString::fromUtf8(fields[2]), {});
-        if (!value.value) return fail(QStringLiteral("a number"), fields[2]);
+        if (!value.value) {
+            if (error) *error = QStringLiteral("%1:%2: %3").arg(file).arg(number).arg(value.problem);
+            return std::nullopt;
+        }
         set.values.push_back({QString::fromUtf8(fields[1]), *value.value});
     }
     return set;

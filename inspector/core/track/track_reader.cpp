@@ -2,6 +2,7 @@
 #include "core/track/track_reader.h"
 
 #include "core/setup/files.h"
+#include "core/setup/numbers.h"
 
 #include <QBuffer>
 #include <QLocale>
@@ -118,9 +119,11 @@ public:
         const std::optional<double> number = numberOf(fields[column.place], m_separator != QLatin1Char(','));
         return number ? std::optional(*number * column.scale) : std::nullopt;
     }
+    QString text(const QStringList &fields, Quantity quantity) const {
+        return fields.value(m_columns.at(quantity).place); // empty: the row is too short
+    }
     bool isEmpty(const QStringList &fields, Quantity quantity) const {
-        const qsizetype place = m_columns.at(quantity).place;
-        const QString text = place < fields.size() ? fields[place].toLower() : QString();
+        const QString text = this->text(fields, quantity).toLower();
         return text.isEmpty() || text == QLatin1String("nan") || text == QLatin1String("na");
     }
 
@@ -237,7 +240,10 @@ private:
     std::optional<double> required(const QStringList &fields, Quantity quantity, const char *column,
                                    QString *problem) const {
         const std::optional<double> value = m_header.value(fields, quantity);
-        if (!value) *problem = QStringLiteral("expected a number in column %1").arg(QLatin1String(column));
+        if (value) return value;
+        const QString why = readNumber(m_header.text(fields, quantity), {}).problem; // it reads more forms
+        *problem = QStringLiteral("column %1: %2")
+                       .arg(QLatin1String(column), why.isEmpty() ? QStringLiteral("expected a number") : why);
         return value;
     }
 

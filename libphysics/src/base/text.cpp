@@ -213,14 +213,29 @@ void writeText(char *out, size_t size, const char *format, ...) {
     va_end(arguments);
 }
 
-bool parseNumber(std::string_view word, double &out) {
-    if (word.find_first_not_of("0123456789+-.eE") != word.npos) return false; // "inf", "nan" and what they begin
-    double number = 0.0;
+namespace {
+
+/// For the whole of a word; invalid_argument if it isn't a number.
+std::errc readWord(std::string_view word, double &out) {
+    if (word.find_first_not_of("0123456789+-.eE") != word.npos) // "inf", "nan" and what they begin
+        return std::errc::invalid_argument;
     const char *end = word.data() + word.size();
-    const auto [rest, error] = readDouble(word.data(), end, number);
-    if (error != std::errc() || rest != end) return false;
+    const auto [rest, error] = readDouble(word.data(), end, out);
+    return rest == end ? error : std::errc::invalid_argument;
+}
+
+} // namespace
+
+bool parseNumber(std::string_view word, double &out) {
+    double number = 0.0;
+    if (readWord(word, number) != std::errc()) return false;
     out = number;
     return true;
+}
+
+bool isBeyondDouble(std::string_view word) {
+    double number = 0.0;
+    return readWord(word, number) == std::errc::result_out_of_range;
 }
 
 } // namespace phys

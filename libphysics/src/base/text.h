@@ -23,5 +23,7 @@ namespace phys {
 
 /// The number that the whole of a word is, with '.' as the decimal point; false if it is none.
 bool parseNumber(std::string_view word, double &out);
+/// Whether a word that parseNumber() refuses is a number nevertheless: too large or too small for a double.
+bool isBeyondDouble(std::string_view word);
 
 } // namespace phys

@@ -108,8 +108,9 @@ private:
         for (int i = 0; i < count; ++i) {
             const std::string_view word = nextWord(line);
             if (word.empty()) return refuse("%s: expected %d numbers in m, found %d", key, count, i);
-            if (!parseNumber(word, numbers[i]))
-                return refuse("%s: expected a number in m, found '%.*s'", key, shown(word), word.data());
+            if (parseNumber(word, numbers[i])) continue;
+            return refuse("%s: expected a number in m, found '%.*s'%s", key, shown(word), word.data(),
+                          isBeyondDouble(word) ? ", which is beyond what a number can hold" : "");
         }
         return expectEnd(line);
     }

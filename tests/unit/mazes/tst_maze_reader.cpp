@@ -139,7 +139,8 @@ void TestMazeReader::wrongFilesAreRefusedWithFileAndLine_data() {
     add("number too many", kHeader + "box 0 0 0 1 1 1 1\n", ":5: expected the end of the line, found '1'");
     add("no number", kHeader + "box 0 0 0 1 1 1mm\n", ":5: box: expected a number in m, found '1mm'");
     add("comma", kHeader + "box 0 0 0 1 1 0,5\n", ":5: box: expected a number in m, found '0,5'");
-    add("beyond double", kHeader + "box 0 0 0 1 1 1e999\n", ":5: box: expected a number in m, found '1e999'");
+    add("beyond double", kHeader + "box 0 0 0 1 1 1e999\n",
+        ":5: box: expected a number in m, found '1e999', which is beyond what a number can hold");
     add("corners swapped", kHeader + kFloor + "box 0 1 0 1 0 1\n",
         ":6: box: the lower corner's y = 1 is above the upper one's 0");
 }
