@@ -35,7 +35,9 @@ void Engine::setScene(Scene scene, Stepper stepper) {
     restart();
 }
 
+/// A pilot's last tilt belongs to the run that ends; the next step asks it again.
 void Engine::restart() {
+    m_inputs = m_given;
     if (m_start) return setState(*m_start);
     phys_state start;
     if (phys_scene_start(m_scene.get(), &start) == PHYS_OK) setState(start);

@@ -22,6 +22,8 @@ private slots:
     void pilotIsAskedOncePerControlPeriod();
     void pilotsTiltTakesThePlaceOfTheInputs();
     void withoutPilotTheInputsCountAgain();
+    void restartHasTheInputsTilt();
+    void otherSceneHasTheInputsTilt();
     void sampleTellsWhatTheStepDid();
     void sampleTellsTheGapToTheNearestWall();
     void lowKerbIsAWall();
@@ -169,6 +171,23 @@ void TestEngine::withoutPilotTheInputsCountAgain() {
     makeSteps(*engine, 1);
     engine->setPilot(nullptr);
     QCOMPARE(engine->inputs().tilt.x, radians(-7.0));
+}
+
+void TestEngine::restartHasTheInputsTilt() {
+    const auto engine = engineOn(openFloor());
+    engine->setPilot(std::make_shared<CountingPilot>());
+    makeSteps(*engine, 1);
+    engine->restart();
+    QCOMPARE(engine->inputs().tilt.x, 0.0);
+}
+
+void TestEngine::otherSceneHasTheInputsTilt() {
+    const auto engine = engineOn(openFloor());
+    engine->setPilot(std::make_shared<CountingPilot>());
+    makeSteps(*engine, 1);
+    const Scene scene = levelScene(2);
+    engine->setScene(scene, defaultStepper(scene));
+    QCOMPARE(engine->inputs().tilt.x, 0.0);
 }
 
 void TestEngine::sampleTellsWhatTheStepDid() {
