@@ -24,6 +24,7 @@ struct Unit {
     double denominator;
 };
 
+constexpr double kSmallestInMilliseconds = 1e-4; ///< s: 0.1 ms, but 50 µs
 constexpr double kPi = 3.141592653589793;
 constexpr Unit kUnits[] = {
     {"ns", "s", 1, 1e9},     {"us", "s", 1, 1e6},  {"ms", "s", 1, 1e3},      {"s", "s", 1, 1},
@@ -189,15 +190,22 @@ NumberReading readDuration(const QString &text, double min, double max, const QS
     return within({min, max, seconds}, amount, expected, text);
 }
 
+const TimeUnit &timeUnitFor(double seconds) {
+    static const TimeUnit units[] = {
+        {1.0, QStringLiteral("s")}, {1e3, QStringLiteral("ms")}, {1e6, QStringLiteral("µs")}};
+    if (seconds >= 1.0) return units[0];
+    return units[seconds >= kSmallestInMilliseconds ? 1 : 2];
+}
+
 QString durationText(double seconds) {
     const double rate = std::round(1.0 / seconds);
-    const QString milliseconds = QStringLiteral("%1 ms");
+    const TimeUnit &unit = timeUnitFor(seconds);
     constexpr int kMostDigits = 17; // enough for any double
     constexpr int kFewDigits = 6;   // up to here a decimal is easier to read than a quotient
     const double all = std::numeric_limits<double>::max();
     for (int digits = 1; digits <= kMostDigits; ++digits) {
         if (digits > kFewDigits && 1.0 / rate == seconds) return QStringLiteral("1/%1 s").arg(rate, 0, 'f', 0);
-        const QString text = milliseconds.arg(seconds * 1e3, 0, 'g', digits);
+        const QString text = QStringLiteral("%1 %2").arg(seconds * unit.perSecond, 0, 'g', digits).arg(unit.name);
         if (text.contains(QLatin1Char('e')) && digits < kFewDigits) continue; // 10 ms, not 1e+01 ms
         if (readDuration(text, -all, all).value == seconds) return text;
     }

@@ -35,7 +35,15 @@ NumberReading readWholeNumber(const QString &text, const NumberRange &range);
 /// second.
 NumberReading readDuration(const QString &text, double min, double max, const QString &unit = QStringLiteral("s"));
 
-/// The shortest text that readDuration() reads as this number of seconds: "5 ms", "1/60 s".
+/// A unit of time for texts.
+struct TimeUnit {
+    double perSecond;
+    QString name;
+};
+/// The unit in which a duration is easy to read: s from 1 s on, ms from 0.1 ms on, µs below.
+const TimeUnit &timeUnitFor(double seconds);
+
+/// The shortest text that readDuration() reads as this number of seconds: "5 ms", "1/60 s", "1 µs".
 QString durationText(double seconds);
 
 /// The step sizes offered and measured by default, s, from largest to smallest.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/setup/tables.h"
 
+#include "core/setup/numbers.h"
+
 #include <charconv>
 
 namespace inspector {
@@ -29,7 +31,10 @@ QString modelName(uint32_t model) {
     return model == PHYS_MODEL_RIGID ? QStringLiteral("rigid") : QStringLiteral("rolling");
 }
 
-QString stepSizeText(double dt) { return QStringLiteral("%1 ms").arg(dt * 1e3, 0, 'g', 4); }
+QString stepSizeText(double dt) {
+    const TimeUnit &unit = timeUnitFor(dt);
+    return QStringLiteral("%1 %2").arg(dt * unit.perSecond, 0, 'g', 4).arg(unit.name);
+}
 
 const char *programVersion() { return INSPECTOR_VERSION; }
 

@@ -18,6 +18,7 @@ namespace inspector::ui {
 namespace {
 
 constexpr int kMostDigits = 9;
+constexpr int kShownDigits = 6;     ///< significant
 constexpr double kRounding = 1e-12; ///< share of a value: smaller differences weren't typed
 constexpr double kFine = 0.1;       ///< share of a notch, with Shift
 constexpr double kPage = 10.0;
@@ -31,11 +32,11 @@ int digitsOf(double number) {
     return int(end - 1 - text.indexOf('.'));
 }
 
-/// With a notch's decimals if they represent the number exactly, else with as many as it needs.
-QString numberText(double value, double notch) {
+/// With a notch's decimals if they represent the number exactly, else with so many significant digits.
+QString numberText(double value, double notch, int digits) {
     const QString text = QString::number(value, 'f', digitsOf(notch));
     const bool isWhole = std::abs(text.toDouble() - value) <= kRounding * std::abs(value);
-    return isWhole ? text : QString::number(value, 'g', QLocale::FloatingPointShortest);
+    return isWhole ? text : QString::number(value, 'g', digits);
 }
 
 double notchesOf(const QKeyEvent &event) {
@@ -71,8 +72,11 @@ void NumberBox::setKind(Kind kind) {
 void NumberBox::setValue(double value) {
     m_value = value;
     if (isModified() || isRefused()) return;
-    const QString shown = m_kind.show(value);
-    if (shown != text()) showFromStart(shown);
+    if (const QString shown = valueText(); shown != text()) showFromStart(shown);
+}
+
+QString NumberBox::valueText() const {
+    return hasFocus() && m_kind.exact ? m_kind.exact(m_value) : m_kind.show(m_value);
 }
 
 /// Scrolled to the first digits: the last of many would be read as another number.
@@ -88,7 +92,7 @@ void NumberBox::apply() {
     setModified(false);
     const QString typed = text();
     if (*reading.value != m_value) emit entered(*reading.value);
-    isRefused() ? setText(typed) : showFromStart(m_kind.show(m_value));
+    isRefused() ? setText(typed) : showFromStart(valueText());
     setModified(isRefused());
 }
 
@@ -121,7 +125,7 @@ void NumberBox::enter() {
 
 void NumberBox::takeBack() {
     accept();
-    showFromStart(m_kind.show(m_value));
+    showFromStart(valueText());
 }
 
 void NumberBox::stepBy(double notches) {
@@ -135,7 +139,7 @@ void NumberBox::stepBy(double notches) {
     const NumberReading reading = m_kind.read(text);
     if (!reading.value || *reading.value == m_value) return;
     emit entered(*reading.value);
-    if (!isRefused()) showFromStart(m_kind.show(m_value));
+    if (!isRefused()) showFromStart(valueText());
 }
 
 void NumberBox::showReason() {
@@ -192,11 +196,19 @@ void NumberBox::wheelEvent(QWheelEvent *event) {
     event->accept();
 }
 
+/// Before the text is selected.
+void NumberBox::focusInEvent(QFocusEvent *event) {
+    setValue(m_value);
+    QLineEdit::focusInEvent(event);
+}
+
 void NumberBox::focusOutEvent(QFocusEvent *event) {
     apply();
     if (m_note) m_note->hide();
     QLineEdit::focusOutEvent(event);
-    if (!hasSelectedText()) home(false); // a menu's selection stays
+    if (hasSelectedText()) return; // a menu's selection stays
+    setValue(m_value);
+    home(false);
 }
 
 void NumberBox::hideEvent(QHideEvent *event) {
@@ -214,20 +226,28 @@ QSize NumberBox::sizeHint() const {
 
 NumberBox::Kind numberKind(const NumberRange &range, double notch) {
     const QString unit = range.unit.isEmpty() ? QString() : QLatin1Char(' ') + printedUnit(range.unit);
-    return {[range](const QString &text) { return readNumber(text, range); },
-            [unit, notch](double value) { return numberText(value, notch) + unit; }, notch,
-            QStringLiteral("-00.0000") + unit};
+    const auto text = [unit, notch](int digits) {
+        return [unit, notch, digits](double value) { return numberText(value, notch, digits) + unit; };
+    };
+    return {[range](const QString &typed) { return readNumber(typed, range); }, text(kShownDigits), notch,
+            QStringLiteral("-00.0000") + unit, text(QLocale::FloatingPointShortest)};
 }
 
 NumberBox::Kind wholeNumberKind(int min, int max) {
     const NumberRange range{double(min), double(max)};
     return {[range](const QString &text) { return readWholeNumber(text, range); },
-            [](double value) { return QString::number(value, 'f', 0); }, 1.0, QString::number(max)};
+            [](double value) { return QString::number(value, 'f', 0); },
+            1.0,
+            QString::number(max),
+            {}};
 }
 
 NumberBox::Kind durationKind(double min, double max) {
     return {[min, max](const QString &text) { return readDuration(text, min, max, QStringLiteral("ms")); },
-            durationText, 0.0, QStringLiteral("0.0166667 ms")};
+            durationText,
+            0.0,
+            QStringLiteral("0.0166667 ms"),
+            {}};
 }
 
 } // namespace inspector::ui

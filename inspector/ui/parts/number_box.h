@@ -23,8 +23,9 @@ public:
     struct Kind {
         std::function<NumberReading(const QString &text)> read;
         std::function<QString(double value)> show;
-        double notch = 0.0; ///< 0: no stepping
-        QString widest;     ///< the longest common text
+        double notch = 0.0;                         ///< 0: no stepping
+        QString widest;                             ///< the longest common text
+        std::function<QString(double value)> exact; ///< shown while it has the keyboard; empty: as otherwise
     };
 
     explicit NumberBox(QWidget *parent = nullptr);
@@ -37,6 +38,8 @@ public:
     void refuse(const QString &reason);
     bool isRefused() const { return !m_reason.isEmpty(); }
     const QString &reason() const { return m_reason; }
+    /// The value with all its digits.
+    QString exactText() const { return m_kind.exact ? m_kind.exact(m_value) : m_kind.show(m_value); }
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
@@ -49,11 +52,13 @@ protected:
     bool event(QEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
     void wheelEvent(QWheelEvent *event) override;
+    void focusInEvent(QFocusEvent *event) override;
     void focusOutEvent(QFocusEvent *event) override;
     void hideEvent(QHideEvent *event) override;
 
 private:
     void showFromStart(const QString &shown);
+    QString valueText() const;
     void apply();
     void enter();
     void takeBack();

@@ -22,6 +22,8 @@ private slots:
     void wholeNumbersHaveNoFraction();
     void everyCutOfARefusedTextIsReadOrRefusedInOneLine();
     void textOfADurationReadsBackBitByBit();
+    void textOfADurationHasAUnitOfItsSize_data();
+    void textOfADurationHasAUnitOfItsSize();
 };
 
 namespace {
@@ -196,6 +198,22 @@ void TestNumbers::textOfADurationReadsBackBitByBit() {
         QVERIFY2(readDuration(durationText(seconds), 0.0, kAny).value == seconds, qPrintable(durationText(seconds)));
     for (const double seconds : usualStepSizes())
         QVERIFY2(readDuration(durationText(seconds), 0.0, kAny).value == seconds, qPrintable(durationText(seconds)));
+}
+
+void TestNumbers::textOfADurationHasAUnitOfItsSize_data() {
+    QTest::addColumn<double>("seconds");
+    QTest::addColumn<QString>("text");
+    QTest::newRow("us") << 1e-6 << QStringLiteral("1 \u00b5s");
+    QTest::newRow("tens of us") << 5e-5 << QStringLiteral("50 \u00b5s");
+    QTest::newRow("tenth of a ms") << 1e-4 << "0.1 ms";
+    QTest::newRow("ms") << 0.25 << "250 ms";
+    QTest::newRow("s") << 10.0 << "10 s";
+}
+
+void TestNumbers::textOfADurationHasAUnitOfItsSize() {
+    QFETCH(double, seconds);
+    QFETCH(QString, text);
+    QCOMPARE(durationText(seconds), text);
 }
 
 QTEST_GUILESS_MAIN(TestNumbers)
