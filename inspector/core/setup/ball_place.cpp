@@ -3,6 +3,9 @@
 
 #include "core/setup/walls.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <optional>
 
 namespace inspector {
@@ -12,32 +15,74 @@ namespace {
 constexpr int kPushes = 64;     ///< several are needed in a corner
 constexpr double kTouch = 1e-9; ///< of the radius
 
-/// The height of the highest floor under this position: a top of a box that a ball at the start's height could roll on.
-std::optional<double> floorBelow(const phys_scene *scene, const phys_vec3 &place) {
+bool isOver(const phys_box &box, const phys_vec3 &place) {
+    return box.min.x <= place.x && place.x <= box.max.x && box.min.y <= place.y && place.y <= box.max.y;
+}
+
+/// The boxes whose tops a ball at the start's height could roll on.
+template<typename Visit>
+void forFloors(const phys_scene *scene, Visit visit) {
     phys_state start;
     phys_scene_start(scene, &start);
     const double highest = start.position.z - 0.5 * phys_scene_radius(scene);
     const phys_box *boxes = phys_scene_boxes(scene);
+    for (const phys_box *box = boxes; box != boxes + phys_scene_box_count(scene); ++box)
+        if (box->max.z <= highest) visit(*box);
+}
+
+/// The height of a ball on the highest floor under its centre.
+std::optional<double> heightOnFloor(const phys_scene *scene, const phys_vec3 &place) {
     std::optional<double> found;
-    for (const phys_box *box = boxes; box != boxes + phys_scene_box_count(scene); ++box) {
-        const bool isBelow = box->max.z <= highest && box->min.x <= place.x && place.x <= box->max.x &&
-                             box->min.y <= place.y && place.y <= box->max.y;
-        if (isBelow && (!found || box->max.z > *found)) found = box->max.z;
-    }
+    forFloors(scene, [&](const phys_box &floor) {
+        const double height = floor.max.z + phys_scene_radius(scene);
+        if (isOver(floor, place)) found = std::max(found.value_or(height), height);
+    });
+    return found;
+}
+
+/// The height of a ball that comes down here and touches a floor first, be it with its side.
+std::optional<double> heightOnRim(const phys_scene *scene, const phys_vec3 &place) {
+    const double radius = phys_scene_radius(scene);
+    std::optional<double> found;
+    forFloors(scene, [&](const phys_box &floor) {
+        const double aside = std::hypot(place.x - std::clamp(place.x, floor.min.x, floor.max.x),
+                                        place.y - std::clamp(place.y, floor.min.y, floor.max.y));
+        if (aside >= radius) return;
+        const double height = floor.max.z + std::sqrt(radius * radius - aside * aside);
+        found = std::max(found.value_or(height), height);
+    });
     return found;
 }
 
 } // namespace
 
 phys_vec3 freePlace(const phys_scene *scene, const phys_vec3 &wanted) {
+    const double radius = phys_scene_radius(scene);
     phys_vec3 place = wanted;
     for (int i = 0; i < kPushes; ++i) {
-        if (const std::optional<double> floor = floorBelow(scene, place)) place.z = *floor + phys_scene_radius(scene);
+        const std::optional<double> onFloor = heightOnFloor(scene, place);
+        place.z = onFloor ? *onFloor : heightOnRim(scene, place).value_or(wanted.z);
         const std::optional<phys_contact> wall = nearestWall(scene, place, 0.0);
-        if (!wall || wall->gap >= -kTouch * phys_scene_radius(scene)) break;
-        pushOut(*wall, phys_scene_radius(scene), place);
+        if (!wall || wall->gap >= -kTouch * radius) return place;
+        pushOut(*wall, radius, place);
     }
     return place;
+}
+
+double overlapOf(const phys_scene *scene, const phys_vec3 &centre) {
+    std::array<phys_contact, 64> contacts;
+    uint32_t count = 0;
+    phys_scene_contacts(scene, &centre, 0.0, contacts.data(), uint32_t(contacts.size()), &count);
+    double deepest = 0.0;
+    for (uint32_t i = 0; i < std::min(count, uint32_t(contacts.size())); ++i)
+        deepest = std::max(deepest, -contacts[i].gap);
+    return deepest;
+}
+
+bool hasFloorBelow(const phys_scene *scene, const phys_vec3 &centre) {
+    const phys_box *boxes = phys_scene_boxes(scene);
+    return std::any_of(boxes, boxes + phys_scene_box_count(scene),
+                       [&centre](const phys_box &box) { return box.max.z <= centre.z && isOver(box, centre); });
 }
 
 /// v = spin x (R up): model.md 1.

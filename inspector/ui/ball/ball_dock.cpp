@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/ball/ball_dock.h"
 
+#include "core/setup/ball_place.h"
 #include "ui/ball/ball_command.h"
 #include "ui/parts/number_box.h"
 
@@ -22,6 +23,7 @@ struct Row {
 };
 
 constexpr double kMost = 1e6;
+constexpr double kTouching = 1e-3; ///< radii: not worth a word
 constexpr Row kRows[] = {
     {"ball_x", QT_TRANSLATE_NOOP("inspector::ui::BallDock", "Position x"), "m", 1e-3, &phys_state::position,
      &phys_vec3::x},
@@ -47,7 +49,8 @@ BallDock::BallDock(Session &session, QUndoStack &undo, QWidget *parent)
     , m_session(session)
     , m_undo(undo)
     , m_startHere(new QPushButton(tr("Start here")))
-    , m_usualStart(new QPushButton(tr("Usual start"))) {
+    , m_usualStart(new QPushButton(tr("Usual start")))
+    , m_note(new QLabel) {
     setObjectName(QStringLiteral("ball"));
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
@@ -77,7 +80,10 @@ BallDock::BallDock(Session &session, QUndoStack &undo, QWidget *parent)
     const int line = int(std::size(kRows));
     grid->addWidget(m_startHere, line, 1);
     grid->addWidget(m_usualStart, line, 2);
-    grid->setRowStretch(line + 1, 1);
+    m_note->setObjectName(QStringLiteral("ball_note"));
+    m_note->setWordWrap(true);
+    grid->addWidget(m_note, line + 1, 0, 1, 3);
+    grid->setRowStretch(line + 2, 1);
     setWidget(page);
 }
 
@@ -90,13 +96,24 @@ void BallDock::enter(size_t row, double value) {
     m_boxes[row]->setValue(value);
 }
 
+/// What is unusual about the place of a ball that stands; empty: nothing.
+QString BallDock::noteOf(const phys_state &ball) const {
+    const phys_scene *scene = m_session.scene().get();
+    const double overlap = overlapOf(scene, ball.position);
+    if (overlap > kTouching * phys_scene_radius(scene))
+        return tr("It overlaps the board by %1 mm.").arg(overlap * 1e3, 0, 'g', 3);
+    return hasFloorBelow(scene, ball.position) ? QString() : tr("There is no board below: it will fall.");
+}
+
 void BallDock::refresh(const Snapshot &now) {
     if (!isVisible()) return;
     const bool canBeSet = !now.running && !m_session.isReplaying();
     for (size_t i = 0; i < m_boxes.size(); ++i) {
         m_boxes[i]->setEnabled(canBeSet);
         m_boxes[i]->setValue(now.current.*kRows[i].vector.*kRows[i].component);
+        if (!m_boxes[i]->isRefused()) m_boxes[i]->setToolTip(m_boxes[i]->exactText());
     }
+    m_note->setText(canBeSet ? noteOf(now.current) : QString());
     m_startHere->setEnabled(canBeSet);
     m_usualStart->setEnabled(m_session.hasOwnStart());
 }

@@ -7,6 +7,7 @@
 
 #include <vector>
 
+class QLabel;
 class QPushButton;
 class QUndoStack;
 
@@ -27,12 +28,14 @@ public:
 
 private:
     void enter(size_t row, double value);
+    QString noteOf(const phys_state &ball) const;
 
     Session &m_session;
     QUndoStack &m_undo;
     std::vector<NumberBox *> m_boxes; ///< in row order
     QPushButton *m_startHere;
     QPushButton *m_usualStart;
+    QLabel *m_note;
 };
 
 } // namespace inspector::ui

@@ -25,6 +25,7 @@ private slots:
     void ballIsPutWhereItFits();
     void ballIsPutBesideALowKerb();
     void ballBesideTheFloorStaysInTheAir();
+    void ballLiesOnTheRimOfANarrowHole();
     void rollingSpinTouchesTheFloorAtRest();
 
 private:
@@ -135,6 +136,16 @@ void TestWayAhead::ballIsPutBesideALowKerb() {
 void TestWayAhead::ballBesideTheFloorStaysInTheAir() {
     const phys_vec3 place = freePlace(openFloor().get(), {5.0, 0.0, 0.3});
     QCOMPARE(place.z, 0.3);
+}
+
+// Between two floors, half a radius on each side of its centre.
+void TestWayAhead::ballLiesOnTheRimOfANarrowHole() {
+    const double radius = phys_scene_radius(openFloor().get());
+    const double half = 0.5 * radius;
+    const Scene scene = sceneOf({{{-1.0, -1.0, -0.01}, {-half, 1.0, 0.0}}, {{half, -1.0, -0.01}, {1.0, 1.0, 0.0}}});
+    const phys_vec3 place = freePlace(scene.get(), {0.0, 0.0, radius});
+    QCOMPARE(place.x, 0.0);
+    COMPARE_WITHIN(place.z, std::sqrt(radius * radius - half * half), 1e-9 * radius);
 }
 
 // v + spin x (-R up) = 0.

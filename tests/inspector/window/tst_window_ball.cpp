@@ -4,6 +4,7 @@
 #include "ui/parts/number_box.h"
 #include "window_fixture.h"
 
+#include <QLabel>
 #include <QPushButton>
 
 #include <array>
@@ -29,6 +30,9 @@ private slots:
     void typedNumbersAreTheBalls_data();
     void typedNumbersAreTheBalls();
     void selectionStaysWhileTheBallStands();
+    void longNumberIsExactInItsBoxAndShortElsewhere();
+    void ballOutsideOfTheBoardIsTold();
+    void ballInAWallIsTold();
     void restartBringsItToItsOwnStart();
     void placedBallSetsNoBestTime();
     void ballPlacedAtOnceAfterRunStandsStill();
@@ -49,6 +53,7 @@ private:
     }
     void dragBall(double dx, double dy, Qt::KeyboardModifiers modifiers = {});
     void placeBall(double dx, double dy, Qt::KeyboardModifiers modifiers = {});
+    QString noteAt(const QString &x);
 
     std::unique_ptr<Fixture> m_fixture;
 };
@@ -71,6 +76,21 @@ void TestWindowBall::placeBall(double dx, double dy, Qt::KeyboardModifiers modif
     const uint64_t run = m_fixture->simulation().latest().run;
     dragBall(dx, dy, modifiers);
     QTRY_COMPARE(m_fixture->simulation().latest().run, run + 2); // half way, and there
+}
+
+// What is said of a ball whose x was typed so.
+QString TestWindowBall::noteAt(const QString &x) {
+    if (!m_fixture->find<NumberBox>("ball_x")->isVisible()) m_fixture->trigger("show_ball_dock");
+    m_fixture->window().refresh();
+    auto *box = m_fixture->find<NumberBox>("ball_x");
+    const uint64_t run = m_fixture->simulation().latest().run;
+    box->setFocus();
+    m_fixture->key(Qt::Key_A, Qt::ControlModifier);
+    m_fixture->type(x);
+    m_fixture->key(Qt::Key_Return);
+    if (!QTest::qWaitFor([&] { return m_fixture->simulation().latest().run > run; }, kPatience)) return "nothing set";
+    m_fixture->window().refresh();
+    return m_fixture->find<QLabel>("ball_note")->text();
 }
 
 // The start of level 1 is open to the back.
@@ -168,6 +188,33 @@ void TestWindowBall::selectionStaysWhileTheBallStands() {
     m_fixture->window().refresh();
     m_fixture->type("0");
     QCOMPARE(box->text(), QString("0"));
+}
+
+void TestWindowBall::longNumberIsExactInItsBoxAndShortElsewhere() {
+    m_fixture->trigger("show_ball_dock");
+    phys_state state = ball();
+    state.velocity.x = 1.0 / 3.0;
+    m_fixture->session().placeBall(state);
+    QTRY_COMPARE(ball().velocity.x, state.velocity.x);
+    m_fixture->window().refresh();
+    auto *box = m_fixture->find<NumberBox>("ball_vx");
+    QCOMPARE(box->text(), QString("0.333333 m/s"));
+    QCOMPARE(box->toolTip(), QString("0.3333333333333333 m/s"));
+    click(box);
+    QCOMPARE(box->text(), QString("0.3333333333333333 m/s"));
+    m_fixture->key(Qt::Key_Tab);
+    QCOMPARE(box->text(), QString("0.333333 m/s"));
+    QCOMPARE(ball().velocity.x, state.velocity.x);
+}
+
+void TestWindowBall::ballOutsideOfTheBoardIsTold() {
+    QCOMPARE(noteAt("5 m"), QString("There is no board below: it will fall."));
+    QCOMPARE(noteAt("-54 mm"), QString());
+}
+
+void TestWindowBall::ballInAWallIsTold() {
+    const QString note = noteAt("-66 mm");
+    QVERIFY2(note.startsWith("It overlaps the board by ") && note.endsWith(" mm."), qPrintable(note));
 }
 
 void TestWindowBall::restartBringsItToItsOwnStart() {
