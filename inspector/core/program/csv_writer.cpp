@@ -62,9 +62,13 @@ QString spanOf(const SampleRing &samples) {
     Sample last;
     const bool isThere = samples.read(samples.first(), first) && samples.read(samples.last() - 1, last);
     if (!isThere) return QStringLiteral("no samples");
-    const QString span = QStringLiteral("samples from %1 s to %2 s").arg(first.time).arg(last.time);
-    return samples.hasLostSamples() ? span + QStringLiteral("; earlier ones aren't kept") : span;
+    QStringList parts{QStringLiteral("samples from %1 s to %2 s").arg(first.time).arg(last.time)};
+    if (samples.hasLostSamples()) parts += QStringLiteral("earlier ones aren't kept");
+    if (samples.isCut()) parts += QStringLiteral("later ones aren't kept");
+    return parts.join(QStringLiteral("; "));
 }
+
+bool isPartial(const SampleRing &samples) { return samples.hasLostSamples() || samples.isCut(); }
 
 QByteArray csvHeader(const std::vector<Channel> &channels) {
     QByteArray line = "time [s],step";
@@ -143,6 +147,10 @@ std::unique_ptr<OutputFile> openTable(const QString &path, const Options &option
 }
 
 bool writeTable(const QString &path, const SampleRing &samples, const Options &options, QString *error) {
+    if (samples.first() == samples.last()) {
+        if (error) *error = quoted(path) + QStringLiteral(": no samples");
+        return false;
+    }
     const std::unique_ptr<OutputFile> file = openTable(path, options, error, spanOf(samples));
     if (!file) return false;
     CsvWriter writer(*file, options);

@@ -16,6 +16,8 @@ namespace inspector {
 QByteArray tableSettings(const Options &options);
 /// Which of a run's samples a ring still has: "samples from 12.3 s to 20 s; earlier ones aren't kept" and the like.
 QString spanOf(const SampleRing &samples);
+/// Whether some of the run's samples are missing, which spanOf() then says.
+bool isPartial(const SampleRing &samples);
 enum class Columns { Ball, BallAndGhost, All }; ///< without or with the comparison's; everything there is
 
 std::vector<Channel> channelsOf(Columns columns);

@@ -41,7 +41,8 @@ std::vector<Output> outputsOf(const Options &options) {
     return outputs;
 }
 
-/// The mazes that a recording was made in, as they are found here; none if it can't be played, which is told later.
+/// The mazes that a recording was made in, as they are found here, without which it can't be played any more; none if
+/// it can't be now, which is told later, or is no recording.
 QStringList mazesOf(const QString &recording, const Options &options) {
     QString error;
     const auto found = openRecording(recording, options.registry, options.levels, &error);
@@ -58,7 +59,8 @@ QStringList inputsOf(const Options &options) {
     inputs += options.plugins;
     for (const Level &level : options.levels) inputs += {level.path, level.mesh};
     for (const QString &name : fileNamesIn(options.shaders)) inputs += options.shaders + QLatin1Char('/') + name;
-    if (!options.replay.isEmpty()) inputs += mazesOf(options.replay, options);
+    for (const QString &recording : {options.replay, options.trade.schedule})
+        if (!recording.isEmpty()) inputs += mazesOf(recording, options);
     inputs.removeAll(QString());
     return inputs;
 }

@@ -55,6 +55,7 @@ void PastRun::refillSamples(uint64_t first) {
         m_presentation.samples().append(m_presentation.sample());
         m_presentation.noteEvents();
     }
+    if (end < m_past.endOfRun(first + 1) - m_past.begin) m_presentation.samples().cut();
     m_player.seek(position);
     m_presentation.release();
     m_shownRun = first;

@@ -55,7 +55,7 @@ bool saveSettingsBeside(Session &session, const QString &csv, QString *error) {
 QString lostSamples(Session &session, const QString &path) {
     const SampleRing &samples = session.simulation().samples();
     const bool isTable = path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive);
-    return isTable && samples.hasLostSamples() ? QStringLiteral("%1: %2").arg(path, spanOf(samples)) : QString();
+    return isTable && isPartial(samples) ? QStringLiteral("%1: %2").arg(path, spanOf(samples)) : QString();
 }
 
 bool saveRun(Session &session, gl::MazeView &view, const QString &path, QString *error) {

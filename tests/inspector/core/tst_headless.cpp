@@ -34,6 +34,7 @@ private slots:
     void timeOfWinningIsSaidWhenTheRunGoesOn();
     void rowThatLacksAValueHasNoBlanks();
     void lostSamplesAreTold();
+    void samplesThatWereNotMadeAgainAreTold();
     void samplesOfAnEarlierRunAreNotMissed();
     void progressOfAFitIsALineAndIsErased();
     void columnsWithoutAnyValueAreLeftOut();
@@ -41,6 +42,15 @@ private slots:
 };
 
 namespace {
+
+// Samples `from` to `to` of a run at 10 ms.
+void append(SampleRing &samples, int from, int to) {
+    Sample sample;
+    for (int i = from; i <= to; ++i) {
+        sample.time = 0.01 * i;
+        samples.append(sample);
+    }
+}
 
 Result headless(const QString &words) { return inspector::runOf(("--headless " + words).split(' ')); }
 
@@ -224,34 +234,30 @@ void TestHeadless::rowThatLacksAValueHasNoBlanks() {
 // A ring of 256 samples and a run of 300 steps.
 void TestHeadless::lostSamplesAreTold() {
     SampleRing samples(256);
-    Sample sample;
-    for (int i = 1; i <= 200; ++i) {
-        sample.time = 0.01 * i;
-        samples.append(sample);
-    }
+    append(samples, 1, 200);
     QCOMPARE(spanOf(samples), QString("samples from 0.01 s to 2 s"));
-    for (int i = 201; i <= 300; ++i) {
-        sample.time = 0.01 * i;
-        samples.append(sample);
-    }
+    append(samples, 201, 300);
     QVERIFY2(spanOf(samples).endsWith(" s to 3 s; earlier ones aren't kept"), qPrintable(spanOf(samples)));
+}
+
+void TestHeadless::samplesThatWereNotMadeAgainAreTold() {
+    SampleRing samples(256);
+    append(samples, 1, 200);
+    samples.cut();
+    QCOMPARE(spanOf(samples), QString("samples from 0.01 s to 2 s; later ones aren't kept"));
+    samples.clear();
+    append(samples, 1, 200);
+    QVERIFY(!isPartial(samples));
 }
 
 void TestHeadless::samplesOfAnEarlierRunAreNotMissed() {
     SampleRing samples(256);
-    Sample sample;
     for (int run = 0; run < 3; ++run) {
         samples.clear();
-        for (int i = 1; i <= 200; ++i) {
-            sample.time = 0.01 * i;
-            samples.append(sample);
-        }
+        append(samples, 1, 200);
         QCOMPARE(spanOf(samples), QString("samples from 0.01 s to 2 s"));
     }
-    for (int i = 201; i <= 300; ++i) {
-        sample.time = 0.01 * i;
-        samples.append(sample);
-    }
+    append(samples, 201, 300);
     QVERIFY2(spanOf(samples).endsWith(" s to 3 s; earlier ones aren't kept"), qPrintable(spanOf(samples)));
 }
 

@@ -33,6 +33,9 @@ private slots:
     void whatAFullStandardOutputLosesIsTold();
     void whatAFileLimitLosesIsTold_data();
     void whatAFileLimitLosesIsTold();
+    void mazeOfAnInputStays_data();
+    void mazeOfAnInputStays();
+    void windowWithoutStepsWritesNoTable();
     void settingsThatCantBeWrittenAreTold();
     void settingsThatWouldBeWaitedForAreTold_data();
     void settingsThatWouldBeWaitedForAreTold();
@@ -246,6 +249,42 @@ void TestProgram::whatAFileLimitLosesIsTold() {
     QCOMPARE(result.status, 1);
     QCOMPARE(result.messages.count("File too large\n"), 1);
     QVERIFY2(!result.messages.contains("libpng"), result.messages.constData());
+}
+
+void TestProgram::mazeOfAnInputStays_data() {
+    QTest::addColumn<QStringList>("words");
+    QTest::newRow("replay") << QStringList{"--headless", "--replay"};
+    QTest::newRow("schedule") << QStringList{"--trade", "1", "--steps", "10ms", "--schedule"};
+}
+
+// Without its maze a recording can't be played any more.
+void TestProgram::mazeOfAnInputStays() {
+    QFETCH(QStringList, words);
+    const QTemporaryDir folder;
+    const QString maze = folder.filePath("m.txt");
+    QVERIFY(QFile::copy(LEVELS_FOLDER "/01.txt", maze));
+    const QString recording = folder.filePath("r");
+    QCOMPARE(
+        runProgram({"--headless", "--level", maze, "--tilt-x", "3", "--duration", "0.3", "--record", recording}).status,
+        0);
+    const Ended result = runProgram(words + QStringList{recording, "--csv", maze, "--force"});
+    QCOMPARE(result.status, 2);
+    QVERIFY2(result.messages.contains("is read by this run"), result.messages.constData());
+}
+
+void TestProgram::windowWithoutStepsWritesNoTable() {
+    const QTemporaryDir folder;
+    QFile table(folder.filePath("t.csv"));
+    QVERIFY(table.open(QIODevice::WriteOnly) && table.write("time [s],step,\n") > 0);
+    table.close();
+    QProcess process;
+    process.setProcessEnvironment(noScreen(folder.path()));
+    process.start(INSPECTOR, {"--grab", folder.filePath("p.png"), "--csv", table.fileName()});
+    QVERIFY(process.waitForFinished(60000));
+    QCOMPARE(process.exitCode(), 1);
+    QVERIFY(process.readAllStandardError().endsWith("t.csv': no samples\n"));
+    QCOMPARE(table.size(), qint64(15));
+    QVERIFY(!QFile::exists(table.fileName() + ".txt"));
 }
 
 void TestProgram::settingsThatCantBeWrittenAreTold() {
