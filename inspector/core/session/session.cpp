@@ -344,8 +344,24 @@ void Session::showTrack(std::shared_ptr<const ShownTrack> track) {
 std::shared_ptr<const ShownTrack> Session::track() const { return m_level.path == m_trackMaze ? m_track : nullptr; }
 
 void Session::layTrackOver() {
-    m_simulation->setTrack(track());
+    passTrack();
     emit trackChanged();
+}
+
+/// With all scenes of its maze that may be stepped before this object hears of it.
+void Session::passTrack() {
+    std::vector<Scene> scenes;
+    const auto add = [&](const Level &level, const Scene &scene) {
+        if (level.path == m_trackMaze && std::ranges::count(scenes, scene) == 0) scenes.push_back(scene);
+    };
+    const auto addAll = [&](const PlayableRecording &recording) {
+        for (size_t i = 0; i < recording.recording().segments.size(); ++i) add(recording.level(i), recording.scene(i));
+    };
+    add(m_level, m_scene);
+    if (m_past) add(m_past->level, m_past->scene);
+    if (m_past) addAll(*m_past->past.recording);
+    if (m_replay) addAll(*m_replay->recording);
+    m_simulation->setTrack(m_track, std::move(scenes));
 }
 
 bool Session::followTrack(bool isOn) {
@@ -422,9 +438,19 @@ void Session::lookAheadAtOnce() {
     m_way = isAhead ? inspector::wayAhead(exact, now.current, now.inputs.params, otherBoards(now)) : WayAhead{};
 }
 
+QStringList Session::openFiles() const {
+    QStringList files{m_level.path, m_level.mesh};
+    if (!m_replay) return files;
+    files += {recording().recording().file, m_replay->levelBefore.path, m_replay->levelBefore.mesh};
+    for (size_t i = 0; i < recording().recording().segments.size(); ++i)
+        files += {recording().level(i).path, recording().level(i).mesh};
+    files.removeDuplicates();
+    return files;
+}
+
 void Session::startRecording(const QString &file) {
-    const bool isRead = isSameFile(file, m_level.path) || (m_replay && isSameFile(file, recording().recording().file));
-    if (isRead) {
+    const QStringList open = openFiles();
+    if (std::any_of(open.begin(), open.end(), [&file](const QString &each) { return isSameFile(file, each); })) {
         emit recordingFailed(tr("can't record into %1: it is open here").arg(quoted(file)));
         return;
     }

@@ -19,6 +19,7 @@
 #include <QSettings>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace inspector {
@@ -37,10 +38,9 @@ struct KeptRun {
     uint64_t begin = 0; ///< steps since the program began
     uint64_t end = 0;
     Level level;
-    QByteArray stepper; ///< id, at its end
-    double dt = 0.0;    ///< s, at its end
-    double time = 0.0;  ///< s, at its end
-    bool isOut = false; ///< the ball left the maze
+    std::vector<std::pair<QByteArray, double>> pace; ///< id of the stepper and dt, s, in their order
+    double time = 0.0;                               ///< s, at its end
+    bool isOut = false;                              ///< the ball left the maze
 };
 
 /// The position of the moment shown in its run.
@@ -169,6 +169,8 @@ public:
     void setKeys(TiltKeys keys) { m_tiltControl.setKeys(keys); }
     void advanceKeys(double seconds);
     bool isTiltedByKeys() const { return m_keysTilt; }
+    /// The autopilot or the measured ball's table sets the tilt; the parameters' has no effect.
+    bool isTiltedByPilot() const { return m_hasAutopilot || m_followsTrack; }
 
 signals:
     void levelOpened();
@@ -201,6 +203,7 @@ private:
     void levelBoard();
     void setTilt(Tilt tilt);
     void sendInputs();
+    QStringList openFiles() const;
     void showRecording(bool isOn);
     Origin origin() const;
 
@@ -239,6 +242,7 @@ private:
     void show(const Stepping &stepping);
     void leaveReplay();
     void layTrackOver();
+    void passTrack();
 
     QSettings &m_settings;
     Registry m_registry;

@@ -44,6 +44,7 @@ bool Session::lookBack() {
     const uint64_t number = m_simulation->lookBack(*past);
     const uint64_t end = past->end();
     m_past.emplace(LookingBack{std::move(*past), number, m_level, m_scene, steppingWithAll(), {}, end, 0});
+    passTrack();
     emit pastChanged(true);
     return true;
 }
@@ -112,8 +113,14 @@ void Session::watchRuns(const Snapshot &now) {
     std::erase_if(m_runs, [&](const KeptRun &run) { return run.end <= kept.begin; });
     if (m_replay || m_past || now.replay.number != 0 || kept.end == kept.run) return;
     if (m_runs.empty() || m_runs.back().begin != kept.run) m_runs.push_back({});
-    m_runs.back() = {
-        kept.run, kept.end, m_level, m_stepperId, now.dt, now.current.time, (now.current.flags & PHYS_OUT) != 0};
+    KeptRun &run = m_runs.back();
+    const std::pair<QByteArray, double> pace{m_stepperId, now.dt};
+    if (run.end != kept.end && (run.pace.empty() || run.pace.back() != pace)) run.pace.push_back(pace);
+    run.begin = kept.run;
+    run.end = kept.end;
+    run.level = m_level;
+    run.time = now.current.time;
+    run.isOut = (now.current.flags & PHYS_OUT) != 0;
 }
 
 bool Session::saveRun(const QString &path, QString *error) {

@@ -27,6 +27,7 @@ bool Session::startReplay(const QString &path, QString *error) {
     const Level level = m_replay ? m_replay->levelBefore : m_level;
     const Stepping before = m_replay ? m_replay->before : steppingWithAll();
     m_replay.emplace(Replaying{recording, m_simulation->startReplay(recording), level, before, {}, 0, 0, {}});
+    passTrack();
     showPrompt(); // the game played before is over
     emit replayChanged(true);
     follow(*recording, m_replay->segment, 0); // so that a comparison begins with the recording

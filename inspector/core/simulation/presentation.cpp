@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/presentation.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace inspector {
@@ -72,7 +73,8 @@ void Presentation::countStep() { m_meter.count(Clock::now(), m_run->engine().dt(
 
 Sample Presentation::sample() const {
     Sample sample = m_run->engine().sample();
-    if (m_track) m_track->addTo(sample);
+    const bool isOfMaze = std::ranges::count(m_trackScenes, m_run->engine().scene()) > 0;
+    if (m_track && isOfMaze) m_track->addTo(sample);
     return sample;
 }
 

@@ -7,6 +7,7 @@
 #include "core/simulation/simulation.h"
 
 #include <optional>
+#include <vector>
 
 namespace inspector {
 
@@ -41,7 +42,11 @@ public:
 
     // ---- measured ball ----
 
-    void setTrack(std::shared_ptr<const ShownTrack> track) { m_track = std::move(track); } ///< or nullptr
+    /// track: or nullptr. scenes: of the maze that it was measured in; in others it isn't sampled.
+    void setTrack(std::shared_ptr<const ShownTrack> track, std::vector<Scene> scenes) {
+        m_track = std::move(track);
+        m_trackScenes = std::move(scenes);
+    }
 
     // ---- samples and events ----
 
@@ -78,6 +83,7 @@ private:
     std::optional<GhostEngine> m_ghost{};
     uint64_t m_ghostNumber = 0;
     std::shared_ptr<const ShownTrack> m_track{};
+    std::vector<Scene> m_trackScenes{};
 };
 
 } // namespace inspector

@@ -92,8 +92,10 @@ void Simulation::setStepper(const Stepper &stepper, const Inputs &inputs, const 
     });
 }
 
-void Simulation::setTrack(std::shared_ptr<const ShownTrack> track) {
-    post([track = std::move(track)](Worker &worker) { worker.presentation.setTrack(track); });
+void Simulation::setTrack(std::shared_ptr<const ShownTrack> track, std::vector<Scene> scenes) {
+    post([track = std::move(track), scenes = std::move(scenes)](Worker &worker) {
+        worker.presentation.setTrack(track, scenes);
+    });
 }
 
 void Simulation::setState(const phys_state &state) {

@@ -57,8 +57,8 @@ public:
     void setStart(const std::optional<phys_state> &start); ///< of restarts; empty: the scene's
     void setDt(double dt);                                 ///< s, > 0
     void setSpeed(double speed); ///< clamped to kSlowest .. kFastest; changes the number of steps per second, never dt
-    /// A measured ball whose positions go into samples from the next step on; or nullptr.
-    void setTrack(std::shared_ptr<const ShownTrack> track);
+    /// A measured ball whose positions go into samples from the next step on, of runs in these scenes; or nullptr.
+    void setTrack(std::shared_ptr<const ShownTrack> track, std::vector<Scene> scenes);
     void setPilot(std::shared_ptr<const Pilot> pilot); ///< or nullptr: the inputs' tilt counts
     /// Records every step from now on, replacing an earlier recording, until one can't be written.
     void startRecording(const QString &file, const Origin &origin);

@@ -10,9 +10,15 @@
 #include <QHBoxLayout>
 #include <QToolButton>
 
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
 namespace inspector::ui {
 
 namespace {
+
+constexpr double kLongWait = 1.0; ///< s between two steps
 
 QString say(const char *text) { return QCoreApplication::translate("inspector::ui::GameStrip", text); }
 
@@ -31,7 +37,8 @@ QString winLine(const Session &session, const Game &game) {
 QString promptHint(Session &session) {
     if (session.hasAutopilot())
         return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "The autopilot plays · A takes over"));
-    QString play = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Arrow keys tilt the board · roll the ball out"));
+    QString play = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip",
+                                         "Arrow keys tilt the board · roll the ball out · Space: free run"));
     if (session.isLevelOfTheList()) return play;
     if (session.exits() && session.exits()->empty())
         return say(
@@ -39,6 +46,42 @@ QString promptHint(Session &session) {
     const std::optional<double> best = session.game().bestTime();
     return best ? say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "%1 · best time %2")).arg(play, clockText(*best))
                 : play;
+}
+
+/// Who tilts the board of a run that isn't a game.
+QString tiltHint(const Session &session) {
+    if (session.hasAutopilot())
+        return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "The autopilot tilts the board · A takes over"));
+    if (session.isFollowingTrack())
+        return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Under the tilts of the measured ball"));
+    return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Arrow keys or sliders tilt the board"));
+}
+
+/// A run without the game.
+GameText freeRunText(const Session &session, const QString &title, const Snapshot &now) {
+    GameText text;
+    text.title = title;
+    text.line = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Free run"));
+    text.hint = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "%1 · Enter: play")).arg(tiltHint(session));
+    if (now.running) return text;
+    text.title = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Paused"));
+    text.line = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Space goes on"));
+    text.hint = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "R: back to the start · Enter: play"));
+    if (!(now.current.flags & PHYS_OUT)) return text;
+    text.title = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Out of the maze"));
+    text.line = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "R: back to the start"));
+    text.hint = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Enter: play"));
+    return text;
+}
+
+/// While steps are so far apart that the window seems to stand still.
+QString waitHint(const Snapshot &now) {
+    const double period = std::chrono::duration<double>(now.interval).count();
+    if (period < kLongWait) return {};
+    const double rest = std::chrono::duration<double>(now.due + now.interval - Clock::now()).count();
+    return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "One step of dt takes %1 s · the next one in %2 s"))
+        .arg(period, 0, 'g', 3)
+        .arg(std::max(0.0, std::ceil(rest)));
 }
 
 QFont scaled(QFont font, double factor, bool isBold) {
@@ -49,17 +92,19 @@ QFont scaled(QFont font, double factor, bool isBold) {
 
 } // namespace
 
-QString levelTitle(const Session &session) {
+QString levelTitle(const Session &session, const Level &level) {
     const std::vector<Level> &levels = session.levels();
     for (size_t index = 0; index < levels.size(); ++index)
-        if (levels[index].path == session.level().path)
+        if (levels[index].path == level.path)
             return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Level %1")).arg(index + 1);
-    return session.level().name;
+    return level.name;
 }
 
-GameText gameText(Session &session, const Snapshot &now) {
+namespace {
+
+GameText stateText(Session &session, const Snapshot &now) {
     const Game &game = session.game();
-    const QString title = levelTitle(session);
+    const QString title = levelTitle(session, session.level());
     GameText text;
     if (session.isReplaying()) {
         text.clock = clockText(now.current.time);
@@ -74,8 +119,10 @@ GameText gameText(Session &session, const Snapshot &now) {
     }
     switch (game.phase()) {
     case Game::Phase::Prompt:
-        // No prompt if the ball is rolling without the game.
-        if (now.running || now.current.step > 0) break;
+        if (now.running || now.current.step > 0) {
+            text = freeRunText(session, title, now);
+            break;
+        }
         text.title = title;
         text.line = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Press Enter to start"));
         text.hint = promptHint(session);
@@ -96,6 +143,14 @@ GameText gameText(Session &session, const Snapshot &now) {
                         .arg((game.level() + 1) % int(std::max<size_t>(1, session.levels().size())) + 1);
         break;
     }
+    return text;
+}
+
+} // namespace
+
+GameText gameText(Session &session, const Snapshot &now) {
+    GameText text = stateText(session, now);
+    if (const QString wait = waitHint(now); !wait.isEmpty()) text.hint = wait;
     return text;
 }
 

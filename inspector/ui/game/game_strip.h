@@ -22,8 +22,8 @@ struct GameText {
     bool operator==(const GameText &) const = default;
 };
 
-/// The open level's title: "Level 3", or the name of a file outside of the list.
-QString levelTitle(const Session &session);
+/// A level's title: "Level 3", or the name of a file outside of the list.
+QString levelTitle(const Session &session, const Level &level);
 
 /// now: of the session's simulation.
 GameText gameText(Session &session, const Snapshot &now);

@@ -6,6 +6,7 @@
 #include "ui/parameters/set_menu.h"
 #include "ui/parts/action_widgets.h"
 #include "ui/parts/described.h"
+#include "ui/parts/flow_layout.h"
 
 #include <QCheckBox>
 #include <QEvent>
@@ -54,7 +55,8 @@ ParameterPanel::ParameterPanel(Session &session, QUndoStack &undo, const Actions
                 [this, side](int index, double value) { showValue(*side, index, value); });
         connect(&side->parameters, &Parameters::rowsChanged, this, &ParameterPanel::rebuild);
     }
-    connect(&m_session, &Session::autopilotChanged, this, &ParameterPanel::showAutopilot);
+    connect(&m_session, &Session::autopilotChanged, this, &ParameterPanel::showPilot);
+    connect(&m_session, &Session::trackChanged, this, &ParameterPanel::showPilot);
     connect(&m_session, &Session::replayChanged, this, &ParameterPanel::updateLocks);
     connect(&m_session.comparison(), &Comparison::changed, this, &ParameterPanel::showGhost);
     connect(m_sets, &SetMenu::chosen, this,
@@ -116,8 +118,7 @@ void ParameterPanel::addRow(Side &side, int index, QGridLayout &grid, int line) 
 QWidget *ParameterPanel::makeHead() {
     const QString prefix = QStringLiteral("parameters_");
     auto *head = new QWidget;
-    auto *layout = new QHBoxLayout(head);
-    layout->setContentsMargins(0, 0, 0, 2);
+    auto *layout = new FlowLayout(head);
     auto *sets = new QToolButton;
     sets->setObjectName(QStringLiteral("parameter_sets"));
     sets->setText(tr("Sets"));
@@ -128,17 +129,16 @@ QWidget *ParameterPanel::makeHead() {
     layout->addWidget(sets);
     layout->addWidget(switchFor(m_actions.ghostsOwn, prefix));
     for (QAction *action : {&m_actions.copy, &m_actions.swap}) layout->addWidget(buttonFor(*action, prefix));
-    layout->addStretch();
     return head;
 }
 
 void ParameterPanel::addResetAll(QGridLayout &grid, int line) {
-    auto *resetAll = new QPushButton(tr("Reset all"));
-    resetAll->setObjectName(QStringLiteral("reset_all"));
-    resetAll->setToolTip(tr("Every parameter of the ball back to its default"));
-    resetAll->setFocusPolicy(Qt::TabFocus);
-    connect(resetAll, &QPushButton::clicked, this, &ParameterPanel::resetAll);
-    grid.addWidget(resetAll, line, 2, 1, 2, Qt::AlignRight);
+    m_resetAll = new QPushButton(tr("Reset all"));
+    m_resetAll->setObjectName(QStringLiteral("reset_all"));
+    m_resetAll->setToolTip(tr("Every parameter of the ball back to its default"));
+    m_resetAll->setFocusPolicy(Qt::TabFocus);
+    connect(m_resetAll, &QPushButton::clicked, this, &ParameterPanel::resetAll);
+    grid.addWidget(m_resetAll, line, 2, 1, 2, Qt::AlignRight);
     grid.setRowStretch(line + 1, 1);
 }
 
@@ -217,7 +217,7 @@ void ParameterPanel::showValue(const Side &side, int index, double value) {
     if (row.flags & PHYS_ROW_CHOICE) updateLocks(); // the model may have changed
 }
 
-void ParameterPanel::showFlownTilt(Tilt tilt) {
+void ParameterPanel::showPilotsTilt(Tilt tilt) {
     const std::pair<const char *, double> tilts[] = {{"tilt_x", tilt.x}, {"tilt_y", tilt.y}};
     for (const auto &[id, angle] : tilts) {
         const int index = m_ball.parameters.indexOf(QLatin1String(id));
@@ -225,8 +225,8 @@ void ParameterPanel::showFlownTilt(Tilt tilt) {
     }
 }
 
-/// The sliders show the parameters again when the autopilot is off.
-void ParameterPanel::showAutopilot() {
+/// The sliders show the parameters again when nothing else tilts the board.
+void ParameterPanel::showPilot() {
     for (int index = 0; index < m_ball.parameters.count(); ++index)
         m_ball.rows[size_t(index)]->showValue(m_ball.parameters.value(index));
     updateLocks();
@@ -248,8 +248,8 @@ void ParameterPanel::updateLocks() {
         for (int index = 0; index < side->parameters.count(); ++index)
             if (ParameterRow *row = side->rows[size_t(index)])
                 row->setLocked(lockOf(*side, side->parameters.row(index)));
-    widget()->setPalette(m_session.isReplaying() ? readable(palette()) : QPalette());
-    widget()->findChild<QPushButton *>(QStringLiteral("reset_all"))->setEnabled(!m_session.isReplaying());
+    for (ParameterRow *row : m_ball.rows) row->setPalette(m_session.isReplaying() ? readable(palette()) : QPalette());
+    m_resetAll->setEnabled(!m_session.isReplaying());
 }
 
 QString ParameterPanel::lockOf(const Side &side, const phys_param_row &row) const {
@@ -258,6 +258,9 @@ QString ParameterPanel::lockOf(const Side &side, const phys_param_row &row) cons
     if ((row.flags & PHYS_ROW_RIGID) && side.parameters.inputs().params.model != PHYS_MODEL_RIGID)
         return tr("Acts in the rigid model only; choose it under Model.");
     if (isTilt(row) && m_session.hasAutopilot()) return tr("The autopilot tilts the board; A switches it off.");
+    if (isTilt(row) && m_session.isFollowingTrack())
+        return tr("The board is tilted as the measured ball's was; Roll along switches that off, and so does an arrow "
+                  "key.");
     return {};
 }
 

@@ -36,8 +36,8 @@ public:
     void resetAll();
     void copyToGhost();
     void swapWithGhost();
-    /// Shows the autopilot's tilt, rad, while it plays.
-    void showFlownTilt(Tilt tilt);
+    /// Shows the tilt, rad, that the autopilot or the measured ball's table sets.
+    void showPilotsTilt(Tilt tilt);
     QSize sizeHint() const override;
 
 signals:
@@ -63,7 +63,7 @@ private:
     void addResetAll(QGridLayout &grid, int line);
     void edit(Side &side, int index, double value);
     void showValue(const Side &side, int index, double value);
-    void showAutopilot();
+    void showPilot();
     void showGhost();
     void updateLocks();
     QString lockOf(const Side &side, const phys_param_row &row) const;
@@ -74,6 +74,7 @@ private:
     Side m_ball;
     Side m_ghost;
     SetMenu *m_sets;
+    QPushButton *m_resetAll = nullptr;
     int m_gesture = 0;
 };
 

@@ -60,6 +60,11 @@ void ParameterRow::setVisible(bool isVisible) {
     for (QWidget *widget : m_widgets) widget->setVisible(isVisible);
 }
 
+void ParameterRow::setPalette(const QPalette &palette) {
+    for (QWidget *widget : m_widgets)
+        if (widget != m_box || !m_box->isRefused()) widget->setPalette(palette);
+}
+
 void ParameterRow::takeColours() {
     if (!m_label) return;
     QPalette palette;

@@ -35,6 +35,7 @@ public:
     ParameterRow(const phys_param_row &row, Place place, QGridLayout &grid, int line, QObject *parent);
 
     void setVisible(bool isVisible);
+    void setPalette(const QPalette &palette);
     /// Applies the theme's colours.
     void takeColours();
     void showValue(double value);

@@ -6,6 +6,7 @@
 #include "ui/parameters/parameter_command.h"
 #include "ui/parts/described.h"
 #include "ui/parts/file_chooser.h"
+#include "ui/parts/flow_layout.h"
 #include "ui/parts/path_icon.h"
 #include "ui/parts/settings_keys.h"
 #include "ui/track/fit_table.h"
@@ -115,14 +116,11 @@ QWidget *TrackDock::makeControls() {
     for (QPushButton *button : {m_fit, m_follow, m_takeOver})
         button->setFocusPolicy(Qt::TabFocus); // a click doesn't take the keyboard from the game
     auto *controls = new QWidget;
-    auto *layout = new QHBoxLayout(controls);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_file, 3);
-    layout->addWidget(m_units, 2);
-    layout->addWidget(m_fit);
-    layout->addWidget(m_progress, 1);
-    layout->addWidget(m_takeOver);
-    layout->addWidget(m_follow);
+    auto *layout = new FlowLayout(controls);
+    for (QWidget *widget :
+         {static_cast<QWidget *>(m_file), static_cast<QWidget *>(m_units), static_cast<QWidget *>(m_fit),
+          static_cast<QWidget *>(m_progress), static_cast<QWidget *>(m_takeOver), static_cast<QWidget *>(m_follow)})
+        layout->addWidget(widget);
     return controls;
 }
 
@@ -166,6 +164,12 @@ void TrackDock::showTrackReport() {
     m_report->setPlainText(trackReport(*m_track, board.frame, m_session.scene().get()).join(QLatin1Char('\n')));
 }
 
+/// Without what a fit had found, which is forgotten.
+void TrackDock::showAnew() {
+    if (!m_session.isFollowingTrack()) layOver(m_quantities->begin(m_session.parameters().inputs()));
+    showTrackReport();
+}
+
 void TrackDock::layOver(const BoardParameters &board) {
     m_session.showTrack(std::make_shared<ShownTrack>(*m_track, board, usualBegin(*m_track)));
 }
@@ -193,7 +197,7 @@ void TrackDock::showLevel() {
     forgetFit();
     showRunning();
     if (!m_track) return;
-    if (m_session.track()) return showTrackReport();
+    if (m_session.track()) return showAnew();
     m_report->setPlainText(
         tr("%1 lies over level %2 and is shown there. Enter in the file's box opens it for this one.")
             .arg(QFileInfo(m_track->name).fileName(), m_level));

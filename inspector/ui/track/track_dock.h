@@ -45,6 +45,7 @@ private:
     void layOver(const BoardParameters &board);
     void follow(bool isOn);
     void showTrackReport();
+    void showAnew();
     void forgetFit();
     void showLevel(); ///< the fit belonged to the maze before; the track comes back with its level
     void toggle();    ///< starts or cancels a fit

@@ -57,6 +57,7 @@ constexpr QSize kUsualSize(1280, 800);
 constexpr double kScreenShare = 0.75; ///< share of a larger screen
 constexpr double kTradeShare = 0.42;  ///< share of the window's height, when the dock is shown
 constexpr double kPlotShare = 0.29;
+constexpr double kSideShare = 0.42; ///< of the window's width, at most, for the parameters
 constexpr double kComparisonShare = 0.34;
 constexpr double kBouncesShare = 0.42;
 constexpr double kBouncesWidth = 0.36; ///< share of the window's width, next to the plots
@@ -410,7 +411,7 @@ void MainWindow::sayWhyFlat(const QString &reason) {
 }
 
 void MainWindow::showTitle() {
-    const QString title = tr("%1 – Physics inspector").arg(levelTitle(m_session));
+    const QString title = tr("%1 – Physics inspector").arg(levelTitle(m_session, m_session.level()));
     if (!m_session.isReplaying()) return setWindowTitle(title);
     setWindowTitle(QStringLiteral("%1 – %2").arg(QFileInfo(m_session.recording().recording().file).fileName(), title));
 }
@@ -428,7 +429,7 @@ void MainWindow::refresh() {
     m_ball->refresh(now);
     m_comparison->refresh(now);
     m_runs->refresh();
-    if (m_session.hasAutopilot() && !m_session.isInPast()) m_parameters->showFlownTilt(now.inputs.tilt);
+    if (m_session.isTiltedByPilot() && !m_session.isInPast()) m_parameters->showPilotsTilt(now.inputs.tilt);
 }
 
 void MainWindow::showRunning(bool isRunning) {
@@ -478,8 +479,10 @@ void MainWindow::fitScreen() {
     const QRect available = screen()->availableGeometry();
     if (available.contains(geometry())) return;
     const QPoint last = available.bottomRight() - rect().bottomRight();
-    move(std::clamp(x(), available.left(), std::max(available.left(), last.x())),
-         std::clamp(y(), available.top(), std::max(available.top(), last.y())));
+    // Not move(): before the window is shown it would take this place of the content for that of the frame.
+    setGeometry({{std::clamp(x(), available.left(), std::max(available.left(), last.x())),
+                  std::clamp(y(), available.top(), std::max(available.top(), last.y()))},
+                 size()});
 }
 
 void MainWindow::resetLayout() {
@@ -493,7 +496,7 @@ void MainWindow::arrangeDocks() {
     auto *parameters = findChild<QDockWidget *>(QLatin1String(kDockNames[0]));
     auto *levels = findChild<QDockWidget *>(QLatin1String(kDockNames[1]));
     auto *plot = findChild<QDockWidget *>(QLatin1String(kDockNames[2]));
-    const int side = m_parameters->sizeHint().width();
+    const int side = std::min(m_parameters->sizeHint().width(), int(kSideShare * width()));
     resizeDocks({parameters, levels}, {side, side}, Qt::Horizontal);
     resizeDocks({parameters, levels}, {m_parameters->sizeHint().height() + 30, 240}, Qt::Vertical);
     resizeDocks({plot}, {std::max(200, int(kPlotShare * height()))}, Qt::Vertical);

@@ -3,6 +3,7 @@
 
 #include "core/setup/numbers.h"
 #include "ui/game/clock_text.h"
+#include "ui/game/game_strip.h"
 
 #include <QHeaderView>
 #include <QKeyEvent>
@@ -13,12 +14,28 @@ namespace {
 
 constexpr int kEndRole = Qt::UserRole; ///< in the first column: the run's last place
 
+/// Each one once, in the order of their first use.
+QString listed(QStringList texts) {
+    texts.removeDuplicates();
+    return texts.join(QStringLiteral(", "));
+}
+
+QString nameOf(const Session &session, const QByteArray &stepper) {
+    phys_stepper_info info;
+    const bool isThere = phys_registry_find(session.registry().get(), stepper.constData(), &info, nullptr) == PHYS_OK;
+    return QString::fromUtf8(isThere ? info.name : stepper.constData());
+}
+
 QStringList textsOf(const Session &session, const KeptRun &run, bool isLive) {
     QString result = run.isOut ? RunDock::tr("out of the maze") : RunDock::tr("ended inside");
     if (isLive && !run.isOut) result = RunDock::tr("the present one");
-    const uint32_t stepper = stepperIndex(session.registry(), run.stepper.constData());
-    return {run.level.name, stepperName(session.registry(), stepper), durationText(run.dt), clockText(run.time),
-            result};
+    QStringList steppers;
+    QStringList steps;
+    for (const auto &[stepper, dt] : run.pace) {
+        steppers += nameOf(session, stepper);
+        steps += durationText(dt);
+    }
+    return {levelTitle(session, run.level), listed(steppers), listed(steps), clockText(run.time), result};
 }
 
 } // namespace
@@ -33,6 +50,7 @@ RunDock::RunDock(Session &session, QWidget *parent)
     setUniformRowHeights(true);
     setHeaderLabels({tr("Level"), tr("Stepper"), tr("Time step"), tr("Time"), tr("Result")});
     header()->setSectionsMovable(false);
+    header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     connect(this, &QTreeWidget::itemDoubleClicked, this, [this](const QTreeWidgetItem *item) { goTo(item); });
 }
 

@@ -53,6 +53,11 @@ QString speedText(const Snapshot &snapshot) {
         .arg(QString::number(statistics.speedReached, 'f', 2), asked);
 }
 
+QString rateText(const Snapshot &snapshot) {
+    const double rate = snapshot.statistics.stepsPerSecond;
+    return rate < 10.0 ? QString::number(rate, 'g', 2) : QString::number(rate, 'f', 0);
+}
+
 struct Field {
     const char *name;
     const char *label;
@@ -75,7 +80,7 @@ const Field kFields[] = {
     {"status_time", FIELD_TEXT("Simulated"), FIELD_TEXT("Simulated time since the start"), "0000.000 s",
      [](const Snapshot &now) { return QStringLiteral("%1 s").arg(now.current.time, 0, 'f', 3); }},
     {"status_rate", FIELD_TEXT("Steps/s"), FIELD_TEXT("Steps per second of the clock, over the last half second"),
-     "000000", [](const Snapshot &now) { return QString::number(now.statistics.stepsPerSecond, 'f', 0); }, true},
+     "000000", rateText, true},
     {"status_speed", FIELD_TEXT("Speed"), FIELD_TEXT("Real-time factor: reached, and asked for"), "paused (0.0625 ×)",
      speedText},
     {"status_lost", FIELD_TEXT("Lost"), FIELD_TEXT("Time that was dropped because steps came too late, in this run"),

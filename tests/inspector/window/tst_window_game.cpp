@@ -28,7 +28,9 @@ private slots:
     void promptIsShownAtTheStart();
     void clockIsShownWhilePlaying();
     void pauseIsSaid();
-    void promptHidesWhereTheBallRollsWithoutTheGame();
+    void runWithoutTheGameSaysHowToPlay();
+    void longStepSaysWhenTheNextOneComes();
+    void levelAfterTheAutopilotsIsLevel();
     void autopilotWinsALevel_data();
     void autopilotWinsALevel();
     void enterGoesOnToTheNextLevel();
@@ -102,9 +104,32 @@ void TestWindowGame::pauseIsSaid() {
     QTRY_COMPARE(text().title, QString("Paused"));
 }
 
-void TestWindowGame::promptHidesWhereTheBallRollsWithoutTheGame() {
+void TestWindowGame::runWithoutTheGameSaysHowToPlay() {
     m_fixture->press(Qt::Key_Space);
-    QTRY_COMPARE(text(), inspector::ui::GameText{});
+    QTRY_COMPARE(text().line, QString("Free run"));
+    QCOMPARE(text().title, QString("Level 1"));
+    QCOMPARE(text().hint, QString("Arrow keys or sliders tilt the board · Enter: play"));
+    m_fixture->press(Qt::Key_R);
+    m_fixture->press(Qt::Key_Space);
+    QTRY_COMPARE(m_fixture->simulation().latest().running, false);
+    m_fixture->makeSteps(1);
+    QCOMPARE(text().title, QString("Paused"));
+}
+
+void TestWindowGame::longStepSaysWhenTheNextOneComes() {
+    m_fixture->session().setDt(10.0);
+    m_fixture->press(Qt::Key_Space);
+    QTRY_VERIFY(text().hint.startsWith("One step of dt takes 10 s · the next one in "));
+    m_fixture->press(Qt::Key_Space);
+    QTRY_VERIFY(!text().hint.startsWith("One step"));
+}
+
+void TestWindowGame::levelAfterTheAutopilotsIsLevel() {
+    win();
+    QVERIFY(m_fixture->simulation().latest().inputs.tilt.x != 0.0);
+    m_fixture->press(Qt::Key_Return);
+    QTRY_COMPARE(m_fixture->simulation().latest().current.step, uint64_t(0));
+    QCOMPARE(m_fixture->simulation().latest().inputs.tilt.x, 0.0);
 }
 
 void TestWindowGame::autopilotWinsALevel_data() {

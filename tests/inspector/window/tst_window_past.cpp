@@ -41,6 +41,7 @@ private slots:
     void timeBarSaysTheStateStep();
     void keysJumpFromBounceToBounce();
     void restartKeepsTheRunBefore();
+    void runsNameAllThatTheyWereMadeBy();
     void clickOnAnotherLevelKeepsTheRun();
     void parametersAreThoseOfTheMoment();
     void savedRunRepeats();
@@ -268,6 +269,21 @@ void TestWindowPast::restartKeepsTheRunBefore() {
     m_fixture->key(Qt::Key_Escape);
     QTRY_VERIFY(isAt(20));
     QTRY_COMPARE(samples.last() - samples.first(), uint64_t(20));
+}
+
+void TestWindowPast::runsNameAllThatTheyWereMadeBy() {
+    makeSteps(3);
+    m_fixture->window().refresh();
+    session().setStepper("exact");
+    session().setDt(0.001);
+    makeSteps(3);
+    m_fixture->window().refresh();
+    m_fixture->trigger("show_runs_dock");
+    m_fixture->window().refresh();
+    const QTreeWidgetItem *run = m_fixture->find<QTreeWidget>("runs")->topLevelItem(0);
+    QCOMPARE(run->text(0), QString("Level 1"));
+    QCOMPARE(run->text(1), QString("Symplectic Euler, Exact"));
+    QCOMPARE(run->text(2), QString("10 ms, 1 ms"));
 }
 
 void TestWindowPast::clickOnAnotherLevelKeepsTheRun() {

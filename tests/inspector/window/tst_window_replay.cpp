@@ -51,6 +51,8 @@ private slots:
     void sliderFollowsTheReplay();
     void keyboardMovesTheSlider();
     void whatWasRecordedCantBeChanged();
+    void buttonsWithoutEffectLookSo();
+    void recordingIntoAMazeOfTheReplayIsRefused();
     void goingOnKeepsTheMoment();
     void goingOnGivesTheBoardToTheArrowKeys();
     void goingOnFreesTheSliders();
@@ -301,6 +303,37 @@ void TestWindowReplay::whatWasRecordedCantBeChanged() {
     QTRY_COMPARE(place().position, uint64_t(96));
     QTest::keyRelease(&m_fixture->window(), Qt::Key_Right);
     QCOMPARE(text("status_tilt"), QString("Tilt: 2.0° 3.0°"));
+}
+
+void TestWindowReplay::buttonsWithoutEffectLookSo() {
+    open(recorded());
+    for (const char *name : {"parameters_swap_with_ghost", "parameters_copy_to_ghost", "reset_all"}) {
+        const auto *button = m_fixture->find<QWidget>(name);
+        QVERIFY(!button->isEnabled());
+        QCOMPARE(button->palette().color(QPalette::Disabled, QPalette::ButtonText),
+                 QApplication::palette().color(QPalette::Disabled, QPalette::ButtonText));
+    }
+}
+
+void TestWindowReplay::recordingIntoAMazeOfTheReplayIsRefused() {
+    const inspector::Level own = m_fixture->session().levels()[0];
+    const QString copy = m_fixture->path("copy.txt");
+    QVERIFY(QFile::copy(own.path, copy));
+    QVERIFY(m_fixture->session().openLevel(inspector::levelOfFile(copy)));
+    m_fixture->makeSteps(2);
+    m_fixture->session().startRecording(m_fixture->path("two.rec"));
+    m_fixture->makeSteps(2);
+    QVERIFY(m_fixture->session().openLevel(own));
+    m_fixture->makeSteps(2);
+    m_fixture->session().stopRecording();
+    open(m_fixture->path("two.rec"));
+    goTo(4);
+    m_fixture->window().refresh();
+    QCOMPARE(m_fixture->session().level().path, own.path);
+    const QByteArray before = contentOf(copy);
+    m_fixture->session().startRecording(copy);
+    QVERIFY2(message().contains("it is open here"), qPrintable(message()));
+    QCOMPARE(contentOf(copy), before);
 }
 
 void TestWindowReplay::goingOnKeepsTheMoment() {

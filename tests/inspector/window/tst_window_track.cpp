@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A measured ball laid over the run: in the view, in plots, on the time bar; and a ball that rolls along.
 #include "inspector/track/made_track.h"
+#include "ui/parts/number_box.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/transport/seek_slider.h"
 #include "ui/window/board_picture.h"
@@ -36,10 +37,13 @@ private slots:
     void spanBeginsWithTheRun();
     void otherLevelHidesItAndSaysSo();
     void itsLevelBringsItBack();
+    void itsLevelBringsItBackWithoutWhatAFitHadFound();
+    void recordingThatChangesTheLevelSamplesItInItsOwnOnly();
     void recordingOfItsLevelKeepsIt();
     void recordingOfAnotherLevelHidesIt();
     void takingOverThePastEndsRollAlong();
     void rollAlongStartsWhereItStarted();
+    void slidersShowTheTiltThatItRollsAlongUnder();
     void keysTakeTheBoardBack();
 
 private:
@@ -206,6 +210,43 @@ void TestWindowTrack::itsLevelBringsItBack() {
     QVERIFY(std::abs(sample[Channel::TrackX] - m_track.points[20].x) < 1e-6);
 }
 
+void TestWindowTrack::itsLevelBringsItBackWithoutWhatAFitHadFound() {
+    openTrack();
+    const double before = m_fixture->session().track()->points().front().x;
+    BoardParameters fitted{initialInputs().params, 9.81, {}, 0.0, {}};
+    fitted.frame.x = 0.01;
+    m_fixture->session().showTrack(std::make_shared<ShownTrack>(m_track, fitted, 0.0));
+    QVERIFY(m_fixture->session().track()->points().front().x != before);
+    clickLevel(4);
+    clickLevel(3);
+    QCOMPARE(m_fixture->session().track()->points().front().x, before);
+}
+
+// Of its samples, too, before the window hears of the other level.
+void TestWindowTrack::recordingThatChangesTheLevelSamplesItInItsOwnOnly() {
+    openTrack();
+    m_fixture->makeSteps(20);
+    m_fixture->session().startRecording(m_fixture->path("two.rec"));
+    m_fixture->makeSteps(5);
+    clickLevel(4);
+    m_fixture->makeSteps(5);
+    m_fixture->session().stopRecording();
+    clickLevel(3);
+    const SampleRing &samples = m_fixture->simulation().samples();
+    QVERIFY(m_fixture->session().openRecording(m_fixture->path("two.rec")));
+    m_fixture->simulation().pause();
+    Sample last;
+    const auto showLast = [&](uint64_t position) { // without telling the window of the moment
+        const uint64_t seek = m_fixture->simulation().seek(position);
+        QTRY_COMPARE(now().replay.seeks, seek);
+        QVERIFY(samples.read(samples.last() - 1, last));
+    };
+    showLast(9);
+    QVERIFY(std::isnan(last[Channel::TrackX]));
+    showLast(4);
+    QVERIFY(!std::isnan(last[Channel::TrackX]));
+}
+
 void TestWindowTrack::recordingOfItsLevelKeepsIt() {
     openTrack();
     m_fixture->drop(recorded());
@@ -249,6 +290,22 @@ void TestWindowTrack::rollAlongStartsWhereItStarted() {
     Sample sample;
     QVERIFY(m_fixture->simulation().samples().read(50, sample));
     QVERIFY2(sample[Channel::TrackDistance] < 1e-4, qPrintable(QString::number(sample[Channel::TrackDistance])));
+}
+
+void TestWindowTrack::slidersShowTheTiltThatItRollsAlongUnder() {
+    openTrack();
+    click(&follow());
+    QTRY_VERIFY(now().current.time > 1.0);
+    m_fixture->trigger("run");
+    QTRY_VERIFY(!now().running);
+    m_fixture->window().refresh();
+    const auto *tilt = m_fixture->find<ui::NumberBox>("tilt_x_box");
+    QCOMPARE(tilt->value(), std::round(degrees(now().inputs.tilt.x) * 10.0) / 10.0);
+    QVERIFY(tilt->value() != 0.0);
+    QVERIFY(!tilt->isEnabled());
+    click(&follow());
+    QCOMPARE(tilt->value(), 0.0);
+    QVERIFY(tilt->isEnabled());
 }
 
 void TestWindowTrack::keysTakeTheBoardBack() {
