@@ -89,8 +89,6 @@ ChartDescription describeChart(const TradePlan &plan, const TradeResult &result,
                       .arg(modelName(model), plan.schedules[schedule].name)
                       .arg(span.band.isEmpty() ? span.impacts : span.early)
                       .arg(until, 0, 'f', 2);
-    chart.costLabel = QStringLiteral("CPU time of a simulated second [µs]");
-    chart.errorLabel = QStringLiteral("largest position error [radii]");
     chart.curves = curvesOf(result, model, schedule, until);
     chart.front = paretoFront(chart.points());
     if (span.band.isEmpty()) return chart;

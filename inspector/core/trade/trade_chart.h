@@ -33,7 +33,9 @@ struct ChartBand {
 };
 
 struct ChartDescription {
-    QString title, costLabel, errorLabel;
+    QString title;
+    QString costLabel = QStringLiteral("CPU time of a simulated second [µs]");
+    QString errorLabel = QStringLiteral("largest position error [radii]");
     std::vector<ChartCurve> curves; ///< for every stepper, so that colours don't change while results arrive
     std::vector<ChartPoint> front;  ///< the Pareto front, from cheap to accurate
     std::optional<ChartBand> band;

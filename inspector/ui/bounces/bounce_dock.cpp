@@ -6,6 +6,7 @@
 #include "ui/bounces/bounce_table_model.h"
 #include "ui/parts/elided_label.h"
 #include "ui/parts/settings_keys.h"
+#include "ui/parts/turning_splitter.h"
 
 #include <QBoxLayout>
 #include <QCheckBox>
@@ -19,7 +20,6 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSortFilterProxyModel>
-#include <QSplitter>
 #include <QTableView>
 
 #include <algorithm>
@@ -29,6 +29,7 @@ namespace inspector::ui {
 namespace {
 
 constexpr size_t kMarks = 20;
+constexpr int kNarrow = 520; ///< logical pixels
 
 /// Makes links of references to sections of the model page.
 QString withLinks(QString escaped) {
@@ -114,11 +115,10 @@ BounceDock::BounceDock(Session &session, QWidget *parent)
     m_area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // the text wraps
     m_area->setMinimumWidth(fontMetrics().averageCharWidth() * 24);
     m_area->installEventFilter(this);
-    auto *halves = new QSplitter;
+    auto *halves = new TurningSplitter(kNarrow);
     halves->addWidget(m_table);
     halves->addWidget(m_area);
     halves->setSizes({400, 600}); // per mille
-    halves->setChildrenCollapsible(false);
     auto *top = new QHBoxLayout;
     top->addWidget(m_slow);
     top->addWidget(m_others);

@@ -6,6 +6,7 @@
 #include "ui/comparison/distance_plot.h"
 #include "ui/parts/action_widgets.h"
 #include "ui/parts/elided_label.h"
+#include "ui/parts/flow_layout.h"
 #include "ui/parts/number_box.h"
 #include "ui/parts/stepper_items.h"
 #include "ui/plots/plot_panel.h"
@@ -62,11 +63,11 @@ QWidget *ComparisonDock::makeControls(const Actions &actions) {
     connect(&m_session, &Session::steppersAdded, this, [this] { addStepperItems(*m_stepper, m_session.registry()); });
     m_substeps->setObjectName(QStringLiteral("comparison_substeps"));
     m_substeps->setToolTip(tr("The ghost's time step, as a part of the ball's"));
+    m_substeps->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     m_substeps->setKind(wholeNumberKind(1, GhostChoice::kMostSubsteps));
 
     auto *controls = new QWidget;
-    auto *layout = new QHBoxLayout(controls);
-    layout->setContentsMargins(0, 0, 0, 0);
+    auto *layout = new FlowLayout(controls);
     layout->addWidget(switchFor(actions.compare, kPrefix));
     layout->addWidget(new QLabel(tr("with")));
     layout->addWidget(m_stepper);
@@ -74,7 +75,6 @@ QWidget *ComparisonDock::makeControls(const Actions &actions) {
     layout->addWidget(m_substeps);
     layout->addWidget(buttonFor(actions.meetAgain, kPrefix));
     layout->addWidget(switchFor(actions.ownParameters, kPrefix));
-    layout->addStretch();
     return controls;
 }
 

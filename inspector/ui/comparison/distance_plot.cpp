@@ -45,6 +45,7 @@ DistancePlot::DistancePlot(const SampleRing &samples, QWidget *parent)
     , m_high(addGraph())
     , m_middle(addGraph()) {
     setObjectName(QStringLiteral("distance_plot"));
+    setMinimumHeight(140); // both axes' labels
     addCurve(Channel::Distance, &Accents::total);
     curves().front().graph->removeFromLegend(); // the axis label is enough
     m_high->setName(tr("Not known (9 boards in 10)"));

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/chart_style.h"
 
+#include <algorithm>
+#include <vector>
+
 #include <qcustomplot.h>
 
 namespace inspector::ui {
@@ -44,6 +47,50 @@ QCPLayoutGrid *putLegendAbove(QCustomPlot &chart, int left) {
     chart.legend->setMargins(QMargins(left, 4, 8, 0));
     chart.legend->setColumnSpacing(18);
     return line;
+}
+
+namespace {
+
+constexpr int kMostTicks = 5;
+constexpr int kLinesBesideAxis = 4; ///< of text, above and below a value axis
+
+std::vector<int> entryWidths(const QCPLegend &legend) {
+    std::vector<int> widths;
+    for (int cell = 0; cell < legend.elementCount(); ++cell) // empty ones, too, at the end of its last line
+        if (const QCPLayoutElement *entry = legend.elementAt(cell))
+            widths.push_back(entry->minimumOuterSizeHint().width());
+    return widths;
+}
+
+/// The width that entries take in this many columns.
+int widthOf(const std::vector<int> &entries, size_t columns, int spacing) {
+    int width = int(columns - 1) * spacing;
+    for (size_t column = 0; column < columns; ++column) {
+        int widest = 0;
+        for (size_t entry = column; entry < entries.size(); entry += columns) widest = std::max(widest, entries[entry]);
+        width += widest;
+    }
+    return width;
+}
+
+void wrapLegend(QCPLegend &legend, int width) {
+    const std::vector<int> entries = entryWidths(legend);
+    const int room = width - legend.margins().left() - legend.margins().right();
+    size_t columns = std::max<size_t>(entries.size(), 1);
+    while (columns > 1 && widthOf(entries, columns, legend.columnSpacing()) > room) --columns;
+    const int wrap = columns < entries.size() ? int(columns) : 0;
+    if (wrap == legend.wrap()) return;
+    legend.setWrap(wrap);
+    legend.setFillOrder(legend.fillOrder(), true);
+}
+
+} // namespace
+
+void fitChart(QCustomPlot &chart) {
+    const int line = QFontMetrics(chart.font()).height();
+    const int ticks = std::clamp((chart.height() - kLinesBesideAxis * line) / (2 * line), 2, kMostTicks);
+    for (const QCPAxis *axis : {chart.yAxis, chart.yAxis2}) axis->ticker()->setTickCount(ticks);
+    wrapLegend(*chart.legend, chart.width());
 }
 
 void makeLogarithmic(QCPAxis &axis, const QString &label) {

@@ -27,6 +27,9 @@ void applyChartStyle(QCustomPlot &chart);
 /// line's layout, for further elements.
 QCPLayoutGrid *putLegendAbove(QCustomPlot &chart, int left);
 
+/// Where there is little room: fewer ticks, and more lines for the legend above the curves.
+void fitChart(QCustomPlot &chart);
+
 /// Makes an axis logarithmic, labelled in powers of ten.
 void makeLogarithmic(QCPAxis &axis, const QString &label);
 

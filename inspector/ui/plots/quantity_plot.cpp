@@ -33,6 +33,20 @@ QString unitOf(const std::vector<Channel> &channels) {
     return printedUnit(unit);
 }
 
+/// What all of them are, a ghost's aside; empty if they differ.
+QString nameOf(const std::vector<Channel> &channels) {
+    if (channels.size() == 1) return QString::fromUtf8(channelInfos()[size_t(channels.front())].label);
+    QString name;
+    for (const Channel channel : channels) {
+        const ChannelInfo &info = channelInfos()[size_t(channel)];
+        const QString its = QString::fromUtf8(info.group);
+        if (info.isGhost) continue;
+        if (!name.isEmpty() && its != name) return {};
+        name = its;
+    }
+    return name;
+}
+
 } // namespace
 
 QString textOf(const PlotContent &content) {
@@ -70,8 +84,7 @@ void QuantityPlot::setContent(const PlotContent &content) {
         addCurve(channel, kColours[number++ % std::size(kColours)], isGhost ? Qt::DashLine : Qt::SolidLine);
     }
     const QString unit = unitOf(content.channels);
-    const QString name =
-        content.channels.size() == 1 ? QString::fromUtf8(channelInfos()[size_t(content.channels[0])].label) : QString();
+    const QString name = nameOf(content.channels);
     const QString label = unit.isEmpty() ? name : (name + QStringLiteral(" [%1]").arg(unit)).trimmed();
     if (content.isLogarithmic) {
         makeLogarithmic(*yAxis, label);

@@ -132,6 +132,7 @@ void TimePlot::refresh() {
     if (!m_isStale && (last == m_shown || isPaused())) return;
     m_shown = last;
 
+    fitChart(*this);
     const std::optional<double> newest = newestTime();
     if (isFollowing() && !isPaused() && newest) m_time->follow(*newest);
     xAxis->setRange(m_time->range());
@@ -297,6 +298,12 @@ std::optional<Sample> TimePlot::sampleAt(double time) const {
     return left;
 }
 
+/// How to use the plot, where there is room for it.
+QString TimePlot::hint() const {
+    const QString text = tr("Wheel: zoom · drag: move · double click: follow");
+    return fontMetrics().horizontalAdvance(text) < m_text->rect().width() ? text : QString();
+}
+
 void TimePlot::updateReadOut() {
     m_readOut = m_time->cursor() ? sampleAt(*m_time->cursor()) : std::nullopt;
     if (m_readOut && m_readOut->time < m_time->clearedAt()) m_readOut.reset();
@@ -311,7 +318,8 @@ void TimePlot::updateReadOut() {
         curve.dot->setVisible(std::isfinite(value)); // NaN without a ghost
         if (std::isfinite(value)) curve.dot->position->setCoords(m_readOut->time, value);
     }
-    m_text->setText(m_readOut ? tr("%1 s   %2").arg(m_readOut->time, 0, 'f', 4).arg(textOf(*m_readOut)) : QString());
+    m_text->setText(m_readOut ? tr("%1 s   %2").arg(m_readOut->time, 0, 'f', 4).arg(textOf(*m_readOut)) : hint());
+    m_text->setTextColor(m_readOut ? palette().color(QPalette::Text) : palette().color(QPalette::PlaceholderText));
     if (!m_readOut) return;
     m_cursorLine->point1->setCoords(m_readOut->time, 0.0);
     m_cursorLine->point2->setCoords(m_readOut->time, 1.0);

@@ -104,6 +104,7 @@ private:
     void load(const Curve &curve);
     void loadOldFuture(const Curve &curve);
     void updateReadOut();
+    QString hint() const;
     std::optional<Sample> sampleAt(double time) const;
     Qt::Orientations orientationAt(QPointF position, Qt::KeyboardModifiers modifiers) const;
 

@@ -14,10 +14,10 @@ ResidualPlot::ResidualPlot(QWidget *parent)
     , m_bounces(addGraph())
     , m_noise(new QCPItemRect(this)) {
     setObjectName(QStringLiteral("track_residuals"));
-    setMinimumSize(140, 110);
+    setMinimumSize(140, 130);
     xAxis->setLabel(tr("Time [s]"));
     yAxis->setLabel(tr("Residual [mm]"));
-    setToolTip(tr("Measured minus computed"));
+    setToolTip(tr("Measured minus computed · wheel: zoom · drag: move"));
     m_x->setName(tr("x"));
     m_y->setName(tr("y"));
     m_bounces->setName(tr("bounces"));
@@ -60,6 +60,11 @@ void ResidualPlot::show(const ModelFit &fit, double noise) {
     if (!fit.residuals.empty()) xAxis->setRange(fit.residuals.front().seen.time, fit.residuals.back().seen.time);
     yAxis->setRange(-1.15 * largest, 1.15 * largest);
     replot(rpQueuedReplot);
+}
+
+void ResidualPlot::resizeEvent(QResizeEvent *event) {
+    QCustomPlot::resizeEvent(event);
+    fitChart(*this);
 }
 
 void ResidualPlot::changeEvent(QEvent *event) {

@@ -19,6 +19,7 @@ public:
     void clear();
 
 protected:
+    void resizeEvent(QResizeEvent *event) override;
     void changeEvent(QEvent *event) override;
 
 private:

@@ -47,8 +47,8 @@ TradeChart::TradeChart(QWidget *parent)
     setObjectName(QStringLiteral("trade_chart"));
     setMinimumSize(260, 180);
     setMouseTracking(true);
-    makeLogarithmic(*xAxis, {});
-    makeLogarithmic(*yAxis, {});
+    makeLogarithmic(*xAxis, m_description.costLabel);
+    makeLogarithmic(*yAxis, m_description.errorLabel);
     m_front->setName(tr("best for its cost"));
     for (QCPGraph *line : {m_middle, m_limit}) line->removeFromLegend();
     for (QCPItemTracer *ring : {m_ring, m_goodEnough}) {

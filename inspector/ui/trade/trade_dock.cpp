@@ -7,7 +7,10 @@
 #include "core/trade/trade_table.h"
 #include "ui/parts/described.h"
 #include "ui/parts/elided_label.h"
+#include "ui/parts/flow_layout.h"
 #include "ui/parts/stepping_command.h"
+#include "ui/parts/theme.h"
+#include "ui/parts/turning_splitter.h"
 #include "ui/trade/schedule_chooser.h"
 #include "ui/trade/trade_chart.h"
 #include "ui/trade/trade_table_model.h"
@@ -23,7 +26,6 @@
 #include <QSlider>
 #include <QSortFilterProxyModel>
 #include <QSpinBox>
-#include <QSplitter>
 #include <QTableView>
 
 #include <algorithm>
@@ -38,6 +40,7 @@ constexpr int kPerDecade = 20;
 constexpr int kFinestTolerance = -6 * kPerDecade;
 constexpr int kCoarsestTolerance = 2 * kPerDecade;
 constexpr int kChartPeriod = 200; ///< ms
+constexpr int kNarrow = 560;      ///< logical pixels
 
 template<typename Widget>
 Widget *named(Widget *widget, const char *name) {
@@ -58,15 +61,16 @@ TradeDock::TradeDock(Session &session, QUndoStack &undo, QWidget *parent)
     makeControls();
     leaveKeysToTheGame();
     makeTable();
-    auto *halves = new QSplitter;
+    auto *halves = new TurningSplitter(kNarrow);
     halves->addWidget(m_chart);
     halves->addWidget(m_table);
     halves->setSizes({550, 450}); // per mille
-    halves->setChildrenCollapsible(false);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 4, 6, 6);
     layout->addWidget(makeTop());
+    layout->addWidget(m_remark);
     layout->addWidget(makeUnknowns());
+    layout->addWidget(m_unknownsError);
     layout->addWidget(halves, 1);
     layout->addWidget(makeGoodEnough());
     layout->addWidget(makeBottom());
@@ -110,6 +114,8 @@ void TradeDock::makeControls() {
              tr("What isn't known exactly of the real board, and by how much: tilt, start or a parameter by its name; "
                 "none: nothing"));
     m_unknownsError = named(new QLabel, "trade_unknowns_error");
+    m_unknownsError->setWordWrap(true);
+    m_unknownsError->setTextFormat(Qt::PlainText);
     m_horizon = named(new QDoubleSpinBox, "trade_horizon");
     m_horizon->setRange(0.1, 60.0);
     m_horizon->setDecimals(1);
@@ -168,28 +174,23 @@ void TradeDock::leaveKeysToTheGame() {
 
 QWidget *TradeDock::makeTop() {
     auto *top = new QWidget;
-    auto *layout = new QHBoxLayout(top);
-    layout->setContentsMargins(0, 0, 0, 0);
-    for (QWidget *widget : {static_cast<QWidget *>(m_measure), static_cast<QWidget *>(m_schedule),
-                            static_cast<QWidget *>(m_duration), static_cast<QWidget *>(m_model)})
+    auto *layout = new FlowLayout(top);
+    for (QWidget *widget :
+         {static_cast<QWidget *>(m_measure), static_cast<QWidget *>(m_schedule), static_cast<QWidget *>(m_duration),
+          static_cast<QWidget *>(m_model), static_cast<QWidget *>(m_progress)})
         layout->addWidget(widget);
-    layout->addWidget(m_progress);
-    layout->addWidget(m_remark, 1);
     return top;
 }
 
 QWidget *TradeDock::makeUnknowns() {
     auto *row = new QWidget;
-    auto *layout = new QHBoxLayout(row);
-    layout->setContentsMargins(0, 0, 0, 0);
+    auto *layout = new FlowLayout(row);
     auto *label = new QLabel(tr("&Not known:"));
     label->setBuddy(m_unknowns);
-    m_unknowns->setMinimumWidth(fontMetrics().averageCharWidth() * 40);
-    for (QWidget *widget :
-         {static_cast<QWidget *>(label), static_cast<QWidget *>(m_unknowns), static_cast<QWidget *>(m_share),
-          static_cast<QWidget *>(m_horizon), static_cast<QWidget *>(m_unknownsError)})
+    m_unknowns->setMinimumWidth(fontMetrics().averageCharWidth() * 30);
+    for (QWidget *widget : {static_cast<QWidget *>(label), static_cast<QWidget *>(m_unknowns),
+                            static_cast<QWidget *>(m_share), static_cast<QWidget *>(m_horizon)})
         layout->addWidget(widget);
-    layout->setStretchFactor(m_unknowns, 1);
     return row;
 }
 
@@ -243,6 +244,9 @@ std::optional<Unknowns> TradeDock::unknowns() {
     QString error;
     std::optional<Unknowns> result = parseUnknowns(m_unknowns->text().trimmed(), &error);
     m_unknownsError->setText(error);
+    QPalette marked = palette();
+    marked.setColor(QPalette::WindowText, accentsFor(marked).alarm);
+    m_unknownsError->setPalette(marked);
     m_unknownsError->setVisible(!error.isEmpty());
     return result;
 }

@@ -39,6 +39,7 @@ private slots:
     void seedIsTheRandomSchedules();
     void fileGivesTheSchedule();
     void fileThatCantBeReadIsSaid();
+    void reasonOfUnknownsIsWhole();
     void otherModelShowsItsOwnPoints();
     void cancelKeepsWhatIsKnown();
 
@@ -231,6 +232,20 @@ void TestTradeDock::fileThatCantBeReadIsSaid() {
     QTRY_VERIFY_WITH_TIMEOUT(!isMeasuring(), kLong);
     QVERIFY(remark().contains("missing.txt"));
     find<QComboBox>("trade_schedule").setCurrentIndex(0);
+}
+
+void TestTradeDock::reasonOfUnknownsIsWhole() {
+    auto &box = find<QLineEdit>("trade_unknowns");
+    const QString before = box.text();
+    box.setText("tilt=0.1deg,stickiness=3");
+    m_dock->resize(460, 420);
+    const auto &reason = find<QLabel>("trade_unknowns_error");
+    QTRY_VERIFY(reason.isVisible());
+    QVERIFY(!find<QPushButton>("trade_measure").isEnabled());
+    QTRY_VERIFY(reason.width() <= m_dock->width() && reason.height() >= reason.heightForWidth(reason.width()));
+    m_dock->resize(1200, 420);
+    box.setText(before);
+    QVERIFY(!reason.isVisible());
 }
 
 void TestTradeDock::otherModelShowsItsOwnPoints() {

@@ -468,15 +468,15 @@ void TestWindowBounces::detailHasTheLawWithItsNumbers() {
     QVERIFY(text.contains(QStringLiteral("model.md 2.1 R2")));
 }
 
-// Where the dock is narrow nothing of it is cut off: there are no columns then, and no line is wider than the dock.
+// Where the dock is narrow nothing of it is cut off: it is below the list, and no line is wider than the dock.
 void TestWindowBounces::detailIsWrappedBesideAnotherDock() {
     m_fixture->press(Qt::Key_7, Qt::ControlModifier);
     showDock();
     play(5);
     m_table->selectRow(0);
     const auto *detail = m_fixture->find<QLabel>("bounces_detail");
-    QVERIFY2(detail->text().startsWith("<p"), qPrintable(detail->text()));
     const QWidget *area = detail->parentWidget();
+    QVERIFY(area->mapTo(&m_fixture->window(), QPoint()).y() > m_table->mapTo(&m_fixture->window(), QPoint()).y());
     QTRY_VERIFY2(detail->width() <= area->width() && detail->minimumSizeHint().width() <= area->width(),
                  qPrintable(QString("%1 of %2").arg(detail->minimumSizeHint().width()).arg(area->width())));
     const auto *dock = m_fixture->find<QDockWidget>("bounces_dock");

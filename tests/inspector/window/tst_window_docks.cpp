@@ -19,6 +19,8 @@
 #include <QMenuBar>
 #include <QPainter>
 #include <QScreen>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QStyleOptionViewItem>
 #include <QTimer>
@@ -26,6 +28,8 @@
 
 #include <algorithm>
 #include <cmath>
+
+#include <qcustomplot.h>
 
 using namespace window_test;
 
@@ -79,6 +83,9 @@ private slots:
     void windowFitsASmallScreen_data();
     void windowFitsASmallScreen();
     void stripWidensNoWindow();
+    void dockBesideTheBouncesIsWhole_data();
+    void dockBesideTheBouncesIsWhole();
+    void legendIsWholeInANarrowPlot();
     void standingWindowDrawsNothing();
     void messageCanBeReadInEveryTheme_data();
     void messageCanBeReadInEveryTheme();
@@ -407,6 +414,42 @@ void TestWindowDocks::windowFitsASmallScreen() {
                                         .arg(window.minimumSizeHint().width())
                                         .arg(window.minimumSizeHint().height())));
     QVERIFY(window.view().height() >= 150);
+}
+
+void TestWindowDocks::dockBesideTheBouncesIsWhole_data() {
+    QTest::addColumn<QString>("dock");
+    for (const char *name : {"trade_dock", "comparison_dock", "track_dock"}) QTest::newRow(name) << name;
+}
+
+// From side to side.
+void TestWindowDocks::dockBesideTheBouncesIsWhole() {
+    QFETCH(QString, dock);
+    m_fixture->window().resize(1280, 800);
+    m_fixture->trigger("show_bounces_dock");
+    m_fixture->trigger("show_" + dock);
+    const auto *area = qobject_cast<QScrollArea *>(m_fixture->find<QDockWidget>(dock)->widget());
+    QVERIFY(area);
+    QTRY_VERIFY(area->isVisible());
+    QTRY_COMPARE(area->horizontalScrollBar()->maximum(), 0);
+}
+
+void TestWindowDocks::legendIsWholeInANarrowPlot() {
+    auto *plot = m_fixture->find<QCustomPlot>("velocity_plot");
+    m_fixture->window().resize(800, 600);
+    const auto isWhole = [&] {
+        m_fixture->window().refresh();
+        plot->replot();
+        for (int cell = 0; cell < plot->legend->elementCount(); ++cell) {
+            const QCPLayoutElement *entry = plot->legend->elementAt(cell);
+            if (!entry) continue;
+            const bool hasRoom = entry->rect().width() >= entry->minimumOuterSizeHint().width();
+            if (!hasRoom || !plot->rect().contains(entry->rect())) return false;
+        }
+        return true;
+    };
+    QTRY_VERIFY(plot->width() < 400);
+    QTRY_VERIFY(isWhole());
+    QCOMPARE(plot->legend->rowCount(), 2);
 }
 
 // Whatever a level is called, and however it ended.

@@ -42,7 +42,7 @@ QWidget *keyboardOwner(QWidget &window) {
 QString readOutOf(const QCustomPlot *plot) {
     const auto *text = plot->findChild<QCPTextElement *>("read_out");
     if (!text) qFatal("no read-out");
-    return text->text();
+    return text->text().startsWith("Wheel: zoom") ? QString() : text->text(); // that is the hint
 }
 
 void prepare() { QSurfaceFormat::setDefaultFormat(inspector::gl::surfaceFormat()); }
