@@ -65,7 +65,7 @@ Target::Target(const Outlook &around, const phys_box &from)
     tolerance = around.scene.tolerance;
     slight = 2.0 * std::sqrt(tolerance / R);
     const Nearest close = nearest(box, Vec3(0.0));
-    if (std::abs(close.distance - R) > 2.0 * around.scene.tolerance) return;
+    if (close.distance - R > 2.0 * around.scene.tolerance) return; // one that is touched deeper by rounding is touched
     isBehindFace = around.isBehindTouchedFace(from);
     rate = glm::dot(close.normal, around.motion.velocity);
     isTouched = isBehindFace || around.isTouched(close.normal);
