@@ -37,6 +37,17 @@ double safeTime(const PlanInput &input, const Ball &ball) {
     return std::min(safeTime(input.scene.radius, pull, glm::length(ball.velocity)), safeTimeOfSpin(input, ball));
 }
 
+/// On which side of a box a centre is along each axis: -1, 0 in it, 1; 2 at an end, where its velocity decides.
+std::array<int, 3> sidesOf(const phys_box &box, const Vec3 &centre, double tolerance) {
+    std::array<int, 3> sides{};
+    for (int axis = 0; axis < 3; ++axis) {
+        const double below = (&box.min.x)[axis] - centre[axis], above = centre[axis] - (&box.max.x)[axis];
+        const bool isAtEnd = std::abs(below) <= tolerance || std::abs(above) <= tolerance;
+        sides[static_cast<size_t>(axis)] = isAtEnd ? 2 : below > 0.0 ? -1 : above > 0.0 ? 1 : 0;
+    }
+    return sides;
+}
+
 } // namespace
 
 Setting SweptStep::settingOf(const PlanInput &input) {
@@ -113,15 +124,74 @@ bool SweptStep::advanceFreely() {
     return FloorRun<VelocityVerlet>(context, m_plan, m_input.dt).glide(m_ball);
 }
 
+/// An approach that is slower than this doesn't bounce.
+double SweptStep::restSpeedAlong(const Vec3 &normal) const {
+    const Vec3 gravity = m_context.setting.gravity();
+    const double share = 2.0 * m_substep * m_substep * std::sqrt(glm::length(gravity) / m_context.radius());
+    return share * std::max(0.0, -glm::dot(gravity, normal));
+}
+
+/// Leaving a contact faster than this ends it.
+double SweptStep::leavingSpeed(double restSpeed) const {
+    // Friction, too, may press so that a bounce doesn't rise above rounding.
+    const double hop = std::sqrt(2.0 * glm::length(m_context.setting.gravity()) * m_context.scene().tolerance);
+    return std::max({restSpeed, m_slow, hop});
+}
+
+/// What a ball touches that lies on one floor: that and at most one upright face; nothing if it touches anything else.
+std::optional<SweptStep::Ground> SweptStep::findGround() const {
+    const Setting &setting = m_context.setting;
+    const Vec3 &p = m_ball.position;
+    const double touching = m_context.radius() + setting.tolerance;
+    std::optional<Contact> floor, face;
+    for (const uint32_t number : setting.scene.boxesNear(p.x, p.y, setting.scene.hasManyBoxes)) {
+        const phys_box &box = setting.scene.boxes[number];
+        if (squaredDistance(box, p) > touching * touching) continue;
+        const std::array<int, 3> sides = sidesOf(box, p, setting.tolerance);
+        const int axis = sides[2] != 0 ? 2 : sides[1] != 0 ? 1 : 0;
+        const int side = sides[static_cast<size_t>(axis)];
+        const bool isFace = std::count(sides.begin(), sides.end(), 0) == 2 && std::abs(side) == 1;
+        std::optional<Contact> &contact = axis == 2 ? floor : face;
+        if (!isFace || contact || (axis == 2 && side < 0)) return std::nullopt;
+        contact = contactAtFace(setting, p, number, axis, side);
+        contact->restSpeed = restSpeedAlong(contact->normal);
+    }
+    if (!floor) return std::nullopt;
+    return Ground{*floor, face};
+}
+
+/// The usual phase, begun at less cost and with the bits of the general case: a ball in the rolling model lies on a
+/// floor alone, or bounces off a face there. False, and nothing done, if it doesn't.
+bool SweptStep::beginOnFloor() {
+    const bool mayBe = !m_context.isRigid() && !m_context.report.wanted() && m_ball.velocity.z == 0.0 &&
+                       m_context.params().gravity.z < 0.0;
+    const std::optional<Ground> ground = mayBe ? findGround() : std::nullopt;
+    if (!ground) return false;
+    Motion motion = motionOf(m_ball);
+    if (const std::optional<Contact> &face = ground->face) {
+        const double approach = -glm::dot(motion.velocity, face->normal);
+        if (approach > std::max(face->restSpeed, negligibleSpeed(motion, m_context.radius()))) {
+            motion.velocity += (1.0 + face->restitution) * approach * face->normal;
+            dropTraces(motionOf(m_ball), m_context.radius(), motion);
+        }
+        if (!(glm::dot(motion.velocity, face->normal) > leavingSpeed(face->restSpeed))) return false;
+    }
+    m_contacts.clear();
+    m_contacts.add(ground->floor);
+    m_ball.velocity = Vec3(inPlane(motion.velocity), 0.0);
+    m_ball.spin = rollingSpin(inPlane(motion.velocity), m_context.radius());
+    m_ball.position.z = ground->floor.point.z + m_context.radius();
+    m_isAlone = true;
+    m_resists = false;
+    return true;
+}
+
 void SweptStep::beginPhase() {
+    if (beginOnFloor()) return;
     const Setting &setting = m_context.setting;
     const auto lookHere = [&] {
         findContacts(setting, m_ball.position, motionOf(m_ball), Vec3(0.0), m_contacts);
-        const double share =
-            2.0 * m_substep * m_substep * std::sqrt(glm::length(setting.gravity()) / m_context.radius());
-        for (Contact &contact : m_contacts) {
-            contact.restSpeed = share * std::max(0.0, -glm::dot(setting.gravity(), contact.normal));
-        }
+        for (Contact &contact : m_contacts) contact.restSpeed = restSpeedAlong(contact.normal);
     };
     lookHere();
     SpinOnFloor landing(m_context, m_contacts, m_ball);
@@ -141,11 +211,7 @@ void SweptStep::dropWhatIsLeft() {
     if (m_contacts.count() > 1) stopSlowApproach();
     const Vec3 velocity = m_ball.velocity;
     const auto speed = [&](const Contact &contact) { return glm::dot(velocity, contact.normal); };
-    // Friction, too, may press so that a bounce doesn't rise above rounding.
-    const double hop = std::sqrt(2.0 * glm::length(m_context.setting.gravity()) * m_context.scene().tolerance);
-    m_contacts.drop([&](const Contact &contact) {
-        return speed(contact) > std::max({contact.restSpeed, m_slow, hop});
-    });
+    m_contacts.drop([&](const Contact &contact) { return speed(contact) > leavingSpeed(contact.restSpeed); });
     keepContacts(velocity);
     const bool hasHops = std::any_of(m_contacts.begin(), m_contacts.end(),
                                      [&](const Contact &contact) { return speed(contact) > contact.restSpeed; });

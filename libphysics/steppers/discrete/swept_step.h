@@ -54,6 +54,16 @@ private:
     Ball at(double t) const;
 
     bool advanceFreely();
+    /// Contacts of a ball on a floor.
+    struct Ground {
+        Contact floor;
+        std::optional<Contact> face;
+    };
+
+    double restSpeedAlong(const Vec3 &normal) const;
+    double leavingSpeed(double restSpeed) const;
+    std::optional<Ground> findGround() const;
+    bool beginOnFloor();
     void beginPhase();
     void dropWhatIsLeft();
     void snapToFaces();
