@@ -184,18 +184,19 @@ void BruteForce::sweep(const Law &law, Real scale, bool withResistance, std::vec
 
 /// Two sticking contacts can press on each other along the line between them, which moves nothing but decides how much
 /// each carries, hence the rolling resistance. The law takes the least friction. The sweeps may end where all of a cone
-/// is used without a slip: that sticks, too.
+/// is used without a slip: that sticks, too; and at a contact that rolls on resistance with more than all of it.
 void BruteForce::relax(const Law &law, Real scale, const Motion &end, std::vector<Contact> &contacts) const {
+    const auto mayStick = [&](const Contact &c) {
+        return !c.isMerged && c.pressure > 0 && length(slipAt(end, c.touch.normal, m_radius)) <= 1e3L * kUlp * scale;
+    };
     const auto sticks = [&](const Contact &c) {
-        return !c.isMerged && c.pressure > 0 &&
-               length(c.friction) <= law.friction(c.touch) * c.pressure * (1 + 1e-12L) &&
-               length(slipAt(end, c.touch.normal, m_radius)) <= 1e3L * kUlp * scale;
+        return mayStick(c) && length(c.friction) <= law.friction(c.touch) * c.pressure * (1 + 1e-12L);
     };
     for (size_t i = 0; i < contacts.size(); ++i) {
         for (size_t j = i + 1; j < contacts.size(); ++j) {
             Contact &a = contacts[i];
             Contact &b = contacts[j];
-            if (!sticks(a) || !sticks(b)) continue;
+            if (!mayStick(a) || !mayStick(b)) continue;
             const Vector line = a.touch.normal - b.touch.normal;
             const Vector alongA = across(line, a.touch.normal);
             const Vector alongB = across(line, b.touch.normal);
