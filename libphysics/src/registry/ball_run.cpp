@@ -59,17 +59,17 @@ phys_status BallRun::stepAndTally(phys_state &next) const {
     return PHYS_OK;
 }
 
-phys_status BallRun::tryStep(phys_state &next) const {
+phys_status BallRun::tryStep(decltype(&makeStep) make, phys_state &next) const {
     if (m_gravity && !gravityIsValid(m_params)) return PHYS_ERROR_RANGE;
     if (const phys_status status = checkPull(*m_stepper->scene, m_params, state(), nullptr)) return status;
     if (wantsTally(*m_batch)) return stepAndTally(next);
-    return makeStep(*m_stepper, m_params, m_batch->dt, state(), next, nullptr, nullptr);
+    return make(*m_stepper, m_params, m_batch->dt, state(), next, nullptr, nullptr);
 }
 
-void BallRun::step(uint64_t number) {
+void BallRun::step(uint64_t number, decltype(&makeStep) make) {
     m_params.gravity = gravity(number);
     m_done = number;
-    m_status = tryStep(m_states[1 - m_now]);
+    m_status = tryStep(make, m_states[1 - m_now]);
     m_isRunning = m_status == PHYS_OK;
     if (!m_isRunning) return;
     m_now = 1 - m_now;

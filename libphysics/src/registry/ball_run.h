@@ -44,8 +44,8 @@ public:
         return m_gravity ? *at(m_gravity, m_batch->gravity_step_stride, step) : m_params.gravity;
     }
 
-    /// Makes the step of this number by itself.
-    void step(uint64_t number);
+    /// Makes the step of this number by itself: by makeStep, or by `advance` where its shortcut is known not to do.
+    void step(uint64_t number, decltype(&makeStep) make);
     /// Appends a running ball's state to its path.
     void appendToPath(const phys_state &state) { m_path[m_pathCount++] = state; }
     /// Stores the ball after the last step. One that is done sooner stays where it is.
@@ -53,7 +53,7 @@ public:
 
 private:
     phys_status check(bool paramsAreChecked) const;
-    phys_status tryStep(phys_state &next) const;
+    phys_status tryStep(decltype(&makeStep) make, phys_state &next) const;
     phys_status stepAndTally(phys_state &next) const;
 
     const phys_stepper *m_stepper = nullptr;

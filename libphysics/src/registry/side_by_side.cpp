@@ -35,8 +35,10 @@ void SideBySide::add(uint64_t number) {
 void SideBySide::run() {
     uint64_t untilPath = m_batch.path_every;
     for (uint64_t step = 0; step < m_batch.step_count && m_running; ++step) {
-        const uint32_t moved = m_inLanes ? moveInLanes(step) : 0;
-        each(m_running & ~moved, [&](uint32_t ball) { moveAlone(ball, step); });
+        const uint32_t inLanes = m_inLanes;
+        const uint32_t moved = inLanes ? moveInLanes(step) : 0;
+        each(m_running & ~inLanes, [&](uint32_t ball) { moveAlone(ball, step, makeStep); });
+        each(inLanes & ~moved, [&](uint32_t ball) { moveAlone(ball, step, advance); });
         if (!m_batch.path || --untilPath > 0) continue;
         untilPath = m_batch.path_every;
         each(m_running, [&](uint32_t ball) {
@@ -92,8 +94,8 @@ uint32_t SideBySide::moveInLanes(uint64_t step) {
     return m_inLanes;
 }
 
-void SideBySide::moveAlone(uint32_t ball, uint64_t step) {
-    m_balls[ball].step(step);
+void SideBySide::moveAlone(uint32_t ball, uint64_t step, decltype(&makeStep) make) {
+    m_balls[ball].step(step, make);
     if (m_balls[ball].isRunning())
         enter(ball, step + 1);
     else

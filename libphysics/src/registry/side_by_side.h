@@ -29,7 +29,7 @@ private:
     void leave(uint32_t ball, uint64_t step);
     void loadGravity(uint64_t step);
     uint32_t moveInLanes(uint64_t step);
-    void moveAlone(uint32_t ball, uint64_t step);
+    void moveAlone(uint32_t ball, uint64_t step, decltype(&makeStep) make);
 
     const phys_stepper &m_stepper;
     const phys_batch &m_batch;

@@ -72,7 +72,7 @@ struct BallsInRegion {
     N grip;              ///< square of the slope up to which the ball rolls
     N friction;          ///< coefficient of the sliding friction that may speed the ball up
     N rests;             ///< 1: the ball is at rest, 0: it moves
-    N farthest;          ///< m: longest way of a step where nothing is near
+    N farthest;          ///< m: longest way of a step of swept where nothing is near
     MaskOf<N> isAllowed; ///< whether parameters may have this gravity
 
     Planar<N> velocity() const { return {x.velocity, y.velocity}; }
@@ -122,12 +122,13 @@ private:
     static RegionStep<N> rollFree(const BallsInRegion<N> &balls, const RegionLimits &limits) {
         const InRegion<N> &x = balls.x, &y = balls.y;
         RegionStep<N> step = rollBy(balls.drive.A, balls, limits);
+        const N farthest = kRule == RegionRule::Swept ? balls.farthest : N(limits.reach);
         MaskOf<N> isFine =
-            all(step.isFine, isSlow(balls, balls.farthest, limits.h), x.isFree(x.place + step.displacement.x),
+            all(step.isFine, isSlow(balls, farthest, limits.h), x.isFree(x.place + step.displacement.x),
                 y.isFree(y.place + step.displacement.y), staysFast(limits, balls.velocity(), step.velocity));
         if constexpr (kRule == RegionRule::Swept) {
             const Planar<N> turn = 0.5 * limits.h * balls.velocity();
-            isFine = all(isFine, wayOf(step) <= balls.farthest, x.isFree(x.place + turn.x), y.isFree(y.place + turn.y));
+            isFine = all(isFine, wayOf(step) <= farthest, x.isFree(x.place + turn.x), y.isFree(y.place + turn.y));
         }
         if (mayFall(balls, limits)) isFine = all(isFine, staysOnFloor(balls, limits));
         step.isFine = isFine;
