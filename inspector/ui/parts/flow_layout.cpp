@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/parts/flow_layout.h"
 
+#include <QWidget>
+
 #include <algorithm>
 
 namespace inspector::ui {
@@ -13,7 +15,14 @@ int heightOf(const std::vector<QLayoutItem *> &row) {
     return height;
 }
 
-bool canGrow(const QLayoutItem &item) { return item.expandingDirections() & Qt::Horizontal; }
+/// Of a text that is elided where it has no room.
+bool isIgnored(QLayoutItem &item) {
+    return item.widget() && item.widget()->sizePolicy().horizontalPolicy() == QSizePolicy::Ignored;
+}
+
+bool canGrow(QLayoutItem &item) { return isIgnored(item) || (item.expandingDirections() & Qt::Horizontal); }
+
+int widthOf(QLayoutItem &item) { return isIgnored(item) ? item.minimumSize().width() : item.sizeHint().width(); }
 
 } // namespace
 
@@ -44,7 +53,7 @@ std::vector<FlowLayout::Row> FlowLayout::rowsIn(int width) const {
     int used = 0;
     for (QLayoutItem *item : m_items) {
         if (item->isEmpty()) continue; // hidden
-        const int own = item->sizeHint().width();
+        const int own = widthOf(*item);
         if (rows.empty() || used + spacing() + own > width) {
             rows.push_back({item});
             used = own;
@@ -66,7 +75,7 @@ QSize FlowLayout::sizeHint() const {
     const std::vector<Row> rows = rowsIn(QWIDGETSIZE_MAX);
     int width = 0;
     for (const Row &row : rows)
-        for (const QLayoutItem *item : row) width += (width > 0 ? spacing() : 0) + item->sizeHint().width();
+        for (QLayoutItem *item : row) width += (width > 0 ? spacing() : 0) + widthOf(*item);
     return {width, heightForWidth(QWIDGETSIZE_MAX)};
 }
 
@@ -90,13 +99,13 @@ void FlowLayout::setGeometry(const QRect &place) {
 void FlowLayout::placeRow(const Row &row, const QRect &place) const {
     int rest = place.width() - spacing() * (int(row.size()) - 1);
     int growing = 0;
-    for (const QLayoutItem *item : row) {
-        rest -= item->sizeHint().width();
+    for (QLayoutItem *item : row) {
+        rest -= widthOf(*item);
         growing += canGrow(*item) ? 1 : 0;
     }
     int left = place.left();
     for (QLayoutItem *item : row) {
-        int width = item->sizeHint().width();
+        int width = widthOf(*item);
         if (canGrow(*item) && rest > 0) {
             const int share = rest / growing--;
             width += share;

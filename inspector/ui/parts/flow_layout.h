@@ -8,7 +8,7 @@
 namespace inspector::ui {
 
 /// Widgets beside each other, in as many rows as the width makes necessary. In each row the widgets that can grow share
-/// the room that is left; hidden ones take none.
+/// the room that is left; those whose size hint is ignored ask for their minimum only, hidden ones for nothing.
 class FlowLayout : public QLayout {
 public:
     explicit FlowLayout(QWidget *parent = nullptr);

@@ -68,7 +68,6 @@ TradeDock::TradeDock(Session &session, QUndoStack &undo, QWidget *parent)
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 4, 6, 6);
     layout->addWidget(makeTop());
-    layout->addWidget(m_remark);
     layout->addWidget(makeUnknowns());
     layout->addWidget(m_unknownsError);
     layout->addWidget(halves, 1);
@@ -177,8 +176,9 @@ QWidget *TradeDock::makeTop() {
     auto *layout = new FlowLayout(top);
     for (QWidget *widget :
          {static_cast<QWidget *>(m_measure), static_cast<QWidget *>(m_schedule), static_cast<QWidget *>(m_duration),
-          static_cast<QWidget *>(m_model), static_cast<QWidget *>(m_progress)})
+          static_cast<QWidget *>(m_model), static_cast<QWidget *>(m_progress), static_cast<QWidget *>(m_remark)})
         layout->addWidget(widget);
+    m_remark->setMinimumWidth(fontMetrics().averageCharWidth() * 30);
     return top;
 }
 

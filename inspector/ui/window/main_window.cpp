@@ -55,7 +55,8 @@ namespace {
 constexpr int kRefreshPeriod = 33; ///< ms
 constexpr QSize kUsualSize(1280, 800);
 constexpr double kScreenShare = 0.75; ///< share of a larger screen
-constexpr double kTradeShare = 0.42;  ///< share of the window's height, when the dock is shown
+constexpr double kTradeShare = 0.48;  ///< share of the window's height, when the dock is shown
+constexpr int kRestHeight = 350;      ///< logical pixels of the window's height, at least, for view and bars
 constexpr double kPlotShare = 0.29;
 constexpr double kSideShare = 0.42; ///< of the window's width, at most, for the parameters
 constexpr double kComparisonShare = 0.34;
@@ -242,7 +243,7 @@ void MainWindow::showDock(QDockWidget &dock, double share) {
     dock.show();
     dock.raise();
     if (!isResized) return;
-    resizeDocks({&dock}, {int(share * height())}, Qt::Vertical);
+    resizeDocks({&dock}, {std::min(int(share * height()), height() - kRestHeight)}, Qt::Vertical);
     if (dock.objectName() == QLatin1String(kBouncesDock))
         resizeDocks({&dock}, {int(kBouncesWidth * width())}, Qt::Horizontal);
 }
