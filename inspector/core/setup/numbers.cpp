@@ -62,7 +62,7 @@ std::optional<Parts> partsOf(const QString &text) {
     return Parts{sign + match.captured(2), match.captured(3), plainUnit(match.captured(4).trimmed())};
 }
 
-/// 1,000 is one in Berlin and a thousand in Boston; 0,125 can only be an eighth.
+/// 1,000 is one where the comma is the decimal mark and a thousand where it groups digits; 0,125 can only be an eighth.
 bool hasTwoMeanings(const QString &digits) {
     static const QRegularExpression grouped(QStringLiteral("^-?[1-9][0-9]{0,2},[0-9]{3}$"));
     return grouped.match(digits).hasMatch();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The format of the settings file: keys and text only. Qt's own reader constructs whatever object a value names
-// (`@Variant`, `@ByteArray`), of any size, so that a damaged file could end the program. a value names (`@Variant`,
-// `@ByteArray`), as large as it says, so that a damaged file ended the program.
+// (`@Variant`, `@ByteArray`), of any size, so that a damaged file could end the program.
 //
 //     window/quality="2"
 //     window/recent="/a.txt", "/b.txt"      a list
@@ -9,8 +8,6 @@
 // In keys, `%` and two or four (`%U`) hexadecimal digits stand for a character; in values `\\`, `\"`, `\n`, `\r`, `\t`
 // and `\x` with up to four digits do. `[section]` lines and unquoted values, as earlier versions wrote them, are read.
 // Other lines, and values in Qt's syntax for objects, are ignored: their keys have their defaults.
-// `\x` and up to four digits. `[section]` lines and bare values, as of earlier versions, are read. Lines that are none
-// of this, and values in Qt's syntax for objects, are left out: their keys have their defaults.
 #pragma once
 
 #include <QByteArray>
