@@ -116,8 +116,7 @@ private:
                                              kind.grip(params),
                                              kind.friction(params),
                                              rests ? 1.0 : 0.0,
-                                             report ? limits.reach : farthestOf(limits.reach, params, kind, *region),
-                                             g.z < 0.0};
+                                             report ? limits.reach : farthestOf(limits.reach, params, kind, *region)};
             const auto asItIs = [](const RegionStep<double> &step) { return step; };
             const RegionStep<double> step = params.rolling_friction > 0.0
                                                 ? StepInRegion<Scheme, kRule, true>::make(ball, limits, asItIs)
@@ -246,14 +245,10 @@ private:
                                   of(axis.high),     of(axis.lowFace),  of(axis.highFace)};
         };
         const Planar<Pair> pull{of(lanes.x.gravity), of(lanes.y.gravity)};
-        return {along(lanes.x),
-                along(lanes.y),
-                {pull, of(lanes.gravityZ), of(lanes.share), of(lanes.resistance)},
-                of(lanes.grip),
-                of(lanes.friction),
-                of(lanes.rests),
-                of(lanes.farthest),
-                isAllowed(pull, of(lanes.gravityZ))};
+        return {
+            along(lanes.x),    along(lanes.y),     {pull, of(lanes.gravityZ), of(lanes.share), of(lanes.resistance)},
+            of(lanes.grip),    of(lanes.friction), of(lanes.rests),
+            of(lanes.farthest)};
     }
 
     /// Stores what became of the balls along an axis; those that aren't fine stay as they were.

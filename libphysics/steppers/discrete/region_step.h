@@ -37,13 +37,12 @@ struct FloorDrive {
         , normal(-gravityZ)
         , A(share * along)
         , B(share * (resistance * normal)) {}
-};
 
-/// Whether parameters may have a gravity, which in a batch is another one in each step.
-template<class N>
-MaskOf<N> isAllowed(const Planar<N> &along, N z) {
-    return all(magnitude(along.x) + magnitude(along.y) <= kMostGravity, z >= -kMostGravity, z < 0.0);
-}
+    /// Whether parameters may have this gravity, which in a batch is another one in each step.
+    MaskOf<N> isAllowed() const {
+        return all(magnitude(pull.x) + magnitude(pull.y) <= kMostGravity, normal <= kMostGravity, normal > 0.0);
+    }
+};
 
 /// One axis of balls in their regions. Each is where nothing is near, or it is at a face with no speed along the axis.
 template<class N>
@@ -69,11 +68,10 @@ template<class N>
 struct BallsInRegion {
     InRegion<N> x, y;
     FloorDrive<N> drive;
-    N grip;              ///< square of the slope up to which the ball rolls
-    N friction;          ///< coefficient of the sliding friction that may speed the ball up
-    N rests;             ///< 1: the ball is at rest, 0: it moves
-    N farthest;          ///< m: longest way of a step of swept where nothing is near
-    MaskOf<N> isAllowed; ///< whether parameters may have this gravity
+    N grip;     ///< square of the slope up to which the ball rolls
+    N friction; ///< coefficient of the sliding friction that may speed the ball up
+    N rests;    ///< 1: the ball is at rest, 0: it moves
+    N farthest; ///< m: longest way of a step of swept where nothing is near
 
     Planar<N> velocity() const { return {x.velocity, y.velocity}; }
 };
@@ -138,7 +136,7 @@ private:
     /// Any balls.
     template<class N>
     static RegionStep<N> rollOrRest(const BallsInRegion<N> &balls, const RegionLimits &limits) {
-        const auto &[x, y, drive, grip, friction, rests, farthest, isAllowed] = balls;
+        const auto &[x, y, drive, grip, friction, rests, farthest] = balls;
         const double h = limits.h;
         // A face takes the drive into it from a ball that leans on it.
         const auto leansX = any(all(x.isAtLow(), drive.A.x < 0.0), all(x.isAtHigh(), drive.A.x > 0.0));
@@ -163,7 +161,7 @@ private:
         step.isFine = rolls;
         const auto isAtRest = rests > 0.0;
         if (bitsOf(isAtRest)) {
-            const auto isHeld = all(dot(A, A) <= drive.B * drive.B, balls.isAllowed, isClear);
+            const auto isHeld = all(dot(A, A) <= drive.B * drive.B, balls.drive.isAllowed(), isClear);
             step.velocity = {choose(isAtRest, velocity.x, step.velocity.x),
                              choose(isAtRest, velocity.y, step.velocity.y)};
             step.displacement = {choose(isAtRest, 0.0, step.displacement.x),
@@ -189,7 +187,7 @@ private:
         const Planar<N> v{choose(goesOn, velocity.x, 1.0), choose(goesOn, velocity.y, 0.0)};
         const auto next = Scheme::advance(UnstoppedLaw<N, kResists>{A, drive.B}, v, h);
 
-        MaskOf<N> isFine = all(goesOn, balls.isAllowed);
+        MaskOf<N> isFine = all(goesOn, balls.drive.isAllowed());
         if (limits.mayGrip)
             isFine = all(isFine, dot(drive.pull, drive.pull) <= balls.grip * (drive.normal * drive.normal));
         return {next.velocity, next.displacement, isFine};
