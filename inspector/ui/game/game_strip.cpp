@@ -48,7 +48,7 @@ QString promptHint(Session &session) {
                 : play;
 }
 
-/// Who tilts the board of a run that isn't a game.
+/// Who tilts the board.
 QString tiltHint(const Session &session) {
     if (session.hasAutopilot())
         return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "The autopilot tilts the board · A takes over"));
@@ -107,6 +107,9 @@ GameText stateText(Session &session, const Snapshot &now) {
     const QString title = levelTitle(session, session.level());
     GameText text;
     if (session.isReplaying()) {
+        text.title = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Recording"));
+        if (!now.running) text.line = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Space plays it"));
+        text.hint = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "G: go on from here · Ctrl+W: close"));
         text.clock = clockText(now.current.time);
         return text;
     }
@@ -130,6 +133,7 @@ GameText stateText(Session &session, const Snapshot &now) {
     case Game::Phase::Playing:
         text.title = title;
         text.clock = clockText(now.current.time);
+        text.hint = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "%1 · Space: pause")).arg(tiltHint(session));
         if (now.running || now.current.step == 0) break;
         text.title = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Paused"));
         text.line = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Space goes on"));

@@ -95,6 +95,7 @@ void TestWindowGame::clockIsShownWhilePlaying() {
     QTRY_VERIFY(text().clock > QString("0:00.00"));
     QCOMPARE(text().title, QString("Level 1"));
     QVERIFY(text().line.isEmpty());
+    QCOMPARE(text().hint, QString("Arrow keys or sliders tilt the board · Space: pause"));
 }
 
 void TestWindowGame::pauseIsSaid() {

@@ -184,6 +184,8 @@ void TestWindowReplay::menuOpensAndPlaysToTheEnd() {
     QTRY_VERIFY(place().isChecked);
     QCOMPARE(text("time_place"), QString("1.000 s · step 500 of 500"));
     QCOMPARE(text("time_verdict"), QString("same"));
+    QCOMPARE(m_fixture->find<inspector::ui::GameStrip>("game_strip")->text().title, QString("Recording"));
+    QCOMPARE(m_fixture->find<inspector::ui::GameStrip>("game_strip")->text().line, QString("Space plays it"));
     QCOMPARE(m_fixture->find<QLabel>("time_verdict")->toolTip(), QString("same: 500 steps"));
     QVERIFY(message().isEmpty());
 }
