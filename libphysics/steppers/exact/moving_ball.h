@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// The ball of a step between two of its phases, the step's clock, and what the step counts and reports.
+#pragma once
+
+#include "base/error.h"
+#include "contact/contact.h"
+#include "contact/modes.h"
+#include "contact/work.h"
+#include "exact/search.h"
+#include "exact/turning.h"
+#include "registry/report.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace phys {
+
+struct MovingBall {
+    MovingBall(const Scene &scene, const phys_params &params, double dt, const phys_state &in, phys_report *to,
+               phys_error *err)
+        : setting{scene, params}
+        , report(to, in.time)
+        , error(err)
+        , left(dt)
+        , position(toVec(in.position))
+        , motion{toVec(in.velocity), toVec(in.spin)} {
+        setting.sameNormal = sameNormal(scene);
+        std::copy(std::begin(in.orientation), std::end(in.orientation), orientation);
+    }
+
+    Setting setting;
+    Reporter report;
+    phys_error *error;
+    Work work;
+    double elapsed = 0.0; ///< s of the step gone by
+    double left;          ///< s of it still to go
+    Vec3 position;
+    Motion motion;
+    double orientation[4];
+
+    const Scene &scene() const { return setting.scene; }
+    const phys_params &params() const { return setting.params; }
+    double radius() const { return setting.scene.radius; }
+    bool runsAllStages() const { return (params().options & PHYS_OPTION_ALL_STAGES) != 0; }
+    bool isStill() const { return motion.velocity == Vec3(0.0) && motion.spin == Vec3(0.0); }
+
+    Moment moment() const {
+        return {motion.velocity, motion.spin, setting.gravity(), radius(),
+                16.0 * kRounding + 4.0 * scene().tolerance / radius()};
+    }
+
+    /// Refuses a step that doesn't come to its end in any time worth waiting for.
+    phys_status checkWork() const {
+        if (!work.isTooMuch()) return PHYS_OK;
+        return fail(error, PHYS_ERROR_EVENT_CAP, "more to compute than %llu in one step, %.9g s of it still to go",
+                    static_cast<unsigned long long>(Work::kMost), left);
+    }
+
+    void pass(double time) {
+        elapsed += time;
+        left -= time;
+    }
+
+    /// Turns it by what a phase does until t (s), if that is asked for.
+    template<class Phase>
+    void turn(const Phase &phase, double t) {
+        if (params().options & PHYS_OPTION_ORIENTATION) phys::turn(orientation, phase, t);
+    }
+
+    /// Reports what happens to it now, without a contact or at one.
+    void event(uint32_t kind, double before, double after) {
+        report.event(kind, elapsed, position, Vec3(0.0), before, after, PHYS_NO_BOX);
+    }
+    void event(uint32_t kind, const Contact &at, double before, double after) {
+        report.event(kind, elapsed, at.point, at.normal, before, after, scene().givenBox(at.box, at.point));
+    }
+};
+
+} // namespace phys
