@@ -110,7 +110,7 @@ Aims aimsOf(const Combination &c, const Sought &sought) {
 
 void aim(Combination &c, const Sought &sought, const Aims &aims) {
     for (uint32_t i = 0; i < c.count(); ++i) {
-        if (sought.starting >> i & 1U) c.reactions[i].direction = hat(aims[i]);
+        if (sought.starting >> i & 1U) c.reactions[i].direction = hat(tangential(aims[i], c.held[i].normal));
     }
     if (sought.rolls != kMostHeld) c.rolling = aims.back() / std::max(1.0, glm::length(aims.back()));
 }
@@ -120,16 +120,20 @@ bool pulls(const Combination &c, double zero) {
                        [zero](const Reaction &reaction) { return reaction.pressure < -zero; });
 }
 
-/// What the rounding of accelerations makes of the directions of forces so small.
-double settledWithin(const Combination &c, const Sought &sought) {
-    constexpr double kMost = 1e-6;
-    double force = accelerationScale(c.moment);
-    const double rounding = 4.0 * 0x1p-52 * force;
+/// Whether directions change by no more than rounding of the accelerations does to those of forces so small.
+bool areSettled(const Combination &c, const Sought &sought, const Aims &aims, const Aims &asked) {
+    const double scale = accelerationScale(c.moment);
+    const auto isSettled = [&](size_t aim, double force) {
+        constexpr double kMost = 1e-6, kRoundings = 4.0 * 0x1p-52;
+        const double within = force > 0.0 ? std::clamp(kRoundings * scale / force, kSettled, kMost) : kSettled;
+        return glm::length(asked[aim] - aims[aim]) <= within;
+    };
     for (uint32_t i = 0; i < c.count(); ++i) {
-        if (sought.starting >> i & 1U) force = std::min(force, c.held[i].friction * c.reactions[i].pressure);
-        if (sought.rolls == i) force = std::min(force, c.held[i].resistance * c.reactions[i].pressure);
+        const double pressure = c.reactions[i].pressure;
+        if ((sought.starting >> i & 1U) && !isSettled(i, c.held[i].friction * pressure)) return false;
+        if (sought.rolls == i && !isSettled(kMostHeld, c.held[i].resistance * pressure)) return false;
     }
-    return force > 0.0 ? std::clamp(rounding / force, kSettled, kMost) : kSettled;
+    return true;
 }
 
 /// Turns the directions until they agree with the accelerations. False if they don't settle.
@@ -141,9 +145,7 @@ bool settleDirections(Combination &c, const Sought &sought) {
     const double zero = kRoughly * accelerationScale(c.moment);
     for (int pass = 0; pass < kMostStartPasses && !c.work.isTooMuch(); ++pass) {
         const Aims aims = aimsOf(c, sought), asked = askedFor(c, sought);
-        double change = 0.0;
-        for (size_t i = 0; i < aims.size(); ++i) change = std::max(change, glm::length(asked[i] - aims[i]));
-        const bool isSettled = change <= settledWithin(c, sought);
+        const bool isSettled = areSettled(c, sought, aims, asked);
         aim(c, sought, isSettled || pass < kPlainPasses ? asked : mixing.mix(aims, asked));
         solve(c);
         if (isSettled) return true;
