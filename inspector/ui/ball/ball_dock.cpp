@@ -58,6 +58,9 @@ BallDock::BallDock(Session &session, QUndoStack &undo, QWidget *parent)
     auto *grid = new QGridLayout(page);
     grid->setContentsMargins(8, 6, 8, 6);
     grid->setVerticalSpacing(4);
+    m_note->setObjectName(QStringLiteral("ball_note"));
+    m_note->setWordWrap(true);
+    grid->addWidget(m_note, 0, 0, 1, 3); // first, because the last rows may be scrolled out of sight
     for (size_t i = 0; i < std::size(kRows); ++i) {
         const Row &row = kRows[i];
         auto *box = new NumberBox;
@@ -65,8 +68,8 @@ BallDock::BallDock(Session &session, QUndoStack &undo, QWidget *parent)
         box->setAccessibleName(tr(row.label));
         box->setKind(numberKind({-kMost, kMost, QString::fromUtf8(row.unit)}, row.notch));
         connect(box, &NumberBox::entered, this, [this, i](double value) { enter(i, value); });
-        grid->addWidget(new QLabel(tr(row.label)), int(i), 0);
-        grid->addWidget(box, int(i), 1, 1, 2);
+        grid->addWidget(new QLabel(tr(row.label)), int(i) + 1, 0);
+        grid->addWidget(box, int(i) + 1, 1, 1, 2);
         m_boxes.push_back(box);
     }
     m_startHere->setObjectName(QStringLiteral("start_here"));
@@ -77,13 +80,10 @@ BallDock::BallDock(Session &session, QUndoStack &undo, QWidget *parent)
     connect(m_startHere, &QPushButton::clicked, this,
             [this] { m_session.setStart(m_session.simulation().latest().current); });
     connect(m_usualStart, &QPushButton::clicked, this, [this] { m_session.setStart(std::nullopt); });
-    const int line = int(std::size(kRows));
+    const int line = int(std::size(kRows)) + 1;
     grid->addWidget(m_startHere, line, 1);
     grid->addWidget(m_usualStart, line, 2);
-    m_note->setObjectName(QStringLiteral("ball_note"));
-    m_note->setWordWrap(true);
-    grid->addWidget(m_note, line + 1, 0, 1, 3);
-    grid->setRowStretch(line + 2, 1);
+    grid->setRowStretch(line + 1, 1);
     setWidget(page);
 }
 
@@ -96,13 +96,14 @@ void BallDock::enter(size_t row, double value) {
     m_boxes[row]->setValue(value);
 }
 
-/// What is unusual about the place of a ball that stands; empty: nothing.
+/// What is unusual about the place of a ball that stands, or what can be done with it.
 QString BallDock::noteOf(const phys_state &ball) const {
     const phys_scene *scene = m_session.scene().get();
     const double overlap = overlapOf(scene, ball.position);
     if (overlap > kTouching * phys_scene_radius(scene))
         return tr("It overlaps the board by %1 mm.").arg(overlap * 1e3, 0, 'g', 3);
-    return hasFloorBelow(scene, ball.position) ? QString() : tr("There is no board below: it will fall.");
+    if (!hasFloorBelow(scene, ball.position)) return tr("There is no board below: it will fall.");
+    return tr("Typed here, or dragged in the view.");
 }
 
 void BallDock::refresh(const Snapshot &now) {
@@ -113,7 +114,7 @@ void BallDock::refresh(const Snapshot &now) {
         m_boxes[i]->setValue(now.current.*kRows[i].vector.*kRows[i].component);
         if (!m_boxes[i]->isRefused()) m_boxes[i]->setToolTip(m_boxes[i]->exactText());
     }
-    m_note->setText(canBeSet ? noteOf(now.current) : QString());
+    m_note->setText(canBeSet ? noteOf(now.current) : tr("Can be set while a game or a run is paused."));
     m_startHere->setEnabled(canBeSet);
     m_usualStart->setEnabled(m_session.hasOwnStart());
 }

@@ -209,7 +209,7 @@ void TestWindowBall::longNumberIsExactInItsBoxAndShortElsewhere() {
 
 void TestWindowBall::ballOutsideOfTheBoardIsTold() {
     QCOMPARE(noteAt("5 m"), QString("There is no board below: it will fall."));
-    QCOMPARE(noteAt("-54 mm"), QString());
+    QCOMPARE(noteAt("-54 mm"), QString("Typed here, or dragged in the view."));
 }
 
 void TestWindowBall::ballInAWallIsTold() {
