@@ -298,13 +298,13 @@ Convergence compare(const phys_registry *registry, const std::string &stepper, c
 Convergence converge(const phys_registry *registry, const std::string &stepper, const Case &scene, const Truth &truth) {
     const Order orders = orderOf(stepper);
     const int order = truth.hasEvents() ? orders.acrossEvents : orders.betweenEvents;
-    const Convergence first = compare(registry, stepper, scene, truth, order, 1);
+    Convergence first = compare(registry, stepper, scene, truth, order, 1);
     if (!first.isWrong || order == 0) return first;
     const Truth &best = truth.refined();
-    const Convergence usual = compare(registry, stepper, scene, best, order, 1);
+    Convergence usual = compare(registry, stepper, scene, best, order, 1);
     if (!usual.isWrong) return usual;
     // A slip or a roll that all but ends turns within a few steps: there the order shows with smaller ones.
-    const Convergence finer = compare(registry, stepper, scene, best, order, kFiner);
+    Convergence finer = compare(registry, stepper, scene, best, order, kFiner);
     if (!finer.isWrong && !finer.status) return finer;
     // Bounces that are lower than a few steps make a large error, which falls at the order all the same.
     Convergence finest = compare(registry, stepper, scene, best, order, kFiner * kFiner);

@@ -287,7 +287,7 @@ Outcome overDraws(const Extreme &extreme, const QByteArray &stepper, uint32_t mo
     const Trial trial{stepper, model, draw};
     std::set<QByteArray> seen;
     for (uint64_t i = 0; i < support::effort(10, 25, 1000) / extreme.cost; ++i) {
-        const Outcome outcome = extreme.run(trial);
+        Outcome outcome = extreme.run(trial);
         if (!outcome.problem.isEmpty()) return outcome;
         seen.insert(outcome.text);
     }
