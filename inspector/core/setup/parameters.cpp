@@ -121,16 +121,6 @@ std::vector<Setting> Parameters::initialOfStepper() const {
 
 bool Parameters::isInitial(int index) const { return value(index) == row(index).initial; }
 
-void Parameters::reset(int index) {
-    if (index >= 0 && index < count()) set(index, row(index).initial);
-}
-
-void Parameters::resetAll() {
-    std::vector<Setting> initial;
-    for (const phys_param_row *row : m_rows) initial.push_back({QString::fromUtf8(row->id), row->initial});
-    set(initial);
-}
-
 void Parameters::setStepper(const phys_stepper_info &info) {
     m_rows.resize(size_t(m_commonCount));
     m_rows.insert(m_rows.end(), info.rows, info.rows + info.row_count);

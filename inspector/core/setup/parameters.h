@@ -47,8 +47,6 @@ public:
     /// The same for several at once: all or none. They are checked together, so that their order doesn't matter.
     bool set(const std::vector<Setting> &settings, QString *error = nullptr);
     bool isInitial(int index) const;
-    void reset(int index);
-    void resetAll();
 
     /// Replaces the stepper's own rows, at their initial values. The texts in `info` must live as long as the registry.
     void setStepper(const phys_stepper_info &info);

@@ -23,8 +23,6 @@ private slots:
     void unknownIdIsRefused();
     void severalValuesAreSetTogetherOrNotAtAll();
     void changedIsSentOnceForEachChangedValue();
-    void resetGoesBackToTheInitialValue();
-    void resetAllGoesBackFromAnywhere();
     void tiltTurnsGravity();
     void gravityStrengthScalesGravity();
     void setValueArrivesInTheInputs();
@@ -133,21 +131,6 @@ void TestParameters::changedIsSentOnceForEachChangedValue() {
     QCOMPARE(changed.count(), 1);
     QCOMPARE(changed[0][0].toInt(), tilt);
     QCOMPARE(changed[0][1].toDouble(), 2.0);
-}
-
-void TestParameters::resetGoesBackToTheInitialValue() {
-    Parameters parameters;
-    const int friction = parameters.indexOf("rolling_friction");
-    QVERIFY(parameters.set(friction, 0.04));
-    parameters.reset(friction);
-    QVERIFY(parameters.isInitial(friction));
-}
-
-void TestParameters::resetAllGoesBackFromAnywhere() {
-    Parameters parameters;
-    for (int i = 0; i < parameters.count(); ++i) parameters.set(i, parameters.row(i).high);
-    parameters.resetAll();
-    for (int i = 0; i < parameters.count(); ++i) QVERIFY2(parameters.isInitial(i), parameters.row(i).id);
 }
 
 void TestParameters::tiltTurnsGravity() {
