@@ -148,10 +148,11 @@ void holdFaces(MovingBall &ball, Touching &touching) {
     ball.report.lostSlip(roll(touching, ball));
 }
 
-/// Whether a floor carries the ball of the rolling model.
-bool isCarried(const MovingBall &ball, const Contacts &contacts, double negligible) {
+/// Rolling model: whether the ball rolls on a floor. One that comes to lie there doesn't yet.
+bool isRolling(const MovingBall &ball, const Contacts &contacts, double negligible) {
     return std::any_of(contacts.begin(), contacts.end(), [&](const Contact &contact) {
-        return contact.isGlued && std::abs(glm::dot(ball.motion.velocity, contact.normal)) <= negligible;
+        return contact.isGlued && std::abs(glm::dot(ball.motion.velocity, contact.normal)) <= negligible &&
+               isNoSlip(ball.moment(), slipAt(ball.moment(), contact.normal));
     });
 }
 
@@ -185,7 +186,7 @@ void resolve(const Ground &ground, MovingBall &ball, Touching &touching) {
         takeFaces(touching.contacts, ball);
         return holdFaces(ball, touching);
     }
-    const bool wasCarried = isCarried(ball, touching.contacts, negligible);
+    const bool wasRolling = isRolling(ball, touching.contacts, negligible);
     bool hits = false;
     for (int round = 0; round < kMostRounds && !ball.work.isTooMuch(); ++round) {
         if (!collide(negligible, ball, touching)) break;
@@ -200,7 +201,7 @@ void resolve(const Ground &ground, MovingBall &ball, Touching &touching) {
     if (collide(negligible, ball, touching)) hold(negligible, ball, touching);
     if (isApproaching(ball, touching.contacts, negligible)) stopBounces(negligible, ball, touching);
     const double lost = roll(touching, ball);
-    if (hits && wasCarried) return ball.report.lostImpact(lost); // the ball rolled: part of what the impact takes
+    if (hits && wasRolling) return ball.report.lostImpact(lost); // part of what the impact takes
     ball.report.lostSlip(lost);
 }
 
