@@ -8,10 +8,10 @@
 
 namespace mazes {
 
-// The ten levels of the game, from easy to hard.
+// The levels of the game, from easy to hard.
 std::vector<Recipe> levelRecipes();
 
-// FOLDER/01.obj .mtl .scad .txt to 10
+// FOLDER/01.obj .mtl .scad .txt and so on
 std::vector<OutputFile> levelFiles(const std::filesystem::path &folder);
 
 } // namespace mazes

@@ -52,7 +52,8 @@ void writeMaze(const mazes::Recipe &recipe, const std::filesystem::path &prefix)
 void writeLevels(const std::filesystem::path &folder) {
     const auto begin = Clock::now();
     mazes::writeFiles(mazes::levelFiles(folder));
-    report((folder / "01").string() + " to 10.txt .obj .mtl .scad", begin);
+    const std::string count = std::to_string(mazes::levelRecipes().size());
+    report((folder / "01").string() + " to " + count + ".txt .obj .mtl .scad", begin);
 }
 
 void writeBall(const std::filesystem::path &folder) {

@@ -255,7 +255,7 @@ void TestMazeLevels::eachLevelsWayOutIsLongerThanTheLast() {
     int last = 0;
     for (const mazes::Recipe &recipe : mazes::levelRecipes()) {
         const int length = mazes::wayLength(mazes::makeMaze(recipe));
-        QVERIFY(length > last);
+        QVERIFY2(length > last, qPrintable(QString("%1 cells after %2").arg(length).arg(last)));
         last = length;
     }
 }
