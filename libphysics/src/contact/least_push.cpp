@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 namespace phys {
 
@@ -18,12 +17,13 @@ Vec3 sumOf(std::span<const Push> pushes) {
     return sum;
 }
 
-/// By how much the amounts miss: a push gives less than is wanted, or would have to pull. 0 or less: they fit.
+/// By how much the amounts miss: less than is wanted, more than is wanted by a push, or a pull. 0 or less: they fit.
 double misfit(std::span<const Push> pushes) {
     const Vec3 sum = sumOf(pushes);
     double worst = -INFINITY;
     for (const Push &push : pushes) {
-        worst = std::max({worst, push.wanted - glm::dot(push.normal, sum), -push.amount});
+        const double missing = push.wanted - glm::dot(push.normal, sum);
+        worst = std::max({worst, push.amount > 0.0 ? std::abs(missing) : missing, -push.amount});
     }
     return worst;
 }
@@ -37,7 +37,7 @@ public:
         , m_work(work) {}
 
     bool one() {
-        return std::any_of(m_pushes.begin(), m_pushes.end(), [&](Push &a) { return fits({{&a, a.wanted}}); });
+        return std::any_of(m_pushes.begin(), m_pushes.end(), [&](Push &a) { return fits<1>({&a}, {a.wanted}); });
     }
 
     bool two() {
@@ -63,23 +63,42 @@ public:
     double least() const { return m_least; }
     void takeBest() {
         for (Push &push : m_pushes) push.amount = 0.0;
-        for (size_t i = 0; i < m_bestCount; ++i) m_best[i].first->amount = m_best[i].second;
+        for (size_t i = 0; i < m_bestCount; ++i) m_best[i]->amount = m_bestAmounts[i];
     }
 
 private:
-    using Amount = std::pair<Push *, double>;
-
-    bool fits(std::initializer_list<Amount> amounts) {
+    template<size_t Count>
+    bool fits(const std::array<Push *, Count> &pushes, const std::array<double, Count> &amounts) {
         m_work.add(Work::kPush * m_pushes.size());
         for (Push &push : m_pushes) push.amount = 0.0;
-        for (const auto &[push, amount] : amounts) push->amount = amount;
+        for (size_t i = 0; i < Count; ++i) pushes[i]->amount = amounts[i];
         const double missed = misfit(m_pushes);
         if (missed < m_least) {
             m_least = missed;
-            m_bestCount = amounts.size();
-            std::copy(amounts.begin(), amounts.end(), m_best.begin());
+            m_bestCount = Count;
+            std::copy(pushes.begin(), pushes.end(), m_best.begin());
+            std::copy(amounts.begin(), amounts.end(), m_bestAmounts.begin());
         }
         return missed <= m_negligible;
+    }
+
+    /// amountsFor(wanted): those of some pushes. Corrected by what they miss of it, where rounding keeps them from
+    /// fitting.
+    template<size_t Count, class AmountsFor>
+    bool fitsCorrected(const std::array<Push *, Count> &pushes, AmountsFor amountsFor) {
+        constexpr int kMostCorrections = 3;
+        std::array<double, Count> wanted, amounts{};
+        for (size_t i = 0; i < Count; ++i) wanted[i] = pushes[i]->wanted;
+        for (int correction = 0; correction <= kMostCorrections; ++correction) {
+            const std::array<double, Count> more = amountsFor(wanted);
+            Vec3 sum(0.0);
+            for (size_t i = 0; i < Count; ++i) sum += (amounts[i] += more[i]) * pushes[i]->normal;
+            if (fits(pushes, amounts)) return true;
+            if (std::any_of(amounts.begin(), amounts.end(), [&](double amount) { return amount < -m_negligible; }))
+                break;
+            for (size_t i = 0; i < Count; ++i) wanted[i] = pushes[i]->wanted - glm::dot(pushes[i]->normal, sum);
+        }
+        return false;
     }
 
     bool fitsTwo(Push &a, Push &b) {
@@ -87,8 +106,10 @@ private:
         const Vec3 axis = glm::cross(a.normal, b.normal);
         const double determinant = glm::dot(axis, axis); // 1 - cosine^2 without cancellation
         if (determinant == 0.0) return false;
-        return fits(
-            {{&a, (a.wanted - cosine * b.wanted) / determinant}, {&b, (b.wanted - cosine * a.wanted) / determinant}});
+        return fitsCorrected<2>({&a, &b}, [&](const std::array<double, 2> &wanted) {
+            return std::array{(wanted[0] - cosine * wanted[1]) / determinant,
+                              (wanted[1] - cosine * wanted[0]) / determinant};
+        });
     }
 
     /// Three independent normals determine the sum; its shares along them are the amounts.
@@ -98,16 +119,18 @@ private:
         const Vec3 ab = glm::cross(a.normal, b.normal);
         const double volume = glm::dot(a.normal, bc);
         if (volume == 0.0) return false;
-        const Vec3 sum = (a.wanted * bc + b.wanted * ca + c.wanted * ab) / volume;
-        return fits(
-            {{&a, glm::dot(sum, bc) / volume}, {&b, glm::dot(sum, ca) / volume}, {&c, glm::dot(sum, ab) / volume}});
+        return fitsCorrected<3>({&a, &b, &c}, [&](const std::array<double, 3> &wanted) {
+            const Vec3 sum = (wanted[0] * bc + wanted[1] * ca + wanted[2] * ab) / volume;
+            return std::array{glm::dot(sum, bc) / volume, glm::dot(sum, ca) / volume, glm::dot(sum, ab) / volume};
+        });
     }
 
     std::span<Push> m_pushes;
     double m_negligible;
     Work &m_work;
     double m_least = INFINITY;
-    std::array<Amount, 3> m_best{};
+    std::array<Push *, 3> m_best{};
+    std::array<double, 3> m_bestAmounts{};
     size_t m_bestCount = 0;
 };
 
