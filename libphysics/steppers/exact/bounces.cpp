@@ -6,7 +6,7 @@
 #include "exact/last_bounce.h"
 #include "exact/resolve.h"
 #include "exact/search.h"
-#include "exact/uniform.h"
+#include "phases/uniform.h"
 #include "scene/nearest.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "base/error.h"
 #include "contact/held.h"
 #include "contact/push_out.h"
-#include "exact/turning.h"
+#include "phases/turning.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,11 +3,11 @@
 #pragma once
 
 #include "exact/bounces.h"
-#include "exact/resisted.h"
 #include "exact/resolve.h"
-#include "exact/series.h"
-#include "exact/slide.h"
-#include "exact/uniform.h"
+#include "phases/resisted.h"
+#include "phases/series.h"
+#include "phases/slide.h"
+#include "phases/uniform.h"
 
 #include <variant>
 

@@ -7,7 +7,7 @@
 #include "contact/modes.h"
 #include "contact/work.h"
 #include "exact/search.h"
-#include "exact/turning.h"
+#include "phases/turning.h"
 #include "registry/report.h"
 
 #include <algorithm>

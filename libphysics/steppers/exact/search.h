@@ -5,7 +5,7 @@
 #include "contact/contact.h"
 #include "contact/near.h"
 #include "contact/work.h"
-#include "exact/phase.h"
+#include "phases/phase.h"
 #include "scene/nearest.h"
 #include "shared/first_zero.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "exact/undisturbed.h"
 
-#include "exact/resisted.h"
-#include "exact/turning.h"
-#include "exact/uniform.h"
+#include "phases/resisted.h"
+#include "phases/turning.h"
+#include "phases/uniform.h"
 
 #include <algorithm>
 #include <cmath>

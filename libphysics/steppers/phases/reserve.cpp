@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How long contacts of the general phase stick, and which of them open or slip at once: model.md 14.1, 14.2.
 #include "contact/held.h"
-#include "exact/series.h"
+#include "phases/series.h"
 
 #include <algorithm>
 #include <cmath>

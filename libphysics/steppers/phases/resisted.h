@@ -3,7 +3,7 @@
 // and 3.6.
 #pragma once
 
-#include "exact/phase.h"
+#include "phases/phase.h"
 
 namespace phys {
 

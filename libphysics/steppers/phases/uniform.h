@@ -2,7 +2,7 @@
 // A phase of constant accelerations: flight, a straight way along a face, every way without resistance. model.md 3.
 #pragma once
 
-#include "exact/phase.h"
+#include "phases/phase.h"
 
 namespace phys {
 

@@ -6,8 +6,8 @@
 #include "contact/dense.h"
 #include "contact/mirror.h"
 #include "contact/modes.h"
-#include "exact/jet.h"
-#include "exact/phase.h"
+#include "phases/jet.h"
+#include "phases/phase.h"
 
 namespace phys {
 

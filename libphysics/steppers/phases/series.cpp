@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "exact/series.h"
+#include "phases/series.h"
 
 #include "contact/held.h"
 

@@ -5,7 +5,7 @@
 #include "base/elementary.h"
 #include "base/vec.h"
 #include "contact/work.h"
-#include "exact/phase.h"
+#include "phases/phase.h"
 #include "shared/first_zero.h"
 
 #include <array>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "contact/modes.h"
-#include "exact/jet.h"
+#include "phases/jet.h"
 
 namespace phys {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "exact/jet.h"
+#include "phases/jet.h"
 
 #include <algorithm>
 

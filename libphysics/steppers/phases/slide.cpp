@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "exact/slide.h"
+#include "phases/slide.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "exact/resisted.h"
+#include "phases/resisted.h"
 
 #include <algorithm>
 #include <cmath>
