@@ -46,7 +46,7 @@ phys_params withoutNegligibleGravity(phys_params params) {
 phys_status advance(Exact &self, const phys_params &params, double dt, const phys_state &in, phys_state &out,
                     phys_report *report, phys_error *err) {
     if (rollUndisturbed(self.scene, self.regions, params, dt, in, out, report)) return PHYS_OK;
-    return ExactStep(self.scene, self.regions, params, dt, in, report, err).advance(out);
+    return followEvents(self.scene, self.regions, params, dt, in, out, report, err);
 }
 
 phys_status stepExact(void *self, const phys_params *params, double dt, const phys_state *in, phys_state *out,

@@ -70,7 +70,7 @@ struct BounceSeries {
 const Contact *nextBounce(const MovingBall &ball, const Contacts &contacts) {
     const Contact *next = nullptr;
     double first = kNever;
-    const double negligible = negligibleSpeed(ball.motion, ball.radius());
+    const double negligible = ball.negligibleSpeed();
     for (const Contact &contact : contacts) {
         const double speed = glm::dot(ball.motion.velocity, contact.normal);
         if (speed <= negligible) return nullptr;
@@ -143,18 +143,17 @@ void makeBounces(double back, const Obstacles &obstacles, MovingBall &ball, Touc
     do {
         const double speed = glm::dot(ball.motion.velocity, n), flight = 2.0 * speed / back;
         const Vec3 along = ball.motion.velocity - speed * n, way = flight * (along + 0.5 * flight * pull);
-        const double least =
-            std::max(lastBounce(ball, touching.contacts, face, g), negligibleSpeed(ball.motion, ball.radius()));
+        const double least = std::max(lastBounce(ball, touching.contacts, face, g), ball.negligibleSpeed());
         if (flight >= ball.left || face.restitution * speed <= least) return;
-        if (!isClear(obstacles, ball.position - start, flight * along, 0.5 * flight * flight * pull, ball.radius()))
-            return;
+        const Vec3 bend = 0.5 * flight * flight * pull;
+        if (!isClear(obstacles, ball.position - start, flight * along, bend, ball.radius())) return;
         ball.turn(Uniform{Vec3(0.0), Vec3(0.0), ball.motion.spin, Vec3(0.0)}, flight);
         ball.position += way;
         face.point += way;
         ball.motion.velocity = along + flight * pull - speed * n;
         ball.pass(flight);
         ball.work.add(Work::kBounce);
-        collide(negligibleSpeed(ball.motion, ball.radius()), ball, touching);
+        collide(ball.negligibleSpeed(), ball, touching);
     } while (!ball.work.isTooMuch() && !isRegular(ball, face));
 }
 

@@ -42,6 +42,7 @@ struct MovingBall {
     const phys_params &params() const { return setting.params; }
     double radius() const { return setting.scene.radius; }
     bool runsAllStages() const { return (params().options & PHYS_OPTION_ALL_STAGES) != 0; }
+    double negligibleSpeed() const { return phys::negligibleSpeed(motion, radius()); }
     bool isStill() const { return motion.velocity == Vec3(0.0) && motion.spin == Vec3(0.0); }
 
     Moment moment() const {

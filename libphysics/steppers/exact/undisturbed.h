@@ -7,7 +7,7 @@
 
 namespace phys {
 
-/// Makes a step of dt if it is such a one, with the bits of an ExactStep: all of `out`, which isn't `in`, but the time
+/// Makes a step of dt if it is such a one, with the bits of followEvents: all of `out`, which isn't `in`, but the time
 /// and the number of the step. False, and nothing is written, where it isn't sure.
 bool rollUndisturbed(const Scene &scene, FloorRegions &regions, const phys_params &params, double dt,
                      const phys_state &in, phys_state &out, phys_report *report);

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "exact/build_series.h"
+
+#include "exact/response.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace phys {
+
+namespace {
+
+/// s: longer than any step. What moves so slowly that its squares underflow has no time of its own.
+constexpr double kLongestUnit = 0x1p100;
+
+/// Whether one contact starts to slip while another one sticks.
+bool startsBeside(const Response &response) {
+    bool starts = false, sticks = false;
+    for (const Reaction &reaction : response.list()) {
+        starts = starts || reaction.mode == Mode::starting;
+        sticks = sticks || reaction.mode == Mode::sticking;
+    }
+    return starts && sticks;
+}
+
+/// A ball that begins to slip rolls no longer, so that nothing resists its rolling.
+void withoutResistance(uint32_t slipping, MovingBall &ball, Touching &touching, Response &response) {
+    bool resists = false;
+    for (uint32_t i = 0; i < touching.count(); ++i) {
+        if (!(slipping >> i & 1U) || touching.held(i).resistance == 0.0) continue;
+        touching.held(i).resistance = 0.0;
+        resists = true;
+    }
+    if (!resists) return;
+    const Response free = respond(ball.moment(), touching.held(), ball.work);
+    if (free.isFound) response = free;
+}
+
+} // namespace
+
+void buildSeries(MovingBall &ball, Touching &touching, Response &response, Series &series) {
+    const double R = ball.radius();
+    const double scale = glm::length(ball.setting.gravity()) + glm::length(response.acceleration) +
+                         glm::dot(ball.motion.velocity, ball.motion.velocity) / R;
+    double unit = std::min(std::sqrt(R / scale), kLongestUnit);
+    for (uint32_t i = 0; i < touching.count(); ++i) {
+        if (response.reactions[i].mode != Mode::slipping) continue;
+        unit = std::min(unit, 3.0 * glm::length(response.reactions[i].slip) / scale);
+    }
+    const double turning = std::abs(glm::dot(ball.motion.spin, response.rolling));
+    if (turning > 0.0) unit = std::min(unit, turning / glm::length(response.spinAcceleration));
+    const double longest = std::max(unit, ball.left);
+    Excluded excluded;
+    uint32_t spent = 0, kept = 0, together = 0;
+    std::array<Vec3, kMostHeld> slips{}; // directions of those that are spent
+    for (int change = 0; change < 8; ++change) {
+        bool hasShrunk = false;
+        for (int guess = 0; guess < 40; ++guess) {
+            Response coming = response;
+            for (uint32_t i = 0; i < touching.count(); ++i) {
+                if (!(spent >> i & 1U)) continue;
+                coming.reactions[i].mode = Mode::spent;
+                coming.reactions[i].direction = slips[i];
+            }
+            series.build(ball.moment(), touching.held(), coming, unit, kept);
+            ball.work.add(Work::kSeries * (1 + series.unknowns()));
+            const bool isLong = series.horizon() > 3.0 * unit && unit < longest && !hasShrunk;
+            if (series.horizon() >= 0.1 * unit && !isLong) break;
+            hasShrunk = !isLong;
+            unit = isLong ? std::min(4.0 * unit, longest) : std::max(series.suitableUnit(), 0x1p-8 * unit);
+        }
+        if (together && series.slipsBack(together)) {
+            spent &= ~together;
+            kept |= together;
+            together = 0;
+            continue;
+        }
+        const uint32_t opening = series.opening() & ~excluded.closed;
+        const uint32_t slipping = series.spent(slips) & ~(spent | kept);
+        if (!opening && !slipping) return;
+        if (!opening && countSticking(response) == 1 && excluded.sticking == 0) {
+            spent |= slipping;
+            withoutResistance(slipping, ball, touching, response);
+            continue;
+        }
+        // Of contacts that stick together one starts in the direction that another leaves it, or else two at once.
+        excluded.closed |= opening;
+        excluded.sticking |= opening ? 0 : slipping;
+        const Response changed = respond(ball.moment(), touching.held(), ball.work, excluded);
+        if (changed.isFound && (opening || countSticking(response) != 2 || startsBeside(changed))) {
+            response = changed;
+            continue;
+        }
+        excluded.sticking &= ~slipping;
+        excluded.closed &= ~opening;
+        if (opening) return;
+        auto pressed = response.reactions;
+        together = series.spentTogether(pressed, slips);
+        if (together) response.reactions = pressed;
+        spent |= together;
+        kept |= together ? 0 : slipping;
+    }
+}
+
+} // namespace phys

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "exact/first_event.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace phys {
+
+namespace {
+
+/// Numbers of the contacts that stay closed, as bits; and how many they are.
+struct Closed {
+    uint32_t bits = 0, count = 0;
+
+    Closed(const Touching &touching, const Response &response) {
+        for (uint32_t i = 0; i < touching.count(); ++i) {
+            if (!isClosed(response, i)) continue;
+            bits |= 1U << touching.numberOf(i);
+            ++count;
+        }
+    }
+};
+
+template<class P>
+End ownEnd(const P &phase, const Touching &, const Response &, MovingBall &ball) {
+    return phase.end(ball.left, ball.work);
+}
+
+End ownEnd(const Resisted &phase, const Touching &touching, const Response &response, MovingBall &) {
+    End end = phase.end();
+    end.contact = onlyFace(touching, response);
+    return end;
+}
+
+End ownEnd(const Uniform &phase, const Touching &touching, const Response &response, MovingBall &ball) {
+    End end;
+    for (uint32_t i = 0; i < touching.count(); ++i) {
+        const Reaction &reaction = response.reactions[i];
+        if (reaction.mode == Mode::slipping && reaction.pressure != 0.0) {
+            const Vec3 rate =
+                phase.acceleration - ball.radius() * glm::cross(phase.spinAcceleration, touching.held(i).normal);
+            const double slows = -glm::dot(rate, reaction.slip);
+            if (slows > 0.0) end.cut({glm::dot(reaction.slip, reaction.slip) / slows, Cause::grip, i});
+        }
+        if (reaction.mode == Mode::sticking && touching.held(i).resistance > 0.0 && response.rolling != Vec3(0.0)) {
+            const double speed = glm::dot(phase.spin, response.rolling);
+            const double slows = -glm::dot(phase.spinAcceleration, response.rolling);
+            if (slows > 0.0 && speed > 0.0) end.cut({speed / slows, Cause::stop, i});
+        }
+    }
+    return end;
+}
+
+template<class P>
+Event firstEvent(const P &phase, const Ground &ground, const Touching &touching, const Response &response,
+                 MovingBall &ball) {
+    End end{ball.left, Cause::time, 0};
+    if constexpr (std::is_same_v<P, Uniform>) {
+        if (phase.velocity == Vec3(0.0) && rests(ball, response)) return {end, {}};
+    }
+    end.cut(ownEnd(phase, touching, response, ball));
+    const double acceleration = phase.mostAcceleration();
+    const Closed closed(touching, response);
+    const bool meetsNothing = ground.isOpen(ball, closed.count, acceleration);
+    if (meetsNothing && ground.keeps(ball, acceleration)) return {end, {}};
+    const Outlook around{ball.scene(), ball.position, ball.motion, touching.contacts, ball.work, closed.bits};
+    // What is near is looked for first: the ends of long faces are far, if anything is.
+    const double length = kFirstWindow * ball.radius(), speed = glm::length(ball.motion.velocity);
+    const double soon = meetsNothing ? 0.0 : std::min(end.after, leastTime(length, speed, acceleration));
+    double touch = firstTouch(around, phase, 0.0, soon, length);
+    Border border;
+    for (uint32_t i = 0; i < touching.count(); ++i) {
+        if (!isClosed(response, i)) continue;
+        cutAtBorder(around, touching.contactOf(i), phase, std::min(end.after, touch), border);
+    }
+    end.cut({border.after, Cause::border, 0});
+    if (!meetsNothing && touch == kNever) touch = firstTouch(around, phase, soon, end.after, 2.0 * length);
+    end.cut({touch, Cause::touch, 0});
+    return {end, border};
+}
+
+} // namespace
+
+Event firstEvent(const Ground &ground, const Touching &touching, const Choice &choice, MovingBall &ball) {
+    return std::visit([&](const auto &phase) { return firstEvent(phase, ground, touching, choice.response, ball); },
+                      choice.phase);
+}
+
+} // namespace phys

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include "exact/follow.h"
+
+#include "contact/held.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace phys {
+
+namespace {
+
+template<class P>
+Losses losses(const P &phase, double t, const Touching &, const Response &, double) {
+    return phase.losses(t);
+}
+
+Losses losses(const Uniform &phase, double t, const Touching &touching, const Response &response, double R) {
+    Losses lost;
+    const Vec3 middle = phase.spinAt(0.5 * t);
+    for (uint32_t i = 0; i < touching.count(); ++i) {
+        const Reaction &reaction = response.reactions[i];
+        const Held &held = touching.held(i);
+        if (reaction.mode == Mode::slipping || reaction.mode == Mode::starting) {
+            const Vec3 u = phase.at(0.5 * t).velocity - R * glm::cross(middle, held.normal);
+            lost.slip += held.friction * reaction.pressure * t * std::abs(glm::dot(u, reaction.direction));
+        }
+        if (reaction.mode == Mode::sticking) {
+            const double turning = std::abs(glm::dot(middle, response.rolling));
+            lost.rolling += held.resistance * reaction.pressure * R * t * turning;
+        }
+    }
+    return lost;
+}
+
+/// Until it ends, and on while a speed that vanishes comes to its end.
+template<class P>
+void move(const P &phase, const End &end, const Touching &touching, const Response &response, MovingBall &ball) {
+    const double t = end.after;
+    if (ball.report.wanted() && t > 0.0) {
+        const Losses lost = losses(phase, t, touching, response, ball.radius());
+        ball.report.lostSlip(lost.slip);
+        ball.report.lostRolling(lost.rolling);
+    }
+    if (t > 0.0) { // of no time, series whose terms are beyond all numbers say nothing
+        ball.turn(phase, t);
+        const Place place = phase.placeAt(t);
+        ball.position += place.way;
+        ball.motion = {place.velocity, place.spin};
+    }
+    // Not waited for where the ball's velocity changes meanwhile by more than the speed that vanishes.
+    const bool waits =
+        end.rest > 0.0 && end.rest * phase.mostAcceleration() <= 16.0 * kSlipEnds * speedScale(ball.moment());
+    const double passed = std::min(t + (waits ? end.rest : 0.0), ball.left);
+    ball.pass(passed);
+    // Before normals are turned: a slip that has ended would begin again at a place further round an edge.
+    if (passed > t && end.cause == Cause::grip) ball.position += (passed - t) * ball.motion.velocity;
+}
+
+/// To where the phase has led round edges and corners.
+void turnNormals(const MovingBall &ball, const Response &response, Touching &touching) {
+    for (uint32_t i = 0; i < touching.count(); ++i) {
+        const Contact &contact = touching.contactOf(i);
+        if (contact.isFace() || !isClosed(response, i)) continue;
+        const phys_box &box = ball.scene().boxes[contact.box];
+        Vec3 away(0.0);
+        for (int axis = 0; axis < 3; ++axis) {
+            const int side = contact.sides[axis];
+            if (side != 0) away[axis] = ball.position[axis] - (side > 0 ? (&box.max.x)[axis] : (&box.min.x)[axis]);
+        }
+        touching.held(i).normal = hat(away);
+    }
+}
+
+/// Lasting contacts are kept at the radius, and nothing is left of a velocity across them.
+void keepContacts(const Touching &touching, const Response &response, MovingBall &ball) {
+    const double R = ball.radius();
+    for (uint32_t i = 0; i < touching.count(); ++i) {
+        if (!isClosed(response, i)) continue;
+        const Contact &contact = touching.contactOf(i);
+        const phys_box &box = ball.scene().boxes[contact.box];
+        const Vec3 &n = touching.held(i).normal;
+        const double speed = glm::dot(ball.motion.velocity, n);
+        for (int axis = 0; axis < 3; ++axis) {
+            const int side = contact.sides[axis];
+            if (side == 0) continue;
+            ball.position[axis] = (side > 0 ? (&box.max.x)[axis] : (&box.min.x)[axis]) + R * n[axis];
+            if (contact.isFace()) ball.motion.velocity[axis] = 0.0;
+            for (uint32_t j = 0; j < i && contact.isFace(); ++j) { // amid two walls, as takeFaces does
+                const Contact &other = touching.contactOf(j);
+                if (!isClosed(response, j) || !other.isFace() || other.sides[axis] != -side) continue;
+                ball.position[axis] = 0.5 * (ball.position[axis] + other.point[axis] - side * R);
+            }
+        }
+        if (!contact.isFace()) ball.motion.velocity -= speed * n;
+    }
+}
+
+/// Bits of the contacts at which friction holds the ball once the phase has ended.
+uint32_t stickingAfter(Cause cause, const Touching &touching, const Response &response) {
+    uint32_t bits = 0;
+    for (uint32_t i = 0; i < touching.count(); ++i) {
+        const Mode mode = response.reactions[i].mode;
+        const bool rubs = touching.held(i).friction > 0.0 && !touching.held(i).isGlued;
+        const bool holds = mode == Mode::sticking || (mode == Mode::slipping && cause == Cause::grip);
+        bits |= (rubs && holds ? 1U : 0U) << i;
+    }
+    return bits;
+}
+
+/// On a floor: gives the ball the spin that belongs to its velocity to the last bit, if that is no more than rounding.
+void rollOn(const Vec3 &normal, double rounding, MovingBall &ball) {
+    if (glm::length(slipAt(ball.moment(), normal)) > rounding) return;
+    const Vec3 rolls = rollingSpin(inPlane(ball.motion.velocity), ball.radius());
+    ball.motion.spin = {rolls.x, rolls.y, ball.motion.spin.z};
+}
+
+/// Ends the slip at a contact by an impulse of its friction, if it is no more than `most`. False if there was nothing
+/// to end.
+bool stick(uint32_t i, double most, const Touching &touching, MovingBall &ball) {
+    const Held &held = touching.held(i);
+    const double R = ball.radius();
+    const Vec3 slip = slipAt(ball.moment(), held.normal);
+    if (slip == Vec3(0.0) || glm::length(slip) > most) return false;
+    if (touching.contactOf(i).isTop) {
+        // On a floor: the spin that belongs to the velocity to the last bit.
+        ball.motion.velocity -= 2.0 / 7.0 * Vec3(slip.x, slip.y, 0.0);
+        const Vec3 rolls = rollingSpin(inPlane(ball.motion.velocity), R);
+        ball.motion.spin = {rolls.x, rolls.y, ball.motion.spin.z};
+        return true;
+    }
+    ball.motion.velocity -= 2.0 / 7.0 * slip;
+    ball.motion.spin += 5.0 / 7.0 / R * glm::cross(held.normal, slip);
+    return true;
+}
+
+/// Nothing but rounding is left of a slip at what sticks, and of a velocity that ends with it.
+void clearSlips(Cause cause, uint32_t sticking, double rounding, const Touching &touching, MovingBall &ball) {
+    bool isStill = false;
+    for (int sweep = 0; sweep < 4 && !isStill; ++sweep) {
+        isStill = true;
+        for (uint32_t i = 0; i < touching.count(); ++i) {
+            if (!(sticking >> i & 1U) || touching.contactOf(i).isTop) continue;
+            if (stick(i, rounding, touching, ball)) isStill = false;
+        }
+    }
+    if (cause != Cause::grip && cause != Cause::stop) return;
+    if (glm::length(ball.motion.velocity) <= rounding) ball.motion.velocity = Vec3(0.0);
+    if (ball.radius() * glm::length(ball.motion.spin) <= rounding) ball.motion.spin = Vec3(0.0);
+}
+
+/// What the end of a phase makes exact.
+void settle(const Event &event, const Response &response, MovingBall &ball, Touching &touching) {
+    const End &end = event.end;
+    const double before = glm::length(ball.motion.velocity);
+    turnNormals(ball, response, touching);
+    if (end.cause == Cause::stop) {
+        const Vec3 &n = touching.held(end.contact).normal;
+        ball.event(PHYS_EVENT_STOP, before, 0.0);
+        ball.motion = {Vec3(0.0), glm::dot(ball.motion.spin, n) * n};
+    }
+    if (end.cause == Cause::grip) {
+        stick(end.contact, kNever, touching, ball);
+        const bool isTop = touching.contactOf(end.contact).isTop;
+        if (isTop) ball.event(PHYS_EVENT_ROLL, before, glm::length(ball.motion.velocity));
+    }
+    const uint32_t sticking = stickingAfter(end.cause, touching, response);
+    const bool holds = sticking != 0 || end.cause == Cause::stop;
+    const double rounding = holds ? 4e-13 * speedScale(ball.moment()) : 0.0;
+    if (holds) clearSlips(end.cause, sticking, rounding, touching, ball);
+    if (end.cause != Cause::time || !rests(ball, response)) keepContacts(touching, response, ball);
+    for (uint32_t i = 0; i < touching.count(); ++i) {
+        if (sticking >> i & 1U && touching.contactOf(i).isTop) rollOn(touching.held(i).normal, rounding, ball);
+    }
+    if (end.cause == Cause::border) ball.position[event.border.axis] = event.border.coordinate;
+}
+
+} // namespace
+
+void follow(const Choice &choice, const Event &event, MovingBall &ball, Touching &touching) {
+    std::visit([&](const auto &phase) { move(phase, event.end, touching, choice.response, ball); }, choice.phase);
+    settle(event, choice.response, ball, touching);
+}
+
+} // namespace phys

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// What the lasting contacts of the present moment do, by the law of contact: model.md 14.1.
+#pragma once
+
+#include "exact/touching.h"
+
+namespace phys {
+
+/// Asks the law. Where no modes fit friction jams the ball, and its slips end at once; PHYS_ERROR_STUCK if none fit
+/// then.
+phys_status respondNow(const Touching &touching, MovingBall &ball, Response &response);
+
+inline bool isClosed(const Response &response, uint32_t lasting) {
+    return response.reactions[lasting].mode != Mode::open;
+}
+
+uint32_t countSticking(const Response &response);
+
+/// Whether the ball stays where it is.
+bool rests(const MovingBall &ball, const Response &response);
+
+} // namespace phys
