@@ -36,39 +36,54 @@ void withoutResistance(uint32_t slipping, MovingBall &ball, Touching &touching, 
     if (free.isFound) response = free;
 }
 
-} // namespace
-
-void buildSeries(MovingBall &ball, Touching &touching, Response &response, Series &series) {
+/// s: a first guess at the unit.
+double firstUnit(const MovingBall &ball, const Response &response) {
     const double R = ball.radius();
     const double scale = glm::length(ball.setting.gravity()) + glm::length(response.acceleration) +
                          glm::dot(ball.motion.velocity, ball.motion.velocity) / R;
     double unit = std::min(std::sqrt(R / scale), kLongestUnit);
-    for (uint32_t i = 0; i < touching.count(); ++i) {
-        if (response.reactions[i].mode != Mode::slipping) continue;
-        unit = std::min(unit, 3.0 * glm::length(response.reactions[i].slip) / scale);
+    for (const Reaction &reaction : response.list()) {
+        if (reaction.mode == Mode::slipping) unit = std::min(unit, 3.0 * glm::length(reaction.slip) / scale);
     }
     const double turning = std::abs(glm::dot(ball.motion.spin, response.rolling));
-    if (turning > 0.0) unit = std::min(unit, turning / glm::length(response.spinAcceleration));
+    return turning > 0.0 ? std::min(unit, turning / glm::length(response.spinAcceleration)) : unit;
+}
+
+/// The response with some contacts' friction spent. spent: bits; slips: the directions that they begin to slip in.
+Response withSpent(const Response &response, uint32_t spent, std::span<const Vec3> slips) {
+    Response result = response;
+    for (uint32_t i = 0; i < result.count; ++i) {
+        if (!(spent >> i & 1U)) continue;
+        result.reactions[i].mode = Mode::spent;
+        result.reactions[i].direction = slips[i];
+    }
+    return result;
+}
+
+/// Builds the series, from the given unit (s) on, until one suits them. None grows longer than `longest`.
+void fitUnit(const Response &response, uint32_t kept, const Touching &touching, double longest, MovingBall &ball,
+             Series &series, double &unit) {
+    bool hasShrunk = false;
+    for (int guess = 0; guess < 40; ++guess) {
+        series.build(ball.moment(), touching.held(), response, unit, kept);
+        ball.work.add(Work::kSeries * (1 + series.unknowns()));
+        const bool isLong = series.horizon() > 3.0 * unit && unit < longest && !hasShrunk;
+        if (series.horizon() >= 0.1 * unit && !isLong) return;
+        hasShrunk = !isLong;
+        unit = isLong ? std::min(4.0 * unit, longest) : std::max(series.suitableUnit(), 0x1p-8 * unit);
+    }
+}
+
+} // namespace
+
+void buildSeries(MovingBall &ball, Touching &touching, Response &response, Series &series) {
+    double unit = firstUnit(ball, response);
     const double longest = std::max(unit, ball.left);
     Excluded excluded;
     uint32_t spent = 0, kept = 0, together = 0;
     std::array<Vec3, kMostHeld> slips{}; // directions of those that are spent
     for (int change = 0; change < 8; ++change) {
-        bool hasShrunk = false;
-        for (int guess = 0; guess < 40; ++guess) {
-            Response coming = response;
-            for (uint32_t i = 0; i < touching.count(); ++i) {
-                if (!(spent >> i & 1U)) continue;
-                coming.reactions[i].mode = Mode::spent;
-                coming.reactions[i].direction = slips[i];
-            }
-            series.build(ball.moment(), touching.held(), coming, unit, kept);
-            ball.work.add(Work::kSeries * (1 + series.unknowns()));
-            const bool isLong = series.horizon() > 3.0 * unit && unit < longest && !hasShrunk;
-            if (series.horizon() >= 0.1 * unit && !isLong) break;
-            hasShrunk = !isLong;
-            unit = isLong ? std::min(4.0 * unit, longest) : std::max(series.suitableUnit(), 0x1p-8 * unit);
-        }
+        fitUnit(withSpent(response, spent, slips), kept, touching, longest, ball, series, unit);
         if (together && series.slipsBack(together)) {
             spent &= ~together;
             kept |= together;
