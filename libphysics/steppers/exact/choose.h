@@ -20,8 +20,8 @@ struct Choice {
     Phase phase;
 };
 
-/// Removes from the ball's motion what the response shows to be rounding. Choices are large: one is made in the other's
-/// place.
+/// Removes from the ball's motion what the response shows to be rounding, and resistance from contacts that begin to
+/// slip. Reads nothing of the choice before, in whose place it puts the new one.
 phys_status choose(MovingBall &ball, Touching &touching, Choice &choice);
 
 /// Of the lasting contacts the one that is closed, if it is one alone and a face; else kMostHeld.

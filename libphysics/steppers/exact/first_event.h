@@ -13,6 +13,7 @@ struct Event {
     Border border; ///< if that is its cause
 };
 
+/// Adds to the work of the ball's step, and leaves all else as it is.
 Event firstEvent(const Ground &ground, const Touching &touching, const Choice &choice, MovingBall &ball);
 
 } // namespace phys

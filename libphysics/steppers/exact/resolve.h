@@ -10,7 +10,8 @@ namespace phys {
 /// Finds what the ball touches, takes all impacts of the moment, and looks at what lasts then.
 void resolve(const Ground &ground, MovingBall &ball, Touching &touching);
 
-/// One round of impacts with all contacts that the ball approaches: true if anything was hit.
+/// One round of impacts with all contacts that the ball approaches: true if anything was hit. Takes the restitution
+/// from those whose bounce is the last. negligible: m/s, speeds across contacts that are rounding.
 bool collide(double negligible, MovingBall &ball, Touching &touching);
 
 } // namespace phys
