@@ -82,6 +82,11 @@ const Contact *nextBounce(const MovingBall &ball, const Contacts &contacts) {
     return next;
 }
 
+/// Speed from the one face that is touched which is the last bounce's, or so small that it is none.
+double leastBounce(const MovingBall &ball, const Contacts &contacts) {
+    return std::max(lastBounce(ball, contacts, contacts[0], ball.setting.gravity()), ball.negligibleSpeed());
+}
+
 /// Whether each bounce is like the one before: friction has ended all slip, or there is none.
 bool isRegular(const MovingBall &ball, const Contact &face) {
     constexpr double kLeast = 0.9; // restitution: with less there are few of them
@@ -143,8 +148,7 @@ void makeBounces(double back, const Obstacles &obstacles, MovingBall &ball, Touc
     do {
         const double speed = glm::dot(ball.motion.velocity, n), flight = 2.0 * speed / back;
         const Vec3 along = ball.motion.velocity - speed * n, way = flight * (along + 0.5 * flight * pull);
-        const double least = std::max(lastBounce(ball, touching.contacts, face, g), ball.negligibleSpeed());
-        if (flight >= ball.left || face.restitution * speed <= least) return;
+        if (flight >= ball.left || face.restitution * speed <= leastBounce(ball, touching.contacts)) return;
         const Vec3 bend = 0.5 * flight * flight * pull;
         if (!isClear(obstacles, ball.position - start, flight * along, bend, ball.radius())) return;
         ball.turn(Uniform{Vec3(0.0), Vec3(0.0), ball.motion.spin, Vec3(0.0)}, flight);
@@ -179,7 +183,7 @@ bool skipSeries(const Obstacles &obstacles, MovingBall &ball, Contacts &contacts
     const double eps = face.restitution, flight = series.flight;
     const double most = countOf(eps, std::min(freeTime(series, obstacles, ball.radius()), ball.left) / flight) - 1.0;
     // The last of them is found as without this: which it is must not depend on the steps in which they are made.
-    const double share = std::max(0.5, lastBounce(ball, contacts, face, ball.setting.gravity()) / series.speed);
+    const double share = std::max(0.5, leastBounce(ball, contacts) / series.speed);
     const double decay = eps == 1.0 ? kNever : elementary::log1p(share - 1.0) / elementary::log1p(eps - 1.0) - 1.0;
     const double count = std::floor(std::min(most, decay));
     if (!(count >= 1.0)) return false;
@@ -238,7 +242,9 @@ void skipBounces(const Ground &ground, MovingBall &ball, Touching &touching) {
     if (!endSeries(obstacles, ball, contacts) && !skipSeries(obstacles, ball, contacts)) {
         makeBounces(back, obstacles, ball, touching);
     }
-    if (!isAlone || glm::dot(ball.motion.velocity, contacts[0].normal) == 0.0) resolve(ground, ball, touching);
+    const double left = glm::dot(ball.motion.velocity, contacts[0].normal);
+    const bool hasEnded = left == 0.0 || (ball.left > 0.0 && left <= ball.negligibleSpeed());
+    if (!isAlone || hasEnded) resolve(ground, ball, touching);
 }
 
 } // namespace phys

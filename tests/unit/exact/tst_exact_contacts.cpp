@@ -17,6 +17,8 @@ private slots:
     void bouncesThatHardlyDecayKeepTheirTimes();
     void bouncesEndWhenTheirSumDoes_data();
     void bouncesEndWhenTheirSumDoes();
+    void bouncesOfAFastBallDontBeginAnew_data();
+    void bouncesOfAFastBallDontBeginAnew();
     void edgeIsHitByAParabola();
     void grazingChangesNothing();
     void cornerReversesBothComponents();
@@ -214,6 +216,27 @@ void ExactContacts::bouncesEndWhenTheirSumDoes() {
     run.step(end + 1.0 - run.state.time);
     QVERIFY(std::abs(run.state.velocity.x - slope * (end + 5.0 / 7.0)) <= 256.0 * kU);
     QVERIFY(std::abs(run.state.position.x - slope * (0.5 * end * end + end + 5.0 / 14.0)) <= 4096.0 * kU);
+    QCOMPARE(run.state.velocity.z, 0.0);
+}
+
+void ExactContacts::bouncesOfAFastBallDontBeginAnew_data() {
+    QTest::addColumn<double>("restitution");
+    for (const double restitution : {0.89, 0.9, 0.93, 0.95, 0.951, 0.99}) {
+        QTest::addRow("restitution %g", restitution) << restitution;
+    }
+}
+
+/// model.md 6.4: a ball so fast along the floor that the speed of its last bounces is rounding beside it.
+void ExactContacts::bouncesOfAFastBallDontBeginAnew() {
+    QFETCH(double, restitution);
+    const double slope = 0.3, fast = 4.0, rest = 0.05, end = 2.0 * 0.1 / 9.8 / (1.0 - restitution);
+    Run run({exact::floorOver(-1, -1, 20, 1)}, 0.006, {0, 0, 0.006}, {fast, 0, 0.1});
+    run.params.restitution_floor = restitution;
+    run.params.gravity = {slope, 0, -9.8};
+    run.step(end + rest);
+    const double speed = fast + slope * end, way = end * (fast + 0.5 * slope * end);
+    QVERIFY(std::abs(run.state.velocity.x - (speed + 5.0 / 7.0 * slope * rest)) <= 256.0 * kU);
+    QVERIFY(std::abs(run.state.position.x - (way + rest * (speed + 5.0 / 14.0 * slope * rest))) <= 1024.0 * kU);
     QCOMPARE(run.state.velocity.z, 0.0);
 }
 
