@@ -71,6 +71,9 @@ struct Scene {
     /// along each axis, borders included.
     bool overFloor(double x, double y, double reach = 0.0) const;
 
+    /// Whether a ball there is beyond the board.
+    bool isOut(const phys_vec3 &centre) const { return !isOver(bounds, centre.x, centre.y); }
+
     static bool isOver(const phys_box &box, double x, double y) {
         return x >= box.min.x && x <= box.max.x && y >= box.min.y && y <= box.max.y;
     }

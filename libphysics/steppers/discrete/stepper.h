@@ -25,10 +25,7 @@ inline void storeBall(const Scene &scene, const phys_params &params, const Ball 
     out.position = fromVec(ball.position);
     out.velocity = fromVec(ball.velocity);
     out.spin = fromVec(ball.spin);
-    const phys_box &bounds = scene.bounds;
-    const Vec3 &p = ball.position;
-    const bool inside = p.x >= bounds.min.x && p.x <= bounds.max.x && p.y >= bounds.min.y && p.y <= bounds.max.y;
-    if (!inside) flags |= PHYS_OUT;
+    if (scene.isOut(out.position)) flags |= PHYS_OUT;
     const bool onFloor = !(flags & PHYS_AIRBORNE);
     if (onFloor && isSlipping(params, scene.radius, inPlane(ball.velocity), ball.spin)) flags |= PHYS_SLIPPING;
     out.flags = flags;

@@ -54,7 +54,7 @@ phys_status leave(const Touching &touching, const Response *response, MovingBall
     out.velocity = fromVec(ball.motion.velocity);
     out.spin = fromVec(ball.motion.spin);
     std::copy(std::begin(ball.orientation), std::end(ball.orientation), out.orientation);
-    out.flags = (isOut(ball.scene(), out.position) ? PHYS_OUT : 0) | flagsOf(touching, response, ball);
+    out.flags = (ball.scene().isOut(out.position) ? PHYS_OUT : 0) | flagsOf(touching, response, ball);
     return PHYS_OK;
 }
 

@@ -129,7 +129,7 @@ private:
         }
         std::copy(std::begin(m_in.orientation), std::end(m_in.orientation), out.orientation);
         if (m_params.options & PHYS_OPTION_ORIENTATION) turn(out.orientation, phase, m_dt);
-        out.flags = isOut(m_scene, out.position) ? PHYS_OUT : 0;
+        out.flags = m_scene.isOut(out.position) ? PHYS_OUT : 0;
         if (!report) return;
         Reporter reporter(report, m_in.time);
         reporter.substeps(1, 0);

@@ -47,12 +47,6 @@ struct FloorRegion {
     }
 };
 
-/// Whether a ball is beyond the board.
-inline bool isOut(const Scene &scene, const phys_vec3 &place) {
-    const phys_box &bounds = scene.bounds;
-    return place.x < bounds.min.x || place.x > bounds.max.x || place.y < bounds.min.y || place.y > bounds.max.y;
-}
-
 /// Regions found so far. They follow from the scene alone, and no step depends on which of them it is made in.
 class FloorRegions {
 public:
