@@ -89,10 +89,9 @@ Order orderOf(const std::string &stepper) {
     return found == kOrders.end() ? Order{1, 1} : found->second;
 }
 
-bool hasUndecidedGap(const Case &scene) {
-    const Vector start = vectorOf(scene.start.position);
+bool hasUndecidedGap(const Case &scene, const phys_vec3 &centre) {
     const auto isTouched = [&](const phys_box &box) {
-        return touchOf(box, start, scene.radius).gap <= 1e-9L * scene.radius;
+        return touchOf(box, vectorOf(centre), scene.radius).gap <= 1e-9L * scene.radius;
     };
     const auto overlap = [](const phys_box &a, const phys_box &b, int axis) {
         return (&a.min.x)[axis] < (&b.max.x)[axis] && (&b.min.x)[axis] < (&a.max.x)[axis];
@@ -138,7 +137,7 @@ Case pushedOut(Case scene) {
 std::optional<Truth> Truth::of(const Case &given) {
     const Case scene = pushedOut(given);
     const bool isPushedOut = length(vectorOf(scene.start.position) - vectorOf(given.start.position)) > 0;
-    if (!isLawful(scene) || hasUndecidedGap(scene)) return std::nullopt;
+    if (!isLawful(scene) || hasUndecidedGap(scene, scene.start.position)) return std::nullopt;
     Truth truth(scene);
     const Law law = lawAt(scene);
     Motion motion = motionOf(scene.start);

@@ -26,8 +26,9 @@ struct Order {
 /// ball, which these scenes don't promise. A stepper that isn't there is taken to be of first order.
 Order orderOf(const std::string &stepper);
 
-/// Whether the ball may come to a gap that is exactly as wide as itself: rounding decides what happens at its mouth.
-bool hasUndecidedGap(const Case &scene);
+/// Whether a ball at `centre` may come to a gap that is exactly as wide as itself, and isn't in it: rounding decides
+/// what happens at its mouth.
+bool hasUndecidedGap(const Case &scene, const phys_vec3 &centre);
 
 /// The motion by force, and how far it goes astray if it is disturbed a little.
 class Truth {

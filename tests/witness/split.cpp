@@ -2,7 +2,7 @@
 #include "split.h"
 
 #include <algorithm>
-#include <vector>
+#include <utility>
 
 namespace witness {
 
@@ -11,11 +11,12 @@ namespace {
 constexpr double kDisturbance = 1e-12;
 constexpr double kChaos = 1e-3; // of the radius: where a disturbance makes more, rounding decides
 
-/// Where the ball is after all parts.
+/// Where the ball is after all parts. places: after each of them, is appended to.
 std::optional<Vector> endOf(phys_stepper *stepper, const phys_params &params, const std::vector<double> &parts,
-                            phys_state state) {
+                            phys_state state, std::vector<phys_vec3> &places) {
     for (const double dt : parts) {
         if (phys_step(stepper, &params, dt, &state, &state, nullptr, nullptr)) return std::nullopt;
+        places.push_back(state.position);
     }
     return vectorOf(state.position);
 }
@@ -42,14 +43,15 @@ std::optional<SplitDifference> splitDifference(phys_stepper *stepper, const phys
                                                const phys_state &in, double radius) {
     const std::vector<double> whole = {dt};
     const std::vector<double> parts = {0.375 * dt, 0.25 * dt, 0.375 * dt};
-    const std::optional<Vector> once = endOf(stepper, params, whole, in);
-    const std::optional<Vector> inParts = endOf(stepper, params, parts, in);
+    std::vector<phys_vec3> places = {in.position}, unused;
+    const std::optional<Vector> once = endOf(stepper, params, whole, in, places);
+    const std::optional<Vector> inParts = endOf(stepper, params, parts, in, places);
     if (!once || !inParts) return std::nullopt;
-    SplitDifference difference{double(length(*once - *inParts)), 0.0};
+    SplitDifference difference{double(length(*once - *inParts)), 0.0, std::move(places)};
     if (difference.apart <= kDisturbance * radius) return difference;
     for (const phys_state &start : disturbed(in, radius)) {
-        const std::optional<Vector> onceMoved = endOf(stepper, params, whole, start);
-        const std::optional<Vector> inPartsMoved = endOf(stepper, params, parts, start);
+        const std::optional<Vector> onceMoved = endOf(stepper, params, whole, start, unused);
+        const std::optional<Vector> inPartsMoved = endOf(stepper, params, parts, start, unused);
         if (!onceMoved || !inPartsMoved) return std::nullopt;
         difference.spread =
             std::max({difference.spread, double(length(*onceMoved - *once)), double(length(*inPartsMoved - *inParts))});
