@@ -10,6 +10,7 @@
 
 class QAction;
 class QGridLayout;
+class QPushButton;
 class QUndoStack;
 
 namespace inspector::ui {
