@@ -36,6 +36,7 @@ public:
     void setValue(double value);
     /// Marks what was entered as invalid; reason: one line.
     void refuse(const QString &reason);
+    void enter(); ///< what was typed, as Enter does
     bool isRefused() const { return !m_reason.isEmpty(); }
     const QString &reason() const { return m_reason; }
     /// The value with all its digits.
@@ -60,7 +61,6 @@ private:
     void showFromStart(const QString &shown);
     QString valueText() const;
     void apply();
-    void enter();
     void takeBack();
     void stepBy(double notches);
     void accept();

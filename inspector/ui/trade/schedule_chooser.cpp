@@ -3,14 +3,15 @@
 
 #include "ui/parts/described.h"
 #include "ui/parts/file_chooser.h"
+#include "ui/parts/number_box.h"
 #include "ui/parts/path_icon.h"
 
 #include <QAction>
 #include <QComboBox>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QLineEdit>
-#include <QSpinBox>
 
 #include <limits>
 
@@ -20,7 +21,8 @@ ScheduleChooser::ScheduleChooser(QSettings &settings, QWidget *parent)
     : QWidget(parent)
     , m_settings(settings)
     , m_kind(new QComboBox)
-    , m_seed(new QSpinBox)
+    , m_random(new QWidget)
+    , m_seed(new NumberBox)
     , m_file(new QLineEdit) {
     m_kind->setObjectName(QStringLiteral("trade_schedule"));
     m_kind->addItems({tr("Quiet and busy"), tr("Autopilot (quiet)"), tr("Busy"), tr("Random tilts"),
@@ -28,15 +30,19 @@ ScheduleChooser::ScheduleChooser(QSettings &settings, QWidget *parent)
     describe(m_kind, tr("Tilts"), tr("How the board tilts while all steppers are measured"));
     m_kind->setFocusPolicy(Qt::TabFocus); // a click doesn't take the keyboard from the game
     m_seed->setObjectName(QStringLiteral("trade_seed"));
-    m_seed->setRange(0, std::numeric_limits<int>::max());
+    m_seed->setKind(wholeNumberKind(0, std::numeric_limits<int>::max()));
     m_seed->setValue(1);
-    m_seed->setPrefix(tr("seed "));
+    m_seed->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    connect(m_seed, &NumberBox::entered, m_seed, &NumberBox::setValue);
     describe(m_seed, tr("Seed of the random tilts"), tr("The same seed gives the same tilts, everywhere"));
+    auto *random = new QHBoxLayout(m_random);
+    random->setContentsMargins(0, 0, 0, 0);
+    random->addWidget(new QLabel(tr("seed")));
+    random->addWidget(m_seed);
     addFile();
     auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    for (QWidget *widget :
-         {static_cast<QWidget *>(m_kind), static_cast<QWidget *>(m_seed), static_cast<QWidget *>(m_file)})
+    for (QWidget *widget : {static_cast<QWidget *>(m_kind), m_random, static_cast<QWidget *>(m_file)})
         layout->addWidget(widget);
     connect(m_kind, &QComboBox::currentIndexChanged, this, &ScheduleChooser::showKind);
     showKind();
@@ -64,7 +70,7 @@ QString ScheduleChooser::words() const {
     case Autopilot:
         return QStringLiteral("autopilot");
     case Random:
-        return QStringLiteral("random:%1").arg(m_seed->value());
+        return QStringLiteral("random:%1").arg(m_seed->exactText());
     case File:
         break;
     }
@@ -73,7 +79,7 @@ QString ScheduleChooser::words() const {
 }
 
 void ScheduleChooser::showKind() {
-    m_seed->setVisible(m_kind->currentIndex() == Random);
+    m_random->setVisible(m_kind->currentIndex() == Random);
     m_file->setVisible(m_kind->currentIndex() == File);
     emit changed();
 }

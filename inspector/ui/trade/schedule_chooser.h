@@ -6,9 +6,10 @@
 class QComboBox;
 class QLineEdit;
 class QSettings;
-class QSpinBox;
 
 namespace inspector::ui {
+
+class NumberBox;
 
 /// Chooses the tilts of a trade measurement: the autopilot's, random from a seed, or from a file.
 class ScheduleChooser : public QWidget {
@@ -33,7 +34,8 @@ private:
 
     QSettings &m_settings;
     QComboBox *m_kind;
-    QSpinBox *m_seed;
+    QWidget *m_random; ///< the seed with its label
+    NumberBox *m_seed;
     QLineEdit *m_file;
 };
 

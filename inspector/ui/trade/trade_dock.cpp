@@ -8,6 +8,7 @@
 #include "ui/parts/described.h"
 #include "ui/parts/elided_label.h"
 #include "ui/parts/flow_layout.h"
+#include "ui/parts/number_box.h"
 #include "ui/parts/stepping_command.h"
 #include "ui/parts/theme.h"
 #include "ui/parts/turning_splitter.h"
@@ -17,7 +18,6 @@
 
 #include <QBoxLayout>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
@@ -25,7 +25,6 @@
 #include <QPushButton>
 #include <QSlider>
 #include <QSortFilterProxyModel>
-#include <QSpinBox>
 #include <QTableView>
 
 #include <algorithm>
@@ -46,6 +45,17 @@ template<typename Widget>
 Widget *named(Widget *widget, const char *name) {
     widget->setObjectName(QLatin1String(name));
     return widget;
+}
+
+/// A widget between words that stay beside it.
+QWidget *between(const QString &before, QWidget *widget, const QString &after) {
+    auto *group = new QWidget;
+    auto *layout = new QHBoxLayout(group);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(new QLabel(before));
+    layout->addWidget(widget);
+    if (!after.isEmpty()) layout->addWidget(new QLabel(after));
+    return group;
 }
 
 } // namespace
@@ -98,10 +108,8 @@ void TradeDock::makeControls() {
     m_measure = named(new QPushButton(tr("Measure")), "trade_measure");
     describe(m_measure, {}, tr("Measure what every stepper and step size costs, and how far off it is"));
     m_schedule = new ScheduleChooser(m_session.settings());
-    m_duration = named(new QDoubleSpinBox, "trade_duration");
-    m_duration->setRange(0.5, 600.0);
-    m_duration->setDecimals(1);
-    m_duration->setSuffix(tr(" s"));
+    m_duration = named(new NumberBox, "trade_duration");
+    m_duration->setKind(numberKind({0.5, 600.0, QStringLiteral("s")}, 1.0));
     m_duration->setValue(kTradeDuration);
     describe(m_duration, tr("Duration"), tr("Simulated time, at most"));
     m_model = named(new QComboBox, "trade_model");
@@ -115,20 +123,19 @@ void TradeDock::makeControls() {
     m_unknownsError = named(new QLabel, "trade_unknowns_error");
     m_unknownsError->setWordWrap(true);
     m_unknownsError->setTextFormat(Qt::PlainText);
-    m_horizon = named(new QDoubleSpinBox, "trade_horizon");
-    m_horizon->setRange(0.1, 60.0);
-    m_horizon->setDecimals(1);
-    m_horizon->setPrefix(tr("for "));
-    m_horizon->setSuffix(tr(" s"));
+    m_horizon = named(new NumberBox, "trade_horizon");
+    m_horizon->setKind(numberKind({0.1, 60.0, QStringLiteral("s")}, 0.1));
     m_horizon->setValue(kTradeHorizon);
     describe(m_horizon, tr("Horizon"), tr("How far ahead a setting has to be good enough"));
-    m_share = named(new QSpinBox, "trade_share");
-    m_share->setRange(1, 100);
-    m_share->setPrefix(tr("error below "));
-    m_share->setSuffix(tr(" % of it"));
-    m_share->setValue(25);
+    m_share = named(new NumberBox, "trade_share");
+    m_share->setKind(numberKind({1.0, 100.0, QStringLiteral("%")}, 1.0));
+    m_share->setValue(25.0);
     describe(m_share, tr("Share of what isn't known"),
              tr("Errors below this share of what isn't known are good enough"));
+    for (NumberBox *box : {m_duration, m_horizon, m_share}) {
+        box->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+        connect(box, &NumberBox::entered, box, &NumberBox::setValue);
+    }
     m_goodEnough = named(new ElidedLabel, "trade_good_enough");
     m_goodEnough->setText(tr("Good enough for what isn't known: not measured yet"));
     m_useGoodEnough = named(new QPushButton(tr("Use this")), "trade_use_good_enough");
@@ -189,7 +196,7 @@ QWidget *TradeDock::makeUnknowns() {
     label->setBuddy(m_unknowns);
     m_unknowns->setMinimumWidth(fontMetrics().averageCharWidth() * 30);
     for (QWidget *widget : {static_cast<QWidget *>(label), static_cast<QWidget *>(m_unknowns),
-                            static_cast<QWidget *>(m_share), static_cast<QWidget *>(m_horizon)})
+                            between(tr("error below"), m_share, tr("of it")), between(tr("for"), m_horizon, {})})
         layout->addWidget(widget);
     return row;
 }
@@ -258,8 +265,19 @@ void TradeDock::showReady() {
     m_measure->setEnabled(m_worker.isRunning() || isReady);
 }
 
+/// A click on the button leaves the keyboard, and what is being typed, in its field.
+QString TradeDock::enterNumbers() {
+    for (NumberBox *box : findChildren<NumberBox *>()) {
+        if (!box->isVisibleTo(this)) continue;
+        box->enter();
+        if (box->isRefused()) return box->accessibleName() + QStringLiteral(": ") + box->reason();
+    }
+    return {};
+}
+
 void TradeDock::toggle() {
     if (m_worker.isRunning()) return m_worker.cancel();
+    if (const QString problem = enterNumbers(); !problem.isEmpty()) return m_remark->setText(problem);
     TradePlan plan;
     plan.registry = m_session.registry();
     plan.scene = m_session.scene();

@@ -8,20 +8,19 @@
 #include <QWidget>
 
 class QComboBox;
-class QDoubleSpinBox;
 class QLabel;
 class QLineEdit;
 class QProgressBar;
 class QPushButton;
 class QSlider;
 class QSortFilterProxyModel;
-class QSpinBox;
 class QTableView;
 class QUndoStack;
 
 namespace inspector::ui {
 
 class ElidedLabel;
+class NumberBox;
 class ScheduleChooser;
 class TradeChart;
 class TradeTableModel;
@@ -46,8 +45,9 @@ private:
     QWidget *makeBottom();
     void makeTable();
 
-    void showReady(); ///< enables the button if there is something to measure
-    void toggle();    ///< starts or cancels a measurement
+    void showReady();       ///< enables the button if there is something to measure
+    void toggle();          ///< starts or cancels a measurement
+    QString enterNumbers(); ///< as typed; the first refused one's reason
     void showResult();
     void showProgress(double share, const QString &what);
     void showEnd(const QString &error);
@@ -71,11 +71,11 @@ private:
     QTimer m_refresh; ///< limits the update rate
     QPushButton *m_measure;
     ScheduleChooser *m_schedule;
-    QDoubleSpinBox *m_duration;
+    NumberBox *m_duration;
     QComboBox *m_model;
     QLineEdit *m_unknowns;
-    QDoubleSpinBox *m_horizon;
-    QSpinBox *m_share;
+    NumberBox *m_horizon;
+    NumberBox *m_share;
     QLabel *m_unknownsError;
     ElidedLabel *m_goodEnough;
     QPushButton *m_useGoodEnough;

@@ -3,16 +3,15 @@
 #include "ui/trade/trade_dock.h"
 
 #include "inspector/dock_fixture.h"
+#include "ui/parts/number_box.h"
 #include "ui/trade/trade_chart.h"
 
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSlider>
-#include <QSpinBox>
 #include <QTableView>
 #include <QToolTip>
 
@@ -27,6 +26,11 @@ class TestTradeDock : public QObject, support::DockFixture<TradeDock> {
 
 private slots:
     void initTestCase();
+    void numbersAreReadAsPeopleWriteThem_data();
+    void numbersAreReadAsPeopleWriteThem();
+    void whatIsNoNumberIsRefusedWithAReason_data();
+    void whatIsNoNumberIsRefusedWithAReason();
+    void measureRefusesANumberStillTyped();
     void measuringFillsTableAndChart();
     void rowsShownStayUsableWhileMeasuredAnew();
     void headerSortsByTheFigure();
@@ -44,6 +48,7 @@ private slots:
     void cancelKeepsWhatIsKnown();
 
 private:
+    void type(const char *box, const char *text);
     QString cell(int row, int column) { return table().model()->index(row, column).data().toString(); }
     QTableView &table() { return find<QTableView>("trade_table"); }
     TradeChart &chart() { return find<TradeChart>("trade_chart"); }
@@ -59,10 +64,78 @@ private:
     QString tipAt(const QPointF &place);
 };
 
+void TestTradeDock::type(const char *box, const char *text) {
+    auto &field = find<QLineEdit>(box);
+    QTest::mouseClick(&field, Qt::LeftButton);
+    field.selectAll();
+    QTest::keyClicks(&field, text);
+    QTest::keyClick(&field, Qt::Key_Return);
+}
+
 void TestTradeDock::initTestCase() {
     const QString error = open(1);
     QVERIFY2(error.isEmpty(), qPrintable(error));
-    find<QDoubleSpinBox>("trade_duration").setValue(0.5);
+    type("trade_duration", "500 ms");
+}
+
+void TestTradeDock::numbersAreReadAsPeopleWriteThem_data() {
+    QTest::addColumn<QByteArray>("box");
+    QTest::addColumn<QByteArray>("typed");
+    QTest::addColumn<double>("value");
+    QTest::newRow("power of ten") << QByteArray("trade_duration") << QByteArray("1e1") << 10.0;
+    QTest::newRow("unit") << QByteArray("trade_duration") << QByteArray("500 ms") << 0.5;
+    QTest::newRow("decimal comma") << QByteArray("trade_horizon") << QByteArray("1,5") << 1.5;
+    QTest::newRow("quotient") << QByteArray("trade_horizon") << QByteArray("1/4") << 0.25;
+    QTest::newRow("share with decimals") << QByteArray("trade_share") << QByteArray("12.5") << 12.5;
+    QTest::newRow("share with its sign") << QByteArray("trade_share") << QByteArray("12.5 %") << 12.5;
+}
+
+void TestTradeDock::numbersAreReadAsPeopleWriteThem() {
+    QFETCH(const QByteArray, box);
+    QFETCH(const QByteArray, typed);
+    QFETCH(const double, value);
+    auto &field = find<NumberBox>(box.constData());
+    const QString before = field.exactText();
+    type(box.constData(), typed.constData());
+    QCOMPARE(field.value(), value);
+    type(box.constData(), qPrintable(before));
+}
+
+void TestTradeDock::whatIsNoNumberIsRefusedWithAReason_data() {
+    QTest::addColumn<QByteArray>("box");
+    QTest::addColumn<QByteArray>("typed");
+    QTest::addColumn<QString>("reason");
+    QTest::newRow("too short") << QByteArray("trade_duration") << QByteArray("1e-3")
+                               << "expected a number from 0.5 to 600 s, found '1e-3'";
+    QTest::newRow("horizon below the least")
+        << QByteArray("trade_horizon") << QByteArray("1/60") << "expected a number from 0.1 to 60 s, found '1/60'";
+    QTest::newRow("share beyond the whole")
+        << QByteArray("trade_share") << QByteArray("101") << "expected a number from 1 to 100 %, found '101'";
+    QTest::newRow("no number") << QByteArray("trade_share") << QByteArray("half")
+                               << "expected a number from 1 to 100 %, found 'half'";
+}
+
+void TestTradeDock::whatIsNoNumberIsRefusedWithAReason() {
+    QFETCH(const QByteArray, box);
+    QFETCH(const QByteArray, typed);
+    QFETCH(const QString, reason);
+    auto &field = find<NumberBox>(box.constData());
+    type(box.constData(), typed.constData());
+    QCOMPARE(field.reason(), reason);
+    QCOMPARE(field.text(), QString(typed));
+    QTest::keyClick(&field, Qt::Key_Escape);
+}
+
+// The click leaves the keyboard in the field.
+void TestTradeDock::measureRefusesANumberStillTyped() {
+    auto &field = find<NumberBox>("trade_duration");
+    QTest::mouseClick(&field, Qt::LeftButton);
+    field.selectAll();
+    QTest::keyClicks(&field, "soon");
+    QTest::mouseClick(&measure(), Qt::LeftButton);
+    QVERIFY(!isMeasuring());
+    QCOMPARE(remark(), QString("Duration: expected a number from 0.5 to 600 s, found 'soon'"));
+    QTest::keyClick(&field, Qt::Key_Escape);
 }
 
 void TestTradeDock::measuringFillsTableAndChart() {
@@ -196,11 +269,11 @@ void TestTradeDock::oneUndoTakesTheUseBack() {
 
 void TestTradeDock::seedIsTheRandomSchedules() {
     auto &kind = find<QComboBox>("trade_schedule");
-    auto &seed = find<QSpinBox>("trade_seed");
+    auto &seed = find<QLineEdit>("trade_seed");
     QVERIFY(!seed.isVisible());
     kind.setCurrentText("Random tilts");
     QVERIFY(seed.isVisible());
-    seed.setValue(7);
+    type("trade_seed", "7");
     QTest::mouseClick(&measure(), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(table().model()->rowCount() > 0, kLong);
     QTest::mouseClick(&measure(), Qt::LeftButton);
@@ -215,7 +288,7 @@ void TestTradeDock::fileGivesTheSchedule() {
     file.write("0 2 0\n0.25 0 -3\n");
     file.close();
     find<QComboBox>("trade_schedule").setCurrentText("Tilts from a file");
-    QVERIFY(!find<QSpinBox>("trade_seed").isVisible());
+    QVERIFY(!find<QLineEdit>("trade_seed").isVisible());
     QVERIFY(!measure().isEnabled()); // no file yet
     find<QLineEdit>("trade_file").setText(path);
     QTest::mouseClick(&measure(), Qt::LeftButton);
@@ -255,7 +328,7 @@ void TestTradeDock::otherModelShowsItsOwnPoints() {
 }
 
 void TestTradeDock::cancelKeepsWhatIsKnown() {
-    find<QDoubleSpinBox>("trade_duration").setValue(600.0);
+    type("trade_duration", "10 min");
     QTest::mouseClick(&measure(), Qt::LeftButton);
     QVERIFY(isMeasuring());
     QTRY_VERIFY_WITH_TIMEOUT(table().model()->rowCount() > 0, kLong);
