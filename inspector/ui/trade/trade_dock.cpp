@@ -99,7 +99,9 @@ TradeDock::TradeDock(Session &session, QUndoStack &undo, QWidget *parent)
     connect(m_use, &QPushButton::clicked, this, qOverload<>(&TradeDock::use));
     connect(m_useGoodEnough, &QPushButton::clicked, this, &TradeDock::useGoodEnough);
     connect(m_unknowns, &QLineEdit::textChanged, this, &TradeDock::showReady);
-    connect(&session, &Session::levelOpened, this, &TradeDock::forget);
+    connect(m_unknowns, &QLineEdit::textChanged, this, &TradeDock::showChangedWish);
+    for (NumberBox *box : {m_share, m_horizon}) connect(box, &NumberBox::entered, this, &TradeDock::showChangedWish);
+    connect(&session, &Session::levelOpened, this, &TradeDock::changeLevel);
     showTolerance();
     showReady();
 }
@@ -147,7 +149,7 @@ void TradeDock::makeControls() {
     m_progress->setAccessibleName(tr("Progress of the measurement"));
     m_progress->setVisible(false);
     m_remark = named(new ElidedLabel, "trade_remark");
-    m_remark->setText(tr("Measures every stepper and step size against stepper exact, beside the simulation."));
+    m_remark->setText(remark());
     m_tolerance = named(new QSlider(Qt::Horizontal), "trade_tolerance");
     m_tolerance->setRange(kFinestTolerance, kCoarsestTolerance);
     m_tolerance->setPageStep(kPerDecade);
@@ -287,11 +289,12 @@ void TradeDock::toggle() {
         plan.stepSizes.push_back(m_session.dt());
     plan.unknowns = unknowns().value_or(Unknowns());
     plan.horizon = m_horizon->value();
-    plan.share = m_share->value() / 100.0;
+    plan.share = share();
     m_model->setCurrentIndex(int(plan.inputs.params.model));
     m_measure->setText(tr("Cancel"));
     m_progress->setVisible(true);
     m_progress->setValue(0);
+    m_measuredLevel = m_session.level().path;
     m_worker.start(plan, m_schedule->words(), m_duration->value());
 }
 
@@ -300,27 +303,55 @@ void TradeDock::showResult() {
     m_rows->show(result);
     m_sorted->setFilterFixedString(modelName(model()));
     m_table->resizeColumnsToContents();
-    if (!result.spans.empty())
-        m_chart->show(describeChart(m_worker.plan(), result, model(), shownSchedule(result)), result);
     showTolerance();
+    showBand();
+}
+
+void TradeDock::showBand() {
+    const TradeResult &result = m_worker.result();
     showGoodEnough();
+    if (result.spans.empty()) return;
+    ChartDescription chart = describeChart(m_worker.plan(), result, model(), shownSchedule(result));
+    if (chart.band && isOutOfDate())
+        for (QString *text : {&chart.band->middleText, &chart.band->limitText}) *text += tr(" (out of date)");
+    m_chart->show(chart, result);
+}
+
+void TradeDock::showChangedWish() {
+    if (!m_worker.result().spans.empty()) showBand();
+}
+
+bool TradeDock::isOutOfDate() const {
+    if (m_worker.result().spans.empty()) return false;
+    const TradePlan &plan = m_worker.plan();
+    QString error;
+    return parseUnknowns(m_unknowns->text().trimmed(), &error) != plan.unknowns || share() != plan.share ||
+           m_horizon->value() != plan.horizon;
+}
+
+double TradeDock::share() const { return m_share->value() / 100.0; }
+
+void TradeDock::showGoodEnough() {
+    const bool isPast = isOutOfDate();
+    const TradeResult &result = m_worker.result();
+    m_useGoodEnough->setEnabled(result.goodEnough && model() == m_worker.plan().inputs.params.model && !isPast);
+    m_goodEnough->setText((isPast ? tr("Out of date, measure again. ") : QString()) + goodEnoughText());
 }
 
 /// For the model that was set when the measurement began.
-void TradeDock::showGoodEnough() {
+QString TradeDock::goodEnoughText() const {
     const TradeResult &result = m_worker.result();
-    const bool isKnown = result.goodEnough && model() == m_worker.plan().inputs.params.model;
-    m_useGoodEnough->setEnabled(isKnown);
-    if (!isKnown) {
-        const bool hasNone = result.isComplete && !m_worker.plan().unknowns.empty() && !result.goodEnough;
-        return m_goodEnough->setText(hasNone ? recommendForUnknowns(m_worker.plan(), result).line : QString());
+    if (!result.goodEnough) {
+        const bool hasNone = result.isComplete && !m_worker.plan().unknowns.empty();
+        return hasNone ? recommendForUnknowns(m_worker.plan(), result).line : QString();
     }
+    if (model() != m_worker.plan().inputs.params.model) return {};
     const TradePoint &point = result.points[result.goodEnough->point];
-    m_goodEnough->setText(tr("Good enough: %1 at %2, off by at most %3 % of it on %4 schedules; %5 µs a second")
-                              .arg(QString::fromUtf8(point.stepper), stepSizeText(point.dt))
-                              .arg(result.goodEnough->largest * 100.0, 0, 'g', 2)
-                              .arg(result.goodEnough->validations + int(m_worker.plan().schedules.size()))
-                              .arg(point.cost.perSecond * 1e6, 0, 'g', 3));
+    return tr("Good enough: %1 at %2, off by at most %3 % of it on %4 schedules; %5 µs a second")
+        .arg(QString::fromUtf8(point.stepper), stepSizeText(point.dt))
+        .arg(result.goodEnough->largest * 100.0, 0, 'g', 2)
+        .arg(result.goodEnough->validations + int(m_worker.plan().schedules.size()))
+        .arg(point.cost.perSecond * 1e6, 0, 'g', 3);
 }
 
 void TradeDock::showProgress(double share, const QString &what) {
@@ -335,12 +366,20 @@ void TradeDock::showEnd(const QString &error) {
     showReady();
     m_progress->setVisible(false);
     showResult();
+    m_error = error;
+    m_remark->setText(remark());
+}
+
+QString TradeDock::remark() const {
     const TradeResult &result = m_worker.result();
-    if (!error.isEmpty()) return m_remark->setText(error);
+    if (m_measuredLevel.isEmpty())
+        return tr("Measures every stepper and step size against stepper exact, beside the simulation.");
+    if (!m_error.isEmpty()) return m_error;
+    if (m_measuredLevel != m_session.level().path) return tr("These figures are of another level.");
     QStringList lines = tradeSummary(m_worker.plan(), result);
     if (!m_worker.plan().unknowns.empty()) lines.removeFirst(); // they have a box of their own
     const QString summary = result.points.empty() ? QString() : lines.join(QStringLiteral("; "));
-    m_remark->setText(result.isComplete ? summary : tr("Cancelled; figures as far as they are known. %1").arg(summary));
+    return result.isComplete ? summary : tr("Cancelled; figures as far as they are known. %1").arg(summary);
 }
 
 double TradeDock::tolerance() const { return 0.001 * std::pow(10.0, double(m_tolerance->value()) / kPerDecade); }
@@ -395,9 +434,9 @@ void TradeDock::use(const TradePoint &point) {
     changeStepping(m_session, m_undo, wanted, tr("use of a measured setting"));
 }
 
-void TradeDock::forget() {
-    m_worker.cancel();
-    m_remark->setText(m_worker.result().points.empty() ? QString() : tr("These figures are of another level."));
+void TradeDock::changeLevel() {
+    if (m_worker.isRunning()) return m_worker.cancel(); // showEnd() follows
+    m_remark->setText(remark());
 }
 
 } // namespace inspector::ui

@@ -52,14 +52,20 @@ private:
     void showProgress(double share, const QString &what);
     void showEnd(const QString &error);
     void showTolerance(); ///< updates the recommendation
+    void showBand();      ///< chart and recommendation for what isn't known
     void showGoodEnough();
+    void showChangedWish();
+    bool isOutOfDate() const; ///< measured for other unknowns, another share or horizon than are set
+    QString goodEnoughText() const;
     void choose(size_t index);
     void use(); ///< applies the selected one
     void useGoodEnough();
     void use(const TradePoint &point);
-    void forget(); ///< drops another level's figures
+    void changeLevel();
+    QString remark() const; ///< on the measurement that ended last
 
     double tolerance() const; ///< m
+    double share() const;     ///< of what isn't known, that an error may reach
     std::optional<size_t> chosenIndex() const;
     std::optional<Unknowns> unknowns(); ///< as typed; reports what is wrong with them
     uint32_t model() const;
@@ -68,7 +74,9 @@ private:
     Session &m_session;
     QUndoStack &m_undo;
     TradeWorker m_worker;
-    QTimer m_refresh; ///< limits the update rate
+    QString m_measuredLevel; ///< path of its file; empty: nothing was measured
+    QString m_error;         ///< why the last measurement failed
+    QTimer m_refresh;        ///< limits the update rate
     QPushButton *m_measure;
     ScheduleChooser *m_schedule;
     NumberBox *m_duration;

@@ -32,6 +32,9 @@ private slots:
     void whatIsNoNumberIsRefusedWithAReason();
     void measureRefusesANumberStillTyped();
     void measuringFillsTableAndChart();
+    void otherWishPutsTheAnswerOutOfDate_data();
+    void otherWishPutsTheAnswerOutOfDate();
+    void figuresAreOfTheirLevelAgainAfterAnother();
     void rowsShownStayUsableWhileMeasuredAnew();
     void headerSortsByTheFigure();
     void tighterToleranceRecommendsNothingWorse();
@@ -46,6 +49,7 @@ private slots:
     void reasonOfUnknownsIsWhole();
     void otherModelShowsItsOwnPoints();
     void cancelKeepsWhatIsKnown();
+    void levelOpenedWhileMeasuringIsAnother();
 
 private:
     void type(const char *box, const char *text);
@@ -154,6 +158,41 @@ void TestTradeDock::measuringFillsTableAndChart() {
     QCOMPARE(find<QLabel>("trade_remark").text().left(9), QString("schedule ")); // a box has the unknowns
     const QString picture = qEnvironmentVariable("TRADE_PICTURE");               // to look at
     if (!picture.isEmpty()) QVERIFY(m_dock->grab().save(picture));
+}
+
+void TestTradeDock::otherWishPutsTheAnswerOutOfDate_data() {
+    QTest::addColumn<QByteArray>("box");
+    QTest::addColumn<QByteArray>("typed");
+    QTest::newRow("share") << QByteArray("trade_share") << QByteArray("30");
+    QTest::newRow("horizon") << QByteArray("trade_horizon") << QByteArray("400 ms");
+    QTest::newRow("what isn't known") << QByteArray("trade_unknowns") << QByteArray("tilt=0.2deg");
+    QTest::newRow("nothing that can be read") << QByteArray("trade_unknowns") << QByteArray("tilt=");
+}
+
+void TestTradeDock::otherWishPutsTheAnswerOutOfDate() {
+    QFETCH(const QByteArray, box);
+    QFETCH(const QByteArray, typed);
+    const auto &answer = find<QLabel>("trade_good_enough");
+    const auto &use = find<QPushButton>("trade_use_good_enough");
+    const QString before = find<QLineEdit>(box.constData()).text();
+    const QString measured = answer.text();
+    QVERIFY2(measured.startsWith("Good enough: "), qPrintable(measured));
+    type(box.constData(), typed.constData());
+    QCOMPARE(answer.text(), "Out of date, measure again. " + measured);
+    QVERIFY(!use.isEnabled());
+    QVERIFY2(chart().graph(1)->name().endsWith(" mm (out of date)"), qPrintable(chart().graph(1)->name()));
+    type(box.constData(), qPrintable(before));
+    QCOMPARE(answer.text(), measured);
+    QVERIFY(use.isEnabled());
+    QVERIFY2(chart().graph(1)->name().endsWith(" mm"), qPrintable(chart().graph(1)->name()));
+}
+
+void TestTradeDock::figuresAreOfTheirLevelAgainAfterAnother() {
+    const QString measured = remark();
+    QVERIFY(m_session->openLevel(m_session->levels()[1]));
+    QCOMPARE(remark(), QString("These figures are of another level."));
+    QVERIFY(m_session->openLevel(m_session->levels()[0]));
+    QCOMPARE(remark(), measured);
 }
 
 // Before the first of the new figures replaces them.
@@ -336,6 +375,14 @@ void TestTradeDock::cancelKeepsWhatIsKnown() {
     QTRY_VERIFY_WITH_TIMEOUT(!isMeasuring(), kLong);
     QVERIFY(remark().startsWith("Cancelled"));
     QVERIFY(table().model()->rowCount() > 0);
+}
+
+void TestTradeDock::levelOpenedWhileMeasuringIsAnother() {
+    QTest::mouseClick(&measure(), Qt::LeftButton);
+    QVERIFY(isMeasuring());
+    QVERIFY(m_session->openLevel(m_session->levels()[1]));
+    QTRY_VERIFY_WITH_TIMEOUT(!isMeasuring(), kLong);
+    QCOMPARE(remark(), QString("These figures are of another level."));
 }
 
 QTEST_MAIN(TestTradeDock)
