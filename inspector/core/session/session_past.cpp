@@ -10,7 +10,7 @@ namespace inspector {
 
 namespace {
 
-constexpr uint64_t kOldFuturePoints = 4000;
+constexpr size_t kOldFutureIntervals = 4000; ///< that its points divide the time into
 
 }
 
@@ -99,11 +99,7 @@ void Session::keepOldFuture(uint64_t place) {
     const Snapshot &now = m_simulation->latest();
     m_oldFutureRun = now.run;
     if (now.history.place != place) return; // not shown yet: the samples may belong to another run
-    const uint64_t begin = samples.find(now.current.time);
-    const uint64_t stride = (samples.last() - begin) / kOldFuturePoints + 1;
-    Sample sample;
-    for (uint64_t number = begin; number < samples.last(); number += stride)
-        if (samples.read(number, sample)) m_oldFuture.push_back(sample);
+    m_oldFuture = samples.spread(samples.find(now.current.time), samples.last(), kOldFutureIntervals);
 }
 
 /// Drops runs that are no longer in the history.

@@ -13,6 +13,14 @@ namespace {
 constexpr size_t kTimeWord = offsetof(Sample, time) / sizeof(uint64_t);
 constexpr size_t kFirstChannelWord = offsetof(Sample, values) / sizeof(uint64_t);
 
+/// The smallest power of two, s, of which at most `columns` cover the times.
+double columnWidth(double from, double to, size_t columns) {
+    constexpr double kLeast = 1e-12; // s; the times may be equal
+    double width = std::scalbn(1.0, std::ilogb(std::max(to - from, kLeast) / double(columns)));
+    while (std::floor(to / width) - std::floor(from / width) + 1.0 > double(columns)) width *= 2.0;
+    return width;
+}
+
 } // namespace
 
 SampleRing::SampleRing(size_t capacity)
@@ -51,8 +59,12 @@ double SampleRing::valueOf(uint64_t number, size_t channel) const {
 }
 
 uint64_t SampleRing::find(double time) const {
-    uint64_t begin = first();
-    uint64_t end = std::max(begin, last());
+    const uint64_t begin = first();
+    return find(time, begin, std::max(begin, last()));
+}
+
+/// The first at or after `time` in [begin, end); end if there is none.
+uint64_t SampleRing::find(double time, uint64_t begin, uint64_t end) const {
     while (begin < end) {
         const uint64_t middle = begin + (end - begin) / 2;
         if (timeOf(middle) < time)
@@ -95,17 +107,28 @@ std::vector<Column> SampleRing::columns(Channel channel, double from, double to,
     const uint64_t end = std::min(newest, find(to) + 1);
     if (begin >= end || columns == 0) return {};
 
-    // Column widths are powers of two and columns start at multiples of it, so that they don't flicker while the plot
-    // scrolls.
-    uint64_t width = 1;
-    while ((end - 1) / width - begin / width + 1 > columns && width < capacity()) width *= 2;
+    // By time, because steps differ in length. Column widths are powers of two and columns start at multiples of it, so
+    // that they don't flicker while the plot scrolls.
+    const double width = end - begin <= columns ? 0.0 : columnWidth(timeOf(begin), timeOf(end - 1), columns);
     std::vector<Column> result;
-    for (uint64_t i = begin; i < end; i = (i / width + 1) * width) {
-        const uint64_t stop = std::min(end, (i / width + 1) * width);
+    for (uint64_t i = begin; i < end;) {
+        const double time = timeOf(i);
+        const double next = width > 0.0 ? (std::floor(time / width) + 1.0) * width : time;
+        const uint64_t stop = std::max(i + 1, find(next, i, end));
         const Extremes extremes = extremesBelow(UINT64_MAX, size_t(channel), i, stop);
-        const Column column{timeOf(i), extremes.min, extremes.max};
-        if (i >= first()) result.push_back(column);
+        if (i >= first()) result.push_back({time, extremes.min, extremes.max});
+        i = stop;
     }
+    return result;
+}
+
+std::vector<Sample> SampleRing::spread(uint64_t begin, uint64_t end, size_t intervals) const {
+    std::vector<Sample> result;
+    if (begin >= end) return result;
+    const double interval = (timeOf(end - 1) - timeOf(begin)) / double(intervals);
+    Sample sample;
+    for (uint64_t i = begin; i < end; i = std::max(i + 1, find(timeOf(i) + interval, i, end)))
+        if (read(i, sample)) result.push_back(sample);
     return result;
 }
 

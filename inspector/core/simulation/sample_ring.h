@@ -50,8 +50,12 @@ public:
     /// Number of the first sample whose time is at least `time`; last() if there is none.
     uint64_t find(double time) const;
     /// At most `columns` extremes of one channel over [from, to] seconds, in order of time. One sample on either side
-    /// of the range is included, so that lines reach the plot's border. Costs O(columns + log capacity).
+    /// of the range is included, so that lines reach the plot's border. If the samples are few enough, each is a
+    /// column; otherwise columns divide the time evenly, however long steps are, into less than 2 / (columns - 1) of
+    /// the range each. Costs O(columns log capacity).
     std::vector<Column> columns(Channel channel, double from, double to, size_t columns) const;
+    /// At most `intervals` + 1 of the samples [begin, end), evenly in time where steps are short enough.
+    std::vector<Sample> spread(uint64_t begin, uint64_t end, size_t intervals) const;
 
 private:
     static constexpr size_t kFan = 16; ///< children of a node of the pyramid
@@ -70,6 +74,7 @@ private:
         double min, max;
     };
 
+    uint64_t find(double time, uint64_t begin, uint64_t end) const;
     double timeOf(uint64_t number) const;
     double valueOf(uint64_t number, size_t channel) const;
     Extremes extremesBelow(uint64_t limit, size_t channel, uint64_t begin, uint64_t end) const;

@@ -12,7 +12,7 @@ namespace inspector::ui {
 
 namespace {
 
-constexpr uint64_t kMostPoints = 4000;
+constexpr size_t kIntervals = 4000; ///< that the points divide the time into
 
 QString labelOf(Channel channel) {
     const ChannelInfo &info = channelInfos()[size_t(channel)];
@@ -50,7 +50,6 @@ void PhasePlot::takeColours() {
     m_isStale = true;
 }
 
-/// Draws every n-th sample, to limit the number of points.
 void PhasePlot::refresh() {
     const uint64_t last = m_samples.last();
     if (!m_isStale && last == m_shown) return;
@@ -59,11 +58,9 @@ void PhasePlot::refresh() {
     const double end = std::min(m_time->range().upper, m_time->pausedAt().value_or(m_time->range().upper));
     const uint64_t from = m_samples.find(std::max(m_time->range().lower, m_time->clearedAt()));
     const uint64_t to = m_samples.find(std::nextafter(end, HUGE_VAL));
-    const uint64_t stride = (std::max(to, from) - from) / kMostPoints + 1;
     QVector<QCPCurveData> points;
-    Sample sample;
-    for (uint64_t number = from; number < to; number += stride)
-        if (m_samples.read(number, sample)) points.append(QCPCurveData(sample.time, sample[m_x], sample[m_y]));
+    for (const Sample &sample : m_samples.spread(from, to, kIntervals))
+        points.append(QCPCurveData(sample.time, sample[m_x], sample[m_y]));
     m_curve->data()->set(points, true);
     const bool hasEnd = !points.isEmpty() && std::isfinite(points.constLast().key + points.constLast().value);
     m_dot->setVisible(hasEnd); // NaN without a ghost

@@ -24,6 +24,8 @@ private slots:
     void columnsHoldTheExtremesOfTheirSamples();
     void columnsNeverExceedWhatWasAskedFor();
     void columnsStayWhereTheyAreWhileThePlotScrolls();
+    void columnsSpanNoMoreThanTheirShareOfTheTimeAfterStepsGetShorter();
+    void spreadSamplesAreEvenInTimeAfterStepsGetShorter();
     void emptyRingHasNoColumns();
     void missingValuesCountInNoColumn();
     void heldSamplesAreSeenAllAtOnce();
@@ -50,6 +52,19 @@ bool isWhole(const Sample &sample, uint64_t number) {
 
 void fill(SampleRing &ring, uint64_t count) {
     for (uint64_t i = 0; i < count; ++i) ring.append(sampleOf(i));
+}
+
+constexpr double kEnd = 6.5; // s
+
+/// 2.5 s in steps of 10 ms, then 4 s in steps of 0.1 ms; the speed is the time.
+void fillWithShorterSteps(SampleRing &ring) {
+    double time = 0.0;
+    for (uint64_t i = 1; time < kEnd; ++i) {
+        time += i <= 250 ? 0.01 : 0.0001;
+        Sample sample = sampleOf(i);
+        sample.time = sample[Channel::Speed] = time;
+        ring.append(sample);
+    }
 }
 
 } // namespace
@@ -168,6 +183,24 @@ void TestSampleRing::columnsStayWhereTheyAreWhileThePlotScrolls() {
         QVERIFY(std::any_of(before.begin(), before.end(), isSame));
     }
     QVERIFY(after.size() > 100);
+}
+
+void TestSampleRing::columnsSpanNoMoreThanTheirShareOfTheTimeAfterStepsGetShorter() {
+    SampleRing ring(65536);
+    fillWithShorterSteps(ring);
+    constexpr size_t kColumns = 1000;
+    for (const Column &column : ring.columns(Channel::Speed, 0.0, kEnd, kColumns)) {
+        QCOMPARE(column.min, column.time);
+        QVERIFY(column.max - column.time <= 2.0 * kEnd / kColumns);
+    }
+}
+
+void TestSampleRing::spreadSamplesAreEvenInTimeAfterStepsGetShorter() {
+    SampleRing ring(65536);
+    fillWithShorterSteps(ring);
+    const std::vector<Sample> samples = ring.spread(ring.first(), ring.last(), 1000);
+    QVERIFY(samples.size() <= 1001);
+    for (size_t i = 1; i < samples.size(); ++i) QVERIFY(samples[i].time - samples[i - 1].time < 0.011);
 }
 
 void TestSampleRing::emptyRingHasNoColumns() {
