@@ -85,10 +85,11 @@ ChartDescription describeChart(const TradePlan &plan, const TradeResult &result,
     const TradeSpan &span = result.spans[schedule][model];
     const double until = span.band.isEmpty() ? span.compared : std::min(plan.horizon, span.compared);
     ChartDescription chart;
-    chart.title = QStringLiteral("%1 model, schedule %2 (impacts: %3), errors up to %4 s")
-                      .arg(modelName(model), plan.schedules[schedule].name)
+    chart.title = QStringLiteral("errors up to %1 s on schedule %2 (impacts: %3), %4 model")
+                      .arg(until, 0, 'f', 2)
+                      .arg(plan.schedules[schedule].name)
                       .arg(span.band.isEmpty() ? span.impacts : span.early)
-                      .arg(until, 0, 'f', 2);
+                      .arg(modelName(model));
     chart.curves = curvesOf(result, model, schedule, until);
     chart.front = paretoFront(chart.points());
     if (span.band.isEmpty()) return chart;

@@ -83,10 +83,12 @@ const std::vector<TradeColumn> &tradeColumns() {
     using P = const TradePoint &;
     constexpr double kDegrees = 57.29577951308232;
     static const std::vector<TradeColumn> columns{
-        {"position_largest [R]", "max error", "R", "largest position error against exact, in radii", 1.0,
+        {"position_largest [R]", "max error", "R",
+         "largest position error against exact in the whole comparison, on the worst schedule, in radii", 1.0,
          [](P p) { return ifCompared(p, p.error.positionLargest); }},
         {"share_of_unknown [%]", "of unknown", "%",
-         "largest position error within the horizon, as a share of how far the ball is off because the board isn't "
+         "largest position error within the horizon, on the worst schedule, as a share of how far the ball is off "
+         "because the board isn't "
          "known exactly",
          100.0, [](P p) { return p.isValid ? p.share : std::nullopt; }},
         {"position_final [R]", "end error", "R", "position error at the end of the comparison, in radii", 1.0,

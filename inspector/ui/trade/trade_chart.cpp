@@ -38,6 +38,7 @@ QString tradePointText(const TradePoint &point) {
 
 TradeChart::TradeChart(QWidget *parent)
     : QCustomPlot(parent)
+    , m_title(new QCPTextElement(this))
     , m_front(new QCPCurve(xAxis, yAxis))
     , m_ring(new QCPItemTracer(this))
     , m_goodEnough(new QCPItemTracer(this))
@@ -62,12 +63,19 @@ TradeChart::TradeChart(QWidget *parent)
     m_band->topLeft->setTypeX(QCPItemPosition::ptAxisRectRatio);
     m_band->bottomRight->setTypeX(QCPItemPosition::ptAxisRectRatio);
     m_band->setVisible(false);
+    auto *below = new QCPLayoutGrid;  // below the title
     auto *beside = new QCPLayoutGrid; // next to the curves, so that the legend hides none
-    plotLayout()->addElement(0, 1, beside);
+    QCPAxisRect *curves = axisRect();
+    plotLayout()->addElement(1, 0, below);
+    below->addElement(0, 0, curves);
+    below->addElement(0, 1, beside);
+    below->setColumnStretchFactor(1, 0.001);
     beside->addElement(0, 0, legend);
     beside->addElement(1, 0, new QCPLayoutElement(this));
     beside->setRowStretchFactor(0, 0.001);
-    plotLayout()->setColumnStretchFactor(1, 0.001);
+    plotLayout()->addElement(0, 0, m_title);
+    m_title->setTextFlags(Qt::AlignLeft | Qt::AlignVCenter);
+    m_title->setMinimumSize(1, fontMetrics().height()); // not as wide as its text
     takeColours();
 }
 
@@ -75,6 +83,7 @@ void TradeChart::show(const ChartDescription &chart, const TradeResult &result) 
     m_description = chart;
     m_points = result.points;
     legend->setVisible(true); // hidden before, when there are no curves
+    m_title->setText(chart.title);
     xAxis->setLabel(chart.costLabel);
     yAxis->setLabel(chart.errorLabel);
     addFront();
@@ -198,6 +207,8 @@ void TradeChart::changeEvent(QEvent *event) {
 
 void TradeChart::takeColours() {
     applyChartStyle(*this);
+    m_title->setFont(font());
+    m_title->setTextColor(palette().color(QPalette::Text));
     QPen pen(mixed(palette().color(QPalette::Base), QColor(0xf0, 0xb8, 0x20), 0.6), 9.0);
     pen.setCapStyle(Qt::RoundCap);
     pen.setJoinStyle(Qt::RoundJoin);

@@ -45,6 +45,7 @@ private:
     ChartDescription m_description;
     std::vector<TradePoint> m_points; ///< of the result
     std::optional<size_t> m_chosen;
+    QCPTextElement *m_title;
     QCPCurve *m_front;
     QCPItemTracer *m_ring;
     QCPItemTracer *m_goodEnough;

@@ -74,7 +74,7 @@ TradeDock::TradeDock(Session &session, QUndoStack &undo, QWidget *parent)
     auto *halves = new TurningSplitter(kNarrow);
     halves->addWidget(m_chart);
     halves->addWidget(m_table);
-    halves->setSizes({550, 450}); // per mille
+    halves->setSizes({500, 500}); // per mille
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 4, 6, 6);
     layout->addWidget(makeTop());
@@ -165,7 +165,7 @@ void TradeDock::makeControls() {
 
 QString TradeDock::answerText(const TradePoint &point, double seconds) const {
     const double radius = phys_scene_radius(m_session.scene().get());
-    return tr("Cheapest: %1 at %2, off by %3 mm in %4 s; %5 µs a simulated second")
+    return tr("Cheapest: %1 at %2, off by %3 mm in the first %4 s of each schedule; %5 µs a second")
         .arg(QString::fromUtf8(point.stepper), stepSizeText(point.dt))
         .arg(errorUntil(point, seconds) * radius * 1e3, 0, 'g', 2)
         .arg(seconds, 0, 'g', 3)

@@ -12,8 +12,6 @@ bool writeTradePicture(const ChartDescription &description, const QString &path,
     TradeChart chart;
     chart.setPalette(QPalette(Qt::black, Qt::white));
     chart.show(description, {});
-    chart.plotLayout()->insertRow(0);
-    chart.plotLayout()->addElement(0, 0, new QCPTextElement(&chart, description.title));
     return savePlot(chart, {kWidth, kHeight}, path, error);
 }
 

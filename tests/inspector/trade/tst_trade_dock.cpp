@@ -5,8 +5,10 @@
 #include "inspector/dock_fixture.h"
 #include "ui/parts/number_box.h"
 #include "ui/trade/trade_chart.h"
+#include "ui/trade/trade_table_model.h"
 
 #include <QComboBox>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -32,6 +34,9 @@ private slots:
     void whatIsNoNumberIsRefusedWithAReason();
     void measureRefusesANumberStillTyped();
     void measuringFillsTableAndChart();
+    void chartSaysOfWhichSpanItsErrorsAre();
+    void headerSaysOfWhichSpanItsErrorsAre();
+    void costAndErrorAreSeenAtTheUsualWidth();
     void otherWishPutsTheAnswerOutOfDate_data();
     void otherWishPutsTheAnswerOutOfDate();
     void figuresAreOfTheirLevelAgainAfterAnother();
@@ -152,12 +157,34 @@ void TestTradeDock::measuringFillsTableAndChart() {
     // Every stepper at seven step sizes; the session's own, 10 ms, is one of them.
     QCOMPARE(table().model()->rowCount(), int(phys_registry_count(nullptr)) * 7);
     QVERIFY(remark().contains("compared up to 0.50 s"));
-    QVERIFY2(find<QLabel>("trade_answer").text().contains(" mm in 0.5 s;"),
+    QVERIFY2(find<QLabel>("trade_answer").text().contains(" mm in the first 0.5 s of each schedule;"),
              qPrintable(find<QLabel>("trade_answer").text()));
     QVERIFY(chart().legend->visible());
     QCOMPARE(find<QLabel>("trade_remark").text().left(9), QString("schedule ")); // a box has the unknowns
     const QString picture = qEnvironmentVariable("TRADE_PICTURE");               // to look at
     if (!picture.isEmpty()) QVERIFY(m_dock->grab().save(picture));
+}
+
+void TestTradeDock::chartSaysOfWhichSpanItsErrorsAre() {
+    const auto *title = qobject_cast<QCPTextElement *>(chart().plotLayout()->element(0, 0));
+    QVERIFY(title);
+    QVERIFY2(title->text().startsWith("errors up to 0.50 s on schedule busy"), qPrintable(title->text()));
+}
+
+void TestTradeDock::headerSaysOfWhichSpanItsErrorsAre() {
+    const QString tip = table().model()->headerData(3, Qt::Horizontal, Qt::ToolTipRole).toString();
+    QVERIFY2(tip.contains("in the whole comparison, on the worst schedule"), qPrintable(tip));
+}
+
+void TestTradeDock::costAndErrorAreSeenAtTheUsualWidth() {
+    m_dock->resize(875, 360); // in a window of 1280 x 800
+    QTRY_COMPARE(m_dock->width(), 875);
+    const int error = table().horizontalHeader()->visualIndex(3);
+    QVERIFY(table().horizontalHeader()->visualIndex(TradeTableModel::columnOf("cpu_per_second [us]")) < error);
+    QTRY_VERIFY(table().columnViewportPosition(3) + table().columnWidth(3) <= table().viewport()->width());
+    const QString picture = qEnvironmentVariable("TRADE_NARROW");
+    if (!picture.isEmpty()) QVERIFY(m_dock->grab().save(picture));
+    m_dock->resize(1200, 420);
 }
 
 void TestTradeDock::otherWishPutsTheAnswerOutOfDate_data() {
