@@ -11,14 +11,13 @@ namespace inspector::ui {
 
 /// What a message is about; it disappears when that is settled.
 enum class Cause {
-    Command,    ///< a command failed: until the next one that succeeds
+    Command,    ///< what a command has to say, mostly why it failed: until the next one that succeeds
     Step,       ///< a step failed: until another run begins, or it goes on
     Level,      ///< the open level's files
     View,       ///< shaders
     Comparison, ///< a stepper that refused the ghost
     Recording,  ///< the file that is written
     Replay,     ///< the recording that is watched
-    File,       ///< a file couldn't be saved
 };
 
 /// A line across the window with a problem, until it is closed or settled. It doesn't block.

@@ -346,6 +346,9 @@ void MainWindow::connectMessages() {
     connect(&m_session, &Session::recordingChanged, this, [this](bool isOn) {
         if (isOn) m_messages->settle(Cause::Recording);
     });
+    connect(&m_session, &Session::trackChanged, this, [this] {
+        if (m_session.track()) m_messages->settle(Cause::Command);
+    });
     connect(&m_session, &Session::replayChanged, this, settle(Cause::Replay));
     connect(&m_session, &Session::replayDiffers, m_messages, [this](const QString &line) {
         if (m_messages->line() != line) m_messages->showLine(line, Cause::Replay);

@@ -372,8 +372,8 @@ void MainWindow::saveScreenshot() {
 
 /// line: why it failed, a remark, or empty.
 void MainWindow::showSaved(const QString &line) {
-    m_messages->settle(Cause::File);
-    if (!line.isEmpty()) m_messages->showLine(line, Cause::File);
+    m_messages->settle(Cause::Command);
+    if (!line.isEmpty()) m_messages->showLine(line, Cause::Command);
 }
 
 void MainWindow::toggleRecording() {

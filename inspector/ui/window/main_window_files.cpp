@@ -146,7 +146,7 @@ void MainWindow::readMazeAgain(const QString &path) {
     if (path != m_session.level().path || m_session.isReplaying()) return;
     if (!m_session.openLevel(levelOfFile(path))) return; // the failure was reported; the open level stays
     m_messages->showLine(tr("%1 was changed on disk and has been read again").arg(QFileInfo(path).fileName()),
-                         Cause::Level);
+                         Cause::Command);
 }
 
 void MainWindow::showGuide() { showPage(QStringLiteral("inspector/README.md"), QStringLiteral("By hand")); }
@@ -155,9 +155,9 @@ void MainWindow::showAccuracyPage() { showPage(QStringLiteral("libphysics/docs/a
 
 void MainWindow::showPage(const QString &page, const QString &section) {
     if (!m_documents) m_documents = new DocumentDialog(this);
-    m_messages->settle(Cause::File);
+    m_messages->settle(Cause::Command);
     if (m_documents->showPage(page, section)) return;
-    m_messages->showLine(tr("%1: this page isn't installed").arg(page), Cause::File);
+    m_messages->showLine(tr("%1: this page isn't installed").arg(page), Cause::Command);
 }
 
 } // namespace inspector::ui

@@ -31,6 +31,7 @@ private slots:
     void droppedMazeIsARecentOne();
     void recentFileThatIsGoneIsForgotten();
     void changedMazeIsReadAgain();
+    void noteOfAChangedMazeIsForgottenAtARestart();
     void replacedMazeIsReadAgain();
     void mazeThatBecameWrongLeavesTheOpenOne();
     void mazeWrittenWithTheSameBytesGoesOn();
@@ -128,6 +129,15 @@ void TestWindowFiles::changedMazeIsReadAgain() {
     QCOMPARE(line(), QString("mine.txt was changed on disk and has been read again"));
     write(path, kFloor + kWall + "box -0.06 -0.1 0 -0.05 0.1 0.02\n"); // it goes on being watched
     QTRY_COMPARE(boxes(), 3U);
+}
+
+void TestWindowFiles::noteOfAChangedMazeIsForgottenAtARestart() {
+    const QString path = maze("mine.txt");
+    drop(path);
+    write(path, kFloor + kWall);
+    QTRY_VERIFY(line().contains("has been read again"));
+    m_fixture->key(Qt::Key_R);
+    QCOMPARE(line(), QString());
 }
 
 // As editors do that write beside it first.

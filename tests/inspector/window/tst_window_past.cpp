@@ -49,6 +49,8 @@ private slots:
     void tableAfterARestartMissesNothing();
     void tableWithoutSamplesIsNotWritten_data();
     void tableWithoutSamplesIsNotWritten();
+    void refusedNameIsForgottenWithTheNextCommandThatWorks_data();
+    void refusedNameIsForgottenWithTheNextCommandThatWorks();
     void whatAFileLimitLosesIsSaidAndTheLastFileIsKept_data();
     void whatAFileLimitLosesIsSaidAndTheLastFileIsKept();
     void saveAsksForAName();
@@ -378,6 +380,26 @@ void TestWindowPast::tableWithoutSamplesIsNotWritten() {
     QCOMPARE(m_fixture->find<MessageBar>("messages")->line(), "'" + file + "': no samples");
     QVERIFY(!QFile::exists(file));
     QVERIFY(!QFile::exists(file + ".txt"));
+}
+
+void TestWindowPast::refusedNameIsForgottenWithTheNextCommandThatWorks_data() {
+    QTest::addColumn<QString>("action");
+    QTest::addColumn<int>("key");
+    for (const char *action : {"save_run", "save_plot"})
+        for (const Qt::Key next : {Qt::Key_R, Qt::Key_Space, Qt::Key_T})
+            QTest::addRow("%s, %c", action, char(next)) << action << int(next);
+}
+
+void TestWindowPast::refusedNameIsForgottenWithTheNextCommandThatWorks() {
+    QFETCH(QString, action);
+    QFETCH(int, key);
+    makeSteps(5);
+    m_fixture->trigger(action);
+    m_fixture->answerFile(m_fixture->path("run.txt"));
+    auto *messages = m_fixture->find<MessageBar>("messages");
+    QVERIFY2(messages->line().contains("expected a name that ends in"), qPrintable(messages->line()));
+    m_fixture->key(Qt::Key(key));
+    QCOMPARE(messages->line(), QString());
 }
 
 void TestWindowPast::whatAFileLimitLosesIsSaidAndTheLastFileIsKept_data() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A measured ball laid over the run: in the view, in plots, on the time bar; and a ball that rolls along.
 #include "inspector/track/made_track.h"
+#include "ui/parts/message_bar.h"
 #include "ui/parts/number_box.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/transport/seek_slider.h"
@@ -31,6 +32,7 @@ private slots:
     void openedTrackIsABallAndATrail();
     void droppedTableIsLaidOverTheRun();
     void droppedTableThatIsWrongSaysWhy();
+    void openedTrackSettlesARefusedName();
     void whereItEndsThereIsNoBall();
     void plotsChooseItsCurves();
     void timeBarShowsItsSpan();
@@ -131,6 +133,14 @@ void TestWindowTrack::droppedTableThatIsWrongSaysWhy() {
     auto *report = m_fixture->find<QPlainTextEdit>("track_report");
     QTRY_VERIFY(report->isVisible());
     QVERIFY2(report->toPlainText().contains("expected a column y in the header"), qPrintable(report->toPlainText()));
+}
+
+void TestWindowTrack::openedTrackSettlesARefusedName() {
+    m_fixture->trigger("save_run");
+    m_fixture->answerFile(m_fixture->path("run.txt"));
+    QVERIFY(m_fixture->window().messages().line().contains("expected a name that ends in"));
+    openTrack();
+    QCOMPARE(m_fixture->window().messages().line(), QString());
 }
 
 void TestWindowTrack::whereItEndsThereIsNoBall() {
