@@ -185,8 +185,9 @@ NumberReading readWholeNumber(const QString &text, const NumberRange &range) {
 NumberReading readDuration(const QString &text, double min, double max, const QString &unit) {
     const QString seconds = QStringLiteral("s");
     const Amount amount = amountOf(text, {unit, seconds, seconds});
+    const double perSecond = unitOf(unit)->denominator / unitOf(unit)->numerator;
     const QString expected = QStringLiteral("a duration from %1 to %2 (as 5 ms or 1/60)")
-                                 .arg(withUnit(min, seconds), withUnit(max, seconds));
+                                 .arg(withUnit(min * perSecond, unit), withUnit(max * perSecond, unit));
     return within({min, max, seconds}, amount, expected, text);
 }
 

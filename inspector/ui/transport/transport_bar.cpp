@@ -79,7 +79,8 @@ void TransportBar::addSteppers() {
 
 void TransportBar::addTimeSteps() {
     m_timeStep =
-        addChooser(tr("Time step"), "time_step", tr("Simulated time of one step; choose one or type your own, in ms."));
+        addChooser(tr("Time step"), "time_step",
+                   tr("Simulated time of one step; choose one or type your own: a number without a unit is in ms."));
     for (const double dt : usualStepSizes()) m_timeStep->addItem(durationText(dt), dt);
     m_typedTimeStep = new NumberBox;
     m_typedTimeStep->setObjectName(QStringLiteral("time_step_box"));

@@ -15,6 +15,7 @@ private slots:
     void durationsAreReadInSeconds_data();
     void durationsAreReadInSeconds();
     void durationsOfABoxOfMillisecondsAreItsUnlessTheySayOtherwise();
+    void refusalOfABoxOfMillisecondsIsInMilliseconds();
     void numbersAreReadInTheUnitOfTheirRange_data();
     void numbersAreReadInTheUnitOfTheirRange();
     void whatCantBeReadIsRefusedWithTheReason_data();
@@ -71,6 +72,11 @@ void TestNumbers::durationsOfABoxOfMillisecondsAreItsUnlessTheySayOtherwise() {
     QVERIFY(read("2 min") == 120.0);
     QVERIFY(read("1/60") == 1.0 / 60.0); // of a second everywhere
     QVERIFY(read("1/60 ms") == (1.0 / 60.0) / 1e3);
+}
+
+void TestNumbers::refusalOfABoxOfMillisecondsIsInMilliseconds() {
+    QCOMPARE(readDuration("20000", 1e-6, 10.0, "ms").problem,
+             QString("expected a duration from 0.001 ms to 10000 ms (as 5 ms or 1/60), found '20000'"));
 }
 
 void TestNumbers::numbersAreReadInTheUnitOfTheirRange_data() {
