@@ -107,6 +107,7 @@ void ComparisonDock::refresh(const Snapshot &now) {
     m_band = m_session.liveUncertainty().band();
     m_plot->showBand(m_band);
     m_figures->setText(summary(now));
+    m_plot->setContext({nullptr, m_session.isInPast() ? std::optional(now.current.time) : std::nullopt});
     m_plot->refresh();
 }
 

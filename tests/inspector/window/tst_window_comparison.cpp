@@ -45,6 +45,7 @@ private slots:
     void figuresAreThoseOfTheMoment();
     void statusSaysHowFarTheGhostIs();
     void plotShowsTheDistance();
+    void plotMarksTheMomentShown();
     void zeroHasAPlaceOnTheAxis();
     void gapsAreWhereThereWasNoGhost();
     void radiiAreAtTheRightBorder();
@@ -221,6 +222,23 @@ void TestWindowComparison::plotShowsTheDistance() {
 }
 
 // Below all others, at a tick that says so.
+void TestWindowComparison::plotMarksTheMomentShown() {
+    const auto marked = [this] { // the time of the only line there
+        m_fixture->window().refresh();
+        double time = std::nan("");
+        for (int i = 0; i < m_plot->itemCount(); ++i) {
+            const auto *line = qobject_cast<QCPItemStraightLine *>(m_plot->item(i));
+            if (line && line->visible()) time = line->point1->coords().x();
+        }
+        return time;
+    };
+    makeSteps(20);
+    QVERIFY(std::isnan(marked()));
+    m_fixture->key(Qt::Key_Comma);
+    QTRY_COMPARE(now().current.step, uint64_t(19));
+    QTRY_COMPARE(marked(), now().current.time);
+}
+
 void TestWindowComparison::zeroHasAPlaceOnTheAxis() {
     compareWith({"symplectic-euler", 1});
     makeSteps(10);
