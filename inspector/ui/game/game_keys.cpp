@@ -116,17 +116,17 @@ bool GameKeys::takeArrow(const QKeyEvent &event) {
     return true;
 }
 
-/// Called after the widget has handled the key.
+/// Called after the widget has handled the key: a table ends an edit a little later, and an edit that has lost the
+/// keyboard by then ends twice.
 void GameKeys::returnKeyboardAfter(const QWidget *editor) {
-    QMetaObject::invokeMethod(
-        this,
-        [this, editor] {
-            const QWidget *focus = QApplication::focusWidget();
-            if (QApplication::activePopupWidget() || QApplication::activeWindow() != &m_window) return;
-            const bool isLeft = focus && focus != editor && !isText(focus) && !isList(focus);
-            if (!isLeft && !isUnreadable(focus)) m_view.setFocus();
-        },
-        Qt::QueuedConnection);
+    const auto returnKeyboard = [this, editor] {
+        const QWidget *focus = QApplication::focusWidget();
+        if (QApplication::activePopupWidget() || QApplication::activeWindow() != &m_window) return;
+        const bool isLeft = focus && focus != editor && !isText(focus) && !isList(focus);
+        if (!isLeft && !isUnreadable(focus)) m_view.setFocus();
+    };
+    const auto later = [this](auto call) { QMetaObject::invokeMethod(this, call, Qt::QueuedConnection); };
+    later([later, returnKeyboard] { later(returnKeyboard); });
 }
 
 /// At azimuth -90 degrees, the camera's initial one, up on the screen is +y of the board.

@@ -3,6 +3,7 @@
 
 #include "core/setup/numbers.h"
 #include "core/track/fit_report.h"
+#include "ui/parts/theme.h"
 
 #include <QHeaderView>
 #include <QSignalBlocker>
@@ -10,6 +11,8 @@
 namespace inspector::ui {
 
 namespace {
+
+constexpr int kReason = Qt::UserRole; ///< why what was typed is refused; empty if it isn't
 
 /// Whether the quantity is typed here: the parameters have no offset of the tilt, and nothing about tracks.
 bool isTyped(const FitQuantity &quantity) {
@@ -39,10 +42,8 @@ FitTable::FitTable(QWidget *parent)
         setItem(row, Name, name);
         auto *begin = new QTableWidgetItem;
         begin->setFlags(isTyped(quantity) ? Qt::ItemIsEnabled | Qt::ItemIsEditable : Qt::NoItemFlags);
-        begin->setToolTip(isTyped(quantity)
-                              ? tr("Where the fit begins, or what it takes for true if it isn't looked for")
-                              : tr("As the parameters have it"));
         setItem(row, Begin, begin);
+        showReason(*begin, {});
         for (const Column column : {Found, Unit}) {
             auto *item = new QTableWidgetItem(column == Unit ? quantity.unit : QString());
             item->setFlags(Qt::ItemIsEnabled);
@@ -95,11 +96,12 @@ void FitTable::showBegin(const Inputs &inputs) {
     const QSignalBlocker silent(this);
     for (int row = 0; row < rowCount(); ++row) {
         const FitQuantity &quantity = m_quantities[size_t(row)];
+        if (!item(row, Begin)->data(kReason).toString().isEmpty()) continue;
         item(row, Begin)->setText(QString::number(quantity.of(board) / quantity.perUnit, 'g', 6));
     }
 }
 
-/// Refused input is reset to the previous value.
+/// Refused input stays as it was typed, in red; the previous value stays in use.
 void FitTable::read(QTableWidgetItem *item) {
     if (item->column() == Name) emit wantedChanged();
     if (item->column() != Begin) return;
@@ -107,12 +109,30 @@ void FitTable::read(QTableWidgetItem *item) {
     const NumberRange range{quantity.lower / quantity.perUnit, quantity.upper / quantity.perUnit, quantity.unit};
     double &number = quantity.of(m_typed);
     const NumberReading reading = readNumber(item->text(), range);
-    if (reading.value)
-        number = *reading.value * quantity.perUnit;
-    else
-        emit refused(quantity.id + QStringLiteral(": ") + reading.problem);
     const QSignalBlocker silent(this);
+    showReason(*item, reading.problem);
+    if (!reading.value) return;
+    number = *reading.value * quantity.perUnit;
     item->setText(QString::number(number / quantity.perUnit, 'g', 6));
+}
+
+/// reason: empty for a value that counts.
+void FitTable::showReason(QTableWidgetItem &begin, const QString &reason) {
+    const bool isOfTheParameters = !(begin.flags() & Qt::ItemIsEditable);
+    const QString usual = isOfTheParameters
+                              ? tr("As the parameters have it")
+                              : tr("Where the fit begins, or what it takes for true if it isn't looked for");
+    begin.setData(kReason, reason);
+    begin.setToolTip(reason.isEmpty() ? usual : reason);
+    begin.setForeground(reason.isEmpty() ? QBrush() : QBrush(accentsFor(palette()).alarm));
+}
+
+QString FitTable::refusal() const {
+    for (int row = 0; row < rowCount(); ++row) {
+        const QString reason = item(row, Begin)->data(kReason).toString();
+        if (!reason.isEmpty()) return m_quantities[size_t(row)].id + QStringLiteral(": ") + reason;
+    }
+    return {};
 }
 
 void FitTable::showFound(const ModelFit &fit) {

@@ -25,15 +25,17 @@ public:
     void showBegin(const Inputs &inputs);
     void showFound(const ModelFit &fit);
     void forgetFound();
+    /// What is wrong with the first initial value that was refused; empty if none was.
+    QString refusal() const;
 
     enum Column { Name, Begin, Found, Unit, kColumnCount };
 
 signals:
     void wantedChanged();
-    void refused(const QString &line); ///< an invalid number was typed
 
 private:
     void read(QTableWidgetItem *item);
+    void showReason(QTableWidgetItem &begin, const QString &reason);
 
     std::vector<FitQuantity> m_quantities;
     BoardParameters m_typed{}; ///< without coefficients and gravity

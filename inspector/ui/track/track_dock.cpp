@@ -57,9 +57,9 @@ TrackDock::TrackDock(Session &session, QUndoStack &undo, QWidget *parent)
     connect(&m_worker, &FitWorker::progressed, this,
             [this](double share) { m_progress->setValue(int(share * m_progress->maximum())); });
     connect(&m_worker, &FitWorker::ended, this, &TrackDock::showOutcome);
-    connect(m_file, &QLineEdit::returnPressed, this, &TrackDock::openTrack);
+    for (const QLineEdit *typed : {m_file, m_units})
+        connect(typed, &QLineEdit::returnPressed, this, &TrackDock::openTrack);
     connect(m_follow, &QPushButton::clicked, this, &TrackDock::follow);
-    connect(m_quantities, &FitTable::refused, m_report, &QPlainTextEdit::appendPlainText);
     QSettings &settings = session.settings();
     m_quantities->want(settings.value(settings_keys::kFitQuantities, usualFitQuantities()).toString());
     connect(m_quantities, &FitTable::wantedChanged, this,
@@ -219,6 +219,7 @@ void TrackDock::toggle() {
         m_report->setPlainText(tr("Cancelled."));
         return showRunning();
     }
+    if (const QString wrong = m_quantities->refusal(); !wrong.isEmpty()) return m_report->setPlainText(wrong);
     if (!openTrack()) return;
     std::vector<FitQuantity> wanted = m_quantities->wanted();
     if (wanted.empty()) return m_report->setPlainText(tr("Nothing is chosen to look for."));

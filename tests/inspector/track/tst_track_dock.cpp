@@ -4,6 +4,7 @@
 
 #include "inspector/dock_fixture.h"
 #include "inspector/track/made_track.h"
+#include "ui/parts/theme.h"
 #include "ui/track/fit_table.h"
 #include "ui/track/residual_plot.h"
 
@@ -22,6 +23,7 @@ private slots:
     void withoutAFileThereIsNothingToFit();
     void fileThatCantBeReadIsSaid();
     void wrongUnitsAreSaid();
+    void enterInTheUnitsReadsTheTableAnew();
     void pointsBesideTheBoardAreSaid();
     void fitTellsTheVerdictAndTheValues();
     void valuesAreTakenOver();
@@ -29,7 +31,8 @@ private slots:
     void tableShowsWhatWasFound();
     void onlyWhatIsTickedIsLookedFor();
     void typedBeginningsCount();
-    void wrongBeginningIsRefused();
+    void wrongBeginningStaysInRed();
+    void nothingIsFittedFromAWrongBeginning();
     void ticksAreRemembered();
     void narrowDockHasRoomForWhatWasFound();
     void otherLevelForgetsTheFit();
@@ -110,6 +113,18 @@ void TestTrackDock::wrongUnitsAreSaid() {
     type("track_units", "");
 }
 
+void TestTrackDock::enterInTheUnitsReadsTheTableAnew() {
+    const auto &rollAlong = find<QPushButton>("track_follow");
+    type("track_units", "px=abc, t=-1");
+    QTest::keyClick(&find<QLineEdit>("track_units"), Qt::Key_Return);
+    QVERIFY2(report().contains("px=abc"), qPrintable(report()));
+    QVERIFY(!rollAlong.isEnabled());
+    type("track_units", "");
+    QTest::keyClick(&find<QLineEdit>("track_units"), Qt::Key_Return);
+    QVERIFY2(!report().contains("px=abc"), qPrintable(report()));
+    QVERIFY(rollAlong.isEnabled());
+}
+
 void TestTrackDock::pointsBesideTheBoardAreSaid() {
     const auto open = [this] { QTest::keyClick(&find<QLineEdit>("track_file"), Qt::Key_Return); };
     open();
@@ -170,10 +185,29 @@ void TestTrackDock::typedBeginningsCount() {
     QCOMPARE(table().begin(m_session->parameters().inputs()).delay, -0.2);
 }
 
-void TestTrackDock::wrongBeginningIsRefused() {
-    typeBegin("Delay of the tilt", "soon");
+void TestTrackDock::wrongBeginningStaysInRed() {
+    const QTableWidgetItem *cell = table().item(rowOf("Delay of the tilt"), FitTable::Begin);
+    const QString usualTip = cell->toolTip();
+    typeBegin("Delay of the tilt", "1e400");
     QCOMPARE(table().begin(m_session->parameters().inputs()).delay, -0.2);
-    QVERIFY2(report().endsWith("found 'soon'"), qPrintable(report()));
+    typeBegin("Frame x", "0"); // all cells are written anew
+    QVERIFY(m_session->parameters().set({{QStringLiteral("gravity"), 9.0}}));
+    QVERIFY(m_session->parameters().set({{QStringLiteral("gravity"), 9.81}}));
+    QCOMPARE(cell->text(), QString("1e400"));
+    QCOMPARE(cell->foreground().color(), accentsFor(table().palette()).alarm);
+    QVERIFY2(cell->toolTip().contains("found '1e400'"), qPrintable(cell->toolTip()));
+    typeBegin("Delay of the tilt", "-100");
+    QCOMPARE(cell->foreground().style(), Qt::NoBrush);
+    QCOMPARE(cell->toolTip(), usualTip);
+    QCOMPARE(table().begin(m_session->parameters().inputs()).delay, -0.1);
+}
+
+void TestTrackDock::nothingIsFittedFromAWrongBeginning() {
+    typeBegin("Delay of the tilt", "soon");
+    click("track_fit");
+    QCOMPARE(find<QPushButton>("track_fit").text(), QString("Fit"));
+    QVERIFY2(report().startsWith("delay: ") && report().endsWith("found 'soon'"), qPrintable(report()));
+    typeBegin("Delay of the tilt", "0");
 }
 
 void TestTrackDock::ticksAreRemembered() {

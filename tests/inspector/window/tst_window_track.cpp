@@ -4,6 +4,7 @@
 #include "ui/parts/message_bar.h"
 #include "ui/parts/number_box.h"
 #include "ui/plots/plot_stack.h"
+#include "ui/track/fit_table.h"
 #include "ui/transport/seek_slider.h"
 #include "ui/window/board_picture.h"
 #include "window_fixture.h"
@@ -13,6 +14,7 @@
 #include <QMenu>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QTreeWidget>
 
 #include <cmath>
@@ -33,6 +35,7 @@ private slots:
     void droppedTableIsLaidOverTheRun();
     void droppedTableThatIsWrongSaysWhy();
     void openedTrackSettlesARefusedName();
+    void numberTypedIntoTheTableEndsTheEditOnce();
     void whereItEndsThereIsNoBall();
     void plotsChooseItsCurves();
     void timeBarShowsItsSpan();
@@ -141,6 +144,26 @@ void TestWindowTrack::openedTrackSettlesARefusedName() {
     QVERIFY(m_fixture->window().messages().line().contains("expected a name that ends in"));
     openTrack();
     QCOMPARE(m_fixture->window().messages().line(), QString());
+}
+
+// Enter gives the keyboard back to the view, too.
+void TestWindowTrack::numberTypedIntoTheTableEndsTheEditOnce() {
+    openTrack();
+    auto *table = m_fixture->find<ui::FitTable>("track_quantities");
+    int row = 0;
+    while (table->item(row, ui::FitTable::Name)->text() != "Delay of the tilt") ++row;
+    QTableWidgetItem *cell = table->item(row, ui::FitTable::Begin);
+    table->scrollToItem(cell);
+    const QPoint place = table->visualItemRect(cell).center();
+    QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, place);
+    QTest::mouseDClick(table->viewport(), Qt::LeftButton, {}, place);
+    QVERIFY(qobject_cast<QLineEdit *>(QApplication::focusWidget()));
+    m_fixture->key(Qt::Key_A, Qt::ControlModifier);
+    m_fixture->type("-100");
+    QTest::failOnWarning(QRegularExpression("called with an editor that does not belong"));
+    m_fixture->key(Qt::Key_Return);
+    QTRY_COMPARE(table->begin(m_fixture->parameters().inputs()).delay, -0.1);
+    QTRY_VERIFY(m_fixture->window().view().hasFocus());
 }
 
 void TestWindowTrack::whereItEndsThereIsNoBall() {
