@@ -90,17 +90,22 @@ Session::Session(const Options &options, QSettings &settings, const Scene &scene
     connect(m_simulation.get(), &Simulation::differenceReached, this, [this](uint64_t replay) {
         if (m_replay && m_replay->number == replay) emit replayDiffers(m_replay->difference);
     });
-    connect(&m_game, &Game::started, this, [this] {
-        returnToPresent();
-        m_isTakenOver = false;
-        m_hasUsualPhysics = true;
-        watchPhysics();
-        m_simulation->restart();
-        m_simulation->run();
-    });
+    connect(&m_game, &Game::started, this, &Session::startGame);
     connect(&m_game, &Game::levelWanted, this, [this](int level) {
         if (size_t(level) < m_levels.size()) openLevel(m_levels[size_t(level)]);
     });
+}
+
+void Session::startGame() {
+    const bool isBallPut = this->isBallPut();
+    returnToPresent();
+    m_hasUsualPhysics = true;
+    watchPhysics();
+    if (!isBallPut) {
+        m_isTakenOver = false;
+        m_simulation->restart();
+    }
+    m_simulation->run();
 }
 
 int Session::levelIndex() const {
@@ -124,7 +129,7 @@ void Session::watchPhysics() {
 
 QString Session::whyNoBestTime() const {
     if (m_hasAutopilot) return tr("the autopilot's");
-    if (m_isTakenOver || m_hasOwnStart) return tr("the ball was taken over or placed by hand");
+    if (m_isTakenOver || m_ownStart) return tr("the ball was taken over or placed by hand");
     if (!m_hasUsualPhysics) return tr("parameters, stepper, time step and speed have to be the default ones");
     return {};
 }
@@ -147,7 +152,7 @@ bool Session::openLevel(const Level &level) {
     if (!stepper) return report(error);
     if (m_replay) leaveReplay();
     returnToPresent();
-    m_hasOwnStart = false;
+    m_ownStart.reset();
     m_isTakenOver = false;
     m_scene = scene;
     m_level = level;
@@ -303,10 +308,11 @@ void Session::setTilt(Tilt tilt) {
 }
 
 void Session::advanceKeys(double seconds) {
-    if (m_hasAutopilot || m_replay) return;
+    if (m_replay || (m_hasAutopilot && !m_past)) return;
     if (m_past && m_tiltControl.keys().any()) {
         const TiltKeys keys = m_tiltControl.keys();
         takeOver();
+        setAutopilot(false);
         m_tiltControl.setKeys(keys);
         m_simulation->run();
     }
@@ -329,8 +335,22 @@ void Session::placeBall(const phys_state &state) {
     m_simulation->setState(state);
 }
 
+bool Session::isBallPut() const {
+    const Snapshot &now = m_simulation->latest();
+    if (m_replay || m_past || !m_isTakenOver || now.running || now.current.step > 0) return false;
+    phys_state start;
+    if (m_ownStart)
+        start = *m_ownStart;
+    else if (phys_scene_start(m_scene.get(), &start) != PHYS_OK)
+        return false;
+    const auto isSame = [](const phys_vec3 &a, const phys_vec3 &b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
+    const phys_state &ball = now.current;
+    return !isSame(ball.position, start.position) || !isSame(ball.velocity, start.velocity) ||
+           !isSame(ball.spin, start.spin);
+}
+
 void Session::setStart(const std::optional<phys_state> &start) {
-    m_hasOwnStart = start.has_value();
+    m_ownStart = start;
     m_simulation->setStart(start);
 }
 

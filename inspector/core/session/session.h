@@ -122,7 +122,9 @@ public:
     void placeBall(const phys_state &state);
     /// Where restarts put the ball; empty: at the maze's start. Reset when another level is opened.
     void setStart(const std::optional<phys_state> &start);
-    bool hasOwnStart() const { return m_hasOwnStart; }
+    bool hasOwnStart() const { return m_ownStart.has_value(); }
+    /// The ball was put elsewhere than at its start and hasn't moved since: a game would begin there.
+    bool isBallPut() const;
 
     // ---- a measured ball, overlaid on the run; dropped with another level ----
 
@@ -184,6 +186,7 @@ signals:
     void recordingChanged(bool isOn);
     void replayChanged(bool isOn);
     void pastChanged(bool isIn);
+    void takenOver();                        ///< the past was; the run that was shown stays in runs()
     void replayDiffers(const QString &line); ///< sent when it is found, and when it is reached and the replay pauses
 
 private:
@@ -192,6 +195,7 @@ private:
     int levelIndex() const;    ///< in the list; -1 for a file that isn't
     QString otherMaze() const; ///< such a file's maze, for the game; empty for a level of the list
     void showPrompt();
+    void startGame();
     bool report(const QString &line); ///< sends failed(); returns false
     bool refuseInReplay();
     /// Like the public ones without signals; a failure may leave the change half done.
@@ -262,7 +266,7 @@ private:
     std::optional<Replaying> m_replay;
     std::optional<LookingBack> m_past;
     bool m_isFollowing = false; ///< parameters are being set to those of the moment shown
-    bool m_hasOwnStart = false;
+    std::optional<phys_state> m_ownStart;
     bool m_showsWay = false;
     bool m_showsOthers = false;
     Unknowns m_unknowns;

@@ -91,6 +91,7 @@ void Session::takeOver() {
     if (isOtherLevel || m_game.phase() != Game::Phase::Prompt) m_game.goOn(levelIndex(), otherMaze());
     m_comparison->meetAgain();
     emit pastChanged(false);
+    emit takenOver();
 }
 
 void Session::keepOldFuture(uint64_t place) {

@@ -66,7 +66,7 @@ GameText freeRunText(const Session &session, const QString &title, const Snapsho
     if (now.running) return text;
     text.title = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Paused"));
     text.line = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Space goes on"));
-    text.hint = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "R: back to the start · Enter: play"));
+    text.hint = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "R: back to the start · Enter: play from there"));
     if (!(now.current.flags & PHYS_OUT)) return text;
     text.title = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Out of the maze"));
     text.line = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "R: back to the start"));
@@ -127,14 +127,16 @@ GameText stateText(Session &session, const Snapshot &now) {
             break;
         }
         text.title = title;
-        text.line = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Press Enter to start"));
+        text.line = session.isBallPut()
+                        ? say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Press Enter to start from here"))
+                        : say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Press Enter to start"));
         text.hint = promptHint(session);
         break;
     case Game::Phase::Playing:
         text.title = title;
         text.clock = clockText(now.current.time);
         text.hint = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "%1 · Space: pause")).arg(tiltHint(session));
-        if (now.running || now.current.step == 0) break;
+        if (now.running) break;
         text.title = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Paused"));
         text.line = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Space goes on"));
         text.hint = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "R restarts the level"));
@@ -147,6 +149,13 @@ GameText stateText(Session &session, const Snapshot &now) {
                         .arg((game.level() + 1) % int(std::max<size_t>(1, session.levels().size())) + 1);
         break;
     }
+    return text;
+}
+
+/// What stays of a result that was closed: how to go on.
+GameText closed(const GameText &result) {
+    GameText text;
+    text.hint = result.hint;
     return text;
 }
 
@@ -193,7 +202,7 @@ GameStrip::GameStrip(QWidget *parent)
 
 void GameStrip::setText(const GameText &text) {
     if (text != m_dismissed) m_dismissed = {};
-    const GameText shown = text == m_dismissed ? GameText{} : text;
+    const GameText shown = text == m_dismissed ? closed(text) : text;
     if (shown != m_text) show(shown);
 }
 
@@ -209,7 +218,7 @@ void GameStrip::show(const GameText &text) {
 bool GameStrip::dismiss() {
     if (!m_text.isResult) return false;
     m_dismissed = m_text;
-    show({});
+    show(closed(m_dismissed));
     return true;
 }
 

@@ -39,6 +39,7 @@
 #include <QMenu>
 #include <QScreen>
 #include <QScrollArea>
+#include <QStatusBar>
 #include <QStyle>
 #include <QTextStream>
 #include <QToolButton>
@@ -263,6 +264,7 @@ void MainWindow::connectSession() {
     connect(&m_session, &Session::levelOpened, this, &MainWindow::openLevel);
     connect(&m_session, &Session::replayChanged, this, &MainWindow::showReplay);
     connect(&m_session, &Session::pastChanged, this, &MainWindow::showPast);
+    connect(&m_session, &Session::takenOver, this, &MainWindow::sayWhereTheRunIs);
     connect(&m_session, &Session::recordingChanged, action("record"), &QAction::setChecked);
     connect(&m_session, &Session::autopilotChanged, action("autopilot"), &QAction::setChecked);
     connect(&m_session.comparison(), &Comparison::changed, this, &MainWindow::showComparison);
@@ -296,6 +298,11 @@ void MainWindow::connectPlots() {
         m_plots->fillMenu(*menu, &m_plots->first());
         menu->popup(add->mapToGlobal(add->rect().bottomLeft()));
     });
+}
+
+void MainWindow::sayBriefly(const QString &line) {
+    constexpr int kSaidFor = 8000; // ms
+    statusBar()->showMessage(line, kSaidFor);
 }
 
 /// A successful command settles an earlier failure.

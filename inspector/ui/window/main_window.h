@@ -120,6 +120,8 @@ private:
     void showPage(const QString &page, const QString &section = {});
     void showReplay(bool isOn);
     void showPast(bool isIn);
+    void sayWhereTheRunIs();
+    void sayBriefly(const QString &line); ///< in the status line
     void jumpToBounce(int direction);
     void showTitle();
     void showRunning(bool isRunning);

@@ -332,6 +332,12 @@ void MainWindow::showPast(bool isIn) {
     watchMaze();
 }
 
+/// The time bar begins at the moment taken over. Not in the message bar: it would move the view under the player.
+void MainWindow::sayWhereTheRunIs() {
+    const QKeySequence key = action("show_runs_dock")->shortcut();
+    sayBriefly(tr("What came before this moment, and after it, is in Runs (%1)").arg(key.toString()));
+}
+
 void MainWindow::saveRun() {
     const QString filter =
         tr("Recording that repeats it (*.rec);;Table of all samples (*.csv);;Picture of the view (*.png)");

@@ -16,14 +16,12 @@
 #include <QFileInfo>
 #include <QMenu>
 #include <QMimeData>
-#include <QStatusBar>
 
 namespace inspector::ui {
 
 namespace {
 
 constexpr qsizetype kMostRecent = 9;
-constexpr int kSaidFor = 8000; ///< ms
 
 /// The single local file being dragged; empty otherwise.
 QString droppedFile(const QMimeData &data) {
@@ -117,7 +115,7 @@ void MainWindow::loadPlugin(const QString &path) {
     phys_stepper_info info;
     for (uint32_t i = before; phys_registry_info(m_session.registry().get(), i, &info) == PHYS_OK; ++i)
         names += QString::fromUtf8(info.name);
-    statusBar()->showMessage(tr("Can be chosen as steppers now: %1").arg(names.join(QLatin1String(", "))), kSaidFor);
+    sayBriefly(tr("Can be chosen as steppers now: %1").arg(names.join(QLatin1String(", "))));
 }
 
 void MainWindow::saveFilm() {

@@ -27,7 +27,7 @@ QString ballText(const Snapshot &snapshot) {
         {PHYS_SLIPPING, QT_TRANSLATE_NOOP("inspector::ui::StatusLine", "slipping")},
         {PHYS_AT_REST, QT_TRANSLATE_NOOP("inspector::ui::StatusLine", "at rest")},
     };
-    if (snapshot.current.step == 0) return translated(QT_TRANSLATE_NOOP("inspector::ui::StatusLine", "at the start"));
+    if (snapshot.current.step == 0) return translated(QT_TRANSLATE_NOOP("inspector::ui::StatusLine", "about to start"));
     for (const Name &name : names)
         if (snapshot.current.flags & name.flag) return translated(name.text);
     return translated(QT_TRANSLATE_NOOP("inspector::ui::StatusLine", "rolling"));

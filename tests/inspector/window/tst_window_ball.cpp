@@ -6,6 +6,7 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <QStatusBar>
 
 #include <array>
 #include <cmath>
@@ -34,6 +35,8 @@ private slots:
     void ballOutsideOfTheBoardIsTold();
     void ballInAWallIsTold();
     void restartBringsItToItsOwnStart();
+    void gameStartsWhereTheBallWasPut();
+    void ballPutBackStartsAnOrdinaryGame();
     void placedBallSetsNoBestTime();
     void ballPlacedAtOnceAfterRunStandsStill();
     void wayAheadFollowsASlider();
@@ -233,6 +236,40 @@ void TestWindowBall::restartBringsItToItsOwnStart() {
     click(m_fixture->find<QPushButton>("usual_start"));
     m_fixture->press(Qt::Key_R);
     QTRY_COMPARE(ball().position.y, start.y);
+}
+
+void TestWindowBall::gameStartsWhereTheBallWasPut() {
+    const auto said = [this](const QWidget *widget) {
+        m_fixture->window().refresh();
+        QStringList texts;
+        for (const QLabel *label : widget->findChildren<QLabel *>()) texts << label->text();
+        return texts.join('|');
+    };
+    const phys_vec3 start = ball().position;
+    placeBall(0.0, 0.02);
+    const phys_vec3 put = ball().position;
+    const QString strip = said(m_fixture->find<QFrame>("game_strip"));
+    QVERIFY2(strip.contains("Press Enter to start from here"), qPrintable(strip));
+    const QString status = said(m_fixture->window().statusBar());
+    QVERIFY2(status.contains("about to start"), qPrintable(status));
+    m_fixture->press(Qt::Key_Return);
+    QTRY_VERIFY(ball().step > 0);
+    m_fixture->press(Qt::Key_Comma); // as far back as the run goes
+    m_fixture->press(Qt::Key_Home, Qt::ControlModifier);
+    QTRY_COMPARE(ball().step, uint64_t(0));
+    QCOMPARE(ball().position.y, put.y);
+    QVERIFY(put.y != start.y);
+    QVERIFY(!m_fixture->session().whyNoBestTime().isEmpty());
+}
+
+void TestWindowBall::ballPutBackStartsAnOrdinaryGame() {
+    const phys_vec3 start = ball().position;
+    placeBall(0.0, 0.02);
+    m_fixture->press(Qt::Key_R);
+    QTRY_COMPARE(ball().position.y, start.y);
+    m_fixture->press(Qt::Key_Return);
+    QTRY_VERIFY(ball().step > 0);
+    QCOMPARE(m_fixture->session().whyNoBestTime(), QString());
 }
 
 void TestWindowBall::placedBallSetsNoBestTime() {

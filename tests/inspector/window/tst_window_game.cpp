@@ -28,6 +28,7 @@ private slots:
     void promptIsShownAtTheStart();
     void clockIsShownWhilePlaying();
     void pauseIsSaid();
+    void restartOfAPausedGameIsPaused();
     void runWithoutTheGameSaysHowToPlay();
     void longStepSaysWhenTheNextOneComes();
     void levelAfterTheAutopilotsIsLevel();
@@ -46,7 +47,7 @@ private slots:
     void failedStepIsForgottenAtARestart();
     void failedStepStaysWhileTheKeysTilt();
     void nothingTheGameSaysMovesTheView();
-    void escClosesTheResult();
+    void escClosesTheResultAndSaysHowToGoOn();
     void clickClosesTheResult();
     void defaultPhysicsSetABestTime();
     void otherPhysicsSetNoBestTimeAndSayWhy_data();
@@ -103,6 +104,17 @@ void TestWindowGame::pauseIsSaid() {
     QTRY_VERIFY(m_fixture->simulation().latest().current.step > 0);
     m_fixture->press(Qt::Key_Escape);
     QTRY_COMPARE(text().title, QString("Paused"));
+}
+
+void TestWindowGame::restartOfAPausedGameIsPaused() {
+    m_fixture->press(Qt::Key_Return);
+    QTRY_VERIFY(m_fixture->simulation().latest().current.step > 0);
+    m_fixture->press(Qt::Key_Space);
+    QTRY_COMPARE(text().title, QString("Paused"));
+    m_fixture->press(Qt::Key_R);
+    QTRY_COMPARE(m_fixture->simulation().latest().current.step, uint64_t(0));
+    QCOMPARE(text().title, QString("Paused"));
+    QCOMPARE(text().line, QString("Space goes on"));
 }
 
 void TestWindowGame::runWithoutTheGameSaysHowToPlay() {
@@ -297,12 +309,15 @@ void TestWindowGame::leaveByHand() {
     QTRY_COMPARE(m_fixture->game().phase(), Game::Phase::Won);
 }
 
-void TestWindowGame::escClosesTheResult() {
+void TestWindowGame::escClosesTheResultAndSaysHowToGoOn() {
     leaveByHand();
     QCOMPARE(text().title, QString("Level 1 done"));
     m_fixture->key(Qt::Key_Escape);
-    QCOMPARE(text().title, QString());
-    QCOMPARE(text().title, QString()); // it stays closed
+    for (int i = 0; i < 2; ++i) { // it stays closed
+        QVERIFY(!text().isResult);
+        QCOMPARE(text().line, QString());
+        QCOMPARE(text().hint, QString("Enter: level 2 · R: again"));
+    }
 }
 
 void TestWindowGame::clickClosesTheResult() {

@@ -12,6 +12,7 @@
 #include <QFileDialog>
 #include <QImage>
 #include <QLabel>
+#include <QStatusBar>
 #include <QToolButton>
 #include <QTreeWidget>
 
@@ -37,6 +38,8 @@ private slots:
     void plotKeepsTheWholeRun();
     void typedParameterTakesOver();
     void arrowTakesOver();
+    void arrowTakesOverFromTheAutopilot();
+    void takingOverSaysWhereTheRunBeforeIs();
     void takingOverWithoutAChangeGivesTheSameBits();
     void timeBarSaysTheStateStep();
     void keysJumpFromBounceToBounce();
@@ -199,6 +202,26 @@ void TestWindowPast::arrowTakesOver() {
     QTRY_VERIFY(!session().isInPast());
     QTRY_VERIFY(now().running);
     QTest::keyRelease(&m_fixture->window().view(), Qt::Key_Up);
+}
+
+void TestWindowPast::arrowTakesOverFromTheAutopilot() {
+    m_fixture->key(Qt::Key_A);
+    makeSteps(20);
+    goTo(10);
+    m_fixture->window().view().setFocus();
+    QTest::keyPress(&m_fixture->window().view(), Qt::Key_Up);
+    QTRY_VERIFY(!session().isInPast());
+    QVERIFY(!session().hasAutopilot());
+    QTRY_VERIFY(m_fixture->simulated("tilt_y") > 1.0);
+    QTest::keyRelease(&m_fixture->window().view(), Qt::Key_Up);
+}
+
+void TestWindowPast::takingOverSaysWhereTheRunBeforeIs() {
+    makeSteps(20);
+    goTo(10);
+    m_fixture->key(Qt::Key_G);
+    QCOMPARE(m_fixture->window().statusBar()->currentMessage(),
+             QString("What came before this moment, and after it, is in Runs (Ctrl+8)"));
 }
 
 void TestWindowPast::takingOverWithoutAChangeGivesTheSameBits() {
