@@ -71,6 +71,7 @@ const std::array<ChannelInfo, kChannelCount> &channelInfos();
 struct Sample {
     double time = 0.0; ///< s since the start
     uint64_t step = 0;
+    uint64_t ghost = 0; ///< number of the ghost beside it, as in Simulation::compareWith(); 0: none
     std::array<double, kChannelCount> values{};
 
     double operator[](Channel channel) const { return values[size_t(channel)]; }

@@ -57,10 +57,10 @@ QByteArray tableSettings(const Options &options) {
     return text;
 }
 
-QString spanOf(const SampleRing &samples) {
+QString spanOf(const SampleRing &samples, double since) {
     Sample first;
     Sample last;
-    const bool isThere = samples.read(samples.first(), first) && samples.read(samples.last() - 1, last);
+    const bool isThere = samples.read(samples.find(since), first) && samples.read(samples.last() - 1, last);
     if (!isThere) return QStringLiteral("no samples");
     QStringList parts{QStringLiteral("samples from %1 s to %2 s").arg(first.time).arg(last.time)};
     if (samples.hasLostSamples()) parts += QStringLiteral("earlier ones aren't kept");

@@ -10,12 +10,15 @@
 #include <QByteArray>
 #include <QIODevice>
 
+#include <cmath>
+
 namespace inspector {
 
 /// The settings of a table, a line each: program, level, stepper, dt and every parameter.
 QByteArray tableSettings(const Options &options);
-/// Which of a run's samples a ring still has: "samples from 12.3 s to 20 s; earlier ones aren't kept" and the like.
-QString spanOf(const SampleRing &samples);
+/// Which of a run's samples from `since` on, s, a ring still has: "samples from 12.3 s to 20 s; earlier ones aren't
+/// kept" and the like.
+QString spanOf(const SampleRing &samples, double since = -HUGE_VAL);
 /// Whether some of the run's samples are missing, which spanOf() then says.
 bool isPartial(const SampleRing &samples);
 enum class Columns { Ball, BallAndGhost, All }; ///< without or with the comparison's; everything there is

@@ -3,6 +3,7 @@
 
 #include "core/session/session.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace inspector {
@@ -10,7 +11,7 @@ namespace inspector {
 Comparison::Comparison(Session &session)
     : m_session(session) {
     takeRows();
-    connect(&m_parameters, &Parameters::changed, this, [this] { m_session.simulation().setGhostInputs(ownInputs()); });
+    connect(&m_parameters, &Parameters::changed, this, [this] { passOwnInputs(); });
     connect(&session, &Session::levelOpened, this, &Comparison::begin);
     connect(&session.simulation(), &Simulation::comparisonRefused, this, [this](uint64_t ghost, const QString &line) {
         if (ghost == m_ghost) refuse(line); // ignore an earlier ghost's
@@ -57,8 +58,23 @@ void Comparison::begin() {
         return refuse(error);
     }
     setup->own = ownInputs();
-    m_ghost = m_session.simulation().compareWith(*setup, m_session.stepperId());
+    note(m_session.simulation().compareWith(*setup, m_session.stepperId()));
     emit changed();
+}
+
+/// Without a ghost there is nothing that takes them.
+void Comparison::passOwnInputs() {
+    if (m_ghost != 0) note(m_session.simulation().setGhostInputs(ownInputs()));
+}
+
+void Comparison::note(uint64_t ghost) {
+    m_ghost = ghost;
+    m_made.push_back({ghost, m_ghostChoice, m_hasOwn ? settingsOf(m_parameters) : std::vector<Setting>()});
+}
+
+const Comparison::Made *Comparison::made(uint64_t ghost) const {
+    const auto found = std::ranges::lower_bound(m_made, ghost, {}, &Made::number);
+    return found != m_made.end() && found->number == ghost ? &*found : nullptr;
 }
 
 void Comparison::refuse(const QString &line) {
@@ -91,7 +107,7 @@ void Comparison::setOwnParameters(bool isOn) {
     if (isOn && !std::exchange(m_hasValues, true)) m_parameters.set(sharedValues(m_session.parameters(), m_parameters));
     m_hasOwn = isOn;
     if (isOn && !m_isOn) return start(m_ghostChoice);
-    m_session.simulation().setGhostInputs(ownInputs());
+    passOwnInputs();
     emit changed();
 }
 

@@ -6,6 +6,8 @@
 
 #include <QObject>
 
+#include <vector>
+
 namespace inspector {
 
 class Session;
@@ -29,6 +31,15 @@ public:
     void setGhostChoice(const GhostChoice &ghostChoice); ///< restarts the ghost if it is on
     void meetAgain();                                    ///< restarts the ghost, also after a refusal
 
+    /// What a ghost is made with.
+    struct Made {
+        uint64_t number; ///< as in samples and snapshots
+        GhostChoice ghostChoice;
+        std::vector<Setting> own; ///< its own parameters; empty: the ball's
+    };
+    /// Null if there was no such ghost.
+    const Made *made(uint64_t ghost) const;
+
     /// The second ball's own parameters, including its stepper's rows; the tilt is always the ball's. They are copied
     /// from the ball when first used, count only while own parameters are on, and are kept otherwise.
     Parameters &parameters() { return m_parameters; }
@@ -44,6 +55,8 @@ private:
     void refuse(const QString &line);
     void takeRows();
     std::optional<Inputs> ownInputs() const;
+    void passOwnInputs();
+    void note(uint64_t ghost);
     void forgetRefusal();
 
     Session &m_session;
@@ -55,6 +68,7 @@ private:
     bool m_hasOwn = false;
     bool m_hasValues = false; ///< was initialised from the ball
     uint64_t m_ghost = 0;     ///< number of the ghost; 0: none could be made
+    std::vector<Made> m_made; ///< ascending
 };
 
 } // namespace inspector

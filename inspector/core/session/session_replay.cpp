@@ -83,12 +83,7 @@ void Session::follow(const PlayableRecording &recording, std::optional<size_t> &
     emit levelOpened();
 }
 
-Stepping Session::steppingWithAll() const {
-    Stepping now{m_stepperId, m_dt, {}};
-    for (int i = 0; i < m_parameters.count(); ++i)
-        now.settings.push_back({QString::fromUtf8(m_parameters.row(i).id), m_parameters.value(i)});
-    return now;
-}
+Stepping Session::steppingWithAll() const { return {m_stepperId, m_dt, settingsOf(m_parameters)}; }
 
 /// Updates the display; the simulation has the values already. Values outside of a row's range are shown at its end.
 void Session::show(const Stepping &stepping) {

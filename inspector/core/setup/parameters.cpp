@@ -138,6 +138,14 @@ Inputs Parameters::inputs() const {
     return inputs;
 }
 
+std::vector<Setting> settingsOf(const Parameters &parameters) {
+    std::vector<Setting> settings;
+    settings.reserve(size_t(parameters.count()));
+    for (int i = 0; i < parameters.count(); ++i)
+        settings.push_back({QString::fromUtf8(parameters.row(i).id), parameters.value(i)});
+    return settings;
+}
+
 std::vector<Setting> sharedValues(const Parameters &from, const Parameters &to) {
     std::vector<Setting> shared;
     for (int i = 0; i < from.count(); ++i) {

@@ -76,6 +76,8 @@ private:
     Values m_values;
 };
 
+/// All its values.
+std::vector<Setting> settingsOf(const Parameters &parameters);
 /// Values of the rows that both have, except the tilt: what one ball can take over from another.
 std::vector<Setting> sharedValues(const Parameters &from, const Parameters &to);
 

@@ -84,6 +84,7 @@ std::optional<Ghost> PastRun::ghost() const {
     const phys_state &state = engine().state();
     if (!samples.read(samples.find(state.time), sample) || std::isnan(sample[Channel::GhostX])) return std::nullopt;
     Ghost ghost;
+    ghost.number = sample.ghost;
     ghost.current = state;
     ghost.current.position = {sample[Channel::GhostX], sample[Channel::GhostY], sample[Channel::GhostZ]};
     ghost.previous = ghost.current;

@@ -46,6 +46,12 @@ void Presentation::compare(uint64_t number, const GhostSetup &setup, const QByte
     if (setup.scene == m_run->engine().scene()) m_ghost.emplace(m_run->engine(), setup, leaderId);
 }
 
+void Presentation::setGhostInputs(uint64_t number, const std::optional<Inputs> &own) {
+    if (!m_ghost) return;
+    m_ghostNumber = number;
+    m_ghost->setOwnInputs(own);
+}
+
 void Presentation::meetGhost() {
     if (m_ghost && m_ghost->scene() != m_run->engine().scene()) m_ghost.reset(); // its stepper is of the other scene
     if (m_ghost) m_ghost->meet(m_run->engine());
@@ -84,7 +90,10 @@ void Presentation::noteStep(double stepTime) {
     if (engine.previous().flags & PHYS_OUT) return; // outside of the maze it only falls
     leadGhost();
     Sample sample = this->sample();
-    if (m_ghost) m_ghost->addTo(sample);
+    if (m_ghost) {
+        m_ghost->addTo(sample);
+        sample.ghost = m_ghostNumber;
+    }
     sample[Channel::StepTime] = stepTime;
     m_samples.append(sample);
     noteEvents();
@@ -128,7 +137,7 @@ void Presentation::publish(Clock::time_point due) {
     snapshot.run = m_runCount;
     snapshot.running = m_isRunning;
     if (m_ghost && m_ghost->isThere())
-        snapshot.ghost = {m_ghost->previous(), m_ghost->state(), m_ghost->met(), m_ghost->deviation()};
+        snapshot.ghost = {m_ghostNumber, m_ghost->previous(), m_ghost->state(), m_ghost->met(), m_ghost->deviation()};
     snapshot.statistics = {m_meter.stepsPerSecond(), m_speed, m_meter.speed(), m_pacer.lostTime()};
     m_run->addTo(snapshot);
     m_snapshots.publish(snapshot);

@@ -37,6 +37,7 @@ public:
 
     void compare(uint64_t number, const GhostSetup &setup, const QByteArray &leaderId);
     GhostEngine *ghost() { return m_ghost ? &*m_ghost : nullptr; }
+    void setGhostInputs(uint64_t number, const std::optional<Inputs> &own); ///< of the ghost, if there is one
     void endComparison() { m_ghost.reset(); }
     void meetGhost(); ///< restarts the ghost at the ball's state; a ghost of another scene is removed
 

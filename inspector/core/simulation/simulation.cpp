@@ -144,10 +144,9 @@ uint64_t Simulation::compareWith(const GhostSetup &setup, const QByteArray &lead
     return m_ghostCount;
 }
 
-void Simulation::setGhostInputs(const std::optional<Inputs> &own) {
-    post([own](Worker &worker) {
-        if (GhostEngine *ghost = worker.presentation.ghost()) ghost->setOwnInputs(own);
-    });
+uint64_t Simulation::setGhostInputs(const std::optional<Inputs> &own) {
+    post([own, number = ++m_ghostCount](Worker &worker) { worker.presentation.setGhostInputs(number, own); });
+    return m_ghostCount;
 }
 
 void Simulation::endComparison() {

@@ -68,8 +68,8 @@ public:
     /// when a state is set; another scene removes it. leaderId: of the current stepper. Returns the ghost's number, as
     /// in comparisonRefused().
     uint64_t compareWith(const GhostSetup &setup, const QByteArray &leaderId);
-    /// Takes effect from the next step on; empty: the ball's inputs.
-    void setGhostInputs(const std::optional<Inputs> &own);
+    /// Takes effect from the next step on; empty: the ball's inputs. Returns the ghost's new number.
+    uint64_t setGhostInputs(const std::optional<Inputs> &own);
     void endComparison();
 
     /// Shows a recording, which must have steps, paused at its beginning; the live ball waits. Returns the replay's

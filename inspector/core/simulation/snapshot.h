@@ -19,6 +19,7 @@ struct Statistics {
 
 /// The ghost's states, like the ball's.
 struct Ghost {
+    uint64_t number = 0;   ///< as in Simulation::compareWith()
     phys_state previous{}; ///< at the same moments as the ball's
     phys_state current{};
     phys_state met{}; ///< common state where it last started from the ball's

@@ -17,6 +17,10 @@
 #include <QLabel>
 #include <QToolButton>
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 namespace inspector::ui {
 
 namespace {
@@ -89,6 +93,10 @@ void ComparisonDock::chooseSubsteps(double count) {
 
 void ComparisonDock::showComparison() {
     const GhostChoice &ghostChoice = m_session.comparison().ghostChoice();
+    if (ghostChoice != std::exchange(m_named, ghostChoice)) {
+        m_isNamedAnew = true;
+        m_plot->clear();
+    }
     m_stepper->setCurrentIndex(m_stepper->findData(ghostChoice.stepper));
     m_substeps->setValue(ghostChoice.substeps);
     const auto name = [&](const QByteArray &id, double dt) {
@@ -108,7 +116,17 @@ void ComparisonDock::refresh(const Snapshot &now) {
     m_plot->showBand(m_band);
     m_figures->setText(summary(now));
     m_plot->setContext({nullptr, m_session.isInPast() ? std::optional(now.current.time) : std::nullopt});
+    hideEarlierGhosts(now);
     m_plot->refresh();
+}
+
+/// The legend has one name for the ghost: what is drawn begins where that one met the ball.
+void ComparisonDock::hideEarlierGhosts(const Snapshot &now) {
+    const Comparison::Made *made = now.ghost ? m_session.comparison().made(now.ghost->number) : nullptr;
+    if (!m_isNamedAnew || !made || made->ghostChoice != m_named) return;
+    m_isNamedAnew = false;
+    TimeView &time = m_plot->time();
+    time.clearAt(std::max(time.clearedAt(), std::nextafter(now.ghost->met.time, HUGE_VAL)));
 }
 
 QString ComparisonDock::summary(const Snapshot &now) const {

@@ -42,6 +42,7 @@ private:
     void choose(); ///< applies the controls
     void chooseSubsteps(double count);
     void showComparison(); ///< shows the session's state
+    void hideEarlierGhosts(const Snapshot &now);
     QString summary(const Snapshot &now) const;
 
     Session &m_session;
@@ -49,6 +50,8 @@ private:
     NumberBox *m_substeps;
     ElidedLabel *m_figures;
     DistancePlot *m_plot;
+    GhostChoice m_named;                ///< in the legend
+    bool m_isNamedAnew = false;         ///< the plot may still show steps of an earlier choice
     std::shared_ptr<const Band> m_band; ///< uncertainty band; or null
 };
 

@@ -286,7 +286,7 @@ void MainWindow::connectPlots() {
     connect(m_plotPanel, &PlotPanel::clearWanted, m_plots, &PlotStack::clear);
     connect(m_plotPanel, &PlotPanel::saveWanted, this, &MainWindow::savePlot);
     connect(m_comparison, &ComparisonDock::saveWanted, this, [this] {
-        askWhereToSavePlot(tr("distance"), [this](const QString &path, QString *error) {
+        askWhereToSavePlot(tr("distance"), m_comparison->plot().time(), [this](const QString &path, QString *error) {
             return m_comparison->plot().save(path, error);
         });
     });

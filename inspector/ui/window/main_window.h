@@ -40,6 +40,7 @@ class Ruler;
 class RunDock;
 class StatusLine;
 class TimePlot;
+class TimeView;
 class TrackDock;
 class TransportBar;
 class WatchList;
@@ -104,7 +105,8 @@ private:
     void settleByChange();
     QAction *action(const char *name) const;
     void connectPlots();
-    void askWhereToSavePlot(const QString &name, const std::function<bool(const QString &path, QString *error)> &save);
+    void askWhereToSavePlot(const QString &name, const TimeView &time,
+                            const std::function<bool(const QString &path, QString *error)> &save);
     void showSaved(const QString &error);
 
     void connectBounces();

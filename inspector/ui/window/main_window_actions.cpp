@@ -350,17 +350,19 @@ void MainWindow::saveRun() {
 }
 
 void MainWindow::savePlot() {
-    askWhereToSavePlot(tr("plot"), [this](const QString &path, QString *error) { return m_plots->save(path, error); });
+    askWhereToSavePlot(tr("plot"), m_plots->time(),
+                       [this](const QString &path, QString *error) { return m_plots->save(path, error); });
 }
 
-void MainWindow::askWhereToSavePlot(const QString &name,
+void MainWindow::askWhereToSavePlot(const QString &name, const TimeView &time,
                                     const std::function<bool(const QString &path, QString *error)> &save) {
     const QString filter = tr("Table of all samples (*.csv);;Picture (*.png);;Document (*.pdf)");
     chooseFile(*this, m_session.settings(), {tr("Save plot"), filter, name, FileUse::Write},
-               [this, save](const QString &path) {
+               [this, save, &time](const QString &path) {
                    QString error;
                    const bool isTable = path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive);
-                   if (save(path, &error) && (!isTable || saveSettingsBeside(m_session, path, &error)))
+                   if (save(path, &error) &&
+                       (!isTable || saveSettingsBeside(m_session, path, time.clearedAt(), &error)))
                        error = lostSamples(m_session, path);
                    showSaved(error);
                });

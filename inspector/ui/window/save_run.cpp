@@ -3,6 +3,7 @@
 
 #include "core/program/csv_writer.h"
 #include "core/program/outputs.h"
+#include "core/session/row_settings.h"
 #include "core/session/session.h"
 #include "core/setup/files.h"
 #include "gl/view/maze_view.h"
@@ -16,39 +17,16 @@ namespace inspector::ui {
 
 namespace {
 
-std::vector<Setting> settingsOf(const Parameters &parameters) {
-    std::vector<Setting> settings;
-    settings.reserve(static_cast<size_t>(parameters.count()));
-    for (int i = 0; i < parameters.count(); ++i)
-        settings.push_back({QString::fromUtf8(parameters.row(i).id), parameters.value(i)});
-    return settings;
-}
-
-/// The options that describe the session's current state.
-Options optionsOf(Session &session) {
-    Options options;
-    options.registry = session.registry();
-    options.level = session.level();
-    options.stepper = session.stepperId();
-    options.dt = session.dt();
-    options.autopilot = session.hasAutopilot();
-    options.settings = settingsOf(session.parameters());
-    Comparison &comparison = session.comparison();
-    if (!comparison.isOn()) return options;
-    options.comparison = comparison.ghostChoice();
-    if (comparison.hasOwnParameters()) options.comparisonSettings = settingsOf(comparison.parameters());
-    return options;
-}
-
 bool saveTable(Session &session, const QString &path, QString *error) {
     return saveSamples(path, session.simulation().samples(), 0.0, Columns::All, error) &&
-           saveSettingsBeside(session, path, error);
+           saveSettingsBeside(session, path, 0.0, error);
 }
 
 } // namespace
 
-bool saveSettingsBeside(Session &session, const QString &csv, QString *error) {
-    const QByteArray text = tableSettings(optionsOf(session)) + spanOf(session.simulation().samples()).toUtf8() + '\n';
+bool saveSettingsBeside(Session &session, const QString &csv, double since, QString *error) {
+    const QString span = spanOf(session.simulation().samples(), since);
+    const QByteArray text = rowSettings(session, since) + span.toUtf8() + '\n';
     return replaceFile(settingsFileOf(csv), text, error);
 }
 

@@ -17,9 +17,10 @@ namespace inspector::ui {
 /// or .png (the current view). Returns false, with one line in `error`, on failure.
 bool saveRun(Session &session, gl::MazeView &view, const QString &path, QString *error);
 
-/// Writes the settings of a table into the file next to it: level, stepper and parameters as they are now, and the
-/// samples' span. Returns false, with one line in `error` (may be nullptr), on failure.
-bool saveSettingsBeside(Session &session, const QString &csv, QString *error);
+/// Writes the settings of a table of the samples from `since` on, s, into the file next to it: level, stepper and
+/// parameters that made the rows, as rowSettings() says, and the samples' span. Returns false, with one line in `error`
+/// (may be nullptr), on failure.
+bool saveSettingsBeside(Session &session, const QString &csv, double since, QString *error);
 
 /// One line if a table of all samples would lack the run's first ones; otherwise empty.
 QString lostSamples(Session &session, const QString &path);

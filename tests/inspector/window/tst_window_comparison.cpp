@@ -2,6 +2,7 @@
 // The ball beside its ghost: switched on by key and dock, drawn where it is, plotted as it goes away.
 #include "gl/view/maze_view.h"
 #include "support/compare.h"
+#include "support/files.h"
 #include "ui/comparison/distance_plot.h"
 #include "ui/parts/message_bar.h"
 #include "ui/parts/number_box.h"
@@ -55,7 +56,9 @@ private slots:
     void noneTypedInTheTradeTakesTheBandAway();
     void readOutIsInBothUnits();
     void missingValueHasNoDot();
+    void curveBeginsAnewWithAnotherGhost();
     void savedTableHasTheGhost();
+    void fileBesideTheTableNamesTheGhostOfEachRow();
     void ghostIsDrawnWhereItIs();
     void ghostOnTheBallIsHidden();
     void trailsAreBoundedAndOfTheLegendsColours();
@@ -245,7 +248,8 @@ void TestWindowComparison::zeroHasAPlaceOnTheAxis() {
     const auto data = m_plot->graph(m_plot->graphCount() - 1)->data();
     const double zero = data->at(0)->value;
     QVERIFY(zero > m_plot->yAxis->range().lower);
-    m_fixture->session().comparison().setGhostChoice({"exact", 1});
+    m_fixture->session().comparison().setOwnParameters(true);
+    m_fixture->session().comparison().parameters().set({{"rolling_friction", 0.01}});
     makeSteps(10);
     m_plot->replot();
     const double border = m_plot->yAxis->range().lower;
@@ -385,6 +389,37 @@ void TestWindowComparison::missingValueHasNoDot() {
     hover(m_plot, QPoint(int(m_plot->xAxis->coordToPixel(0.15)), m_plot->axisRect()->rect().center().y()));
     m_fixture->window().refresh();
     QCOMPARE(dots(), 1);
+}
+
+// Of the steps that the ghost named in the legend has made.
+void TestWindowComparison::curveBeginsAnewWithAnotherGhost() {
+    compareWith({"exact", 1});
+    makeSteps(20);
+    m_fixture->session().comparison().setGhostChoice({"explicit-euler", 1});
+    makeSteps(10);
+    const auto data = m_plot->graph(m_plot->graphCount() - 1)->data();
+    QCOMPARE(data->size(), 10);
+    Sample sample;
+    QVERIFY(m_fixture->simulation().samples().read(20, sample));
+    QCOMPARE(data->at(0)->key, sample.time);
+}
+
+void TestWindowComparison::fileBesideTheTableNamesTheGhostOfEachRow() {
+    compareWith({"exact", 4});
+    makeSteps(20);
+    m_fixture->session().comparison().setGhostChoice({"explicit-euler", 4});
+    makeSteps(10);
+    m_fixture->session().comparison().setGhostChoice({"rk4", 4}); // makes no row
+    m_fixture->trigger("save_run");
+    m_fixture->answerFile(m_fixture->path("t.csv"));
+    const QByteArrayList lines = support::contentOf(m_fixture->path("t.csv.txt")).split('\n');
+    const QByteArrayList compare = [&] {
+        QByteArrayList found;
+        for (const QByteArray &line : lines)
+            if (line.contains("compare")) found += line.left(line.lastIndexOf(' ')); // without versions
+        return found;
+    }();
+    QCOMPARE(compare, QByteArrayList({"compare exact", "compare-substeps", "from 0.21 s: compare explicit-euler"}));
 }
 
 void TestWindowComparison::savedTableHasTheGhost() {

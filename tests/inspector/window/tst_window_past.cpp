@@ -50,6 +50,7 @@ private slots:
     void savedRunRepeats();
     void tableAndPictureAreSaved();
     void tableAfterARestartMissesNothing();
+    void fileBesideTheTableSaysWhatMadeEachRow();
     void tableWithoutSamplesIsNotWritten_data();
     void tableWithoutSamplesIsNotWritten();
     void refusedNameIsForgottenWithTheNextCommandThatWorks_data();
@@ -388,6 +389,27 @@ void TestWindowPast::tableAfterARestartMissesNothing() {
     QCOMPARE(m_fixture->find<MessageBar>("messages")->line(), QString());
     const QByteArrayList settings = support::contentOf(m_fixture->path("kept.csv.txt")).trimmed().split('\n');
     QCOMPARE(settings.last(), QByteArray("samples from 0.01 s to 0.2 s"));
+}
+
+void TestWindowPast::fileBesideTheTableSaysWhatMadeEachRow() {
+    m_fixture->parameters().set({{"tilt_x", 1.0}});
+    makeSteps(10);
+    QVERIFY(m_fixture->session().setDt(0.001));
+    makeSteps(10);
+    m_fixture->parameters().set({{"tilt_x", 2.0}});
+    QVERIFY(m_fixture->session().setStepper("rk4"));
+    makeSteps(10);
+    m_fixture->parameters().set({{"restitution_wall", 0.9}}); // makes no row
+    m_fixture->trigger("save_run");
+    m_fixture->answerFile(m_fixture->path("kept.csv"));
+    const QByteArray text = support::contentOf(m_fixture->path("kept.csv.txt"));
+    QVERIFY2(text.contains("\nstepper symplectic-euler "), text.constData());
+    QVERIFY2(text.contains("\ndt 0.01 s\n"), text.constData());
+    QVERIFY2(text.contains("\nrestitution_wall 0.5\n"), text.constData());
+    QVERIFY2(text.contains("\ntilt varies: columns tilt_x, tilt_y\n"), text.constData());
+    QVERIFY2(text.contains("\nfrom 0.101 s: dt 0.001 s\n"), text.constData());
+    QVERIFY2(text.contains("\nfrom 0.111 s: stepper rk4 "), text.constData());
+    QCOMPARE(text.count("from 0."), 3); // with the samples'
 }
 
 void TestWindowPast::tableWithoutSamplesIsNotWritten_data() {
