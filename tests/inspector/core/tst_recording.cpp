@@ -30,6 +30,7 @@ private slots:
     void zeroAndMinusZeroAreTwoInputs();
     void autopilotsRunOfLevel1IsTheSame();
     void tableOfAReplayHasTheRowsOfTheRun();
+    void tableOfAReplayIsDescribedByTheRecording();
     void flippedBitOfAHashNamesItsStep_data();
     void flippedBitOfAHashNamesItsStep();
     void changedInputNamesTheStepItActsOn();
@@ -176,6 +177,15 @@ void TestRecording::tableOfAReplayHasTheRowsOfTheRun() {
     QCOMPARE(again.status, 0);
     QCOMPARE(rowsOf(again.out), rowsOf(run.out));
     QCOMPARE(again.messages, QString("same: 300 steps\n"));
+}
+
+void TestRecording::tableOfAReplayIsDescribedByTheRecording() {
+    runOf({"--headless", "--stepper", "rk4", "--dt", "0.001", "--duration", "0.1", "--record", path("r")});
+    const Result again = runOf({"--headless", "--replay", path("r"), "--csv", path("t.csv")});
+    QCOMPARE(again.status, 0);
+    const QByteArray settings = contentOf(path("t.csv.txt"));
+    QVERIFY2(settings.contains("stepper rk4 "), settings.constData());
+    QVERIFY2(settings.contains("dt 0.001 s"), settings.constData());
 }
 
 void TestRecording::flippedBitOfAHashNamesItsStep_data() {
