@@ -305,9 +305,11 @@ Convergence converge(const phys_registry *registry, const std::string &stepper, 
     // A slip or a roll that all but ends turns within a few steps: there the order shows with smaller ones.
     Convergence finer = compare(registry, stepper, scene, best, order, kFiner);
     if (!finer.isWrong && !finer.status) return finer;
+    constexpr Real kFallsNot = 0.8L; // of the error with larger steps: it is that of another law
+    if (finer.status || finer.errors[kSizes - 1] > kFallsNot * usual.errors[kSizes - 1]) return usual;
     // Bounces that are lower than a few steps make a large error, which falls at the order all the same.
     Convergence finest = compare(registry, stepper, scene, best, order, kFiner * kFiner);
-    if (finer.status || finest.status) return usual;
+    if (finest.status) return usual;
     const Real falls = finer.errors[kSizes - 1] / finest.errors[kSizes - 1];
     finest.isWrong = falls < kShareOfOrder * std::pow(Real(kFiner), Real(order));
     return finest.isWrong ? usual : finest;
