@@ -11,7 +11,7 @@ namespace inspector {
 
 namespace {
 
-/// The gap between the ball and the nearest wall, m, searched for in growing distances. NaN if none is near.
+/// Distance between the ball and the nearest wall, m, searched for within growing radii; NaN if none is near.
 double wallGap(const phys_scene *scene, const phys_vec3 &centre) {
     const double radius = phys_scene_radius(scene);
     for (const double reach : {2.0, 4.0, 8.0, 16.0, 32.0}) // radii
@@ -35,7 +35,7 @@ void Engine::setScene(Scene scene, Stepper stepper) {
     restart();
 }
 
-/// A pilot's last tilt belongs to the run that ends; the next step asks it again.
+/// The tilt that the pilot set last belongs to the run that ends, so the next step asks the pilot again.
 void Engine::restart() {
     m_inputs = m_given;
     if (m_start) return setState(*m_start);
@@ -52,7 +52,7 @@ void Engine::setState(const phys_state &state, const EnergySums &sums) {
     m_report.event_capacity = kEventCapacity;
 }
 
-/// Called at multiples of its period, counted in steps from the start, so that a run can be repeated.
+/// Called at multiples of its period, counted in steps from the start, so that a run is repeatable.
 void Engine::askPilot() {
     if (!m_pilot) return;
     const auto interval = uint64_t(std::max(1.0, std::round(m_pilot->period() / std::max(m_dt, 1e-9))));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One simulation stepped by its caller: stepper, state, inputs and dt. No thread, no clock, the same bits in every run.
-// Two engines on one scene are two balls; Simulation puts one on a thread.
+// A simulation that its caller steps: stepper, state, inputs and dt. It has no thread and no clock, so every run gives
+// the same bits. Two engines on one scene are two balls; Simulation runs one on a thread.
 #pragma once
 
 #include "core/engine/sample.h"
@@ -37,22 +37,22 @@ public:
     void setStepper(Stepper stepper) { m_stepper = std::move(stepper); }
 
     void setInputs(const Inputs &inputs);
-    const Inputs &inputs() const { return m_inputs; }  ///< of the last step, pilot's tilt included
-    void setPilot(std::shared_ptr<const Pilot> pilot); ///< or nullptr: the tilt of the inputs counts
+    const Inputs &inputs() const { return m_inputs; }  ///< inputs of the last step, including the pilot's tilt
+    void setPilot(std::shared_ptr<const Pilot> pilot); ///< nullptr: the tilt of the inputs is used
     void setDt(double dt) { m_dt = dt; }               ///< s, >= 0
     double dt() const { return m_dt; }
 
     /// Goes to the scene's start, or to the one set by setStart().
     void restart();
     void setStart(const std::optional<phys_state> &start) { m_start = start; } ///< empty: the scene's
-    /// sums: zero, or what the run had lost up to there.
+    /// sums: zero, or the energy that the run had lost up to there.
     void setState(const phys_state &state, const EnergySums &sums = {});
     const phys_state &state() const { return m_state; }
     const phys_state &previous() const { return m_previous; }
     const EnergySums &sums() const { return m_sums; }
     const EnergySums &previousSums() const { return m_previousSums; }
 
-    /// One step of dt. On failure the state stays as it was and `error` gets the library's line.
+    /// Makes one step of dt. If it fails, the state is unchanged and `error` gets the library's line.
     bool step(QString *error);
 
     const phys_report &report() const { return m_report; } ///< of the last step; all zero before the first
@@ -65,7 +65,7 @@ private:
     Scene m_scene;
     Stepper m_stepper;
     std::shared_ptr<const Pilot> m_pilot;
-    bool m_pilotIsNew = false; ///< not called yet
+    bool m_pilotIsNew = false; ///< it hasn't been called yet
     Inputs m_given = initialInputs();
     Inputs m_inputs = m_given;
     double m_dt = kDefaultDt;

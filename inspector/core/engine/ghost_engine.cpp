@@ -53,7 +53,7 @@ void GhostEngine::meet(const Engine &leader) {
     m_isThere = true;
 }
 
-/// With the same magnitude of gravity its direction equals the leader's to the last bit.
+/// If the magnitudes of gravity are equal, the direction is the leader's to the last bit.
 Inputs GhostEngine::inputsBeside(const Engine &leader) const {
     Inputs inputs = m_own ? *m_own : leader.inputs();
     if (m_own && m_own->gravity != leader.inputs().gravity) {

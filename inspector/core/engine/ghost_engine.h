@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A second ball (the ghost), stepped after a leading one under the same tilts by another stepper, in finer steps or
-// with other parameters: it shows the leader's error if its own method is the better one, or the effect of a parameter.
-// Like the engine: no thread, no clock, the same bits in every run.
+// A second ball (the ghost) that follows a leading one under the same tilts, with another stepper, finer steps or other
+// parameters. It shows the leader's error if its own method is the better one, or the effect of a parameter. Like
+// Engine it has no thread and no clock, and every run gives the same bits.
 #pragma once
 
 #include "core/engine/engine.h"
@@ -10,7 +10,7 @@
 
 namespace inspector {
 
-/// What the ball is compared with, by name.
+/// Stepper and step size of the ghost.
 struct GhostChoice {
     QByteArray stepper = "exact"; ///< id
     int substeps = 1;             ///< steps of dt / substeps for each step of the ball; 1 .. kMostSubsteps
@@ -35,25 +35,26 @@ struct GhostSetup {
     std::optional<Inputs> own = {}; ///< its own parameters
 };
 
-/// Returns nothing, with one line in `error` (may be nullptr), if there is no such stepper or it can't do this scene.
+/// Returns nothing, with one line in `error` (may be nullptr), if there is no such stepper or it doesn't support this
+/// scene.
 std::optional<GhostSetup> makeGhostSetup(const Registry &registry, const GhostChoice &ghostChoice, const Scene &scene,
                                          QString *error);
 
 class GhostEngine {
 public:
-    /// Starts at the leader's current state. leaderId: the leader's stepper; if both use the same one, the ghost takes
-    /// the leader's values of the stepper's own rows, otherwise initial ones.
+    /// Starts at the leader's current state. leaderId: the leader's stepper. If both use the same one, the ghost takes
+    /// over the leader's values of the stepper's own rows; otherwise those have their initial values.
     GhostEngine(const Engine &leader, const GhostSetup &setup, const QByteArray &leaderId);
 
-    /// Its own parameters, except for the tilt, which is always the leader's; empty: the leader's.
+    /// The ghost's own parameters; empty: the leader's. The tilt is always the leader's.
     void setOwnInputs(const std::optional<Inputs> &own) { m_own = own; }
-    /// The leader has changed its stepper.
+    /// Called when the leader has changed its stepper.
     void setLeaderStepper(const QByteArray &id) { m_sharesValues = id == m_info.id; }
     /// Returns to the leader's current state, also after a refusal.
     void meet(const Engine &leader);
-    /// Makes one step of the leader's dt; call it after the leader's step. If the stepper refuses, `error` gets the
-    /// library's message and there is no ghost until the next meet(). Outside of the maze the ghost stays where it
-    /// left.
+    /// Makes one step of the leader's dt; call it after the leader's step. If the stepper fails, `error` gets the
+    /// library's message and there is no ghost until the next meet(). A ball outside of the maze stays where it left
+    /// it.
     bool follow(const Engine &leader, QString *error);
 
     const Scene &scene() const { return m_engine.scene(); }
@@ -62,7 +63,7 @@ public:
     const phys_state &previous() const { return m_previous; } ///< before the leader's last step
     const phys_state &met() const { return m_met; }           ///< the common state at the last meet()
     const Deviation &deviation() const { return m_deviation; }
-    /// Fills in the channels of the comparison if there is a ghost in the maze.
+    /// Fills in the channels of the comparison if the ghost exists and is in the maze.
     void addTo(Sample &sample) const;
 
 private:

@@ -27,14 +27,14 @@ enum class Channel {
     Substeps,
     Penetration,
     Flags,
-    /// The comparison with a second ball: NaN in steps without one.
+    /// The comparison with a ghost: NaN in steps without one.
     GhostX,
     GhostY,
     GhostZ,
     Distance,
     SpeedDifference,
     EnergyDifference,
-    /// For plots; not in all tables.
+    /// Only for plots; not part of every table.
     Acceleration,
     Kinetic,
     Potential,
@@ -78,7 +78,7 @@ struct Sample {
     double &operator[](Channel channel) { return values[size_t(channel)]; }
 };
 
-/// Without the comparison, and without what can't be told from one state.
+/// Without the comparison, and without channels that a single state doesn't determine.
 Sample makeSample(const phys_state &state, const Inputs &inputs, const phys_report &report);
 
 } // namespace inspector

@@ -6,8 +6,8 @@
 
 namespace inspector {
 
-/// m/s along the normal. Slower impacts are those of a ball that leans on a wall, which discrete steppers report in
-/// every step: the trade doesn't compare them, the list of events folds them together.
+/// Normal speed, m/s. Slower impacts come from a ball that leans on a wall; discrete steppers report them in every
+/// step. The trade ignores them, and the event list groups them.
 inline constexpr double kCountedImpact = 0.05;
 
 inline bool isBounce(const phys_event &event) {

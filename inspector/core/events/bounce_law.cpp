@@ -10,10 +10,10 @@ namespace inspector {
 
 namespace {
 
-/// Share of the speed below which a difference is rounding.
+/// Relative difference of speeds below which it is rounding.
 constexpr double kRounding = 1e-13;
 
-/// Share of the radius below which a gap counts as none.
+/// Gaps below this share of the radius count as zero.
 constexpr double kTouching = 1e-9;
 
 double dot(const phys_vec3 &a, const phys_vec3 &b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
@@ -23,7 +23,7 @@ phys_vec3 cross(const phys_vec3 &a, const phys_vec3 &b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// a + factor b
+/// a + factor * b
 phys_vec3 plus(const phys_vec3 &a, double factor, const phys_vec3 &b) {
     return {a.x + factor * b.x, a.y + factor * b.y, a.z + factor * b.z};
 }
@@ -122,7 +122,7 @@ NormalLaw normalLaw(const LoggedEvent &bounce) {
     return law;
 }
 
-/// model.md 2.2 F3, from the state before the step, whose velocity and spin aren't exactly those right before the
+/// model.md 2.2 F3. Uses the state before the step, whose velocity and spin may differ from those right before the
 /// impact.
 TangentialLaw tangentialLaw(const LoggedEvent &bounce, double radius) {
     const phys_vec3 &normal = bounce.event.normal;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The model's laws for a bounce, evaluated with the numbers of one bounce, and how well they are satisfied. Sections
-// are those of libphysics/docs/model.md.
+// The model's laws for a bounce, evaluated for one bounce, and how well it satisfies them. Sections refer to
+// libphysics/docs/model.md.
 #pragma once
 
 #include "core/events/event_log.h"
@@ -31,18 +31,19 @@ struct NormalLaw {
     double before;    ///< m/s, towards the box, >= 0
     double expected;  ///< m/s
     double found;     ///< m/s
-    bool ends;        ///< found 0 instead: the stepper treats so slow a bounce as contact (6.4, 10.3)
+    bool ends;        ///< found is 0 instead: the stepper treats so slow a bounce as lasting contact (6.4, 10.3)
     double deviation; ///< share of `before`
 };
 NormalLaw normalLaw(const LoggedEvent &bounce);
 
-/// Along the surface: unchanged in the rolling model (R2, R6); Coulomb's impulse in the rigid one (F3). Steps report no
-/// tangential speeds: these are of the states before and after the step, with everything else that happened in it.
+/// Tangential velocity: unchanged in the rolling model (R2, R6), changed by Coulomb's impulse in the rigid one (F3).
+/// Steps don't report tangential speeds, so these are of the states before and after the step and include everything
+/// else that happened in it.
 struct TangentialLaw {
     double expected;  ///< m/s
     double found;     ///< m/s
     double off;       ///< m/s, length of the difference of the two vectors
-    double allowance; ///< m/s, by which gravity and friction can change it in this step
+    double allowance; ///< m/s, the most by which gravity and friction can change it in this step
     /// Rigid model only:
     double friction;   ///< mu
     double impulse;    ///< per mass, m/s: -(1+e) vn

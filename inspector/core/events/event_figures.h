@@ -5,7 +5,7 @@
 
 namespace inspector {
 
-/// A figure of a bounce as people read it: four digits.
+/// Formats a figure of a bounce with four significant digits.
 inline QString figureText(double value) { return QString::number(value, 'g', 4); }
 
 /// A speed with its unit; speed: m/s.

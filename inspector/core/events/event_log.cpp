@@ -78,7 +78,7 @@ bool EventLog::isOneMore(const LoggedEvent &entry, const phys_event &event, doub
     return event.time - entry.until <= std::max(kFoldTime, 2.0 * dt);
 }
 
-/// The newest entry of the same kind and box decides: after a fast impact a new entry of slow ones begins.
+/// Only the newest entry of the same kind and box is considered: slow impacts after a fast one begin a new entry.
 LoggedEvent *EventLog::entryToGrow(const phys_event &event, double dt) {
     const uint64_t end = m_entries.written();
     const uint64_t begin = std::max(m_entries.cleared(), end > kReach ? end - kReach : 0);
@@ -116,7 +116,7 @@ void EventLog::clear() {
     announce();
 }
 
-/// An entry that began earlier keeps the count of what was folded into it since.
+/// Entries that began earlier also lose what was folded into them after `time`.
 void EventLog::forgetAfter(double time) {
     uint64_t number = m_entries.written();
     LoggedEvent entry;

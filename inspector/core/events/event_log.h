@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What happened to the ball: the last events of a run, each with the step that made it.
+// The log of a run's last events, each with the step in which it happened.
 #pragma once
 
 #include "core/engine/engine.h"
@@ -27,7 +27,7 @@ struct StepFacts {
 };
 
 /// A bounce is slow below kCountedImpact. Successive slow bounces on one box are folded into one entry: the first of
-/// them and a count. So are repeated events without a normal speed.
+/// them and a count. Repeated events without a normal speed are folded as well.
 struct LoggedEvent {
     uint64_t number = 0; ///< unique; counts entries from 0
     phys_event event{};
@@ -42,13 +42,13 @@ struct LoggedEvent {
 
 StepFacts factsOf(const Engine &engine, uint32_t stepper);
 
-/// One thread writes while any others read, as SlotRing says. The newest kReach entries may still grow as events are
+/// One thread writes while any others read (see SlotRing). The newest kReach entries may still grow as events are
 /// folded into them; all others are final.
 class EventLog {
 public:
     static constexpr size_t kDefaultCapacity = 4096;
     static constexpr uint64_t kReach = 32;
-    /// Slow bounces within this time, s, are folded; or within two steps, if those are longer.
+    /// Slow bounces within this time, s, or within two steps if those are longer, are folded.
     static constexpr double kFoldTime = 0.1;
 
     /// capacity: rounded up to a power of two, at least 2 kReach.
@@ -64,19 +64,20 @@ public:
     void hold() { m_entries.hold(); }
     void release();
 
-    /// Readers. Entries [first(), last()) can be read just now.
+    /// For readers: entries [first(), last()) can be read at this moment.
     size_t capacity() const { return m_entries.capacity(); }
     uint64_t first() const { return m_entries.first(); }
     uint64_t last() const { return m_entries.last(); }
-    uint64_t dropped() const { return first() - m_entries.firstOfGeneration(); } ///< overwritten, of this run
+    uint64_t dropped() const { return first() - m_entries.firstOfGeneration(); } ///< overwritten entries of this run
     uint64_t lost() const {
         return m_lost.load(std::memory_order_acquire);
-    } ///< of this run, that didn't fit into a step's report
+    } ///< events of this run that didn't fit into a step's report
     /// Changes when readers must start over.
     uint64_t generation() const { return m_entries.generation() + m_entries.truncations(); }
     /// Changes with every change of the log.
     uint64_t revision() const { return m_revision.load(std::memory_order_acquire); }
-    /// Reads entry `number`; false if it is gone, not there yet, or being written just now: then a later call finds it.
+    /// Reads entry `number`. False if it was overwritten, doesn't exist yet, or is being written; in the last case a
+    /// later call succeeds.
     bool read(uint64_t number, LoggedEvent &out) const { return m_entries.read(number, out); }
 
 private:

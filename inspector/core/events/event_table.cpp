@@ -60,7 +60,7 @@ QString placeText(E event, double radius) {
     return text.arg(figureText(1e3 * std::abs(place->gap)), figureText(1e3 * std::abs(place->lateness)));
 }
 
-/// The law first: it is the most wanted line.
+/// The law comes first, as it is the line that users look for.
 void addBounceLines(E event, double radius, std::vector<LawLine> &lines) {
     const Motion before = motionOf(event.step.before, event.event.normal);
     const Motion after = motionOf(event.step.after, event.event.normal);

@@ -19,18 +19,18 @@ struct EventColumn {
     const char *help;
     int digits;   ///< for display, after the point; < 0: a whole number
     bool isShown; ///< in the window; all are in CSV
-    /// In the column's unit; nothing where the event has no such figure.
+    /// The value in the column's unit; nothing if the event has no such figure.
     std::optional<double> (*value)(const LoggedEvent &event);
 };
 
-/// Kind, stepper and model precede these as words.
+/// Kind, stepper and model are text columns that precede these.
 const std::vector<EventColumn> &eventColumns();
 
 /// Impact, Landing, Take-off, ...; "Event 42" for a kind that is not known.
 QString eventKindName(uint32_t kind);
 /// A short description: Impact; Leaning: 0.83 s, 83 impacts.
 QString eventText(const LoggedEvent &event);
-/// A figure of a column; "" without one.
+/// The text of a figure; "" if the event has none.
 QString figureText(const EventColumn &column, const LoggedEvent &event);
 
 /// Everything known about one event: time, step, place, speeds, and for a bounce the laws.

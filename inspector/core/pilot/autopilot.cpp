@@ -10,7 +10,7 @@ namespace inspector {
 
 namespace {
 
-constexpr double kGravity = 9.81; ///< m/s^2; under another gravity the pilot is bolder or more careful
+constexpr double kGravity = 9.81; ///< m/s^2; under another gravity the pilot drives more boldly or more carefully
 constexpr double kRolling =
     5.0 / 7.0; ///< share of gravity along the slope that accelerates a rolling ball, model.md 2.1
 constexpr double kBrakingShare = 0.35;     ///< share of the acceleration at full tilt that the speed plan counts on
@@ -41,8 +41,8 @@ Autopilot::Autopilot(const phys_scene *scene)
     : m_space(scene)
     , m_wayOut(m_space) {}
 
-/// The farthest cell of the path that can be reached in a straight line. Next to a wall or in a corner none may be
-/// reachable with a comfortable margin: then with as much as the ball itself has.
+/// The farthest cell of the path that can be reached in a straight line. Next to a wall or in a corner, none may be
+/// reachable with a comfortable margin; the ball's own clearance is used then.
 Autopilot::Aim Autopilot::aim(Point from) const {
     FreeSpace::Cell cell = m_space.nearestFree(from);
     if (cell == FreeSpace::kNowhere) return {from, true};
@@ -63,7 +63,7 @@ Tilt Autopilot::tilt(const phys_state &state) const {
     const double dy = target.point.y - here.y;
     const double distance = phys::elementary::hypot(dx, dy);
 
-    // The speed from which the ball can still stop at the aim; outside of the maze there is nothing to stop for.
+    // The speed from which the ball can still stop at the target; outside of the maze it needn't stop.
     const double limit = radians(kPlayTilt);
     const double braking =
         kBrakingShare * kRolling * kGravity * (phys::elementary::sin(limit) / phys::elementary::cos(limit));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Plays any level: aims at the farthest point of the path to the exit that the ball can reach in a straight line, no
-// faster than it can brake, and tilts the board no more than a player can.
+// Plays any level: it heads for the farthest point of the path to the exit that the ball can reach in a straight line,
+// no faster than the ball can brake, and tilts the board no more than a player can.
 #pragma once
 
 #include "core/pilot/pilot.h"

@@ -36,7 +36,7 @@ FreeSpace::FreeSpace(const phys_scene *scene)
         m_clearance.assign(m_clearance.size(), -1.0F);
 }
 
-/// The floor is what the ball stands on at its start (to a thousandth of its radius); everything else that it can touch
+/// The surface under the ball's start (to a thousandth of its radius) is floor; everything else that the ball can touch
 /// is wall.
 void FreeSpace::markBoxes(std::span<const phys_box> boxes) {
     const double floor = m_start.z - m_radius;
@@ -56,7 +56,7 @@ void FreeSpace::layGrid() {
     const double margin = 3.0 * m_radius;
     const double width = m_bounds.max.x - m_bounds.min.x + 2.0 * margin;
     const double height = m_bounds.max.y - m_bounds.min.y + 2.0 * margin;
-    // At most kMostCells per side and, except for cut ones at the border, in all.
+    // At most kMostCells per side and, apart from partial cells at the border, in total.
     m_spacing = std::max({m_radius / kCellsPerRadius, std::sqrt(width) * std::sqrt(height / kMostCells),
                           width / kMostCells, height / kMostCells});
     m_origin = {m_bounds.min.x - margin, m_bounds.min.y - margin};
@@ -99,7 +99,7 @@ double FreeSpace::cellsAround(const phys_box &box, double reach) const {
     return double(columns.last - columns.first + 1) * double(rows.last - rows.first + 1);
 }
 
-/// All cells within `reach` of the box seen from above, with their centre's distance to it.
+/// Calls `visit` for all cells within `reach` of the box seen from above, with the distance of their centres from it.
 template<typename Visit>
 void FreeSpace::visitAround(const phys_box &box, double reach, const Visit &visit) const {
     const Range columns = columnsAround(box, reach);
@@ -115,8 +115,8 @@ void FreeSpace::visitAround(const phys_box &box, double reach, const Visit &visi
     }
 }
 
-/// Lowers the clearance of all cells near the box: the distance in space at the rolling ball's height, so that a low
-/// kerb counts by its edge.
+/// Lowers the clearance of all cells near the box. It is the distance in space at the height of the rolling ball, so
+/// that a low kerb counts by its edge.
 void FreeSpace::markWall(const phys_box &box) {
     const double dz = std::max({box.min.z - m_start.z, m_start.z - box.max.z, 0.0});
     visitAround(box, kReach * m_radius, [&](Cell cell, double gap) {

@@ -30,13 +30,13 @@ public:
 
     Cell cellAt(Point point) const;
     Point centre(Cell cell) const;
-    /// Clearance between the ball's surface and the nearest wall, m, at most 2 radii; not positive where the ball can't
+    /// Clearance between the ball's surface and the nearest wall, m, at most 2 radii; zero or less where the ball can't
     /// be.
     double clearance(Cell cell) const { return m_clearance[size_t(cell)]; }
-    /// False if the boxes cover the grid so often that marking them would take minutes; then no cell is free.
+    /// False if the boxes cover the grid so densely that marking them would take minutes; then no cell is free.
     bool isMarked() const { return m_isMarked; }
     bool isFree(Cell cell) const { return cell != kNowhere && clearance(cell) > 0.0; }
-    /// Beyond the bounds of all boxes, where the ball has left the maze.
+    /// Whether the cell is beyond the bounds of all boxes, where the ball has left the maze.
     bool isOutside(Cell cell) const;
     /// The free cell nearest to a point, within a ball's radius; kNowhere if there is none.
     Cell nearestFree(Point point) const;

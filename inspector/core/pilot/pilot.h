@@ -5,13 +5,13 @@
 
 namespace inspector {
 
-/// Tilts the board instead of the sliders. Called by the stepping thread before a step.
+/// Sets the tilt of the board in place of the sliders. Called by the stepping thread before a step.
 class Pilot {
 public:
     virtual ~Pilot() = default;
-    /// The tilt from this state on, rad; a function of the state alone, so that a run can be repeated from anywhere.
+    /// The tilt for this state, rad; a function of the state alone, so that a run can be repeated from any state.
     virtual Tilt tilt(const phys_state &state) const = 0;
-    /// Simulated time between two calls, s: about as often as a hand moves. 0: before each step.
+    /// Simulated time between two calls, s: about as often as a player's hand moves. 0: before each step.
     virtual double period() const { return 0.02; }
 };
 

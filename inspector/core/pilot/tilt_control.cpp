@@ -9,7 +9,7 @@ namespace inspector {
 
 namespace {
 
-/// Below these the board counts as level and at rest: a tenth of what is visible.
+/// Below these values the board counts as level and at rest: a tenth of what is visible.
 constexpr double kStillTilt = radians(1e-3);
 constexpr double kStillRate = radians(1e-2);
 
@@ -25,7 +25,7 @@ void follow(double target, double seconds, double &tilt, double &rate) {
     if (target == 0.0 && std::abs(tilt) < kStillTilt && std::abs(rate) < kStillRate) tilt = rate = 0.0;
 }
 
-/// Rounded to 1e-9, so that a heading along an axis tilts about that axis alone.
+/// Rounded to 1e-9, so that a heading along an axis tilts the board about one axis only.
 double rounded(double share) { return std::round(share * 1e9) / 1e9; }
 
 Tilt wantedTilt(const TiltKeys &keys) {

@@ -19,12 +19,12 @@ public:
 
     void setKeys(TiltKeys keys) { m_keys = keys; }
     TiltKeys keys() const { return m_keys; }
-    /// Something else has set the tilt; the control continues from there.
+    /// Called when something else has set the tilt; the control continues from there.
     void setTilt(Tilt tilt);
     /// seconds: since the last call, >= 0.
     Tilt advance(double seconds);
     Tilt tilt() const { return m_tilt; }
-    /// No key is held and the board is level: nothing to do.
+    /// Whether no key is held and the board is level.
     bool isAtRest() const { return !m_keys.any() && m_tilt == Tilt{}; }
 
 private:

@@ -46,7 +46,7 @@ double WayOut::price(Cell cell) const {
     return 1.0 + (kWallPrice - 1.0) * (1.0 - room) * (1.0 - room);
 }
 
-/// Dijkstra's algorithm, inwards from all free cells outside of the maze. Ties are broken by cell index, so that the
+/// Dijkstra's algorithm, started from all free cells outside of the maze. Ties are broken by cell index, so that the
 /// path is the same on every machine.
 void WayOut::search() {
     using Entry = std::pair<double, Cell>;

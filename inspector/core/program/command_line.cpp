@@ -21,7 +21,7 @@ namespace inspector {
 
 namespace {
 
-/// Wrong use: one line with the option, what was expected and what was found.
+/// Invalid usage: one line with the option, the expected and the found value.
 struct WrongUse {
     QString line;
 };
@@ -37,8 +37,8 @@ QStringList normalised(const QStringList &arguments) {
     return result;
 }
 
-/// The files of --plugin. They are loaded before the parser is set up, because their steppers' rows become options,
-/// too.
+/// The files of --plugin. They are loaded before the parser is set up, because their steppers' rows become options as
+/// well.
 QStringList pluginsOf(const QStringList &arguments) {
     const QString prefix = QStringLiteral("--plugin=");
     QStringList paths;
@@ -182,7 +182,7 @@ void readComparison(const QCommandLineParser &parser, Options &options) {
     options.comparison = ghostChoice;
 }
 
-/// Reads the second ball's parameters, which must be valid together with the first ball's others.
+/// Reads the ghost's parameters, which must be valid together with the remaining parameters of the first ball.
 void readGhostsParameters(const QCommandLineParser &parser, Options &options) {
     const QString option = QStringLiteral("compare-set");
     if (!parser.isSet(option)) return;
@@ -308,7 +308,7 @@ TrackFrame readFrame(const QCommandLineParser &parser) {
     return {numbers[3], radians(numbers[2]), numbers[0] * 1e-3, numbers[1] * 1e-3};
 }
 
-/// The file, its units and its frame, for the fit and the window alike.
+/// The track's file, units and frame, for both the fit and the window.
 void readTrackOptions(const QCommandLineParser &parser, FitOptions &fit) {
     QString error;
     fit.unitWords = parser.value("track-units");

@@ -14,7 +14,7 @@ struct CommandLine {
     /// wrong use.
     std::optional<int> exitStatus;
     QString output;
-    QString error; ///< for standard error: what was wrong, or a line for each plugin that was left out
+    QString error; ///< for standard error: what was wrong, or one line for each plugin that was skipped
 };
 
 /// arguments: program name first; file names by decodePath(). Loads plugins by `load`, and checks that output files can

@@ -14,14 +14,14 @@
 
 namespace inspector {
 
-/// The settings of a table, a line each: program, level, stepper, dt and every parameter.
+/// The settings of a table, one per line: program, level, stepper, dt and every parameter.
 QByteArray tableSettings(const Options &options);
-/// Which of a run's samples from `since` on, s, a ring still has: "samples from 12.3 s to 20 s; earlier ones aren't
-/// kept" and the like.
+/// Describes which of the run's samples from `since` on, s, the ring still has: "samples from 12.3 s to 20 s; earlier
+/// ones aren't kept" and the like.
 QString spanOf(const SampleRing &samples, double since = -HUGE_VAL);
-/// Whether some of the run's samples are missing, which spanOf() then says.
+/// Whether some of the run's samples are missing; spanOf() then describes which.
 bool isPartial(const SampleRing &samples);
-enum class Columns { Ball, BallAndGhost, All }; ///< without or with the comparison's; everything there is
+enum class Columns { Ball, BallAndGhost, All }; ///< without the comparison's columns, with them, or every channel
 
 std::vector<Channel> channelsOf(Columns columns);
 

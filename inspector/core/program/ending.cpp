@@ -27,7 +27,7 @@ void note(int signal) {
 } // namespace
 
 void noteEndingSignals() {
-    // Write errors that the writer reports: a closed pipe, or the file size limit.
+    // Turn these signals into write errors, which the writer reports: a closed pipe, or the file size limit.
     for (const int number : {SIGPIPE, SIGXFSZ}) std::signal(number, SIG_IGN);
     if (pipeEnds[0] >= 0 || ::pipe2(pipeEnds, O_CLOEXEC | O_NONBLOCK) != 0) return;
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Termination from outside: Ctrl+C, shutdown, end of session. What was written until then is kept.
+// Termination from outside: Ctrl+C, shutdown, end of session. What was written before is kept.
 #pragma once
 
 namespace inspector {
 
-/// From now on SIGINT, SIGTERM and SIGHUP are recorded instead of killing the program; a second one kills it. Ignored
-/// ones (nohup) stay ignored. A closed pipe or a file size limit becomes a write error instead of a signal.
+/// From now on SIGINT, SIGTERM and SIGHUP are recorded instead of ending the program; a second one ends it. Signals
+/// that are ignored (nohup) stay ignored. A closed pipe or the file size limit becomes a write error instead of a
+/// signal.
 void noteEndingSignals();
 
 /// The signal received; 0: none. Any thread.

@@ -71,7 +71,7 @@ bool endRecording(Recorder *recorder, const Engine &engine, const Outcome &outco
     return recorder->isGood();
 }
 
-/// The second ball of a run, if the options ask for one, and its summary.
+/// The ghost of a run, if the options ask for one, and its summary.
 class ComparedBall {
 public:
     /// Returns false, with one line, if it can't be made.
@@ -85,14 +85,14 @@ public:
         return setup.has_value();
     }
 
-    /// After a step of the engine.
+    /// Called after a step of the engine.
     void follow(const Engine &engine, Sample &sample) {
         if (!m_ghost || !m_ghost->follow(engine, &m_refusal)) return;
         m_ghost->addTo(sample);
         m_largest = std::max(m_largest, m_ghost->deviation().distance);
     }
 
-    /// False if it didn't last to the end.
+    /// Prints the summary. False if the ghost failed before the end.
     bool tell(QTextStream &messages) const {
         if (!m_ghost) return true;
         messages << QStringLiteral("distance to %1: %2 mm at the end, at most %3 mm\n")

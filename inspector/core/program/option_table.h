@@ -12,7 +12,7 @@ class QCommandLineParser;
 
 namespace inspector {
 
-/// An id as options spell it: rolling-friction for rolling_friction.
+/// An id in the spelling of options: rolling-friction for rolling_friction.
 QString dashed(QString id);
 
 /// The name of a parameter's option, without the dashes before it.

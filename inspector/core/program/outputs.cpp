@@ -41,8 +41,8 @@ std::vector<Output> outputsOf(const Options &options) {
     return outputs;
 }
 
-/// The mazes that a recording was made in, as they are found here, without which it can't be played any more; none if
-/// it can't be now, which is told later, or is no recording.
+/// The mazes of a recording, without which it can't be played any more. Empty if the file isn't a recording or can't be
+/// opened, which is reported later.
 QStringList mazesOf(const QString &recording, const Options &options) {
     QString error;
     const auto found = openRecording(recording, options.registry, options.levels, &error);

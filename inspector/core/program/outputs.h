@@ -13,9 +13,9 @@ bool isStandardOutput(const QString &csv);
 QString settingsFileOf(const QString &csv);
 inline constexpr char kSettingsMark[] = "physics-inspector ";
 
-/// One line if a file can't be written, is one of the run's inputs or another of its outputs, or exists and isn't of
-/// the kind that may be overwritten (a recording never is); --force allows the last. Empty if all is well. Changes no
-/// file.
+/// Returns one line if a file can't be written, is one of the run's inputs or another of its outputs, or exists and
+/// isn't of the kind that may be overwritten (a recording never is); --force lifts the last condition. Returns an empty
+/// text otherwise. Changes no file.
 QString outputProblem(const Options &options);
 
 } // namespace inspector

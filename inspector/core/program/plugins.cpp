@@ -21,10 +21,10 @@ namespace {
 
 constexpr int kMostMilliseconds = 10'000;
 
-/// Exit statuses of the probe, which no plugin would use by itself.
+/// Exit statuses of the probe that a plugin is unlikely to use itself.
 enum ProbeStatus { kLoads = 81, kRefused = 82 };
 
-/// Probes a file in another process: why it can't be loaded; empty if it can.
+/// Probes a file in another process. Returns why it can't be loaded; empty if it can.
 QString probe(const QString &path) {
     QProcess process;
     process.setProcessChannelMode(QProcess::SeparateChannels);
@@ -46,12 +46,12 @@ QString probe(const QString &path) {
     return {};
 }
 
-/// A floor, and a wall that the ball touches.
+/// A scene with a floor, and a wall that the ball touches.
 constexpr char kMaze[] = "physics-maze 1\nunits m\nball 0.006\nstart 0 0 0.006\nbox -0.1 -0.1 -0.01 0.1 0.1 0\n"
                          "box 0.006 -0.1 0 0.01 0.1 0.02\n";
 
-/// Makes a step with each of the plugin's steppers: its tables may be valid but point nowhere. The steps' results don't
-/// matter.
+/// Makes a step with each of the plugin's steppers, because a table may be valid and yet contain bad pointers. The
+/// results of the steps don't matter.
 void tryStep(const Registry &registry) {
     phys_scene *made = nullptr;
     if (phys_scene_parse(kMaze, sizeof kMaze - 1, "trial", &made, nullptr) != PHYS_OK) return;

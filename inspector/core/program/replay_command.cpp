@@ -13,7 +13,7 @@ namespace inspector {
 
 namespace {
 
-/// The settings written next to the table: those at the recording's beginning.
+/// The settings written next to the table are those at the recording's beginning.
 Options tableOptions(const Options &options, const Recording &recording) {
     Options result = options;
     if (recording.segments.empty()) return result;
@@ -25,7 +25,7 @@ Options tableOptions(const Options &options, const Recording &recording) {
     return result;
 }
 
-/// Where the table goes.
+/// The stream of the table.
 enum class Place { Nowhere, Output, File };
 
 Place placeOfTable(const Options &options) {

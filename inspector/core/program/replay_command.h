@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// --replay without a window.
+// Implements --replay without a window.
 #pragma once
 
 #include "core/program/options.h"

@@ -16,7 +16,7 @@ uint64_t Past::endOfRun(uint64_t place) const {
     return begin + (next == runs.end() ? recording->length() : *next);
 }
 
-/// Steps with the block's dt from the run's last keyframe that isn't later.
+/// Steps at the block's dt from the run's last keyframe at or before this place.
 uint64_t Past::placeAt(double time, uint64_t place) const {
     const uint64_t first = beginOfRun(place) - begin;
     const uint64_t last = endOfRun(place) - begin;
@@ -90,7 +90,7 @@ void History::addMaze(std::vector<PlayableRecording::Maze> &mazes, const Place &
         mazes.push_back({source, levelOfFile(source.path), place.scene});
 }
 
-/// Whole blocks except for the last, so that every place has its keyframe.
+/// Takes whole blocks except for the last one, so that every place has its keyframe.
 std::optional<Past> History::past(uint64_t from, uint64_t to, QString *error) const {
     Recording recording;
     recording.program = QStringLiteral("physics-inspector");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The most recent steps of the live ball, kept in memory: enough to repeat each of them from anywhere, and to save them
+// The most recent steps of the live ball, kept in memory so that each of them can be repeated and all of them be saved
 // as a recording afterwards.
 #pragma once
 
@@ -14,8 +14,8 @@
 
 namespace inspector {
 
-/// A copy of the history, ready to be replayed. Places count the steps since the program began; those of the recording
-/// begin at `begin`.
+/// A copy of the history, ready to be replayed. Places count the steps since the program began; positions in the
+/// recording count from `begin`.
 struct Past {
     std::shared_ptr<const PlayableRecording> recording;
     std::vector<Keyframe> keyframes; ///< ascending, at most History::kBlockSteps apart, the first at 0
@@ -47,8 +47,8 @@ public:
     /// Places [begin(), end()] can be shown again.
     uint64_t begin() const { return m_blocks.empty() ? m_end : m_blocks.front().begin; }
     uint64_t end() const { return m_end; }
-    /// A copy of what is kept of [from, to). Returns nothing, with one line in `error`, if a stepper is no longer
-    /// available.
+    /// A copy of the part of [from, to) that is kept. Returns nothing, with one line in `error`, if a stepper is no
+    /// longer available.
     std::optional<Past> past(uint64_t from, uint64_t to, QString *error) const;
 
 private:

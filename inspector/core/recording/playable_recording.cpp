@@ -11,7 +11,7 @@ namespace inspector {
 
 namespace {
 
-/// The places where the maze could be on this machine; one in the list of levels is given as that level.
+/// The candidate paths of the maze on this machine; a path that is in the list of levels is returned as that level.
 std::vector<Level> placesOf(const QString &path, const QString &recording, const std::vector<Level> &levels) {
     const QString name = path.section(QLatin1Char('/'), -1);
     std::vector<Level> places;

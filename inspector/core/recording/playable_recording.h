@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A recording made ready to run on this machine: its mazes are found and loaded, its steppers made. Whatever prevents a
-// replay is reported here, before the first step.
+// A recording that is ready to run on this machine: its mazes are found and loaded, its steppers created. Whatever
+// prevents a replay is reported here, before the first step.
 #pragma once
 
 #include "core/recording/recording.h"
@@ -11,8 +11,8 @@
 
 namespace inspector {
 
-/// Immutable; any thread, but its steppers belong to the one thread that makes steps. A position in a recording is the
-/// number of its steps made: 0 .. length().
+/// Immutable and usable from any thread, but its steppers belong to the one thread that steps. A position in a
+/// recording is the number of steps made: 0 .. length().
 class PlayableRecording {
 public:
     struct Maze {
@@ -20,7 +20,7 @@ public:
         Level level;
         Scene scene;
     };
-    /// With mazes that are open already; no others are searched for.
+    /// With mazes that are already open; no others are searched for.
     static std::shared_ptr<const PlayableRecording> ofMazes(Recording recording, const Registry &registry,
                                                             std::vector<Maze> mazes, QString *error);
     /// A maze is searched for where the recording says, then next to the recording, then among the levels; the one with
@@ -39,7 +39,7 @@ public:
     /// The positions at which runs begin, ascending; the first is 0.
     const std::vector<uint64_t> &runs() const { return m_runs; }
 
-    /// Of segment `index`, 0 .. recording().segments.size() - 1.
+    /// Functions of segment `index`, 0 .. recording().segments.size() - 1.
     const Segment &segment(size_t index) const { return m_recording.segments[index]; }
     uint64_t begin(size_t index) const { return m_places[index].begin; } ///< first position of the segment
     uint64_t end(size_t index) const { return begin(index) + segment(index).hashes.size(); }

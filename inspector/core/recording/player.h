@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Plays a recording forwards, backwards, and from any position. Steps can't be reversed, so the recording is run once
-// from its beginning to check its hashes and to store keyframes; from those any position is near.
+// from its beginning to check its hashes and to store keyframes, from which any position is reached in few steps.
 #pragma once
 
 #include "core/recording/replay.h"
@@ -22,12 +22,12 @@ public:
 
     const PlayableRecording &recording() const { return *m_recording; }
 
-    // ---- checking: compares hashes and stores keyframes ----
+    // ---- checking: comparing hashes and storing keyframes ----
 
-    /// Checks one step; false when everything is checked.
+    /// Checks one step; false when there is nothing left to check.
     bool check();
     uint64_t checked() const { return m_isKnown ? m_recording->length() : m_check.position(); } ///< steps
-    bool isChecked() const { return m_isChecked; } ///< everything that can be is checked
+    bool isChecked() const { return m_isChecked; } ///< whether everything that can be checked has been
     const std::optional<Difference> &difference() const { return m_check.difference(); }
     /// The last position: the recording's length, or before a step that fails here although it succeeded in the
     /// recording.
@@ -38,12 +38,12 @@ public:
     const Engine &engine() const { return m_shown.engine(); }
     uint64_t position() const { return m_shown.position(); }
     size_t segment() const { return m_shown.segment(); } ///< of the last step
-    /// True if the next step begins a run, whose first state is then shown.
+    /// Whether the next step begins a run, whose first state is then shown.
     bool enterRun();
     /// The next step; false at the end.
     bool next();
-    /// Shows position 0 .. checked(), with the engine having made the step that leads there. Returns the number of
-    /// steps this took, at most kKeyframeInterval.
+    /// Shows position 0 .. checked() after having made the step that leads there. Returns the number of steps that this
+    /// took, at most kKeyframeInterval.
     uint64_t seek(uint64_t position);
 
 private:

@@ -7,7 +7,7 @@ namespace inspector {
 
 namespace {
 
-/// The most that a crash loses of a recording.
+/// The most that a recording loses in a crash.
 constexpr std::chrono::milliseconds kFlushPeriod{100};
 constexpr qsizetype kFlushSize = 65536; ///< bytes
 

@@ -37,7 +37,7 @@ struct StepperSource {
     bool operator==(const StepperSource &) const = default;
 };
 
-/// What a step is made with.
+/// The conditions of a step.
 struct Conditions {
     MazeSource maze;
     StepperSource stepper;

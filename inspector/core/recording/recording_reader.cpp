@@ -51,7 +51,7 @@ uint64_t hash(const QByteArray &text) {
     return *number;
 }
 
-/// Throws if no ball can have this state: tries a step of dt 0 on an empty floor.
+/// Throws if no ball can have this state, which is found by a step of dt 0 on an empty floor.
 void checkState(const phys_state &state) {
     phys_scene_desc nothing;
     phys_params params;
@@ -158,7 +158,7 @@ void Reader::readWord(const QByteArray &line) {
     if (isInput) m_isOpen = false;
 }
 
-/// Reverses pathText().
+/// The inverse of pathText().
 QString pathOf(const QByteArray &text) {
     QByteArray bytes;
     for (qsizetype i = 0; i < text.size(); ++i) {

@@ -9,7 +9,7 @@ namespace {
 
 QString text(uint64_t hash) { return QString::fromLatin1(hashText(hash)); }
 
-/// The versions that differ from the recording's; each begins with a separator.
+/// Lists the versions that differ from the recording's; each begins with a separator.
 QString otherVersions(const PlayableRecording &playable) {
     const Recording &recording = playable.recording();
     const Registry &registry = playable.registry();
@@ -95,7 +95,7 @@ void Replay::takeConditions(size_t segment) {
     m_engine->setInputs(now.inputs);
 }
 
-/// A recorded failure left the state as it was, and the run continued from there.
+/// A step that failed in the recording left the state unchanged, and the run continued from there.
 void Replay::failAsRecorded() {
     const QString &expected = m_recording->segment(m_segment).failure;
     if (expected.isEmpty()) return;

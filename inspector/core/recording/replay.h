@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs the inputs of a recording through the library again and compares the hash of every state.
+// Repeats the steps of a recording and compares the hash of every state.
 #pragma once
 
 #include "core/engine/engine.h"
@@ -15,7 +15,7 @@ namespace inspector {
 /// The first step whose result isn't the recorded one.
 struct Difference {
     uint64_t number = 0; ///< of the step in the recording, from 1
-    uint64_t step = 0;   ///< since the last start or restart, as
+    uint64_t step = 0;   ///< since the last start or restart, as displayed
     double time = 0.0;   ///< s, at its beginning
     QString expected;    ///< a hash, or the message of a failure
     QString found;
@@ -29,13 +29,13 @@ struct Keyframe {
     EnergySums sums;
 };
 
-/// Repeats a recording's steps one by one and compares the hash of every state.
+/// Repeats a recording's steps one by one.
 class Replay {
 public:
     /// Starts at the recording's beginning.
     explicit Replay(std::shared_ptr<const PlayableRecording> recording);
 
-    /// Applies the conditions of the next step, and its initial state if it begins a run. False at the end.
+    /// Applies the conditions of the next step and, if it begins a run, its initial state. False at the end.
     bool prepare();
     /// Makes the next step. False at the end, and where a step fails that succeeded in the recording: then `difference`
     /// is set.
@@ -72,7 +72,7 @@ struct ReplayOutcome {
 ReplayOutcome replay(const std::shared_ptr<const PlayableRecording> &recording,
                      const std::function<bool(const Engine &)> &visit);
 
-/// The settings by which the user would get these conditions.
+/// The settings with which the user would get these conditions.
 std::vector<Setting> settingsOf(const Conditions &conditions, const Registry &registry);
 
 /// "same: 812 steps", or the first difference and, in the same line, which versions differ.

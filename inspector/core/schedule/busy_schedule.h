@@ -5,9 +5,9 @@
 
 namespace inspector {
 
-/// Of several random schedules, the one under which the ball, moved by stepper "exact", meets the most walls within
-/// `horizon` (s), and then in total, while it stays in the maze. `switches` is empty, with one line in `error`, if
-/// "exact" can't do any.
+/// Draws several random schedules and returns the one under which the ball, moved by stepper "exact", hits the most
+/// walls within `horizon` (s), and on ties in total, while it stays in the maze. `switches` is empty, with one line in
+/// `error`, if "exact" fails on all of them.
 TiltSchedule busySchedule(const Registry &registry, const Scene &scene, const Inputs &inputs, double duration,
                           double horizon, QString *error);
 

@@ -11,7 +11,7 @@ namespace {
 
 using Place = std::vector<Segment>::const_iterator;
 
-/// The first segment of the last run that has steps; the end if there is none.
+/// The first segment with steps of the last run; the end if there is none.
 Place lastRun(const std::vector<Segment> &segments) {
     Place result = segments.end();
     Place begin = segments.begin();
@@ -22,7 +22,7 @@ Place lastRun(const std::vector<Segment> &segments) {
     return result;
 }
 
-/// Within a run the steps follow each other without a gap; times are multiples of dt while dt stays the same.
+/// The steps of a run follow each other without a gap; times are multiples of dt as long as dt stays the same.
 TiltSchedule tiltsOf(Place place, Place end, double duration) {
     TiltSchedule result;
     double since = 0.0; // s, when this dt began

@@ -7,8 +7,9 @@
 
 namespace inspector {
 
-/// The tilts of its last run (from the last start, restart or other state that steps follow), from time 0 on; ends with
-/// the run, or at `duration` (s). `switches` is empty, with one line in `error`, if it can't be read.
+/// The tilts of its last run (since the last start, restart or other state that is followed by steps), from time 0 on;
+/// ends with the run, or at `duration` (s). `switches` is empty, with one line in `error`, if the recording can't be
+/// read.
 TiltSchedule recordedSchedule(const QString &path, const Registry &registry, double duration, QString *error);
 
 } // namespace inspector

@@ -20,8 +20,9 @@ constexpr double kRounding = 1e-9; ///< share of a step: tolerance for a segment
 constexpr int kPushedRuns = 4;
 constexpr double kTurnStep = 0.001; ///< s
 
-/// The orientation of "exact" is accurate to second order in the step where the path bends: off by a tenth of a degree
-/// after some seconds of 50 ms steps, and by 2500 times less with these. The motion doesn't depend on it.
+/// The orientation of "exact" is only second-order accurate in the step where the path bends: its error reaches a tenth
+/// of a degree after some seconds of 50 ms steps, and is 2500 times smaller with these. The motion doesn't depend on
+/// it.
 void takeOrientation(phys_state &state, const phys_state &turned) {
     std::copy(std::begin(turned.orientation), std::end(turned.orientation), state.orientation);
 }
@@ -188,7 +189,7 @@ double TradeReference::pushedHorizon(double length, double visible, uint64_t see
     return reached;
 }
 
-/// Pushes sideways, unless a wall is so near that the ball would be pushed into it.
+/// Pushes the ball sideways, unless a wall is so near that the push would move it into the wall.
 void TradeReference::push(phys_state &state, double length, double angle) const {
     if (nearestWall(m_scene.get(), state.position, 2.0 * length)) return;
     state.position.x += length * phys::elementary::cos(angle);

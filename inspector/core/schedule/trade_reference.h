@@ -26,7 +26,7 @@ struct TiltSegment {
 };
 
 /// `steps` steps of dt, after which states are compared. A segment ends with a shorter step if its length isn't a
-/// multiple of dt: all steppers see gravity switch at the same times.
+/// multiple of dt, so that gravity switches at the same times for all steppers.
 struct Leg {
     size_t segment;
     double dt;
@@ -38,8 +38,8 @@ struct Leg {
 /// Minimum time between compared states, s; with smaller steps only every n-th state is compared.
 inline constexpr double kComparePeriod = 0.005;
 
-/// The number of impacts up to a time that are faster than kCountedImpact: a ball that leans on a wall has many slow
-/// ones.
+/// The number of impacts up to a time that are faster than kCountedImpact; slower ones come in large numbers from a
+/// ball that leans on a wall.
 int countedImpacts(const std::vector<Impact> &impacts, double until);
 
 std::vector<TiltSegment> segmentsOf(const TiltSchedule &schedule, double gravity);
@@ -61,18 +61,18 @@ public:
     /// The legs between these states.
     const std::vector<Leg> &legs() const { return m_legs; }
 
-    /// The reference states at the ends of these legs, as far as the reference goes.
+    /// The reference states at the ends of these legs, up to the end of the reference.
     std::vector<phys_state> statesAt(const std::vector<Leg> &legs) const;
 
     const std::vector<TiltSegment> &segments() const { return m_segments; }
 
-    /// The predictability horizon, s: up to here a ball that is pushed by kPush radii every kScheduleHold, in random
-    /// directions, stays within kVisible radii of this one. Beyond it comparisons are meaningless.
+    /// The predictability horizon, s: until then a ball that is pushed by kPush radii every kScheduleHold, in random
+    /// directions, stays within kVisible radii of this one. Comparisons beyond it are meaningless.
     static constexpr double kPush = 1e-6;
     static constexpr double kVisible = 0.1;
     double horizon(const std::stop_token &stop) const;
-    /// The horizon for pushes of one rounding of the coordinates and a distance of one radius: beyond it no program can
-    /// know where the ball is, however well the board is known.
+    /// The same for pushes of one rounding of the coordinates and a distance of one radius: beyond this horizon no
+    /// program can know where the ball is, however well the board is known.
     double roundingHorizon(const std::stop_token &stop) const;
 
 private:

@@ -31,7 +31,7 @@ void append(std::vector<TiltSwitch> &switches, double time, Tilt tilt) {
 /// Parses the lines of a schedule's file, one by one.
 class Reader {
 public:
-    /// False if the line is wrong; `error` then gets what was expected and what was found.
+    /// False if the line is invalid; `error` then gets the expected and the found text.
     bool read(const QString &line, QString *error) {
         const QString text = line.section(QLatin1Char('#'), 0, 0).trimmed();
         if (text.isEmpty()) return true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tilt of the board over time, fixed beforehand: every stepper gets the same input, whatever its step size.
+// The tilt of the board over time, fixed in advance, so that every stepper gets the same input whatever its step size.
 #pragma once
 
 #include "core/setup/handles.h"

@@ -46,7 +46,7 @@ void Comparison::setGhostChoice(const GhostChoice &ghostChoice) {
 
 void Comparison::meetAgain() { begin(); }
 
-/// Makes a new stepper each time: it is cheap, and one that couldn't be made is tried again.
+/// Makes a new stepper each time: it is cheap, and a stepper that couldn't be made is tried again.
 void Comparison::begin() {
     if (!m_isOn || m_session.isInPast()) return; // the past has samples only
     m_refusal.clear();
@@ -62,7 +62,7 @@ void Comparison::begin() {
     emit changed();
 }
 
-/// Without a ghost there is nothing that takes them.
+/// Passes the ghost's own parameters on, if there is a ghost.
 void Comparison::passOwnInputs() {
     if (m_ghost != 0) note(m_session.simulation().setGhostInputs(ownInputs()));
 }
@@ -90,7 +90,7 @@ void Comparison::forgetRefusal() {
     emit changed();
 }
 
-/// Adopts the stepper's own rows; the others keep their values.
+/// Adopts the rows of the ghost's stepper; the other parameters keep their values.
 void Comparison::takeRows() {
     phys_stepper_info info;
     const char *id = m_ghostChoice.stepper.constData();

@@ -12,8 +12,8 @@ namespace inspector {
 
 class Session;
 
-/// The session's comparison: on or off, and with what (another stepper, finer steps, other parameters). Makes the
-/// ghost's stepper for each level and passes it to the simulation.
+/// The session's comparison: whether it is on, and with what (another stepper, finer steps, other parameters). Makes
+/// the ghost's stepper for each level and passes it to the simulation.
 class Comparison : public QObject {
     Q_OBJECT
 
@@ -23,7 +23,8 @@ public:
 
     bool isOn() const { return m_isOn; }
     const GhostChoice &ghostChoice() const { return m_ghostChoice; }
-    /// While it is on, one line that says why there is no ghost; empty if it wasn't refused since it last started.
+    /// While the comparison is on: why there is no ghost, in one line; empty if the ghost wasn't refused since it last
+    /// started.
     QString refusal() const { return m_refusal; }
 
     void start(const GhostChoice &ghostChoice); ///< switches it on; the ghost starts at the ball
@@ -31,7 +32,7 @@ public:
     void setGhostChoice(const GhostChoice &ghostChoice); ///< restarts the ghost if it is on
     void meetAgain();                                    ///< restarts the ghost, also after a refusal
 
-    /// What a ghost is made with.
+    /// How a ghost was made.
     struct Made {
         uint64_t number; ///< as in samples and snapshots
         GhostChoice ghostChoice;
@@ -40,11 +41,11 @@ public:
     /// Null if there was no such ghost.
     const Made *made(uint64_t ghost) const;
 
-    /// The second ball's own parameters, including its stepper's rows; the tilt is always the ball's. They are copied
-    /// from the ball when first used, count only while own parameters are on, and are kept otherwise.
+    /// The ghost's own parameters, including its stepper's rows; the tilt is always the ball's. They are copied from
+    /// the ball when first used, have an effect only while own parameters are on, and are kept otherwise.
     Parameters &parameters() { return m_parameters; }
     bool hasOwnParameters() const { return m_hasOwn; }
-    void setOwnParameters(bool isOn); ///< on also switches the comparison on
+    void setOwnParameters(bool isOn); ///< switching it on also switches the comparison on
 
 signals:
     void changed(); ///< any of: on, choice, own parameters, refusal

@@ -38,14 +38,14 @@ public:
     void confirm();
     /// Requests a level of the list; other numbers are ignored.
     void choose(int level);
-    /// A level was opened: shows its prompt. -1: `other` was, a maze outside of the list, which has best times of its
-    /// own; the position in the list is kept.
+    /// Called when a level was opened; shows its prompt. -1: the maze `other`, which isn't in the list and has best
+    /// times of its own, was opened; the position in the list is kept.
     void prompt(int level, const QString &other = {});
     /// The same for a level that is already being played.
     void goOn(int level, const QString &other = {});
     /// Shows the open maze's prompt again.
     void again();
-    /// The ball left the maze, `time` s after the start. Ignored unless playing; assisted runs set no best time.
+    /// The ball left the maze `time` s after the start. Ignored unless playing; assisted runs set no best time.
     void leaveMaze(double time, bool isAssisted);
 
 signals:
@@ -63,7 +63,7 @@ private:
     QSettings &m_settings;
     Phase m_phase = Phase::Prompt;
     int m_level = 0;
-    QString m_maze; ///< that is open
+    QString m_maze; ///< of the open level
     double m_time = 0.0;
     bool m_isRecord = false;
 };

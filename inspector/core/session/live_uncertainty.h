@@ -14,11 +14,11 @@ public:
     explicit LiveUncertainty(Registry registry)
         : m_band(std::move(registry)) {}
 
-    /// Called from time to time while the band is visible; catches up with the samples since the last call. samples: of
-    /// the run that the snapshot shows, on this scene. No band if nothing is unknown. Not called while the past is
+    /// Called from time to time while the band is visible; processes the samples since the last call. samples: of the
+    /// run that the snapshot shows, in this scene. There is no band if nothing is unknown. Not called while the past is
     /// shown.
     void follow(const Snapshot &now, const SampleRing &samples, const Scene &scene, const Unknowns &unknowns);
-    /// Waits until the band is up to date: for a picture; otherwise it lags a little.
+    /// Waits until the band is up to date, for a picture; otherwise it lags a little.
     void finish();
     /// Null if there is none. Every update has a new pointer.
     std::shared_ptr<const Band> band() const { return m_band.latest(); }
@@ -38,7 +38,7 @@ private:
     bool m_isWhole = true; ///< no samples are missing
     uint64_t m_next = 0;   ///< number of the next sample
     double m_time = 0.0;   ///< s, of the previous sample
-    /// The segment being extended. Segments end at samples, so that a band doesn't depend on when it was looked at.
+    /// The segment being extended. Segments end at samples, so that a band doesn't depend on when update() was called.
     std::optional<LiveBand::Segment> m_open;
 };
 

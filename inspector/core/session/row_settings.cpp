@@ -20,7 +20,7 @@ struct Span {
     double end;
 };
 
-/// Of the steps [from, to) of a recording.
+/// The spans of the steps [from, to) of a recording.
 std::vector<Span> spansOf(const PlayableRecording &recording, uint64_t from, uint64_t to) {
     std::vector<Span> spans;
     double time = 0.0;
@@ -34,7 +34,7 @@ std::vector<Span> spansOf(const PlayableRecording &recording, uint64_t from, uin
     return spans;
 }
 
-/// Of the run whose samples are shown.
+/// The spans of the run whose samples are shown.
 std::vector<Span> spansOf(Session &session) {
     if (session.isReplaying()) {
         const PlayableRecording &recording = session.recording();
@@ -68,7 +68,7 @@ public:
         m_isTiltVaried = std::ranges::any_of(spans, isTilted);
     }
 
-    /// Under these conditions, beside this ghost, the rows from `time` on were made.
+    /// Notes that the rows from `time` on were made under these conditions, beside this ghost.
     void note(const Span &span, uint64_t ghost, double time) {
         const QByteArrayList lines = linesOf(span, ghost);
         for (const QByteArray &line : lines)
@@ -87,7 +87,7 @@ private:
         return std::ranges::any_of(lines, [&](const QByteArray &line) { return wordOf(line) == word; });
     }
 
-    /// Without who tilted: the tilts are in the table.
+    /// Omits what set the tilt: the tilts are in the table.
     QByteArrayList linesOf(const Span &span, uint64_t ghost) const {
         QByteArrayList lines = tableSettings(optionsOf(span, ghost)).trimmed().split('\n');
         lines.removeIf([this](const QByteArray &line) {

@@ -118,7 +118,7 @@ QString Session::otherMaze() const { return levelIndex() < 0 ? mazeOf(m_level) :
 
 void Session::showPrompt() { m_game.prompt(levelIndex(), otherMaze()); }
 
-/// A change of the physics on the way disqualifies a win, even if it is undone.
+/// A change of the physics on the way disqualifies a win, even if it is undone later.
 void Session::watchPhysics() {
     bool isUsual = m_stepperId == PHYS_STEPPER_DEFAULT && m_dt == Engine::kDefaultDt && m_speed == 1.0;
     for (int i = 0; i < m_parameters.count(); ++i) {
@@ -296,7 +296,7 @@ bool Session::setAutopilot(bool isOn) {
     return true;
 }
 
-/// Also clears keys that are still held: a new level starts level.
+/// Also releases keys that are still held: a new level starts level.
 void Session::levelBoard() {
     m_tiltControl = {};
     m_keysTilt = false;
@@ -368,7 +368,7 @@ void Session::layTrackOver() {
     emit trackChanged();
 }
 
-/// With all scenes of its maze that may be stepped before this object hears of it.
+/// Passes the track on with all scenes of its maze in which a step may be made before this object learns of it.
 void Session::passTrack() {
     std::vector<Scene> scenes;
     const auto add = [&](const Level &level, const Scene &scene) {
@@ -490,7 +490,7 @@ void Session::showRecording(bool isOn) {
 
 Origin Session::origin() const { return originOf(m_registry, m_stepperId, m_level.path); }
 
-/// A replay's values aren't the live ball's.
+/// Doesn't send the values of a replay, which aren't the live ball's.
 void Session::sendInputs() {
     if (m_replay || (m_past && m_isFollowing)) return;
     takeOver(); // the user changed something

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The inspector without its window: everything that is open, tied together. The user interface has no state of its own
-// about it.
+// The inspector without its window: ties everything together that is open. The user interface keeps no copy of this
+// state.
 #pragma once
 
 #include "core/pilot/tilt_control.h"
@@ -77,10 +77,10 @@ public:
     Stepping stepping() const; ///< complete, with all settings
     double speed() const { return m_speed; }
     bool hasAutopilot() const { return m_hasAutopilot; }
-    /// Why a win now would not count as a best time, in a few words; empty if it would.
+    /// Why a win at this moment would not count as a best time, in a few words; empty if it would.
     QString whyNoBestTime() const;
 
-    /// On failure each returns false, changes nothing and sends failed() with one line.
+    /// On failure each returns false, changes nothing and emits failed() with one line.
     bool openLevel(const Level &level); ///< pauses at its start; a level of the list also becomes the game's
     bool setStepper(const QByteArray &id);
     bool setDt(double dt); ///< s, Engine::kSmallestDt .. kLargestDt
@@ -97,7 +97,7 @@ public:
 
     // ---- recordings, played in place of the live ball ----
 
-    /// Plays a recording from its beginning. On failure returns false, changes nothing and sends failed() with one
+    /// Plays a recording from its beginning. On failure returns false, changes nothing and emits failed() with one
     /// line.
     bool openRecording(const QString &path);
     /// Returns to the level that was open before, at its start, with its parameters.
@@ -123,16 +123,16 @@ public:
     /// Where restarts put the ball; empty: at the maze's start. Reset when another level is opened.
     void setStart(const std::optional<phys_state> &start);
     bool hasOwnStart() const { return m_ownStart.has_value(); }
-    /// The ball was put elsewhere than at its start and hasn't moved since: a game would begin there.
+    /// Whether the ball was moved away from its start and hasn't moved since: a game would begin there.
     bool isBallPut() const;
 
     // ---- a measured ball, overlaid on the run; dropped with another level ----
 
-    /// Of a ball in the maze that is shown: while another one is, it is hidden.
+    /// The track is hidden while another maze than its own is shown.
     void showTrack(std::shared_ptr<const ShownTrack> track); ///< or nullptr
     std::shared_ptr<const ShownTrack> track() const;         ///< null while it is hidden
-    /// On: begins a run where the measured ball was first seen, under the track's tilts; best with a track that begins
-    /// at 0. Off, also by a tilt key: the player controls the board. False if the track has no tilts.
+    /// On: begins a run where the measured ball was first seen, under the track's tilts; a track should begin at 0 for
+    /// this. Off (a tilt key does this, too): the player controls the board. False if the track has no tilts.
     bool followTrack(bool isOn);
     bool isFollowingTrack() const { return m_followsTrack; }
 
@@ -142,9 +142,9 @@ public:
     /// Computes it synchronously for the moment shown, for a picture; otherwise it lags a little.
     void lookAheadAtOnce();
     uint64_t waysAhead() const { return m_ways; } ///< changes with every update
-    /// Also shows, while paused, the paths on possible true boards.
+    /// Also shows, while paused, the paths on other possible boards.
     void showOthersAhead(bool isOn);
-    /// What isn't known of the board; by default as for a hand-built board.
+    /// What is unknown about the board; initially as for a hand-built board.
     const Unknowns &unknowns() const { return m_unknowns; }
     void setUnknowns(const Unknowns &unknowns);
 
@@ -157,11 +157,11 @@ public:
     /// The same by time in the run shown, s.
     void lookAtTime(double time);
     void returnToPresent();
-    /// The game continues from the moment shown, paused. Any change of the physics does the same.
+    /// The game continues from the moment shown, paused. Any change of the physics has the same effect.
     void takeOver();
     /// The runs in the history, oldest first; the last is the live one.
     const std::vector<KeptRun> &runs() const { return m_runs; }
-    /// What followed the moment that was last taken over, thinned out.
+    /// What followed the moment that was last taken over, with fewer samples.
     const std::vector<Sample> &oldFuture() const { return m_oldFuture; }
     /// Writes the run shown as a recording. Returns false, with one line in `error`, if that fails.
     bool saveRun(const QString &path, QString *error);
@@ -171,7 +171,7 @@ public:
     void setKeys(TiltKeys keys) { m_tiltControl.setKeys(keys); }
     void advanceKeys(double seconds);
     bool isTiltedByKeys() const { return m_keysTilt; }
-    /// The autopilot or the measured ball's table sets the tilt; the parameters' has no effect.
+    /// Whether the autopilot or the measured ball's table sets the tilt, so that the parameters' tilt has no effect.
     bool isTiltedByPilot() const { return m_hasAutopilot || m_followsTrack; }
 
 signals:
@@ -187,7 +187,7 @@ signals:
     void replayChanged(bool isOn);
     void pastChanged(bool isIn);
     void takenOver();                        ///< the past was; the run that was shown stays in runs()
-    void replayDiffers(const QString &line); ///< sent when it is found, and when it is reached and the replay pauses
+    void replayDiffers(const QString &line); ///< emitted when it is found, and when it is reached and the replay pauses
 
 private:
     Session(const Options &options, QSettings &settings, const Scene &scene, const Stepper &stepper);
@@ -198,7 +198,7 @@ private:
     void startGame();
     bool report(const QString &line); ///< sends failed(); returns false
     bool refuseInReplay();
-    /// Like the public ones without signals; a failure may leave the change half done.
+    /// Like the public functions, but without signals; a failure may leave the change incomplete.
     bool useStepper(const QByteArray &id, QString *error);
     bool useDt(double dt, QString *error);
     bool useStepping(const Stepping &stepping, QString *error);

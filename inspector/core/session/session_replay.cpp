@@ -39,7 +39,7 @@ void Session::closeRecording() {
     if (m_replay) openLevel(Level(m_replay->levelBefore)); // a copy, because the replay is destroyed
 }
 
-/// The live simulation has kept all its state.
+/// The live simulation has kept all of its state.
 void Session::leaveReplay() {
     const Stepping before = m_replay->before;
     m_replay.reset();

@@ -19,7 +19,7 @@ bool isOver(const phys_box &box, const phys_vec3 &place) {
     return box.min.x <= place.x && place.x <= box.max.x && box.min.y <= place.y && place.y <= box.max.y;
 }
 
-/// The boxes whose tops a ball at the start's height could roll on.
+/// Visits the boxes on whose tops a ball at the start's height could roll.
 template<typename Visit>
 void forFloors(const phys_scene *scene, Visit visit) {
     phys_state start;
@@ -40,7 +40,7 @@ std::optional<double> heightOnFloor(const phys_scene *scene, const phys_vec3 &pl
     return found;
 }
 
-/// The height of a ball that comes down here and touches a floor first, be it with its side.
+/// The height of a ball that is lowered here until it touches a floor, possibly at an edge.
 std::optional<double> heightOnRim(const phys_scene *scene, const phys_vec3 &place) {
     const double radius = phys_scene_radius(scene);
     std::optional<double> found;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files by any name that the system allows. Only regular files of a bounded size are read, so that nothing named by
-// mistake (a device, a pipe without a writer) hangs the program or fills the memory. Writing reports every byte that is
-// lost, and replaces only what it is allowed to.
+// Access to files by any name that the system allows. Only regular files of limited size are read, so that a wrong name
+// (of a device, of a pipe without a writer) can't hang the program or fill the memory. Writing reports every lost byte
+// and replaces only what may be replaced.
 #pragma once
 
 #include <QByteArray>
@@ -71,9 +71,9 @@ public:
     bool flush();
     /// Flushes, and closes the file.
     bool finish();
-    /// Why bytes were lost, in one line that begins with the name; empty if none were.
+    /// Why bytes were lost, in one line that begins with the name; empty if none were lost.
     QString problem() const;
-    /// Whether they were lost because the reader has closed the pipe, which is not an error.
+    /// Whether they were lost because the reader has closed the pipe, which isn't an error.
     bool isUnread() const;
 
 protected:

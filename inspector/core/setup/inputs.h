@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a step is given: the library's parameters, and the tilt of the board from which their gravity was computed.
+// The inputs of a step: the library's parameters, and the tilt of the board from which their gravity was computed.
 #pragma once
 
 #include <physics/physics.h>

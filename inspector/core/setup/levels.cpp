@@ -15,7 +15,7 @@ namespace {
 
 const QString kSuffix = QStringLiteral(".txt");
 
-/// A maze file's first line says so; comments may precede it.
+/// The marker in the first line of a maze file; comments may precede it.
 bool isMaze(const QString &path) {
     constexpr qint64 kBeginning = 4096; // bytes
     return beginningOf(path, kBeginning).contains("physics-maze");
@@ -48,7 +48,7 @@ bool isBefore(const QString &a, const QString &b) {
     return a.size() - i != b.size() - j ? a.size() - i < b.size() - j : a < b;
 }
 
-/// The level's name as a number; 0 if it isn't one.
+/// The level's name as a number; 0 if it isn't a number.
 int numberOf(const QString &name) {
     bool isNumber = false;
     const int number = name.toInt(&isNumber);

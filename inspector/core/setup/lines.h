@@ -12,7 +12,7 @@ QString oneLine(const QString &text);
 /// The same between single quotes; texts longer than 200 characters lose their middle.
 QString quoted(const QString &text);
 
-/// Prints "physics-inspector: LINE" as one line, whatever it quotes.
+/// Prints "physics-inspector: LINE", escaped to a single line.
 void report(QTextStream &messages, const QString &line);
 
 } // namespace inspector

@@ -62,7 +62,7 @@ std::optional<Parts> partsOf(const QString &text) {
     return Parts{sign + match.captured(2), match.captured(3), plainUnit(match.captured(4).trimmed())};
 }
 
-/// 1,000 is one where the comma is the decimal mark and a thousand where it groups digits; 0,125 can only be an eighth.
+/// "1,000" means one where the comma is the decimal mark and a thousand where it groups digits; "0,125" is unambiguous.
 bool hasTwoMeanings(const QString &digits) {
     static const QRegularExpression grouped(QStringLiteral("^-?[1-9][0-9]{0,2},[0-9]{3}$"));
     return grouped.match(digits).hasMatch();
@@ -76,7 +76,7 @@ std::optional<double> doubleOf(QString digits) {
     return isRead && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-/// Converts by one multiplication or division: except for rad, both factors are integers.
+/// Converts with one multiplication or division: except for rad, both factors are integers.
 double converted(double value, const Unit &from, const Unit &to) {
     const double up = from.numerator * to.denominator;
     const double down = from.denominator * to.numerator;

@@ -31,8 +31,8 @@ NumberReading readNumber(const QString &text, const NumberRange &range);
 /// The same for a whole number.
 NumberReading readWholeNumber(const QString &text, const NumberRange &range);
 
-/// A duration, in seconds like min and max. unit, one of time: assumed where the input has none, and that of the range
-/// in a refusal; but 1/60 is always a sixtieth of a second.
+/// A duration, in seconds like min and max. unit: a unit of time, assumed for input without one and used for the range
+/// in an error message; but 1/60 always means a sixtieth of a second.
 NumberReading readDuration(const QString &text, double min, double max, const QString &unit = QStringLiteral("s"));
 
 /// A unit of time for texts.

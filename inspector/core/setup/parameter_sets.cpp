@@ -40,7 +40,7 @@ ParameterSet setOf(const QString &name, const Material &material, const QString 
 
 } // namespace
 
-/// README.md of the inspector lists the figures and their sources, too.
+/// The inspector's README.md also lists the figures and their sources.
 const std::vector<ParameterSet> &knownSets() {
     static const std::vector<ParameterSet> sets{
         setOf(

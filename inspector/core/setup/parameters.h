@@ -76,9 +76,9 @@ private:
     Values m_values;
 };
 
-/// All its values.
+/// All values of the parameters.
 std::vector<Setting> settingsOf(const Parameters &parameters);
-/// Values of the rows that both have, except the tilt: what one ball can take over from another.
+/// The values of the rows that both have, except the tilt, for one ball to take over from another.
 std::vector<Setting> sharedValues(const Parameters &from, const Parameters &to);
 
 } // namespace inspector

@@ -108,7 +108,7 @@ QStringList itemsOf(QStringView text) {
     return items;
 }
 
-/// Nothing for values that aren't text in Qt's own format, which doubles an @ at the begin of a text.
+/// Returns nothing for values in Qt's syntax for objects. In Qt's format an @ at the beginning of a text is doubled.
 std::optional<QVariant> decodeValue(QStringView text) {
     QStringList items = itemsOf(text);
     for (QString &item : items) {
@@ -158,7 +158,7 @@ bool write(QIODevice &file, const QSettings::SettingsMap &settings) {
     return file.write(bytes) == bytes.size() && (!saved || (saved->flush() && saved->size() == bytes.size()));
 }
 
-/// Why QSettings would block for ever: a pipe, or a lock that is never released.
+/// Why QSettings would block forever: the file is a pipe, or it has a lock that is never released.
 QString reasonAgainst(const QString &path) {
     const QString lockPath = path + QStringLiteral(".lock");
     for (const QString &name : {path, lockPath}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The format of the settings file: keys and text only. Qt's own reader constructs whatever object a value names
-// (`@Variant`, `@ByteArray`), of any size, so that a damaged file could end the program.
+// The format of the settings file, which holds only keys and text. Qt's own reader constructs any object that a value
+// names (`@Variant`, `@ByteArray`), of any size, so that a damaged file could end the program.
 //
 //     window/quality="2"
 //     window/recent="/a.txt", "/b.txt"      a list
@@ -24,7 +24,7 @@ QSettings::Format settingsFormat();
 /// opened, with one line in `problem`: settings then last as long as the program.
 QString userSettingsFile(QString *problem);
 
-/// The two directions of the format, for tests.
+/// Writes and reads the format; public for tests.
 QSettings::SettingsMap readSettings(const QByteArray &bytes);
 QByteArray writeSettings(const QSettings::SettingsMap &settings);
 

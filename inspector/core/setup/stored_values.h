@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads stored values defensively: the file may be of another version of the program, edited or damaged.
+// Reads stored values defensively: the file may have been written by another version, edited or damaged.
 #pragma once
 
 #include <QByteArray>

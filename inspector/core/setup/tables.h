@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program in text: version, steppers, parameters; and number formats of tables.
+// Texts about the program (version, steppers, parameters), and number formats of tables.
 #pragma once
 
 #include "core/setup/handles.h"

@@ -11,14 +11,14 @@ namespace inspector {
 
 namespace {
 
-/// Radii: a box that rises above the ball's lowest point by less is flush with the floor.
+/// A box that rises above the ball's lowest point by less than this, in radii, is flush with the floor.
 constexpr double kFlush = 1e-3;
 
 } // namespace
 
 std::optional<phys_contact> nearestWall(const phys_scene *scene, const phys_vec3 &centre, double reach) {
     std::array<phys_contact, 64> few;
-    std::vector<phys_contact> many; // in a crowd
+    std::vector<phys_contact> many; // used if `few` is too small
     std::span<phys_contact> contacts = few;
     uint32_t count = 0;
     phys_scene_contacts(scene, &centre, reach, few.data(), uint32_t(few.size()), &count);

@@ -12,7 +12,7 @@ namespace {
 
 /// How long the ball keeps falling after it left the maze, s of simulated time.
 constexpr double kFallTime = 0.4;
-/// Share of a step: 30 steps of 0.01 s are 0.3 s.
+/// Tolerance as a share of a step: 30 steps of 0.01 s are 0.3 s.
 constexpr double kRounding = 1e-6;
 
 double timeOfLeaving(const phys_state &state) {

@@ -34,10 +34,11 @@ public:
     void setOrigin(const Origin &origin);
     void pauseAt(double time) { m_pauseAt = time; } ///< s
 
-    /// Shown again, replacing another run.
+    /// Called when it is shown again in place of another run.
     void begin();
-    /// Continues from the last step of another run with its complete state, so that the next step is the one that run
-    /// would have made. Inputs given after `number` stay, even if they arrived earlier. Reports a ball that has left.
+    /// Continues from the last step of another run with its complete state, so that the next step is the one that the
+    /// other run would have made. Inputs given after `number` are kept, even if they arrived earlier. Reports a ball
+    /// that has left.
     void goOnFrom(const Engine &from, const Stepper &stepper, uint64_t number);
 
     // ---- recording ----

@@ -8,7 +8,7 @@ namespace inspector {
 
 namespace {
 
-/// Steps of an earlier run that are repeated for plots and trails: takes a moment.
+/// The number of steps of an earlier run that are repeated for plots and trails; this takes a moment.
 constexpr uint64_t kStepsOfARun = 100000;
 
 } // namespace

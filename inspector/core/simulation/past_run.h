@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The history of the live ball, played like a recording; but samples and events remain those of the whole run shown.
+// Plays the history of the live ball like a recording, except that samples and events remain those of the whole run
+// shown.
 #pragma once
 
 #include "core/simulation/replay_run.h"

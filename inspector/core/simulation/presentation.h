@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the window's thread sees of the run shown: pace, samples, events, ghost and snapshots.
+// What the window's thread sees of the run that is shown: pace, samples, events, ghost and snapshots.
 #pragma once
 
 #include "core/engine/rate_meter.h"
@@ -26,7 +26,7 @@ public:
     bool isRunning() const { return m_isRunning; }
     void setRunning(bool isRunning);
     void setSpeed(double speed);
-    /// Restarts rates and deadlines; the lost time of this run is kept.
+    /// Restarts rates and deadlines; keeps the lost time of this run.
     void startPacing();
     void followDt(); ///< restarts pacing if the run's dt has changed
     bool isDue() { return m_isRunning && m_pacer.isDue(Clock::now()); }
@@ -51,7 +51,7 @@ public:
 
     // ---- samples and events ----
 
-    /// The state was set from outside: samples and events start over.
+    /// Called when the state was set from outside: samples and events start over.
     void beginRun();
     void countStep();
     /// The sample of the run's last step, with the measured ball.

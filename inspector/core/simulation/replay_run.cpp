@@ -94,8 +94,8 @@ void ReplayRun::goTo(uint64_t position) {
     }
 }
 
-/// Plots and trails must look as if it had been played: the run before the position is repeated, too. In slices,
-/// because a fine ghost makes this slow.
+/// Plots and trails must look as if the recording had been played, so the run before the position is repeated as well.
+/// This is done in slices, because a fine ghost makes it slow.
 bool ReplayRun::showAt(uint64_t position) {
     const uint64_t end = std::min(position, m_player.end());
     const uint64_t start = m_player.recording().beginOfRun(end);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A recording played in place of the live ball, which waits.
+// A recording that is played in place of the live ball, which waits meanwhile.
 #pragma once
 
 #include "core/recording/player.h"
@@ -17,7 +17,7 @@ public:
     const Engine &engine() const override { return m_player.engine(); }
     uint32_t stepperPlace() const override { return m_player.recording().stepperPlace(m_player.segment()); }
     void addTo(Snapshot &snapshot) const override;
-    void prepareToGoOn() override; ///< at its end it starts over
+    void prepareToGoOn() override; ///< at its end, starts over
     void step(Clock::time_point due) override;
     void stepOnce() override;
     void restart() override;
@@ -30,7 +30,7 @@ public:
     void seek(uint64_t position, uint64_t number);
     void stepBack();
     bool isSeeking() const { return m_sought.has_value(); }
-    void goToSought(); ///< does part of it, so that commands are handled in between
+    void goToSought(); ///< does part of the seek, so that commands are handled in between
     /// Seeks synchronously, however long it takes.
     virtual void goTo(uint64_t position);
     /// The live ball takes over here: later steps that are shown become invalid.

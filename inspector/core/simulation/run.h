@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What can be shown: the live ball, a recording, or the history. The stepping thread shows one at a time.
+// Something that can be shown: the live ball, a recording, or the history. The stepping thread shows one at a time.
 #pragma once
 
 #include "core/engine/engine.h"
@@ -8,7 +8,7 @@
 
 namespace inspector {
 
-/// How a run reacts to the user's commands, whichever kind it is.
+/// The interface through which a run of any kind reacts to the user's commands.
 class Run {
 public:
     Run() = default;

@@ -13,7 +13,7 @@ namespace {
 constexpr size_t kTimeWord = offsetof(Sample, time) / sizeof(uint64_t);
 constexpr size_t kFirstChannelWord = offsetof(Sample, values) / sizeof(uint64_t);
 
-/// The smallest power of two, s, of which at most `columns` cover the times.
+/// The smallest power of two, s, with which at most `columns` columns cover the times.
 double columnWidth(double from, double to, size_t columns) {
     constexpr double kLeast = 1e-12; // s; the times may be equal
     double width = std::scalbn(1.0, std::ilogb(std::max(to - from, kLeast) / double(columns)));
@@ -75,8 +75,8 @@ uint64_t SampleRing::find(double time, uint64_t begin, uint64_t end) const {
     return begin;
 }
 
-/// Over samples [begin, end), from nodes whose span is less than `limit` where they fit and from single samples
-/// elsewhere.
+/// The extremes over samples [begin, end), taken from nodes whose span is less than `limit` where they fit and from
+/// single samples elsewhere.
 SampleRing::Extremes SampleRing::extremesBelow(uint64_t limit, size_t channel, uint64_t begin, uint64_t end) const {
     const double start = valueOf(begin, channel);
     Extremes result{start, start};

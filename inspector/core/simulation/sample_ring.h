@@ -18,7 +18,7 @@ struct Column {
     double max = 0.0;
 };
 
-/// One thread appends, any others read at the same time, as SlotRing says.
+/// One thread appends while any others read (see SlotRing).
 class SampleRing {
 public:
     /// 8.7 minutes at 1 ms; memory grows with the samples, to some 200 MB.
@@ -38,11 +38,11 @@ public:
     void hold() { m_samples.hold(); }
     void release() { m_samples.release(); }
 
-    /// Readers. Samples [first(), last()) can be read just now.
+    /// For readers: samples [first(), last()) can be read at this moment.
     size_t capacity() const { return m_samples.capacity(); }
     uint64_t first() const { return m_samples.first(); }
     uint64_t last() const { return m_samples.last(); }
-    /// Whether samples since the last clear() were overwritten; first() alone doesn't say, as numbers never restart.
+    /// Whether samples since the last clear() were overwritten; first() doesn't tell, as numbers never restart.
     bool hasLostSamples() const { return first() > m_samples.firstOfGeneration(); }
     bool isCut() const { return m_isCut; }
     uint64_t generation() const { return m_samples.generation(); } ///< changes when readers must start over
@@ -54,7 +54,7 @@ public:
     /// column; otherwise columns divide the time evenly, however long steps are, into less than 2 / (columns - 1) of
     /// the range each. Costs O(columns log capacity).
     std::vector<Column> columns(Channel channel, double from, double to, size_t columns) const;
-    /// At most `intervals` + 1 of the samples [begin, end), evenly in time where steps are short enough.
+    /// At most `intervals` + 1 of the samples [begin, end), evenly spaced in time if steps are short enough.
     std::vector<Sample> spread(uint64_t begin, uint64_t end, size_t intervals) const;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Commands, and the thread that takes them between two steps.
+// Commands, and the thread that executes them between two steps.
 #include "core/simulation/simulation.h"
 
 #include "core/simulation/simulation_worker.h"
@@ -17,7 +17,7 @@ namespace inspector {
 
 namespace {
 
-/// Linux delays timers by up to 50 us to save energy, which is a lot for steps of 1 ms.
+/// Linux delays timers by up to 50 us to save energy, which is too much for steps of 1 ms.
 void askForExactTimers() {
 #ifdef __linux__
     prctl(PR_SET_TIMERSLACK, 1000UL); // ns, this thread
@@ -128,7 +128,7 @@ void Simulation::setPilot(std::shared_ptr<const Pilot> pilot) {
     post([pilot = std::move(pilot)](Worker &worker) { worker.live.setPilot(pilot); });
 }
 
-/// The stepping thread opens and closes files, too, in order.
+/// The stepping thread also opens and closes files, in the order of the commands.
 void Simulation::startRecording(const QString &file, const Origin &origin) {
     post([file, origin](Worker &worker) { worker.live.startRecording(file, origin); });
 }

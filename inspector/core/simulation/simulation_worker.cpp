@@ -43,7 +43,7 @@ void Simulation::Worker::showLive() {
     replay.reset();
 }
 
-/// Stays running or paused.
+/// Keeps running or stays paused.
 void Simulation::Worker::goOnLive(uint64_t number) {
     live.goOnFrom(replay->engine(), replay->stepper(), number);
     replay->forgetFuture();

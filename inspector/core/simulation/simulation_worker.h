@@ -9,8 +9,8 @@ namespace inspector {
 struct Simulation::Worker {
     Presentation presentation;
     LiveRun live;
-    std::unique_ptr<ReplayRun> replay{}; ///< shown in place of the live ball: a recording, or
-    PastRun *past = nullptr;             ///< `replay`, if it is the past
+    std::unique_ptr<ReplayRun> replay{}; ///< a recording or the past; null while the live ball is shown
+    PastRun *past = nullptr;             ///< the same object as `replay` if that is the past; else null
 
     Worker(Simulation &owner, const Scene &scene, const Stepper &stepper);
 

@@ -14,8 +14,8 @@ namespace inspector {
 namespace {
 
 constexpr uint32_t kEvents = 32;
-constexpr double kBounceSpeed = 1e-3; ///< m/s: slower ones aren't worth a mark
-/// In scenes where the exact stepper is slow, the path is shorter and there are fewer others.
+constexpr double kBounceSpeed = 1e-3; ///< m/s: slower bounces aren't marked
+/// In scenes where the exact stepper is slow, the path is shorter and there are fewer alternative boards.
 constexpr std::chrono::milliseconds kBudget{20};
 const auto kCount = uint64_t(std::lround(WayFinder::kReach / WayFinder::kInterval));
 constexpr uint64_t kEnd = PHYS_OUT | PHYS_AT_REST;

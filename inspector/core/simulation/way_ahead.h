@@ -21,7 +21,7 @@ struct WayAhead {
     std::vector<Way> others;          ///< on other boards
 };
 
-/// A possible true board and ball position, within what isn't known.
+/// A possible board and ball position, within the bounds of what is unknown.
 struct OtherBoard {
     phys_params params;
     phys_vec3 offset; ///< m, of the ball
@@ -35,10 +35,10 @@ public:
     explicit WayFinder(Registry registry);
     ~WayFinder(); ///< ends the thread
 
-    /// Latest wins; returns immediately. The path ends where the exact stepper refuses.
+    /// The latest request replaces earlier ones; returns immediately. The path ends where the exact stepper fails.
     void ask(const Scene &scene, const phys_state &state, const phys_params &params,
              const std::vector<OtherBoard> &others = {});
-    /// The answer to the latest question answered so far.
+    /// The answer to the newest request that has been answered.
     WayAhead latest() const;
     uint64_t answers() const;
 
@@ -60,8 +60,8 @@ private:
     std::jthread m_thread; ///< last member: it is joined before the others are destroyed
 };
 
-/// The same on the calling thread. stepper: `exact`, made for the scene. What can't be computed in a few hundredths of
-/// a second is left out.
+/// The same on the calling thread. stepper: `exact`, made for the scene. What can't be computed within a few hundredths
+/// of a second is omitted.
 WayAhead wayAhead(const Stepper &stepper, const phys_state &state, const phys_params &params,
                   const std::vector<OtherBoard> &others = {});
 

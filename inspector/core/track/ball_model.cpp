@@ -41,7 +41,7 @@ public:
     }
 
 private:
-    /// end: time at the end of the step, s; the state's own time starts at the segment's begin.
+    /// end: time at the end of the step, s; the state's own time starts at the beginning of the segment.
     void keepBounces(double end) {
         for (uint32_t i = 0; i < m_report.event_count; ++i) {
             const phys_event &event = m_events[i];
@@ -84,7 +84,7 @@ bool BallModel::run(const BoardParameters &board, const BallStart &start, size_t
                     std::vector<TrackPoint> &measured, std::vector<TrackBounce> *bounces) const {
     Run run(m_stepper.get(), board, rollingState(m_scene.get(), start), bounces);
     double time = m_track.points[first].time;
-    // The last change that has taken effect; before the first change its tilt applies, too.
+    // The last change that has taken effect; the first change's tilt also applies before it.
     size_t change = size_t(std::upper_bound(m_tilts.begin(), m_tilts.end(), time - board.delay,
                                             [](double now, const TiltChange &one) { return now < one.time; }) -
                            m_tilts.begin());

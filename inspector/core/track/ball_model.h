@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Computes the ball as it would have been measured: stepper "exact" under a track's tilts, on a board some of whose
-// parameters are being fitted.
+// Computes the positions at which the ball would have been measured: stepper "exact" runs under a track's tilts on a
+// board some of whose parameters are being fitted.
 #pragma once
 
 #include "core/events/bounce.h"
@@ -23,7 +23,8 @@ struct BallStart {
     double x, y, vx, vy;
 };
 
-/// A rolling ball on the floor below this place, the start's or a lower one; if noise puts it into a wall, next to it.
+/// A rolling ball on the floor below this place (the start's or a lower one); a place that noise has put into a wall is
+/// moved next to it.
 phys_state rollingState(const phys_scene *scene, const BallStart &start);
 
 struct TrackBounce {

@@ -40,7 +40,7 @@ FitQuantity coefficient(const char *id, double most, double increment, double pr
 } // namespace
 
 std::vector<FitQuantity> fitQuantities() {
-    // With no loss at all, a ball that leans on a wall would never stop bouncing.
+    // If no energy were lost, a ball that leans on a wall would never stop bouncing.
     constexpr double kMostRestitution = 0.99;
     constexpr double kMostFriction = 1.0;
     const auto tilt = [](const char *id, const char *label, double Tilt::*axis) {

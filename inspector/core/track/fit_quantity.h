@@ -23,7 +23,7 @@ struct FitQuantity {
     std::function<double &(BoardParameters &)> of;
 };
 
-/// In display order. Lengths of the frame are assumed to be of the size of the scene, m.
+/// In display order. The lengths of the frame are assumed to be of the order of the scene's size, m.
 std::vector<FitQuantity> fitQuantities();
 
 /// Parses ids or groups of them, separated by commas: rolling_friction, restitution_wall, ..., tilt (both offsets),

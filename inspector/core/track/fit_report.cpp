@@ -40,7 +40,7 @@ QString breaksText(const ModelFit &fit) {
     return QStringLiteral("computed and measured ball part %1 times").arg(fit.breaks);
 }
 
-/// Where a model is insufficient: at bounces or between them.
+/// Where a model doesn't explain the track: at bounces or between them.
 QString whereText(const ModelFit &fit, double noise) {
     QString text = residualText(fit);
     if (!fit.bouncesOff(Surface::Wall))

@@ -14,10 +14,10 @@ QString numbersText(const FittedValue &value);
 /// The same with its unit.
 QString valueText(const FittedValue &value);
 
-/// Which model is sufficient, and where the residuals are if none is.
+/// States which model explains the track and, if none does, where the residuals are.
 QString verdictText(const TrackFit &fit);
 
-/// Describes a track, the rows that were left out, and how much of it lies outside of the board: lines for display.
+/// Describes a track, its skipped rows, and how much of it lies outside of the board: lines for display.
 QStringList trackReport(const Track &track, const TrackFrame &frame, const phys_scene *scene);
 /// The same with verdict, correlations, bounces and residuals; without the values, for use next to a table of them.
 QStringList fitSummary(const FitPlan &plan, const TrackFit &fit);

@@ -24,8 +24,8 @@ Matrix makeMatrix(size_t rows, size_t columns) { return {gsl_matrix_calloc(rows,
 constexpr size_t kStartNumbers = 4;
 /// Finite-difference increments of a start: m, m, m/s, m/s.
 constexpr double kStartIncrements[kStartNumbers] = {1e-7, 1e-7, 1e-6, 1e-6};
-/// Prior standard deviations of a start read off a track or found with fewer points: m, m, m/s, m/s. A wall absorbs a
-/// push towards it, so the points of a ball that leans on one may not determine its start.
+/// Prior standard deviations of a start that was read off a track or found with fewer points: m, m, m/s, m/s. A wall
+/// absorbs a push towards it, so the points of a ball that leans on a wall may not determine its start.
 constexpr double kStartDeviations[kStartNumbers] = {1e-3, 1e-3, 2e-2, 2e-2};
 constexpr double kSmallestDecrement =
     1e-2; ///< decrease of the sum of squares, in units of the noise, at which a fit has converged
@@ -116,7 +116,7 @@ public:
         return true;
     }
 
-    /// GSL asks for the Jacobian where it has just asked for the residuals.
+    /// GSL asks for the Jacobian at the point of its last residual evaluation.
     void differentiate(const gsl_vector *x, gsl_matrix *jacobian) {
         m_tries = 0;
         if (isLinearAt(x)) {
@@ -170,7 +170,7 @@ private:
         m_jacobianResiduals = m_residuals;
     }
 
-    /// Whether the last Jacobian predicts the residuals at x: then it is still valid and isn't computed again.
+    /// Whether the last Jacobian predicts the residuals at x; it is then still valid and isn't computed again.
     bool isLinearAt(const gsl_vector *x) const {
         if (!m_jacobian) return false;
         const Vector shift = makeVector(x->size);
@@ -186,8 +186,8 @@ private:
         return squares < kNonlinearity;
     }
 
-    /// By a finite difference. A good increment moves the ball by much less than the noise, and by much more than the
-    /// jumps where a ball that leans on a wall has bounced once more.
+    /// Column of the Jacobian by a finite difference. A good increment moves the ball by much less than the noise, and
+    /// by much more than the jumps that occur when a ball that leans on a wall bounces once more.
     void setColumn(const BoardParameters &board, const TrackSegment &segment, gsl_matrix *jacobian, size_t column) {
         constexpr double kWanted = 0.05; // in units of the noise
         constexpr double kTooFar = 0.5;
@@ -362,8 +362,9 @@ std::optional<SegmentFit> fitSegment(const BallModel &model, const std::vector<F
 
 namespace {
 
-/// Shifts of the numbers by one standard deviation along the axes of their uncertainty, those first that move the ball
-/// most in the residuals from `first` on. In units of the noise, each with the linearly predicted residuals.
+/// Shifts of the unknowns by one standard deviation along the principal axes of their uncertainty, ordered by how far
+/// they move the ball in the residuals from `first` on. In units of the noise, each with the linearly predicted
+/// residuals.
 struct Shift {
     std::vector<double> numbers;
     std::vector<double> expected;

@@ -37,9 +37,9 @@ std::optional<SegmentFit> fitSegment(const BallModel &model, const std::vector<F
                                      const BoardEstimate &before, const BoardParameters &board,
                                      const TrackSegment &segment, double noise, int steps);
 
-/// Whether the fit `before` predicted the ball at the points that `after` adds, and so nearly linearly that its
-/// covariance is meaningful: within the uncertainty no edge is hit or missed. before, after: fits of the same segment
-/// with the same prior.
+/// Whether the fit `before` predicted the ball at the points that `after` adds, and did so nearly linearly, so that its
+/// covariance is meaningful: within the uncertainty no edge is hit in one case and missed in another. before, after:
+/// fits of the same segment with the same prior.
 bool isPredicted(const BallModel &model, const std::vector<FitQuantity> &quantities, const BoardEstimate &estimate,
                  const SegmentFit &before, const SegmentFit &after, double noise);
 

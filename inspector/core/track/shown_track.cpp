@@ -52,7 +52,7 @@ std::optional<ShownTrack::Place> ShownTrack::at(double time) const {
     return Place{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), (to.x - from.x) / span, (to.y - from.y) / span};
 }
 
-/// A step that begins at a switch, up to rounding, has the new tilt.
+/// A step that begins at a switch of the tilt, up to rounding, has the new tilt.
 Tilt ShownTrack::tiltAt(double time) const {
     const auto after = std::upper_bound(m_tilts.begin(), m_tilts.end(), time + kRounding,
                                         [](double now, const TiltChange &change) { return now < change.time; });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A measured ball overlaid on a run: in the board frame, at the run's times.
+// A measured ball overlaid on a run, in the board frame and at the run's times.
 #pragma once
 
 #include "core/engine/sample.h"
@@ -41,10 +41,10 @@ private:
     double m_longest; ///< s, largest distance of joined points
 };
 
-/// When a track begins in a run: at its own time if that is soon after 0, as in tables of runs; otherwise at 0.
+/// The time at which a track begins in a run: its own if that is soon after 0, as in tables of runs; otherwise 0.
 double usualBegin(const Track &track);
 
-/// Tilts the board as the track's was tilted.
+/// A pilot that applies the tilts of the track.
 class TrackPilot : public Pilot {
 public:
     explicit TrackPilot(std::shared_ptr<const ShownTrack> track)

@@ -42,7 +42,7 @@ double rmsOf(const std::vector<double> &residuals, size_t from, size_t to) {
 }
 
 /// Fits one model along the track, segment by segment. A segment is extended and refitted as long as its residuals are
-/// noise: the estimate so far predicts the next moments well enough that bounces aren't confused. Where it can't be
+/// noise; the estimate so far then predicts the next moments well enough to identify bounces. Where it can't be
 /// extended, a new segment begins with the current estimate as its prior.
 class SequentialFit {
 public:
@@ -94,7 +94,7 @@ private:
     size_t m_next = 0;                    ///< first point not used yet
 };
 
-/// Tested as a whole and in every window: a mismatched bounce shows up only in the latter.
+/// Tests the residuals as a whole and in every window: a mismatched bounce shows up only in a window.
 bool SequentialFit::isNoise(const SegmentFit &fit) const {
     const size_t count = fit.residuals.size();
     const auto isNoiseIn = [&](size_t from, size_t to) {
@@ -125,9 +125,9 @@ std::optional<SegmentFit> SequentialFit::started(size_t first) const {
     return fitted({first, last, startAt(m_track, m_board.frame, first), {}}, m_board);
 }
 
-/// Extends a segment by a stride that grows while the prediction holds, and shrinks where it doesn't. Edges make
-/// neighbouring paths diverge and create many nearby minima: where the fit so far doesn't predict the following points,
-/// it is better to begin a new segment. Nothing then, or where the ball diverges from the measured one.
+/// Extends a segment by a stride that grows while the prediction holds and shrinks where it doesn't. Edges make
+/// neighbouring paths diverge and create many local minima: where the fit so far doesn't predict the following points,
+/// a new segment must begin. Returns nothing in that case, and where the computed ball diverges from the measured one.
 std::optional<SegmentFit> SequentialFit::grown(const SegmentFit &fit) {
     const TrackSegment &segment = fit.segment;
     const bool isShort = segment.last - segment.first <= 3 * kFewestPoints;
@@ -180,8 +180,8 @@ void SequentialFit::close() {
     if (m_next + kFewestPoints < m_track.points.size()) m_next = smoothestAfter(m_track, m_next, kReach);
 }
 
-/// The first segments were fitted with a weak prior: fit all again, from the final estimate with an inflated
-/// covariance, so that it hardly counts.
+/// The first segments were fitted with a weak prior, so all are fitted again, starting from the final estimate with a
+/// covariance inflated so that it hardly matters.
 void SequentialFit::refine() {
     std::sort(m_segments.begin(), m_segments.end(),
               [](const TrackSegment &a, const TrackSegment &b) { return a.first < b.first; });
@@ -233,7 +233,7 @@ FittedValue SequentialFit::valueOf(size_t i, const ModelFit &fit) const {
     return value;
 }
 
-/// With the final board, and for every segment its best start.
+/// Evaluates the final board, with the best start for each segment.
 void SequentialFit::addResiduals(ModelFit &fit) const {
     std::vector<TrackPoint> computed;
     std::vector<TrackBounce> bounces;
@@ -303,9 +303,9 @@ std::vector<BoardParameters> initialBoards(const FitPlan &plan, const BoardParam
     return initialGuesses;
 }
 
-/// Tries a model on a short part of the track from several places and starting values. Where it succeeds, the fit
-/// continues to the end and then backwards to the begin; the first attempt that explains the track counts, otherwise
-/// the one that gets farthest before it is abandoned.
+/// Tries a model on a short part of the track, from several places and starting values. Where it succeeds, the fit
+/// continues to the end and then backwards to the beginning. The first attempt that explains the track is used,
+/// otherwise the one that gets farthest before it is abandoned.
 ModelFit fitModel(const FitPlan &plan, const BallModel &model, const BoardParameters &begin, double noise,
                   const FitProgress &progress, const std::stop_token &stop) {
     std::optional<ModelFit> best;

@@ -31,7 +31,7 @@ struct FittedValue {
     double halfInterval() const { return 1.96 * deviation; } ///< of the 95 % confidence interval
 };
 
-/// A measured point and the computed one: m, in the tracker's frame.
+/// A measured point and the corresponding computed one: m, in the tracker's frame.
 struct FitResidual {
     TrackPoint seen, computed;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads tracks as cameras and trackers write them: a table with a header line, one row per picture.
+// Reads tracks as cameras and trackers write them: a table with a header line and one row per picture.
 //
 // Columns are found by name, in any order, beside any others: t, time or frame; x, y (or position_x, pos_x, ...);
 // tilt_x, tilt_y or gravity_x, gravity_y, gravity_z (or gx, ...). A unit follows the name: x [mm], x (mm), x_mm. The
@@ -30,8 +30,8 @@ struct TrackUnits {
 /// in `error`, if one of them is wrong.
 std::optional<TrackUnits> parseTrackUnits(const QString &words, QString *error);
 
-/// Unusable rows are left out and listed in the track's remarks. Returns nothing, with one line in `error`, if columns
-/// are missing or fewer than 10 rows are left.
+/// Unusable rows are skipped and listed in the track's remarks. Returns nothing, with one line in `error`, if columns
+/// are missing or fewer than 10 rows remain.
 std::optional<Track> readTrack(QIODevice &device, const QString &name, const TrackUnits &units, QString *error);
 /// Whether a file looks like a track: by its name (.csv, .tsv), or by a header that names x and y.
 bool isTrackFile(const QString &path);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a segment of a track can begin, and a start read off its first points.
+// Choosing where a segment of a track begins, and estimating its start from its first points.
 #pragma once
 
 #include "core/track/ball_model.h"
@@ -8,7 +8,7 @@
 
 namespace inspector {
 
-/// Consecutive points that a computed ball follows from its own start.
+/// Consecutive points that one computed ball follows from its own start.
 struct TrackSegment {
     size_t first, last; ///< points, inclusive
     BallStart start;

@@ -9,13 +9,13 @@ namespace inspector {
 
 class BallEnsemble {
 public:
-    /// Each ball starts at `start` plus its board's offset, unless that is in a wall: no real ball starts there.
-    /// stepper: "exact", made for the scene. boards: at least one.
+    /// Each ball starts at `start` plus its board's offset, unless that is inside a wall, where no real ball could
+    /// start. stepper: "exact", made for the scene. boards: at least one.
     BallEnsemble(Stepper stepper, const Scene &scene, const std::vector<SampledBoard> &boards, const phys_state &start);
 
     /// Replaces the boards, as many as before; the balls keep their states.
     void setBoards(const std::vector<SampledBoard> &boards);
-    /// Makes `steps` steps of dt under a tilt. A ball that is out stays where it left the maze.
+    /// Makes `steps` steps of dt under a tilt. A ball that left the maze stays where it left it.
     void step(const Tilt &tilt, double dt, uint64_t steps);
 
     const phys_vec3 &centre(size_t ball) const { return m_balls[ball].state.position; }

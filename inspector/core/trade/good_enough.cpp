@@ -9,7 +9,7 @@ namespace inspector {
 
 namespace {
 
-constexpr int kBalls = 40; ///< accuracy of a band's middle: a fifth
+constexpr int kBalls = 40; ///< gives the middle of a band to within a fifth
 constexpr uint64_t kFirstSeed = 1000;
 
 /// Indices of the eligible points, cheapest first.

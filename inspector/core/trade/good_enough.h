@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which setting is good enough, given what isn't known of the board.
+// Decides which setting is good enough, given what is unknown about the board.
 #pragma once
 
 #include "core/trade/trade.h"
@@ -7,16 +7,16 @@
 
 namespace inspector {
 
-/// Further schedules on which a setting must be good enough, too: on a few it may be so by luck, because whether a
-/// stepper hits an edge that the exact ball clears is a matter of hundredths of a radius. Made on first use.
+/// Further schedules on which a setting must be good enough. On only a few schedules it may succeed by luck, because
+/// hundredths of a radius decide whether a stepper hits an edge that the exact ball clears. Made on first use.
 class ValidationSchedules {
 public:
     /// Both must outlive this object.
     ValidationSchedules(const TradePlan &plan, const std::stop_token &stop);
 
     int count() const { return m_plan.validations; }
-    /// The error of a setting up to the plan's horizon, as a share of the uncertainty band's middle there. Nothing if
-    /// its run fails; 0 where "exact" can't do the schedule, which doesn't count against a setting.
+    /// The error of a setting up to the plan's horizon, as a share of the middle of the uncertainty band there. Nothing
+    /// if its run fails; 0 where "exact" fails on the schedule, which isn't the setting's fault.
     std::optional<double> shareOf(const TradePoint &point, int validation);
 
 private:

@@ -24,7 +24,7 @@ std::vector<SampledBoard> boardsOf(const Unknowns &unknowns, const Inputs &input
     return boards;
 }
 
-/// Compares bytes, as neither has padding; the tilt isn't a property of the board.
+/// Compares bytes, as neither type has padding; the tilt isn't a property of the board.
 bool isSameBoard(const Inputs &a, const Inputs &b) {
     phys_params one = a.params;
     phys_params other = b.params;
@@ -148,7 +148,7 @@ void LiveBand::work(const std::stop_token &stop) {
     }
 }
 
-/// Processes the queue, or part of it: the rest is for the next call.
+/// Processes the queue or part of it; the next call continues.
 void LiveBand::compute(Work &work, const std::stop_token &stop) {
     std::vector<Segment> segments;
     {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The uncertainty band of a run while it is being played: boards are sampled, and on each "exact" rolls a ball under
-// the run's tilts, on a thread of its own.
+// The uncertainty band of a run that is being played: boards are sampled, and on each of them "exact" moves a ball
+// under the run's tilts, on a thread of its own.
 #pragma once
 
 #include "core/trade/uncertainty_band.h"
@@ -14,7 +14,7 @@ namespace inspector {
 
 class LiveBand {
 public:
-    static constexpr int kBalls = 64;         ///< accuracy of a band's middle: a sixth
+    static constexpr int kBalls = 64;         ///< gives the middle of a band to within a sixth
     static constexpr double kReach = 120.0;   ///< s after its start, where a band ends
     static constexpr double kInterval = 0.02; ///< s, minimum distance of its times
     static constexpr double kRest = 3.0;      ///< idle time per computing time: at most a quarter of a processor

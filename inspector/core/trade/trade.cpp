@@ -15,7 +15,7 @@ namespace inspector {
 
 namespace {
 
-constexpr int kBandBalls = 200; ///< in each band of a chart
+constexpr int kBandBalls = 200; ///< per band of a chart
 
 TradeCost costOf(std::vector<double> seconds, uint64_t steps, double duration) {
     std::sort(seconds.begin(), seconds.end());
@@ -254,7 +254,8 @@ std::optional<double> Measurement::modelErrorOf(size_t schedule, uint32_t model)
                       phys_scene_radius(m_plan.scene.get()));
 }
 
-/// All points in turn, then again: a busy moment of the machine doesn't affect all repeats of one point.
+/// Measures all points in turn, several times, so that a busy moment of the machine doesn't affect all repeats of one
+/// point.
 void Measurement::timeAll() {
     for (size_t i = 0; i < m_result.points.size() && !m_stop.stop_requested(); ++i)
         if (m_result.points[i].isValid && int(m_seconds[i].size()) < m_plan.repeats) time(i);

@@ -26,8 +26,8 @@ struct TradePlan {
 
     Unknowns unknowns;    ///< if empty: no band, and no good-enough setting
     double horizon = 1.0; ///< s, over which such a setting must be good enough
-    double share = 0.25;  ///< share of the band's middle that its error must stay below
-    int validations = 0;  ///< further schedules on which it must
+    double share = 0.25;  ///< the error must stay below this share of the band's middle
+    int validations = 0;  ///< number of further schedules on which it must hold
 };
 
 /// CPU time of the thread, s.
@@ -73,7 +73,7 @@ struct TradePoint {
     TradeCost cost;
 };
 
-/// The extent of the comparison for a model and a schedule, and its references.
+/// The time span of the comparison for a model and a schedule, and its references.
 struct TradeSpan {
     double compared = 0.0;    ///< s: the predictability horizon, or the end of the reference if that is earlier
     bool isSensitive = false; ///< the horizon came first: beyond it a push of a millionth of a radius is visible
@@ -81,11 +81,11 @@ struct TradeSpan {
     double end = 0.0;         ///< s, of the reference
     int impacts = 0;          ///< counted impacts up to the end
     int early = 0;            ///< of these, those within the plan's horizon
-    double knowable;          ///< s: until then rounding moves the ball by less than a radius; at most `end`
+    double knowable;          ///< until then rounding moves the ball by less than a radius; at most `end`
     Band band;                ///< for the plan's model only
 };
 
-/// The cheapest setting whose error stays below the plan's share of the uncertainty on every schedule tried.
+/// The cheapest setting whose error stays below the plan's share of the uncertainty on every schedule that was tried.
 struct GoodEnough {
     size_t point;    ///< index of the point
     double largest;  ///< worst share
@@ -112,13 +112,13 @@ struct TradeListener {
     std::function<void(double share, const QString &what)> progressed;
 };
 
-/// Takes seconds. Stops soon after it is asked to. No result, with one line in `error`, if "exact" refuses the scene:
-/// then there is no reference.
+/// Takes seconds. Stops soon after a stop is requested. Returns no result, with one line in `error`, if "exact" refuses
+/// the scene, as there is no reference then.
 std::optional<TradeResult> measureTrade(const TradePlan &plan, const TradeListener &listener,
                                         const std::stop_token &stop, QString *error);
 
-/// Counts impacts of either sequence that aren't in the other in the same order. Fast ones are matched with impacts of
-/// at least half the speed, so that rounding near the limit doesn't count.
+/// Counts impacts of either sequence that aren't in the other in the same order. Fast impacts are matched with impacts
+/// of at least half the speed, so that rounding near the threshold doesn't matter.
 int wrongImpacts(const std::vector<Impact> &expected, const std::vector<Impact> &found);
 
 /// The worst of several errors, figure by figure; at least one.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Choosing among measured points. All functions take points of one model: the accuracy of a model is a separate
+// Chooses among measured points. All functions take points of one model: how accurate a model is, is a separate
 // question (TradeError::model).
 #pragma once
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The trade as a chart (elsewhere called a work-precision diagram), described independently of its renderers: cost
-// against error, both logarithmic, a curve per stepper, and the uncertainty of the board as a band.
+// The trade as a chart (known elsewhere as a work-precision diagram), described independently of its renderers: cost
+// against error, both logarithmic, one curve per stepper, and the uncertainty of the board as a band.
 #pragma once
 
 #include "core/trade/trade.h"
 
 namespace inspector {
 
-/// Smaller errors are drawn here, radii: rounding errors, and the exact stepper's zero, which has no logarithm.
+/// Smaller errors, such as rounding errors and the exact stepper's zero, are drawn at this one, radii.
 inline constexpr double kSmallestDrawnError = 1e-13;
 
 struct ChartPoint {
@@ -16,7 +16,7 @@ struct ChartPoint {
     double error; ///< radii
 };
 
-/// The points that no other beats in both cost and error, from cheap to accurate. Of equal points the first.
+/// The points that no other point beats in both cost and error, from cheap to accurate; of equal points the first.
 std::vector<ChartPoint> paretoFront(std::vector<ChartPoint> points);
 
 struct ChartCurve {
@@ -48,7 +48,7 @@ struct ChartDescription {
 /// comparison. schedule: an index into the result's.
 ChartDescription describeChart(const TradePlan &plan, const TradeResult &result, uint32_t model, size_t schedule);
 
-/// The schedule that a picture shows: the last one, with the most impacts.
+/// The schedule that a picture shows: the last one, which has the most impacts.
 size_t shownSchedule(const TradeResult &result);
 
 } // namespace inspector

@@ -13,9 +13,9 @@ namespace inspector {
 
 namespace {
 
-/// A setting that fails on none of this many fails on at most 3 in 200 others, with 95 % confidence (the rule of
-/// three): less than the 1 in 20 that a reader of "good enough" may accept, also after several settings were tried in
-/// turn.
+/// If a setting fails on none of this many schedules, it fails on at most 3 in 200 others with 95 % confidence (the
+/// rule of three). That is less than the 1 in 20 which a reader of "good enough" may accept, also after several
+/// settings were tried in turn.
 constexpr int kValidations = 200;
 
 TiltSchedule makeSchedule(const QString &words, const TradePlan &plan, double duration, QString *error) {
@@ -66,7 +66,7 @@ bool makeSchedules(const QString &words, double duration, TradePlan &plan, QStri
             schedule.name += QStringLiteral(" (the autopilot finds no way out)");
         plan.schedules.push_back(std::move(schedule));
     }
-    // A user's own schedule is the one that matters; random kinds are validated on others.
+    // A user's own schedule is used as it is; random kinds are validated on further ones.
     const bool isFile = !isBoth && words != QLatin1String("autopilot") && words != QLatin1String("busy") &&
                         !words.startsWith(QLatin1String("random:"));
     plan.validations = plan.unknowns.empty() || isFile ? 0 : kValidations;

@@ -55,7 +55,7 @@ QString impactsText(const TradeSpan &span, double horizon) {
                : counts + QStringLiteral("; it meets no wall in %1 s: says nothing of runs that do").arg(horizon);
 }
 
-/// How far ahead the ball is predictable at all.
+/// How far ahead the ball is predictable.
 QString knowableText(const TradeSpan &span) {
     const auto text = [&](const char *cause, const std::optional<double> &time) {
         return time ? QStringLiteral("%1 moves the ball by a radius after %2 s").arg(cause).arg(*time, 0, 'f', 2)

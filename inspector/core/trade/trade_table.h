@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The figures of a trade as columns, one list for the program's table, its CSV and the window's.
+// The figures of a trade as columns: one list for the program's table, its CSV and the window's table.
 #pragma once
 
 #include "core/trade/trade.h"
@@ -22,13 +22,13 @@ struct TradeColumn {
     std::optional<double> (*value)(const TradePoint &point);
 };
 
-/// Stepper id, step size and model precede these columns, the note follows.
+/// Stepper id, step size and model precede these columns; the note follows them.
 const std::vector<TradeColumn> &tradeColumns();
 
 /// A figure in its column's unit, to three digits; "–" without one.
 QString figureText(const TradeColumn &column, const TradePoint &point);
 
-/// What was measured and how far it is meaningful: lines for display.
+/// Describes what was measured and to what extent it is meaningful: lines for display.
 QStringList tradeSummary(const TradePlan &plan, const TradeResult &result);
 
 /// A text table for display.

@@ -43,7 +43,7 @@ private:
     };
 
     void measure(TradePlan plan, const QString &schedule, double duration, const std::stop_token &stop);
-    /// Runs `act` in the owner's thread, unless another measurement was started meanwhile.
+    /// Runs `act` in the owner's thread, unless another measurement has been started meanwhile.
     void post(std::function<void()> act);
     void takeNews();
 

@@ -14,7 +14,7 @@ namespace {
 constexpr double kLow = 0.05;
 constexpr double kHigh = 0.95;
 
-/// The larger of both for each ball; NaN persists.
+/// The larger of the two distances of each ball; NaN is kept.
 void keepFarthest(std::vector<double> &farthest, const std::vector<double> &distances) {
     for (size_t i = 0; i < farthest.size(); ++i)
         farthest[i] = std::isnan(distances[i]) ? distances[i] : std::max(farthest[i], distances[i]);

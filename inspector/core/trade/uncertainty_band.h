@@ -35,10 +35,10 @@ struct BandPlan {
 
 inline constexpr uint64_t kBandSeed = 1;
 
-/// distances: m; NaN are ignored, and if there are no others the band stays as it is.
+/// distances: m; NaN are ignored, and if all are NaN the band is unchanged.
 void appendQuantiles(Band &band, double time, std::vector<double> distances, double radius);
 
-/// A band of the largest distances up to each time, comparable to the errors of settings. Empty if nothing is unknown
+/// The band of the running maxima of the distances, comparable to the errors of settings. Empty if nothing is unknown
 /// or "exact" refuses the boards.
 Band uncertaintyBand(const BandPlan &plan, const TradeReference &reference, const std::stop_token &stop);
 

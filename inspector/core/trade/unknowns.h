@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What isn't known exactly about a board, and random boards within these bounds.
+// What is unknown about a board, and random boards within these bounds.
 #pragma once
 
 #include "core/setup/inputs.h"
