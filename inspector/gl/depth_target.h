@@ -7,7 +7,7 @@
 
 namespace inspector::gl {
 
-/// A square depth texture as a render target, sampled with comparison: a shadow map, or heights seen from above.
+/// A square depth texture as a render target that is sampled with comparison: a shadow map, or heights seen from above.
 /// Created, used and destroyed with the same context current.
 class DepthTarget {
 public:

@@ -24,7 +24,7 @@ namespace inspector::gl {
 
 namespace {
 
-/// The key light is a window high up behind the left shoulder of an observer at the far side, fixed in the world.
+/// The key light, fixed in the world: a window high up behind the left shoulder of an observer at the far side.
 const glm::dvec3 kToLight = glm::normalize(glm::dvec3(-0.52, 0.34, 0.78));
 constexpr glm::vec3 kLightRadiance{1.02F, 0.97F, 0.88F};
 constexpr glm::vec3 kSkyRadiance{0.42F, 0.44F, 0.49F};
@@ -53,14 +53,14 @@ QVector4D toQt(const glm::vec4 &v) { return {v.x, v.y, v.z, v.w}; }
 
 glm::dvec4 sphere(const Ball &ball) { return {ball.position, ball.radius}; }
 
-/// So far away along the light that it affects nothing.
+/// A position so far away along the light that it has no effect.
 Ball absentBall(const glm::dvec3 &toLight) {
     Ball ball;
     ball.position = -1e3 * toLight;
     return ball;
 }
 
-/// Light space: a box tightly around the bounds, seen along the light. Maps board coordinates to clip coordinates.
+/// Light space: a tight box around the bounds, seen along the light. Maps board coordinates to clip coordinates.
 glm::dmat4 orthographicAround(const Bounds &bounds, const glm::dvec3 &back) {
     const glm::dvec3 helper = std::abs(back.y) < 0.9 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0);
     const glm::dvec3 right = glm::normalize(glm::cross(helper, back));
@@ -76,7 +76,7 @@ glm::dmat4 orthographicAround(const Bounds &bounds, const glm::dvec3 &back) {
     return glm::ortho(lo.x, hi.x, lo.y, hi.y, -hi.z, -lo.z) * glm::dmat4(lightFromBoard);
 }
 
-/// Boards are seen from above: drawing occluders first saves shading what they hide.
+/// Boards are seen from above, so drawing high occluders first saves shading what they hide.
 Mesh highestFirst(Mesh mesh) {
     using Triangle = std::array<std::uint32_t, 3>;
     std::vector<Triangle> triangles(mesh.indices.size() / 3);
@@ -230,10 +230,10 @@ bool MazeRenderer::prepare(const Scene &scene) {
     return true;
 }
 
-/// Colours needn't be cleared: the backdrop covers every pixel.
+/// Colours needn't be cleared, as the backdrop covers every pixel.
 void MazeRenderer::clear() { m_gl->glClear(GL_DEPTH_BUFFER_BIT); }
 
-/// The pixels (x, y, width, height) of the board around the ball that it darkens, and of its shadow.
+/// The pixels (x, y, width, height) of the board that the ball and its shadow darken.
 glm::ivec4 MazeRenderer::changedByBall(const Scene &scene) const {
     const glm::ivec4 all(0, 0, scene.view.pixels);
     if (scene.toLight.z < kSteepLight) return all;
@@ -264,7 +264,7 @@ glm::ivec4 MazeRenderer::changedByBall(const Scene &scene) const {
     return {begin, glm::max(end - begin, 0)};
 }
 
-/// Table and horizon last: they are visible only where nothing hides them.
+/// Table and horizon are drawn last, as they are visible only where nothing hides them.
 void MazeRenderer::drawBoard(const Scene &scene, const Ball &ball) {
     drawMaze(scene, ball);
     drawBackdrop(scene);
@@ -303,7 +303,7 @@ void MazeRenderer::drawDepth(DepthTarget &target, const glm::dmat4 &clipFromBoar
     target.drawInto([this] { m_maze.draw(); });
 }
 
-/// The board seen straight from above gives the heights; blurred, they tell how much of the sky each point sees.
+/// The heights are the board seen straight from above; blurred, they tell how much of the sky each point sees.
 void MazeRenderer::makeOcclusionMap() {
     m_isOcclusionStale = false;
     constexpr double kReach = 0.012; // m, over which a wall darkens its surroundings
@@ -320,8 +320,8 @@ void MazeRenderer::makeOcclusionMap() {
     m_occlusion.upload(std::move(values), texels(hi.x - lo.x), texels(hi.y - lo.y));
 }
 
-/// The maze's shadow on itself changes only when the board tilts relative to the light; the ball's is computed per
-/// pixel.
+/// The maze's shadow on itself changes only when the board tilts relative to the light; the ball's shadow is computed
+/// per pixel.
 void MazeRenderer::updateShadowMap(const Scene &scene, Quality quality) {
     const int size = quality == Quality::High ? 1536 : 1024;
     if (!m_shadow || m_shadow->size() != size) {
@@ -405,7 +405,7 @@ void MazeRenderer::drawBackdrop(const Scene &scene) {
 }
 
 void MazeRenderer::drawGhosts(const Scene &scene) {
-    // Each ghost hides its own far side but not the next ghost: depth first, then colour where it is nearest.
+    // Each ghost hides its own far side but not the next ghost: first depth, then colour at the nearest surface.
     for (const GhostBall &ghost : scene.frame.ghosts) {
         m_gl->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
         drawBall(scene, ghost.ball, ghost.colour);
@@ -434,7 +434,7 @@ void MazeRenderer::drawStrokes(const Scene &scene) {
     if (!scene.frame.strokes.empty()) {
         m_strokes.upload(scene.frame.strokes);
         m_strokes.draw();
-        // The hidden parts, faintly.
+        // Draw the hidden parts faintly.
         m_gl->glDepthFunc(GL_GREATER);
         program.setUniformValue("opacity", 0.3F);
         m_strokes.draw();

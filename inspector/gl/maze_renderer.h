@@ -21,11 +21,11 @@ namespace inspector::gl {
 /// used and destroyed with the same context current.
 class MazeRenderer {
 public:
-    /// Null, with one line in `error` (not null), if the current context can't draw this.
+    /// Null, with one line in `error` (not null), if the current context isn't sufficient.
     static std::unique_ptr<MazeRenderer> create(QString *error);
     ~MazeRenderer();
 
-    /// Both meshes must be closed, their triangles counter-clockwise from outside: back faces are culled.
+    /// Both meshes must be closed, with counter-clockwise triangles seen from outside: back faces are culled.
     void setMaze(const Mesh &mesh); ///< board frame, m
     void setBall(const Mesh &mesh); ///< radius 1 around the origin
     ShaderLibrary &shaders() { return m_shaders; }
@@ -44,8 +44,8 @@ public:
         bool operator==(const StaticScene &) const = default;
     };
     StaticScene staticSceneOf(const Frame &frame, const View &view);
-    /// render() in two parts with the same result, for callers that cache the picture of the first one, including
-    /// depth: board and table; then everything that moves, with the part of the board that the ball affects.
+    /// render() in two parts with the same result, for callers that cache the picture of the first one together with
+    /// its depth: first board and table, then everything that moves, with the part of the board that the ball affects.
     void renderStatic(const Frame &frame, const View &view);
     void renderMoving(const Frame &frame, const View &view);
     /// Draws a finished picture (a texture of the view's size) with antialiased edges.

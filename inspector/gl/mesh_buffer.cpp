@@ -13,7 +13,7 @@ struct Attribute {
     std::size_t offset;
 };
 
-/// In the order of the locations in maze.vert and ball.vert; bytes arrive as 0..1.
+/// In the order of the locations in maze.vert and ball.vert; bytes are normalised to 0..1.
 constexpr Attribute kAttributes[] = {{3, GL_FLOAT, offsetof(Vertex, position)},
                                      {3, GL_FLOAT, offsetof(Vertex, normal)},
                                      {2, GL_FLOAT, offsetof(Vertex, grain)},

@@ -7,8 +7,8 @@
 
 namespace inspector::gl {
 
-/// A texture of the mean height around each point of the board: where it rises above a surface, less of the sky is
-/// visible from there. Static, so it costs one look-up per pixel. Created and destroyed with the same context current.
+/// A texture of the mean height around each point of the board: where it is above a surface, that surface sees less of
+/// the sky. Static, so it costs one look-up per pixel. Created and destroyed with the same context current.
 class OcclusionMap {
 public:
     static constexpr int kSize = 512;

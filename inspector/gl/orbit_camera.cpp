@@ -25,8 +25,8 @@ constexpr double kFilledShare = 0.95; ///< share of the picture's width and heig
 
 const double kTangent = std::tan(0.5 * OrbitCamera::kFieldOfView);
 
-/// The positions of the corners while the board tilts. They reach farthest at full tilt, or so nearly that the margin
-/// covers the difference.
+/// The positions of the bounds' corners while the board tilts. They are farthest out at full tilt, or so nearly that
+/// the margin covers the difference.
 Corners sweptCorners(const Bounds &bounds, double largestTilt) {
     const glm::dvec3 pivot = boardPivot(bounds);
     Corners corners;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A camera that circles a target. World frame: the board frame of a level board, z up, m. Pixels are logical, y down.
+// A camera that orbits a target. World frame: the board frame of a level board, z up, m. Pixels are logical, y down.
 #pragma once
 
 #include "mesh/mesh.h"
@@ -33,7 +33,7 @@ public:
     void orbit(const glm::dvec2 &drag);
     /// Pans so that the point of the target's plane under the cursor stays under it.
     void pan(const glm::dvec2 &drag);
-    /// steps > 0 zooms in; the point of the target's plane under the cursor stays under it.
+    /// steps > 0 zooms in. The point of the target's plane under the cursor stays under it.
     void zoom(double steps, const glm::dvec2 &cursor);
     /// Returns to the start direction with all of the bounds in the picture.
     void reset();
@@ -41,7 +41,7 @@ public:
     /// margin.
     void fit();
 
-    /// Sets the target; direction and distance stay.
+    /// Sets the target; direction and distance are kept.
     void lookAt(const glm::dvec3 &world);
     /// Multiplies the distance by `share`.
     void approach(double share);

@@ -31,14 +31,14 @@ QString pathOf(const QString &directory, const char *name) {
     return QLatin1String(":/shaders/") + QLatin1String(name);
 }
 
-/// A software renderer executes both branches on a uniform, so the quality is a constant in the source.
+/// Software renderers execute both branches on a uniform, so the quality is a constant in the source.
 QByteArray withQuality(QByteArray source, Quality quality) {
     const qsizetype lineEnd = source.indexOf('\n') + 1; // after #version, which must be the first line
     const QByteArray define = "#define QUALITY " + QByteArray::number(static_cast<int>(quality)) + "\n#line 2\n";
     return source.insert(lineEnd, define);
 }
 
-/// Embedded files are read by Qt; those of a directory like every external file.
+/// Embedded files are read by Qt, files of a directory like any external file.
 std::optional<QByteArray> sourceOf(const QString &path, QString *log) {
     constexpr qint64 kLargest = kMegabyte;
     if (!path.startsWith(QLatin1Char(':'))) return readFile(path, kLargest, log);

@@ -14,9 +14,9 @@ namespace inspector::gl {
 
 enum class Program { Maze, Ball, Backdrop, Depth, Stroke, Smooth };
 
-/// The programs built from shaders/*.vert and *.frag: embedded in the executable, each file overridable by one in a
-/// directory that is watched while running. If a set doesn't compile, that is reported and the last good one stays in
-/// use.
+/// The programs built from shaders/*.vert and *.frag. The files are embedded in the executable, and each can be
+/// overridden by one in a directory that is watched at run time. If a set doesn't compile, this is reported and the
+/// last good set stays in use.
 class ShaderLibrary : public QObject {
     Q_OBJECT
 

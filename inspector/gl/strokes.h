@@ -33,7 +33,7 @@ public:
                float width = 2.0F);
     /// The edges of an axis-aligned box.
     void box(const glm::dvec3 &minimum, const glm::dvec3 &maximum, const Colour &colour, float width = 1.5F);
-    /// A path, oldest point first, fading in towards the newest. Points closer than `spacing` metres are merged.
+    /// A path, oldest point first, that fades in towards the newest. Points closer than `spacing` metres are merged.
     void trail(std::span<const glm::dvec3> points, const Colour &colour, float width, double spacing);
 
     void clear() { m_strokes.clear(); }

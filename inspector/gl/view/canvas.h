@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Draws a view's picture: by OpenGL, or without it.
+// Draws a view's picture, with or without OpenGL.
 #pragma once
 
 #include "gl/frame.h"
@@ -18,13 +18,13 @@ namespace inspector::gl {
 class CanvasHost {
 public:
     virtual const Frame &nextFrame() = 0;                 ///< the frame to draw now
-    virtual View view() const = 0;                        ///< how it is looked at
+    virtual View view() const = 0;                        ///< the camera of that frame
     virtual const OrbitCamera &lookedThrough() const = 0; ///< logical pixels
     virtual glm::dmat4 boardPose() const = 0;             ///< the board's pose in that frame
     virtual void noteDrawn(double milliseconds) = 0;      ///< time until the picture was finished
     virtual void
-    noteProblem(const QString &text) = 0; ///< one line or a shader log; drawing continues with what there is
-    virtual void noteRebuilt() = 0;       ///< shaders
+    noteProblem(const QString &text) = 0; ///< one line or a shader log; drawing continues as far as possible
+    virtual void noteRebuilt() = 0;       ///< the shaders were rebuilt
     virtual void noteUnusable(const QString &reason) = 0; ///< this kind of canvas can't draw here at all
 
 protected:
@@ -44,7 +44,7 @@ public:
     virtual QImage shown() = 0;
     virtual QString name() const = 0; ///< of the renderer; empty before the first picture
 
-    /// Empty: chosen by drawing times.
+    /// Empty: chosen automatically from drawing times.
     virtual void setQuality(std::optional<Quality>) {}
     virtual Quality quality() const { return Quality::Low; }
     virtual void setShaderDirectory(const QString &) {}

@@ -9,8 +9,8 @@ class QPainter;
 
 namespace inspector::gl {
 
-/// Draws without OpenGL, for a camera that looks from above, by the painter's algorithm in order of height. Holes show
-/// the table through the floor.
+/// Draws without OpenGL, for a camera that looks from above: painter's algorithm in order of height. The table shows
+/// through holes in the floor.
 class FlatCanvas : public QWidget, public Canvas {
 public:
     /// host must outlive the canvas.

@@ -19,7 +19,7 @@ constexpr int kSamples = 4; ///< of saved pictures
 
 QOpenGLExtraFunctions &functions() { return *QOpenGLContext::currentContext()->extraFunctions(); }
 
-/// Like a widget's own framebuffer, so that depth can be copied between them.
+/// The format of a widget's own framebuffer, so that depth can be copied between them.
 QOpenGLFramebufferObjectFormat formatOf(int samples) {
     QOpenGLFramebufferObjectFormat format;
     format.setSamples(samples);
@@ -125,8 +125,8 @@ unsigned FramePainter::unsmoothed(const View &view) {
     return m_unsmoothed->handle();
 }
 
-/// When board and table don't change, they are drawn once without the ball and copied from then on. True if everything
-/// was drawn anew.
+/// When board and table don't change, they are drawn once without the ball and copied afterwards. Returns true if
+/// everything was drawn anew.
 bool FramePainter::render(const Frame &frame, const View &view, unsigned framebuffer) {
     const MazeRenderer::StaticScene staticScene = m_renderer->staticSceneOf(frame, view);
     if (staticScene != std::exchange(m_staticScene, staticScene)) {

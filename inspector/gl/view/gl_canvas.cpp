@@ -12,7 +12,7 @@ GlCanvas::GlCanvas(CanvasHost &host, QWidget *parent)
 }
 
 GlCanvas::~GlCanvas() {
-    // The base class destroys the context after this part of the object is gone.
+    // The base class destroys the context after this part of the object has been destroyed.
     if (context()) disconnect(context(), nullptr, this, nullptr);
     releaseResources();
 }
@@ -25,7 +25,7 @@ void GlCanvas::releaseResources() {
 }
 
 void GlCanvas::initializeGL() {
-    // Moving the widget to another window replaces its context and everything that belongs to it.
+    // Moving the widget to another window replaces its context and all objects in it.
     connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &GlCanvas::releaseResources, Qt::UniqueConnection);
     m_painter.begin();
 }

@@ -73,7 +73,7 @@ void MazeView::makeCanvas(Drawing drawing) {
     resetCamera();
 }
 
-/// Queued, so that no function of the old canvas is on the stack.
+/// Queued, so that no function of the old canvas is on the call stack.
 void MazeView::noteUnusable(const QString &reason) {
     emit problem(tr("%1; the board is drawn from above instead").arg(reason));
     QMetaObject::invokeMethod(
@@ -176,14 +176,14 @@ View MazeView::view() const {
     View view;
     view.view = m_camera.view();
     view.projection = m_camera.projection();
-    // The one place that converts logical to device pixels.
+    // This is the only place that converts logical to device pixels.
     view.pixelRatio = devicePixelRatioF();
     view.pixels = {std::lround(width() * view.pixelRatio), std::lround(height() * view.pixelRatio)};
     view.backdrop = backdropOf(palette());
     return view;
 }
 
-/// In a large maze shown whole, a ball at its true size would be an invisible dot.
+/// In a large maze shown as a whole, a ball of its true size would be an invisible dot.
 void MazeView::keepVisible(Ball &ball) const {
     const QPointF reach = positionOf(ball.position + glm::dvec3(ball.radius, 0.0, 0.0)) - positionOf(ball.position);
     const double radius = std::hypot(reach.x(), reach.y());
@@ -227,7 +227,7 @@ void MazeView::mouseReleaseEvent(QMouseEvent *event) {
 }
 
 void MazeView::mouseDoubleClickEvent(QMouseEvent *event) {
-    m_isDragging = true; // so that the release isn't a click
+    m_isDragging = true; // the release isn't a click then
     event->accept();
     resetCamera();
 }

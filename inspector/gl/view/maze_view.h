@@ -13,14 +13,14 @@
 namespace inspector::gl {
 
 enum class Drawing {
-    Solid,   ///< by OpenGL, the cheaper of the next two here
+    Solid,   ///< by OpenGL, the cheaper of Screen and Picture
     Screen,  ///< directly onto the screen
     Picture, ///< into an image
     Flat,    ///< without OpenGL, from above
 };
 
-/// The board as a widget: left drag orbits, right or middle drag pans, the wheel zooms to the cursor, a double click
-/// shows everything again. Keys are left to the window. GUI thread only.
+/// The board as a widget. Left drag orbits, right or middle drag pans, the wheel zooms to the cursor, a double click
+/// resets the camera to show everything. Keys are left to the window. GUI thread only.
 class MazeView : public QWidget, private CanvasHost {
     Q_OBJECT
 
@@ -34,7 +34,7 @@ public:
 
     /// May be called before the widget is shown. A maze with other bounds resets the camera.
     void setMaze(const Mesh &mesh);
-    /// rad, in x and in y, up to which the whole board stays in the picture. Initially 0.
+    /// Largest tilt in x and in y, rad, at which the whole board stays in the picture. Initially 0.
     void setLargestTilt(double tilt);
     void setBall(const Mesh &mesh); ///< radius 1 around the origin
 
@@ -58,7 +58,7 @@ public:
     /// Shows everything from the start direction.
     void resetCamera();
     void lookFromAbove();
-    /// The camera follows the ball from nearer by, until switched off or reset.
+    /// The camera follows the ball at a shorter distance, until switched off or reset.
     void setFollowing(bool isOn);
     bool isFollowing() const { return m_isFollowing; }
 

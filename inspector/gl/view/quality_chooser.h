@@ -5,14 +5,14 @@
 
 namespace inspector::gl {
 
-/// Finds the best quality that is drawn in time, from drawing times.
+/// Finds the best quality that is drawn in time, based on drawing times.
 class QualityChooser {
 public:
     explicit QualityChooser(Quality first)
         : m_quality(first) {}
 
     Quality quality() const { return m_quality; }
-    /// Reports a picture fully drawn in this quality. A single slow picture decides nothing.
+    /// Reports a picture fully drawn in this quality. A single slow picture changes nothing.
     void note(double milliseconds);
 
 private:
