@@ -11,7 +11,7 @@
 
 namespace inspector::gl {
 
-/// The appearance of a surface: a .mtl in the terms of the shaders.
+/// The appearance of a surface: a .mtl material in the shaders' terms.
 struct Material {
     std::string name;
     glm::vec3 albedo{0.8F};    ///< sRGB, 0..1

@@ -43,7 +43,7 @@ void MeshBuilder::beginPiece(const Material &material, const Bounds &bounds) {
 glm::vec2 MeshBuilder::grainCoordinate(const glm::vec3 &position, const glm::vec3 &normal) const {
     const float along = m_alongY ? position.y : position.x;
     const float side = m_alongY ? position.x : position.y;
-    // Top and bottom show the plank's width, its sides the height, its ends (cut fibres) both.
+    // Top and bottom show the plank's width, its sides the height, and its ends (cut fibres) both.
     const bool isEnd = std::abs(m_alongY ? normal.y : normal.x) > 0.8F;
     if (isEnd) return m_grainOrigin + glm::vec2(side, position.z);
     return m_grainOrigin + glm::vec2(along, std::abs(normal.z) > 0.6F ? side : position.z);
@@ -58,7 +58,7 @@ void MeshBuilder::triangle(const std::array<glm::vec3, 3> &positions, const std:
     }
 }
 
-/// Adjacent triangles are consecutive, so an equal vertex is among the last few or nowhere.
+/// Equal vertices of adjacent triangles are among the last few, so only those are searched.
 std::uint32_t MeshBuilder::indexOf(const Vertex &vertex) {
     constexpr std::size_t kLookBack = 8;
     std::vector<Vertex> &vertices = m_mesh.vertices;
@@ -147,7 +147,8 @@ Mesh patternedBall() {
     MeshBuilder builder;
     for (int stack = 0; stack < kStacks; ++stack) {
         for (int slice = 0; slice < kSlices; ++slice) {
-            // Eight fields like a beach ball's, swapped at the equator: only a full turn looks the same as none.
+            // Eight fields like those of a beach ball, swapped at the equator, so that only a full turn looks like
+            // none.
             const bool isDark = (slice / (kSlices / 8) + stack / (kStacks / 2)) % 2 == 0;
             builder.beginPiece(isDark ? dark : light, {});
             const glm::vec3 a = at(stack, slice);

@@ -8,8 +8,8 @@
 
 namespace inspector::gl {
 
-/// Builds a mesh piece by piece. A piece is a part cut from one plank: its grain runs along its longer horizontal side
-/// and has an origin of its own.
+/// Builds a mesh piece by piece. A piece is cut from one plank: its grain runs along its longer horizontal side and has
+/// an origin of its own.
 class MeshBuilder {
 public:
     void beginPiece(const Material &material, const Bounds &bounds);
@@ -40,7 +40,7 @@ struct MazeBox {
     BoxKind kind = BoxKind::Wall;
 };
 
-/// The default material of each kind, where there is no .mtl.
+/// The default material of each kind, used where there is no .mtl.
 Material boxMaterial(BoxKind kind);
 
 /// A maze mesh made from its boxes alone; top edges are chamfered so that they catch the light.

@@ -29,7 +29,7 @@ struct Loaded {
     std::vector<tinyobj::material_t> materials;
 };
 
-/// Returns the checked materials, whichever file is requested.
+/// Returns the checked materials, whichever file the loader requests.
 class CheckedMaterials : public tinyobj::MaterialReader {
 public:
     explicit CheckedMaterials(const QByteArray &text)
@@ -62,11 +62,11 @@ Material materialOf(const tinyobj::material_t &source) {
     Material material;
     material.name = source.name;
     material.albedo = glm::clamp(glm::vec3(source.diffuse[0], source.diffuse[1], source.diffuse[2]), 0.0F, 1.0F);
-    // Ks 0.5 stands for the 4 % reflectance of wood, paint and plastic; Blinn's exponent becomes a roughness.
+    // Ks 0.5 stands for the 4 % reflectance of wood, paint and plastic; Blinn's exponent is converted to a roughness.
     material.reflectance = 0.08F * strongest(source.specular);
     material.roughness = std::pow(2.0F / (std::max(source.shininess, 0.0F) + 2.0F), 0.25F);
     material.emission = strongest(source.emission) / std::max(strongest(source.diffuse), 0.05F);
-    // Wood unless it emits light.
+    // Materials that emit light aren't wood.
     material.grain = material.emission > 0.0F ? 0.0F : 1.0F;
     return material;
 }
@@ -76,7 +76,7 @@ glm::vec3 vectorAt(const std::vector<tinyobj::real_t> &values, int index) {
     return {values[first], values[first + 1], values[first + 2]};
 }
 
-/// Whether nothing is missing: the loader counts and triangulates by itself.
+/// Checks that the loader has lost nothing: it counts and triangulates on its own.
 bool isComplete(const Loaded &loaded) {
     const auto has = [](const std::vector<tinyobj::real_t> &values, int index) {
         return index >= 0 && static_cast<std::size_t>(index) * 3 + 2 < values.size();
@@ -110,7 +110,7 @@ bool addTriangle(MeshBuilder &builder, const tinyobj::attrib_t &attributes, cons
     std::array<glm::vec3, 3> positions;
     std::array<glm::vec3, 3> normals;
     for (std::size_t i = 0; i < 3; ++i) positions[i] = vectorAt(attributes.vertices, corners[i].vertex_index);
-    // In double: the area of a small face underflows a float.
+    // Computed in double, because the area of a small face underflows in float.
     const glm::dvec3 area = glm::cross(glm::dvec3(positions[1]) - glm::dvec3(positions[0]),
                                        glm::dvec3(positions[2]) - glm::dvec3(positions[0]));
     if (glm::length(area) == 0.0) return false;
@@ -123,7 +123,7 @@ bool addTriangle(MeshBuilder &builder, const tinyobj::attrib_t &attributes, cons
     return true;
 }
 
-/// Returns the number of degenerate faces, which are left out.
+/// Adds the faces except degenerate ones, whose number it returns.
 int addShape(MeshBuilder &builder, const Loaded &loaded, const tinyobj::shape_t &shape) {
     const Bounds bounds = shapeBounds(loaded.attributes, shape);
     int current = -2; // not a valid material number

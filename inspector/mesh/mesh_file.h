@@ -10,8 +10,8 @@
 
 namespace inspector::gl {
 
-/// Reads a Wavefront .obj with its .mtl files. `problem` (not null) gets one line: file, line number if any, what was
-/// expected, what was found. On failure returns nothing; otherwise `problem` says what was left out of the mesh, or is
+/// Reads a Wavefront .obj with its .mtl files. `problem` (not null) gets one line: file, line number if there is one,
+/// expected and found text. Returns nothing on failure; otherwise `problem` says what was left out of the mesh, or is
 /// empty.
 std::optional<Mesh> loadMesh(const QString &path, QString *problem);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Validates a Wavefront .obj and its .mtl line by line and writes them anew: the loader only gets lines of known form
-// with numbers and indices in range, whatever is in the files.
+// Validates a Wavefront .obj and its .mtl line by line and writes them anew, so that whatever is in the files, the
+// loader only gets lines of a known form with numbers and indices in range.
 #pragma once
 
 #include <QByteArray>
