@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads the command line, decides between window and no window, and delegates. Only one application object exists at a
-// time: the command line is parsed, and everything without a window runs, with one that needs no display.
+// Reads the command line, decides whether a window is needed, and delegates. Only one application object exists at a
+// time: the command line, and everything without a window, uses one that needs no display.
 #include "core/program/command_line.h"
 #include "core/program/csv_writer.h"
 #include "core/program/ending.h"
@@ -28,14 +28,14 @@ namespace {
 
 using namespace inspector;
 
-/// If a standard descriptor is closed, the next opened file would receive its output.
+/// If a standard descriptor were closed, the next opened file would receive its output.
 void keepStandardDescriptors() {
     int descriptor = ::open("/dev/null", O_RDONLY); // read-only, so that writing fails
     while (descriptor >= 0 && descriptor <= STDERR_FILENO) descriptor = ::dup(descriptor);
     if (descriptor >= 0) ::close(descriptor);
 }
 
-/// Qt's own options are disabled: it would take --plugin for one of them.
+/// Qt's own options are disabled, as it would take --plugin for one of them.
 QStringList wordsOf(int argc, char **argv) {
     QStringList words;
     std::transform(argv, argv + argc, std::back_inserter(words), [](const char *word) { return decodePath(word); });
@@ -50,7 +50,7 @@ int finished(OutputFile &out, int status, QTextStream &messages) {
     return std::max(status, 1);
 }
 
-/// Where to show progress: only on a terminal.
+/// The stream for progress: only if it is a terminal.
 QTextStream *terminalOf(QTextStream &messages) { return isatty(STDERR_FILENO) ? &messages : nullptr; }
 
 int runTradeOnTerminal(const Options &options, QTextStream &messages) {
@@ -63,7 +63,7 @@ int runTradeOnTerminal(const Options &options, QTextStream &messages) {
     return finished(*file, status, messages);
 }
 
-/// The core writes SVG by itself; other pictures need an application that can draw, but no screen.
+/// The core writes SVG itself; other pictures need an application that can draw, but no screen.
 bool needsToDraw(const Options &options) {
     const QString &plot = options.trade.plot;
     return !plot.isEmpty() && !plot.endsWith(QLatin1String(".svg"));

@@ -20,7 +20,7 @@ public:
     void undo() override { m_session.placeBall(m_before); }
     void redo() override {
         if (m_isDone) m_session.placeBall(m_after);
-        m_isDone = true; // when the command is pushed, the ball is there already
+        m_isDone = true; // the ball is already there when the command is pushed
     }
 
 private:

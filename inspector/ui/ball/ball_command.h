@@ -7,7 +7,7 @@ class QUndoStack;
 
 namespace inspector::ui {
 
-/// Pushes a command for a ball that the user has already moved: one undo reverts all of it.
+/// Pushes a command for a ball that the user has already moved; a single undo reverts all of it.
 void pushBallCommand(Session &session, QUndoStack &undo, const phys_state &before, const phys_state &after);
 
 } // namespace inspector::ui

@@ -23,7 +23,7 @@ struct Row {
 };
 
 constexpr double kMost = 1e6;
-constexpr double kTouching = 1e-3; ///< radii: not worth a word
+constexpr double kTouching = 1e-3; ///< radii: smaller overlaps aren't mentioned
 constexpr Row kRows[] = {
     {"ball_x", QT_TRANSLATE_NOOP("inspector::ui::BallDock", "Position x"), "m", 1e-3, &phys_state::position,
      &phys_vec3::x},
@@ -96,7 +96,7 @@ void BallDock::enter(size_t row, double value) {
     m_boxes[row]->setValue(value);
 }
 
-/// What is unusual about the place of a ball that stands, or what can be done with it.
+/// Describes what is unusual about the place of a paused ball, or what can be done with it.
 QString BallDock::noteOf(const phys_state &ball) const {
     const phys_scene *scene = m_session.scene().get();
     const double overlap = overlapOf(scene, ball.position);

@@ -15,7 +15,7 @@ namespace inspector::ui {
 
 class NumberBox;
 
-/// Position, velocity and spin of the ball as numbers, editable while paused, and its start.
+/// Position, velocity and spin of the ball as numbers that can be edited while paused, and its start.
 class BallDock : public QScrollArea {
     Q_OBJECT
 

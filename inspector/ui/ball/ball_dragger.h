@@ -14,12 +14,12 @@ class QUndoStack;
 namespace inspector::ui {
 
 /// Moves the ball by the mouse while paused: a drag moves it, out of walls and onto the floor; a drag with Ctrl sets
-/// its velocity. One undo reverts a drag.
+/// its velocity. A drag is one undo step.
 class BallDragger : public QObject {
     Q_OBJECT
 
 public:
-    /// Length of the arrow, s: its tip is where the ball would be after this time.
+    /// Time represented by the arrow, s: its tip is where the ball would be after this time.
     static constexpr double kArrow = 0.2;
 
     /// All must outlive this object.
@@ -42,7 +42,7 @@ private:
     QUndoStack &m_undo;
     std::optional<phys_state> m_before; ///< before the drag
     phys_state m_now{};
-    bool m_pulls = false; ///< sets the velocity, not the position
+    bool m_pulls = false; ///< the drag sets the velocity, not the position
 };
 
 } // namespace inspector::ui

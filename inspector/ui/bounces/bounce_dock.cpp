@@ -31,13 +31,13 @@ namespace {
 constexpr size_t kMarks = 20;
 constexpr int kNarrow = 520; ///< logical pixels
 
-/// Makes links of references to sections of the model page.
+/// Turns references to sections of the model page into links.
 QString withLinks(QString escaped) {
     static const QRegularExpression named(QStringLiteral("model\\.md (\\d+\\.\\d+)( [A-Z]\\d)?"));
     return escaped.replace(named, QStringLiteral("<a href='\\1'>model.md \\1\\2</a>"));
 }
 
-/// Labels to the left of the texts.
+/// A layout with labels to the left of the texts.
 QString columns(const std::vector<LawLine> &lines) {
     QString rows;
     for (const LawLine &line : lines)
@@ -47,7 +47,7 @@ QString columns(const std::vector<LawLine> &lines) {
     return QStringLiteral("<table cellspacing='1'>%1</table>").arg(rows);
 }
 
-/// Labels above the texts, where there is no room for columns.
+/// A layout with labels above the texts, for a dock that is too narrow for columns.
 QString paragraphs(const std::vector<LawLine> &lines) {
     QString text;
     for (const LawLine &line : lines)
@@ -58,7 +58,7 @@ QString paragraphs(const std::vector<LawLine> &lines) {
 
 } // namespace
 
-/// Hides the kinds of rows that are switched off.
+/// A filter that hides the kinds of rows that are switched off.
 class BounceFilter : public QSortFilterProxyModel {
 public:
     BounceFilter(const BounceTableModel &events, QObject *parent)
@@ -188,7 +188,7 @@ void BounceDock::refresh() {
     showSelected(); // an entry of slow impacts may have grown
 }
 
-/// A run that is repeated, for instance by seeking in a recording, has the same events.
+/// When a run is repeated, for instance by seeking in a recording, it has the same events.
 void BounceDock::selectAwaited() {
     if (!m_awaited) return;
     const phys_event &awaited = m_awaited->event;
@@ -283,7 +283,7 @@ bool BounceDock::eventFilter(QObject *object, QEvent *event) {
     return true;
 }
 
-/// For spreadsheets and editors: tab-separated text, and the same as CSV.
+/// Copies the selected rows both as tab-separated text and as CSV.
 void BounceDock::copy() const {
     QModelIndexList rows = m_table->selectionModel()->selectedRows();
     std::sort(rows.begin(), rows.end());

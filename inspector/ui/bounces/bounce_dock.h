@@ -20,7 +20,8 @@ class BounceFilter;
 class BounceTableModel;
 class ElidedLabel;
 
-/// The events of this run, one row each, and the details of the selected one: its numbers and the law that they obey.
+/// The events of this run, one row each, and the details of the selected one: its figures and the law that applies to
+/// it.
 class BounceDock : public QWidget {
     Q_OBJECT
 

@@ -32,7 +32,7 @@ bool isSelected(const BounceMarks &marks, const LoggedEvent &event) {
     return marks.selected && marks.selected->number == event.number;
 }
 
-/// Slightly above the surface, which would hide half of it.
+/// Slightly above the surface, so that it isn't half hidden.
 glm::dvec3 footOf(const LoggedEvent &event, double radius) {
     return toGlm(event.event.point) + 0.05 * radius * toGlm(event.event.normal);
 }
@@ -95,7 +95,7 @@ bool isVisible(const glm::dvec3 &eye, const glm::dvec3 &point, const phys_scene 
     return std::none_of(boxes.begin(), boxes.end(), [&](const phys_box &box) { return isBetween(box, eye, point); });
 }
 
-/// Both ends of a mark as drawn.
+/// The end points of a mark as drawn.
 std::array<glm::dvec3, 2> endsOf(const LoggedEvent &event, double radius) {
     const glm::dvec3 foot = footOf(event, radius);
     return {foot, foot + kNormalLength * radius * toGlm(event.event.normal)};
@@ -137,7 +137,7 @@ std::optional<uint64_t> markAt(const gl::MazeView &view, const gl::Ray &ray, con
         nearest = distance;
         best = event.number;
     };
-    // The topmost mark is tried first.
+    // Try the topmost mark first.
     if (marks.selected) consider(*marks.selected);
     std::for_each(marks.recent.rbegin(), marks.recent.rend(), consider);
     return best;

@@ -12,11 +12,11 @@ namespace inspector::ui {
 
 /// The drawn entries of the log.
 struct BounceMarks {
-    std::vector<LoggedEvent> recent; ///< oldest first: the older, the fainter
+    std::vector<LoggedEvent> recent; ///< oldest first; older ones are fainter
     std::optional<LoggedEvent> selected;
 };
 
-/// Adds a point and its normal for each; the selected one larger, with its box.
+/// Adds each entry's point and normal; those of the selected one are larger and shown with its box.
 void addMarks(gl::Strokes &strokes, const BounceMarks &marks, const phys_scene *scene);
 
 /// The number of the entry whose mark is nearest to the ray on the screen, within a few pixels. Marks whose point and

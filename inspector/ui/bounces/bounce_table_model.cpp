@@ -11,7 +11,7 @@ namespace inspector::ui {
 
 namespace {
 
-/// Old rows are removed in blocks: a table that loses a row at each refresh is unreadable.
+/// Old rows are removed in blocks, because a table that loses a row at each refresh is unreadable.
 constexpr uint64_t kDroppedAtOnce = 128;
 
 const std::vector<const EventColumn *> &shownColumns() {

@@ -120,7 +120,7 @@ void ComparisonDock::refresh(const Snapshot &now) {
     m_plot->refresh();
 }
 
-/// The legend has one name for the ghost: what is drawn begins where that one met the ball.
+/// The legend has one name for the ghost, so the curve begins where that ghost started at the ball.
 void ComparisonDock::hideEarlierGhosts(const Snapshot &now) {
     const Comparison::Made *made = now.ghost ? m_session.comparison().made(now.ghost->number) : nullptr;
     if (!m_isNamedAnew || !made || made->ghostChoice != m_named) return;

@@ -15,7 +15,7 @@ class ElidedLabel;
 class NumberBox;
 class PlotPanel;
 
-/// The comparison with a second ball: its stepper, and the distance of both, now and over time.
+/// The comparison with a ghost: its stepper, and the distance between both balls, now and over time.
 class ComparisonDock : public QWidget {
     Q_OBJECT
 
@@ -26,7 +26,7 @@ public:
         QAction &ownParameters; ///< checkable
     };
 
-    /// session and actions outlive the dock.
+    /// session and actions must outlive the dock.
     ComparisonDock(Session &session, const Actions &actions, QWidget *parent = nullptr);
 
     QSize sizeHint() const override { return {700, 300}; }
@@ -50,7 +50,7 @@ private:
     NumberBox *m_substeps;
     ElidedLabel *m_figures;
     DistancePlot *m_plot;
-    GhostChoice m_named;                ///< in the legend
+    GhostChoice m_named;                ///< the choice that the legend names
     bool m_isNamedAnew = false;         ///< the plot may still show steps of an earlier choice
     std::shared_ptr<const Band> m_band; ///< uncertainty band; or null
 };

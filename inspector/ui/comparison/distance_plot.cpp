@@ -11,13 +11,13 @@ namespace inspector::ui {
 
 namespace {
 
-/// Minimum ratio of upper to lower border, so that a constant distance isn't a ragged line.
+/// Smallest ratio of the upper to the lower end of the axis, so that a constant distance isn't drawn as a ragged line.
 constexpr double kFewest = 1e2;
 constexpr double kBelowZero = 0.4;     ///< lower border as a share of the position of zeros
 const QCPRange kUsualRange(1e-5, 1e1); ///< mm
 constexpr double kSmallest = 1e-12;    ///< mm, where zeros of the band are drawn on a logarithmic axis
 
-/// Ticks at powers of ten, and 0 where zeros are drawn.
+/// Ticks at powers of ten, and a tick 0 where zeros are drawn.
 class ZeroTicker : public QCPAxisTickerLog {
 public:
     /// height: the position of zeros; 0 if there are none.
@@ -45,9 +45,9 @@ DistancePlot::DistancePlot(const SampleRing &samples, QWidget *parent)
     , m_high(addGraph())
     , m_middle(addGraph()) {
     setObjectName(QStringLiteral("distance_plot"));
-    setMinimumHeight(140); // both axes' labels
+    setMinimumHeight(140); // room for the labels of both axes
     addCurve(Channel::Distance, &Accents::total);
-    curves().front().graph->removeFromLegend(); // the axis label is enough
+    curves().front().graph->removeFromLegend(); // the axis label names it
     m_high->setName(tr("Not known (9 boards in 10)"));
     m_high->setBrush(kBandFill);
     m_high->setChannelFillGraph(m_low);

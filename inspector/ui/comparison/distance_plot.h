@@ -6,9 +6,9 @@
 
 namespace inspector::ui {
 
-/// The distance of the ball from the ghost over time, on a logarithmic axis: in mm, and in radii at the right border.
-/// Zeros are drawn one decade below everything else, at a tick labelled 0. Behind it is the uncertainty band of the
-/// board: where the distance is below it, both balls couldn't be told apart on a real board.
+/// The distance of the ball from the ghost over time, on a logarithmic axis: in mm on the left and in radii on the
+/// right. Zeros are drawn one decade below everything else, at a tick labelled 0. The board's uncertainty band is
+/// behind the curve: where the distance is below it, both balls couldn't be told apart on a real board.
 class DistancePlot : public TimePlot {
     Q_OBJECT
 

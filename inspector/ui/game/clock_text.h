@@ -7,7 +7,7 @@
 
 namespace inspector::ui {
 
-/// Seconds as on a stop watch: 1:23.45
+/// Formats seconds as a stopwatch does: 1:23.45
 inline QString clockText(double seconds) {
     const auto hundredths = qint64(std::floor(seconds * 100.0 + 1e-6));
     return QStringLiteral("%1:%2.%3")

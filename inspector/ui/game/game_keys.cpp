@@ -24,7 +24,7 @@ constexpr double kLongestTurn = 0.1; ///< s, so that the board doesn't jump afte
 bool isArrow(int key) { return key >= Qt::Key_Left && key <= Qt::Key_Down; }
 bool isEnter(int key) { return key == Qt::Key_Return || key == Qt::Key_Enter; }
 
-/// Whether the widget takes text, or is an open list of choices.
+/// Whether the widget accepts text, or is an open list of choices.
 bool isText(const QWidget *widget) {
     const auto *combo = qobject_cast<const QComboBox *>(widget);
     return qobject_cast<const QLineEdit *>(widget) || qobject_cast<const QAbstractSpinBox *>(widget) ||
@@ -41,7 +41,7 @@ bool isInDialog(const QWidget *widget) {
     return false;
 }
 
-/// Whether the text is invalid, so that editing must go on.
+/// Whether the text is invalid, so that editing must continue.
 bool isUnreadable(const QWidget *widget) {
     const auto *combo = qobject_cast<const QComboBox *>(widget);
     const auto *box = qobject_cast<const NumberBox *>(combo ? combo->lineEdit() : widget);
@@ -91,7 +91,7 @@ bool GameKeys::eventFilter(QObject *object, QEvent *event) {
         event->accept();
         if (!QApplication::activePopupWidget()) return true;
         if (isEnter(key->key())) returnKeyboardAfter(widget);
-        return false; // an open list takes the key right now
+        return false; // an open list needs the key
     }
     if (takeArrow(*key)) {
         event->accept();
@@ -103,7 +103,7 @@ bool GameKeys::eventFilter(QObject *object, QEvent *event) {
     return false;
 }
 
-/// If the game took a key's press it must also get its release, or the board would stay tilted.
+/// If the game received a key's press, it must also receive its release, or the board would stay tilted.
 bool GameKeys::takeArrow(const QKeyEvent &event) {
     if (!isArrow(event.key())) return false;
     unsigned &held = m_held[size_t(event.key() - Qt::Key_Left)];
@@ -117,7 +117,7 @@ bool GameKeys::takeArrow(const QKeyEvent &event) {
 }
 
 /// Called after the widget has handled the key: a table ends an edit a little later, and an edit that has lost the
-/// keyboard by then ends twice.
+/// keyboard by then would end twice.
 void GameKeys::returnKeyboardAfter(const QWidget *editor) {
     const auto returnKeyboard = [this, editor] {
         const QWidget *focus = QApplication::focusWidget();

@@ -19,8 +19,8 @@ class MazeView;
 namespace inspector::ui {
 
 /// Routes keys to the game. While a level is played, arrow keys tilt the board whatever has the focus; otherwise only
-/// if the view has it. They act in screen directions, whatever the camera's azimuth. In editors and choosers, Enter and
-/// Esc finish the input and return the focus to the view, without any other effect.
+/// if the view has it. They act in screen directions, independent of the camera's azimuth. In editors and choosers,
+/// Enter and Esc finish the input and return the focus to the view, and have no other effect.
 class GameKeys : public QObject {
     Q_OBJECT
 

@@ -33,7 +33,7 @@ QString winLine(const Session &session, const Game &game) {
     return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "%1 – best time %2")).arg(time, clockText(*best));
 }
 
-/// A hint what to do; for the user's own maze also what the list of levels can't show.
+/// A hint what to do; for the user's own maze also its best time, which the list of levels doesn't show.
 QString promptHint(Session &session) {
     if (session.hasAutopilot())
         return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "The autopilot plays · A takes over"));
@@ -48,7 +48,7 @@ QString promptHint(Session &session) {
                 : play;
 }
 
-/// Who tilts the board.
+/// What sets the tilt of the board.
 QString tiltHint(const Session &session) {
     if (session.hasAutopilot())
         return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "The autopilot tilts the board · A takes over"));
@@ -57,7 +57,7 @@ QString tiltHint(const Session &session) {
     return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Arrow keys or sliders tilt the board"));
 }
 
-/// A run without the game.
+/// The text for a run without the game.
 GameText freeRunText(const Session &session, const QString &title, const Snapshot &now) {
     GameText text;
     text.title = title;
@@ -74,7 +74,7 @@ GameText freeRunText(const Session &session, const QString &title, const Snapsho
     return text;
 }
 
-/// While steps are so far apart that the window seems to stand still.
+/// Shown while steps are so far apart that the window seems to have stopped.
 QString waitHint(const Snapshot &now) {
     const double period = std::chrono::duration<double>(now.interval).count();
     if (period < kLongWait) return {};
@@ -152,7 +152,7 @@ GameText stateText(Session &session, const Snapshot &now) {
     return text;
 }
 
-/// What stays of a result that was closed: how to go on.
+/// What remains of a result after it was closed: how to continue.
 GameText closed(const GameText &result) {
     GameText text;
     text.hint = result.hint;

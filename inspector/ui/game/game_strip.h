@@ -18,7 +18,7 @@ struct GameText {
     QString line;
     QString hint;
     QString clock;
-    bool isResult = false; ///< a level is finished: can be dismissed
+    bool isResult = false; ///< a level is finished; it can be dismissed
     bool operator==(const GameText &) const = default;
 };
 

@@ -5,8 +5,8 @@
 
 namespace inspector::ui {
 
-/// A slider whose notches are `fine` positions apart. It moves by notches; with Shift by single positions, and a drag
-/// with Shift is ten times slower. A press next to the handle moves it there.
+/// A slider whose notches are `fine` positions apart. It moves by notches, with Shift by single positions; a drag with
+/// Shift is ten times slower. A press next to the handle moves the handle there.
 class FineSlider : public QSlider {
     Q_OBJECT
 

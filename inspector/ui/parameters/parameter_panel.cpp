@@ -23,7 +23,7 @@ namespace inspector::ui {
 
 namespace {
 
-/// For rows that can't be edited just now: fainter than editable ones, stronger than ones without effect.
+/// Colour of rows that can't be edited at the moment: fainter than editable ones, stronger than ones without effect.
 QPalette readable(const QPalette &palette) {
     QPalette result;
     for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
@@ -77,7 +77,7 @@ void ParameterPanel::changeEvent(QEvent *event) {
         if (row) row->takeColours();
 }
 
-/// The ghost's row of a parameter follows the ball's; rows that only its stepper has come last.
+/// The ghost's row of a parameter follows the ball's row; rows that only the ghost's stepper has come last.
 void ParameterPanel::rebuild() {
     auto *page = new QWidget;
     auto *grid = new QGridLayout(page);
@@ -178,7 +178,7 @@ void ParameterPanel::resetAll() {
     change(m_ball, initial, tr("reset of all parameters"));
 }
 
-/// A recorded ball's values can't be changed.
+/// A recorded ball's values can't be edited.
 void ParameterPanel::useSet(Side &side, const ParameterSet &set) {
     if (side.owner == Owner::Ball && m_session.isReplaying())
         return emit refused(tr("a recording is shown as it was; Go on from here makes its parameters yours to change"));
@@ -210,7 +210,7 @@ void ParameterPanel::showValue(const Side &side, int index, double value) {
     const phys_param_row &row = side.parameters.row(index);
     ParameterRow *shown = side.rows[size_t(index)];
     if (!shown) return;
-    // The keys' tilt, live or recorded, takes angles with any number of digits.
+    // A tilt set by keys, live or recorded, has angles with any number of digits.
     const bool isShown = m_session.isTiltedByKeys() || m_session.isReplaying() || m_session.isInPast();
     const bool isPassing = isTilt(row) && isShown;
     shown->showValue(isPassing ? std::round(value / row.step) * row.step : value);
@@ -225,7 +225,7 @@ void ParameterPanel::showPilotsTilt(Tilt tilt) {
     }
 }
 
-/// The sliders show the parameters again when nothing else tilts the board.
+/// The sliders show the parameters again when nothing else sets the tilt.
 void ParameterPanel::showPilot() {
     for (int index = 0; index < m_ball.parameters.count(); ++index)
         m_ball.rows[size_t(index)]->showValue(m_ball.parameters.value(index));

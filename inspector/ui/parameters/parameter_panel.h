@@ -19,8 +19,8 @@ class ParameterRow;
 class SetMenu;
 enum class Owner;
 
-/// Shows and edits every row of Parameters; below each the ghost's, while it has its own. Edits go through the undo
-/// stack.
+/// Shows and edits every row of Parameters and, while the ghost has its own parameters, the ghost's row below each.
+/// Edits go through the undo stack.
 class ParameterPanel : public QScrollArea {
     Q_OBJECT
 

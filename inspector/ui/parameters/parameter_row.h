@@ -21,13 +21,14 @@ class NumberBox;
 enum class Owner { Ball, Ghost };
 
 /// The widgets of one parameter in one line of a grid, generated from its row: label, slider and number (or a list of
-/// choices, or a check box), reset. They display values passed in and report edits; the value is stored elsewhere.
+/// choices, or a check box), reset. They display values passed in and report edits; they don't store the value.
 class ParameterRow : public QObject {
     Q_OBJECT
 
 public:
     /// Object names for styles and tests: the row's id + _slider, _box, _choice, _switch, _reset; the ghost's have the
-    /// prefix ghost_. The ghost's label is in its colour, and is only that where the ball's row is the line above.
+    /// prefix ghost_. The ghost's label has the ghost's colour, and is shortened to "ghost" where the line above is the
+    /// ball's row.
     struct Place {
         Owner owner;
         bool isBelowTheBalls;
@@ -41,7 +42,7 @@ public:
     void showValue(double value);
     /// Shows that the value just typed is invalid. False if nothing was typed.
     bool refuse(const QString &reason);
-    /// reason: why it can't be edited just now; empty if it can.
+    /// reason: why it can't be edited at the moment; empty if it can.
     void setLocked(const QString &reason);
 
 signals:

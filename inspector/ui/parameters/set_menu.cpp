@@ -21,7 +21,7 @@ namespace {
 
 const QString kFilter = QStringLiteral("(*.txt)");
 
-/// A name may contain the separator of keys.
+/// Escapes a name, which may contain the separator of keys.
 QString keyOf(const QString &name) {
     return settings_keys::kParameterSets + QString::fromLatin1(QUrl::toPercentEncoding(name));
 }

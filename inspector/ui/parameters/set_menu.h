@@ -14,14 +14,14 @@ namespace inspector::ui {
 
 enum class Owner;
 
-/// Menu of named parameter sets: built-in ones and the user's own, kept in the settings; to apply, save, delete, import
-/// and export. Changes go through the undo stack.
+/// Menu of named parameter sets, the built-in ones and the user's own, which are kept in the settings. Sets can be
+/// applied, saved, deleted, imported and exported. Changes go through the undo stack.
 class SetMenu : public QMenu {
     Q_OBJECT
 
 public:
-    /// parameters: the ball's, which are saved. All must outlive the menu. ghostHasOwn: asked whether the ghost has its
-    /// own.
+    /// parameters: the ball's, which are saved. All must outlive the menu. ghostHasOwn: tells whether the ghost has its
+    /// own parameters.
     SetMenu(const Parameters &parameters, QSettings &settings, QUndoStack &undo, std::function<bool()> ghostHasOwn,
             QWidget *parent);
 

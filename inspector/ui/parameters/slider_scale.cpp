@@ -8,7 +8,7 @@ namespace inspector::ui {
 
 namespace {
 
-constexpr double kDecades = 3.0; ///< from here on logarithmic
+constexpr double kDecades = 3.0; ///< from this range on logarithmic
 constexpr double kNotchesPerDecade = 20.0;
 constexpr double kMostNotches = 10000.0;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Widgets for actions of the window. A click on either doesn't take the keyboard from the game.
+// Widgets for actions of the window. Clicking them doesn't take the keyboard from the game.
 #pragma once
 
 #include <QString>

@@ -12,7 +12,7 @@ namespace inspector::ui {
 ElidedLabel::ElidedLabel(QWidget *parent)
     : QLabel(parent) {
     setTextFormat(Qt::PlainText);
-    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // long texts don't widen the window
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // so that long texts don't widen the window
 }
 
 void ElidedLabel::setWidest(const QString &text) {

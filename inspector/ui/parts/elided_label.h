@@ -5,7 +5,7 @@
 
 namespace inspector::ui {
 
-/// One line of text, elided to the available width; the full text is in the tool tip, above the tip set otherwise.
+/// One line of text, elided to the available width. The tool tip shows the full text above any other tip.
 class ElidedLabel : public QLabel {
     Q_OBJECT
 

@@ -15,7 +15,7 @@ int heightOf(const std::vector<QLayoutItem *> &row) {
     return height;
 }
 
-/// Of a text that is elided where it has no room.
+/// Whether the item is a text that is elided where it has no room.
 bool isIgnored(QLayoutItem &item) {
     return item.widget() && item.widget()->sizePolicy().horizontalPolicy() == QSizePolicy::Ignored;
 }

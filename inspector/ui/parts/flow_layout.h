@@ -7,8 +7,8 @@
 
 namespace inspector::ui {
 
-/// Widgets beside each other, in as many rows as the width makes necessary. In each row the widgets that can grow share
-/// the room that is left; those whose size hint is ignored ask for their minimum only, hidden ones for nothing.
+/// Places widgets beside each other, in as many rows as the width requires. In each row the remaining width is shared
+/// by the widgets that can grow. Widgets whose size hint is ignored need only their minimum, hidden ones nothing.
 class FlowLayout : public QLayout {
 public:
     explicit FlowLayout(QWidget *parent = nullptr);

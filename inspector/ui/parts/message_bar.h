@@ -9,10 +9,10 @@ class QLabel;
 
 namespace inspector::ui {
 
-/// What a message is about; it disappears when that is settled.
+/// The subject of a message, which disappears when that is settled.
 enum class Cause {
-    Command,    ///< what a command has to say, mostly why it failed: until the next one that succeeds
-    Step,       ///< a step failed: until another run begins, or it goes on
+    Command,    ///< a command's message, mostly why it failed: until the next command that succeeds
+    Step,       ///< a step failed: until another run begins, or the run continues
     Level,      ///< the open level's files
     View,       ///< shaders
     Comparison, ///< a stepper that refused the ghost
@@ -20,14 +20,14 @@ enum class Cause {
     Replay,     ///< the recording that is watched
 };
 
-/// A line across the window with a problem, until it is closed or settled. It doesn't block.
+/// A line across the window that shows a problem until it is closed or settled. It doesn't block.
 class MessageBar : public QFrame {
     Q_OBJECT
 
 public:
     explicit MessageBar(QWidget *parent = nullptr);
 
-    /// The same line again is counted instead of repeated; a new line replaces one with the same cause.
+    /// A repeated line is counted instead of added again; a new line replaces one with the same cause.
     void showLine(const QString &line, Cause cause);
     /// The problem no longer exists.
     void settle(Cause cause);

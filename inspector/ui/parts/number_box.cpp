@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kMostDigits = 9;
 constexpr int kShownDigits = 6;     ///< significant
-constexpr double kRounding = 1e-12; ///< share of a value: smaller differences weren't typed
+constexpr double kRounding = 1e-12; ///< share of a value: smaller differences are rounding, not edits
 constexpr double kFine = 0.1;       ///< share of a notch, with Shift
 constexpr double kPage = 10.0;
 constexpr int kNoteWidth = 320; ///< logical pixels
@@ -32,7 +32,7 @@ int digitsOf(double number) {
     return int(end - 1 - text.indexOf('.'));
 }
 
-/// With a notch's decimals if they represent the number exactly, else with so many significant digits.
+/// Formats with a notch's decimals if they represent the number exactly, otherwise with that many significant digits.
 QString numberText(double value, double notch, int digits) {
     const QString text = QString::number(value, 'f', digitsOf(notch));
     const bool isWhole = std::abs(text.toDouble() - value) <= kRounding * std::abs(value);
@@ -79,7 +79,7 @@ QString NumberBox::valueText() const {
     return hasFocus() && m_kind.exact ? m_kind.exact(m_value) : m_kind.show(m_value);
 }
 
-/// Scrolled to the first digits: the last of many would be read as another number.
+/// Scrolls to the first digits: the last digits alone would be read as another number.
 void NumberBox::showFromStart(const QString &shown) {
     setText(shown);
     home(false);
@@ -108,7 +108,7 @@ void NumberBox::refuse(const QString &reason) {
     if (hasFocus()) showReason();
 }
 
-/// The text may be valid again.
+/// Validates again, as the text may have become valid.
 void NumberBox::accept() {
     if (m_note) m_note->hide();
     if (m_reason.isEmpty()) return;
@@ -165,7 +165,7 @@ void NumberBox::showReason() {
     m_note->raise();
 }
 
-/// A field uses the undo keys for its text while typing; otherwise they are the window's.
+/// While the user is typing, the undo keys apply to the field's text; otherwise they are the window's.
 bool NumberBox::event(QEvent *event) {
     if (event->type() == QEvent::ShortcutOverride && !isModified()) {
         const auto *key = static_cast<QKeyEvent *>(event);
@@ -180,7 +180,7 @@ bool NumberBox::event(QEvent *event) {
 void NumberBox::keyPressEvent(QKeyEvent *event) {
     const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     if (isEnter || event->key() == Qt::Key_Escape) {
-        event->setAccepted(isModified()); // else the dialog's
+        event->setAccepted(isModified()); // otherwise the key is the dialog's
         isEnter ? enter() : takeBack();
         return;
     }
@@ -196,7 +196,7 @@ void NumberBox::wheelEvent(QWheelEvent *event) {
     event->accept();
 }
 
-/// Before the text is selected.
+/// Called before the text is selected.
 void NumberBox::focusInEvent(QFocusEvent *event) {
     setValue(m_value);
     QLineEdit::focusInEvent(event);
@@ -206,7 +206,7 @@ void NumberBox::focusOutEvent(QFocusEvent *event) {
     apply();
     if (m_note) m_note->hide();
     QLineEdit::focusOutEvent(event);
-    if (hasSelectedText()) return; // a menu's selection stays
+    if (hasSelectedText()) return; // a menu's selection is kept
     setValue(m_value);
     home(false);
 }

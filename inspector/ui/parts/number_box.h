@@ -11,10 +11,10 @@ class QLabel;
 
 namespace inspector::ui {
 
-/// A field for one number, in any form that core/setup/numbers.h reads. It is entered by Enter or by leaving the field.
-/// Invalid input stays as typed, marked and with the reason below, and isn't entered; Esc discards it. Where nothing
-/// was typed, Enter and Esc are the dialog's. Up, Down and the wheel change the number by a notch, with Shift by a
-/// tenth.
+/// A field for one number, in any form that core/setup/numbers.h reads. Enter, or leaving the field, commits the input.
+/// Invalid input stays as typed, marked and with the reason below, and isn't committed; Esc discards it. If nothing was
+/// typed, Enter and Esc are the dialog's. Up, Down and the wheel change the number by a notch, with Shift by a tenth of
+/// one.
 class NumberBox : public QLineEdit {
     Q_OBJECT
 
@@ -25,18 +25,18 @@ public:
         std::function<QString(double value)> show;
         double notch = 0.0;                         ///< 0: no stepping
         QString widest;                             ///< the longest common text
-        std::function<QString(double value)> exact; ///< shown while it has the keyboard; empty: as otherwise
+        std::function<QString(double value)> exact; ///< text shown while it has the keyboard; empty: the usual one
     };
 
     explicit NumberBox(QWidget *parent = nullptr);
 
     void setKind(Kind kind);
     double value() const { return m_value; }
-    /// Shows the value, unless the user is typing; a selection stays while the text is the same.
+    /// Shows the value, unless the user is typing. A selection is kept while the text is the same.
     void setValue(double value);
-    /// Marks what was entered as invalid; reason: one line.
+    /// Marks the committed input as invalid; reason: one line.
     void refuse(const QString &reason);
-    void enter(); ///< what was typed, as Enter does
+    void enter(); ///< commits what was typed, like Enter
     bool isRefused() const { return !m_reason.isEmpty(); }
     const QString &reason() const { return m_reason; }
     /// The value with all its digits.
@@ -46,7 +46,7 @@ public:
     QSize minimumSizeHint() const override { return sizeHint(); }
 
 signals:
-    /// The user has entered another number. Receivers may refuse() it or set it.
+    /// The user has committed another number. Receivers may refuse() it or set it.
     void entered(double value);
 
 protected:

@@ -33,7 +33,7 @@ QPainterPath line(std::initializer_list<QPointF> points) {
     return path;
 }
 
-/// Counter-clockwise to the upper left, with an arrow head there: return.
+/// The return arrow: counter-clockwise to the upper left, with an arrow head there.
 Drawing turnBack() {
     Drawing drawing;
     const QRectF circle(3.0, 3.0, 10.0, 10.0);

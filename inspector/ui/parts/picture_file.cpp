@@ -9,7 +9,7 @@
 
 namespace inspector::ui {
 
-/// In memory, because the PNG encoder prints a message of its own when a file can't be written.
+/// Encodes in memory, because the PNG encoder prints a message of its own when a file can't be written.
 QByteArray pngOf(const QImage &picture) {
     QByteArray bytes;
     QBuffer buffer(&bytes);

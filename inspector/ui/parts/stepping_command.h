@@ -7,8 +7,8 @@ class QUndoStack;
 
 namespace inspector::ui {
 
-/// Changes stepper, step size and settings as one undo step. text: the menu text. False if the session refused, which
-/// it has reported.
+/// Changes stepper, step size and settings as one undo step. text: the menu text. False if the session refused and
+/// reported it.
 bool changeStepping(Session &session, QUndoStack &undo, const Stepping &wanted, const QString &text);
 
 } // namespace inspector::ui

@@ -53,8 +53,8 @@ QPalette paletteOf(const Shades &shades) {
     return palette;
 }
 
-/// Fusion, but for check boxes on dark palettes, of widgets and in lists alike: it frames an empty one with a darker
-/// shade of the window and fills it with the base, which is hardly visible there.
+/// Fusion, except for check boxes on dark palettes, in widgets and lists alike: Fusion frames an empty one with a
+/// darker shade of the window and fills it with the base, which is hardly visible there.
 class ThemeStyle : public QProxyStyle {
 public:
     ThemeStyle()
@@ -80,7 +80,7 @@ void applyTheme(Theme theme) {
         QApplication::setPalette(system.palette);
         return;
     }
-    // Only Fusion respects every palette; desktop styles bring their own colours.
+    // Only Fusion respects every palette; desktop styles use their own colours.
     QApplication::setStyle(new ThemeStyle);
     // NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks): Qt owns the style
     QApplication::setPalette(paletteOf(theme == Theme::Dark ? kDark : kLight));

@@ -5,7 +5,7 @@
 
 namespace inspector::ui {
 
-/// Its parts are beside each other where it is wide enough for them, and above each other elsewhere.
+/// Places its parts beside each other where it is wide enough for them, otherwise above each other.
 class TurningSplitter : public QSplitter {
 public:
     /// narrow: below this width, logical pixels, they are above each other.

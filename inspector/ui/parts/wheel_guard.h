@@ -5,8 +5,8 @@
 
 namespace inspector::ui {
 
-/// Scrolling must not change the widget that happens to be under the cursor: the wheel changes a slider, number or list
-/// only while it has the focus; otherwise it scrolls their container.
+/// Prevents scrolling from changing the widget under the cursor: the wheel changes a slider, number or list only while
+/// it has the focus; otherwise it scrolls the container.
 class WheelGuard : public QObject {
     Q_OBJECT
 

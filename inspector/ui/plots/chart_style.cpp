@@ -56,7 +56,7 @@ constexpr int kLinesBesideAxis = 4; ///< of text, above and below a value axis
 
 std::vector<int> entryWidths(const QCPLegend &legend) {
     std::vector<int> widths;
-    for (int cell = 0; cell < legend.elementCount(); ++cell) // empty ones, too, at the end of its last line
+    for (int cell = 0; cell < legend.elementCount(); ++cell) // including empty ones at the end of its last line
         if (const QCPLayoutElement *entry = legend.elementAt(cell))
             widths.push_back(entry->minimumOuterSizeHint().width());
     return widths;

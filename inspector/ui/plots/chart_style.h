@@ -14,7 +14,7 @@ namespace inspector::ui {
 inline constexpr QColor kBandColour(0x2a, 0x9f, 0x4f);
 inline constexpr QColor kBandFill(0x2a, 0x9f, 0x4f, 45);
 
-/// Charts of small distances are in mm.
+/// Factor for charts of small distances, which are in mm.
 inline constexpr double kMillimetresPerMetre = 1e3;
 
 /// Blends from a (share 0) to b (share 1).
@@ -27,7 +27,7 @@ void applyChartStyle(QCustomPlot &chart);
 /// line's layout, for further elements.
 QCPLayoutGrid *putLegendAbove(QCustomPlot &chart, int left);
 
-/// Where there is little room: fewer ticks, and more lines for the legend above the curves.
+/// For charts with little room: fewer ticks, and more lines for the legend above the curves.
 void fitChart(QCustomPlot &chart);
 
 /// Makes an axis logarithmic, labelled in powers of ten.

@@ -12,7 +12,7 @@ namespace inspector::ui {
 
 namespace {
 
-constexpr size_t kIntervals = 4000; ///< that the points divide the time into
+constexpr size_t kIntervals = 4000; ///< number of intervals into which the points divide the time
 
 QString labelOf(Channel channel) {
     const ChannelInfo &info = channelInfos()[size_t(channel)];
@@ -69,7 +69,7 @@ void PhasePlot::refresh() {
     replot(QCustomPlot::rpQueuedReplot);
 }
 
-/// Two lengths get the same scale: the axis with fewer units per pixel is stretched.
+/// Two lengths get the same scale: the axis with fewer units per pixel is extended.
 void PhasePlot::fit() {
     m_curve->rescaleAxes();
     for (QCPAxis *axis : {xAxis, yAxis}) {

@@ -10,7 +10,7 @@
 
 namespace inspector::ui {
 
-/// One quantity over another, in the time range of the other plots: a path on the board, a phase portrait.
+/// One quantity over another, in the time range of the other plots: a path on the board or a phase portrait.
 class PhasePlot : public QCustomPlot {
     Q_OBJECT
 

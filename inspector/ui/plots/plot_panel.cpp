@@ -37,7 +37,7 @@ PlotPanel::PlotPanel(QWidget *content, TimeView &time, const QString &prefix, QW
     layout->addWidget(content, 1);
 }
 
-/// A click doesn't take the keyboard from the game.
+/// A button that doesn't take the keyboard from the game when clicked.
 QToolButton *PlotPanel::addButton(Glyph glyph, const QString &name, const QString &tip) {
     auto *button = new QToolButton;
     button->setObjectName(name);

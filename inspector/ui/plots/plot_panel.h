@@ -17,7 +17,7 @@ class PlotPanel : public QWidget {
     Q_OBJECT
 
 public:
-    /// content: the plots, which the panel takes over. time: their time view. prefix: of the buttons' names.
+    /// content: the plots, which the panel takes over. time: their time view. prefix: of the buttons' object names.
     PlotPanel(QWidget *content, TimeView &time, const QString &prefix, QWidget *parent = nullptr);
 
     QToolButton *addButton(Glyph glyph, const QString &name, const QString &tip);

@@ -186,7 +186,7 @@ void PlotStack::restore() {
     if (sizes.size() == QSplitter::count()) setSizes(sizes);
 }
 
-/// In their order: time plots first.
+/// The plots in their order: time plots first.
 void PlotStack::remember() {
     QStringList contents;
     for (const QuantityPlot *plot : m_plots) contents += textOf(plot->content());

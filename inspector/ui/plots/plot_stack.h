@@ -15,8 +15,8 @@ class QSettings;
 
 namespace inspector::ui {
 
-/// Any number of stacked plots with a common time axis. Their quantities are chosen by context menus or dropped onto
-/// them, and remembered.
+/// Any number of stacked plots with a common time axis. Their quantities are chosen in context menus or by dropping
+/// them onto a plot, and are remembered.
 class PlotStack : public QSplitter {
     Q_OBJECT
 
@@ -42,7 +42,7 @@ public:
     /// Fills one plot's context menu.
     void fillMenu(QMenu &menu, QWidget *plot);
 
-    /// As TimePlot::save(), with all plots in one picture.
+    /// Like TimePlot::save(), with all plots in one picture.
     bool save(const QString &path, QString *error);
 
 signals:

@@ -33,7 +33,7 @@ QString unitOf(const std::vector<Channel> &channels) {
     return printedUnit(unit);
 }
 
-/// What all of them are, a ghost's aside; empty if they differ.
+/// The common name of the quantities, apart from a ghost's; empty if they differ.
 QString nameOf(const std::vector<Channel> &channels) {
     if (channels.size() == 1) return QString::fromUtf8(channelInfos()[size_t(channels.front())].label);
     QString name;

@@ -65,7 +65,7 @@ TimePlot::TimePlot(const SampleRing &samples, std::shared_ptr<TimeView> time, QW
     updateReadOut();
 }
 
-/// In one line with the read-out.
+/// Puts the legend into one line with the read-out.
 void TimePlot::layOutLegend() { putLegendAbove(*this, kLeftMargin)->addElement(0, 1, m_text); }
 
 void TimePlot::addCurve(Channel channel, QColor Accents::*colour, Qt::PenStyle style) {
@@ -238,7 +238,7 @@ void TimePlot::mouseMoveEvent(QMouseEvent *event) {
     m_time->setCursor(isOverPlot ? std::optional(xAxis->pixelToCoord(event->position().x())) : std::nullopt);
     if (!(event->buttons() & Qt::LeftButton)) return;
     m_isStale = true;
-    // After dragging values they aren't fitted any more; after dragging time it doesn't follow.
+    // Values that were dragged aren't fitted any more; after dragging time, the plot doesn't follow.
     if (axisRect()->rangeDrag() == Qt::Vertical) m_fitsValues = false;
     if (axisRect()->rangeDrag() == Qt::Horizontal) m_time->setFollowing(false);
 }
@@ -249,7 +249,7 @@ void TimePlot::mouseReleaseEvent(QMouseEvent *event) {
     if (const std::optional<double> time = m_ticks->timeAt(event->position())) emit bounceClicked(*time);
 }
 
-/// Redraws explicitly, because nothing else may change.
+/// Replots explicitly, because nothing else may have changed.
 void TimePlot::mouseDoubleClickEvent(QMouseEvent *event) {
     setFollowing(true);
     refresh();
@@ -298,7 +298,7 @@ std::optional<Sample> TimePlot::sampleAt(double time) const {
     return left;
 }
 
-/// How to use the plot, where there is room for it.
+/// Hints on how to use the plot, if there is room for them.
 QString TimePlot::hint() const {
     const QString text = tr("Wheel: zoom · drag: move · double click: follow");
     return fontMetrics().horizontalAdvance(text) < m_text->rect().width() ? text : QString();

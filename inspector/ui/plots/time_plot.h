@@ -23,10 +23,10 @@ struct RunContext {
     std::optional<double> moment;                   ///< the moment shown in the past, s
 };
 
-/// Channels of a sample ring over time, loading only what is visible; subclasses say which, and how values are shown.
-/// While it follows, the newest sample is at the right border and the values fill the height. Wheel: zoom in time;
-/// drag: pan; over the value axis (or with Ctrl) both act on values; double click: follow again. Values under the
-/// cursor are shown above the curves.
+/// Channels of a sample ring over time; loads only what is visible. Subclasses define which channels are shown and how.
+/// While the plot follows, the newest sample is at the right border and the values fill the height. The wheel zooms in
+/// time and a drag pans; over the value axis (or with Ctrl) both act on values; a double click follows again. Values
+/// under the cursor are shown above the curves.
 class TimePlot : public QCustomPlot {
     Q_OBJECT
 
@@ -39,7 +39,7 @@ public:
     void setFollowing(bool isOn);
     bool isPaused() const { return m_time->pausedAt().has_value(); }
     void setPaused(bool isOn);
-    /// Hides everything up to now.
+    /// Hides everything up to the newest sample.
     void clear();
 
     /// Shows ticks at the times of bounces, s, ascending; the selected one, which need not be among them, spans the
@@ -75,7 +75,7 @@ protected:
 
     /// Converts a value to the value axis's unit; NaN if there is none.
     virtual double plotted(double value) const { return value; }
-    /// The position on the current value axis at which a plotted value is drawn.
+    /// The coordinate on the current value axis at which a plotted value is drawn.
     virtual double drawn(double plotted) const { return plotted; }
     /// Fits the value axis to the visible curves. Not called after the user has moved the axis.
     virtual void fitValues() = 0;
@@ -100,7 +100,7 @@ private:
     void layOutLegend();
     void takeColours();
     std::optional<double> newestTime() const;
-    QCPRange shownTimes() const; ///< may be empty: then the end precedes the begin
+    QCPRange shownTimes() const; ///< may be empty: then the end precedes the beginning
     void load(const Curve &curve);
     void loadOldFuture(const Curve &curve);
     void updateReadOut();

@@ -10,7 +10,7 @@
 
 namespace inspector::ui {
 
-/// The time range that plots show. Plots that share one move together.
+/// The time range that plots show. Plots that share one view move together.
 class TimeView : public QObject {
     Q_OBJECT
 
@@ -27,7 +27,7 @@ public:
     /// Nothing before this time is shown, s.
     double clearedAt() const { return m_clearedAt; }
     void clearAt(double time);
-    /// A new run begins at time 0: clear and pause are reset.
+    /// Called when a new run begins at time 0: resets clear and pause.
     void noticeRun(uint64_t generation);
 
     const QCPRange &range() const { return m_range; } ///< s

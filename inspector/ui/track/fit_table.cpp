@@ -12,9 +12,10 @@ namespace inspector::ui {
 
 namespace {
 
-constexpr int kReason = Qt::UserRole; ///< why what was typed is refused; empty if it isn't
+constexpr int kReason = Qt::UserRole; ///< why the input is refused; empty if it isn't
 
-/// Whether the quantity is typed here: the parameters have no offset of the tilt, and nothing about tracks.
+/// Whether the quantity's initial value is typed here: the parameters have no offset of the tilt, and nothing about
+/// tracks.
 bool isTyped(const FitQuantity &quantity) {
     return quantity.id.startsWith(QLatin1String("tilt")) || quantity.id.startsWith(QLatin1String("frame")) ||
            quantity.id == QLatin1String("delay");
@@ -116,7 +117,7 @@ void FitTable::read(QTableWidgetItem *item) {
     item->setText(QString::number(number / quantity.perUnit, 'g', 6));
 }
 
-/// reason: empty for a value that counts.
+/// reason: empty if the value is accepted.
 void FitTable::showReason(QTableWidgetItem &begin, const QString &reason) {
     const bool isOfTheParameters = !(begin.flags() & Qt::ItemIsEditable);
     const QString usual = isOfTheParameters

@@ -8,8 +8,8 @@
 
 namespace inspector::ui {
 
-/// The quantities that can be fitted: which are selected, their initial and their fitted values. Coefficients start at
-/// the parameters' values; offsets, delay and frame at what the user typed.
+/// The quantities that can be fitted: which of them are selected, their initial and their fitted values. Coefficients
+/// start at the parameters' values; offsets, delay and frame at what the user typed.
 class FitTable : public QTableWidget {
     Q_OBJECT
 

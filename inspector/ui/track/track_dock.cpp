@@ -72,7 +72,7 @@ TrackDock::TrackDock(Session &session, QUndoStack &undo, QWidget *parent)
     showRunning();
 }
 
-/// Beside each other, or, where that leaves the table no room for its numbers, the report above the residuals.
+/// Report and residuals are beside each other, or above each other where the table would have no room for its numbers.
 void TrackDock::arrange(Qt::Orientation orientation) {
     m_results->setOrientation(orientation);
     const bool isWide = orientation == Qt::Horizontal;
@@ -164,7 +164,7 @@ void TrackDock::showTrackReport() {
     m_report->setPlainText(trackReport(*m_track, board.frame, m_session.scene().get()).join(QLatin1Char('\n')));
 }
 
-/// Without what a fit had found, which is forgotten.
+/// Clears what a fit had found.
 void TrackDock::showAnew() {
     if (!m_session.isFollowingTrack()) layOver(m_quantities->begin(m_session.parameters().inputs()));
     showTrackReport();
@@ -268,7 +268,7 @@ void TrackDock::takeOver() {
         before.push_back({setting.id, parameters.value(parameters.indexOf(setting.id))});
     QString error;
     if (!parameters.set(after, &error)) return m_report->appendPlainText(error);
-    static int gesture = -1; // the user's edits count upwards
+    static int gesture = -1; // negative, because the user's edits count upwards
     m_undo.push(new ParameterCommand(parameters, before, after, gesture--, tr("values of a measured ball")));
 }
 

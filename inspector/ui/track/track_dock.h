@@ -18,7 +18,7 @@ namespace inspector::ui {
 class FitTable;
 class ResidualPlot;
 
-/// A measured ball: its file, overlaid on the run; its fit in the background, the results, and taking them over.
+/// A measured ball: its file, its overlay on the run, its fit in the background, and the results, which can be applied.
 class TrackDock : public QWidget {
     Q_OBJECT
 
@@ -41,13 +41,13 @@ private:
     void arrange(Qt::Orientation orientation);
     QWidget *makeControls();
     void chooseTrackFile();
-    bool openTrack(); ///< opens what is typed; reports what is wrong with it
+    bool openTrack(); ///< opens the file that was typed; reports what is wrong with it
     void layOver(const BoardParameters &board);
     void follow(bool isOn);
     void showTrackReport();
     void showAnew();
     void forgetFit();
-    void showLevel(); ///< the fit belonged to the maze before; the track comes back with its level
+    void showLevel(); ///< clears a fit of the maze before; a track is shown again with its level
     void toggle();    ///< starts or cancels a fit
     void showOutcome(const std::shared_ptr<const FitOutcome> &outcome);
     void showRunning();
@@ -59,7 +59,7 @@ private:
     FitWorker m_worker;
     std::shared_ptr<const FitOutcome> m_outcome; ///< of the last fit; may be null
     std::optional<Track> m_track;
-    QString m_level; ///< name of the one it was opened on
+    QString m_level; ///< name of the level on which it was opened
     QLineEdit *m_file;
     QLineEdit *m_units;
     QPushButton *m_fit;
@@ -70,7 +70,7 @@ private:
     QPlainTextEdit *m_report;
     ResidualPlot *m_residuals;
     QSplitter *m_results; ///< report and residuals
-    QSplitter *m_halves;  ///< the table and these
+    QSplitter *m_halves;  ///< the table, and the splitter m_results
 };
 
 } // namespace inspector::ui

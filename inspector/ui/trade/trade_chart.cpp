@@ -75,7 +75,7 @@ TradeChart::TradeChart(QWidget *parent)
     beside->setRowStretchFactor(0, 0.001);
     plotLayout()->addElement(0, 0, m_title);
     m_title->setTextFlags(Qt::AlignLeft | Qt::AlignVCenter);
-    m_title->setMinimumSize(1, fontMetrics().height()); // not as wide as its text
+    m_title->setMinimumSize(1, fontMetrics().height()); // its text doesn't determine the width
     takeColours();
 }
 

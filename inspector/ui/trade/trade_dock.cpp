@@ -34,7 +34,7 @@ namespace inspector::ui {
 
 namespace {
 
-/// The slider counts twentieths of a decade from 1 mm: from a nanometre to a decimetre.
+/// The slider counts twentieths of a decade between a nanometre and a decimetre; 0 is 1 mm.
 constexpr int kPerDecade = 20;
 constexpr int kFinestTolerance = -6 * kPerDecade;
 constexpr int kCoarsestTolerance = 2 * kPerDecade;
@@ -47,7 +47,7 @@ Widget *named(Widget *widget, const char *name) {
     return widget;
 }
 
-/// A widget between words that stay beside it.
+/// A widget with words before and after it that stay beside it.
 QWidget *between(const QString &before, QWidget *widget, const QString &after) {
     auto *group = new QWidget;
     auto *layout = new QHBoxLayout(group);
@@ -172,7 +172,7 @@ QString TradeDock::answerText(const TradePoint &point, double seconds) const {
         .arg(point.cost.perSecond * 1e6, 0, 'g', 3);
 }
 
-/// A click doesn't take the keyboard from the game.
+/// A button that doesn't take the keyboard from the game when clicked.
 void TradeDock::leaveKeysToTheGame() {
     for (QWidget *widget :
          {static_cast<QWidget *>(m_measure), static_cast<QWidget *>(m_model), static_cast<QWidget *>(m_tolerance),
@@ -267,7 +267,7 @@ void TradeDock::showReady() {
     m_measure->setEnabled(m_worker.isRunning() || isReady);
 }
 
-/// A click on the button leaves the keyboard, and what is being typed, in its field.
+/// Clicking the button leaves the keyboard, and text being typed, in its field.
 QString TradeDock::enterNumbers() {
     for (NumberBox *box : findChildren<NumberBox *>()) {
         if (!box->isVisibleTo(this)) continue;
@@ -338,7 +338,7 @@ void TradeDock::showGoodEnough() {
     m_goodEnough->setText((isPast ? tr("Out of date, measure again. ") : QString()) + goodEnoughText());
 }
 
-/// For the model that was set when the measurement began.
+/// The recommendation for the model that was set when the measurement began.
 QString TradeDock::goodEnoughText() const {
     const TradeResult &result = m_worker.result();
     if (!result.goodEnough) {
@@ -377,7 +377,7 @@ QString TradeDock::remark() const {
     if (!m_error.isEmpty()) return m_error;
     if (m_measuredLevel != m_session.level().path) return tr("These figures are of another level.");
     QStringList lines = tradeSummary(m_worker.plan(), result);
-    if (!m_worker.plan().unknowns.empty()) lines.removeFirst(); // they have a box of their own
+    if (!m_worker.plan().unknowns.empty()) lines.removeFirst(); // the unknowns have a box of their own
     const QString summary = result.points.empty() ? QString() : lines.join(QStringLiteral("; "));
     return result.isComplete ? summary : tr("Cancelled; figures as far as they are known. %1").arg(summary);
 }

@@ -47,25 +47,25 @@ private:
 
     void showReady();       ///< enables the button if there is something to measure
     void toggle();          ///< starts or cancels a measurement
-    QString enterNumbers(); ///< as typed; the first refused one's reason
+    QString enterNumbers(); ///< commits what was typed; returns the first refused one's reason
     void showResult();
     void showProgress(double share, const QString &what);
     void showEnd(const QString &error);
     void showTolerance(); ///< updates the recommendation
-    void showBand();      ///< chart and recommendation for what isn't known
+    void showBand();      ///< updates chart and recommendation for what is unknown
     void showGoodEnough();
     void showChangedWish();
-    bool isOutOfDate() const; ///< measured for other unknowns, another share or horizon than are set
+    bool isOutOfDate() const; ///< measured for other unknowns, another share or horizon than are set now
     QString goodEnoughText() const;
     void choose(size_t index);
     void use(); ///< applies the selected one
     void useGoodEnough();
     void use(const TradePoint &point);
     void changeLevel();
-    QString remark() const; ///< on the measurement that ended last
+    QString remark() const; ///< about the measurement that ended last
 
     double tolerance() const; ///< m
-    double share() const;     ///< of what isn't known, that an error may reach
+    double share() const;     ///< share of the uncertainty that an error may reach
     std::optional<size_t> chosenIndex() const;
     std::optional<Unknowns> unknowns(); ///< as typed; reports what is wrong with them
     uint32_t model() const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Apart from the chart's widget: who only writes pictures needs no header of QCustomPlot.
+// Separate from the chart's widget, so that code which only writes pictures needs no header of QCustomPlot.
 #pragma once
 
 #include "core/trade/trade_chart.h"

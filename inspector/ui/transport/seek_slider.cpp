@@ -63,7 +63,7 @@ int SeekSlider::positionAt(int pixel) const {
     return QStyle::sliderValueFromPosition(minimum(), maximum(), pixel - line.left, line.length);
 }
 
-/// While it has the focus, Home and End are the slider's, not the camera's.
+/// While the slider has the focus, Home and End are the slider's keys, not the camera's.
 bool SeekSlider::event(QEvent *event) {
     if (event->type() == QEvent::ShortcutOverride && isEndKey(*static_cast<QKeyEvent *>(event))) {
         event->accept();

@@ -8,8 +8,8 @@
 
 namespace inspector::ui {
 
-/// A slider over the positions of a recording. A press seeks; Left and Right are a step, PageUp and PageDown a second,
-/// Home and End the ends. Marks show where runs begin and where the first difference is.
+/// A slider over the positions of a recording. A press seeks. Left and Right move by a step, PageUp and PageDown by a
+/// second, Home and End to the ends. Marks show where runs begin and where the first difference is.
 class SeekSlider : public QSlider {
     Q_OBJECT
 
@@ -18,7 +18,7 @@ public:
 
     void setRuns(std::vector<int> positions);
     void setDifference(std::optional<int> position);
-    /// The positions at which there is a measured ball.
+    /// The positions at which the track has measured points.
     struct Span {
         int begin, end;
         bool operator==(const Span &) const = default;

@@ -20,10 +20,11 @@ namespace inspector::ui {
 
 namespace {
 
-/// Clamps to a slider's range; 2^31 steps would be a recording of 36 GB.
+/// Clamps to a slider's range; a recording of 2^31 steps would have 36 GB.
 int notchOf(uint64_t position) { return int(std::min<uint64_t>(position, INT_MAX)); }
 
-/// The step of the state at the bar's left end: a run taken over goes on counting, and the history drops first steps.
+/// The step number of the state at the bar's left end. A run that was taken over continues its count, and the history
+/// drops the first steps.
 uint64_t firstStepOf(const RunPlace &run, const Snapshot &now) {
     const uint64_t made = now.history.place - std::min(run.begin, now.history.place);
     return now.current.step - std::min(made, now.current.step);
@@ -143,7 +144,7 @@ void TimeBar::showRun(const Snapshot &now) {
     m_place->setText(m_session.isInPast() ? tr("%1 of %2").arg(time).arg(lastStep) : time);
 }
 
-/// The run's samples, one per step, map times to steps; they may begin before the bar does, where a run was taken over.
+/// The run's samples, one per step, map times to steps. If a run was taken over, they may begin before the bar does.
 void TimeBar::showTrack(const Snapshot &now) {
     const std::shared_ptr<const ShownTrack> &track = m_session.track();
     const SampleRing &samples = m_session.simulation().samples();

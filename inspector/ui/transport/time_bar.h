@@ -13,8 +13,8 @@ namespace inspector::ui {
 class ElidedLabel;
 class SeekSlider;
 
-/// Below the view: the position of the moment shown in its run or in the recording, and navigation. For a recording it
-/// also shows whether it is the same so far.
+/// Below the view: navigation, and the position of the moment shown in its run or in the recording. For a recording it
+/// also shows whether the replay is the same so far.
 class TimeBar : public QFrame {
     Q_OBJECT
 

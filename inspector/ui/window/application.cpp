@@ -32,13 +32,13 @@ void endWithoutDisplay(QtMsgType type, const QMessageLogContext &, const QString
     std::_Exit(2);
 }
 
-/// Qt would abort without one, after several lines.
+/// Qt would abort without a display, after printing several lines.
 bool hasDisplay() {
     const auto isSet = [](const char *name) { return !qEnvironmentVariableIsEmpty(name); };
     return isSet("DISPLAY") || isSet("WAYLAND_DISPLAY") || isSet("QT_QPA_PLATFORM");
 }
 
-/// Why the scale factor is unusable: a window enlarged that much takes gigabytes.
+/// Why the scale factor is unusable: a window enlarged that much would take gigabytes.
 QString scaleProblem() {
     const QScreen *screen = QGuiApplication::primaryScreen();
     const double scale = screen ? screen->devicePixelRatio() * screen->logicalDotsPerInch() / 96.0 : 1.0;

@@ -15,11 +15,12 @@ struct Options;
 
 namespace inspector::ui {
 
-/// The application, set up for the OpenGL that this program needs. Without a display it ends the program with status 2
-/// and one line, where Qt would abort. argc, argv must outlive it.
+/// Makes the application, set up for the OpenGL that this program needs. Without a display it ends the program with
+/// status 2 and one line, where Qt would abort. argc, argv must outlive it.
 std::unique_ptr<QApplication> makeApplication(int &argc, char **argv);
 
-/// Empty if a window can be drawn on this display; otherwise one line. Qt would crash in the window.
+/// Empty if a window can be drawn on this display; otherwise one line. In the latter case Qt would crash when showing a
+/// window.
 QString displayProblem(const Options &options);
 
 /// Shows the window and runs the event loop until it ends; returns the exit status. With --autopilot the game starts by

@@ -48,7 +48,7 @@ struct PastWay {
     phys_state end;
 };
 
-/// Every n-th sample, to limit the number of points, counted from 0 so that they don't shift.
+/// Limits the number of points by taking every n-th sample, counted from 0 so that the points don't shift.
 std::vector<glm::dvec3> pointsOf(const SampleRing &samples, const PastWay &way) {
     std::vector<glm::dvec3> points;
     const uint64_t last = samples.last();
@@ -68,7 +68,7 @@ gl::Colour withAlpha(const QColor &colour, double alpha) {
     return {colour.redF(), colour.greenF(), colour.blueF(), static_cast<float>(alpha)};
 }
 
-/// The ghost with its trail, above the ball's and thinner, so that both are visible where they coincide.
+/// The ghost with its trail, which is above the ball's and thinner, so that both are visible where they coincide.
 void addGhost(gl::Frame &frame, const SampleRing &samples, const phys_state &state, double metAt) {
     const QColor colour = accentsFor(QGuiApplication::palette()).ghost;
     gl::GhostBall ghost{ballOf(state, kGhostSize * frame.ball.radius), withAlpha(colour, kGhostAlpha)};
@@ -104,7 +104,7 @@ void addTrack(gl::Frame &frame, const ShownTrack &track, double time) {
     frame.trails.push_back(std::move(lately));
 }
 
-/// The ball's discarded path, before the past was taken over.
+/// The path that the ball had taken before the past was taken over.
 void addOldFuture(gl::Frame &frame, const std::vector<Sample> &samples) {
     if (samples.empty()) return;
     gl::Trail trail{{}, withAlpha(accentsFor(QGuiApplication::palette()).ball, kOldAlpha), kGhostTrailWidth};
@@ -116,7 +116,7 @@ void addOldFuture(gl::Frame &frame, const std::vector<Sample> &samples) {
     frame.trails.push_back(std::move(trail));
 }
 
-/// Fades towards its far end.
+/// The path ahead, fading towards its far end.
 gl::Trail trailAhead(const Way &way, const gl::Colour &colour, float width) {
     gl::Trail trail{{}, colour, width};
     for (auto point = way.rbegin(); point != way.rend(); ++point) trail.points.push_back(toGlm(*point));

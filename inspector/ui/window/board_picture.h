@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Converts the simulated state to drawn frames and meshes.
+// Converts the simulation's state to frames and meshes for drawing.
 #pragma once
 
 #include "core/session/session.h"
@@ -14,8 +14,8 @@ gl::Frame currentFrame(Session &session);
 /// Adds a pale line ahead of the ball, and the next bounce.
 void addWayAhead(gl::Frame &frame, const WayAhead &way);
 
-/// The open level's mesh: its .obj, or one made from the scene's boxes and exits if there is none, or, with one line in
-/// `error`, if it can't be read.
+/// The mesh of the open level: its .obj; if there is none, a mesh made from the scene's boxes and exits. If the .obj
+/// can't be read, the latter is returned with one line in `error`.
 gl::Mesh mazeMesh(Session &session, QString *error);
 /// The ball's mesh next to the levels, or a built-in patterned one.
 gl::Mesh ballMesh(QString *error);

@@ -135,7 +135,7 @@ bool Film::makeFolder(const QString &path, QString *error) {
     return false;
 }
 
-/// Takes a picture when its moment is shown, then requests the next.
+/// Takes a picture when its moment is shown, then requests the next moment.
 void Film::goOn() {
     if (m_progress->wasCanceled()) return end({});
     const Snapshot &now = m_session.simulation().latest();

@@ -38,9 +38,9 @@ struct FilmPlan {
 /// Asks for the film's length and, if ffmpeg is installed, its kind; doesn't block.
 void askForFilm(QWidget &window, const FilmPlan &usual, const std::function<void(const FilmPlan &plan)> &use);
 
-/// Steps through the past of the run shown, picture by picture, and writes them into a new folder, or encodes them into
-/// one file; shows its progress, and can be cancelled, which removes them. Deletes itself at the end, after returning
-/// to the moment from before.
+/// Steps through the past of the run shown, picture by picture, and writes the pictures into a new folder or encodes
+/// them into one file. Shows its progress and can be cancelled, which removes them. Deletes itself at the end, after
+/// returning to the moment that was shown before.
 class Film : public QObject {
     Q_OBJECT
 

@@ -73,7 +73,7 @@ QString partsTable(const QString &renderer) {
     return QStringLiteral("<table cellspacing='3'>%1</table>").arg(rows);
 }
 
-/// Page keys scroll whatever has the focus.
+/// Page keys scroll the text whatever has the focus.
 class PageKeys : public QObject {
 public:
     PageKeys(QDialog &dialog, QScrollBar &bar)
@@ -132,7 +132,7 @@ void showKeysDialog(QWidget &window) {
     QObject::connect(sought, &QLineEdit::textChanged, text,
                      [text, &window](const QString &wanted) { text->setText(keysTable(window, wanted)); });
     static_cast<QVBoxLayout *>(text->window()->layout())->insertWidget(0, sought);
-    sought->setFocus(); // first: as it is shown, a dialog gives the focus to the first widget if none has it
+    sought->setFocus(); // before showing: otherwise the dialog gives the focus to its first widget
     text->window()->show();
 }
 

@@ -88,7 +88,7 @@ QSize roomFor(const QWidget &window) {
     return window.screen()->availableSize() - QSize(0, 2 * window.style()->pixelMetric(QStyle::PM_TitleBarHeight));
 }
 
-/// Makes the content scroll on a small screen, so that the window can stay small.
+/// Makes the content scroll on a small screen, so that the window can be smaller than the content.
 QWidget *scrolled(QWidget *content) {
     auto *area = new QScrollArea;
     area->setWidget(content);
@@ -209,8 +209,8 @@ void MainWindow::makeDocks() {
     arrangeOnCall(rows);
 }
 
-/// Docks that are opened on demand are tabbed with the plots, except for bounces next to them, so that both are
-/// visible. This must be done first: a dock with tabs can't be split any more.
+/// Docks that are opened on demand are tabbed with the plots, except for the bounces, which are next to the plots so
+/// that both are visible. The bounces must be placed first, because a dock with tabs can't be split.
 void MainWindow::arrangeOnCall(std::span<const DockRow> rows) {
     const auto dockOf = [this](const char *name) { return findChild<QDockWidget *>(QLatin1String(name)); };
     splitDockWidget(dockOf(kDockNames[2]), dockOf(kBouncesDock), Qt::Horizontal);
@@ -219,7 +219,7 @@ void MainWindow::arrangeOnCall(std::span<const DockRow> rows) {
             tabifyDockWidget(dockOf(kDockNames[2]), dockOf(row.name));
 }
 
-/// The dock's key closes it if it is visible, and shows it if it is closed or behind another.
+/// The dock's key closes it if it is visible, and otherwise shows and raises it.
 void MainWindow::addDockAction(QDockWidget &dock, int number, double share) {
     auto *toggle = new QAction(dock.windowTitle(), this);
     toggle->setObjectName(QStringLiteral("show_") + dock.objectName());
@@ -249,7 +249,7 @@ void MainWindow::showDock(QDockWidget &dock, double share) {
         resizeDocks({&dock}, {int(kBouncesWidth * width())}, Qt::Horizontal);
 }
 
-/// Called when the window is shown: before, tabs can't be raised.
+/// Called when the window is shown, as tabs can't be raised before.
 void MainWindow::showComparisonDock() {
     showDock(*findChild<QDockWidget *>(QLatin1String(kComparisonDock)), kComparisonShare);
 }
@@ -260,7 +260,7 @@ bool MainWindow::openTrack(const QString &path, const QString &units) {
 }
 
 void MainWindow::connectSession() {
-    connectMessages(); // first: a message may be settled by the next signal
+    connectMessages(); // first, because the next signal may settle a message
     connect(&m_session, &Session::levelOpened, this, &MainWindow::openLevel);
     connect(&m_session, &Session::replayChanged, this, &MainWindow::showReplay);
     connect(&m_session, &Session::pastChanged, this, &MainWindow::showPast);
@@ -317,13 +317,13 @@ void MainWindow::settleCommand() {
     m_messages->settle(Cause::Step);
 }
 
-/// Changes by a replay, the past and the keys aren't commands.
+/// Changes made by a replay, the past or the keys aren't commands.
 void MainWindow::settleByChange() {
     if (!m_session.isReplaying() && !m_session.isInPast() && !m_session.isTiltedByKeys()) settleCommand();
 }
 
-/// Connects each message with what settles it. Problems of the stepping thread are settled by its own signals, which
-/// keep their order, or by the user; a snapshot may be older or newer than the message.
+/// Connects each message with the event that settles it. Problems of the stepping thread are settled by its own
+/// signals, which keep their order, or by the user; a snapshot may be older or newer than the message.
 void MainWindow::connectMessages() {
     const auto say = [this](Cause cause) {
         return [this, cause](const QString &line) { m_messages->showLine(line, cause); };
@@ -385,7 +385,7 @@ void MainWindow::selectBounceAt(const gl::Ray &ray) {
     showDock(*findChild<QDockWidget *>(QLatin1String(kBouncesDock)), kBouncesShare);
 }
 
-/// While running, the ball moves between two snapshots, too.
+/// While the simulation runs, the ball also moves between two snapshots.
 bool MainWindow::hasNewFrame() {
     const Snapshot &now = m_session.simulation().latest();
     const uint64_t seen = now.number + m_session.waysAhead();
@@ -460,7 +460,7 @@ void MainWindow::showComparison() {
 
 bool MainWindow::grabTo(const QString &path, QString *error) {
     refresh();
-    m_session.liveUncertainty().finish(); // this and the next lines make pictures of one moment identical
+    m_session.liveUncertainty().finish(); // this and the next lines make pictures of the same moment identical
     refresh();
     m_session.lookAheadAtOnce();
     m_status->leaveOutClock();
@@ -490,7 +490,7 @@ void MainWindow::fitScreen() {
     const QRect available = screen()->availableGeometry();
     if (available.contains(geometry())) return;
     const QPoint last = available.bottomRight() - rect().bottomRight();
-    // Not move(): before the window is shown it would take this place of the content for that of the frame.
+    // move() isn't suitable: before the window is shown, it would use the content's position for the frame.
     setGeometry({{std::clamp(x(), available.left(), std::max(available.left(), last.x())),
                   std::clamp(y(), available.top(), std::max(available.top(), last.y()))},
                  size()});

@@ -123,7 +123,7 @@ private:
     void showReplay(bool isOn);
     void showPast(bool isIn);
     void sayWhereTheRunIs();
-    void sayBriefly(const QString &line); ///< in the status line
+    void sayBriefly(const QString &line); ///< shows it for some seconds in the status line
     void jumpToBounce(int direction);
     void showTitle();
     void showRunning(bool isRunning);

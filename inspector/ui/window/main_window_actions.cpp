@@ -332,7 +332,8 @@ void MainWindow::showPast(bool isIn) {
     watchMaze();
 }
 
-/// The time bar begins at the moment taken over. Not in the message bar: it would move the view under the player.
+/// The time bar begins at the moment taken over. This isn't said in the message bar, which would move the view while
+/// the player acts.
 void MainWindow::sayWhereTheRunIs() {
     const QKeySequence key = action("show_runs_dock")->shortcut();
     sayBriefly(tr("What came before this moment, and after it, is in Runs (%1)").arg(key.toString()));
@@ -411,7 +412,7 @@ void MainWindow::toggleOthersAhead() { m_session.showOthersAhead(action("others_
 
 void MainWindow::confirm() { m_session.game().confirm(); }
 
-/// Esc first dismisses a result; if paused, it clears the selection.
+/// Esc first dismisses a result; while paused it then clears the selection.
 void MainWindow::pause() {
     if (m_ruler->dismiss()) return;
     if (m_strip->dismiss()) return;
@@ -441,7 +442,7 @@ void MainWindow::goToEnd() {
 void MainWindow::bounceBack() { jumpToBounce(-1); }
 void MainWindow::bounceOn() { jumpToBounce(1); }
 
-/// The nearest bounce before or after the moment shown; one within the last step counts as at the moment.
+/// The nearest bounce before or after the moment shown; one within the last step counts as being at the moment.
 void MainWindow::jumpToBounce(int direction) {
     const Snapshot &now = m_session.simulation().latest();
     const std::vector<double> times = m_bounces->bounceTimes();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files: opened, dropped, recent, watched; plugins; documentation pages.
+// Files that are opened, dropped, recent or watched; plugins; documentation pages.
 #include "core/schedule/recording_schedule.h"
 #include "core/setup/lines.h"
 #include "core/track/track_reader.h"
@@ -23,7 +23,7 @@ namespace {
 
 constexpr qsizetype kMostRecent = 9;
 
-/// The single local file being dragged; empty otherwise.
+/// The local file being dragged if it is the only one; otherwise empty.
 QString droppedFile(const QMimeData &data) {
     const QList<QUrl> urls = data.urls();
     return urls.size() == 1 ? urls.constFirst().toLocalFile() : QString();
@@ -64,7 +64,7 @@ void MainWindow::remember(const QString &path, bool isOpen) {
     settings.setValue(settings_keys::kRecent, recent.mid(0, kMostRecent));
 }
 
-/// Adds the command line's file to the recent ones; levels have a list of their own.
+/// Adds the command line's file to the recent ones, unless it is a level, as levels have a list of their own.
 void MainWindow::rememberFirst() {
     if (m_session.isReplaying()) return remember(m_session.recording().recording().file, true);
     if (!m_session.isLevelOfTheList()) remember(m_session.level().path, true);
@@ -79,7 +79,7 @@ void MainWindow::dropEvent(QDropEvent *event) {
     openFile(droppedFile(*event->mimeData()));
 }
 
-/// Newest first, with digits as mnemonics.
+/// Lists the newest first, with digits as mnemonics.
 void MainWindow::addRecent(QMenu &menu) {
     auto *recent = new QMenu(tr("Open recent"), &menu);
     recent->setObjectName(QStringLiteral("recent_menu"));
@@ -135,7 +135,7 @@ void MainWindow::saveFilm() {
     });
 }
 
-/// Doesn't watch while a recording or the past is shown: their maze must not change.
+/// Doesn't watch while a recording or the past is shown, whose maze must not change.
 void MainWindow::watchMaze() {
     m_mazeWatcher->watch(m_session.isReplaying() || m_session.isInPast() ? QString() : m_session.level().path);
 }

@@ -33,7 +33,7 @@ void MazeWatcher::watch(const QString &path) {
     addPaths();
 }
 
-/// A replaced file is no longer watched, but its folder is.
+/// A file that was replaced is no longer watched, but its folder is.
 void MazeWatcher::addPaths() {
     if (m_path.isEmpty()) return;
     const QFileInfo file(m_path);

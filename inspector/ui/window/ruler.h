@@ -17,8 +17,8 @@ class Strokes;
 
 namespace inspector::ui {
 
-/// Measures the floor by a drag with Shift over the view: the length, and the angle from the board's x axis. Stays
-/// visible until the next press.
+/// Measures the floor by a drag with Shift over the view: the length, and the angle from the board's x axis. The result
+/// stays visible until the next press.
 class Ruler : public QObject {
     Q_OBJECT
 

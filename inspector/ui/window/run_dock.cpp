@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kEndRole = Qt::UserRole; ///< in the first column: the run's last place
 
-/// Each one once, in the order of their first use.
+/// Lists each of them once, in the order of their first use.
 QString listed(QStringList texts) {
     texts.removeDuplicates();
     return texts.join(QStringLiteral(", "));

@@ -13,12 +13,12 @@ class MazeView;
 
 namespace inspector::ui {
 
-/// Writes the run shown, by the name's suffix, as .rec (a recording that repeats it), .csv (a table of all its samples)
-/// or .png (the current view). Returns false, with one line in `error`, on failure.
+/// Writes the run shown in the format of the name's suffix: .rec (a recording that repeats it), .csv (a table of all
+/// its samples) or .png (the current view). Returns false, with one line in `error`, on failure.
 bool saveRun(Session &session, gl::MazeView &view, const QString &path, QString *error);
 
 /// Writes the settings of a table of the samples from `since` on, s, into the file next to it: level, stepper and
-/// parameters that made the rows, as rowSettings() says, and the samples' span. Returns false, with one line in `error`
+/// parameters that made the rows (see rowSettings()), and the samples' span. Returns false, with one line in `error`
 /// (may be nullptr), on failure.
 bool saveSettingsBeside(Session &session, const QString &csv, double since, QString *error);
 

@@ -21,7 +21,7 @@ public:
     explicit StatusLine(QWidget *parent = nullptr);
 
     void showSnapshot(const Snapshot &snapshot);
-    /// Hides, until the next snapshot, values that vary from run to run.
+    /// Until the next snapshot, hides values that vary from run to run.
     void leaveOutClock();
 
 private:

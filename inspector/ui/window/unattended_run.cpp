@@ -79,7 +79,7 @@ void UnattendedRun::startReplay() {
 bool UnattendedRun::isReplayOver() {
     const Snapshot snapshot = m_session.simulation().latest();
     const ReplayPlace &now = snapshot.replay;
-    if (now.difference && m_difference.isEmpty()) return false; // its signal hasn't arrived yet
+    if (now.difference && m_difference.isEmpty()) return false; // the signal hasn't arrived yet
     const bool isThere = now.number > 0 && now.position >= std::min(m_lastPosition, now.end);
     if (m_grabs) return isThere && now.isChecked && m_looks >= kLooksAtRest;
     return isThere || (!snapshot.running && now.difference == now.position); // it has paused at the differing step

@@ -9,9 +9,9 @@
 
 namespace inspector::ui {
 
-/// An unattended run: with --autopilot the level starts by itself, with --grab or --duration it ends by itself. Of a
-/// recording --grab shows the end, or the moment given by --duration, without playing up to there, but after checking
-/// all of it.
+/// An unattended run. With --autopilot the level starts by itself, with --grab or --duration the run ends by itself.
+/// For a recording --grab shows the end, or the moment given by --duration, without playing up to there but after
+/// checking all of the recording.
 class UnattendedRun : public QObject {
     Q_OBJECT
 
@@ -23,8 +23,8 @@ public:
     void start();
 
 signals:
-    /// Sent once: after the options' duration, when the ball is out of the maze or the recording at its end, or at an
-    /// error (one line, otherwise empty). A differing step of a recording is an error, too, but doesn't end the run
+    /// Emitted once: after the options' duration, when the ball is out of the maze or the recording at its end, or on
+    /// an error (one line; otherwise empty). A differing step of a recording is also an error, but doesn't end the run
     /// early.
     void finished(const QString &error);
 
