@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How steeply a camera looks down.
+// The elevation of a camera.
 #pragma once
 
 #include "gl/orbit_camera.h"
@@ -8,7 +8,7 @@
 
 namespace support {
 
-/// rad, above the horizon, from where its eye is.
+/// Angle of the eye above the horizon, rad.
 inline double elevationOf(const inspector::gl::OrbitCamera &camera) {
     return std::asin((camera.eye().z - camera.target().z) / camera.distance());
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A dock by itself on the screen, over a session of its own with settings of its own.
+// A single dock on the screen, with its own session and settings.
 #pragma once
 
 #include "core/program/command_line.h"
@@ -15,11 +15,11 @@
 
 namespace support {
 
-// Of docks that are made from a session and the undo stack.
+// For docks that are made from a session and the undo stack.
 template<typename Dock>
 class DockFixture {
 protected:
-    // Nothing, or why it can't be shown.
+    // Empty, or why the dock can't be shown.
     QString open(int level) {
         const inspector::CommandLine line =
             inspector::parseCommandLine({"physics-inspector", "--level", QString::number(level)});
@@ -39,7 +39,7 @@ protected:
         return *widget;
     }
 
-    static constexpr int kLong = 90000; // ms: a wait's end on a busy machine
+    static constexpr int kLong = 90000; // ms: time limit of a wait on a busy machine
 
     QTemporaryDir m_folder;
     QSettings m_settings{m_folder.filePath("settings.ini"), inspector::settingsFormat()};

@@ -14,7 +14,7 @@ b2PolygonShape boxOf(const Wall &wall) {
     b2PolygonShape shape;
     shape.SetAsBox(single((wall.x1 - wall.x0) / 2), single((wall.y1 - wall.y0) / 2),
                    {single((wall.x0 + wall.x1) / 2), single((wall.y0 + wall.y1) / 2)}, 0);
-    shape.m_radius = 0; // its skin of 1 cm would make every wall thicker
+    shape.m_radius = 0; // its skin of 1 cm would thicken every wall
     return shape;
 }
 
@@ -30,11 +30,11 @@ public:
         b2BodyDef moving;
         moving.type = b2_dynamicBody;
         moving.bullet = true;
-        moving.fixedRotation = true; // without friction nothing turns it
+        moving.fixedRotation = true; // without friction no torque acts on it
         m_body = m_world.CreateBody(&moving);
         b2CircleShape circle;
         circle.m_radius = single(scene.radius);
-        addFixture(*m_body, circle, 0); // the larger of both counts
+        addFixture(*m_body, circle, 0); // Box2D uses the larger of both restitutions
         place(scene.start);
     }
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kMass = 1; // kg
 
-// The general algorithm iterates; this one is exact for a sphere and a box, in either order.
+// The general algorithm is iterative; this one is exact for a sphere and a box, in either order.
 struct SphereBoxConfiguration : btDefaultCollisionConfiguration {
     SphereBoxConfiguration() { boxSphere.m_swapped = true; }
     btCollisionAlgorithmCreateFunc *getCollisionAlgorithmCreateFunc(int first, int second) override {
@@ -32,7 +32,7 @@ public:
         m_world.setForceUpdateAllAabbs(false);
         btContactSolverInfo &solver = m_world.getSolverInfo();
         solver.m_restitutionVelocityThreshold = 0;
-        solver.m_splitImpulsePenetrationThreshold = 1e10; // or pushing out of a wall gives speed
+        solver.m_splitImpulsePenetrationThreshold = 1e10; // otherwise being pushed out of a wall adds speed
         addFloor(scene);
         addWalls(scene);
         addBall(scene);
@@ -80,10 +80,10 @@ private:
         m_bodies.push_back(std::make_unique<btRigidBody>(mass, nullptr, &shape, inertia));
         btRigidBody &body = *m_bodies.back();
         body.setWorldTransform(btTransform(btQuaternion::getIdentity(), centre));
-        body.setRestitution(restitution); // the product of both counts, for friction too
+        body.setRestitution(restitution); // Bullet multiplies both restitutions, and frictions as well
         body.setFriction(0);
         body.setDamping(0, 0);
-        body.setContactProcessingThreshold(0); // or the ball stops before it touches
+        body.setContactProcessingThreshold(0); // otherwise the ball stops before it touches
         m_world.addRigidBody(&body);
         return body;
     }
@@ -95,7 +95,7 @@ private:
         addBody(0, *box, centre, 0).setFriction(scene.rolls ? 1 : 0);
     }
 
-    // One compound: a single broad phase object with a tree inside.
+    // One compound: a single broad-phase object with a tree inside.
     void addWalls(const Scene &scene) {
         if (scene.walls.empty()) return;
         for (const Wall &wall : scene.walls) {

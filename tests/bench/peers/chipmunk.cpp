@@ -20,10 +20,10 @@ public:
         cpBody *ground = cpSpaceGetStaticBody(m_space);
         for (const Wall &wall : scene.walls) {
             cpShape *shape = cpBoxShapeNew2(ground, cpBBNew(wall.x0, wall.y0, wall.x1, wall.y1), 0);
-            cpShapeSetElasticity(shape, 1); // the product of both counts
+            cpShapeSetElasticity(shape, 1); // Chipmunk multiplies both elasticities
             cpSpaceAddShape(m_space, shape);
         }
-        m_body = cpSpaceAddBody(m_space, cpBodyNew(1, INFINITY)); // without friction nothing turns it
+        m_body = cpSpaceAddBody(m_space, cpBodyNew(1, INFINITY)); // without friction no torque acts on it
         cpShape *circle = cpSpaceAddShape(m_space, cpCircleShapeNew(m_body, scene.radius, cpvzero));
         cpShapeSetElasticity(circle, scene.restitution);
         place(scene.start);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One interface to all engines that are compared; ours are just some of them.
+// One interface to all engines of the comparison, including our steppers.
 #pragma once
 
 #include "support/scene.h"
@@ -16,7 +16,7 @@ public:
     virtual ~Engine() = default;
     virtual void place(const Ball &ball) = 0;
     virtual void setGravity(const phys_vec3 &gravity) = 0;
-    // The loop is the engine's own, so that no call through this interface is part of a step.
+    // The loop is part of the engine, so that no step contains a call through this interface.
     virtual void advance(double dt, int steps) = 0;
     virtual Ball ball() const = 0;
 };
@@ -24,8 +24,8 @@ public:
 struct EngineKind {
     std::string name;
     bool ours = false;
-    bool exactInDt = false; // one step of any length is as good as many
-    std::string settings;   // how it is set, and what it does differently, in words
+    bool exactInDt = false; // a single step of any length is as accurate as many
+    std::string settings;   // its settings and what it does differently, in words
     // Some engines are tuned for the step (s) with which they will be called.
     std::function<std::unique_ptr<Engine>(const Scene &, double dt)> make;
 };
@@ -42,13 +42,13 @@ struct Setting {
     double value;
 };
 
-// One for each stepper in the library's registry that has all of these rows.
+// One engine for each stepper in the library's registry that has all of these rows.
 std::vector<EngineKind> ourEngines(const std::vector<Setting> &settings = {});
 
 std::vector<EngineKind> allEngines();
 
-// From the scene's start through all of its tilts. The steps needn't divide a tilt's period evenly: the nearest whole
-// number of them is taken, and each lasts the period divided by it.
+// Runs from the scene's start through all of its tilts. If steps don't divide a tilt's period evenly, the nearest whole
+// number of steps is taken, and each lasts the period divided by it.
 void run(Engine &engine, const Scene &scene, double dt);
 
 } // namespace bench

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Answers from trials: who is cheapest for an error, and where ours is not.
+// Evaluates trials: which engine is cheapest for a given error, and where ours isn't.
 #pragma once
 
 #include "peers/trial.h"
@@ -9,15 +9,17 @@ namespace bench {
 // All trials of a group, in the order in which they were measured.
 std::vector<const Trial *> trialsOf(const std::vector<Trial> &trials, const std::string &group);
 
-// Those that no other trial of the group beats in both cost and median error, from cheap to dear.
+// The Pareto front: trials that no other trial of the group beats in both cost and median error, from cheap to
+// expensive.
 std::vector<const Trial *> paretoFront(const std::vector<Trial> &trials, const std::string &group);
 
 enum class Side { Ours, Peers };
 
-// The cheapest trial of that side whose error stays under `bound` radii in every scene of the group; nullptr if none.
+// The cheapest trial of this side whose error stays below `bound` radii in every scene of the group; nullptr if there
+// is none.
 const Trial *cheapestUnder(const std::vector<Trial> &trials, const std::string &group, double bound, Side side);
 
-// Peers' trials for which ours has none that is at least as cheap and at least as accurate.
+// Peers' trials for which none of ours is at least as cheap and at least as accurate.
 std::vector<const Trial *> unbeatenPeers(const std::vector<Trial> &trials, const std::string &group);
 
 } // namespace bench

@@ -12,7 +12,7 @@ using namespace bench;
 
 void showProgress(const std::string &what) { std::fprintf(stderr, "\r\033[K%s", what.c_str()); }
 
-// Those whose names begin with one of the words; all without words.
+// The scenes whose names begin with one of the words; all if there are no words.
 std::vector<SceneGroup> chosenGroups(const std::vector<std::string> &words) {
     std::vector<SceneGroup> groups = allGroups();
     if (words.empty()) return groups;

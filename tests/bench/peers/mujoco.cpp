@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// MuJoCo: three dimensions, on a floor. It knows no restitution: contacts are springs, set here so that they bounce.
+// MuJoCo: three dimensions, on a floor. It has no restitution: contacts are springs, tuned here so that they bounce.
 #include "peers/engine.h"
 
 #include <mujoco/mujoco.h>
@@ -13,8 +13,8 @@ namespace bench {
 
 namespace {
 
-// Speed after over speed before of a head-on impact on a spring with damping (per mass), as the engine steps it; the
-// wall is noticed `phase` of a step late.
+// Ratio of the speeds after and before a head-on impact on a spring with damping (per mass), as the engine steps it;
+// the wall is detected `phase` of a step late.
 double restitutionOf(double stiffness, double damping, double dt, double phase) {
     double velocity = -1;
     double depth = -phase * dt; // negative: inside
@@ -33,7 +33,7 @@ double meanRestitution(double stiffness, double damping, double dt) {
     return sum / kPhases;
 }
 
-// The damping whose impact has this restitution: it falls with damping, so halving finds it.
+// The damping whose impact has this restitution. Restitution falls with damping, so bisection finds it.
 double dampingFor(double restitution, double stiffness, double dt) {
     double low = 0;
     double high = 4 * std::sqrt(stiffness);

@@ -40,7 +40,7 @@ public:
         , m_radius(scene.radius)
         , m_restitution(scene.restitution)
         , m_floorFriction(scene.rolls ? dInfinity : 0) {
-        dWorldSetCFM(m_world, 1e-15); // 1e-10 by default gives way; 0 fails with friction
+        dWorldSetCFM(m_world, 1e-15); // the default of 1e-10 is too soft; 0 fails with friction
         dWorldSetERP(m_world, 0.2);
         dWorldSetAutoDisableFlag(m_world, 0);
         m_floor = dCreatePlane(nullptr, 0, 0, 1, 0);

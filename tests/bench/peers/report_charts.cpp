@@ -9,7 +9,7 @@ namespace bench {
 
 namespace {
 
-// An error of exactly zero has no logarithm: it is drawn here.
+// An error of exactly zero has no logarithm; it is drawn here.
 constexpr double kLeastError = 1e-17; // radii
 
 ChartPoint pointOf(const Trial &trial) {
@@ -34,7 +34,7 @@ Chart chartOf(const SceneGroup &group, const std::vector<Trial> &trials) {
         if (trial->dt == group.scenes.front().tiltPeriod)
             chart.labels.push_back({curve->points.back().x, curve->points.back().y, "one call per tilt"});
     }
-    // By cost: the largest step is measured last.
+    // Ordered by cost: the largest step is measured last.
     for (Curve &curve : chart.curves)
         std::sort(curve.points.begin(), curve.points.end(),
                   [](const ChartPoint &a, const ChartPoint &b) { return a.x < b.x; });

@@ -87,7 +87,7 @@ void writeCheapest(std::ostream &out, const SceneGroup &group, const std::vector
             << number(trial->medianLargest()) << " R\n";
 }
 
-// On which side of the thin wall the fast ball ended.
+// The side of the thin wall on which the fast ball ended.
 void writeHolds(std::ostream &out, const SceneGroup &group, const std::vector<Trial> &trials) {
     out << "\nStopped by the wall, of " << group.scenes.size() << ":\n\n| engine | step, ms | held |\n|---|---|---|\n";
     for (const Trial *trial : trialsOf(trials, group.name)) {
@@ -111,7 +111,7 @@ void writeRest(std::ostream &out, const SceneGroup &group, const std::vector<Tri
                 << " |\n";
 }
 
-// How far anything can be compared: the trajectory's own sensitivity, and the reference in another precision.
+// Limits of the comparison: the trajectory's own sensitivity, and the reference in another precision.
 void writeReference(std::ostream &out, const std::vector<SceneGroup> &groups, const std::vector<Trial> &trials) {
     out << "\n## The reference, checked\n\n"
            "Two programs that share no code and no method: the reference (roots of quadratics and quartics, in long "

@@ -21,7 +21,7 @@ namespace {
 constexpr double kSteps[] = {1.0 / 60, 0.01, 0.005, 0.002, 0.001, 0.0005, 0.0001}; // s
 constexpr int kRepeats = 5;
 constexpr double kLongRun = 2;     // s of CPU: longer runs aren't repeated
-constexpr double kLongestRun = 25; // s of CPU: what would take longer isn't run
+constexpr double kLongestRun = 25; // s of CPU: longer runs are skipped
 
 // One engine in every scene of a group.
 struct Candidate {
@@ -63,7 +63,7 @@ SceneError errorOf(Engine &engine, const Scene &scene, const Passage &truth, dou
     return error;
 }
 
-// The first run measures errors, and from it how long others will take.
+// The first run measures the errors, and how long further runs will take.
 void start(Candidate &candidate, const SceneGroup &group, const std::vector<Passage> &truths) {
     double seconds = 0;
     for (std::size_t index = 0; index < group.scenes.size(); ++index) {
@@ -124,7 +124,7 @@ public:
     }
 
 private:
-    // All engines in turns. `leaping`: only those for which one step of any length is as good as many.
+    // Runs all engines in turn. `leaping`: only those for which a single step of any length is as accurate as many.
     void measureStep(double dt, bool leaping) {
         std::vector<Candidate> candidates;
         for (const EngineKind &kind : m_engines) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is measured: each engine at each step size in each scene, cost beside error.
+// The measurements: each engine at each step size in each scene, cost and error.
 #pragma once
 
 #include "peers/engine.h"

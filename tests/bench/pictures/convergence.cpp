@@ -12,12 +12,12 @@ namespace bench {
 
 namespace {
 
-constexpr double kRoundingError = 1e-12; // m: below this a slope would be that of rounding
+constexpr double kRoundingError = 1e-12; // m: smaller errors are rounding and have no meaningful slope
 constexpr int kFewestSteps = 16;
 constexpr int kHalvings = 10;
 const std::vector<Setting> kResistance{{"rolling_friction", 0.005}};
 
-// Of the line through log(error) over log(step), by least squares.
+// The slope of the line through log(error) over log(step), by least squares.
 double slopeOf(const std::vector<ChartPoint> &points) {
     double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
     for (const ChartPoint &point : points) {
@@ -57,8 +57,8 @@ Chart convergenceChart(const std::string &title, const std::vector<EngineKind> &
     return chart;
 }
 
-// Rolling with resistance across the tilt: A = (-0.6, 0.2), B = 0.1, v = (1, 0.3) m/s, and after 2 s the place that 50
-// digits give (model.md 12.1).
+// Rolling with resistance across the tilt: A = (-0.6, 0.2), B = 0.1, v = (1, 0.3) m/s; the position after 2 s was
+// computed with 50 digits (model.md 12.1).
 Chart smoothChart() {
     constexpr double kShare = 7.0 / 5.0; // a rolling ball has 5/7 of what acts
     Scene scene;
@@ -76,7 +76,7 @@ Chart smoothChart() {
                             });
 }
 
-// Where in a step an impact falls is as good as random, so that only a mean over many starts has a slope.
+// The time of an impact within a step is effectively random, so that only a mean over many starts has a slope.
 std::vector<Scene> impactScenes() {
     constexpr int kStarts = 32;
     std::vector<Scene> scenes;
@@ -102,7 +102,8 @@ double meanError(const EngineKind &kind, double dt, const std::vector<Scene> &sc
     return sum / static_cast<double>(scenes.size());
 }
 
-// Rolling with resistance, where no parabola hides the order; compared with the stepper that is exact in any step.
+// Rolling with resistance, which isn't a parabola, so that the order shows; compared with the stepper that is exact for
+// any step.
 Chart resistanceChart(const EngineKind &exact) {
 
     std::vector<Scene> scenes = impactScenes();
@@ -130,7 +131,7 @@ Chart impactChart() {
 } // namespace
 
 bool drawConvergence(const std::filesystem::path &folder) {
-    // Slopes differ, so each has a legend, hence a picture, of its own.
+    // The slopes differ, so each plot needs a legend and hence a picture of its own.
     bool drawn = drawCharts({smoothChart()}, 1, folder / "convergence_smooth");
     drawn = drawCharts({impactChart()}, 1, folder / "convergence_impacts") && drawn;
     for (const EngineKind &kind : ourEngines(kResistance))

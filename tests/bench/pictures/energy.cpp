@@ -12,7 +12,7 @@ constexpr double kDuration = 20; // s
 constexpr int kStepsPerSample = 5;
 constexpr double kTilt = 0.05; // rad, towards the wall
 
-// A wall at x = 0 that the tilt presses the ball to, which starts `gap` away from it.
+// A wall at x = 0 against which the tilt presses the ball, which starts `gap` away from it.
 Scene wallScene(double gap, double restitution) {
     Scene scene;
     scene.walls = {{-0.2, -2, 0, 2}};
@@ -22,7 +22,7 @@ Scene wallScene(double gap, double restitution) {
     return scene;
 }
 
-// Above that of a ball at rest against the wall; per mass, J/kg.
+// Energy above that of a ball at rest against the wall; per mass, J/kg.
 double energyOf(const Scene &scene, const Ball &ball) {
     const double height = ball.position.x - scene.radius;
     return (ball.velocity.x * ball.velocity.x + ball.velocity.y * ball.velocity.y) / 2 -
@@ -62,7 +62,7 @@ bool drawEnergy(const std::filesystem::path &folder) {
     const Scene resting = wallScene(0, 0.8);
     const Scene restingElastic = wallScene(0, 1);
     const double perStep = resting.gravity.front().x * kStep;
-    const double stepEnergy = perStep * perStep / 2; // of the speed that one step of falling gives
+    const double stepEnergy = perStep * perStep / 2; // energy of the speed that one step of falling gives
     std::vector<Chart> panels{
         energyChart("bounces, restitution 1, step 10 ms", elastic, startEnergy, "of the energy at the start"),
         energyChart("rests, restitution 0.8, step 10 ms", resting, stepEnergy, "of one step's fall"),

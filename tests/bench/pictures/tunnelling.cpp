@@ -18,7 +18,7 @@ constexpr int kPhases = 24;                         // places of the wall inside
 constexpr double kStepLow = 1e-3, kStepHigh = 0.1;  // s
 constexpr double kSpeedLow = 0.05, kSpeedHigh = 50; // m/s
 
-// From good to bad: what any phase suffers counts.
+// From good to bad; the worst outcome of any phase is taken.
 enum Outcome { RightSide, Refused, WrongSide, Missed };
 
 Scene thinWallScene(double thickness) {
@@ -98,7 +98,7 @@ Chart mapOf(const EngineKind &kind, const std::string &variant, double thickness
 
 } // namespace
 
-// The borders are those of model.md 10.4, for a step that takes no care of speed, as most games' do; below it ours.
+// The borders are those of model.md 10.4 for a step that ignores the speed, as in most games; ours are below.
 bool drawTunnelling(const std::filesystem::path &folder) {
     std::vector<Chart> panels;
     for (const EngineKind &kind : ourEngines({{"as_reported", 1}}))

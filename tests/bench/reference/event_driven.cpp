@@ -23,11 +23,11 @@ struct Vector {
     Real length() const { return std::sqrt(dot(*this)); }
 };
 
-// A place of the outline that the ball touches.
+// A part of the outline that the ball touches.
 template<class Real>
 struct Touch {
     Vector<Real> normal;
-    Real curvature = 0; // of the path of a centre that keeps touching: 1/R at a corner
+    Real curvature = 0; // curvature of the path of a centre that keeps touching it: 1/R at a corner
     const Face *face = nullptr;
     const Corner *corner = nullptr;
 };
@@ -65,8 +65,8 @@ private:
 
     static constexpr int kEventCap = 100'000;
     static constexpr Real kRounding = std::numeric_limits<Real>::epsilon();
-    static constexpr Real kLength = 4096 * kRounding;   // m: nearer is touching
-    static constexpr Real kSpeed = 100'000 * kRounding; // m/s, and m/s^2: smaller is zero
+    static constexpr Real kLength = 4096 * kRounding;   // m: smaller distances count as touching
+    static constexpr Real kSpeed = 100'000 * kRounding; // m/s and m/s^2: smaller values count as zero
 
     // ------------------------------------------------------------------------------------------------- geometry --
 
@@ -105,7 +105,8 @@ private:
         return found;
     }
 
-    // Where a face ends in a corner both touch with one normal: which of them counts depends on where the ball goes.
+    // Where a face ends in a corner, both touch with the same normal; the direction of motion decides which of them
+    // counts.
     bool counts(const Touch<Real> &touch) const {
         const V &n = touch.normal;
         if (touch.corner) {
@@ -160,13 +161,13 @@ private:
             if (deepest == all.end() || m_velocity.dot(deepest->normal) >= -kSpeed) break;
             bounce(*deepest);
         }
-        // What is left of a normal speed is rounding.
+        // The remaining normal speed is rounding.
         for (const auto &contact : contacts())
             if (std::abs(m_velocity.dot(contact.normal)) <= kSpeed)
                 m_velocity = m_velocity - m_velocity.dot(contact.normal) * contact.normal;
     }
 
-    // Bounces too low to be told from touching end there: infinitely many would follow (model.md 6.4).
+    // Bounces too low to be distinguished from contact end here; otherwise infinitely many would follow (model.md 6.4).
     void bounce(const Touch<Real> &touch) {
         const Real speed = m_velocity.dot(touch.normal);
         m_velocity = m_velocity - (1 + m_restitution) * speed * touch.normal;
@@ -193,7 +194,7 @@ private:
         return left; // held from two sides
     }
 
-    // Does the ball, pressed on by one of them, not run into another?
+    // Whether the ball, pressed against one of them, doesn't run into another.
     bool carries(const Touch<Real> &support, const std::vector<Touch<Real>> &pressing) const {
         const V free = m_acceleration - m_acceleration.dot(support.normal) * support.normal;
         return std::all_of(pressing.begin(), pressing.end(), [&](const Touch<Real> &other) {
@@ -229,7 +230,7 @@ private:
         const Real toHigh = descentOf({static_cast<Real>(face.high) - position, -speed, -acceleration / 2}, left);
         return std::min(toLow, toHigh);
     }
-    // At an end, moving away from it, rounding must not count as having passed it.
+    // When the ball moves away from an end, rounding must not count as having passed the end.
     static Real descentOf(Polynomial<Real> distance, Real left) {
         if (std::abs(distance[0]) <= kLength) distance.erase(distance.begin());
         return firstDescent(distance, left);
@@ -296,8 +297,8 @@ private:
         Real angle, rate;
     };
 
-    // R angle'' = the tangential part of the acceleration (model.md 6.2): no elementary solution, so small steps of
-    // order 4 whose error is below rounding.
+    // R angle'' = the tangential part of the acceleration (model.md 6.2) has no elementary solution, so it is
+    // integrated in small steps of order 4 whose error is below rounding.
     Real pivot(const Corner &corner, Real left) {
         const V offset = m_position - pointOf(corner);
         Swing swing{std::atan2(offset.y, offset.x),
@@ -409,7 +410,7 @@ template Passage eventDriven<double>(const Scene &scene);
 template Passage eventDriven<long double>(const Scene &scene);
 
 std::vector<double> sensitivity(const Scene &scene) {
-    constexpr double kChange = 1e-9; // m: far above rounding, and small enough to stay linear for as long as counts
+    constexpr double kChange = 1e-9; // m: far above rounding, and small enough to stay linear over the whole run
     Scene changed = scene;
     changed.start.position.x += kChange;
     const Passage here = eventDriven<long double>(scene);

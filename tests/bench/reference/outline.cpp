@@ -9,7 +9,7 @@ namespace bench {
 
 namespace {
 
-constexpr double kJoint = 1e-9; // m: walls that are nearer than this are flush
+constexpr double kJoint = 1e-9; // m: walls closer than this are flush
 
 std::array<Face, 4> facesOf(const Wall &wall) {
     return {{{0, -1, wall.x0, wall.y0, wall.y1},

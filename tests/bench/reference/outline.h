@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a ball can touch of walls that meet flush: straight faces, merged over joints, and corners that stand out.
+// The parts of flush walls that a ball can touch: straight faces, merged across joints, and convex corners.
 #pragma once
 
 #include "support/scene.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Steps one engine many times and nothing else: what callgrind counts the instructions of.
+// Steps one engine many times and does nothing else, so that callgrind can count its instructions.
 #include "peers/engine.h"
 #include "support/maze_scenes.h"
 
@@ -15,7 +15,7 @@ using namespace bench;
 
 constexpr double kStep = 0.01; // s
 
-// Rolls to and fro in the middle of a cell, a few centimetres from where it started: no wall is ever touched.
+// Rolls back and forth in the middle of a cell, a few centimetres from the start, and never touches a wall.
 void driveFree(Engine &engine, const Scene &scene, int steps) {
     constexpr int kHalfSwing = 10;
     const phys_vec3 there = steadyTilt(0.05, -0.02).front();

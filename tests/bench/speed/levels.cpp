@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where scenes spend their time: the ten levels, default parameters, a new random tilt each half second; the ball
-// leans, rolls along walls and rests. Single steps, batches and Chipmunk in turns, CPU time of the thread.
+// Typical scenes: the ten levels, default parameters, a new random tilt each half second, so that the ball leans, rolls
+// along walls and rests. Single steps, batches and Chipmunk are measured in turn, by the thread's CPU time.
 #include "peers/engine.h"
 #include "support/board.h"
 #include "support/cpu_clock.h"
@@ -69,7 +69,8 @@ struct Way {
     bool reports;
 };
 
-/// count steps of dt under each tilt, which together last as long as it does; seconds per kStep of motion.
+/// Makes `count` steps of dt under each tilt, which together last as long as the tilt; returns seconds per kStep of
+/// motion.
 double stepTilts(const Way &way, const Level &level, double dt, int count) {
     const StepperPointer stepper = createStepper(way.id, *level.scene);
     phys_params params = paramsOf(way.id, way.model, way.options);
@@ -237,7 +238,7 @@ void print(const std::map<std::string, std::vector<double>> &medians) {
 
 } // namespace
 
-/// Runs one contender on all levels and nothing else, and prints how many steps that were: what a profiler looks at.
+/// Runs one contender on all levels and does nothing else, for a profiler; prints the number of steps.
 int runOnly(const std::string &name, const std::vector<Level> &levels) {
     const std::vector<Contender> all = contenders();
     const auto chosen = std::find_if(all.begin(), all.end(), [&](const Contender &each) { return each.name == name; });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Many balls, many steps: how many steps a second batches make in a level, in the open and on two threads, and what
-// MuJoCo makes of the same maze, balls and seconds.
+// Many balls, many steps: steps per second of batches in a level, in the open and on two threads, compared with MuJoCo
+// in the same maze with the same balls and duration.
 #include "peers/engine.h"
 #include "support/board.h"
 #include "support/cpu_clock.h"
@@ -26,7 +26,7 @@ constexpr uint64_t kStepsPerTilt = 50;
 constexpr int kRounds = 9;
 constexpr const char *kLevel = BENCH_LEVELS "/10.txt";
 
-/// Balls that start alike, each on a board of its own.
+/// Balls with the same start, each on a board of its own.
 struct Balls {
     const phys_scene &scene;
     std::vector<phys_vec3> gravity; // of each ball's tilts, side by side
@@ -131,9 +131,10 @@ double gainOfTwoThreads(const phys_scene &scene) {
 
 constexpr unsigned kThreads = 2;
 
-/// Seconds of CPU time a step of one ball after the other, each on a board of its own, each thread with a simulation.
+/// Seconds of CPU time per step when balls are stepped one after the other, each on its own board, each thread with its
+/// own simulation.
 double secondsPerStep(const EngineKind &kind, const Scene &scene) {
-    constexpr unsigned kOfThem = 32; // as many more take as much longer
+    constexpr unsigned kOfThem = 32; // a part of the balls: the time is proportional to their number
     std::array<double, kThreads> spent{};
     std::vector<std::thread> threads;
     for (unsigned thread = 0; thread < kThreads; ++thread) {
@@ -187,7 +188,7 @@ void printRates(const phys_scene &level) {
                 1 / 0.06, rate(Balls(*roomy, maze.rolls)));
 }
 
-/// What a profiler looks at; prints how many steps that were.
+/// For a profiler; prints the number of steps.
 void runOnce(const Balls &balls) {
     const StepperPointer stepper = createStepper(PHYS_STEPPER_DEFAULT, balls.scene);
     balls.run(stepper.get(), 0, kBalls);
@@ -207,7 +208,7 @@ void runInTheOpen(const phys_scene &level) {
     runOnce(balls);
 }
 
-/// The sweep that tests/bench/speed/sweep.py makes too.
+/// The same sweep as in tests/bench/speed/sweep.py.
 void sweep(phys_stepper *stepper, const phys_state &start) {
     constexpr uint64_t kMany = 1000;
     phys_params params;

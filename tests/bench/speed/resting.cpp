@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a ball costs that rests, beside one that rolls freely: on the floor, against a rough wall, in a rough corner.
+// The cost of a resting ball relative to one that rolls freely: on the floor, against a rough wall, in a rough corner.
 #include "support/board.h"
 #include "support/cpu_clock.h"
 #include "support/statistics.h"

@@ -42,7 +42,7 @@ std::vector<phys_stepper_info> steppers() {
 
 // --------------------------------------------------------------------------------------------------- whole runs --
 
-// One row: a run of 10 s, frictionless, in one maze.
+// One row: a frictionless run of 10 s in one maze.
 void addMazeRow(const EngineKind &kind, const MazeSize &size, double dt) {
     char name[100];
     std::snprintf(name, sizeof name, "maze/%d walls/%s/%g ms", size.walls, kind.name.c_str(), dt * 1e3);
@@ -69,7 +69,7 @@ phys_params paramsOf(const phys_stepper_info &info, uint32_t model) {
     return params;
 }
 
-// As the game plays it, default parameters, from the start for 10 s under the same tilts everywhere.
+// As the game plays it: default parameters, 10 s from the start, the same tilts everywhere.
 void addLevelRow(int level, const phys_stepper_info &info, const ModelRow &model) {
     char name[100];
     std::snprintf(name, sizeof name, "level/%02d/%s/%s", level, info.id, model.name);
@@ -111,7 +111,7 @@ void addCreationRow(const MazeSize &size) {
 
 // -------------------------------------------------------------------------------------------------------- stages --
 
-// The same step twice, once as it needs the stage and once as it doesn't; the default stepper, step of 10 ms.
+// The same step twice, once where it needs the stage and once where it doesn't; default stepper, 10 ms.
 struct StageCase {
     const char *name;
     uint32_t stage;
@@ -137,7 +137,7 @@ const StageCase kStageCases[] = {
     {"all", 0, [](phys_params &params, phys_state &) { params.options |= PHYS_OPTION_ALL_STAGES; }, nothing},
 };
 
-// Four walls are few enough to look at each; five need the grid.
+// Four walls are few enough to test each of them; five need the grid.
 Scene roomScene(bool needsGrid) {
     Scene scene;
     scene.walls = {{-2.2, -2, -2, 2}, {2, -2, 2.2, 2}, {-2.2, -2.2, 2.2, -2}, {-2.2, 2, 2.2, 2.2}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The targets for speed beside what is measured: ratios to Chipmunk in one run, all engines in turns, CPU time.
+// The targets for speed beside the measured values: ratios to Chipmunk in one run, all engines in turn, CPU time.
 #include "peers/engine.h"
 #include "support/cpu_clock.h"
 #include "support/maze_scenes.h"
@@ -25,7 +25,7 @@ struct Track {
     std::vector<std::unique_ptr<Engine>> engines;
 };
 
-// What is measured of one engine: one value a round.
+// The measurements of one engine: one value per round.
 struct Series {
     EngineKind kind;
     double dt = kStep;
@@ -71,7 +71,7 @@ void measureRound(std::vector<Series> &all) {
     }
 }
 
-// Ratios of the same round, so that what slows the machine down for a while hurts both.
+// Ratios within the same round, so that a temporary slowdown of the machine affects both.
 std::vector<double> ratios(const std::vector<double> &ours, const std::vector<double> &theirs) {
     std::vector<double> result;
     std::transform(ours.begin(), ours.end(), theirs.begin(), std::back_inserter(result), std::divides<>());

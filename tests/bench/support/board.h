@@ -23,7 +23,7 @@ void check(phys_status status, const phys_error &error);
 ScenePointer createScene(const Scene &scene);
 ScenePointer loadScene(const std::filesystem::path &file);
 
-// For engines in two dimensions: boxes that rise above the centre of a ball at the start are walls.
+// For engines in two dimensions: walls are the boxes that rise above the centre of a ball at the start.
 Scene topView(const phys_scene &scene);
 
 // The scene must outlive the stepper.

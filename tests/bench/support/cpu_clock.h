@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// CPU time of the calling thread: what other programs do on a busy machine hardly shows in it.
+// CPU time of the calling thread, which other programs on a busy machine hardly affect.
 #pragma once
 
 #include <ctime>

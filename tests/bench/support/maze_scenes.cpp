@@ -20,7 +20,7 @@ mazes::Board closedBoard(int cells, unsigned seed) {
     mazes::Random random(seed);
     mazes::CellMaze maze = mazes::carvePerfectMaze(cells, cells, mazes::Algorithm::Backtracker, random);
     mazes::openLoops(maze, kLoopMillionths, random);
-    // An exit that isn't part of the rim leaves the rim closed.
+    // The rim is closed, unless the exit is part of it.
     const mazes::CellSide nowhere{{-2, -2}, mazes::Side::West};
     return mazes::buildBoard(maze, {cells / 2, cells / 2}, nowhere, dimensions);
 }

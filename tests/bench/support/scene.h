@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every engine is given: walls, a ball, and how the board tilts. Seen from above; walls are as high as needed.
+// The input of every engine: walls, a ball, and how the board tilts. Seen from above; walls are as high as needed.
 #pragma once
 
 #include <physics/physics.h>
@@ -44,7 +44,7 @@ struct Scene {
 // The rectangle of floor under everything that the scene's ball can reach.
 Wall floorOf(const Scene &scene);
 
-// Of the scene's first period: enough for scenes that tilt once.
+// The tilt of the scene's first period: enough for scenes that tilt once.
 std::vector<phys_vec3> steadyTilt(double tiltX, double tiltY);
 
 // A new tilt within +-5 degrees along each axis for each of `periods`; the same seed gives the same tilts everywhere.

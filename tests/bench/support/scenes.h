@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The small scenes of the comparison, each asking one question; the mazes are in maze_scenes.h.
+// The small scenes of the comparison, each for one question; the mazes are in maze_scenes.h.
 #pragma once
 
 #include "support/scene.h"
@@ -15,7 +15,7 @@ Scene bounceScene();
 // A room on a level board, restitution 1, 10 s: impacts alone.
 Scene billiardScene();
 
-// A corner that stands out is hit off centre, and where the ball is 1 s later.
+// The ball hits a convex corner off centre; compared is its position 1 s later.
 Scene edgeScene();
 
 // 300 m/s into a wall 0.2 m thick, from one of `phases` distances that fill one step of 10 ms.

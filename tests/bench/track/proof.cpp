@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether the fit finds what made a track: on tracks with known numbers, how often the truth lies in the intervals of
-// 95 %, whether a wrong model is named, and what a fit costs. Prints Markdown tables.
+// Checks the fit on tracks with known parameters: how often the true values lie in the 95 % intervals, whether a wrong
+// model is recognised, and what a fit costs. Prints Markdown tables.
 #include "core/setup/tables.h"
 #include "core/track/track_fit.h"
 #include "inspector/track/made_track.h"
@@ -125,7 +125,7 @@ bool print(QTextStream &out, const QString &name, const Series &series) {
 } // namespace
 
 // Usage: bench_proof [--verbose] MODEL FIRST LAST MAZE.txt...: tracks made by the rolling or the rigid model with seeds
-// FIRST to LAST; status 1 if one of the figures isn't met.
+// FIRST to LAST. Exits with 1 if one of the requirements isn't met.
 int main(int argc, char **argv) {
     const QCoreApplication application(argc, argv);
     QStringList words = QCoreApplication::arguments().mid(1);

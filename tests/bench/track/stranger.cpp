@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A stranger's ball: another engine rolls it through a level, it is seen as by a camera, and fitted. Prints the fit.
+// Fits the ball of another engine: the engine rolls it through a level, and it is sampled as by a camera. Prints the
+// fit.
 #include "core/track/fit_report.h"
 #include "inspector/track/made_track.h"
 #include "peers/engine.h"

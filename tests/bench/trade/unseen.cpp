@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether the settings that the trade calls good enough for what is known of a board are: each is chosen on a maze as
-// the inspector chooses, then tried on schedules that the choice has not seen. Prints a Markdown table.
+// Checks the settings that the trade calls good enough for what is known of a board: each is chosen on a maze as the
+// inspector chooses it, then tested on schedules that weren't used for the choice. Prints a Markdown table.
 #include "core/program/command_line.h"
 #include "core/setup/tables.h"
 #include "core/trade/good_enough.h"
@@ -58,7 +58,7 @@ Trial tryUnseen(const TradePlan &plan, const TradePoint &setting) {
     return trial;
 }
 
-// Median over the plan's schedules of what isn't known, mm.
+// Median over the plan's schedules of the uncertainty, mm.
 double unknownOf(const TradePlan &plan, const TradeResult &result) {
     return result.spans.back()[PHYS_MODEL_ROLLING].band.middleAt(plan.horizon) * phys_scene_radius(plan.scene.get()) *
            1e3;
@@ -71,7 +71,7 @@ double cheapestExact(const TradeResult &result) {
     return cheapest;
 }
 
-// Its row of the table. Nothing tried: no setting was good enough.
+// Its row of the table. If nothing was tested, no setting was good enough.
 Trial tryMaze(QTextStream &out, const QString &maze, double horizon) {
     QString error;
     const TradePlan plan = planOf(maze, horizon);
@@ -99,8 +99,7 @@ Trial tryMaze(QTextStream &out, const QString &maze, double horizon) {
 
 } // namespace
 
-// Usage: bench_unseen MAZE.txt...; status 1 if a setting of one of the rows keeps below the share on fewer than 95 of
-// 100 schedules.
+// Usage: bench_unseen MAZE.txt... Exits with 1 if a setting stays below the share on fewer than 95 of 100 schedules.
 int main(int argc, char **argv) {
     const QCoreApplication application(argc, argv);
     QTextStream out(stdout);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the inspector's window costs: from the program's start to the first picture, while it stands, and a picture
-// while the ball rolls, on a board that stands still and on one that turns all the time. Needs a screen.
+// The cost of the inspector's window: from the program's start to the first picture, while idle, and per picture while
+// the ball rolls on a still board and on one that turns all the time. Needs a screen.
 #include "core/session/session.h"
 #include "gl/view/maze_view.h"
 #include "ui/window/application.h"
@@ -75,7 +75,7 @@ Cost measure(gl::MazeView &view) {
     const double before = cpuSeconds();
     QElapsedTimer timer;
     timer.start();
-    loop.exec(); // sleeps meanwhile, which processEvents() with a time does not
+    loop.exec(); // sleeps meanwhile, unlike processEvents() with a time
     const double cpu = cpuSeconds() - before;
     const double seconds = 1e-3 * double(timer.elapsed());
     const auto pictures = double(view.pictures() - first);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every function that allocates, with the first, second, third ... allocation failing: it says so, leaves its output as
-// it was and loses no memory, until there is enough and it succeeds.
+// Lets the first, second, third ... allocation of every allocating function fail, until it succeeds: the function
+// reports the failure, leaves its output unchanged and leaks no memory.
 #include "support/failing_allocator.h"
 
 #include <QTest>
@@ -24,7 +24,7 @@ phys_status createWith(long allocations, const Maker &maker, phys_error *error) 
     return maker.create(error);
 }
 
-/// How many allocations it took in the end; negative: minus the number of the failing one that went wrong.
+/// The number of allocations that it needed; negative: minus the number of the failing one that was handled wrongly.
 long allocationsUntilSuccess(const Maker &maker, QByteArray &problem) {
     for (long allowed = 0; allowed < 100000; ++allowed) {
         phys_error error{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Prints one line for each stepper that promises the same bits everywhere, and each model: id, version, a hash of its
-// states in all levels, and a hash of everything that comes out of steps in random scenes.
+// states in all levels, and a hash of all results of steps in random scenes.
 // Usage: bits LEVEL...
 #include "random_scene.h"
 
@@ -17,7 +17,7 @@ constexpr double kDt = 0.004;
 constexpr uint64_t kRandomScenes = 1000;
 constexpr int kRandomSteps = 12;
 
-/// The board leans to all sides in turn, never the same way twice.
+/// The board leans to all sides in turn and never the same way twice.
 phys_vec3 gravityAt(int step) {
     const int side = step / 60;
     const double lean = 0.75 + 0.0625 * (side % 7);
@@ -46,7 +46,7 @@ bool runLevel(const phys_stepper_info &info, const phys_scene *scene, uint32_t m
     return status == PHYS_OK;
 }
 
-/// Everything that the library says about one random ball in its scene; failures count by their status.
+/// Hashes all that the library returns about one random ball in its scene; failures are hashed by their status.
 void runRandom(const phys_stepper_info &info, uint64_t seed, uint32_t model, bits::Hash &hash) {
     bits::RandomScene random(seed);
     phys_scene *scene = nullptr;

@@ -51,7 +51,7 @@ double RandomScene::between(double low, double high) {
     return low + (high - low) * (static_cast<double>(next() >> 11) * 0x1p-53);
 }
 
-/// A coordinate: on a raster of a ball's radius or anywhere.
+/// A coordinate: on a raster of the ball's radius or anywhere.
 double RandomScene::place(double size) {
     if (!m_onRaster) return between(-size, size);
     const int steps = static_cast<int>(size / kRadius);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Random scenes, balls and parameters that are the same on every system, and a hash of what comes out of them.
+// Random scenes, balls and parameters that are the same on every system, and a hash of the results.
 #pragma once
 
 #include <physics/physics.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Hosts that round otherwise, flush subnormals to zero, trap floating-point exceptions or call from small stacks: the
-// same bits come out, and the host finds its own setting again.
+// Hosts with another rounding mode, with subnormals flushed to zero, with trapping floating-point exceptions or with
+// small stacks: the results have the same bits, and the host's setting is restored.
 #include "support/handles.h"
 #include "support/scene_builder.h"
 #include "support/stepper_rows.h"
@@ -28,7 +28,7 @@ support::ScenePtr level(int number) {
     return support::ScenePtr(scene);
 }
 
-/// Scenes of all kinds: a level, nothing at all, a start beside the floor, a room without a floor, a start in the air.
+/// Scenes of all kinds: a level, an empty scene, a start beside the floor, a room without a floor, a start in the air.
 std::vector<support::ScenePtr> scenes() {
     std::vector<support::ScenePtr> all;
     all.push_back(level(3));
@@ -39,7 +39,7 @@ std::vector<support::ScenePtr> scenes() {
     return all;
 }
 
-/// Everything that a program asks of one scene: hashes of all that comes out.
+/// Makes all kinds of calls on one scene and hashes all results.
 std::vector<uint64_t> use(const phys_scene *scene, const QByteArray &id, uint32_t model, double speed) {
     std::vector<uint64_t> results;
     phys_stepper *raw = nullptr;
@@ -88,7 +88,7 @@ bool flushSubnormals() {
 
 bool trap() { return feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW) != -1; }
 
-/// What a host could see of its setting.
+/// The host's view of its floating-point setting.
 unsigned setting() {
 #if defined(__SSE2__)
     return _mm_getcsr() & ~0x3fu;
@@ -97,7 +97,7 @@ unsigned setting() {
 #endif
 }
 
-/// The default setting again, whatever a test does to it.
+/// Restores the default setting at the end, whatever a test does to it.
 class Restored {
 public:
     Restored() { std::fegetenv(&m_before); }

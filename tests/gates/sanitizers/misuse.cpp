@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Misuses the library so that it does what a sanitizer must notice, in the library's own code.
+// Misuses the library in ways that a sanitizer must detect in the library's own code.
 // Usage: misuse LEVEL overrun|undefined|leak|race
 #include <physics/physics.h>
 
@@ -45,7 +45,7 @@ void overrun(Ball &ball) {
     phys_step(ball.stepper, &ball.params, 10.0, &ball.state, &ball.state, &report, nullptr);
 }
 
-/// The library reads numbers from an address that no number may have.
+/// The library reads numbers from a misaligned address.
 void readMisaligned(Ball &ball) {
     std::vector<char> bytes(sizeof ball.state + 1);
     std::memcpy(bytes.data() + 1, &ball.state, sizeof ball.state);
@@ -56,7 +56,7 @@ void readMisaligned(Ball &ball) {
 
 void leak(Ball &ball) { ball.scene = nullptr; }
 
-/// One stepper serves two threads at a time.
+/// Two threads use one stepper at the same time.
 void race(Ball &ball) {
     const auto roll = [&ball] {
         phys_state state = ball.state;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Threads that share one scene and one registry, each with its own steppers, find what one thread finds, bit by bit.
+// Threads that share one scene and one registry, each with its own steppers, get the same bits as a single thread.
 // Without Qt, so that ThreadSanitizer sees all of the code. Usage: threads LEVEL PLUGIN
 #include <physics/physics.h>
 
@@ -41,7 +41,7 @@ std::vector<uint64_t> runAll(const phys_registry *registry, const phys_scene *sc
     return hashes;
 }
 
-/// Balls that roll apart, in one batch whose ranges run on `threads` threads, each with a stepper of its own.
+/// Balls that roll apart, in one batch whose ranges run on `threads` threads, each with its own stepper.
 std::vector<phys_state> runBatch(const phys_registry *registry, const phys_stepper_info &info, const phys_scene *scene,
                                  int threads) {
     phys_state start;
@@ -77,7 +77,7 @@ std::vector<phys_state> runBatch(const phys_registry *registry, const phys_stepp
     return states;
 }
 
-/// How many steppers give other bits by ranges on threads than by one.
+/// The number of steppers whose results differ between ranges on threads and a single range.
 int compareBatches(const phys_registry *registry, const phys_scene *scene) {
     int wrong = 0;
     phys_stepper_info info;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A run without a window, as the program makes it of its command line.
+// A run without a window, started as the program starts it from its command line.
 #pragma once
 
 #include "core/program/command_line.h"

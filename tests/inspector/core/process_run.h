@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A program that was started and came to its end.
+// Runs a program to its end.
 #pragma once
 
 #include <QByteArray>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What suites of recordings do to an engine and compare.
+// Helpers of the recording suites: what they do to an engine and how they compare.
 #pragma once
 
 #include "core/engine/engine.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenes and runs that several suites of the inspector's core start from.
+// Scenes and runs that several suites of the inspector's core use.
 #pragma once
 
 #include "core/engine/engine.h"
@@ -47,7 +47,7 @@ inline std::unique_ptr<Engine> engineOn(const Scene &scene) {
     return std::make_unique<Engine>(scene, defaultStepper(scene));
 }
 
-// The library's defaults on a board tilted by so many degrees.
+// The library's defaults on a board tilted by this many degrees.
 inline Inputs tilted(double x, double y) {
     Inputs inputs = initialInputs();
     tiltBoard(inputs, {radians(x), radians(y)});

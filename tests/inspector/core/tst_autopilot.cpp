@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The autopilot and what it knows of the maze.
+// The autopilot and its map of the maze.
 #include "core/pilot/autopilot.h"
 #include "core/program/headless.h"
 #include "scenes.h"
@@ -82,7 +82,7 @@ void TestAutopilot::clearanceIsTheRoomBesideTheBall() {
     const double radius = phys_scene_radius(scene.get());
     const double error = std::sqrt(2.0) / 8.0 * radius;
     for (const double distance : {0.001, 0.004, 0.008}) {
-        const double x = -0.1 + radius + distance; // so far from touching the left wall
+        const double x = -0.1 + radius + distance; // this far from touching the left wall
         QVERIFY(std::abs(space.clearance(space.cellAt({x, 0.0})) - distance) <= error);
     }
 }
@@ -91,8 +91,8 @@ void TestAutopilot::wallsAreNotFree() {
     const Scene scene = walledFloor(true);
     const FreeSpace space(scene.get());
     QVERIFY(space.isFree(space.cellAt({0.0, 0.0})));
-    QVERIFY(!space.isFree(space.cellAt({-0.105, 0.0}))); // in the wall
-    QVERIFY(!space.isFree(space.cellAt({-0.097, 0.0}))); // nearer to it than the radius
+    QVERIFY(!space.isFree(space.cellAt({-0.105, 0.0}))); // inside the wall
+    QVERIFY(!space.isFree(space.cellAt({-0.097, 0.0}))); // closer to the wall than the radius
     QVERIFY(space.isOutside(space.cellAt({0.12, 0.0})));
     QVERIFY(!space.isFree(space.cellAt({5.0, 0.0})));
 }
@@ -152,7 +152,7 @@ void TestAutopilot::spaceOfAnyProportionsIsBounded_data() {
                     QTest::addRow("%g %g %g", length, width, radius) << length << width << radius;
 }
 
-// Cells in bounded number, and an answer: a way or one line.
+// The number of cells is bounded, and the result is a path or one line.
 void TestAutopilot::spaceOfAnyProportionsIsBounded() {
     QFETCH(double, length);
     QFETCH(double, width);
@@ -231,7 +231,7 @@ void TestAutopilot::sameRunTwiceGivesTheSameBits() {
     QCOMPARE(hashes[0], hashes[1]);
 }
 
-// Wherever the ball is put on the board, in motion: from there the pilot gets it out, too.
+// The pilot gets the ball out from anywhere on the board, even if it is moving.
 void TestAutopilot::ballPutElsewhereFindsItsWay() {
     const Scene scene = levelScene(4);
     const auto pilot = Autopilot::create(scene.get(), nullptr);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The law of a bounce with the numbers put in: a ball that rolls head-on into a wall with e = 0.5, against closed
-// forms.
+// The law of a bounce with its numbers: a ball that rolls head-on into a wall with e = 0.5, compared with closed forms.
 #include "core/events/bounce_law.h"
 #include "core/events/event_table.h"
 #include "scenes.h"
@@ -43,7 +42,7 @@ private slots:
 namespace {
 
 constexpr double kRadius = 0.006;  // m, by default
-constexpr double kDistance = 0.25; // m, of the ball's front from the wall
+constexpr double kDistance = 0.25; // m, gap between the ball and the wall
 constexpr double kTilt = 5.0;      // degrees
 constexpr double kRestitution = 0.5;
 
@@ -66,7 +65,7 @@ double acceleration() { return 5.0 / 7.0 * inputsOf(PHYS_MODEL_ROLLING, 0.0).par
 double speedAtWall() { return std::sqrt(2.0 * acceleration() * kDistance); }
 double timeToWall() { return std::sqrt(2.0 * kDistance / acceleration()); }
 
-// Of a ball that falls onto the edge of a wall of 0.05 m, its centre beside the top.
+// A ball that falls onto the edge of a wall of 0.05 m, its centre beside the wall's top.
 LoggedEvent firstBounceOnEdge(const QByteArray &stepper, uint32_t model) {
     const Scene scene = wallAhead(kDistance);
     QString error;
@@ -120,8 +119,9 @@ void addRows(bool (*belongs)(const QByteArray &) = isAny) {
     }
 }
 
-// At a time later by tau the ball, with the speed v then, is v tau - a tau^2/2 behind the face; earlier alike, in
-// front. An Euler scheme's place is off by v h/2 at any time, h its substep, of which a step has one or more.
+// A time later by tau, the ball with speed v then is v tau - a tau^2/2 behind the face; a time earlier by tau, as much
+// in front of it. The position of an Euler scheme is off by v h/2 at any time; h is its substep, of which a step has
+// one or more.
 void verifyLateness(const QByteArray &stepper, const LoggedEvent &bounce, const BouncePlace &place) {
     const double late = bounce.event.time - timeToWall();
     const double expected = late - acceleration() * late * late / (2.0 * normalLaw(bounce).before);
@@ -129,7 +129,7 @@ void verifyLateness(const QByteArray &stepper, const LoggedEvent &bounce, const 
     QVERIFY(std::abs(place.lateness - expected) <= scheme + 1e-12);
 }
 
-// What is told about the place.
+// The text about the position.
 QString foundText(const LoggedEvent &bounce) {
     for (const LawLine &line : eventLines(bounce, wallAhead(kDistance + kRadius).get(), builtIn())) {
         if (line.label == QStringLiteral("Found")) return line.text;
@@ -154,7 +154,7 @@ LoggedEvent madeUp(double before, double after) {
 
 void TestBounceLaw::headOnBounceObeysTheLaw_data() { addRows(); }
 
-// Whatever the stepper came with, it gives back half: a product with 0.5 isn't rounded.
+// The ball leaves with half the speed with which it came: a product with 0.5 isn't rounded.
 void TestBounceLaw::headOnBounceObeysTheLaw() {
     QFETCH(QByteArray, stepper);
     QFETCH(uint32_t, model);
@@ -164,7 +164,7 @@ void TestBounceLaw::headOnBounceObeysTheLaw() {
     QCOMPARE(law.found, 0.5 * law.before);
     QCOMPARE(law.deviation, 0.0);
     QVERIFY(!law.ends);
-    // Nothing moves along the wall, neither before nor after.
+    // There is no motion along the wall, before or after.
     const TangentialLaw tangential = tangentialLaw(bounce, 0.006);
     QCOMPARE(tangential.expected, 0.0);
     QCOMPARE(tangential.off, 0.0);
@@ -172,7 +172,7 @@ void TestBounceLaw::headOnBounceObeysTheLaw() {
 
 void TestBounceLaw::speedIsThatOfTheClosedFormAtItsTime_data() { addRows(); }
 
-// Constant acceleration from rest: v = a t, without an error in any scheme. Rounding: of some hundred sums.
+// Constant acceleration from rest: v = a t, which every scheme gets right. Rounding: of some hundred sums.
 void TestBounceLaw::speedIsThatOfTheClosedFormAtItsTime() {
     QFETCH(QByteArray, stepper);
     QFETCH(uint32_t, model);
@@ -197,7 +197,7 @@ void TestBounceLaw::locatedBounceIsAtTheFace() {
 
 void TestBounceLaw::steppersThatLookAheadBounceEarly_data() { addRows(isDiscrete); }
 
-// model.md 13.5: at the beginning of the substep in which the wall would be reached.
+// model.md 13.5: at the beginning of the substep in which the ball would reach the wall.
 void TestBounceLaw::steppersThatLookAheadBounceEarly() {
     QFETCH(QByteArray, stepper);
     QFETCH(uint32_t, model);
@@ -213,7 +213,7 @@ void TestBounceLaw::steppersThatLookAheadBounceEarly() {
 
 void TestBounceLaw::reportedOverlapIsFoundLate_data() { addRows(isDiscrete); }
 
-// Textbook collisions: seen at the end of the step, behind the face.
+// Textbook collisions are detected at the end of the step, behind the face.
 void TestBounceLaw::reportedOverlapIsFoundLate() {
     QFETCH(QByteArray, stepper);
     QFETCH(uint32_t, model);
@@ -238,8 +238,8 @@ void TestBounceLaw::bounceAfterAnotherHasNoPlace() {
 
 void TestBounceLaw::roughWallTakesTwoSeventhsOfTheSlip_data() { addRows(); }
 
-// model.md 4: a ball that rolls head-on slips with its own speed at the wall. mu (1 + e) V > 2/7 V: it sticks. The slip
-// is that of the state before the step, which is up to a step's gain slower.
+// model.md 4: a ball that rolls head-on into a wall slips there with its own speed. mu (1 + e) V > 2/7 V: it sticks.
+// The slip is that of the state before the step, which is slower by up to one step's gain.
 void TestBounceLaw::roughWallTakesTwoSeventhsOfTheSlip() {
     QFETCH(QByteArray, stepper);
     QFETCH(uint32_t, model);
@@ -287,7 +287,7 @@ void TestBounceLaw::landingTakesTheFloorsRestitution() {
     QCOMPARE(normalLaw(bounce).deviation, 0.0);
 }
 
-// Right at the border of a top face the normal is the same; the edge's coefficients are the walls' (model.md 13.1).
+// Right at the border of a top face the normal is the same, but the edge has the walls' coefficients (model.md 13.1).
 void TestBounceLaw::impactWithATopsNormalTakesTheWallsRestitution() {
     LoggedEvent bounce = madeUp(-0.5, 0.25);
     bounce.event.normal = {0.0, 0.0, 1.0};
@@ -297,7 +297,7 @@ void TestBounceLaw::impactWithATopsNormalTakesTheWallsRestitution() {
 
 void TestBounceLaw::edgesTakeTheWallsRestitution_data() { addRows(); }
 
-// model.md 13.1: however steep the normal, only a top face has the floor's coefficients.
+// model.md 13.1: only a top face has the floor's coefficients, however steep other normals are.
 void TestBounceLaw::edgesTakeTheWallsRestitution() {
     QFETCH(QByteArray, stepper);
     QFETCH(uint32_t, model);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From words to options, and what is said of words that mean nothing.
+// From arguments to options, and the messages for invalid arguments.
 #include "core/program/command_line.h"
 #include "core/recording/recording.h"
 #include "core/setup/files.h"
@@ -154,7 +154,7 @@ void TestCommandLine::helpNamesEveryOptionWithItsUnit() {
         QVERIFY2(line.output.contains(option), option);
 }
 
-// Rows become options of their ids: all others are reserved.
+// Rows become options with their ids; all other option names are reserved.
 void TestCommandLine::noRowOfAPluginCanHideAnOption() {
     QStringList taken{PHYS_RESERVED_ROW_IDS};
     uint32_t count = 0;
@@ -192,7 +192,7 @@ void TestCommandLine::versionIsThatOfProgramAndLibrary() {
 
 void TestCommandLine::wrongUseGivesOneLineAndStatus2_data() {
     QTest::addColumn<QString>("words");
-    QTest::addColumn<QString>("said"); // what the line must contain: the option and what was found
+    QTest::addColumn<QString>("said"); // what the line must contain: the option and the value found
     QTest::newRow("unknown ghostChoice") << "--compare none"
                                          << "--compare: no stepper has the id 'none'";
     QTest::newRow("substeps of nothing") << "--compare-substeps 2"
@@ -425,7 +425,7 @@ void TestCommandLine::outputsThatWouldDestroyAFileAreRefused() {
         QCOMPARE(line.exitStatus, 2);
         QVERIFY2(line.error.contains(filled(said)), qPrintable(line.error));
     }
-    // Nothing is changed and nothing is left.
+    // Nothing is changed, and no file is left behind.
     QCOMPARE(QDir(path).entryList(QDir::Files).join(' '),
              QString("a.set level.obj level.txt mine.csv.txt note.png note.txt run.rec table.csv track.csv"));
     QCOMPARE(readFile(path + "/note.txt", 100, nullptr), QByteArray("mine"));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The second ball on the simulation's thread, in a session, and in a table: there when asked for, and else no trace.
+// The ghost on the simulation's thread, in a session, and in a table: present on request, and otherwise without a
+// trace.
 #include "core/pilot/autopilot.h"
 #include "core/session/session.h"
 #include "core/setup/settings_file.h"
@@ -56,7 +57,7 @@ private:
 namespace {
 
 const QByteArray kFloor = "box -0.1 -0.1 -0.01 0.05 0.1 0\n";
-// So long that a ball gets too fast for an Euler scheme's substeps, with a wall to look out for.
+// So long that the ball gets too fast for an Euler scheme's substeps, with a wall that it must not miss.
 const QByteArray kLongFloor = "box -0.1 -0.1 -0.01 1e5 0.1 0\nbox 99999 -0.1 0 1e5 0.1 0.02\n";
 
 Options optionsOf(int level) {
@@ -91,7 +92,7 @@ QByteArray versionOf(const char *stepper) {
     return info.version;
 }
 
-// What a signal of any thread brought, received in this thread's event loop.
+// Collects what signals of any thread bring, received in this thread's event loop.
 template<typename Sender>
 class Lines {
 public:
@@ -132,7 +133,7 @@ void TestComparison::threadGivesTheSameBitsAsStepsByHand() {
     options.comparison = GhostChoice{"exact", 2};
     options.autopilot = true;
     const auto session = open(options);
-    const uint64_t steps = 250; // it isn't out of the maze then
+    const uint64_t steps = 250; // the ball is still in the maze then
     makeSteps(*session, steps);
     QCOMPARE(session->simulation().samples().last(), steps);
 
@@ -147,7 +148,7 @@ void TestComparison::threadGivesTheSameBitsAsStepsByHand() {
         ghost.addTo(expected);
         Sample sample;
         QVERIFY(session->simulation().samples().read(i, sample));
-        sample[Channel::StepTime] = expected[Channel::StepTime]; // nobody looked at the clock by hand
+        sample[Channel::StepTime] = expected[Channel::StepTime]; // a manual step isn't timed
         QVERIFY(support::sameBits(sample.values, expected.values));
     }
     const Snapshot now = session->simulation().latest();
@@ -173,7 +174,7 @@ void TestComparison::samplesBeforeAndAfterHaveNoGhost() {
     QVERIFY(!session->simulation().latest().ghost);
 }
 
-// Under the thread sanitizer this also says that nothing is shared without a word.
+// Under the thread sanitizer this also shows that there is no data race.
 void TestComparison::comparisonsComeAndGoWhileStepsRun() {
     const auto session = open(optionsOf(3));
     Simulation &simulation = session->simulation();
@@ -398,7 +399,7 @@ void TestComparison::fileBesideTheTableNamesTheGhost() {
     QVERIFY2(settings.contains("\ncompare rk4 " + versionOf("rk4") + "\ncompare-substeps 2\n"), settings.constData());
 }
 
-// The second ball's place is, digit by digit, that of a first one with these parameters.
+// The ghost's position is, digit by digit, that of a ball with these parameters.
 void TestComparison::tableOfOtherParametersIsThatOfARunWithThem() {
     const QStringList words{"--headless", "--level", "3", "--tilt-x", "3", "--tilt-y", "4", "--duration", "1"};
     const Result with = runOf(words + QStringList{"--compare", "symplectic-euler", "--compare-set",
@@ -421,7 +422,7 @@ void TestComparison::ownParametersBeginAsTheBalls() {
     session->comparison().setOwnParameters(true);
     makeSteps(*session, 40);
     COMPARE_EXACT(distanceIn(*session), 0.0);
-    session->parameters().set({{"restitution_wall", 0.2}}); // and then they are its own
+    session->parameters().set({{"restitution_wall", 0.2}}); // from now on they are its own
     const Parameters &own = session->comparison().parameters();
     COMPARE_EXACT(own.value(own.indexOf("restitution_wall")), 0.7);
 }

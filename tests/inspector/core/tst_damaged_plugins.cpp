@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Plugins that end the process that loads them: damaged headers, constructors that crash, end or hang.
+// Plugins that end the process that loads them: damaged headers, constructors that crash, exit or hang.
 #include "process_run.h"
 #include "support/files.h"
 
@@ -59,7 +59,7 @@ std::vector<Part> headersOf(const QByteArray &file) {
     return parts;
 }
 
-// Whose program headers are those of a file whose first segment isn't there.
+// A file with the program headers of another file whose first segment is missing.
 QByteArray damaged() {
     QByteArray file = support::contentOf(ADAPTIVE_DRAG);
     file[qsizetype(sizeof(ElfW(Ehdr)) + offsetof(ElfW(Phdr), p_type))] ^= char(0x7f);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The engine, stepped by hand.
+// The engine, stepped manually.
 #include "scenes.h"
 #include "wall_ahead.h"
 
@@ -127,7 +127,7 @@ void TestEngine::restartGoesBackToTheStart() {
     engine->restart();
     QCOMPARE(engine->state().step, uint64_t(0));
     QCOMPARE(engine->state().position.x, 0.0);
-    QCOMPARE(engine->inputs().tilt.x, radians(5.0)); // inputs stay
+    QCOMPARE(engine->inputs().tilt.x, radians(5.0)); // inputs are kept
 }
 
 void TestEngine::otherStepperGoesOnFromTheSameState() {
@@ -215,7 +215,8 @@ void TestEngine::sampleTellsTheGapToTheNearestWall() {
     QVERIFY(std::abs(engine->sample()[Channel::WallGap] - (0.07 - 0.006)) < 1e-12);
 }
 
-// The edge of a kerb of 0.4 R, which the ball almost touches, is not far above it but in its way.
+// The edge of a kerb of 0.4 R that the ball almost touches is in the ball's way, although not far above its lowest
+// point.
 void TestEngine::lowKerbIsAWall() {
     constexpr double kRadius = 0.006;
     constexpr double kDistance = 0.9 * kRadius;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The log of events: what is kept, what is folded together, and that a reader beside the writer sees whole entries.
+// The event log: what it keeps, what it folds, and that a concurrent reader sees whole entries.
 #include "core/events/bounce.h"
 #include "core/events/event_log.h"
 #include "core/simulation/simulation.h"
@@ -122,7 +122,7 @@ void TestEventLog::clearStartsAnewButNumbersGoOn() {
     QCOMPARE(log.first(), log.last());
     QCOMPARE(log.dropped(), uint64_t(0));
     QCOMPARE(log.generation(), uint64_t(1));
-    append(log, impact(0.0, kFast)); // time may fall back now
+    append(log, impact(0.0, kFast)); // time may decrease now
     QCOMPARE(log.first(), uint64_t(100));
     QCOMPARE(log.last(), uint64_t(101));
 }
@@ -258,7 +258,7 @@ void TestEventLog::leavingTheMazeIsAnEntry() {
         QVERIFY(engine->step(nullptr));
         log.note(*engine, kNoStepper);
     }
-    QVERIFY(engine->step(nullptr)); // out, too, but it doesn't leave again
+    QVERIFY(engine->step(nullptr)); // also outside, but it doesn't leave again
     log.note(*engine, kNoStepper);
     const std::vector<LoggedEvent> entries = entriesOf(log);
     const auto isLeaving = [](const LoggedEvent &entry) { return entry.event.kind == kLeftMazeEvent; };
@@ -299,8 +299,8 @@ void TestEventLog::restartEmptiesTheLog() {
     QCOMPARE(simulation.events().first(), simulation.events().last());
 }
 
-// Invariant: every number of an entry follows from its own number and count, so that a torn one shows. Each is written
-// three times: two slow impacts on a box of its own are folded into the first.
+// Every number of an entry follows from its own number and count, so that a torn entry shows. Each is written three
+// times: two slow impacts on a box of its own are folded into the first.
 void TestEventLog::readingWhileAnotherThreadWritesGivesOnlyWholeEntries() {
     constexpr int kReads = 20000;
     EventLog log(64);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a maze lets the ball out: what is marked in mazes that have no picture of their own.
+// Exits of mazes: what is marked in mazes that have no .obj of their own.
 #include "core/pilot/exits.h"
 #include "scenes.h"
 

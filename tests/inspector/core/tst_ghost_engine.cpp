@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The second ball, led by hand: it starts with the first, obeys what that obeys, and is nothing that the first feels.
+// The ghost, stepped manually: it starts at the ball, gets the same inputs, and never affects the ball.
 #include "core/engine/ghost_engine.h"
 #include "scenes.h"
 #include "support/compare.h"
@@ -56,7 +56,7 @@ GhostEngine ghostOf(const Engine &ball, const GhostChoice &ghostChoice, const QB
     return {ball, *setup, ballsId};
 }
 
-// Tilts by where it is: both balls would get different tilts if each had a pilot of its own.
+// Tilts depending on the position: both balls would get different tilts if each had its own pilot.
 class PlacePilot : public Pilot {
 public:
     Tilt tilt(const phys_state &state) const override {
@@ -78,7 +78,7 @@ Scene room() {
     return makeScene(description, nullptr);
 }
 
-// A long floor with a wall at its end, which a discrete stepper has to look out for in every step.
+// A long floor with a wall at its end, for which a discrete stepper must look in every step.
 Scene longFloor() {
     const phys_box boxes[] = {{{-1.0, -1.0, -0.01}, {1e5, 1.0, 0.0}}, {{99999.0, -1.0, 0.0}, {1e5, 1.0, 0.02}}};
     phys_scene_desc description;
@@ -95,7 +95,7 @@ Engine fastBall() {
     ball.setDt(10.0);
     return ball;
 }
-constexpr int kFastSteps = 15; // the ball isn't at the end of the floor then
+constexpr int kFastSteps = 15; // the ball hasn't reached the end of the floor then
 
 } // namespace
 
@@ -114,7 +114,7 @@ void TestGhostEngine::sameStepperStaysOnTheBall() {
     ball.setInputs(inputs);
     ball.setPilot(std::make_shared<PlacePilot>());
     GhostEngine ghost = ghostOf(ball, {stepper, 1}, stepper);
-    std::set<uint32_t> hit; // boxes: it bounces off every wall on its way
+    std::set<uint32_t> hit; // boxes: the ball bounces off every wall on its way
     for (int i = 0; i < 400; ++i) {
         QVERIFY2(ball.step(&m_error), qPrintable(m_error));
         QVERIFY2(ghost.follow(ball, &m_error), qPrintable(m_error));
@@ -135,7 +135,7 @@ void TestGhostEngine::ghostIsWhatTheLibraryComputes_data() {
         for (const int substeps : {1, 3}) QTest::addRow("%s, dt/%d", id.constData(), substeps) << id << substeps;
 }
 
-// The same by calls of the library alone, with the tilts that the ball's pilot chose.
+// The same with the library's calls alone and the tilts that the ball's pilot chose.
 void TestGhostEngine::ghostIsWhatTheLibraryComputes() {
     QFETCH(QByteArray, stepper);
     QFETCH(int, substeps);
@@ -188,8 +188,8 @@ void TestGhostEngine::deviationIsThatOfBothStates() {
     COMPARE_EXACT(sample[Channel::EnergyDifference], ghost.deviation().energy);
 }
 
-// Under a constant acceleration a symplectic Euler is ahead of the parabola by a dt t / 2: sum of i a dt^2 for i up to
-// n is a t^2 / 2 + a dt t / 2. Rolling freely, a = 5/7 g sin(tilt).
+// Under a constant acceleration symplectic Euler is ahead of the parabola by a dt t / 2: the sum of i a dt^2 for i up
+// to n is a t^2 / 2 + a dt t / 2. For free rolling a = 5/7 g sin(tilt).
 void TestGhostEngine::deviationOfEulerIsThatOfTheory() {
     Engine ball = ballOf(openFloor(), "symplectic-euler");
     Inputs inputs = tilted(5.0, 0.0);
@@ -209,7 +209,7 @@ void TestGhostEngine::finerStepsEndAtTheSameTime_data() {
     for (const int substeps : {1, 3, 7, 10, 1000}) QTest::addRow("dt/%d", substeps) << substeps;
 }
 
-// Counted, not summed: a ball at 1 m/s would be off by what times differ.
+// Time is counted, not summed: a ball at 1 m/s would be off by the difference of the times.
 void TestGhostEngine::finerStepsEndAtTheSameTime() {
     QFETCH(int, substeps);
     Engine ball = ballOf(openFloor(), "symplectic-euler");
@@ -265,7 +265,7 @@ void TestGhostEngine::stepSizeOfTheBallCanChange() {
     }
 }
 
-// Against a wall, where as_reported makes a difference.
+// At a wall, where as_reported makes a difference.
 void TestGhostEngine::sameStepperObeysTheBallsOwnValues() {
     Engine ball = ballOf(levelScene(1), "symplectic-euler");
     Inputs inputs = tilted(-8.0, 0.0);
@@ -282,7 +282,7 @@ void TestGhostEngine::otherStepperHasInitialOwnValues() {
     inputs.params.stepper[0] = 1.0;
     ball.setInputs(inputs);
     GhostEngine ghost = ghostOf(ball, {"symplectic-euler", 1}, "symplectic-euler");
-    ghost.setLeaderStepper("exact"); // the ball's values now mean something else
+    ghost.setLeaderStepper("exact"); // the ball's values now have another meaning
     Engine plain = ballOf(ball.scene(), "symplectic-euler");
     plain.setInputs(tilted(-8.0, 0.0));
     for (int i = 0; i < 100; ++i) QVERIFY(ball.step(&m_error) && ghost.follow(ball, &m_error) && plain.step(&m_error));
@@ -290,7 +290,7 @@ void TestGhostEngine::otherStepperHasInitialOwnValues() {
     QVERIFY(!support::sameBits(ghost.state(), ball.state()));
 }
 
-// As an engine that has them from the start.
+// Like an engine that has them from the start.
 void TestGhostEngine::ownParametersAreObeyed() {
     Engine ball = ballOf(levelScene(3), "symplectic-euler");
     ball.setInputs(tilted(3.0, 4.0));

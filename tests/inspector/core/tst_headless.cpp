@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs without a window: the table they write, when they end, what they return.
+// Runs without a window: their table, when they end, and their exit status.
 #include "core/program/csv_writer.h"
 #include "headless_run.h"
 #include "scenes.h"
@@ -43,7 +43,7 @@ private slots:
 
 namespace {
 
-// Samples `from` to `to` of a run at 10 ms.
+// Compares samples `from` to `to` of a run at 10 ms.
 void append(SampleRing &samples, int from, int to) {
     Sample sample;
     for (int i = from; i <= to; ++i) {
@@ -72,7 +72,7 @@ void TestHeadless::progressOfAFitIsALineAndIsErased() {
         table.write(QByteArray::number(i * 100) + ",0.00" + QByteArray::number(i % 7) + ",0\n");
     table.close();
     const Result result = inspector::runOf({"--fit", table.fileName(), "--level", "1"});
-    QCOMPARE(result.status, 1); // no ball moves like that
+    QCOMPARE(result.status, 1); // no ball can move like that
     const QStringList lines = result.progress.split("\r\x1b[K");
     QVERIFY(lines.size() > 2);
     QCOMPARE(lines.first(), QString());
@@ -209,7 +209,7 @@ void TestHeadless::unwritableTableGivesOneLineAndStatus2() {
 
 void TestHeadless::fullDiskGivesOneLineAndStatus1() {
     if (!QFile::exists("/dev/full")) QSKIP("this system has no /dev/full");
-    for (const char *duration : {"10", "0.01"}) { // also what fits into a buffer
+    for (const char *duration : {"10", "0.01"}) { // the latter fits into a buffer
         const Result result = headless(QString("--csv /dev/full --duration ") + duration);
         QCOMPARE(result.status, 1);
         QVERIFY2(result.messages.contains("--csv: '/dev/full': No space left"), qPrintable(result.messages));
@@ -223,7 +223,7 @@ void TestHeadless::timeOfWinningIsSaidWhenTheRunGoesOn() {
     QVERIFY2(longer.messages.contains(" 10000 steps"), qPrintable(longer.messages));
 }
 
-// gnuplot separates by blanks: it leaves a row without any out.
+// gnuplot separates by blanks; it then skips a row that has none.
 void TestHeadless::rowThatLacksAValueHasNoBlanks() {
     Sample sample{0.5, 50, {}};
     QVERIFY(csvRow(sample).startsWith("0.5, 50, 0, 0, "));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What was played is kept: every place of it can be gone to, bit by bit, in bounded memory.
+// The history: every place of it can be restored, bit by bit, in bounded memory.
 #include "core/recording/history.h"
 #include "core/recording/player.h"
 #include "scenes.h"
@@ -58,7 +58,7 @@ Past TestHistory::past(uint64_t from, uint64_t to) {
     return *past;
 }
 
-// A restart, another step size and a state set back in between.
+// With a restart, another step size and a state set back in between.
 void TestHistory::everyPlaceIsBitByBitWhatItWas() {
     play(700);
     m_engine->restart();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The latest-value slot: the newest wins, nothing is torn, nobody waits.
+// The latest-value slot: the newest value wins, none is torn, nobody waits.
 #include "core/simulation/latest_value.h"
 
 #include <QTest>
@@ -45,7 +45,7 @@ void TestLatestValue::takenValueStaysUntilTheNextTake() {
     QCOMPARE(slot.value(), 3);
 }
 
-// Invariant: all words of a value are equal, and the sequence only grows, up to the last one published.
+// All words of a value are equal, and the sequence only grows, up to the last value published.
 void TestLatestValue::valuesFromAnotherThreadAreWholeAndNeverGoBack() {
     constexpr uint64_t kValues = 200000;
     using Value = std::array<uint64_t, 100>;

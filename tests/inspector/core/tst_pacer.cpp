@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Deadlines: absolute, with a limited backlog. Times are given, so nothing here waits.
+// Deadlines: absolute, with a limited backlog. Times are passed in, so no test waits.
 #include "core/engine/pacer.h"
 #include "core/engine/rate_meter.h"
 
@@ -29,7 +29,7 @@ namespace {
 
 const Clock::time_point kStart{1000s};
 
-// How many steps are made at `now`.
+// The number of steps made at `now`.
 int stepsDue(Pacer &pacer, Clock::time_point now) {
     int steps = 0;
     for (; pacer.isDue(now); ++steps) pacer.advance();
@@ -61,7 +61,7 @@ void TestPacer::speedShortensTheInterval() {
     QCOMPARE(pacer.interval(), std::chrono::nanoseconds(nanoseconds));
 }
 
-// A third of a millisecond is no whole number of nanoseconds: summed it would be off by 100 us after 300,000 steps.
+// A third of a millisecond isn't a whole number of nanoseconds: summed, it would be off by 100 us after 300,000 steps.
 void TestPacer::deadlinesDontDrift() {
     Pacer pacer;
     pacer.start(kStart, 0.001, 3.0);
@@ -88,7 +88,7 @@ void TestPacer::stallOfFiveSecondsIsDroppedAndCounted() {
     Pacer pacer;
     pacer.start(kStart, 0.01, 1.0);
     QCOMPARE(stepsDue(pacer, kStart + 10ms), 1);
-    QCOMPARE(stepsDue(pacer, kStart + 20ms + 5s), 1); // the one that was due; no race after it
+    QCOMPARE(stepsDue(pacer, kStart + 20ms + 5s), 1); // the one that was due; the rest isn't caught up with
     QCOMPARE(pacer.lostTime(), 5.0);
 }
 
@@ -99,10 +99,10 @@ void TestPacer::stepsAfterAStallKeepTheirPace() {
     QCOMPARE(stepsDue(pacer, back), 1);
     QVERIFY(!pacer.isDue(back + 10ms - 1ns));
     QCOMPARE(stepsDue(pacer, back + 50ms), 5);
-    QCOMPARE(pacer.lostTime(), 4.99); // what the stall lost and nothing more
+    QCOMPARE(pacer.lostTime(), 4.99); // exactly what the stall lost
 }
 
-// Steps that take 30 ms where 10 ms are due: two thirds of the time are lost.
+// Steps that take 30 ms but are due every 10 ms: two thirds of the time are lost.
 void TestPacer::tooSlowStepsLoseTimeWithoutEnd() {
     Pacer pacer;
     pacer.start(kStart, 0.01, 1.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A recording can be shown at any of its places: the states there are the recorded ones, however one gets there.
+// A recording can be shown at any position, with the recorded states, however the position is reached.
 #include "core/recording/player.h"
 #include "core/recording/recorder.h"
 #include "core/simulation/simulation.h"
@@ -86,7 +86,7 @@ std::shared_ptr<const PlayableRecording> TestPlayer::opened() const {
     return recording;
 }
 
-// 2400 steps as a person makes them: tilts, another stepper and dt, a restart, a state from earlier, a step that fails,
+// 2400 steps as a user makes them: tilts, another stepper and dt, a restart, an earlier state, a step that fails,
 // another level.
 void TestPlayer::recordManyThings() const {
     const Registry registry = makeRegistry(nullptr);
@@ -159,14 +159,14 @@ void TestPlayer::randomSeeksHaveTheirHashes() {
     for (int i = 0; i < 500; ++i) {
         uint64_t position = 1 + random.below(uint32_t(recording->length()));
         player.seek(position);
-        // Sometimes it is played on from there.
+        // Playback sometimes continues from there.
         for (uint32_t more = random.below(4); more > 0 && player.next(); --more) ++position;
         QVERIFY2(player.position() == position && shownHash(player) == hashAt(*recording, position),
                  qPrintable(QString("seed %1, seek %2, to %3").arg(seed).arg(i).arg(position)));
     }
 }
 
-// What drawing and plots need besides the state is the same whether a place is played to or sought.
+// The other data that drawing and plots need is the same whether a position is played to or sought.
 void TestPlayer::stateBeforeAndReportAreThoseOfTheStep() {
     recordManyThings();
     const auto recording = opened();
@@ -176,7 +176,7 @@ void TestPlayer::stateBeforeAndReportAreThoseOfTheStep() {
         QVERIFY(played.next());
         const bool isNearBoundary = position % 100 <= 1;
         if (!isNearBoundary && position % 7 != 0) continue;
-        sought.seek(recording->length() - position); // from elsewhere
+        sought.seek(recording->length() - position); // from another position
         sought.seek(position);
         QVERIFY(sameBits(sought.engine().previous(), played.engine().previous()));
         QVERIFY(sameBits(sought.engine().sample().values, played.engine().sample().values));
@@ -350,7 +350,7 @@ void TestPlayer::seekShowsTheSamplesOfTheRunUpToThere() {
     }
 }
 
-// A step of this ghost takes about a millisecond, and the first place is ten thousand steps away.
+// A step of this ghost takes about a millisecond, and the first position is ten thousand steps away.
 void TestPlayer::aFineGhostDoesntKeepASeekFromBeingReplaced() {
     const Registry registry = makeRegistry(nullptr);
     const Scene scene = levelScene(1);
@@ -371,14 +371,14 @@ void TestPlayer::aFineGhostDoesntKeepASeekFromBeingReplaced() {
     simulation->compareWith(*setup, PHYS_STEPPER_DEFAULT);
     QSignalSpy ran(simulation.get(), &Simulation::runningChanged);
     simulation->seek(20000);
-    simulation->run(); // tells that the commands so far are taken
+    simulation->run(); // shows that the previous commands have been executed
     QTRY_COMPARE(ran.size(), 1);
     simulation->pause();
     const uint64_t number = simulation->seek(3);
     QTRY_COMPARE(simulation->latest().replay.seeks, number);
     QCOMPARE(simulation->latest().replay.position, uint64_t(3));
     simulation->seek(20000);
-    // And then the end of the simulation, which waits for a piece of that at most.
+    // Ending the simulation waits for at most one slice of that.
 }
 
 void TestPlayer::stepBackAndForwardAreOneStep() {
@@ -395,7 +395,7 @@ void TestPlayer::stepBackAndForwardAreOneStep() {
     QTRY_COMPARE(simulation->latest().replay.position, uint64_t(1202));
     QCOMPARE(hashOf(simulation->latest()), hashAt(*recording, 1202));
     simulation->stepBack();
-    simulation->stepOnce(); // at once: the same place
+    simulation->stepOnce(); // immediately; the same position
     simulation->stepBack();
     QTRY_COMPARE(simulation->latest().replay.position, uint64_t(1201));
     simulation->seek(0);
@@ -421,7 +421,7 @@ void TestPlayer::replayPausesAtTheFirstDifference() {
     QTRY_COMPARE(found.size(), size_t(1));
     QCOMPARE(found[0].number, uint64_t(24));
     QCOMPARE(simulation->latest().replay.difference, std::optional<uint64_t>(24));
-    simulation->run(); // and on, if one wants to
+    simulation->run(); // continues if the user wants it
     QTRY_VERIFY(simulation->latest().replay.position > 24);
 }
 
@@ -481,7 +481,7 @@ void TestPlayer::liveBallIsWhereItWasAfterAReplay() {
     QCOMPARE(simulation->samples().first(), simulation->samples().last());
 }
 
-// Whether it is played or sought, and from the start of the run on.
+// Whether played or sought, from the start of the run.
 void TestPlayer::ghostFollowsAReplayAsItFollowsTheLiveBall() {
     recordManyThings();
     const auto recording = opened();
@@ -511,7 +511,7 @@ void TestPlayer::ghostFollowsAReplayAsItFollowsTheLiveBall() {
     QVERIFY(sameBits(simulation->latest().ghost->current, ghost.state()));
     QVERIFY(simulation->latest().ghost->deviation.distance > 0.0);
 
-    simulation->seek(1701); // on another level: gone until it is asked for there
+    simulation->seek(1701); // on another level: the comparison ends until it is requested there
     QTRY_COMPARE(simulation->latest().replay.position, uint64_t(1701));
     QVERIFY(!simulation->latest().ghost);
 }

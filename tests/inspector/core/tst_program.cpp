@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The program itself, from the outside: output, messages, exit status; no display.
+// The program from the outside: output, messages, exit status; no display.
 #include "process_run.h"
 #include "scenes.h"
 
@@ -65,7 +65,7 @@ Ended runProgram(const QStringList &arguments, const QProcessEnvironment &enviro
     return endOf(process);
 }
 
-// Of a window without a screen, whose settings are in a folder; Qt's own warnings are left out.
+// The messages of a window without a screen, whose settings are in a folder; without Qt's own warnings.
 QProcessEnvironment noScreen(const QString &settingsFolder) {
     QProcessEnvironment environment = noDisplay();
     environment.insert("QT_QPA_PLATFORM", "offscreen");
@@ -74,7 +74,7 @@ QProcessEnvironment noScreen(const QString &settingsFolder) {
     return environment;
 }
 
-// By a shell, for redirections and names of any bytes: $0 is the program, $1 a folder.
+// Run by a shell, for redirections and names of any bytes: $0 is the program, $1 a folder.
 Ended runByShell(const QByteArray &script, const QString &folder = {}) {
     QProcess process;
     process.setProcessEnvironment(noDisplay());
@@ -431,7 +431,7 @@ void TestProgram::pluginFoldersAreScannedAndWhatIsRefusedIsTold() {
     QVERIFY2(isOneLine(result.messages) && result.messages.contains("plugin left out: ") &&
                  result.messages.contains("b.so"),
              result.messages.constData());
-    // One that is named and in the folder, too, is no mistake.
+    // A plugin that is both named and in the folder is no error.
     const Ended named = runProgram({"--list-steppers", "--plugin", folder.filePath("a.so")}, environment);
     QCOMPARE(named.messages.count("left out"), 1);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Recordings: what is written comes back bit by bit, replays the same, and tells exactly the first step that doesn't.
+// Recordings: they are read back bit by bit, replay the same, and report exactly the first step that differs.
 #include "core/recording/recorder.h"
 #include "core/recording/replay.h"
 #include "core/schedule/recording_schedule.h"
@@ -230,7 +230,7 @@ void TestRecording::changedInputNamesTheStepItActsOn() {
              check.out.constData());
 }
 
-// As a person does in the window: sliders, another stepper, another step size, a restart, a state from earlier.
+// What a user does in the window: sliders, another stepper, another step size, a restart, an earlier state.
 void TestRecording::changesWhileRunningReplayTheSame() {
     Recorder recorder(path("r"));
     const auto engine = recordedEngine(recorder);
@@ -261,7 +261,7 @@ void TestRecording::changesWhileRunningReplayTheSame() {
              4); // start, restart, the state from earlier, the other level
 }
 
-// Through the window's own entrances, while the thread steps as fast as it may.
+// Through the functions that the window uses, while the thread steps as fast as possible.
 void TestRecording::sessionOfAPersonReplaysTheSame() {
     Options options;
     options.registry = makeRegistry(nullptr);
@@ -308,7 +308,7 @@ void TestRecording::sessionOfAPersonReplaysTheSame() {
     QCOMPARE(recording->segments.back().conditions.stepper.id, QByteArray("exact"));
 }
 
-// Begun and ended in the middle of a run, twice into the same file: the second is what counts.
+// Begun and ended in the middle of a run, twice into the same file: the second recording counts.
 void TestRecording::recordingOfAPartReplaysTheSame() {
     Options options;
     options.registry = makeRegistry(nullptr);
@@ -349,7 +349,7 @@ void TestRecording::lastRunIsAScheduleOfTheTrade() {
     engine->setInputs(tilted(1.0, 0.0));
     stepRecorded(*engine, recorder, 7);
     Inputs inputs = tilted(1.0, 0.0);
-    inputs.params.restitution_wall = 0.25; // no switch of the tilt
+    inputs.params.restitution_wall = 0.25; // the tilt doesn't switch
     engine->setInputs(inputs);
     stepRecorded(*engine, recorder, 3);
     engine->setInputs(tilted(2.0, -1.0));
@@ -405,7 +405,7 @@ void TestRecording::otherVersionsAreNamedWhereAStepDiffers() {
     QCOMPARE(out.count('\n'), 1);
 }
 
-// Cut at each of its bytes after the first line: never an error, never a step that differs.
+// Truncated at each byte after the first line: never an error, never a step that differs.
 void TestRecording::cutRecordingReplaysUpToWhereItIsWhole() {
     runOf({"--headless", "--tilt-x", "3", "--duration", "0.03", "--record", path("r")});
     const QByteArray text = contentOf(path("r"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Recordings that can't be read, followed or written: one line each that says where, what was expected, what was found.
+// Recordings that can't be read, followed or written: one line each with the place, the expected and the found text.
 #include "core/recording/recorder.h"
 #include "core/simulation/simulation.h"
 #include "headless_run.h"
@@ -37,7 +37,7 @@ private:
 
 namespace {
 
-// The text with the first line that begins so replaced; `to` is without its line break.
+// The text with the first line that begins with `begin` replaced; `to` is without its line break.
 QByteArray changed(const QByteArray &text, const QByteArray &begin, const QByteArray &to) {
     QByteArrayList lines = text.split('\n');
     for (QByteArray &line : lines)
@@ -129,7 +129,7 @@ void TestRecordingRefusals::wrongTextIsRefusedWithItsLine() {
     QVERIFY(check.out.isEmpty());
     QVERIFY2(check.messages.contains(reason), qPrintable(check.messages));
     QCOMPARE(check.messages.count('\n'), 1);
-    if (reason.contains("before the first step") || reason == "gravity_z") return; // named is the line of that step
+    if (reason.contains("before the first step") || reason == "gravity_z") return; // names that step
     const int line = begin == "physics-" ? 1 : lineOf(m_good, begin) + int(to.count('\n'));
     const QString where = QString("physics-inspector: --replay: %1:%2: ").arg(path("r")).arg(line);
     QVERIFY2(check.messages.startsWith(where), qPrintable(check.messages));

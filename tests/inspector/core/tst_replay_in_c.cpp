@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A recording is portable: the example in C, which knows the library alone, says of it what the inspector says.
+// Recordings are portable: the C example, which uses only the library, reports the same as the inspector.
 #include "support/files.h"
 
 #include <QProcess>

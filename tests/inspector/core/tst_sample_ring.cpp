@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ring of samples: what is kept, and that the pyramid tells the same extremes as the samples.
+// The ring of samples: what it keeps, and that the pyramid has the same extremes as the samples.
 #include "core/simulation/sample_ring.h"
 
 #include <QTest>
@@ -104,7 +104,7 @@ void TestSampleRing::clearStartsAnewButNumbersGoOn() {
     ring.clear();
     QCOMPARE(ring.first(), ring.last());
     QCOMPARE(ring.generation(), uint64_t(1));
-    ring.append(sampleOf(0)); // time may fall back now
+    ring.append(sampleOf(0)); // time may decrease now
     QCOMPARE(ring.first(), uint64_t(50));
     QCOMPARE(ring.last(), uint64_t(51));
     QCOMPARE(ring.columns(Channel::Speed, 0.0, 1.0, 10).size(), size_t(1));
@@ -132,7 +132,7 @@ void TestSampleRing::fewSamplesAreShownOneByOne() {
     }
 }
 
-// Against the plain loop over all samples, for random signals, ranges and widths; also where the ring has wrapped.
+// Compared with a plain loop over all samples, for random signals, ranges and widths, including wrapped rings.
 void TestSampleRing::columnsHoldTheExtremesOfTheirSamples() {
     constexpr unsigned kSeed = 20;
     std::mt19937 random(kSeed);
@@ -166,7 +166,7 @@ void TestSampleRing::columnsNeverExceedWhatWasAskedFor() {
     for (const size_t wanted : {size_t(2), size_t(3), size_t(10), size_t(333), size_t(1000)}) {
         const size_t found = ring.columns(Channel::Speed, 0.0, 1e9, wanted).size();
         QVERIFY(found <= wanted);
-        QVERIFY(2 * found + 2 >= std::min<size_t>(wanted, 4096)); // nor is detail thrown away
+        QVERIFY(2 * found + 2 >= std::min<size_t>(wanted, 4096)); // detail isn't thrown away either
     }
 }
 
@@ -175,7 +175,7 @@ void TestSampleRing::columnsStayWhereTheyAreWhileThePlotScrolls() {
     fill(ring, 4000);
     const std::vector<Column> before = ring.columns(Channel::Speed, 10.0, 30.0, 500);
     const std::vector<Column> after = ring.columns(Channel::Speed, 10.0 + kSampleDt, 30.0 + kSampleDt, 500);
-    // All but the columns that the plot's borders cut are the same.
+    // All columns are the same except for those cut by the plot's borders.
     for (size_t i = 1; i + 1 < after.size(); ++i) {
         const auto isSame = [&](const Column &column) {
             return column.time == after[i].time && column.min == after[i].min && column.max == after[i].max;
@@ -253,7 +253,7 @@ void TestSampleRing::missingValuesCountInNoColumn() {
         QCOMPARE(std::isnan(column.min), column.time < sampleOf(100).time || column.time > sampleOf(199).time);
 }
 
-// Invariant: what read() and columns() return is never older than what the ring then still holds, and never torn.
+// read() and columns() never return anything older than what the ring then still holds, or torn values.
 void TestSampleRing::readingWhileAnotherThreadAppendsGivesOnlyWholeSamples() {
     constexpr int kReads = 20000;
     SampleRing ring(256);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is open, joined together: as the window uses it.
+// The open objects together, used as the window uses them.
 #include "core/session/session.h"
 #include "core/setup/settings_file.h"
 
@@ -199,7 +199,7 @@ void TestSession::steppingIsSetAsAWhole() {
     QCOMPARE(m_session->stepping(), wanted);
     QTRY_COMPARE(m_session->simulation().latest().dt, 0.002);
     QTRY_COMPARE(m_session->simulation().latest().inputs.params.model, uint32_t(PHYS_MODEL_RIGID));
-    // What is left out: the model stays, the stepper's own row is initial.
+    // What the settings leave out: the model stays, the stepper's own row has its initial value.
     QVERIFY(m_session->setStepping({"explicit-euler", 0.002, {}}));
     const Stepping plain{"explicit-euler", 0.002, {{"model", PHYS_MODEL_RIGID}, {"as_reported", 0.0}}};
     QCOMPARE(m_session->stepping(), plain);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The engine on its thread: the same bits, nothing lost, nobody waits. No test here depends on how fast it runs.
+// The engine on its thread: the same bits, nothing lost, nobody waits. No test depends on the speed.
 #include "core/simulation/simulation.h"
 #include "recorded_steps.h"
 #include "scenes.h"
@@ -46,8 +46,8 @@ std::unique_ptr<Simulation> simulationOf(const Scene &scene) {
     return std::make_unique<Simulation>(scene, defaultStepper(scene));
 }
 
-// What a signal of the stepping thread brought, received in this thread's event loop. (A QSignalSpy would be called in
-// the sender's thread, which it isn't made for before Qt 6.6.)
+// Collects the signals of the stepping thread in this thread's event loop. (A QSignalSpy would be called in the
+// sender's thread, which it doesn't support before Qt 6.6.)
 template<typename Value>
 class Received {
 public:
@@ -65,7 +65,7 @@ private:
     QList<Value> m_values;
 };
 
-// Keeps this thread busy, without its event loop, until so many samples exist.
+// Keeps this thread busy, without its event loop, until that many samples exist.
 void waitBlocked(const Simulation &simulation, uint64_t samples) {
     const QDeadlineTimer deadline(30000);
     while (simulation.samples().last() < samples && !deadline.hasExpired()) QThread::yieldCurrentThread();
@@ -116,13 +116,13 @@ void TestSimulation::threadGivesTheSameBitsAsStepsByHand() {
         QVERIFY(engine->step(nullptr));
         QVERIFY(simulation->samples().read(i, sample));
         QCOMPARE(sample.step, i + 1);
-        sample[Channel::StepTime] = engine->sample()[Channel::StepTime]; // nobody looked at the clock by hand
+        sample[Channel::StepTime] = engine->sample()[Channel::StepTime]; // a manual step isn't timed
         QVERIFY(support::sameBits(sample.values, engine->sample().values));
     }
     QCOMPARE(phys_state_hash(&engine->state()), phys_state_hash(&reached));
 }
 
-// This thread never returns to its event loop while the steps run: all of them are in the ring all the same.
+// This thread never returns to its event loop while the steps run; nevertheless all of them are in the ring.
 void TestSimulation::blockedWindowThreadLosesNoStepAndNoSample() {
     const auto simulation = simulationOf(openFloor());
     simulation->setDt(0.001);
@@ -199,7 +199,7 @@ void TestSimulation::singleStepIsOneStepAndPauses() {
     QVERIFY(!simulation->latest().running);
 }
 
-// Commands are taken in order: once a later one is seen, a step after the pause would be seen, too.
+// Commands are executed in order: once a later one is seen, a step after the pause would be visible, too.
 void TestSimulation::pauseStopsSteps() {
     const auto simulation = simulationOf(openFloor());
     simulation->setDt(0.001);
@@ -251,12 +251,12 @@ void TestSimulation::stepperChangesOnTheFly() {
     simulation->setStepper(other, tilted(0.0, 4.0));
     simulation->stepOnce();
     QTRY_COMPARE(simulation->latest().current.step, uint64_t(2));
-    // Explicit Euler moves by the old velocity, which had no part along y.
+    // Explicit Euler moves with the old velocity, which had no component along y.
     QCOMPARE(simulation->latest().current.position.y, 0.0);
     QVERIFY(simulation->latest().current.velocity.y > 0.0);
 }
 
-// Whatever the thread finds first, the mailbox or the command; many times, as it is a race.
+// The thread may find the mailbox or the command first; repeated many times, as it is a race.
 void TestSimulation::inputsAfterAStepperCount() {
     const Scene scene = openFloor();
     const auto simulation = simulationOf(scene);
@@ -317,7 +317,7 @@ void TestSimulation::leavingTheMazeIsReportedOnceAndTheFallEnds() {
     QVERIFY(simulation->latest().current.position.z < 0.0);
 }
 
-// The fall after it is drawn, but is no part of the run.
+// The fall after it is drawn, but isn't part of the run.
 void TestSimulation::samplesEndAtTheExit() {
     const auto simulation = simulationOf(openFloor());
     phys_state state = simulation->latest().current;

@@ -80,7 +80,7 @@ void TestSnapshot::pausedBallIsTheCurrentState() {
     QCOMPARE(interpolated(snapshot, kDue).position.x, 3.0);
 }
 
-// q and -q are the same orientation; the mix of a quarter turn's ends is an eighth of a turn.
+// q and -q are the same orientation; halfway between the ends of a quarter turn is an eighth of a turn.
 void TestSnapshot::orientationTakesTheShorterWayAndStaysUnit() {
     Snapshot snapshot = snapshotOf(0.0, 0.0);
     const double half = std::sqrt(0.5);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The way ahead is the exact stepper's; a hand puts the ball only where it fits.
+// The path ahead is computed by the exact stepper; the user can put the ball only where it fits.
 #include "core/setup/ball_place.h"
 #include "core/simulation/way_ahead.h"
 #include "scenes.h"
@@ -41,8 +41,8 @@ private:
     }
 };
 
-// Rolling down a tilt: s = 5/7 (g sin a - c g cos a) t^2 / 2 (model.md 3); here against steps of another size, which
-// make no difference to an exact stepper but rounding.
+// Rolling down a slope: s = 5/7 (g sin a - c g cos a) t^2 / 2 (model.md 3). Compared with steps of another size, which
+// for an exact stepper differ by rounding only.
 void TestWayAhead::wayIsTheExactSteppersWay() {
     const Scene scene = openFloor();
     const Stepper stepper = exactOn(scene);
@@ -101,7 +101,7 @@ void TestWayAhead::otherBoardsHaveWaysOfTheirOwn() {
     QCOMPARE(way.others[1].front().x, startOf(scene).position.x + 0.001);
 }
 
-// Invariant: wherever it is wanted inside the board, it touches no wall and stands on the floor.
+// Wherever it is wanted inside the board, the ball overlaps no wall and stands on the floor.
 void TestWayAhead::ballIsPutWhereItFits() {
     const Scene scene = levelScene(3);
     const double radius = phys_scene_radius(scene.get());
@@ -123,7 +123,7 @@ void TestWayAhead::ballIsPutWhereItFits() {
     }
 }
 
-// The edge of a kerb of 0.6 mm pushes a ball of 6 mm almost straight up, and yet aside.
+// The edge of a kerb of 0.6 mm pushes a ball of 6 mm almost straight up, but a little aside.
 void TestWayAhead::ballIsPutBesideALowKerb() {
     constexpr double kHeight = 6e-4;
     const Scene scene = wallAhead(0.1, kHeight);

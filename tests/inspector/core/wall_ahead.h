@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The scene of a bounce: a floor of 2 m, and a wall to the right of the ball at its start.
+// The scene of a bounce: a floor of 2 m, and a wall to the right of the ball's start.
 #pragma once
 
 #include "scenes.h"

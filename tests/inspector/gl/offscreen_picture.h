@@ -18,7 +18,7 @@ public:
     static constexpr int kWidth = 320;
     static constexpr int kHeight = 240;
 
-    // isReady() says whether there is an OpenGL to draw with; `problem` why not.
+    // isReady() says whether there is usable OpenGL; `problem` says why there is none.
     OffscreenPicture();
     ~OffscreenPicture();
     bool isReady() const { return m_renderer != nullptr; }
@@ -28,7 +28,7 @@ public:
     inspector::gl::OrbitCamera &camera() { return m_camera; }
 
     QImage draw(const inspector::gl::Frame &frame, inspector::gl::Quality quality = inspector::gl::Quality::Medium);
-    // The same by what stands still and then what moves.
+    // The same in two passes: first what stands still, then what moves.
     QImage drawInParts(const inspector::gl::Frame &frame, inspector::gl::Quality quality);
     inspector::gl::MazeRenderer::StaticScene staticSceneOf(const inspector::gl::Frame &frame,
                                                            inspector::gl::Quality quality);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pixels of a small maze: what must be where, whatever the taste in colours.
+// Pixels of a small maze: requirements that don't depend on the choice of colours.
 #include "offscreen_picture.h"
 
 #include "mesh/mesh_builder.h"
@@ -25,7 +25,7 @@ int difference(QRgb a, QRgb b) {
     return std::abs(qRed(a) - qRed(b)) + std::abs(qGreen(a) - qGreen(b)) + std::abs(qBlue(a) - qBlue(b));
 }
 
-// More than what dithering and the wood's grain could account for.
+// More than dithering and the wood's grain can account for.
 constexpr int kVisible = 24;
 
 int changedPixels(const QImage &a, const QImage &b) {
@@ -75,7 +75,7 @@ private slots:
         QCOMPARE(m_picture->draw(frameWithBallAt(0.04, 0.02), quality), first);
     }
 
-    // What stands still is kept, and what moves is drawn over it.
+    // The static part is cached, and what moves is drawn over it.
     void partsMakeTheWholePicture_data() {
         QTest::addColumn<Quality>("quality");
         QTest::addColumn<glm::dvec3>("ball");
@@ -130,7 +130,7 @@ private slots:
         const glm::dvec3 centre = frame.ball.position;
         const QPoint middle = m_picture->pixelOf(centre);
         QVERIFY(difference(image.pixel(middle), empty.pixel(middle)) > kVisible);
-        // Towards the light side, where no shadow falls: inside the radius changed, outside not.
+        // Towards the light, where there is no shadow: pixels inside the radius change, those outside don't.
         const QPoint inside = m_picture->pixelOf(centre + glm::dvec3(-0.7 * frame.ball.radius, 0.0, 0.0));
         const QPoint outside = m_picture->pixelOf(centre + glm::dvec3(-2.0 * frame.ball.radius, 0.0, 0.0));
         QVERIFY(difference(image.pixel(inside), empty.pixel(inside)) > kVisible);
@@ -159,7 +159,7 @@ private slots:
         QTest::newRow("high") << Quality::High;
     }
 
-    // The light comes from -x: 6 mm behind the 14 mm high wall is dark, 6 mm before it isn't.
+    // The light comes from -x: 6 mm behind the 14 mm high wall it is dark, 6 mm before it isn't.
     void wallThrowsAShadow() {
         QFETCH(Quality, quality);
         const QImage image = m_picture->draw(frameWithoutBall(), quality);
@@ -194,7 +194,8 @@ private slots:
     }
 
     void tiltedBoardSinksWhereTheBallRunsTo() {
-        // Seen level with the board, the +x rim goes down and the -x rim up: what was rim becomes backdrop and back.
+        // Seen level with the board, the +x rim goes down and the -x rim up, so that rim becomes backdrop and vice
+        // versa.
         Frame frame = frameWithoutBall();
         m_picture->camera().orbit({0.0, -1e6});
         const QPoint right = m_picture->pixelOf({0.0975, -0.08, 0.004});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Mesh files: what is read from good ones, what is said about bad ones; no screen needed.
+// Mesh files: what is read from valid ones, and the messages for invalid ones; no screen needed.
 #include "mesh/mesh_builder.h"
 #include "mesh/mesh_file.h"
 #include "support/files.h"
@@ -115,7 +115,7 @@ private slots:
         QCOMPARE(error, "'" + m_folder->filePath("none.obj") + "': No such file or directory");
     }
 
-    // Drawn without its colours, and said.
+    // The mesh is drawn without its colours, and this is reported.
     void whatIsLeftOutIsSaid_data() {
         QTest::addColumn<QByteArray>("content");
         QTest::addColumn<QString>("note"); // after the path; FOLDER is the mesh's
@@ -181,7 +181,7 @@ private slots:
         }
     }
 
-    // No index of a mesh may lead out of it, whatever the file is like.
+    // No index of a mesh may be out of range, whatever the file contains.
     void everyCutOfAMeshIsReadOrRefusedInOneLine() {
         const QByteArray text =
             "\xef\xbb\xbf"

@@ -44,7 +44,7 @@ std::vector<glm::dvec3> corners() {
     return result;
 }
 
-// How far the board, tilted so, reaches from the middle of the picture: 1 is the edge, in width or height.
+// How far a board of this tilt reaches from the middle of the picture: 1 is the edge, in width or height.
 double filledShare(const OrbitCamera &camera, const glm::dvec2 &viewport, double tiltX, double tiltY) {
     const glm::dmat4 pose = boardToWorld(tiltX, tiltY, boardPivot(kBoard));
     double share = 0.0;
@@ -123,8 +123,8 @@ private slots:
 
     void tiltedBoardStaysInThePicture_data() { resetShowsAllOfTheBounds_data(); }
 
-    // Within the largest tilt, in whatever direction, with hardly less air than at the tilts that the camera looks at
-    // (a corner may reach farthest just before full tilt, where its path turns); and no farther away than needed.
+    // Any tilt within the largest one leaves hardly less margin than the tilts that the camera considers (a corner may
+    // be farthest out just before full tilt, where its path turns), and the camera is no farther away than needed.
     void tiltedBoardStaysInThePicture() {
         QFETCH(double, width);
         QFETCH(double, height);
@@ -145,7 +145,7 @@ private slots:
     void zoomKeepsThePointUnderTheCursor() {
         OrbitCamera camera = boardCamera();
         const glm::dvec2 cursor(520.0, 350.0);
-        // The plane through the target, square to the view, is the one that is zoomed in.
+        // The plane that is zoomed is the one through the target perpendicular to the view.
         const auto under_cursor = [&] {
             const Ray ray = camera.ray(cursor);
             const glm::dvec3 back = glm::normalize(camera.eye() - camera.target());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which quality is drawn in time, by what pictures took.
+// Which quality is drawn in time, by the pictures' drawing times.
 #include "gl/view/quality_chooser.h"
 
 #include <QTest>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A track as a camera would see it of a ball on a board whose numbers are known.
+// A track as a camera would see it, of a ball on a board whose parameters are known.
 #pragma once
 
 #include "core/schedule/trade_schedule.h"
@@ -69,7 +69,7 @@ inline inspector::Track makeTrack(const inspector::Registry &registry, const ins
     return track;
 }
 
-// As a camera's program would write it: a row a picture, with the tilt of that moment.
+// In the format of a camera's program: one row per picture, with the tilt of that moment.
 inline QByteArray csvOf(const inspector::Track &track) {
     QByteArray csv = "t,x,y,tilt_x,tilt_y\n";
     size_t tilt = 0;
@@ -83,7 +83,7 @@ inline QByteArray csvOf(const inspector::Track &track) {
     return csv;
 }
 
-// A board with numbers drawn from what a hand-built one may have; the tilt's offset and delay unknown.
+// A board with parameters drawn from the range of hand-built ones; offset and delay of the tilt are unknown.
 inline inspector::BoardParameters drawTruth(uint32_t model, uint64_t seed) {
     using namespace inspector;
     Normal normal(seed * 7919U + 17U);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A measured ball beside a run: where it is at the run's times, and a ball that rolls under its tilts.
+// A measured ball beside a run: its position at the run's times, and a ball that rolls under its tilts.
 #include "core/track/shown_track.h"
 #include "inspector/core/scenes.h"
 #include "inspector/track/made_track.h"
@@ -124,7 +124,7 @@ void TestShownTrack::sampleHasItsPlaceAndTheDistance() {
     QVERIFY(std::isnan(sample[Channel::TrackX]));
 }
 
-// Computed by "exact" under the tilts that a track was made with: at its points both are the same but for rounding.
+// Computed by "exact" under the tilts of the track: at its points both agree up to rounding.
 void TestShownTrack::ballThatFollowsItStaysWithIt() {
     const Registry registry = makeRegistry(nullptr);
     const Scene scene = openFloor();
@@ -139,7 +139,7 @@ void TestShownTrack::ballThatFollowsItStaysWithIt() {
         QVERIFY(engine.step(nullptr));
         Sample sample = engine.sample();
         shown->addTo(sample);
-        if (i < 199) QVERIFY(sample[Channel::TrackDistance] < 1e-6); // of the last point's time by rounding
+        if (i < 199) QVERIFY(sample[Channel::TrackDistance] < 1e-6); // the last may be beyond the track by rounding
     }
     QVERIFY(std::hypot(engine.state().velocity.x, engine.state().velocity.y) > 0.01);
 }

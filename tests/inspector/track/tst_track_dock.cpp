@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A measured ball in the window: its file by name, the fit in the background, values taken over and back.
+// A measured ball in the window: opening its file, the fit in the background, applying and undoing values.
 #include "ui/track/track_dock.h"
 
 #include "inspector/dock_fixture.h"
@@ -163,7 +163,7 @@ void TestTrackDock::oneUndoTakesThemBack() {
 void TestTrackDock::tableShowsWhatWasFound() {
     QVERIFY2(text("Restitution, walls", FitTable::Found).contains(" ± "),
              qPrintable(text("Restitution, walls", FitTable::Found)));
-    QCOMPARE(text("Restitution, floor", FitTable::Found), QString()); // wasn't looked for
+    QCOMPARE(text("Restitution, floor", FitTable::Found), QString()); // it wasn't fitted
     QCOMPARE(text("Restitution, walls", FitTable::Begin), QString("0.5"));
     QCOMPARE(text("Delay of the tilt", FitTable::Unit), QString("ms"));
 }
@@ -179,7 +179,7 @@ void TestTrackDock::onlyWhatIsTickedIsLookedFor() {
     QVERIFY2(report().contains("verdict: the rolling model suffices"), qPrintable(report()));
 }
 
-// What isn't looked for is taken for true.
+// What isn't fitted is taken as true.
 void TestTrackDock::typedBeginningsCount() {
     typeBegin("Delay of the tilt", "-200");
     QCOMPARE(table().begin(m_session->parameters().inputs()).delay, -0.2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Does the fit find what made a track, and say what it can't know? On tracks with known numbers.
+// The fit finds the parameters with which a track was made, and reports what the track doesn't determine.
 #include "core/track/fit_report.h"
 #include "inspector/core/scenes.h"
 #include "inspector/core/wall_ahead.h"
@@ -144,8 +144,8 @@ void TestTrackFit::ballStartsOnTheFloorThatIsBelowIt() {
     QCOMPARE(rollingState(scene.get(), {0.1, 0.0, 0.0, 0.0}).position.z, -0.02 + kRadius);
 }
 
-// It falls once, at 0.35 s. Segments that began after that at the start's height would fall again, and most would fit
-// nowhere.
+// The ball falls once, at 0.35 s. Segments that began after that at the start's height would fall again, and most could
+// not be fitted.
 void TestTrackFit::lowerFloorAfterADropIsRolledOn() {
     const BoardParameters truth = support::drawTruth(PHYS_MODEL_ROLLING, 2);
     const Scene scene = twoFloors();
@@ -156,7 +156,7 @@ void TestTrackFit::lowerFloorAfterADropIsRolledOn() {
              qPrintable(QString::number(fit.best().residuals.size())));
 }
 
-// Intervals of 95 %: four of their halves away, chance doesn't lead.
+// 95 % intervals: chance doesn't lead beyond four times their half-widths.
 void TestTrackFit::truthLiesNearItsIntervals() {
     const BoardParameters truth = support::drawTruth(PHYS_MODEL_ROLLING, 2);
     const Scene scene = level(3);
@@ -225,7 +225,7 @@ void TestTrackFit::gravityIsFound() {
     QVERIFY2(gravity.halfInterval() < 0.05, qPrintable(valueText(gravity)));
 }
 
-// A tracker whose picture is turned by 2 degrees and 1 % too small.
+// A tracker whose picture is rotated by 2 degrees and 1 % too small.
 void TestTrackFit::frameIsFound() {
     BoardParameters truth = support::drawTruth(PHYS_MODEL_ROLLING, 2);
     truth.frame.angle = radians(2.0);
@@ -246,7 +246,7 @@ void TestTrackFit::unknownQuantityIsOneLine() {
     QVERIFY2(error.endsWith("tilt, frame; found 'weight'"), qPrintable(error));
 }
 
-// A picture in 100 s, of a ball that is everywhere: no piece of it can be fitted.
+// One picture per 100 s of a ball that jumps about: no segment of it can be fitted.
 void TestTrackFit::fitCanBeStoppedWhereNothingIsLikeTheTrack() {
     Track track;
     for (int i = 0; i < 300; ++i) track.points.push_back({100.0 * i, 1e-3 * std::sin(i), 1e-3 * std::cos(i)});

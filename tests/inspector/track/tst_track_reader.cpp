@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tracks as trackers write them: columns, units, and what is said of rows that can't be used.
+// Tracks as trackers write them: columns, units, and the messages for unusable rows.
 #include "core/track/track_reader.h"
 #include "support/compare.h"
 
@@ -181,7 +181,7 @@ void TestTrackReader::tablesAreKnownByNameOrHeader() {
         file.close();
         return isTrackFile(file.fileName());
     };
-    QVERIFY(isTrack("a.csv", "nothing of the kind\n")); // whose header is to be told of
+    QVERIFY(isTrack("a.csv", "nothing of the kind\n")); // it is opened as a track, so that its header is reported
     QVERIFY(isTrack("b.txt", "# by hand\n\nframe;x_mm;y_mm\n"));
     QVERIFY(!isTrack("c.txt", "physics-maze 1\nbox x y\n"));
     QVERIFY(!isTrack("d.txt", ""));
@@ -213,7 +213,7 @@ void TestTrackReader::frameThereAndBackIsTheSame() {
     COMPARE_WITHIN(y, 0.0, 1e-15);
 }
 
-// A ball back and forth between two walls, seen with errors of +-0.1 mm by turns of a fixed pattern.
+// A ball back and forth between two walls, measured with errors of +-0.1 mm in a fixed pattern.
 void TestTrackReader::noiseIsFoundBesideBounces() {
     constexpr double kNoise = 1e-4;
     Track bouncing;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What isn't known of the board beside a run that is played: as if it had been computed by hand, from where it begins.
+// The uncertainty band of a run that is being played equals the one computed directly from the same start.
 #include "core/trade/ball_ensemble.h"
 #include "core/trade/live_band.h"
 #include "inspector/core/scenes.h"
@@ -29,7 +29,7 @@ private slots:
 private:
     void begin(const char *words, double time = 0.0);
     void roll(int segments, double length, Tilt tilt = {0.02, 0.01});
-    // Waits for a band that goes as far, s.
+    // Waits for a band that reaches this time, s.
     Band bandUntil(double time);
 
     Registry m_registry = makeRegistry(nullptr);

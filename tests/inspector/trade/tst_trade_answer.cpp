@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which points are best for their cost, and which one is recommended: on points made by hand.
+// Which points are best for their cost, and which one is recommended, for made-up points.
 #include "core/events/bounce.h"
 #include "core/program/trade_command.h"
 #include "core/schedule/trade_reference.h"
@@ -35,7 +35,7 @@ private slots:
 
 namespace {
 
-// ns a step, microseconds a second, radii.
+// ns per step, microseconds per second, radii.
 TradePoint point(double perStep, double perSecond, double error) {
     TradePoint result;
     result.stepper = "rk4";

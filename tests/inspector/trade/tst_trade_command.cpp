@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The trade on the command line: words, table, files, recommendation, exit status.
+// The trade on the command line: arguments, table, files, recommendation, exit status.
 #include "core/program/command_line.h"
 #include "core/program/trade_command.h"
 #include "core/trade/trade_svg.h"
@@ -49,7 +49,7 @@ struct Result {
     QString picture;  // asked of the writer
 };
 
-// A short measurement: no figure of time is looked at.
+// A short measurement; times aren't tested.
 Result runOf(const QString &words) {
     const CommandLine line = parseCommandLine(("physics-inspector " + words).split(' '));
     if (line.exitStatus) return {*line.exitStatus, {}, line.error, {}, {}};

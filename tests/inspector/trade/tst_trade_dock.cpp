@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The trade in the window: measured in the background, chosen by hand, put to use.
+// The trade in the window: measured in the background, chosen by the user, applied.
 #include "ui/trade/trade_dock.h"
 
 #include "inspector/dock_fixture.h"
@@ -149,7 +149,7 @@ void TestTradeDock::measureRefusesANumberStillTyped() {
 
 void TestTradeDock::measuringFillsTableAndChart() {
     QVERIFY(!find<QPushButton>("trade_use").isEnabled());
-    QVERIFY(!chart().legend->visible());                             // there is nothing that it could name
+    QVERIFY(!chart().legend->visible());                             // there is nothing to name
     QCOMPARE(find<QLineEdit>("trade_unknowns").cursorPosition(), 0); // so that its beginning is seen
     QTest::mouseClick(&measure(), Qt::LeftButton);
     QVERIFY(isMeasuring());
@@ -243,7 +243,7 @@ void TestTradeDock::headerSortsByTheFigure() {
     QCOMPARE(cell(0, 1), QString("16.67 ms")); // as a text "5 ms" would be first
 }
 
-// To ask for less error can't make the recommended error larger.
+// Asking for a smaller error can't make the recommended setting's error larger.
 void TestTradeDock::tighterToleranceRecommendsNothingWorse() {
     QSlider &slider = find<QSlider>("trade_tolerance");
     slider.setFocus();
@@ -264,14 +264,14 @@ QPointF TestTradeDock::placeOnChart() {
     qFatal("no point is drawn");
 }
 
-// The mouse comes anew each time: a tip goes away with whatever happens to the window meanwhile.
+// The mouse moves again each time, as a tool tip disappears with any change of the window.
 QString TestTradeDock::tipAt(const QPointF &place) {
     QTest::mouseMove(&chart(), {1, 1});
     QTest::mouseMove(&chart(), place.toPoint());
     return QToolTip::text();
 }
 
-// Of what it says, too: not the error of another span.
+// Its text changes as well: it isn't the error over another span.
 void TestTradeDock::answerKeepsWhatWasAskedFor() {
     static const QRegularExpression off("off by ([0-9.e+-]+) mm");
     QSlider &slider = find<QSlider>("trade_tolerance");

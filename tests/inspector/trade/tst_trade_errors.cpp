@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a stepper is said to be wrong by, against closed forms where there are any.
+// The errors reported for steppers, compared with closed forms where there are any.
 #include "core/schedule/trade_reference.h"
 #include "core/trade/trade.h"
 #include "core/trade/trade_answer.h"
@@ -118,8 +118,8 @@ void TestTradeErrors::exactInOtherStepsHasTheErrorOfRounding() {
     QVERIFY2(point.isValid && point.error.positionLargest < 1e-11, qPrintable(point.note));
 }
 
-// The orientation of exact is of second order, too: in the 50 ms steps of the reference's path it would be wrong by a
-// tenth of a degree, in steps of 1 ms it and the others are 2500 times better.
+// The orientation of exact is also of second order: in the 50 ms steps of the reference's path it would be wrong by a
+// tenth of a degree; in steps of 1 ms it and the other steppers are 2500 times better.
 void TestTradeErrors::orientationIsComparedInSmallSteps() {
     TradePlan turning = plan(openFloor(), randomSchedule(5, 2.0), {0.001});
     turning.withOrientation = true;
@@ -135,7 +135,7 @@ void TestTradeErrors::withoutOrientationNoTurnIsCompared() {
     for (const TradePoint &point : result.points) COMPARE_EXACT(point.error.orientationLargest, 0.0);
 }
 
-// Twice the tilt is twice the error; half the time, a quarter of the way, half the error of Euler.
+// Twice the tilt gives twice the error; half the time a quarter of the distance and half the error of Euler.
 void TestTradeErrors::errorsAreTheWorstOfTheSchedules() {
     TradePlan both = plan(openFloor(), oneTilt(), {0.05});
     both.schedules.push_back({"short", {{0.0, {2.0 * kTilt, 0.0}}}, 0.5 * kDuration});
@@ -210,7 +210,7 @@ void TestTradeErrors::modelErrorBelongsToTheRollingModel() {
     const TradePoint &rolling = find(result, "swept", 0.05, PHYS_MODEL_ROLLING);
     const TradePoint &rigid = find(result, "swept", 0.05, PHYS_MODEL_RIGID);
     QVERIFY2(rolling.error.model && rigid.error.model, qPrintable(rolling.note + rigid.note));
-    // On a slope of 0.02, far below 7/2 of the friction, a rigid ball rolls: the models agree but for rounding.
+    // On a slope of 0.02, far below 7/2 of the friction, a rigid ball rolls: the models agree up to rounding.
     COMPARE_WITHIN(*rolling.error.model, 0.0, 1e-10);
     COMPARE_EXACT(*rigid.error.model, 0.0);
 }
@@ -218,7 +218,7 @@ void TestTradeErrors::modelErrorBelongsToTheRollingModel() {
 void TestTradeErrors::modelWithoutReferenceSaysWhy() {
     TradePlan sticky = plan(openFloor(), oneTilt(), {0.05});
     sticky.inputs.params.rolling_friction = 0.5;
-    sticky.inputs.params.sliding_friction = 0.1; // less than the rolling one: not for the rigid model
+    sticky.inputs.params.sliding_friction = 0.1; // less than the rolling friction, which the rigid model doesn't allow
     const TradeResult result = measured(sticky);
     const TradePoint &rigid = find(result, "swept", 0.05, PHYS_MODEL_RIGID);
     QVERIFY(!rigid.isValid);
@@ -233,8 +233,8 @@ void TestTradeErrors::quietRunHasNoHorizon() {
     COMPARE_WITHIN(result.spans[0][PHYS_MODEL_ROLLING].compared, kDuration, 1e-12);
 }
 
-// Each bounce off an edge multiplies a push by about 1 + 2 L / R (L: free path, here 5 R): three and more make 1e-6 R
-// visible.
+// Each bounce off an edge multiplies a push by about 1 + 2 L / R (L: free path, here 5 R), so that three or more
+// bounces make 1e-6 R visible.
 void TestTradeErrors::bouncesOffAPillarEndInAHorizon() {
     TradePlan bouncing = plan(pillarRoom(), randomSchedule(2, 30.0), {0.05});
     bouncing.inputs.params.restitution_wall = 1.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The same tilts for every stepper, and steps that meet every switch.
+// The same tilts for every stepper, and steps that end at every switch.
 #include "core/schedule/trade_reference.h"
 #include "core/trade/trade_options.h"
 #include "inspector/core/scenes.h"
@@ -136,7 +136,7 @@ void TestTradeSchedule::rowsOfAFileBecomeSwitches() {
     QVERIFY(schedule.duration == 4.0);
 }
 
-// A row tells the tilt of the step that ended at its time.
+// A row has the tilt of the step that ended at its time.
 void TestTradeSchedule::tableOfThisProgramIsASchedule() {
     QString error;
     const QByteArray table = "# physics-inspector\ntime [s],step,tilt_x [deg],tilt_y [deg]\n"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What isn't known of a board: words, boards drawn, and how far off the ball is, against closed forms.
+// What is unknown about a board: its text form, sampled boards, and the ball's deviation, compared with closed forms.
 #include "core/trade/good_enough.h"
 #include "core/trade/trade_options.h"
 #include "inspector/core/scenes.h"
@@ -107,7 +107,7 @@ void TestTradeUnknowns::textReadsBackTheSame() {
     QVERIFY(unknownsOf(qPrintable(unknownsText({}))).empty());
 }
 
-// Uniform: the extremes of many draws come near the amounts and never pass them.
+// Uniform: the extremes of many samples come close to the amounts and never exceed them.
 void TestTradeUnknowns::boardsLieWithinTheAmounts() {
     const Inputs inputs = initialInputs();
     double largestTilt = 0.0;
@@ -133,8 +133,8 @@ void TestTradeUnknowns::boardsStayWithinTheRangesOfTheirRows() {
     }
 }
 
-// On a level board the ball stays: off by the distance of two numbers, each uniform within the amount. Within a circle
-// of radius r there are pi r^2 / 4 of the square: half of them at r = sqrt(2 / pi).
+// On a level board the ball stays where it is: its distance is that of two numbers, each uniform within the amount. A
+// circle of radius r covers pi r^2 / 4 of the square: half of it at r = sqrt(2 / pi).
 void TestTradeUnknowns::bandOfAnUnknownStartStaysWhatItIs() {
     const Band band = bandOf(openFloor(), {}, 1.0, "start=0.6mm");
     const double middle = 0.1 * std::sqrt(2.0 / 3.141592653589793);                                      // radii
@@ -204,7 +204,7 @@ void TestTradeUnknowns::goodEnoughIsTheCheapestBelowTheShare() {
         QVERIFY(point.cost.perSecond >= best.cost.perSecond || *point.share >= plan.share);
 }
 
-// Only "exact" has no error: the share that a setting is asked for orders the answers.
+// Only "exact" has no error, so the share that is asked for orders the answers.
 void TestTradeUnknowns::smallerShareIsNeverMetByACheaperSetting() {
     QString error;
     TradePlan plan;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What isn't known of a board, from the words that --unknown takes.
+// Unknowns of a board, from the words that --unknown accepts.
 #pragma once
 
 #include "core/trade/trade_options.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ball in one's hand: dragged, pulled, typed, and the way that it goes from there.
+// The ball moved by the user: dragged, pulled, typed, and the path that it takes from there.
 #include "gl/view/maze_view.h"
 #include "ui/parts/number_box.h"
 #include "window_fixture.h"
@@ -68,20 +68,20 @@ void TestWindowBall::init() {
 
 void TestWindowBall::cleanup() { m_fixture.reset(); }
 
-// By so many metres on the board.
+// Drags by this many metres on the board.
 void TestWindowBall::dragBall(double dx, double dy, Qt::KeyboardModifiers modifiers) {
     const phys_vec3 from = ball().position;
     drag(&m_fixture->window().view(), pixelOf(from.x, from.y), pixelOf(from.x + dx, from.y + dy), modifiers);
 }
 
-// The same, until the last place on the way has come; each is a run of its own.
+// The same, waiting until the last position on the way has arrived; each is a run of its own.
 void TestWindowBall::placeBall(double dx, double dy, Qt::KeyboardModifiers modifiers) {
     const uint64_t run = m_fixture->simulation().latest().run;
     dragBall(dx, dy, modifiers);
     QTRY_COMPARE(m_fixture->simulation().latest().run, run + 2); // half way, and there
 }
 
-// What is said of a ball whose x was typed so.
+// The message for a ball whose x was typed like this.
 QString TestWindowBall::noteAt(const QString &x) {
     if (!m_fixture->find<NumberBox>("ball_x")->isVisible()) m_fixture->trigger("show_ball_dock");
     m_fixture->window().refresh();
@@ -96,7 +96,7 @@ QString TestWindowBall::noteAt(const QString &x) {
     return m_fixture->find<QLabel>("ball_note")->text();
 }
 
-// The start of level 1 is open to the back.
+// The start of level 1 is open towards the back.
 void TestWindowBall::draggedBallIsWhereTheMouseIs() {
     const phys_vec3 from = ball().position;
     placeBall(0.0, 0.01);
@@ -284,7 +284,7 @@ void TestWindowBall::placedBallSetsNoBestTime() {
     QVERIFY(!m_fixture->session().whyNoBestTime().isEmpty());
 }
 
-// Behind a run that the stepping thread hasn't heard of yet.
+// After a run that the stepping thread hasn't received yet.
 void TestWindowBall::ballPlacedAtOnceAfterRunStandsStill() {
     const uint64_t run = m_fixture->simulation().latest().run;
     phys_state state = ball();
@@ -335,7 +335,7 @@ void TestWindowBall::unknownsFanOutWhileItStands() {
     m_fixture->parameters().set({{QStringLiteral("tilt_y"), 5.0}});
     m_fixture->press(Qt::Key_U);
     QTRY_VERIFY(otherWays() > 0);
-    m_fixture->session().setUnknowns({}); // all is known
+    m_fixture->session().setUnknowns({}); // nothing is unknown
     QTRY_VERIFY(otherWays() == 0 && m_fixture->session().wayAhead().points.size() > 10);
     m_fixture->session().setUnknowns({{"tilt", 0.5, false}});
     QTRY_VERIFY(otherWays() > 0);
@@ -348,7 +348,7 @@ void TestWindowBall::unknownsDontFanOutWhileItRuns() {
     m_fixture->parameters().set({{QStringLiteral("tilt_y"), 5.0}});
     m_fixture->press(Qt::Key_U);
     QTRY_VERIFY(otherWays() > 0);
-    m_fixture->press(Qt::Key_Space); // nobody follows it while it runs
+    m_fixture->press(Qt::Key_Space); // there is no comparison while it runs
     QTRY_COMPARE(otherWays(), size_t(0));
     m_fixture->press(Qt::Key_Space);
     QTRY_VERIFY(otherWays() > 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bounces: marks in the view, rows in the dock, ticks in the plot, and one of them looked at.
+// Bounces: marks in the view, rows in the dock, ticks in the plot, and the selected one.
 #include "gl/view/maze_view.h"
 #include "ui/bounces/bounce_dock.h"
 #include "ui/plots/bounce_ticks.h"
@@ -90,7 +90,7 @@ void TestWindowBounces::init() {
 
 void TestWindowBounces::cleanup() { m_fixture.reset(); }
 
-// By hand: the same bounces in every run.
+// Stepped manually, so that every run has the same bounces.
 void TestWindowBounces::makeSteps(int count) {
     const uint64_t end = m_fixture->simulation().latest().current.step + uint64_t(count);
     for (int i = 0; i < count; ++i) m_fixture->simulation().stepOnce();
@@ -98,7 +98,7 @@ void TestWindowBounces::makeSteps(int count) {
     m_fixture->window().refresh();
 }
 
-// To and fro, so that the ball meets many walls; then a picture with the marks as they are now.
+// Back and forth, so that the ball hits many walls; then a picture with the current marks.
 void TestWindowBounces::play(int seconds) {
     const double tilts[][2] = {{6.0, 4.0}, {-7.0, 3.0}, {5.0, -8.0}, {-6.0, -6.0}, {8.0, 2.0}, {-3.0, 8.0}};
     for (int second = 0; second < seconds; ++second) {
@@ -117,7 +117,7 @@ QPoint TestWindowBounces::pixelOf(const LoggedEvent &event) const {
     return m_view->positionOf({point.x, point.y, point.z}).toPoint();
 }
 
-// In the picture, and far enough from any other that a click can only mean this one.
+// In the picture, and far enough from other marks that a click is unambiguous.
 std::vector<LoggedEvent> TestWindowBounces::lonelyMarks() const {
     const std::vector<LoggedEvent> &marks = m_bounces->marks().recent;
     std::vector<LoggedEvent> lonely;
@@ -125,7 +125,7 @@ std::vector<LoggedEvent> TestWindowBounces::lonelyMarks() const {
         const auto isNear = [&](const LoggedEvent &other) {
             return other.number != mark.number && QLineF(pixelOf(other), pixelOf(mark)).length() < 60.0;
         };
-        // A wall's front can hide a mark on its back: those on faces to the front and sides are seen.
+        // A wall's front can hide a mark on its back; marks on faces to the front and sides are visible.
         const bool isSeen = mark.event.normal.y < 0.5;
         if (isSeen && std::none_of(marks.begin(), marks.end(), isNear)) lonely.push_back(mark);
     }
@@ -283,7 +283,7 @@ void TestWindowBounces::arrowKeysMoveThroughTheList() {
     QTest::keyClick(m_table, Qt::Key_Up);
     QTest::keyClick(m_table, Qt::Key_Up);
     QCOMPARE(m_bounces->selected()->number, first - 1);
-    QCOMPARE(m_fixture->simulated("tilt_y"), 0.0); // the board didn't hear of it
+    QCOMPARE(m_fixture->simulated("tilt_y"), 0.0); // the key didn't reach the board
 }
 
 void TestWindowBounces::arrowKeysAreTheGamesWhileItRuns() {
@@ -435,14 +435,14 @@ void TestWindowBounces::clickOnATickSelectsItsBounce() {
     auto *plot = m_fixture->find<inspector::ui::TimePlot>("velocity_plot");
     const double time = plot->findChild<inspector::ui::BounceTicks *>()->times().front();
     const QPoint tick(int(std::lround(plot->xAxis->coordToPixel(time))), plot->axisRect()->bottom() - 4);
-    QTest::mouseClick(plot, Qt::LeftButton, {}, tick - QPoint(0, 60)); // above it is nothing
+    QTest::mouseClick(plot, Qt::LeftButton, {}, tick - QPoint(0, 60)); // there is nothing above the tick
     QVERIFY(!m_bounces->selected());
     QTest::mouseClick(plot, Qt::LeftButton, {}, tick);
     QVERIFY(m_bounces->selected());
     QCOMPARE(m_bounces->selected()->event.time, time);
 }
 
-// One step of 10 s, in which a ball that hardly loses speed bounces far more often than a report has room for.
+// One step of 10 s in which a ball that hardly loses speed bounces far more often than a report has room for.
 void TestWindowBounces::lostEventsAreTold() {
     QVERIFY(m_fixture->session().setStepper("exact"));
     m_fixture->parameters().set({{"tilt_x", 6.0}, {"tilt_y", 4.0}, {"restitution_wall", 0.98}});
@@ -468,7 +468,7 @@ void TestWindowBounces::detailHasTheLawWithItsNumbers() {
     QVERIFY(text.contains(QStringLiteral("model.md 2.1 R2")));
 }
 
-// Where the dock is narrow nothing of it is cut off: it is below the list, and no line is wider than the dock.
+// In a narrow dock nothing is cut off: the details are below the list, and no line is wider than the dock.
 void TestWindowBounces::detailIsWrappedBesideAnotherDock() {
     m_fixture->press(Qt::Key_7, Qt::ControlModifier);
     showDock();

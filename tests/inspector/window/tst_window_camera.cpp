@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The camera that follows, the ruler, a ball that is always found, and the exit of one's own maze.
+// The following camera, the ruler, the minimum size of a ball in the picture, and the exit of a user's own maze.
 #include "mesh/mesh_builder.h"
 #include "ui/window/board_picture.h"
 #include "window_fixture.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ball beside its ghost: switched on by key and dock, drawn where it is, plotted as it goes away.
+// The ball beside its ghost: switched on by key and dock, drawn at its position, its distance plotted.
 #include "gl/view/maze_view.h"
 #include "support/compare.h"
 #include "support/files.h"
@@ -83,7 +83,7 @@ private:
     inspector::ui::DistancePlot *m_plot = nullptr;
 };
 
-// Steps by hand: the same in every run.
+// Stepped manually: the same in every run.
 void TestWindowComparison::init() {
     m_fixture = std::make_unique<Fixture>(3);
     QVERIFY(m_fixture->isReady());
@@ -137,7 +137,7 @@ void TestWindowComparison::boxInTheDockSwitchesTheComparison() {
     QTRY_VERIFY(!now().ghost);
 }
 
-// By keyboard: Home is the crudest, then down.
+// By keyboard: Home is the crudest stepper, then down.
 void TestWindowComparison::chosenStepperMovesTheGhost() {
     auto *box = m_fixture->find<QComboBox>("comparison_stepper");
     QCOMPARE(box->currentData().toByteArray(), QByteArray("exact"));
@@ -224,7 +224,7 @@ void TestWindowComparison::plotShowsTheDistance() {
     QVERIFY(m_plot->yAxis->label().contains("[mm]"));
 }
 
-// Below all others, at a tick that says so.
+// Below all others, at a tick with that label.
 void TestWindowComparison::plotMarksTheMomentShown() {
     const auto marked = [this] { // the time of the only line there
         m_fixture->window().refresh();
@@ -261,7 +261,7 @@ void TestWindowComparison::zeroHasAPlaceOnTheAxis() {
     const QVector<QString> labels = m_plot->yAxis->tickVectorLabels();
     const qsizetype place = labels.indexOf("0");
     QVERIFY(place >= 0);
-    COMPARE_WITHIN(ticks[place], low, 1e-9 * low); // powers of ten by different ways
+    COMPARE_WITHIN(ticks[place], low, 1e-9 * low); // powers of ten computed in different ways
 }
 
 void TestWindowComparison::gapsAreWhereThereWasNoGhost() {
@@ -368,7 +368,7 @@ void TestWindowComparison::readOutIsInBothUnits() {
     QVERIFY2(text.contains(expected), qPrintable(text));
 }
 
-// Under the cursor; a dot at no number would be drawn at none.
+// Under the cursor; a dot at NaN would be drawn at no sample.
 void TestWindowComparison::missingValueHasNoDot() {
     const auto dots = [this] {
         int count = 0;
@@ -391,7 +391,7 @@ void TestWindowComparison::missingValueHasNoDot() {
     QCOMPARE(dots(), 1);
 }
 
-// Of the steps that the ghost named in the legend has made.
+// Steps made by the ghost that the legend names.
 void TestWindowComparison::curveBeginsAnewWithAnotherGhost() {
     compareWith({"exact", 1});
     makeSteps(20);
@@ -436,7 +436,7 @@ void TestWindowComparison::savedTableHasTheGhost() {
     QCOMPARE(lines[5].split(',').value(2 + qsizetype(Channel::Distance)).toDouble(), distance());
 }
 
-// Where the ghost is, the picture becomes bluer when it appears; away from it and from the trails no pixel changes.
+// Where the ghost is, the picture becomes bluer when it appears; elsewhere, except for the trails, no pixel changes.
 void TestWindowComparison::ghostIsDrawnWhereItIs() {
     QVERIFY(m_fixture->session().openLevel(m_fixture->session().levels().at(1)));
     m_fixture->parameters().set({{"tilt_x", 8.0}, {"tilt_y", 8.0}});
@@ -478,7 +478,7 @@ void TestWindowComparison::ghostOnTheBallIsHidden() {
 }
 
 void TestWindowComparison::trailsAreBoundedAndOfTheLegendsColours() {
-    m_fixture->parameters().set({{"restitution_wall", 1.0}}); // both are still on their ways at the end
+    m_fixture->parameters().set({{"restitution_wall", 1.0}}); // both are still moving at the end
     m_fixture->session().setDt(0.1);
     compareWith({"explicit-euler", 1});
     makeSteps(40); // 4 s
@@ -507,7 +507,7 @@ void TestWindowComparison::coloursCanBeTold_data() {
     for (const char *theme : {"theme_1", "theme_2"}) QTest::newRow(theme) << theme;
 }
 
-// WCAG 2.1, 1.4.11: lines have 3 times the luminance of their background, or the other way round.
+// WCAG 2.1, 1.4.11: the luminance of lines and of their background differ by a factor of 3.
 void TestWindowComparison::coloursCanBeTold() {
     QFETCH(QString, theme);
     m_fixture->trigger(theme);
@@ -525,8 +525,8 @@ void TestWindowComparison::coloursCanBeTold() {
     }
 }
 
-// Straight up, so fast that the ghost would need more substeps than are allowed; exact, in free flight, has no such
-// limit.
+// Straight up, so fast that the ghost would need more substeps than are allowed; exact has no such limit in free
+// flight.
 void TestWindowComparison::refuseTheGhost() {
     m_fixture->session().setStepper("exact");
     compareWith({"symplectic-euler", 1});
@@ -558,7 +558,7 @@ void TestWindowComparison::refusalIsForgottenAtARestart() {
 
 void TestWindowComparison::optionOpensTheDock() {
     m_fixture->find<QDockWidget>("comparison_dock")->close();
-    compareWith({}); // as a session has it that was opened with the option
+    compareWith({}); // like a session that was opened with the option
     m_fixture->reopen();
     QVERIFY(m_fixture->isReady());
     const auto *dock = m_fixture->find<QDockWidget>("comparison_dock");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Docks, bars and menus: closed, opened, moved, remembered and put back.
+// Docks, bars and menus: closed, opened, moved, remembered and reset.
 #include "gl/view/maze_view.h"
 #include "inspector/camera_elevation.h"
 #include "support/compare.h"
@@ -173,7 +173,7 @@ void TestWindowDocks::keyRaisesADockThatLiesBehindAnother() {
     QTRY_VERIFY(plot->isHidden() && isSeen(trade));
 }
 
-// Also of a dock behind another, which its entry brings to the front.
+// Also for a dock behind another, which its entry brings to the front.
 void TestWindowDocks::viewMenuTicksWhatIsOpen() {
     for (const QDockWidget *dock : m_fixture->window().findChildren<QDockWidget *>())
         QCOMPARE(m_fixture->find<QAction>("show_" + dock->objectName())->isChecked(), !dock->isHidden());
@@ -238,7 +238,7 @@ void TestWindowDocks::emptyCheckBoxesAreSeen_data() {
     QTest::newRow("dark") << inspector::ui::Theme::Dark;
 }
 
-// In lists, too: something of an empty box differs from the base around it by a tenth of the scale.
+// In lists as well: part of an empty box differs from the base around it by a tenth of the scale.
 void TestWindowDocks::emptyCheckBoxesAreSeen() {
     QFETCH(inspector::ui::Theme, theme);
     const auto restore = qScopeGuard([] { inspector::ui::applyTheme(inspector::ui::Theme::System); });
@@ -369,7 +369,7 @@ void TestWindowDocks::aboutNamesVersionsAndLicences() {
         QVERIFY2(text.contains(part), part);
 }
 
-// By a screen reader; without tags.
+// As a screen reader does; without tags.
 void TestWindowDocks::everyControlHasANameToBeRead() {
     for (const QDockWidget *dock : m_fixture->window().findChildren<QDockWidget *>())
         if (dock->isHidden()) m_fixture->trigger("show_" + dock->objectName());
@@ -391,7 +391,7 @@ void TestWindowDocks::windowFitsASmallScreen_data() {
         QTest::newRow(name) << QStringLiteral("%1_dock").arg(QLatin1String(name));
 }
 
-// With all that the time bar can show.
+// With everything that the time bar can show.
 void TestWindowDocks::windowFitsASmallScreen() {
     QFETCH(QString, dock);
     inspector::ui::MainWindow &window = m_fixture->window();
@@ -452,7 +452,7 @@ void TestWindowDocks::legendIsWholeInANarrowPlot() {
     QCOMPARE(plot->legend->rowCount(), 2);
 }
 
-// Whatever a level is called, and however it ended.
+// Whatever a level is called, and however the run ended.
 void TestWindowDocks::stripWidensNoWindow() {
     inspector::ui::GameStrip strip;
     inspector::ui::GameText text;
@@ -464,7 +464,7 @@ void TestWindowDocks::stripWidensNoWindow() {
     QVERIFY2(strip.minimumSizeHint().width() < 300, qPrintable(QString::number(strip.minimumSizeHint().width())));
 }
 
-// Until something is there to be seen.
+// Waits until there is something to see.
 void TestWindowDocks::standingWindowDrawsNothing() {
     QTimer ticks;
     QSignalSpy tick(&ticks, &QTimer::timeout);
@@ -486,7 +486,7 @@ void TestWindowDocks::messageCanBeReadInEveryTheme_data() {
     for (const char *theme : {"theme_0", "theme_1", "theme_2"}) QTest::newRow(theme) << theme;
 }
 
-// WCAG 2.1, 1.4.3: text has at least 4.5 times the luminance of its background, or the other way round.
+// WCAG 2.1, 1.4.3: the luminance of text and of its background differ by a factor of at least 4.5.
 void TestWindowDocks::messageCanBeReadInEveryTheme() {
     QFETCH(QString, theme);
     m_fixture->trigger("theme_2");

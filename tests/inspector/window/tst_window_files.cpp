@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files of the window: recent ones, a maze that an editor changes, plugins, pages of documentation.
+// Files in the window: recent ones, a maze that an editor changes, plugins, documentation pages.
 #include "support/files.h"
 #include "ui/parts/message_bar.h"
 #include "window_fixture.h"
@@ -51,7 +51,7 @@ private:
     void drop(const QString &path) { m_fixture->drop(path); }
     QMenu *recent();
     uint32_t boxes() { return phys_scene_box_count(m_fixture->session().scene().get()); }
-    QString strip(); // all that it says
+    QString strip(); // all of its text
     QString line() { return m_fixture->window().messages().line(); }
 
     std::unique_ptr<Fixture> m_fixture;
@@ -127,7 +127,7 @@ void TestWindowFiles::changedMazeIsReadAgain() {
     write(path, kFloor + kWall);
     QTRY_COMPARE(boxes(), 2U);
     QCOMPARE(line(), QString("mine.txt was changed on disk and has been read again"));
-    write(path, kFloor + kWall + "box -0.06 -0.1 0 -0.05 0.1 0.02\n"); // it goes on being watched
+    write(path, kFloor + kWall + "box -0.06 -0.1 0 -0.05 0.1 0.02\n"); // it is still watched
     QTRY_COMPARE(boxes(), 3U);
 }
 
@@ -140,7 +140,7 @@ void TestWindowFiles::noteOfAChangedMazeIsForgottenAtARestart() {
     QCOMPARE(line(), QString());
 }
 
-// As editors do that write beside it first.
+// Editors may write to another file first, which then replaces the file.
 void TestWindowFiles::replacedMazeIsReadAgain() {
     const QString path = maze("mine.txt");
     drop(path);
@@ -161,7 +161,7 @@ void TestWindowFiles::mazeThatBecameWrongLeavesTheOpenOne() {
     QTRY_COMPARE(boxes(), 1U);
 }
 
-// What is running isn't disturbed; another change shows that the first was seen.
+// The running simulation isn't disturbed; another change shows that the first was noticed.
 void TestWindowFiles::mazeWrittenWithTheSameBytesGoesOn() {
     const QString path = maze("mine.txt", kWall);
     drop(path);
@@ -238,7 +238,7 @@ void TestWindowFiles::keysAreScrolledByPages() {
     QCOMPARE(bar->value(), 0);
 }
 
-// The law of the bounce names its section; its link leads there.
+// The text on the law of the bounce names its section; the link leads there.
 void TestWindowFiles::sectionOfABounceOpensThere() {
     m_fixture->press(Qt::Key_6, Qt::ControlModifier);
     auto *detail = m_fixture->find<QLabel>("bounces_detail");

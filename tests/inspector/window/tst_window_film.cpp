@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The last seconds as pictures in a folder or as one file, with progress, cancelled and undisturbed.
+// The last seconds as pictures in a folder or as one file: progress, cancelling, and no effect on the simulation.
 #include "support/file_limit.h"
 #include "support/files.h"
 #include "ui/parts/message_bar.h"
@@ -67,7 +67,7 @@ void TestWindowFilm::cleanup() {
     qputenv("PATH", m_path);
 }
 
-// A tool of that name with these lines, and no other one.
+// Puts a tool of this name with these lines into the path, and nothing else.
 void TestWindowFilm::putInPath(const QByteArray &script) {
     QVERIFY(QDir().mkpath(m_fixture->path("tools")));
     QFile tool(m_fixture->path("tools/ffmpeg"));
@@ -185,7 +185,7 @@ void TestWindowFilm::withoutToolThereArePicturesOnly() {
     QCOMPARE(m_fixture->find<QComboBox>("film_kind")->count(), 1);
 }
 
-// It makes a list of what it was given, and of what lies there.
+// The tool lists its arguments and the folder's files.
 void TestWindowFilm::toolGetsThePicturesAndTheirRate() {
     putInPath("for last; do :; done\n{ echo \"$@\"; echo *.png; } > \"$last\"\n");
     const QString file = m_fixture->path("film.gif");
@@ -215,7 +215,7 @@ void TestWindowFilm::whatAFileLimitLosesIsSaidAndNoPictureIsLeft() {
     QVERIFY(!QDir(folder).exists());
 }
 
-// The tool, which isn't limited, makes more than the program may write.
+// The tool isn't limited and writes more than the program is allowed to.
 void TestWindowFilm::whatAFileLimitLosesOfAFilmIsSaidAndTheLastOneIsKept() {
     putInPath("for last; do :; done\nulimit -S -f unlimited\nhead -c 9000000 /dev/zero > \"$last\"\n");
     qputenv("PATH", qgetenv("PATH") + ":" + m_path);

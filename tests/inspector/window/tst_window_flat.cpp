@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The window where there is no OpenGL: the board from above, drawn by QPainter, with everything that works in it.
+// The window without OpenGL: the board from above, drawn by QPainter, with all features.
 #include "inspector/camera_elevation.h"
 #include "support/compare.h"
 #include "ui/parts/message_bar.h"
@@ -47,7 +47,7 @@ void TestWindowFlat::init() {
 
 void TestWindowFlat::cleanup() { m_fixture.reset(); }
 
-// Red or grey and not the colour of wood: a red spot is as likely as the grey between.
+// Red or grey rather than the colour of wood: a red spot is as likely as the grey between.
 void TestWindowFlat::ballIsDrawnWhereItIs() {
     const auto isWood = [this](const QPoint &pixel) {
         const QColor colour = colourAt(pixel);
@@ -59,7 +59,7 @@ void TestWindowFlat::ballIsDrawnWhereItIs() {
     m_fixture->parameters().set({{"tilt_y", 8.0}});
     m_fixture->makeSteps(40);
     QVERIFY(ball().position.y > start.y + 0.02);
-    m_fixture->parameters().set({{"tilt_y", 0.0}}); // a level board, so that both are compared under one light
+    m_fixture->parameters().set({{"tilt_y", 0.0}}); // a level board, so that both are compared under the same light
     QTRY_VERIFY(!isWood(pixelOf(ball().position)));
 }
 

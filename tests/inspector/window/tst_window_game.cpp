@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The game from the first prompt to the tenth level, and what is said when something goes wrong.
+// The game from the first prompt to the tenth level, and the messages when something fails.
 #include "gl/view/maze_view.h"
 #include "ui/game/game_strip.h"
 #include "ui/parts/message_bar.h"
@@ -174,7 +174,7 @@ void TestWindowGame::afterTheLastComesTheFirst() {
     QCOMPARE(m_fixture->game().level(), 0);
 }
 
-// A person's win, at the second of the clock that the simulation would have told.
+// A player's win, at the time that the simulation would have reported.
 void TestWindowGame::bestTimeIsListed() {
     m_fixture->press(Qt::Key_Return);
     m_fixture->game().leaveMaze(83.456, false);
@@ -227,7 +227,7 @@ void TestWindowGame::fileThatIsNoMazeIsShownAndChangesNothing() {
     QVERIFY(!QApplication::activeModalWidget());
 }
 
-// A ball that is faster than any number of substeps allows.
+// A ball too fast for the allowed number of substeps.
 void TestWindowGame::failedStepIsShownAndPauses() {
     phys_state state = m_fixture->simulation().latest().current;
     state.velocity.x = 1e6;
@@ -263,7 +263,7 @@ void TestWindowGame::failedStepIsForgottenAtARestart() {
     QTRY_VERIFY(!m_fixture->window().messages().isVisible());
 }
 
-// The board goes level by itself: no command of a person.
+// The board levels itself, which isn't a command of the user.
 void TestWindowGame::failedStepStaysWhileTheKeysTilt() {
     m_fixture->key(Qt::Key_Return);
     QTRY_VERIFY(m_fixture->simulation().latest().running);
@@ -278,7 +278,7 @@ void TestWindowGame::failedStepStaysWhileTheKeysTilt() {
     QVERIFY(m_fixture->window().messages().isVisible());
 }
 
-// Nothing lies over the board, and nothing makes it jump.
+// Nothing covers the board, and nothing makes it jump.
 void TestWindowGame::nothingTheGameSaysMovesTheView() {
     const QWidget &view = m_fixture->window().view();
     const QRect place(view.mapTo(&m_fixture->window(), QPoint()), view.size());
@@ -299,7 +299,7 @@ void TestWindowGame::nothingTheGameSaysMovesTheView() {
     QVERIFY(isSame());
 }
 
-// Out of the maze in one step of a game that a person plays.
+// Leaves the maze in one step of a game that a user plays.
 void TestWindowGame::leaveByHand() {
     if (m_fixture->game().phase() != Game::Phase::Playing) m_fixture->key(Qt::Key_Return);
     phys_state state = m_fixture->simulation().latest().current;
@@ -351,7 +351,7 @@ void TestWindowGame::otherPhysicsSetNoBestTimeAndSayWhy() {
     QVERIFY2(text().line.contains("no best time"), qPrintable(text().line));
 }
 
-// At the time of the exit, not at that of the fall's end.
+// The time of the exit counts, not that of the end of the fall.
 void TestWindowGame::goingOnAtTheEndOfAWonRecordingIsAWin() {
     win();
     const double time = m_fixture->game().time();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ghost with parameters of its own, A and B: by key, mouse and numbers; copied, swapped, taken back.
+// A ghost with its own parameters, A and B: by key, mouse and numbers; copied, swapped, undone.
 #include "support/compare.h"
 #include "ui/parts/number_box.h"
 #include "window_fixture.h"
@@ -53,7 +53,7 @@ void TestWindowGhost::init() {
     m_fixture = std::make_unique<Fixture>(3);
     QVERIFY(m_fixture->isReady());
     m_fixture->parameters().set({{"tilt_x", 3.0}, {"tilt_y", 4.0}});
-    comparison().setGhostChoice({"symplectic-euler", 1}); // the ball's own: what both differ by is the parameters'
+    comparison().setGhostChoice({"symplectic-euler", 1}); // only parameters differ
 }
 
 void TestWindowGhost::cleanup() { m_fixture.reset(); }
@@ -83,7 +83,7 @@ void TestWindowGhost::keyGivesTheGhostSlidersOfItsOwn() {
     QVERIFY(m_fixture->find<QSlider>("ghost_gravity_slider")->isVisible());
     m_fixture->makeSteps(20);
     COMPARE_EXACT(distance(), 0.0); // it has the ball's values
-    m_fixture->press(Qt::Key_C);    // without a ghost there is nothing to set
+    m_fixture->press(Qt::Key_C);    // without a ghost the key has no effect
     QVERIFY(!m_fixture->find<QSlider>("ghost_gravity_slider")->isVisible());
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Typing is never punished: numbers are read as people write them, Enter ends an edit and plays nothing, the wheel
-// turns only what has the keyboard, and no key stays down.
+// Forgiving input: numbers are read as people write them, Enter ends an edit without starting the game, the wheel
+// changes only what has the focus, and no key stays pressed.
 #include "gl/view/maze_view.h"
 #include "ui/parameters/fine_slider.h"
 #include "ui/parameters/slider_scale.h"
@@ -64,7 +64,7 @@ void TestWindowInput::init() {
 
 void TestWindowInput::cleanup() { m_fixture.reset(); }
 
-// With its text selected, as Tab does.
+// With its text selected, as by Tab.
 NumberBox *TestWindowInput::focused(const QString &name) {
     auto *box = m_fixture->find<NumberBox>(name);
     box->setFocus();
@@ -240,7 +240,7 @@ void TestWindowInput::heldArrowIsReleasedWhereTheKeyboardGoesElsewhere() {
     QTRY_VERIFY(m_fixture->simulation().latest().running);
     QTest::keyPress(&m_fixture->window(), Qt::Key_Up);
     QTRY_VERIFY(m_fixture->simulated("tilt_y") > 4.0);
-    m_fixture->trigger("keys"); // a dialog; the key goes up in it or elsewhere
+    m_fixture->trigger("keys"); // a dialog; the key is released there or elsewhere
     auto *dialog = m_fixture->find<QDialog>("keys_dialog");
     dialog->activateWindow();
     QTRY_COMPARE(QApplication::activeWindow(), dialog);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Keys do what Help > Keys says, wherever the focus is.
+// Keys have the effects that Help > Keys lists, wherever the focus is.
 #include "gl/view/maze_view.h"
 #include "ui/parameters/slider_scale.h"
 #include "ui/parts/number_box.h"
@@ -87,7 +87,7 @@ void TestWindowKeys::arrowTiltsTheBoardTowardsItself() {
     QFETCH(double, tilt);
     startGame();
     QTest::keyPress(&m_fixture->window(), key);
-    // It approaches the limit without end; half of it is on the way.
+    // The tilt approaches the limit without end; half of it is on the way.
     QTRY_VERIFY(m_fixture->simulated(id) / tilt > 0.5);
     QTest::keyRelease(&m_fixture->window(), key);
 }
@@ -146,7 +146,7 @@ void TestWindowKeys::spaceTypedAfterAClickOnASwitchStillPauses() {
     QTRY_VERIFY(!isRunning());
 }
 
-// Who has no mouse tabs to a button and presses it.
+// Without a mouse, one tabs to a button and presses it.
 void TestWindowKeys::spacePressesTheFocusedButtonBeforeTheGame() {
     m_fixture->parameters().set({{QStringLiteral("gravity"), 3.0}});
     auto *button = m_fixture->find<QPushButton>("reset_all");
@@ -234,7 +234,7 @@ void TestWindowKeys::keysCanBeSearched() {
     auto *sought = m_fixture->find<QLineEdit>("keys_sought");
     sought->window()->activateWindow(); // as window managers do
     QTRY_COMPARE(QApplication::activeWindow(), sought->window());
-    m_fixture->type("autopilot"); // the keyboard is there at once
+    m_fixture->type("autopilot"); // the keyboard is there immediately
     const QString text = m_fixture->find<QWidget>("keys_dialog")->findChild<QLabel *>()->text();
     QCOMPARE(text.count("<tr>"), 1);
     QVERIFY(text.contains("<b>A</b>"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Hands that know nothing: random keys, clicks, drags, wheels and texts, all over the window and its dialogs. Whatever
-// they do, the program goes on and the ball is somewhere. Longer: MONKEY_ACTIONS=5000 MONKEY_SEED=2
+// Random keys, clicks, drags, wheels and texts, all over the window and its dialogs: whatever happens, the program
+// continues and the ball has a position. Longer: MONKEY_ACTIONS=5000 MONKEY_SEED=2
 // build/dev/tests/inspector/window/window_suites tst_window_monkey (under xvfb-run)
 #include "gl/view/maze_view.h"
 #include "window_fixture.h"
@@ -33,7 +33,7 @@ struct Stroke {
     Qt::KeyboardModifiers modifiers;
 };
 
-// All that the window listens to, but quitting.
+// All keys of the window except those that quit.
 const Stroke kStrokes[] = {
     {Qt::Key_Return, {}},
     {Qt::Key_Escape, {}},
@@ -112,7 +112,7 @@ private:
     std::unique_ptr<Fixture> m_fixture;
 };
 
-// Where hands can reach: of the window, or of the dialog that is in front of it.
+// A random target: the window, or the dialog in front of it.
 QWidget *TestWindowMonkey::anyWidget() {
     QWidget *top = QApplication::activeModalWidget();
     if (!top) top = &m_fixture->window();
@@ -158,13 +158,13 @@ void TestWindowMonkey::typeText() {
     if (any(2) == 0) m_fixture->key(Qt::Key_Return);
 }
 
-// Files are chosen by nobody; other dialogs may stay for a while.
+// File dialogs are closed; other dialogs may stay for a while.
 void TestWindowMonkey::closeDialogs() {
     for (auto *dialog : m_fixture->window().findChildren<QDialog *>())
         if (dialog->isModal() || any(4) == 0) dialog->close();
 }
 
-// Nothing that leaves the window.
+// Closes what would leave the window.
 void TestWindowMonkey::chooseFromMenu() {
     auto *menu = qobject_cast<QMenu *>(QApplication::activePopupWidget());
     if (!menu) return;
@@ -174,8 +174,8 @@ void TestWindowMonkey::chooseFromMenu() {
     if (chosen && chosen->isEnabled() && chosen->objectName() != "quit") chosen->trigger();
 }
 
-// A menu, a dialog or a drag may wait for an answer in an event loop of its own, and the hands with it; a drag for a
-// button that only the screen's own mouse lets go.
+// A menu, a dialog or a drag may wait for an answer in an event loop of its own, which blocks this test: a drag ends
+// only when the screen's own mouse button is released.
 void TestWindowMonkey::leaveInnerLoops() {
     QDrag::cancel();
     if (QApplication::activePopupWidget())

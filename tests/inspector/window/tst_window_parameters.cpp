@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every parameter, moved by hand, is what the simulation obeys.
+// The simulation obeys every parameter that the user changes.
 #include "gl/board_pose.h"
 #include "gl/view/maze_view.h"
 #include "ui/parts/message_bar.h"
@@ -103,7 +103,7 @@ void TestWindowParameters::chooseRigid() {
     QTRY_COMPARE(m_fixture->simulated("model"), double(PHYS_MODEL_RIGID));
 }
 
-// From the tables themselves, so that a new row is tested without a line here.
+// Generated from the tables, so that a new row is tested without a change here.
 void TestWindowParameters::addNumberRows() {
     QTest::addColumn<QString>("id");
     const inspector::Parameters parameters;
@@ -116,7 +116,7 @@ void TestWindowParameters::draggedSliderReachesTheSimulation_data() { addNumberR
 
 void TestWindowParameters::draggedSliderReachesTheSimulation() {
     QFETCH(QString, id);
-    chooseRigid(); // where every row acts
+    chooseRigid(); // every row has an effect there
     auto *slider = m_fixture->find<QSlider>(id + "_slider");
     const int before = slider->value();
     dragBy(slider, 20);
@@ -242,7 +242,7 @@ void TestWindowParameters::undoIsTheNumbersWhileItIsTyped() {
     box->selectAll();
     QTest::keyClicks(box, "0.9");
     QTest::keyClick(box, Qt::Key_Z, Qt::ControlModifier);
-    QCOMPARE(box->value(), 0.8); // only letters went
+    QCOMPARE(box->value(), 0.8); // only letters were removed
 }
 
 void TestWindowParameters::undoTakesBackAChosenStepperAndTimeStep() {
@@ -256,7 +256,7 @@ void TestWindowParameters::undoTakesBackAChosenStepperAndTimeStep() {
     time_step->selectAll();
     QTest::keyClicks(time_step, "3 ms");
     QTest::keyClick(time_step, Qt::Key_Return);
-    QTRY_VERIFY(m_fixture->window().view().hasFocus()); // the keyboard is the game's again
+    QTRY_VERIFY(m_fixture->window().view().hasFocus()); // the game has the keyboard again
     QCOMPARE(m_fixture->session().dt(), 0.003);
     m_fixture->press(Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(m_fixture->session().dt(), 0.01);
@@ -324,7 +324,7 @@ void TestWindowParameters::tiltFollowsTheAutopilotAndIsLocked() {
     QCOMPARE(box->value(), 0.0); // off: the board goes level
 }
 
-// What the picture calls straight down is where gravity pulls, in the frame of the board.
+// The direction that the picture shows as straight down is that of gravity, in the board's frame.
 void TestWindowParameters::boardIsDrawnAsGravityIsTilted() {
     m_fixture->parameters().set({{QStringLiteral("tilt_x"), 15.0}, {QStringLiteral("tilt_y"), -12.0}});
     QTRY_COMPARE(m_fixture->simulated("tilt_y"), -12.0);

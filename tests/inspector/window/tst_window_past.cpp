@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every run is kept: gone back to by hand, taken over with a change, saved afterwards.
+// Every run is kept: the user goes back to it, takes it over with a change, saves it afterwards.
 #include "gl/view/maze_view.h"
 #include "support/compare.h"
 #include "support/file_limit.h"
@@ -236,7 +236,7 @@ void TestWindowPast::takingOverWithoutAChangeGivesTheSameBits() {
     QVERIFY(sameBits(now().current, before[39]));
 }
 
-// Its time and step go on from those of the run taken over, of which it is no part.
+// Its time and step continue from the run that was taken over, of which it isn't a part.
 void TestWindowPast::timeBarSaysTheStateStep() {
     makeSteps(40);
     goTo(20);

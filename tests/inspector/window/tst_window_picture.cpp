@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The window at its start, compared with a picture that a person has looked at.
-// A wanted change: UPDATE_GOLDEN=1 build/dev/tests/inspector/window/window_suites tst_window_picture (under xvfb-run),
-// look at the new picture in tests/inspector/window/golden, and commit it with the change.
+// The window at its start, compared with a picture that a person has checked.
+// After an intended change: UPDATE_GOLDEN=1 build/dev/tests/inspector/window/window_suites tst_window_picture (under
+// xvfb-run), look at the new picture in tests/inspector/window/golden, and commit it with the change.
 #include "gl/view/maze_view.h"
 #include "window_fixture.h"
 
@@ -16,15 +16,15 @@ using namespace window_test;
 
 namespace {
 
-// llvmpipe gives the same bits in every run of one version, but compiles for the processor at hand: other instructions
-// may round another way. That moves a channel by a few levels, and a whole pixel where an edge crosses its centre.
+// llvmpipe gives the same bits in every run of one version, but compiles for the processor at hand, whose instructions
+// may round differently. That changes a channel by a few levels, or a whole pixel where an edge crosses its centre.
 constexpr int kChannelTolerance = 8;
 constexpr double kPixelTolerance = 0.001; // share of pixels that may differ by more
 
 const QString kPicture = QStringLiteral(GOLDEN_FOLDER "/start.png");
 const QString kVersions = QStringLiteral(GOLDEN_FOLDER "/start.versions");
 
-// What the pixels depend on besides this project.
+// What else the pixels depend on.
 QString versionsNow() {
     QOffscreenSurface surface;
     surface.create();
@@ -115,7 +115,7 @@ void TestWindowPicture::startLooksAsItDid() {
              qPrintable(QStringLiteral("%1 pixels differ; see %2").arg(different).arg(seen)));
 }
 
-// What the comparison rests on; also where no golden picture applies.
+// The assumptions of the comparison; also tested where no golden picture applies.
 void TestWindowPicture::sameSceneGivesTheSamePixels() {
     const QImage first = picture();
     m_fixture = std::make_unique<Fixture>();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Level 1, won by hand: arrow keys pressed and released as somebody does who sees the ball and the way out.
+// Level 1, won by simulated key presses of a player who sees the ball and the way out.
 #include "ui/game/clock_text.h"
 #include "ui/game/game_strip.h"
 #include "window_fixture.h"
@@ -18,7 +18,7 @@ namespace {
 constexpr int kCells = 4;        // of level 1, across and up
 constexpr double kPitch = 0.036; // m, from cell to cell
 
-// Where to go from each cell, as seen from the front: the last row is the nearest.
+// The direction to take from each cell, as seen from the front: the last row is the nearest.
 constexpr std::array<const char *, kCells> kWayOut{
     "v>>v", // the ball starts below on the left and leaves on the right
     ">^vv", //
@@ -33,7 +33,7 @@ struct Place {
 double centreOf(int cell) { return kPitch * (cell - 0.5 * (kCells - 1)); }
 int cellOf(double coordinate) { return std::clamp(int(std::floor(coordinate / kPitch + 0.5 * kCells)), 0, kCells - 1); }
 
-// The middle of the cell that comes next on the way out.
+// The middle of the next cell on the way out.
 Place nextPlace(const phys_vec3 &ball) {
     const int column = cellOf(ball.x);
     const int row = cellOf(ball.y);
@@ -41,7 +41,7 @@ Place nextPlace(const phys_vec3 &ball) {
     return {centreOf(column + (step == '>') - (step == '<')), centreOf(row + (step == '^') - (step == 'v'))};
 }
 
-// A person leads the ball: +1 or -1 for the key that is to be held, 0 for none.
+// The player's decision: +1 or -1 for the key that is to be held, 0 for none.
 int keyTowards(double place, double position, double velocity) {
     constexpr double kForesight = 0.25; // s: where the ball will be if nothing is done
     constexpr double kNearEnough = 0.003;
@@ -49,7 +49,7 @@ int keyTowards(double place, double position, double velocity) {
     return std::abs(apart) < kNearEnough ? 0 : (apart > 0.0 ? 1 : -1);
 }
 
-// Two hands on the arrow keys; presses and releases only what changes.
+// Presses and releases arrow keys, only where something changes.
 class Hands {
 public:
     explicit Hands(QWidget *window)
@@ -83,8 +83,8 @@ private slots:
     void arrowKeysWinLevelOne();
 };
 
-// Whatever the ball does while the machine is busy with something else, the keys follow from where it is now; half
-// speed, which anybody can choose, makes its reflexes those of a fresher machine; but sets no best time.
+// Whatever the ball does while the machine is busy, the keys follow from its current position. Half speed, which any
+// user can choose, makes up for a slow machine, but sets no best time.
 void TestWindowPlayer::arrowKeysWinLevelOne() {
     Fixture fixture;
     QVERIFY(fixture.isReady());
@@ -108,7 +108,7 @@ void TestWindowPlayer::arrowKeysWinLevelOne() {
     QVERIFY(QTest::qWaitFor(playUntilWon, 3 * kPatience));
     hands.hold(0, 0);
 
-    // The banner tells the time of the clock, and why it counts for nothing.
+    // The banner shows the time of the clock, and why it doesn't count.
     const double time = fixture.game().time();
     QVERIFY(time > 1.0 && time <= fixture.simulation().latest().current.time);
     QCOMPARE(text().title, QString("Level 1 done"));

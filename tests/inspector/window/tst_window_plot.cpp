@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The live plot shows the ring's samples, and hands find their way in it.
+// The live plot shows the ring's samples, and its mouse and keyboard actions work.
 #include "ui/parts/message_bar.h"
 #include "ui/plots/phase_plot.h"
 #include "ui/plots/plot_stack.h"
@@ -68,7 +68,7 @@ private:
     void makeSteps(uint64_t count);
     QMenu *menuOf(QWidget *plot);
     inspector::ui::PlotStack &stack() { return *m_fixture->find<inspector::ui::PlotStack>("plots"); }
-    // As they lie above each other.
+    // In the order in which they are stacked.
     template<class Plot>
     QList<Plot *> shown() {
         QList<Plot *> result;
@@ -141,7 +141,7 @@ void TestWindowPlot::dragPansAndEndsFollowing() {
     const double moved = 100.0 * before.size() / m_plot->axisRect()->width();
     QVERIFY(!m_plot->isFollowing());
     QVERIFY(!m_fixture->find<QToolButton>("plot_follow")->isChecked());
-    // To the pixel.
+    // Accurate to a pixel.
     QVERIFY(std::abs(m_plot->xAxis->range().lower - (before.lower + moved)) <
             before.size() / m_plot->axisRect()->width());
 }

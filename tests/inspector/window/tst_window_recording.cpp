@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Recording from the menu: asked for a name, ticked while it lasts, ended by the same entry, a failure in the bar.
+// Recording from the menu: asks for a name, is checked while it lasts, ends by the same entry, reports failures.
 #include "core/recording/recording.h"
 #include "ui/parts/message_bar.h"
 #include "window_fixture.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A recording is watched in the window: opened in every way there is, moved through by mouse and keys, taken over.
+// A recording in the window: opened in every possible way, navigated by mouse and keys, taken over.
 #include "core/recording/recording.h"
 #include "core/setup/settings_file.h"
 #include "gl/view/maze_view.h"
@@ -114,8 +114,8 @@ void TestWindowReplay::init() {
     QVERIFY(m_fixture->isReady());
 }
 
-// 300 steps of 10 ms on level 3 with tilts and a restitution that change, then 200 of 5 ms by another stepper from its
-// start again; made by another session. Returns the file.
+// 300 steps of 10 ms on level 3 with changing tilts and restitution, then 200 steps of 5 ms by another stepper from its
+// start; made by another session. Returns the file.
 QString TestWindowReplay::recorded() {
     QString file = m_fixture->path("run.rec");
     inspector::Options options;
@@ -162,7 +162,7 @@ void TestWindowReplay::drop(const QString &file) {
 
 void TestWindowReplay::goTo(uint64_t position) {
     m_fixture->simulation().pause();
-    QTRY_VERIFY(!m_fixture->simulation().latest().running); // so that it doesn't just pass by
+    QTRY_VERIFY(!m_fixture->simulation().latest().running); // so that it isn't just passing through
     m_fixture->session().seek(position);
     QTRY_COMPARE(place().position, position);
     QTRY_VERIFY(place().isChecked);
@@ -505,7 +505,7 @@ void TestWindowReplay::ghostGoesWithTheReplay() {
     QTRY_VERIFY(m_fixture->simulation().latest().ghost);
 }
 
-// Where it pauses: nobody is there to let it go on.
+// It pauses there, as nobody can continue it.
 void TestWindowReplay::unattendedReplayEndsAtADifference() {
     inspector::Options options;
     options.registry = m_fixture->session().registry();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Named sets of parameters in the Parameters dock: used, saved, deleted, imported, exported; all of it undone.
+// Named sets of parameters in the Parameters dock: applied, saved, deleted, imported, exported, undone.
 #include "core/setup/parameter_sets.h"
 #include "support/compare.h"
 #include "support/files.h"
@@ -121,7 +121,7 @@ void TestWindowSets::savedSetComesBackWithTheNextWindow() {
     QVERIFY(m_fixture->isReady());
     choose("Moon && more");
     COMPARE_EXACT(own("gravity"), 1.62);
-    COMPARE_EXACT(own("tilt_x"), 0.0); // the board's tilt is no property of it
+    COMPARE_EXACT(own("tilt_x"), 0.0); // the board's tilt isn't part of it
 }
 
 void TestWindowSets::deletionIsUndone() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A measured ball laid over the run: in the view, in plots, on the time bar; and a ball that rolls along.
+// A measured ball overlaid on the run: in the view, in plots, on the time bar; and a ball that rolls along.
 #include "inspector/track/made_track.h"
 #include "ui/parts/message_bar.h"
 #include "ui/parts/number_box.h"
@@ -110,7 +110,7 @@ void TestWindowTrack::openedTrackIsABallAndATrail() {
     QCOMPARE(shown.ghosts.size(), size_t(1));
     const TrackPoint &point = m_track.points[50];
     QVERIFY(std::hypot(shown.ghosts[0].ball.position.x - point.x, shown.ghosts[0].ball.position.y - point.y) < 1e-6);
-    QCOMPARE(shown.trails.size(), trails + 2);                     // its way, and the last part of it
+    QCOMPARE(shown.trails.size(), trails + 2);                     // its path, and the last part of it
     const QString picture = qEnvironmentVariable("TRACK_PICTURE"); // to look at
     if (!picture.isEmpty()) QVERIFY(m_fixture->window().grabTo(picture, nullptr));
 }
@@ -255,7 +255,7 @@ void TestWindowTrack::itsLevelBringsItBackWithoutWhatAFitHadFound() {
     QCOMPARE(m_fixture->session().track()->points().front().x, before);
 }
 
-// Of its samples, too, before the window hears of the other level.
+// Also in its samples, before the window receives the other level.
 void TestWindowTrack::recordingThatChangesTheLevelSamplesItInItsOwnOnly() {
     openTrack();
     m_fixture->makeSteps(20);

@@ -50,7 +50,7 @@ void prepare() { QSurfaceFormat::setDefaultFormat(inspector::gl::surfaceFormat()
 Fixture::Fixture(int level, inspector::gl::Drawing drawing)
     : m_drawing(drawing)
     , m_settings(m_folder.filePath(QStringLiteral("settings.ini")), inspector::settingsFormat()) {
-    m_settings.setValue(QStringLiteral("window/show_way_ahead"), false); // it comes when it comes
+    m_settings.setValue(QStringLiteral("window/show_way_ahead"), false); // it appears at an unpredictable time
     QString error;
     m_session = inspector::Session::open(optionsOf(level), m_settings, &error);
     if (!m_session) qFatal("%s", qPrintable(error));
@@ -60,8 +60,8 @@ Fixture::Fixture(int level, inspector::gl::Drawing drawing)
 void Fixture::reopen() {
     if (m_window) m_window->close();
     m_window = std::make_unique<inspector::ui::MainWindow>(*m_session, m_drawing);
-    m_window->view().setQuality(inspector::gl::Quality::Low); // leaves the machine to what is tested
-    m_window->setAnimated(false);                             // a dock has its size at once
+    m_window->view().setQuality(inspector::gl::Quality::Low); // leaves the processor to the tests
+    m_window->setAnimated(false);                             // a dock has its size immediately
     if (!m_settings.contains(QStringLiteral("window/geometry"))) m_window->resize(kSize);
     m_window->show();
 }
@@ -90,7 +90,7 @@ void Fixture::drop(const QString &path) {
     QMimeData data;
     data.setUrls({QUrl::fromLocalFile(path)});
     QDragEnterEvent enter(m_window->rect().center(), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(m_window.get(), &enter); // a drop without it is none
+    QApplication::sendEvent(m_window.get(), &enter); // a drop without it is ignored
     QDropEvent drop(m_window->rect().center(), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(m_window.get(), &drop);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A window over a level, with settings of its own, and hands to use it with: real mouse and key events.
+// A window over a level with its own settings, driven by real mouse and key events.
 #pragma once
 
 #include "core/session/session.h"
@@ -24,13 +24,13 @@ class QCustomPlot;
 
 namespace window_test {
 
-// A wait's end only stops what hangs: QTest's 5 s are over too soon where the machine is busy with something else.
+// A time limit that only stops what hangs; QTest's 5 s are too short on a busy machine.
 constexpr int kPatience = 60000; // ms
 
-// Before the application object exists.
+// Call before the application object exists.
 void prepare();
 
-/// What is said above a plot's curves of the sample under the cursor.
+/// The text above a plot's curves about the sample under the cursor.
 QString readOutOf(const QCustomPlot *plot);
 
 class Fixture {
@@ -46,13 +46,13 @@ public:
     inspector::ui::MainWindow &window() { return *m_window; }
     QSettings &settings() { return m_settings; }
     QString path(const QString &name) const { return m_folder.filePath(name); }
-    // The window is closed and another one is opened on the same session.
+    // Closes the window and opens another one on the same session.
     void reopen();
 
     // The simulation's own value of a parameter row.
     double simulated(const QString &id);
 
-    // A child of the window; the program ends, naming the children there are, if it isn't there.
+    // A child of the window. If there is none, the program ends and lists the children that exist.
     template<typename Widget>
     Widget *find(const QString &name) {
         auto *found = m_window->findChild<Widget *>(name);
@@ -62,12 +62,12 @@ public:
     void trigger(const QString &action) { find<QAction>(action)->trigger(); }
     void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) { QTest::keyClick(m_window.get(), key, modifiers); }
 
-    // As the window system sends it: to whatever has the keyboard, which may be an open list.
+    // Sends a key as the window system does: to whatever has the keyboard, which may be an open list.
     void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {});
     void type(const QString &text);
-    // By the command for a single step; waits for the last one.
+    // Uses the command for a single step; waits for the last one.
     void makeSteps(uint64_t count);
-    // A file from another program onto the window.
+    // Drops a file from another program onto the window.
     void drop(const QString &path);
     // Chooses a file in the dialog that is open or about to be.
     void answerFile(const QString &path);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files of any name and kind: what is read, what is refused, and that no byte is lost without a word.
+// Files of any name and kind: which are read, which are refused, and that every lost byte is reported.
 #include "core/setup/files.h"
 #include "core/setup/lines.h"
 

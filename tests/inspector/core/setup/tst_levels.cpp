@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where levels come from.
+// Where levels are found.
 #include "core/setup/levels.h"
 #include "inspector/core/scenes.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers and durations as people write them, and what is said of those that can't be read.
+// Reading numbers and durations as people write them, and the messages for those that can't be read.
 #include "core/setup/numbers.h"
 
 #include <QTest>
@@ -185,7 +185,7 @@ void TestNumbers::wholeNumbersHaveNoFraction() {
     QCOMPARE(readWholeNumber("2.5", {1, 1e9}).problem, QString("expected a whole number from 1 to 1e+09, found '2.5'"));
 }
 
-// The invariant of a refusal: no value, one line that quotes.
+// A refusal has no value, and one line that quotes the input.
 void TestNumbers::everyCutOfARefusedTextIsReadOrRefusedInOneLine() {
     const QString text = QStringLiteral("-1,5e+3/.5e-1 \u00b5s\n\u202e \u2212nan 1.2.3 \x1b[2J") + QString(100000, '1');
     for (qsizetype begin = 0; begin < 40; ++begin)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Named sets of parameters: known ones that every model takes, and their text.
+// Named sets of parameters: the built-in ones, which every model accepts, and their text format.
 #include "core/setup/parameter_sets.h"
 #include "support/compare.h"
 

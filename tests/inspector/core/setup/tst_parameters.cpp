@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parameters are made from rows and nothing else.
+// Parameters are generated from rows and nothing else.
 #include "core/setup/handles.h"
 #include "core/setup/parameters.h"
 
@@ -60,7 +60,7 @@ void TestParameters::everyValueStartsAtItsRowsInitialOne() {
 
 void TestParameters::everyRowCanBeSetToBothEndsOfItsRange() {
     for (int i = 0; i < Parameters().count(); ++i) {
-        Parameters parameters; // a fresh one, so that no other value stands in the way
+        Parameters parameters; // a new object, so that no other value interferes
         const phys_param_row &row = parameters.row(i);
         for (const double end : {row.min, row.max}) {
             QString error;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whatever bytes a settings file holds, a setting is text or has its default; what is written is read.
+// Whatever bytes a settings file contains, a setting is text or has its default; what is written is read back.
 #include "core/setup/settings_file.h"
 #include "core/setup/stored_values.h"
 
