@@ -13,7 +13,7 @@ struct Part {
     Measure (*measure)(const Subject &);
 };
 
-/// In the order of the card, behind its first line, the contract.
+/// In the order of the card, after its first line, the contract.
 std::span<const Part> parts();
 
 std::string lineOf(const char *name, const Measure &measure);

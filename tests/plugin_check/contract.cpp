@@ -80,7 +80,7 @@ bool isFinite(const phys_state &state) {
     return true;
 }
 
-/// The calls of one stepper's life, each breach noted.
+/// The calls in the life of one stepper; notes each breach.
 class Inspection {
 public:
     explicit Inspection(const phys_stepper_api &api)
@@ -142,7 +142,7 @@ private:
         phys_state out = in;
         out.time = kStep;
         out.step = 1;
-        std::array<phys_event, 3> events{}; // one more than it is told of
+        std::array<phys_event, 3> events{}; // one more than the stepper is told of
         phys_report report;
         phys_report_init(&report, sizeof report);
         report.events = events.data();
@@ -170,7 +170,7 @@ private:
         if (withReport) checkReport(report, events.data());
     }
 
-    /// Sets back what can be set by everybody: the rest of the check computes.
+    /// Restores the process-wide state that anyone can change, because the rest of the check computes.
     void checkArithmetic(const Arithmetic &before) {
         const Arithmetic now = Arithmetic::now();
         if (now.rounding != before.rounding) note("step leaves another rounding than it found");
@@ -181,7 +181,7 @@ private:
         feenableexcept(before.trapped);
     }
 
-    /// A step that hardly anything can take; who can't says so in words, by a status of phys_step.
+    /// A step that hardly any stepper supports; one that doesn't reports this with one line and a status of phys_step.
     void refusal(void *self) {
         const phys_params params = initialParams();
         phys_state in{};
@@ -249,7 +249,7 @@ private:
 } // namespace
 
 std::vector<std::string> breaches(const std::string &file, const std::string &stepper) {
-    void *handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL); // stays loaded, as with the library's loader
+    void *handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL); // stays loaded, as in the library's loader
     const auto *plugin = handle ? static_cast<const phys_plugin *>(dlsym(handle, "phys_plugin_entry")) : nullptr;
     if (!plugin) return {"phys_plugin_entry isn't there"};
     for (uint32_t i = 0; i < plugin->stepper_count; ++i) {

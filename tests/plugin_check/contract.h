@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Calls a plugin's table as a host would, and says each thing in which it breaks what plugin.h asks of it.
+// Calls a plugin's table as a host does, and reports each breach of plugin.h.
 #pragma once
 
 #include <string>

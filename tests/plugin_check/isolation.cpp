@@ -22,8 +22,8 @@ constexpr unsigned kMostCpuSeconds = 25; // of a part
 constexpr unsigned kMostSeconds = 30;    // of a part, for one that waits
 constexpr unsigned kCardSeconds = 55;    // of all parts
 
-/// Nothing prints, and the process stays as it is: what is written to standard output or error while a part runs, and
-/// what is otherwise after it, is a fault of its own.
+/// A plugin must not print, and must leave the process as it is: output to standard output or error during a part, and
+/// process state that differs after it, are faults of their own.
 Measure silently(const std::function<Measure()> &work) {
     const int said = memfd_create("said", 0);
     dup2(said, STDOUT_FILENO);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A part of the card in a process of its own, so that a crash or an endless loop is one line.
+// Runs a part of the card in a process of its own, so that a crash or an endless loop becomes one line.
 #pragma once
 
 #include "measures.h"
@@ -12,7 +12,7 @@ namespace plugin_check {
 /// The parts of one card, which together get a minute.
 class Isolation {
 public:
-    /// What the work says; that it crashes, isn't done in time, or prints, if it does.
+    /// The result of the work; or that it crashes, exceeds its time, or prints.
     Measure run(const std::function<Measure()> &work) const;
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The report card of a plugin's steppers. Usage: physics-check FILE.so [--stepper ID]
-// Each part runs in a process of its own, so that a crash or an endless loop is one line of the card. Ends with 1 if
-// anything is wrong, 2 if the plugin can't be loaded.
+// Each part runs in a process of its own, so that a crash or an endless loop becomes one line of the card. Exits with 1
+// if anything is wrong, with 2 if the plugin can't be loaded.
 #include "card.h"
 #include "contract.h"
 #include "isolation.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a stepper takes from its host beside time: memory and stack.
+// The resources besides time that a stepper takes from its host: memory and stack.
 #include "trial.h"
 
 #include <malloc.h>
@@ -28,7 +28,7 @@ size_t growthOf(const Subject &subject, int lives, int steps) {
 
 Measure memory(const Subject &subject) {
     constexpr int kTimes = 1000;
-    live(subject, 1); // what is made once
+    live(subject, 1); // for one-time allocations
     const size_t byStepping = growthOf(subject, 1, kTimes);
     if (byStepping > kTimes) return {true, format("keeps %g bytes a step", static_cast<double>(byStepping) / kTimes)};
     const size_t byLiving = growthOf(subject, kTimes, 1);
@@ -36,7 +36,7 @@ Measure memory(const Subject &subject) {
     return {false, "all given back"};
 }
 
-/// A stack of 64 kB is enough; one that isn't ends the process.
+/// A stack of 64 kB must be enough; a stack overflow ends the process.
 Measure smallStack(const Subject &subject) {
     pthread_attr_t attributes;
     pthread_attr_init(&attributes);

@@ -20,7 +20,7 @@ namespace {
 
 using witness::Case;
 
-/// The order that errors follow in a scene of half a second, against the brute force.
+/// The order of convergence in a scene of half a second, compared with the brute force.
 Measure orderIn(const Subject &subject, Case scene) {
     scene.legs[0].dt = 0.5;
     witness::BruteForce force(scene.boxes, scene.radius);
@@ -71,7 +71,7 @@ Measure impacts(const Subject &subject) {
 }
 
 Measure invariants(const Subject &subject) {
-    std::map<std::string, std::string> found; // by check: the first of each
+    std::map<std::string, std::string> found; // by check: the first one of each
     std::map<std::string, int> refused;
     int runs = 0;
     for (uint64_t seed = 1; seed <= 5; ++seed) {
@@ -124,7 +124,7 @@ Measure energyAtRest(const Subject &subject) {
         Run run(subject, board(model));
         const double before = run.energy();
         for (int i = 0; i < 1000; ++i) run.step(0.01);
-        if (run.status() == PHYS_ERROR_UNSUPPORTED && modelOf(subject) != model) continue; // said under invariants
+        if (run.status() == PHYS_ERROR_UNSUPPORTED && modelOf(subject) != model) continue; // reported under invariants
         if (run.status()) return {true, run.why()};
         worst = std::max(worst, std::abs(run.energy() - before));
     }
@@ -217,7 +217,7 @@ Measure extremes(const Subject &subject) {
     return measure;
 }
 
-/// What a caller does wrong ends as a status, and nothing is written.
+/// Invalid calls end with a status, and nothing is written.
 Measure misuse(const Subject &subject) {
     const Case scene = board(modelOf(subject));
     Measure measure{false, "refused, outputs untouched"};

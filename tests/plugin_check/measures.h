@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the report card measures of a stepper. Each returns what it found; `isWrong` if that breaks a promise.
+// The measurements of the report card. Each returns its result; `isWrong` if that breaks a promise.
 #pragma once
 
 #include <physics/physics.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Is what a step says of itself true: events, losses, flags, orientation, what it needs.
+// Whether a stepper's reports are true: events, losses, flags, orientation, requirements.
 #include "trial.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ using witness::Case;
 constexpr double kDt = 1e-3;
 constexpr double kWall = 0.05; // m, its face
 
-/// Collects what is wrong.
+/// Collects the faults.
 class Complaints {
 public:
     void unless(bool isRight, const std::string &wrong) {
@@ -68,7 +68,7 @@ void judgeImpact(const Report &report, const phys_state &before, const phys_stat
     complaints.unless(isNear(event.speed_after, -0.5 * event.speed_before, 1e-3), "an impact's speed after is wrong");
 }
 
-/// The energy that a step loses is booked where it went, up to the scheme's own error.
+/// The energy lost in a step is attributed to its causes, up to the scheme's own error.
 void judgeLosses(double scheme, double change, const char *where, Complaints &complaints) {
     complaints.unless(std::abs(scheme) <= 0.05 * std::abs(change),
                       std::string("energy lost ") + where + " isn't booked");
@@ -156,7 +156,7 @@ void judgeOrientation(const Subject &subject, Complaints &complaints) {
     complaints.unless(std::min(apart, opposite) < 0.05, "the orientation doesn't follow the spin");
 }
 
-/// What the table and requirements say before a step.
+/// The table and the requirements before a step.
 void judgePromises(const Subject &subject, Complaints &complaints) {
     phys_stepper_info info{};
     phys_registry_find(subject.registry, subject.id.c_str(), &info, nullptr);

@@ -68,7 +68,7 @@ std::string Surroundings::changes() const {
         const bool isOpen = now.m_files[i] != File{0, 0};
         const char *change = !isOpen ? "closes" : wasOpen ? "redirects" : "leaves open";
         note(std::string(change) + " file descriptor " + std::to_string(i));
-        break; // the first tells enough
+        break; // the first one is enough
     }
     for (int i = 1; i < kSignals; ++i) {
         const auto number = static_cast<size_t>(i);

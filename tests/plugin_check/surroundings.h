@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a plugin shares with its host's process and has to leave as it is.
+// The process state that a plugin shares with its host and must leave unchanged.
 #pragma once
 
 #include <array>
@@ -10,12 +10,12 @@
 
 namespace plugin_check {
 
-/// Of the process and the thread that makes it, at that moment.
+/// Records the state of the process and of the constructing thread at that moment.
 class Surroundings {
 public:
     Surroundings();
 
-    /// What is otherwise now, in words, each with "; " before it; empty if nothing is.
+    /// Describes what differs now, each with "; " before it; empty if nothing does.
     std::string changes() const;
 
 private:
@@ -30,7 +30,7 @@ private:
     bool m_hasAlarm;
 };
 
-/// How the processor computes in this thread.
+/// The floating-point setting of this thread.
 struct Arithmetic {
     static Arithmetic now();
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the measures share: a board, and a ball on it under the stepper that is measured.
+// Shared by the measurements: a board, and a ball on it under the stepper that is measured.
 #pragma once
 
 #include "measures.h"
@@ -21,7 +21,7 @@ inline bool isSame(const phys_state &a, const phys_state &b) {
 
 constexpr double kRadius = 0.006; // of the ball on the board, m
 
-/// A floor, 6 mm of ball, gravity straight down.
+/// A floor, a ball of 6 mm, gravity straight down.
 witness::Case board(uint32_t model);
 
 /// The ball rolls at this velocity.
@@ -49,7 +49,7 @@ private:
     phys_error m_error{};
 };
 
-/// The rigid model, or the rolling one for a stepper that knows no other.
+/// The rigid model, or the rolling one for a stepper that supports no other.
 uint32_t modelOf(const Subject &subject);
 
 } // namespace plugin_check

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Does the report card name what a plugin does wrong.
+// Whether the report card detects what a plugin does wrong.
 #include <QFile>
 #include <QTest>
 
@@ -90,7 +90,7 @@ void PluginCheck::aBreachOfTheContractIsNamed() {
     QVERIFY2(std::find(found.begin(), found.end(), breach.toStdString()) != found.end(), all);
 }
 
-/// Those of the witness's planted faults that a short look must see, and one that leaps through everything.
+/// The witness's planted faults that a short check must detect, and a stepper that jumps through everything.
 void PluginCheck::aMotionThatIsWrongIsNamed_data() {
     QTest::addColumn<QByteArray>("file");
     QTest::addColumn<QByteArray>("word");
@@ -215,7 +215,7 @@ void PluginCheck::theLawIsFollowedAcrossImpacts() {
     QVERIFY2(found.isWrong != isFollowed, found.text.c_str());
 }
 
-/// But for what differs from machine to machine, and what takes longest.
+/// Without what differs between machines, and without what takes longest.
 void PluginCheck::theExamplesPageShowsItsCard_data() {
     QTest::addColumn<size_t>("part");
     const std::span<const plugin_check::Part> parts = plugin_check::parts();

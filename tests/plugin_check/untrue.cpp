@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Steppers that move the ball as they should and say or do something untrue beside it. The id says what.
+// Steppers that move the ball correctly but report or do something wrong besides. The id says what.
 #include "support/planted_fault.h"
 
 #include <cfenv>
@@ -17,7 +17,7 @@ namespace {
 
 using namespace support;
 
-/// A sound step whose events are changed.
+/// A correct step whose events are changed.
 template<class Change>
 phys_status withEvents(Step &step, Change change) {
     const phys_status status = soundStep(step);
@@ -39,7 +39,7 @@ phys_status slowEvents(Step &step) {
     return withEvents(step, [](phys_event &event) { event.speed_before *= 0.9; });
 }
 
-/// A sound step whose report is changed.
+/// A correct step whose report is changed.
 template<class Change>
 phys_status withReport(Step &step, Change change) {
     const phys_status status = soundStep(step);
@@ -62,7 +62,7 @@ phys_status hideImpacts(Step &step) {
     return withReport(step, [](phys_report &report) { report.lost_impact = 0; });
 }
 
-/// A sound step whose state is changed in what no motion depends on.
+/// A correct step whose state is changed in a way that doesn't affect the motion.
 template<class Change>
 phys_status withState(Step &step, Change change) {
     const phys_status status = soundStep(step);
@@ -89,7 +89,7 @@ phys_status staySleeping(Step &step) { return step.in.flags & PHYS_AT_REST ? PHY
 
 bool isTooFast(const Step &step) { return dot(step.in.velocity, step.in.velocity) > 1e10; }
 
-/// What it can't do isn't told: the ball stands still.
+/// It doesn't report what it can't do: the ball stands still.
 phys_status swallow(Step &step) { return isTooFast(step) ? PHYS_OK : soundStep(step); }
 phys_status failSilently(Step &step) { return isTooFast(step) ? PHYS_ERROR_SUBSTEP_CAP : soundStep(step); }
 phys_status failInside(Step &step) {
@@ -116,7 +116,7 @@ phys_status trapExceptions(Step &step) {
     return status;
 }
 
-/// What each does to the process, once, before a sound step.
+/// What each does to the process, once, before a correct step.
 template<auto change>
 phys_status changeProcess(Step &step) {
     change();
@@ -145,13 +145,13 @@ void maskFiles() { umask(0); }
 void endAlarm() { alarm(0); }
 
 phys_status keepMemory(Step &step) {
-    static std::vector<void *> kept; // of all, so that no compiler takes it for needless
+    static std::vector<void *> kept; // all of them are kept, so that no compiler optimises the allocations away
     kept.push_back(std::malloc(64));
     return soundStep(step);
 }
 phys_status needStack(Step &step) {
     volatile char large[200000];                                // NOLINT
-    for (size_t i = sizeof large; i > 0; --i) large[i - 1] = 1; // downwards, so that the guard isn't leapt over
+    for (size_t i = sizeof large; i > 0; --i) large[i - 1] = 1; // downwards, so that the guard page isn't skipped
     return large[0] ? soundStep(step) : PHYS_OK;
 }
 

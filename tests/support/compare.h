@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Comparisons that mean what they say: QCOMPARE calls doubles equal that differ by 1e-12.
+// Strict comparisons: QCOMPARE considers doubles equal that differ by 1e-12.
 #pragma once
 
 #include <QTest>
@@ -15,7 +15,7 @@ namespace support {
 
 inline QByteArray digits(double value) { return QByteArray::number(value, 'g', 17); }
 
-/// The same bytes: 0 isn't -0, and a NaN is itself.
+/// The same bytes: 0 isn't -0, and a NaN equals itself.
 template<class T>
 bool sameBits(const T &a, const T &b) {
     return std::ranges::equal(std::as_bytes(std::span(&a, 1)), std::as_bytes(std::span(&b, 1)));
@@ -33,7 +33,7 @@ bool sameBits(const T &a, const T &b) {
                                         .constData());                                                                 \
     } while (false)
 
-/// Not further apart than `slack`, which needs a reason where it's used.
+/// Differ by at most `slack`, for which the caller gives a reason.
 #define COMPARE_WITHIN(actual, expected, slack)                                                                        \
     do {                                                                                                               \
         const double found_ = (actual);                                                                                \

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How much a test repeats: little where the library is compiled for debugging, much where it's optimised, and as much
-// as anyone may want with the environment variable PHYS_TEST_LONG set.
+// How often a test repeats: little in debug builds of the library, often in optimised ones, and as often as wanted with
+// the environment variable PHYS_TEST_LONG set.
 #pragma once
 
 #include <QtGlobal>

@@ -14,7 +14,7 @@ namespace support {
 /// Gravity's part into the floor, m/s^2: a power of two, so that figures that are exact in binary stay exact.
 inline constexpr double kNormalGravity = 8.0;
 
-/// Functions that return false leave the reason in error(); use them as QVERIFY2(e.stepFor(..), e.error()).
+/// Functions that return false give the reason in error(); use them as QVERIFY2(e.stepFor(..), e.error()).
 class Experiment {
 public:
     /// Parameters start as phys_params_init fills them, with gravity (0, 0, -kNormalGravity), no friction, model.
@@ -36,14 +36,14 @@ public:
 
     bool step(double dt);
     bool stepTimes(uint64_t count, double dt);
-    /// Steps until `duration` is over; it should be a multiple of dt.
+    /// Steps until `duration` has passed; it should be a multiple of dt.
     bool stepFor(double duration, double dt);
     /// Replaces the stepper by a new one.
     bool renewStepper();
 
     phys_params params{};
     phys_state state{};
-    phys_report report{}; ///< of the last step; its events live as long as this object and its place
+    phys_report report{}; ///< of the last step; its events are valid as long as this object exists and isn't moved
 
 private:
     void prepare(uint32_t model);

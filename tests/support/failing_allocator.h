@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Memory that runs out when a test wants it to. A suite that compiles failing_allocator.cpp in has its operator new
-// everywhere, in the library too: a program's replaces the standard one.
+// Memory that runs out when a test wants it to. A suite that compiles failing_allocator.cpp uses its operator new
+// everywhere, also in the library, because a program's operator new replaces the standard one.
 #pragma once
 
 namespace support {
 
-/// While it lives, this thread gets so many allocations more by operator new, and then none.
+/// While it exists, operator new in this thread succeeds this many times more, and then fails.
 class AllocationsLeft {
 public:
     explicit AllocationsLeft(long count);
@@ -17,7 +17,7 @@ public:
 /// Blocks that this thread made minus those it freed.
 long liveBlocks();
 
-/// The most bytes that this thread had at once since `restartPeak`, beyond those that it had then.
+/// The most bytes that this thread held at a time since `restartPeak`, beyond those that it held then.
 long peakBytes();
 void restartPeak();
 

@@ -7,7 +7,7 @@
 
 namespace support {
 
-/// While it exists, no file of this program can grow beyond so many bytes: writing fails as on a full disk.
+/// While it exists, no file of this program can grow beyond this many bytes: writing fails as on a full disk.
 class FileLimit {
 public:
     explicit FileLimit(rlim_t bytes) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Small files that a test reads and writes whole; one that can't be ends the test program.
+// Small files that a test reads and writes as a whole; failures end the test program.
 #pragma once
 
 #include <QByteArray>

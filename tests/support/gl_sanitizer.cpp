@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Linked into tests that open a screen when AddressSanitizer is on. OpenGL drivers are unloaded at exit, before leaks
-// are looked for, so that what they keep shows up as lost in an unknown module that no suppression can name. Keeping
-// every module loaded gives the blocks their owners back; those owners are not ours. Without following the drivers'
-// thread-local blocks, in which LLVM 14's search for leaks now and then crashes.
+// Linked into tests that open a screen when AddressSanitizer is on. OpenGL drivers are unloaded at exit, before the
+// search for leaks, so that the memory they keep is reported as lost in an unknown module that no suppression can name.
+// Keeping every module loaded gives these blocks a reachable owner. The drivers' thread-local blocks aren't scanned,
+// because LLVM 14's search for leaks occasionally crashes in them.
 extern "C" {
 
 int dlclose(void *) { return 0; }

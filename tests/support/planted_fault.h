@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What plugins with planted faults are made of: a sound stepper, and a function around each of its steps.
+// Building blocks of plugins with planted faults: a correct stepper, and a function around each of its steps.
 #pragma once
 
 #include <physics/plugin.h>
@@ -22,7 +22,7 @@ struct Self {
     uint64_t calls = 0;
 };
 
-/// All that a step is given.
+/// The arguments of a step.
 struct Step {
     Self &self;
     phys_params params;
@@ -94,7 +94,7 @@ phys_status step(void *self, const phys_params *params, double dt, const phys_st
     return function(all);
 }
 
-/// A stepper that takes its steps by `function`, and knows the boxes that `keep` leaves.
+/// A stepper that makes its steps by `function`, and sees only the boxes that `keep` accepts.
 template<StepFunction *function, KeepFunction *keep = keepAll>
 constexpr phys_stepper_api doing(const char *id) {
     return {sizeof(phys_stepper_api), 0,       id,     id, "1", "", nullptr, 0, 0, create<keep>, destroy,

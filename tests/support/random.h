@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Random numbers that repeat everywhere, from a seed that a failing test prints.
+// Random numbers that are the same everywhere, from a seed that a failing test prints.
 #pragma once
 
 #include <QString>
@@ -9,7 +9,7 @@
 
 namespace support {
 
-/// The environment variable PHYS_TEST_SEED, or a fixed number: a run repeats unless asked otherwise.
+/// The environment variable PHYS_TEST_SEED, or a fixed number: by default every run is the same.
 inline uint64_t testSeed() {
     bool isNumber = false;
     const uint64_t seed = qEnvironmentVariable("PHYS_TEST_SEED").toULongLong(&isNumber);
@@ -29,7 +29,8 @@ public:
         return z ^ (z >> 31U);
     }
 
-    /// In [low, high), a multiple of (high - low) / 2^20: short numbers, so that scenes cut and move without rounding.
+    /// In [low, high), a multiple of (high - low) / 2^20: short binary numbers, so that scenes are cut and moved
+    /// without rounding.
     double between(double low, double high) {
         return low + (high - low) * (static_cast<double>(bits() >> 44U) / 1048576.0);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenes written down in the test that needs them.
+// Builds the scene of a test from a short description.
 #pragma once
 
 #include "handles.h"
@@ -8,7 +8,7 @@
 
 namespace support {
 
-/// Floors have their top at z = 0; walls stand on it, 4 R high. All lengths in m.
+/// Floors have their top at z = 0; walls stand on them, 4 R high. All lengths in m.
 class SceneBuilder {
 public:
     SceneBuilder &ball(double radius);
@@ -22,7 +22,7 @@ public:
     phys_vec3 start() const { return m_start; }
     const std::vector<phys_box> &boxes() const { return m_boxes; }
 
-    /// NULL if the library refuses; `error` or NULL then says why.
+    /// NULL if the library refuses the scene; `error` (or NULL) then gets the reason.
     ScenePtr build(phys_error *error = nullptr) const;
 
 private:

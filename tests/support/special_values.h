@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What isn't a number like others.
+// NaN and infinities.
 #pragma once
 
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Data rows over the built-in steppers: a stepper that joins the registry joins every suite.
+// Data rows over the built-in steppers, so that a new stepper of the registry is included in every suite.
 #pragma once
 
 #include <physics/physics.h>

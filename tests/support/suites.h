@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Several suites in one program, linked once: QTEST_MAIN and its kin add a suite to the program instead of defining its
-// main; suites.cpp runs the one that the first argument names. physics_add_suites has this included before each
+// Several suites in one program, linked once: QTEST_MAIN and its variants add a suite to the program instead of
+// defining main; suites.cpp runs the suite that the first argument names. physics_add_suites includes this before each
 // source, precompiled or not.
 #pragma once
 
@@ -12,7 +12,7 @@ class Suite {
 public:
     using Run = int (*)(int argc, char **argv);
 
-    /// file: the source's name, from which the suite has its own. Lives as long as the program.
+    /// file: the source's name, which is also the suite's. Must live as long as the program.
     Suite(const char *file, Run start);
 
     QByteArray name() const;

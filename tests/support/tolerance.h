@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What each stepper promises, and how far a result may be from the truth because of it. Each number has a reason.
+// The accuracy that each stepper promises, and the tolerances that follow from it. Each number has a reason.
 #pragma once
 
 #include <QByteArray>
@@ -11,18 +11,18 @@ namespace support {
 /// One rounding of a double, relative: 2^-53 either way.
 inline constexpr double kUnit = 1.1102230246251565e-16;
 
-/// Rounding after `operations` roundings of numbers up to `size`: they may all go one way.
+/// Rounding error of `operations` operations on numbers up to `size`, if all roundings go in the same direction.
 inline double rounding(double operations, double size) { return operations * kUnit * size; }
 
-/// Orders of model.md 10.1 and 10.2: the error goes like dt to this power. 0: none but rounding.
+/// Orders of model.md 10.1 and 10.2: the error is proportional to dt to this power. 0: rounding only.
 struct Promise {
     int smooth;   ///< while nothing is touched and resistance doesn't stop the ball
     int impacts;  ///< across impacts: an envelope, not a ratio (10.2)
     bool heats;   ///< gains energy in lasting contact (10.3)
-    bool inSteps; ///< cuts the step into substeps when the speed calls for it
+    bool inSteps; ///< divides the step into substeps if the speed requires it
 };
 
-/// An unknown stepper promises what the crudest one does.
+/// An unknown stepper is held to what the crudest one promises.
 inline Promise promiseOf(const QByteArray &stepper) {
     if (stepper == "exact") return {0, 0, false, false};
     if (stepper == "swept") return {2, 2, false, false};

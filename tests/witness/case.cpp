@@ -24,7 +24,7 @@ std::string number(double value) {
 
 std::string numbers(const phys_vec3 &v) { return number(v.x) + ' ' + number(v.y) + ' ' + number(v.z); }
 
-/// Reads the numbers of one line; throws what was expected.
+/// Reads the numbers of one line; on failure throws what was expected.
 class Line {
 public:
     explicit Line(const std::string &rest)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene, a start and what the board does: all that a run needs, as a text that people read and a test replays.
+// A scene, a start and the board's tilts: all inputs of a run, as a readable text that a test replays.
 #pragma once
 
 #include "integrator/vector.h"
@@ -10,14 +10,14 @@
 
 namespace witness {
 
-/// So many steps of dt under one gravity.
+/// This many steps of dt under one gravity.
 struct Leg {
     phys_vec3 gravity;
     double dt;
     uint32_t steps;
 };
 
-/// Where the ball must be at a time, to more digits than a double has.
+/// The ball's expected state at a time, to more digits than a double has.
 struct Sample {
     Real time;
     Vector place;
@@ -29,11 +29,11 @@ struct Sample {
 struct Case {
     std::string name;
     std::string note;    ///< what is expected, and why
-    std::string stepper; ///< that failed; empty: all
+    std::string stepper; ///< for which it failed; empty: all
     std::string check;   ///< that failed; empty: all
     std::vector<phys_box> boxes;
     double radius = 0.006;
-    phys_params params{}; ///< but gravity
+    phys_params params{}; ///< without gravity
     phys_state start{};
     std::vector<Leg> legs;
     std::vector<Sample> samples;

@@ -14,10 +14,10 @@ namespace witness {
 namespace {
 
 constexpr int kStepCounts[kSizes] = {400, 800, 1600};
-constexpr int kFiner = 16;           ///< times as many steps, where those are too few to see the order
-constexpr Real kShareOfOrder = 0.5L; ///< of what the order makes an error fall by
-constexpr Real kAmplified = 4;       ///< times a shift of the start: what a motion makes of it that goes the same way
-constexpr Real kUsual = 6;           ///< errors are below this times what a disturbance of the stepper's order does
+constexpr int kFiner = 16; ///< factor on the number of steps, where the usual ones are too few to show the order
+constexpr Real kShareOfOrder = 0.5L; ///< share of the decrease that the order predicts
+constexpr Real kAmplified = 4;       ///< limit, in units of the effect of a shift of the start in the same direction
+constexpr Real kUsual = 6; ///< errors must be below this times the effect of a disturbance of the stepper's order
 
 Motion motionOf(const phys_state &state) {
     return {vectorOf(state.position), vectorOf(state.velocity), vectorOf(state.spin)};
@@ -29,7 +29,7 @@ Law lawAt(const Case &scene) {
     return lawOf(params, scene.radius);
 }
 
-/// The law says nothing of a ball inside a box, nor of a box without inside.
+/// The law doesn't cover a ball inside a box, or a box without volume.
 bool isLawful(const Case &scene) {
     return std::all_of(scene.boxes.begin(), scene.boxes.end(), [&](const phys_box &box) {
         const bool isSolid = box.min.x < box.max.x && box.min.y < box.max.y && box.min.z < box.max.z;
@@ -37,7 +37,7 @@ bool isLawful(const Case &scene) {
     });
 }
 
-/// The time in which a ball falls half its radius: of everything that a scene does on its own.
+/// The time in which a ball falls half its radius: the shortest time scale that every scene has.
 Real timeScale(const Case &scene) {
     return std::sqrt(scene.radius / (length(vectorOf(scene.legs.front().gravity)) + 1e-30L));
 }
@@ -119,8 +119,8 @@ std::vector<Motion> Truth::run(const Law &law, Motion motion, Real tolerance) co
     return motions;
 }
 
-/// A start that overlaps one box, but for its centre, is pushed out of it: to the nearest place, at no cost. Out of
-/// several boxes, or from within one, the law knows no single way.
+/// A start that overlaps one box, with the centre outside, is pushed out to the nearest place at no cost. Out of
+/// several boxes, or from inside one, the law determines no unique way.
 Case pushedOut(Case scene) {
     const Vector start = vectorOf(scene.start.position);
     std::optional<Touch> overlap;
@@ -177,7 +177,7 @@ const std::vector<Real> &Truth::spread(Real disturbance, Real shift) const {
     return found->second;
 }
 
-/// The start moved along this way, but no further than until the ball touches what is there.
+/// The start moved in this direction, but no farther than until the ball touches something.
 phys_state moved(const Case &scene, const Vector &way) {
     Case other = scene;
     Real free = 0;
@@ -213,7 +213,7 @@ std::vector<Real> Truth::disturb(Real disturbance, Real shift) const {
         faster.velocity += off * start.velocity;
         faster.spin += off * start.spin;
         compare(law, faster);
-        // Which of two walls comes first hangs on the place.
+        // Which of two walls is hit first depends on the position.
         for (const Vector &direction : {Vector{1, 0, 0}, Vector{0, 1, 0}}) {
             compare(law, motionOf(moved(m_scene, sign * shift * direction)));
         }
@@ -235,11 +235,11 @@ std::vector<Real> errorsOf(const Path &path, const Truth &truth) {
 }
 Real largest(const std::vector<Real> &values) { return *std::max_element(values.begin(), values.end()); }
 
-/// With so many times the usual steps.
+/// With this multiple of the usual number of steps.
 Convergence compare(const phys_registry *registry, const std::string &stepper, const Case &scene, const Truth &truth,
                     int order, int finer) {
     Convergence result{};
-    Path judged; // the one with the smallest steps; without an error of the step size the worst
+    Path judged; // the one with the smallest steps; for steppers without a step-size error the worst
     Real worst = 0;
     for (int size = 0; size < kSizes; ++size) {
         const int steps = order == 0 ? kCheckpoints << size : finer * kStepCounts[size];
@@ -265,7 +265,7 @@ Convergence compare(const phys_registry *registry, const std::string &stepper, c
     const Real shift = truth.fastest() * h * (order == 0 ? 0 : std::pow(part, Real(order - 1)));
     std::vector<Real> spread(kCheckpoints, 0);
     const auto isAllowed = [&](int i) { return errors[i] <= floor + base + 10 * best.ownError() + kUsual * spread[i]; };
-    // Larger disturbances too: ties and grazes are sensitive within a window that a small one may not leave.
+    // Larger disturbances, too: ties and grazes are sensitive within a window that a small disturbance may not leave.
     for (const Real factor : {1, 2, 4, 8}) {
         const std::vector<Real> &more = best.spread(factor * disturbance, factor * shift);
         bool isEnough = true;
@@ -302,12 +302,12 @@ Convergence converge(const phys_registry *registry, const std::string &stepper, 
     const Truth &best = truth.refined();
     Convergence usual = compare(registry, stepper, scene, best, order, 1);
     if (!usual.isWrong) return usual;
-    // A slip or a roll that all but ends turns within a few steps: there the order shows with smaller ones.
+    // A slip or a roll that almost ends turns within a few steps; there the order shows only with smaller steps.
     Convergence finer = compare(registry, stepper, scene, best, order, kFiner);
     if (!finer.isWrong && !finer.status) return finer;
-    constexpr Real kFallsNot = 0.8L; // of the error with larger steps: it is that of another law
+    constexpr Real kFallsNot = 0.8L; // a smaller decrease is another law's error
     if (finer.status || finer.errors[kSizes - 1] > kFallsNot * usual.errors[kSizes - 1]) return usual;
-    // Bounces that are lower than a few steps make a large error, which falls at the order all the same.
+    // Bounces lower than a few steps cause a large error, which nevertheless falls at the order.
     Convergence finest = compare(registry, stepper, scene, best, order, kFiner * kFiner);
     if (finest.status) return usual;
     const Real falls = finer.errors[kSizes - 1] / finest.errors[kSizes - 1];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Does a stepper go where the law leads, at its order.
+// Whether a stepper converges to the motion that the law determines, at its order.
 #pragma once
 
 #include "case.h"
@@ -17,34 +17,35 @@ namespace witness {
 constexpr int kSizes = 3;
 constexpr int kCheckpoints = 4;
 
-/// How good a stepper says that it is: the power of the step size that its error follows. 0: none is left.
+/// The accuracy that a stepper claims: the power of the step size in its error. 0: no such error.
 struct Order {
     int acrossEvents;
     int betweenEvents;
 };
-/// accuracy.md, "How accurate each stepper is"; rk4 has its fourth order only where no contact does more than carry the
-/// ball, which these scenes don't promise. A stepper that isn't there is taken to be of first order.
+/// accuracy.md, "How accurate each stepper is"; rk4 has its fourth order only where contacts do no more than carry the
+/// ball, which these scenes don't guarantee. An unlisted stepper is assumed to be of first order.
 Order orderOf(const std::string &stepper);
 
-/// Whether a ball at `centre` may come to a gap that is exactly as wide as itself, and isn't in it: rounding decides
-/// what happens at its mouth.
+/// Whether a ball at `centre` may come to a gap exactly as wide as itself without being in it: rounding decides what
+/// happens at its mouth.
 bool hasUndecidedGap(const Case &scene, const phys_vec3 &centre);
 
-/// The motion by force, and how far it goes astray if it is disturbed a little.
+/// The motion by brute force, and how far it deviates if it is disturbed a little.
 class Truth {
 public:
-    /// Empty if the ball starts inside a box, or if there is no answer: a gap of exactly its diameter, or the brute
-    /// force has none.
+    /// Empty if the ball starts inside a box, or if there is no answer: a gap of exactly its diameter, or a failure of
+    /// the brute force.
     static std::optional<Truth> of(const Case &scene);
 
     const std::vector<Motion> &motions() const { return m_motions; }
-    /// A hundred times as careful, for steppers that are better than that. Computed when it is first asked for.
+    /// With a hundred times smaller tolerances, for steppers more accurate than the usual ones. Computed on first
+    /// request.
     const Truth &refined() const;
     bool hasEvents() const { return m_hasEvents; }
-    /// How far each checkpoint moves if gravity and speed are off by the part `disturbance`, or the start by `shift`
-    /// metres, in a number of ways. Computed once: steppers of one order ask for the same.
+    /// How far each checkpoint moves if gravity and speed are off by the share `disturbance`, or the start by `shift`
+    /// metres, in a number of ways. Computed once, as steppers of one order ask for the same.
     const std::vector<Real> &spread(Real disturbance, Real shift) const;
-    /// What the brute force doesn't know itself.
+    /// The uncertainty of the brute force itself.
     Real ownError() const { return m_ownError; }
     Real fastest() const { return m_fastest; }
 

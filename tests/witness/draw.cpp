@@ -26,7 +26,7 @@ public:
     double between(double low, double high) {
         return low + (high - low) * (static_cast<double>(bits() >> 11U) * 0x1p-53);
     }
-    /// Evenly over orders of magnitude.
+    /// Uniform over orders of magnitude.
     double magnitude(double low, double high) { return low * std::pow(high / low, between(0, 1)); }
     int below(int count) { return static_cast<int>(bits() % static_cast<uint64_t>(count)); }
     bool chance(double probability) { return between(0, 1) < probability; }
@@ -47,7 +47,7 @@ struct Sketch {
     Case scene;
     double r; ///< the ball's radius
 
-    /// A box by its lengths in radii.
+    /// A box with its lengths in radii.
     void box(double x0, double y0, double z0, double x1, double y1, double z1) {
         scene.boxes.push_back({{std::min(x0, x1) * r, std::min(y0, y1) * r, std::min(z0, z1) * r},
                                {std::max(x0, x1) * r, std::max(y0, y1) * r, std::max(z0, z1) * r}});
@@ -58,7 +58,7 @@ struct Sketch {
         const double unit = std::sqrt(kGravity * r);
         scene.start.velocity = {x * unit, y * unit, z * unit};
     }
-    /// Towards a point, in radii, at a speed in units of sqrt(g R).
+    /// Directed towards a point (in radii), at a speed in units of sqrt(g R).
     void moveTowards(double x, double y, double z, double speed) {
         const double dx = x - scene.start.position.x / r;
         const double dy = y - scene.start.position.y / r;
@@ -69,7 +69,7 @@ struct Sketch {
     double speed() { return dice.chance(0.2) ? 0 : dice.magnitude(0.02, 20); }
 };
 
-/// On the floor, moving about, unless something else is drawn afterwards.
+/// On the floor, moving, unless another start is drawn afterwards.
 void rollOnFloor(Sketch &s) {
     s.place(s.dice.between(-4, 4), s.dice.between(-4, 4), 1);
     s.moveTowards(s.dice.between(-4, 4), s.dice.between(-4, 4), 1, s.speed());
@@ -332,7 +332,7 @@ phys_vec3 drawGravity(Dice &dice) {
             -strength * std::cos(tilt)};
 }
 
-/// Step sizes that suit a ball of 6 mm, made to suit this one.
+/// Step sizes for a ball of 6 mm, scaled to this one.
 double drawDt(Sketch &s) {
     constexpr double kSteps[] = {1e-9, 1e-6, 1e-4, 5e-4, 1e-3, 1e-3, 4e-3, 1e-2, 1e-2, 1.0 / 60, 0.1, 1};
     return s.dice.oneOf(kSteps) * std::sqrt(s.r / 0.006);
@@ -347,7 +347,7 @@ Sketch sketch(size_t kind, uint64_t seed, uint32_t model) {
     return s;
 }
 
-/// Turned by quarters, so that no axis is special.
+/// Rotated by quarter turns, so that no axis is special.
 void turn(Sketch &s) {
     const auto quarter = [](const phys_vec3 &v) { return phys_vec3{-v.y, v.x, v.z}; };
     for (int turns = s.dice.below(4); turns > 0; --turns) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenes that no maze maker draws, by kinds, each from a number.
+// Random scenes that no maze designer would make, by kinds, each from a number.
 #pragma once
 
 #include "case.h"
@@ -16,7 +16,7 @@ const std::vector<std::string> &kinds();
 /// The scene of this number. kind: index in kinds().
 Case drawCase(size_t kind, uint64_t seed, uint32_t model);
 
-/// A tamer one for convergence: one gravity a leg, some tenths of a second, coefficients and speeds of real balls.
+/// A simpler one for convergence: one gravity per leg, some tenths of a second, coefficients and speeds of real balls.
 Case drawSmoothCase(size_t kind, uint64_t seed, uint32_t model);
 
 } // namespace witness

@@ -25,7 +25,7 @@ using support::StepperPtr;
 
 constexpr uint32_t kEvents = 64;
 
-/// A scene and a stepper for it, or the status that refused it.
+/// A scene and a stepper for it, or the status with which they failed.
 struct Engine {
     ScenePtr scene;
     StepperPtr stepper;
@@ -53,7 +53,7 @@ Engine engineFor(const phys_registry *registry, const std::string &id, const std
     return engine;
 }
 
-/// A change of the scene that a motion must follow to the bit.
+/// A symmetry of the scene that the motion must follow to the bit.
 struct Symmetry {
     const char *check;
     std::function<std::vector<phys_box>(const std::vector<phys_box> &)> boxes;
@@ -180,7 +180,7 @@ public:
         if (m_engine.status) return m_verdict;
         phys_state state = m_scene.start;
         for (const Leg &leg : m_scene.legs) {
-            bool isDone = false; // a step that is refused ends its leg
+            bool isDone = false; // a step that fails ends its leg
             for (uint32_t i = 0; i < leg.steps && !isDone && m_verdict.check.empty(); ++i) {
                 isDone = !step(leg, state);
             }
@@ -189,7 +189,7 @@ public:
     }
 
 private:
-    /// The first complaint is the verdict: what follows may follow from it.
+    /// The first failure is the verdict, as later ones may be consequences of it.
     [[gnu::format(printf, 3, 4)]] void complain(const char *check, const char *format, ...) {
         if (!m_verdict.check.empty()) return;
         char text[300];
@@ -202,7 +202,7 @@ private:
         m_verdict.step = m_verdict.steps;
     }
 
-    /// False if it failed; `state` stays as it was then.
+    /// False if it failed; `state` is unchanged then.
     bool step(const Leg &leg, phys_state &state) {
         const phys_state in = state;
         m_params.gravity = leg.gravity;
@@ -211,7 +211,7 @@ private:
         std::memset(&out, 0x5a, sizeof out);
         const phys_state pattern = out;
         phys_error error{};
-        const std::clock_t begin = std::clock(); // of this process: others don't count
+        const std::clock_t begin = std::clock(); // of this process, so that others don't count
         const phys_status status = phys_step(m_engine.stepper.get(), &m_params, leg.dt, &in, &out, &m_report, &error);
         const double taken = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
         m_verdict.seconds = std::max(m_verdict.seconds, taken);
@@ -253,7 +253,7 @@ private:
         return result;
     }
 
-    /// A fresh stepper, without a report, in place; then with every stage forced to run.
+    /// Repeats the step with a new stepper, without a report, in place; then with every stage forced.
     void checkRepeats(const Leg &leg, const phys_state &in, phys_status status, const phys_state &out) {
         phys_stepper *created = nullptr;
         if (phys_stepper_create(m_registry, m_id.c_str(), m_engine.scene.get(), &created, nullptr)) {
@@ -274,9 +274,9 @@ private:
         }
     }
 
-    /// For a stepper that makes no error of its step size.
+    /// For a stepper without a step-size error.
     void checkParts(const Leg &leg, const phys_state &in) {
-        constexpr double kAmplified = 1e3; // a motion is more sensitive in some direction that nobody tries
+        constexpr double kAmplified = 1e3; // a motion may be more sensitive in a direction that isn't tried
         const std::optional<SplitDifference> difference =
             splitDifference(m_engine.stepper.get(), m_params, leg.dt, in, m_scene.radius);
         if (!difference || difference->apart <= 1e-8 * m_scene.radius + kAmplified * difference->spread) return;
@@ -344,7 +344,7 @@ private:
         return 32 * 2.2e-16 * largest + 1e-13 * m_scene.radius;
     }
 
-    /// No way is longer than this: contacts take speed away only, so |V| grows by |g| dt at most, V^2 = 2 E_kinetic.
+    /// No path is longer than this: contacts only reduce the speed, so |V| grows by |g| dt at most, V^2 = 2 E_kinetic.
     double reach(const Leg &leg, const phys_state &in) const {
         const double v = static_cast<double>(length(vectorOf(in.velocity)));
         const double w = m_scene.radius * static_cast<double>(length(vectorOf(in.spin)));
@@ -374,7 +374,7 @@ private:
                dot(vectorOf(gravity), vectorOf(state.position));
     }
 
-    /// Rounding of the energies at hand.
+    /// Rounding of the energies involved.
     double energyNoise(const Leg &leg, const phys_state &in, const phys_state &out) const {
         Real largest = 0;
         for (const phys_state *state : {&in, &out}) {
@@ -385,9 +385,9 @@ private:
         return 1e-13 * static_cast<double>(largest);
     }
 
-    /// How much a step may make: the first-order steppers (force dt)^2 / 2 in flight; what is pushed out of boxes that
-    /// the ball was given in is lifted, out of several maybe by more than it is deep in either; in the rolling model a
-    /// landing may speed the spin up to v/R (model.md 9).
+    /// How much energy a step may add: first-order steppers (force dt)^2 / 2 in flight; a ball that was given inside
+    /// boxes is lifted, out of several boxes possibly by more than its depth in either; in the rolling model a landing
+    /// may speed the spin up to v/R (model.md 9).
     void checkEnergy(const Leg &leg, const phys_state &in, const phys_state &out) {
         const double g = static_cast<double>(length(vectorOf(leg.gravity)));
         const double rise = static_cast<double>(energyOf(out, leg.gravity) - energyOf(in, leg.gravity));
@@ -399,7 +399,7 @@ private:
         if (m_id != "exact" && m_id != "symplectic-euler") allowed += 0.51 * g * g * leg.dt * leg.dt;
         if (m_scene.params.model == PHYS_MODEL_ROLLING) {
             const double v = static_cast<double>(length(vectorOf(in.velocity))) + g * leg.dt;
-            allowed += v * v / 5; // a landing, or a spin that was not that of rolling
+            allowed += v * v / 5; // a landing, or a spin that wasn't that of rolling
         }
         if (g > 0) m_verdict.energyRise = std::max(m_verdict.energyRise, rise / (g * g * leg.dt * leg.dt));
         if (rise > allowed) complain("energy", "rose by %.6g J/kg; allowed are %.3g J/kg", rise, allowed);
@@ -407,7 +407,7 @@ private:
 
     void checkReport(const Leg &leg, const phys_state &in, const phys_state &out) {
         const phys_report &r = m_report;
-        const double noise = 1e4 * energyNoise(leg, in, out); // a billionth of the energies at hand
+        const double noise = 1e4 * energyNoise(leg, in, out); // a billionth of the energies involved
         const double parts[] = {r.energy_before, r.energy_after,  r.lost_impact, r.lost_rolling,
                                 r.lost_slip,     r.energy_scheme, r.penetration};
         for (const double part : parts) {
@@ -475,7 +475,7 @@ private:
     FreeSpace m_space;
     Engine m_engine;
     std::vector<Symmetry> m_symmetries;
-    bool m_isExact; ///< the stepper, and the scene has an answer
+    bool m_isExact; ///< exact is the stepper, and the scene has an answer
     std::vector<Engine> m_images;
     phys_params m_params;
     double m_largest = 0.0;

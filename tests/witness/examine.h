@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs one case under one stepper and checks at every step what must hold whatever the motion is.
+// Runs one case under one stepper and checks at every step the invariants of any motion.
 #pragma once
 
 #include "case.h"
@@ -8,17 +8,17 @@
 
 namespace witness {
 
-/// What a run came to; `check` names the invariant that failed first, and is empty if all held.
+/// The result of a run; `check` names the invariant that failed first, and is empty if all held.
 struct Verdict {
     std::string check;
     std::string what;
-    uint64_t step = 0;            ///< at which it failed, or first was refused
-    phys_status status = PHYS_OK; ///< the first that isn't
+    uint64_t step = 0;            ///< at which it failed, or the first refused step
+    phys_status status = PHYS_OK; ///< the first one other than PHYS_OK
     std::string statusText;
     uint64_t steps = 0;      ///< done
     uint32_t substeps = 0;   ///< most in a step
     uint64_t events = 0;     ///< most in a step
-    double seconds = 0.0;    ///< longest step; for people, nothing is judged by it
+    double seconds = 0.0;    ///< longest step; informative only
     double energyRise = 0.0; ///< most in a step, of (|g| dt)^2
 };
 

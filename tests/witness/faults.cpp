@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Steppers with one fault each, planted in a sound one: what the witness must find. The id says what is wrong.
+// Steppers with one planted fault each, which the witness must find. The id names the fault.
 #include "support/planted_fault.h"
 
 #include <cmath>
@@ -31,7 +31,7 @@ phys_status rollWithoutInertia(Step &step) { // the sliding block's acceleration
     step.params.gravity.y *= 1.4;
     return soundStep(step);
 }
-/// What leaves a wall leaves it as if its normal were turned by a thousandth.
+/// The velocity after a wall is that for a normal turned by a thousandth.
 phys_status turnNormals(Step &step) {
     const phys_status status = soundStep(step);
     const phys_vec3 change = {step.out.velocity.x - step.in.velocity.x, step.out.velocity.y - step.in.velocity.y, 0};
@@ -50,7 +50,7 @@ phys_status gainEnergy(Step &step) {
     if (!status) add(step.out.velocity, 1e-6, step.out.velocity);
     return status;
 }
-/// A hundred thousandth of the radius into the first box that the ball touches.
+/// Moves the ball by a hundred thousandth of the radius into the first box that it touches.
 phys_status endInside(Step &step) {
     const phys_status status = soundStep(step);
     if (status) return status;
@@ -58,7 +58,7 @@ phys_status endInside(Step &step) {
     if (!contacts.empty()) add(step.out.position, -1e-5 * step.self.radius, contacts[0].normal);
     return status;
 }
-/// The left isn't the right.
+/// Not symmetric under reflection.
 phys_status preferRight(Step &step) {
     const phys_status status = soundStep(step);
     if (!status && step.out.velocity.x > 0) step.out.velocity.x = std::nextafter(step.out.velocity.x, 0);
@@ -84,7 +84,7 @@ phys_status countBoxes(Step &step) {
     add(step.out.velocity, -1e-12 * static_cast<double>(step.self.boxes.size()), step.out.velocity);
     return status;
 }
-/// Below a speed in m/s the ball stands.
+/// Stops the ball below a speed, m/s.
 phys_status stopByThreshold(Step &step) {
     const phys_status status = soundStep(step);
     if (!status && dot(step.out.velocity, step.out.velocity) < 1e-3) step.out.velocity = {0, 0, 0};
@@ -110,7 +110,7 @@ phys_status claimRest(Step &step) {
     if (!status && dot(step.out.velocity, step.out.velocity) < 1e-2) step.out.flags |= PHYS_AT_REST;
     return status;
 }
-/// Goes straight on where the step is long, whatever is in the way, and lands beside it.
+/// Continues straight on if the step is long, whatever is in the way, and ends beside it.
 phys_status jump(Step &step) {
     const double way = std::sqrt(dot(step.in.velocity, step.in.velocity)) * step.dt;
     if (way < step.self.radius) return soundStep(step);
@@ -122,9 +122,9 @@ phys_status jump(Step &step) {
 }
 
 bool keepWhatStandsOnTheFloor(const phys_box &box, double floorTop) {
-    return !(box.min.z > floorTop); // a roof is forgotten
+    return !(box.min.z > floorTop); // a roof is ignored
 }
-/// As thin as it is, it can't matter.
+/// Ignores thin boxes.
 bool keepThick(const phys_box &box, double) {
     return std::min({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z}) > 1e-5;
 }

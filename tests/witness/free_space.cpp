@@ -51,7 +51,7 @@ bool FreeSpace::isStraightWayFree(const Triple &a, const Triple &b) const {
     });
 }
 
-/// Cells between the planes of all blocks, as far as `reach` goes; flooded from the cell of a.
+/// Cells between the planes of all blocks within `reach`; flood-filled from the cell of a.
 bool FreeSpace::isFlooded(const Triple &a, const Triple &b, double reach) const {
     std::array<std::vector<double>, 3> planes;
     for (int i = 0; i < 3; ++i) {
@@ -95,7 +95,7 @@ bool FreeSpace::isFlooded(const Triple &a, const Triple &b, double reach) const 
     }
     const std::array<size_t, 3> from = {slot(0, a[0]), slot(1, a[1]), slot(2, a[2])};
     const size_t goal = indexOf(slot(0, b[0]), slot(1, b[1]), slot(2, b[2]));
-    if (cells[indexOf(from[0], from[1], from[2])] == kBlocked || cells[goal] == kBlocked) return true; // can't tell
+    if (cells[indexOf(from[0], from[1], from[2])] == kBlocked || cells[goal] == kBlocked) return true; // undecidable
     std::vector<std::array<size_t, 3>> open = {from};
     cells[indexOf(from[0], from[1], from[2])] = kReached;
     while (!open.empty()) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether a way of bounded length leads from one place of the ball's centre to another without passing through a box.
+// Whether a path of bounded length leads from one position of the ball's centre to another without passing through a
+// box.
 #pragma once
 
 #include "integrator/vector.h"
@@ -10,13 +11,14 @@
 
 namespace witness {
 
-/// Where the centre can't be: each box swollen by the ball. These are boxes inside that shape, so that what they cut
-/// off is cut off: along one axis by R, along two by R/sqrt 2, along three by R/sqrt 3; less a margin for rounding.
+/// Regions that the centre can't enter: each box enlarged by the ball. These are boxes inside that shape, so that a
+/// region they separate is indeed separated: enlarged along one axis by R, along two by R/sqrt 2, along three by R/sqrt
+/// 3; less a margin for rounding.
 class FreeSpace {
 public:
     FreeSpace(std::span<const phys_box> boxes, double radius);
 
-    /// False if every way from a to b that is no longer than `reach` passes through a box.
+    /// False if every path from a to b of length up to `reach` passes through a box.
     bool isReachable(const phys_vec3 &a, const phys_vec3 &b, double reach) const;
 
 private:

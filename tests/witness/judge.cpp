@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kMostTrials = 250;
 
-/// Tries changes of a case and keeps those after which it still fails the same check.
+/// Tries simplifications of a case and keeps those for which it still fails the same check.
 class Shrinker {
 public:
     Shrinker(const phys_registry *registry, const std::string &stepper, const Case &scene, const Verdict &verdict)
@@ -35,7 +35,7 @@ public:
     }
 
 private:
-    /// A box without inside is another fault's scene.
+    /// A box without volume would be another fault's scene.
     static bool isSolid(const phys_box &box) {
         return box.min.x < box.max.x && box.min.y < box.max.y && box.min.z < box.max.z;
     }
@@ -82,7 +82,7 @@ private:
         return isBetter;
     }
 
-    /// Zero, or fewer digits.
+    /// Tries zero, or fewer digits.
     bool simplify(const std::function<double &(Case &)> &number) {
         const double value = number(m_best);
         if (value == 0) return false;

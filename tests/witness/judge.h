@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One case under one stepper: every check, or the one that the case names.
+// Judges one case under one stepper: every check, or the one that the case names.
 #pragma once
 
 #include "converge.h"
@@ -7,13 +7,13 @@
 
 namespace witness {
 
-/// As examine; with check "law" if the motion doesn't converge to that of the brute force. truth: of this case.
+/// Like examine; with check "law" if the motion doesn't converge to that of the brute force. truth: of this case.
 Verdict judgeLaw(const phys_registry *registry, const std::string &stepper, const Case &scene, const Truth &truth);
 
 /// The checks of `scene.check`: "law", or every invariant.
 Verdict judge(const phys_registry *registry, const std::string &stepper, const Case &scene);
 
-/// The smallest case that the search finds which fails the same check, with a note of what happens.
+/// The smallest case found by the search that fails the same check, with a note on what happens.
 Case shrink(const phys_registry *registry, const std::string &stepper, const Case &scene, const Verdict &verdict);
 
 } // namespace witness

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Draws scenes and holds steppers against them until so many runs (scenes x steppers x models) are done.
+// Draws scenes and checks steppers in them until the given number of runs (scenes x steppers x models) is done.
 // Usage: witness RUNS [--seed N] [--stepper ID]... [--model rolling|rigid] [--kind KIND] [--plugin FILE] [--known FILE]
 //                     [--cases FOLDER] [--list FILE] [--seconds S] [--only invariants|law]
 //        witness --replay FILE [--stepper ID] [--plugin FILE]      judges the cases of a file
-// Ends with 1 if anything was wrong that the list of known faults doesn't name.
+// Exits with 1 if anything was wrong that isn't in the list of known faults.
 #include "draw.h"
 #include "survey.h"
 

@@ -9,9 +9,9 @@ namespace witness {
 namespace {
 
 constexpr double kDisturbance = 1e-12;
-constexpr double kChaos = 1e-3; // of the radius: where a disturbance makes more, rounding decides
+constexpr double kChaos = 1e-3; // share of the radius: a larger effect of the disturbance means that rounding decides
 
-/// Where the ball is after all parts. places: after each of them, is appended to.
+/// The ball's position after all parts. places: gets the position after each of them.
 std::optional<Vector> endOf(phys_stepper *stepper, const phys_params &params, const std::vector<double> &parts,
                             phys_state state, std::vector<phys_vec3> &places) {
     for (const double dt : parts) {
@@ -21,7 +21,7 @@ std::optional<Vector> endOf(phys_stepper *stepper, const phys_params &params, co
     return vectorOf(state.position);
 }
 
-/// The start off in each direction, or in its velocities, to either side.
+/// The start with a disturbance in each coordinate or velocity, in both directions.
 std::vector<phys_state> disturbed(const phys_state &in, double radius) {
     std::vector<phys_state> states;
     for (const double off : {-kDisturbance, kDisturbance}) {

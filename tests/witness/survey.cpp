@@ -14,7 +14,7 @@ namespace witness {
 
 namespace {
 
-/// Seconds of a processor for one step above which a run is listed.
+/// Runs with a step that takes longer (s of CPU time) are listed.
 constexpr double kSlow = 0.1;
 
 std::string nameOf(uint32_t model) { return model == PHYS_MODEL_RIGID ? "rigid" : "rolling"; }
@@ -80,7 +80,7 @@ private:
         if (verdict.status) {
             if (!hasNoAnswer(verdict)) ++findings.refused[stepper];
             list(stepper, model, scene, phys_status_name(verdict.status), verdict.statusText);
-            // What a start leaves no room for isn't what a run came to.
+            // A start without room isn't the result of a run.
             const std::string when = verdict.step == 0 ? " at the start" : "";
             const std::string status = phys_status_name(verdict.status) + when;
             ++row.byStatus[status];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Many scenes under many steppers, counted.
+// Many scenes under many steppers, with counts.
 #pragma once
 
 #include "judge.h"
@@ -12,8 +12,8 @@
 
 namespace witness {
 
-/// What steppers are known to do wrong, so that a run fails for new faults only: lines "stepper model kind check
-/// reason" with '*' for any.
+/// Known faults of steppers, so that a run fails only for new ones: lines "stepper model kind check reason" with '*'
+/// for any.
 class KnownFaults {
 public:
     KnownFaults() = default;
@@ -37,7 +37,7 @@ struct Plan {
     uint64_t firstSeed = 1;
     uint64_t runs = 0; ///< scenes x steppers x models
     bool withInvariants = true;
-    bool withLaw = true;    ///< scenes are held against the brute force too, which takes most of the time
+    bool withLaw = true;    ///< scenes are also compared with the brute force, which takes most of the time
     double seconds = 1e9;   ///< after which no new seed is begun
     std::string caseFolder; ///< where to write failing cases, shrunk; "": they are named only
     std::string listFile;   ///< where to write a line for each run that fails or is refused; "": nowhere
@@ -52,7 +52,7 @@ struct Row {
     uint64_t known = 0;
     std::map<std::string, uint64_t> byCheck;
     std::map<std::string, uint64_t> byStatus;
-    uint64_t withoutAnswer = 0; ///< refused, as what was asked for has no answer
+    uint64_t withoutAnswer = 0; ///< refused because there is no answer
     uint64_t refused = 0;       ///< all others
     double slowest = 0.0;
 };
@@ -66,9 +66,9 @@ struct Survey {
     std::map<std::string, Row> rows;       ///< by "stepper model"
     std::map<std::string, Findings> kinds; ///< by kind of scene
     uint64_t runs = 0;
-    uint64_t wrong = 0; ///< and not known
+    uint64_t wrong = 0; ///< without known faults
     uint64_t withoutAnswer = 0;
-    std::map<std::string, std::string> refusals; ///< by status and kind of scene: the words of the first
+    std::map<std::string, std::string> refusals; ///< by status and kind of scene: the first message
 };
 
 Survey survey(const Plan &plan);

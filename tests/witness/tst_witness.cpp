@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Is the witness itself right: its integrator against 25 digits, its geometry and its texts against what they say.
+// Whether the witness itself is right: its integrator compared with 25 digits, its geometry and its text formats.
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -178,7 +178,7 @@ void Witness::partsOfAStepShowAnErrorOfItsSize_data() {
     QTest::newRow("swept") << false;
 }
 
-/// A ball that resistance slows down, far from all walls: nothing else than the order makes a difference.
+/// A ball that resistance slows down, far from all walls: only the order of the scheme matters.
 void Witness::partsOfAStepShowAnErrorOfItsSize() {
     QFETCH(bool, isExact);
     const std::vector<phys_box> floor = {{{-1, -1, -0.02}, {1, 1, 0}}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenes that once failed, shrunk: every stepper keeps every invariant in each, or the check that it names.
+// Scenes that failed once, reduced: every stepper keeps every invariant in each, or the check that the case names.
 #include <QDirIterator>
 #include <QTest>
 
@@ -16,7 +16,7 @@ private slots:
 private:
     void open(const QByteArray &path);
 
-    // Of one file at a time: rows of all steppers, one after another, share its motions by force.
+    // The cases of one file: rows of all steppers, one after another, share its brute-force motions.
     QByteArray m_path;
     std::vector<witness::Case> m_cases;
     std::vector<std::optional<witness::Truth>> m_truths; // of the cases of the law

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Any bytes as a command line, a word a line: options within their ranges, or lines that say what is wrong. In an empty
-// folder, out of which no word leads.
+// Any bytes as a command line, one word per line: options within their ranges, or lines that say what is wrong. Runs in
+// an empty folder which no word can leave.
 #include "core/program/command_line.h"
 #include "core/setup/files.h"
 #include "core/simulation/simulation.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Any bytes as a maze file and as a maze in memory: a scene, or one line that says why not.
+// Any bytes as a maze file and as a maze in memory: a scene, or one line with the reason.
 #include "input.h"
 
 #include <physics/physics.h>

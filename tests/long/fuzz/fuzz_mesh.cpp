@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Any bytes as a mesh, and what follows a byte 1 as its materials: triangles of finite numbers with indices among their
-// corners, or one line that says why not.
+// Any bytes as a mesh; those after a byte 1 are its materials. The result is triangles of finite numbers with valid
+// indices, or one line with the reason.
 #include "input.h"
 #include "mesh/mesh_file.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Not a fuzzer but the test of running one: reads behind the end of an input that begins with "no".
+// Tests the running of fuzzers: reads beyond the end of an input that begins with "no".
 #include <cstddef>
 #include <cstdint>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Any numbers, texts and NULLs in a plugin's table: taken in or refused with one line, before any of it is called.
+// Any numbers, texts and NULLs in a plugin's table: accepted, or refused with one line, before any of its functions is
+// called.
 #include "input.h"
 
 #include "registry/plugin_check.h"
@@ -9,7 +10,7 @@
 
 namespace {
 
-/// A text or NULL; the buffer ends right after the text's NUL, so that reading on is noticed.
+/// A text or NULL; the buffer ends right after the text's NUL, so that reading beyond it is detected.
 class Text {
 public:
     explicit Text(fuzz::Input &input) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Any bytes as a recording: what it says, within the ranges it promises and the same when written and read again, or
-// one line that says why not.
+// Any bytes as a recording: its content is within the promised ranges and the same when written and read again, or
+// there is one line with the reason.
 #include "core/engine/engine.h"
 #include "core/recording/recording.h"
 #include "input.h"
@@ -11,7 +11,7 @@ namespace {
 
 using namespace inspector;
 
-// What whoever replays it relies on.
+// What code that replays it relies on.
 void check(const Segment &segment) {
     const Conditions &conditions = segment.conditions;
     fuzz::demand(phys_params_check(&conditions.inputs.params, nullptr) == PHYS_OK);

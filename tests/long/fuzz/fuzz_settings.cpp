@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Any bytes as a settings file: a best time is a time, a choice is one of those there are, and a win is kept.
+// Any bytes as a settings file: a best time is a time, a choice is one of the existing ones, and a win is stored.
 #include "core/session/game.h"
 #include "core/setup/settings_file.h"
 #include "core/setup/stored_values.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Any scene, parameters, state and step sizes, with every stepper: a valid state, or one line and everything untouched.
+// Any scene, parameters, state and step sizes, with every stepper: a valid state, or one line and unchanged outputs.
 #include "input.h"
 
 #include <physics/physics.h>
@@ -12,10 +12,10 @@ namespace {
 constexpr int kMostBoxes = 24;
 constexpr int kMostSteps = 8;
 
-/// Bytes from here on at the start: the ball starts anywhere and spins, too.
+/// For inputs of at least this many bytes, the ball starts anywhere and with a spin.
 constexpr uint8_t kAnywhere = 128;
 
-/// A step that took more of these leaves the rest of its input to inputs that are quicker.
+/// After a step that took more of these, the rest of the input is skipped in favour of faster inputs.
 constexpr uint32_t kMostWork = 200;
 
 phys_vec3 vector(fuzz::Input &input) {
@@ -72,7 +72,7 @@ phys_status stepAsBatch(phys_stepper *stepper, const phys_params &params, double
     return phys_batch_run(stepper, &batch, 0, 1, nullptr);
 }
 
-/// More balls than move side by side, for some steps: each gets what phys_step gives in a loop.
+/// More balls than fit into the lanes, for some steps: each gets what phys_step gives in a loop.
 void demandSameOfMany(phys_stepper *stepper, const phys_params &params, double dt, const phys_state &start) {
     constexpr uint64_t kBalls = 9, kSteps = 3;
     phys_state expected = start;
@@ -99,7 +99,7 @@ void demandSameOfMany(phys_stepper *stepper, const phys_params &params, double d
     }
 }
 
-/// Whether more steps are worth their time.
+/// Whether further steps are worth their time.
 bool stepOnce(phys_stepper *stepper, const phys_params &params, double dt, phys_state &state) {
     phys_event events[4];
     phys_report report;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A fuzzer's bytes, read one value after another; zeros follow the last one.
+// Reads a fuzzer's bytes as one value after another; zeros follow the last byte.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ public:
         return value;
     }
 
-    /// A number that is often of use: a small multiple of 1/8, sometimes any bits at all.
+    /// A number that is often useful: mostly a small multiple of 1/8, sometimes any bits.
     double number() {
         const auto kind = take<uint8_t>();
         if (kind >= 250) return take<double>();
@@ -38,7 +38,7 @@ private:
     size_t m_size;
 };
 
-/// Ends the process where the fuzzer sees it.
+/// Ends the process in a way that the fuzzer reports.
 inline void demand(bool holds) {
     if (!holds) __builtin_trap();
 }

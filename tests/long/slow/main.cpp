@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The slowest call of a stepper, by search: scenes drawn at random and the levels, steps up to hours; the slowest found
-// are changed a little, and kept if they become slower. Usage: slow STEPPER SECONDS SEED MOST_MS LEVEL...     Ends with
-// 1 if a call took more than MOST_MS of CPU time.
+// Searches for the slowest call of a stepper: random scenes and the levels, steps of up to hours. The slowest ones
+// found are mutated, and kept if they become slower. Usage: slow STEPPER SECONDS SEED MOST_MS LEVEL...     Exits with 1
+// if a call took more than MOST_MS of CPU time.
 #include "bench/support/cpu_clock.h"
 #include "witness/draw.h"
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Rolls balls through random mazes under random tilts with every stepper and both models until so many steps are done,
-// and checks the invariants of each step. Usage: soak STEPS [FIRST_SEED [PLUGIN_FILE]]      for instance: soak 1e6
+// Rolls balls through random mazes under random tilts with every stepper and both models until the given number of
+// steps is done, and checks the invariants of each step. Usage: soak STEPS [FIRST_SEED [PLUGIN_FILE]]      for
+// instance: soak 1e6
 // With a plugin: its steppers instead of the built-in ones.
-// Prints a line for each stepper and model; ends with 1 if any invariant failed, or if a stepper declined too often.
+// Prints a line for each stepper and model; exits with 1 if an invariant failed, or if a stepper refused steps too
+// often.
 #include "trial.h"
 
 #include "support/handles.h"
@@ -17,7 +19,7 @@ namespace {
 
 constexpr uint64_t kStepsATrial = 20000;
 
-/// Trials that may end with a step that the stepper declines, of all.
+/// Share of the trials that may end with a step that the stepper refuses.
 constexpr double kMostDeclined = 0.05;
 
 struct Sum {
@@ -28,7 +30,7 @@ struct Sum {
     soak::Outcome all{};
 };
 
-/// One for each stepper and model that goes with it. firstStepper: in the registry.
+/// One for each stepper and each model that it supports. firstStepper: in the registry.
 std::vector<Sum> combinations(const phys_registry *registry, uint32_t firstStepper) {
     std::vector<Sum> sums;
     phys_stepper_info info;

@@ -17,7 +17,7 @@ namespace soak {
 
 namespace {
 
-constexpr double kDeepest = 1e-12;     // m: a place's rounding in a maze of some decimetres, and what it adds up to
+constexpr double kDeepest = 1e-12;     // m: rounding of a position in a maze of some decimetres, accumulated
 constexpr double kEnergyNoise = 1e-13; // J/kg: rounding of energies of some 10 J/kg
 constexpr uint64_t kStepsASide = 50;   // the tilt stays so long
 constexpr uint64_t kReplayed = 500;    // every so many steps, the last ones are repeated by a fresh stepper
@@ -26,7 +26,7 @@ constexpr double kSteepest = 0.15;     // rad
 using support::ScenePtr;
 using support::StepperPtr;
 
-/// SplitMix64 of a seed and a number: any draw can be had at any time, so a replay needs no record.
+/// SplitMix64 of a seed and a number: any number can be drawn at any time, so a replay needs no record.
 uint64_t draw(uint64_t seed, uint64_t number) {
     uint64_t z = seed + (number + 1) * 0x9e3779b97f4a7c15U;
     z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
@@ -151,8 +151,8 @@ private:
         if (m_state.step != before.step + 1) complain("the step isn't counted");
     }
 
-    /// Energy never grows but by what a scheme of first order may add in a step, (5/14) (force dt)^2, and by lifting
-    /// the ball against the tilt out of the walls that it was found in, one a pass: model.md 9, 10.1, 10.3.
+    /// Energy grows at most by what a first-order scheme may add in a step, (5/14) (force dt)^2, and by lifting the
+    /// ball against the tilt out of walls that it overlapped, once per pass: model.md 9, 10.1, 10.3.
     double allowedOnFloor() const {
         const double resistance =
             m_params.model == PHYS_MODEL_RIGID ? m_params.sliding_friction : m_params.rolling_friction;
@@ -169,7 +169,7 @@ private:
         return allowedOnFloor() + 0.5 * pull * m_dt * m_dt;
     }
 
-    /// The steps since `saved` again, by a stepper that has seen nothing of them.
+    /// Repeats the steps since `saved` with a new stepper.
     void replay(const phys_state &saved) {
         const StepperPtr fresh = makeStepper();
         phys_state state = saved;
@@ -180,7 +180,7 @@ private:
         if (phys_state_hash(&state) != phys_state_hash(&m_state)) complain("a fresh stepper gives other bits");
     }
 
-    /// The first complaint is the trial's problem: what follows may follow from it.
+    /// Keeps the first failure, as later ones may be consequences of it.
     [[gnu::format(printf, 2, 3)]] void complain(const char *format, ...) {
         if (!m_outcome.problem.empty()) return;
         char reason[200];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One ball in one random maze under one stepper and a tilt that turns at random, checked at every step.
+// One ball in one random maze under one stepper and a randomly changing tilt, checked at every step.
 #pragma once
 
 #include <physics/physics.h>
@@ -9,7 +9,7 @@
 
 namespace soak {
 
-/// What one trial came to; `problem` is empty if every step kept every invariant.
+/// The result of one trial; `problem` is empty if every step kept every invariant.
 struct Outcome {
     uint64_t steps = 0;
     uint64_t impacts = 0;
@@ -17,11 +17,11 @@ struct Outcome {
     double deepest = 0.0;    ///< in a wall at the end of a step, m
     double mostGained = 0.0; ///< by one step, J/kg
     double fastest = 0.0;    ///< m/s
-    std::string declined;    ///< what a step that this stepper can't do says, which ended it: UNSUPPORTED, EVENT_CAP
+    std::string declined; ///< message of a step that the stepper refused, which ended the trial: UNSUPPORTED, EVENT_CAP
     std::string problem;
 };
 
-/// What a trial follows from: the same for the same numbers.
+/// The inputs of a trial, which determine its result.
 struct Plan {
     const phys_registry *registry; ///< that has the stepper
     uint64_t seed;

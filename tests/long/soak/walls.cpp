@@ -8,7 +8,7 @@ namespace soak {
 
 namespace {
 
-/// Range of t in [0, 1] for which from + t (to - from) lies strictly between low and high; empty if first >= last.
+/// The range of t in [0, 1] for which from + t (to - from) lies strictly between low and high; empty if first >= last.
 void clip(double from, double to, double low, double high, double &first, double &last) {
     const double way = to - from;
     if (way == 0.0) {
@@ -89,7 +89,7 @@ double Walls::depthAt(const phys_vec3 &centre) const {
 
 bool Walls::areCrossed(const phys_vec3 &from, const phys_vec3 &to) const {
     const auto isCrossed = [&](const phys_box &box) { return crosses(box, from, to); };
-    // The cell knows the walls that a way of up to two radii can come to.
+    // The cell lists all walls that a path of up to two radii can reach.
     const bool isShort = std::hypot(to.x - from.x, to.y - from.y) <= 2.0 * m_radius;
     if (!isShort) return std::any_of(m_walls.begin(), m_walls.end(), isCrossed);
     const auto &walls = near(from);

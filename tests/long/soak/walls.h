@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The maze as the soak sees it: every box, found by a grid of its own, with geometry that shares nothing with the
+// The maze as the soak test sees it: every box, found by a grid of its own, with geometry that shares nothing with the
 // library.
 #pragma once
 
@@ -14,10 +14,10 @@ public:
     /// boxes: of the scene; those that end below the ball's centre at the start are floor and left out.
     Walls(const std::vector<phys_box> &boxes, double radius, double startHeight);
 
-    /// How deep the ball is in the wall that it is deepest in, m; 0 if it is in none.
+    /// The ball's depth in the wall that it overlaps most, m; 0 if it overlaps none.
     double depthAt(const phys_vec3 &centre) const;
 
-    /// Whether the way of the centre from one place to another runs through a wall's inside.
+    /// Whether the centre's path from one position to another runs through the inside of a wall.
     bool areCrossed(const phys_vec3 &from, const phys_vec3 &to) const;
 
 private:

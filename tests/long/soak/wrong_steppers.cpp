@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Steppers that break one invariant each, in ways that the library can't see from the state that they hand back.
+// Steppers that break one invariant each, in ways that the library can't detect from the states that they return.
 #include <physics/plugin.h>
 
 #include <cstring>
@@ -7,7 +7,7 @@
 
 namespace {
 
-/// One for each stepper that is made: the scene, and what no stepper should have.
+/// The data of one stepper: the scene, and a count of steps that no stepper should keep.
 struct Self {
     const phys_scene_view *scene;
     uint64_t steps;
@@ -30,7 +30,7 @@ phys_status sink(Self &, const phys_params &params, double dt, phys_state &state
     return PHYS_OK;
 }
 
-/// From one side of the walls around to the other, in one go.
+/// Moves from one side of the walls around to the other in one step.
 phys_status tunnel(Self &self, const phys_params &, double, phys_state &state, phys_error &) {
     phys_contact contacts[8];
     const double reach = 4.0 * self.scene->radius;
@@ -47,13 +47,13 @@ phys_status tunnel(Self &self, const phys_params &, double, phys_state &state, p
     return PHYS_OK;
 }
 
-/// Speeds up in its place, whatever the slope.
+/// Speeds up without moving, whatever the slope.
 phys_status gain(Self &, const phys_params &, double, phys_state &state, phys_error &) {
     state.velocity.x += 0.125;
     return PHYS_OK;
 }
 
-/// Where the ball goes depends on how often this very stepper was called.
+/// The ball's path depends on the number of calls of this stepper.
 phys_status remember(Self &self, const phys_params &, double, phys_state &state, phys_error &) {
     if (++self.steps % 3 == 0) state.orientation[0] = 1e-9 * static_cast<double>(self.steps);
     return PHYS_OK;

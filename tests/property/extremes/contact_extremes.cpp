@@ -23,13 +23,13 @@ void makeSmooth(Experiment &ball) {
     ball.params.sliding_friction = 0.0;
 }
 
-/// Whether the ball's centre is at a place in the plane, within what the library takes for a touch.
+/// Whether the ball's centre is at this place in the plane, within the library's contact tolerance.
 bool isAt(const Experiment &ball, double x, double y) {
     const double slack = roundingDepth(ball.scene(), ball.state);
     return std::abs(ball.state.position.x - x) <= slack && std::abs(ball.state.position.y - y) <= slack;
 }
 
-/// By this share or more: the words of `grown`, `shrunk`, otherwise `kept`.
+/// `grown` or `shrunk` if the value changed by at least this share, otherwise `kept`.
 QByteArray change(double share, double before, double after, const char *grown, const char *shrunk, const char *kept) {
     return after > (1.0 + share) * before ? grown : after < (1.0 - share) * before ? shrunk : kept;
 }
@@ -40,7 +40,7 @@ double energyOf(const Experiment &ball) {
     return energy;
 }
 
-/// Stopped by a wall that it came to aslant. pull: the strongest acceleration into the wall, m/s^2.
+/// Stopped by a wall after an oblique approach. pull: the strongest acceleration into the wall, m/s^2.
 Outcome restitutionZero(const Trial &trial, double pull) {
     support::Random &draw = trial.draw;
     Experiment ball(leftWall(), trial.stepper, trial.model);
@@ -63,7 +63,7 @@ Outcome restitutionZero(const Trial &trial, double pull) {
 Outcome elasticCorridor(const Trial &trial) {
     const double speed = trial.draw.between(0.5, 4.0);
     const double dt = drawDt(trial.draw);
-    const double room = trial.draw.between(0.5, 1.0) * speed * dt; // a bounce in each step, or two
+    const double room = trial.draw.between(0.5, 1.0) * speed * dt; // one or two bounces in each step
     auto scene = support::openFloor(1.0).wall(-1, -1, 0, 1).wall(room + 2.0 * kRadius, -1, 1, 1).start(kRadius, 0.0);
     Experiment ball(scene, trial.stepper, trial.model);
     makeSmooth(ball);
@@ -73,7 +73,7 @@ Outcome elasticCorridor(const Trial &trial) {
     const double before = energyOf(ball);
     Watch watch(ball);
     watch.step(steps, dt);
-    // A rigid ball's velocity is put together from sevenths in each step: a rounding or two for each bounce.
+    // A rigid ball's velocity is recomposed from sevenths in each step: one or two roundings per bounce.
     const double slack = support::rounding(16.0 * static_cast<double>(steps), before);
     return outcome(watch, std::abs(energyOf(ball) - before) <= slack ? "keeps its energy" : "changes its energy");
 }
@@ -184,7 +184,7 @@ Outcome startInACorner(const Trial &trial) {
     return outcome(watch, rests ? "rests there" : "hops there");
 }
 
-/// From one direction, passing the corner (0, 0) at up to 0.99 R to either side.
+/// Comes from one direction and passes the corner (0, 0) at up to 0.99 R on either side.
 Outcome cornerFan(const Trial &trial) {
     auto scene = support::openFloor(4.0).wall(0, -2, 2, 0).start(-1.0, 1.0);
     const double angle = trial.draw.between(0.2, 1.3);
@@ -252,7 +252,7 @@ Outcome dropOnTheFloor(const Trial &trial, double restitution) {
     return outcome(watch, change(0.05, height, highest, "bounces higher", "bounces lower", "keeps its height"));
 }
 
-/// slowest, fastest: in units of sqrt(g R), aslant by up to half a radian.
+/// slowest, fastest: in units of sqrt(g R), at an angle of up to half a radian.
 Outcome lowKerb(const Trial &trial, double slowest, double fastest) {
     support::Random &draw = trial.draw;
     auto scene = support::openFloor(4.0).box({{0.5, -4, 0}, {4, 4, 0.5 * kRadius}}).start(0.3, 0);
@@ -267,7 +267,7 @@ Outcome lowKerb(const Trial &trial, double slowest, double fastest) {
     return outcome(watch, ball.state.position.x > 0.5 ? "climbs it" : "stays below");
 }
 
-/// Faster than sqrt(g R), so that it flies at once.
+/// Faster than sqrt(g R), so that it flies immediately.
 Outcome offTheEdge(const Trial &trial) {
     Experiment ball(support::openFloor(1.0), trial.stepper, trial.model);
     const double speed = trial.draw.between(1.0, 3.0);
@@ -278,7 +278,7 @@ Outcome offTheEdge(const Trial &trial) {
     watch.step(stepsFor(begun + 1.0, dt), dt);
     const uint64_t flown = PHYS_AIRBORNE | PHYS_OUT;
     const double time = ball.state.time - begun;
-    // (1/2) 8 m/s^2 t^2, less what a first order's step may take.
+    // (1/2) 8 m/s^2 t^2, less what a step of a first-order scheme may take.
     const double fallen = kRadius - ball.state.position.z;
     const bool falls = (ball.state.flags & flown) == flown && std::abs(fallen - 4.0 * time * time) <= 2.0 * 8.0 * dt;
     return outcome(watch, falls && ball.state.velocity.x == speed ? "falls freely" : "doesn't fall");
@@ -301,7 +301,7 @@ std::vector<Extreme> contactExtremes() {
     const auto drop = [](double restitution) {
         return [=](const Trial &trial) { return dropOnTheFloor(trial, restitution); };
     };
-    // Without a pull nothing leads it on to the wall, but a rigid ball its spin.
+    // Without gravity along the floor nothing drives it on to the wall, except a rigid ball's spin.
     const Expected level = [](const QByteArray &stepper, uint32_t model) -> QByteArray {
         const bool stopsEarly = support::promiseOf(stepper).inSteps && model == PHYS_MODEL_ROLLING;
         return stopsEarly ? "slides on, up to a step's way beside it" : "slides on along the wall";

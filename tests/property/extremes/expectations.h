@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the cases have in common: their ball, what they draw, and ways to say what is expected of which stepper.
+// Shared by the cases: their ball, what they draw, and ways to state the expectation for each stepper.
 #pragma once
 
 #include "support/random.h"
@@ -26,7 +26,7 @@ inline Expected always(const QByteArray &text) {
     return [text](const QByteArray &, uint32_t) { return text; };
 }
 
-/// Steppers of fixed substeps against those that find the impact inside the step.
+/// Distinguishes steppers of fixed substeps from those that find the impact inside the step.
 inline Expected bySubsteps(const QByteArray &withSubsteps, const QByteArray &without) {
     return [=](const QByteArray &stepper, uint32_t) {
         return support::promiseOf(stepper).inSteps ? withSubsteps : without;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Prints what comes out of each extreme case as a Markdown table: extremes_table > table.md, or of the cases whose
-// names contain some words: extremes_table WORDS
+// Prints the outcome of each extreme case as a Markdown table: extremes_table > table.md, or of the cases whose names
+// contain some words: extremes_table WORDS
 #include "catalogue.h"
 
 #include "support/stepper_rows.h"
@@ -11,7 +11,8 @@ using namespace extremes;
 
 namespace {
 
-/// What the two models do, said once if it is the same: all that may come out, or what did and mustn't.
+/// The outcomes of the two models, stated once if they are the same: all that are allowed, or the forbidden one that
+/// occurred.
 QByteArray cell(const Extreme &extreme, const QByteArray &stepper) {
     const auto run = [&](uint32_t model) {
         const Outcome outcome = overDraws(extreme, stepper, model);

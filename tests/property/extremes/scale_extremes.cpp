@@ -20,7 +20,7 @@ using support::SceneBuilder;
 
 namespace {
 
-/// Whether the ball is between the walls of a square room with its lower corner at (x, y).
+/// Whether the ball is between the walls of a square room whose lower corner is (x, y).
 bool isInRoom(const phys_state &state, double width, double x = 0.0, double y = 0.0) {
     return state.position.x > x && state.position.x < x + width && state.position.y > y && state.position.y < y + width;
 }
@@ -70,7 +70,7 @@ Outcome hugeResistance(const Trial &trial) {
     return outcome(watch, rests ? "stops in the first step" : "rolls on");
 }
 
-/// tilt: of the limit, which setLaw makes exact.
+/// tilt: as a share of the limit, which setLaw makes exact.
 Outcome stictionLimit(const Trial &trial, double tilt) {
     support::Random &draw = trial.draw;
     Experiment ball(support::openFloor(), trial.stepper, trial.model);
@@ -181,7 +181,8 @@ Outcome tinyStep(const Trial &trial) {
     watch.step(steps, 1e-9);
     const double t = static_cast<double>(steps) * 1e-9;
     const double way = speed * t + 0.5 * pull * t * t;
-    // Each step's way is rounded to a place's last digit: half an ulp of 2 against 0.25e-9, model.md 10.6.
+    // Each step's displacement is rounded to the last digit of the position: half an ulp of 2 against 0.25e-9, model.md
+    // 10.6.
     const double slack = static_cast<double>(steps) * 0x1p-52 + std::abs(pull) * t * 1e-9;
     const bool right = std::abs(ball.state.position.x - start - way) <= slack;
     return outcome(watch, right ? "moves as it should" : "loses its way");

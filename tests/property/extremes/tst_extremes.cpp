@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every extreme case ends as documented, under every stepper and both models: model.md 11.
+// Every extreme case has its documented outcome, under every stepper and both models: model.md 11.
 #include "catalogue.h"
 
 #include "support/stepper_rows.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Steps a ball and looks, after each step, for what must never happen.
+// Steps a ball and checks after each step for outcomes that are never allowed.
 #pragma once
 
 #include "catalogue.h"
@@ -15,14 +15,14 @@ public:
     explicit Watch(support::Experiment &ball)
         : m_ball(ball) {}
 
-    /// Steps `count` times, or until a step is refused or something forbidden is seen; then returns false.
+    /// Steps `count` times, or until a step fails or something forbidden happens; then returns false.
     bool step(uint64_t count, double dt);
 
-    /// The name of the status that refused a step; empty if none did.
+    /// The name of the status with which a step failed; empty if none did.
     QByteArray refusal() const { return m_refusal; }
 
-    /// What must never happen and did: a NaN, a ball inside a wall, a state changed by a refused step; empty if
-    /// nothing.
+    /// A forbidden outcome that occurred: a NaN, a ball inside a wall, a state changed by a failed step; empty if there
+    /// was none.
     QByteArray problem() const { return m_problem; }
 
 private:
@@ -33,17 +33,17 @@ private:
     QByteArray m_problem;
 };
 
-/// The case's phrase, unless a step was refused.
+/// The case's phrase, unless a step failed.
 inline Outcome outcome(const Watch &watch, const QByteArray &phrase) {
     return {watch.refusal().isEmpty() ? phrase : watch.refusal(), watch.problem()};
 }
 
 /// Largest penetration that rounding explains: the library's tolerance is 4 roundings of the largest coordinate, and
-/// pushing out rounds a few times more.
+/// pushing out adds a few more.
 double roundingDepth(const phys_scene *scene, const phys_state &state);
 
-/// How deep the ball is inside the deepest box that stands above z = 0, m; 0 outside of all. What ends below is floor,
-/// whose edge a ball that leaves it passes: model.md 7.
+/// The ball's depth in the deepest box that rises above z = 0, m; 0 outside of all. Boxes that end below are floor,
+/// whose edge a ball overlaps while it leaves the floor: model.md 7.
 double depthOf(const phys_scene *scene, const phys_state &state);
 
 } // namespace extremes

@@ -118,7 +118,7 @@ phys_state changed(const phys_state &state, const Change &change) {
     other.time = change.time * state.time;
     other.position = turned(state.position, change, change.length);
     other.velocity = turned(state.velocity, change, change.length / change.time);
-    // The spin is an axial vector: a mirror turns it round.
+    // The spin is an axial vector: a reflection reverses it.
     const double hand = change.xx * change.yy - change.xy * change.yx;
     other.spin = turned(state.spin, change, hand / change.time);
     other.spin.z = hand / change.time * state.spin.z;

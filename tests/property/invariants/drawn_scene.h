@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenes, starts and tilts drawn at random, and the same seen from elsewhere.
+// Random scenes, starts and tilts, and their images under symmetries.
 #pragma once
 
 #include "support/experiment.h"
@@ -10,7 +10,7 @@
 
 namespace invariants {
 
-/// All that a run needs.
+/// The inputs of a run.
 struct Drawn {
     support::SceneBuilder scene;
     phys_params params;
@@ -22,11 +22,11 @@ struct Drawn {
 inline constexpr int kSegment = 64;
 inline constexpr int kSegments = 8;
 
-/// A room of 4 m with boxes in the cells of a lattice, never nearer to each other than two balls' widths, a start clear
-/// of them, and parameters of all sizes. Coordinates are short binary numbers.
+/// A room of 4 m with boxes in the cells of a lattice, at least two ball diameters apart, a start clear of them, and
+/// parameters of all magnitudes. Coordinates are short binary numbers.
 Drawn draw(support::Random &random, uint32_t model);
 
-/// An exact change of the frame or the units.
+/// A change of the frame or the units that is exact in floating point.
 struct Change {
     const char *name;
     /// (x, y) -> (xx x + xy y, yx x + yy y); entries 0, 1 or -1.
@@ -34,21 +34,21 @@ struct Change {
     double length, time; ///< factors, powers of two
 };
 
-/// Mirrors, turns and scales of model.md 9.
+/// The reflections, rotations and scalings of model.md 9.
 extern const std::array<Change, 6> kChanges;
 
 Drawn changed(const Drawn &drawn, const Change &change);
 phys_state changed(const phys_state &state, const Change &change);
 
-/// The same boxes, those inside the room cut into flush pieces along x or y.
+/// The same boxes, with those inside the room cut into flush pieces along x or y.
 Drawn cutIntoPieces(const Drawn &drawn, support::Random &random, int pieces);
 /// The same boxes in another order.
 Drawn shuffled(const Drawn &drawn, support::Random &random);
 
-/// The experiment that a drawing describes, at its start.
+/// The experiment that a drawn scene describes, at its start.
 support::Experiment makeExperiment(const Drawn &drawn, const QByteArray &stepper);
 
-/// Equal numbers: 0 and -0 are one.
+/// Equal numbers: 0 and -0 are the same.
 bool sameMotion(const phys_state &a, const phys_state &b);
 
 } // namespace invariants

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The state is all there is: how a run is driven leaves no trace in it.
+// The state is complete: how a run is driven has no effect on it.
 #include "drawn_scene.h"
 #include "support/compare.h"
 #include "support/effort.h"
@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kRepeatedScenes = 8;
 
-/// One step in another way than Experiment::step.
+/// A way to make one step that differs from Experiment::step.
 using OtherStep = std::function<bool(Experiment &, double)>;
 
 bool withoutReport(Experiment &ball, double dt) {
@@ -44,7 +44,7 @@ bool afterAStepElsewhere(Experiment &ball, double dt) {
 bool afterAnEmptyStep(Experiment &ball, double dt) { return ball.step(0.0) && ball.step(dt); }
 
 bool withOtherFlags(Experiment &ball, double dt) {
-    ball.state.flags ^= PHYS_STATE_FLAGS; // they follow from the step that made the state; steppers never read them
+    ball.state.flags ^= PHYS_STATE_FLAGS; // they follow from the step that produced the state; steppers never read them
     return ball.step(dt);
 }
 
@@ -119,7 +119,7 @@ void TestDeterminism::emptyStepChangesNothing() {
     QFETCH(QByteArray, stepper);
     QFETCH(uint32_t, model);
     Experiment ball(squareRoom(4.0), stepper, model);
-    // Even against a wall that it touches and runs into: model.md 11.
+    // Even against a wall that the ball touches and runs into: model.md 11.
     ball.setPosition(0.0625, 0.0625);
     ball.roll(-1.0, -2.0);
     ball.state.time = 0.1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Energy: what a report says of a step adds up, and what a stepper makes of its own is bounded: model.md 9 and 10.
+// Energy: the report of a step balances, and a stepper's own energy error is bounded: model.md 9 and 10.
 #include "drawn_scene.h"
 #include "support/compare.h"
 #include "support/stepper_rows.h"
@@ -129,15 +129,15 @@ void TestEnergy::impactLossIsThatOfItsEvents() {
 void TestEnergy::schemesOwnEnergyIsOfItsOrder() {
     QFETCH(QByteArray, stepper);
     QFETCH(uint32_t, model);
-    // One smooth step of a freely rolling ball: energy is wrong by F times the error of its way.
+    // One smooth step of a freely rolling ball: the energy error is F times the position error.
     for (const double dt : {0x1p-5, 0x1p-8, 0x1p-11}) {
         Experiment ball(openFloor(), stepper, model);
         ball.setLaw(0.5, -0.25, 0.125);
         ball.roll(1.0, 0.5);
         QVERIFY2(ball.step(dt), ball.error());
         const int order = promiseOf(stepper).smooth;
-        // The law's acceleration and its changes are below 1 here, in units of m and s; so are their powers. Besides,
-        // the loss is counted along the step's chord, which is shorter than the arc by turn^2/24.
+        // The law's acceleration and its derivatives are below 1 here, in units of m and s; so are their powers.
+        // Besides, the loss is counted along the step's chord, which is shorter than the arc by turn^2/24.
         const double turn = 0.6 / 1.1 * dt;
         const double chord = 1.4 * 0.125 * 1.2 * dt * turn * turn / 24.0;
         const double bound = order == 0 ? 0.0 : std::pow(dt, order + 1) + chord;
@@ -147,7 +147,8 @@ void TestEnergy::schemesOwnEnergyIsOfItsOrder() {
 
 void TestEnergy::impactUnderAPullMakesNoEnergy_data() {
     QTest::addColumn<QByteArray>("stepper");
-    // The Euler steppers notice an impact late and give back what the ball gained meanwhile: that is their own energy.
+    // The Euler steppers notice an impact late and give back what the ball has gained meanwhile; that is their own
+    // energy error.
     for (const char *id : {"velocity-verlet", "rk4", "swept", "exact"}) QTest::newRow(id) << QByteArray(id);
 }
 

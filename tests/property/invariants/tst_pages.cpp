@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What docs/accuracy.md says of all inputs and no other suite draws at random.
+// Statements of docs/accuracy.md on all inputs that no other suite tests with random ones.
 #include "support/effort.h"
 #include "support/experiment.h"
 #include "support/random.h"
@@ -16,7 +16,7 @@ namespace {
 
 uint64_t draws() { return effort(20, 200, 10'000); }
 
-/// Gravity of a board tilted so far (rad), in that direction.
+/// Gravity on a board tilted by this angle (rad) in this direction.
 phys_vec3 tilted(double tilt, double direction) {
     return {9.81 * std::sin(tilt) * std::cos(direction), 9.81 * std::sin(tilt) * std::sin(direction),
             -9.81 * std::cos(tilt)};
@@ -81,7 +81,7 @@ void TestPages::smoothWallLeavesLessOfTheSpeedToABallThatRollsAgain() {
     }
 }
 
-/// Between 1 and 2 m a step that moves the ball by less than 2^-53 m doesn't move it.
+/// Between 1 and 2 m, a step that would move the ball by less than 2^-53 m doesn't move it.
 void TestPages::wayBelowHalfARoundingIsNone() {
     QFETCH(QByteArray, stepper);
     QFETCH(uint32_t, model);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// On drawn scenes, after each step: every number is finite and the ball is outside of all walls.
+// In random scenes, after each step: every number is finite and the ball is outside of all walls.
 #include "drawn_scene.h"
 #include "property/extremes/watch.h"
 #include "support/effort.h"
@@ -49,7 +49,7 @@ void TestSafety::staysInItsRoomAtAnyStepLength_data() {
             for (const double dt : {0x1p-12, 0x1p-9, 0x1p-5}) {
                 QTest::addRow("%s, %s, %g s", id.constData(), modelName(model).constData(), dt) << id << model << dt;
             }
-            // Those that find every impact inside the step.
+            // Steppers that find every impact inside the step.
             if (id != "swept" && id != "exact") continue;
             QTest::addRow("%s, %s, 0.25 s", id.constData(), modelName(model).constData()) << id << model << 0.25;
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The same physics seen from elsewhere gives the same numbers, to the last bit: model.md 9.
+// Symmetric scenes give symmetric results, to the last bit: model.md 9.
 #include "drawn_scene.h"
 #include "support/compare.h"
 #include "support/stepper_rows.h"
@@ -47,7 +47,7 @@ private slots:
 private:
     using Change1 = std::function<Drawn(const Drawn &)>;
     using Change2 = std::function<phys_state(const phys_state &)>;
-    /// Runs drawn scenes and their changed ones side by side; `map` takes a state of the first into the second's frame.
+    /// Runs random scenes and their images side by side; `map` takes a state of the first into the second's frame.
     void compare(const Change1 &change, const Change2 &map);
 };
 
@@ -124,7 +124,7 @@ void TestSymmetry::sameWithTiedBoxesInAnotherOrder_data() {
     }
 }
 
-/// A ball falls into a square hole narrower than itself, straight: four edges at once that nothing tells apart.
+/// A ball falls straight into a square hole narrower than itself: four symmetric edges at the same time.
 void TestSymmetry::sameWithTiedBoxesInAnotherOrder() {
     QFETCH(QByteArray, stepper);
     QFETCH(uint32_t, model);
@@ -183,7 +183,7 @@ void TestSymmetry::addedVelocityAddsItsWay() {
 void TestSymmetry::reversedMotionComesBack() {
     QFETCH(QByteArray, stepper);
     QFETCH(uint32_t, model);
-    // B = 0, eps = 1, a smooth wall; the rigid ball on a floor as smooth, so that no slip is lost.
+    // B = 0, eps = 1, a smooth wall; for the rigid ball also a smooth floor, so that no slip is lost.
     Experiment ball(openFloor().wall(1.0, -50.0, 2.0, 50.0), stepper, model);
     ball.params.restitution_wall = 1.0;
     ball.params.sliding_friction = 0.0;
@@ -194,8 +194,8 @@ void TestSymmetry::reversedMotionComesBack() {
     ball.state.velocity = {-ball.state.velocity.x, -ball.state.velocity.y, 0.0};
     ball.state.spin = {-ball.state.spin.x, -ball.state.spin.y, 0.0};
     QVERIFY2(ball.stepFor(2.0, dt), ball.error());
-    // Euler is off by a t dt/2 each way (model.md 10.1); a bounce noticed late is off by at most 2 v dt, there and
-    // back.
+    // Euler is off by a t dt/2 each way (model.md 10.1); a bounce noticed late is off by at most 2 v dt, in both
+    // directions.
     const Promise promise = promiseOf(stepper);
     const double smooth = promise.smooth == 1 ? 2.0 * 0.3125 * 2.0 * dt : rounding(4096, 2.0);
     const double bounce = promise.impacts == 1 ? 4.0 * dt : rounding(4096, 2.0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Appendable structs of another size: shorter than the first version or longer than this one is refused by name. That
-// older ones are taken by a library whose structs have grown is for tests/gates/abi/check_growth.
+// Appendable structs of another size: one shorter than the first version or longer than this one is refused by name.
+// tests/gates/abi/check_growth tests that a library whose structs have grown accepts older ones.
 #include "support/compare.h"
 #include "support/experiment.h"
 
@@ -54,7 +54,7 @@ phys_status stepWithReport(uint32_t size, phys_error *error) {
 
 } // namespace
 
-/// What the structs of version 1.0 end with.
+/// The last members of the structs of version 1.0.
 constexpr size_t kFirstDesc = offsetof(phys_scene_desc, start) + sizeof(phys_vec3);
 constexpr size_t kFirstParams = offsetof(phys_params, stepper) + PHYS_STEPPER_VALUES * sizeof(double);
 constexpr size_t kFirstReport = offsetof(phys_report, energy_scheme) + sizeof(double);
@@ -129,7 +129,7 @@ void Appendable::anotherSizeIsRefusedByName() {
     }
 }
 
-/// As the row of a member that a later version has appended.
+/// Like the row of a member that a later version has appended.
 phys_param_row laterRow() {
     phys_param_row row = phys_param_rows(nullptr)[1];
     row.id = "later";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A batch gives the bits of phys_step in a loop, whatever its strides, stop flags and failures.
+// A batch gives the same bits as phys_step in a loop, whatever its strides, stop flags and failures.
 #include "support/failing_allocator.h"
 #include "support/handles.h"
 #include "support/random.h"
@@ -29,8 +29,8 @@ ScenePtr openRoom() {
         .build();
 }
 
-/// A floor alone; or one of tiles with walls, kerbs, low roofs and floating boxes, on a coarse raster: many are flush,
-/// and many gaps are as wide as the ball.
+/// A floor alone; or tiles with walls, kerbs, low roofs and floating boxes, on a coarse raster: many are flush, and
+/// many gaps are as wide as the ball.
 ScenePtr clutteredFloor(Random &random) {
     SceneBuilder scene;
     if (random.below(5) == 0) return scene.ball(0.0625).start(0.5, 0.5).floor(0, 0, 4, 2).build();
@@ -46,7 +46,7 @@ ScenePtr clutteredFloor(Random &random) {
     return scene.build();
 }
 
-/// A batch and all that its pointers point at, with room for `padding` bytes between elements.
+/// A batch and the arrays that it points to, with `padding` bytes between elements.
 struct Case {
     uint64_t balls, steps;
     double dt;
@@ -68,7 +68,7 @@ struct Results {
     std::vector<phys_state> states, path;
     std::vector<uint64_t> done;
     std::vector<phys_status> statuses;
-    std::vector<uint64_t> impacts; ///< if they are wanted
+    std::vector<uint64_t> impacts; ///< if requested
     std::vector<double> energyLost;
 
     bool operator==(const Results &other) const {
@@ -129,7 +129,7 @@ Case draw(Random &random) {
     return made;
 }
 
-/// Many balls for long under tilts that last: they come to lean, roll along walls and rest.
+/// Many balls for a long time under lasting tilts: they lean, roll along walls and rest.
 Case drawLong(Random &random) {
     Case made{};
     made.balls = 1 + random.below(19);
@@ -156,7 +156,7 @@ Case drawLong(Random &random) {
         state.position = {0.125 * random.below(30) + 0.0625, 0.125 * random.below(14) + 0.0625, 0.0625};
         if (random.below(2)) state.velocity = {fastest * random.between(-1, 1), fastest * random.between(-1, 1), 0.0};
         if (random.below(4) == 0) state.spin = {0.0, 0.0, random.between(-9, 9)};
-        if (random.below(8) == 0) state.time = 0.1; // not the time that its steps have taken
+        if (random.below(8) == 0) state.time = 0.1; // not the time that its steps took
         state.step = random.below(3);
         state.orientation[3] = 1.0;
         made.starts.push_back(state);
@@ -166,7 +166,7 @@ Case drawLong(Random &random) {
 
 uint64_t pathLength(const Case &given) { return given.hasPath ? given.steps / given.every : 0; }
 
-/// What tallies begin with: they are added to.
+/// Initial values of the tallies, to which the batch adds.
 constexpr uint64_t kImpactsBefore = 3;
 constexpr double kEnergyBefore = 0.25; // J/kg
 
@@ -273,7 +273,7 @@ Results runBatch(const Case &given, const std::function<phys_status(phys_batch &
     return results;
 }
 
-/// Parameters that all balls share and none may have fail the whole batch.
+/// Invalid parameters that all balls share fail the whole batch.
 bool sharedParamsAreWrong(const Case &given) { return !given.ownParams && given.params[0].restitution_wall > 1.0; }
 
 StepperPtr stepperOf(const QByteArray &id, const phys_scene *scene, const phys_registry *registry = nullptr) {
@@ -302,7 +302,7 @@ Case plainCase(uint64_t balls = 2, uint64_t steps = 10) {
 
 using RowPtr = const phys_param_row *;
 
-/// The library's and the stepper's own.
+/// The rows of the library and of the stepper.
 std::vector<RowPtr> rowsOf(const QByteArray &stepper) {
     std::vector<RowPtr> rows;
     uint32_t count = 0;
@@ -355,7 +355,7 @@ void TestBatch::sameBitsAsSingleSteps() {
         QVERIFY2(found == expected, qPrintable(QString("case %1 of seed %2").arg(i).arg(testSeed())));
         for (const phys_status status : expected.statuses) failures += status != PHYS_OK;
     }
-    QVERIFY(failures > 20); // else the failing ones weren't looked at
+    QVERIFY(failures > 20); // otherwise the failures weren't tested
 }
 
 void TestBatch::sameBitsAmongWallsKerbsAndRoofs() {
@@ -382,7 +382,7 @@ void TestBatch::sameBitsWhateverARowIsSetTo_data() {
     }
 }
 
-/// The balls roll where nothing is near, which they do side by side.
+/// The balls roll where nothing is near, so they run in lanes.
 void TestBatch::sameBitsWhateverARowIsSetTo() {
     QFETCH(QByteArray, stepper);
     QFETCH(RowPtr, row);
@@ -435,7 +435,7 @@ void TestBatch::pluginsRunThroughTheirStep() {
     for (uint32_t i = 0; phys_registry_info(registry.get(), i, &info) == PHYS_OK; ++i) {
         if (!(info.flags & PHYS_STEPPER_PLUGIN)) continue;
         const StepperPtr stepper = stepperOf(info.id, scene.get(), registry.get());
-        if (!stepper) continue; // one that is there to fail
+        if (!stepper) continue; // it is expected to fail
         const Case given = plainCase();
         const Results expected = stepOneByOne(stepper.get(), given);
         const Results found = runBatch(given, [&](phys_batch &batch) {
@@ -460,13 +460,13 @@ void TestBatch::nothingIsAllocated() {
     QCOMPARE(status, PHYS_OK);
 }
 
-// As programs have it that were compiled against a header without `impacts` and what follows.
+// Like programs compiled against a header without `impacts` and later members.
 void TestBatch::batchWithoutTalliesInItIsTaken() {
     const ScenePtr scene = openRoom();
     const StepperPtr stepper = stepperOf(PHYS_STEPPER_DEFAULT, scene.get());
     Case given = plainCase();
     const Results expected = stepOneByOne(stepper.get(), given);
-    uint64_t behind = 7; // what would be written to if it were read
+    uint64_t behind = 7; // would be written if it were read as a member
     const Results found = runBatch(given, [&](phys_batch &batch) {
         batch.struct_size = offsetof(phys_batch, impacts);
         batch.impacts = &behind;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each status of physics.h happens: one way to reach it through the C API, and a gate that asks for the way to a status
-// that has none yet.
+// Each status of physics.h can occur: one way to reach it through the C API, and a check that no status lacks one.
 #include "support/experiment.h"
 #include "support/failing_allocator.h"
 
@@ -15,7 +14,7 @@ using namespace support;
 
 namespace {
 
-/// A way to a status: calls that end in it, and the line that goes with it.
+/// A way to a status: calls that end with it, and the line that goes with it.
 struct Way {
     phys_status status;
     std::function<phys_status(phys_error *)> walk;
@@ -66,14 +65,14 @@ phys_status createSceneWithoutMemory(phys_error *err) {
     return createScene(room, err);
 }
 
-/// Between walls that are closer to each other than the ball is wide.
+/// Between walls that are closer together than the ball is wide.
 phys_status wedge(phys_error *err) {
     Experiment ball(SceneBuilder().ball(0.5).floor(-9, -9, 9, 9).wall(-9, -9, -0.25, 9).wall(0.25, -9, 9, 9),
                     PHYS_STEPPER_DEFAULT);
     return stepWith(ball, 0.01, err);
 }
 
-/// From wall to wall so often that any cap is exceeded: with substeps for the one stepper, with impacts for the other.
+/// From wall to wall so often that any cap is exceeded: with substeps in one stepper, with impacts in the other.
 phys_status race(const char *stepper, phys_error *err) {
     Experiment ball(squareRoom(1.0), stepper);
     ball.params.restitution_wall = 1.0;
@@ -108,7 +107,7 @@ phys_status stepAPluginThatGivesNan(phys_error *err) {
     return phys_step(stepper.get(), &ball.params, 0.01, &state, &state, nullptr, err);
 }
 
-/// The caller's own function, called back during a scan, throws where C can't see it.
+/// The caller's own function, called back during a scan, throws an exception that C code can't handle.
 phys_status scanAndThrow(phys_error *err) {
     const auto throwing = [](void *, const char *, phys_status, const char *) { throw std::runtime_error("enough"); };
     return phys_registry_scan(emptyRegistry().get(), PLUGINS, throwing, nullptr, err);

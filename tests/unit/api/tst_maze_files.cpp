@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Maze text files: what is read, and how each kind of wrong line is refused (format: mazes/README.md).
+// Maze text files: what is read, and how each kind of invalid line is refused (format: mazes/README.md).
 #include "support/compare.h"
 #include "support/handles.h"
 
@@ -57,7 +57,7 @@ private slots:
     void everyLevelLoads();
 
 private:
-    /// Loads a file with this content; `m_error` says why not.
+    /// Loads a file with this content; on failure `m_error` has the reason.
     ScenePtr load(const QByteArray &content);
 
     QTemporaryDir m_folder;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every wrong argument is refused with its code and one line, and leaves every output as it was.
+// Every invalid argument is refused with its code and one line, and leaves every output unchanged.
 #include "support/compare.h"
 #include "support/experiment.h"
 #include "support/special_values.h"
@@ -16,7 +16,7 @@ using namespace support;
 
 namespace {
 
-/// All that any function writes to, filled with a pattern.
+/// All outputs of all functions, filled with a pattern.
 struct Outputs {
     phys_scene *scene;
     phys_stepper *stepper;
@@ -34,7 +34,7 @@ struct Outputs {
     uint32_t count;
 };
 
-/// Valid arguments to spoil one at a time, and the outputs to watch.
+/// Valid arguments, to be made invalid one at a time, and the outputs to check.
 struct Bench {
     Experiment ball{squareRoom(4.0), PHYS_STEPPER_DEFAULT};
     phys_box box{{0, 0, 0}, {1, 1, 1}};
@@ -74,7 +74,7 @@ struct Misuse {
     Call call;
 };
 
-/// Whether the function has an err to explain itself with.
+/// Whether the function has an `err` parameter.
 enum class Explains { No, Yes };
 
 std::vector<Misuse> nullPointers() {
@@ -291,7 +291,7 @@ std::vector<Misuse> wrongScenes() {
     return rows;
 }
 
-/// What is wrong for a step is wrong for the question what it requires.
+/// Arguments that are invalid for a step are also invalid for its requirements.
 std::vector<Misuse> wrongSteps() {
     std::vector<Misuse> rows;
     const auto add = [&rows](const QByteArray &name, phys_status status, const std::function<void(Bench &)> &spoil,
@@ -340,7 +340,7 @@ std::vector<Misuse> wrongSteps() {
     for (const double gz : {0.0, 1.0})
         add("gravity_z = " + digits(gz) + " on the floor", PHYS_ERROR_RANGE,
             [gz](Bench &b) { b.ball.params.gravity.z = gz; });
-    // time, and then position, velocity, spin and orientation in a row.
+    // time, followed by position, velocity, spin and orientation.
     for (const double value : {kNaN, kInfinity, -kInfinity}) {
         add("state.time = " + digits(value), PHYS_ERROR_STATE, [value](Bench &b) { b.ball.state.time = value; });
         for (int i = 0; i < 13; ++i)
@@ -465,7 +465,7 @@ void TestMisuse::gettersAnswerNullWithNothing() {
     QVERIFY(phys_registry_count(nullptr) > 0);
 }
 
-/// What tells a program compiled with one version that it runs with another.
+/// How a program compiled with one version detects that it runs with another.
 void TestMisuse::versionIsThatOfTheHeader() {
     QCOMPARE(QByteArray(phys_version()), QByteArray::number(PHYS_VERSION_MAJOR) + '.' +
                                              QByteArray::number(PHYS_VERSION_MINOR) + '.' +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each parameter does what its row says, in that direction and under every stepper.
+// Each parameter has the effect that its row describes, in that direction and under every stepper.
 #include "support/compare.h"
 #include "support/experiment.h"
 #include "support/stepper_rows.h"
@@ -19,7 +19,7 @@ constexpr double kDt = 1.0 / 256.0;
 
 SceneBuilder leftWall() { return openFloor(10.0).wall(-5, -10, 0, 10).start(0.5, 0.0); }
 
-/// What a run with one parameter at a value ends with; NaN if a step was refused.
+/// The result of a run with one parameter at a value; NaN if a step failed.
 using Outcome = std::function<double(Experiment &)>;
 
 struct Effect {
@@ -151,7 +151,7 @@ void TestParameterEffects::parameterHasItsEffect() {
         QVERIFY2(!std::isnan(outcomes[i]), ball.error());
     }
     if (expected.direction == 0) COMPARE_EXACT(outcomes[1], outcomes[0]);
-    // An effect is one if it shows in the first per mille.
+    // An effect must exceed one per mille.
     else
         QVERIFY((outcomes[1] - outcomes[0]) * expected.direction > 1e-3 * std::abs(outcomes[0]));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of parameter rows: complete, consistent, and the only way in.
+// The table of parameter rows: complete, consistent, and the only definition of parameters.
 #include "support/compare.h"
 #include "support/special_values.h"
 #include "support/stepper_rows.h"
@@ -216,7 +216,7 @@ void TestParameterRows::tiltKeepsGravitysStrength() {
         for (int j = -6; j <= 6; ++j) {
             phys_vec3 g;
             QCOMPARE(phys_gravity_from_tilt(0.25 * i, 0.25 * j, 9.81, &g), PHYS_OK);
-            // Half a dozen roundings and the tangent's.
+            // Half a dozen roundings, and that of the tangent.
             COMPARE_WITHIN(std::sqrt(g.x * g.x + g.y * g.y + g.z * g.z), 9.81, 9.81 * 16.0 * 0x1p-53);
             QVERIFY(g.z < 0.0);
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A report watches a step and never takes part in it: with and without one, every bit of the state is the same. Steps
-// without a report may take a shorter way, which must know of everything that the long one does.
+// A report has no effect on a step: with and without one, every bit of the state is the same. Steps without a report
+// may take a shortcut, which must cover everything that the long way does.
 #include "support/compare.h"
 #include "support/experiment.h"
 #include "support/stepper_rows.h"
@@ -40,8 +40,8 @@ private:
     static void compareSteps(Experiment &ball);
 };
 
-/// A step that can't be done, can't be done either way.
-/// Told whether or not anything was hit: a cap is a property of the stepper.
+/// A step that fails does so with and without a report.
+/// Reported whether or not anything was hit: a cap is a property of the stepper.
 void Reports::passesStayWithinTheirCap() {
     QFETCH(QByteArray, stepper);
     QFETCH(uint32_t, model);
@@ -68,7 +68,7 @@ void Reports::compareSteps(Experiment &ball) {
     }
 }
 
-/// Further away than its radius by one rounding step: a touch for whoever looks with the scene's tolerance.
+/// Farther away than its radius by one rounding step, which the scene's tolerance counts as a contact.
 void Reports::changeNoBitOfABallThatAlmostTouchesAWall() {
     QFETCH(QByteArray, stepper);
     QFETCH(uint32_t, model);
@@ -79,7 +79,7 @@ void Reports::changeNoBitOfABallThatAlmostTouchesAWall() {
     compareSteps(ball);
 }
 
-/// So close that looking ahead takes many small steps, and yet touching nothing.
+/// So close that looking ahead takes many small steps, without touching anything.
 void Reports::changeNoBitOfABallThatRollsCloseBesideAWall() {
     QFETCH(QByteArray, stepper);
     QFETCH(uint32_t, model);
@@ -90,7 +90,7 @@ void Reports::changeNoBitOfABallThatRollsCloseBesideAWall() {
     compareSteps(ball);
 }
 
-/// Rolling spin runs along the wall at its face: a rough one lifts the ball off the floor.
+/// The rolling spin acts along the wall at its face: a rough wall lifts the ball off the floor.
 void Reports::changeNoBitOfABallThatHitsARoughWall() {
     QFETCH(QByteArray, stepper);
     QFETCH(uint32_t, model);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which stages a step needs, each with its yes, its no and its reason.
+// The stages that a step needs, each with a case for and against, and its reason.
 #include "support/compare.h"
 #include "support/experiment.h"
 #include "support/stepper_rows.h"
@@ -83,7 +83,7 @@ private slots:
     void questionChangesNothing();
 
 private:
-    /// Asks; `m_error` says why not.
+    /// Asks for the requirements; on failure `m_error` has the reason.
     bool ask(Experiment &ball, double dt = kLongDt) {
         return phys_stepper_requirements(ball.stepper(), &ball.params, dt, &ball.state, &m_answer, &m_error) == PHYS_OK;
     }
@@ -97,7 +97,7 @@ void TestRequirements::plainStepNeedsNoStage() {
     QFETCH(QByteArray, stepper);
     Experiment ball = plainBall(stepper);
     QVERIFY2(ask(ball), m_error.text);
-    // Finding the impact inside the step is what some steppers are: they may always run it.
+    // Some steppers always find the impact inside the step; they may always run this stage.
     const uint32_t allowed = promiseOf(stepper).inSteps ? 0U : static_cast<uint32_t>(PHYS_STAGE_SUBSTEPS);
     QCOMPARE(m_answer.stages & ~allowed, 0U);
     QCOMPARE(m_answer.substeps, 1U);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Scenes of very many boxes, however they lie: made within the memory that physics.h states, and answered right.
+// Scenes of very many boxes, in any arrangement: created within the memory that physics.h states, and queried
+// correctly.
 #include "support/failing_allocator.h"
 #include "support/random.h"
 #include "support/scene_builder.h"
@@ -21,7 +22,7 @@ constexpr double kBytesBesides = 1e6;
 
 using Boxes = std::vector<phys_box>;
 
-/// All over each other, no two alike, each covering nearly the whole board.
+/// All overlapping, no two alike, each covering nearly the whole board.
 Boxes overlapping(uint32_t count) {
     Boxes boxes;
     for (uint32_t i = 0; i < count; ++i) {
@@ -30,7 +31,7 @@ Boxes overlapping(uint32_t count) {
     return boxes;
 }
 
-/// Each flush pair makes the next one possible: a rectangle that grows by turns at two sides.
+/// Each flush pair makes the next one possible: a rectangle that grows alternately at two sides.
 Boxes spiral(uint32_t count) {
     Boxes boxes{{{0, 0, 0}, {1, 1, 3}}};
     double x = 1.0;
@@ -54,7 +55,7 @@ Boxes scattered(uint32_t count) {
     return boxes;
 }
 
-/// A floor of tiles: it becomes one box.
+/// A floor of tiles, which becomes one box.
 Boxes tiles(uint32_t count) {
     Boxes boxes;
     const auto side = static_cast<uint32_t>(std::sqrt(count));
@@ -78,7 +79,7 @@ Boxes longRow(uint32_t count) {
     return boxes;
 }
 
-/// Bars across the whole board, one way and the other.
+/// Bars across the whole board in both directions.
 Boxes lattice(uint32_t count) {
     Boxes boxes;
     for (uint32_t i = 0; i < count / 2; ++i) {
@@ -140,7 +141,7 @@ void TestSceneLimits::memoryIsBounded() {
     }
 }
 
-/// Coarse cells list more boxes than are near; none of them may be missing and none named twice.
+/// Coarse cells list more boxes than are near; none may be missing, and none listed twice.
 void TestSceneLimits::contactsAreFoundWhateverTheCells() {
     const Boxes boxes = overlapping(300);
     phys_error error{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a scene tells of itself: boxes, bounds, start, planarity, and contacts against a plain computation.
+// Queries of a scene: boxes, bounds, start, planarity, and contacts compared with a plain computation.
 #include "support/compare.h"
 #include "support/experiment.h"
 #include "support/random.h"
@@ -16,7 +16,7 @@ using namespace support;
 
 namespace {
 
-/// Distance of a point to a box: model.md 5.1, in the plainest way. Below 0 inside.
+/// Distance of a point from a box: model.md 5.1 written out plainly. Negative inside.
 double distanceTo(const phys_box &box, const phys_vec3 &p) {
     double square = 0.0;
     double depth = HUGE_VAL;
@@ -189,8 +189,8 @@ void TestSceneQueries::contactsMatchAPlainComputation() {
     for (int round = 0; round < 40; ++round) {
         SceneBuilder builder = SceneBuilder().ball(0.125).start(0, 0);
         const uint32_t count = 1 + random.below(40);
-        // Cells of a chequered board: apart or touching in corners, so that nothing is merged and boxes stay
-        // themselves.
+        // Cells of a chequerboard: separate or touching at corners, so that nothing is merged and the boxes are
+        // unchanged.
         for (uint32_t i = 0; i < count; ++i) {
             const uint32_t row = i / 6;
             const double x = 2.0 * (i % 6) + row % 2;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whatever a step returns with PHYS_OK is a state that the next one takes, also at the largest numbers.
+// Every state that a step returns with PHYS_OK is valid input for the next step, also with the largest numbers.
 #include "support/experiment.h"
 #include "support/stepper_rows.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Messages are what snprintf writes in the C locale, and numbers are read as from_chars reads them.
+// Messages equal those of snprintf in the C locale, and numbers are read like from_chars does.
 #include "base/text.h"
 
 #include <QtTest>

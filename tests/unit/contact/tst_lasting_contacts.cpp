@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Coulomb's law of all lasting contacts over a substep (model.md 13.5), where sweeps over them come to the answer
-// slowly or never.
+// Coulomb's law of all lasting contacts over a substep (model.md 13.5), in cases where sweeps over the contacts
+// converge slowly or not at all.
 #include "contact/lasting.h"
 
 #include <QtTest>
@@ -23,12 +23,12 @@ Lasting contact(const Vec3 &normal, double friction, double slow = 0.0) {
     return {normal, normal, slow, friction, normal == kUp, false, none, none, 0.0, none, none, false, false};
 }
 
-/// Spins are given as speeds of the surface.
+/// Spins are given as surface speeds.
 Motion motion(const Vec3 &velocity, const Vec3 &surface) { return {velocity, surface / kRadius}; }
 
 Vec3 slip(const Motion &motion, const Lasting &contact) { return phys::slipAt(motion, contact.limit, kRadius); }
 
-/// None is approached, none pulls, and friction is within its cone: against the slip where there is one.
+/// No contact is approached, none pulls, and friction is within its cone, against the slip if there is one.
 bool obeysCoulomb(const LastingContacts &contacts, const Motion &motion) {
     return std::all_of(contacts.begin(), contacts.end(), [&](const Lasting &contact) {
         const double speed = glm::dot(motion.velocity, contact.limit) - contact.slow;
@@ -82,7 +82,7 @@ void LastingContactsTest::aWedgeCarriesASpinningBallByTheLeastPressure() {
     Motion moved = motion({-1.2e-5, 3e-5, -6.6e-3}, {-0.093, 0.0, 0.0});
     contacts.solve(0.0, moved);
     QVERIFY(obeysCoulomb(contacts, moved));
-    // Jammed by what floor and edges make of the spin they would press a thousand times as much.
+    // Jammed by the spin that floor and edges make, which they would press a thousand times as much.
     QVERIFY(pressure(contacts) < 0.1);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The elementary functions against references.txt, which references.py writes by mpmath, and what holds without one.
+// The elementary functions compared with references.txt, which references.py computes with mpmath, and identities.
 #include "unit/elementary/functions.h"
 
 #include <QtTest>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads pairs of doubles, writes what a function makes of each; for measure. Usage: elementary_values FUNCTION
+// Reads pairs of doubles and writes the function's values; for `measure`. Usage: elementary_values FUNCTION
 #include "functions.h"
 
 #include <cstdio>

@@ -22,14 +22,14 @@ inline const phys_box kFloor = floorOver(-2, -2, 2, 2);
 
 inline bool equal(const phys_vec3 &a, const phys_vec3 &b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
-using Turn = std::function<phys_vec3(const phys_vec3 &)>; ///< by right angles, or a mirror image
+using Turn = std::function<phys_vec3(const phys_vec3 &)>; ///< by right angles, or a reflection
 
 inline phys_box turned(const phys_box &box, const Turn &turn) {
     const phys_vec3 a = turn(box.min), b = turn(box.max);
     return {{std::min(a.x, b.x), std::min(a.y, b.y), a.z}, {std::max(a.x, b.x), std::max(a.y, b.y), b.z}};
 }
 
-/// What a ball does in a scene whose floor lies at z = 0.
+/// A ball in a scene whose floor lies at z = 0.
 class Run {
 public:
     phys_params params{};
@@ -61,7 +61,7 @@ public:
     Run(const Run &) = delete;
     Run &operator=(const Run &) = delete;
 
-    /// Sets gravity and rolling friction so that the one law v' = A - B hat(v) has these constants.
+    /// Sets gravity and rolling friction so that the law v' = A - B hat(v) has these constants.
     void setLaw(double Ax, double Ay, double B, double normal = 9.8) {
         params.gravity = {Ax * 7.0 / 5.0, Ay * 7.0 / 5.0, -normal};
         params.rolling_friction = B * 7.0 / 5.0 / normal;
@@ -101,7 +101,7 @@ private:
     }
 };
 
-/// Largest difference of the planar position and velocity from what is expected.
+/// Largest difference of the planar position and velocity from the expected ones.
 inline double difference(const phys_state &state, double x, double y, double vx, double vy) {
     return std::max({std::abs(state.position.x - x), std::abs(state.position.y - y), std::abs(state.velocity.x - vx),
                      std::abs(state.velocity.y - vy)});

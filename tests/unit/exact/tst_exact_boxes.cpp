@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Boxes are boxes from all sides, for every phase of a motion: shelves and roofs beside the walls that hold the ball,
-// cracks far smaller than it, the board's edge and its underside.
+// Boxes act on all sides, in every phase of a motion: shelves and roofs beside the walls that hold the ball, cracks far
+// smaller than the ball, the board's edge and its underside.
 #include "run.h"
 
 #include <QtTest>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kRadius = 0.0625;
 
-/// A corner of two walls that gravity presses the ball into, in the air, and a slab across it.
+/// A corner of two walls against which gravity presses the ball, in the air, and a slab across it.
 std::vector<phys_box> cornerWith(const phys_box &slab) {
     return {exact::floorOver(-1, -1, 1, 1), {{-1, -1, -1}, {0, 1, 2}}, {{0, -1, -1}, {1, 0, 2}}, slab};
 }
@@ -50,7 +50,7 @@ void ExactBoxes::fallsOnAShelfInACornerOfTwoWalls() {
 void ExactBoxes::isThrownUnderARoofInACornerOfTwoWalls() {
     Run run(cornerWith({{-1, -1, 0.5}, {1, 1, 0.625}}), kRadius, {kRadius, kRadius, 0.25}, {0, 0, 4});
     run.params.gravity = {-1, -1, -8};
-    run.step(1.0 / 16.0); // up to the roof at 0.4375 it takes 0.0495 s
+    run.step(1.0 / 16.0); // reaches the roof at 0.4375 after 0.0495 s
     const std::vector<phys_event> hits = run.eventsOf(PHYS_EVENT_IMPACT);
     QCOMPARE(hits.size(), size_t(1));
     QCOMPARE(hits[0].box, 3U);
@@ -77,7 +77,7 @@ void ExactBoxes::rollsOverACrack() {
     run.params.model = model;
     run.state.spin = {0, speed / R, 0};
     run.step(1.0);
-    // The dip costs what the second edge takes, less than (v c/R)^2/2, and no time: model.md 14 and 5.6.
+    // The dip costs the energy that the second edge takes, less than (v c/R)^2/2, and no time: model.md 14 and 5.6.
     QVERIFY(std::abs(run.state.position.z - R) <= kU);
     QVERIFY(run.state.velocity.x <= speed + 4.0 * kU);
     QVERIFY(speed - run.state.velocity.x <= 4.0 * speed * std::pow(width / R, 2) + 4.0 * kU);
@@ -98,7 +98,7 @@ void ExactBoxes::bouncesOffTheUndersideOfTheFloor() {
     Run run({exact::floorOver(-1, -1, 1, 1)}, kRadius, {0, 0, -1.5}, {0, 0, 8});
     run.params.gravity = {0, 0, -8};
     run.params.restitution_wall = 0.5;
-    run.step(0.25); // 0.4375 m below it: after (1 - sqrt(0.890625)) s
+    run.step(0.25); // it is 0.4375 m below; reached after (1 - sqrt(0.890625)) s
     const std::vector<phys_event> hits = run.eventsOf(PHYS_EVENT_IMPACT);
     QCOMPARE(hits.size(), size_t(1));
     QVERIFY(std::abs(hits[0].time - (1.0 - std::sqrt(0.890625))) <= 4.0 * kU);
@@ -122,8 +122,8 @@ void ExactBoxes::spinsInACornerHoweverLittleItsWallsRub() {
     run.params.gravity = {0.5, -0.75, -10};
     run.state.spin = {0, 0, 256};
     run.step(0.25);
-    // Both walls rub: om_z' = -(5/(2R)) mu (N_1 + N_2) with N of 0.5 and 0.75, as friction at one hardly presses the
-    // other.
+    // Both walls rub: om_z' = -(5/(2R)) mu (N_1 + N_2) with N of 0.5 and 0.75, as the friction at one wall hardly
+    // presses the ball against the other.
     const double expected = 256.0 - 0.25 * 2.5 / kRadius * friction * 1.25;
     QVERIFY(std::abs(run.state.spin.z - expected) <= 16.0 * friction * friction + 256.0 * 4.0 * kU);
     QCOMPARE(run.state.velocity.x, 0.0);
@@ -131,7 +131,7 @@ void ExactBoxes::spinsInACornerHoweverLittleItsWallsRub() {
 }
 
 /// model.md 7: cos alpha = (2 + v0^2/(gn R))/3 without friction, (10 + 7 v0^2/(gn R))/17 if it rolls; from rest at the
-/// edge a breath beyond it.
+/// edge, slightly beyond it.
 void ExactBoxes::pivotsOverTheBoardsEdgeAndLeavesIt() {
     const double R = 0.005, v0 = 0.0625, gn = 9.75;
     for (const bool isRough : {false, true}) {
@@ -146,7 +146,7 @@ void ExactBoxes::pivotsOverTheBoardsEdgeAndLeavesIt() {
         QCOMPARE(left.size(), size_t(1));
         const double share = v0 * v0 / (gn * R);
         const double expected = isRough ? (10.0 + 7.0 * share) / 17.0 : (2.0 + share) / 3.0;
-        // However rough, the edge holds to the last only until the ball presses no more: it slips a breath before.
+        // However rough the edge, it holds the ball only while the ball presses on it: the ball slips shortly before.
         QVERIFY(std::abs(left[0].normal.z - expected) <= (isRough ? 2e-5 : 4.0 * kU / R));
     }
 }
@@ -163,8 +163,8 @@ void ExactBoxes::resistanceHoldsItBesideRoughWalls_data() {
     QTest::addRow("rolls by rounding") << 0.5 << 1e-19 << false;
 }
 
-/// Along the wall resistance holds what is below mu_r gn: the wall's friction has no share in that, as it would only
-/// turn the ball about the vertical.
+/// Along the wall resistance holds forces below mu_r gn. The wall's friction doesn't contribute, as it would only turn
+/// the ball about the vertical.
 void ExactBoxes::resistanceHoldsItBesideRoughWalls() {
     QFETCH(double, drive);
     QFETCH(double, speed);
@@ -193,7 +193,7 @@ void ExactBoxes::rollingOnRoundingItSpinsAgainstARoughWall_data() {
     }
 }
 
-/// A spin about the vertical that rubs at a wall drives the ball along it, whatever rounding its velocity has.
+/// A spin about the vertical that rubs at a wall drives the ball along it, whatever rounding error its velocity has.
 void ExactBoxes::rollingOnRoundingItSpinsAgainstARoughWall() {
     QFETCH(double, rounding);
     const double R = 0.006;
@@ -215,8 +215,8 @@ void ExactBoxes::rollingOnRoundingItSpinsAgainstARoughWall() {
     QVERIFY(std::abs(moved.position.x - run.state.position.x) <= 1e-15 + 4.0 * rounding);
 }
 
-/// Rolling round an upright edge the friction that it needs there passes the cone by what resistance asks for: without
-/// that both contacts stick, so that no slip has a direction.
+/// Rolling round an upright edge, the required friction exceeds the cone because of the resistance; without resistance
+/// both contacts stick, so that no slip has a direction.
 void ExactBoxes::resistanceAloneLetsASlipStartAtAnEdge() {
     const double c = 0.1973234, s = std::sqrt(1.0 - c * c), speed = 0.011831;
     Run run({exact::floorOver(-1, -1, 1, 1), exact::wall(-1, 0, 0, 1)}, kRadius, {kRadius * c, -kRadius * s, kRadius},

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The law of contact beside the walls of mazes: friction at several contacts, edges and corners, kerbs, notches,
-// cracks, pits, tops of walls, the board's edge. 32 motions to 25 digits (tests/witness/references.cases, whose README
-// says how they were computed), in whole steps, in pieces, mirrored, turned, scaled and with shuffled boxes.
+// The law of contact beyond the walls of mazes: friction at several contacts, edges and corners, kerbs, notches,
+// cracks, pits, tops of walls, the board's edge. 32 motions to 25 digits (tests/witness/references.cases; its README
+// describes how they were computed), in whole steps, in parts, reflected, rotated, scaled and with the boxes in another
+// order.
 #include "run.h"
 
 #include <QtTest>
@@ -125,8 +126,7 @@ double error(const phys_state &state, const Sample &sample, double radius) {
     return most;
 }
 
-/// Where a bounce or a slip comes to its end, what is left of it is cut: model.md 6.4 and 8.3. Elsewhere rounding is
-/// all.
+/// Where a bounce or a slip ends, its remainder is cut off: model.md 6.4 and 8.3. Elsewhere the only error is rounding.
 double allowed(const Case &of) {
     const bool isCut =
         of.name == "landing_zeno_rolling" || of.name == "edge_of_board_rough" || of.name == "corner_cone";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Impacts, contacts that last, edges, accumulating bounces: model.md 5, 6 and 12.2.
+// Impacts, lasting contacts, edges, accumulating bounces: model.md 5, 6 and 12.2.
 #include "run.h"
 
 #include <QtTest>
@@ -35,12 +35,12 @@ void ExactContacts::edgeIsHitByAParabola() {
     Run run({kFloor, exact::wall(0.5, -1, 1.5, -0.04)}, 0.02, {0, 0, 0.02}, {1, 0.2, 0});
     run.setLaw(0.0, -1.0, 0.0);
     run.params.restitution_wall = 0.8;
-    run.step(0.49074979458892256); // the impact is at this very rounding of its time, or one before
+    run.step(0.49074979458892256); // the impact is exactly at this time or one rounding step before
     std::vector<phys_event> hits = run.eventsOf(PHYS_EVENT_IMPACT);
     run.step(1e-3);
     if (hits.empty()) hits = run.eventsOf(PHYS_EVENT_IMPACT);
     QCOMPARE(hits.size(), size_t(1));
-    // The normal turns with the ball's place by 1/R.
+    // The normal turns with the ball's position by 1/R.
     QVERIFY(std::abs(hits[0].normal.x + 0.46251027055387207512) <= 4.0 * kU / 0.02);
     QVERIFY(std::abs(hits[0].normal.y - 0.88661392366248346307) <= 4.0 * kU / 0.02);
     QVERIFY(std::abs(hits[0].speed_before + 0.72029308673841780786) <= 4.0 * kU / 0.02);
@@ -75,7 +75,7 @@ void ExactContacts::bouncesAccumulateInFiniteTime() {
     run.step(13.0);
     QCOMPARE(run.state.position.y, 0.01);
     QCOMPARE(run.state.velocity.y, 0.0);
-    // The last bounce left out is lower than rounding, so that its speed is below sqrt(2 a_n 2 tolerance).
+    // The last bounce that is left out is lower than rounding, so its speed is below sqrt(2 a_n 2 tolerance).
     const double cut = std::sqrt(2.0 * 0.5 * 2.0 * 4.0 * kU * 16.0);
     QVERIFY(std::abs(run.events.back().time - 12.0) <= 2.0 * cut / 0.5 / 0.2);
     QVERIFY(std::abs(run.report.energy_scheme) <= 8.0 * kU);
@@ -100,7 +100,7 @@ void ExactContacts::ballPivotsOnAnEdgeAndLeavesIt() {
     const std::vector<phys_event> left = run.eventsOf(PHYS_EVENT_RELEASE);
     QCOMPARE(left.size(), size_t(1));
     QVERIFY(std::abs(left[0].time - 0.13076928319244) <= 5e-15); // digits of the figure
-    // The angle from the top: an error of place turns the normal by 1/R of it.
+    // The angle from the top; a position error turns the normal by 1/R of it.
     QVERIFY(std::abs(std::atan2(left[0].normal.x, left[0].normal.y) - 0.88321232484153708829) <= 4.0 * kU / R);
     QVERIFY(run.eventsOf(PHYS_EVENT_IMPACT).empty());
     QVERIFY(std::abs(run.report.energy_scheme) <= 4.0 * kU);
@@ -118,7 +118,7 @@ void ExactContacts::ballLeavesTheFloorFallsAndIsOut() {
 }
 
 void ExactContacts::fallOnALowerFloorIsNone() {
-    // model.md 2.1 R6: once below the floor's plane, nothing carries the ball any more.
+    // model.md 2.1 R6: below the floor's plane nothing carries the ball any more.
     Run run({exact::floorOver(-1, -1, 0, 1), exact::floorOver(0.5, -1, 2, 1)}, 0.0625, {-0.25, 0, 0.0625}, {1, 0, 0});
     run.step(1.0);
     QVERIFY(run.state.position.z < 0.0);
@@ -140,7 +140,8 @@ void ExactContacts::ballBetweenTwoWallsTooCloseIsStuck() {
     QCOMPARE(phys_state_hash(&run.state), phys_state_hash(&before));
 }
 
-/// model.md 6.4: half as long each time, 4.8 s in all. The face's place, 0.3 + 0.1, is none that a double can hold.
+/// model.md 6.4: each bounce takes half as long, 4.8 s in total. The face's position, 0.3 + 0.1, isn't representable as
+/// a double.
 void ExactContacts::bouncesKeepTheirTimesToTheLast() {
     Run run({exact::floorOver(-4, -4, 4, 4), exact::wall(-4, 0, 4, 0.3)}, 0.1, {0, 0.4, 0.1}, {0.25, 0.6, 0});
     run.params.restitution_wall = 0.5;
@@ -200,12 +201,12 @@ void ExactContacts::bouncesThatHardlyDecayKeepTheirTimes() {
 }
 
 void ExactContacts::bouncesEndWhenTheirSumDoes_data() {
-    QTest::addColumn<double>("before"); // s: a step ends as long before the last bounce
+    QTest::addColumn<double>("before"); // s: a step ends this long before the last bounce
     QTest::newRow("in one step") << 0.0;
     QTest::newRow("in two, amid bounces too low to be seen") << 4e-5;
 }
 
-/// model.md 6.4: until then nothing of the floor acts along it, from then on the ball rolls.
+/// model.md 6.4: until then the floor doesn't act along itself; from then on the ball rolls.
 void ExactContacts::bouncesEndWhenTheirSumDoes() {
     QFETCH(double, before);
     const double eps = 0.999, slope = 0.0098, end = 2.0 * 0.05 / 9.8 / (1.0 - eps);
@@ -226,7 +227,7 @@ void ExactContacts::bouncesOfAFastBallDontBeginAnew_data() {
     }
 }
 
-/// model.md 6.4: a ball so fast along the floor that the speed of its last bounces is rounding beside it.
+/// model.md 6.4: a ball so fast along the floor that the speed of its last bounces is rounding relative to it.
 void ExactContacts::bouncesOfAFastBallDontBeginAnew() {
     QFETCH(double, restitution);
     const double slope = 0.3, fast = 4.0, rest = 0.05, end = 2.0 * 0.1 / 9.8 / (1.0 - restitution);

@@ -95,13 +95,13 @@ void ExactExtremes::oneLongStepIsAThousandShortOnes() {
     for (Run *run : {&once, &often}) run->setLaw(0.25, -0.125, 0.0625);
     once.step(1.0);
     for (int i = 0; i < 1000; ++i) often.step(1.0 / 1000.0);
-    // A phase opened anew in each step costs a rounding each.
+    // Each phase that is begun anew in a step costs one rounding.
     const phys_state &s = once.state;
     QVERIFY(exact::difference(often.state, s.position.x, s.position.y, s.velocity.x, s.velocity.y) <= 200.0 * kU);
 }
 
 void ExactExtremes::ballWiderThanAGapRestsOnTwoEdges() {
-    // A gap of 0.15 between two walls: the ball of radius 0.125 lies on both corners, 0.1 above them.
+    // A gap of 0.15 between two walls: the ball of radius 0.125 lies on both edges, 0.1 above them.
     Run run({kFloor, exact::wall(-1, -1, -0.075, 0), exact::wall(0.075, -1, 1, 0)}, 0.125, {0, 0.5, 0.125});
     run.setLaw(0.0, -1.0, 0.0);
     run.params.restitution_wall = 0.0;
@@ -120,7 +120,8 @@ void ExactExtremes::gapOfExactlyTheDiameterDoesNotHang() {
 }
 
 void ExactExtremes::slipsInAShaftOfExactlyTheDiameter() {
-    // Pressed to one of two walls and to the floor under a roof: what lies opposite isn't met again and again.
+    // Pressed against one of two walls and against the floor under a roof: the opposite faces aren't hit again and
+    // again.
     Run run({kFloor, exact::wall(-1, -1, -0.125, 1), exact::wall(0.125, -1, 1, 1), {{-1, -1, 0.25}, {1, 1, 0.5}}},
             0.125, {0, 0, 0.125});
     run.params.model = PHYS_MODEL_RIGID;
@@ -170,7 +171,7 @@ void ExactExtremes::millionMetresAway() {
 }
 
 void ExactExtremes::flushTilesAreOnePlane() {
-    // A wall of tiles of uneven depth, flush in front: slides and bounces without a kick at any joint.
+    // A wall of tiles of uneven depth that are flush in front: the ball slides and bounces without a kick at any joint.
     std::vector<phys_box> boxes{kFloor};
     for (int i = -16; i < 16; ++i) boxes.push_back(exact::wall(i / 16.0, -0.5 - (i & 1) * 0.125, (i + 1) / 16.0, 0.0));
     Run slide(boxes, 0.0625, {-0.9375, 0.0625, 0.0625}, {0.5, 0, 0});
@@ -196,7 +197,7 @@ void ExactExtremes::thousandTouchingBoxes() {
 }
 
 void ExactExtremes::meetsThePostAtTheEndOfALongFlight() {
-    // Over 40,000 posts, of which it comes near some hundreds only: in one step, and in steps shorter than itself.
+    // Over 40,000 posts, of which it comes near only some hundreds: in one step, and in steps shorter than the ball.
     std::vector<phys_box> posts;
     for (int i = 0; i < 200; ++i) {
         for (int j = 0; j < 200; ++j) posts.push_back({{1.0 * i, 1.0 * j, -1.0}, {i + 0.5, j + 0.5, 0.0}});
@@ -219,7 +220,7 @@ void ExactExtremes::restIsForEver() {
     QVERIFY(run.state.flags & PHYS_AT_REST);
 }
 
-/// Pulled against the wall it falls along it, and freely as soon as its centre is below: x = 1/2 a t^2 from there.
+/// Pulled against the wall it falls along it, and freely as soon as its centre is below it: x = 1/2 a t^2 from there.
 void ExactExtremes::fallsPastTheLowerEndOfAWall() {
     Run run({exact::floorOver(-2, -2, -1, 2), exact::wall(0.5, -1, 1, 1)}, 0.125, {0.375, 0, 1});
     run.params.gravity = {0.5, 0, -8}; // down to the wall's end in half a second
@@ -230,7 +231,7 @@ void ExactExtremes::fallsPastTheLowerEndOfAWall() {
     QCOMPARE(run.eventsOf(PHYS_EVENT_RELEASE).size(), size_t(1));
 }
 
-/// So little that its units would overflow: the ball flies on beside the rough wall as if it weren't there.
+/// So little that its units would overflow: the ball flies on beside the rough wall as if the wall weren't there.
 void ExactExtremes::hardlyAnyGravityPressesOnAWall() {
     Run run({exact::floorOver(-2, -2, -1, 2), exact::wall(-1, -1, 8, 0)}, 0.125, {0, 0.125, 2}, {4, 0, 0});
     run.params.model = PHYS_MODEL_RIGID;
@@ -241,7 +242,7 @@ void ExactExtremes::hardlyAnyGravityPressesOnAWall() {
     QCOMPARE(run.state.velocity.x, 4.0);
 }
 
-/// A subnormal number, whose products with lengths are zero: the search for walls still comes to its end.
+/// A subnormal number whose products with lengths are zero: the search for walls still terminates.
 void ExactExtremes::gravityOfNoFullPrecisionPressesOnAWall() {
     Run run({exact::floorOver(-2, -2, -1, 2), exact::wall(-1, -1, 8, 0)}, 0.125, {8, 0.125, 2}, {4, 0, 0});
     run.params.gravity = {0, -8e-317, 0};
@@ -250,7 +251,7 @@ void ExactExtremes::gravityOfNoFullPrecisionPressesOnAWall() {
     QCOMPARE(run.state.position.y, 0.125);
 }
 
-/// Two walls of different heights: what carries the ball is the lower one's top, which is floor.
+/// Two walls of different heights: the lower one's top carries the ball and hence is floor.
 void ExactExtremes::restsOnAWallsTopAgainstAnother() {
     const std::vector<phys_box> boxes{
         exact::floorOver(-2, -2, -1, 2), {{-0.5, -1, 0}, {0.5, 1, 0.5}}, exact::wall(0.125, -1, 1, 1)};
@@ -269,12 +270,12 @@ void ExactExtremes::bouncesOnALevelEdgeEndHoweverFastItGoesAlong() {
     run.params.restitution_wall = 0.5;
     run.step(1.5);
     QCOMPARE(run.state.velocity.y, 64.0);
-    // It balances there: in the last second or so rounding grows by exp(t sqrt(a/R)), some 1e5.
+    // It balances there: in the last second, rounding errors grow by exp(t sqrt(a/R)), some 1e5.
     QVERIFY(std::hypot(run.state.velocity.x, run.state.velocity.z) <= 1e-9);
     QVERIFY(std::abs(std::hypot(run.state.position.x - 0.5, run.state.position.z - 1.0) - 0.125) <= 2.0 * kU);
 }
 
-/// 1e-8 m/s towards the edge is no grazing of it at 8 m/s along it.
+/// 1e-8 m/s towards the edge isn't a graze at 8 m/s along it.
 void ExactExtremes::meetsALevelEdgeHoweverFastItGoesAlong() {
     const double gap = 1e-9, speed = 1e-8;
     Run run({{{-1, -8, -1}, {0, 8, 0}}}, 0.125, {0.6 * (0.125 + gap), -4, 0.8 * (0.125 + gap)},
@@ -286,7 +287,7 @@ void ExactExtremes::meetsALevelEdgeHoweverFastItGoesAlong() {
     QVERIFY(std::abs(0.6 * run.state.velocity.x + 0.8 * run.state.velocity.z - speed) <= 1e-12 * speed);
 }
 
-/// Straight onto a corner, bounce after bounce: nothing but rounding is left of the last one.
+/// Straight onto a corner, bounce after bounce: the last one consists of rounding only.
 void ExactExtremes::restsOnACorner() {
     Run run({{{1, 1, 1}, {2, 2, 2}}}, 0.125, {0, 0, 0}, {1, 1, 1});
     run.params.gravity = {1, 1, 1};
@@ -298,7 +299,7 @@ void ExactExtremes::restsOnACorner() {
     QVERIFY(std::abs(std::sqrt(3.0) * (1.0 - run.state.position.x) - 0.125) <= 4.0 * kU);
 }
 
-/// At an edge, without a level part of gravity that could turn it round the edge.
+/// At an edge, with no horizontal component of gravity that could turn the ball round the edge.
 void ExactExtremes::risesBesideAnEdgeItRestsOn() {
     Run run({exact::wall(0, 0, 1, 1)}, 0.125, {-0.075, -0.1, 1});
     run.params.gravity = {0, 0, 2};

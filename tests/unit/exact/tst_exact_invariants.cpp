@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What must hold in any scene, tried on random rooms: model.md 9. The seed of a failure is in its row's name.
+// Invariants of any scene, tested in random rooms: model.md 9. The seed of a failure is in its row's name.
 #include "run.h"
 
 #include <QtTest>
@@ -17,7 +17,7 @@ struct Segment {
     double gx, gy, duration;
 };
 
-/// A room of 1 m with boxes, posts or tiles in it; all lengths are multiples of 2^-10, so that turning keeps them
+/// A room of 1 m with boxes, posts or tiles in it; all lengths are multiples of 2^-10, so that rotations keep them
 /// exact.
 struct Room {
     std::vector<phys_box> boxes;
@@ -76,7 +76,7 @@ Room randomRoom(uint32_t seed) {
 
 phys_vec3 same(const phys_vec3 &v) { return v; }
 
-/// The states at the end of each segment of the room, turned; each segment cut into `parts` steps.
+/// The states at the end of each segment of the rotated room; each segment is cut into `parts` steps.
 std::vector<phys_state> play(const Room &room, int parts = 1, const Turn &turn = same, double scale = 1.0) {
     std::vector<phys_box> boxes;
     for (const phys_box &box : room.boxes) boxes.push_back(exact::turned(box, turn));
@@ -147,7 +147,7 @@ void ExactInvariants::energyBalances() {
     for (const Segment &segment : room.segments) {
         run.params.gravity = {segment.gx, segment.gy, -9.75};
         run.step(segment.duration);
-        // Energies are near 1; an event costs some roundings of it.
+        // Energies are near 1; an event costs a few of their roundings.
         const double events = run.report.event_count + run.report.events_lost;
         QVERIFY2(std::abs(run.report.energy_scheme) <= 8.0 * kU * (1.0 + events),
                  qPrintable(QString::number(run.report.energy_scheme)));
@@ -170,8 +170,8 @@ void ExactInvariants::splitStepsAreTheWholeStep() {
     double growth = 1.0;
     for (size_t i = 0; i < whole.size(); ++i) {
         for (const auto &other : others) growth = std::max(growth, distance(other[i], whole[i]) / kNudge);
-        if (growth > 1e6) return; // chaos: nothing to compare any more
-        // Each new phase costs some roundings, and they grow as any error does.
+        if (growth > 1e6) return; // chaotic: no comparison is possible any more
+        // Each new phase costs a few roundings, which grow like any error.
         const double phases = kParts * double(i + 1) + 16.0;
         QVERIFY2(distance(split[i], whole[i]) <= 4.0 * kU * phases * growth,
                  qPrintable(QString("segment %1: %2, growth %3").arg(i).arg(distance(split[i], whole[i])).arg(growth)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Contacts that last, pivots, rests, falls, tiles and infinitely many bounces against results of 50-digit arithmetic,
-// which references/references.py writes into references.txt from an independent program.
+// Lasting contacts, pivots, rests, falls, tiles and infinitely many bounces compared with results of 50-digit
+// arithmetic, which references/references.py writes to references.txt with an independent program.
 #include "run.h"
 
 #include <QtTest>
@@ -24,7 +24,7 @@ struct Impact {
 struct Step {
     phys_vec3 gravity;
     double dt;
-    std::vector<Impact> impacts; ///< the weakest are left out
+    std::vector<Impact> impacts; ///< without the weakest ones
     double state[6];             ///< position, velocity
     uint64_t flags;
     double sensitivity;
@@ -39,7 +39,7 @@ struct Scene {
     std::vector<Step> steps;
 };
 
-/// Impacts weaker than this aren't listed: those that end infinitely many differ (model.md 6.4). m/s
+/// Weaker impacts (m/s) aren't listed, because those that end infinitely many bounces differ (model.md 6.4).
 constexpr double kWeakest = 1e-5;
 
 bool readEvent(std::istream &in, Step &step) {
@@ -53,7 +53,7 @@ bool readEvent(std::istream &in, Step &step) {
     return bool(in);
 }
 
-/// One line of references.txt, whose head says what the words mean. False if it isn't understood.
+/// Reads one line of references.txt, whose head explains the words. False if the line is invalid.
 bool readLine(const std::string &line, std::vector<Scene> &scenes) {
     std::istringstream in(line);
     std::string word;
@@ -113,7 +113,7 @@ double error(const phys_state &state, const Step &step) {
     return most;
 }
 
-/// model.md 8: rounding of a coordinate times what the way so far makes of it. The boards are some metres large.
+/// model.md 8: rounding of a coordinate, amplified by the motion so far. The boards are some metres large.
 double bound(const Step &step, size_t events) { return 2.0 * kU * (1.0 + step.sensitivity) * double(events + 1); }
 
 Scene turned(Scene scene, const Turn &turn) {
@@ -167,8 +167,8 @@ void ExactReferences::followsTheReference() {
     }
 }
 
-/// The reference takes the impacts of one moment one after the other, the stepper takes them together: of each box the
-/// first one counts, and its speed afterwards only if it is alone.
+/// The reference takes the impacts of one moment one after the other, the stepper takes them together: for each box
+/// only the first is compared, and its speed afterwards only if it is the only impact.
 std::vector<Impact> firstOfEachBox(const std::vector<Impact> &impacts) {
     std::vector<Impact> first;
     for (const Impact &impact : impacts) {
@@ -205,7 +205,7 @@ void ExactReferences::meetsTheSameWalls() {
             const Impact &impact = impacts[i];
             QCOMPARE(met[i].kind, impact.kind);
             if (impact.kind == PHYS_EVENT_IMPACT && !std::isnan(impact.after)) QCOMPARE(met[i].box, impact.box);
-            // What is known to rounding is the place: the weaker an impact, the less do its time and speed matter.
+            // Only the position is known to rounding: the weaker an impact, the less accurate are its time and speed.
             const double weight = std::min(1.0, std::abs(impact.before)), allowed = bound(step, events);
             QVERIFY(weight * std::abs(met[i].time - impact.time) <= allowed);
             if (std::isnan(impact.after)) continue;
@@ -215,7 +215,7 @@ void ExactReferences::meetsTheSameWalls() {
     }
 }
 
-/// Each phase that is opened anew starts from a place and a velocity that are rounded by half a unit.
+/// Each phase that is begun anew starts from a position and a velocity rounded by half a unit.
 void ExactReferences::isTheSameInManySteps() {
     const Scene &scene = chosen();
     Start run(scene);

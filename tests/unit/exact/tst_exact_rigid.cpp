@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rigid model: slip, re-rolling, rough walls, grooves. Figures of model.md 12.2 and 12.4.
+// The rigid model: slip, the return to rolling, rough walls, grooves. Figures of model.md 12.2 and 12.4.
 #include "run.h"
 
 #include <QtTest>
@@ -28,7 +28,7 @@ namespace {
 
 const phys_box kWideFloor = exact::floorOver(-8, -8, 8, 8);
 
-/// Rolls with the velocity that it has.
+/// Gives the ball the spin of rolling with its velocity.
 void roll(Run &run, double radius) {
     const phys_vec3 &v = run.state.velocity;
     run.params.model = PHYS_MODEL_RIGID;
@@ -52,7 +52,7 @@ void ExactRigid::slipEndsRolling() {
     run.params.sliding_friction = 0.2;
     run.params.gravity = {0.9, -0.5, -9.7};
     run.step(0.015);
-    const double after = 0.015 - 0.014300320760347717058; // rolls with (5/7) g_t since then
+    const double after = 0.015 - 0.014300320760347717058; // it rolls with (5/7) g_t since then
     const double ax = 0.9 * 5 / 7, ay = -0.5 * 5 / 7, vx = 0.33776449191736638954, vy = 0.18060702829987581534;
     const double x = 0.0045598129871729534431, y = 0.0027207722601183883503;
     QVERIFY(exact::difference(run.state, x + after * (vx + 0.5 * after * ax), y + after * (vy + 0.5 * after * ay),
@@ -65,7 +65,7 @@ void ExactRigid::slipEndsRolling() {
 }
 
 void ExactRigid::impactCostsSpeedTwice() {
-    // model.md 4: (5 eps - 2)/7 of the normal speed is left; 0.0882 go to the wall, 0.2268 to slip.
+    // model.md 4: (5 eps - 2)/7 of the normal speed remains; 0.0882 are lost to the wall, 0.2268 to slip.
     Run run({kWideFloor, exact::wall(0.1, -4, 1, 4)}, 0.005, {0, 0, 0.005}, {0.7, 0.4, 0});
     roll(run, 0.005);
     run.params.restitution_wall = 0.8;
@@ -186,7 +186,7 @@ void ExactRigid::ballSpinsDownAtTheWall() {
 }
 
 void ExactRigid::ballSpinsDownInACorner() {
-    // Touching a second wall that it isn't pressed on costs no search: w' = -(5/2) mu_s gn = -5.
+    // Touching a second wall without being pressed against it needs no search: w' = -(5/2) mu_s gn = -5.
     Run run({kWideFloor, exact::wall(-1, 0, 1, 1), exact::wall(0, -1, 1, 1)}, 0.0625, {-0.0625, -0.0625, 0.0625});
     roll(run, 0.0625);
     run.state.spin = {-16.0, 0.0, 0.0};

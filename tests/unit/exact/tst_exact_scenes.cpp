@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Two whole scenes against an independent 50-digit event-driven integration, model.md 12.4.
+// Two whole scenes compared with an independent 50-digit event-driven integration, model.md 12.4.
 #include "run.h"
 
 #include <QtTest>
@@ -26,7 +26,7 @@ Run room() {
 struct Second {
     phys_vec3 gravity;
     double x, y, vx, vy;
-    double growth; // of an initial error until then
+    double growth; // growth of an initial error until then
 };
 
 const Second kSeconds[] = {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The one law of smooth motion, model.md 3 and 12.1: figures by 50-digit integration.
+// The law of smooth motion, model.md 3 and 12.1; reference values by 50-digit integration.
 #include "run.h"
 
 #include <QtTest>
@@ -91,7 +91,7 @@ void ExactSmooth::passesALineWhenTheLawSays() {
 }
 
 void ExactSmooth::turnsTheBallByAFourthOrderRule() {
-    // A quarter of a radian and less in a step, on a way that bends; 1 - |cosine of half the angle| is its square.
+    // At most a quarter of a radian per step, on a curved path; 1 - |cosine of half the angle| is its square.
     const auto turned = [](int steps) {
         Run run({exact::floorOver(-8, -8, 8, 8)}, 0.5, {0, 0, 0.5}, {0.5, 1, 0});
         run.setLaw(1.0, 0.0, 0.25);
@@ -156,7 +156,7 @@ void ExactSmooth::slidesDownFasterThanItRolls() {
 }
 
 void ExactSmooth::firstIntegralIsLinearInTime() {
-    // model.md 3.1: B|v| + A.v falls by (B^2 - a^2) t, whatever the way.
+    // model.md 3.1: B|v| + A.v falls by (B^2 - a^2) t, whatever the path.
     const double Ax = -0.6, Ay = 0.2, B = 0.1;
     Run run = onPlane(1.0, 0.3);
     run.setLaw(Ax, Ay, B);
@@ -179,7 +179,7 @@ void ExactSmooth::firstIntegralIsLinearInTime() {
 }
 
 void ExactSmooth::restsUpToTheStictionLimit() {
-    // model.md 2.1 R4: rest while |g_t| <= mu_r gn, the limit included.
+    // model.md 2.1 R4: at rest while |g_t| <= mu_r gn, including the limit.
     Run run = onPlane(0.0, 0.0);
     run.params.rolling_friction = 0.003;
     run.params.gravity = {0.003 * 9.81, 0.0, -9.81};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Results that nobody here computed, as acceptance: billiards, and the laws of the rolling ball. Citations:
-// accuracy.md. Statistics hold within four standard errors, from batch means.
+// Published theorems as acceptance tests: billiards, and the laws of the rolling ball. Citations: accuracy.md.
+// Statistics hold within four standard errors, from batch means.
 #include "run.h"
 
 #include <QtTest>
@@ -17,22 +17,22 @@ constexpr double kPi = std::numbers::pi;
 constexpr int kBatch = 1500;  // s
 constexpr uint32_t kPost = 5; // after the floor and four walls
 
-/// The centre of the ball moves in a unit square round a disc: walls a radius off, and a post without a width.
-/// Reflected at the walls and unfolded, it is the Sinai billiard on the torus.
+/// The ball's centre moves in a unit square round a disc: the walls are a radius away, and the post has no width.
+/// Reflected at the walls and unfolded, this is the Sinai billiard on the torus.
 std::vector<phys_box> sinaiRoom(double R) {
     return {exact::floorOver(-1, -1, 2, 2), exact::wall(-1, -1, 2, -R),       exact::wall(-1, 1 + R, 2, 2),
             exact::wall(-1, -R, -R, 1 + R), exact::wall(1 + R, -R, 2, 1 + R), exact::wall(0.5, 0.5, 0.5, 0.5)};
 }
 
-/// What a stepper might do wrong that nobody would see.
+/// Faults of a stepper that would be hard to notice.
 enum class Fault {
     none,
     turnedNormal, ///< the post's is off by 1e-3
-    lostHit,      ///< one in 10,000: the ball goes straight on
+    lostHit,      ///< one in 10,000: the ball continues straight on
     lateBounce    ///< by 1e-6 s
 };
 
-/// Level, without loss, at 1 m/s in a direction of no note.
+/// Level, without losses, at 1 m/s in a generic direction.
 class Billiard : public Run {
 public:
     explicit Billiard(double R, Fault fault = Fault::none)
@@ -56,7 +56,7 @@ private:
     double m_hits = 0.0;
     int m_allHits = 0;
 
-    /// Goes to the next hit and takes it wrongly. False if there is none in this time, s.
+    /// Goes to the next hit and handles it incorrectly. False if there is none within this time, s.
     bool hit(double &left) {
         const phys_state before = state;
         Run::step(left);
@@ -122,7 +122,7 @@ Phase flown(const Phase &start, Fault fault) {
     return {ball.state.position.x, ball.state.position.y, ball.state.velocity.x, ball.state.velocity.y};
 }
 
-/// Change of the end by one of the start, by differences.
+/// Change of the end per change of the start, by finite differences.
 Phase change(const Phase &by, Fault fault) {
     const double h = 1e-6;
     Phase ahead = kStart, behind = kStart;
@@ -138,7 +138,7 @@ Phase change(const Phase &by, Fault fault) {
 
 double area(const Phase &a, const Phase &b) { return a[0] * b[2] - a[2] * b[0] + a[1] * b[3] - a[3] * b[1]; }
 
-/// Largest change of an area that two neighbours span, relative to what cancels in it.
+/// Largest change of an area spanned by two neighbours, relative to what cancels in it.
 double changeOfAreas(Fault fault) {
     std::array<Phase, 4> columns;
     for (size_t i = 0; i < 4; ++i) {
@@ -159,7 +159,7 @@ double changeOfAreas(Fault fault) {
     return largest;
 }
 
-/// Largest difference from what a start ahead in time, or faster, must make of the end.
+/// Largest deviation from the end that a start ahead in time, or a faster one, must have.
 double changeAlongTheFlow(Fault fault) {
     const Phase end = flown(kStart, fault);
     const Phase ahead = change({kStart[2], kStart[3], 0.0, 0.0}, fault);
@@ -172,7 +172,7 @@ double changeAlongTheFlow(Fault fault) {
     return largest;
 }
 
-/// Hits in a second.
+/// Hits per second.
 BatchMeans hitRate(Fault fault, int batches) {
     Billiard ball(kFlightRadius, fault);
     BatchMeans rate;
@@ -260,10 +260,12 @@ void ExactTheorems::lyapunovExponentOfTheSinaiBilliard() {
     QVERIFY(exponent.error() < 0.02);
 }
 
-/// Liouville: dx and dv of any two neighbours span the same area for ever, so that exponents come in pairs of sum zero.
+/// Liouville: dx and dv of any two neighbours span the same area for all times, so that exponents come in pairs of sum
+/// zero.
 void ExactTheorems::flowKeepsAreas() { QVERIFY(changeOfAreas(Fault::none) <= 1e-7); }
 
-/// Along the flow, and in speed, neighbours stay neighbours: one is ahead by a time, the other by a share of it.
+/// Along the flow, and in speed, neighbours stay neighbours: one is ahead by a constant time, the other by a share of
+/// it.
 void ExactTheorems::twoExponentsAreZero() { QVERIFY(changeAlongTheFlow(Fault::none) <= 1e-7); }
 
 void ExactTheorems::bouncesAccumulateAfterOnePlusEpsilonOverOneMinusEpsilon() {
@@ -295,7 +297,7 @@ void ExactTheorems::ballRollsWithFiveSeventhsOfTheSlope() {
 
 void ExactTheorems::smallFaultsBreakThem() {
     QVERIFY(changeOfAreas(Fault::turnedNormal) > 1e-7);
-    QVERIFY(changeAlongTheFlow(Fault::turnedNormal) <= 1e-7); // what plants the faults is sound
+    QVERIFY(changeAlongTheFlow(Fault::turnedNormal) <= 1e-7); // without a planted fault there is none
     QVERIFY(changeAlongTheFlow(Fault::lateBounce) > 1e-7);
     const BatchMeans rate = hitRate(Fault::lostHit, 8);
     QVERIFY(!rate.agreesWith(kHitRate) || !isPrecise(rate));

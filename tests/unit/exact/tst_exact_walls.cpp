@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The rigid model at a wall under friction, model.md 6.5. Figures: Newton's and Euler's equations with plain vectors
-// and a linear system for the contact forces, integrated to 30 digits.
+// The rigid model at a wall with friction, model.md 6.5. Reference values: Newton's and Euler's equations with plain
+// vectors and a linear system for the contact forces, integrated to 30 digits.
 #include "run.h"
 
 #include <QtTest>
@@ -27,7 +27,7 @@ namespace {
 
 constexpr double kR = 0x1p-4;
 
-/// A ball that slips on everything it touches, all through.
+/// A ball that slips at all of its contacts throughout.
 struct Stay {
     bool isEdge, flies;
     double wallFriction;
@@ -183,7 +183,7 @@ void ExactWalls::spinsDownBetweenRoughWalls() {
 }
 
 void ExactWalls::fallsBetweenSmoothWalls() {
-    // Two walls that the board presses the ball to leave it the way down.
+    // Two walls against which the board presses the ball leave it free to move downwards.
     Run run({exact::floorOver(-2, -2, 2, 2), {{-2, -2, 0}, {2, 0, 2}}, {{-2, 0, 0}, {0, 2, 2}}}, kR, {1, 1, kR});
     run.state.position = {kR, kR, kR + 0.5};
     run.params.gravity = {-1, -1.5, -9};
@@ -198,7 +198,7 @@ void ExactWalls::fallsBetweenSmoothWalls() {
 }
 
 void ExactWalls::hopsAlongARoughWallEndInContact() {
-    // Each tiny bounce off the wall lifts the ball, each tiny landing pushes it off the wall: model.md 6.4.
+    // Each tiny bounce off the wall lifts the ball, and each tiny landing pushes it off the wall: model.md 6.4.
     const double R = 0x1p-5;
     Run run({exact::floorOver(-0.5, -0.5, 4.5, 4.5),
              exact::wall(0.1319507360458374, 0.57809734344482422, 0.28243720531463623, 0.86692357063293457)},
@@ -216,13 +216,13 @@ void ExactWalls::hopsAlongARoughWallEndInContact() {
     QVERIFY(run.events.size() < 100);
     QCOMPARE(run.state.flags, uint64_t(PHYS_SLIPPING));
     QCOMPARE(run.state.velocity.x, 0.0);
-    // A hop within the tolerance, 4 kU times the walls' height of 16, ends on the floor at once.
+    // A hop within the tolerance, 4 kU times the walls' height of 16, ends on the floor immediately.
     QVERIFY(std::abs(run.report.energy_scheme) <= 10.0 * 4.0 * kU * 16.0);
 }
 
 void ExactWalls::rubbingTurnsIntoRolling() {
-    // A groove: floor and wall share the work, (5/9) of the pull are left, and until then the rubbing costs
-    // mu_w N along: v = (5/7)(pull - mu_w N) t and R om_z = R om_0 + (5/2) mu_w N t meet at t.
+    // A groove: floor and wall share the load, (5/9) of the pull remain, and until then there is friction mu_w N along
+    // it: v = (5/7)(pull - mu_w N) t and R om_z = R om_0 + (5/2) mu_w N t meet at t.
     Run run({exact::floorOver(-8, -8, 8, 8), exact::wall(-8, -1, 8, 0)}, kR, {0, kR, kR});
     run.params.model = PHYS_MODEL_RIGID;
     run.params.rolling_friction = 0.0;
@@ -231,7 +231,7 @@ void ExactWalls::rubbingTurnsIntoRolling() {
     run.params.gravity = {-0.5, -2.0, -9.0};
     run.state.velocity = {-1.0, 0.0, 0.0};
     run.state.spin = {0.0, -1.0 / kR, 0.0};
-    // Along the wall, in the direction of the motion: pull 0.5, mu_w N = 0.5, so v stays 1 until R om_z is as fast.
+    // Along the wall, in the direction of motion: pull 0.5, mu_w N = 0.5, so v stays 1 until R om_z has the same speed.
     const double t = 1.0 / 1.25;
     run.step(t + 0.5);
     QVERIFY(std::abs(run.state.velocity.x + (1.0 + 0.5 * 5.0 / 18.0)) <= 4.0 * kU);

@@ -33,7 +33,7 @@ std::size_t DiscFlood::indexOf(Nanometres column, Nanometres row) const {
     return static_cast<std::size_t>(row * m_columns + column);
 }
 
-// Touching is allowed to a disc, being inside or on the edge of a wall isn't even to a point.
+// A disc may touch a wall; a point may be neither inside a wall nor on its edge.
 void DiscFlood::block(const TextBox &wall, Nanometres radius) {
     const auto firstPlace = [&](std::size_t axis) {
         return std::max<Nanometres>((wall.min[axis] - radius - m_bounds.min[axis]) / m_step, 0);
@@ -72,7 +72,7 @@ void DiscFlood::spreadFrom(std::size_t start) {
     }
 }
 
-// Once around, each place once.
+// Visits the outline once, each place once.
 std::vector<std::size_t> DiscFlood::outline() const {
     std::vector<std::size_t> places;
     for (Nanometres column = 0; column < m_columns - 1; ++column) places.push_back(indexOf(column, 0));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a disc can get to among the walls of a maze: found from the boxes alone, on a grid of places.
+// The region that a disc can reach among the walls of a maze, computed from the boxes alone, on a grid of positions.
 #pragma once
 
 #include "maze_text.h"
@@ -9,13 +9,14 @@
 
 class DiscFlood {
 public:
-    // Everywhere the disc's centre can go from the maze's start, in moves of `step` along x or y, without leaving the
-    // board's outline. A disc of radius 0 finds every leak wider than `step`. The outline must be whole steps wide.
+    // All positions that the disc's centre can reach from the maze's start, in moves of `step` along x or y, without
+    // leaving the board's outline. A disc of radius 0 finds every leak wider than `step`. The outline must be a whole
+    // number of steps wide.
     DiscFlood(const MazeText &maze, Nanometres radius, Nanometres step);
 
     bool reaches(Nanometres x, Nanometres y) const;
 
-    // How many separate stretches of the board's outline are reached.
+    // The number of separate parts of the board's outline that are reached.
     int waysOut() const;
 
 private:

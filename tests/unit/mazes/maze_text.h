@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A maze's text file as the suites see it, read without the generator's help.
+// A maze's text file as the suites read it, without the generator's code.
 #pragma once
 
 #include <QString>
@@ -18,7 +18,7 @@ struct TextBox {
 };
 
 struct MazeText {
-    QString problem; // what couldn't be read; empty if nothing
+    QString problem; // why it can't be read; empty if it can
     Nanometres ballRadius = 0;
     std::array<Nanometres, 3> start{};
     std::vector<TextBox> boxes;

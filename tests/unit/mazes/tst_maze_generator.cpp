@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The stages of the generator over many seeds, algorithms and dimensions.
+// The stages of the generator for many seeds, algorithms and dimensions.
 #include "generator/files.h"
 #include "generator/numbers.h"
 #include "generator/recipe.h"
@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint64_t kSeeds = 120;
 
-/// Of all walls between two cells those that are open.
+/// The open ones of all walls between two cells.
 std::size_t passagesOf(const CellMaze &cells) {
     const auto width = static_cast<std::size_t>(cells.width());
     const auto height = static_cast<std::size_t>(cells.height());
@@ -52,7 +52,7 @@ bool overlap(const Box &a, const Box &b) {
     return true;
 }
 
-// Could both be written as one box?
+// Whether both could be written as one box.
 bool formOneBox(const Box &a, const Box &b) {
     std::size_t equal = 0;
     std::size_t touching = 0;
@@ -67,7 +67,8 @@ bool formOneBox(const Box &a, const Box &b) {
 
 Length areaSeenFromAbove(const Box &box) { return (box.max[0] - box.min[0]) * (box.max[1] - box.min[1]); }
 
-// The area that walls must cover, counted from the cells: each piece of wall between two posts, and each post with any.
+// The area that the walls must cover, computed from the cells: each piece of wall between two posts, and each post with
+// a wall.
 Length wallArea(const Maze &maze) {
     const CellMaze &cells = maze.cells;
     std::set<std::pair<int, int>> posts;
@@ -160,7 +161,7 @@ void TestMazeGenerator::boundedDrawsAreUniform_data() {
 
 void TestMazeGenerator::boundedDrawsAreUniform() {
     QFETCH(quint64, unit);
-    // 60,000 draws of six: the standard deviation of each count is 91, five of them are allowed.
+    // 60,000 draws from six: the standard deviation of each count is 91; five of them are allowed.
     Random random(5);
     std::array<int, 6> counts{};
     for (int i = 0; i < 60'000; ++i) ++counts.at(random.below(counts.size() * unit) / unit);
@@ -221,7 +222,7 @@ void TestMazeGenerator::sameRecipeGivesSameBytes() {
 }
 
 void TestMazeGenerator::otherSeedsAndAlgorithmsGiveOtherMazes() {
-    std::set<std::vector<std::size_t>> seen; // each maze as its list of walls: file headers don't count
+    std::set<std::vector<std::size_t>> seen; // each maze as its list of walls, without file headers
     for (const AlgorithmRow &row : kAlgorithms) {
         for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
             Random random(seed);
@@ -259,7 +260,7 @@ void TestMazeGenerator::wallsInOneLineAreOneBox() {
 }
 
 void TestMazeGenerator::wallsCoverTheirPlacesAndNoOther() {
-    // Without overlaps, the sum of areas can only be right if every joint is filled and none sticks out.
+    // Without overlaps, the sum of areas is right only if every joint is filled and nothing sticks out.
     for (const Recipe &recipe : recipes()) {
         const Maze maze = makeMaze(recipe);
         Length area = 0;

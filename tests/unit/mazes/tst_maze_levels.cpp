@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is checked in under mazes/levels, level by level.
+// The files in mazes/levels, level by level.
 #include "disc_flood.h"
 #include "maze_text.h"
 #include "support/files.h"
@@ -101,7 +101,7 @@ std::set<std::string> materialsUsed(const Mesh &mesh, const tinyobj::shape_t &sh
     return names;
 }
 
-// What the mesh should call a box, told from where the box lies.
+// The name that the mesh should give a box, derived from the box's position.
 std::string materialOf(const TextBox &box, const TextBox &board) {
     if (box.isWall()) return box.min[2] < 0 ? "rim" : "wall";
     const bool touchesOutline = box.min[0] == board.min[0] || box.max[0] == board.max[0] ||
@@ -109,7 +109,7 @@ std::string materialOf(const TextBox &box, const TextBox &board) {
     return touchesOutline ? "exit" : "floor";
 }
 
-// Is the straight way between two points of the floor free of walls?
+// Whether the straight line between two points of the floor is free of walls.
 bool isFree(const MazeText &maze, Nanometres x0, Nanometres y0, Nanometres x1, Nanometres y1) {
     return std::none_of(maze.boxes.begin(), maze.boxes.end(), [&](const TextBox &box) {
         return box.isWall() && box.max[0] > std::min(x0, x1) && box.min[0] < std::max(x0, x1) + 1 &&

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The command line as a user meets it: the program is run, its words, files and exit status are looked at.
+// The command line as a user sees it: the program's output, files and exit status.
 #include "generator/levels.h"
 #include "support/files.h"
 
@@ -259,7 +259,7 @@ void TestMazegen::filesOfAnotherKindAreNotReplaced() {
     QCOMPARE(contentOf(folder.filePath("notes.scad")), QByteArray("cube(1);"));
 }
 
-/// Before a file is put into its place its bytes have another name.
+/// Until a file is moved to its place, its bytes are in a file of another name.
 void TestMazegen::aFileOfAnotherProgramsThatIsBeingWrittenStays() {
     QTemporaryDir folder;
     support::write(folder.filePath("maze.mtl.part"), "half");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Steppers that do wrong at run time, one thing each; the id says what.
+// Steppers with one run-time fault each; the id says which.
 #include <physics/plugin.h>
 
 #include <cmath>
@@ -38,7 +38,7 @@ phys_status behaveWell(const Step &step) {
     return PHYS_OK;
 }
 
-// Wrong states.
+// Invalid states.
 phys_status writeNan(const Step &step) {
     step.out->position.x = NAN;
     return PHYS_OK;
@@ -68,7 +68,7 @@ phys_status writeInput(const Step &step) {
     return PHYS_OK;
 }
 
-// Wrong reports.
+// Invalid reports.
 phys_status claimEvents(const Step &step) {
     if (step.report) step.report->event_count = step.report->event_capacity + 1;
     return PHYS_OK;
@@ -83,7 +83,7 @@ phys_status reportNan(const Step &step) {
     return PHYS_OK;
 }
 
-// Wrong ends.
+// Failures.
 phys_status throwReason(const Step &) { throw std::runtime_error("no reason to go on"); }
 phys_status throwNumber(const Step &) { throw 7; }
 phys_status returnPositive(const Step &) { return 42; }
@@ -98,7 +98,7 @@ phys_status failEndlessly(const Step &step) {
     return PHYS_ERROR_UNSUPPORTED;
 }
 
-// Wrong beginnings and ends of life.
+// Faults at creation and destruction.
 phys_status throwAtCreation(const phys_scene_view *, void **, phys_error *) { throw std::bad_alloc(); }
 phys_status returnGarbageAtCreation(const phys_scene_view *, void **, phys_error *) { return 1; }
 phys_status refuseOneBox(const phys_scene_view *view, void **, phys_error *err) {

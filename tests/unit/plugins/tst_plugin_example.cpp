@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The example's stepper against closed forms: what a plugin computes is as good as it says.
+// The example's stepper compared with closed forms: it is as accurate as it claims.
 #include <QTest>
 
 #include <physics/physics.h>
@@ -13,7 +13,7 @@ namespace {
 constexpr double kRadius = 0.25;
 constexpr double kTolerance = 1e-9; // of a substep, m
 
-/// A floor, and what else a test puts on it.
+/// A floor, and further boxes of a test.
 std::vector<phys_box> withFloor(std::initializer_list<phys_box> others = {}) {
     std::vector<phys_box> boxes{{{-100, -100, -1}, {100, 100, 0}}};
     boxes.insert(boxes.end(), others);
@@ -26,7 +26,7 @@ struct Outcome {
     std::array<phys_event, 64> events{};
 };
 
-/// Each substep h may be off by the tolerance in place and by tolerance / h in speed; n of them make up dt.
+/// Each substep h may be off by the tolerance in position and by tolerance / h in speed; n of them make up dt.
 double allowedSpeed(const Outcome &outcome, double dt) {
     const double n = outcome.report.substeps;
     return n * (kTolerance * n / dt);
@@ -221,7 +221,7 @@ void PluginExample::energyBalances() {
     run(2.0, outcome);
     QVERIFY(outcome.report.lost_impact > 0.0);
     QVERIFY(outcome.report.lost_rolling > 0.0);
-    // The substeps' errors: in speed times speed (below 5 m/s), in place times gravity (below 10 m/s^2).
+    // The substeps' errors: in speed times speed (below 5 m/s), in position times gravity (below 10 m/s^2).
     const double allowed = 1.4 * 5 * allowedSpeed(outcome, 2.0) + 10 * allowedWay(outcome, 2.0);
     QVERIFY2(std::abs(outcome.report.energy_scheme) <= allowed,
              qPrintable(QString::number(outcome.report.energy_scheme)));
@@ -233,7 +233,7 @@ void PluginExample::aTurnedBallKeepsAUnitOrientation() {
     m_params.gravity = {1, 0, -9};
     Outcome outcome;
     run(0.1, outcome);
-    // Turned about y by the way rolled over the radius; the mean spin of a constant acceleration is exact.
+    // Turned about y by the distance rolled over the radius; the mean spin of a constant acceleration is exact.
     const double angle = outcome.state.position.x / kRadius;
     const double *q = outcome.state.orientation;
     QVERIFY(std::abs(2.0 * std::atan2(q[1], q[3]) - angle) < angle * angle); // first order in the angle

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each reason to refuse a plugin: the exact line, and a registry that is as it was.
+// Each reason to refuse a plugin: the exact line, and an unchanged registry.
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
@@ -10,7 +10,7 @@ namespace {
 
 QByteArray fixture(const QByteArray &name) { return QByteArray(FIXTURES "/refused/") + name + ".so"; }
 
-/// As a message shows a path: its last 64 bytes.
+/// How a message shows a path: its last 64 bytes.
 QByteArray shown(const QByteArray &path) { return path.size() <= 64 ? path : "..." + path.right(64); }
 
 void addFixture(const char *name, const char *reason) { QTest::newRow(name) << fixture(name) << QByteArray(reason); }
@@ -151,7 +151,7 @@ void PluginRefusal::aTextFileIsRefusedWithTheLoadersReason() {
     QCOMPARE(QByteArray(error.text), expected.left(sizeof error.text - 1));
 }
 
-/// The system's loader would map pages behind the end, and the process would end when it touches them.
+/// The system's loader would map pages beyond the end, and the process would end when it touches them.
 void PluginRefusal::aFileThatIsCutOffIsRefusedWhereverItIsCut() {
     QFile whole(FIXTURES "/good/good.so");
     QVERIFY(whole.open(QIODevice::ReadOnly));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a plugin's functions do wrong ends as one status and one line, and the caller's state and report stay as they
-// were.
+// Faults of a plugin's functions end with one status and one line, and the caller's state and report are unchanged.
 #include "support/compare.h"
 
 #include <QTest>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which files a scan finds, in which order, and what it tells of each.
+// The files that a scan finds, their order, and what it reports about each.
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a plugin sees of a scene: the host's queries against a look at every box.
+// A plugin's view of a scene: the host's queries compared with a test of every box.
 #include <QTest>
 
 #include <physics/plugin.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A stepper that lends its view of the scene to the test that loads it.
+// A stepper that passes its view of the scene to the test that loads it.
 #include <physics/plugin.h>
 
 namespace {
@@ -11,7 +11,7 @@ phys_status create(const phys_scene_view *scene, void **self, phys_error *) {
 
 void destroy(void *) {}
 
-/// The address of the view goes where events would.
+/// The address of the view is stored where events would be.
 phys_status step(void *self, const phys_params *, double, const phys_state *, phys_state *, phys_report *report,
                  phys_error *) {
     *reinterpret_cast<void **>(report->events) = self;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the error shrinks with the step: ratios where the motion is smooth, envelopes across impacts (model.md 10.2).
+// How the error falls with the step size: ratios where the motion is smooth, envelopes across impacts (model.md 10.2).
 #include "support/compare.h"
 #include "support/experiment.h"
 #include "support/stepper_rows.h"
@@ -14,7 +14,7 @@ using namespace support;
 
 namespace {
 
-/// A smooth motion of model.md 12.1: law, start, and where the ball is at the end.
+/// A smooth motion of model.md 12.1: law, start, and the ball's position at the end.
 struct Arc {
     const char *name;
     double ax, ay, B, vx, vy, duration, x, y;
@@ -26,7 +26,7 @@ const std::vector<Arc> kArcs{
     kFirst,
     {"k = 1", 0.5, 0.0, 0.5, 0.3, 0.4, 1.0, 0.35916183820371143944, 0.24322536933179607531},
     {"k = 1/2", 1.0, 0.0, 0.5, -0.3, 0.4, 1.0, 0.15566552048209869172, 0.20329151692109757067},
-    // At its slowest it is still faster than (a+B) dt: the clamp must not take over.
+    // At its slowest it is still faster than (a+B) dt, so the clamp must not act.
     {"slow turn, B < a", 0.6, 0.0, 0.18, -0.5, 0.1, 2.0, 0.22752151996202854265, 0.081698381573312986494},
 };
 
@@ -70,8 +70,8 @@ struct Moment {
     double time, x, y, bound;
 };
 
-// Each impact puts the ball up to (1 + eps) v dt off (model.md 10.2), 1.75 * 0.8 = 1.4 dt, and at an edge turned by
-// v dt/R per radian besides: as much again over a path of R. The table's growth carries it on.
+// Each impact displaces the ball by up to (1 + eps) v dt (model.md 10.2), 1.75 * 0.8 = 1.4 dt, and an edge also turns
+// the velocity by v dt/R rad: as much again over a path of R. The table's growth is applied to both.
 constexpr Moment kMoments[] = {
     {PHYS_MODEL_ROLLING, 1.0, 0.82070511008190482158, 0.17417049559190762784, 28 * 2.8 * 3},
     {PHYS_MODEL_ROLLING, 2.0, 0.63192707859375322016, 0.22464684569040922296, 28 * 2.8 * 5},
@@ -179,7 +179,8 @@ void TestConvergence::errorStaysWithinAnEnvelopeAtSharpTurnsAndStops() {
     for (const int n : {100, 300, 1000, 3000}) {
         const double dt = motion.duration / n;
         const double error = errorOf(motion, stepper, model, n);
-        // Euler: half a step of the change of velocity, at most |v| + a t/2 < 3 m/s; and one of the clamp (10.5).
+        // Euler: half a step of the change of velocity, at most |v| + a t/2 < 3 m/s, and half a step of the clamp
+        // (10.5).
         const double bound = isExact ? rounding(16.0 * n + 64.0, 1.0) : 3.0 * dt;
         QVERIFY2(error <= bound, digits(error) + " above " + digits(bound));
     }

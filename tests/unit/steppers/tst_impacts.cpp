@@ -15,16 +15,16 @@ namespace {
 
 constexpr double kRadius = 0.0625;
 
-/// A wall of 1 m on the left of x = 0; the ball touches it.
+/// A wall of 1 m to the left of x = 0; the ball touches it.
 SceneBuilder leftWall() {
     return SceneBuilder().ball(kRadius).floor(-1, -20, 20, 20).wall(-1, -20, 0, 20).start(kRadius, 0.0);
 }
 
-/// Spin that friction can't touch: impacts of a rigid ball are then those of a rolling one.
+/// Spin that friction can't change: impacts of a rigid ball are then those of a rolling one.
 void makeSmooth(Experiment &ball) { ball.params.sliding_friction = 0.0; }
 
-/// Weightless, straight at the top of the wall's end (0, 0) along -normal: the only impact is head-on, at whatever
-/// step.
+/// Weightless, straight towards the top of the wall's end (0, 0) along -normal: the only impact is head-on, whatever
+/// the step.
 void bouncesOffTheWallsEnd(const QByteArray &stepper, uint32_t model, const phys_vec3 &normal, double wallFrom) {
     constexpr double kTop = 4.0 * kRadius;
     constexpr double kWay = 0.25; // after half a second
@@ -38,8 +38,8 @@ void bouncesOffTheWallsEnd(const QByteArray &stepper, uint32_t model, const phys
     ball.state.velocity = {-0.5 * normal.x, -0.5 * normal.y, -0.5 * normal.z};
     // Slower than 2 dt v^2/R it would stay, model.md 13.5.
     QVERIFY2(ball.stepFor(1.0, 1.0 / 1024.0), ball.error());
-    // model.md 13.1: every edge, every corner has restitution_wall. Rounding of the place turns the normal by it over
-    // R.
+    // model.md 13.1: every edge and every corner has restitution_wall. A rounding error of the position turns the
+    // normal by it over R.
     const double slack = rounding(2 * 1024, 0.5) / kRadius;
     COMPARE_WITHIN(ball.state.velocity.x, 0.05 * normal.x, slack);
     COMPARE_WITHIN(ball.state.velocity.y, 0.05 * normal.y, slack);
@@ -109,7 +109,7 @@ void TestImpacts::headOnGivesTheRestitutionsShareBack() {
     ball.setPosition(0.5, 0.0);
     ball.roll(-0.5, 0.375);
     QVERIFY2(ball.stepFor(1.0, 1.0 / 128.0), ball.error());
-    // No force and binary numbers: nothing rounds but sevenths, which a slipping rigid ball's velocity is made of.
+    // No force and short binary numbers: only the sevenths of a slipping rigid ball's velocity are rounded.
     const double slack = model == PHYS_MODEL_RIGID ? rounding(2 * 128, 0.5) : 0.0;
     COMPARE_WITHIN(ball.state.velocity.x, 0.5 * restitution, slack);
     COMPARE_WITHIN(ball.state.velocity.y, 0.375, slack);
@@ -144,7 +144,7 @@ void TestImpacts::topCornerOfAWallHasTheWallsRestitution() {
     bouncesOffTheWallsEnd(stepper, model, {-2.0 / 3.0, -1.0 / 3.0, 2.0 / 3.0}, 0.0);
 }
 
-/// The last of ever smaller bounces between the floor and a low edge, when the spin is still that of the flight.
+/// The last of ever smaller bounces between the floor and a low edge, with the spin that the ball had in flight.
 void TestImpacts::hopsUnderAnEdgeTakeNoSpeedAlongTheFloor() {
     QFETCH(QByteArray, stepper);
     const auto scene = SceneBuilder()
@@ -189,7 +189,7 @@ void TestImpacts::recedingBallIsNotPulledBack() {
     QCOMPARE(ball.report.event_count, 0U);
 }
 
-/// The centre is off a wall's corner by a length whose square is no number but zero.
+/// The centre is off a wall's corner by a length whose square underflows to zero.
 void TestImpacts::comesOutBesideACornerFromNextToNothing() {
     QFETCH(QByteArray, stepper);
     QFETCH(uint32_t, model);
@@ -207,8 +207,8 @@ void TestImpacts::grazingAnEdgeChangesNothing() {
     const auto scene = SceneBuilder().ball(kRadius).floor(-9, -9, 9, 9).wall(0.5, -2.0, 0.75, -kRadius).start(0, 0);
     Experiment ball(scene, stepper, model);
     ball.roll(1.0, 0.0);
-    // Finding the impact inside the step may find a touch within the tolerance of 4 roundings of the board's size, with
-    // a normal speed of |v| sqrt(2 tol/R): model.md 5.4. Seeing overlaps at the step's end can't.
+    // Finding the impact inside the step may find a contact within the tolerance of 4 roundings of the board's size,
+    // with a normal speed of |v| sqrt(2 tol/R): model.md 5.4. Detecting overlaps at the step's end can't.
     const double grazing = promiseOf(stepper).inSteps ? 0.0 : 2.0 * std::sqrt(2.0 * rounding(8, 9.0) / kRadius);
     for (int i = 0; i < 64; ++i) {
         QVERIFY2(ball.step(1.0 / 64.0), ball.error());
@@ -269,7 +269,8 @@ void TestImpacts::edgeOnAParabolaDeflectsAsComputed() {
         ball.params.restitution_wall = 0.8;
         ball.roll(1.0, 0.2);
         QVERIFY2(ball.stepFor(0.75, dt), ball.error());
-        // An impact noticed dt late has a normal turned by up to |v| dt/R; the bounce turns by twice that, for `after`.
+        // An impact noticed dt late has a normal turned by up to |v| dt/R; the bounce turns by twice that angle during
+        // `after`.
         const double crude = 2.0 * 1.2 * (1.02 / 0.02) * after;
         const double slack = promiseOf(stepper).impacts == 0   ? rounding(1e6, 1.0)
                              : promiseOf(stepper).impacts == 1 ? crude * dt
@@ -341,7 +342,7 @@ void TestImpacts::impactEventTellsWhatHappened() {
     COMPARE_EXACT(event.point.y, 0.25);
     COMPARE_EXACT(event.speed_before, -0.5);
     COMPARE_EXACT(event.speed_after, 0.375);
-    // Noticed at most a step late.
+    // Noticed at most one step late.
     QVERIFY(event.time >= 1.0 && event.time <= 1.0 + dt);
 }
 
@@ -359,7 +360,7 @@ void TestImpacts::sweptFindsAWallThatTheBallWouldTurnBackBehind() {
     ball.state.velocity.x = -0.5 * kDrive * kStep;
     phys_error error;
     QVERIFY2(!phys_step(ball.stepper(), &ball.params, kStep, &ball.state, &ball.state, nullptr, &error), error.text);
-    // It stops at the wall after gap = v t - a t^2/2 and has the rest of the step to speed up again.
+    // It stops at the wall after gap = v t - a t^2/2 and has the rest of the step to gain speed again.
     const double before = (0.125 - std::sqrt(0.125 * 0.125 - 2.0 * kDrive * kGap)) / kDrive;
     COMPARE_WITHIN(ball.state.velocity.x, kDrive * (kStep - before), rounding(8, 1.0));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every stepper converges, at its order, to the one motion that the law of contact gives: model.md 13. The scenes and
-// figures of reference_scenes.txt come from an independent computation in 113-bit arithmetic.
+// Every stepper converges, at its order, to the one motion that the law of contact determines: model.md 13. The scenes
+// and values of reference_scenes.txt come from an independent computation in 113-bit arithmetic.
 #include "support/experiment.h"
 #include "support/stepper_rows.h"
 
@@ -51,7 +51,7 @@ void readScene(std::istream &in, std::vector<ReferenceScene> &scenes) {
     scene.isSmooth = kind == "smooth";
 }
 
-/// One line, whose head says what the words mean. False if it isn't understood.
+/// Reads one line; the file's head explains the words. False if the line is invalid.
 bool readLine(const std::string &line, std::vector<ReferenceScene> &scenes) {
     std::istringstream in(line);
     std::string word;
@@ -99,14 +99,14 @@ const std::vector<ReferenceScene> &referenceScenes() {
     return scenes;
 }
 
-/// What a stepper promises: its error is at most this at the step size h.
+/// The bound that a stepper promises for its error at the step size h.
 struct Bound {
     double order;
     double factor; ///< m/s^order
 };
 
-/// An impact found up to h too early costs up to (1 + eps) v_n h at each bounce, a speed of up to 0.7 m/s in these
-/// scenes; what is found in its place costs the scheme's own g h^2.
+/// An impact detected up to h too early costs up to (1 + eps) v_n h at each bounce, at speeds of up to 0.7 m/s in these
+/// scenes; an impact at its true place costs the scheme's own g h^2.
 Bound boundOf(const QByteArray &stepper, const ReferenceScene &scene) {
     if (stepper == "exact") return {0.0, 1e-9};
     if (stepper == "swept") return {2.0, 20.0};
@@ -118,7 +118,7 @@ double largestDifference(const phys_vec3 &a, const phys_vec3 &b) {
     return std::max({std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.z - b.z)});
 }
 
-/// Runs a scene at about the step size h. The largest error of the place at any sample, m; NaN with a failed step.
+/// Runs a scene at about the step size h. Returns the largest position error at any sample, m; NaN if a step failed.
 class Run {
 public:
     Run(const ReferenceScene &scene, const QByteArray &stepper)
@@ -219,7 +219,7 @@ void TestReferenceScenes::convergesToTheLaw() {
     }
 }
 
-/// The second edge is met more slowly than a bounce in such a step: what comes so slowly stops there.
+/// In such a step the second edge is approached more slowly than a bounce requires, so the ball stops there.
 void TestReferenceScenes::sweptCrossesACrackInLongSteps() {
     const auto scene = std::find_if(referenceScenes().begin(), referenceScenes().end(),
                                     [](const ReferenceScene &s) { return s.name == "crack_1mm_rolling"; });

@@ -19,7 +19,7 @@ constexpr double kDt = 0.0078125;       // 2^-7
 constexpr double kSpeed = kAcceleration * kDt;
 constexpr double kLength = kAcceleration * kDt * kDt;
 
-/// The ball touches the wall at its left and is pressed against it.
+/// The ball touches the wall to its left and is pressed against it.
 Experiment leaning(const QByteArray &stepper, double restitution, bool asReported) {
     const auto scene = SceneBuilder().ball(0.0625).floor(-1, -1, 20, 1).wall(-1, -1, 0, 1).start(0.0625, 0.0);
     Experiment ball(scene, stepper);
@@ -32,7 +32,7 @@ Experiment leaning(const QByteArray &stepper, double restitution, bool asReporte
 double speedOf(const Experiment &ball) { return ball.state.velocity.x / kSpeed; }
 double heightOf(const Experiment &ball) { return (ball.state.position.x - 0.0625) / kLength; }
 
-/// What a ball does in `steps` steps, in the units of model.md 10.3.
+/// The result of `steps` steps, in the units of model.md 10.3.
 struct Bouncing {
     double fastest = 0.0; ///< speed just after a bounce
     double highest = 0.0;
@@ -102,7 +102,8 @@ void TestRestingContact::withoutCuresElasticBallHeatsUpAsPredicted() {
     int step = 0;
     for (int k = 1; k <= 20; ++k) {
         for (; step < stepsFactor * k * k; ++step) QVERIFY2(ball.step(kDt), ball.error());
-        // RK4 divides by 6: its velocity is rounded in each step, and a bounce later or earlier would be off by 1.
+        // RK4 divides by 6, so its velocity is rounded in each step, and a bounce one step later or earlier would be
+        // off by 1.
         const double slack = stepper == "rk4" ? rounding(4.0 * step, 40.0) : 0.0;
         COMPARE_WITHIN(speedOf(ball), speedPerBounce * k, slack);
     }
@@ -132,7 +133,7 @@ void TestRestingContact::withoutCuresBallEndsInThePredictedCycle() {
     QFETCH(double, bounceSpeed);
     QFETCH(double, height);
     Experiment ball = leaning(stepper, 0.8, true);
-    // Each bounce brings it nearer by the factor 0.8: after 200 nothing but rounding is left.
+    // Each bounce brings it closer by the factor 0.8: after 200 bounces only rounding is left.
     QVERIFY2(ball.stepTimes(4000, kDt), ball.error());
     const Bouncing seen = watch(ball, 100);
     QVERIFY2(seen.isDone, ball.error());
@@ -184,8 +185,8 @@ void TestRestingContact::comesToRestFromAFastBounce_data() {
     QTest::addColumn<QByteArray>("stepper");
     QTest::addColumn<int>("lastStep");
     // A bounce happens at the start of the substep that would overlap the wall, while the approach is above 2 a dt:
-    // symplectic Euler loses a little in flight, Verlet keeps the energy, so that V -> 0.8 V from 10.3
-    // to 2.16; the last substep but one closes the gap, the last one takes that speed (model.md 13.5).
+    // symplectic Euler loses a little in flight, Verlet keeps the energy, so that V -> 0.8 V from 10.3 to 2.16; the
+    // last substep but one closes the gap, the last one removes that speed (model.md 13.5).
     QTest::newRow("symplectic-euler rests with step 49") << QByteArray("symplectic-euler") << 49;
     QTest::newRow("velocity-verlet rests with step 87") << QByteArray("velocity-verlet") << 87;
 }
@@ -210,7 +211,7 @@ void TestRestingContact::explicitEulerCyclesWhateverTheCures() {
     QVERIFY2(ball.stepTimes(4000, kDt), ball.error());
     const Bouncing seen = watch(ball, 500);
     QVERIFY2(seen.isDone, ball.error());
-    QVERIFY2(seen.fastest > 2.0, QByteArray::number(seen.fastest)); // faster than what the rest rule ends
+    QVERIFY2(seen.fastest > 2.0, QByteArray::number(seen.fastest)); // above the rest rule's limit
 }
 
 void TestRestingContact::slidesAlongTheWallAsIfItWereFree() {
@@ -247,11 +248,11 @@ void TestRestingContact::leavesTheWallWhenGravityTurns() {
     COMPARE_WITHIN(ball.state.position.x, 0.0625 + 0.3125, 0.625 * kDt);
 }
 
-/// It comes down against gravity, loses that speed on the floor, and neither rolls there nor is held.
+/// It lands against gravity, loses that speed on the floor, and neither rolls there nor is held.
 void TestRestingContact::leavesTheFloorThatGravityPullsItFrom() {
     QFETCH(QByteArray, stepper);
     QFETCH(uint32_t, model);
-    // The wall is near enough for substeps.
+    // The wall is near enough to require substeps.
     const auto scene = SceneBuilder().ball(0.0625).floor(-1, -1, 2, 1).wall(-1, 0.5, 2, 1).start({0.0, 0.0, 0.3125});
     Experiment ball(scene, stepper, model);
     ball.state.velocity = {1.0, 0.0, -1.0};
@@ -259,15 +260,15 @@ void TestRestingContact::leavesTheFloorThatGravityPullsItFrom() {
     ball.params.gravity = {0.0, 0.0, 1.0};
     ball.params.restitution_floor = 0.0;
     ball.params.rolling_friction = 0.25;
-    // At once: between two steps such a ball on the floor is refused.
+    // In the same step: between two steps, such a ball on the floor is refused.
     QVERIFY2(ball.step(1.0), ball.error());
     QVERIFY(ball.state.flags & PHYS_AIRBORNE);
     COMPARE_EXACT(ball.state.velocity.x, 1.0);
     const double up = ball.state.velocity.z, height = ball.state.position.z - 0.0625;
     QVERIFY(up > 0.5);
     const double substep = 1.0 / ball.report.substeps;
-    // From rest on the floor, first order at worst: it may have landed up to one substep's way above it (model.md
-    // 13.5), with a speed that is at most the one it has now or 1, and rises with the same error.
+    // From rest on the floor, first order at worst: it may have landed up to one substep's path above it (model.md
+    // 13.5), with a speed of at most its present one or 1, and rises with the same error.
     COMPARE_WITHIN(up * up, 2.0 * height, 2.0 * (1.0 + up) * substep);
 }
 
@@ -299,7 +300,7 @@ void TestRestingContact::restsInACornerWhateverTheTilt() {
     }
 }
 
-/// Steppers keep where a ball rested last: under anything else that they are asked they answer as a fresh one.
+/// Steppers cache where a ball rested last; the cache must not affect any other step.
 void TestRestingContact::havingRestedChangesNoAnswer() {
     QFETCH(QByteArray, stepper);
     QFETCH(uint32_t, model);
@@ -332,7 +333,7 @@ void TestRestingContact::havingRestedChangesNoAnswer() {
         QVERIFY(sameBits(answer, stepOf(fresh.stepper(), params, state)));
         QVERIFY(!sameBits(answer.position, state.position));
     }
-    phys_state other = before; // the same number: a zero has a sign
+    phys_state other = before; // the same number; a zero has a sign
     other.velocity.x = -other.velocity.x;
     Experiment fresh(squareRoom(1.0).start(0.0625, 0.0625), stepper, model);
     stepOf(rested.stepper(), rested.params, before);
@@ -345,7 +346,7 @@ void TestRestingContact::wallTakesItsPartOfTheDriveBeforeStiction() {
     QFETCH(uint32_t, model);
     if (promiseOf(stepper).heats) QSKIP("Explicit Euler doesn't stay in contact: model.md 10.3");
     const auto scene = SceneBuilder().ball(0.0625).floor(-1, -9, 9, 9).wall(-1, -9, 0, 9).start(0.0625, 0.0);
-    // model.md 6.3: only what is left along the wall counts against the resistance, limit included.
+    // model.md 6.3: only the component along the wall counts against the resistance, including the limit.
     for (const bool above : {false, true}) {
         Experiment ball(scene, stepper, model);
         ball.setLaw(-1.25, above ? 0.3125 * (1.0 + std::ldexp(1.0, -30)) : 0.3125, 0.3125);
@@ -356,8 +357,8 @@ void TestRestingContact::wallTakesItsPartOfTheDriveBeforeStiction() {
     }
 }
 
-/// On two edges, pressed by a hundred times the gravity for eleven seconds: fewer substeps than are allowed, but each
-/// has contacts that must be solved together.
+/// On two edges, pressed by a hundred times the gravity for eleven seconds: fewer substeps than are allowed, but in
+/// each the contacts must be solved together.
 void TestRestingContact::stepWhoseContactsTakeTooMuchIsRefused() {
     const auto scene =
         SceneBuilder().ball(0.7).box({{0, -30, -2}, {30, 30, 0}}).box({{-6, 0, 0}, {-1, 6, 0.4}}).start({0, 0, 0});

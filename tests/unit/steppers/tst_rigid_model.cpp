@@ -27,7 +27,7 @@ Experiment rigid(const SceneBuilder &scene, const QByteArray &stepper, double sl
     return ball;
 }
 
-/// Steps until the ball rolls again, at most `steps` times; the losses on the way.
+/// Steps until the ball rolls again, at most `steps` times; sums the losses on the way.
 struct Slide {
     double lostImpact = 0.0;
     double lostSlip = 0.0;
@@ -80,11 +80,11 @@ void TestRigidModel::rollingBallKeepsTheEffectiveRestitution() {
     const double dt = 0x1p-12;
     const Slide slide = stepUntilItRolls(ball, dt, 8192);
     QVERIFY2(slide.rolls, ball.error());
-    // model.md 12.2: (5 eps - 2)/7 V = 0.2; 5v + 2w is what friction can't change, so any scheme has it to rounding.
+    // model.md 12.2: (5 eps - 2)/7 V = 0.2; friction can't change 5v + 2w, so any scheme has it to rounding.
     COMPARE_WITHIN(ball.state.velocity.x, 0.2, rounding(1e4, 1.0));
     COMPARE_WITHIN(ball.state.velocity.y, 0.4, rounding(1e4, 1.0));
     COMPARE_WITHIN(slide.lostImpact, 0.0882, rounding(16, 0.1));
-    // Euler's path of the slip is half a step's slip too long or too short: mu_s gn |u0| dt/2, and as much at its end.
+    // Euler's path of the slip is half a step's slip too long or too short: mu_s gn |u0| dt/2, and the same at its end.
     const double slack = promiseOf(stepper).smooth == 0 ? rounding(1e4, 0.3) : 0.3 * 9.81 * 1.26 * dt;
     COMPARE_WITHIN(slide.lostSlip, 0.2268, slack);
 }
@@ -96,7 +96,7 @@ void TestRigidModel::slipAfterABounceLastsAsLongAsPredicted() {
     ball.roll(-0.5, 0.0);
     const double dt = 0x1p-12;
     QVERIFY2(stepUntilItRolls(ball, dt, 8192).rolls, ball.error());
-    // model.md 12.2: t_s, the way, 1/7; the impact is at most a step late, and so is the end of the slip.
+    // model.md 12.2: t_s, the path, 1/7; the impact is at most a step late, and so is the end of the slip.
     COMPARE_WITHIN(ball.state.time, 0.087374399301004805592, 2.0 * dt);
     COMPARE_WITHIN(ball.state.position.x - kBallRadius, 0.023715908381701304375, 2.0 * 0.4 * dt);
     COMPARE_WITHIN(ball.state.velocity.x, 1.0 / 7.0, rounding(1e4, 0.5));
@@ -140,7 +140,7 @@ void TestRigidModel::roughWallLiftsTheBall() {
 void TestRigidModel::slipEndsInTheComputedVelocity() {
     QFETCH(QByteArray, stepper);
     const auto scene = SceneBuilder().ball(0.005).floor(-1, -1, 1, 1).start(0, 0);
-    // model.md 12.2: t_s and what the ball has then; from there it rolls with 5/7 of the slope's acceleration.
+    // model.md 12.2: t_s and the ball's state then; from there it rolls with 5/7 of the slope's acceleration.
     const double end = 0.014300320760347717058;
     const double after = 0.015625 - end;
     for (const double dt : {0x1p-12, 0x1p-14, 0x1p-16}) {
@@ -198,7 +198,7 @@ void TestRigidModel::slipsOnASlopeTooSteepForFriction() {
         Experiment ball = rigid(openFloor(1000.0), stepper, 0.125);
         ball.params.gravity = {above ? 3.5 * (1.0 + 0x1p-20) : 3.5, 0.0, -8.0};
         QVERIFY2(ball.stepFor(1.0, 1.0 / 128.0), ball.error());
-        // Slipping: v' = g_t - mu_s gn = 2.5, which at the limit is what rolling has: 5/7 of 3.5.
+        // Slipping: v' = g_t - mu_s gn = 2.5, which at the limit equals that of rolling: 5/7 of 3.5.
         COMPARE_WITHIN(ball.state.velocity.x, 2.5, 2.0 * 3.5 * 0x1p-20);
         QCOMPARE((ball.state.flags & PHYS_SLIPPING) != 0, above);
     }
@@ -218,7 +218,7 @@ void TestRigidModel::rollsInTheGrooveOfFloorAndRoughWall() {
     ball.params.wall_friction = 0.25; // at least 5/36, model.md 12.2
     const double dt = 0x1p-10;
     QVERIFY2(ball.stepFor(1.0, dt), ball.error());
-    // a = (5/9) 0.5; contacts that answer in turn are of first order (model.md 6.5).
+    // a = (5/9) 0.5; contacts that are solved in turn are of first order (model.md 6.5).
     const double slack = promiseOf(stepper).smooth == 0 ? rounding(1e4, 1.0) : dt;
     COMPARE_WITHIN(ball.state.velocity.y, 5.0 / 9.0 * 0.5, slack);
     COMPARE_WITHIN(ball.state.position.y, 5.0 / 9.0 * 0.5 / 2.0, slack);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rolling where nothing is touched: model.md 3 and the figures of 12.1 and 12.3.
+// Rolling without contact with walls: model.md 3 and the figures of 12.1 and 12.3.
 #include "support/compare.h"
 #include "support/experiment.h"
 #include "support/stepper_rows.h"
@@ -81,7 +81,7 @@ void TestSmoothMotion::constantAccelerationFollowsTheSchemesFormula() {
     constexpr int kSteps = 64;
     QVERIFY2(ball.stepTimes(kSteps, dt), ball.error());
 
-    // All numbers are exact in binary but RK4's sixth and what the closed forms round.
+    // All numbers are short binary ones, except for RK4's sixth and the closed forms' rounded values.
     const double along = stepsOfConstantAcceleration(stepper, kSteps) * dt * dt;
     const double slack = promiseOf(stepper).smooth == 1 ? 0.0 : rounding(4 * kSteps, 1.0);
     COMPARE_EXACT(ball.state.velocity.x, 0.5 + ax);
@@ -202,7 +202,7 @@ void TestSmoothMotion::hugeResistanceStopsInOneStep() {
     QVERIFY2(ball.step(0.01), ball.error());
     QVERIFY(ball.state.velocity.x == 0.0 && ball.state.velocity.y == 0.0);
     QVERIFY(ball.state.flags & PHYS_AT_REST);
-    // It can't have come further than without resistance.
+    // It can't have moved farther than without resistance.
     QVERIFY(ball.state.position.x >= 0.0 && ball.state.position.x <= 0.01 * 0.26);
 }
 
@@ -214,8 +214,8 @@ void TestSmoothMotion::turnsBackWhereItStopsOnASlope() {
     ball.roll(-1.0, 0.0);
     const double dt = 1.0 / 1024.0;
     QVERIFY2(ball.stepFor(3.0, dt), ball.error());
-    // model.md 12.1: stops at 10/7 s, then back with a - B. A scheme is at most one step late at the stop, and of first
-    // order with the slope's acceleration before and after it.
+    // model.md 12.1: stops at 10/7 s, then moves back with a - B. A scheme is at most one step late at the stop, and of
+    // first order with the slope's acceleration before and after it.
     const double slack = promiseOf(stepper).smooth == 0 ? rounding(2e4, 3.0) : 2.0 * dt;
     COMPARE_WITHIN(ball.state.position.x, -19.0 / 196.0, slack);
     COMPARE_WITHIN(ball.state.velocity.x, 11.0 / 14.0, slack);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A ball that runs head-on into a thin wall: the table of model.md 10.4, over all phases of the step.
+// A ball that hits a thin wall head-on: the table of model.md 10.4, over all phases of the step.
 #include "support/experiment.h"
 #include "support/stepper_rows.h"
 
@@ -9,7 +9,7 @@ using namespace support;
 
 namespace {
 
-// R = h and dt as in model.md 12.3 but for powers of two: the limits 0.5, 0.75 and 1.5 m/s are exact.
+// R = h and dt as in model.md 12.3 but rounded to powers of two, so that the limits 0.5, 0.75 and 1.5 m/s are exact.
 constexpr double kSmallRadius = 0.00390625;
 constexpr double kThickness = 0.00390625;
 constexpr double kStep = 0.0078125;
@@ -19,14 +19,14 @@ SceneBuilder thinWall() {
     return SceneBuilder().ball(kSmallRadius).floor(-100, -1, 100, 1).wall(0.0, -1.0, kThickness, 1.0);
 }
 
-/// What happened at one phase.
+/// The outcome at one phase.
 struct Passage {
     bool isSeen = false;
     bool isThrough = false;
     bool isDone = false;
 };
 
-/// Runs towards +x (direction 1) or -x (-1) from such a place that a step ends `phase` of a step before the touch.
+/// Runs towards +x (direction 1) or -x (-1) from a start such that a step ends `phase` of a step before the contact.
 Passage run(const QByteArray &stepper, bool asReported, double speed, double direction, int phase) {
     Experiment ball(thinWall(), stepper);
     if (hasOwnRow(stepper, "as_reported")) ball.params.stepper[0] = asReported ? 1.0 : 0.0;

@@ -14,15 +14,15 @@ constexpr uint64_t kMostImpacts = 5'000;
 constexpr Real kShortestStep = 1e-9L; // s; at a change of mode the error of such a step is its square
 constexpr int kMostSweeps = 300;
 constexpr int kMostLooks = 30;
-constexpr Real kUlp = 1e-18L; // some units in the last place
+constexpr Real kUlp = 1e-18L; // a few units in the last place
 constexpr Real kSameNormal = 1e-9L;
 
 bool isSame(const Vector &a, const Vector &b) { return length(a - b) < kSameNormal; }
 
-/// Rolls on a floor without slip.
+/// Whether it rolls on a floor without slip.
 Vector rollingSpin(const Vector &velocity, Real radius) { return {-velocity.y / radius, velocity.x / radius, 0}; }
 
-/// Where on [0, 1] a convex function is least.
+/// The minimum of a convex function on [0, 1].
 template<class Function>
 Real deepestOn(const Function &gap) {
     Real low = 0;
@@ -60,7 +60,7 @@ BruteForce::BruteForce(std::span<const phys_box> boxes, Real radius, Real tolera
     m_touchTolerance = 64 * std::numeric_limits<Real>::epsilon() * largest;
 }
 
-/// Contacts with the same normal count once: the one of the fewest codes, a top face first.
+/// Contacts with the same normal count once: the one with the fewest codes is kept, a top face first.
 std::vector<Touch> BruteForce::touching(const Motion &motion) const {
     std::vector<Touch> all;
     for (const phys_box &box : m_boxes) {
@@ -77,7 +77,7 @@ std::vector<Touch> BruteForce::touching(const Motion &motion) const {
     return all;
 }
 
-/// Contacts that don't recede, or so slowly that gravity brings the ball back before it is anywhere.
+/// Contacts that don't recede, or so slowly that gravity brings the ball back almost immediately.
 std::vector<BruteForce::Contact> BruteForce::lasting(const Law &law, const Motion &motion) const {
     const Real noSpeed = 1e-13L * (length(motion.velocity) + m_radius * length(motion.spin)) +
                          1e-14L * std::sqrt(length(law.gravity) * m_radius);
@@ -91,7 +91,7 @@ std::vector<BruteForce::Contact> BruteForce::lasting(const Law &law, const Motio
     return contacts;
 }
 
-/// Features and normals where the step ends; impulses stay on their side of them.
+/// Features and normals at the end of the step; impulses keep acting along the step's own normals.
 void BruteForce::lookWhereTheyEnd(const Law &, const Vector &place, std::vector<Contact> &contacts) const {
     for (Contact &contact : contacts) {
         contact.touch = touchOf(m_boxes[contact.box], place, m_radius);
@@ -113,7 +113,7 @@ void BruteForce::lookWhereTheyEnd(const Law &, const Vector &place, std::vector<
     }
 }
 
-/// Friction of one contact for the pressure that it has: as much of the slip as Coulomb's law lets it take away.
+/// Friction of one contact for its present pressure: it removes as much of the slip as Coulomb's law allows.
 Vector BruteForce::rub(const Law &law, Contact &c, Motion &end) const {
     const Vector &n = c.touch.normal;
     const bool isGlued = !law.isRigid && c.touch.isTop;
@@ -127,7 +127,7 @@ Vector BruteForce::rub(const Law &law, Contact &c, Motion &end) const {
     return more;
 }
 
-/// A rolling contact with resistance: friction and the torque in one. Without both the ball would have the velocities
+/// A rolling contact with resistance: friction and the torque together. Without both the ball would have the velocities
 /// v0 and w0 = R om0 x n across the normal; sticking and the torque M = R m x n lead to v = w = (5 v0 + 2 w0 + 2 M)/7,
 /// M against it and at most 5/2 mu_r N.
 Vector BruteForce::rollOn(const Law &law, Contact &c, Motion &end) const {
@@ -147,8 +147,8 @@ Vector BruteForce::rollOn(const Law &law, Contact &c, Motion &end) const {
     return end.velocity - before.velocity;
 }
 
-/// Between two parallel faces as far apart as the ball is wide, sweeps may squeeze it: pressure that moves nothing, but
-/// that friction feeds on. The law takes the least. Whether there was any.
+/// Between two parallel faces as far apart as the ball is wide, sweeps may squeeze it: a pressure that moves nothing,
+/// but that friction depends on. The law takes the least. Returns whether there was any.
 bool BruteForce::releaseOpposite(std::vector<Contact> &contacts) const {
     bool isReleased = false;
     for (size_t i = 0; i < contacts.size(); ++i) {
@@ -163,7 +163,7 @@ bool BruteForce::releaseOpposite(std::vector<Contact> &contacts) const {
     return isReleased;
 }
 
-/// Coulomb's law for all contacts together, one after the other until nothing changes.
+/// Coulomb's law for all contacts together: one after the other until nothing changes.
 void BruteForce::sweep(const Law &law, Real scale, bool withResistance, std::vector<Contact> &contacts,
                        Motion &end) const {
     for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
@@ -182,9 +182,10 @@ void BruteForce::sweep(const Law &law, Real scale, bool withResistance, std::vec
     }
 }
 
-/// Two sticking contacts can press on each other along the line between them, which moves nothing but decides how much
-/// each carries, hence the rolling resistance. The law takes the least friction. The sweeps may end where all of a cone
-/// is used without a slip: that sticks, too; and at a contact that rolls on resistance with more than all of it.
+/// Two sticking contacts can press on each other along the line between them, which moves nothing but determines how
+/// much each carries and hence the rolling resistance. The law takes the least friction. The sweeps may end with
+/// friction at the limit of a cone without a slip: that sticks, too; and at a contact that rolls on resistance with
+/// more than all of it.
 void BruteForce::relax(const Law &law, Real scale, const Motion &end, std::vector<Contact> &contacts) const {
     const auto mayStick = [&](const Contact &c) {
         return !c.isMerged && c.pressure > 0 && length(slipAt(end, c.touch.normal, m_radius)) <= 1e3L * kUlp * scale;
@@ -228,7 +229,7 @@ Motion BruteForce::implicitEuler(const Law &law, const Motion &start, Real h, st
             const Motion before = end;
             lookWhereTheyEnd(law, start.place + h * end.velocity, contacts);
             end.velocity = start.velocity + h * law.gravity;
-            // A ball that comes onto a top face keeps its velocity, and its spin follows.
+            // A ball that comes onto a top face keeps its velocity, and its spin follows the velocity.
             const bool isOnTop = !law.isRigid && std::any_of(contacts.begin(), contacts.end(), [](const Contact &c) {
                 return c.touch.isTop && !c.isMerged;
             });
@@ -281,8 +282,8 @@ BruteForce::Trial BruteForce::attempt(const Law &law, const Motion &start, Real 
     return trial;
 }
 
-/// When the way, a cubic through both ends, first goes into a box that is no lasting contact, as a part of the step;
-/// 2 if never.
+/// When the path, a cubic through both ends, first enters a box that isn't a lasting contact, as a share of the step; 2
+/// if never.
 Real BruteForce::firstOverlap(const Motion &start, const Motion &end, Real h,
                               const std::vector<Contact> &contacts) const {
     const auto at = [&](Real s) {
@@ -308,7 +309,8 @@ Real BruteForce::firstOverlap(const Motion &start, const Motion &end, Real h,
     return first;
 }
 
-/// Whether a contact goes over to another feature of its box; on the border it belongs to the one it moves into.
+/// Whether a contact moves over to another feature of its box; on the border it belongs to the feature it moves
+/// towards.
 bool BruteForce::changesFeature(const Motion &start, const Motion &end, const std::vector<Contact> &contacts) const {
     constexpr Real kAhead = 1e-15L; // s
     const Vector place = start.place + kAhead * start.velocity;
@@ -318,8 +320,8 @@ bool BruteForce::changesFeature(const Motion &start, const Motion &end, const st
     });
 }
 
-/// Whether a slip goes through zero, or a roll with resistance comes to zero: implicit Euler sees the end of the step
-/// only, and would have the ball on its way back from the beginning.
+/// Whether a slip passes through zero, or a roll with resistance comes to a stop: implicit Euler only sees the end of
+/// the step, and would let the ball move backwards from the beginning.
 bool BruteForce::reverses(const Law &law, const Motion &start, const Trial &trial) const {
     const Motion &end = trial.end;
     const Real none =
@@ -356,7 +358,7 @@ bool BruteForce::endsEarly(const Law &law, const Motion &start, const Trial &tri
            firstOverlap(start, trial.end, h, trial.contacts) <= 1;
 }
 
-/// The shortest step that meets another box or feature; `trial` becomes that step.
+/// Finds the shortest step that meets another box or feature; `trial` becomes that step.
 Real BruteForce::bracket(const Law &law, const Motion &start, Real h, const std::vector<Contact> &contacts,
                          Trial &trial) const {
     Real low = 0;
@@ -376,7 +378,7 @@ Real BruteForce::bracket(const Law &law, const Motion &start, Real h, const std:
     return high;
 }
 
-/// Contacts that press are kept without drift, in place and in velocity.
+/// Contacts that press are kept without drift, in position and in velocity.
 void BruteForce::project(const std::vector<Contact> &contacts, Motion &motion) const {
     for (int pass = 0; pass < 60; ++pass) {
         Real change = 0;
@@ -406,7 +408,7 @@ void BruteForce::pushOut(Motion &motion) const {
     }
 }
 
-/// Rolling model: on a floor the spin follows from the velocity; off it, it stays.
+/// Rolling model: on a floor the spin follows from the velocity; elsewhere it is constant.
 void BruteForce::slaveSpin(const Law &law, const Motion &before, const std::vector<Contact> &contacts,
                            Motion &motion) const {
     if (law.isRigid) return;
@@ -423,7 +425,7 @@ Real BruteForce::longestStep(const Law &law, const Motion &motion) const {
     return std::min(bySpeed, byGravity);
 }
 
-/// What is given in doubles touches exactly, or not at all.
+/// Inputs given in doubles touch exactly, or not at all.
 void BruteForce::settle(Motion &motion) const {
     for (int pass = 0; pass < 60; ++pass) {
         for (const phys_box &box : m_boxes) {
@@ -457,8 +459,8 @@ bool BruteForce::run(const Law &law, Real duration, Motion &motion) {
             if (++m_steps > kMostSteps || m_updates > kMostUpdates) return false;
             isHit = endsEarly(law, start, trial, h);
             if (isHit) h = bracket(law, start, h, contacts, trial);
-            // All substeps that a slip ends in come to the same speeds: the estimate of the error doesn't see that they
-            // let it end at their beginning.
+            // If a slip ends, all numbers of substeps lead to the same speeds, so the error estimate doesn't see that
+            // they let the slip end at the beginning.
             const bool sticksTooSoon = endingSlip(law, start, trial) * h > m_tolerance * m_radius;
             if (sticksTooSoon) trial.error = std::max(trial.error, 2 * m_tolerance);
             if (trial.error <= m_tolerance || h <= kShortestStep) break;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The motion by the law of contact, by force instead of wit: implicit Euler at the level of velocities with Coulomb's
-// law solved anew in every step, extrapolated from four step sizes; steps shrink until the error estimate is content,
-// so that no change of mode has to be known beforehand, and new contacts are bracketed by bisection of the step.
+// The motion under the law of contact by brute force: implicit Euler on the velocity level, with Coulomb's law solved
+// anew in every step, extrapolated from four step sizes. Steps shrink until the error estimate is small enough, so that
+// no change of mode has to be known in advance; new contacts are bracketed by bisection of the step.
 #pragma once
 
 #include "law.h"
@@ -16,12 +16,12 @@ public:
     /// tolerance: error of a step relative to the radius and to the speeds at hand.
     BruteForce(std::span<const phys_box> boxes, Real radius, Real tolerance = 1e-13L);
 
-    /// Moves the ball through `duration` seconds. False if the caps are reached: no answer.
+    /// Moves the ball for `duration` seconds. False if the caps are reached: no result.
     bool run(const Law &law, Real duration, Motion &motion);
 
     uint64_t steps() const { return m_steps; }
     uint64_t impacts() const { return m_impacts; }
-    /// Impacts, changes of feature, ends of slips and rolls.
+    /// Impacts, changes of feature, ends of slipping and rolling.
     uint64_t events() const { return m_events + m_impacts; }
     bool isAtRest(const Law &law, const Motion &motion) const;
 
@@ -66,12 +66,12 @@ private:
     std::span<const phys_box> m_boxes;
     Real m_radius;
     Real m_tolerance;
-    Real m_givenTolerance; ///< gaps that count as none in what is given in doubles
-    Real m_touchTolerance; ///< and in what is computed here
+    Real m_givenTolerance; ///< gaps below this count as zero in given positions
+    Real m_touchTolerance; ///< and in computed ones
     uint64_t m_steps = 0;
     uint64_t m_impacts = 0;
     uint64_t m_events = 0;
-    mutable uint64_t m_updates = 0; ///< of contacts, so far: what a run costs
+    mutable uint64_t m_updates = 0; ///< of contacts so far: the cost of a run
     Real m_suggested = 1e-5L;
 };
 

@@ -75,7 +75,7 @@ bool fits(const std::vector<Approach> &all, unsigned subset, const Vector &veloc
                        [&](const Approach &a) { return dot(a.touch.normal, after) >= a.wanted - tolerance; });
 }
 
-/// Normal impulses of a round: complementary to the speeds that the contacts leave with.
+/// Normal impulses of a round, complementary to the speeds with which the contacts separate.
 void pushApart(std::vector<Approach> &all, Motion &motion, Real tolerance) {
     std::vector<Real> impulses(all.size());
     const unsigned subsets = 1U << std::min<size_t>(all.size(), 12);
@@ -89,7 +89,7 @@ void pushApart(std::vector<Approach> &all, Motion &motion, Real tolerance) {
             return;
         }
     }
-    // No subset fits to rounding where normals are almost parallel: sweeps come close.
+    // Where normals are almost parallel, no subset fits to rounding: sweeps come close.
     for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
         Real change = 0;
         for (Approach &a : all) {
@@ -102,7 +102,7 @@ void pushApart(std::vector<Approach> &all, Motion &motion, Real tolerance) {
     }
 }
 
-/// Friction of a round: as much energy as the cones allow is taken out.
+/// Friction of a round: it removes as much energy as the cones allow.
 void rub(const Law &law, std::vector<Approach> &all, Motion &motion) {
     for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
         Real change = 0;
@@ -151,7 +151,7 @@ bool collide(const Law &law, const std::vector<Touch> &touches, Real lengthToler
         return speed >= -limit ? 0 : law.restitution(touch);
     };
     for (int round = 0; round <= kMostRounds; ++round) {
-        const bool isLast = round == kMostRounds; // nearly opposite normals: what is left of the speed into them goes
+        const bool isLast = round == kMostRounds; // nearly opposite normals: the remaining speed into them is removed
         const Real noSpeed = law.noSpeed(motion);
         std::vector<Approach> approaching;
         for (const Touch &touch : touches) {

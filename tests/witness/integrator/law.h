@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the law of contact says of one moment: coefficients, and impacts of all contacts together.
+// The law of contact at one moment: coefficients, and impacts of all contacts together.
 #pragma once
 
 #include "touch.h"
@@ -8,14 +8,14 @@
 
 namespace witness {
 
-/// Everything a ball is that its motion depends on.
+/// The ball's state, as far as its motion depends on it.
 struct Motion {
     Vector place;
     Vector velocity;
     Vector spin;
 };
 
-/// What the law reads of the parameters.
+/// The parameters that the law uses.
 struct Law {
     bool isRigid;
     Real radius;
@@ -24,7 +24,8 @@ struct Law {
     Real slidingFriction, wallFriction, rollingFriction;
 
     Real restitution(const Touch &touch) const { return touch.isTop ? restitutionFloor : restitutionWall; }
-    /// In the rolling model no feature has friction but the top faces that the ball rolls on, which hold without limit.
+    /// In the rolling model no feature has friction except the top faces on which the ball rolls, which hold without
+    /// limit.
     Real friction(const Touch &touch) const {
         if (!isRigid) return 0;
         return touch.isTop ? slidingFriction : wallFriction;
@@ -35,13 +36,13 @@ struct Law {
 
 Law lawOf(const phys_params &params, Real radius);
 
-/// The velocity of the ball's surface where it touches.
+/// The velocity of the ball's surface at the contact.
 Vector slipAt(const Motion &motion, const Vector &normal, Real radius);
 
-/// Below this speed a bounce is lower than lengths that count as none, if gravity presses the ball back.
+/// Below this speed a bounce is lower than the lengths that count as zero, if gravity presses the ball back.
 Real closingSpeed(const Law &law, const Touch &touch, Real lengthTolerance);
 
-/// Impacts of all contacts of a moment together. Whether there was one.
+/// Impacts of all contacts of a moment together. Returns whether there was one.
 bool collide(const Law &law, const std::vector<Touch> &touches, Real lengthTolerance, Motion &motion);
 
 } // namespace witness

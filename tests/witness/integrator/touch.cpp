@@ -7,7 +7,7 @@ namespace witness {
 
 namespace {
 
-/// A centre inside the box: out through the nearest face.
+/// For a centre inside the box: out through the nearest face.
 Touch fromInside(const phys_box &box, const Vector &p, Real radius) {
     const Real depths[] = {p.x - box.min.x, box.max.x - p.x, p.y - box.min.y,
                            box.max.y - p.y, p.z - box.min.z, box.max.z - p.z};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where one box is nearest to the ball.
+// The point of one box nearest to the ball.
 #pragma once
 
 #include "vector.h"
