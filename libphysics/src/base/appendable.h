@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Appendable structs across versions. A caller that was compiled against an older header hands in fewer bytes than
-// today's struct has: what it lacks is read as the *_init function leaves it, and never written to. More bytes than
-// today's are refused: a newer header may mean something by them.
+// Appendable structs across versions. A caller compiled against an older header passes fewer bytes than the present
+// struct has: members it lacks have the values of the *_init function, and are never written to. A larger size is
+// refused, because members of a newer header may have a meaning.
 #pragma once
 
 #include <physics/plugin.h>
@@ -11,7 +11,7 @@
 
 namespace phys {
 
-/// Bytes of the first version of each appendable struct in ABI 1: up to the member that was its last one.
+/// Size in bytes of the first version of each appendable struct in ABI 1: up to its last member then.
 template<class T>
 inline constexpr uint32_t kFirstSize = 0;
 #define PHYS_LAST_OF_FIRST_VERSION(type, member)                                                                       \
@@ -31,20 +31,20 @@ constexpr bool isKnownSize(size_t size) {
     return size >= kFirstSize<T> && size <= sizeof(T);
 }
 
-/// Whether it is of an older version. As long as there is but one version this is known to be false when compiling.
+/// Whether it is of an older version. While there is only one version, this is constant false.
 template<class T>
 constexpr bool isOlder(const T &given) {
     return isKnownSize<T>(given.struct_size) && given.struct_size < sizeof(T);
 }
 
-/// The first `size` bytes of `whole`, and the size into them: for a struct of a caller of any version.
+/// The first `size` bytes of `whole`, and that size: for a struct of a caller of any version.
 template<class T>
 void store(T whole, size_t size, T *out) {
     whole.struct_size = static_cast<uint32_t>(size);
     std::memcpy(static_cast<void *>(out), &whole, size);
 }
 
-/// An older struct in today's size; init: its *_init function.
+/// An older struct converted to the present size; init: its *_init function.
 template<class T>
 T completed(const T &older, phys_status (*init)(T *, size_t)) {
     T whole;

@@ -18,7 +18,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kLeastNormal = std::numeric_limits<double>::min();
 constexpr int kMantissaBits = 52;
 
-/// A number as the sum of a double and a far smaller one.
+/// A number as the sum of a double and a much smaller one.
 struct Pair {
     double high, tail;
 };
@@ -36,7 +36,7 @@ Pair sum(double a, double b) {
     return {sum, (a - (sum - partOfB)) + (b - partOfB)};
 }
 
-/// The leading 26 bits of a number and the rest: products of such parts are exact. |x| < 2^995.
+/// The leading 26 bits of a number, and the remainder: products of such parts are exact. |x| < 2^995.
 Pair halves(double x) {
     const double shifted = 0x1.000002p27 * x;
     const double high = shifted - (shifted - x);
@@ -50,7 +50,7 @@ Pair product(double a, double b) {
     return {high, ((p.high * q.high - high) + p.high * q.tail + p.tail * q.high) + p.tail * q.tail};
 }
 
-/// x to the nearest whole number, |x| < 2^51: the sum has no bits left for a fraction.
+/// Rounds x to the nearest integer, |x| < 2^51: the sum has no bits left for a fraction.
 double nearestWhole(double x) {
     constexpr double kShift = 0x1.8p52;
     return (x + kShift) - kShift;
@@ -77,10 +77,10 @@ double scaled(double x, int exponent) {
 struct Exponential {
     int exponent;
     Pair power;
-    double growth; ///< exp of the rest, less 1
+    double growth; ///< exp(remainder) - 1
 };
 
-/// |x| < 800. The rest is at most log(2)/64; the Taylor polynomial leaves out less than 2^-57.
+/// |x| < 800. The remainder is at most log(2)/64; the truncation error of the Taylor polynomial is below 2^-57.
 Exponential exponential(double x, double tail) {
     const double steps = nearestWhole(x * kStepsPerUnit);
     const double r = ((x - steps * kStepHigh) - steps * kStepLow) + tail;
@@ -95,8 +95,8 @@ double expOf(double x, double tail) {
     return scaled(e.power.high + (e.power.tail + e.power.high * e.growth), e.exponent);
 }
 
-/// log((x + tail) 2^exponent) for a normal x, not rounded yet: with x = 2^k z and z near c of the table it is
-/// k log 2 + log c + log(z/c).
+/// log((x + tail) 2^exponent) for a normal x, before rounding: with x = 2^k z and z near c of the table it is k log 2 +
+/// log c + log(z/c).
 Pair logOfNormal(double x, double tail, int exponent) {
     constexpr uint64_t kLeastBits = 0x3fe6a09e00000000; // of sqrt(1/2): z is from there to sqrt(2)
     const uint64_t bits = std::bit_cast<uint64_t>(x);
@@ -104,25 +104,25 @@ Pair logOfNormal(double x, double tail, int exponent) {
     const double z = std::bit_cast<double>(bits - (static_cast<uint64_t>(shift) << kMantissaBits));
     const double *entry = kLogarithms[static_cast<int>(64.0 * z + 0.5) - 45]; // NOLINT(bugprone-incorrect-roundings)
     const double inverse = entry[0], k = exponent + shift;
-    // z/c - 1 in two exact parts, the products having few bits; the tail is that of x, in units of 2^shift.
+    // z/c - 1 in two exact parts, as the products have few bits; the tail is that of x, in units of 2^shift.
     const Pair parts = halves(z);
     const double scaledTail = tail != 0.0 ? tail * powerOfTwo(-shift) : 0.0;
     const Pair r = sumOfOrdered(parts.high * inverse - 1.0, (parts.tail + scaledTail) * inverse);
-    const double y = r.high; // at most 1/90: the Taylor polynomial leaves out less than 2^-58 of the whole
+    const double y = r.high; // at most 1/90: the Taylor polynomial's truncation error is below 2^-58, relative
     const double polynomial = series(y, 1.0 / 2, -1.0 / 3, 1.0 / 4, -1.0 / 5, 1.0 / 6, -1.0 / 7, 1.0 / 8);
-    const Pair whole = sumOfOrdered(k * kLog2High + entry[1], y); // the first is exact
+    const Pair whole = sumOfOrdered(k * kLog2High + entry[1], y); // the first term is exact
     return {whole.high, (k * kLog2Low + entry[2]) + (r.tail + whole.tail) - y * y * polynomial};
 }
 
 Pair logOf(double x) { return x < kLeastNormal ? logOfNormal(x * 0x1p54, 0.0, -54) : logOfNormal(x, 0.0, 0); }
 
-/// An angle less quarter turns: |rest| <= pi/4 up to rounding.
+/// An angle minus quarter turns: |rest| <= pi/4 up to rounding.
 struct Reduced {
     int quarter;
     Pair rest;
 };
 
-/// pi/2 has 152 bits here, so that the rest keeps its digits next to every multiple of it.
+/// pi/2 has 152 bits here, so that the remainder keeps its digits next to every multiple of it.
 Reduced reduced(double angle) {
     if (std::abs(angle) <= 0x1.921fb54442d18p-1) return {0, {angle, 0.0}};
     const double quarters = nearestWhole(angle * kQuartersPerRadian);
@@ -133,7 +133,7 @@ Reduced reduced(double angle) {
     return {static_cast<int>(quarters) & 3, rest};
 }
 
-/// Sine of an angle up to pi/4; the Taylor polynomial leaves out less than 2^-62.
+/// Sine of an angle up to pi/4; truncation error below 2^-62.
 double sineOf(const Pair &angle) {
     const double x = angle.high, s = x * x;
     const double polynomial = series(s, -1.0 / 6, 1.0 / 120, -1.0 / 5040, 1.0 / 362880, -1.0 / 39916800,
@@ -141,7 +141,7 @@ double sineOf(const Pair &angle) {
     return x + (angle.tail * (1.0 - 0.5 * s) + x * s * polynomial);
 }
 
-/// Cosine of an angle up to pi/4; the Taylor polynomial leaves out less than 2^-58.
+/// Cosine of an angle up to pi/4; truncation error below 2^-58.
 double cosineOf(const Pair &angle) {
     const double x = angle.high, s = x * x, half = 0.5 * s;
     const double polynomial = series(s, 1.0 / 24, -1.0 / 720, 1.0 / 40320, -1.0 / 3628800, 1.0 / 479001600,
@@ -150,14 +150,14 @@ double cosineOf(const Pair &angle) {
     return most + (((1.0 - most) - half) + (s * s * polynomial - x * angle.tail));
 }
 
-/// The angle whose tangent is y/x, 0 <= y <= x, x > 0, not rounded yet.
+/// The angle whose tangent is y/x, 0 <= y <= x, x > 0, before rounding.
 Pair arcOf(double y, double x) {
     const double quotient = y / x;
     if (!(quotient >= 0x1p-30)) return {quotient, 0.0}; // its cube is below rounding; or NaN
     // With x in the middle of the range no product overflows and no tail underflows.
     const double unit = x > 0x1p500 ? 0x1p-600 : x < 0x1p-400 ? 0x1p600 : 1.0;
     y *= unit, x *= unit;
-    if (quotient < 0x1p-3) { // the Taylor polynomial leaves out less than 2^-57 of the whole
+    if (quotient < 0x1p-3) { // truncation error of the Taylor polynomial below 2^-57, relative
         const Pair back = product(quotient, x);
         const double tail = ((y - back.high) - back.tail) / x;
         const double s = quotient * quotient;
@@ -184,7 +184,7 @@ double exp(double x) {
 
 double expm1(double x) {
     if (std::abs(x) < 0x1p-54) return x;
-    if (std::abs(x) < 0.25) { // the Taylor polynomial leaves out less than 2^-61 of the whole
+    if (std::abs(x) < 0.25) { // truncation error of the Taylor polynomial below 2^-61, relative
         return x + x * x *
                        series(x, 1.0 / 2, 1.0 / 6, 1.0 / 24, 1.0 / 120, 1.0 / 720, 1.0 / 5040, 1.0 / 40320,
                               1.0 / 362880, 1.0 / 3628800, 1.0 / 39916800, 1.0 / 479001600, 1.0 / 6227020800);

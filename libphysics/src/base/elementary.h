@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Elementary functions made of + - x / and sqrt alone. A C library's differ from system to system, and some choose
-// another variant on another processor; these give the same bits wherever doubles are IEEE 754's.
+// Elementary functions made of + - x / and sqrt alone. Those of C libraries differ between systems, and some depend on
+// the processor; these give the same bits wherever doubles are IEEE 754's.
 //
-// Each result is within one unit in the last place of the exact value (tests/unit/elementary/measure prints by how
-// much). The method is the same throughout: the argument is brought near an entry of a table, where a Taylor polynomial
-// is short, and what a rounding loses on the way is carried along as a tail.
+// Each result is within one unit in the last place of the exact value (tests/unit/elementary/measure prints the
+// errors). The method is always the same: the argument is reduced to a neighbour of a table entry, where a short Taylor
+// polynomial suffices, and rounding errors are carried along as a tail.
 #pragma once
 
 namespace phys::elementary {
@@ -21,6 +21,6 @@ double sin(double angle);
 double cos(double angle);
 double atan2(double y, double x); ///< zeros and quadrants as in C; both finite
 
-double hypot(double x, double y); ///< without overflow or underflow on the way; the same for (y, x)
+double hypot(double x, double y); ///< without intermediate overflow or underflow; the same for (y, x)
 
 } // namespace phys::elementary

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One way to fail: a status and one line of text.
+// Failures: a status and one line of text.
 #pragma once
 
 #include "base/text.h"
@@ -8,7 +8,7 @@
 
 namespace phys {
 
-/// Writes the text (as writeText does) to err, if there is one, and returns the status.
+/// Writes the text (see writeText) to err, if that isn't null, and returns the status.
 [[PHYS_CHECKED_FORMAT(3, 4)]] phys_status fail(phys_error *err, phys_status status, const char *format, ...);
 
 } // namespace phys

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How a processor computes is a setting of the thread, and hosts change it: other rounding, subnormals flushed to zero
-// (as a program linked with -ffast-math does), exceptions that trap. The library computes in the default setting and
-// gives the host its own back.
+// The floating-point environment belongs to the thread, and hosts change it: the rounding mode, subnormals flushed to
+// zero (as a program linked with -ffast-math does), trapping exceptions. The library computes in the default
+// environment and restores the host's.
 #pragma once
 
 #include <cfenv>
@@ -12,15 +12,16 @@
 
 namespace phys {
 
-/// The default setting while it lives: to nearest, subnormals kept, nothing traps. The compiler knows nothing of
-/// settings, but moves no memory access past a change of one: so what is computed from memory into memory is safe.
+/// Sets the default environment for its lifetime: round to nearest, subnormals kept, no traps. The compiler doesn't
+/// know about environments, but moves no memory access across a change of one: computations from memory to memory are
+/// safe.
 class FloatEnvironment {
 public:
     FloatEnvironment(const FloatEnvironment &) = delete;
     FloatEnvironment &operator=(const FloatEnvironment &) = delete;
 
 #if defined(__SSE2__)
-    // Hardly more than the reading of a register where the host's setting is the default.
+    // Costs little more than reading a register if the host's environment is the default.
     FloatEnvironment()
         : m_host(_mm_getcsr())
         , m_isOther((m_host & ~kFlags) != kDefault) {

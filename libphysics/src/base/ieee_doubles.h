@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Ends the compilation where numbers are not what all promises rest on: doubles of IEEE 754, each operation rounded to
-// a double by itself, in the order in which it is written.
+// Stops the compilation if doubles aren't what all guarantees rely on: IEEE 754, each operation rounded to a double
+// separately, in the order in which it is written.
 #pragma once
 
 #include <cfloat>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How large the numbers of a step may be.
+// Limits of the numbers in a step.
 #pragma once
 
 #include "base/pair.h"
@@ -10,7 +10,7 @@
 
 namespace phys {
 
-/// 2^100: squares and products of numbers below it, as a step makes them, stay finite.
+/// 2^100: squares and products of smaller numbers, as they occur in a step, stay finite.
 inline constexpr double kLargestNumber = 0x1p100;
 
 /// False for NaN.

@@ -17,9 +17,9 @@ Quaternion multiply(const Quaternion &a, const Quaternion &b) {
             a.scalar * b.scalar - glm::dot(a.vector, b.vector)};
 }
 
-/// Half the turn is made small by halving, its sine and cosine are Taylor sums, and squaring undoes the halving.
+/// Halves the angle until it is small, evaluates the Taylor series of sine and cosine, and squares to undo the halving.
 Quaternion fromTurn(Vec3 half) {
-    constexpr double kSmall = 0.25; // the sums' first left-out terms are below 1e-17 there
+    constexpr double kSmall = 0.25; // the first omitted terms are below 1e-17 there
     int halvings = 0;
     for (; glm::dot(half, half) > kSmall * kSmall && halvings < 60; ++halvings) half *= 0.5;
     const double s = glm::dot(half, half);

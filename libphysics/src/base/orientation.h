@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Turning the ball: for drawing only.
+// Rotation of the ball, for drawing only.
 #pragma once
 
 #include "base/vec.h"

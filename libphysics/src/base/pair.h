@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Two numbers that are computed with at once, in one register where processors have such; the bits are those of each by
-// itself. What is written for a number type N, double or Pair, chooses by `choose` where it would branch, and joins
+// Two numbers that are computed together, in one SIMD register where processors have them; the bits are those of each
+// computed separately. Code for a number type N, double or Pair, uses `choose` instead of branches, and combines
 // conditions, which are a MaskOf<N>, by `all` and `any`.
 #pragma once
 
@@ -37,10 +37,10 @@ inline uint32_t bitsOf(bool mask) { return mask ? 1 : 0; }
 inline bool areAll(bool mask) { return mask; }
 inline double choose(bool condition, double a, double b) { return condition ? a : b; }
 
-#if defined(__SSE2__) // GCC 12 takes generic vectors apart where they are compared
+#if defined(__SSE2__) // GCC 12 splits generic vectors where they are compared
 
 struct PairMask {
-    __m128d bits; ///< all or none of each half
+    __m128d bits; ///< all bits of each half are set, or none
 };
 
 struct Pair {
@@ -82,7 +82,7 @@ inline PairMask any(PairMask a, PairMask b) { return {_mm_or_pd(a.bits, b.bits)}
 /// Bit 0 is the first number's, bit 1 that of the second.
 inline uint32_t bitsOf(PairMask mask) { return static_cast<uint32_t>(_mm_movemask_pd(mask.bits)); }
 inline bool areAll(PairMask mask) { return bitsOf(mask) == 3; }
-/// condition ? a : b, of each number. Both are computed.
+/// condition ? a : b for each number. Both sides are evaluated.
 inline Pair choose(PairMask condition, Pair a, Pair b) {
     return Pair(_mm_or_pd(_mm_and_pd(condition.bits, a.numbers), _mm_andnot_pd(condition.bits, b.numbers)));
 }
@@ -98,7 +98,7 @@ Mask all(Mask first, Mask second, Mask third, Masks... others) {
     return all(all(first, second), third, others...);
 }
 
-/// A vector in the plane of each number.
+/// One vector in the plane for each number.
 template<class N>
 struct Planar {
     N x, y;
@@ -106,7 +106,7 @@ struct Planar {
     Planar(N alongX, N alongY)
         : x(alongX)
         , y(alongY) {}
-    // Number by number: a processor waits where it reads two at once that were just written one by one.
+    // Stored one by one, as a processor stalls if it loads together what was just stored separately.
     Planar(const Planar &other)
         : x(other.x)
         , y(other.y) {}

@@ -28,7 +28,7 @@ std::string narrow(const wchar_t *text) {
     return result;
 }
 
-/// In English and without the system's catalogues, which follow its language.
+/// The system's message in English, without its localised catalogues.
 std::string textOf(DWORD error) {
     switch (error) {
     case ERROR_FILE_NOT_FOUND:
@@ -117,12 +117,12 @@ double stringToDouble(const char *text, char **end) {
     return _strtod_l(text, end, plain);
 }
 
-/// A path as LoadLibraryW wants it: whole, so that it isn't looked for anywhere else, with backslashes.
+/// The path as LoadLibraryW needs it: absolute, so that no other folder is searched, with backslashes.
 SharedObject::SharedObject(const std::string &path) {
     const std::wstring given = wide(path);
     std::wstring whole(GetFullPathNameW(given.c_str(), 0, nullptr, nullptr), L'\0');
     if (!whole.empty()) GetFullPathNameW(given.c_str(), static_cast<DWORD>(whole.size()), whole.data(), nullptr);
-    const UINT before = SetErrorMode(SEM_FAILCRITICALERRORS); // no box on the screen
+    const UINT before = SetErrorMode(SEM_FAILCRITICALERRORS); // no dialog on the screen
     m_handle = reinterpret_cast<void *>(LoadLibraryW(whole.c_str()));
     if (!m_handle) m_reason = textOf(GetLastError());
     SetErrorMode(before);

@@ -20,7 +20,7 @@ struct Arguments {
     va_list list;
 };
 
-/// One % of a format, as far as it is known here.
+/// One conversion of a format, as far as it is supported.
 struct Conversion {
     size_t width = 0;
     int precision = -1; ///< not given
@@ -29,7 +29,7 @@ struct Conversion {
     char kind = '%';
 };
 
-/// Reads what follows a %; `format` goes on behind it. The precision may be an argument.
+/// Parses what follows a % and advances `format`. The precision may be an argument.
 Conversion readConversion(const char *&format, Arguments &arguments) {
     Conversion conversion;
     while (*format >= '0' && *format <= '9')
@@ -52,13 +52,13 @@ Conversion readConversion(const char *&format, Arguments &arguments) {
     return conversion;
 }
 
-#if defined(__cpp_lib_to_chars) // from_chars for double: libstdc++ has it, libc++ doesn't up to 19
+#if defined(__cpp_lib_to_chars) // libstdc++ has from_chars for double, libc++ doesn't up to version 19
 std::from_chars_result readDouble(const char *begin, const char *end, double &out) {
     return std::from_chars(begin, end, out);
 }
 #else
 std::from_chars_result readDouble(const char *begin, const char *end, double &out) {
-    if (begin == end || *begin == '+') return {begin, std::errc::invalid_argument}; // as from_chars
+    if (begin == end || *begin == '+') return {begin, std::errc::invalid_argument}; // like from_chars
     const std::string text(begin, end);
     char *rest = nullptr;
     const double number = system::stringToDouble(text.c_str(), &rest);
@@ -92,12 +92,12 @@ public:
     }
 
     void addDouble(double number, int precision) {
-        if (std::isnan(number)) return add("nan"); // whatever its sign
+        if (std::isnan(number)) return add("nan"); // without a sign
         addNumber(0, number, std::chars_format::general, precision);
     }
 
-    /// A text of someone else's, which may have anything in it: what isn't a visible character is shown by its bytes,
-    /// so that a message stays one line of UTF-8 and nothing in it speaks to a terminal.
+    /// Text from outside may contain anything: characters that aren't visible are shown as their bytes, so that a
+    /// message stays one line of UTF-8 and contains no terminal control sequences.
     void addShown(std::string_view text) {
         while (!text.empty()) {
             const size_t length = visibleCharacter(text);
@@ -135,7 +135,7 @@ public:
         }
     }
 
-    /// Drops a character whose last bytes found no room.
+    /// Drops an incomplete character at the end.
     void finish() {
         size_t begin = m_length;
         while (m_isCut && begin > 0 && isContinuation(m_out[begin - 1])) --begin;
@@ -152,7 +152,7 @@ private:
         addNumber(2, static_cast<unsigned>(byte), 16);
     }
 
-    /// Bytes of the first character; 0 if it is a control character or no valid UTF-8.
+    /// Number of bytes of the first character; 0 if it is a control character or invalid UTF-8.
     static size_t visibleCharacter(std::string_view text) {
         const auto first = static_cast<unsigned char>(text.front());
         if (first < 0x80) return first >= 0x20 && first != 0x7f ? 1 : 0;
@@ -171,7 +171,7 @@ private:
 
     static bool isContinuation(char byte) { return (static_cast<unsigned char>(byte) & 0xc0) == 0x80; }
 
-    /// Of a character of UTF-8, by its first byte.
+    /// Length of a UTF-8 character, by its first byte.
     static size_t bytesOf(char first) {
         const auto byte = static_cast<unsigned char>(first);
         return byte >= 0xf0 ? 4 : byte >= 0xe0 ? 3 : byte >= 0xc0 ? 2 : 1;
@@ -215,9 +215,9 @@ void writeText(char *out, size_t size, const char *format, ...) {
 
 namespace {
 
-/// For the whole of a word; invalid_argument if it isn't a number.
+/// Parses the whole word; invalid_argument if it isn't a number.
 std::errc readWord(std::string_view word, double &out) {
-    if (word.find_first_not_of("0123456789+-.eE") != word.npos) // "inf", "nan" and what they begin
+    if (word.find_first_not_of("0123456789+-.eE") != word.npos) // excludes "inf", "nan" and the like
         return std::errc::invalid_argument;
     const char *end = word.data() + word.size();
     const auto [rest, error] = readDouble(word.data(), end, out);
