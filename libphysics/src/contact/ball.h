@@ -5,12 +5,12 @@
 
 namespace phys {
 
-/// The moving part of a state.
+/// The part of a state that moves.
 struct Ball {
     Vec3 position;
     Vec3 velocity;
     Vec3 spin;
-    bool supported; ///< by a floor: its height is a constraint then, not a bounce in each step
+    bool supported; ///< by a floor: its height is then a constraint instead of a bounce in each step
 };
 
 } // namespace phys

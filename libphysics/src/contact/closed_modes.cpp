@@ -7,20 +7,20 @@ namespace phys {
 
 namespace {
 
-/// A floor that needs no share in what the others do, and smooth contacts whose normals it doesn't know: the reactions
-/// of those solve a linear complementarity problem whose solution is unique.
+/// Smooth contacts, possibly on a floor whose plane contains their normals and whose force doesn't depend on theirs:
+/// their reactions solve a linear complementarity problem with a unique solution.
 struct Smooth {
     const Moment &moment;
     std::span<const Held> held;
-    double inertia; ///< mass that a push at the centre moves: 7/5 where the ball must roll
-    double zero;    ///< acceleration that is none but for rounding
+    double inertia; ///< effective mass of a push at the centre: 7/5 where the ball must roll
+    double zero;    ///< acceleration that counts as zero, as it is rounding
 
     double approach(uint32_t i, const Vec3 &a) const {
         return glm::dot(held[i].normal, a) + curvature(moment, held[i]);
     }
 };
 
-/// Whether all contacts but those of a set let the ball accelerate by a.
+/// Whether all contacts except those of a set allow the acceleration a.
 bool allows(const Smooth &smooth, const Vec3 &a, uint32_t among, uint32_t but) {
     for (uint32_t i = 0; i < smooth.held.size(); ++i) {
         if ((among >> i & 1U) && !(but >> i & 1U) && smooth.approach(i, a) < -smooth.zero) return false;
@@ -28,7 +28,7 @@ bool allows(const Smooth &smooth, const Vec3 &a, uint32_t among, uint32_t but) {
     return true;
 }
 
-/// Pushes of two contacts that keep both; false if they are parallel or one would have to pull.
+/// Forces of two contacts that keep both closed; false if they are parallel or one would have to pull.
 bool pushOfTwo(const Smooth &smooth, const Vec3 &a, uint32_t i, uint32_t j, double &first, double &second) {
     const Held &one = smooth.held[i], &other = smooth.held[j];
     const double c = glm::dot(one.normal, other.normal);
@@ -36,7 +36,7 @@ bool pushOfTwo(const Smooth &smooth, const Vec3 &a, uint32_t i, uint32_t j, doub
     const double determinant = glm::dot(line, line);
     if (determinant == 0.0) return false;
     const double x = -smooth.approach(i, a), y = -smooth.approach(j, a);
-    // (x - c y)/(1 - c^2), without its difference of equal numbers where the normals are nearly the same.
+    // (x - c y)/(1 - c^2), written without the cancellation that nearly equal normals would cause.
     const double apart =
         glm::dot(other.normal - one.normal, a) + curvature(smooth.moment, other) - curvature(smooth.moment, one);
     first = c > 0.5 ? x / (1.0 + c) + c * apart / determinant : (x - c * y) / determinant;
@@ -44,11 +44,11 @@ bool pushOfTwo(const Smooth &smooth, const Vec3 &a, uint32_t i, uint32_t j, doub
     return first >= 0.0 && second >= 0.0;
 }
 
-/// Adds the pushes of the contacts among a set to a; false if more than two have to push.
+/// Adds the forces of the contacts of a set to a; false if more than two of them have to push.
 bool pushSmooth(const Smooth &smooth, uint32_t among, Vec3 &a, std::array<double, kMostHeld> &push) {
     const uint32_t count = static_cast<uint32_t>(smooth.held.size());
     if (allows(smooth, a, among, 0)) return true;
-    // Two before one: where they share a load, one alone would seem to carry it, give or take rounding.
+    // Pairs are tried first: if two contacts share a load, one alone would seem to carry it within rounding.
     for (uint32_t i = 0; i < count; ++i) {
         for (uint32_t j = i + 1; j < count; ++j) {
             double first = 0.0, second = 0.0;
@@ -73,7 +73,7 @@ bool pushSmooth(const Smooth &smooth, uint32_t among, Vec3 &a, std::array<double
     return false;
 }
 
-/// Contacts that neither push nor let go: kept, so that the next moment finds them.
+/// Sets the modes. A contact that neither pushes nor opens is kept closed, so that the next moment finds it.
 void fillSmooth(const Smooth &smooth, uint32_t among, const Vec3 &a, const std::array<double, kMostHeld> &push,
                 Response &response) {
     for (uint32_t i = 0; i < smooth.held.size(); ++i) {
@@ -113,13 +113,13 @@ bool respondOnFloor(const Moment &moment, std::span<const Held> held, uint32_t f
     Smooth smooth{moment, held, rolls ? 1.4 : 1.0, zero};
     std::array<double, kMostHeld> push{};
     Vec3 a = rolls ? 5.0 / 7.0 * level : level;
-    Vec3 heading(0.0); // of the way that resistance acts against
+    Vec3 heading(0.0); // of the motion that resistance opposes
     if (slips) {
         reaction.direction = hat(reaction.slip);
         a -= ground.friction * N * reaction.direction;
     } else if (B > 0.0) {
         const Vec3 spin = rollingSpin(moment, ground);
-        if (!isNoSlip(moment, R * spin)) heading = hat(glm::cross(spin, up)); // that of rounding is none
+        if (!isNoSlip(moment, R * spin)) heading = hat(glm::cross(spin, up)); // a heading of rounding counts as none
         a -= B * heading;
     }
     Vec3 others(0.0);
@@ -129,7 +129,7 @@ bool respondOnFloor(const Moment &moment, std::span<const Held> held, uint32_t f
         for (uint32_t i = 0; i < held.size(); ++i) others += smooth.inertia * push[i] * held[i].normal;
     }
     if (B > 0.0 && heading == Vec3(0.0)) {
-        // At rest: resistance balances what it can of what the others leave, model.md 2.1 R4.
+        // At rest: resistance balances as much of the remaining force as it can, model.md 2.1 R4.
         const double size = glm::length(a);
         heading = hat(a);
         a = size > B ? a - B * heading : Vec3(0.0);

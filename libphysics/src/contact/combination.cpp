@@ -34,7 +34,7 @@ void addGauge(const Combination &c, uint32_t i, uint32_t j, dense::Equations &eq
 
 namespace {
 
-/// Accelerations and slips' rates that follow from the reactions.
+/// Computes accelerations and the slips' rates from the reactions.
 void accelerate(Combination &c) {
     c.acceleration = c.moment.gravity;
     c.spinAcceleration = Vec3(0.0);
@@ -45,7 +45,7 @@ void accelerate(Combination &c) {
     }
 }
 
-/// Below 0 by no more than rounding, and so is the friction that it makes.
+/// The smallest N that counts as zero: it is negative by no more than rounding, and so is the friction due to it.
 double leastPressure(const Combination &c, uint32_t i) {
     return -kFits * accelerationScale(c.moment) / (1.0 + c.held[i].friction);
 }
@@ -82,7 +82,7 @@ void solve(Combination &c) {
         reaction.force = Vec3(0.0);
         for (uint32_t part = 0; part < c.width(i); ++part) reaction.force += x[c.column[i] + part] * c.basis(i, part);
         reaction.pressure = c.isOpen(i) ? 0.0 : glm::dot(reaction.force, c.held[i].normal);
-        // Rounding must not pull: friction would follow it, and drive the slip.
+        // Rounding must not make a contact pull: friction would follow it and drive the slip.
         if (reaction.mode != Mode::sticking && reaction.pressure < 0.0 && reaction.pressure >= leastPressure(c, i)) {
             reaction.pressure = 0.0;
             reaction.force = Vec3(0.0);
@@ -98,7 +98,7 @@ bool isWithinCone(const Combination &c, uint32_t i, double zero) {
     return reserve(c.held[i], c.reactions[i], c.rolling) >= -2.0 * most * mu * c.reactions[i].pressure - zero * zero;
 }
 
-/// Whether a slip starts just now, in the direction that another contact leaves it, which sticks.
+/// Whether a slip starts at this moment in the direction that another, sticking contact leaves free.
 bool isSpent(const Combination &c, uint32_t i) { return (c.spent >> i & 1U) && c.onlySticking() < c.count(); }
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One combination of modes of lasting contacts, and the equations that it makes: model.md 14.1.
+// One combination of modes of lasting contacts, and its equations: model.md 14.1.
 #pragma once
 
 #include "contact/dense.h"
@@ -7,7 +7,7 @@
 
 namespace phys {
 
-inline constexpr double kSettled = 4e-15; ///< change of a direction that is rounding
+inline constexpr double kSettled = 4e-15; ///< change of a direction that counts as rounding
 
 /// One combination of modes and its equations, model.md 14.1.
 struct Combination {
@@ -15,7 +15,7 @@ struct Combination {
     std::span<const Held> held;
     Work &work;
     std::array<Reaction, kMostHeld> reactions{};
-    Vec3 rolling{0.0}; ///< against which resistance acts; shorter than 1 where less than all of it holds the ball
+    Vec3 rolling{0.0}; ///< direction that resistance opposes; shorter than 1 where part of it holds the ball
     Vec3 acceleration{0.0}, spinAcceleration{0.0};
     std::array<uint32_t, kMostHeld> column{}; ///< first unknown of each contact
     uint32_t unknowns = 0;
@@ -24,7 +24,7 @@ struct Combination {
     uint32_t count() const { return static_cast<uint32_t>(held.size()); }
     std::span<const Reaction> list() const { return {reactions.data(), held.size()}; }
     bool sticks(uint32_t i) const { return reactions[i].mode == Mode::sticking; }
-    /// The one contact that sticks; count() if none does, or several.
+    /// The only contact that sticks; count() if there is none or more than one.
     uint32_t onlySticking() const {
         uint32_t only = count();
         for (uint32_t i = 0; i < count(); ++i) {
@@ -37,14 +37,15 @@ struct Combination {
     bool isOpen(uint32_t i) const { return reactions[i].mode == Mode::open; }
     bool isHeld() const { return squared(rolling) < 1.0 - 1e-12; }
 
-    /// What a ball that contact i holds keeps: at most a change of its spin about the normal.
+    /// Sets the accelerations of a ball that contact i holds: zero except, at most, for a change of the spin about the
+    /// normal.
     void rest(uint32_t i, double zero) {
         const Vec3 pivoting = spinAcceleration - tangential(spinAcceleration, held[i].normal);
         acceleration = Vec3(0.0);
         spinAcceleration = glm::length(pivoting) * moment.radius > zero ? pivoting : Vec3(0.0);
     }
 
-    /// r of contact i per unit of its unknown `part`.
+    /// Force r of contact i per unit of its unknown `part`.
     Vec3 basis(uint32_t i, uint32_t part) const {
         if (!sticks(i)) return held[i].normal - held[i].friction * reactions[i].direction;
         return {part == 0 ? 1.0 : 0.0, part == 1 ? 1.0 : 0.0, part == 2 ? 1.0 : 0.0};
@@ -60,27 +61,27 @@ struct Combination {
     }
 };
 
-/// What contact i asks of all forces: of the slip's rate where it sticks, of the normal acceleration elsewhere.
+/// The equation of contact i: for the slip's rate if it sticks, otherwise for the normal acceleration.
 void addRows(const Combination &c, uint32_t i, dense::Equations &equations, const Vec3 &slipRate, double apart);
 
-/// Two sticking contacts leave a force along the line through both open, which moves nothing: the member of this family
-/// with the least friction, model.md 14.1.
+/// Two sticking contacts leave a force along the line through both undetermined, which moves nothing. This equation
+/// selects the one with the least friction, model.md 14.1.
 void addGauge(const Combination &c, uint32_t i, uint32_t j, dense::Equations &equations);
 
 Vec3 slipRate(const Combination &c, uint32_t i);
 
-/// Solves a combination's equations for its reactions and accelerations.
+/// Solves the equations of a combination for its reactions and accelerations.
 void solve(Combination &c);
 
-/// Finds the reactions, and all directions that they depend on: of slips that start, and of resistance where a ball
-/// starts to roll. False if the iteration doesn't converge.
+/// Finds the reactions together with all directions that depend on them: those of slips that start, and that of
+/// resistance where a ball starts to roll. False if the iteration doesn't converge.
 bool settle(Combination &c);
 
-/// Whether what the modes ask for holds, but for accelerations of `zero`.
+/// Whether the conditions of the modes hold, up to accelerations of `zero`.
 bool fits(const Combination &c, double zero);
 
-/// Moves the forces of sticking contacts along the lines through pairs of them, which changes no motion, as far as it
-/// takes to bring both into their cones: model.md 14.1.
+/// Shifts forces of sticking contacts along the lines through pairs of them, which changes no motion, until both are
+/// within their cones if possible: model.md 14.1.
 void share(Combination &c, double zero);
 
 } // namespace phys

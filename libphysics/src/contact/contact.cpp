@@ -17,8 +17,8 @@ bool isSameNormal(const Vec3 &a, const Vec3 &b, double most) {
 
 bool isLess(const Vec3 &a, const Vec3 &b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
 
-/// The side of a box on which a centre is along one axis. On a border (within the tolerance) it belongs to the side it
-/// moves to, and to the box if it doesn't.
+/// On which side of a box a centre is along one axis. On a border (within the tolerance) it belongs to the side towards
+/// which it moves, or to the box if it doesn't move.
 int sideOf(double centre, double low, double high, double speed, double tolerance, double negligible) {
     if (centre < low - tolerance) return -1;
     if (centre > high + tolerance) return 1;
@@ -27,14 +27,14 @@ int sideOf(double centre, double low, double high, double speed, double toleranc
     return 0;
 }
 
-/// From the box's nearest point to the centre along one axis; a border counts as reached.
+/// From the box's nearest point to the centre along one axis; a centre on a border counts as beside the box.
 double offset(double centre, double low, double high, double tolerance) {
     if (centre < low - tolerance) return centre - low;
     if (centre > high + tolerance) return centre - high;
     return 0.0;
 }
 
-/// The coefficients go by the feature alone, model.md 13.1.
+/// The coefficients depend on the feature alone, model.md 13.1.
 void setCoefficients(const Setting &setting, Contact &contact) {
     const phys_params &params = setting.params;
     contact.isTop = contact.sides == std::array{0, 0, 1};
@@ -43,7 +43,7 @@ void setCoefficients(const Setting &setting, Contact &contact) {
     contact.friction = !setting.isRigid() ? 0.0 : contact.isTop ? params.sliding_friction : params.wall_friction;
 }
 
-/// Whether two contacts are at opposite sides of a crack that is next to none, with the ball right above it.
+/// Whether two contacts are on opposite sides of a crack of negligible width, with the ball right above it.
 bool areAcrossACrack(const Contact &a, const Contact &b) {
     bool any = false;
     for (int axis = 0; axis < 3; ++axis) {
@@ -54,7 +54,7 @@ bool areAcrossACrack(const Contact &a, const Contact &b) {
     return any;
 }
 
-/// One of two such contacts, moved to where nothing tells them apart. It stays an edge, which the ball rolls off.
+/// One of two such contacts, moved to the middle, where both are the same. It stays an edge, off which the ball rolls.
 Contact joined(Contact contact, const Contact &other) {
     for (int axis = 0; axis < 3; ++axis) {
         if (contact.sides[axis] == other.sides[axis]) continue;
@@ -65,7 +65,7 @@ Contact joined(Contact contact, const Contact &other) {
     return contact;
 }
 
-/// Collects contacts, each normal once. Which of several stays depends on where they are, never on their order.
+/// Collects contacts, keeping one for each normal. Which one is kept depends on positions, never on the order.
 class Gathering {
 public:
     Gathering(const Setting &setting, const Vec3 &position, const Motion &motion, Contacts &contacts)
@@ -76,8 +76,9 @@ public:
         contacts.clear();
     }
 
-    /// Of two with the same normal the nearer one stays, within the tolerance the one with the fewest axes, of equals
-    /// the one that the ball moves along for longer; of too many the nearest.
+    /// Of two contacts with the same normal the closer one is kept; within the tolerance the one with the fewest axes,
+    /// and of equals the one along which the ball moves for longer. If there are too many contacts, the closest are
+    /// kept.
     void add(const Contact &contact) {
         for (Contact &other : m_contacts) {
             if (!isSameNormal(contact.normal, other.normal, m_setting.sameNormal)) continue;
@@ -103,17 +104,17 @@ private:
         return a.gap == b.gap ? liesAhead(a, b) : a.gap < b.gap;
     }
 
-    /// Nothing but their boxes' ends tells two contacts apart: whether the ball leaves the second one's first.
+    /// Two contacts differ only by the ends of their boxes: whether the ball leaves the second one's box first.
     bool liesAhead(const Contact &a, const Contact &b) const {
         const auto outlook = [&](const Contact &contact) {
-            const Vec3 driven = glm::cross(m_motion.spin, contact.normal); // by friction
+            const Vec3 driven = glm::cross(m_motion.spin, contact.normal); // direction of friction's drive
             return std::tuple(endAlong(contact, m_motion.velocity), endAlong(contact, m_setting.gravity()),
                               endAlong(contact, driven), nearestEnd(contact));
         };
         return outlook(b) < outlook(a);
     }
 
-    /// How far along a direction, in its lengths, the box's end is.
+    /// Distance to the box's end along a direction, in units of its length.
     double endAlong(const Contact &contact, const Vec3 &direction) const {
         const phys_box &box = m_setting.scene.boxes[contact.box];
         double nearest = INFINITY;
@@ -142,12 +143,12 @@ private:
     Contacts &m_contacts;
 };
 
-/// The feature of a box that is nearest to the ball. False if the centre is inside the box.
+/// Finds the feature of a box that is nearest to the ball. False if the centre is inside the box.
 bool findFeature(const Setting &setting, const Vec3 &position, const Motion &motion, double negligible, uint32_t number,
                  Contact &contact) {
     const phys_box &box = setting.scene.boxes[number];
     const double tolerance = setting.tolerance;
-    Vec3 d(0.0); // GCC 12 takes it for uninitialised under ThreadSanitizer
+    Vec3 d(0.0); // initialised because of a false warning by GCC 12 under ThreadSanitizer
     for (int axis = 0; axis < 3; ++axis) {
         const double low = (&box.min.x)[axis];
         const double high = (&box.max.x)[axis];
@@ -157,7 +158,7 @@ bool findFeature(const Setting &setting, const Vec3 &position, const Motion &mot
     }
     const int outside = (d.x != 0.0) + (d.y != 0.0) + (d.z != 0.0);
     if (outside == 0) return false;
-    // A face's distance is exact: not rounded by a square root.
+    // A face's distance is exact, without the rounding of a square root.
     const double distance = outside == 1 ? std::abs(d.x + d.y + d.z) : glm::length(d);
     contact.normal = d / distance;
     contact.gap = distance - setting.scene.radius;
@@ -189,7 +190,7 @@ void Contacts::sort(const Motion &motion, const Vec3 &gravity, double radius) {
         const Contact contact = (*this)[i];
         const auto own = key(contact);
         uint32_t place = i;
-        // What ties goes by its normal, so that the numbering of boxes never matters.
+        // Ties are broken by the normal, so that the numbering of boxes has no effect.
         const auto comesBefore = [&](uint32_t other) {
             return own == keys[other] ? isLess(contact.normal, (*this)[other].normal) : own < keys[other];
         };
@@ -227,7 +228,7 @@ bool findContacts(const Setting &setting, const Vec3 &position, const Motion &mo
     };
     Gathering gathering(setting, position, motion, out);
     bool isOutside = true;
-    double negligible = -1.0; // not needed before something is near
+    double negligible = -1.0; // computed only when something is near
     visitNear(scene, position, touching + furthest, [&](const phys_box &box, uint32_t number) {
         const bool isTouched = squaredDistance(box, position) <= touching * touching;
         if (!isTouched && (furthest == 0.0 || !isReached(box))) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which features of which boxes a ball touches, and what holds there: model.md 13.1.
+// The features of boxes that a ball touches, and their properties: model.md 13.1.
 #pragma once
 
 #include "base/vec.h"
@@ -13,7 +13,7 @@
 
 namespace phys {
 
-/// What impulses change.
+/// Velocity and spin, which impulses change.
 struct Motion {
     Vec3 velocity;
     Vec3 spin;
@@ -25,19 +25,19 @@ inline Vec3 clipped(const Vec3 &v, double most) {
     return size > most ? most / size * v : v;
 }
 
-/// Velocity of the ball's surface across a contact's normal.
+/// Velocity of the ball's surface tangential to a contact.
 inline Vec3 slipAt(const Motion &motion, const Vec3 &normal, double radius) {
     const Vec3 surface = motion.velocity - radius * glm::cross(motion.spin, normal);
     return surface - glm::dot(surface, normal) * normal;
 }
 
-/// Speeds along a normal below this are rounding: "tolv" in model.md 13.2.
+/// Speeds along a normal below this count as rounding: "tolv" in model.md 13.2.
 inline double negligibleSpeed(const Motion &motion, double radius) {
     return 64.0 * kRounding * (glm::length(motion.velocity) + radius * glm::length(motion.spin));
 }
 
-/// Friction can halve a slip again and again without ending it. Components this much smaller than the motion before the
-/// contacts count as zero, long before they underflow.
+/// Friction can halve a slip again and again without ending it. Components that are smaller than the motion before the
+/// contacts by this factor count as zero, long before they underflow.
 inline void dropTraces(const Motion &before, double radius, Motion &motion) {
     constexpr double kTrace = 1e-100;
     const double most = kTrace * (glm::length(before.velocity) + radius * glm::length(before.spin));
@@ -47,16 +47,16 @@ inline void dropTraces(const Motion &before, double radius, Motion &motion) {
     }
 }
 
-/// A ball and the one feature of a box that is nearest to it: a box is convex, so that it never has a second contact.
+/// The contact of a ball with the feature of a box nearest to it; there is only one because a box is convex.
 struct Contact {
     Vec3 point;               ///< of the box, nearest to the centre
     Vec3 normal;              ///< unit, from the point to the centre
     double gap;               ///< m; negative: overlaps
-    std::array<int, 3> sides; ///< per axis: the centre lies below (-1), in (0) or above (+1) the box
+    std::array<int, 3> sides; ///< per axis: the centre lies below (-1), in (0) or above (+1) the box's extent
     double restitution;
-    double restSpeed; ///< m/s: slower approach doesn't bounce, but is part of lasting contact
+    double restSpeed; ///< m/s: a slower approach doesn't bounce but is part of lasting contact
     double friction;  ///< 0 in the rolling model
-    bool isTop;       ///< a top face: carries the ball, which rolls on it
+    bool isTop;       ///< a top face, which carries the ball and on which it rolls
     bool isGlued;     ///< a top face in the rolling model: the spin there follows the velocity
     uint32_t box;     ///< its number in scene.boxes
 
@@ -64,9 +64,9 @@ struct Contact {
     int axes() const { return std::abs(sides[0]) + std::abs(sides[1]) + std::abs(sides[2]); }
     bool isFace() const { return axes() == 1; }
 
-    /// The part of a vector that turns the normal: across an edge, any at a corner.
+    /// The component of a vector that turns the normal: across an edge; any component at a corner.
     Vec3 across(const Vec3 &v) const { return {sides[0] ? v.x : 0.0, sides[1] ? v.y : 0.0, sides[2] ? v.z : 0.0}; }
-    /// The second derivative of the gap (m/s^2) that the ball's way round the feature makes; 0 at a face.
+    /// The second derivative of the gap (m/s^2) due to the motion round the feature; 0 at a face.
     double curving(const Vec3 &velocity, double radius) const {
         if (isFace()) return 0.0;
         const Vec3 turning = across(velocity);
@@ -74,19 +74,19 @@ struct Contact {
     }
 };
 
-/// Normals this near to each other are one, model.md 13.1; for a stepper that looks ahead.
+/// Normals closer than this count as one, model.md 13.1; for a stepper that looks ahead.
 inline constexpr double kSameNormal = 1e-9;
 
-/// The contacts of one moment, each normal once.
+/// The contacts of one moment, one for each normal.
 class Contacts : public ShortList<Contact> {
 public:
     static constexpr uint32_t kMost = kMostContacts;
 
-    /// Removes the contacts for which `isUnwanted` is true; asks in order. Those that are left still tie as they did.
+    /// Removes the contacts for which `isUnwanted` is true, asking in order. The remaining ones keep their ties.
     template<class Predicate>
     void drop(Predicate isUnwanted) {
         uint32_t kept = 0;
-        bool ties = true; // with the last one that is kept
+        bool ties = true; // with the last one that was kept
         for (uint32_t i = 0; i < count(); ++i) {
             ties = ties && m_tiesWithPrevious[i];
             if (isUnwanted((*this)[i])) continue;
@@ -96,23 +96,23 @@ public:
         }
         shorten(kept);
     }
-    /// Removes edges and corners that a face keeps the ball from: those that don't stand out of its plane.
+    /// Removes edges and corners that a face shields from the ball: those that don't stand out of its plane.
     void dropHidden(double tolerance);
-    /// Sorts by what neither the numbering of boxes nor mirrors nor quarter turns change.
+    /// Sorts by criteria that don't depend on the numbering of boxes, reflections or quarter turns.
     void sort(const Motion &motion, const Vec3 &gravity, double radius);
-    /// Whether `sort` could not tell some apart.
+    /// Whether some contacts compare equal in `sort`.
     bool hasTies() const {
         return std::any_of(m_tiesWithPrevious.begin(), m_tiesWithPrevious.begin() + count(),
                            [](bool ties) { return ties; });
     }
-    /// Reverses the order of those that `sort` could not tell apart. False if there are none.
+    /// Reverses the order of contacts that compare equal in `sort`. False if there are none.
     bool reverseTies();
 
 private:
-    std::array<bool, kMost> m_tiesWithPrevious{}; ///< of those that were sorted
+    std::array<bool, kMost> m_tiesWithPrevious{}; ///< for sorted contacts
 };
 
-/// What decides about contacts besides the ball.
+/// What determines contacts besides the ball.
 struct Setting {
     Setting(const Scene &ofScene, const phys_params &ofParams)
         : scene(ofScene)
@@ -121,23 +121,23 @@ struct Setting {
 
     const Scene &scene;
     const phys_params &params;
-    double tolerance;                ///< m: gaps below it are none
-    double sameNormal = kSameNormal; ///< normals this near to each other are one
+    double tolerance;                ///< m: smaller gaps count as zero
+    double sameNormal = kSameNormal; ///< normals closer than this count as one
 
     bool isRigid() const { return params.model == PHYS_MODEL_RIGID; }
     Vec3 gravity() const { return toVec(params.gravity); }
 };
 
 /// Finds what a ball at `position` touches, or would overlap after any of the `ways` (m), in the order of
-/// Contacts::sort. False if the centre is inside a box: that is no contact, the ball must be pushed out first.
+/// Contacts::sort. False if the centre is inside a box: that isn't a contact, and the ball must be pushed out first.
 bool findContacts(const Setting &setting, const Vec3 &position, const Motion &motion, std::span<const Vec3> ways,
                   Contacts &out);
 
-/// The same where nothing but these boxes is near.
+/// The same if only these boxes are near.
 void findContactsAmong(const Setting &setting, const Vec3 &position, const Motion &motion,
                        std::span<const uint32_t> boxes, Contacts &out);
 
-/// The contact of a ball with a face that it is exactly at the radius of, beside the face's ends. side: +1 or -1, the
+/// The contact with a face at a distance of exactly the radius, away from the face's ends. side: +1 or -1, the
 /// direction of its normal along the axis.
 Contact contactAtFace(const Setting &setting, const Vec3 &position, uint32_t box, int axis, int side);
 

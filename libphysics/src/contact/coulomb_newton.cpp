@@ -12,20 +12,20 @@ namespace {
 
 constexpr int kMostSteps = 12;
 
-/// Along the line through both points of a pair that sticks no slip ends where a gap is still to be closed: the
-/// equation of such a contact along it counts least.
+/// For a pair of sticking contacts whose gap is still to be closed, slip along the line through both points can't end:
+/// the equation along this line has the smallest weight.
 constexpr double kGivesWay = 0x1p-20;
 
 constexpr uint32_t kMostContactsOfNewton = 4;
 static_assert(5 * kMostContactsOfNewton <= dense::kMostUnknowns);
 
-/// What an impulse of 1 does.
+/// The effect of a unit impulse.
 Motion pushOf(const Vec3 &impulse) { return {impulse, Vec3(0.0)}; }
 Motion rubOf(const Lasting &contact, const Vec3 &impulse, double radius) {
     return {impulse, -kInertia / radius * glm::cross(contact.lever, impulse)};
 }
 Motion turnOf(const Vec3 &spin) { return {Vec3(0.0), spin}; }
-/// Spins are unknown as speeds, so that all equations are in m/s.
+/// Spins are represented as speeds, so that all equations are in m/s.
 Motion turnBy(const Vec3 &speed, double radius) { return turnOf(speed / radius); }
 
 void add(const Motion &change, Motion &motion) {
@@ -33,18 +33,18 @@ void add(const Motion &change, Motion &motion) {
     motion.spin += change.spin;
 }
 
-/// How a quantity that is limited by the pressure answers: friction to slip, resistance to spin.
+/// The regime of a quantity that is limited by the pressure: friction opposing slip, or resistance opposing spin.
 enum class Answer {
-    None,    ///< there is none
-    Holds,   ///< as large as ends the slip
+    None,    ///< there is no such quantity
+    Holds,   ///< as large as needed to end the slip
     Limited, ///< as large as the pressure allows
 };
 
-/// Two directions across a contact's lever, and what holds along them. Images of a scene give images of it.
+/// Two directions across a contact's lever, and the equations along them. Symmetric scenes give symmetric equations.
 struct Disc {
     Answer answer = Answer::None;
     Vec3 along{0.0}, sideways{0.0};
-    double turning = 0.0; ///< most/|target|: of what changes the target sideways, as much changes the answer
+    double turning = 0.0; ///< most/|target|: a sideways change of the target changes the answer by this factor
 
     const Vec3 &operator[](uint32_t i) const { return i == 0 ? along : sideways; }
 
@@ -54,7 +54,7 @@ struct Disc {
     }
 };
 
-/// The equations of one step, and what they were made for.
+/// The equations of one step, and the data from which they were made.
 class Newton {
 public:
     Newton(const CoulombProblem &problem, Motion &motion)
@@ -70,7 +70,7 @@ public:
         apply(equations.solve());
     }
 
-    /// Whether the law holds, and by the choices of the last step.
+    /// Whether the law holds, under the regimes of the last step.
     bool isSolved() const {
         for (uint32_t i = 0; i < count(); ++i) {
             if (!holds(i)) return false;
@@ -82,9 +82,9 @@ private:
     struct Mode {
         bool presses = false;
         bool resists = false;
-        bool givesWay = false; ///< sticks beside another one that does, while its gap is still to be closed
+        bool givesWay = false; ///< it and another contact stick while its gap is still to be closed
         Disc rubbing, resisting;
-        uint32_t first = 0; ///< number of its first unknown: reaction, friction, resistance
+        uint32_t first = 0; ///< number of its first unknown; reaction, friction, resistance
     };
 
     uint32_t count() const { return static_cast<uint32_t>(m_problem.contacts.size()); }
@@ -123,7 +123,7 @@ private:
 
     bool sticks(uint32_t i) const { return m_modes[i].presses && m_modes[i].rubbing.answer == Answer::Holds; }
 
-    /// Directions that mirrors and quarter turns take along.
+    /// Chooses directions that transform with the scene under reflections and quarter turns.
     void orient(uint32_t i) {
         const Lasting &c = contact(i);
         Mode &mode = m_modes[i];
@@ -164,7 +164,7 @@ private:
     }
     static uint32_t countOf(const Disc &disc) { return disc.answer == Answer::None ? 0 : 2; }
 
-    /// Takes the impulses of a contact back, but for those that act.
+    /// Removes all impulses of a contact that doesn't press.
     void release(uint32_t i) {
         Lasting &c = contact(i);
         add(pushOf(-c.reaction * c.lever), m_motion);
@@ -175,7 +175,7 @@ private:
         c.isSpent = false;
     }
 
-    /// Calls visit(unknown, motion) with what one of each unknown does.
+    /// Calls visit(unknown, motion) with the effect of one unit of each unknown.
     template<class Visit>
     void visitUnknowns(Visit visit) const {
         for (uint32_t j = 0; j < count(); ++j) {
@@ -206,8 +206,8 @@ private:
                 1.0, spinOf, equations);
     }
 
-    /// Holds: what is met ends. Limited: the answer is perPressure * reaction along its target, which turns with what
-    /// is met, and with the answer itself.
+    /// Holds: the velocity that it opposes ends. Limited: the answer is perPressure * reaction along its target, which
+    /// turns with that velocity and with the answer itself.
     template<class Meet>
     void addDisc(const Disc &disc, uint32_t own, uint32_t reaction, double perPressure, const Vec3 &answer,
                  double pressure, const Vec3 &met, double share, double weight, Meet meetOf,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Coulomb's law of all lasting contacts by Newton's method, where one contact at a time comes to the answer too slowly:
-// model.md 13.5.
+// Coulomb's law of all lasting contacts by Newton's method, for cases in which sweeps over the contacts converge too
+// slowly: model.md 13.5.
 #pragma once
 
 #include "contact/lasting.h"
@@ -9,17 +9,17 @@
 
 namespace phys {
 
-/// What the contacts of one ball are in while their equations are solved.
+/// What is constant while the equations of a ball's contacts are solved.
 struct CoulombProblem {
     std::span<Lasting> contacts;
     double radius;
-    double rollingFriction; ///< 0: nothing resists
+    double rollingFriction; ///< 0: no resistance
     double negligible;      ///< m/s
     Work &work;
 };
 
-/// Improves the impulses and the motion that they made, which must fit each other, until Coulomb's law holds for all.
-/// False, and nothing changed, if that comes to no end.
+/// Improves the impulses and the motion that results from them, which must be consistent, until Coulomb's law holds for
+/// all contacts. If that doesn't converge, returns false and changes nothing.
 bool solveCoulomb(const CoulombProblem &problem, Motion &motion);
 
 } // namespace phys

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Small linear systems, by Gaussian elimination with full pivoting. Overdetermined systems are allowed if they are
-// consistent; in underdetermined ones free unknowns are 0.
+// consistent; in underdetermined ones the free unknowns are 0.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace phys::dense {
 
 inline constexpr uint32_t kMostUnknowns = 20;
 inline constexpr uint32_t kMostRows = 36;
-inline constexpr double kNoPivot = 1e-10; // relative to the largest: a row that says nothing new
+inline constexpr double kNoPivot = 1e-10; // relative to the largest: a smaller row is linearly dependent
 
 using Values = std::array<double, kMostUnknowns>;
 
@@ -27,11 +27,12 @@ public:
         m_areSolved = false;
     }
 
-    /// The same equations with other right-hand sides: `add` is called anew for each, its factors are left as they are.
+    /// The same equations with other right-hand sides: `add` is called again for each; the factors it returns must not
+    /// be changed.
     void again() { m_count = 0; }
     bool areSolved() const { return m_areSolved; }
 
-    /// Adds an equation with this right-hand side, and gives its factors, which are 0.
+    /// Adds an equation with this right-hand side and returns its factors, which are 0.
     Values &add(double value) {
         const uint32_t row = m_count++;
         if (!m_areSolved) {
@@ -63,9 +64,9 @@ private:
     uint32_t m_count = 0, m_rank = 0;
     bool m_areSolved = false;
     std::array<Values, kMostRows>
-        m_rows; ///< once solved: in the order of pivots; below those, what they were used with
+        m_rows; ///< after solving: in the order of pivots, with the multipliers of the elimination below
     std::array<double, kMostRows> m_values;
-    std::array<uint32_t, kMostRows> m_place; ///< of the equations as added, in m_rows
+    std::array<uint32_t, kMostRows> m_place; ///< position in m_rows of the equations in the order of `add`
     std::array<uint32_t, kMostUnknowns> m_order;
 
     void eliminate() {

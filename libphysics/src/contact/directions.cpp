@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Directions that depend on the forces which they cause: model.md 14.1.
+// Directions that depend on the forces they determine: model.md 14.1.
 #include "contact/combination.h"
 
 namespace phys {
 
 namespace {
 
-constexpr int kMostStartPasses = 100; // of the directions in which slips and rolling start
-constexpr int kMostPulling = 24;      // with a contact that would have to pull: what hasn't settled by then won't fit
-constexpr int kPlainPasses = 8;       // before they are mixed: until then they turn the right way
+constexpr int kMostStartPasses = 100; // of the iteration for the directions in which slips and rolling start
+constexpr int kMostPulling = 24;      // with a contact that would have to pull: later passes wouldn't fit
+constexpr int kPlainPasses = 8;       // before mixing begins: the first passes turn the directions the right way
 
-/// One of each contact, and that of resistance last.
+/// One direction for each contact, and last that of resistance.
 using Aims = std::array<Vec3, kMostHeld + 1>;
 
 double dot(const Aims &a, const Aims &b) {
@@ -23,11 +23,11 @@ void add(Aims &a, double factor, const Aims &b) {
     for (size_t i = 0; i < a.size(); ++i) a[i] += factor * b[i];
 }
 
-/// Finds x = next(x) faster than by going from x to next(x): Anderson's mixing, which takes the changes of the last
-/// steps for those of a linear map.
+/// Solves x = next(x) faster than fixed-point iteration: Anderson mixing, which treats the changes of the last steps as
+/// those of a linear map.
 class Mixing {
 public:
-    /// From x and next(x) to a better one.
+    /// A better x from x and next(x).
     Aims mix(const Aims &x, const Aims &next) {
         Aims missing = next, better = next;
         add(missing, -1.0, x);
@@ -49,7 +49,7 @@ public:
 private:
     static constexpr uint32_t kDepth = 3;
 
-    std::array<Aims, kDepth> m_missing, m_next; // orthonormal changes of what is missing, with those of next
+    std::array<Aims, kDepth> m_missing, m_next; // orthonormal changes of the residual, and those of next
     Aims m_lastMissing, m_lastNext;
     uint32_t m_count = 0;
     bool m_isBegun = false;
@@ -75,13 +75,13 @@ private:
     }
 };
 
-/// Contacts whose directions are sought. `rolls`: that at which a ball starts to roll against resistance.
+/// The contacts whose directions are unknown. `rolls`: the contact at which a ball starts to roll against resistance.
 struct Sought {
     uint32_t starting = 0; ///< bits
     uint32_t rolls = kMostHeld;
 };
 
-/// The directions that the forces of the present ones ask for.
+/// The directions that follow from the forces under the present ones.
 Aims askedFor(const Combination &c, const Sought &sought) {
     Aims asked{};
     for (uint32_t i = 0; i < c.count(); ++i) {
@@ -93,7 +93,7 @@ Aims askedFor(const Combination &c, const Sought &sought) {
     if (sought.rolls == kMostHeld) return asked;
     const Held &ground = c.held[sought.rolls];
     const double most = resistancePerPressure(c.moment, ground) * c.reactions[sought.rolls].pressure;
-    // A torque changes the rate by 2/7 of itself at one contact, and by less at several.
+    // A torque changes the rate by 2/7 of itself at one contact, and by less at several contacts.
     const Vec3 torque = most * c.rolling + kSlipPerFriction * tangential(c.spinAcceleration, ground.normal);
     if (most > 0.0) asked.back() = torque / std::max(most, glm::length(torque));
     return asked;
@@ -120,7 +120,7 @@ bool pulls(const Combination &c, double zero) {
                        [zero](const Reaction &reaction) { return reaction.pressure < -zero; });
 }
 
-/// Whether directions change by no more than rounding of the accelerations does to those of forces so small.
+/// Whether directions change by no more than the rounding of accelerations implies for forces this small.
 bool areSettled(const Combination &c, const Sought &sought, const Aims &aims, const Aims &asked) {
     const double scale = accelerationScale(c.moment);
     const auto isSettled = [&](size_t aim, double force) {
@@ -136,7 +136,7 @@ bool areSettled(const Combination &c, const Sought &sought, const Aims &aims, co
     return true;
 }
 
-/// Turns the directions until they agree with the accelerations. False if they don't settle.
+/// Turns the directions until they agree with the accelerations. False if they don't converge.
 bool settleDirections(Combination &c, const Sought &sought) {
     solve(c);
     if (sought.starting == 0 && sought.rolls == kMostHeld) return true;
@@ -154,15 +154,15 @@ bool settleDirections(Combination &c, const Sought &sought) {
     return false;
 }
 
-/// The contact at which rolling resistance acts; count() if none does.
+/// The contact at which rolling resistance acts; count() if there is none.
 uint32_t resisted(const Combination &c) {
     uint32_t i = 0;
     while (i < c.count() && !(c.sticks(i) && c.held[i].resistance > 0.0)) ++i;
     return i;
 }
 
-/// Directions in which slips begin: against the friction that would be needed to stop them. Where one other contact
-/// sticks, the ball can only turn about the line through both: the slip is across both normals.
+/// Directions in which slips begin: opposite to the friction that would be needed to prevent them. If one other contact
+/// sticks, the ball can only turn about the line through both, so the slip is across both normals.
 bool aimStarts(Combination &c) {
     Combination stuck = c;
     bool starts = false;
@@ -202,8 +202,8 @@ bool settle(Combination &c) {
     if (!aimStarts(c)) return false;
     bool isSettled = settleDirections(c, sought);
     if (ground == c.count() || rolls) return isSettled;
-    // Resistance of a ball that starts to roll: against the way that it then takes, or the share of the most possible
-    // that holds it, model.md 14.1.
+    // Resistance on a ball that starts to roll: opposite to the resulting motion, or the share of the largest possible
+    // one that holds the ball, model.md 14.1.
     const Vec3 free = tangential(c.spinAcceleration, c.held[ground].normal);
     if (glm::length(free) * c.moment.radius <= zero) return isSettled;
     sought.rolls = ground;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a lasting contact adds to the accelerations: model.md 14.1.
+// The contribution of a lasting contact to the accelerations: model.md 14.1.
 #pragma once
 
 #include "contact/modes.h"
@@ -9,14 +9,14 @@
 
 namespace phys {
 
-inline constexpr double kFits = 1e-11;          // relative: a condition that holds within this holds
-inline constexpr double kRoughly = 1e6 * kFits; // where directions settle too slowly: friction still only takes energy
+inline constexpr double kFits = 1e-11;          // relative: conditions violated by less than this are satisfied
+inline constexpr double kRoughly = 1e6 * kFits; // where directions converge slowly; friction still dissipates
 inline constexpr double kInertia = 2.5;         // m R^2 / I of a solid ball
-inline constexpr double kSlipPerFriction = 3.5; // what friction at one contact changes its slip by: 1 + 5/2
+inline constexpr double kSlipPerFriction = 3.5; // change of a contact's slip per unit of its own friction: 1 + 5/2
 
 inline double squared(const Vec3 &v) { return glm::dot(v, v); }
 
-/// Also of vectors whose squares underflow.
+/// Also normalises vectors whose squares underflow.
 inline Vec3 hat(Vec3 v) {
     const double most = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
     if (most == 0.0) return Vec3(0.0);
@@ -29,12 +29,12 @@ inline Vec3 tangential(const Vec3 &v, const Vec3 &normal) { return v - glm::dot(
 inline bool isFace(const Held &held) { return held.across.x + held.across.y + held.across.z == 1.0; }
 inline bool isTopFace(const Held &held) { return isFace(held) && held.normal.z == 1.0; }
 
-/// What the curvature of a feature adds to the normal acceleration: |P v|^2 / R.
+/// The contribution of a feature's curvature to the normal acceleration: |P v|^2 / R.
 inline double curvature(const Moment &moment, const Held &held) {
     return isFace(held) ? 0.0 : squared(held.across * moment.velocity) / moment.radius;
 }
 
-/// Part of the spin that rolling resistance acts against.
+/// The part of the spin that rolling resistance opposes.
 inline Vec3 rollingSpin(const Moment &moment, const Held &held) { return tangential(moment.spin, held.normal); }
 
 inline double resistancePerPressure(const Moment &moment, const Held &held) {

@@ -27,12 +27,12 @@ double kineticEnergy(const Motion &motion, double radius) {
            0.2 * radius * radius * glm::dot(motion.spin, motion.spin);
 }
 
-/// NORMAL: the least impulses that give every contact the speed it asks for.
+/// NORMAL: the smallest impulses that give every contact its required speed.
 void pushApart(Round &round, double negligible, Motion &motion, Work &work) {
     motion.velocity += leastPush({round.pushes.data(), round.count}, negligible, work);
 }
 
-/// FRICTION: of all impulses within the cones those that leave the least energy.
+/// FRICTION: of all impulses within the cones, those that leave the least energy.
 void rub(const Contacts &contacts, const Round &round, double radius, Motion &motion, Work &work) {
     std::array<FrictionDisc, Contacts::kMost> discs;
     uint32_t count = 0;
@@ -55,7 +55,7 @@ Round approaching(const Contacts &contacts, const Motion &motion, double negligi
     return round;
 }
 
-/// After the last round: what still approaches stops.
+/// After the last round, everything that still approaches is stopped.
 void stopApproach(const Contacts &contacts, double negligible, Motion &motion, Work &work) {
     Round all;
     for (uint32_t i = 0; i < contacts.count(); ++i) {
@@ -98,7 +98,7 @@ Impacts resolveImpacts(const Contacts &contacts, double radius, Motion &motion, 
     const Impacts impacts = resolveInThisOrder(contacts, radius, motion, work);
     if (impacts.rounds == 0) return impacts;
     if (contacts.hasTies()) {
-        // Contacts that nothing tells apart: the mean of both orders prefers none.
+        // Contacts that compare equal: the mean of both orders favours none.
         Contacts reversed = contacts;
         reversed.reverseTies();
         Motion other = before;

@@ -7,21 +7,21 @@
 
 namespace phys {
 
-/// Impacts that still approach after so many rounds end without a bounce.
+/// Impacts that still approach after this many rounds end without a bounce.
 inline constexpr uint32_t kMostImpactRounds = 64;
 
-/// What the impacts of one moment did.
+/// The result of the impacts of one moment.
 struct Impacts {
     double lostNormal = 0.0; ///< J/kg taken by restitution
     double lostSlip = 0.0;   ///< J/kg taken by friction
-    uint32_t rounds = 0;     ///< 0: nothing was approaching
+    uint32_t rounds = 0;     ///< 0: no contact was approaching
 
-    /// A contact's normal speed before the first round that it took part in (m/s); 0 if it took part in none.
+    /// Normal speed of a contact before its first round (m/s); 0 if it took part in none.
     std::array<double, Contacts::kMost> approach{};
 };
 
-/// Gives contacts that approach their impulses, in rounds, until none does: restitution holds above restSpeed only.
-/// Energy never rises; neither the order of contacts nor a mirror changes the result by a bit.
+/// Applies impulses to approaching contacts, in rounds, until none approaches; restitution applies above restSpeed
+/// only. Energy never rises, and neither the order of contacts nor a reflection changes any bit of the result.
 Impacts resolveImpacts(const Contacts &contacts, double radius, Motion &motion, Work &work);
 
 } // namespace phys

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where no modes fit: impulses without a collision, model.md 14.1.
+// Where no combination of modes fits: impulses without a collision, model.md 14.1.
 #include "contact/combination.h"
 #include "contact/mirror.h"
 
@@ -9,10 +9,10 @@ namespace phys {
 
 namespace {
 
-constexpr int kMostJamPasses = 50; // of the directions that slips are left with
-constexpr double kMostMore = 1e-9; // relative, of impulses that count as equal
+constexpr int kMostJamPasses = 50; // of the iteration for the directions of the remaining slips
+constexpr double kMostMore = 1e-9; // relative difference of impulses that count as equal
 
-/// Impulses at once: the forces of a combination, and what they make of the motion.
+/// Simultaneous impulses: the forces of a combination, and their effect on the motion.
 struct Jam {
     Combination c;
     const Moment &before;
@@ -25,7 +25,7 @@ struct Jam {
     Vec3 slipAfter(uint32_t i) const { return slipAt(after, c.held[i].normal); }
 };
 
-/// The impulses that end the slips of what sticks and keep the other contacts.
+/// The impulses that end the slips of sticking contacts and keep the other contacts closed.
 void push(Jam &jam) {
     Combination &c = jam.c;
     c.unknowns = 0;
@@ -54,7 +54,7 @@ void push(Jam &jam) {
     }
 }
 
-/// Change of a slip's direction that is what rounding of the motion makes of it.
+/// Change of a slip's direction that corresponds to the rounding of the motion.
 double settledWithin(const Jam &jam, const Vec3 &slip) {
     constexpr double kMost = 1e-6;
     const double rounding = 4.0 * 0x1p-52 * speedScale(jam.before);
@@ -62,7 +62,7 @@ double settledWithin(const Jam &jam, const Vec3 &slip) {
     return speed > 0.0 ? std::clamp(rounding / speed, kSettled, kMost) : kSettled;
 }
 
-/// As `push`, with friction against the slips that are left. False if their directions don't settle.
+/// Like `push`, with friction opposing the remaining slips. False if their directions don't converge.
 bool settle(Jam &jam) {
     for (int pass = 0; pass < kMostJamPasses && !jam.c.work.isTooMuch(); ++pass) {
         push(jam);
@@ -93,7 +93,7 @@ bool fits(const Jam &jam) {
     return true;
 }
 
-/// The number-th way in which contact i may take part; false beyond the last.
+/// The number-th mode of contact i; false beyond the last one.
 bool setMode(Jam &jam, uint32_t i, uint32_t number) {
     const Held &held = jam.c.held[i];
     Reaction &reaction = jam.c.reactions[i];
@@ -131,7 +131,7 @@ double sumOfPressures(const Jam &jam) {
     return sum;
 }
 
-/// A moment whose slips end, as all of its images see it.
+/// A moment at which slips end, in a frame that is the same for all symmetric images.
 class Jammed {
 public:
     Jammed(const Moment &moment, std::span<const Held> held, Work &work)
@@ -149,7 +149,7 @@ public:
         return m_jam.after;
     }
 
-    /// False if no choice fits.
+    /// False if no choice of modes fits.
     bool end(Moment &best) {
         double least = INFINITY;
         std::array<uint32_t, kMostHeld> numbers{};

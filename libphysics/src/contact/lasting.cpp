@@ -13,15 +13,15 @@ namespace {
 
 constexpr int kMostSweeps = 300;
 
-/// Rounds of sweeps that find the reactions together: a very rough contact may take turns with others for ever. Where
-/// friction feeds on the pressure that it makes, a slip that is far larger than the drive takes the longer ones.
+/// Rounds of sweeps that find the reactions together: very rough contacts may alternate for ever. The longer limit is
+/// for a slip far larger than the drive, where friction depends on the pressure that it causes.
 constexpr int kUsuallyTogether = 40;
 constexpr int kMostTogether = 100;
 
-/// Sweeps after which Newton's method is tried first; then after twice as many each time.
+/// Sweeps after which Newton's method is tried for the first time; then after twice as many each time.
 constexpr int kFirstNewton = 12;
 
-/// Changes below this share of the speeds are rounding.
+/// Changes below this share of the speeds count as rounding.
 constexpr double kNegligible = 1e-15;
 
 constexpr double kNotPressed = -1.0;
@@ -30,13 +30,13 @@ double size(const Vec3 &v) { return std::max({std::abs(v.x), std::abs(v.y), std:
 
 bool areOpposite(const Lasting &a, const Lasting &b) { return size(a.lever + b.lever) <= kSameNormal; }
 
-/// The least reaction that keeps the ball from approaching.
+/// The smallest reaction that keeps the ball from approaching.
 double reactionOf(const Lasting &contact, const Motion &motion) {
     const double missing = contact.slow - glm::dot(contact.limit, motion.velocity);
     return std::max(0.0, contact.reaction + missing / glm::dot(contact.limit, contact.lever));
 }
 
-/// Friction that ends the slip, or as much of it as Coulomb's cone allows against the mean slip.
+/// Friction that ends the slip, or as much as Coulomb's cone allows, opposing the mean slip.
 Vec3 frictionOf(Lasting &contact, const Motion &motion, double radius) {
     contact.isSpent = false;
     if (contact.reaction == 0.0 || (contact.friction == 0.0 && !contact.isGlued)) return Vec3(0.0);
@@ -48,7 +48,7 @@ Vec3 frictionOf(Lasting &contact, const Motion &motion, double radius) {
     return clipped(tangential(contact.rubbing - kEndsSlip * (contact.slipBefore + slip), contact.lever), most);
 }
 
-/// Resistance against the mean spin, at most what ends it.
+/// Resistance opposing the mean spin, at most as much as ends it.
 Vec3 resistanceOf(const Lasting &contact, const Motion &motion, double most) {
     const Vec3 holding = tangential(contact.resisting - motion.spin, contact.lever);
     if (glm::dot(holding, holding) <= most * most) return holding;
@@ -59,15 +59,15 @@ Vec3 resistanceOf(const Lasting &contact, const Motion &motion, double most) {
 
 namespace {
 
-/// Up to three contacts that press, and nothing else does.
+/// Up to three pressing contacts without friction and resistance.
 class Pressing {
 public:
     explicit Pressing(const Vec3 &unpressed)
         : m_unpressed(unpressed) {}
 
-    /// Finds the reactions that give each of them its least speed. False if their normals depend on each other.
+    /// Finds the reactions that give each contact its least speed. False if their normals are linearly dependent.
     bool solve(std::initializer_list<Lasting *> contacts) {
-        constexpr int kRounds = 3; // the later ones take the rounding of the first
+        constexpr int kRounds = 3; // the later ones correct the rounding of the first
         m_count = 0;
         for (Lasting *contact : contacts) m_contacts[m_count] = contact, m_reactions[m_count++] = 0.0;
         m_velocity = m_unpressed;
@@ -134,7 +134,7 @@ private:
 
 } // namespace
 
-/// One round of Gauss-Seidel, each contact in closed form; arePressed: the reactions are those of all contacts already.
+/// One Gauss-Seidel sweep, each contact in closed form; arePressed: the reactions are already those of all contacts.
 /// Returns the largest change, m/s.
 double LastingContacts::sweep(double rollingFriction, bool arePressed, Motion &motion) {
     double largest = 0.0;
@@ -163,9 +163,9 @@ double LastingContacts::sweep(double rollingFriction, bool arePressed, Motion &m
     return largest;
 }
 
-/// Whether one contact at a time would come to the reactions too slowly: cos^2 of the normals' angle is what a sweep
-/// leaves of an error. Opposite ones don't share a load: releaseOpposite. Of more normals than are independent some
-/// contact must let go, for which sweeps would have to shift the load bit by bit.
+/// Whether sweeps would converge to the reactions too slowly. One sweep leaves the share cos^2 of an error, for the
+/// angle between the normals. Opposite normals don't share a load: releaseOpposite. If there are more normals than
+/// independent ones, some contact must open, and sweeps would shift its load in small steps.
 bool LastingContacts::shareLoads() const {
     constexpr double kAligned = 0.9, kFlat = 0.1;
     if (count() > 3) return true;
@@ -178,8 +178,8 @@ bool LastingContacts::shareLoads() const {
     return count() == 3 && std::abs(glm::dot(all[0].lever, glm::cross(all[1].lever, all[2].lever))) < kFlat;
 }
 
-/// The least reactions of all contacts at once, while friction stays. Returns the largest change of the velocity (m/s),
-/// or kNotPressed if there are none: it changes nothing then.
+/// The smallest reactions of all contacts together, with friction unchanged. Returns the largest change of the velocity
+/// (m/s), or kNotPressed if there is no solution, in which case nothing is changed.
 double LastingContacts::pressTogether(double negligible, Motion &motion) {
     Vec3 unpressed = motion.velocity;
     for (const Lasting &contact : *this) unpressed -= contact.reaction * contact.lever;
@@ -218,7 +218,8 @@ double LastingContacts::pressTogether(double negligible, Motion &motion) {
     return size(change);
 }
 
-/// What lies far from where sweeps lead is another answer: one in which friction makes the pressure that it feeds on.
+/// A solution far from the result of the sweeps is a different one, in which friction maintains the pressure that it
+/// depends on.
 bool LastingContacts::solveByNewton(double rollingFriction, double negligible, bool isLast, Motion &motion) {
     const auto pressure = [&] {
         double sum = 0.0;
@@ -236,7 +237,7 @@ bool LastingContacts::solveByNewton(double rollingFriction, double negligible, b
     return false;
 }
 
-/// False if that comes to no end.
+/// False if that doesn't converge.
 bool LastingContacts::settle(double rollingFriction, double negligible, bool releases, Motion &motion) {
     int nextNewton = m_needsNewton ? 0 : kFirstNewton;
     for (int i = 0; i < kMostSweeps; ++i) {
@@ -272,8 +273,8 @@ void LastingContacts::unload() {
     }
 }
 
-/// driven: the motion without any impulse. Where friction feeds on itself sweeps may come to no end: then a squeeze
-/// stays, and if that doesn't help nothing rubs.
+/// driven: the motion without any impulse. Where friction depends on itself, sweeps may not converge: squeezing is then
+/// kept, and if that doesn't help, friction is dropped.
 void LastingContacts::settleWithoutResistance(double negligible, const Motion &driven, Motion &motion) {
     if (shareLoads()) {
         if (settleTogether(0.0, negligible, kUsuallyTogether, motion)) return;
@@ -293,8 +294,8 @@ void LastingContacts::settleWithoutResistance(double negligible, const Motion &d
     if (!settleTogether(0.0, negligible, kUsuallyTogether, motion)) settle(0.0, negligible, true, motion);
 }
 
-/// Faces as far apart as the ball is wide may squeeze it without moving anything, but friction feeds on that. The law
-/// takes the least reactions, model.md 14.1. Returns whether there was any squeeze.
+/// Parallel faces as far apart as the ball is wide may squeeze it without moving anything, but friction depends on the
+/// squeeze. The law takes the smallest reactions, model.md 14.1. Returns whether there was a squeeze.
 bool LastingContacts::releaseOpposite(double negligible) {
     bool any = false;
     for (Lasting *a = begin(); a != end(); ++a) {
@@ -309,9 +310,9 @@ bool LastingContacts::releaseOpposite(double negligible) {
     return any;
 }
 
-/// Two contacts that stick can be pressed against each other without moving anything, along the line between their
-/// points. Of all such answers the one with the least friction holds, model.md 13.3: this changes to it, where the
-/// cones allow. One of them may be at its limit by that pressure alone. Returns the largest change, m/s.
+/// Two sticking contacts can be pressed against each other along the line between their points without moving anything.
+/// Of all such solutions the law takes the one with the least friction, model.md 13.3, to which this changes if the
+/// cones allow it. One of them may be at its limit by this pressure alone. Returns the largest change, m/s.
 double LastingContacts::relieve(double negligible, const Motion &motion) {
     const auto isStill = [&](const Lasting &contact) {
         return contact.reaction > 0.0 && size(slipAt(motion, contact.limit, m_radius)) <= 4.0 * negligible;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lasting contacts over a short time: what all of them together do to a velocity, model.md 13.5.
+// Lasting contacts over a short time: their joint effect on a velocity, model.md 13.5.
 #pragma once
 
 #include "contact/contact.h"
@@ -7,15 +7,15 @@
 
 namespace phys {
 
-/// A contact that may last, and its answer. In a list they are in the order of Contacts::sort.
+/// A contact that may last, with its impulses. In a list they are in the order of Contacts::sort.
 struct Lasting {
     Vec3 lever;  ///< normal along which the reaction pushes and across which friction acts
-    Vec3 limit;  ///< normal along which the ball must not approach in the end; order 1: the same
-    double slow; ///< least speed along `limit` in the end, m/s: 0, or below it for a gap to be closed
+    Vec3 limit;  ///< normal along which the ball must not approach at the end; order 1: the same
+    double slow; ///< smallest speed along `limit` at the end, m/s: 0, or negative for a gap to be closed
     double friction;
     bool isTop;
     bool isGlued;
-    // Order 2: what shares in the directions of friction and resistance. Order 1: 0.
+    // Order 2: what contributes to the directions of friction and resistance. Order 1: 0.
     Vec3 slipBefore; ///< slip at the start, m/s
     Vec3 spinBefore; ///< spin at the start if the ball rolled then, rad/s
 
@@ -25,24 +25,24 @@ struct Lasting {
     bool isSpent;   ///< friction is at its limit
     bool rolls;     ///< a top face without slip, so that rolling resistance works there
 
-    /// Whether friction has a reserve. Its size alone doesn't tell: that of a spent one is rounded.
+    /// Whether friction has a reserve. Its magnitude doesn't tell, as friction at its limit is rounded.
     bool sticks() const {
         return !isSpent && reaction > 0.0 && glm::dot(rubbing, rubbing) < friction * friction * reaction * reaction;
     }
 };
 
-/// Of a slip: the friction that ends it. An impulse of 1 changes the slip of its own contact by 7/2.
+/// The friction that ends a slip. A unit impulse changes the slip of its own contact by 7/2.
 inline constexpr double kEndsSlip = 2.0 / 7.0;
 
 class LastingContacts : public ShortList<Lasting> {
 public:
-    /// work: counts what `solve` does.
+    /// work: counts the cost of `solve`.
     LastingContacts(double radius, Work &work)
         : m_radius(radius)
         , m_work(&work) {}
 
-    /// Coulomb's law of all contacts at once, and rolling resistance where a top face rolls: changes the motion that
-    /// gravity alone would give. Begins with the impulses that the contacts have: none, or those of a like problem.
+    /// Coulomb's law of all contacts together, with rolling resistance where a top face rolls: changes the motion under
+    /// gravity alone. Starts from the impulses that the contacts have: zero, or those of a similar problem.
     void solve(double rollingFriction, Motion &motion);
 
 private:
@@ -59,7 +59,7 @@ private:
 
     double m_radius;
     Work *m_work;
-    bool m_needsNewton = false; ///< sweeps came to the last answer too slowly
+    bool m_needsNewton = false; ///< sweeps converged too slowly the last time
 };
 
 } // namespace phys

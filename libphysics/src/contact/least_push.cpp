@@ -17,7 +17,8 @@ Vec3 sumOf(std::span<const Push> pushes) {
     return sum;
 }
 
-/// By how much the amounts miss: less than is wanted, more than is wanted by a push, or a pull. 0 or less: they fit.
+/// The largest violation by the amounts: too little along a normal, too much for a positive amount, or a pull. 0 or
+/// less: they fit.
 double misfit(std::span<const Push> pushes) {
     const Vec3 sum = sumOf(pushes);
     double worst = -INFINITY;
@@ -28,7 +29,7 @@ double misfit(std::span<const Push> pushes) {
     return worst;
 }
 
-/// Subsets of pushes with their amounts are tried until one fits; until then the one that misses least is kept.
+/// Tries subsets of positive amounts until one fits; keeps the one with the smallest violation meanwhile.
 class Search {
 public:
     Search(std::span<Push> pushes, double negligible, Work &work)
@@ -82,7 +83,7 @@ private:
         return missed <= m_negligible;
     }
 
-    /// amountsFor(wanted): those of some pushes. Corrected by what they miss of it, where rounding keeps them from
+    /// amountsFor(wanted): the amounts of a subset. Its residual is corrected where rounding keeps the amounts from
     /// fitting.
     template<size_t Count, class AmountsFor>
     bool fitsCorrected(const std::array<Push *, Count> &pushes, AmountsFor amountsFor) {
@@ -112,7 +113,7 @@ private:
         });
     }
 
-    /// Three independent normals determine the sum; its shares along them are the amounts.
+    /// Three independent normals determine the sum; its components in their basis are the amounts.
     bool fitsThree(Push &a, Push &b, Push &c) {
         const Vec3 bc = glm::cross(b.normal, c.normal);
         const Vec3 ca = glm::cross(c.normal, a.normal);
@@ -134,7 +135,7 @@ private:
     size_t m_bestCount = 0;
 };
 
-/// For nearly parallel or opposite normals, where rounding keeps every subset from fitting.
+/// For nearly parallel or opposite normals, where no subset fits because of rounding.
 void sweep(std::span<Push> pushes, double negligible, Work &work) {
     for (Push &push : pushes) push.amount = 0.0;
     Vec3 sum(0.0);

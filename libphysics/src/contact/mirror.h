@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A view of a moment that is the same for all mirror images and quarter turns of it: what is computed in it comes out
-// mirrored and turned to the bit. model.md 14.3.
+// A frame for a moment that is the same for all reflections and quarter turns of it: results computed in this frame are
+// reflected and rotated to the bit. model.md 14.3.
 #pragma once
 
 #include "contact/modes.h"
@@ -26,7 +26,7 @@ public:
         m_flipY = isNegative({v.y, g.y, -om.x, lean.y});
         m_swaps = isNegative({std::abs(v.x) - std::abs(v.y), std::abs(g.x) - std::abs(g.y),
                               std::abs(om.y) - std::abs(om.x), reach.x - reach.y});
-        // A turn about the vertical alone has a sense but no direction.
+        // A spin about the vertical alone has a sense but no direction.
         if (isUndecided({v.x, g.x, om.y, lean.x}) && om.z * handedness() < 0.0)
             m_flipX = !m_flipX;
         else if (isUndecided({v.y, g.y, om.x, lean.y}) && om.z * handedness() < 0.0)
@@ -46,7 +46,7 @@ public:
         return v;
     }
 
-    /// Of what turns: spins and torques.
+    /// For axial vectors: spins and torques.
     Vec3 seenSpin(const Vec3 &om) const { return handedness() * seen(om); }
     Vec3 backSpin(const Vec3 &om) const { return handedness() * back(om); }
 
@@ -79,10 +79,10 @@ private:
     }
 };
 
-/// Contacts in an order that no mirror and no shuffling of the boxes can see: that of their normals in the mirror.
+/// Contacts in an order that is independent of reflections and of the boxes' order: by their normals in this frame.
 struct Sorted {
     std::array<Held, kMostHeld> held{};
-    std::array<uint32_t, kMostHeld> index{}; ///< of each in the given list
+    std::array<uint32_t, kMostHeld> index{}; ///< index of each in the given list
     uint32_t count = 0;
 
     Sorted(const Mirror &mirror, std::span<const Held> given) {
@@ -94,7 +94,7 @@ struct Sorted {
         const auto before = [](const Vec3 &a, const Vec3 &b) {
             return std::tie(a.z, a.x, a.y) < std::tie(b.z, b.x, b.y);
         };
-        for (uint32_t i = 1; i < count; ++i) { // by insertion: there are a handful
+        for (uint32_t i = 1; i < count; ++i) { // insertion sort, as there are only a few
             for (uint32_t j = i; j > 0 && before(held[j].normal, held[j - 1].normal); --j) {
                 std::swap(held[j], held[j - 1]);
                 std::swap(index[j], index[j - 1]);

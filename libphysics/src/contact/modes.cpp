@@ -10,7 +10,7 @@ namespace phys {
 namespace {
 
 constexpr double kNoSlip = 64.0 * 0x1p-52; // relative
-constexpr uint32_t kMostPressing = 4;      // of contacts with different normals, model.md 14.1
+constexpr uint32_t kMostPressing = 4;      // contacts with different normals that press, model.md 14.1
 
 double sumOfPressures(std::span<const Reaction> reactions) {
     double sum = 0.0;
@@ -24,7 +24,7 @@ uint32_t closedContacts(std::span<const Reaction> reactions) {
     return closed;
 }
 
-/// Modes that a contact may be in; `index` counts them. False beyond the last.
+/// The modes that a contact may have, counted by `index`. False beyond the last one.
 bool modeOf(const Held &held, const Reaction &reaction, uint32_t index, Mode &mode) {
     const bool slips = reaction.slip != Vec3(0.0);
     const Mode smooth[] = {Mode::open, Mode::smooth}, sliding[] = {Mode::open, Mode::slipping};
@@ -35,8 +35,8 @@ bool modeOf(const Held &held, const Reaction &reaction, uint32_t index, Mode &mo
     return index < 3 && (mode = still[index], true);
 }
 
-/// How well a combination fits, best first: within rounding; as far as directions of few digits allow, as those of a
-/// slip that has just begun; each also with forces that sticking contacts share.
+/// How well a combination fits, best first: within rounding; within the accuracy of directions with few digits, such as
+/// that of a slip that has just begun; each also with shifted forces of sticking contacts.
 struct Fit {
     double tolerance;
     bool shares;
@@ -45,7 +45,7 @@ constexpr Fit kFit[] = {{kFits, false},      {kFits, true},     {1e3 * kFits, fa
                         {1e3 * kFits, true}, {kRoughly, false}, {kRoughly, true}};
 constexpr size_t kNoFit = std::size(kFit);
 
-/// Index in kFit; kNoFit if it is beyond `most`. What hasn't settled fits only roughly.
+/// Index in kFit; kNoFit if it is beyond `most`. A combination that hasn't converged fits only roughly.
 size_t fitOf(Combination &c, bool isSettled, size_t most, double scale) {
     for (size_t i = 0; i <= most && i < kNoFit; ++i) {
         const double zero = kFit[i].tolerance * scale;
@@ -56,7 +56,7 @@ size_t fitOf(Combination &c, bool isSettled, size_t most, double scale) {
     return kNoFit;
 }
 
-/// Gives each contact its mode of this number. False if they aren't allowed together.
+/// Sets the modes of this combination. False if they aren't allowed together.
 bool setModes(Combination &c, const std::array<uint32_t, kMostHeld> &numbers, const Response &known,
               const Excluded &excluded) {
     for (uint32_t i = 0; i < c.count(); ++i) {
@@ -69,7 +69,7 @@ bool setModes(Combination &c, const std::array<uint32_t, kMostHeld> &numbers, co
     return closedContacts(c.list()) <= kMostPressing;
 }
 
-/// Counts on to the next modes; false after the last.
+/// Advances to the next combination; false after the last one.
 bool nextModes(std::span<const Held> held, const Response &known, std::array<uint32_t, kMostHeld> &numbers) {
     for (uint32_t i = 0; i < held.size(); ++i) {
         Mode unused;
@@ -79,8 +79,8 @@ bool nextModes(std::span<const Held> held, const Response &known, std::array<uin
     return false;
 }
 
-/// Tries all combinations: of those that fit best the one with the smallest sum of N, at equal sums that with most
-/// contacts.
+/// Tries all combinations. Of those that fit best it takes the one with the smallest sum of N, and of equal sums the
+/// one with the most contacts.
 Response enumerate(const Moment &moment, std::span<const Held> held, Work &work, const Excluded &excluded,
                    const Response &known) {
     const double scale = accelerationScale(moment);
@@ -172,7 +172,7 @@ Response respond(const Moment &moment, std::span<const Held> held, Work &work, c
             return response;
     }
     response.noise = zero;
-    for (uint32_t i = 0; i < held.size(); ++i) { // those tried what they are not
+    for (uint32_t i = 0; i < held.size(); ++i) { // restores modes that the search has changed
         response.reactions[i] = {Mode::open, 0.0, Vec3(0.0), Vec3(0.0), response.reactions[i].slip};
     }
     if (held.size() == 1) {

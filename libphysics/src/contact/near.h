@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The boxes that a ball may touch from a place.
+// The boxes that a ball may touch from a position.
 #pragma once
 
 #include "scene/scene.h"
 
 namespace phys {
 
-/// Calls visit(box, number) for the boxes within `reach` (m) of a centre, maybe for others too.
+/// Calls visit(box, number) for the boxes within `reach` (m) of a centre, and possibly for others.
 template<class Visit>
 void visitNear(const Scene &scene, const Vec3 &position, double reach, Visit visit) {
     if (reach > kCandidateReach * scene.radius && scene.hasManyBoxes) {

@@ -13,25 +13,26 @@ namespace phys {
 
 namespace {
 
-/// More passes than this mean that there is no room this way.
+/// After this many passes there is no room in this direction.
 constexpr uint32_t kMostPasses = 32;
 
-/// Pushes between two faces lead further than either is deep, by as many times.
+/// Pushes between two faces may be longer than either depth, by up to this factor.
 constexpr double kAbout = 4.0;
 
-/// How deep the ball is in boxes at one place, m; 0 or less: it overlaps none.
+/// Largest depth of the ball in a box at one position, m; 0 or less if it overlaps none.
 double deepestAt(const Scene &scene, const Vec3 &position, Work &work) {
     const double touching = scene.radius - scene.tolerance;
     double depth = 0.0;
     visitNear(scene, position, scene.radius, [&](const phys_box &box, uint32_t) {
         work.add(Work::kBox);
         if (squaredDistance(box, position) >= touching * touching) return;
-        depth = std::max(depth, scene.radius - nearest(box, position).distance); // which is below 0 inside
+        depth = std::max(depth, scene.radius - nearest(box, position).distance); // distance is negative inside
     });
     return depth;
 }
 
-/// What a push must respect: the boxes that the ball overlaps, and those that it would if it was pushed about so far.
+/// The boxes that a push must consider: those that the ball overlaps, and those that it would overlap after a push of
+/// limited length.
 struct Overlaps {
     std::array<Push, Contacts::kMost> pushes;
     uint32_t count = 0;
@@ -42,8 +43,8 @@ struct Overlaps {
         if (count < Contacts::kMost) pushes[count++] = {nearest.normal, radius - nearest.distance};
     }
 
-    /// The shortest push out of all. Neither mirrors nor the numbering of boxes must change it: of those that are
-    /// equally deep none comes first, it is the mean of both orders.
+    /// The shortest push out of all boxes. Reflections and the numbering of boxes must not change it: of boxes that are
+    /// equally deep none comes first; the result is the mean of both orders.
     Vec3 leastPushOut(double negligible, Work &work) {
         const auto inOrder = [&](double direction) {
             std::sort(pushes.begin(), pushes.begin() + count, [direction](const Push &a, const Push &b) {
@@ -56,7 +57,7 @@ struct Overlaps {
     }
 };
 
-/// about: how much farther from the ball boxes count, m.
+/// about: additional distance within which boxes are considered, m.
 Overlaps overlapsAt(const Scene &scene, const Vec3 &position, double about, Work &work) {
     Overlaps overlaps;
     const double reach = scene.radius + about;
@@ -67,11 +68,11 @@ Overlaps overlapsAt(const Scene &scene, const Vec3 &position, double about, Work
     return overlaps;
 }
 
-/// The way along one axis (and one direction) to the next place with room for the ball.
+/// The displacement along one axis (in one direction) to the next place with room for the ball.
 double wayOut(const Scene &scene, const Vec3 &start, int axis, double direction, Work &work) {
     const double touching = scene.radius - scene.tolerance;
     Vec3 position = start;
-    // Each box in the way pushes the ball on to its far side; none can do so twice.
+    // Each box in the way pushes the ball to its far side; none can do so twice.
     for (size_t i = 0; i <= scene.given.size() && !work.isTooMuch(); ++i) {
         double far = position[axis];
         visitNear(scene, position, scene.radius, [&](const phys_box &box, uint32_t) {
@@ -90,7 +91,7 @@ double wayOut(const Scene &scene, const Vec3 &start, int axis, double direction,
     return INFINITY;
 }
 
-/// Straight to the nearest place with room; equally near: -x, +x, -y, +y, -z, +z.
+/// Moves straight to the nearest place with room; order of ties: -x, +x, -y, +y, -z, +z.
 bool escape(const Scene &scene, Vec3 &position, Work &work) {
     double nearest = INFINITY;
     Vec3 place = position;
@@ -131,7 +132,7 @@ PushOut pushOut(const Scene &scene, Vec3 &position, Work &work) {
         }
         const auto pushed = [&] { return place + overlaps.leastPushOut(0.5 * scene.tolerance, work); };
         Vec3 next = pushed();
-        if (deepestAt(scene, next, work) > 0.0) { // what it would be pushed into counts, too
+        if (deepestAt(scene, next, work) > 0.0) { // boxes into which it would be pushed count as well
             overlaps = overlapsAt(scene, place, std::min(kAbout * depth, 0.25 * scene.radius), work);
             next = pushed();
         }

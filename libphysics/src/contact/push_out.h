@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Out of overlapping boxes: model.md 5.7.
+// Pushes the ball out of overlapping boxes: model.md 5.7.
 #pragma once
 
 #include "contact/work.h"
@@ -8,15 +8,15 @@
 namespace phys {
 
 struct PushOut {
-    bool isFree;     ///< whether the ball overlaps nothing now
+    bool isFree;     ///< whether the ball overlaps nothing afterwards
     uint32_t passes; ///< 0: it overlapped nothing before
-    double depth;    ///< deepest overlap met on the way, m
+    double depth;    ///< largest overlap during the passes
 };
 
-/// Moves a ball that overlaps boxes out of them: to the nearest place that their faces and edges leave, in passes. One
-/// whose centre is inside a box goes straight along an axis to the nearest place with room. Between walls that are
-/// closer than the ball there is none, but for places that nearly opposite faces push it to, anywhere: then the
-/// position stays. So it does once the work is too much.
+/// Moves a ball that overlaps boxes out of them, in passes, to the nearest place that their faces and edges allow. A
+/// ball whose centre is inside a box moves along an axis to the nearest place with room. Between walls closer than the
+/// ball's diameter there is no room, except for arbitrary places to which nearly opposite faces push it: then the
+/// position is unchanged, and also if the work limit is exceeded.
 PushOut pushOut(const Scene &scene, Vec3 &position, Work &work);
 
 } // namespace phys

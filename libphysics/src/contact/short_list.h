@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A list without allocation, as long as a ball's contacts at one moment. Only what it holds is written and copied.
+// A list without allocation, with room for the ball's contacts at one moment. Only its elements are written and copied.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace phys {
 
-/// Most contacts of one moment. Three normals carry any force; no ball touches many more.
+/// Most contacts of one moment. Three normals span all forces; a ball hardly touches more.
 inline constexpr uint32_t kMostContacts = 32;
 
 template<class T>
@@ -17,7 +17,7 @@ class ShortList {
     static_assert(std::is_trivially_default_constructible_v<T>, "or all places would be written at once");
 
 public:
-    ShortList() {} // NOLINT(modernize-use-equals-default): a defaulted one may clear the places
+    ShortList() {} // a defaulted one may clear the elements
     ShortList(const ShortList &other) { *this = other; }
     ShortList &operator=(const ShortList &other) {
         m_count = other.m_count;

@@ -9,11 +9,11 @@ namespace phys {
 
 namespace {
 
-/// Sweeps converge like a geometric series, soon unless rough contacts are nearly parallel or opposite.
+/// Sweeps converge like a geometric series, quickly unless rough contacts are nearly parallel or opposite.
 constexpr int kSweepsBetween = 50;
 constexpr int kMostNewtonSteps = 40;
 
-/// An impulse of 1 changes the slip of its own contact by 7/2.
+/// A unit impulse changes the slip of its own contact by 7/2.
 constexpr double kSlipShare = 2.0 / 7.0;
 
 void apply(const Vec3 &normal, const Vec3 &impulse, double radius, Motion &motion) {
@@ -21,13 +21,13 @@ void apply(const Vec3 &normal, const Vec3 &impulse, double radius, Motion &motio
     motion.spin -= 2.5 / radius * glm::cross(normal, impulse);
 }
 
-/// What a disc's impulse should be while all others stay.
+/// The optimal impulse of a disc while all others are fixed.
 Vec3 best(const FrictionDisc &disc, double radius, const Motion &motion) {
     return clipped(disc.impulse - kSlipShare * slipAt(motion, disc.normal, radius), disc.most);
 }
 
-/// Gauss-Seidel; each contact's minimum is a closed form because its slip answers alike in all directions.
-/// True once nothing changes by more than `negligible`.
+/// Gauss-Seidel; each contact's minimum has a closed form because its slip responds equally in all directions. True
+/// once nothing changes by more than `negligible`.
 bool sweep(std::span<FrictionDisc> discs, double radius, double negligible, Motion &motion, Work &work) {
     for (int i = 0; i < kSweepsBetween && !work.isTooMuch(); ++i) {
         double largest = 0.0;
@@ -53,7 +53,7 @@ double residual(std::span<const FrictionDisc> discs, double radius, const Motion
     return sum;
 }
 
-/// A small dense linear system, solved by elimination with pivots.
+/// A small dense linear system, solved by elimination with pivoting.
 class LinearSystem {
 public:
     static constexpr size_t kMost = size_t{2} * Contacts::kMost;
@@ -64,7 +64,7 @@ public:
     double &at(size_t row, size_t column) { return m_rows[row][column]; }
     double &rightSide(size_t row) { return m_rows[row][m_size]; }
 
-    /// The solution is in rightSide afterwards. False if there is none.
+    /// The solution is in rightSide afterwards. False if the system is singular.
     bool solve() {
         for (size_t column = 0; column < m_size; ++column) {
             size_t pivot = column;
@@ -91,14 +91,14 @@ private:
     std::array<std::array<double, kMost + 1>, kMost> m_rows{};
 };
 
-/// Two directions across a disc's normal: that of its target, and the one across both. Mirrors and quarter turns take
-/// them along, so that nothing that is computed in them sees which way x points.
+/// Two directions across a disc's normal: that of its target, and the one perpendicular to both. Reflections and
+/// quarter turns preserve them, so that computations in them are independent of the axes.
 struct Frame {
     Vec3 target, along, across;
 
     Vec3 operator[](size_t i) const { return i == 0 ? along : across; }
 
-    /// Derivative of `clipped` at the target: along it, and across.
+    /// Derivative of `clipped` at the target, along it and across it.
     std::array<double, 2> clippingSlope(double most) const {
         const double size = glm::length(target);
         if (size <= most) return {1.0, 1.0};
@@ -113,13 +113,13 @@ Frame frameOf(const FrictionDisc &disc, double radius, const Motion &motion) {
     return {target, along, glm::cross(disc.normal, along)};
 }
 
-/// Change of the slip at one contact, along a direction there, by an impulse of 1 along another at another contact.
+/// Change of the slip at one contact, in one direction, by a unit impulse at another contact in another direction.
 double slipSlope(const Vec3 &slipping, const Vec3 &along, const Vec3 &pushed, const Vec3 &pushing) {
     return (1.0 + 2.5 * glm::dot(slipping, pushed)) * glm::dot(along, pushing) -
            2.5 * glm::dot(along, pushed) * glm::dot(slipping, pushing);
 }
 
-/// A semismooth Newton step on `impulse = best(impulse)`; kept only if it comes nearer to that.
+/// A semismooth Newton step on `impulse = best(impulse)`; accepted only if it reduces the residual.
 void newtonStep(std::span<FrictionDisc> discs, double radius, Motion &motion, Work &work) {
     const size_t count = discs.size();
     work.add(Work::kDisc * count * count * (4 + count));
