@@ -10,7 +10,7 @@ namespace phys {
 
 namespace {
 
-/// A ball that comes down on the floor isn't carried yet: it bounces first.
+/// A ball that falls onto the floor isn't supported yet: it bounces first.
 bool isCarried(const Scene &scene, const phys_state &state) {
     return scene.hasFloor && std::abs(state.position.z - scene.supportedZ) <= scene.tolerance &&
            state.velocity.z == 0.0 && scene.overFloor(state.position.x, state.position.y);

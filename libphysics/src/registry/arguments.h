@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a step takes: parameters, step size and state, and what must hold of them.
+// The arguments of a step: parameters, step size and state, and their constraints.
 #pragma once
 
 #include "base/numbers.h"
@@ -19,24 +19,24 @@ inline bool isUnit(const double (&q)[4]) {
 
 /// Whether a ball can have this state: moderate numbers, a unit quaternion, known flags.
 inline bool stateIsValid(const phys_state &state) {
-    // Position, velocity, spin, and the first of the orientation's numbers, lie side by side.
+    // Position, velocity, spin, and the first number of the orientation, are adjacent.
     static_assert(offsetof(phys_state, orientation) - offsetof(phys_state, position) == 9 * sizeof(double));
     return areModerate<10>(&state.position.x) && isModerate(state.time) && isUnit(state.orientation) &&
            (state.flags & ~static_cast<uint64_t>(PHYS_STATE_FLAGS)) == 0;
 }
 
-/// Says why it isn't. whose: how the message begins, "the given state".
+/// Explains why it is invalid. whose: how the message begins, "the given state".
 phys_status explainState(const phys_state &state, phys_status status, const char *whose, phys_error *err);
 
 phys_status refuseDt(double dt, phys_error *err);
 
-// The checks are inlined, as each step makes them; what they say isn't.
+// The checks are inlined, as each step makes them; the messages aren't.
 inline phys_status checkDt(double dt, phys_error *err) {
     const bool isAllowed = dt >= 0.0 && dt <= kLargestNumber; // false for NaN
     return isAllowed ? PHYS_OK : refuseDt(dt, err);
 }
 
-/// Against the library's rows and the stepper's own.
+/// Checks against the rows of the library and of the stepper.
 inline phys_status checkParams(const phys_stepper_api &api, const phys_params &params, phys_error *err) {
     if (!paramsAreValid(params)) return explainParams(params, err);
     return checkOwnRows(params, {api.rows, api.row_count}, err);
@@ -48,7 +48,7 @@ inline phys_status checkState(const phys_state &state, phys_error *err) {
 
 phys_status checkUpwardPull(const Scene &scene, const phys_params &params, const phys_state &state, phys_error *err);
 
-/// Only a ball that no floor carries may be pulled upwards. The state is valid.
+/// Gravity may pull upwards only if no floor carries the ball. The state must be valid.
 inline phys_status checkPull(const Scene &scene, const phys_params &params, const phys_state &state, phys_error *err) {
     return params.gravity.z < 0.0 ? PHYS_OK : checkUpwardPull(scene, params, state, err);
 }

@@ -34,11 +34,11 @@ phys_status BallRun::check(bool paramsAreChecked) const {
     if (!paramsAreChecked) {
         if (const phys_status status = checkParams(*m_stepper->api, m_params, nullptr)) return status;
     }
-    if (m_gravity && !gravityIsValid(m_params)) return PHYS_ERROR_RANGE; // as in phys_step before the state
+    if (m_gravity && !gravityIsValid(m_params)) return PHYS_ERROR_RANGE; // checked before the state, as in phys_step
     return checkState(state(), nullptr);
 }
 
-/// Adds what a report tells to the ball's tally.
+/// Adds the figures of a report to the ball's tally.
 phys_status BallRun::stepAndTally(phys_state &next) const {
     phys_event events[64];
     phys_report report{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One ball's way through a batch.
+// The run of one ball in a batch.
 #pragma once
 
 #include "registry/stepper.h"
@@ -15,23 +15,23 @@ T *at(T *first, size_t stride, uint64_t index) {
     return reinterpret_cast<T *>(reinterpret_cast<Byte *>(first) + stride * index);
 }
 
-/// States that a ball's path has.
+/// Number of states in a ball's path.
 inline uint64_t pathLength(const phys_batch &batch) { return batch.path ? batch.step_count / batch.path_every : 0; }
 
-/// Whether more is asked of a batch's balls than where they are.
+/// Whether a batch asks for more about its balls than their states.
 inline bool wantsTally(const phys_batch &batch) { return batch.impacts || batch.energy_lost; }
 
-/// Parameters of one size, whatever version of the struct the caller has.
+/// Parameters of the present size, whatever version of the struct the caller has.
 phys_params wholeParams(const phys_params &given);
 
 class BallRun {
 public:
     BallRun() = default;
-    /// Looks at what the ball begins with. paramsAreChecked: except for gravity, where the batch brings its own.
+    /// Checks the ball's initial data. paramsAreChecked: except for gravity, if the batch has its own.
     BallRun(const phys_stepper &stepper, const phys_batch &batch, uint64_t ball, bool paramsAreChecked);
 
     uint64_t number() const { return m_number; }
-    /// Neither done nor failed.
+    /// Whether it is neither done nor failed.
     bool isRunning() const { return m_isRunning; }
     phys_status status() const { return m_status; }
     uint64_t stepsDone() const { return m_done; }
@@ -39,16 +39,16 @@ public:
     const phys_state &state() const { return m_states[m_now]; }
     phys_state &state() { return m_states[m_now]; }
 
-    /// Of a step, m/s^2.
+    /// Gravity of a step, m/s^2.
     const phys_vec3 &gravity(uint64_t step) const {
         return m_gravity ? *at(m_gravity, m_batch->gravity_step_stride, step) : m_params.gravity;
     }
 
-    /// Makes the step of this number by itself: by makeStep, or by `advance` where its shortcut is known not to do.
+    /// Makes the step of this number: by makeStep, or by `advance` if the shortcut is known not to apply.
     void step(uint64_t number, decltype(&makeStep) make);
-    /// Appends a running ball's state to its path.
+    /// Appends the state of a running ball to its path.
     void appendToPath(const phys_state &state) { m_path[m_pathCount++] = state; }
-    /// Stores the ball after the last step. One that is done sooner stays where it is.
+    /// Stores the ball after the last step. A ball that was done earlier keeps its state.
     void finish();
 
 private:
@@ -60,11 +60,11 @@ private:
     const phys_batch *m_batch = nullptr;
     uint64_t m_number = 0; ///< in the batch
     phys_params m_params{};
-    const phys_vec3 *m_gravity = nullptr; ///< of this ball's first step; nullptr: that of the parameters
+    const phys_vec3 *m_gravity = nullptr; ///< gravity in this ball's first step; nullptr: that of the parameters
     phys_state *m_path = nullptr;         ///< this ball's row, or nullptr
     phys_state *m_result = nullptr;       ///< the caller's
-    phys_state m_states[2]{};             ///< by turns the last good one and the next
-    int m_now = 0;                        ///< which is the last good one
+    phys_state m_states[2]{};             ///< alternately the last good state and the next one
+    int m_now = 0;                        ///< index of the last good state
     bool m_isRunning = false;
     phys_status m_status = PHYS_OK;
     uint64_t m_done = 0;

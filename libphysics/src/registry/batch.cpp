@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Many balls, many steps: what phys_step does in a loop, with everything that stays the same looked at once.
+// Many balls, many steps: the same as phys_step in a loop, with checks of constant arguments made once.
 #include "base/appendable.h"
 #include "base/error.h"
 #include "base/float_environment.h"
@@ -18,7 +18,7 @@ phys_status refuseStride(const char *name, size_t stride, uint64_t least, phys_e
 }
 
 phys_status checkStrides(const phys_batch &batch, phys_error *err) {
-    // What is only read may be shared; two balls never write to one place.
+    // Inputs may be shared; the outputs of two balls must not overlap.
     const uint64_t own = batch.ball_count > 1 ? 1 : 0;
     const struct {
         const char *name;
@@ -55,14 +55,14 @@ phys_status checkBatch(const phys_batch &batch, uint64_t first, uint64_t count, 
     return checkStrides(batch, err);
 }
 
-/// Parameters that all balls share are wrong for all of them.
+/// Invalid shared parameters fail for all balls.
 phys_status checkSharedParams(const phys_stepper &stepper, const phys_batch &batch, phys_error *err) {
     phys_params params = wholeParams(*batch.params);
-    if (batch.gravity) params.gravity = {0.0, 0.0, 0.0}; // another one counts
+    if (batch.gravity) params.gravity = {0.0, 0.0, 0.0}; // the batch's gravity is used
     return checkParams(*stepper.api, params, err);
 }
 
-/// What has happened to the balls so far.
+/// The progress of the balls.
 class Outcome {
 public:
     Outcome(const phys_batch &batch, phys_error *err)
@@ -78,7 +78,7 @@ public:
                        static_cast<unsigned long long>(run.stepsDone()), phys_status_text(run.status()));
     }
 
-    /// Of the first ball that failed, if that isn't told by statuses.
+    /// The error of the first failed ball, if there are no statuses to report it.
     phys_status status() const { return m_first; }
 
 private:
@@ -94,7 +94,7 @@ phys_status runBalls(const phys_stepper &stepper, const phys_batch &batch, uint6
         if (const phys_status status = checkSharedParams(stepper, batch, err)) return status;
     }
     Outcome outcome(batch, err);
-    // Who slides in a lane isn't asked whether it slips.
+    // A ball that slides in a lane needs no test for slipping.
     const bool mayUseLanes = batch.dt > 0.0 && !(batch.stop_flags & PHYS_SLIPPING) && !wantsTally(batch);
     const LaneSteps *steps = mayUseLanes ? stepper.lanes : nullptr;
     const uint64_t together = steps ? SideBySide::kMost : 1;

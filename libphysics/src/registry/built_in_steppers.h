@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The built-in steppers, each the table that a plugin would fill; the registry lists them from crude to exact.
-// They promise more than a plugin: `in` and `out` may be the same, `out` is written only on success and wholly but for
-// time and step, err may be NULL, and view->scene is a phys::Scene.
+// The built-in steppers, each with the same table as a plugin; the registry lists them from crude to exact. They
+// guarantee more than a plugin: `in` and `out` may be the same; `out` is written only on success, and completely except
+// for time and step; err may be NULL; view->scene is a phys::Scene.
 #pragma once
 
 #include <physics/plugin.h>

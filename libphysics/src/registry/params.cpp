@@ -24,7 +24,7 @@ void write(phys_params &params, const phys_param_row &row, double value) {
     std::memcpy(place, &value, sizeof value);
 }
 
-/// Whether the caller's struct is long enough to have the row's value.
+/// Whether the caller's struct is long enough to contain the row's value.
 bool hasRow(const phys_params &params, const phys_param_row &row) { return endOf(row) <= params.struct_size; }
 
 } // namespace
@@ -107,7 +107,7 @@ phys_status phys_gravity_from_tilt(double tilt_x, double tilt_y, double strength
     const bool valid = out && std::abs(tilt_x) < kQuarterTurn && std::abs(tilt_y) < kQuarterTurn && strength >= 0.0 &&
                        std::isfinite(strength);
     if (!valid) return PHYS_ERROR_ARGUMENT;
-    // (tan tilt_x, tan tilt_y, -1) times both cosines: nothing grows without bound towards a quarter turn.
+    // (tan tilt_x, tan tilt_y, -1) times both cosines: nothing diverges near a quarter turn.
     const double cosineX = phys::elementary::cos(tilt_x), cosineY = phys::elementary::cos(tilt_y);
     const double x = phys::elementary::sin(tilt_x) * cosineY, y = phys::elementary::sin(tilt_y) * cosineX;
     const double z = cosineX * cosineY;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of parameter rows, and the check of parameters that every step makes.
+// The table of parameter rows, and the check of parameters in every step.
 #pragma once
 
 #include "base/pair.h"
@@ -17,7 +17,7 @@ namespace phys {
 
 #define PHYS_OFFSET(member) static_cast<uint32_t>(offsetof(phys_params, member))
 
-/// The only place that knows labels, units, ranges and defaults.
+/// The only definition of labels, units, ranges and defaults.
 inline constexpr phys_param_row kRows[] = {
     {"model", "Model", "",
      "Rolling: the ball always rolls, the cheap model. Rigid: it can slip and keeps its spin through impacts. "
@@ -59,7 +59,7 @@ inline constexpr double kMostGravity = std::find_if(std::begin(kRows), std::end(
                                        })->max;
 #undef PHYS_OFFSET
 
-/// Bytes of phys_params up to the end of the row's value.
+/// Size in bytes of phys_params up to the end of the row's value.
 constexpr size_t endOf(const phys_param_row &row) {
     return row.offset + (row.flags & PHYS_ROW_CHOICE ? sizeof(uint32_t) : sizeof(double));
 }
@@ -80,12 +80,12 @@ inline double readRow(const phys_params &params, const phys_param_row &row) {
 
 inline bool isWithin(double value, const phys_param_row &row) {
     return value >= row.min && value <= row.max;
-} // NaN: false
+} // false for NaN
 
 constexpr bool mustBeWhole(const phys_param_row &row) { return row.flags & (PHYS_ROW_CHOICE | PHYS_ROW_SWITCH); }
 
 inline bool isAllowed(double value, const phys_param_row &row) {
-    // The ranges of whole rows are small: the conversion can't overflow.
+    // The ranges of integer rows are small, so the conversion can't overflow.
     return isWithin(value, row) && (!mustBeWhole(row) || value == static_cast<double>(static_cast<int32_t>(value)));
 }
 
@@ -93,7 +93,7 @@ inline bool rigidFrictionsAgree(const phys_params &params) {
     return params.model != PHYS_MODEL_RIGID || params.rolling_friction <= params.sliding_friction;
 }
 
-/// Most rows' numbers lie side by side in phys_params.
+/// The numbers of most rows are adjacent in phys_params.
 inline constexpr size_t kFirstNumber = offsetof(phys_params, gravity);
 inline constexpr size_t kNumberCount = (offsetof(phys_params, options) - kFirstNumber) / sizeof(double);
 
@@ -101,7 +101,7 @@ constexpr bool isAmongNumbers(const phys_param_row &row) {
     return !mustBeWhole(row) && row.offset >= kFirstNumber && row.offset < kFirstNumber + kNumberCount * sizeof(double);
 }
 
-/// Their limits, as they lie.
+/// Their limits, in the same layout.
 struct NumberLimits {
     double min[kNumberCount], max[kNumberCount];
 
@@ -133,7 +133,7 @@ inline bool numbersAreValid(const phys_params &params) {
     return areAll(areFine);
 }
 
-/// Of a row of the library.
+/// A row of the library.
 template<size_t Index>
 inline bool rowIsValid(const phys_params &params) {
     constexpr const phys_param_row &row = kRows[Index];
@@ -142,8 +142,8 @@ inline bool rowIsValid(const phys_params &params) {
     return isWithin(value, row);
 }
 
-/// Whether the values of the library's rows are allowed, wherever in phys_params they lie. Unrolled by hand: offsets
-/// and limits become constants.
+/// Whether the values of the library's rows are allowed, wherever in phys_params they are. Unrolled manually so that
+/// offsets and limits become constants.
 template<size_t... Index>
 inline bool rowsAreValid(const phys_params &params, std::index_sequence<Index...>) {
     return numbersAreValid(params) && ((isAmongNumbers(kRows[Index]) || rowIsValid<Index>(params)) && ...);
@@ -154,24 +154,24 @@ inline bool inputsAreValid(const phys_params &params, std::index_sequence<Index.
     return ((!(kRows[Index].flags & PHYS_ROW_INPUT) || rowIsValid<Index>(params)) && ...);
 }
 
-/// The part of paramsAreValid that the gravity of a step may fail.
+/// The part of paramsAreValid that depends on the gravity of a step.
 inline bool gravityIsValid(const phys_params &params) {
     return inputsAreValid(params, std::make_index_sequence<kRowCount>{});
 }
 
-/// Whether all values are within their rows and agree with each other.
+/// Whether all values are within their rows' ranges and consistent with each other.
 inline bool paramsAreValid(const phys_params &params) {
     return params.struct_size == sizeof params && (params.options & ~static_cast<uint32_t>(PHYS_OPTIONS)) == 0 &&
            rowsAreValid(params, std::make_index_sequence<kRowCount>{}) && rigidFrictionsAgree(params);
 }
 
-/// Says why they aren't valid; PHYS_OK if they are.
+/// Explains why they are invalid; PHYS_OK if they are valid.
 phys_status explainParams(const phys_params &params, phys_error *err);
 
-/// Says why the value isn't allowed; PHYS_OK if it is.
+/// Explains why the value isn't allowed; PHYS_OK if it is.
 phys_status checkValue(double value, const phys_param_row &row, phys_error *err);
 
-/// As explainParams for the values that a stepper's own rows stand for; PHYS_OK if they are valid.
+/// Like explainParams for the values of a stepper's own rows; PHYS_OK if they are valid.
 phys_status explainOwnRows(const phys_params &params, std::span<const phys_param_row *const> rows, phys_error *err);
 
 inline phys_status checkOwnRows(const phys_params &params, std::span<const phys_param_row *const> rows,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Calls into a plugin: whatever it does wrong becomes one status and one line.
+// Calls into a plugin: any fault becomes one status and one line.
 #pragma once
 
 #include "base/error.h"
@@ -10,15 +10,15 @@
 
 namespace phys {
 
-/// Passes a plugin's failure on with a code and a text that the caller can rely on. own: what the plugin wrote.
+/// Passes on a plugin's failure with a reliable code and text. own: the text written by the plugin.
 phys_status passOn(const phys_stepper_api &api, const char *function, phys_status status, phys_error &own,
                    phys_error *err);
 
-/// An exception that left a plugin. reason: nullptr if it has none.
+/// An exception that left a plugin. reason: nullptr if it has no text.
 phys_status refuseException(const phys_stepper_api &api, const char *function, const char *reason, phys_error *err);
 
-/// Calls call(own) with an error of the plugin's own, as plugin.h promises it, and lets nothing but a status out.
-/// function: its name in phys_stepper_api, for the message.
+/// Calls call(own) with a separate error struct, as plugin.h promises, and lets nothing but a status out. function: its
+/// name in phys_stepper_api, for the message.
 template<class Call>
 phys_status callPlugin(const phys_stepper_api &api, const char *function, phys_error *err, Call call) noexcept {
     try {

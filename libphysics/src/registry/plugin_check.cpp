@@ -17,7 +17,7 @@ constexpr uint32_t kMostSteppers = 256;
 constexpr uint32_t kStepperFlags = PHYS_STEPPER_EXACT_IN_DT | PHYS_STEPPER_BITS_EVERYWHERE;
 constexpr uint32_t kRowFlags = PHYS_ROW_CHOICE | PHYS_ROW_RIGID | PHYS_ROW_SWITCH;
 
-/// Names that programs have for options and columns of their own: plugin.h.
+/// Names that programs use for options and columns of their own: plugin.h.
 constexpr const char *kReservedIds[] = {PHYS_RESERVED_ROW_IDS};
 
 struct Length {
@@ -27,7 +27,7 @@ constexpr Length kIdLength{1, 63};
 
 bool isLowerOrDigit(char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); }
 
-/// Checks one plugin. Every check ends in `refuse` or PHYS_OK; m_where names the part that is being looked at.
+/// Checks one plugin. Every check ends in `refuse` or PHYS_OK; m_where names the part that is being checked.
 class PluginCheck {
 public:
     PluginCheck(const phys_plugin &plugin, const char *file, const phys_registry &registry, phys_error *err)
@@ -67,7 +67,7 @@ private:
         return fail(m_err, PHYS_ERROR_PLUGIN_REFUSED, "%s: %s%s", m_file, m_where.c_str(), reason);
     }
 
-    /// A longer table is one of a later version: what it says at its end would be overlooked.
+    /// A longer table belongs to a later version, whose additional members would be ignored.
     template<class Table>
     phys_status checkSize(uint32_t size) {
         if (isKnownSize<Table>(size)) return PHYS_OK;
@@ -114,7 +114,7 @@ private:
         return PHYS_OK;
     }
 
-    /// index: of api in the plugin's own list.
+    /// index: of api in the plugin's list.
     phys_status checkUnique(const phys_stepper_api &api, uint32_t index) {
         for (uint32_t i = 0; i < index; ++i) {
             if (std::strcmp(m_plugin.steppers[i]->id, api.id) == 0) {
@@ -156,7 +156,8 @@ private:
         return checkText("choices", row.choices, {0, 511});
     }
 
-    /// Ids are names of settings, options and columns: unlike the library's and unlike each other. So are places.
+    /// Ids become names of settings, options and columns, so they must differ from the library's and from each other;
+    /// so must positions.
     phys_status checkRowUnique(const phys_stepper_api &api, uint32_t index) {
         const phys_param_row &row = *api.rows[index];
         for (const char *reserved : kReservedIds) {
@@ -196,7 +197,7 @@ private:
             if (!std::isfinite(number.value))
                 return refuse("%s is %g; expected a finite number", number.name, number.value);
         }
-        for (size_t i = 0; i + 2 < std::size(numbers); ++i) { // all but the last, which is step
+        for (size_t i = 0; i + 2 < std::size(numbers); ++i) { // all except the last, which is step
             if (numbers[i].value <= numbers[i + 1].value) continue;
             return refuse("%s is %.9g and %s is %.9g; expected min <= low <= initial <= high <= max", numbers[i].name,
                           numbers[i].value, numbers[i + 1].name, numbers[i + 1].value);

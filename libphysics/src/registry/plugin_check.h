@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What a plugin's table must be before any of its functions is called.
+// The requirements on a plugin's table, checked before any of its functions is called.
 #pragma once
 
 #include "registry/registry.h"
 
 namespace phys {
 
-/// Checks the whole table of the plugin in `file` against the ABI and against the steppers that the registry has.
-/// The reason names the file, the member, what was expected and what was found. Throws std::bad_alloc only.
+/// Checks the whole table of the plugin in `file` against the ABI and against the steppers in the registry. The message
+/// names the file, the member, the expected and the found value. Throws std::bad_alloc only.
 phys_status checkPlugin(const phys_plugin &plugin, const char *file, const phys_registry &registry, phys_error *err);
 
 } // namespace phys

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a file to steppers in the registry: open, find the table, check it, and only then take it in.
+// From a file to steppers in the registry: open it, find the table, check it, and only then register it.
 #include "base/error.h"
 #include "base/system.h"
 #include "registry/plugin_check.h"
@@ -16,9 +16,9 @@ namespace {
 
 constexpr const char *kSearchVariable = "PHYS_PLUGIN_PATH";
 constexpr const char *kFolderBesideLibrary = "physics-1"; // 1: PHYS_ABI_VERSION
-constexpr size_t kShownPath = 64;                         // bytes; leaves most of a message to the reason
+constexpr size_t kShownPath = 64;                         // bytes; leaves most of a message for the reason
 
-/// The end of a long path, which is what tells files apart.
+/// The end of a long path, which distinguishes files best.
 std::string shown(const std::string &path) {
     return path.size() <= kShownPath ? path : "..." + path.substr(path.size() - kShownPath);
 }
@@ -37,7 +37,7 @@ void add(phys_registry &registry, const phys_plugin &plugin, const std::string &
     const auto file = std::make_shared<const std::string>(path);
     std::vector<PluginStepper> steppers = registry.plugins;
     for (uint32_t i = 0; i < plugin.stepper_count; ++i) steppers.push_back({plugin.steppers[i], file});
-    registry.plugins.swap(steppers); // all of them or none
+    registry.plugins.swap(steppers); // either all of them or none
 }
 
 phys_status loadFile(phys_registry &registry, const std::string &path, phys_error *err) {
@@ -55,11 +55,11 @@ phys_status loadFile(phys_registry &registry, const std::string &path, phys_erro
     }
     if (const phys_status status = checkPlugin(*plugin, name.c_str(), registry, err)) return status;
     add(registry, *plugin, path);
-    object.keep(); // its texts and code are in use from here on
+    object.keep(); // its texts and code are in use from now on
     return PHYS_OK;
 }
 
-/// What a scan knows: where the plugins go (NULL: nowhere, they are only listed), and who wants to hear of each file.
+/// The data of a scan: the registry for the plugins (NULL: they are only listed), and the callback for each file.
 struct Scan {
     phys_registry *registry;
     phys_scan_function report;
@@ -111,7 +111,7 @@ phys_status scan(const Scan &scan, const char *folder, phys_error *err) {
     }
     scan.loadSearchPath(system::environmentVariable(kSearchVariable));
     const std::string own = system::ownFolder();
-    if (!own.empty()) scan.loadFolder(own + '/' + kFolderBesideLibrary); // that it isn't there is no mistake
+    if (!own.empty()) scan.loadFolder(own + '/' + kFolderBesideLibrary); // this folder may be missing
     return PHYS_OK;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The steppers that can be made: the built-in ones and those that plugins brought.
+// The available steppers: the built-in ones and those of plugins.
 #pragma once
 
 #include <physics/plugin.h>
@@ -12,7 +12,7 @@ namespace phys {
 
 struct PluginStepper {
     const phys_stepper_api *api;
-    std::shared_ptr<const std::string> file; ///< its text stays where it is: phys_stepper_info points at it
+    std::shared_ptr<const std::string> file; ///< shared, because phys_stepper_info points to its text
 };
 
 } // namespace phys
@@ -24,7 +24,7 @@ struct phys_registry {
 namespace phys {
 
 struct FoundStepper {
-    const phys_stepper_api *api; ///< nullptr if there is none
+    const phys_stepper_api *api; ///< nullptr if there is no such stepper
     bool isPlugin;
 };
 

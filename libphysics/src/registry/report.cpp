@@ -16,7 +16,7 @@ void Reporter::event(uint32_t kind, double after, const Vec3 &point, const Vec3 
         m_startTime + after, fromVec(point), fromVec(normal), speedBefore, speedAfter, kind, box};
 }
 
-// Member by member: a processor waits where it reads two at once that were just written one by one.
+// Copied member by member, as a processor stalls if it loads together what was just stored separately.
 void handOver(const phys_report &fresh, phys_report &out) {
     out.event_capacity = fresh.event_capacity;
     out.event_count = fresh.event_count;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What steppers write into a report. Every call does nothing when the caller wants no report.
+// Functions with which steppers write reports. Each does nothing if the caller wants no report.
 #pragma once
 
 #include "base/vec.h"
@@ -16,19 +16,19 @@ public:
     Reporter(phys_report *report, double startTime)
         : m_report(report)
         , m_startTime(startTime) {
-        if (report) report->pass_cap = kMostImpactRounds; // ways out of overlaps have fewer passes
+        if (report) report->pass_cap = kMostImpactRounds; // pushing out of overlaps needs fewer passes
     }
 
     bool wanted() const { return m_report != nullptr; }
 
-    /// `after` seconds into the step. For events without a contact: zero vectors and PHYS_NO_BOX.
+    /// `after` seconds into the step. Events without a contact have zero vectors and PHYS_NO_BOX.
     void event(uint32_t kind, double after, const Vec3 &point, const Vec3 &normal, double speedBefore,
                double speedAfter, uint32_t box);
 
-    /// Whether another event has a place.
+    /// Whether there is room for another event.
     bool hasRoom() const { return m_report && m_report->event_count < m_report->event_capacity; }
 
-    /// So many that have none.
+    /// Adds this many events for which there is no room.
     void lostEvents(double count) {
         if (!m_report) return;
         const double all = m_report->events_lost + count;
@@ -61,8 +61,8 @@ private:
     double m_startTime;
 };
 
-/// Hands to the caller what a step wrote into a fresh report. All of it is in the first version of the struct, so that
-/// reports of any version have room.
+/// Copies what a step wrote to a fresh report to the caller. All of it is in the first version of the struct, so there
+/// is room in reports of any version.
 void handOver(const phys_report &fresh, phys_report &out);
 
 } // namespace phys

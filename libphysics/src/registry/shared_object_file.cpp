@@ -28,12 +28,12 @@ phys_status refuseShort(const char *name, uint64_t expected, uint64_t size, phys
                 static_cast<unsigned long long>(expected), static_cast<unsigned long long>(size));
 }
 
-/// A file that isn't ELF is left to the system's loader, which says so.
+/// A file that isn't ELF is left to the system's loader, which reports it.
 phys_status checkSegments(const std::string &path, const char *name, phys_error *err) {
     const File file(std::fopen(path.c_str(), "rb"), std::fclose);
     if (!file) return PHYS_OK;
     const long end = std::fseek(file.get(), 0, SEEK_END) == 0 ? std::ftell(file.get()) : 0;
-    if (end <= 0) { // also what the system makes up (/proc): the loader would wait for its content
+    if (end <= 0) { // includes files that the system generates, on which the loader would block
         return fail(err, PHYS_ERROR_PLUGIN_REFUSED, "%s: expected a shared object; found an empty file", name);
     }
     const auto size = static_cast<uint64_t>(end);

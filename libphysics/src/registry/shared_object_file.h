@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether a file is whole enough to be loaded: the system's loader maps what a cut-off file no longer has, and the
-// process ends when that is touched.
+// Checks whether a file is complete enough to be loaded: the system's loader maps missing parts of a truncated file,
+// and the process ends when they are accessed.
 #pragma once
 
 #include <physics/physics.h>
@@ -9,8 +9,8 @@
 
 namespace phys {
 
-/// Checks that `path` is a regular file and, where shared objects are ELF files, that it has all that its headers say.
-/// name: what messages call it.
+/// Checks that `path` is a regular file and, where shared objects are ELF files, that it contains all parts that its
+/// headers list. name: used in messages.
 phys_status checkSharedObjectFile(const std::string &path, const char *name, phys_error *err);
 
 } // namespace phys

@@ -55,13 +55,13 @@ void SideBySide::enter(uint32_t ball, uint64_t step) {
     if (!isEasy) return;
     m_inLanes |= 1U << ball;
     m_entered[ball] = step;
-    const phys_vec3 &gravity = run.params().gravity; // where it doesn't change
+    const phys_vec3 &gravity = run.params().gravity; // for batches without gravity of their own
     m_lanes.x.gravity[ball] = gravity.x;
     m_lanes.y.gravity[ball] = gravity.y;
     m_lanes.gravityZ[ball] = gravity.z;
 }
 
-/// Before the step of this number.
+/// Called before the step of this number.
 phys_state SideBySide::stateInLane(uint32_t ball, uint64_t step) const {
     phys_state state = m_balls[ball].state();
     const uint64_t steps = step - m_entered[ball];
@@ -86,7 +86,7 @@ void SideBySide::loadGravity(uint64_t step) {
     }
 }
 
-/// Returns which balls took the step; the others have left their lanes.
+/// Returns which balls made the step; the others have left their lanes.
 uint32_t SideBySide::moveInLanes(uint64_t step) {
     if (m_batch.gravity && m_batch.gravity_step_stride > 0) loadGravity(step);
     const uint32_t moved = m_steps->step(m_lanes);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Balls of a batch that take their steps together: in lanes while they can, by themselves where they can't.
+// Balls of a batch that make their steps together: in lanes where possible, otherwise one at a time.
 #pragma once
 
 #include "registry/ball_run.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The boundary of a step: everything that goes in is checked, and nothing comes out unless all went well.
+// The C boundary of a step: all inputs are checked, and outputs are written only on success.
 #include "registry/stepper.h"
 
 #include "base/appendable.h"
@@ -22,14 +22,14 @@ namespace phys {
 
 namespace {
 
-/// Steps are counted rather than summed as long as the time is what the count says: model.md 10.6.
+/// Steps are counted rather than times summed, as long as the time equals step count times dt: model.md 10.6.
 double nextTime(const phys_state &state, double dt) {
     const double steps = static_cast<double>(static_cast<int64_t>(state.step));
     const bool isCounted = std::abs(steps * dt - state.time) <= 4.0 * kRounding * state.time;
     return isCounted ? (steps + 1.0) * dt : state.time + dt;
 }
 
-/// Whole numbers up to here are doubles.
+/// Integers up to here are representable as doubles.
 constexpr uint64_t kCountedSteps = uint64_t{1} << 53;
 
 inline phys_status checkArguments(const phys_stepper &stepper, const phys_params &params, double dt,
@@ -40,7 +40,7 @@ inline phys_status checkArguments(const phys_stepper &stepper, const phys_params
     return checkPull(*stepper.scene, params, state, err);
 }
 
-/// A step that the stepper has no shortcut for.
+/// A step for which the stepper has no shortcut.
 phys_status stepInFull(const phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
                        phys_state &out, phys_report *report, phys_error *err) {
     phys_state next;
@@ -49,7 +49,7 @@ phys_status stepInFull(const phys_stepper &stepper, const phys_params &params, d
     return PHYS_OK;
 }
 
-/// makeStep, inlined: each step of a caller makes it.
+/// makeStep, inlined for the single steps of a caller.
 inline phys_status step(const phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
                         phys_state &out, phys_report *report, phys_error *err) {
     if (dt == 0.0) {
@@ -59,7 +59,7 @@ inline phys_status step(const phys_stepper &stepper, const phys_params &params, 
     if (!stepper.lanes || !stepper.lanes->one(stepper.self, params, dt, in, out, report)) {
         return stepInFull(stepper, params, dt, in, out, report, err);
     }
-    out.time = nextTime(in, dt); // of `in` even where that is `out`: the shortcut leaves the clock alone
+    out.time = nextTime(in, dt); // from `in` even if that is `out`: the shortcut leaves the clock unchanged
     out.step = in.step + 1;
     return PHYS_OK;
 }
@@ -126,7 +126,7 @@ void advanceClock(double dt, uint64_t steps, phys_state &state) {
     for (uint64_t i = 0; i < steps; ++i) {
         const double counted = static_cast<double>(static_cast<int64_t>(state.step)) * dt;
         const uint64_t left = steps - i;
-        // What is counted stays so: the rest at once.
+        // Counted times stay counted, so the remaining steps are made at once.
         if (counted == state.time && state.time >= 0.0 && state.step + left < kCountedSteps) {
             state.step += left;
             state.time = static_cast<double>(static_cast<int64_t>(state.step)) * dt;
@@ -139,7 +139,7 @@ void advanceClock(double dt, uint64_t steps, phys_state &state) {
 
 phys_status advance(const phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
                     phys_state &next, phys_report *report, phys_error *err) {
-    if (stepper.isPlugin) next = in; // the built-in ones fill in the rest themselves
+    if (stepper.isPlugin) next = in; // the built-in steppers fill in the rest themselves
     next.time = nextTime(in, dt);
     next.step = in.step + 1;
     if (stepper.isPlugin) return stepPlugin(stepper, params, dt, in, next, report, err);
@@ -158,7 +158,7 @@ phys_status phys_stepper_create(const phys_registry *registry, const char *id, c
     const auto [api, isPlugin] = phys::findStepper(registry, id);
     if (!api) {
         phys_stepper_info unused;
-        return phys_registry_find(registry, id, &unused, err); // says which ids there are
+        return phys_registry_find(registry, id, &unused, err); // reports which ids exist
     }
     const phys_stepper fresh{api, nullptr, scene, phys::viewOf(*scene), isPlugin, nullptr, {}};
     auto stepper = std::make_unique<phys_stepper>(fresh);

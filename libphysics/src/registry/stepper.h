@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A stepper in its scene, and one step whose arguments were checked.
+// A stepper in its scene, and one step with checked arguments.
 #pragma once
 
 #include "registry/lanes.h"
@@ -12,11 +12,11 @@
 
 namespace phys {
 
-/// The last step that left a ball at rest as it was. What a built-in stepper answers follows from what it is given, so
-/// the same step needn't be made again: the cheapest that there is.
+/// Caches the last step that left a ball at rest unchanged. A built-in stepper's result depends only on its inputs, so
+/// the same step needn't be computed again; this is the cheapest kind of step.
 class KnownRest {
 public:
-    /// Whether this is the known step, but for time and number.
+    /// Whether this is the cached step, apart from time and step number.
     bool holds(const phys_params &params, double dt, const phys_state &state) const {
         return dt == m_dt && isSameBall(state, m_state) && std::memcmp(&params, &m_params, sizeof params) == 0;
     }
@@ -26,7 +26,7 @@ public:
         m_state = state;
     }
 
-    /// The same bytes but for time and number: a zero has a sign.
+    /// Compares bytes, apart from time and number, because zeros have a sign.
     static bool isSameBall(const phys_state &a, const phys_state &b) {
         constexpr size_t kBegin = offsetof(phys_state, position);
         const auto bytesOf = [](const phys_state &state) { return reinterpret_cast<const char *>(&state) + kBegin; };
@@ -35,7 +35,7 @@ public:
 
 private:
     phys_params m_params{};
-    double m_dt = 0.0; ///< s; 0: none is known
+    double m_dt = 0.0; ///< s; 0: nothing is cached
     phys_state m_state{};
 };
 
@@ -53,16 +53,16 @@ struct phys_stepper {
 
 namespace phys {
 
-/// Time and step of a state after so many more steps of dt.
+/// Time and step of a state after this many further steps of dt.
 void advanceClock(double dt, uint64_t steps, phys_state &state);
 
-/// As phys_step with checked arguments: `out` may be `in`, and is written on success only. report: a fresh one, or
+/// Like phys_step, for checked arguments: `out` may be `in`, and is written on success only. report: a fresh one, or
 /// nullptr.
 phys_status makeStep(const phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
                      phys_state &out, phys_report *report, phys_error *err);
 
-/// One step of dt > 0 from `in` to `next`, which are not the same; `next` means something only after PHYS_OK. A plugin
-/// is not trusted: neither what it returns nor what it writes goes on unchecked.
+/// One step of dt > 0 from `in` to `next`, which must differ; `next` is valid only after PHYS_OK. A plugin isn't
+/// trusted: its status and its outputs are checked.
 phys_status advance(const phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
                     phys_state &next, phys_report *report, phys_error *err);
 
