@@ -9,7 +9,7 @@ namespace phys {
 
 Grid::Cells Grid::cellsOf(const Vec2 &low, const Vec2 &high) const {
     const auto cell = [this](double coordinate, double origin, double count) {
-        // Not negative after the clamp: the conversion rounds down.
+        // Not negative after the clamp, so the conversion rounds down.
         return static_cast<uint32_t>(std::clamp((coordinate - origin) * m_perCell, 0.0, count - 1.0));
     };
     return {cell(low.x, m_x0, m_columns), cell(low.y, m_y0, m_rows), cell(high.x, m_x0, m_columns),
@@ -23,13 +23,13 @@ Grid::Cells Grid::cellsOf(const phys_box &box) const {
 void Grid::build(std::span<const phys_box> boxes, double reach, double cellSize) {
     *this = Grid{};
     if (boxes.empty()) return;
-    // A rounding step more than the reach, so that a box exactly at reach is never lost to rounding.
+    // One rounding step more than the reach, so that rounding loses no box exactly at reach.
     m_reach = reach * (1.0 + 1e-9);
     chooseCells(boxes, cellSize);
     fill(boxes);
 }
 
-/// The finest cells, in powers of two of cellSize, that the budget allows. With one cell for all it is always kept.
+/// The finest cells that the budget allows, cellSize times a power of two. A single cell always fits.
 void Grid::chooseCells(std::span<const phys_box> boxes, double cellSize) {
     Vec2 low{INFINITY}, high{-INFINITY};
     for (const phys_box &box : boxes) {
@@ -54,17 +54,17 @@ void Grid::layOut(const Vec2 &low, const Vec2 &high, double cellSize) {
     m_rows = std::floor((high.y - low.y) * m_perCell) + 1.0;
 }
 
-/// Cells and list entries together; counting ends once they are more than `most`.
+/// Cells plus list entries; counting stops at more than `most`.
 uint64_t Grid::entryCount(std::span<const phys_box> boxes, uint64_t most) const {
-    // As doubles: next to a tiny ball a huge board has more cells than an integer counts.
+    // As doubles, because for a tiny ball a huge board has more cells than an integer can count.
     if (m_columns * m_rows > static_cast<double>(most)) return most + 1;
     auto count = static_cast<uint64_t>(m_columns * m_rows);
     for (size_t i = 0; i < boxes.size() && count <= most; ++i) count += cellsOf(boxes[i]).count();
     return count;
 }
 
-/// Counting sort by cell: count, sum up, fill. Filling in order of the boxes keeps each list ascending. Each list is
-/// counted two places further and its end moves there as it is filled: one place before, it is where the list begins.
+/// Counting sort by cell: count, sum up, fill. Filling in the boxes' order keeps each list ascending. Counts are stored
+/// two places further on; filling moves each list's end to one place further on, where the next list begins.
 void Grid::fill(std::span<const phys_box> boxes) {
     m_columnCount = static_cast<ptrdiff_t>(m_columns);
     const size_t cellCount = m_columnCount * static_cast<ptrdiff_t>(m_rows);
@@ -73,7 +73,7 @@ void Grid::fill(std::span<const phys_box> boxes) {
             for (size_t column = cells.column0; column <= cells.column1; ++column) visit(row * m_columnCount + column);
         }
     };
-    m_first.assign(cellCount + 2, 0); // 32 bits hold any number of entries that the budget allows
+    m_first.assign(cellCount + 2, 0); // 32 bits are enough for the entries that the budget allows
     m_boxCells.reserve(boxes.size());
     for (const phys_box &box : boxes) {
         visitCells(m_boxCells.emplace_back(cellsOf(box)), [this](size_t cell) { ++m_first[cell + 2]; });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A uniform grid over the board: which boxes a ball can touch, from the place of its centre alone.
+// A uniform grid over the board, which finds the boxes that a ball can touch from its centre's position.
 #pragma once
 
 #include "base/vec.h"
@@ -15,7 +15,7 @@ namespace phys {
 class Grid {
 public:
     /// Each cell lists the boxes within `reach` (m) of it, seen from above. Cells are cellSize m wide, or 2, 4, 8, ...
-    /// times that: as much as keeps cells and lists together within mostEntries(boxes.size()).
+    /// times as wide if necessary to keep cells and lists together within mostEntries(boxes.size()).
     void build(std::span<const phys_box> boxes, double reach, double cellSize);
 
     static constexpr size_t kNoCell = SIZE_MAX;
@@ -23,12 +23,12 @@ public:
     size_t cellAt(double x, double y) const {
         const double column = (x - m_x0) * m_perCell;
         const double row = (y - m_y0) * m_perCell;
-        // Negated so that a NaN finds no cell either.
+        // Negated so that a NaN has no cell either.
         if (!(column >= 0.0 && column < m_columns && row >= 0.0 && row < m_rows)) return kNoCell;
         return static_cast<ptrdiff_t>(row) * m_columnCount + static_cast<ptrdiff_t>(column);
     }
 
-    /// Where a cell is, m.
+    /// The position of a cell, m.
     struct Square {
         Vec2 low, high;
     };
@@ -45,15 +45,16 @@ public:
         return cell == kNoCell ? std::span<const uint32_t>() : nearCell(cell);
     }
 
-    /// Boxes within reach of any centre in the rectangle: a superset, ascending, each once.
-    /// Returns how many there are; writes only the first out.size() of them.
+    /// Boxes within reach of any centre in the rectangle: a superset, ascending, without duplicates. Returns their
+    /// number; writes only the first out.size() of them.
     uint32_t overlapping(const Vec2 &low, const Vec2 &high, std::span<uint32_t> out) const;
 
-    /// Calls visit(box) for the boxes that `overlapping` would name, each once, in no particular order.
+    /// Calls visit(box) for the boxes that `overlapping` returns, without duplicates, in no particular order.
     template<class Visit>
     void visitOverlapping(const Vec2 &low, const Vec2 &high, Visit visit) const;
 
-    /// Most cells and list entries of a grid of so many boxes: it is never larger than a small one or 64 bytes a box.
+    /// Largest number of cells and list entries for this many boxes: a grid is never larger than a small one or 64
+    /// bytes per box.
     static constexpr uint64_t mostEntries(uint64_t boxes) { return 65'536 + 16 * boxes; }
 
 private:
@@ -70,10 +71,10 @@ private:
     Cells cellsOf(const phys_box &box) const;
 
     double m_x0 = 0.0, m_y0 = 0.0, m_perCell = 0.0;
-    double m_columns = 0.0, m_rows = 0.0; // as doubles, for the hot comparison
+    double m_columns = 0.0, m_rows = 0.0; // as doubles, for the comparison in the hot path
     ptrdiff_t m_columnCount = 0;
     double m_reach = 0.0;
-    std::vector<uint32_t> m_first, m_items; // the lists, one after another, and where each cell's begins
+    std::vector<uint32_t> m_first, m_items; // the lists, one after another, and where each cell's list begins
     std::vector<Cells> m_boxCells;
 };
 
@@ -81,7 +82,7 @@ template<class Visit>
 void Grid::visitOverlapping(const Vec2 &low, const Vec2 &high, Visit visit) const {
     if (m_items.empty()) return;
     const Cells query = cellsOf(low, high);
-    if (query.count() > m_boxCells.size()) { // it is shorter to ask the boxes
+    if (query.count() > m_boxCells.size()) { // testing all boxes is cheaper then
         for (uint32_t box = 0; box < m_boxCells.size(); ++box) {
             const Cells &own = m_boxCells[box];
             const bool overlaps = own.column0 <= query.column1 && query.column0 <= own.column1 &&
@@ -95,7 +96,7 @@ void Grid::visitOverlapping(const Vec2 &low, const Vec2 &high, Visit visit) cons
             const size_t cell = row * m_columnCount + column;
             for (uint32_t item = m_first[cell]; item < m_first[cell + 1]; ++item) {
                 const uint32_t box = m_items[item];
-                // A box in several cells of the query counts in the first of them only.
+                // A box in several cells of the query is visited in the first of them only.
                 const Cells &own = m_boxCells[box];
                 if (row == std::max(query.row0, own.row0) && column == std::max(query.column0, own.column0)) visit(box);
             }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The lowest of many values that come in any order, in a buffer of the caller's.
+// Keeps the lowest of many values that arrive in any order, in the caller's buffer.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace phys {
 
-/// A heap with the highest of the kept values on top. Counts all that were added.
+/// A heap with the highest of the kept values on top. Counts all values that were added.
 template<class T, class Less = std::less<>>
 class Lowest {
 public:
@@ -28,7 +28,7 @@ public:
             std::push_heap(m_out.begin(), end(), Less{});
         }
     }
-    /// Puts the kept values in ascending order, once all are added.
+    /// Sorts the kept values in ascending order; call it after all were added.
     void sort() { std::sort_heap(m_out.begin(), end(), Less{}); }
     uint32_t count() const { return m_count; }
 

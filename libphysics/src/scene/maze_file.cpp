@@ -13,10 +13,10 @@ namespace {
 
 constexpr std::string_view kSpace = " \t\r";
 
-/// More than the longest lines of a million boxes need.
+/// A million boxes with the longest lines need less.
 constexpr size_t kMostBytes = 268'435'456;
 
-/// Reads one file: where it is, and what it has found so far.
+/// Reads one file; keeps its position and the results so far.
 class Reader {
 public:
     Reader(const char *path, phys_error *err)
@@ -130,7 +130,7 @@ private:
         return word;
     }
 
-    /// Length of a word as shown in a message.
+    /// Largest length of a word in a message.
     static int shown(std::string_view word) { return static_cast<int>(std::min<size_t>(word.size(), 40)); }
 
     const char *m_path;
@@ -142,7 +142,7 @@ private:
     std::vector<phys_box> m_boxes;
 };
 
-/// The whole file, or why it can't be had.
+/// The whole file, or why it can't be read.
 phys_status readFile(const char *path, std::string &out, phys_error *err) {
     const std::string reason = system::readFile(path, kMostBytes, out);
     return reason.empty() ? PHYS_OK : fail(err, PHYS_ERROR_FILE, "%s: %s", path, reason.c_str());

@@ -11,7 +11,7 @@ namespace phys {
 /// Reads, checks and makes the scene. Throws std::bad_alloc only.
 phys_status loadScene(const char *path, Scene &out, phys_error *err);
 
-/// As loadScene from the file's text; name: what messages call it.
+/// Like loadScene, from the file's text; name: used in messages.
 phys_status parseScene(std::string_view text, const char *name, Scene &out, phys_error *err);
 
 } // namespace phys

@@ -18,7 +18,7 @@ constexpr uint32_t kGone = 0xffffffffU;
 double lowEnd(const phys_box &box, int axis) { return (&box.min.x)[axis]; }
 double highEnd(const phys_box &box, int axis) { return (&box.max.x)[axis]; }
 
-/// What two boxes must share to be flush along `axis`: their extents along the other two.
+/// What two boxes must share to be flush along `axis`: their extents along the other two axes.
 bool sameCrossSection(const phys_box &p, const phys_box &q, int axis) {
     const int a = (axis + 1) % 3;
     const int b = (axis + 2) % 3;
@@ -40,7 +40,7 @@ uint64_t hashCrossSection(const phys_box &box, int axis) {
 struct Piece {
     phys_box box;
     uint32_t root; // lowest number of the given boxes in it
-    bool hasGrown; // made of several
+    bool hasGrown; // consists of several boxes
 };
 
 struct Entry {
@@ -60,8 +60,8 @@ Entry entryOf(const std::vector<Piece> &pieces, uint32_t number, int axis) {
 
 size_t bucketOf(const Entry &entry, size_t buckets) { return static_cast<size_t>(entry.section) & (buckets - 1); }
 
-/// The pieces in an order in which those that may be flush along `axis` follow each other. Spreading them over buckets
-/// by their hash first leaves little to sort.
+/// Orders the pieces so that those that may be flush along `axis` are adjacent. Distributing them to buckets by hash
+/// first leaves little to sort.
 std::vector<Entry> lineUp(int axis, const std::vector<Piece> &pieces) {
     const size_t buckets = std::bit_ceil(pieces.size());
     std::vector<Entry> entries(pieces.size()), sorted(pieces.size());
@@ -80,13 +80,13 @@ std::vector<Entry> lineUp(int axis, const std::vector<Piece> &pieces) {
     return sorted;
 }
 
-/// Whether the second of two pieces, in the order of their entries, continues the first along `axis`.
+/// Whether the second of two pieces, in the entries' order, continues the first along `axis`.
 bool isFlush(const phys_box &lower, const phys_box &upper, int axis) {
     return lowEnd(upper, axis) <= highEnd(lower, axis) && sameCrossSection(lower, upper, axis);
 }
 
-/// Merges pieces to the end. What two joined pieces make possible is found at the place where they joined: each join
-/// costs the logarithm of the number of pieces, whatever the order in which joins follow from each other.
+/// Merges pieces until no more are flush. New possibilities that arise from a merge are found at its place, so each
+/// merge costs the logarithm of the number of pieces, whatever the order in which merges enable each other.
 class Merger {
 public:
     Merger(std::vector<Piece> pieces, size_t numbers)
@@ -96,7 +96,7 @@ public:
     }
 
     void run() {
-        // One look at everything; in most scenes that is all.
+        // One pass over everything; in most scenes nothing more is needed.
         const size_t before = m_pieces.size();
         for (int axis = 0; axis < 3; ++axis) joinLines(axis);
         if (m_pieces.size() > 1 && m_pieces.size() < before) joinWhatChanged();
@@ -111,7 +111,7 @@ public:
 private:
     using Line = std::set<Entry>;
 
-    /// Makes two pieces that are flush along `axis` one: the lower.
+    /// Merges two pieces that are flush along `axis` into the one with the lower number.
     void grow(Piece &lower, Piece &upper, int axis) {
         (&lower.box.max.x)[axis] = std::max(highEnd(lower.box, axis), highEnd(upper.box, axis));
         const uint32_t root = std::min(lower.root, upper.root);
@@ -122,7 +122,7 @@ private:
         lower.hasGrown = true;
     }
 
-    /// Joins all pieces that are flush along `axis`.
+    /// Merges all pieces that are flush along `axis`.
     void joinLines(int axis) {
         const std::vector<Entry> line = lineUp(axis, m_pieces);
         uint32_t last = line.front().piece;
@@ -149,7 +149,7 @@ private:
                 if (m_pieces[entry.piece].hasGrown) m_changed[axis].push_back(entry.piece);
             }
         }
-        // A round of all three axes in which nothing changed is the end.
+        // It ends after a round of all three axes without a change.
         for (int axis = 0, quiet = 0; quiet < 3; axis = (axis + 1) % 3) {
             quiet = m_changed[axis].empty() ? quiet + 1 : 0;
             for (const uint32_t piece : std::exchange(m_changed[axis], {})) {
@@ -158,7 +158,7 @@ private:
         }
     }
 
-    /// Joins to a piece whatever is flush with it along `axis`.
+    /// Merges everything that is flush along `axis` into a piece.
     void joinNeighbours(uint32_t piece, int axis) {
         const Line &line = m_lines[axis];
         bool any = false;
@@ -184,7 +184,7 @@ private:
         return isFlush(m_pieces[lower].box, m_pieces[upper].box, axis);
     }
 
-    /// Along `axis` the lower piece keeps its place; along the others its cross-section is a new one.
+    /// Along `axis` the lower piece keeps its place in the order; along the others its cross-section has changed.
     void join(uint32_t lower, uint32_t upper, int axis) {
         for (int i = 0; i < 3; ++i) {
             m_lines[i].erase(m_places[i][upper]);
@@ -198,12 +198,12 @@ private:
 
     std::vector<Piece> m_pieces;
     std::vector<uint32_t> m_parent;
-    Line m_lines[3];                         ///< all pieces, lined up along each axis
-    std::vector<Line::iterator> m_places[3]; ///< of each piece in them
-    std::vector<uint32_t> m_changed[3];      ///< pieces to look at along each axis
+    Line m_lines[3];                         ///< all pieces, in the order along each axis
+    std::vector<Line::iterator> m_places[3]; ///< position of each piece in these orders
+    std::vector<uint32_t> m_changed[3];      ///< pieces to be examined along each axis
 };
 
-/// Nothing was flush: each box has itself as its only part.
+/// Nothing was flush: each box is its own only part.
 Merged eachItself(std::span<const phys_box> given, std::span<const uint32_t> members) {
     Merged merged;
     merged.boxes.reserve(members.size());
@@ -221,7 +221,7 @@ Merged gather(std::vector<Piece> pieces, std::vector<uint32_t> parent, std::span
     std::vector<std::pair<uint32_t, uint32_t>> rootAndPart;
     rootAndPart.reserve(members.size());
     for (const uint32_t member : members) {
-        // Parents are lower than their children and members ascend: the parent's own root is known by now.
+        // Parents are lower than their children and numbers ascend, so the parent's root is already known.
         parent[member] = parent[parent[member]];
         rootAndPart.emplace_back(parent[member], member);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Flush boxes that together are one box become one: no seam is left to bump into (model.md 5.6).
+// Merges flush boxes whose union is a box, so that the ball can't hit a seam between them (model.md 5.6).
 #pragma once
 
 #include "base/vec.h"
@@ -10,13 +10,13 @@
 
 namespace phys {
 
-/// Merged boxes, and for each the numbers of the given ones it was made of: parts[first[i] .. first[i + 1]), ascending.
+/// Merged boxes, and the numbers of the given ones that each consists of: parts[first[i] .. first[i + 1]), ascending.
 struct Merged {
     std::vector<phys_box> boxes; ///< in ascending order of their lowest part
     std::vector<uint32_t> first, parts;
 };
 
-/// members: numbers of the boxes of `given` to merge among each other, ascending.
+/// members: numbers of the boxes of `given` that may be merged with each other, ascending.
 Merged mergeFlush(std::span<const phys_box> given, std::span<const uint32_t> members);
 
 } // namespace phys

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a ball is nearest to a box: model.md 5.1 and 5.7, in three dimensions.
+// The point of a box nearest to a ball: model.md 5.1 and 5.7, in three dimensions.
 #pragma once
 
 #include "base/vec.h"
@@ -8,15 +8,15 @@
 
 namespace phys {
 
-/// Nearest point of a box to the ball's centre.
+/// The point of a box nearest to the ball's centre.
 struct Nearest {
     Vec3 point;
     Vec3 normal;      ///< unit, from the box to the centre
-    double distance;  ///< from the point to the centre, m; negative: the centre is inside, so deep under the surface
+    double distance;  ///< from the point to the centre, m; negative: the centre is inside, at this depth
     uint32_t feature; ///< PHYS_FEATURE_*
 };
 
-/// As std::clamp, by value: two instructions instead of two jumps.
+/// Like std::clamp, by value: two instructions instead of two jumps.
 inline double limited(double x, double low, double high) { return std::min(std::max(x, low), high); }
 
 /// Square of the distance from p to the box; 0 inside.
@@ -26,7 +26,7 @@ inline double squaredDistance(const phys_box &box, const Vec3 &p) {
     return d.x * d.x + d.y * d.y + d.z * d.z;
 }
 
-/// The general case; with the centre inside the way out is through the nearest face (ties: -x +x -y +y -z +z).
+/// The general case; for a centre inside, out through the nearest face (order of ties: -x +x -y +y -z +z).
 Nearest nearest(const phys_box &box, const Vec3 &p);
 
 } // namespace phys

@@ -19,10 +19,11 @@ constexpr double kSmallestRadius = 1e-9;
 constexpr double kLargestRadius = 1e6;
 constexpr uint32_t kMostBoxes = 1'000'000;
 
-/// Beside a coordinate this many times its radius, a ball is next to nothing: steps would be lost in rounding.
+/// Relative to a coordinate larger than its radius by this factor a ball is negligible: steps would be lost in
+/// rounding.
 constexpr double kMostRadii = 1e12;
 
-/// Radii that a cell of the grid is wide. Finer cells list fewer boxes; steps gain nothing by that, and scenes take
+/// Width of the grid's cells in radii. Finer cells list fewer boxes, but steps don't gain by that, and scenes take
 /// longer to make: `scene/2011 walls` of tests/bench/run --rows.
 constexpr double kCellSize = 6.0;
 
@@ -92,7 +93,7 @@ void findBounds(Scene &scene) {
     }
 }
 
-/// The floor's plane is the highest top under the start, not above the ball's centre.
+/// The floor's plane is the highest top below the start that isn't above the ball's centre.
 void findFloor(Scene &scene) {
     scene.floorTop = -std::numeric_limits<double>::infinity();
     const Vec3 &p = scene.start;
@@ -117,7 +118,7 @@ void merge(Scene &scene) {
     scene.hasManyBoxes = scene.boxes.size() > kHandful;
 }
 
-/// model.md 0: a solid that a supported ball can touch must reach to its equator.
+/// model.md 0: a solid that a supported ball can touch must reach up to its equator.
 void checkPlanar(Scene &scene) {
     if (!scene.hasFloor) return;
     const double top = scene.supportedZ + scene.radius;

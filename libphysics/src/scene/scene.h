@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An immutable scene: the boxes as given, and what steppers need to know of them.
+// An immutable scene: the given boxes, and data that steppers derive from them.
 #pragma once
 
 #include "base/vec.h"
@@ -13,19 +13,19 @@
 
 namespace phys {
 
-/// Up to this many boxes, a floor and four walls, looking at all of them costs less than finding the grid's cell.
+/// Up to this many boxes (a floor and four walls), testing all of them costs less than a lookup in the grid.
 inline constexpr size_t kHandful = 5;
 
-/// The grid lists boxes as far as this many radii from a centre: a touch, and half a radius of motion.
+/// The grid lists boxes up to this many radii from a centre: contact, and half a radius of motion.
 inline constexpr double kCandidateReach = 1.5;
 
 /// Relative size of a rounding step: "u" in model.md.
 inline constexpr double kRounding = 2.220446049250313e-16;
 
 struct Scene {
-    std::vector<phys_box> given; ///< as the caller gave them; their numbers are the public ones
-    std::vector<phys_box> boxes; ///< all of them merged, floors and walls alike (model.md 5.6), in order of lowest part
-    std::vector<uint32_t> allBoxes;         ///< 0, 1, 2, ...: the boxes' list where no grid is needed
+    std::vector<phys_box> given;    ///< as the caller gave them; their numbers are public
+    std::vector<phys_box> boxes;    ///< merged, floors and walls alike (model.md 5.6), ordered by their lowest part
+    std::vector<uint32_t> allBoxes; ///< 0, 1, 2, ...: the list of boxes where no grid is needed
     std::vector<uint32_t> firstPart, parts; ///< partsOf(i) is [firstPart[i], firstPart[i + 1]) of parts
     Grid grid;                              ///< of boxes; reach: kCandidateReach radii
 
@@ -37,7 +37,7 @@ struct Scene {
     double supportedZ = 0.0; ///< height of a supported centre: floorTop + radius
     double tolerance = 0.0;  ///< m: 4 rounding steps of the largest coordinate, model.md 5.2
 
-    bool hasManyBoxes = false; ///< more than a handful
+    bool hasManyBoxes = false; ///< so many that the grid is used
     bool isPlanar() const { return nonPlanarReason.empty(); }
 
     // Why the scene isn't planar (model.md 0); empty if it is.
@@ -48,7 +48,8 @@ struct Scene {
         return useGrid ? grid.near(x, y) : std::span<const uint32_t>(allBoxes);
     }
 
-    /// Calls visit(box) for the boxes that overlap or touch the region between two corners, each once, in any order.
+    /// Calls visit(box) for the boxes that overlap or touch the region between two corners, without duplicates, in any
+    /// order.
     template<class Visit>
     void visitBoxes(const Vec3 &low, const Vec3 &high, Visit visit) const {
         grid.visitOverlapping(inPlane(low), inPlane(high), [&](uint32_t i) {
@@ -59,19 +60,19 @@ struct Scene {
         });
     }
 
-    /// Numbers of the given boxes that a merged one was made of, ascending.
+    /// Numbers of the given boxes of a merged one, ascending.
     std::span<const uint32_t> partsOf(uint32_t box) const {
         return std::span(parts).subspan(firstPart[box], firstPart[box + 1] - firstPart[box]);
     }
 
-    /// Number of the given box that gave a merged one the place nearest to `point`; the lowest of equals.
+    /// Number of the given box in a merged one that is nearest to `point`; on ties the lowest.
     uint32_t givenBox(uint32_t box, const Vec3 &point) const;
 
-    /// Whether one box whose top is the floor's plane lies below all places that are up to `reach` (m) away from (x, y)
-    /// along each axis, borders included.
+    /// Whether one box whose top is the floor's plane lies below all positions within `reach` (m) of (x, y) along each
+    /// axis, borders included.
     bool overFloor(double x, double y, double reach = 0.0) const;
 
-    /// Whether a ball there is beyond the board.
+    /// Whether a ball at this position is beyond the board.
     bool isOut(const phys_vec3 &centre) const { return !isOver(bounds, centre.x, centre.y); }
 
     static bool isOver(const phys_box &box, double x, double y) {

@@ -16,7 +16,7 @@ namespace phys {
 
 namespace {
 
-/// Makes a scene with `fill` and hands it out; nothing leaks and nothing throws.
+/// Makes a scene with `fill` and returns it; nothing leaks and nothing throws.
 template<class Fill>
 phys_status createScene(phys_scene **out, phys_error *err, Fill fill) try {
     const FloatEnvironment environment;

@@ -9,7 +9,7 @@ namespace phys {
 
 namespace {
 
-bool isBox(const phys_box &box) { // false for a NaN
+bool isBox(const phys_box &box) { // false for NaN
     return box.min.x <= box.max.x && box.min.y <= box.max.y && box.min.z <= box.max.z;
 }
 
@@ -18,7 +18,7 @@ bool touch(const phys_box &a, const phys_box &b) {
            b.min.z <= a.max.z;
 }
 
-/// Each given box is part of exactly one merged box, and the grids know where those are.
+/// Each given box is part of exactly one merged box, so the grids of merged boxes find it.
 uint32_t queryBoxes(const void *handle, const phys_box *region, uint32_t *out, uint32_t capacity) {
     const Scene &scene = *static_cast<const Scene *>(handle);
     if (!isBox(*region)) return 0;

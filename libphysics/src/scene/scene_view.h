@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a stepper sees of a scene: phys_scene_view.
+// A stepper's view of a scene: phys_scene_view.
 #pragma once
 
 #include "scene/scene.h"
@@ -8,7 +8,7 @@
 
 namespace phys {
 
-/// Valid as long as the scene.
+/// Valid as long as the scene exists.
 phys_scene_view viewOf(const Scene &scene);
 
 } // namespace phys
