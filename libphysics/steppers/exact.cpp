@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The reference: closed forms from event to event, model.md 8. Its error is rounding times the motion's sensitivity.
+// The reference: closed forms from event to event, model.md 8. Its error is rounding, amplified by the motion's
+// sensitivity.
 #include "base/text.h"
 #include "discrete/requirements.h"
 #include "exact/exact_step.h"
@@ -13,7 +14,7 @@ namespace phys {
 
 namespace {
 
-/// What a step needs. What is kept for the next follows from the scene: no answer depends on it.
+/// The data of a stepper. What it caches between steps follows from the scene, so no result depends on it.
 struct Exact {
     explicit Exact(const Scene &ofScene)
         : scene(ofScene)
@@ -30,8 +31,8 @@ phys_status create(const phys_scene_view *view, void **self, phys_error *) {
 
 void destroy(void *self) { delete static_cast<Exact *>(self); }
 
-/// Less gravity (m/s^2) than this moves no ball by anything in the longest step, and nothing moves in less time (s):
-/// but their products with lengths underflow, and what divides by them overflows.
+/// In the longest step, gravity smaller than this (m/s^2) moves no ball noticeably, and nothing moves in less time (s);
+/// but their products with lengths underflow, and divisions by them overflow.
 constexpr double kTooSmall = 0x1p-400;
 
 bool isNegligible(double value) { return value != 0.0 && std::abs(value) < kTooSmall; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bad example: at a wall it gains energy in each step, and no cure helps (model.md 10.3).
+// The bad example: at a wall it gains energy in each step, and no correction helps (model.md 10.3).
 #include "discrete/stepper.h"
 #include "registry/built_in_steppers.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fourth order where the motion is smooth; across impacts no better than the others, which is why it is here.
+// Fourth order where the motion is smooth, but no better than the others across impacts, which it is here to show.
 #include "discrete/stepper.h"
 #include "registry/built_in_steppers.h"
 

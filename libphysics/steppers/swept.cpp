@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Moves to the first impact inside the step, reflects, and goes on with the rest: second order across impacts too, and
-// nothing is tunnelled through at any speed.
+// Moves to the first impact inside the step, reflects, and continues with the rest: second order across impacts as
+// well, and no tunnelling at any speed.
 #include "discrete/stepper.h"
 #include "discrete/swept_step.h"
 #include "discrete/velocity_verlet.h"
@@ -10,7 +10,7 @@ namespace phys {
 
 namespace {
 
-/// What the search for events may take in one step: some 100 ms.
+/// Work limit of the search for events in one step: some 100 ms.
 constexpr uint32_t kEffortCap = 4'000'000;
 
 phys_status refuseEffort(phys_error *err) {
@@ -18,7 +18,7 @@ phys_status refuseEffort(phys_error *err) {
                 "this step tries the ball at more than %u places to find its events: take a smaller dt", kEffortCap);
 }
 
-/// Sweeping takes the place of substeps, and no rest rule but the one for slow bounces applies.
+/// Sweeping replaces substeps, and the only rest rule is the one for slow bounces.
 StepPlan planSweep(const PlanInput &input) {
     StepPlan plan = planStep(input, true);
     plan.asReported = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The default: cheap, first order, and stable in contact, because what its update overshoots never gives speed.
+// The default: cheap, first order, and stable in contact, because the overshoot of its update never adds speed.
 #include "discrete/stepper.h"
 #include "registry/built_in_steppers.h"
 
@@ -7,7 +7,7 @@ namespace phys {
 
 namespace {
 
-/// model.md 10.1: first the velocity, then the position with the new one.
+/// model.md 10.1: first the velocity, then the position with the new velocity.
 struct SymplecticEuler {
     static constexpr ContactRule kContactRule = ContactRule::Symplectic;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Second order where the motion is smooth, for a second evaluation of the force.
+// Second order where the motion is smooth, at the cost of a second force evaluation.
 #include "discrete/velocity_verlet.h"
 
 #include "discrete/stepper.h"

@@ -7,7 +7,7 @@ namespace phys {
 
 namespace {
 
-constexpr double kStalls = 0x1p-7; // share that a slip loses while its series are good: its direction is rounding
+constexpr double kStalls = 0x1p-7; // if a slip loses this share while its series are valid, its direction is rounding
 
 } // namespace
 

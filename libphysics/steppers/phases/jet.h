@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Taylor series in one variable, of numbers and of vectors.
+// Taylor series in one variable, of numbers and vectors.
 #pragma once
 
 #include "base/elementary.h"
@@ -15,8 +15,8 @@ namespace phys {
 
 inline constexpr int kOrder = 24;
 inline constexpr double kTail = 1e-17;     ///< relative size of the last terms
-inline constexpr double kNoise = 1e-25;    ///< relative to the speeds: terms below are nothing but rounding
-inline constexpr double kSlipEnds = 2e-13; ///< relative to the velocities that a slip is the difference of
+inline constexpr double kNoise = 1e-25;    ///< relative to the speeds: smaller terms are rounding
+inline constexpr double kSlipEnds = 2e-13; ///< relative to the velocities whose difference a slip is
 
 template<class T>
 struct JetOf {
@@ -35,7 +35,7 @@ struct JetOf {
         for (int k = kOrder - 1; k >= 1; --k) sum = sum * s + double(k) * c[static_cast<size_t>(k)];
         return sum;
     }
-    /// From 0 to s.
+    /// Integral from 0 to s.
     T integralAt(double s) const {
         T sum(0.0);
         for (int k = kOrder; k >= 0; --k) sum = s * (sum + c[static_cast<size_t>(k)] / (k + 1.0));
@@ -46,7 +46,7 @@ struct JetOf {
 using Jet = JetOf<double>;
 using VecJet = JetOf<Vec3>;
 
-/// Term k of a product; of vectors: of their dot or cross product.
+/// Term k of a product; for vectors of their dot or cross product.
 inline double termOf(const Jet &a, const Jet &b, int k) {
     double sum = 0.0;
     for (int j = 0; j <= k; ++j) sum += a[j] * b[k - j];
@@ -63,14 +63,14 @@ inline Vec3 termOf(const Jet &a, const VecJet &b, int k) {
     return sum;
 }
 
-/// Term k of the length of a vector with terms v[0], v[1], ..., and of its direction, whose term 0 is left as it is.
+/// Term k of the length of a vector with terms v[0], v[1], ..., and of its direction, whose term 0 is unchanged.
 template<class V>
 void addDirectionTerm(const V *v, int k, Jet &length, JetOf<V> &direction) {
     if (k == 0) {
         length[0] = glm::length(v[0]);
         return;
     }
-    // Twice the first term times term k of the length: what v.v has more than the known terms. Pairs come twice.
+    // Twice the product of the length's first term and term k: v.v minus the known terms, in which pairs occur twice.
     double twice = glm::dot(v[0], v[k]);
     for (int j = 1; 2 * j < k; ++j) twice += glm::dot(v[j], v[k - j]) - length[j] * length[k - j];
     twice *= 2.0;
@@ -81,7 +81,7 @@ void addDirectionTerm(const V *v, int k, Jet &length, JetOf<V> &direction) {
     direction[k] = rest / length[0];
 }
 
-/// First s in [0, end] at which a polynomial falls through zero; kNever if it doesn't.
+/// First s in [0, end] at which a polynomial falls through zero; kNever if there is none.
 inline double firstFall(const Jet &g, double end, Work &work) {
     double others = 0.0, bend = 0.0;
     for (int k = kOrder; k >= 1; --k) others = (others + std::abs(g[k])) * end;
@@ -95,34 +95,34 @@ inline double firstFall(const Jet &g, double end, Work &work) {
     return firstZero(look, 0.0, end, zero);
 }
 
-/// In units: how long a series is good. noise: what a term is surely nothing but rounding below.
+/// How long a series is valid, in units. noise: smaller terms are certainly rounding.
 template<class V>
 double validUntil(const JetOf<V> &f, int last, double noise) {
     const double scale = std::max({noise, glm::length(f[0]), glm::length(f[1]), glm::length(f[2])});
     double most = kNever;
     for (const int k : {last - 1, last}) {
         const double size = glm::length(f[k]);
-        if (!std::isfinite(size)) return 0.0; // the unit is far too long
+        if (!std::isfinite(size)) return 0.0; // the unit is much too long
         if (size > 0.0) most = std::min(most, elementary::root(kTail * scale / size, k));
     }
     return most;
 }
 
-/// The time that series count in, and the longest for which they are good to rounding.
+/// The time unit of series, and the longest time for which they are accurate to rounding.
 struct Reach {
     double unit = 1.0, horizon = 0.0; ///< s
 
-    /// valid: how long they would be good, in units.
+    /// valid: how long they would be valid, in units.
     void measure(double valid) { horizon = unit * std::min(0.8 * valid, 4.0); }
 };
 
-/// When a speed falls to zero. Where its direction turns to the last the series never reach that time: what is left of
-/// a speed that is small enough falls as it does now.
+/// When a speed falls to zero. If its direction turns until the end, the series never reach that time: the remainder of
+/// a sufficiently small speed is assumed to fall at the present rate.
 End zeroOfSpeed(const Jet &speed, double until, const Reach &reach, double small, Cause cause, uint32_t contact,
                 Work &work);
 
-/// When a slip ends. Where it passes by zero and friction hardly bends it, the series of its speed are good for a
-/// shorter time than those of the slip: the phase ends with them. noise: as for validUntil.
+/// When a slip ends. If the slip passes close to zero and friction hardly turns it, the series of its speed are valid
+/// for a shorter time than those of the slip: the phase ends with them. noise: as for validUntil.
 End endOfSlip(const Jet &speed, double until, const Reach &reach, double small, double noise, uint32_t contact,
               Work &work);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What all smooth phases of a ball between two events have in common: model.md 8.
+// The common interface of smooth phases of a ball between two events: model.md 8.
 #pragma once
 
 #include "base/vec.h"
@@ -9,22 +9,22 @@
 
 namespace phys {
 
-/// Since the start of the phase.
+/// The motion since the start of the phase.
 struct Way {
     Vec3 way, velocity;
 };
 
-/// All that has become of the ball.
+/// The ball's complete state in a phase.
 struct Place {
     Vec3 way, velocity, spin;
 };
 
-/// How a phase ends by itself, whatever is in its way.
+/// How a phase ends by itself, regardless of obstacles.
 enum class Cause : uint8_t {
-    time,    ///< it doesn't, or its series are good no longer
+    time,    ///< it doesn't end, or its series aren't valid any longer
     stop,    ///< resistance has stopped the ball
     grip,    ///< a slip has ended
-    release, ///< a contact presses no longer
+    release, ///< a contact no longer presses
     spent,   ///< a contact's friction is spent
     border,  ///< the feature of a lasting contact ends
     touch    ///< the ball meets a box
@@ -33,15 +33,15 @@ enum class Cause : uint8_t {
 struct End {
     double after = kNever; ///< s
     Cause cause = Cause::time;
-    uint32_t contact = 0; ///< that it happens at
-    double rest = 0.0;    ///< s that a vanishing speed still takes to its end: the ball's own velocity lasts so long
+    uint32_t contact = 0; ///< at which it happens
+    double rest = 0.0;    ///< s until a vanishing speed has ended; the ball's own velocity is constant until then
 
     void cut(const End &other) {
         if (other.after < after) *this = other;
     }
 };
 
-/// Energy per mass that a phase has taken, J/kg.
+/// Energy per mass that a phase has dissipated, J/kg.
 struct Losses {
     double slip = 0.0, rolling = 0.0;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How long contacts of the general phase stick, and which of them open or slip at once: model.md 14.1, 14.2.
+// How long contacts of the general phase stick, and which of them open or slip immediately: model.md 14.1, 14.2.
 #include "contact/held.h"
 #include "phases/series.h"
 
@@ -10,10 +10,10 @@ namespace phys {
 
 namespace {
 
-constexpr double kLookAhead = 0x1p-6; // of the horizon: where a force that is zero shows its sign
+constexpr double kLookAhead = 0x1p-6; // share of the horizon after which the sign of a force that is zero now shows
 constexpr double kParallel = 1e-12;   // square of the sine of the angle between normals
 
-/// Whether what is zero, give or take, falls in the moments to come: the sign of the first value that isn't.
+/// Whether a quantity that is zero up to rounding falls from now on: the sign of its first value that isn't zero.
 bool falls(const Jet &f, double zero, double end) {
     double s = 0x1p-30 * end;
     while (s < end && std::abs(f.at(s)) <= 2.0 * zero) s *= 2.0;
@@ -40,20 +40,20 @@ Jet sum(double constant, double factor, const Jet &a, const Jet &b = {}) {
     return all;
 }
 
-/// (limit times the root of mu2)^2 less the square of what is needed. Its last term isn't known.
+/// (limit times the square root of mu2)^2 minus the square of the required friction. Its last term isn't known.
 Jet squaresApart(double mu2, const Jet &limit2, const Jet &needed2) {
     Jet left = sum(0.0, -1.0, needed2, sum(0.0, mu2, limit2));
     left[kOrder] = 0.0;
     return left;
 }
 
-/// Of forces along a line between two contacts, those that bring the force at one into its cone.
+/// The range of forces along the line between two contacts that bring the force at one of them into its cone.
 struct Range {
     double least, most;
 };
 constexpr Range kNone{kNever, -kNever};
 
-/// r, n: force and normal at the contact, pressed by what is along the line.
+/// r, n: force and normal at the contact. along: the force on it per unit of force along the line.
 Range rangeOfCone(double mu, const Vec3 &r, const Vec3 &n, const Vec3 &along) {
     // |r + s along|^2 = (1 + mu^2) (n.(r + s along))^2
     const double most = 1.0 + mu * mu, rn = glm::dot(r, n), ln = glm::dot(along, n);
@@ -61,13 +61,13 @@ Range rangeOfCone(double mu, const Vec3 &r, const Vec3 &n, const Vec3 &along) {
     const double discriminant = q1 * q1 - q2 * (glm::dot(r, r) - most * rn * rn);
     if (discriminant < 0.0) return kNone;
     const double root = std::sqrt(discriminant), low = (-q1 - root) / q2, high = (-q1 + root) / q2;
-    if (q2 < 0.0) return {low, kNever}; // rough enough for any such pressure
+    if (q2 < 0.0) return {low, kNever}; // the friction suffices for any such pressure
     return rn - q1 / q2 * ln >= 0.0 ? Range{low, high} : kNone;
 }
 
 } // namespace
 
-/// Without what rolling resistance needs: model.md 2.2.
+/// Without the friction that rolling resistance needs: model.md 2.2.
 VecJet Series::frictionOf(const Contact &contact) const {
     VecJet friction;
     for (int k = 0; k <= kOrder; ++k) friction[k] = contact.r[k] - termOf(contact.N, contact.n, k);
@@ -80,7 +80,7 @@ VecJet Series::frictionOf(const Contact &contact) const {
     return friction;
 }
 
-/// The other one if just two stick.
+/// The other sticking contact if exactly two stick.
 const Series::Contact *Series::otherSticking(const Contact &contact) const {
     const Contact *other = nullptr;
     for (const Contact &one : contacts()) {
@@ -91,7 +91,7 @@ const Series::Contact *Series::otherSticking(const Contact &contact) const {
     return other;
 }
 
-/// A reserve that is none but for rounding.
+/// A reserve that is zero up to rounding.
 double Series::noReserve(const Contact &contact, double pressure) const {
     const double mu = contact.held.friction;
     return 2.0 * (m_noForce + roundingOfLimit(m_moment, mu)) * mu * pressure;
@@ -109,8 +109,9 @@ Series::Reserve Series::reserveOf(const Contact &contact) const {
             noReserve(contact, contact.N[0])};
 }
 
-/// Of two that stick: the reserve of the first in the direction that the other leaves its slip, without the forces
-/// between both that rub across it; times what is 1 at the start. False if it would have to pull. model.md 14.1.
+/// For two sticking contacts: the friction reserve of the first in the direction in which the other leaves it free to
+/// slip, without the forces between both that act across that direction; times a factor that is 1 at the start. False
+/// if it would have to pull. model.md 14.1.
 bool Series::takeReserve(const Contact &contact, const Contact &other, const VecJet &friction, Reserve &reserve) const {
     const Jet cosine = dot(contact.n, other.n), more = sum(1.0, 1.0, cosine), inertia = sum(4.5, 2.5, cosine);
     VecJet free, tangent;
@@ -127,8 +128,8 @@ bool Series::takeReserve(const Contact &contact, const Contact &other, const Vec
         needed = sum(0.0, -other.held.resistance, product(slide, dot(m_rolling, contact.n)), needed);
     }
     if (m_rolls < m_count && &contact == &m_contacts[m_rolls]) {
-        // Where the ball slips it doesn't roll against any resistance. That was of the pressure with the least
-        // friction.
+        // Once the ball slips, it doesn't roll against any resistance; the reserve counted resistance for the pressure
+        // with the least friction.
         VecJet against, otherTangent;
         for (int k = 0; k <= kOrder; ++k) {
             against[k] = glm::cross(m_rolling[k], contact.held.normal);
@@ -154,18 +155,18 @@ bool Series::slipsBack(uint32_t spent) const {
     return false;
 }
 
-/// Whether a contact is one of two that stick by a prestress alone: it presses by other forces than those of the
+/// Whether a contact is one of two that stick by prestress alone: its pressure is due to forces that aren't in the
 /// series.
 bool Series::isPrestressed(const Contact &contact) const {
     const Contact *other = contact.mode == Mode::sticking ? otherSticking(contact) : nullptr;
     return other && (contact.isKept || other->isKept);
 }
 
-/// Two contacts whose friction is spent at one moment, with the least forces between both that hold them: bits, the
-/// directions of the slips, and those forces.
+/// Two contacts whose friction is spent at the same moment, with the smallest forces between both that hold them: bits,
+/// the directions of the slips, and those forces.
 uint32_t Series::spentTogether(std::span<Reaction> reactions, std::span<Vec3> slips) const {
-    constexpr double kTogether = 1e-9; // of the most friction, squared
-    if (m_rolls < m_count) return 0;   // what resists ends with the rolling, and the forces jump
+    constexpr double kTogether = 1e-9; // relative to the largest friction, squared
+    if (m_rolls < m_count) return 0;   // resistance ends with the rolling, and the forces jump
     uint32_t bits = 0;
     for (uint32_t i = 0; i < m_count; ++i) {
         const Contact &contact = m_contacts[i];
@@ -188,8 +189,8 @@ uint32_t Series::spentTogether(std::span<Reaction> reactions, std::span<Vec3> sl
     return bits;
 }
 
-/// Of two that stick by a prestress alone: when the forces between both that hold them run out, or another one of the
-/// two sets the least. Both slip then, if they can. In units; kNever if not before s.
+/// For two contacts that stick by prestress alone: when no forces between both hold them any longer, or another one of
+/// the two determines the smallest. Both then slip, if they can. In units; kNever if not before s.
 double Series::endOfPrestress(double s, Work &work) const {
     constexpr int kLooks = 16, kHalvings = 50;
     const Contact *one = nullptr, *other = nullptr;
@@ -240,7 +241,7 @@ uint32_t Series::spent(std::span<Vec3> slips) const {
         if (left[0] > none || !falls(left, none, soon)) continue;
         const double most = contact.held.friction * contact.N[0];
         bits |= 1U << given(i);
-        // Where all friction is less than rounding it has no direction yet.
+        // While all friction is below rounding, it has no direction.
         const VecJet friction = frictionOf(contact);
         slips[given(i)] = m_mirror.back(-hat(2.0 * left[0] < most * most ? friction[0] : friction.at(soon)));
     }

@@ -31,7 +31,7 @@ Resisted Resisted::rolling(int axis, const Vec3 &velocity, const Vec3 &A, double
     return phase;
 }
 
-// v = q + (2/7) u, where q grows by (5/7) g_t whatever friction does, and u obeys the one law.
+// v = q + (2/7) u, where q grows by (5/7) g_t whatever friction does, and u obeys the law of smooth motion.
 Resisted Resisted::slipping(int axis, const Vec3 &velocity, const Vec3 &slip, const Vec3 &gravity, double friction,
                             double radius, const Vec3 &spin, const Vec3 &normal) {
     Resisted phase;
@@ -79,16 +79,16 @@ double Resisted::least(const Vec3 &n, double rate, double t, double until) const
         const bool lasts = 32.0 * rate < -least * (until - t) && leaves(n, t, until);
         return lasts ? 0.0 : least;
     }
-    // n.v changes its sign at most once (model.md 3.5), and resistance helps a velocity towards n's back: while rate <=
-    // 0 it only slows the fall, and a rate >= 0 under free >= 0 never falls.
+    // n.v changes its sign at most once (model.md 3.5), and resistance to a motion against n acts along n: while
+    // rate <= 0 it only slows the fall, and with rate >= 0 and free >= 0 the ball never moves against n.
     if (rate <= 0.0 || free >= 0.0) return free;
-    // Nor does what comes as far in the end: asked where the bound would lead on by tiny steps.
+    // Nor does it if the end lies ahead along n, which is tested only where the bound would lead to tiny steps.
     const bool lasts = 32.0 * rate < (m_B - free) * (until - t) && glm::dot(n, at(until).way - at(t).way) >= 0.0;
     return lasts ? 0.0 : free - m_B;
 }
 
-/// Whether a slipping ball moves along n all the time: the rolling that it comes to does, and its slip, whose part
-/// along n changes its sign at most once (model.md 3.5).
+/// Whether a slipping ball moves along n throughout: the rolling velocity that it approaches does, and the slip's
+/// component along n changes its sign at most once (model.md 3.5).
 bool Resisted::leaves(const Vec3 &n, double t, double until) const {
     const auto leavesAt = [&](double moment) {
         const double q = glm::dot(n, m_q + moment * m_qRate);
@@ -97,8 +97,8 @@ bool Resisted::leaves(const Vec3 &n, double t, double until) const {
     return leavesAt(t) && leavesAt(until);
 }
 
-/// The direction of slip turns from where it starts towards A by the smaller angle, model.md 3.1: the largest part
-/// along n that it takes on this way.
+/// The slip's direction turns from its start towards A by the smaller angle, model.md 3.1. This is its largest
+/// component along n on the way.
 double Resisted::mostSlipAlong(const Vec2 &n) const {
     const auto cross = [](const Vec2 &a, const Vec2 &b) { return a.x * b.y - a.y * b.x; };
     const double turn = cross(m_slipStart, m_slipEnd);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A ball on one face, rolling against resistance or slipping: the one law v' = A - B hat(v) in its plane. model.md 3.1
-// and 3.6.
+// A ball on one face that rolls against resistance or slips: the law v' = A - B hat(v) in the face's plane. model.md
+// 3.1 and 3.6.
 #pragma once
 
 #include "phases/phase.h"
@@ -11,7 +11,7 @@ class Resisted {
 public:
     static constexpr uint64_t kLook = 60; ///< work
 
-    /// axis: of the face's normal; velocity and A without a part along it.
+    /// axis: of the face's normal; velocity and A have no component along it.
     static Resisted rolling(int axis, const Vec3 &velocity, const Vec3 &A, double B, double radius, const Vec3 &spin,
                             const Vec3 &normal);
     static Resisted slipping(int axis, const Vec3 &velocity, const Vec3 &slip, const Vec3 &gravity, double friction,
@@ -30,7 +30,7 @@ private:
     bool m_slips = false;
     int m_axis = 2;
     Vec3 m_velocity{0.0}, m_spin{0.0}, m_normal{0.0};
-    Vec3 m_q{0.0}, m_qRate{0.0}; // slip: the velocity of rolling, and how it grows; else unused
+    Vec3 m_q{0.0}, m_qRate{0.0}; // slip: the velocity of rolling, and its rate; otherwise unused
     Vec3 m_A{0.0};
     double m_B = 0.0, m_most = 0.0, m_radius = 0.0;
     ResistedLaw m_law;

@@ -13,9 +13,9 @@ namespace {
 constexpr double kInverseInertia = 2.5; // m R^2 / I of a solid ball
 constexpr double kNoForce = 1e-12;      // relative to the accelerations
 constexpr double kDirectionNoise = 4.0 * 0x1p-52;
-constexpr double kKeptFor = 0.25; // of the unit: what sticks only by prestress is looked at again and again
+constexpr double kKeptFor = 0.25; // of the unit: contacts that stick only by prestress are re-examined often
 
-/// What rows of the roughest contacts are divided by: beside longer ones the others would count as none.
+/// Divisor for the equations of very rough contacts: beside longer rows the others would count as zero.
 double unitOfFriction(double mu) { return std::max(mu, 1.0); }
 
 Vec3 axisOf(uint32_t i) { return {i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0}; }
@@ -23,9 +23,9 @@ Vec3 axisOf(uint32_t i) { return {i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2
 } // namespace
 
 Vec3 freeAxes(const Moment &moment, std::span<const Held> held, const Response &response) {
-    const double parallel = moment.rounding; // sine of the angle between normals
+    const double parallel = moment.rounding; // largest sine of the angle between normals that counts as parallel
     if (std::all_of(held.begin(), held.end(), isFace)) return Vec3(1.0);
-    Vec3 first(0.0), line(0.0), free(1.0); // line: that two of the normals leave
+    Vec3 first(0.0), line(0.0), free(1.0); // line: the direction that two of the normals leave free
     bool isFixed = false, isFlat = true;
     for (uint32_t i = 0; i < held.size(); ++i) {
         if (response.reactions[i].mode == Mode::open) continue;
@@ -86,7 +86,7 @@ void Series::build(const Moment &moment, std::span<const Held> held, const Respo
         if (contact.mode != Mode::slipping) contact.d[kOrder] = Vec3(0.0);
     }
     measure();
-    // A slip of few digits has a direction of few digits, and forces have as many.
+    // The direction of a slip with few digits has few digits itself, and so have the forces.
     m_noForce = kNoForce * accelerationScale(m_moment);
     for (const Contact &contact : contacts()) {
         if (contact.mode != Mode::slipping || contact.partner < m_count) continue;
@@ -165,7 +165,7 @@ void Series::move(int k) {
     if (m_rolls < m_count) rollingDirection(m_rollStarts ? k : k + 1);
 }
 
-/// hat(om_t) of order k, or of om_t by the time where the ball starts from rest.
+/// Term k of hat(om_t); for a ball that starts from rest, of om_t divided by the time.
 void Series::rollingDirection(int k) {
     const Vec3 n = m_contacts[m_rolls].held.normal;
     const int shift = m_rollStarts ? 1 : 0;
@@ -173,7 +173,7 @@ void Series::rollingDirection(int k) {
     addDirectionTerm(&m_turning[shift], k, m_turningSpeed, m_rolling);
 }
 
-/// Of a ball that starts to roll: the resistance that turns with the spin acceleration takes part in it.
+/// For a ball that starts to roll: the spin acceleration contributes to the resistance, which turns with it.
 Vec3 Series::steadied(const Vec3 &al, int k) const {
     if (!m_rollStarts) return al;
     const Contact &contact = m_contacts[m_rolls];
@@ -184,7 +184,7 @@ Vec3 Series::steadied(const Vec3 &al, int k) const {
     return al - growth / (1.0 + growth) * across;
 }
 
-/// Direction of the slip, of order k.
+/// Direction of the slip, term k.
 void Series::directions(Contact &contact, int k) {
     if (contact.mode == Mode::spent) {
         if (k == 0) return;
@@ -208,7 +208,7 @@ void Series::directions(Contact &contact, int k) {
         addDirectionTerm(&contact.free[0], k, contact.speed, contact.d);
         return;
     }
-    // The slip itself, or its quotient by the time where it starts.
+    // The slip itself, or its quotient by the time if it starts.
     addDirectionTerm(&contact.u[contact.mode == Mode::starting ? 1 : 0], k, contact.speed, contact.d);
 }
 
@@ -218,7 +218,7 @@ void Series::forces(int k) {
     solveOrder(k);
 }
 
-/// What the terms of lower orders add to a contact's force of order k.
+/// The contribution of lower-order terms to term k of a contact's force.
 void Series::knownForces(Contact &contact, int k) {
     contact.r[k] = Vec3(0.0);
     contact.N[k] = 0.0;
@@ -244,7 +244,7 @@ void Series::knownForces(Contact &contact, int k) {
     }
 }
 
-/// The accelerations of order k and the slips' rates without what the unknowns add.
+/// The accelerations of order k and the slips' rates without the contribution of the unknowns.
 void Series::knownAccelerations(int k) {
     const double R = m_moment.radius;
     m_a[k] = m_al[k] = Vec3(0.0);
@@ -268,7 +268,7 @@ void Series::knownAccelerations(int k) {
     }
 }
 
-/// r per unit of a contact's unknown.
+/// Force r per unit of a contact's unknown.
 Vec3 Series::basis(const Contact &contact, uint32_t part) const {
     switch (contact.mode) {
     case Mode::smooth:
@@ -292,7 +292,7 @@ Vec3 Series::spinPerForce(const Contact &contact, const Vec3 &force, int k) cons
 void Series::addRows(const Contact &contact, int k, dense::Equations &equations) const {
     const double R = m_moment.radius, mu = contact.held.friction;
     const Vec3 n0 = contact.n[0];
-    // axis . (what a force changes) summed over all unknowns.
+    // axis . (effect of a force), summed over all unknowns.
     const auto add = [&](const Vec3 &axis, bool ofSlip, double value) -> dense::Values & {
         dense::Values &factors = equations.add(value);
         if (equations.areSolved()) return factors;
@@ -349,8 +349,8 @@ void Series::addRows(const Contact &contact, int k, dense::Equations &equations)
     }
 }
 
-/// Two sticking contacts: of the forces that press them apart and move nothing, as many as make friction least, f_i.t_i
-/// + f_j.t_j = 0 with the tangents t of the line n_i - n_j through both. model.md 14.1.
+/// For two sticking contacts: of the forces that press them against each other and move nothing, those with the least
+/// friction, f_i.t_i + f_j.t_j = 0 with the tangents t of the line n_i - n_j through both. model.md 14.1.
 void Series::addGauge(uint32_t i, uint32_t j, int k, dense::Equations &equations) {
     const Contact &a = m_contacts[i], &b = m_contacts[j];
     Jet cosine;
@@ -372,7 +372,7 @@ void Series::addGauge(uint32_t i, uint32_t j, int k, dense::Equations &equations
 }
 
 void Series::solveOrder(int k) {
-    // Only where a slip or rolling starts do the unknowns of an order share in what turns, by the order.
+    // Only where slipping or rolling starts do the unknowns of an order contribute to directions, by the order.
     bool areSame = !m_rollStarts;
     for (const Contact &contact : contacts()) areSame = areSame && contact.mode != Mode::starting;
     if (k > 1 && areSame)
@@ -446,8 +446,8 @@ Jet Series::slipSpeed(const Contact &contact) const {
     return speed;
 }
 
-/// Whether a contact presses by no more than rounding until s. Its friction moves nothing then, and the series of its
-/// slip's direction need not be good.
+/// Whether the pressure of a contact is rounding until s. Its friction then moves nothing, and the series of its slip's
+/// direction needn't be valid.
 bool Series::isIdle(const Contact &contact, double s) const {
     double most = 0.0;
     for (int k = kOrder; k >= 0; --k) most = most * s + std::abs(contact.N[k]);

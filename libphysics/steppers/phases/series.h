@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The general phase: any lasting contacts with faces, edges and corners, smooth, sticking or slipping, as Taylor series
-// of the time. model.md 14.2.
+// in time. model.md 14.2.
 #pragma once
 
 #include "contact/dense.h"
@@ -11,8 +11,8 @@
 
 namespace phys {
 
-/// 1 along the axes on which closed contacts let the ball move, if they hold it to an axis or a place, else everywhere:
-/// what acts across was rounding, which normals that all but oppose each other make large.
+/// 1 along the axes in which closed contacts let the ball move, if they hold it to an axis or a point; otherwise 1
+/// everywhere. Components in other directions are rounding, which nearly opposite normals amplify.
 Vec3 freeAxes(const Moment &moment, std::span<const Held> held, const Response &response);
 
 class Series {
@@ -21,10 +21,10 @@ public:
 
     Series() {} // NOLINT(modernize-use-equals-default): a defaulted one may clear all terms
 
-    /// unit: the time that the series count in, s. kept: bits of contacts that stick as long as others press them.
+    /// unit: the time unit of the series, s. kept: bits of contacts that stick as long as others press them.
     void build(const Moment &moment, std::span<const Held> held, const Response &response, double unit, uint32_t kept);
 
-    /// Longest time for which the series are good to rounding, s.
+    /// Longest time for which the series are accurate to rounding, s.
     double horizon() const { return m_reach.horizon; }
     /// The unit that suits the series, s.
     double suitableUnit() const { return 2.0 * horizon(); }
@@ -41,15 +41,15 @@ public:
     double mostAcceleration() const { return m_most; }
     Losses losses(double t) const;
 
-    /// Its own ends before `until`.
+    /// How the phase itself ends before `until`.
     End end(double until, Work &work) const;
 
-    /// Contacts whose force is zero and falls: they open now. Bits.
+    /// Contacts whose force is zero and falling, so that they open now: bits.
     uint32_t opening() const;
-    /// Contacts whose friction is spent and is asked for more: they begin to slip without an acceleration. Bits; and
-    /// the directions of their slips.
+    /// Contacts whose friction is spent and must still grow, so that they begin to slip without an acceleration: bits,
+    /// and the directions of their slips.
     uint32_t spent(std::span<Vec3> slips) const;
-    /// The same of two at once, and the forces with which they do.
+    /// The same for two contacts together, and the forces with which they slip.
     uint32_t spentTogether(std::span<Reaction> reactions, std::span<Vec3> slips) const;
     /// Whether one of those slips would drive the ball.
     bool slipsBack(uint32_t spent) const;
@@ -60,15 +60,15 @@ private:
         Mode mode;
         bool isKept;
         bool isFlat;             ///< a face, whose normal never turns
-        uint32_t partner;        ///< what sticks while this starts to slip, so that it does across both normals
+        uint32_t partner;        ///< sticks while this one starts to slip, so across both normals
         VecJet n, u, d, r, free; ///< free: across both normals
         Jet N;
-        Jet speed;      ///< of the slip, or of its quotient by the time when it starts
-        Vec3 rateKnown; ///< of the slip at the present order, without what the unknowns add
+        Jet speed;      ///< of the slip, or of its quotient by the time if it starts
+        Vec3 rateKnown; ///< rate of the slip at the present order without the contribution of the unknowns
         Vec3 directionKnown;
         uint32_t column = 0;
 
-        /// Of the terms of n up to k the last that isn't zero.
+        /// The last nonzero term of n up to k.
         int lastNormal(int k) const { return isFlat ? 0 : k; }
         /// Term k of n x b.
         Vec3 crossNormal(const VecJet &b, int k) const {
@@ -80,7 +80,7 @@ private:
 
     struct Reserve {
         Jet left;    ///< (m/s^2)^2
-        double none; ///< a reserve that is none but for rounding
+        double none; ///< a reserve that is zero up to rounding
     };
 
     Mirror m_mirror{Moment{}, {}};
@@ -94,7 +94,7 @@ private:
     double m_most = 0.0, m_jerk = 0.0, m_noForce = 0.0;
     VecJet m_p, m_v, m_om, m_a, m_al;
     VecJet m_turning, m_rolling; ///< om_t, and its direction
-    Jet m_turningSpeed;          ///< |om_t|, or of its quotient by the time where the ball starts
+    Jet m_turningSpeed;          ///< |om_t|, or its quotient by the time if the ball starts
     bool m_rollStarts = false;
     dense::Equations m_equations; ///< of the unknowns of an order
 

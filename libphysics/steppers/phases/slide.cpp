@@ -5,7 +5,7 @@
 
 namespace phys {
 
-// The pressure on the rough face is constant, the smooth one takes what points across it. Friction -B d, B = mu N,
+// The pressure on the rough face is constant, the smooth face balances the forces across it. Friction -B d, B = mu N,
 // changes the slip by (-5/2 B d_x, g - 7/2 B d_y), and v = q + (2/7) u along both, where q grows by (5/7) g.
 Slide::Slide(const Moment &moment, const Faces &faces, const Vec3 &normal, const Reaction &rough, double friction,
              const Reaction &smooth)
@@ -27,7 +27,7 @@ Slide::Slide(const Moment &moment, const Faces &faces, const Vec3 &normal, const
         const Vec2 gravity(0.0, k == 0 ? m_g : 0.0);
         m_u[k + 1] = unit() / (k + 1) * (gravity - B * Vec2(2.5, 3.5) * m_d[k]);
     }
-    // It only has to be known as well as the velocities that it is the difference of.
+    // The slip needs only the accuracy of the velocities whose difference it is.
     m_fast = std::min(glm::length(moment.velocity), m_radius * glm::length(m_spin));
     m_reach.measure(validUntil(m_u, kOrder, m_fast));
     m_rolling = moment.velocity[m_along] - 2.0 / 7.0 * m_u[0].y;
@@ -49,13 +49,13 @@ Way Slide::at(double t) const {
 Place Slide::placeAt(double t) const {
     const auto [way, velocity] = at(t);
     const Vec2 u = m_u.at(t / unit());
-    Vec3 rolls = velocity; // the velocity that the spin belongs to
+    Vec3 rolls = velocity; // the velocity that corresponds to the spin
     rolls[m_faces.smoothAxis] -= u.x;
     rolls[m_along] -= u.y;
     return {way, velocity, glm::dot(m_spin, m_normal) * m_normal + glm::cross(m_normal, rolls) / m_radius};
 }
 
-/// The direction of the slip turns one way, to where friction balances what gravity pulls along both faces.
+/// The slip's direction turns monotonically to where friction balances gravity along both faces.
 double Slide::least(const Vec3 &n, double, double, double) const {
     return std::min(n[m_along] * m_start, n[m_along] * m_limit);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A ball that slips on one face and leans on a smooth one across it: nothing but the slip has to be known, as a Taylor
-// series of the time. model.md 14.2.
+// A ball that slips on one face and leans on a smooth one across it: only the slip is unknown, computed as a Taylor
+// series in time. model.md 14.2.
 #pragma once
 
 #include "contact/modes.h"
@@ -35,11 +35,11 @@ private:
     int m_along;              ///< the axis along both faces
     Vec3 m_normal, m_spin;    ///< of the rough face; at the start
     double m_radius, m_small; ///< m; m/s: speed that is rounding
-    double m_fast;            ///< m/s: the lesser of the velocities that the slip is the difference of
+    double m_fast;            ///< m/s: the smaller of the velocities whose difference the slip is
     double m_limitOfFriction; ///< mu N, m/s^2
-    double m_rolling, m_g;    ///< along both faces: the velocity less 2/7 of the slip; gravity
-    double m_start, m_limit;  ///< m/s^2: acceleration along both faces at first, and what it tends to
-    JetOf<Vec2> m_u, m_d;     ///< slip and its direction: across the smooth face, along both
+    double m_rolling, m_g;    ///< along both faces: the velocity minus 2/7 of the slip; gravity
+    double m_start, m_limit;  ///< m/s^2: acceleration along both faces at the start, and its limit
+    JetOf<Vec2> m_u, m_d;     ///< slip and its direction: components across the smooth face and along both
     Jet m_speed, m_pressure;  ///< of the slip; on the smooth face
     Reach m_reach;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a ball turns during a phase: for drawing only.
+// Rotation of the ball during a phase, for drawing only.
 #pragma once
 
 #include "base/orientation.h"
@@ -10,7 +10,7 @@
 
 namespace phys {
 
-/// Turns an orientation by what a phase does until t (s): Magnus' series with two Gauss points, of fourth order.
+/// Rotates an orientation by a phase's motion until t (s): Magnus series with two Gauss points, fourth order.
 template<class Phase>
 void turn(double (&orientation)[4], const Phase &phase, double t) {
     constexpr double kRoot3 = 1.7320508075688772, kMostParts = 16.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A phase of constant accelerations: flight, a straight way along a face, every way without resistance. model.md 3.
+// A phase of constant accelerations: flight, straight motion along a face, any motion without resistance. model.md 3.
 #pragma once
 
 #include "phases/phase.h"

@@ -11,10 +11,10 @@ namespace phys {
 
 namespace {
 
-/// Most steps are short against the times in which velocities change: there some terms do.
+/// Most steps are short compared with the time in which velocities change, so a few terms suffice.
 bool isShort(double z) { return std::abs(z) <= 0.3; }
 
-/// (exp(z) - 1)/z of a short z: the sum of z^k/(k + 1)!, in groups of four, so that no term waits for all others.
+/// (exp(z) - 1)/z for small z: the sum of z^k/(k + 1)!, in groups of four, so that terms are computed in parallel.
 double growth(double z) {
     const double z2 = z * z, z4 = z2 * z2;
     const double first = (1.0 + z * (1.0 / 2.0)) + z2 * (1.0 / 6.0 + z * (1.0 / 24.0));
@@ -29,7 +29,7 @@ double integral(double c, double xi) {
     return isShort(z) ? xi * growth(z) : elementary::expm1(z) / c;
 }
 
-/// xi at which share * I(c) = t, where share * I(c) is one of the two positive parts of t(xi): an upper bound of xi.
+/// xi at which share * I(c) = t, where share * I(c) is one of the two positive parts of t(xi): an upper bound for xi.
 double xiOfShare(double share, double c, double t) {
     const double z = c * t / share;
     if (!(share > 0.0) || z <= -1.0) return kNever;
@@ -52,7 +52,7 @@ double firstFall(double gap, double rate, double acceleration) {
     if (acceleration >= 0.0) return kNever;
     const double squaredEnd = rate * rate - 2.0 * acceleration * gap;
     if (squaredEnd >= std::numeric_limits<double>::min()) return (rate + std::sqrt(squaredEnd)) / -acceleration;
-    const double top = rate / -acceleration; // the products underflow: by times instead
+    const double top = rate / -acceleration; // the products underflow: use times instead
     return top + std::sqrt(top * top + 2.0 * (gap / -acceleration));
 }
 
@@ -63,7 +63,7 @@ ResistedLaw::ResistedLaw(const Vec2 &v0, const Vec2 &A, double B)
     , m_speed(length(v0))
     , m_drive(A.x * v0.x + A.y * v0.y) {
     if (m_speed == 0.0) {
-        // From rest the way is straight along A, model.md 3.2.
+        // From rest the motion is straight along A, model.md 3.2.
         m_fromRest = true;
         if (m_a > 0.0) m_e = A / m_a;
         if (m_a <= B) m_stopTime = 0.0;
@@ -72,12 +72,12 @@ ResistedLaw::ResistedLaw(const Vec2 &v0, const Vec2 &A, double B)
     m_e = m_a > 0.0 ? A / m_a : v0 / m_speed;
     const double along = v0.x * m_e.x + v0.y * m_e.y;
     m_vt = m_e.x * v0.y - m_e.y * v0.x;
-    // The smaller of P and M from P M = v_t^2/4: no cancellation.
+    // The smaller of P and M follows from P M = v_t^2/4, without cancellation.
     const double larger = 0.5 * (m_speed + std::abs(along));
     const double smaller = larger > 0.0 ? 0.25 * m_vt * (m_vt / larger) : 0.0;
     m_P = along >= 0.0 ? larger : smaller;
     m_M = along >= 0.0 ? smaller : larger;
-    // model.md 3.2: below its resistance the ball stops, above it only if it runs exactly against A.
+    // model.md 3.2: if the drive is below the resistance, the ball stops; above it, only if it moves exactly against A.
     if (m_B > m_a) {
         m_stopTime = m_P / (m_B - m_a) + m_M / (m_B + m_a);
     } else if (m_P == 0.0) {
@@ -94,11 +94,11 @@ ResistedLaw::Point ResistedLaw::at(double t) const {
     return atTime(t);
 }
 
-/// A start for a time that is short: the inverse of the first four terms of t(xi). -1 for a time that isn't.
+/// A starting value for short times: the inverse of the first four terms of t(xi). -1 if the time isn't short.
 double ResistedLaw::shortXi(double t) const {
     const double perSpeed = 1.0 / m_speed, tau = t * perSpeed;
     if (!((m_a + m_B) * tau < 0.3)) return -1.0;
-    // The derivatives of |v| by xi at the start, in units of |v| and tau.
+    // The derivatives of |v| with respect to xi at the start, in units of |v| and tau.
     const double damping = 2.0 * m_B * tau, growing = (m_a - m_B) * (m_a + m_B) * (tau * tau);
     const double first = (m_drive * perSpeed - m_B) * tau, second = growing - damping * first;
     const double third = growing * first - damping * second;
@@ -106,13 +106,13 @@ double ResistedLaw::shortXi(double t) const {
     return tau * ((1.0 - q) + (2.0 * q * q - w) + (5.0 * q * (w - q * q) - y));
 }
 
-/// Chebyshev's method inside the bracket of model.md 3.4: t(xi) rises strictly, dt/dxi = |v|.
+/// Chebyshev's method inside the bracket of model.md 3.4: t(xi) is strictly increasing, dt/dxi = |v|.
 ResistedLaw::Point ResistedLaw::atTime(double t) const {
     const double c1 = m_a - m_B, c2 = -(m_a + m_B);
     double low = 0.0, high = kNever, xi = shortXi(t);
     if (xi < 0.0) {
         high = std::min(xiOfShare(m_P, c1, t), xiOfShare(m_M, c2, t));
-        // What is left of the time to the stop shrinks at least like e^(-(B-a) xi).
+        // The remaining time to the stop decreases at least like e^(-(B-a) xi).
         if (m_B > m_a) high = std::min(high, elementary::log1p(-t / m_stopTime) / c1);
         xi = high;
     }
@@ -124,7 +124,7 @@ ResistedLaw::Point ResistedLaw::atTime(double t) const {
         // t'' = c1 P e^(c1 xi) + c2 M e^(c2 xi).
         const double perSpeed = 1.0 / (fast + slow), newton = excess * perSpeed;
         const double back = newton * (1.0 + 0.5 * newton * (c1 * fast + c2 * slow) * perSpeed);
-        // Convergence is cubic: the step after one so small is below rounding.
+        // Convergence is cubic: after a step this small the next one is below rounding.
         if (back <= xi && std::abs(back) <= 4e-6 * std::min(xi, -1.0 / c2)) return atXi({xi, back, ofFast, ofSlow}, t);
         const double next = xi - back;
         xi = next > low && next < high ? next : 0.5 * (low + high);
@@ -132,7 +132,7 @@ ResistedLaw::Point ResistedLaw::atTime(double t) const {
     return atXi({xi, 0.0, integral(c1, xi), integral(c2, xi)}, t);
 }
 
-/// The same integral at xi - back, where back^3 is nothing: so that nothing waits for `back`.
+/// The same integral at xi - back, where back^3 is negligible, so that the computation needn't wait for `back`.
 double ResistedLaw::shifted(double c, double integral, double back) {
     return integral - back * (1.0 + c * integral) * (1.0 - 0.5 * c * back);
 }
@@ -141,17 +141,18 @@ ResistedLaw::Point ResistedLaw::atXi(const Passed &passed, double t) const {
     const auto &[xi, back, ofFast, ofSlow] = passed;
     const double c1 = m_a - m_B, c2 = -(m_a + m_B), c3 = m_a - 2.0 * m_B, c4 = -(m_a + 2.0 * m_B);
     const double slowTime = m_M * shifted(c2, ofSlow, back);
-    // Rather from the time itself: after a long growth e^(c1 xi) has lost digits.
+    // Computed from the time itself: after a long growth e^(c1 xi) has lost digits.
     const double fastTime = c1 > 0.0 && slowTime < 0.5 * t ? t - slowTime : m_P * shifted(c1, ofFast, back);
     const double fast = m_P + c1 * fastTime, slow = m_M + c2 * slowTime;
-    // P^2 I(2c) = (P I(c)) (P + P e^(c xi))/2: time share times mean speed, which neither over- nor underflows.
+    // P^2 I(2c) = (P I(c)) (P + P e^(c xi))/2: time share times mean speed, which neither overflows nor underflows.
     const double alongFast = fastTime * (0.5 * (m_P + fast));
     const double alongSlow = slowTime * (0.5 * (m_M + slow));
     const double across =
         m_vt * (m_P * shifted(c3, integral(c3, xi), back) + m_M * shifted(c4, integral(c4, xi), back));
     const double damping = shifted(-m_B, integral(-m_B, xi), back);
     const double mixed = 2.0 * m_P * m_M * (damping * (1.0 - 0.5 * m_B * damping));
-    // While the velocity changes little, its change is known better than itself: many short phases keep their digits.
+    // While the velocity changes little, its change is known more accurately than itself: many short phases keep their
+    // digits.
     const Vec2 v = -c2 * xi < 0.5 ? m_v0 + turned(c1 * fastTime - c2 * slowTime, m_vt * (-m_B * damping))
                                   : turned(fast - slow, m_vt * elementary::exp(-m_B * (xi - back)));
     return {turned(alongFast - alongSlow, across), v, alongFast + mixed + alongSlow};

@@ -13,11 +13,11 @@ inline constexpr double kNever = std::numeric_limits<double>::infinity();
 /// Euclidean length without underflow or overflow; the same bits for (x, y) and (y, x).
 double length(const Vec2 &v);
 
-/// First h >= 0 at which gap + rate h + acceleration h^2 / 2 falls through zero; kNever if it doesn't. gap >= 0.
+/// First h >= 0 at which gap + rate h + acceleration h^2 / 2 falls through zero; kNever if there is none. gap >= 0.
 double firstFall(double gap, double rate, double acceleration);
 
-/// The law v' = A - B v/|v| of a rolling or slipping ball, model.md 3.1, from v0 at x = 0, t = 0.
-/// Everything is an integral of exponentials of xi = integral of dt/|v|.
+/// The law v' = A - B v/|v| of a rolling or slipping ball, model.md 3.1, from v0 at x = 0, t = 0. Everything is
+/// expressed by integrals of exponentials of xi = integral of dt/|v|.
 class ResistedLaw {
 public:
     struct Point {
@@ -31,7 +31,7 @@ public:
     /// When the ball stops, model.md 3.2; kNever if it doesn't.
     double stopTime() const { return m_stopTime; }
 
-    /// Where it is after t seconds; at and after the stop time: where it stopped.
+    /// The state after t seconds; from the stop time on: the place of the stop.
     Point at(double t) const;
 
 private:
@@ -40,11 +40,11 @@ private:
     double m_speed = 0.0, m_drive = 0.0; // |v0|, A.v0
     Vec2 m_e{1.0, 0.0};                  // direction of A (of v0 if A = 0)
     double m_P = 0.0, m_M = 0.0;         // (|v0| + v0.e)/2, (|v0| - v0.e)/2
-    double m_vt = 0.0;                   // v0 across e
+    double m_vt = 0.0;                   // component of v0 across e
     double m_stopTime = kNever;
     bool m_fromRest = false;
 
-    /// Of a moment: xi - back, and the integrals that the time is made of at xi.
+    /// A moment: xi - back, and the integrals at xi of which the time is composed.
     struct Passed {
         double xi, back;       ///< s^2/m
         double ofFast, ofSlow; ///< s^2/m: I(a - B), I(-a - B)

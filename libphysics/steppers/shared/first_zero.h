@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The first zero of a function of time that is known by its value, its rate and a bound of its curvature: no zero is
-// passed over. model.md 5.2.
+// The first zero of a function of time whose value, rate and lower curvature bound are known: no zero is missed.
+// model.md 5.2.
 #pragma once
 
 #include "shared/closed_form.h"
@@ -10,16 +10,16 @@
 
 namespace phys {
 
-/// A function at a moment, and until the end of the time that is looked at: f(t + s) >= value + rate s + least s^2/2.
+/// A function at one time, with a bound until the end of the interval: f(t + s) >= value + rate s + least s^2/2.
 struct Look {
     double value, rate, least;
 };
 
-/// A search that takes more looks than this is at a zero that it can't tell from rounding.
+/// A search that takes more evaluations is at a zero that it can't distinguish from rounding.
 inline constexpr int kMostLooks = 2000;
 
-/// The same zero found from a start of few digits, so that the way on which the search came to it leaves no trace in
-/// the last ones: boards that are cut into other boxes give the same bits.
+/// The zero, recomputed from a start of few digits, so that the path of the search leaves no trace in the last digits:
+/// boards that are cut into other boxes give the same bits.
 template<class Function>
 double settled(const Function &look, double t, double until) {
     double s = static_cast<double>(static_cast<float>(t));
@@ -31,11 +31,12 @@ double settled(const Function &look, double t, double until) {
     return s >= 0.0 && s <= until && std::abs(s - t) <= 0x1p-40 * t ? s : t;
 }
 
-/// First time in [from, until] at which f falls through zero; kNever if it doesn't. look(t) gives a Look. What is no
-/// more than `zero` and falls counts as zero. Steps are as long as the bound allows; near a zero they become Newton's.
+/// First time in [from, until] at which f falls through zero; kNever if there is none. look(t) returns a Look. A value
+/// of at most `zero` that falls counts as a zero. Steps are as long as the bound allows; near a zero they become
+/// Newton's.
 template<class Function>
 double firstZero(const Function &look, double from, double until, double zero) {
-    double t = from, least = 0x1p-44 * (until - from); // a step that gets on from a value of zero and no rate
+    double t = from, least = 0x1p-44 * (until - from); // smallest step, for a zero value without rate
     bool isPolished = false;
     for (int i = 0; i < kMostLooks; ++i) {
         const Look now = look(t);

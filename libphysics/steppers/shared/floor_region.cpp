@@ -9,9 +9,9 @@ namespace phys {
 
 namespace {
 
-constexpr uint32_t kMostFloors = 8; ///< as many as a FloorView holds
+constexpr uint32_t kMostFloors = 8; ///< capacity of a FloorView
 
-/// A region as it is cut smaller.
+/// A region while it is being reduced.
 class Cutting {
 public:
     Cutting(const Scene &scene, const Vec3 &place)
@@ -22,7 +22,7 @@ public:
         m_region.z = place.z;
     }
 
-    /// cell: that of the place in the scene's grid.
+    /// cell: of the position in the scene's grid.
     FloorRegion run(size_t cell) {
         findWindow(cell);
         for (const uint32_t number : m_scene.hasManyBoxes ? m_scene.grid.nearCell(cell) : m_scene.allBoxes) {
@@ -38,8 +38,8 @@ public:
 private:
     static constexpr uint32_t kRoom = 16;
 
-    /// Begins with all places that only the boxes near this one matter for: its cell, and around it as far as the grid
-    /// lists more than can be touched.
+    /// Begins with all positions for which only the boxes of this cell matter: the cell, and around it as far as the
+    /// grid lists more than can be touched.
     void findWindow(size_t cell) {
         const Grid::Square square = m_scene.grid.squareOf(cell);
         const double around =
@@ -50,7 +50,8 @@ private:
         }
     }
 
-    /// Cuts off what a box leaves no room for. False if the ball is so near to it that no region has it.
+    /// Removes the positions at which the ball would overlap a box. False if the ball is so near to it that no region
+    /// contains the ball.
     bool cut(const phys_box &box) {
         const double top = m_place.z - m_scene.radius;
         if (box.max.z < top - m_margin) return true;
@@ -66,9 +67,9 @@ private:
         return isTouched(box) ? leanOn(box) : cutAway(box);
     }
 
-    /// Whether another floor overlaps the region or its faces, so that which of them carries the ball may change.
+    /// Whether another floor overlaps the region or its faces, so that a different one may carry the ball.
     bool hasOtherFloor() const {
-        const double ends = 2.0 * m_margin; // of the faces, and of what counts as touched there
+        const double ends = 2.0 * m_margin; // for the faces, and for what counts as contact there
         return std::any_of(m_floors.begin(), m_floors.begin() + m_floorCount, [&](const phys_box *box) {
             const auto isBeside = [&](int axis) {
                 return (&box->min.x)[axis] > m_region.along[axis].high + ends ||
@@ -90,7 +91,7 @@ private:
         }
     }
 
-    /// Whether a centre is beside the ends of the floor: on them another floor may carry the ball.
+    /// Whether a centre is away from the floor's ends, on which another floor may carry the ball.
     bool isOverFloor(int axis, double place) const {
         return place >= (&m_floor->min.x)[axis] + m_margin && place <= (&m_floor->max.x)[axis] - m_margin;
     }
@@ -98,7 +99,7 @@ private:
     double faceAtLow(const phys_box &box, int axis) const { return (&box.max.x)[axis] + m_scene.radius; }
     double faceAtHigh(const phys_box &box, int axis) const { return (&box.min.x)[axis] - m_scene.radius; }
 
-    /// Whether the ball touches a face along the axis, beside its ends.
+    /// Whether the ball touches a face along the axis, away from the face's ends.
     bool isTouched(const phys_box &box, int axis) const {
         const bool isThere = m_place[axis] == faceAtLow(box, axis) || m_place[axis] == faceAtHigh(box, axis);
         const double along = m_place[1 - axis];
@@ -109,7 +110,8 @@ private:
 
     bool isUpright(const phys_box &box) const { return box.min.z <= m_place.z && box.max.z >= m_place.z; }
 
-    /// Keeps the region beside a face that the ball touches, and between its ends. False if there is such a face
+    /// Restricts the region to positions beside a face that the ball touches, and between its ends. False if there is
+    /// already such a face.
     /// already.
     bool leanOn(const phys_box &box) {
         const int axis = isTouched(box, 0) ? 0 : 1;
@@ -129,11 +131,11 @@ private:
         return true;
     }
 
-    /// Where a box is, seen from the ball: along the axis on which it is further away.
+    /// Position of a box relative to the ball, along the axis in which it is farther away.
     struct Side {
         int axis;
         bool isLow;
-        double beyond; ///< m: further away than it must be
+        double beyond; ///< m: distance beyond the required one
     };
 
     Side sideOf(const phys_box &box) const {
@@ -146,7 +148,7 @@ private:
         return side;
     }
 
-    /// Cuts off the side on which the box is. False if it is too near.
+    /// Removes the side on which the box is. False if it is too near.
     bool cutAway(const phys_box &box) {
         const auto [axis, isLow, beyond] = sideOf(box);
         FloorRegion::Range &range = m_region.along[axis];
@@ -164,7 +166,7 @@ private:
         return hasRoom && m_region.has(fromVec(m_place)) && !hasOtherFloor() && seen() <= kMostFloors;
     }
 
-    /// How many boxes a FloorView may see from somewhere in the region.
+    /// The number of boxes that a FloorView may see from somewhere in the region.
     uint32_t seen() const {
         const double far = kCandidateReach * m_scene.radius + m_margin;
         const auto isSeen = [&](const phys_box *box) {
@@ -177,7 +179,7 @@ private:
         return static_cast<uint32_t>(std::count_if(m_boxes.begin(), m_boxes.begin() + m_count, isSeen));
     }
 
-    /// Faces that end the region and are as long as it is.
+    /// Faces that bound the region and extend along its whole side.
     void findFaces() {
         for (uint32_t i = 0; i < m_count; ++i) {
             const phys_box &box = *m_boxes[i];
