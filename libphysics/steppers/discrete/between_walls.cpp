@@ -48,12 +48,12 @@ bool UprightWalls::limitVelocity(const Vec2 &taken, double h, double tolerance, 
     const std::optional<Vec2> velocity = project(inPlane(ball.velocity) + h * taken);
     if (!velocity) return false;
     ball.velocity = Vec3(*velocity, 0.0);
-    // The way may have been made with the old velocity: along the normals that press it goes by the new one.
+    // The ball may have moved with the old velocity; along the normals of pressing walls it moves with the new one.
     NormalSpan pressing;
     for (uint32_t i = 0; i < m_count; ++i) {
         if (m_walls[i].isActive) pressing.add(m_walls[i].contact->normal);
     }
-    // Two leave nothing of the old one, not even rounding: it would prefer one of them.
+    // Two walls leave no component of the old velocity, not even a rounding error, which would favour one of them.
     Vec3 way = ball.velocity;
     if (pressing.count() < 2) way -= pressing.across(ball.velocity - (ball.position - before.position) / h);
     ball.position = before.position + h * way;

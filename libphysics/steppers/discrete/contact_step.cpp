@@ -11,7 +11,7 @@ namespace phys {
 
 namespace {
 
-/// Order 2: the end that fixes the normals and the normals that fix the end, in turns.
+/// Order 2: alternates between the end, which determines the normals, and the normals, which determine the end.
 constexpr int kMidpointPasses = 3;
 
 double spinEnergy(const Vec3 &spin, double radius) { return 0.2 * radius * radius * glm::dot(spin, spin); }
@@ -26,19 +26,19 @@ Vec3 rollingSpinOf(const StepContext &context, const Ball &ball) {
 
 bool touches(const StepContext &context, const Contact &contact) { return contact.gap <= context.setting.tolerance; }
 
-/// Normal of the same feature for another place of the centre.
+/// Normal of the same feature for another position of the centre.
 Vec3 normalAt(const Contact &contact, const Vec3 &position) {
     return glm::normalize(contact.across(position - contact.point));
 }
 
-/// What friction and resistance took: each impulse times the mean motion that it met, model.md 13.5.
+/// The energy dissipated by friction and resistance: each impulse times the mean motion that it opposes, model.md 13.5.
 void book(const StepContext &context, const LastingContacts &contacts, const Motion &before, const Motion &after) {
     if (!context.report.wanted()) return;
     const double radius = context.radius();
     const Motion mean{0.5 * (before.velocity + after.velocity), 0.5 * (before.spin + after.spin)};
     for (const Lasting &contact : contacts) {
         const Vec3 slip = mean.velocity - radius * glm::cross(mean.spin, contact.lever);
-        // Neither gives energy: what the order leaves below 0 is the scheme's.
+        // Neither adds energy; a negative amount due to the order belongs to the scheme.
         context.report.lostSlip(std::max(0.0, -glm::dot(contact.rubbing, slip)));
         context.report.lostRolling(std::max(0.0, -0.4 * radius * radius * glm::dot(contact.resisting, mean.spin)));
     }
@@ -51,7 +51,7 @@ Lasting lastingOf(const Contact &contact, double slow) {
         none,           false,          false};
 }
 
-/// The explicit rule: the old velocity, with the new one's part along the normals that press.
+/// The explicit rule: the old velocity, with the new one's component along the normals of pressing contacts.
 Vec3 mixedVelocity(const LastingContacts &contacts, const Vec3 &before, const Vec3 &after) {
     NormalSpan pressing;
     for (const Lasting &contact : contacts) {
@@ -81,7 +81,7 @@ LastingContacts holdFirstOrder(const StepContext &context, const Contacts &conta
     return lasting;
 }
 
-/// Impulses act along the normals a quarter of the way on, conditions along those halfway to the end; friction against
+/// Impulses act along the normals at a quarter of the motion, conditions along those at half of it; friction opposes
 /// the mean slip: model.md 13.5.
 LastingContacts midpointContacts(const StepContext &context, const Contacts &contacts, const Ball &ball,
                                  const Vec3 &velocityAtEnd, double h) {
@@ -100,7 +100,7 @@ LastingContacts midpointContacts(const StepContext &context, const Contacts &con
     return lasting;
 }
 
-/// What pressed to the end stays in contact.
+/// What pressed until the end stays in contact.
 void settleOn(const StepContext &context, const Contact &contact, Ball &ball) {
     if (contact.isFace()) return snapToFace(context, contact, ball);
     const Vec3 offset = contact.across(ball.position - contact.point);
@@ -138,7 +138,7 @@ LastingContacts holdSecondOrder(const StepContext &context, const Contacts &cont
     return lasting;
 }
 
-/// Whether contacts can hold a ball that stands still: friction and resistance included, model.md 13.5.
+/// Whether contacts, with friction and resistance, can hold a ball at rest: model.md 13.5.
 bool canHold(const StepContext &context, const Contacts &contacts) {
     const Vec3 gravity = context.setting.gravity();
     LastingContacts lasting(context.radius(), context.work);
@@ -146,7 +146,7 @@ bool canHold(const StepContext &context, const Contacts &contacts) {
         if (contact.gap < -context.setting.tolerance) return false;
         lasting.add(lastingOf(contact, 0.0));
     }
-    // One second of gravity, as a velocity: what the contacts leave of it would be an acceleration.
+    // One second of gravity, as a velocity: what the contacts leave of it corresponds to an acceleration.
     Motion motion{gravity, Vec3(0.0)};
     lasting.solve(context.params().rolling_friction, motion);
     const double left = kStill * glm::length(gravity);
@@ -203,8 +203,8 @@ void ExplicitLanding::leave(Ball &ball) const {
 
 namespace {
 
-/// Contacts that face those that the ball comes to, with room between: it isn't at both at once. Returns whether there
-/// were any.
+/// Finds contacts opposite to those that the ball approaches, with a gap between: the ball can't be at both at once.
+/// Returns whether there were any.
 bool dropFacing(const StepContext &context, const Ball &ball, Contacts &contacts) {
     const Contacts all = contacts;
     const auto approaches = [&](const Contact &contact) { return glm::dot(ball.velocity, contact.normal) < 0.0; };
@@ -226,7 +226,7 @@ bool hit(const StepContext &context, Contacts &contacts, double after, Ball &bal
     });
     if (!any) return false;
     Motion motion = motionOf(ball);
-    Work work; // no more than a step of `exact` may do
+    Work work; // limited as for a step of `exact`
     Impacts impacts = resolveImpacts(contacts, context.radius(), motion, work);
     if (impacts.rounds == kMostImpactRounds && dropFacing(context, ball, contacts)) {
         motion = motionOf(ball);
@@ -276,7 +276,8 @@ void SpinOnFloor::settle(bool presses, Ball &ball) const {
         return;
     }
     ball.spin = rollingSpinOf(m_context, ball);
-    // Of a rolling ball that hits a wall the spin has a share in the impact; at a landing friction gives or takes it.
+    // When a rolling ball hits a wall, the spin takes part in the impact; at a landing, friction gives or takes its
+    // energy.
     m_rolled ? m_context.report.lostImpact(m_jump) : m_context.report.lostSlip(m_jump);
 }
 
@@ -285,7 +286,7 @@ bool hold(const StepContext &context, const Contacts &contacts, ContactRule kind
     const Ball start = ball;
     const LastingContacts lasting = holdInThisOrder(context, contacts, kind, h, ball);
     if (contacts.hasTies()) {
-        // Contacts that nothing tells apart: the mean of both orders prefers none.
+        // Contacts that compare equal: the mean of both orders favours none.
         Contacts reversed = contacts;
         reversed.reverseTies();
         Reporter silent(nullptr, 0.0);
@@ -318,7 +319,7 @@ void NormalSpan::add(const Vec3 &normal) {
 Vec3 NormalSpan::across(const Vec3 &vector) const {
     if (m_count == 0) return vector;
     if (m_count == 1) return vector - glm::dot(vector, m_first) * m_first;
-    // Either order of two normals gives the same, to the bit; and no negative zeros.
+    // Both orders of two normals give the same bits; there are no negative zeros.
     return m_count == 2 ? glm::dot(vector, m_along) * m_along + Vec3(0.0) : Vec3(0.0);
 }
 
@@ -347,12 +348,12 @@ bool rests(const StepContext &context, Ball &ball) {
     const double radius = context.radius();
     const double still = kStill * std::sqrt(glm::length(context.setting.gravity()) * radius);
     if (glm::length(ball.velocity) > still) return false;
-    // The rolling model's spin is none of its own: it ends with the velocity.
+    // The rolling model's spin isn't independent: it ends with the velocity.
     if (context.isRigid() && radius * glm::length(ball.spin) > still) return false;
     Contacts contacts;
     if (!findContacts(context.setting, ball.position, motionOf(ball), Vec3(0.0), contacts)) return false;
     const Footing footing = Footing::of(contacts, context.setting.tolerance);
-    // A ball that rolls on the floor alone keeps the slowest motion.
+    // A ball that rolls on the floor alone keeps even the slowest motion.
     const bool isStill = ball.velocity == Vec3(0.0) && (!context.isRigid() || ball.spin == Vec3(0.0));
     if (!isStill && contacts.count() == 1 && contacts[0].isTop) return false;
     const bool isHeld = footing.isEasy(context.params()) ? footing.holds(context.params()) : canHold(context, contacts);

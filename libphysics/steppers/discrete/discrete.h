@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A stepper of fixed substeps. Where nothing is near a substep is the scheme's formula; contacts follow the law of
-// contact (model.md 13.5). A scheme is a struct with its definition in the textbook, and how it goes on in contact:
+// A stepper of fixed substeps. Where nothing is near, a substep is the scheme's formula; contacts follow the law of
+// contact (model.md 13.5). A scheme is a struct with its textbook definition and its rule for contacts:
 //
 //     template<class Law, class V> static Advance<V> advance(const Law &law, const V &velocity, double h);
 //     static constexpr ContactRule kContactRule;
@@ -37,7 +37,7 @@ public:
     bool supports(const Ball &ball) const {
         if (m_endedOnFloor || lookAround(ball).carrier) return true;
         if (!mayLie(ball)) return false;
-        // A rounding beyond its end the face carries the ball still, unless that moves on.
+        // Within rounding beyond its end the face still carries the ball, unless the ball moves on.
         Contacts contacts;
         findContacts(m_context.setting, ball.position, motionOf(ball), Vec3(0.0), contacts);
         return std::any_of(contacts.begin(), contacts.end(), [&](const Contact &contact) {
@@ -48,8 +48,8 @@ public:
     /// Whether the ball stays as it is.
     bool rests(Ball &ball) const { return phys::rests(m_context, ball); }
 
-    /// Whether a substep left the ball as it was, but for rounding, and so will all that follow: it rests, or turns on
-    /// the spot.
+    /// Whether a substep left the ball unchanged up to rounding, so that all following ones will too: it rests, or
+    /// turns in place.
     bool stays(const Ball &before, const Ball &after) const {
         const Vec3 pull = m_h * m_context.setting.gravity();
         const double negligible = kStill * kStill * glm::dot(pull, pull);
@@ -80,7 +80,7 @@ public:
         return runInContact(after - m_h, free, ball);
     }
 
-    /// The smooth motion alone, as if there was nothing ahead.
+    /// The smooth motion alone, without obstacles.
     SmoothLoss move(Ball &ball) {
         if (!ball.supported) {
             moveBy(flightLaw(m_context.params()), ball);
@@ -92,7 +92,7 @@ public:
         return m_onFloor.roll(contact, m_onFloor.lawOnFloor(contact), ball);
     }
 
-    /// The closed form where nothing but smooth upright walls are near a ball that rolls. False if it isn't that.
+    /// The closed form for a rolling ball with only smooth vertical walls near. False if that doesn't apply.
     bool rollBetweenWalls(const Contacts &contacts, Ball &ball) {
         const phys_params &params = m_context.params();
         const double radius = m_context.radius();
@@ -144,21 +144,21 @@ private:
         return around;
     }
 
-    /// Whether a top face under the ball would carry it: its fall, if any, is one in a time too short to count.
+    /// Whether a top face under the ball would carry it: if it falls, then for too short a time to count.
     bool mayLie(const Ball &ball) const {
         if (!(m_context.params().gravity.z < 0.0)) return false;
         return ball.velocity.z == 0.0 ||
                std::abs(ball.velocity.z) <= negligibleSpeed(motionOf(ball), m_context.radius());
     }
 
-    /// Whether nothing but what carries the ball is within the reach of its way.
+    /// Whether nothing except what carries the ball is within reach of its path.
     bool isFar(const Around &around, const Vec3 &way) const {
         const Scene &scene = m_context.scene();
         const double reach = scene.radius + scene.tolerance + std::abs(way.x) + std::abs(way.y) + std::abs(way.z);
         return reach <= kCandidateReach * scene.radius && reach * reach < around.nearestSquared;
     }
 
-    /// Whether the ball touches anything but what carries it, or would overlap it at the end.
+    /// Whether the ball touches anything except what carries it, or would overlap something at the end.
     bool comesNear(const Around &around, const Ball &ball, const Ball &free) const {
         const Scene &scene = m_context.scene();
         const double touching = scene.radius + scene.tolerance;
@@ -178,7 +178,7 @@ private:
         ball.position += next.displacement;
     }
 
-    /// Where the ball may be at the end of a substep, from its start.
+    /// The displacements from the start at which the ball may be at the end of a substep.
     class Ways {
     public:
         bool isFull() const { return m_count == m_ways.size(); }
@@ -190,12 +190,13 @@ private:
         uint32_t m_count = 0;
     };
 
-    /// All contacts of the substep that begins `start` seconds into the step. free: the ball after it without them.
+    /// Finds all contacts of the substep that begins `start` seconds into the step. free: the ball after it without
+    /// contacts.
     bool runInContact(double start, const Ball &free, Ball &ball) {
         const Ball before = ball;
         Ways ways;
         ways.add(free.position - ball.position);
-        // The explicit rule moves with the old velocity, and along normals that press with the new one.
+        // The explicit rule moves with the old velocity, and along normals of pressing contacts with the new one.
         if (Scheme::kContactRule == ContactRule::Explicit) ways.add(m_h * free.velocity);
         Contacts contacts;
         if (m_context.report.wanted()) {
@@ -203,7 +204,7 @@ private:
             DiscreteStep trial(m_context.setting, silent, m_context.work, m_plan, m_h);
             trial.meetAll(start, ways, contacts, ball);
             ball = before;
-            Work again; // a report changes no status either
+            Work again; // a report must not change the status
             DiscreteStep reporting(m_context.setting, m_context.report, again, m_plan, m_h);
             reporting.meet(start, ways, contacts, ball);
         } else {
@@ -214,15 +215,16 @@ private:
             payForLift(m_context, contacts, ball.position - reached, ball);
             return true;
         }
-        // It doesn't fit where it was going. Where it came from it did, unless it started inside something.
+        // The ball doesn't fit at the end of its motion; at the start it did, unless it began inside a box.
         ball = before;
         ball.velocity = Vec3(0.0);
         ball.spin = Vec3(0.0);
         return leaveOverlaps(m_context, ball);
     }
 
-    /// Contacts lead the ball to where it wouldn't have come without them: what it would overlap there, it meets, too.
-    /// Between two edges impacts may follow each other ever faster. Adds to the ways those that it takes.
+    /// Contacts may lead the ball to a place that it wouldn't have reached without them; boxes that it would overlap
+    /// there are contacts as well. Between two edges impacts may follow each other ever faster. Adds the displacements
+    /// due to them to `ways`.
     void meetAll(double start, Ways &ways, Contacts &contacts, Ball &ball) {
         const Ball before = ball;
         meet(start, ways, contacts, ball);
@@ -235,7 +237,7 @@ private:
         }
     }
 
-    /// The contacts that the ball has, or comes to on the ways.
+    /// The contacts that the ball has, or gets along the ways.
     void meet(double start, const Ways &ways, Contacts &contacts, Ball &ball) {
         lookAhead(m_context, ball, ways.list(), m_h, contacts);
         SpinOnFloor spin(m_context, contacts, ball);
@@ -258,7 +260,7 @@ private:
         }
     }
 
-    /// Whether the ball overlaps a box of which no contact is known.
+    /// Whether the ball overlaps a box that isn't among the contacts.
     bool overlapsAnother(const Contacts &contacts, const Ball &ball) const {
         const Scene &scene = m_context.scene();
         const double overlapping = scene.radius - scene.tolerance;
@@ -271,7 +273,7 @@ private:
         return overlaps;
     }
 
-    /// A substep of all contacts. Returns whether a top face pressed.
+    /// A substep with all contacts. Returns whether a top face pressed.
     bool holdContacts(const Contacts &contacts, Ball &ball) {
         if (Scheme::kContactRule != ContactRule::SecondOrder)
             return hold(m_context, contacts, Scheme::kContactRule, m_h, ball);
@@ -290,7 +292,8 @@ private:
                 return presses;
             }
         }
-        // Held at one contact it comes to another within the substep: the rule that closes gaps meets both.
+        // While held at one contact the ball comes to another within the substep: the rule that closes gaps handles
+        // both.
         return hold(m_context, contacts, ContactRule::Symplectic, m_h, ball);
     }
 
@@ -300,7 +303,7 @@ private:
         return false;
     }
 
-    /// Whether the ball overlaps a box that it came near to, but for those that it is held at.
+    /// Whether the ball overlaps a box that was near, except for those at which it is held.
     bool overlapsAnother(const Contacts &contacts, const Contacts &held, const Ball &ball) const {
         const Scene &scene = m_context.scene();
         const double overlapping = scene.radius - scene.tolerance;
@@ -311,8 +314,8 @@ private:
         });
     }
 
-    /// The contacts that the ball doesn't leave; it may leave those it touches with a speed that is none. That speed is
-    /// taken, unless normals are so nearly parallel that it would be far more: two edges of a hair crack.
+    /// The contacts that the ball doesn't leave, which includes those that it leaves at a negligible speed. That speed
+    /// is removed, unless normals are so nearly parallel that far more would be removed: two edges of a hairline crack.
     Contacts keepContacts(const Contacts &contacts, Ball &ball) const {
         Contacts result = contacts;
         NormalSpan kept;

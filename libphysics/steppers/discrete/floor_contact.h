@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a ball on the floor moves where no wall interferes: it rolls, slides without friction, or slips.
+// The motion of a ball on the floor away from walls: it rolls, slides without friction, or slips.
 #pragma once
 
 #include "contact/ball.h"
@@ -10,21 +10,21 @@
 
 namespace phys {
 
-/// What a scheme computes for one substep.
+/// The result of a scheme for one substep.
 template<class V>
 struct Advance {
     V velocity;     ///< at its end, m/s
-    V displacement; ///< during it, m
+    V displacement; ///< during the substep, m
 };
 
-/// A substep in which resistance may stop the ball, for schemes of second order and above: model.md 10.5.
+/// A substep in which resistance may stop the ball, for schemes of second order and higher: model.md 10.5.
 template<class Law, class V>
 Advance<V> stopping(const Law &law, const V &velocity, double h) {
     const V next = clampedVelocity(law, velocity, h);
     return {next, 0.5 * h * (velocity + next)};
 }
 
-/// One Euler step of the velocity, clamped where it may end in a stop.
+/// One Euler step of the velocity, clamped if it may end in a stop.
 template<class Law, class V>
 V eulerVelocity(const Law &law, const V &velocity, double h) {
     if (nearStop(law, velocity, h)) return clampedVelocity(law, velocity, h);
@@ -33,7 +33,7 @@ V eulerVelocity(const Law &law, const V &velocity, double h) {
 
 enum class FloorContact {
     Rolls,  ///< u = 0 and friction keeps it so; always in the rolling model
-    Slides, ///< rigid model without sliding friction: the spin has no part in the motion
+    Slides, ///< rigid model without sliding friction: the spin doesn't affect the motion
     Slips   ///< rigid model: friction turns slip into spin
 };
 
@@ -58,25 +58,25 @@ inline FloorContact floorContact(const phys_params &params, double radius, const
     return rolls(velocity, spin, radius) && gripHolds(params) ? FloorContact::Rolls : FloorContact::Slips;
 }
 
-/// Whether a supported ball's contact slips; without friction there is nothing that could end a slip within rounding.
+/// Whether a supported ball's contact slips; without friction nothing could end a slip within rounding.
 inline bool isSlipping(const phys_params &params, double radius, const Vec2 &velocity, const Vec3 &spin) {
     if (params.model == PHYS_MODEL_ROLLING) return false;
     if (params.sliding_friction == 0.0) return velocity != spinSpeed(spin, radius);
     return !rolls(velocity, spin, radius);
 }
 
-/// The law of the velocity where there is one: not while it slips.
+/// The law of the velocity, if there is one: not while it slips.
 inline Law<Vec2> velocityLaw(FloorContact contact, const phys_params &params) {
     return contact == FloorContact::Slides ? Law<Vec2>{inPlane(params.gravity), 0.0, false} : rollingLaw(params);
 }
 
-/// The spin after a step of that law. Drilling about the vertical goes on as it was.
+/// The spin after a step of that law. The spin about the vertical is unchanged.
 inline Vec3 spinAfter(FloorContact contact, const Vec2 &velocity, const Vec3 &spin, double radius) {
     if (contact == FloorContact::Slides) return spin;
     return rollingSpin(velocity, radius) + Vec3(0.0, 0.0, spin.z);
 }
 
-/// A substep of slipping: q moves uniformly accelerated whatever friction does, the scheme carries the slip u,
+/// A substep of slipping: q is uniformly accelerated whatever friction does, and the scheme integrates the slip u,
 /// model.md 3.6. Changes the spin; slipPath: or nullptr.
 template<class Scheme>
 Advance<Vec2> slip(const phys_params &params, double radius, double h, const Vec2 &velocity, Vec3 &spin,

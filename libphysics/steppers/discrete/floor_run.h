@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A substep of a ball that lies on a floor and meets nothing but upright smooth faces: bounces act along one axis, and
-// the drive loses what faces take, model.md 13.5. Everything else is left to DiscreteStep.
+// A substep of a ball that lies on a floor and meets only smooth vertical faces: bounces act along one axis, and faces
+// remove part of the drive, model.md 13.5. Everything else is left to DiscreteStep.
 #pragma once
 
 #include "contact_step.h"
@@ -12,26 +12,26 @@
 
 namespace phys {
 
-/// Energy that a smooth motion takes, J/kg.
+/// Energy dissipated by a smooth motion, J/kg.
 struct SmoothLoss {
     double rolling = 0.0;
     double slip = 0.0;
 };
 
-/// A share of a speed that is none.
+/// Speeds below this share count as zero.
 inline constexpr double kZero = 1e-9;
 
 template<class Scheme>
 class FloorRun {
 public:
-    /// A substep of h seconds. The context outlives it.
+    /// A substep of h seconds. The context must outlive it.
     FloorRun(const StepContext &context, const StepPlan &plan, double h)
         : m_context(context)
         , m_stages(plan.stages)
         , m_h(h) {}
 
-    /// The substep, which begins `start` seconds into the step. False, and nothing done, if the ball may meet anything
-    /// else.
+    /// Makes the substep, which begins `start` seconds into the step. If the ball may meet anything else, returns false
+    /// and changes nothing.
     bool run(double start, Ball &ball) const {
         if (!liesOnFloor(ball)) return false;
         const Ahead ahead = rollAhead(ball);
@@ -45,13 +45,13 @@ public:
     }
 
     /// The same without any event: the ball rolls freely, or along faces that it touches and doesn't leave. For a
-    /// stepper that has events inside a step: false, and nothing done, if there is or may be one.
+    /// stepper with events inside a step: returns false and changes nothing if there may be an event.
     bool glide(Ball &ball) const {
         if (!liesOnFloor(ball)) return false;
         Ahead ahead = rollAhead(ball);
         const bool slips = ahead.contact == FloorContact::Slips;
-        if (slips && m_context.params().rolling_friction > 0.0) return false; // works once that has ended
-        // The way may lead back: it stays in the triangle of its ends and this corner.
+        if (slips && m_context.params().rolling_friction > 0.0) return false; // starts once the slip has ended
+        // The ball may reverse: its path stays in the triangle of its ends and this corner.
         const Vec2 turn = 0.5 * m_h * inPlane(ball.velocity);
         const Vec3 end = ball.position + Vec3(ahead.roll.displacement, 0.0);
         FloorView view;
@@ -81,7 +81,7 @@ public:
         return next.loss;
     }
 
-    /// Whether friction on the floor holds against what the walls leave of the drive.
+    /// Whether friction on the floor suffices for the part of the drive that the walls leave.
     bool grips(FloorContact contact, const Vec2 &drive) const {
         const phys_params &params = m_context.params();
         const bool needsGrip = m_context.isRigid() && contact == FloorContact::Rolls;
@@ -94,7 +94,7 @@ public:
     }
 
 private:
-    /// What the smooth law makes of a motion on the floor.
+    /// The result of the smooth law for a motion on the floor.
     struct FreeRoll {
         Vec2 velocity, displacement;
         Vec3 spin;
@@ -104,7 +104,7 @@ private:
     /// The substep as if there were no walls.
     struct Ahead {
         FloorContact contact;
-        Law<Vec2> law; ///< means something unless the contact slips
+        Law<Vec2> law; ///< valid unless the contact slips
         FreeRoll roll;
     };
 
@@ -122,8 +122,8 @@ private:
         return ahead;
     }
 
-    // Number by number: a processor waits where it reads two at once that were just written one by one, and swept would
-    // take a tenth longer.
+    // Stored one by one: a processor stalls if it loads together what was just stored separately, which would make
+    // swept a tenth slower.
     static void set(Vec2 &to, const Vec2 &from) { to.x = from.x, to.y = from.y; }
     static void set(Vec3 &to, const Vec3 &from) { to.x = from.x, to.y = from.y, to.z = from.z; }
 
@@ -165,7 +165,7 @@ private:
         return {slipped.velocity, slipped.displacement, spin, {0.0, lost}};
     }
 
-    /// v = 0 stays 0 up to the stiction limit, the limit included: model.md 2.1 R4.
+    /// v = 0 stays 0 up to the stiction limit, including the limit: model.md 2.1 R4.
     Advance<Vec2> advance(const Law<Vec2> &law, const Vec2 &velocity) const {
         if (velocity == Vec2(0.0) && glm::dot(law.A, law.A) <= law.B * law.B) return {Vec2(0.0), Vec2(0.0)};
         if (!(m_stages & PHYS_STAGE_VERTICAL)) return Scheme::advance(law, velocity, m_h);
@@ -174,7 +174,7 @@ private:
         return {inPlane(moved.velocity), inPlane(moved.displacement)};
     }
 
-    /// A bounce off the faces that come fast enough. Returns whether there was one.
+    /// A bounce off the faces that are approached fast enough. Returns whether there was one.
     bool bounce(std::span<const UprightFace> faces, Ball &ball) const {
         const auto restSpeed = [&](const UprightFace &face) { return restSpeedOf(face); };
         const auto approach = [&](const UprightFace &face) { return -ball.velocity[face.axis] * face.normal; };
@@ -195,8 +195,8 @@ private:
         return 2.0 * m_h * std::max(0.0, -(&m_context.params().gravity.x)[face.axis] * face.normal);
     }
 
-    /// Rolls along faces that the ball touches and keeps its way along, with the drive that they leave. False if it
-    /// doesn't keep it, or may stop.
+    /// Rolls along faces that the ball touches and continues to touch, under the drive that they leave. False if it
+    /// leaves them, or may stop.
     bool rollAlong(std::span<const UprightFace> faces, const Ball &ball, Ahead &ahead) const {
         if (m_context.isRigid() && m_context.params().wall_friction > 0.0) return false;
         const Vec2 velocity = inPlane(ball.velocity);
@@ -223,7 +223,7 @@ private:
         const Ball bounced = next;
         Law<Vec2> law = lawOnFloor(contact);
         const double tolerance = m_context.scene().tolerance;
-        // Held at one face it comes to another within the substep: the rule of order 1 meets both.
+        // While held at one face the ball comes to another within the substep: the rule of order 1 handles both.
         const bool arrives = std::any_of(faces.begin(), faces.end(), [&](const UprightFace &face) {
             return face.gap > tolerance && next.velocity[face.axis] * face.normal <= 0.0;
         });
@@ -270,7 +270,7 @@ private:
         Reporter &report = m_context.report;
         report.passes(1);
         if (!report.wanted()) return;
-        // The spin that follows the velocity has its share.
+        // The spin, which follows the velocity, contributes.
         const double inertia = m_context.isRigid() ? 0.5 : 0.7;
         report.lostImpact(inertia *
                           (glm::dot(before.velocity, before.velocity) - glm::dot(after.velocity, after.velocity)));

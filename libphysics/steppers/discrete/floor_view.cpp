@@ -17,9 +17,9 @@ bool FloorView::look(const StepContext &context, const Vec3 &start, const Vec3 &
     const Scene &scene = context.scene();
     const double tolerance = context.setting.tolerance;
     const double touching = scene.radius + tolerance;
-    const double furthest = kCandidateReach * scene.radius; // the grid tells no more
+    const double furthest = kCandidateReach * scene.radius; // the grid lists no more
     if (touching + way > furthest) return false;
-    m_reach = std::min(touching + 1.5 * way, furthest); // for a bounce that leads further
+    m_reach = std::min(touching + 1.5 * way, furthest); // for a bounce that leads farther
     const Vec3 low = start - m_reach, high = start + m_reach;
     const double top = start.z - scene.radius;
     m_floor = nullptr;
@@ -27,7 +27,7 @@ bool FloorView::look(const StepContext &context, const Vec3 &start, const Vec3 &
     m_faceCount = 0;
     for (const uint32_t i : scene.boxesNear(start.x, start.y, scene.hasManyBoxes)) {
         const phys_box &box = scene.boxes[i];
-        if (box.max.z <= top + tolerance) { // what isn't higher than the floor can't be met on it
+        if (box.max.z <= top + tolerance) { // on the floor, boxes that aren't higher than it can't be hit
             const bool isFloor = box.max.z >= top - tolerance && Scene::isOver(box, start.x, start.y);
             if (isFloor && (!m_floor || box.max.z > m_floor->max.z)) m_floor = &box; // the nearest of them
             continue;
@@ -68,7 +68,8 @@ bool FloorView::findFaces(const StepContext &context, const Vec3 &start, const V
             squaredDistance(box, p) <= touching * touching || squaredDistance(box, end) < overlapping * overlapping;
         if (!isMet) continue;
         if (box.min.z > p.z || box.max.z < p.z) return false; // a roof or a kerb
-        // Near the end of a face the velocity decides what is touched, model.md 13.1: that is left to the general case.
+        // Near the end of a face the velocity determines what is touched, model.md 13.1; this is left to the general
+        // case.
         const auto side = [&](double centre, double low, double high) {
             if (std::abs(centre - low) <= tolerance || std::abs(centre - high) <= tolerance) return 2;
             return centre < low ? -1 : centre > high ? 1 : 0;
@@ -88,7 +89,7 @@ bool FloorView::findFaces(const StepContext &context, const Vec3 &start, const V
         const UprightFace face{number, axis, static_cast<double>(normal), gap, surface + normal * scene.radius};
         if (!addFace(face, tolerance)) return false;
     }
-    // Edges that a face keeps the ball from.
+    // Edges that a face shields from the ball.
     return std::all_of(edges.begin(), edges.begin() + edgeCount, [&](const Vec2 &edge) {
         return std::any_of(m_faces.begin(), m_faces.begin() + m_faceCount, [&](const UprightFace &face) {
             const double surface = face.place - face.normal * scene.radius;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What holds a ball that stands still at a place, where that is easy to tell.
+// What holds a ball at rest at a position, in the simple cases.
 #pragma once
 
 #include "contact/contact.h"
@@ -9,20 +9,20 @@
 
 namespace phys {
 
-/// What a ball on a floor touches at a place where that is all: a top face and upright faces.
+/// The contacts of a ball on a floor if there are only a top face and vertical faces.
 class Footing {
 public:
-    /// Not easy if the ball touches anything else, or nothing.
+    /// Not simple if the ball touches anything else, or nothing.
     static Footing of(const Contacts &contacts, double tolerance);
 
-    /// Whether rest is this easy to tell: no friction at a wall that may hold the ball too.
+    /// Whether rest can be determined this way: no wall that may hold the ball has friction.
     bool isEasy(const phys_params &params) const {
         const bool isRough = params.model == PHYS_MODEL_RIGID && params.wall_friction > 0.0;
         return m_hasFloor && !(m_hasWalls && isRough);
     }
 
-    /// Whether a ball that stands still stays so, model.md 6.3: walls take what presses on them, resistance holds the
-    /// rest up to its limit, the limit included.
+    /// Whether a ball at rest stays at rest, model.md 6.3: walls balance what presses on them, and resistance holds the
+    /// remainder up to its limit, including the limit.
     bool holds(const phys_params &params) const {
         if (!(params.gravity.z < 0.0)) return false;
         Law<Vec2> law = rollingLaw(params);

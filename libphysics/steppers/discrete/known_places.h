@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a stepper of fixed substeps keeps of its scene between steps: what it looked up last. All of it follows from the
-// scene alone, so that no answer depends on what is kept.
+// What a stepper of fixed substeps caches of its scene between steps: its last lookups. All of it follows from the
+// scene alone, so that no result depends on the cache.
 #pragma once
 
 #include "requirements.h"

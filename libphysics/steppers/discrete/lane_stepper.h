@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A stepper's ability to move balls in lanes (registry/lanes.h): one ball by itself, or several side by side.
+// A stepper's ability to move balls in lanes (registry/lanes.h): a single ball, or several side by side.
 #pragma once
 
 #include "base/orientation.h"
@@ -25,7 +25,7 @@ public:
     }
 
 private:
-    /// What a step takes of a ball and its parameters beside place and velocity.
+    /// What a step reads of a ball and its parameters besides position and velocity.
     struct Kind {
         bool isRigid, slides;
 
@@ -37,7 +37,7 @@ private:
         bool mayLean(const phys_params &params) const { return !isRigid || params.wall_friction == 0.0; }
         double share() const { return slides ? 1.0 : 5.0 / 7.0; }
         double friction(const phys_params &params) const { return isRigid ? params.sliding_friction : 0.0; }
-        /// gripHolds, a rounding step on the safe side.
+        /// gripHolds, with one rounding step of margin.
         double grip(const phys_params &params) const {
             const double steepest = 3.5 * params.sliding_friction;
             return grips() ? steepest * steepest * (1.0 - 1e-9) : 0x1p400;
@@ -46,15 +46,16 @@ private:
 
     static RegionLimits limitsOf(const Scene &scene, double dt) {
         const bool isOpen = kRule == RegionRule::Substeps && scene.boxes.size() == 1;
-        // Of isSlow and a FloorView. One floor alone needs neither, but numbers that can be computed with.
+        // From isSlow and FloorView. A single floor needs neither, only finite numbers for the computation.
         const bool isUsual = dt >= 1e-9 && dt <= 1e3;
         const double reach = isOpen ? 1e6 : 0.5 * scene.radius * (1.0 - 1e-9) - 4.0 * scene.tolerance;
-        // mayRest's, under the strongest gravity.
+        // From mayRest, under the strongest gravity.
         return {dt, isUsual ? reach : -1.0, 3.5e-17 * scene.radius, isOpen, false};
     }
 
-    /// How far a step may lead where nothing is near. swept looks once whether a long way is free, and makes it in one
-    /// piece then; where it puts the ball exactly onto its floor, and friction can't speed it up, that changes no bit.
+    /// The longest displacement of a step where nothing is near. swept checks once whether a long path is free, and
+    /// then makes it in one piece; where it puts the ball exactly onto its floor, and friction can't speed it up, this
+    /// changes no bit.
     static double farthestOf(double reach, const phys_params &params, const Kind &kind, const FloorRegion &region) {
         const bool mayBeLong = kRule == RegionRule::Swept && region.isEven && kind.friction(params) == 0.0;
         return mayBeLong && reach > 0.0 ? 0x1p100 : reach;
@@ -66,17 +67,17 @@ private:
                spin.z == 0.0;
     }
 
-    /// Whether a ball rolls or slides on the floor, and its spin is as if it did no more.
+    /// Whether a ball rolls or slides on the floor with no other spin than that.
     static bool isOnFloor(const PlanInput &input, const Kind &kind) {
         if (input.params.stepper[0] != 0.0 || !input.isOnFloor()) return false;
         if (!kind.isRigid) return true;
         const Vec3 spin = toVec(input.state.spin);
         const double turn = input.dt * (kind.slides ? glm::length(spin) : std::abs(spin.z));
-        if (turn > 0.5) return false; // spinsFast
+        if (turn > 0.5) return false; // from spinsFast
         return kind.slides || rolls(inPlane(input.state.velocity), spin, input.scene.radius);
     }
 
-    /// The region of a ball that is as InRegion says, or nullptr.
+    /// The region of a ball that satisfies InRegion, or nullptr.
     static const FloorRegion *regionOf(KnownPlaces &places, const phys_state &state, bool mayLean) {
         const phys_vec3 &v = state.velocity;
         if (has(places.regions().last(), state, mayLean)) return &places.regions().last();
@@ -127,7 +128,7 @@ private:
                 return true;
             }
             if (!isFirst || (region->along[0].has(end.x) && region->along[1].has(end.y))) return false;
-            // Regions overlap: one around the end may hold the start, too.
+            // Regions overlap: one that contains the end may also contain the start.
             region = places.regions().find({end.x, end.y, in.position.z}, in.velocity.x == 0.0 || in.velocity.y == 0.0);
             if (region && !has(*region, in, mayLean)) return false;
         }
@@ -139,7 +140,7 @@ private:
             place, velocity, range.low, range.high, faceOf(range.lowFace, mayLean), faceOf(range.highFace, mayLean)};
     }
 
-    /// Stores what the step makes of the ball.
+    /// Stores the result of the step for the ball.
     static void take(const PlanInput &input, const Kind &kind, bool rests, const Planar<double> &place,
                      const RegionStep<double> &step, phys_state &out, phys_report *report) {
         const auto &[scene, params, dt, in] = input;
@@ -155,7 +156,7 @@ private:
         if (!rests) reporter.lostRolling(1.4 * rollingLaw(params).B * length(step.displacement));
     }
 
-    /// Stores a ball but for its height, orientation, time and step.
+    /// Stores a ball except for its height, orientation, time and step.
     static void store(const phys_params &params, const Kind &kind, double radius, bool rests, const Vec2 &place,
                       const Vec2 &velocity, phys_state &state) {
         if (rests) {
@@ -251,7 +252,7 @@ private:
             of(lanes.farthest)};
     }
 
-    /// Stores what became of the balls along an axis; those that aren't fine stay as they were.
+    /// Stores the balls' results along an axis; balls for which `fine` is false are unchanged.
     static void move(const InRegion<Pair> &ball, Pair displacement, Pair velocity, MaskOf<Pair> isFine, LaneAxis &along,
                      uint32_t lane) {
         phys::store(choose(isFine, ball.place + displacement, ball.place), along.position + lane);

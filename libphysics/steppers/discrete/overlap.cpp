@@ -17,7 +17,7 @@ struct Overlap {
     uint32_t box = PHYS_NO_BOX;
 };
 
-/// The deepest one; of equals the lowest number.
+/// The deepest overlap; of equal ones the box with the lowest number.
 Overlap deepestOverlap(const Scene &scene, const Vec3 &position) {
     Overlap deepest;
     const double touching = scene.radius - scene.tolerance;
@@ -29,7 +29,7 @@ Overlap deepestOverlap(const Scene &scene, const Vec3 &position) {
     return deepest;
 }
 
-/// The contact that such an overlap is taken for.
+/// The contact by which such an overlap is treated.
 Contact contactOf(const StepContext &context, const Overlap &overlap) {
     const phys_params &params = context.params();
     Contact contact{};
@@ -52,7 +52,7 @@ void collideAsReported(const StepContext &context, double h, double after, Ball 
         context.report.passes(pass + 1);
         ball.position = overlap.nearest.point + context.radius() * overlap.nearest.normal;
 
-        // The floor carries what comes down on it slowly; walls answer every overlap alike.
+        // The floor supports what comes down on it slowly; walls respond to every overlap in the same way.
         Contact contact = contactOf(context, overlap);
         if (contact.isTop) contact.restSpeed = 2.0 * h * std::max(0.0, -context.params().gravity.z);
         Contacts contacts;

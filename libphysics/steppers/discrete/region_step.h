@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A step of balls on the floor, each in a region where nothing but rolling, leaning on walls and resting happens. It is
-// written for one ball and for several side by side (base/pair.h), and does what FloorRun does there, and LastFooting
-// at rest.
+// A step of balls on the floor, each in a region where it only rolls, leans on walls or rests. The code is the same for
+// one ball and for several side by side (base/pair.h), and gives the results of FloorRun, or of LastFooting at rest.
 #pragma once
 
 #include "base/pair.h"
@@ -12,24 +11,24 @@ namespace phys {
 /// When a stepper leaves a step to its general case.
 enum class RegionRule {
     Substeps, ///< steps of DiscreteStepper
-    Swept     ///< steps of swept: it looks whether the way leads back, and how a ball starts
+    Swept     ///< steps of swept, which checks whether the path reverses, and how a ball starts
 };
 
 /// What is the same for all balls of a step.
 struct RegionLimits {
     double h;           ///< s
-    double reach;       ///< m: longest way of a step beside a face; below 0 if h is too unusual for a look at once
-    double restSquared; ///< m^2/s^2: square of a speed that isn't rest
-    bool isOpen;        ///< whether there is nothing but one floor, which a ball must not leave
-    bool mayGrip;       ///< whether `grip` limits the slope of any ball
+    double reach;       ///< m: longest displacement in a step beside a face; negative if h is unusual
+    double restSquared; ///< m^2/s^2: a ball with a larger squared speed isn't at rest
+    bool isOpen;        ///< whether there is only a floor, which a ball must not leave
+    bool mayGrip;       ///< whether `grip` limits the slope for any ball
 };
 
-/// What gravity does to balls on the floor, model.md 2.1.
+/// The effect of gravity on balls on the floor, model.md 2.1.
 template<class N>
 struct FloorDrive {
     Planar<N> pull; ///< gravity along the floor, m/s^2
     N normal;       ///< gravity into it, m/s^2
-    Planar<N> A;    ///< what the pull accelerates a ball by that nothing holds, m/s^2
+    Planar<N> A;    ///< acceleration of a ball that nothing holds, m/s^2
     N B;            ///< rolling resistance, m/s^2
 
     FloorDrive(const Planar<N> &along, N gravityZ, N share, N resistance)
@@ -38,29 +37,29 @@ struct FloorDrive {
         , A(share * along)
         , B(share * (resistance * normal)) {}
 
-    /// Whether parameters may have this gravity, which in a batch is another one in each step.
+    /// Whether parameters may have this gravity, which in a batch differs from step to step.
     MaskOf<N> isAllowed() const {
         return all(magnitude(pull.x) + magnitude(pull.y) <= kMostGravity, normal <= kMostGravity, normal > 0.0);
     }
 };
 
-/// One axis of balls in their regions. Each is where nothing is near, or it is at a face with no speed along the axis.
+/// One axis of balls in their regions: either nothing is near a ball, or it is at a face with no speed along the axis.
 template<class N>
 struct InRegion {
     using Mask = MaskOf<N>;
 
     N place, velocity;   ///< m, m/s
     N low, high;         ///< m: no wall is near between these
-    N lowFace, highFace; ///< m: where the ball leans on a face; beyond all places if there is none
+    N lowFace, highFace; ///< m: where the ball leans on a face; beyond all positions if there is none
 
     Mask isAtLow() const { return all(place == lowFace, velocity == 0.0); }
     Mask isAtHigh() const { return all(place == highFace, velocity == 0.0); }
-    /// Whether nothing is near a place.
+    /// Whether nothing is near a position.
     Mask isFree(N there) const { return all(low <= there, there <= high); }
     Mask isFreeAround(N way) const { return all(low <= place - way, place + way <= high); }
-    /// Whether that is so, or the ball is still at its face there.
+    /// Whether that is so, or the ball is still at its face.
     Mask has(N there) const { return any(isFree(there), all(any(isAtLow(), isAtHigh()), there == place)); }
-    /// Whether the ball comes to no other face within a way in either direction.
+    /// Whether the ball reaches no other face within a displacement in either direction.
     Mask isClear(N way) const { return all(any(low <= place - way, isAtLow()), any(place + way <= high, isAtHigh())); }
 };
 
@@ -71,19 +70,19 @@ struct BallsInRegion {
     N grip;     ///< square of the slope up to which the ball rolls
     N friction; ///< coefficient of the sliding friction that may speed the ball up
     N rests;    ///< 1: the ball is at rest, 0: it moves
-    N farthest; ///< m: longest way of a step of swept where nothing is near
+    N farthest; ///< m: longest displacement in a step of swept where nothing is near
 
     Planar<N> velocity() const { return {x.velocity, y.velocity}; }
 };
 
-/// What balls do in a step, and whether they can do it in their regions.
+/// The motion of balls in a step, and whether their regions allow it.
 template<class N>
 struct RegionStep {
     Planar<N> velocity, displacement;
     MaskOf<N> isFine;
 };
 
-/// The law of balls that no resistance stops within the step; nor do they stand still if there is any.
+/// The law for balls that resistance doesn't stop within the step and that aren't at rest if there is resistance.
 template<class N, bool kResists>
 struct UnstoppedLaw {
     Planar<N> A; ///< constant acceleration, m/s^2
@@ -104,10 +103,11 @@ Planar<N> clampedVelocity(const UnstoppedLaw<N, kResists> &law, const Planar<N> 
     return v + dt * acceleration(law, v);
 }
 
-/// The step of a scheme, wherever it leads. kResists: whether there is rolling friction, for all balls or for none.
+/// The step of a scheme, without regard to regions. kResists: whether there is rolling friction, for all balls or for
+/// none.
 template<class Scheme, RegionRule kRule, bool kResists>
 struct StepInRegion {
-    /// The step of balls where they can be moved so.
+    /// The step of the balls for which it is possible.
     template<class N, class Take>
     static auto make(const BallsInRegion<N> &balls, const RegionLimits &limits, Take take) {
         const bool areFree = bitsOf(any(balls.x.velocity == 0.0, balls.y.velocity == 0.0)) == 0;
@@ -138,7 +138,7 @@ private:
     static RegionStep<N> rollOrRest(const BallsInRegion<N> &balls, const RegionLimits &limits) {
         const auto &[x, y, drive, grip, friction, rests, farthest] = balls;
         const double h = limits.h;
-        // A face takes the drive into it from a ball that leans on it.
+        // A face removes the component of the drive into it for a ball that leans on it.
         const auto leansX = any(all(x.isAtLow(), drive.A.x < 0.0), all(x.isAtHigh(), drive.A.x > 0.0));
         const auto leansY = any(all(y.isAtLow(), drive.A.y < 0.0), all(y.isAtHigh(), drive.A.y > 0.0));
         const Planar<N> A{choose(leansX, 0.0, drive.A.x), choose(leansY, 0.0, drive.A.y)};
@@ -147,7 +147,7 @@ private:
         step.velocity = {choose(leansX, 0.0, step.velocity.x), choose(leansY, 0.0, step.velocity.y)};
         step.displacement = {choose(leansX, 0.0, step.displacement.x), choose(leansY, 0.0, step.displacement.y)};
 
-        // Which faces a leaning ball meets is looked up on the way that it would take without the one that it leans on.
+        // Other faces are looked for along the displacement without the face on which the ball leans.
         const N aheadX = (magnitude(velocity.x) + (magnitude(drive.A.x) + drive.B) * h) * h;
         const N aheadY = (magnitude(velocity.y) + (magnitude(drive.A.y) + drive.B) * h) * h;
         const auto isClear = all(x.isClear(choose(leansY, aheadX, 0.0)), y.isClear(choose(leansX, aheadY, 0.0)));
@@ -172,13 +172,13 @@ private:
         return step;
     }
 
-    /// The step under a drive, wherever it leads.
+    /// The step under a drive, without regard to regions.
     template<class N>
     static RegionStep<N> rollBy(const Planar<N> &A, const BallsInRegion<N> &balls, const RegionLimits &limits) {
         const double h = limits.h;
         const FloorDrive<N> &drive = balls.drive;
         const Planar<N> velocity = balls.velocity();
-        // nearStop. Numbers that can be computed with stand in for a ball that the general case moves.
+        // From nearStop. Balls that are left to the general case get finite substitutes.
         const N speedSquared = dot(velocity, velocity), driveLength = length(A);
         const N stop = choose(drive.B < driveLength, 1.0, 4.0) * (driveLength + drive.B) * h;
         const auto goesOn = kResists                        ? speedSquared > stop * stop
@@ -193,36 +193,36 @@ private:
         return {next.velocity, next.displacement, isFine};
     }
 
-    /// Whether a ball can't come further than `most` (m).
+    /// Whether a ball moves by at most `most` (m).
     template<class N>
     static MaskOf<N> isSlow(const BallsInRegion<N> &balls, N most, double h) {
         if constexpr (kRule == RegionRule::Swept) return reach(balls, h) <= most;
-        // reachOfStep, compared by squares.
+        // From reachOfStep, comparing squares.
         const double hSquared = h * h;
         const N farthest = most - hSquared * pull(balls);
         return all(farthest > 0.0, hSquared * dot(balls.velocity(), balls.velocity()) <= farthest * farthest);
     }
 
-    /// What may speed a ball up, m/s^2; never less.
+    /// An upper bound of what may accelerate the ball, m/s^2.
     template<class N>
     static N pull(const BallsInRegion<N> &balls) {
         const FloorDrive<N> &drive = balls.drive;
         return magnitude(drive.pull.x) + magnitude(drive.pull.y) + balls.friction * drive.normal;
     }
 
-    /// How far a ball comes, m; never less.
+    /// An upper bound of a ball's displacement, m.
     template<class N>
     static N wayOf(const RegionStep<N> &step) {
         return magnitude(step.displacement.x) + magnitude(step.displacement.y);
     }
 
-    /// How far a ball can come, m; never less.
+    /// An upper bound of how far a ball can move, m.
     template<class N>
     static N reach(const BallsInRegion<N> &balls, double h) {
         return (magnitude(balls.x.velocity) + magnitude(balls.y.velocity) + pull(balls) * h) * h;
     }
 
-    /// What a step must not end with, or lead back by.
+    /// Whether a step ends neither nearly at rest nor in the opposite direction.
     template<class N>
     static MaskOf<N> staysFast(const RegionLimits &limits, const Planar<N> &velocity, const Planar<N> &next) {
         const auto isFast = dot(next, next) > limits.restSquared;
@@ -230,7 +230,8 @@ private:
         return all(isFast, dot(next, velocity) > 1.1e-9 * dot(velocity, velocity));
     }
 
-    /// Whether a ball must be seen to stay on the floor: there is nothing else, or the step is long, mayFallOffFloor.
+    /// Whether it must be checked that a ball stays on the floor: there is nothing else, or the step is long; from
+    /// mayFallOffFloor.
     template<class N>
     static bool mayFall(const BallsInRegion<N> &balls, const RegionLimits &limits) {
         if (limits.isOpen) return true;

@@ -16,7 +16,7 @@ void say(phys_requirements &out, int index, const char *format, Part... part) {
     writeText(out.reasons[index], sizeof out.reasons[index], format, part...);
 }
 
-/// Whether the ball rolls on a floor box that is all there is, and stays on it.
+/// Whether the ball rolls on the only box, a floor, and stays on it.
 bool staysOnOneFloor(const PlanInput &input, double reach) {
     if (!input.isOnFloor() || input.scene.boxes.size() != 1) return false;
     const phys_box &floor = input.scene.boxes.front();
@@ -29,7 +29,7 @@ bool staysOnOneFloor(const PlanInput &input, double reach) {
 bool passesBy(const PlanInput &input) {
     const Vec3 from = toVec(input.state.position);
     const Vec3 to = from + input.dt * toVec(input.state.velocity);
-    // Twice what gravity can add, and the ball's own size.
+    // Twice what gravity can add, and the ball's size.
     const double margin = input.scene.radius + input.dt * input.dt * glm::length(toVec(input.params.gravity));
     const Vec3 low = glm::min(from, to) - margin;
     const Vec3 high = glm::max(from, to) + margin;
@@ -44,7 +44,7 @@ double reachOfStep(const PlanInput &input) {
     const double drive = glm::length(input.isCarried() ? Vec3(gravity.x, gravity.y, 0.0) : gravity);
     double speed = glm::length(toVec(input.state.velocity)) + drive * input.dt;
     if (params.model == PHYS_MODEL_RIGID) {
-        // The floor's friction adds no more speed than 2/7 of the slip that it takes away.
+        // The floor's friction adds at most 2/7 of the slip that it removes as speed.
         const double slip = speed + input.scene.radius * glm::length(toVec(input.state.spin));
         speed += std::min(params.sliding_friction * std::abs(gravity.z) * input.dt, 2.0 / 7.0 * slip);
     }
@@ -56,7 +56,7 @@ double substepsNeeded(const PlanInput &input) {
     const double safe = 0.5 * scene.radius;
     const double reach = reachOfStep(input);
     if (scene.boxes.empty() || staysOnOneFloor(input, reach) || passesBy(input)) return 1.0;
-    // What can lift a ball off the floor, and the floor's edge, let it fall within a long step.
+    // Whatever can lift a ball off the floor, and the floor's edge, can let it fall within a long step.
     const bool leaves = mayFallOffFloor(input);
     const double way = leaves || !input.isPlanar() ? reach + fallOfStep(input) : reach;
     const double forWay = (leaves ? way : reach) <= safe ? 1.0 : std::ceil(way / safe);

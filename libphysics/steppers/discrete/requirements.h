@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which stages a step of fixed substeps needs: the plan it runs by, and the same in words.
+// The stages that a step of fixed substeps needs: the plan for the step, and its description.
 #pragma once
 
 #include "floor_contact.h"
@@ -9,34 +9,35 @@
 
 namespace phys {
 
-/// More substeps than this in one step are refused.
+/// Steps that need more substeps are refused.
 inline constexpr uint32_t kSubstepCap = 1'000'000;
 
-/// Nor may finding what lasting contacts do in them take more than this: some 0.3 s.
+/// Work limit for the lasting contacts of a step: some 0.3 s.
 inline constexpr uint64_t kMostWorkOfContacts = 70'000'000;
 
-/// What one step runs.
+/// The stages and substeps of one step.
 struct StepPlan {
-    bool asReported; ///< textbook collisions: definition D of model.md 10 as it is, without substeps
+    bool asReported; ///< textbook collisions: definition D of model.md 10 unmodified, without substeps
     uint32_t stages; ///< PHYS_STAGE_* bits
     double substeps; ///< 1, 2, ...; more than kSubstepCap: refused
 
     bool runs(uint32_t stage) const { return stages & stage; }
 };
 
-/// What a plan follows from.
+/// The inputs of a plan.
 struct PlanInput {
     const Scene &scene;
     const phys_params &params;
     double dt;
     const phys_state &state;
 
-    /// At the floor's height, neither rising nor landing. False without a floor, whose height is NaN then.
+    /// At the floor's height, neither rising nor landing. False if there is no floor, whose height is then NaN.
     bool isOnFloor() const {
         return std::abs(state.position.z - scene.supportedZ) <= scene.tolerance && state.velocity.z == 0.0;
     }
 
-    /// The same, and on it: beside an edge there is nothing below. reach: also wherever it moves by no more, m.
+    /// The same, with the floor below it: beyond an edge there is nothing below. reach: also after moving by up to
+    /// this, m.
     bool isCarried(double reach = 0.0) const {
         return isOnFloor() && scene.overFloor(state.position.x, state.position.y, reach);
     }
@@ -51,25 +52,25 @@ struct PlanInput {
     }
 };
 
-/// How far the ball can come in this step, m: model.md 10.4.
+/// An upper bound of the ball's displacement in this step, m: model.md 10.4.
 double reachOfStep(const PlanInput &input);
 
-/// Whether the ball's way lies wholly outside the bounds of all boxes, as when it has fallen off the board.
+/// Whether the ball's path lies wholly outside the bounds of all boxes, as after a fall off the board.
 bool passesBy(const PlanInput &input);
 
-/// How far the ball may fall in this step, m.
+/// An upper bound of the ball's fall in this step, m.
 inline double fallOfStep(const PlanInput &input) { return input.dt * input.dt * std::abs(input.params.gravity.z); }
 
-/// Whether a ball that the floor carries may come over its edge in a step that is long enough for a fall.
+/// Whether a supported ball may pass the floor's edge in a step that is long enough for a fall.
 inline bool mayFallOffFloor(const PlanInput &input) {
     return fallOfStep(input) > 0.5 * input.scene.radius && input.isCarried() && !input.isCarried(reachOfStep(input));
 }
 
-/// No substep moves the ball by more than half its radius, so that nothing is tunnelled through; one is enough where
-/// there is nothing to hit.
+/// No substep moves the ball by more than half its radius, so that it can't tunnel through anything; one is enough
+/// where there is nothing to hit.
 double substepsNeeded(const PlanInput &input);
 
-/// Whether one substep is enough at a glance: substepsNeeded is 1 then, unless mayFallOffFloor.
+/// A cheap test whether one substep is enough: then substepsNeeded is 1, unless mayFallOffFloor.
 inline bool isSlow(const PlanInput &input) {
     if (!input.isOnFloor()) return false;
     const phys_vec3 &v = input.state.velocity;
@@ -77,25 +78,25 @@ inline bool isSlow(const PlanInput &input) {
     const double friction = input.params.model == PHYS_MODEL_RIGID ? input.params.sliding_friction * g.z : 0.0;
     const double drive = std::abs(g.x) + std::abs(g.y) + std::abs(friction);
     const double safe = 0.5 * input.scene.radius;
-    // Sums of components are never smaller than lengths.
+    // The sum of components is never smaller than the length.
     const double reach = (std::abs(v.x) + std::abs(v.y) + drive * input.dt) * input.dt;
     if (reach > safe) return false;
-    // A ball that has come over an edge falls: in short steps by too little to ask for it.
+    // A ball that has passed an edge falls, in short steps by too little to need substeps.
     return reach + std::abs(g.z) * input.dt * input.dt <= safe || input.isCarried();
 }
 
-/// Friction may turn the spin of so many radians into a way of a quarter of the radius: 2/7 of it is speed.
+/// Friction may turn this many radians of spin into a displacement of a quarter of the radius: 2/7 of it becomes speed.
 inline constexpr double kSafeTurn = 0.875;
 
-/// Whether a contact may turn spin into speed that the ball's own speed doesn't show; never for a ball that rolls and
-/// is slow.
+/// Whether a contact may turn spin into speed that the ball's speed doesn't account for; never for a slow ball that
+/// rolls.
 inline bool spinsFast(const PlanInput &input) {
     if (input.params.model != PHYS_MODEL_RIGID) return false;
     const Vec3 turn = input.dt * toVec(input.state.spin);
     return glm::dot(turn, turn) > kSafeTurn * kSafeTurn;
 }
 
-/// Slip is part of the rigid model rather than of a scene: the rolling model has none to force.
+/// Slip depends on the rigid model rather than on a scene: it can't be forced in the rolling model.
 inline constexpr uint32_t kForcibleStages = ((1U << PHYS_STAGE_COUNT) - 1U) & ~static_cast<uint32_t>(PHYS_STAGE_SLIP);
 
 inline StepPlan planStep(const PlanInput &input, bool asReported) {
@@ -114,7 +115,7 @@ inline StepPlan planStep(const PlanInput &input, bool asReported) {
     return plan;
 }
 
-/// The plan in words.
+/// Describes the plan.
 void describePlan(const PlanInput &input, const StepPlan &plan, phys_requirements &out);
 
 } // namespace phys

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of a stepper of fixed substeps, made from its scheme.
+// The table of a stepper of fixed substeps, generated from its scheme.
 #pragma once
 
 #include "discrete.h"
@@ -10,7 +10,7 @@
 
 namespace phys {
 
-/// The row that these steppers have of their own: 1 leaves out cures and substeps, which shows what they are for.
+/// The steppers' own row: 1 switches off corrections and substeps, to show their purpose.
 extern const phys_param_row *const kDiscreteRows[1];
 
 inline bool asReported(const phys_params &params) { return params.stepper[0] != 0.0; }
@@ -19,7 +19,7 @@ inline Ball loadBall(const phys_state &state) {
     return {toVec(state.position), toVec(state.velocity), toVec(state.spin), false};
 }
 
-/// Stores the ball. flags: PHYS_AT_REST and PHYS_AIRBORNE as they are; the others follow from the ball.
+/// Stores the ball. flags: PHYS_AT_REST and PHYS_AIRBORNE unchanged; the others are derived from the ball.
 inline void storeBall(const Scene &scene, const phys_params &params, const Ball &ball, uint64_t flags,
                       phys_state &out) {
     out.position = fromVec(ball.position);
@@ -31,22 +31,22 @@ inline void storeBall(const Scene &scene, const phys_params &params, const Ball 
     out.flags = flags;
 }
 
-/// Turns the orientation by the mean spin of the step.
+/// Rotates the orientation by the mean spin of the step.
 void turn(const Vec3 &spinBefore, double dt, phys_state &out);
 
-/// Events that only show at the end of a step. before.supported: whether the floor carried the ball.
+/// Events that are known only at the end of a step. before.supported: whether the floor carried the ball.
 void reportTransitions(Reporter &reporter, const PlanInput &input, const Ball &before, const phys_state &out);
 
-/// create and destroy of a stepper that is nothing but its KnownPlaces.
+/// create and destroy of a stepper whose data are its KnownPlaces only.
 phys_status makePlaces(const phys_scene_view *view, void **self, phys_error *err);
 void deletePlaces(void *self);
 
 phys_status refuseSubsteps(double substeps, phys_error *err);
-/// Where lasting contacts take too much to compute.
+/// Refuses steps whose lasting contacts take too much work.
 phys_status refuseContacts(phys_status status, phys_error *err);
 phys_status refuseStuck(const Vec3 &position, phys_error *err);
 
-/// Stores the ball after its last substep, with the flags that follow from it and the events that only show now.
+/// Stores the ball after its last substep, with the flags derived from it and the events known only now.
 template<class Scheme>
 void finishStep(const DiscreteStep<Scheme> &substep, const PlanInput &input, const Ball &before, Ball &ball,
                 const StepPlan &plan, Reporter &reporter, phys_state &out) {
@@ -104,7 +104,7 @@ private:
     static StepPlan plan(const PlanInput &input) { return planStep(input, asReported(input.params)); }
 };
 
-/// A stepper's table: id, name, version, summary, and the rest from its scheme.
+/// A stepper's table: id, name, version, summary; the rest follows from its scheme.
 template<class Scheme>
 constexpr phys_stepper_api discreteStepper(const char *id, const char *name, const char *version, const char *summary) {
     using Stepper = DiscreteStepper<Scheme>;

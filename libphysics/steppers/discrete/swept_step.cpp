@@ -10,23 +10,23 @@ namespace phys {
 
 namespace {
 
-/// Speeds below this share of sqrt(g R) along a normal don't leave a contact.
+/// A speed along a normal below this share of sqrt(g R) doesn't open a contact.
 constexpr double kSlow = 1e-11;
 
-/// Of a substep: what happens then happens now.
+/// Share of a substep: what happens within it happens now.
 constexpr double kSoon = 1.0 / 64.0;
 
-/// Bisection alone would take 53.
+/// Bisection alone would take 53 steps.
 constexpr int kMostRefinements = 80;
 
-/// The time in which a ball of that speed under so strong a pull (m/s^2) moves by half its radius at most, s.
+/// The time in which a ball of this speed under this acceleration (m/s^2) moves by at most half its radius, s.
 double safeTime(double radius, double pull, double speed) {
     const double safe = 0.5 * radius;
     const double root = speed + std::sqrt(speed * speed + 4.0 * pull * safe);
     return root > 0.0 ? 2.0 * safe / root : INFINITY;
 }
 
-/// The time in which friction that makes speed of a ball's spin moves it by a quarter of its radius at most, s.
+/// The time in which friction that turns the ball's spin into speed moves it by at most a quarter of its radius, s.
 double safeTimeOfSpin(const PlanInput &input, const Ball &ball) {
     const double spin = input.params.model == PHYS_MODEL_RIGID ? glm::length(ball.spin) : 0.0;
     return spin > 0.0 ? kSafeTurn / spin : INFINITY;
@@ -37,7 +37,7 @@ double safeTime(const PlanInput &input, const Ball &ball) {
     return std::min(safeTime(input.scene.radius, pull, glm::length(ball.velocity)), safeTimeOfSpin(input, ball));
 }
 
-/// On which side of a box a centre is along each axis: -1, 0 in it, 1; 2 at an end, where its velocity decides.
+/// On which side of a box a centre is along each axis: -1, 0 inside, 1; 2 at an end, where the velocity decides.
 std::array<int, 3> sidesOf(const phys_box &box, const Vec3 &centre, double tolerance) {
     std::array<int, 3> sides{};
     for (int axis = 0; axis < 3; ++axis) {
@@ -107,12 +107,12 @@ bool SweptStep::toNextEvent() {
     const double rest = m_input.dt - m_done;
     const double t = firstEvent(timeToStopOrRoll(timeToSlipEnd(std::min(rest, horizon()))));
     finishPhase(t);
-    // What is left may be too short to be counted.
+    // The remainder may be too short to count.
     m_done = rest - t <= 2.0 * kRounding * m_input.dt ? m_input.dt : m_done + t;
     return m_done >= m_input.dt;
 }
 
-/// The whole step where nothing happens in it.
+/// The whole step if no event happens in it.
 bool SweptStep::advanceFreely() {
     if (m_done > 0.0) return false;
     if (passesBy(m_input)) {
@@ -124,21 +124,21 @@ bool SweptStep::advanceFreely() {
     return FloorRun<VelocityVerlet>(context, m_plan, m_input.dt).glide(m_ball);
 }
 
-/// An approach that is slower than this doesn't bounce.
+/// Speed below which an approach doesn't bounce.
 double SweptStep::restSpeedAlong(const Vec3 &normal) const {
     const Vec3 gravity = m_context.setting.gravity();
     const double share = 2.0 * m_substep * m_substep * std::sqrt(glm::length(gravity) / m_context.radius());
     return share * std::max(0.0, -glm::dot(gravity, normal));
 }
 
-/// Leaving a contact faster than this ends it.
+/// Speed above which leaving a contact ends it.
 double SweptStep::leavingSpeed(double restSpeed) const {
-    // Friction, too, may press so that a bounce doesn't rise above rounding.
+    // Friction may also press the ball, so that a bounce doesn't rise above rounding.
     const double hop = std::sqrt(2.0 * glm::length(m_context.setting.gravity()) * m_context.scene().tolerance);
     return std::max({restSpeed, m_slow, hop});
 }
 
-/// What a ball touches that lies on one floor: that and at most one upright face; nothing if it touches anything else.
+/// The contacts of a ball on one floor and at most one vertical face; nothing if it touches anything else.
 std::optional<SweptStep::Ground> SweptStep::findGround() const {
     const Setting &setting = m_context.setting;
     const Vec3 &p = m_ball.position;
@@ -160,8 +160,8 @@ std::optional<SweptStep::Ground> SweptStep::findGround() const {
     return Ground{*floor, face};
 }
 
-/// The usual phase, begun at less cost and with the bits of the general case: a ball in the rolling model lies on a
-/// floor alone, or bounces off a face there. False, and nothing done, if it doesn't.
+/// The usual phase, begun at less cost with the bits of the general case: in the rolling model, the ball lies on a
+/// floor alone or bounces off a face there. Otherwise returns false and changes nothing.
 bool SweptStep::beginOnFloor() {
     const bool mayBe = !m_context.isRigid() && !m_context.report.wanted() && m_ball.velocity.z == 0.0 &&
                        m_context.params().gravity.z < 0.0;
@@ -195,18 +195,18 @@ void SweptStep::beginPhase() {
     };
     lookHere();
     SpinOnFloor landing(m_context, m_contacts, m_ball);
-    // The velocity decides on which side of a border the ball is.
+    // The velocity determines on which side of a border the ball is.
     if (hit(m_context, m_contacts, m_done, m_ball)) lookHere();
     landing.follow(m_contacts, m_ball);
     landing.settle(true, m_ball);
     dropWhatIsLeft();
-    // What hops too low to leave a top face rolls on it, too: no friction takes its spin for a slip.
+    // A ball that hops too low to leave a top face also rolls on it: friction must not treat its spin as a slip.
     SpinOnFloor staying(m_context, m_contacts, m_ball);
     staying.follow(m_contacts, m_ball);
     staying.settle(true, m_ball);
 }
 
-/// Slow contacts last, from here on without any speed along their normals; those that the ball leaves are none.
+/// Slow contacts last from now on, without any speed along their normals; those that the ball leaves are dropped.
 void SweptStep::dropWhatIsLeft() {
     if (m_contacts.count() > 1) stopSlowApproach();
     const Vec3 velocity = m_ball.velocity;
@@ -222,7 +222,7 @@ void SweptStep::dropWhatIsLeft() {
                 std::any_of(m_contacts.begin(), m_contacts.end(), [](const Contact &contact) { return contact.isTop; });
 }
 
-/// Of two opposite faces that are a rounding further apart than the ball is wide neither has the last word: it is amid.
+/// Between two opposite faces that are a rounding farther apart than its diameter the ball is put in the middle.
 void SweptStep::snapToFaces() {
     Ball forwards = m_ball, backwards = m_ball;
     const auto snap = [&](const Contact &contact, Ball &ball) {
@@ -236,24 +236,24 @@ void SweptStep::snapToFaces() {
     m_ball.velocity = forwards.velocity;
 }
 
-/// What comes too slowly for a bounce stops at several contacts as in an impact: none is pulled back.
+/// A ball too slow to bounce is stopped at several contacts as in an impact: no contact pulls it back.
 void SweptStep::stopSlowApproach() {
     const bool approaches = std::any_of(m_contacts.begin(), m_contacts.end(), [&](const Contact &contact) {
         return glm::dot(m_ball.velocity, contact.normal) < -m_slow;
     });
     if (!approaches) return;
     Motion motion = motionOf(m_ball);
-    Work work; // no more than a step of `exact` may do
+    Work work; // limited as for a step of `exact`
     resolveImpacts(m_contacts, m_context.radius(), motion, work);
-    setMotion(motion, m_ball); // no event, and nothing booked: what it takes is of the scheme's own order
+    setMotion(motion, m_ball); // no event and no loss is reported: the amount is of the scheme's own order
 }
 
-/// Takes the speed along the normals of the contacts from a velocity. Where normals are nearly parallel that would take
-/// far more of it than the ball moves along them: it leaves one of them then, or keeps what is no speed along it.
+/// Removes the speed along the normals of the contacts from a velocity. Where normals are nearly parallel this would
+/// remove far more than the ball's speed along them: it leaves one of them then, or keeps a negligible speed along it.
 void SweptStep::keepContacts(const Vec3 &velocity) {
     for (;;) {
         NormalSpan kept;
-        double fastest = 0.0; // of those that leave
+        double fastest = 0.0; // of the contacts that it leaves
         double most = m_slow;
         for (const Contact &contact : m_contacts) {
             const double speed = glm::dot(velocity, contact.normal);
@@ -270,7 +270,7 @@ void SweptStep::keepContacts(const Vec3 &velocity) {
     }
 }
 
-/// Whether a ball that comes to all its contacts at once rocks between them, too slow to climb out over any.
+/// Whether a ball that approaches all its contacts at once rocks between them, too slow to climb out over any.
 bool SweptStep::isBound(double speed) const {
     const Vec3 gravity = m_context.setting.gravity();
     NormalSpan all;
@@ -282,7 +282,8 @@ bool SweptStep::isBound(double speed) const {
     });
 }
 
-/// Of contacts that the ball leaves slowly those stay that press if the ball doesn't leave them now: later it may.
+/// Of the contacts that the ball leaves slowly, keeps those that press if the ball doesn't leave them now; it may
+/// later.
 void SweptStep::dropWhatNothingPresses(const Vec3 &velocity) {
     Ball trial = m_ball;
     Reporter silent(nullptr, 0.0);
@@ -307,7 +308,7 @@ void SweptStep::finishPhase(double t) {
         m_ball.spin = Vec3(0.0, 0.0, m_context.isRigid() ? m_ball.spin.z : 0.0);
     }
     if (t == m_roll) {
-        // What the order left of the slip: 2/7 of it is speed, the rest spin, and no energy is made.
+        // What the order left of the slip: 2/7 of it becomes speed, the rest spin, and no energy is added.
         const Vec3 rest = 2.0 / 7.0 * slipOnTop(m_ball);
         m_ball.velocity -= rest;
         m_ball.spin += 2.5 / m_context.radius() * glm::cross(Vec3(0.0, 0.0, 1.0), rest);
@@ -316,7 +317,7 @@ void SweptStep::finishPhase(double t) {
     if (isSlaved) m_ball.spin = rollingSpin(inPlane(m_ball.velocity), m_context.radius());
 }
 
-/// When `left`, which falls linearly within the order from `start` on, comes to 0; INFINITY if not before `end`.
+/// When `left`, which falls linearly within the order from `start` on, reaches 0; INFINITY if not before `end`.
 template<class Left>
 double SweptStep::timeToZero(double end, double start, Left left) const {
     constexpr int kMostHalvings = 60;
@@ -324,13 +325,13 @@ double SweptStep::timeToZero(double end, double start, Left left) const {
     double rest = left(at(t));
     if (rest > kZero * start) return INFINITY;
     for (int i = 0; i < kMostHalvings && rest <= kZero * start; ++i) rest = left(at(t *= 0.5));
-    // What grows at first is looked at again from there.
+    // A value that grows at first is examined again from there.
     return rest < start ? std::min(end, t * start / (start - rest)) : t;
 }
 
-/// Near its end a slip turns ever faster: phases halve what is left of it, down to where an error of first order is one
-/// of second. Such a last phase meets the slip that it leaves, as the law asks where friction feeds on the pressure
-/// that it makes: there a slip ends at once.
+/// Near its end a slip turns ever faster: phases halve its remainder until an error of first order in it is one of
+/// second order in the step. Such a last phase ends at the slip that remains, as the law requires where friction
+/// depends on the pressure that it causes: there a slip ends at once.
 double SweptStep::timeToSlipEnd(double end) {
     m_slipEnds = false;
     if (!m_context.isRigid() || m_isAlone || m_contacts.empty()) return end;
@@ -342,7 +343,7 @@ double SweptStep::timeToSlipEnd(double end) {
     const double none = std::max(rolling, m_slow);
     const Motion start = motionOf(m_ball);
     Motion after = start;
-    const auto visitSlips = [&](auto visit) { // what is left of each that there is, m/s
+    const auto visitSlips = [&](auto visit) { // the remainder of each nonzero slip, m/s
         for (const Contact &contact : m_contacts) {
             const Vec3 slip = slipAt(start, contact.normal, radius);
             const double speed = glm::length(slip);
@@ -350,7 +351,7 @@ double SweptStep::timeToSlipEnd(double end) {
             visit(glm::dot(slipAt(after, contact.normal, radius), slip) / speed, speed);
         }
     };
-    // All are looked at at the same times, so that no order of contacts matters.
+    // All are examined at the same times, so that the order of contacts doesn't matter.
     double t = end;
     for (;; t *= 0.25) {
         after = motionOf(at(t));
@@ -367,7 +368,7 @@ double SweptStep::timeToSlipEnd(double end) {
     return shortest;
 }
 
-/// Resistance ends with the ball's way, and begins with the end of a slip: neither may lie inside a phase.
+/// Resistance ends when the ball stops, and begins when a slip ends: neither may be inside a phase.
 double SweptStep::timeToStopOrRoll(double end) {
     m_stop = m_roll = INFINITY;
     if (m_context.params().rolling_friction == 0.0) return end;
@@ -375,10 +376,10 @@ double SweptStep::timeToStopOrRoll(double end) {
     const Vec3 slip = slipOnTop(m_ball);
     const double slipSpeed = glm::length(slip);
     const bool slips = slipSpeed > kRolling * (speed + m_context.radius() * glm::length(m_ball.spin));
-    if (slips && m_isAlone) { // beside other contacts it turns on its way, and ends in a phase that is short: above
+    if (slips && m_isAlone) { // beside other contacts it turns on its way and ends in a short phase: see above
         const Vec3 direction = slip / slipSpeed;
         m_roll = timeToZero(end, slipSpeed, [&](const Ball &ball) { return glm::dot(slipOnTop(ball), direction); });
-    } else if (!slips && m_resists && speed > 0.0) { // resistance acts on what rolls
+    } else if (!slips && m_resists && speed > 0.0) { // resistance acts on a rolling ball
         const Vec3 direction = m_ball.velocity / speed;
         m_stop = timeToZero(end, speed, [&](const Ball &ball) { return glm::dot(ball.velocity, direction); });
     }
@@ -393,14 +394,14 @@ Vec3 SweptStep::slipOnTop(const Ball &ball) const {
     return slipAt(motionOf(ball), Vec3(0.0, 0.0, 1.0), m_context.radius());
 }
 
-/// How far this phase may be looked at in one piece, s: the rest of the step, halved until nothing is near the way.
+/// How much of this phase may be examined in one piece, s: the rest of the step, halved until nothing is near the path.
 double SweptStep::horizon() const {
     const double rest = m_input.dt - m_done;
     const bool isParabola = m_isAlone || m_contacts.empty();
     const auto halved = [&](int times) { return std::ldexp(rest, -times); };
     if (isParabola && rest > m_substep) {
         if (isClear(rest)) return rest;
-        // What is clear for longer is clear for less: between one that is and one that isn't, half of them at a time.
+        // A path that is free for longer is free for less: bisects between a free one and one that isn't.
         int tooLong = 0, clear = std::ilogb(rest / m_substep);
         if (!(halved(clear) > m_substep)) --clear;
         if (clear > 0 && isClear(halved(clear))) {
@@ -414,14 +415,14 @@ double SweptStep::horizon() const {
     return std::min(rest, safeTimeOfPhase());
 }
 
-/// The time in which the ball moves by half its radius at most, and by a quarter more by what its spin may do, s.
+/// The time in which the ball moves by at most half its radius, and by a quarter more due to its spin, s.
 double SweptStep::safeTimeOfPhase() const {
     double friction = 0.0;
     for (const Contact &contact : m_contacts) friction = std::max(friction, contact.friction);
     const double radius = m_context.radius();
     const double gravity = glm::length(m_context.setting.gravity());
     const double speed = glm::length(m_ball.velocity);
-    if (m_isAlone) { // what presses on one top face is known, and its friction makes speed of 2/7 of the slip at most
+    if (m_isAlone) { // the pressure is known, and friction turns at most 2/7 of the slip into speed
         const double ofSlip = 2.0 / 7.0 * glm::length(slipOnTop(m_ball));
         return std::max(safeTime(radius, (1.0 + friction) * gravity, speed), safeTime(radius, gravity, speed + ofSlip));
     }
@@ -429,7 +430,7 @@ double SweptStep::safeTimeOfPhase() const {
     return friction == 0.0 ? forWay : std::min(forWay, safeTimeOfSpin(m_input, m_ball));
 }
 
-/// Whether the box around the way of t seconds holds nothing but the face that the ball is on.
+/// Whether the bounding box of t seconds of motion contains nothing except the face on which the ball is.
 bool SweptStep::isClear(double t) const {
     const Vec3 end = at(t).position;
     const Vec3 corner = m_ball.position + 0.5 * t * m_ball.velocity; // of the triangle around a parabola
@@ -461,11 +462,11 @@ bool SweptStep::isParabola(Course course, double end) const {
     if (contact == FloorContact::Slips) return false;
     const Law<Vec2> law = velocityLaw(contact, params);
     if (course == Course::Free) return !nearStop(law, velocity, end);
-    return law.B == 0.0 || glm::length(velocity) > 4.0 * (glm::length(law.A) + law.B) * end; // walls may take of A
+    return law.B == 0.0 || glm::length(velocity) > 4.0 * (glm::length(law.A) + law.B) * end; // walls may reduce A
 }
 
-/// When the ball comes to another box in a phase that is a parabola, or its end; nothing if it may come past an end of
-/// a feature that it is in contact with. last: the ball at its end.
+/// When the ball reaches another box in a phase that is a parabola, or its end; nothing if it may pass an end of a
+/// feature with which it is in contact. last: the ball at the end.
 std::optional<double> SweptStep::firstTouchOfParabola(double end, const Ball &last) const {
     const Vec3 &start = m_ball.position;
     const Vec3 corner = start + 0.5 * end * m_ball.velocity; // of the triangle around it
@@ -482,7 +483,7 @@ std::optional<double> SweptStep::firstTouchOfParabola(double end, const Ball &la
         const phys_box &box = scene.boxes[number];
         const Vec3 beside = glm::max(Vec3(0.0), glm::max(low - toVec(box.max), toVec(box.min) - high));
         if (holds(number) || glm::dot(beside, beside) >= apart * apart) return;
-        // A box lies behind the plane of its nearest point: so much the gap is bent at least.
+        // A box lies behind the plane of its nearest point; this bounds the gap's second derivative from below.
         const auto look = [&](double t) {
             ++m_effort;
             const Nearest close = nearest(box, start + t * m_ball.velocity + 0.5 * t * t * acceleration);
@@ -494,7 +495,7 @@ std::optional<double> SweptStep::firstTouchOfParabola(double end, const Ball &la
     return first;
 }
 
-/// Times at which the phase is looked at, up to its end: quarters, and where the ball turns back along an axis.
+/// Times at which the phase is examined, up to its end: quarters, and where the ball reverses along an axis.
 SweptStep::Looks SweptStep::looks(double end, const Ball &last) const {
     Looks looks;
     for (int quarter = 1; quarter <= 3; ++quarter) looks.add(0.25 * quarter * end);
@@ -516,7 +517,7 @@ double SweptStep::firstEvent(double end) const {
     }
     const Looks looks = this->looks(end, last);
     double before = 0.0;
-    double lateBefore = NAN; // not needed before an event
+    double lateBefore = NAN; // computed only when there is an event
     for (uint32_t i = 0; i < looks.count; ++i) {
         const double late = lateness(looks.times[i] == end ? last : at(looks.times[i]));
         if (late > m_context.scene().tolerance) {
@@ -528,9 +529,10 @@ double SweptStep::firstEvent(double end) const {
     return end;
 }
 
-/// Where lateness changes sign: the late end, within rounding. Regula falsi that halves what doesn't move.
+/// Where lateness changes sign: the late end of the bracket, within rounding. Regula falsi that halves an end that
+/// doesn't move.
 double SweptStep::root(double before, double lateBefore, double after, double lateAfter) const {
-    // A ball that leaves a contact may begin within rounding on its wrong side.
+    // A ball that leaves a contact may begin on its wrong side by rounding.
     const double base = std::max(0.0, lateness(m_ball));
     lateBefore = std::min(lateBefore - base, 0.0);
     lateAfter -= base;
@@ -554,10 +556,10 @@ double SweptStep::root(double before, double lateBefore, double after, double la
     return after;
 }
 
-/// How far (m) the ball is past the phase's first event: above 0, by more than rounding, once one has happened.
+/// How far (m) the ball is beyond the phase's first event: above 0, by more than rounding, after an event.
 double SweptStep::lateness(const Ball &ball) const { return std::max(overlap(ball), beyondFeature(ball)); }
 
-/// Into a box that it isn't in contact with.
+/// The overlap with a box with which it isn't in contact.
 double SweptStep::overlap(const Ball &ball) const {
     const Scene &scene = m_context.scene();
     double nearest = INFINITY;
@@ -567,7 +569,7 @@ double SweptStep::overlap(const Ball &ball) const {
     return scene.radius - std::sqrt(nearest);
 }
 
-/// Past the end of a face or an edge that it is in contact with.
+/// The distance beyond the end of a face or an edge with which it is in contact.
 double SweptStep::beyondFeature(const Ball &ball) const {
     double beyond = -INFINITY;
     for (const Contact &contact : m_contacts) {

@@ -12,7 +12,7 @@ namespace phys {
 
 class SweptStep {
 public:
-    /// A contact that was just settled may be a few roundings away.
+    /// A contact that was just settled may be off by a few roundings.
     static Setting settingOf(const PlanInput &input);
 
     /// start: the ball at the step's start.
@@ -20,10 +20,11 @@ public:
 
     const Ball &ball() const { return m_ball; }
 
-    /// Places that the ball was tried at, and boxes that were looked at, by what they cost: a place in the air is 1.
+    /// Positions of the ball that were tried and boxes that were tested, weighted by their cost: a position in the air
+    /// is 1.
     uint32_t effort() const { return m_effort + m_boxes / kBoxesOfPlace; }
 
-    /// Moves to the next event and lets it happen. True once the step's end is reached.
+    /// Moves to the next event and handles it. True once the end of the step is reached.
     bool toNextEvent();
 
 private:
@@ -41,14 +42,14 @@ private:
         }
     };
 
-    /// What leads the ball in a phase.
+    /// How the ball moves in a phase.
     enum class Course : uint8_t {
         Free,         ///< in the air, or on one top face alone
         BetweenWalls, ///< the same along upright smooth walls
         Held          ///< contacts of any kind
     };
 
-    /// Moves the ball t seconds into this phase, as if there was nothing ahead.
+    /// Moves the ball t seconds into this phase, as if there were no obstacles.
     Course move(double t, Reporter &reporter, Ball &ball) const;
     Ball at(double t, Reporter &reporter) const;
     Ball at(double t) const;
@@ -94,7 +95,7 @@ private:
     StepPlan m_plan;
     StepContext m_context;
     double m_substep; ///< s: longest way in contact at a time
-    double m_slow;    ///< m/s: slower is none, for a contact that lasts
+    double m_slow;    ///< m/s: a slower motion counts as none for a lasting contact
     Ball m_ball;
     static constexpr uint32_t kBoxesOfPlace = 16;
     mutable uint32_t m_effort = 0, m_boxes = 0;
@@ -102,9 +103,9 @@ private:
     Contacts m_contacts;     ///< the contacts of this phase
     bool m_isAlone = false;  ///< nothing but one top face is touched
     bool m_resists = false;  ///< resistance may stop the ball, beside other contacts
-    bool m_slipEnds = false; ///< somewhere in this phase, which is short then
-    double m_stop = 0.0;     ///< s into the phase at which it does
-    double m_roll = 0.0;     ///< s into the phase at which the floor's slip ends
+    bool m_slipEnds = false; ///< somewhere in this phase, which is then short
+    double m_stop = 0.0;     ///< s into the phase at which the ball stops
+    double m_roll = 0.0;     ///< s into the phase at which the slip on the floor ends
 };
 
 } // namespace phys

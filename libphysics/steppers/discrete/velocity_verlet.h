@@ -6,7 +6,8 @@
 
 namespace phys {
 
-/// model.md 10.1; the second force is taken at the predicted velocity, or the order falls to one with resistance.
+/// model.md 10.1; the second force is evaluated at the predicted velocity, because otherwise the order falls to one
+/// with resistance.
 struct VelocityVerlet {
     static constexpr ContactRule kContactRule = ContactRule::SecondOrder;
 
