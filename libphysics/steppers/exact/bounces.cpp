@@ -16,39 +16,39 @@ namespace phys {
 
 namespace {
 
-constexpr double kNear = 0.48; // radii: as far as bounces are followed without a search
+constexpr double kNear = 0.48; // radii: distance over which bounces are handled without a search
 
-/// 1 + ratio + ratio^2 + ..., so many terms.
+/// The geometric series 1 + ratio + ratio^2 + ... with this many terms.
 double geometric(double ratio, double count) {
     return ratio == 1.0 ? count : elementary::expm1(count * elementary::log1p(ratio - 1.0)) / (ratio - 1.0);
 }
 
-/// How many terms of it come to no more than `sum`.
+/// The number of terms whose sum is at most `sum`.
 double countOf(double ratio, double sum) {
     if (ratio == 1.0) return sum;
     const double rest = sum * (ratio - 1.0);
     return rest > -1.0 ? elementary::log1p(rest) / elementary::log1p(ratio - 1.0) : kNever;
 }
 
-/// What the ball may meet beside a face lies behind the plane of its nearest point.
+/// An obstacle beside a face lies behind the plane of its nearest point.
 struct Obstacle {
     Vec3 normal;
-    double gap; ///< m, less all that the ball moves along the face's normal
+    double gap; ///< m, minus all motion of the ball along the face's normal
 };
 using Obstacles = ShortList<Obstacle>;
 
-/// Of a series of bounces, from its start on.
+/// Sums over the first bounces of a series.
 struct SeriesPart {
     double time;
-    double squares; ///< s^2: sum of the squares of the flights' times
-    double speed;   ///< at its end, from the face
+    double squares; ///< s^2: sum of the squares of the flights' durations
+    double speed;   ///< speed away from the face at its end
 };
 
-/// Bounces on a face that are alike: their times, speeds and ways are geometric series.
+/// Similar bounces on a face: their durations, speeds and distances are geometric series.
 struct BounceSeries {
-    double speed, flight; ///< from the face; the time of the first flight
-    double slowing;       ///< m/s^2: by which the speed falls from bounce to bounce
-    double drag;          ///< share of the pull that friction takes
+    double speed, flight; ///< away from the face; duration of the first flight
+    double slowing;       ///< m/s^2: rate at which the normal speed of the bounces decreases
+    double drag;          ///< share of the gravity along the face that friction compensates
     Vec3 along, pull;     ///< velocity and gravity along the face
 
     BounceSeries(const Motion &motion, const Contact &face, const Vec3 &gravity)
@@ -66,7 +66,7 @@ struct BounceSeries {
     }
 };
 
-/// The face that the ball comes back to first, if it leaves all that it touches and faces alone pull it back.
+/// The face to which the ball returns first, if it leaves all that it touches and only faces pull it back.
 const Contact *nextBounce(const MovingBall &ball, const Contacts &contacts) {
     const Contact *next = nullptr;
     double first = kNever;
@@ -82,20 +82,20 @@ const Contact *nextBounce(const MovingBall &ball, const Contacts &contacts) {
     return next;
 }
 
-/// Speed from the one face that is touched which is the last bounce's, or so small that it is none.
+/// Speed away from the only face that is touched at which a bounce is the last one, or negligible.
 double leastBounce(const MovingBall &ball, const Contacts &contacts) {
     return std::max(lastBounce(ball, contacts, contacts[0], ball.setting.gravity()), ball.negligibleSpeed());
 }
 
-/// Whether each bounce is like the one before: friction has ended all slip, or there is none.
+/// Whether the bounces are similar: friction has ended all slip, or there is none.
 bool isRegular(const MovingBall &ball, const Contact &face) {
-    constexpr double kLeast = 0.9; // restitution: with less there are few of them
+    constexpr double kLeast = 0.9; // restitution: with less, there are only few bounces
     if (face.restitution < kLeast || !endsSlips(ball, face)) return false;
     return face.friction == 0.0 || isNoSlip(ball.moment(), slipAt(ball.moment(), face.normal));
 }
 
-/// What a ball that bounces so high on a face, which is all that it touches, may meet that isn't the face: what stands
-/// out of its plane, and its ends.
+/// The obstacles for a ball that bounces up to this height on a face, the only one it touches: whatever rises above the
+/// face's plane, and the face's ends.
 Obstacles findObstacles(const Contacts &contacts, double height, MovingBall &ball) {
     const Contact &face = contacts[0];
     const double R = ball.radius(), tolerance = ball.scene().tolerance;
@@ -114,7 +114,7 @@ Obstacles findObstacles(const Contacts &contacts, double height, MovingBall &bal
         const Nearest close = nearest(box, ball.position);
         const double off = close.distance - R;
         if (off > kNear * R + height || around.isBehindTouchedFace(box)) return;
-        if (obstacles.isFull()) obstacles[0].gap = -kNever; // more than can be looked at
+        if (obstacles.isFull()) obstacles[0].gap = -kNever; // too many to consider
         if (obstacles.isFull()) return;
         const double rise = height * std::max(0.0, -glm::dot(close.normal, face.normal));
         obstacles.add({close.normal, (std::abs(off) <= tolerance ? 0.0 : off - tolerance) - rise});
@@ -122,7 +122,7 @@ Obstacles findObstacles(const Contacts &contacts, double height, MovingBall &bal
     return obstacles;
 }
 
-/// Whether the ball meets none of them from `gone` on, all the while it goes along `way` and along `bend`.
+/// Whether the ball meets none of them from `gone` on, while it moves along `way` and along `bend`.
 bool isClear(const Obstacles &obstacles, const Vec3 &gone, const Vec3 &way, const Vec3 &bend, double radius) {
     if (glm::length(gone) + glm::length(way) + glm::length(bend) > kNear * radius) return false;
     return std::all_of(obstacles.begin(), obstacles.end(), [&](const Obstacle &obstacle) {
@@ -132,7 +132,7 @@ bool isClear(const Obstacles &obstacles, const Vec3 &gone, const Vec3 &way, cons
     });
 }
 
-/// How long bounces surely meet nothing but their face.
+/// How long bounces certainly meet nothing except their face.
 double freeTime(const BounceSeries &series, const Obstacles &obstacles, double radius) {
     double clear = kNear * radius;
     for (const Obstacle &obstacle : obstacles) clear = std::min(clear, obstacle.gap);
@@ -141,7 +141,7 @@ double freeTime(const BounceSeries &series, const Obstacles &obstacles, double r
     return 2.0 * clear / (fast + std::sqrt(fast * fast + 2.0 * glm::length(series.pull) * clear));
 }
 
-/// One bounce after the other, but the last.
+/// Makes bounces one after the other, except for the last one.
 void makeBounces(double back, const Obstacles &obstacles, MovingBall &ball, Touching &touching) {
     Contact &face = touching.contacts[0];
     const Vec3 g = ball.setting.gravity(), n = face.normal, pull = g + back * n, start = ball.position;
@@ -175,14 +175,14 @@ void followSeries(const BounceSeries &series, const SeriesPart &part, MovingBall
     ball.pass(part.time);
 }
 
-/// Regular bounces are a geometric series: those down to half the speed are made at once. False if there are none.
+/// Regular bounces form a geometric series: those down to half the speed are made at once. False if there are none.
 bool skipSeries(const Obstacles &obstacles, MovingBall &ball, Contacts &contacts) {
     Contact &face = contacts[0];
     if (!isRegular(ball, face)) return false;
     const BounceSeries series(ball.motion, face, ball.setting.gravity());
     const double eps = face.restitution, flight = series.flight;
     const double most = countOf(eps, std::min(freeTime(series, obstacles, ball.radius()), ball.left) / flight) - 1.0;
-    // The last of them is found as without this: which it is must not depend on the steps in which they are made.
+    // The last of them is found in the same way as without this, because it must not depend on the steps.
     const double share = std::max(0.5, leastBounce(ball, contacts) / series.speed);
     const double decay = eps == 1.0 ? kNever : elementary::log1p(share - 1.0) / elementary::log1p(eps - 1.0) - 1.0;
     const double count = std::floor(std::min(most, decay));
@@ -207,8 +207,8 @@ bool skipSeries(const Obstacles &obstacles, MovingBall &ball, Contacts &contacts
     return true;
 }
 
-/// The rest of infinitely many regular bounces, which rise no higher than rounding, as one sum: until it ends, or the
-/// step does. False if there is no such rest.
+/// The remaining infinite series of regular bounces, which rise no higher than rounding, as one sum: until it or the
+/// step ends. False if there is no such remainder.
 bool endSeries(const Obstacles &obstacles, MovingBall &ball, Contacts &contacts) {
     Contact &face = contacts[0];
     if (!endsAsSeries(ball, contacts, face)) return false;

@@ -7,8 +7,8 @@
 
 namespace phys {
 
-/// Bounces on one face that surely meet nothing else need no search, and where each is like the one before no flight of
-/// their own. What is touched after them is resolved.
+/// Makes bounces on one face that certainly meet nothing else without a search, and similar bounces without computing
+/// each flight. Contacts after them must be resolved.
 void skipBounces(const Ground &ground, MovingBall &ball, Touching &touching);
 
 } // namespace phys

@@ -10,10 +10,10 @@ namespace phys {
 
 namespace {
 
-/// s: longer than any step. What moves so slowly that its squares underflow has no time of its own.
+/// s: longer than any step; for a motion so slow that its squares underflow, which has no time scale of its own
 constexpr double kLongestUnit = 0x1p100;
 
-/// Whether one contact starts to slip while another one sticks.
+/// Whether a contact starts to slip while another one sticks.
 bool startsBeside(const Response &response) {
     bool starts = false, sticks = false;
     for (const Reaction &reaction : response.list()) {
@@ -23,7 +23,7 @@ bool startsBeside(const Response &response) {
     return starts && sticks;
 }
 
-/// A ball that begins to slip rolls no longer, so that nothing resists its rolling.
+/// A ball that begins to slip no longer rolls, so no resistance acts.
 void withoutResistance(uint32_t slipping, MovingBall &ball, Touching &touching, Response &response) {
     bool resists = false;
     for (uint32_t i = 0; i < touching.count(); ++i) {
@@ -36,7 +36,7 @@ void withoutResistance(uint32_t slipping, MovingBall &ball, Touching &touching, 
     if (free.isFound) response = free;
 }
 
-/// s: a first guess at the unit.
+/// s: the initial estimate of the unit.
 double firstUnit(const MovingBall &ball, const Response &response) {
     const double R = ball.radius();
     const double scale = glm::length(ball.setting.gravity()) + glm::length(response.acceleration) +
@@ -49,7 +49,8 @@ double firstUnit(const MovingBall &ball, const Response &response) {
     return turning > 0.0 ? std::min(unit, turning / glm::length(response.spinAcceleration)) : unit;
 }
 
-/// The response with some contacts' friction spent. spent: bits; slips: the directions that they begin to slip in.
+/// The response with the friction of some contacts spent. spent: bits; slips: the directions in which they begin to
+/// slip.
 Response withSpent(const Response &response, uint32_t spent, std::span<const Vec3> slips) {
     Response result = response;
     for (uint32_t i = 0; i < result.count; ++i) {
@@ -60,7 +61,7 @@ Response withSpent(const Response &response, uint32_t spent, std::span<const Vec
     return result;
 }
 
-/// Builds the series, from the given unit (s) on, until one suits them. None grows longer than `longest`.
+/// Builds the series, starting from the given unit (s), until the unit suits them. None is longer than `longest`.
 void fitUnit(const Response &response, uint32_t kept, const Touching &touching, double longest, MovingBall &ball,
              Series &series, double &unit) {
     bool hasShrunk = false;
@@ -81,7 +82,7 @@ void buildSeries(MovingBall &ball, Touching &touching, Response &response, Serie
     const double longest = std::max(unit, ball.left);
     Excluded excluded;
     uint32_t spent = 0, kept = 0, together = 0;
-    std::array<Vec3, kMostHeld> slips{}; // directions of those that are spent
+    std::array<Vec3, kMostHeld> slips{}; // directions for those that are spent
     for (int change = 0; change < 8; ++change) {
         fitUnit(withSpent(response, spent, slips), kept, touching, longest, ball, series, unit);
         if (together && series.slipsBack(together)) {
@@ -98,7 +99,7 @@ void buildSeries(MovingBall &ball, Touching &touching, Response &response, Serie
             withoutResistance(slipping, ball, touching, response);
             continue;
         }
-        // Of contacts that stick together one starts in the direction that another leaves it, or else two at once.
+        // Of contacts that stick together, one starts in the direction that another leaves free, or two start together.
         excluded.closed |= opening;
         excluded.sticking |= opening ? 0 : slipping;
         const Response changed = respond(ball.moment(), touching.held(), ball.work, excluded);

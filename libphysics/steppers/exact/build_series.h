@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Series in the unit of time that suits them, with the modes that hold in the moments to come: model.md 14.2.
+// Builds series in a suitable time unit, with the modes that hold from now on: model.md 14.2.
 #pragma once
 
 #include "exact/touching.h"
@@ -7,7 +7,7 @@
 
 namespace phys {
 
-/// Changes the response where its modes end at once. A ball that begins to slip is held by no resistance any more.
+/// Changes the response if its modes end immediately. No resistance acts on a ball that begins to slip.
 void buildSeries(MovingBall &ball, Touching &touching, Response &response, Series &series);
 
 } // namespace phys

@@ -11,7 +11,7 @@ namespace phys {
 
 namespace {
 
-/// Whether b points along a line that a has, either way, but for rounding.
+/// Whether b is parallel to a, in either direction, up to rounding.
 bool isCollinear(const Vec3 &a, const Vec3 &b) {
     const auto isRounding = [](const Vec3 &across, double squares) {
         return glm::dot(across, across) <= 16.0 * kRounding * kRounding * squares;
@@ -21,16 +21,15 @@ bool isCollinear(const Vec3 &a, const Vec3 &b) {
     return isRounding(glm::cross(hat(a), hat(b)), 1.0);
 }
 
-/// Whether the way of a rolling ball surely bends: its velocity has a direction of its own beside the drive.
+/// Whether the path of a rolling ball is certainly curved: its velocity isn't parallel to the drive.
 bool turnsAgainst(const MovingBall &ball, const Vec3 &drive, double resistance) {
-    constexpr double kLeast = 1e-10; // sine of the angle between the velocity and how it changes
+    constexpr double kLeast = 1e-10; // sine of the angle between the velocity and its rate of change
     const Vec3 &v = ball.motion.velocity;
     const double across = v.x * drive.y - v.y * drive.x, most = kLeast * (glm::length(drive) + resistance);
     return across * across > most * most * glm::dot(v, v);
 }
 
-/// Most phases of most scenes: a ball rolls along a curve over one floor, and nothing else is touched. False if it
-/// isn't that plain.
+/// Most phases in most scenes: a ball rolls along a curve on one floor, with no other contact. False in other cases.
 bool rollsOn(const MovingBall &ball, const Touching &touching, Choice &choice) {
     const Vec3 gravity = ball.setting.gravity(), level(gravity.x, gravity.y, 0.0), up(0.0, 0.0, 1.0);
     const Vec3 &v = ball.motion.velocity, &spin = ball.motion.spin;
@@ -48,12 +47,12 @@ bool rollsOn(const MovingBall &ball, const Touching &touching, Choice &choice) {
     response.count = 1;
     response.reactions[0] = {Mode::sticking, pressure, Vec3(0.0), Vec3(0.0), Vec3(0.0)};
     response.acceleration = level;
-    response.spinAcceleration = response.rolling = Vec3(0.0); // nothing is left of the phase before
+    response.spinAcceleration = response.rolling = Vec3(0.0); // nothing remains of the previous phase
     response.noise = 0.0;
     return true;
 }
 
-/// A ball that stays where it is turns about the normals of what it sticks to, if at all.
+/// A ball that stays in place can only turn about the normals of its sticking contacts.
 void keepFixed(const MovingBall &ball, const Touching &touching, Response &response) {
     if (ball.motion.velocity != Vec3(0.0) || response.acceleration != Vec3(0.0)) return;
     Vec3 &turning = response.spinAcceleration;
@@ -63,7 +62,7 @@ void keepFixed(const MovingBall &ball, const Touching &touching, Response &respo
     }
 }
 
-/// Nothing is left of the velocity of a ball that resistance holds: it was rounding, model.md 14.1.
+/// The velocity of a ball that resistance holds is rounding and is removed, model.md 14.1.
 void stopHeld(const Touching &touching, const Response &response, MovingBall &ball) {
     if (response.rolling != Vec3(0.0) || ball.isStill()) return;
     for (uint32_t i = 0; i < touching.count(); ++i) {
@@ -77,8 +76,8 @@ void stopHeld(const Touching &touching, const Response &response, MovingBall &ba
     }
 }
 
-/// Whether all accelerations stay as they are: only faces press, or smooth contacts that let the ball move along an
-/// axis alone, and slips and resistance keep their directions.
+/// Whether all accelerations are constant: only faces press, or smooth contacts that let the ball move along an axis
+/// only, and slips and resistance keep their directions.
 bool isUniform(const MovingBall &ball, const Touching &touching, const Response &response, const Vec3 &free) {
     const bool isTurningOnly = ball.motion.velocity == Vec3(0.0) && response.acceleration == Vec3(0.0);
     if (isTurningOnly && response.spinAcceleration == Vec3(0.0)) return true;
@@ -87,7 +86,7 @@ bool isUniform(const MovingBall &ball, const Touching &touching, const Response 
         const Held &held = touching.held(i);
         const bool isFace = touching.contactOf(i).isFace();
         if (reaction.mode == Mode::open) continue;
-        if (isFace && reaction.pressure == 0.0) continue; // amid two walls that are a ball apart
+        if (isFace && reaction.pressure == 0.0) continue; // in the middle between two walls a ball apart
         if (!isFace && (reaction.mode != Mode::smooth || free == Vec3(1.0))) return false;
         if (reaction.mode == Mode::slipping) {
             const Vec3 turning = glm::cross(response.spinAcceleration, held.normal);
@@ -102,7 +101,7 @@ bool isUniform(const MovingBall &ball, const Touching &touching, const Response 
     return true;
 }
 
-/// The ball rolls against resistance or slips on a face, and nothing else presses.
+/// The ball rolls against resistance or slips on a face, and no other contact presses.
 Resisted alongFace(const MovingBall &ball, const Held &face, const Reaction &reaction) {
     const Vec3 &n = face.normal, &v = ball.motion.velocity, &spin = ball.motion.spin;
     const int axis = n.x != 0.0 ? 0 : n.y != 0.0 ? 1 : 2;
@@ -116,7 +115,7 @@ Resisted alongFace(const MovingBall &ball, const Held &face, const Reaction &rea
     return Resisted::rolling(axis, v, 5.0 / 7.0 * along, resistance, ball.radius(), spin, n);
 }
 
-/// Whether the ball slips on one face, leans on a smooth one across it, surely, and touches nothing else.
+/// Whether the ball slips on one face, certainly leans on a smooth one across it, and touches nothing else.
 bool slides(const MovingBall &ball, const Touching &touching, const Response &response, Slide::Faces &faces) {
     faces.rough = faces.smooth = kMostHeld;
     for (uint32_t i = 0; i < touching.count(); ++i) {

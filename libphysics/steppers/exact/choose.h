@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which motion the lasting contacts make: model.md 8.1 and 14.
+// Chooses the motion that follows from the lasting contacts: model.md 8.1 and 14.
 #pragma once
 
 #include "exact/response.h"
@@ -14,17 +14,17 @@ namespace phys {
 
 using Phase = std::variant<Uniform, Resisted, Slide, Series>;
 
-/// How the ball goes on.
+/// The phase that follows.
 struct Choice {
     Response response;
     Phase phase;
 };
 
-/// Removes from the ball's motion what the response shows to be rounding, and resistance from contacts that begin to
-/// slip. Reads nothing of the choice before, in whose place it puts the new one.
+/// Removes rounding errors from the ball's motion as the response shows them, and resistance from contacts that begin
+/// to slip. Independent of the previous choice, which it replaces.
 phys_status choose(MovingBall &ball, Touching &touching, Choice &choice);
 
-/// Of the lasting contacts the one that is closed, if it is one alone and a face; else kMostHeld.
+/// The closed lasting contact if there is exactly one and it is a face; otherwise kMostHeld.
 uint32_t onlyFace(const Touching &touching, const Response &response);
 
 } // namespace phys

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reports which contacts begin to last, and which end without an impact.
+// Reports contacts that begin to last, and those that end without an impact.
 #pragma once
 
 #include "exact/touching.h"
@@ -8,11 +8,11 @@ namespace phys {
 
 class ContactEvents {
 public:
-    /// The contacts that are closed in a phase, before it begins.
+    /// The closed contacts of a phase, before it begins.
     void add(const Touching &touching, const Response &response, MovingBall &ball);
 
 private:
-    bool m_isCarried = false; // in the phase before
+    bool m_isCarried = false; // in the previous phase
     uint32_t m_wall = PHYS_NO_BOX;
 };
 

@@ -16,7 +16,7 @@ namespace phys {
 
 namespace {
 
-/// Out of the boxes that the given state lies in: model.md 5.7.
+/// Pushes the ball out of boxes that it overlaps in the given state: model.md 5.7.
 phys_status leaveBoxes(Ground &ground, MovingBall &ball) {
     if (ground.keeps(ball, glm::length(ball.setting.gravity())) || ground.lookAround(ball)) return PHYS_OK;
     const PushOut pushed = pushOut(ball.scene(), ball.position, ball.work);
@@ -27,7 +27,7 @@ phys_status leaveBoxes(Ground &ground, MovingBall &ball) {
                 ball.position.x, ball.position.y, ball.position.z);
 }
 
-/// response: of the present contacts, or nullptr if the law hasn't been asked.
+/// response: of the present contacts, or nullptr if the law hasn't been evaluated.
 uint32_t flagsOf(const Touching &touching, const Response *response, MovingBall &ball) {
     bool isCarried = false, slips = false;
     for (uint32_t i = 0; i < touching.count(); ++i) {
@@ -60,7 +60,7 @@ phys_status leave(const Touching &touching, const Response *response, MovingBall
 
 } // namespace
 
-/// The loop of model.md 8.1.
+/// The event loop of model.md 8.1.
 phys_status followEvents(const Scene &scene, FloorRegions &regions, const phys_params &params, double dt,
                          const phys_state &in, phys_state &out, phys_report *report, phys_error *err) {
     MovingBall ball(scene, params, dt, in, report, err);
@@ -82,7 +82,7 @@ phys_status followEvents(const Scene &scene, FloorRegions &regions, const phys_p
         if (ball.isStill() && rests(ball, choice.response)) break;
         const Event event = firstEvent(ground, touching, choice, ball);
         follow(choice, event, ball, touching);
-        // What a phase met at the very end of the step is resolved in this step.
+        // A contact that begins at the very end of the step is resolved in this step.
         if (ball.left == 0.0 && event.end.cause == Cause::time) break;
         response = nullptr;
         resolve(ground, ball, touching);

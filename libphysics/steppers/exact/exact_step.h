@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One step of the exact stepper: from event to event until the time is up, model.md 8.
+// One step of the exact stepper: from event to event until the end of the step, model.md 8.
 #pragma once
 
 #include "shared/floor_region.h"
@@ -8,7 +8,7 @@
 
 namespace phys {
 
-/// Fills all of `out` but the time and the number of the step.
+/// Sets all of `out` except the time and the step number.
 phys_status followEvents(const Scene &scene, FloorRegions &regions, const phys_params &params, double dt,
                          const phys_state &in, phys_state &out, phys_report *report, phys_error *err);
 

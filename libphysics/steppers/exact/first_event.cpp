@@ -8,7 +8,7 @@ namespace phys {
 
 namespace {
 
-/// Numbers of the contacts that stay closed, as bits; and how many they are.
+/// The numbers of the contacts that stay closed, as bits, and their count.
 struct Closed {
     uint32_t bits = 0, count = 0;
 
@@ -64,7 +64,7 @@ Event firstEvent(const P &phase, const Ground &ground, const Touching &touching,
     const bool meetsNothing = ground.isOpen(ball, closed.count, acceleration);
     if (meetsNothing && ground.keeps(ball, acceleration)) return {end, {}};
     const Outlook around{ball.scene(), ball.position, ball.motion, touching.contacts, ball.work, closed.bits};
-    // What is near is looked for first: the ends of long faces are far, if anything is.
+    // Near boxes are searched first, as the ends of long faces are usually far away.
     const double length = kFirstWindow * ball.radius(), speed = glm::length(ball.motion.velocity);
     const double soon = meetsNothing ? 0.0 : std::min(end.after, leastTime(length, speed, acceleration));
     double touch = firstTouch(around, phase, 0.0, soon, length);

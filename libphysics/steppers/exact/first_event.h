@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What ends a phase: itself, a border of its features, a box on the way, or the step. model.md 8.1.
+// What ends a phase: the phase itself, a border of its features, a box in its path, or the step. model.md 8.1.
 #pragma once
 
 #include "exact/choose.h"
@@ -10,10 +10,10 @@ namespace phys {
 
 struct Event {
     End end;
-    Border border; ///< if that is its cause
+    Border border; ///< valid if that is the cause
 };
 
-/// Adds to the work of the ball's step, and leaves all else as it is.
+/// Counts its work in the ball's step and changes nothing else.
 Event firstEvent(const Ground &ground, const Touching &touching, const Choice &choice, MovingBall &ball);
 
 } // namespace phys

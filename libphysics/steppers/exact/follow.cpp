@@ -33,7 +33,7 @@ Losses losses(const Uniform &phase, double t, const Touching &touching, const Re
     return lost;
 }
 
-/// Until it ends, and on while a speed that vanishes comes to its end.
+/// Moves until the phase ends, and further until a vanishing speed has ended.
 template<class P>
 void move(const P &phase, const End &end, const Touching &touching, const Response &response, MovingBall &ball) {
     const double t = end.after;
@@ -42,22 +42,22 @@ void move(const P &phase, const End &end, const Touching &touching, const Respon
         ball.report.lostSlip(lost.slip);
         ball.report.lostRolling(lost.rolling);
     }
-    if (t > 0.0) { // of no time, series whose terms are beyond all numbers say nothing
+    if (t > 0.0) { // after no time, the series may have terms beyond all numbers
         ball.turn(phase, t);
         const Place place = phase.placeAt(t);
         ball.position += place.way;
         ball.motion = {place.velocity, place.spin};
     }
-    // Not waited for where the ball's velocity changes meanwhile by more than the speed that vanishes.
+    // Not if the ball's velocity changes meanwhile by more than the speed that vanishes.
     const bool waits =
         end.rest > 0.0 && end.rest * phase.mostAcceleration() <= 16.0 * kSlipEnds * speedScale(ball.moment());
     const double passed = std::min(t + (waits ? end.rest : 0.0), ball.left);
     ball.pass(passed);
-    // Before normals are turned: a slip that has ended would begin again at a place further round an edge.
+    // Before normals are turned, because a slip that has ended would begin again at another place of an edge.
     if (passed > t && end.cause == Cause::grip) ball.position += (passed - t) * ball.motion.velocity;
 }
 
-/// To where the phase has led round edges and corners.
+/// Turns normals to where the phase has led round edges and corners.
 void turnNormals(const MovingBall &ball, const Response &response, Touching &touching) {
     for (uint32_t i = 0; i < touching.count(); ++i) {
         const Contact &contact = touching.contactOf(i);
@@ -72,7 +72,7 @@ void turnNormals(const MovingBall &ball, const Response &response, Touching &tou
     }
 }
 
-/// Lasting contacts are kept at the radius, and nothing is left of a velocity across them.
+/// Puts lasting contacts at the radius and removes any velocity along their normals.
 void keepContacts(const Touching &touching, const Response &response, MovingBall &ball) {
     const double R = ball.radius();
     for (uint32_t i = 0; i < touching.count(); ++i) {
@@ -86,7 +86,7 @@ void keepContacts(const Touching &touching, const Response &response, MovingBall
             if (side == 0) continue;
             ball.position[axis] = (side > 0 ? (&box.max.x)[axis] : (&box.min.x)[axis]) + R * n[axis];
             if (contact.isFace()) ball.motion.velocity[axis] = 0.0;
-            for (uint32_t j = 0; j < i && contact.isFace(); ++j) { // amid two walls, as takeFaces does
+            for (uint32_t j = 0; j < i && contact.isFace(); ++j) { // in the middle between two walls, like takeFaces
                 const Contact &other = touching.contactOf(j);
                 if (!isClosed(response, j) || !other.isFace() || other.sides[axis] != -side) continue;
                 ball.position[axis] = 0.5 * (ball.position[axis] + other.point[axis] - side * R);
@@ -96,7 +96,7 @@ void keepContacts(const Touching &touching, const Response &response, MovingBall
     }
 }
 
-/// Bits of the contacts at which friction holds the ball once the phase has ended.
+/// Bits of the contacts at which friction holds the ball after the phase.
 uint32_t stickingAfter(Cause cause, const Touching &touching, const Response &response) {
     uint32_t bits = 0;
     for (uint32_t i = 0; i < touching.count(); ++i) {
@@ -108,22 +108,21 @@ uint32_t stickingAfter(Cause cause, const Touching &touching, const Response &re
     return bits;
 }
 
-/// On a floor: gives the ball the spin that belongs to its velocity to the last bit, if that is no more than rounding.
+/// On a floor: gives the ball exactly the spin that corresponds to its velocity, if the difference is rounding.
 void rollOn(const Vec3 &normal, double rounding, MovingBall &ball) {
     if (glm::length(slipAt(ball.moment(), normal)) > rounding) return;
     const Vec3 rolls = rollingSpin(inPlane(ball.motion.velocity), ball.radius());
     ball.motion.spin = {rolls.x, rolls.y, ball.motion.spin.z};
 }
 
-/// Ends the slip at a contact by an impulse of its friction, if it is no more than `most`. False if there was nothing
-/// to end.
+/// Ends the slip at a contact by a friction impulse, if it is at most `most`. False if there was nothing to end.
 bool stick(uint32_t i, double most, const Touching &touching, MovingBall &ball) {
     const Held &held = touching.held(i);
     const double R = ball.radius();
     const Vec3 slip = slipAt(ball.moment(), held.normal);
     if (slip == Vec3(0.0) || glm::length(slip) > most) return false;
     if (touching.contactOf(i).isTop) {
-        // On a floor: the spin that belongs to the velocity to the last bit.
+        // On a floor: exactly the spin that corresponds to the velocity.
         ball.motion.velocity -= 2.0 / 7.0 * Vec3(slip.x, slip.y, 0.0);
         const Vec3 rolls = rollingSpin(inPlane(ball.motion.velocity), R);
         ball.motion.spin = {rolls.x, rolls.y, ball.motion.spin.z};
@@ -134,7 +133,7 @@ bool stick(uint32_t i, double most, const Touching &touching, MovingBall &ball) 
     return true;
 }
 
-/// Nothing but rounding is left of a slip at what sticks, and of a velocity that ends with it.
+/// Removes rounding errors: slip at sticking contacts, and a velocity that ends with it.
 void clearSlips(Cause cause, uint32_t sticking, double rounding, const Touching &touching, MovingBall &ball) {
     bool isStill = false;
     for (int sweep = 0; sweep < 4 && !isStill; ++sweep) {
@@ -149,7 +148,7 @@ void clearSlips(Cause cause, uint32_t sticking, double rounding, const Touching 
     if (ball.radius() * glm::length(ball.motion.spin) <= rounding) ball.motion.spin = Vec3(0.0);
 }
 
-/// What the end of a phase makes exact.
+/// Makes exact what holds at the end of a phase.
 void settle(const Event &event, const Response &response, MovingBall &ball, Touching &touching) {
     const End &end = event.end;
     const double before = glm::length(ball.motion.velocity);

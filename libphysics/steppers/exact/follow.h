@@ -6,7 +6,7 @@
 
 namespace phys {
 
-/// Turns the normals of edges and corners as far as the ball has gone round them.
+/// Turns the normals of edges and corners according to the ball's motion round them.
 void follow(const Choice &choice, const Event &event, MovingBall &ball, Touching &touching);
 
 } // namespace phys

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is around a ball at a step's start: it spares most steps the searches for contacts and for the next event.
+// The surroundings of the ball at the start of a step; they make searches for contacts and events unnecessary in most
+// steps.
 #pragma once
 
 #include "exact/touching.h"
@@ -9,29 +10,29 @@ namespace phys {
 
 class Ground {
 public:
-    /// Looks for the region of the floor that the ball is in, and for the boxes that it touches there.
+    /// Looks up the region of the floor that contains the ball, and the boxes that it touches there.
     Ground(const MovingBall &ball, FloorRegions &regions);
 
-    /// Counts the boxes that the ball can reach in this step if nothing stops it: true if it overlaps none.
+    /// Counts the boxes that the ball can reach in this step without obstacles: true if it overlaps none.
     bool lookAround(const MovingBall &ball);
 
-    /// Whether the ball stays in its region from now on, unless it leaves a face that it leans on.
+    /// Whether the ball stays in its region from now on, unless it leaves a face on which it leans.
     bool keeps(const MovingBall &ball, double acceleration) const {
         return m_region && m_region->keeps(ball.position, ball.motion.velocity, ball.left, acceleration);
     }
 
-    /// Whether the ball can meet nothing in this step but so many boxes, which it leans on.
+    /// Whether the ball can meet nothing in this step except this many boxes, on which it leans.
     bool isOpen(const MovingBall &ball, uint32_t leansOn, double acceleration) const;
 
-    /// Whether the ball is still where it started, in a region.
+    /// Whether the ball is still at its start, in a region.
     bool holds(const MovingBall &ball) const { return ball.elapsed == 0.0 && !m_boxes.empty(); }
     /// All boxes that it touches there.
     std::span<const uint32_t> boxes() const { return {m_boxes.begin(), m_boxes.count()}; }
 
-    /// Whether it is there on a floor, at one smooth wall at most, and has no velocity across them: then nothing
-    /// depends on the order of contacts.
+    /// Whether it is there on a floor, with at most one smooth wall, and has no velocity along their normals: then
+    /// nothing depends on the order of contacts.
     bool isMovedAlong(const MovingBall &ball) const;
-    /// What is touched then needs no search. Puts the ball at the radius of it.
+    /// Contacts are then known without a search. Puts the ball at the radius from them.
     void touch(MovingBall &ball, Contacts &contacts) const;
 
 private:
@@ -39,8 +40,8 @@ private:
 
     const FloorRegion *m_region = nullptr;
     ShortList<uint32_t> m_boxes;
-    double m_openWay = 0.0;   // m that the ball surely goes no further than in this step, if nothing stops it
-    uint32_t m_nearBoxes = 0; // that it can reach on this way
+    double m_openWay = 0.0;   // m: upper bound of the ball's displacement in this step without obstacles
+    uint32_t m_nearBoxes = 0; // number of boxes within this displacement
 };
 
 } // namespace phys

@@ -7,16 +7,17 @@ namespace phys {
 
 namespace {
 
-/// Bounces that rise no higher than this, in radii, are the last of infinitely many: model.md 6.4.
+/// Bounces no higher than this, in radii, are treated as the last of infinitely many: model.md 6.4.
 constexpr double kLastBounce = 1e-13;
-/// Where what is between two bounces has another law than what comes after the last: the error is of first order there.
+/// Height for contacts where the law between bounces differs from that after the last one: the error is of first order
+/// there.
 constexpr double kLastHop = 1e-26;
 
-/// But with a restitution above this the bounces down there would never end.
+/// For restitutions above this, the series of bounces would never end.
 constexpr double kSlowDecay = 0.95;
 
-/// How much higher the last bounces rise in a step of much work: by this with each quarter of its work that is done.
-/// Rather less exact than none.
+/// Factor on the height of the last bounces in a step with much work, for each quarter of its work limit: a less exact
+/// result is better than none.
 double higher(const Work &work) {
     constexpr double kHigher = 100.0;
     double factor = 1.0;
@@ -43,7 +44,7 @@ double lastBounce(const MovingBall &ball, const Contacts &contacts, const Contac
 }
 
 double squareOfFastBounce(const MovingBall &ball) {
-    constexpr double kMost = 1e3; // relative: no contacts make more of the accelerations at hand
+    constexpr double kMost = 1e3; // relative: an upper bound for the ratio of accelerations due to contacts
     return 2.0 * kMost * accelerationScale(ball.moment()) * lastHeight(ball);
 }
 
@@ -55,7 +56,7 @@ bool endsSlips(const MovingBall &ball, const Contact &face) {
 }
 
 bool endsAsSeries(const MovingBall &ball, const Contacts &contacts, const Contact &face) {
-    constexpr double kElastic = 1.0 - 1e-6; // restitution: such bounces end in no time to speak of
+    constexpr double kElastic = 1.0 - 1e-6; // restitution above which bounces are too many for an end
     const double eps = face.restitution, back = -glm::dot(ball.setting.gravity(), face.normal);
     if (contacts.count() != 1 || !face.isFace() || ball.work.quarters() > 0) return false;
     if (!(back > 0.0) || eps <= kSlowDecay || eps > kElastic) return false;

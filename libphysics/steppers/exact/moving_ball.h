@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ball of a step between two of its phases, the step's clock, and what the step counts and reports.
+// The ball of a step between two phases, the step's clock, and what the step counts and reports.
 #pragma once
 
 #include "base/error.h"
@@ -32,8 +32,8 @@ struct MovingBall {
     Reporter report;
     phys_error *error;
     Work work;
-    double elapsed = 0.0; ///< s of the step gone by
-    double left;          ///< s of it still to go
+    double elapsed = 0.0; ///< s of the step that have passed
+    double left;          ///< s of the step that remain
     Vec3 position;
     Motion motion;
     double orientation[4];
@@ -50,7 +50,7 @@ struct MovingBall {
                 16.0 * kRounding + 4.0 * scene().tolerance / radius()};
     }
 
-    /// Refuses a step that doesn't come to its end in any time worth waiting for.
+    /// Refuses a step whose work limit is exceeded.
     phys_status checkWork() const {
         if (!work.isTooMuch()) return PHYS_OK;
         return fail(error, PHYS_ERROR_EVENT_CAP, "more to compute than %llu in one step, %.9g s of it still to go",
@@ -62,13 +62,13 @@ struct MovingBall {
         left -= time;
     }
 
-    /// Turns it by what a phase does until t (s), if that is asked for.
+    /// Rotates the ball by a phase's motion until t (s), if orientation is requested.
     template<class Phase>
     void turn(const Phase &phase, double t) {
         if (params().options & PHYS_OPTION_ORIENTATION) phys::turn(orientation, phase, t);
     }
 
-    /// Reports what happens to it now, without a contact or at one.
+    /// Reports an event at this time, without or with a contact.
     void event(uint32_t kind, double before, double after) {
         report.event(kind, elapsed, position, Vec3(0.0), before, after, PHYS_NO_BOX);
     }

@@ -11,7 +11,7 @@ namespace phys {
 
 namespace {
 
-/// Rounds of impacts at one moment: each ends bounces that are none, which may drive the ball into another contact.
+/// Rounds of impacts at one moment: each ends last bounces, which may drive the ball into another contact.
 constexpr int kMostRounds = 16;
 
 /// Finds what the ball touches.
@@ -32,14 +32,14 @@ bool isApproaching(const MovingBall &ball, const Contacts &contacts, double negl
     });
 }
 
-/// What accelerates the ball if nothing but the lasting contacts pushes.
+/// The acceleration of the ball if only the lasting contacts push.
 Vec3 actingAcceleration(const Touching &touching, MovingBall &ball) {
     if (touching.count() == 0) return ball.setting.gravity();
     const Response response = respond(ball.moment(), touching.held(), ball.work);
     return response.isFound ? response.acceleration : ball.setting.gravity();
 }
 
-/// model.md 6.4: what bounces no higher than rounding bounces for the last time.
+/// model.md 6.4: a bounce no higher than rounding is the last.
 void endBounces(double negligible, MovingBall &ball, Touching &touching) {
     const double fast = squareOfFastBounce(ball);
     Contacts &contacts = touching.contacts;
@@ -58,7 +58,7 @@ void endBounces(double negligible, MovingBall &ball, Touching &touching) {
     }
 }
 
-/// Whether all contacts but those that last are left too fast for a last bounce.
+/// Whether the ball leaves all contacts, except for those that last, too fast for a last bounce.
 bool areBouncing(const MovingBall &ball, const Touching &touching) {
     const double fast = squareOfFastBounce(ball);
     const Contacts &contacts = touching.contacts;
@@ -69,8 +69,8 @@ bool areBouncing(const MovingBall &ball, const Touching &touching) {
     });
 }
 
-/// Ends the bounce of one more contact, rather of one that doesn't drive the ball into another: false if none bounces
-/// so low.
+/// Ends the bounce at one more contact, preferably one that doesn't drive the ball into another: false if no bounce is
+/// low enough.
 bool holdNext(double negligible, MovingBall &ball, Touching &touching) {
     if (areBouncing(ball, touching)) return false;
     const Vec3 acting = actingAcceleration(touching, ball);
@@ -94,7 +94,7 @@ bool holdNext(double negligible, MovingBall &ball, Touching &touching) {
     return true;
 }
 
-/// The contacts that last: exactly at the radius, without a velocity across, or with one whose bounce ends at once.
+/// The contacts that last: exactly at the radius, with no velocity along the normal or one whose bounce ends at once.
 void hold(double negligible, MovingBall &ball, Touching &touching) {
     takeFaces(touching.contacts, ball);
     touching.holdStill(ball.motion.velocity, negligible, ball.params());
@@ -103,7 +103,7 @@ void hold(double negligible, MovingBall &ball, Touching &touching) {
     project(touching, ball);
 }
 
-/// Contacts that drive the ball into each other again and again: none of them bounces any more.
+/// Contacts that drive the ball into each other repeatedly: all of their bounces end.
 void stopBounces(double negligible, MovingBall &ball, Touching &touching) {
     for (Contact &contact : touching.contacts) contact.restitution = 0.0;
     collide(negligible, ball, touching);
@@ -111,8 +111,8 @@ void stopBounces(double negligible, MovingBall &ball, Touching &touching) {
     project(touching, ball);
 }
 
-/// Rolling model: the spin of a ball that a floor carries is not a state of its own. The energy (J/kg, of either sign)
-/// of what a given spin differs from it.
+/// Rolling model: the spin of a supported ball isn't independent. Energy (J/kg, of either sign) of the difference of a
+/// given spin from it.
 double roll(const Touching &touching, MovingBall &ball) {
     double lost = 0.0;
     if (ball.setting.isRigid() || ball.params().gravity.z >= 0.0) return lost;
@@ -126,8 +126,8 @@ double roll(const Touching &touching, MovingBall &ball) {
     return lost;
 }
 
-/// Whether the ball touches nothing but faces, and has no velocity across any: nothing is hit then, and all of them
-/// last.
+/// Whether the ball touches only faces and has no velocity along their normals: then there is no impact, and all of
+/// them last.
 bool movesAlongFaces(const MovingBall &ball, const Contacts &contacts) {
     if (contacts.count() > kMostHeld) return false;
     return std::all_of(contacts.begin(), contacts.end(), [&](const Contact &contact) {
@@ -135,7 +135,7 @@ bool movesAlongFaces(const MovingBall &ball, const Contacts &contacts) {
     });
 }
 
-/// All contacts last, and nothing is left of a velocity across them.
+/// Makes all contacts last and removes any velocity along their normals.
 void holdFaces(MovingBall &ball, Touching &touching) {
     touching.holdNone();
     const bool moves = ball.motion.velocity != Vec3(0.0);
@@ -148,7 +148,7 @@ void holdFaces(MovingBall &ball, Touching &touching) {
     ball.report.lostSlip(roll(touching, ball));
 }
 
-/// Rolling model: whether the ball rolls on a floor. One that comes to lie there doesn't yet.
+/// Rolling model: whether the ball rolls on a floor. A ball that is about to land doesn't yet.
 bool isRolling(const MovingBall &ball, const Contacts &contacts, double negligible) {
     return std::any_of(contacts.begin(), contacts.end(), [&](const Contact &contact) {
         return contact.isGlued && std::abs(glm::dot(ball.motion.velocity, contact.normal)) <= negligible &&
@@ -191,7 +191,7 @@ void resolve(const Ground &ground, MovingBall &ball, Touching &touching) {
     for (int round = 0; round < kMostRounds && !ball.work.isTooMuch(); ++round) {
         if (!collide(negligible, ball, touching)) break;
         hits = true;
-        // Nothing but rounding is left of a velocity that led straight into what it hit.
+        // The remainder of a velocity straight into the boxes that it hit is rounding.
         if (glm::length(ball.motion.velocity) <= 4.0 * kRounding * speed) ball.motion.velocity = Vec3(0.0);
         touch(ground, ball, touching.contacts);
         takeEdges(touching.contacts, ball);
@@ -201,7 +201,7 @@ void resolve(const Ground &ground, MovingBall &ball, Touching &touching) {
     if (collide(negligible, ball, touching)) hold(negligible, ball, touching);
     if (isApproaching(ball, touching.contacts, negligible)) stopBounces(negligible, ball, touching);
     const double lost = roll(touching, ball);
-    if (hits && wasRolling) return ball.report.lostImpact(lost); // part of what the impact takes
+    if (hits && wasRolling) return ball.report.lostImpact(lost); // it is part of the impact's loss
     ball.report.lostSlip(lost);
 }
 

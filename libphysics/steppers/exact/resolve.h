@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What happens to the ball in no time: impacts, and which contacts last then. model.md 8.1 and 13.2.
+// Instantaneous events: impacts, and which contacts last afterwards. model.md 8.1 and 13.2.
 #pragma once
 
 #include "exact/ground.h"
@@ -7,11 +7,11 @@
 
 namespace phys {
 
-/// Finds what the ball touches, takes all impacts of the moment, and looks at what lasts then.
+/// Finds the contacts, applies all impacts of the moment, and determines which contacts last.
 void resolve(const Ground &ground, MovingBall &ball, Touching &touching);
 
-/// One round of impacts with all contacts that the ball approaches: true if anything was hit. Takes the restitution
-/// from those whose bounce is the last. negligible: m/s, speeds across contacts that are rounding.
+/// One round of impacts with all contacts that the ball approaches: true if there was an impact. Sets the restitution
+/// of contacts whose bounce is the last to zero. negligible: m/s, speeds along normals that are rounding.
 bool collide(double negligible, MovingBall &ball, Touching &touching);
 
 } // namespace phys

@@ -15,8 +15,8 @@ void takeJammed(const Moment &jammed, const Touching &touching, MovingBall &ball
     response = respond(ball.moment(), touching.held(), ball.work);
 }
 
-/// No modes fit: friction drives the reactions beyond all bounds, an impact without a collision. Slips end, within
-/// Coulomb's cones if modes fit then.
+/// If no modes fit, friction drives the reactions beyond all bounds, which is an impact without a collision. Slips end,
+/// within Coulomb's cones if modes fit afterwards.
 phys_status jam(const Touching &touching, MovingBall &ball, Response &response) {
     Moment jammed = ball.moment();
     if (endSlips(jammed, touching.held(), ball.work)) takeJammed(jammed, touching, ball, response);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What the lasting contacts of the present moment do, by the law of contact: model.md 14.1.
+// The effect of the present lasting contacts, by the law of contact: model.md 14.1.
 #pragma once
 
 #include "exact/touching.h"
 
 namespace phys {
 
-/// Asks the law. Where no modes fit friction jams the ball, and its slips end at once; PHYS_ERROR_STUCK if none fit
-/// then.
+/// Evaluates the law. If no modes fit, friction jams the ball and its slips end at once; PHYS_ERROR_STUCK if none fit
+/// afterwards.
 phys_status respondNow(const Touching &touching, MovingBall &ball, Response &response);
 
 inline bool isClosed(const Response &response, uint32_t lasting) {
@@ -16,7 +16,7 @@ inline bool isClosed(const Response &response, uint32_t lasting) {
 
 uint32_t countSticking(const Response &response);
 
-/// Whether the ball stays where it is.
+/// Whether the ball stays in place.
 bool rests(const MovingBall &ball, const Response &response);
 
 } // namespace phys

@@ -65,7 +65,7 @@ Target::Target(const Outlook &around, const phys_box &from)
     tolerance = around.scene.tolerance;
     slight = 2.0 * std::sqrt(tolerance / R);
     const Nearest close = nearest(box, Vec3(0.0));
-    if (close.distance - R > 2.0 * around.scene.tolerance) return; // one that is touched deeper by rounding is touched
+    if (close.distance - R > 2.0 * around.scene.tolerance) return; // not touched, beyond rounding
     isBehindFace = around.isBehindTouchedFace(from);
     rate = glm::dot(close.normal, around.motion.velocity);
     isTouched = isBehindFace || around.isTouched(close.normal);
@@ -101,7 +101,7 @@ double Target::gap(const Vec3 &way, double radius, Vec3 &n) const {
 }
 
 bool Stretch::passes(const phys_box &box) const {
-    double first = 0.0, last = 1.0; // of the line, as shares of it
+    double first = 0.0, last = 1.0; // shares of the line
     for (int axis = 0; axis < 3; ++axis) {
         const double low = side(box, axis, -1) - off - start[axis], high = side(box, axis, 1) + off - start[axis];
         const double way = end[axis] - start[axis];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a moving ball meets next: the one search of all phases, through all boxes near the way. model.md 8.2.
+// What a moving ball meets next: the one search of all phases, over all boxes near the path. model.md 8.2.
 #pragma once
 
 #include "contact/contact.h"
@@ -14,14 +14,14 @@
 
 namespace phys {
 
-/// Normals of one flat contact differ by no more than rounding: features a little apart, as those of a narrow crack,
-/// are two.
+/// Normals of one flat contact differ by at most rounding; features slightly apart, such as those of a narrow crack,
+/// are different contacts.
 inline double sameNormal(const Scene &scene) { return 4.0 * (kRounding + scene.tolerance / scene.radius); }
 
 /// Of a face's normal.
 inline int axisOf(const Contact &face) { return face.sides[0] != 0 ? 0 : face.sides[1] != 0 ? 1 : 2; }
 
-/// Where a phase starts, and what lasts during it.
+/// The start of a phase, and what lasts during it.
 struct Outlook {
     const Scene &scene;
     Vec3 position;
@@ -32,14 +32,14 @@ struct Outlook {
 
     const phys_box &box(uint32_t number) const { return scene.boxes[number]; }
 
-    /// Whether the ball can't meet a box while the lasting contacts last: it is one of them, lies behind one's face,
-    /// has the same edge, or a face that the ball touches between it and one of theirs.
+    /// Whether the ball can't meet a box while the lasting contacts last: the box is one of them, lies behind the face
+    /// of one, shares its edge, or is separated from one by a face that the ball touches.
     bool isKept(uint32_t number, const phys_box &box) const;
 
-    /// Whether a box lies behind a face that the ball touches, lasting or not.
+    /// Whether a box lies behind a face that the ball touches, whether that contact lasts or not.
     bool isBehindTouchedFace(const phys_box &box) const;
 
-    /// Whether a face keeps the ball from moving along an axis.
+    /// Whether a face prevents motion along an axis.
     bool isBarred(int axis) const;
 
     /// Whether a contact has this normal.
@@ -49,24 +49,24 @@ private:
     bool isBehind(const Contact &face, const phys_box &box) const;
 };
 
-/// A box as the ball sees it from its start; one that it touches is put exactly at the radius.
+/// A box relative to the ball at its start; a touched box is put exactly at the radius.
 struct Target {
     phys_box box;
     bool isTouched = false;    ///< and not approached
-    bool isBehindFace = false; ///< of another box that is touched, too
+    bool isBehindFace = false; ///< behind the face of another touched box
     double tolerance = 0.0;
     double slight =
-        0.0;           ///< angle between a velocity and an edge's tangent at which the ball passes within the tolerance
+        0.0; ///< angle between a velocity and an edge's tangent below which the ball passes within the tolerance
     Vec3 normal{0.0};  ///< at the start, if touched
     double rate = 0.0; ///< n.v at the start, if touched
 
     Target(const Outlook &around, const phys_box &from);
 
-    /// Of a centre that has moved by `way`. From a touched feature the gap is that of the way alone: no difference of
-    /// large numbers.
+    /// For a centre that has moved by `way`. From a touched feature the gap is computed from the displacement alone,
+    /// without a difference of large numbers.
     double gap(const Vec3 &way, double radius, Vec3 &n) const;
 
-    /// Whether the ball only brushes past an edge or corner that it meets: model.md 5.4.
+    /// Whether the ball only grazes an edge or corner that it meets: model.md 5.4.
     bool grazes(double gap, double approach, const Vec3 &n, const Vec3 &velocity) const {
         if (isTouched || approach >= 0.0 || gap > tolerance || gap < -tolerance) return false;
         const bool isFace = std::abs(n.x) == 1.0 || std::abs(n.y) == 1.0 || std::abs(n.z) == 1.0;
@@ -83,14 +83,13 @@ Look gapAt(const Target &target, const Phase &phase, double radius, double t, do
     return {target.grazes(gap, rate, n, now.velocity) ? target.tolerance : gap, rate, phase.least(n, rate, t, until)};
 }
 
-/// From when on the gap to a touched box, which doesn't press, is surely open: its first terms in the time are zero, so
-/// that the search can't begin at the start. model.md 8.2.
+/// The time from which the gap to a touched box that doesn't press is certainly open. Its first terms in time are zero,
+/// so that the search can't begin at the start. model.md 8.2.
 template<class Phase>
 double openingTime(const Target &target, const Phase &phase, const Outlook &around, double until) {
     const double R = around.scene.radius, speed = glm::length(around.motion.velocity);
     if (target.rate > negligibleSpeed(around.motion, R)) return 0.0;
-    // A box lies behind the plane of its nearest point: where all that may lead through that is rounding nothing is
-    // met.
+    // A box lies behind the plane of its nearest point: if only rounding leads through this plane, there is no contact.
     const double least = phase.least(target.normal, target.rate, 0.0, until);
     const double deepest = until * (std::min(target.rate, 0.0) + 0.5 * until * std::min(least, 0.0));
     if (deepest < 0.0 && deepest >= -around.scene.tolerance) return until;
@@ -105,7 +104,8 @@ double openingTime(const Target &target, const Phase &phase, const Outlook &arou
         const Look now = gapAt(target, phase, R, shorter, until);
         if (now.rate > 0.0 && now.value >= -around.scene.tolerance) return shorter;
     }
-    // It doesn't open but for rounding, which may be all of the speed: no longer than the way into the box is none.
+    // The gap opens by rounding only, which may be all of the speed: at most as long as the displacement into the box
+    // is negligible.
     if (target.rate < 0.0 && speed > 0.0) t = std::min(t, 8.0 * sameNormal(around.scene) * R / speed);
     for (int i = 0; i < 60 && gapAt(target, phase, R, t, until).value < -around.scene.tolerance; ++i) t *= 0.5;
     return t;
@@ -124,18 +124,18 @@ double touchTime(const Outlook &around, const phys_box &box, const Phase &phase,
     return firstZero(look, from, until, 0.25 * around.scene.tolerance);
 }
 
-/// A part of a ball's way.
+/// A part of a ball's path.
 struct Stretch {
     Vec3 start, end; ///< of the centre
-    double off;      ///< m: as far as the ball comes beside the straight line between them
-    double reach;    ///< m: as far as it comes from the start
-    bool isLong;     ///< against the ball: it passes by most boxes that are as near as its end
+    double off;      ///< m: largest distance of the ball's path from the straight line between them
+    double reach;    ///< m: largest distance from the start
+    bool isLong;     ///< compared with the ball: most boxes within its length are far from it
 
-    /// Whether the ball comes nowhere near a box.
+    /// Whether a box is certainly far from the path.
     bool passes(const phys_box &box) const;
 };
 
-/// Calls visit(box, number) for the boxes that the ball may meet, maybe for others too.
+/// Calls visit(box, number) for the boxes that the ball may meet, and possibly for others.
 template<class Visit>
 void visitAlong(const Scene &scene, const Stretch &stretch, Work &work, Visit visit) {
     const auto look = [&](const phys_box &box, uint32_t number) {
@@ -148,23 +148,23 @@ void visitAlong(const Scene &scene, const Stretch &stretch, Work &work, Visit vi
                      glm::max(stretch.start, stretch.end) + stretch.off, [&](uint32_t i) { look(scene.boxes[i], i); });
 }
 
-/// How long a ball of this speed and acceleration surely takes for a way.
+/// A lower bound of the time that a ball of this speed and acceleration takes for a distance.
 inline double leastTime(double way, double speed, double acceleration) {
     if (!(acceleration > 0.0 || speed > 0.0)) return kNever;
     return 2.0 * way / (speed + std::sqrt(speed * speed + 2.0 * acceleration * way));
 }
 
-/// Radii: of the way whose surroundings are looked at first.
+/// Radii: the distance whose surroundings are searched first.
 inline constexpr double kFirstWindow = 0.48;
 
-/// First time in [from, until] at which the ball touches a box and moves towards it; kNever if it doesn't. length: of
-/// the way that is looked at first, m.
+/// First time in [from, until] at which the ball touches a box and moves towards it; kNever if there is none. length:
+/// of the part of the path that is searched first, m.
 template<class Phase>
 double firstTouch(const Outlook &around, const Phase &phase, double from, double until, double length) {
     const Scene &scene = around.scene;
     const double a = phase.mostAcceleration(), ball = scene.radius * (1.0 + 1e-9) + scene.tolerance;
     double best = kNever;
-    // Windows of growing length: most ways end near, and only what is near needs to be looked at.
+    // Windows of growing length: most paths end near, and only near boxes need to be tested.
     for (; from < until && best == kNever && !around.work.isTooMuch(); length *= 2.0) {
         const Way start = phase.at(from);
         const double v = glm::length(start.velocity), window = leastTime(length, v, a);
@@ -191,13 +191,13 @@ struct Border {
     double after = kNever;
     int axis = 0;
     double coordinate = 0.0;
-    double inward = 1.0; ///< the direction along the axis in which the region lies
+    double inward = 1.0; ///< the direction along the axis to the inside of the region
 };
 
-/// The box that carries a face on beyond a border that the centre has reached at p; false if none does.
+/// The box that continues a face beyond a border that the centre has reached at p; false if there is none.
 bool carriesOn(const Outlook &around, const Contact &face, const Vec3 &p, const Border &at, phys_box &box);
 
-/// When the centre leaves the region of a feature across one border of it.
+/// When the centre leaves the region of a feature across one of its borders.
 template<class Phase>
 double borderTime(const Outlook &around, const Phase &phase, const Border &border, double from, double until) {
     const int axis = border.axis;
@@ -221,7 +221,7 @@ Border firstBorder(const Outlook &around, const Contact &contact, const phys_box
     for (int axis = 0; axis < 3; ++axis) {
         const int side = contact.sides[axis];
         for (const double sign : {-1.0, 1.0}) {
-            // Over the box: its two ends. Beside it: the end that the centre is beside, from outside.
+            // Over the box: its two ends. Beside it: the nearer end, from outside.
             if (side != 0 && side != (sign > 0.0 ? 1 : -1)) continue;
             Border border{kNever, axis, sign > 0.0 ? (&box.max.x)[axis] : (&box.min.x)[axis], side == 0 ? -sign : sign};
             if (border.inward * (around.position[axis] - border.coordinate) > way || around.isBarred(axis)) continue;
@@ -232,7 +232,7 @@ Border firstBorder(const Outlook &around, const Contact &contact, const phys_box
     return first;
 }
 
-/// When the feature of a lasting contact ends. A face that another box carries on doesn't.
+/// When the feature of a lasting contact ends. A face that another box continues doesn't.
 template<class Phase>
 void cutAtBorder(const Outlook &around, const Contact &contact, const Phase &phase, double until, Border &first) {
     phys_box box = around.box(contact.box);

@@ -11,7 +11,7 @@ namespace phys {
 namespace {
 
 /// Whether the ball is too fast for the groove between two contacts on the same side of it: so fast that it rises over
-/// their edges, while its speeds across the contacts, which all but have one normal, are rounding. model.md 6.4.
+/// their edges, while its speeds along their almost equal normals are rounding. model.md 6.4.
 bool crosses(const MovingBall &ball, const Vec3 &first, const Vec3 &second, const Vec3 &along) {
     if (glm::dot(first, second) <= 0.0) return false;
     const Vec3 across = ball.motion.velocity - glm::dot(ball.motion.velocity, along) * along;
@@ -41,7 +41,7 @@ void Touching::holdStill(const Vec3 &velocity, double negligible, const phys_par
 }
 
 void takeFaces(const Contacts &contacts, MovingBall &ball) {
-    constexpr uint32_t kLow = 1, kHigh = 2; // the side of the face that the ball is on
+    constexpr uint32_t kLow = 1, kHigh = 2; // the side of the face on which the ball is
     std::array<Vec3, 2> at{};
     std::array<uint32_t, 3> sides{};
     for (const Contact &contact : contacts) {
@@ -63,7 +63,7 @@ void takeFaces(const Contacts &contacts, MovingBall &ball) {
 void takeEdges(const Contacts &contacts, MovingBall &ball) {
     constexpr int kRounds = 8;
     for (int round = 0; round < kRounds && contacts.count() > 1; ++round) {
-        Vec3 off(0.0); // of all alike: nothing depends on their order
+        Vec3 off(0.0); // of all similar ones, so that their order doesn't matter
         double count = 0.0;
         for (const Contact &contact : contacts) {
             if (contact.isFace()) continue;
@@ -78,7 +78,7 @@ void takeEdges(const Contacts &contacts, MovingBall &ball) {
 }
 
 void project(const Touching &touching, MovingBall &ball) {
-    // Sine of the angle between normals, or of one and a plane, below which they are parallel but for rounding.
+    // Sine of the angle between normals, or between one and a plane, below which they are parallel up to rounding.
     constexpr double kParallel = 1e-12;
     Vec3 &v = ball.motion.velocity;
     if (v == Vec3(0.0)) return;

@@ -12,7 +12,7 @@ namespace phys {
 
 namespace {
 
-/// What is less than rounding may be of the numbers beside it, relative: there the step is left to the general case.
+/// relative to the numbers beside it, what may be rounding; in such cases the step is left to the general case
 constexpr double kUnsure = 1e-9;
 
 double sumOfParts(const phys_vec3 &v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
@@ -43,11 +43,11 @@ public:
 private:
     bool isRigid() const { return m_params.model == PHYS_MODEL_RIGID; }
 
-    /// Whether the ball surely moves and, in the rigid model, surely rolls and goes on to do so.
+    /// Whether the ball certainly moves and, in the rigid model, certainly rolls and continues to.
     bool rolls() const {
         const double R = m_scene.radius, speedSquared = glm::dot(m_velocity, m_velocity);
         const Vec3 surface = R * toVec(m_in.spin);
-        constexpr double kStill = 1e-13; // relative: less is rounding
+        constexpr double kStill = 1e-13; // relative: smaller values are rounding
         if (!(speedSquared > kStill * kStill * (R * sumOfParts(m_params.gravity) + glm::dot(surface, surface))))
             return false;
         if (!isRigid()) return true;
@@ -70,9 +70,9 @@ private:
         return true;
     }
 
-    /// Whether the way of the ball surely bends: its velocity has a direction of its own beside the drive.
+    /// Whether the path of the ball is certainly curved: its velocity isn't parallel to the drive.
     bool turnsAgainst(double resistance) const {
-        constexpr double kLeast = 1e-10; // sine of the angle between the velocity and how it changes
+        constexpr double kLeast = 1e-10; // sine of the angle between the velocity and its rate of change
         const Vec3 &v = m_velocity;
         const double across = v.x * m_level.y - v.y * m_level.x;
         const double most = kLeast * (std::abs(m_level.x) + std::abs(m_level.y) + resistance);
