@@ -12,7 +12,7 @@ namespace phys::dense {
 
 inline constexpr uint32_t kMostUnknowns = 20;
 inline constexpr uint32_t kMostRows = 36;
-inline constexpr double kNoPivot = 1e-10; // relative to the largest: a smaller row is linearly dependent
+inline constexpr double kNoPivot = 1e-13; // relative to the terms it is a sum of: a smaller factor is rounding
 
 using Values = std::array<double, kMostUnknowns>;
 
@@ -65,6 +65,8 @@ private:
     bool m_areSolved = false;
     std::array<Values, kMostRows>
         m_rows; ///< after solving: in the order of pivots, with the multipliers of the elimination below
+    std::array<Values, kMostRows>
+        m_sizes; ///< sums of the absolute terms of each factor, which its rounding is a share of
     std::array<double, kMostRows> m_values;
     std::array<uint32_t, kMostRows> m_place; ///< position in m_rows of the equations in the order of `add`
     std::array<uint32_t, kMostUnknowns> m_order;
@@ -72,22 +74,20 @@ private:
     void eliminate() {
         m_areSolved = true;
         for (uint32_t i = 0; i < m_unknowns; ++i) m_order[i] = i;
-        double largest = 0.0;
-        for (m_rank = 0; m_rank < std::min(m_unknowns, m_count); ++m_rank) {
-            const double pivot = bringPivot();
-            largest = std::max(largest, pivot);
-            if (pivot <= kNoPivot * largest) break;
-            eliminateBelow();
+        for (uint32_t i = 0; i < m_count; ++i) {
+            for (uint32_t j = 0; j < m_unknowns; ++j) m_sizes[i][j] = std::abs(m_rows[i][j]);
         }
+        for (m_rank = 0; m_rank < std::min(m_unknowns, m_count) && bringPivot(); ++m_rank) eliminateBelow();
     }
 
-    double bringPivot() {
+    /// The largest factor that is more than rounding. False if there is none.
+    bool bringPivot() {
         uint32_t row = m_rank, column = m_rank;
         double most = 0.0;
         for (uint32_t i = m_rank; i < m_count; ++i) {
             for (uint32_t j = m_rank; j < m_unknowns; ++j) {
                 const double size = std::abs(m_rows[i][m_order[j]]);
-                if (size <= most) continue;
+                if (size <= most || size <= kNoPivot * m_sizes[i][m_order[j]]) continue;
                 most = size;
                 row = i;
                 column = j;
@@ -95,23 +95,27 @@ private:
         }
         if (row != m_rank) {
             std::swap(m_rows[m_rank], m_rows[row]);
+            std::swap(m_sizes[m_rank], m_sizes[row]);
             for (uint32_t i = 0; i < m_count; ++i) {
                 if (m_place[i] == row || m_place[i] == m_rank) m_place[i] = m_place[i] == row ? m_rank : row;
             }
         }
         std::swap(m_order[m_rank], m_order[column]);
-        return most;
+        return most > 0.0;
     }
 
     void eliminateBelow() {
-        const Values &pivot = m_rows[m_rank];
+        const Values &pivot = m_rows[m_rank], &pivotSizes = m_sizes[m_rank];
         const uint32_t column = m_order[m_rank];
         for (uint32_t i = m_rank + 1; i < m_count; ++i) {
             Values &row = m_rows[i];
             const double factor = row[column] / pivot[column];
             row[column] = factor;
             if (factor == 0.0) continue;
-            for (uint32_t j = m_rank + 1; j < m_unknowns; ++j) row[m_order[j]] -= factor * pivot[m_order[j]];
+            for (uint32_t j = m_rank + 1; j < m_unknowns; ++j) {
+                row[m_order[j]] -= factor * pivot[m_order[j]];
+                m_sizes[i][m_order[j]] += std::abs(factor) * pivotSizes[m_order[j]];
+            }
         }
     }
 };

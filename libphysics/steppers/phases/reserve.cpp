@@ -237,6 +237,7 @@ uint32_t Series::spent(std::span<Vec3> slips) const {
     for (uint32_t i = 0; i < m_count; ++i) {
         const Contact &contact = m_contacts[i];
         if (contact.mode != Mode::sticking || contact.held.isGlued || contact.isKept) continue;
+        if (isIdle(contact, soon)) continue; // there is none to be spent
         const auto [left, none] = reserveOf(contact);
         if (left[0] > none || !falls(left, none, soon)) continue;
         const double most = contact.held.friction * contact.N[0];

@@ -421,9 +421,10 @@ void Series::measure() {
     for (const Contact &contact : contacts()) s = contact.isKept ? std::min(s, kKeptFor / 0.8) : s;
     m_reach.measure(s);
     s = m_reach.horizon / m_reach.unit;
-    double most = 0.0, jerk = 0.0;
+    double most = 0.0;
+    Vec3 jerk(0.0);
     for (int k = kOrder; k >= 0; --k) most = most * s + glm::length(m_a[k]);
-    for (int k = kOrder; k >= 1; --k) jerk = jerk * s + k * glm::length(m_a[k]);
+    for (int k = kOrder; k >= 1; --k) jerk = s * jerk + double(k) * glm::abs(m_a[k]);
     m_most = most;
     m_jerk = jerk / unit();
 }
@@ -436,7 +437,8 @@ Way Series::at(double t) const {
 Vec3 Series::spinAt(double t) const { return m_mirror.backSpin(m_om.at(t / unit())); }
 
 double Series::least(const Vec3 &n, double, double t, double until) const {
-    return glm::dot(m_mirror.seen(n), m_a.at(t / unit())) - m_jerk * (until - t);
+    const Vec3 seen = m_mirror.seen(n);
+    return glm::dot(seen, m_a.at(t / unit())) - glm::dot(glm::abs(seen), m_jerk) * (until - t);
 }
 
 Jet Series::slipSpeed(const Contact &contact) const {

@@ -91,7 +91,8 @@ private:
     uint32_t m_count = 0, m_unknowns = 0;
     uint32_t m_rolls = kMostHeld; ///< the contact at which resistance acts
     Reach m_reach;
-    double m_most = 0.0, m_jerk = 0.0, m_noForce = 0.0;
+    double m_most = 0.0, m_noForce = 0.0;
+    Vec3 m_jerk{0.0}; ///< along each axis at most
     VecJet m_p, m_v, m_om, m_a, m_al;
     VecJet m_turning, m_rolling; ///< om_t, and its direction
     Jet m_turningSpeed;          ///< |om_t|, or its quotient by the time if the ball starts
