@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import ctypes
 import os
+import weakref
+from collections.abc import Callable
 from ctypes import POINTER, byref, c_char, c_char_p, c_double, c_int32, c_size_t, c_uint32, c_uint64, c_void_p
 from pathlib import Path
 from typing import Any
@@ -139,6 +141,40 @@ def check(status: int, error: Error | None = None) -> None:
     if status != 0:
         text = error.text if error is not None and error.status == status else lib.phys_status_text(status)
         raise PhysicsError(status, text.decode(errors="replace"))
+
+
+class Handle:
+    """What a *_create function of the library made: destroyed once, when nothing refers to it any more, and before what it
+    was made from, in whatever order the interpreter drops the objects. ctypes passes it as the pointer.
+    """
+
+    __slots__ = ("_as_parameter_", "__weakref__")
+
+    def __init__(self, create: Callable[..., int], destroy: Callable[[c_void_p], None], *arguments: Any) -> None:
+        pointer, error = c_void_p(), Error()
+        check(create(*arguments, byref(pointer), byref(error)), error)
+        self._as_parameter_ = pointer
+        needed = [argument for argument in arguments if isinstance(argument, Handle)]
+        weakref.finalize(self, _destroy, destroy, pointer, needed).atexit = False
+
+
+def _destroy(destroy: Callable[[c_void_p], None], pointer: c_void_p, needed: list[Handle]) -> None:
+    destroy(pointer)  # before `needed` is dropped
+
+
+class Owner:
+    """Has handles and never changes, so that a copy of it is itself."""
+
+    __slots__ = ()
+
+    def __copy__(self) -> Any:
+        return self
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Any:
+        return self
+
+    def __reduce__(self) -> Any:
+        raise TypeError(f"a {type(self).__name__} can't be pickled: make another where it is needed")
 
 
 def address(array: np.ndarray) -> int:

@@ -6,10 +6,11 @@ import functools
 from collections.abc import Iterable
 from ctypes import byref
 from itertools import repeat
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from ._arguments import numbers
 from ._library import Error, ParamRow, address, check, lib, library_rows
 from ._records import params_dtype
 
@@ -22,24 +23,43 @@ def gravity_from_tilt(tilt_x: Any, tilt_y: Any, strength: Any = 9.81) -> np.ndar
 
     Returns an array of their common shape + (3,): the bits of phys_gravity_from_tilt.
     """
-    given = [np.asarray(value, "f8") for value in (tilt_x, tilt_y, strength)]
+    given = [numbers(tilt_x, "tilt_x"), numbers(tilt_y, "tilt_y"), numbers(strength, "strength")]
     shape = np.broadcast_shapes(*(values.shape for values in given))
     gravity = np.empty(shape + (3,))
     places = range(address(gravity), address(gravity) + gravity.nbytes, 24)
-    numbers = (repeat(values.item()) if values.size == 1 else np.broadcast_to(values, shape).ravel().tolist()
-               for values in given)
-    statuses = map(lib.phys_gravity_from_tilt, *numbers, places)
+    each = (repeat(values.item()) if values.size == 1 else np.broadcast_to(values, shape).ravel().tolist()
+            for values in given)
+    statuses = map(lib.phys_gravity_from_tilt, *each, places)
     check(min(statuses, default=0))  # all of them: errors are negative
     return gravity
 
 
-def _by_name(rows: Iterable[ParamRow]) -> dict[str, ParamRow]:
+class Row(NamedTuple):
+    """A ParamRow by value, which another process understands, too."""
+
+    id: bytes
+    label: bytes
+    unit: bytes
+    help: bytes
+    choices: bytes
+    min: float
+    max: float
+    low: float
+    high: float
+    initial: float
+    step: float
+    offset: int
+    flags: int
+
+
+def _by_name(rows: Iterable[ParamRow]) -> dict[str, Row]:
     """A later library may have rows whose values lie behind the struct that this package knows: without those."""
-    return {row.id.decode(): row for row in rows if row.offset + 4 <= params_dtype.itemsize}
+    copies = (Row(*(getattr(row, name) for name in Row._fields)) for row in rows)
+    return {row.id.decode(): row for row in copies if row.offset + 4 <= params_dtype.itemsize}
 
 
 @functools.cache
-def _rows_of_library() -> dict[str, ParamRow]:
+def _rows_of_library() -> dict[str, Row]:
     return _by_name(library_rows())
 
 
@@ -55,7 +75,6 @@ class Params:
     record: np.ndarray  #: the C structs, dtype params_dtype
 
     def __init__(self, own_rows: list[ParamRow] | None = None, **values: Any) -> None:
-        object.__setattr__(self, "_rows", _rows_of_library() | _by_name(own_rows or []))
         shapes = [np.shape(value)[:-1] if name == "gravity" else np.shape(value) for name, value in values.items()]
         record = np.zeros(np.broadcast_shapes(*shapes), params_dtype)
         first = np.zeros((), params_dtype)
@@ -63,7 +82,7 @@ class Params:
         for row in own_rows or []:
             check(lib.phys_param_set(address(first), byref(row), row.initial, None))
         record[...] = first
-        object.__setattr__(self, "record", record)
+        self.__setstate__((record, _by_name(own_rows or [])))
         for name, value in values.items():
             setattr(self, name, value)
 
@@ -83,7 +102,7 @@ class Params:
         """All names that can be read and set."""
         return [name for name in self._rows if not name.startswith("gravity_")] + ["gravity", *_OPTIONS]
 
-    def _view(self, row: ParamRow) -> np.ndarray:
+    def _view(self, row: Row) -> np.ndarray:
         kind = "u4" if row.flags & _CHOICE else "f8"
         return np.ndarray(self.shape, kind, self.record, row.offset, self.record.strides)
 
@@ -92,44 +111,63 @@ class Params:
             return self.record["gravity"]
         if name in _OPTIONS:
             return (self.record["options"] & _OPTIONS[name]) != 0
-        if name not in self._rows:
+        if name.startswith("_") or name not in self._rows:  # _rows itself, before there is one
             raise AttributeError(self._unknown(name))
         values = self._view(self._rows[name])
         return values if self.shape else values.item()
 
     def __setattr__(self, name: str, value: Any) -> None:
+        if name != "gravity" and name not in _OPTIONS and name not in self._rows:
+            raise AttributeError(self._unknown(name))
+        value = numbers(value, name)
         if name in _OPTIONS:
             bit = np.uint32(_OPTIONS[name])
+            if not np.isin(value, (0, 1)).all():
+                raise ValueError(f"{name} is {value}; expected True or False")
             self.record["options"] = np.where(value, self.record["options"] | bit, self.record["options"] & ~bit)
         elif name == "gravity":
-            value = np.asarray(value, "f8")
+            if value.shape[-1:] != (3,):
+                raise ValueError(f"gravity has the shape {value.shape}; expected (..., 3)")
             for axis, letter in enumerate("xyz"):
                 self._check(self._rows["gravity_" + letter], value[..., axis])
             self.record["gravity"] = value
-        elif name in self._rows:
+        else:
             row = self._rows[name]
             self._check(row, value)
             self._view(row)[...] = value
-        else:
-            raise AttributeError(self._unknown(name))
 
-    def _check(self, row: ParamRow, value: Any) -> None:
+    def _check(self, row: Row, values: np.ndarray) -> None:
         """Asks the library about the values that are least likely to pass: each that isn't within the range."""
-        values = np.asarray(value, "f8").ravel()
         whole = values == np.floor(values)
         outside = values[~((values >= row.min) & (values <= row.max) & (whole | (row.flags & 9 == 0)))]
         if outside.size:
             scratch, error = np.array(self.record.ravel()[:1]), Error()
-            check(lib.phys_param_set(address(scratch), byref(row), float(outside[0]), byref(error)), error)
+            check(lib.phys_param_set(address(scratch), byref(ParamRow(*row)), float(outside.flat[0]), byref(error)), error)
 
     def _unknown(self, name: str) -> str:
         return f"no parameter is called '{name}'; known are {', '.join(sorted(self.names()))}"
 
     def copy(self) -> "Params":
-        other = object.__new__(Params)
-        object.__setattr__(other, "_rows", self._rows)
-        object.__setattr__(other, "record", self.record.copy())
+        """Independent of this one, as copy.copy and copy.deepcopy give it, too."""
+        record, own_rows = self.__getstate__()
+        other = object.__new__(type(self))
+        other.__setstate__((record.copy(), own_rows))
         return other
+
+    def __copy__(self) -> "Params":
+        return self.copy()
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> "Params":
+        return self.copy()
+
+    def __getstate__(self) -> tuple[np.ndarray, dict[str, Row]]:
+        """The values and the stepper's own rows; those of the library are the same in each process."""
+        return self.record, {name: row for name, row in self._rows.items() if name not in _rows_of_library()}
+
+    def __setstate__(self, state: tuple[np.ndarray, dict[str, Row]]) -> None:
+        record, own_rows = state
+        object.__setattr__(self, "_rows", _rows_of_library() | own_rows)
+        object.__setattr__(self, "record", record)
 
     def __dir__(self) -> list[str]:
         return sorted([*object.__dir__(self), *self.names()])

@@ -3,58 +3,47 @@
 from __future__ import annotations
 
 import ctypes
+import functools
 import os
-from ctypes import byref, c_double, c_uint32, c_void_p
+from ctypes import byref, c_double, c_uint32
 from typing import Any
 
 import numpy as np
 
-from ._library import Error, SceneDesc, address, check, lib
+from ._arguments import MOST_U32, laid_out, number, numbers, path as path_of, record, vector, whole
+from ._library import Error, Handle, Owner, SceneDesc, address, check, lib
 from ._records import contact_dtype, state_dtype
 
 
-class Scene:
+class Scene(Owner):
     """An immutable scene, from a maze file, a maze's text, or boxes.
 
     path: of a maze text file. text: of one in memory. boxes: shape (n, 2, 3), the lower and the upper corner of each, m;
-    with them radius (m) and start (m; default: where the library puts it). Just one of path, text and boxes.
+    with them radius (m) and start (m; default: where the library puts it). Just one of path, text and boxes. A scene is
+    pickled by its boxes, radius and start.
     """
 
     __slots__ = ("_handle", "__weakref__")
 
     def __init__(self, path: str | os.PathLike[str] | None = None, *, text: str | bytes | None = None, boxes: Any = None,
                  radius: float | None = None, start: Any = None) -> None:
-        self._handle = c_void_p()
         if (path is not None) + (text is not None) + (boxes is not None) != 1:
             raise TypeError("Scene takes one of path, text and boxes")
         if boxes is None and not (radius is None and start is None):
             raise TypeError("radius and start go with boxes")
-        error = Error()
         if path is not None:
-            check(lib.phys_scene_load(os.fsencode(path), byref(self._handle), byref(error)), error)
+            self._handle = Handle(lib.phys_scene_load, lib.phys_scene_destroy, path_of(path, "path"))
         elif text is not None:
-            data = text.encode() if isinstance(text, str) else bytes(text)
-            check(lib.phys_scene_parse(data, len(data), None, byref(self._handle), byref(error)), error)
+            if not isinstance(text, (str, bytes)):
+                raise TypeError(f"text is a {type(text).__name__}; expected str or bytes")
+            data = text.encode() if isinstance(text, str) else text
+            self._handle = Handle(lib.phys_scene_parse, lib.phys_scene_destroy, data, len(data), None)
         else:
-            self._create(boxes, radius, start, error)
+            self._handle = _create(boxes, radius, start)
 
-    def _create(self, boxes: Any, radius: float | None, start: Any, error: Error) -> None:
-        array = np.ascontiguousarray(boxes, "f8")
-        if array.size and array.shape[1:] != (2, 3):
-            raise ValueError(f"boxes has the shape {array.shape}; expected (n, 2, 3)")
-        desc = SceneDesc()
-        check(lib.phys_scene_desc_init(byref(desc), ctypes.sizeof(desc)))
-        desc.box_count, desc.boxes = array.size // 6, address(array) if array.size else None
-        if radius is not None:
-            desc.radius = radius
-            desc.start[:] = (0.0, 0.0, radius)
-        if start is not None:
-            desc.start[:] = tuple(start)
-        check(lib.phys_scene_create(byref(desc), byref(self._handle), byref(error)), error)
-
-    def __del__(self) -> None:
-        if self._handle:
-            lib.phys_scene_destroy(self._handle)
+    def __reduce__(self) -> Any:
+        made = functools.partial(type(self), boxes=self.boxes, radius=self.radius, start=self.start()["position"])
+        return made, (), getattr(self, "__dict__", None)
 
     @property
     def radius(self) -> float:
@@ -87,7 +76,7 @@ class Scene:
 
     def contacts(self, centre: Any, reach: float = 0.0) -> np.ndarray:
         """All boxes whose gap to a ball at `centre` (3, m) is at most `reach` (m): an array of contact_dtype, by box."""
-        place, count = np.array(centre, "f8").reshape(3), c_uint32()
+        place, reach, count = vector(centre, "centre"), number(reach, "reach"), c_uint32()
         check(lib.phys_scene_contacts(self._handle, address(place), reach, None, 0, byref(count)))
         out = np.zeros(count.value, contact_dtype)
         if out.size:
@@ -103,9 +92,22 @@ class Scene:
         return f"<Scene, {lib.phys_scene_box_count(self._handle)} boxes, radius {self.radius:g} m>"
 
 
+def _create(boxes: Any, radius: float | None, start: Any) -> Handle:
+    array = laid_out(numbers(boxes, "boxes"))
+    if array.shape != (0,) and (array.ndim != 3 or array.shape[1:] != (2, 3)):
+        raise ValueError(f"boxes has the shape {array.shape}; expected (n, 2, 3)")
+    desc = SceneDesc()
+    check(lib.phys_scene_desc_init(byref(desc), ctypes.sizeof(desc)))
+    desc.box_count, desc.boxes = whole(len(array), "len(boxes)", 0, MOST_U32), address(array) if array.size else None
+    if radius is not None:
+        desc.radius = number(radius, "radius")
+        desc.start[:] = (0.0, 0.0, desc.radius)
+    if start is not None:
+        desc.start[:] = vector(start, "start").tolist()
+    return Handle(lib.phys_scene_create, lib.phys_scene_destroy, byref(desc))
+
+
 def state_hash(state: np.ndarray) -> int:
     """64-bit hash (FNV-1a) of one state's 128 bytes."""
-    state = np.ascontiguousarray(state, state_dtype)
-    if state.size != 1:
-        raise ValueError(f"{state.size} states; expected one")
-    return lib.phys_state_hash(address(state))
+    one = record(state, state_dtype, "state")  # lives until the call is over
+    return lib.phys_state_hash(address(one))

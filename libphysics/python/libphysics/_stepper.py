@@ -6,16 +6,20 @@ import ctypes
 import os
 import threading
 from concurrent.futures import ThreadPoolExecutor
-from ctypes import byref, c_double, c_void_p
+from ctypes import byref, c_double
+from itertools import repeat
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from ._library import (SCAN_FUNCTION, Batch, Error, PhysicsError, Requirements, StepperInfo, address, check, lib)
+from ._arguments import MOST_U32, MOST_U64, is_laid_out, laid_out, number, numbers, path, record, records, text, whole
+from ._library import (SCAN_FUNCTION, Batch, Error, Handle, Owner, PhysicsError, Requirements, StepperInfo, address, check,
+                       lib)
 from ._params import Params, rows_of
 from ._records import event_dtype, params_dtype, report_dtype, state_dtype
 from ._scene import Scene
 
+_MOST_THREADS = 1024
 _STAGES = ("vertical motion", "substeps", "rolling resistance", "slip and spin", "grid", "orientation")
 
 
@@ -65,7 +69,7 @@ class Run(NamedTuple):
         return self
 
 
-class Registry:
+class Registry(Owner):
     """The steppers that can be made: the built-in ones, those of plugin files, and those that a scan finds.
 
     scan: also look into the folders of PHYS_PLUGIN_PATH and the one beside the library; `refused` says what was wrong
@@ -76,24 +80,19 @@ class Registry:
     refused: list[str]
 
     def __init__(self, *plugins: str | os.PathLike[str], scan: bool = False) -> None:
-        self._handle, error = c_void_p(), Error()
+        self._handle, error = Handle(lib.phys_registry_create, lib.phys_registry_destroy), Error()
         self.refused = []
-        check(lib.phys_registry_create(byref(self._handle), byref(error)), error)
         for plugin in plugins:
-            check(lib.phys_registry_load_file(self._handle, os.fsencode(plugin), byref(error)), error)
+            check(lib.phys_registry_load_file(self._handle, path(plugin, "plugin"), byref(error)), error)
         if scan:
-            hear = SCAN_FUNCTION(lambda _, __, status, text: self.refused.append(text.decode()) if status else None)
+            hear = SCAN_FUNCTION(lambda _, __, status, line: self.refused.append(_decoded(line)) if status else None)
             check(lib.phys_registry_scan(self._handle, None, hear, None, byref(error)), error)
-
-    def __del__(self) -> None:
-        if self._handle:
-            lib.phys_registry_destroy(self._handle)
 
     def steppers(self) -> list[Info]:
         """All of them, from crude to exact, then those of plugins."""
-        return [_describe(self.info(index)) for index in range(lib.phys_registry_count(self._handle))]
+        return [_describe(self._info(index)) for index in range(lib.phys_registry_count(self._handle))]
 
-    def info(self, index: int) -> StepperInfo:
+    def _info(self, index: int) -> StepperInfo:
         info = StepperInfo()
         check(lib.phys_registry_info(self._handle, index, byref(info)))
         return info
@@ -102,9 +101,13 @@ class Registry:
         return f"<Registry, {', '.join(info.id for info in self.steppers())}>"
 
 
+def _decoded(line: bytes) -> str:
+    return line.decode(errors="replace")
+
+
 def _describe(info: StepperInfo) -> Info:
     texts = (info.id, info.name, info.version, info.summary, info.file)
-    return Info(*(text.decode() for text in texts), tuple(row.id.decode() for row in rows_of(info)))
+    return Info(*map(_decoded, texts), tuple(_decoded(row.id) for row in rows_of(info)))
 
 
 def steppers() -> list[Info]:
@@ -112,35 +115,36 @@ def steppers() -> list[Info]:
     return Registry().steppers()
 
 
-class Stepper:
+class Stepper(Owner):
     """Computes steps in one scene.
 
     id: of a built-in stepper or one of the plugin's. plugin: path of a shared object, or a Registry. It keeps nothing
-    from one step to the next. Python threads may share it: they take turns; `run` uses threads of its own.
+    from one step to the next. Python threads may share it: they take turns; `run` uses threads of its own. It is pickled by
+    its id, scene and plugin's file.
     """
 
     __slots__ = ("_scene", "_registry", "_handles", "_info", "_lock", "__weakref__")
 
     def __init__(self, id: str, scene: Scene, plugin: str | os.PathLike[str] | Registry | None = None) -> None:
-        self._handles: list[c_void_p] = []
+        if not isinstance(scene, Scene):
+            raise TypeError(f"scene is {scene!r}; expected a Scene")
+        self._handles: list[Handle] = []
         self._lock = threading.Lock()
-        self._scene = scene  # it and the registry outlive the steppers made from them
+        self._scene = scene
         self._registry = plugin if isinstance(plugin, Registry) else Registry(*([] if plugin is None else [plugin]))
         self._info, error = StepperInfo(), Error()
-        check(lib.phys_registry_find(self._registry._handle, id.encode(), byref(self._info), byref(error)), error)
+        check(lib.phys_registry_find(self._registry._handle, text(id, "id"), byref(self._info), byref(error)), error)
         self._handle(0)
 
-    def __del__(self) -> None:
-        for handle in self._handles:
-            lib.phys_stepper_destroy(handle)
+    def __reduce__(self) -> Any:
+        info = self.info
+        return type(self), (info.id, self._scene, info.file or None), getattr(self, "__dict__", None)
 
-    def _handle(self, index: int) -> c_void_p:
+    def _handle(self, index: int) -> Handle:
         """The library's stepper for thread `index`."""
         while len(self._handles) <= index:
-            handle, error = c_void_p(), Error()
-            check(lib.phys_stepper_create(self._registry._handle, self._info.id, self._scene._handle, byref(handle),
-                                          byref(error)), error)
-            self._handles.append(handle)
+            self._handles.append(Handle(lib.phys_stepper_create, lib.phys_stepper_destroy, self._registry._handle,
+                                        self._info.id, self._scene._handle))
         return self._handles[index]
 
     @property
@@ -160,11 +164,12 @@ class Stepper:
 
         state: one element of state_dtype; it stays as it is. params: one set. Raises PhysicsError.
         """
-        before, obeyed = _one(state, state_dtype, "state"), _one(_record(params), params_dtype, "params")
+        before, obeyed = record(state, state_dtype, "state"), record(_record(params), params_dtype, "params")
+        dt, room = number(dt, "dt"), whole(events, "events", 0, MOST_U32)
         after, report = np.empty((), state_dtype), np.zeros((), report_dtype)
-        happened, error = np.zeros(events, event_dtype), Error()
+        happened, error = np.zeros(room, event_dtype), Error()
         check(lib.phys_report_init(address(report), report_dtype.itemsize))
-        report["events"], report["event_capacity"] = address(happened) if events else 0, events
+        report["events"], report["event_capacity"] = address(happened) if room else 0, room
         with self._lock:
             status = lib.phys_step(self._handle(0), address(obeyed), dt, address(before), address(after),
                                    address(report), byref(error))
@@ -180,25 +185,25 @@ class Stepper:
         states: state_dtype, any shape. params: one set or an array of them. gravity: m/s^2, in place of that of params:
         (3,) for all, or (..., 1, 3) for each ball, or (..., steps, 3) for each ball and step. The shapes of states and
         params and gravity's `...` broadcast to the batch. every: keep every k-th state as `path`; 0: none. stop: a ball
-        is done once its state has one of these flags, for instance OUT. threads: how many run, with the interpreter's
-        lock released. tally: whether `impacts` and `energy_lost` are wanted; steps are slower then. out: states of the
-        batch's shape that are written, for instance `states` itself.
-        Wrong arguments raise PhysicsError; a ball that fails has its status in the result (`Run.check` raises).
+        is done once its state has one of these flags, for instance OUT. threads: how many run (1 .. 1024; never more than
+        there are balls), with the interpreter's lock released. tally: whether `impacts` and `energy_lost` are wanted; steps
+        are slower then. out: states of the batch's shape that are written, for instance `states` itself.
+        Wrong arguments raise TypeError, ValueError or PhysicsError and write nothing; a ball that fails has its status in
+        the result (`Run.check` raises).
         """
-        for name, value in (("steps", steps), ("every", every), ("stop", stop), ("threads", threads)):
-            if value < 0 or value != int(value):
-                raise ValueError(f"{name} is {value}; expected a whole number that isn't negative")
-        record = _record(params)
+        given, sets, dt = records(states, state_dtype, "states"), _record(params), number(dt, "dt")
+        steps, every = whole(steps, "steps", 0, MOST_U64), whole(every, "every", 0, MOST_U64)
+        stop, threads = whole(stop, "stop", 0, MOST_U32), whole(threads, "threads", 1, _MOST_THREADS)
         pull = None if gravity is None else _gravity(gravity, steps)
-        shape = np.broadcast_shapes(np.shape(states), record.shape, () if pull is None else pull.shape[:-2])
-        result = _output(states, shape, out)
+        shape = np.broadcast_shapes(given.shape, sets.shape, () if pull is None else pull.shape[:-2])
+        result = _output(shape, out)
         path = np.empty(shape + (steps // every,), state_dtype) if every > 0 else None
         done, statuses = np.zeros(shape, "u8"), np.zeros(shape, "i4")
         batch = Batch()
         check(lib.phys_batch_init(byref(batch), ctypes.sizeof(batch)))
-        batch.stop_flags, batch.dt, batch.step_count, batch.ball_count = int(stop), dt, steps, result.size
-        record, batch.params_stride = _per_ball(record, shape, 0)
-        batch.params = address(record)
+        batch.stop_flags, batch.dt, batch.step_count, batch.ball_count = stop, dt, steps, result.size
+        sets, batch.params_stride = _per_ball(sets, shape, 0)
+        batch.params = address(sets)
         if pull is not None and steps > 0:
             pull, batch.gravity_ball_stride = _per_ball(pull, shape, 2)
             batch.gravity, batch.gravity_step_stride = address(pull), pull.strides[-2] if pull.shape[-2] > 1 else 0
@@ -211,90 +216,85 @@ class Stepper:
         energy_lost = np.zeros(shape, "f8") if tally else None
         if impacts is not None and energy_lost is not None:
             batch.impacts, batch.energy_lost = address(impacts), address(energy_lost)
-        if result.size:
-            with self._lock:
-                self._run_ranges(batch, max(1, min(threads, result.size)))
+        with self._lock:
+            handles = [self._handle(index) for index in range(max(1, min(threads, result.size)))]
+            _run_range(handles[0], batch, 0, 0)  # checks the arguments before anything is written
+            _copy_whole(given, result)
+            _run_ranges(handles, batch)
         return Run(result, path, done, statuses, impacts, energy_lost)
-
-    def _run_ranges(self, batch: Batch, threads: int) -> None:
-        def run(index: int) -> None:
-            first, end = (batch.ball_count * i // threads for i in (index, index + 1))
-            error = Error()
-            check(lib.phys_batch_run(handles[index], byref(batch), first, end - first, byref(error)), error)
-
-        handles = [self._handle(index) for index in range(threads)]
-        if threads == 1:
-            return run(0)
-        with ThreadPoolExecutor(threads) as pool:
-            list(pool.map(run, range(threads)))
 
     def energy(self, state: np.ndarray, params: Params | np.ndarray) -> float:
         """Energy per mass, J/kg."""
-        one, obeyed, value = _one(state, state_dtype, "state"), _one(_record(params), params_dtype, "params"), c_double()
+        one, obeyed = record(state, state_dtype, "state"), record(_record(params), params_dtype, "params")
+        value = c_double()
         check(lib.phys_energy(self._scene._handle, address(obeyed), address(one), byref(value)))
         return value.value
 
     def requirements(self, state: np.ndarray, params: Params | np.ndarray, dt: float) -> dict[str, tuple[bool, str]]:
         """For each stage of the step with these arguments whether it runs, and why."""
-        one, obeyed = _one(state, state_dtype, "state"), _one(_record(params), params_dtype, "params")
+        one, obeyed = record(state, state_dtype, "state"), record(_record(params), params_dtype, "params")
         told, error = Requirements(), Error()
         with self._lock:
-            status = lib.phys_stepper_requirements(self._handle(0), address(obeyed), dt, address(one), byref(told),
-                                                   byref(error))
+            status = lib.phys_stepper_requirements(self._handle(0), address(obeyed), number(dt, "dt"), address(one),
+                                                   byref(told), byref(error))
         check(status, error)
-        return {stage: (bool(told.stages >> i & 1), told.reasons[i].value.decode()) for i, stage in enumerate(_STAGES)}
+        reasons = [_decoded(reason.value) for reason in told.reasons]
+        return {stage: (bool(told.stages >> i & 1), reasons[i]) for i, stage in enumerate(_STAGES)}
 
     def __repr__(self) -> str:
         return f"<Stepper '{self.info.id}', version {self.info.version}, in {self._scene!r}>"
 
 
+def _run_range(handle: Handle, batch: Batch, first: int, count: int) -> None:
+    error = Error()
+    check(lib.phys_batch_run(handle, byref(batch), first, count, byref(error)), error)
+
+
+def _run_ranges(handles: list[Handle], batch: Batch) -> None:
+    """One range of the balls for each of the library's steppers, each in a thread."""
+    ends = [batch.ball_count * i // len(handles) for i in range(len(handles) + 1)]
+    counts = [end - first for first, end in zip(ends, ends[1:])]
+    if len(handles) == 1:
+        return _run_range(handles[0], batch, 0, counts[0])
+    with ThreadPoolExecutor(len(handles)) as pool:
+        list(pool.map(_run_range, handles, repeat(batch), ends, counts))
+
+
 def _record(params: Params | np.ndarray) -> np.ndarray:
-    if isinstance(params, Params):
-        return params.record
-    record = np.asarray(params)
-    if record.dtype != params_dtype:
-        raise TypeError(f"params has the dtype {record.dtype}; expected Params or params_dtype")
-    return record
-
-
-def _states(states: np.ndarray, name: str) -> np.ndarray:
-    array = np.asarray(states)
-    if array.dtype != state_dtype:
-        raise TypeError(f"{name} has the dtype {array.dtype}; expected state_dtype")
-    return array
-
-
-def _one(array: np.ndarray, dtype: np.dtype, name: str) -> np.ndarray:
-    array = np.asarray(array)
-    if array.dtype != dtype or array.size != 1:
-        raise TypeError(f"{name}: {array.size} elements of {array.dtype}; expected one of {name}_dtype")
-    return np.ascontiguousarray(array)
+    return params.record if isinstance(params, Params) else records(params, params_dtype, "params")
 
 
 def _gravity(gravity: Any, steps: int) -> np.ndarray:
-    array = np.asarray(gravity, "f8")
+    array = numbers(gravity, "gravity")
     array = array.reshape(1, 3) if array.shape == (3,) else array
     if array.ndim < 2 or array.shape[-1] != 3 or array.shape[-2] not in (1, steps):
         raise ValueError(f"gravity has the shape {array.shape}; expected (3,), (..., 1, 3) or (..., {steps}, 3)")
     return array
 
 
-def _output(states: np.ndarray, shape: tuple[int, ...], out: np.ndarray | None) -> np.ndarray:
-    given = _states(states, "states")
+def _output(shape: tuple[int, ...], out: np.ndarray | None) -> np.ndarray:
     if out is None:
-        out = np.empty(shape, state_dtype)
-    elif out.dtype != state_dtype or out.shape != shape or not (out.flags.c_contiguous and out.flags.writeable):
-        raise ValueError(f"out: expected a contiguous array of state_dtype and shape {shape} that can be written")
+        return np.empty(shape, state_dtype)
+    if not isinstance(out, np.ndarray):
+        raise TypeError(f"out is a {type(out).__name__}; expected an array of state_dtype")
+    records(out, state_dtype, "out")
+    if out.shape != shape:
+        raise ValueError(f"out has the shape {out.shape}; expected {shape}")
+    if not (is_laid_out(out) and out.flags.writeable):
+        raise ValueError("out is read-only, not contiguous or not aligned; expected an array that C can write to")
+    return out
+
+
+def _copy_whole(given: np.ndarray, out: np.ndarray) -> None:
     if out is not given:
         whole = f"V{state_dtype.itemsize}"  # numpy copies records member by member
         out.view(whole)[...] = given.view(whole)
-    return out
 
 
 def _per_ball(array: np.ndarray, shape: tuple[int, ...], inner: int) -> tuple[np.ndarray, int]:
     """The array with its batch dimensions as one, and the bytes from ball to ball: 0 if all balls share one element."""
     tail = array.shape[array.ndim - inner:]
     if np.prod(array.shape[:array.ndim - inner]) == 1:
-        return np.ascontiguousarray(array).reshape((1,) + tail), 0
-    whole = np.ascontiguousarray(np.broadcast_to(array, shape + tail)).reshape((-1,) + tail)
-    return whole, whole.strides[0]
+        return laid_out(array).reshape((1,) + tail), 0
+    each = laid_out(np.broadcast_to(array, shape + tail)).reshape((np.prod(shape, dtype=int),) + tail)
+    return each, each.strides[0]

@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: MIT
 """The Python package against the library it calls: each fact by single steps, closed forms or the C function itself."""
+import copy
+import gc
 import os
+import pickle
 import subprocess
 import sys
 import tempfile
 import threading
 import unittest
+from fractions import Fraction
 
 import numpy as np
 
@@ -338,6 +342,209 @@ class RegistryTest(unittest.TestCase):
             environment = {**os.environ, "PHYS_PLUGIN_PATH": folder}
             out = subprocess.run([sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=True)
         self.assertIn("no.so", out.stdout)
+
+
+class CopyTest(unittest.TestCase):
+    """Copies outlive what they were made from: the library's objects are freed once, after the last of them."""
+
+    def copies(self, thing):
+        return copy.copy(thing), copy.deepcopy(thing)
+
+    def test_copies_of_a_scene_outlive_it(self):
+        scene = lp.Scene(boxes=[FLOOR, WALL], radius=0.125, start=(0.5, 0.25, 0.125))
+        others = [*self.copies(scene), pickle.loads(pickle.dumps(scene))]
+        del scene
+        for other in others:
+            self.assertEqual(other.radius, 0.125)
+            np.testing.assert_array_equal(other.boxes, [FLOOR, WALL])
+            np.testing.assert_array_equal(other.start()["position"], [0.5, 0.25, 0.125])
+
+    def test_copies_of_a_stepper_make_its_steps(self):
+        stepper = lp.Stepper("adaptive-drag", room(), plugin=PLUGIN)
+        params = stepper.params(air_drag=0.25, gravity=(1, 0, -9))
+        expected = stepper.step(room().start(), params, 0.25).state.tobytes()
+        others = [*self.copies(stepper), pickle.loads(pickle.dumps(stepper))]
+        del stepper
+        for other in others:
+            self.assertEqual(other.step(room().start(), params, 0.25).state.tobytes(), expected)
+
+    def test_registry_is_shared_but_stays_in_its_process(self):
+        registry = lp.Registry(PLUGIN)
+        others = self.copies(registry)
+        del registry
+        for other in others:
+            self.assertEqual(lp.Stepper("adaptive-drag", room(), plugin=other).info.file, PLUGIN)
+        with self.assertRaisesRegex(TypeError, "Registry can't be pickled"):
+            pickle.dumps(others[0])
+
+    def test_copies_of_params_are_independent_and_know_their_names(self):
+        params = lp.Stepper("rk4", room()).params(as_reported=1, restitution_wall=[0.25, 0.75])
+        for other in (*self.copies(params), pickle.loads(pickle.dumps(params))):
+            self.assertEqual(other.record.tobytes(), params.record.tobytes())
+            other.as_reported = other.restitution_wall = 0
+            self.assertEqual(params.as_reported.tolist(), [1, 1])
+            with self.assertRaisesRegex(lp.PhysicsError, "as_reported is 2"):
+                other.as_reported = 2
+
+    def test_a_stepper_outlives_what_its_scene_was(self):
+        scene = room()
+        stepper = lp.Stepper("exact", scene)
+        expected = stepper.step(scene.start(), stepper.params(), 0.25).state.tobytes()
+        scene.__init__(boxes=[FLOOR], radius=0.5)
+        self.assertEqual(stepper.step(room().start(), stepper.params(), 0.25).state.tobytes(), expected)
+
+    def test_steppers_are_freed_before_scenes_even_in_a_cycle(self):
+        from libphysics import _library
+        freed = []
+
+        class Circle:
+            pass
+
+        def create(*arguments):
+            arguments[-2]._obj.value = len(arguments)  # a pointer that is never followed
+            return 0
+
+        circle = Circle()
+        circle.scene = _library.Handle(create, lambda pointer: freed.append("scene"))
+        circle.stepper = _library.Handle(create, lambda pointer: freed.append("stepper"), circle.scene)
+        circle.itself = circle
+        del circle
+        gc.collect()
+        self.assertEqual(freed, ["stepper", "scene"])
+
+
+class ArgumentTest(unittest.TestCase):
+    """What crosses into C: each wrong one is refused by what was expected and found, and nothing is written."""
+
+    def setUp(self):
+        self.scene = room()
+        self.stepper = lp.Stepper("swept", self.scene)
+        self.params = self.stepper.params()
+
+    def run_with(self, **change):
+        arguments = {"states": self.scene.start(2), "params": self.params, "dt": 0.25, "steps": 3, **change}
+        return self.stepper.run(**arguments)
+
+    def test_integers_stay_within_those_of_c(self):
+        uses = {"steps": (lambda n: self.run_with(steps=n), 2**64), "every": (lambda n: self.run_with(every=n), 2**64),
+                "stop": (lambda n: self.run_with(stop=n), 2**32), "threads": (lambda n: self.run_with(threads=n), 1025),
+                "events": (lambda n: self.stepper.step(self.scene.start(), self.params, 0.25, events=n), 2**32)}
+        for name, (use, beyond) in uses.items():
+            for value in (-1, beyond, beyond + 3, 2**64 + 3, 2**70):
+                with self.assertRaisesRegex(ValueError, f"^{name} is {value}; expected . .. ", msg=f"{name}={value}"):
+                    use(value)
+            for value in (2.0, "2", None, np.float64(2), [1, 2]):
+                with self.assertRaisesRegex(TypeError, f"^{name} is .*; expected an integer", msg=f"{name}={value!r}"):
+                    use(value)
+            for value in (1, np.int64(1), np.uint8(1), np.array(1)):
+                use(value)
+
+    def test_numbers_are_numbers(self):
+        state = self.scene.start()
+        uses = {"dt": lambda x: self.stepper.step(state, self.params, x),
+                "dt of run": lambda x: self.run_with(dt=x),
+                "dt of requirements": lambda x: self.stepper.requirements(state, self.params, x),
+                "reach": lambda x: self.scene.contacts((0, 0, 0), x),
+                "radius": lambda x: lp.Scene(boxes=[FLOOR], radius=x, start=(0, 0, 1)),
+                "tilt_x": lambda x: lp.gravity_from_tilt(x, 0.0),
+                "restitution_wall": lambda x: self.stepper.params(restitution_wall=x)}
+        for name, use in uses.items():
+            for value in ("0.25", b"1", 1j, np.array(1j), object(), 10**400, np.zeros((), lp.state_dtype)):
+                with self.assertRaisesRegex(TypeError, "; expected numbers", msg=f"{name}={value!r}"):
+                    use(value)
+            for value in (0.25, 1, True, np.float32(0.25), np.array(0.25), Fraction(1, 4), np.array([0.25], ">f8")[0]):
+                use(value)
+        for name in ("dt", "dt of run", "reach", "radius"):
+            with self.assertRaises(TypeError, msg=name):
+                uses[name]([0.25, 0.25])
+        for name in ("dt", "dt of run", "dt of requirements", "reach", "tilt_x", "restitution_wall"):
+            with self.assertRaises(TypeError, msg=name):
+                uses[name](None)
+
+    def test_vectors_have_their_shape(self):
+        for wrong in ((0, 0), (0, 0, 1, 2), [[0, 0, 1]], 1.0):
+            for use in (lambda: self.scene.contacts(wrong), lambda: lp.Scene(boxes=[FLOOR], start=wrong)):
+                with self.assertRaisesRegex(ValueError, r"has the shape .*; expected \(3,\)"):
+                    use()
+        for wrong in (1.0, (1, 2), (1, 2, 3, 4), [[1]]):
+            with self.assertRaisesRegex(ValueError, "gravity has the shape"):
+                self.params.gravity = wrong
+        for wrong in (np.zeros((2, 3)), np.zeros((0, 5)), np.zeros((5, 0)), 1.0):
+            with self.assertRaisesRegex(ValueError, "boxes has the shape"):
+                lp.Scene(boxes=wrong)
+
+    def test_texts_are_texts_to_their_end(self):
+        for use in (lambda: lp.Stepper("rk4\0", self.scene), lambda: lp.Scene(LEVEL + "\0.txt"), lambda: lp.Registry("a\0b"),
+                    lambda: lp.Scene(os.fsencode(LEVEL) + b"\0")):
+            with self.assertRaisesRegex(ValueError, "without NUL"):
+                use()
+        for use in (lambda: lp.Stepper(b"rk4", self.scene), lambda: lp.Stepper(None, self.scene), lambda: lp.Scene(5),
+                    lambda: lp.Scene(text=5), lambda: lp.Registry(None), lambda: lp.Stepper("rk4", "01.txt"),
+                    lambda: lp.Stepper("rk4", self.scene, plugin=5)):
+            with self.assertRaisesRegex(TypeError, "; expected"):
+                use()
+
+    def test_switches_are_true_or_false(self):
+        for value in (2, float("nan"), -1):
+            with self.assertRaises(ValueError):
+                self.params.orientation = value
+        with self.assertRaises(TypeError):
+            self.params.orientation = "no"
+        self.assertFalse(self.params.orientation)
+
+    def test_records_of_any_layout_are_read(self):
+        states = self.scene.start(3)
+        states["velocity"][:, 0] = (0.25, 0.5, 0.75)
+        expected = self.run_with(states=states).states.tobytes()
+        memory = np.zeros(3 * 128 + 1, "u1")
+        odd = memory[1:].view(lp.state_dtype)
+        odd[...] = states
+        fixed = states.copy()
+        fixed.flags.writeable = False
+        for given in (odd, fixed, np.repeat(states, 2)[::2], states[::-1].copy()[::-1]):
+            self.assertEqual(self.run_with(states=given).states.tobytes(), expected)
+            self.assertEqual(self.stepper.step(given[1], self.params, 0.25).state.tobytes(),
+                             self.stepper.step(states[1], self.params, 0.25).state.tobytes())
+            self.assertEqual(lp.state_hash(given[1:2]), lp.state_hash(states[1]))
+        boxes = np.frombuffer(b" " + np.array([FLOOR, WALL], "f8").tobytes(), "f8", offset=1).reshape(2, 2, 3)
+        np.testing.assert_array_equal(lp.Scene(boxes=boxes).boxes, [FLOOR, WALL])
+
+    def test_what_isn_t_a_state_is_refused(self):
+        swapped = self.scene.start().astype(lp.state_dtype.newbyteorder())
+        for wrong in (np.zeros(16), None, 1.0, swapped, self.params.record):
+            for use in (lambda: self.run_with(states=wrong), lambda: lp.state_hash(wrong),
+                        lambda: self.stepper.step(wrong, self.params, 0.25), lambda: self.stepper.energy(wrong, self.params)):
+                with self.assertRaisesRegex(TypeError, "expected state_dtype"):
+                    use()
+        for wrong in ({"restitution_wall": 1}, None, self.scene.start()):
+            with self.assertRaisesRegex(TypeError, "expected params_dtype"):
+                self.run_with(params=wrong)
+
+    def test_outputs_stay_as_they_were_if_an_argument_is_wrong(self):
+        out = np.full(2, 7, lp.state_dtype)
+        before = out.tobytes()
+        shared = self.params.copy()
+        shared.record["restitution_wall"] = 7
+        for wrong in ({"dt": -1.0}, {"dt": float("nan")}, {"stop": 64}, {"params": shared}, {"steps": 2**64}, {"threads": 0},
+                      {"every": -1}, {"gravity": np.zeros((2, 2, 3))}):
+            with self.assertRaises((ValueError, lp.PhysicsError), msg=str(wrong)):
+                self.run_with(out=out, **wrong)
+            self.assertEqual(out.tobytes(), before, str(wrong))
+
+    def test_outputs_that_c_cannot_write_are_refused(self):
+        fixed = self.scene.start(2)
+        fixed.flags.writeable = False
+        odd = np.zeros(2 * 128 + 1, "u1")[1:].view(lp.state_dtype)
+        for out in (fixed, odd, self.scene.start(4)[::2], self.scene.start(3)):
+            with self.assertRaisesRegex(ValueError, "^out "):
+                self.run_with(out=out)
+        for out in ([1, 2], np.zeros((2, 16))):
+            with self.assertRaisesRegex(TypeError, "^out "):
+                self.run_with(out=out)
+
+    def test_arguments_are_checked_without_balls_too(self):
+        with self.assertRaises(lp.PhysicsError):
+            self.run_with(states=self.scene.start(0), dt=-1.0)
 
 
 class PackageTest(unittest.TestCase):

@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: MIT
+"""What crosses into C: numbers, texts and arrays, each checked in one place before ctypes would wrap, cut or cast it."""
+from __future__ import annotations
+
+import operator
+import os
+from reprlib import repr as short
+from typing import Any
+
+import numpy as np
+
+from ._records import params_dtype, state_dtype
+
+MOST_U32, MOST_U64 = 2**32 - 1, 2**64 - 1
+
+_ALIGNMENT = 8  # of every struct of the library
+_NAMES = {state_dtype: "state_dtype", params_dtype: "params_dtype"}
+
+
+def whole(value: Any, name: str, least: int, most: int) -> int:
+    """An integer within its range; a float is none, even a whole one."""
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name} is {short(value)}; expected an integer") from None
+    if not least <= number <= most:
+        raise ValueError(f"{name} is {number}; expected {least} .. {most}")
+    return number
+
+
+def numbers(value: Any, name: str) -> np.ndarray:
+    """An array of doubles. Texts, None, complex numbers and records are no numbers."""
+    array = np.asarray(value)
+    if array.dtype.kind not in "buifO":
+        raise TypeError(f"{name} is {short(value)}; expected numbers")
+    try:
+        if array.dtype.kind == "O":  # integers beyond 64 bits, fractions: as float() takes them, which refuses None
+            return np.array([_real(one) for one in array.ravel()], "f8").reshape(array.shape)
+        return np.asarray(array, "f8")
+    except (TypeError, ValueError, OverflowError):
+        raise TypeError(f"{name} is {short(value)}; expected numbers") from None
+
+
+def _real(value: Any) -> float:
+    if isinstance(value, (str, bytes)):
+        raise TypeError
+    return float(value)
+
+
+def number(value: Any, name: str) -> float:
+    """One double."""
+    array = numbers(value, name)
+    if array.size != 1:
+        raise TypeError(f"{name} has the shape {array.shape}; expected one number")
+    return array.item()
+
+
+def vector(value: Any, name: str) -> np.ndarray:
+    """Three doubles side by side."""
+    array = numbers(value, name)
+    if array.shape != (3,):
+        raise ValueError(f"{name} has the shape {array.shape}; expected (3,)")
+    return laid_out(array)
+
+
+def text(value: Any, name: str) -> bytes:
+    """A C string."""
+    if not isinstance(value, str):
+        raise TypeError(f"{name} is {short(value)}; expected a str")
+    return _ended(value.encode(), name)
+
+
+def path(value: Any, name: str) -> bytes:
+    """A C string that names a file."""
+    try:
+        encoded = os.fsencode(value)
+    except TypeError:
+        raise TypeError(f"{name} is {short(value)}; expected a path") from None
+    return _ended(encoded, name)
+
+
+def _ended(value: bytes, name: str) -> bytes:
+    if b"\0" in value:
+        raise ValueError(f"{name} is {short(value)}; expected a text without NUL")
+    return value
+
+
+def is_laid_out(array: np.ndarray) -> bool:
+    """Whether C may read it: side by side in numpy's order, at an address that its numbers can have."""
+    return array.flags.c_contiguous and array.__array_interface__["data"][0] % _ALIGNMENT == 0
+
+
+def laid_out(array: np.ndarray) -> np.ndarray:
+    """The array, or a copy of it that C may read."""
+    return array if is_laid_out(array) else np.array(array, order="C")
+
+
+def records(value: Any, dtype: np.dtype, name: str) -> np.ndarray:
+    """An array of one of the C structs."""
+    array = np.asarray(value)
+    if array.dtype != dtype:
+        found = "of other records" if array.dtype.names else f"of {array.dtype}"
+        raise TypeError(f"{name} is an array {found}; expected {_NAMES[dtype]}")
+    return array
+
+
+def record(value: Any, dtype: np.dtype, name: str) -> np.ndarray:
+    """One of the C structs."""
+    array = records(value, dtype, name)
+    if array.size != 1:
+        raise TypeError(f"{name} has {array.size} elements; expected one")
+    return laid_out(array)
