@@ -4,7 +4,6 @@
 #include "base/text.h"
 #include "discrete/requirements.h"
 #include "exact/exact_step.h"
-#include "exact/undisturbed.h"
 #include "registry/built_in_steppers.h"
 
 #include <bit>
@@ -46,8 +45,7 @@ phys_params withoutNegligibleGravity(phys_params params) {
 
 phys_status advance(Exact &self, const phys_params &params, double dt, const phys_state &in, phys_state &out,
                     phys_report *report, phys_error *err) {
-    if (rollUndisturbed(self.scene, self.regions, params, dt, in, out, report)) return PHYS_OK;
-    return followEvents(self.scene, self.regions, params, dt, in, out, report, err);
+    return stepExactly(self.scene, self.regions, params, dt, in, out, report, err);
 }
 
 phys_status stepExact(void *self, const phys_params *params, double dt, const phys_state *in, phys_state *out,

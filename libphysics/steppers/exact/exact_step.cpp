@@ -8,6 +8,7 @@
 #include "exact/first_event.h"
 #include "exact/follow.h"
 #include "exact/ground.h"
+#include "exact/region_run.h"
 #include "exact/resolve.h"
 
 #include <cmath>
@@ -19,12 +20,19 @@ namespace {
 /// Pushes the ball out of boxes that it overlaps in the given state: model.md 5.7.
 phys_status leaveBoxes(Ground &ground, MovingBall &ball) {
     if (ground.keeps(ball, glm::length(ball.setting.gravity())) || ground.lookAround(ball)) return PHYS_OK;
+    if (ball.elapsed > 0.0) return PHYS_OK; // it has just met one
     const PushOut pushed = pushOut(ball.scene(), ball.position, ball.work);
     ball.report.penetration(pushed.depth);
     if (pushed.isFree) return PHYS_OK;
     if (const phys_status status = ball.checkWork()) return status;
     return fail(ball.error, PHYS_ERROR_STUCK, "the ball at (%.9g, %.9g, %.9g) is wedged where it doesn't fit",
                 ball.position.x, ball.position.y, ball.position.z);
+}
+
+/// Whether the ball slips on a floor.
+bool slipsAt(const Vec3 &normal, const MovingBall &ball) {
+    return ball.setting.isRigid() && ball.params().sliding_friction > 0.0 &&
+           !isNoSlip(ball.moment(), slipAt(ball.moment(), normal));
 }
 
 /// response: of the present contacts, or nullptr if the law hasn't been evaluated.
@@ -35,8 +43,7 @@ uint32_t flagsOf(const Touching &touching, const Response *response, MovingBall 
         const bool presses = response ? isClosed(*response, i) : ball.params().gravity.z < 0.0;
         if (!contact.isTop || !presses) continue;
         isCarried = true;
-        const Vec3 slip = slipAt(ball.moment(), contact.normal);
-        slips = ball.setting.isRigid() && ball.params().sliding_friction > 0.0 && !isNoSlip(ball.moment(), slip);
+        slips = slipsAt(contact.normal, ball);
     }
     const uint32_t flags = (isCarried ? 0 : PHYS_AIRBORNE) | (slips ? PHYS_SLIPPING : 0);
     if (!ball.isStill() || touching.count() == 0) return flags;
@@ -45,7 +52,7 @@ uint32_t flagsOf(const Touching &touching, const Response *response, MovingBall 
     return flags | (rests(ball, response ? *response : asked) ? PHYS_AT_REST : 0);
 }
 
-phys_status leave(const Touching &touching, const Response *response, MovingBall &ball, phys_state &out) {
+phys_status leave(const MovingBall &ball, uint32_t flags, phys_state &out) {
     const Vec3 sum = ball.position + ball.motion.velocity + ball.motion.spin;
     if (!std::isfinite(sum.x + sum.y + sum.z)) {
         return fail(ball.error, PHYS_ERROR_INTERNAL, "the step's result isn't a number");
@@ -54,22 +61,16 @@ phys_status leave(const Touching &touching, const Response *response, MovingBall
     out.velocity = fromVec(ball.motion.velocity);
     out.spin = fromVec(ball.motion.spin);
     std::copy(std::begin(ball.orientation), std::end(ball.orientation), out.orientation);
-    out.flags = (ball.scene().isOut(out.position) ? PHYS_OUT : 0) | flagsOf(touching, response, ball);
+    out.flags = (ball.scene().isOut(out.position) ? PHYS_OUT : 0) | flags;
     return PHYS_OK;
 }
 
-} // namespace
-
-/// The event loop of model.md 8.1.
-phys_status followEvents(const Scene &scene, FloorRegions &regions, const phys_params &params, double dt,
-                         const phys_state &in, phys_state &out, phys_report *report, phys_error *err) {
-    MovingBall ball(scene, params, dt, in, report, err);
-    ball.report.substeps(1, 0);
+/// The event loop of model.md 8.1, from any moment of a step on.
+phys_status followEvents(FloorRegions &regions, MovingBall &ball, ContactEvents &events, uint32_t &flags) {
     Ground ground(ball, regions);
     if (const phys_status status = leaveBoxes(ground, ball)) return status;
     Touching touching;
     Choice choice;
-    ContactEvents events;
     resolve(ground, ball, touching);
     skipBounces(ground, ball, touching);
     const Response *response = nullptr; // of the present contacts
@@ -89,7 +90,21 @@ phys_status followEvents(const Scene &scene, FloorRegions &regions, const phys_p
         skipBounces(ground, ball, touching);
     }
     if (const phys_status status = ball.checkWork()) return status;
-    return leave(touching, response, ball, out);
+    flags = flagsOf(touching, response, ball);
+    return PHYS_OK;
+}
+
+} // namespace
+
+phys_status stepExactly(const Scene &scene, FloorRegions &regions, const phys_params &params, double dt,
+                        const phys_state &in, phys_state &out, phys_report *report, phys_error *err) {
+    MovingBall ball(scene, params, dt, in, report, err);
+    ball.report.substeps(1, 0);
+    ContactEvents events;
+    if (runInRegion(regions, ball, events)) return leave(ball, slipsAt({0.0, 0.0, 1.0}, ball) ? PHYS_SLIPPING : 0, out);
+    uint32_t flags = 0;
+    if (const phys_status status = followEvents(regions, ball, events, flags)) return status;
+    return leave(ball, flags, out);
 }
 
 } // namespace phys

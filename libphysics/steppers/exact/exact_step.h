@@ -9,7 +9,7 @@
 namespace phys {
 
 /// Sets all of `out` except the time and the step number.
-phys_status followEvents(const Scene &scene, FloorRegions &regions, const phys_params &params, double dt,
-                         const phys_state &in, phys_state &out, phys_report *report, phys_error *err);
+phys_status stepExactly(const Scene &scene, FloorRegions &regions, const phys_params &params, double dt,
+                        const phys_state &in, phys_state &out, phys_report *report, phys_error *err);
 
 } // namespace phys

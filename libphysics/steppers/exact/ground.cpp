@@ -6,7 +6,8 @@
 
 namespace phys {
 
-Ground::Ground(const MovingBall &ball, FloorRegions &regions) {
+Ground::Ground(const MovingBall &ball, FloorRegions &regions)
+    : m_start(ball.elapsed) {
     if (ball.runsAllStages()) return;
     const Vec3 &v = ball.motion.velocity;
     m_region = regions.around(fromVec(ball.position), v.x == 0.0 || v.y == 0.0);
@@ -37,7 +38,7 @@ bool Ground::lookAround(const MovingBall &ball) {
 }
 
 bool Ground::isOpen(const MovingBall &ball, uint32_t leansOn, double acceleration) const {
-    if (ball.elapsed > 0.0 || ball.runsAllStages()) return false;
+    if (ball.elapsed > m_start || ball.runsAllStages()) return false;
     const double way = ball.left * (glm::length(ball.motion.velocity) + 0.5 * ball.left * acceleration);
     return leansOn == m_nearBoxes && (keeps(ball, acceleration) || !(way > m_openWay));
 }

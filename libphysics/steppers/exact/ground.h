@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The surroundings of the ball at the start of a step; they make searches for contacts and events unnecessary in most
-// steps.
+// The surroundings of the ball where the event loop begins; they make searches for contacts and events unnecessary in
+// most steps.
 #pragma once
 
 #include "exact/touching.h"
@@ -24,8 +24,8 @@ public:
     /// Whether the ball can meet nothing in this step except this many boxes, on which it leans.
     bool isOpen(const MovingBall &ball, uint32_t leansOn, double acceleration) const;
 
-    /// Whether the ball is still at its start, in a region.
-    bool holds(const MovingBall &ball) const { return ball.elapsed == 0.0 && !m_boxes.empty(); }
+    /// Whether the ball is still where the loop began, in a region.
+    bool holds(const MovingBall &ball) const { return ball.elapsed == m_start && !m_boxes.empty(); }
     /// All boxes that it touches there.
     std::span<const uint32_t> boxes() const { return {m_boxes.begin(), m_boxes.count()}; }
 
@@ -38,6 +38,7 @@ public:
 private:
     static constexpr uint32_t kManyBoxes = 0xffffffff;
 
+    double m_start; ///< s of the step gone by
     const FloorRegion *m_region = nullptr;
     ShortList<uint32_t> m_boxes;
     double m_openWay = 0.0;   // m: upper bound of the ball's displacement in this step without obstacles

@@ -24,7 +24,7 @@ double growth(double z) {
 }
 
 /// I(c) = integral of exp(c s) from 0 to xi.
-double integral(double c, double xi) {
+inline double integral(double c, double xi) {
     const double z = c * xi;
     return isShort(z) ? xi * growth(z) : elementary::expm1(z) / c;
 }

@@ -179,22 +179,24 @@ private:
         return static_cast<uint32_t>(std::count_if(m_boxes.begin(), m_boxes.begin() + m_count, isSeen));
     }
 
-    /// Faces that bound the region and extend along its whole side.
+    /// Faces that bound the region: those that extend along its whole side, or else beside the position.
     void findFaces() {
         for (uint32_t i = 0; i < m_count; ++i) {
             const phys_box &box = *m_boxes[i];
             for (int axis = 0; axis < 2 && isUpright(box); ++axis) {
                 FloorRegion::Range &range = m_region.along[axis];
                 const FloorRegion::Range &length = m_region.along[1 - axis];
-                const bool isLong =
-                    (&box.min.x)[1 - axis] + m_margin < length.low && (&box.max.x)[1 - axis] - m_margin > length.high;
-                if (!isLong) continue;
+                const auto reaches = [&](double low, double high) {
+                    return (&box.min.x)[1 - axis] + m_margin < low && (&box.max.x)[1 - axis] - m_margin > high;
+                };
+                const bool isLong = reaches(length.low, length.high);
+                if (!isLong && !reaches(m_place[1 - axis], m_place[1 - axis])) continue;
                 if (range.low == (&box.max.x)[axis] + m_clear && isOverFloor(axis, faceAtLow(box, axis))) {
-                    range.lowFace = faceAtLow(box, axis);
+                    if (isLong) range.lowFace = faceAtLow(box, axis);
                     range.lowBox = numberOf(box);
                 }
                 if (range.high == (&box.min.x)[axis] - m_clear && isOverFloor(axis, faceAtHigh(box, axis))) {
-                    range.highFace = faceAtHigh(box, axis);
+                    if (isLong) range.highFace = faceAtHigh(box, axis);
                     range.highBox = numberOf(box);
                 }
             }

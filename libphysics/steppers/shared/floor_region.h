@@ -18,7 +18,9 @@ struct FloorRegion {
         /// m: position of the centre while the ball leans on a vertical face at that end, which extends along the whole
         /// region; kNoFace if there is none.
         double lowFace = kNoFace, highFace = kNoFace;
-        uint32_t lowBox = PHYS_NO_BOX, highBox = PHYS_NO_BOX; ///< the boxes of those faces
+        /// The boxes whose vertical faces bound it: those, or shorter ones, which the ball can be sure to meet only
+        /// beside them; PHYS_NO_BOX if there is none.
+        uint32_t lowBox = PHYS_NO_BOX, highBox = PHYS_NO_BOX;
 
         bool isFree(double place) const { return place >= low && place <= high; }
         bool isFace(double place) const { return place == lowFace || place == highFace; }

@@ -120,6 +120,7 @@ void ExactSmooth::undisturbedStepsHaveTheBitsOfAllStages_data() {
         QTest::addRow("%s, freely", name) << model << -0.5 << -0.1;
         QTest::addRow("%s, along a wall", name) << model << 0.5 << 0.0;
         QTest::addRow("%s, off a wall", name) << model << -0.5 << 0.0;
+        QTest::addRow("%s, back to a wall again and again", name) << model << 8.0 << -0.25;
     }
 }
 

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: MIT
+#include "exact/region_run.h"
+
+#include "exact/last_bounce.h"
+#include "exact/search.h"
+#include "phases/resisted.h"
+#include "phases/uniform.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace phys {
+
+namespace {
+
+/// relative to the numbers beside it, what may be rounding; in such cases the step is left to the event loop
+constexpr double kUnsure = 1e-9;
+
+double sumOfParts(const Vec3 &v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
+
+const Vec3 kUp(0.0, 0.0, 1.0);
+
+class RegionRun {
+public:
+    RegionRun(const FloorRegion &region, MovingBall &ball, ContactEvents &events)
+        : m_region(region)
+        , m_ball(ball)
+        , m_events(events)
+        , m_floor(ball.scene().boxes[region.floor].max.z + ball.radius())
+        , m_level(ball.params().gravity.x, ball.params().gravity.y, 0.0)
+        , m_pressure(-ball.params().gravity.z) {}
+
+    /// Computes one phase and the event that ends it. False if anything else may happen next.
+    bool advance() {
+        const Vec3 &velocity = m_ball.motion.velocity;
+        m_rests = kNone;
+        for (int axis = 0; axis < 2; ++axis) {
+            if (!range(axis).isFace(m_ball.position[axis])) continue;
+            const double away = velocity[axis] * sideOf(axis);
+            if (away == 0.0 && m_rests == kNone)
+                m_rests = axis;
+            else if (!(away > 0.0 && away * away > squareOfLastBounce()))
+                return false;
+        }
+        m_spin = isRigid() ? m_ball.motion.spin : rollingSpin(inPlane(velocity), m_ball.radius());
+        m_rolls = rolls();
+        if (m_rests != kNone) return m_rolls && rollAlongFace();
+        if (m_rolls) return roll();
+        if (!isRigid()) return false;
+        return m_ball.params().sliding_friction > 0.0 ? slip() : glide();
+    }
+
+private:
+    static constexpr int kNone = 2;
+
+    bool isRigid() const { return m_ball.setting.isRigid(); }
+    const FloorRegion::Range &range(int axis) const { return m_region.along[static_cast<size_t>(axis)]; }
+    /// Of the touched face across an axis: direction of its normal, its box, coordinate of the ball's centre.
+    int sideOf(int axis) const { return range(axis).lowFace == m_ball.position[axis] ? 1 : -1; }
+    uint32_t boxAt(int axis) const { return sideOf(axis) > 0 ? range(axis).lowBox : range(axis).highBox; }
+    double placeAt(int axis) const { return sideOf(axis) > 0 ? range(axis).lowFace : range(axis).highFace; }
+
+    /// Whether the ball certainly moves and, in the rigid model, certainly rolls and continues to.
+    bool rolls() const {
+        const Vec3 &velocity = m_ball.motion.velocity;
+        const double R = m_ball.radius(), speedSquared = glm::dot(velocity, velocity);
+        const Vec3 surface = R * m_ball.motion.spin;
+        constexpr double kStill = 1e-13; // relative: smaller values are rounding
+        if (!(speedSquared > kStill * kStill * (R * sumOfParts(m_ball.setting.gravity()) + glm::dot(surface, surface))))
+            return false;
+        if (!isRigid()) return true;
+        constexpr double kNoSlip = 64.0 * kRounding;
+        const Vec2 slip = inPlane(velocity) - spinSpeed(m_spin, R);
+        const double most = m_ball.params().sliding_friction * m_pressure;
+        return glm::dot(slip, slip) <= kNoSlip * kNoSlip * speedSquared &&
+               4.0 / 49.0 * glm::dot(m_level, m_level) < most * most;
+    }
+
+    bool roll() {
+        const double resistance = m_ball.params().rolling_friction * m_pressure;
+        if (!turns(m_ball.motion.velocity, resistance)) return false;
+        const Resisted phase = Resisted::rolling(2, m_ball.motion.velocity, 5.0 / 7.0 * m_level, 5.0 / 7.0 * resistance,
+                                                 m_ball.radius(), m_spin, kUp);
+        return runOn(phase, phase.end());
+    }
+
+    bool slip() {
+        constexpr double kLeast = 1e-12; // relative to the speeds: smaller slips may be rounding
+        const Moment moment = m_ball.moment();
+        const Vec3 slip = slipAt(moment, kUp);
+        const double friction = m_ball.params().sliding_friction * m_pressure;
+        if (!(glm::length(slip) > kLeast * speedScale(moment)) || !turns(slip, friction)) return false;
+        const Resisted phase =
+            Resisted::slipping(2, moment.velocity, slip, m_level, friction, m_ball.radius(), moment.spin, kUp);
+        const End end = phase.end();
+        const Vec3 rolling =
+            moment.velocity - 2.0 / 7.0 * slip + 5.0 / 7.0 * end.after * m_level; // velocity that is left
+        return (!(end.after < m_ball.left) || glm::length(rolling) > kUnsure * speedScale(moment)) && runOn(phase, end);
+    }
+
+    /// Without friction.
+    bool glide() {
+        const Motion &motion = m_ball.motion;
+        return motion.velocity != Vec3(0.0) && runOn(Uniform{motion.velocity, m_level, motion.spin, Vec3(-0.0)}, End());
+    }
+
+    /// Whether a velocity that friction opposes certainly turns: it isn't parallel to the drive.
+    bool turns(const Vec3 &v, double friction) const {
+        constexpr double kLeast = 1e-10; // sine of the angle between the velocity and its rate of change
+        const double across = v.x * m_level.y - v.y * m_level.x;
+        const double most = kLeast * (std::abs(m_level.x) + std::abs(m_level.y) + friction);
+        return friction > 0.0 && across * across > most * most * glm::dot(v, v);
+    }
+
+    /// The drive presses the ball against a face, so that its acceleration is constant: model.md 14.1.
+    bool rollAlongFace() {
+        const double R = m_ball.radius();
+        const Vec3 velocity = m_ball.motion.velocity;
+        if ((isRigid() && m_ball.params().wall_friction > 0.0) || m_spin[1 - m_rests] != 0.0) return false;
+        const Vec3 drive = 5.0 / 7.0 * m_level;
+        const double scale = sumOfParts(m_ball.setting.gravity()) +
+                             (glm::dot(velocity, velocity) + R * R * glm::dot(m_spin, m_spin)) / R;
+        const double push = -sideOf(m_rests) * drive[m_rests];
+        if (!(push > (kUnsure + 8.0 * m_ball.scene().tolerance / R) * scale)) return false;
+
+        const Vec3 heading = glm::sign(velocity);
+        Vec3 a = drive - 5.0 / 7.0 * m_ball.params().rolling_friction * m_pressure * heading;
+        a[m_rests] = 0.0;
+        if (!(-glm::dot(a, heading) * m_ball.left < (1.0 - kUnsure) * glm::dot(velocity, heading))) return false;
+        return runOn(Uniform{velocity, a, m_spin, glm::cross(kUp, a) / R}, End());
+    }
+
+    /// An impact on a face of the region.
+    struct Hit {
+        double after = kNever;  ///< s
+        int axis = 0, side = 0; ///< of its normal
+        uint32_t box = PHYS_NO_BOX;
+    };
+
+    /// Follows a phase to an impact, to its own end or to the end of the step.
+    template<class Phase>
+    bool runOn(const Phase &phase, const End &own) {
+        const double until = std::min(own.after, m_ball.left);
+        Hit hit;
+        if (!findHit(phase, until, hit)) return false;
+        const bool hits = hit.after < until, ends = !hits && own.after < m_ball.left;
+        if (ends && own.cause != Cause::grip) return false;
+        const double end = hits ? hit.after : until;
+        follow(phase, end);
+        return hits ? bounce(hit) : !ends || grip();
+    }
+
+    /// False if the ball may leave the region beside the faces.
+    template<class Phase>
+    bool findHit(const Phase &phase, double until, Hit &first) {
+        const double bend = 0.5 * until * until * phase.mostAcceleration();
+        std::array<double, 2> low, high; // bounds of the ball's coordinates
+        for (int axis = 0; axis < 2; ++axis) {
+            const double place = m_ball.position[axis], way = until * m_ball.motion.velocity[axis];
+            low[axis] = place + std::min(way, 0.0) - bend;
+            high[axis] = place + std::max(way, 0.0) + bend;
+        }
+        for (int axis = 0; axis < 2; ++axis) {
+            const int other = 1 - axis;
+            if (axis == m_rests) continue;
+            for (const int side : {1, -1}) {
+                if (side > 0 ? low[axis] >= range(axis).low : high[axis] <= range(axis).high) continue;
+                const uint32_t number = side > 0 ? range(axis).lowBox : range(axis).highBox;
+                if (number == PHYS_NO_BOX) return false;
+                const phys_box &box = m_ball.scene().boxes[number];
+                const double margin = 4.0 * m_ball.scene().tolerance; // from the ends of the face
+                if (low[other] < (&box.min.x)[other] + margin || high[other] > (&box.max.x)[other] - margin)
+                    return false;
+                const double after = timeOfHit(phase, until, axis, box);
+                if (after < first.after) first = {after, axis, side, number};
+            }
+        }
+        return true;
+    }
+
+    template<class Phase>
+    double timeOfHit(const Phase &phase, double until, int axis, const phys_box &box) {
+        Contacts touched;
+        if (range(axis).isFace(m_ball.position[axis])) {
+            touched.add(contactAtFace(m_ball.setting, m_ball.position, boxAt(axis), axis, sideOf(axis)));
+        }
+        const Outlook around{m_ball.scene(), m_ball.position, m_ball.motion, touched, m_ball.work};
+        return touchTime(around, box, phase, 0.0, until);
+    }
+
+    /// (m/s)^2: squared speed off a face above which a bounce certainly isn't the last one, model.md 6.4.
+    double squareOfLastBounce() const {
+        const phys_params &params = m_ball.params();
+        const double friction = std::max(params.rolling_friction, isRigid() ? params.sliding_friction : 0.0);
+        return 2.0 * (sumOfParts(m_level) + friction * m_pressure) * lastHeight(m_ball);
+    }
+
+    /// False if another contact is near or this may be the last bounce.
+    bool bounce(const Hit &hit) {
+        m_ball.work.add(Work::kEvent);
+        const int other = 1 - hit.axis;
+        if (other != m_rests && !range(other).isFree(m_ball.position[other])) return false;
+        const Contact face = contactAtFace(m_ball.setting, m_ball.position, hit.box, hit.axis, hit.side);
+        const Motion before = m_ball.motion;
+        const double R = m_ball.radius(), approach = -glm::dot(before.velocity, face.normal);
+        const double after = face.restitution * approach;
+        if (face.friction > 0.0 || !(after * after > squareOfLastBounce())) return false;
+        Motion &motion = m_ball.motion;
+        motion.velocity += (1.0 + face.restitution) * approach * face.normal;
+        report(face, before);
+        dropTraces(before, R, motion);
+        if (!isRigid()) {
+            const Vec3 rolls = rollingSpin(inPlane(motion.velocity), R);
+            m_ball.report.lostImpact(0.2 * R * R * (glm::dot(motion.spin, motion.spin) - glm::dot(rolls, rolls)));
+            motion.spin = rolls;
+        }
+        m_ball.position[hit.axis] = face.point[hit.axis] + hit.side * R;
+        return true;
+    }
+
+    void report(const Contact &face, const Motion &before) {
+        if (!m_ball.report.wanted()) return;
+        const double R = m_ball.radius();
+        const auto energy = [R](const Motion &motion) {
+            return 0.5 * glm::dot(motion.velocity, motion.velocity) + 0.2 * R * R * glm::dot(motion.spin, motion.spin);
+        };
+        m_ball.report.lostImpact(energy(before) - energy(m_ball.motion));
+        m_ball.report.passes(1);
+        m_ball.event(PHYS_EVENT_IMPACT, face, glm::dot(before.velocity, face.normal),
+                     glm::dot(m_ball.motion.velocity, face.normal));
+    }
+
+    /// The end of a slip. False if a face is near.
+    bool grip() {
+        Motion &motion = m_ball.motion;
+        const double before = glm::length(motion.velocity);
+        const Vec3 slip = slipAt(m_ball.moment(), kUp);
+        motion.velocity -= 2.0 / 7.0 * Vec3(slip.x, slip.y, 0.0);
+        rollExactly();
+        m_ball.event(PHYS_EVENT_ROLL, before, glm::length(motion.velocity));
+        m_ball.work.add(Work::kEvent);
+        return range(0).isFree(m_ball.position.x) && range(1).isFree(m_ball.position.y);
+    }
+
+    /// Sets the spin of rolling, exact to the last bit.
+    void rollExactly() {
+        const Vec3 rolls = rollingSpin(inPlane(m_ball.motion.velocity), m_ball.radius());
+        m_ball.motion.spin = {rolls.x, rolls.y, m_ball.motion.spin.z};
+    }
+
+    Losses losses(const Resisted &phase, double t) const { return phase.losses(t); }
+    Losses losses(const Uniform &phase, double t) const {
+        if (!m_rolls) return {};
+        const double turning = std::abs(glm::dot(phase.spinAt(0.5 * t), glm::cross(kUp, glm::sign(phase.velocity))));
+        return {0.0, m_ball.params().rolling_friction * m_pressure * m_ball.radius() * t * turning};
+    }
+
+    template<class Phase>
+    void follow(const Phase &phase, double t) {
+        if (m_ball.report.wanted()) {
+            const double R = m_ball.radius();
+            const Losses lost = losses(phase, t);
+            const Vec3 &given = m_ball.motion.spin;
+            m_ball.report.lostSlip(lost.slip + 0.2 * R * R * (glm::dot(given, given) - glm::dot(m_spin, m_spin)));
+            m_ball.report.lostRolling(lost.rolling);
+        }
+        m_ball.turn(phase, t);
+        m_events.addPhase(m_rests == kNone ? PHYS_NO_BOX : boxAt(m_rests));
+        const double face = m_rests == kNone ? 0.0 : placeAt(m_rests);
+        const Vec3 start = m_ball.position;
+        const Place place = phase.placeAt(t);
+        m_ball.position = {start.x + place.way.x, start.y + place.way.y, m_floor};
+        if (m_rests != kNone) m_ball.position[m_rests] = face; // a zero may have the opposite sign
+        m_ball.motion = {{place.velocity.x, place.velocity.y, 0.0}, place.spin};
+        m_ball.pass(t);
+        if (isRigid() && m_rolls) rollExactly();
+    }
+
+    const FloorRegion &m_region;
+    MovingBall &m_ball;
+    ContactEvents &m_events;
+    double m_floor;    ///< m: height of the centre
+    Vec3 m_level;      ///< gravity along the floor, m/s^2
+    double m_pressure; ///< gravity into it, m/s^2
+    Vec3 m_spin{0.0};  ///< at the start of the phase
+    bool m_rolls = false;
+    int m_rests = kNone; ///< the axis across which it leans on a face
+};
+
+} // namespace
+
+bool runInRegion(FloorRegions &regions, MovingBall &ball, ContactEvents &events) {
+    if (ball.motion.velocity.z != 0.0 || !(ball.params().gravity.z < 0.0) || ball.runsAllStages()) return false;
+    const FloorRegion *tried = nullptr; // at the present position
+    while (ball.left > 0.0) {
+        const Vec3 &velocity = ball.motion.velocity;
+        const bool isLeaning = velocity.x == 0.0 || velocity.y == 0.0;
+        const phys_vec3 place = fromVec(ball.position);
+        // The last region may end near the ball; that of its own grid cell extends further.
+        const FloorRegion *region = tried ? regions.find(place, isLeaning) : regions.around(place, isLeaning);
+        if (!region || region == tried) return false;
+        const double left = ball.left;
+        RegionRun(*region, ball, events).advance();
+        tried = ball.left < left ? nullptr : region;
+    }
+    return true;
+}
+
+} // namespace phys
