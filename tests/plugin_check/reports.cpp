@@ -79,7 +79,7 @@ void judgeBounce(const Subject &subject, Complaints &complaints) {
     for (int i = 0; i < 400; ++i) {
         const phys_state before = run.state;
         Report report;
-        if (!run.step(kDt, &report.all)) return;
+        if (!run.step(kDt, &report.all)) return complaints.unless(run.status() != PHYS_ERROR_PLUGIN_RESULT, run.why());
         complaints.unless(report.all.substeps > 0, "a step without substeps");
         complaints.unless(report.all.events_lost == 0, "events lost where there was room");
         if (run.state.velocity.x < 0) {
@@ -172,9 +172,10 @@ void judgePromises(const Subject &subject, Complaints &complaints) {
     }
     Run run(subject, scene);
     phys_requirements needed{};
-    if (!run.stepper() || phys_stepper_requirements(run.stepper(), &run.params, kDt, &run.state, &needed, nullptr))
-        return;
-    complaints.unless(needed.stages < 1U << PHYS_STAGE_COUNT, "requirements of unknown stages");
+    if (!run.stepper()) return;
+    const phys_status told = phys_stepper_requirements(run.stepper(), &run.params, kDt, &run.state, &needed, nullptr);
+    complaints.unless(told != PHYS_ERROR_PLUGIN_RESULT, "requirements of unknown stages");
+    if (told) return;
     Report report;
     if (run.step(kDt, &report.all))
         complaints.unless(needed.substeps == report.all.substeps,

@@ -138,6 +138,7 @@ void PluginCheck::whatIsUntrueIsNamed_data() {
     row("first-box-named", reports, "an impact with another box than the ball's");
     row("points-at-the-centre", reports, "an impact's point isn't on the box");
     row("slow-events", reports, "an impact's speed before is wrong");
+    row("kinds-invented", reports, "reports event 0 with kind 99; expected 1 .. 7");
     row("events-hidden", reports, "a bounce without an event");
     row("events-lost", reports, "events lost where there was room");
     row("substeps-hidden", reports, "a step without substeps");

@@ -38,6 +38,9 @@ phys_status pointAtTheCentre(Step &step) {
 phys_status slowEvents(Step &step) {
     return withEvents(step, [](phys_event &event) { event.speed_before *= 0.9; });
 }
+phys_status inventKinds(Step &step) {
+    return withEvents(step, [](phys_event &event) { event.kind = 99; });
+}
 
 /// A correct step whose report is changed.
 template<class Change>
@@ -190,6 +193,7 @@ constexpr phys_stepper_api kTables[] = {
     doing<nameTheFirstBox>("first-box-named"),
     doing<pointAtTheCentre>("points-at-the-centre"),
     doing<slowEvents>("slow-events"),
+    doing<inventKinds>("kinds-invented"),
     doing<hideEvents>("events-hidden"),
     doing<loseEvents>("events-lost"),
     doing<hideSubsteps>("substeps-hidden"),

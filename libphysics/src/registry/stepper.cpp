@@ -74,8 +74,9 @@ phys_status stepAndReport(const phys_stepper &stepper, const phys_params &params
     fresh.struct_size = sizeof fresh;
     fresh.event_capacity = report.events ? report.event_capacity : 0;
     fresh.events = report.events;
-    fresh.energy_before = energyOf(*stepper.scene, params, in);
+    const double before = energyOf(*stepper.scene, params, in); // `out` may be `in`
     if (const phys_status status = step(stepper, params, dt, in, out, &fresh, err)) return status;
+    fresh.energy_before = before; // a plugin may have written there
     fresh.energy_after = energyOf(*stepper.scene, params, out);
     fresh.energy_scheme =
         fresh.energy_after + fresh.lost_impact + fresh.lost_rolling + fresh.lost_slip - fresh.energy_before;
@@ -104,15 +105,6 @@ phys_status stepAtRest(phys_stepper &stepper, const phys_params &params, double 
 phys_status createPlugin(phys_stepper &stepper, phys_error *err) {
     return callPlugin(*stepper.api, "create", err,
                       [&](phys_error &own) { return stepper.api->create(&stepper.view, &stepper.self, &own); });
-}
-
-phys_status requirementsOfPlugin(const phys_stepper &stepper, const phys_params &params, double dt,
-                                 const phys_state &state, phys_requirements &out, phys_error *err) {
-    const phys_status status = callPlugin(*stepper.api, "requirements", err, [&](phys_error &own) {
-        return stepper.api->requirements(stepper.self, &params, dt, &state, &out, &own);
-    });
-    for (char(&reason)[120] : out.reasons) reason[sizeof reason - 1] = '\0';
-    return status;
 }
 
 } // namespace

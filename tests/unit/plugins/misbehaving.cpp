@@ -10,6 +10,7 @@ namespace {
 
 /// All that a step is given.
 struct Step {
+    const phys_params *params;
     double dt;
     const phys_state *in;
     phys_state *out;
@@ -22,9 +23,9 @@ phys_status createNothing(const phys_scene_view *, void **, phys_error *) { retu
 void destroyNothing(void *) {}
 
 template<StepFunction *function>
-phys_status step(void *, const phys_params *, double dt, const phys_state *in, phys_state *out, phys_report *report,
-                 phys_error *err) {
-    return function({dt, in, out, report, err});
+phys_status step(void *, const phys_params *params, double dt, const phys_state *in, phys_state *out,
+                 phys_report *report, phys_error *err) {
+    return function({params, dt, in, out, report, err});
 }
 
 template<StepFunction *function>
@@ -78,8 +79,54 @@ phys_status swapBuffer(const Step &step) {
     if (step.report) step.report->events = own;
     return PHYS_OK;
 }
-phys_status reportNan(const Step &step) {
-    if (step.report) step.report->lost_impact = NAN;
+
+/// Changes one member of a report. All zero is a good one.
+template<auto member, auto value>
+phys_status report(const Step &step) {
+    if (step.report) step.report->*member = value;
+    return PHYS_OK;
+}
+/// All of a step's energy at once: each part is finite, their sum isn't.
+phys_status loseEverything(const Step &step) {
+    if (step.report) step.report->lost_impact = step.report->lost_rolling = step.report->lost_slip = 1e308;
+    return PHYS_OK;
+}
+phys_status claimEnergies(const Step &step) {
+    if (step.report) step.report->energy_before = step.report->energy_after = step.report->energy_scheme = 42.0;
+    return PHYS_OK;
+}
+phys_status pass(const Step &step, uint32_t cap) {
+    if (!step.report) return PHYS_OK;
+    step.report->passes = step.report->substeps = 9;
+    step.report->pass_cap = step.report->substep_cap = cap;
+    return PHYS_OK;
+}
+phys_status passTheCap(const Step &step) { return pass(step, 8); }
+phys_status passWithoutACap(const Step &step) { return pass(step, 0); }
+
+/// Two good events: an impact in the middle of the step, a stop at its end.
+bool writeGoodEvents(const Step &step) {
+    if (!step.report || step.report->event_capacity < 2) return false;
+    const double end = step.out->time, middle = end - step.dt / 2;
+    step.report->events[0] = {middle, {1, 2, 0}, {0, 0.6, 0.8}, -3, 0, PHYS_EVENT_IMPACT, 0};
+    step.report->events[1] = {end, step.out->position, {0, 0, 0}, 2, 0, PHYS_EVENT_STOP, PHYS_NO_BOX};
+    step.report->event_count = 2;
+    return true;
+}
+phys_status reportGoodEvents(const Step &step) {
+    writeGoodEvents(step);
+    return PHYS_OK;
+}
+/// Changes one member of one of them.
+template<int index, auto member, auto value>
+phys_status event(const Step &step) {
+    if (writeGoodEvents(step)) step.report->events[index].*member = value;
+    return PHYS_OK;
+}
+constexpr phys_vec3 kNowhere{0, NAN, 0}, kLong{0, 0.6, 0.9};
+
+phys_status writeParams(const Step &step) {
+    const_cast<phys_params *>(step.params)->restitution_wall = 0.125;
     return PHYS_OK;
 }
 
@@ -117,6 +164,12 @@ phys_status endlessRequirements(void *, const phys_params *, double, const phys_
     return PHYS_OK;
 }
 
+phys_status unknownRequirements(void *, const phys_params *, double, const phys_state *, phys_requirements *out,
+                                phys_error *) {
+    out->stages = 0x41;
+    return PHYS_OK;
+}
+
 constexpr phys_stepper_api creating(const char *id, decltype(phys_stepper_api::create) create) {
     phys_stepper_api api = doing<behaveWell>(id);
     api.create = create;
@@ -144,7 +197,30 @@ constexpr phys_stepper_api kTables[] = {
     doing<writeInput>("writes-input"),
     doing<claimEvents>("too-many-events"),
     doing<swapBuffer>("own-buffer"),
-    doing<reportNan>("nan-in-report"),
+    doing<report<&phys_report::lost_impact, NAN>>("nan-in-report"),
+    doing<report<&phys_report::penetration, -1.0>>("penetration-negative"),
+    doing<report<&phys_report::lost_slip, -INFINITY>>("slip-infinite"),
+    doing<loseEverything>("loses-everything"),
+    doing<claimEnergies>("claims-energies"),
+    doing<passTheCap>("passes-the-cap"),
+    doing<passWithoutACap>("passes-without-a-cap"),
+    doing<reportGoodEvents>("good-events"),
+    doing<event<1, &phys_event::kind, 0U>>("event-of-kind-0"),
+    doing<event<0, &phys_event::kind, 99U>>("event-of-kind-99"),
+    doing<event<0, &phys_event::box, 12345U>>("event-of-no-such-box"),
+    doing<event<0, &phys_event::box, PHYS_NO_BOX>>("impact-without-a-box"),
+    doing<event<0, &phys_event::time, 5.0>>("event-too-late"),
+    doing<event<0, &phys_event::time, -1.0>>("event-too-early"),
+    doing<event<1, &phys_event::time, 0.125>>("events-out-of-order"),
+    doing<event<1, &phys_event::time, NAN>>("event-at-no-time"),
+    doing<event<0, &phys_event::point, kNowhere>>("event-nowhere"),
+    doing<event<0, &phys_event::normal, kLong>>("event-with-a-long-normal"),
+    doing<event<1, &phys_event::normal, kLong>>("event-with-a-normal-of-no-box"),
+    doing<event<0, &phys_event::speed_before, 3.0>>("impact-from-behind"),
+    doing<event<0, &phys_event::speed_after, -1.0>>("impact-inwards"),
+    doing<event<1, &phys_event::speed_before, -2.0>>("speed-negative"),
+    doing<event<1, &phys_event::speed_after, INFINITY>>("speed-infinite"),
+    doing<writeParams>("writes-params"),
     doing<throwReason>("throws"),
     doing<throwNumber>("throws-number"),
     doing<returnPositive>("positive-status"),
@@ -158,6 +234,7 @@ constexpr phys_stepper_api kTables[] = {
     destroying("throws-at-destruction", throwAtDestruction),
     requiring("throws-requirements", throwRequirements),
     requiring("endless-requirements", endlessRequirements),
+    requiring("unknown-requirements", unknownRequirements),
 };
 constexpr size_t kCount = sizeof kTables / sizeof kTables[0];
 

@@ -32,12 +32,17 @@ private slots:
     void aGoodResultComesOutAsItIs();
     void aWrongStepIsRefused_data();
     void aWrongStepIsRefused();
+    void aGoodReportComesOutAsItIs_data();
+    void aGoodReportComesOutAsItIs();
+    void theHostPutsTheEnergiesIn();
     void anInputWrittenToStaysAsItWas();
+    void paramsWrittenToStayAsTheyWere();
     void aWrongCreationIsRefused_data();
     void aWrongCreationIsRefused();
     void anExceptionAtDestructionStaysInside();
     void anExceptionOfRequirementsIsRefused();
     void reasonsWithoutAnEndAreEnded();
+    void unknownStagesAreRefused();
     void requirementsThatAreNotToldAreUnsupported();
     void dtZeroNeverReachesThePlugin();
     void aPluginsStepperIsMarked();
@@ -93,8 +98,8 @@ void PluginResult::aWrongStepIsRefused_data() {
     QTest::addColumn<int>("status");
     QTest::addColumn<QByteArray>("line");
 
-    const auto result = [](const char *id, const char *line) {
-        QTest::newRow(id) << int(PHYS_ERROR_PLUGIN_RESULT) << QByteArray(line);
+    const auto result = [](const char *id, const QByteArray &line) {
+        QTest::newRow(id) << int(PHYS_ERROR_PLUGIN_RESULT) << line;
     };
     result("nan", "the result of plugin stepper 'nan' has a number that isn't finite or beyond 2^100: position (nan, "
                   "2, 0.25), velocity "
@@ -109,11 +114,33 @@ void PluginResult::aWrongStepIsRefused_data() {
     result("unknown-flags", "the result of plugin stepper 'unknown-flags' has the flags 0x30; known bits are 0xf");
     result("orientation-not-unit", "the result of plugin stepper 'orientation-not-unit' has the orientation (2, 0, 0, "
                                    "1); expected a unit quaternion");
-    result("too-many-events", "plugin stepper 'too-many-events' reports 3 events; there is room for 2");
+    const auto reported = [&](const char *id, const QByteArray &what) {
+        result(id, QByteArray("plugin stepper '") + id + "' reports " + what);
+    };
+    reported("too-many-events", "event_count 3; expected at most event_capacity");
     result("own-buffer",
            "plugin stepper 'own-buffer' changed the report's size or its event buffer; expected them untouched");
-    result("nan-in-report", "plugin stepper 'nan-in-report' reports penetration 0, lost_impact nan, lost_rolling 0, "
-                            "lost_slip 0; expected finite numbers");
+    reported("nan-in-report", "lost_impact nan; expected a number within +-2^300");
+    reported("penetration-negative", "penetration -1; expected a number from 0 to 2^100");
+    reported("slip-infinite", "lost_slip -inf; expected a number within +-2^300");
+    reported("loses-everything", "lost_impact 1e+308; expected a number within +-2^300");
+    reported("passes-the-cap", "substeps 9; expected at most substep_cap");
+    reported("event-of-kind-0", "event 1 with kind 0; expected 1 .. 7");
+    reported("event-of-kind-99", "event 0 with kind 99; expected 1 .. 7");
+    reported("event-of-no-such-box", "event 0 with box 12345; expected one of the scene's");
+    reported("impact-without-a-box", "event 0 with box 4294967295; expected one of the scene's");
+    const QByteArray moment = "; expected a moment of the step, after those of the events before";
+    reported("event-too-late", "event 0 with time 5" + moment);
+    reported("event-too-early", "event 0 with time -1" + moment);
+    reported("events-out-of-order", "event 1 with time 0.125" + moment);
+    reported("event-at-no-time", "event 1 with time nan" + moment);
+    reported("event-nowhere", "event 0 with point.y nan; expected a number within +-2^100");
+    reported("event-with-a-long-normal", "event 0 with |normal|^2 1.17; expected 1");
+    reported("event-with-a-normal-of-no-box", "event 1 with |normal|^2 1.17; expected 0 without a box");
+    reported("impact-from-behind", "event 0 with speed_before 3; expected a number below 0, from -2^100 on");
+    reported("impact-inwards", "event 0 with speed_after -1; expected a number from 0 to 2^100");
+    reported("speed-negative", "event 1 with speed_before -2; expected a number from 0 to 2^100");
+    reported("speed-infinite", "event 1 with speed_after inf; expected a number from 0 to 2^100");
     result("throws", "step of plugin stepper 'throws' threw an exception: no reason to go on; expected a status");
     result("throws-number", "step of plugin stepper 'throws-number' threw an exception; expected a status");
     result("positive-status",
@@ -154,6 +181,54 @@ void PluginResult::aWrongStepIsRefused() {
     QVERIFY(sameBits(report, given));
     // Without an error to write to, the same.
     QCOMPARE(phys_step(wrong, &m_params, kDt, &state, &state, &report, nullptr), status);
+    phys_stepper_destroy(wrong);
+}
+
+void PluginResult::aGoodReportComesOutAsItIs_data() {
+    QTest::addColumn<uint32_t>("events");
+    QTest::newRow("good-events") << 2U;
+    QTest::newRow("passes-without-a-cap") << 0U;
+    QTest::newRow("behaves") << 0U;
+}
+
+void PluginResult::aGoodReportComesOutAsItIs() {
+    QFETCH(uint32_t, events);
+    phys_stepper *good = stepper(QTest::currentDataTag());
+    QVERIFY(good);
+    std::array<phys_event, 2> buffer{};
+    phys_report report;
+    phys_report_init(&report, sizeof report);
+    report.events = buffer.data();
+    report.event_capacity = buffer.size();
+    phys_state out{};
+    phys_error error{};
+    QVERIFY2(!phys_step(good, &m_params, kDt, &m_start, &out, &report, &error), error.text);
+    QCOMPARE(report.event_count, events);
+    phys_stepper_destroy(good);
+}
+
+void PluginResult::theHostPutsTheEnergiesIn() {
+    phys_stepper *claims = stepper("claims-energies");
+    QVERIFY(claims);
+    phys_report report;
+    phys_report_init(&report, sizeof report);
+    phys_state out{};
+    QCOMPARE(phys_step(claims, &m_params, kDt, &m_start, &out, &report, nullptr), PHYS_OK);
+    double energy = 0.0; // of a ball that stands still
+    phys_energy(m_scene, &m_params, &m_start, &energy);
+    QCOMPARE(report.energy_before, energy);
+    QCOMPARE(report.energy_after, energy);
+    QCOMPARE(report.energy_scheme, 0.0);
+    phys_stepper_destroy(claims);
+}
+
+void PluginResult::paramsWrittenToStayAsTheyWere() {
+    phys_stepper *wrong = stepper("writes-params");
+    QVERIFY(wrong);
+    phys_params params = m_params;
+    phys_state out{};
+    QCOMPARE(phys_step(wrong, &params, kDt, &m_start, &out, nullptr, nullptr), PHYS_OK);
+    QVERIFY(sameBits(params, m_params));
     phys_stepper_destroy(wrong);
 }
 
@@ -212,6 +287,19 @@ void PluginResult::reasonsWithoutAnEndAreEnded() {
     phys_requirements requirements{};
     QCOMPARE(phys_stepper_requirements(wrong, &m_params, kDt, &m_start, &requirements, nullptr), PHYS_OK);
     for (const char(&reason)[120] : requirements.reasons) QCOMPARE(qstrlen(reason), 119U);
+    phys_stepper_destroy(wrong);
+}
+
+void PluginResult::unknownStagesAreRefused() {
+    phys_stepper *wrong = stepper("unknown-requirements");
+    QVERIFY(wrong);
+    phys_requirements requirements{};
+    phys_error error{};
+    QCOMPARE(phys_stepper_requirements(wrong, &m_params, kDt, &m_start, &requirements, &error),
+             PHYS_ERROR_PLUGIN_RESULT);
+    QCOMPARE(error.text, "requirements of plugin stepper 'unknown-requirements' have the unknown stages 0x40; known "
+                         "bits are 0x3f");
+    QCOMPARE(requirements.stages, 0U);
     phys_stepper_destroy(wrong);
 }
 
