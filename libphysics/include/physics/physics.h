@@ -325,8 +325,8 @@ typedef struct phys_event {
     double time;         /**< s since the start, as state.time */
     phys_vec3 point;     /**< of contact, m (the centre for events without one) */
     phys_vec3 normal;    /**< unit, from the box to the ball (zero for events without one) */
-    double speed_before; /**< impacts: along the normal, < 0 (towards the box); others: |velocity|. m/s */
-    double speed_after;  /**< impacts: along the normal, >= 0; others: |velocity|. m/s */
+    double speed_before; /**< impacts, landings: along the normal, < 0 (towards the box); others: |velocity|. m/s */
+    double speed_after;  /**< impacts, landings: along the normal, >= 0; others: |velocity|. m/s */
     uint32_t kind;       /**< PHYS_EVENT_* */
     uint32_t box;        /**< number of the box, PHYS_NO_BOX for events without one */
 } phys_event;
@@ -472,7 +472,7 @@ typedef struct phys_batch {
     uint64_t path_every;        /**< 1 or more with a path: it has step_count / path_every states a ball */
     uint64_t *steps_done;       /**< out, of each ball, side by side; or NULL */
     phys_status *statuses;      /**< out, of each ball, side by side: PHYS_OK or why it stopped early; or NULL */
-    uint64_t *impacts;          /**< of each ball, side by side: the impacts of its steps are added; or NULL */
+    uint64_t *impacts;          /**< of each ball, side by side: its PHYS_EVENT_IMPACTs are added; or NULL */
     double *energy_lost;        /**< the same, J/kg: what impacts, rolling and slip take in each step; or NULL */
 } phys_batch;
 
@@ -481,11 +481,12 @@ PHYS_API phys_status phys_batch_init(phys_batch *batch, size_t size);
 
 /** Runs the balls first .. first + count - 1 of a batch: for each, the bits that phys_step gives in a loop. A ball that
  *  fails keeps its last good state and its status, the others go on; what remains of its path, and of that of a ball
- * that is done, repeats its last state. Impacts and energy are those of the reports that phys_step would give; a
- * step's events beyond 64 count as impacts. Who wants neither has faster steps. Allocates nothing. One thread
- * at a time per stepper; threads with a stepper each may run disjoint ranges of one batch. On failure outputs are
- * untouched, but for the last of these cases. Errors: ARGUMENT, RANGE (of parameters that all balls share); if statuses
- * is NULL, the error of the first ball that fails, with its number, after all have run. Since 1.1. */
+ * that is done, repeats its last state. impacts and energy_lost are what the reports of phys_step would give: events of
+ * PHYS_EVENT_IMPACT, not of landings, but any beyond 64 in a step. Who wants neither has faster steps. Allocates
+ * nothing. One thread at a time per stepper; threads with a stepper each may run disjoint ranges of one batch. On
+ * failure outputs are untouched, but for the last of these cases. Errors: ARGUMENT, RANGE (of parameters that all balls
+ * share); if statuses is NULL, the error of the first ball that fails, with its number, after all have run. Since 1.1.
+ */
 PHYS_API phys_status phys_batch_run(phys_stepper *stepper, const phys_batch *batch, uint64_t first, uint64_t count,
                                     phys_error *err);
 

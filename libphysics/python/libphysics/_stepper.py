@@ -47,8 +47,8 @@ class Run(NamedTuple):
 
     states: the last good state of each ball, batch. path: every k-th state, batch + (steps // k,), or None.
     steps_done, statuses: batch; a ball whose status is below 0 failed in the step after its last good state.
-    impacts, energy_lost: batch; how many impacts a ball had, and what it lost to impacts, rolling and slip, J/kg, as the
-    reports of its steps would say; or None.
+    impacts, energy_lost: batch; how often a ball hit a wall (EVENT_IMPACT, no landings), and what it lost to impacts,
+    landings, rolling and slip, J/kg, as the reports of its steps would say; or None.
     """
 
     states: np.ndarray

@@ -233,6 +233,13 @@ class RunTest(unittest.TestCase):
             self.assertEqual((run.impacts[ball], run.energy_lost[ball]), (impacts, lost))
         self.assertGreater(run.impacts.min(), 0)
 
+    def test_landings_lose_energy_but_are_no_impacts(self):
+        scene = lp.Scene(boxes=[FLOOR], radius=0.125, start=(0, 0, 0.5))
+        stepper = lp.Stepper("swept", scene)
+        run = stepper.run(scene.start(), stepper.params(restitution_floor=0.5), 0.01, 100, tally=True)
+        self.assertEqual(run.impacts, 0)
+        self.assertGreater(run.energy_lost, 1)
+
     def test_tally_has_the_shape_of_the_batch_and_is_made_when_asked_for(self):
         states, params = self.scene.start((2, 3)), self.stepper.params()
         run = self.stepper.run(states, params, 0.01, 5, tally=True)
