@@ -5,6 +5,7 @@
 #include "contact/ball.h"
 #include "contact/impact.h"
 #include "contact/lasting.h"
+#include "floor_contact.h"
 #include "registry/report.h"
 
 #include <glm/common.hpp>
@@ -76,13 +77,6 @@ private:
     bool m_follows = false; ///< whether it follows now
     Vec3 m_before;          ///< spin before the impacts
     double m_jump = 0.0;    ///< energy that the spin lost when it started to follow, J/kg
-};
-
-/// How a substep moves the ball, given the velocity after its lasting contacts.
-enum class ContactRule {
-    Symplectic,  ///< with the new velocity
-    Explicit,    ///< with the old velocity, except for what contacts remove from it
-    SecondOrder, ///< with their mean
 };
 
 /// A substep with lasting contacts. Returns whether a top face pressed; presses: for each contact whether it did, or

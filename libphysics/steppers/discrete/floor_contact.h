@@ -6,9 +6,17 @@
 #include "scene/scene.h"
 #include "shared/law.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace phys {
+
+/// How a substep moves the ball, given the velocity after its lasting contacts.
+enum class ContactRule {
+    Symplectic,  ///< with the new velocity
+    Explicit,    ///< with the old velocity, except for what contacts remove from it
+    SecondOrder, ///< with their mean
+};
 
 /// The result of a scheme for one substep.
 template<class V>
@@ -29,6 +37,23 @@ template<class Law, class V>
 V eulerVelocity(const Law &law, const V &velocity, double h) {
     if (nearStop(law, velocity, h)) return clampedVelocity(law, velocity, h);
     return velocity + h * acceleration(law, velocity);
+}
+
+/// The way (m) along which resistance takes energy in a substep that it acts throughout: model.md 10.5. The rules of
+/// first order move with the velocity at one end, which isn't the mean that the impulse opposes.
+template<class Scheme, class V>
+double meanWay(const V &velocity, const Advance<V> &next, double h) {
+    if constexpr (Scheme::kContactRule == ContactRule::SecondOrder) return glm::length(next.displacement);
+    return 0.5 * h * glm::length(velocity + next.velocity);
+}
+
+/// The same where resistance may have stopped the ball within the substep.
+template<class Scheme, class Law, class V>
+double resistedWay(const Law &law, const V &velocity, const Advance<V> &next, double h) {
+    const bool stops = next.velocity == V(0.0) && velocity != V(0.0);
+    if (stops) [[unlikely]]
+        return 0.5 * std::min(h, timeToStop(law, velocity)) * glm::length(velocity);
+    return meanWay<Scheme>(velocity, next, h);
 }
 
 enum class FloorContact {
@@ -77,7 +102,7 @@ inline Vec3 spinAfter(FloorContact contact, const Vec2 &velocity, const Vec3 &sp
 }
 
 /// A substep of slipping: q is uniformly accelerated whatever friction does, and the scheme integrates the slip u,
-/// model.md 3.6. Changes the spin; slipPath: or nullptr.
+/// model.md 3.6. Changes the spin; slipPath (m): or nullptr.
 template<class Scheme>
 Advance<Vec2> slip(const phys_params &params, double radius, double h, const Vec2 &velocity, Vec3 &spin,
                    double *slipPath) {
@@ -85,8 +110,9 @@ Advance<Vec2> slip(const phys_params &params, double radius, double h, const Vec
     const Vec2 q = (5.0 * velocity + 2.0 * w) / 7.0;
     const Vec2 qDrive = 5.0 / 7.0 * inPlane(params.gravity);
     const Vec2 qNext = q + h * qDrive;
-    const Advance<Vec2> u = Scheme::advance(slippingLaw(params), velocity - w, h);
-    if (slipPath) *slipPath = glm::length(u.displacement);
+    const Law<Vec2> law = slippingLaw(params);
+    const Advance<Vec2> u = Scheme::advance(law, velocity - w, h);
+    if (slipPath) *slipPath = resistedWay<Scheme>(law, velocity - w, u, h);
     spin = rollingSpin(qNext - 5.0 / 7.0 * u.velocity, radius) + Vec3(0.0, 0.0, spin.z);
     return {qNext + 2.0 / 7.0 * u.velocity, h * q + 0.5 * h * h * qDrive + 2.0 / 7.0 * u.displacement};
 }

@@ -151,7 +151,9 @@ private:
         set(next.velocity, moved.velocity);
         set(next.displacement, moved.displacement);
         set(next.spin, spinAfter(contact, moved.velocity, spin, m_context.radius()));
-        next.loss.rolling = m_context.report.wanted() ? 1.4 * law.B * glm::length(moved.displacement) : 0.0;
+        next.loss.rolling = m_context.report.wanted()
+                                ? 1.4 * law.B * resistedWay<Scheme>(law, inPlane(ball.velocity), moved, m_h)
+                                : 0.0;
         next.loss.slip = 0.0;
     }
 

@@ -145,6 +145,7 @@ private:
                      const RegionStep<double> &step, phys_state &out, phys_report *report) {
         const auto &[scene, params, dt, in] = input;
         const Vec3 spinBefore = toVec(in.spin);
+        const Vec2 velocity = inPlane(in.velocity);
         if (&out != &in) out = in;
         store(params, kind, scene.radius, rests, {place.x, place.y}, {step.velocity.x, step.velocity.y}, out);
         if (params.options & PHYS_OPTION_ORIENTATION) {
@@ -153,7 +154,9 @@ private:
         if (!report) return;
         Reporter reporter(report, in.time);
         reporter.substeps(1, kRule == RegionRule::Swept ? 0 : kSubstepCap);
-        if (!rests) reporter.lostRolling(1.4 * rollingLaw(params).B * length(step.displacement));
+        if (rests) return;
+        const Advance<Vec2> next{{step.velocity.x, step.velocity.y}, {step.displacement.x, step.displacement.y}};
+        reporter.lostRolling(1.4 * rollingLaw(params).B * meanWay<Scheme>(velocity, next, dt));
     }
 
     /// Stores a ball except for its height, orientation, time and step.

@@ -312,6 +312,7 @@ void SweptStep::finishPhase(double t) {
         const Vec3 rest = 2.0 / 7.0 * slipOnTop(m_ball);
         m_ball.velocity -= rest;
         m_ball.spin += 2.5 / m_context.radius() * glm::cross(Vec3(0.0, 0.0, 1.0), rest);
+        m_context.report.lostSlip(1.75 * glm::dot(rest, rest));
     }
     const bool isSlaved = m_ball.supported && !m_context.isRigid();
     if (isSlaved) m_ball.spin = rollingSpin(inPlane(m_ball.velocity), m_context.radius());

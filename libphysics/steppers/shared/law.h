@@ -4,6 +4,7 @@
 
 #include "base/vec.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace phys {
@@ -48,6 +49,17 @@ V clampedVelocity(const Law<V> &law, const V &v, double dt) {
     const double speed = glm::length(driven);
     // The division comes last, so that short binary numbers stay exact.
     return speed > law.B * dt ? (speed - law.B * dt) * driven / speed : V(0.0);
+}
+
+/// When resistance has stopped a ball that moves straight on, s: |v + t A| = B t. The clamp stops it in a step at least
+/// as long.
+template<class V>
+double timeToStop(const Law<V> &law, const V &v) {
+    const double speed = glm::length(v);
+    const double along = glm::dot(law.A, v) / speed;
+    const double across = along * along - glm::dot(law.A, law.A);
+    const double slowing = std::sqrt(std::max(0.0, law.B * law.B + across)) - along;
+    return slowing > 0.0 ? speed / slowing : INFINITY;
 }
 
 /// Whether resistance may stop the ball within h: then the clamp replaces every scheme, model.md 10.5. If the drive
