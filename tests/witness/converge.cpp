@@ -4,10 +4,10 @@
 #include "integrator/touch.h"
 
 #include "support/handles.h"
+#include "support/orders.h"
 
 #include <algorithm>
 #include <cstdio>
-#include <map>
 
 namespace witness {
 
@@ -78,16 +78,6 @@ Path pathOf(const phys_registry *registry, const std::string &id, const Case &sc
 }
 
 } // namespace
-
-Order orderOf(const std::string &stepper) {
-    static const std::map<std::string, Order> kOrders = {
-        {"explicit-euler", {1, 1}},  {"symplectic-euler", {1, 1}},
-        {"velocity-verlet", {1, 2}}, {"rk4", {1, 2}},
-        {"swept", {2, 2}},           {"exact", {0, 0}},
-    };
-    const auto found = kOrders.find(stepper);
-    return found == kOrders.end() ? Order{1, 1} : found->second;
-}
 
 bool hasUndecidedGap(const Case &scene, const phys_vec3 &centre) {
     const auto isTouched = [&](const phys_box &box) {
@@ -295,8 +285,8 @@ Convergence compare(const phys_registry *registry, const std::string &stepper, c
 } // namespace
 
 Convergence converge(const phys_registry *registry, const std::string &stepper, const Case &scene, const Truth &truth) {
-    const Order orders = orderOf(stepper);
-    const int order = truth.hasEvents() ? orders.acrossEvents : orders.betweenEvents;
+    const support::Orders orders = support::ordersOf(stepper);
+    const int order = truth.hasEvents() ? orders.impacts : orders.lasting;
     Convergence first = compare(registry, stepper, scene, truth, order, 1);
     if (!first.isWrong || order == 0) return first;
     const Truth &best = truth.refined();

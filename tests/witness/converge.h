@@ -17,15 +17,6 @@ namespace witness {
 constexpr int kSizes = 3;
 constexpr int kCheckpoints = 4;
 
-/// The accuracy that a stepper claims: the power of the step size in its error. 0: no such error.
-struct Order {
-    int acrossEvents;
-    int betweenEvents;
-};
-/// accuracy.md, "How accurate each stepper is"; rk4 has its fourth order only where contacts do no more than carry the
-/// ball, which these scenes don't guarantee. An unlisted stepper is assumed to be of first order.
-Order orderOf(const std::string &stepper);
-
 /// Whether a ball at `centre` may come to a gap exactly as wide as itself without being in it: rounding decides what
 /// happens at its mouth.
 bool hasUndecidedGap(const Case &scene, const phys_vec3 &centre);

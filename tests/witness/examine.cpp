@@ -7,6 +7,7 @@
 #include "split.h"
 
 #include "support/handles.h"
+#include "support/orders.h"
 
 #include <algorithm>
 #include <array>
@@ -153,7 +154,7 @@ public:
         , m_space(scene.boxes, scene.radius)
         , m_engine(engineFor(registry, id, scene.boxes, scene.radius, scene.start.position))
         , m_symmetries(symmetries())
-        , m_isExact(orderOf(id).acrossEvents == 0)
+        , m_isExact(support::ordersOf(id).impacts == 0)
         , m_params(scene.params) {
         for (const Symmetry &symmetry : m_symmetries) {
             m_images.push_back(engineFor(registry, id, symmetry.boxes(scene.boxes), symmetry.lengthScale * scene.radius,

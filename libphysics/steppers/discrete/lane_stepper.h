@@ -69,7 +69,7 @@ private:
 
     /// Whether a ball rolls or slides on the floor with no other spin than that.
     static bool isOnFloor(const PlanInput &input, const Kind &kind) {
-        if (input.params.stepper[0] != 0.0 || !input.isOnFloor()) return false;
+        if (asReported(input.params) || !input.isOnFloor()) return false;
         if (!kind.isRigid) return true;
         const Vec3 spin = toVec(input.state.spin);
         const double turn = input.dt * (kind.slides ? glm::length(spin) : std::abs(spin.z));

@@ -13,8 +13,6 @@ namespace phys {
 /// The steppers' own row: 1 switches off corrections and substeps, to show their purpose.
 extern const phys_param_row *const kDiscreteRows[1];
 
-inline bool asReported(const phys_params &params) { return params.stepper[0] != 0.0; }
-
 inline Ball loadBall(const phys_state &state) {
     return {toVec(state.position), toVec(state.velocity), toVec(state.spin), false};
 }

@@ -3,6 +3,7 @@
 // and values of reference_scenes.txt come from an independent computation in 113-bit arithmetic.
 #include "support/experiment.h"
 #include "support/stepper_rows.h"
+#include "support/tolerance.h"
 
 #include <QtTest>
 
@@ -108,10 +109,10 @@ struct Bound {
 /// An impact detected up to h too early costs up to (1 + eps) v_n h at each bounce, at speeds of up to 0.7 m/s in these
 /// scenes; an impact at its true place costs the scheme's own g h^2.
 Bound boundOf(const QByteArray &stepper, const ReferenceScene &scene) {
-    if (stepper == "exact") return {0.0, 1e-9};
-    if (stepper == "swept") return {2.0, 20.0};
-    const bool isSecond = stepper == "velocity-verlet" || stepper == "rk4";
-    return isSecond && scene.isSmooth ? Bound{2.0, 20.0} : Bound{1.0, 4.0};
+    const support::Promise promise = support::promiseOf(stepper);
+    const int order = scene.isSmooth ? promise.lasting : promise.impacts;
+    constexpr double kFactors[] = {1e-9, 4.0, 20.0};
+    return {static_cast<double>(order), kFactors[order]};
 }
 
 double largestDifference(const phys_vec3 &a, const phys_vec3 &b) {
