@@ -170,13 +170,6 @@ bool Session::openLevel(const Level &level) {
     return true;
 }
 
-bool Session::setStepper(const QByteArray &id) {
-    if (m_replay) return refuseInReplay();
-    takeOver();
-    QString error;
-    return useStepper(id, &error) || report(error);
-}
-
 bool Session::useStepper(const QByteArray &id, QString *error) {
     phys_stepper_info info;
     phys_error failure;
@@ -215,13 +208,6 @@ bool Session::loadPlugin(const QString &file) {
 const std::optional<std::vector<phys_box>> &Session::exits() {
     if (std::exchange(m_exitsOf, m_scene) != m_scene) m_exits = exitsOf(m_scene.get());
     return m_exits;
-}
-
-bool Session::setDt(double dt) {
-    if (m_replay) return refuseInReplay();
-    takeOver();
-    QString error;
-    return useDt(dt, &error) || report(error);
 }
 
 bool Session::useDt(double dt, QString *error) {

@@ -82,8 +82,6 @@ public:
 
     /// On failure each returns false, changes nothing and emits failed() with one line.
     bool openLevel(const Level &level); ///< pauses at its start; a level of the list also becomes the game's
-    bool setStepper(const QByteArray &id);
-    bool setDt(double dt); ///< s, Engine::kSmallestDt .. kLargestDt
     bool setStepping(const Stepping &stepping);
     bool setSpeed(double speed);
     /// Adds the steppers of this file to the registry.

@@ -110,11 +110,6 @@ void MazeView::setBall(const Mesh &mesh) {
     m_canvas->setBall(mesh);
 }
 
-void MazeView::setFrame(const Frame &frame) {
-    m_frame = frame;
-    update();
-}
-
 void MazeView::setFrameSource(std::function<Frame()> source, std::function<bool()> isNew) {
     m_source = std::move(source);
     m_isNew = std::move(isNew);

@@ -38,9 +38,7 @@ public:
     void setLargestTilt(double tilt);
     void setBall(const Mesh &mesh); ///< radius 1 around the origin
 
-    /// Draws this frame once...
-    void setFrame(const Frame &frame);
-    /// ...or asks `source` for one before each picture, up to 60 times a second while visible and while `isNew` returns
+    /// Asks `source` for a frame before each picture, up to 60 times a second while visible and while `isNew` returns
     /// true; null ends that.
     void setFrameSource(
         std::function<Frame()> source, std::function<bool()> isNew = [] { return true; });

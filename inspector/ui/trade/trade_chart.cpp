@@ -163,12 +163,6 @@ void TradeChart::choose(std::optional<size_t> index) {
     replot(rpQueuedReplot);
 }
 
-std::optional<QPointF> TradeChart::placeOf(size_t index) const {
-    for (const ChartPoint &point : m_description.points())
-        if (point.index == index) return QPointF(xAxis->coordToPixel(point.cost), yAxis->coordToPixel(point.error));
-    return std::nullopt;
-}
-
 std::optional<size_t> TradeChart::pointAt(const QPointF &place) const {
     std::optional<size_t> nearest;
     double reach = kPickingReach;

@@ -23,8 +23,6 @@ public:
 
     /// The index, in the result's points, of the point within a few pixels; nothing if there is none.
     std::optional<size_t> pointAt(const QPointF &place) const;
-    /// The widget position of a point; nothing if it isn't drawn.
-    std::optional<QPointF> placeOf(size_t index) const;
 
 signals:
     void chosen(size_t index);

@@ -5,6 +5,7 @@
 #include "core/session/session.h"
 #include "core/setup/settings_file.h"
 #include "headless_run.h"
+#include "inspector/stepping.h"
 #include "scenes.h"
 #include "support/compare.h"
 #include "support/files.h"
@@ -178,7 +179,7 @@ void TestComparison::samplesBeforeAndAfterHaveNoGhost() {
 void TestComparison::comparisonsComeAndGoWhileStepsRun() {
     const auto session = open(optionsOf(3));
     Simulation &simulation = session->simulation();
-    session->setDt(0.001);
+    chooseDt(*session, 0.001);
     simulation.run();
     bool wasThere = false;
     const QDeadlineTimer deadline(30000);
@@ -214,7 +215,7 @@ void TestComparison::recordingIsTheSameWithAndWithout() {
         if (recordings.isEmpty()) options.comparison = GhostChoice{"exact", 3};
         const auto session = open(options);
         makeSteps(*session, 200);
-        session->setStepper("rk4");
+        chooseStepper(*session, "rk4");
         session->comparison().meetAgain();
         makeSteps(*session, 50);
         QCOMPARE(bool(session->simulation().latest().ghost), recordings.isEmpty());
@@ -295,7 +296,7 @@ void TestComparison::otherStepperOfTheBallGoesOn() {
     const auto session = open(options);
     makeSteps(*session, 20);
     QVERIFY(isTogether(*session));
-    QVERIFY(session->setStepper("exact"));
+    QVERIFY(chooseStepper(*session, "exact"));
     makeSteps(*session, 20);
     QVERIFY(distanceIn(*session) > 0.0);
     COMPARE_EXACT(session->simulation().latest().ghost->met.time, 0.0);

@@ -6,6 +6,7 @@
 #include "core/session/session.h"
 #include "core/setup/settings_file.h"
 #include "headless_run.h"
+#include "inspector/stepping.h"
 #include "recorded_steps.h"
 #include "scenes.h"
 #include "support/compare.h"
@@ -286,9 +287,9 @@ void TestRecording::sessionOfAPersonReplaysTheSame() {
         QVERIFY(session->parameters().set({{"tilt_x", 0.3 * i}, {"restitution_wall", 0.05 * i}}));
         playFor(5);
     }
-    QVERIFY(session->setStepper("exact"));
+    QVERIFY(chooseStepper(*session, "exact"));
     playFor(5);
-    QVERIFY(session->setDt(0.005));
+    QVERIFY(chooseDt(*session, 0.005));
     playFor(5);
     QVERIFY(session->setAutopilot(true));
     playFor(20);

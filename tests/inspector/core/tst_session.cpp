@@ -2,6 +2,7 @@
 // The open objects together, used as the window uses them.
 #include "core/session/session.h"
 #include "core/setup/settings_file.h"
+#include "inspector/stepping.h"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -180,7 +181,7 @@ void TestSession::levelThatCantBeReadChangesNothing() {
 
 void TestSession::unknownStepperChangesNothing() {
     QSignalSpy failed(m_session.get(), &Session::failed);
-    QVERIFY(!m_session->setStepper("perpetual-motion"));
+    QVERIFY(!chooseStepper(*m_session, "perpetual-motion"));
     QVERIFY(failed[0][0].toString().contains("perpetual-motion"));
     QCOMPARE(m_session->stepperId(), QByteArray(PHYS_STEPPER_DEFAULT));
 }
@@ -188,7 +189,7 @@ void TestSession::unknownStepperChangesNothing() {
 void TestSession::otherStepperGoesOnFromTheSameState() {
     m_session->simulation().stepOnce();
     QTRY_COMPARE(m_session->simulation().latest().current.step, uint64_t(1));
-    QVERIFY(m_session->setStepper("velocity-verlet"));
+    QVERIFY(chooseStepper(*m_session, "velocity-verlet"));
     m_session->simulation().stepOnce();
     QTRY_COMPARE(m_session->simulation().latest().current.step, uint64_t(2));
 }
@@ -236,7 +237,7 @@ void TestSession::paceOutOfRangeIsRefused_data() {
 void TestSession::paceOutOfRangeIsRefused() {
     QFETCH(double, value);
     QSignalSpy failed(m_session.get(), &Session::failed);
-    QVERIFY(!m_session->setDt(value));
+    QVERIFY(!chooseDt(*m_session, value));
     QVERIFY(!m_session->setSpeed(value));
     QCOMPARE(failed.count(), 2);
     QCOMPARE(m_session->dt(), Engine::kDefaultDt);

@@ -85,16 +85,14 @@ private slots:
     }
 
     void standingBoardIsCopied() {
-        Frame frame;
-        frame.ball.position = {0.02, 0.01, 0.006};
-        const QImage drawn = (m_view->setFrame(frame), m_view->grabFramebuffer());
+        showFrame({});
+        m_frame.ball.position = {0.02, 0.01, 0.006};
+        const QImage drawn = m_view->grabFramebuffer();
         QCOMPARE(m_view->grabFramebuffer(), drawn); // now board and table are copies
-        frame.ball.position = {-0.05, 0.01, 0.006};
-        m_view->setFrame(frame);
+        m_frame.ball.position = {-0.05, 0.01, 0.006};
         const QImage moved = m_view->grabFramebuffer();
         QVERIFY(moved != drawn);
-        frame.ball.position = {0.02, 0.01, 0.006};
-        m_view->setFrame(frame);
+        m_frame.ball.position = {0.02, 0.01, 0.006};
         QCOMPARE(m_view->grabFramebuffer(), drawn);
     }
 
@@ -171,7 +169,7 @@ private slots:
     void clickGivesTheRayThroughTheBoardPoint() {
         Frame frame;
         frame.tiltX = 0.1;
-        m_view->setFrame(frame);
+        showFrame(frame);
         m_view->grabFramebuffer();
         const glm::dvec3 place(0.04, -0.03, 0.0);
         const QPoint pixel = m_view->positionOf(place).toPoint();
@@ -235,7 +233,14 @@ private slots:
     }
 
 private:
+    // Every later picture shows m_frame.
+    void showFrame(const Frame &frame) {
+        m_frame = frame;
+        m_view->setFrameSource([this] { return m_frame; }, [] { return false; });
+    }
+
     std::unique_ptr<MazeView> m_view;
+    Frame m_frame;
 };
 
 QTEST_MAIN(TestMazeView)

@@ -257,9 +257,13 @@ void TestTradeDock::tighterToleranceRecommendsNothingWorse() {
 }
 
 QPointF TestTradeDock::placeOnChart() {
-    for (size_t i = 0; i < 42; ++i) {
-        const std::optional<QPointF> place = chart().placeOf(i);
-        if (place && chart().pointAt(*place) == i) return *place;
+    for (int i = 0; i < chart().plottableCount(); ++i) {
+        const auto *curve = qobject_cast<const QCPCurve *>(chart().plottable(i));
+        if (!curve) continue;
+        for (const QCPCurveData &drawn : *curve->data()) {
+            const QPointF place(chart().xAxis->coordToPixel(drawn.key), chart().yAxis->coordToPixel(drawn.value));
+            if (chart().pointAt(place)) return place;
+        }
     }
     qFatal("no point is drawn");
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Bounces: marks in the view, rows in the dock, ticks in the plot, and the selected one.
 #include "gl/view/maze_view.h"
+#include "inspector/stepping.h"
 #include "ui/bounces/bounce_dock.h"
 #include "ui/plots/bounce_ticks.h"
 #include "ui/plots/time_plot.h"
@@ -444,9 +445,9 @@ void TestWindowBounces::clickOnATickSelectsItsBounce() {
 
 // One step of 10 s in which a ball that hardly loses speed bounces far more often than a report has room for.
 void TestWindowBounces::lostEventsAreTold() {
-    QVERIFY(m_fixture->session().setStepper("exact"));
+    QVERIFY(chooseStepper(m_fixture->session(), "exact"));
     m_fixture->parameters().set({{"tilt_x", 6.0}, {"tilt_y", 4.0}, {"restitution_wall", 0.98}});
-    QVERIFY(m_fixture->session().setDt(10.0));
+    QVERIFY(chooseDt(m_fixture->session(), 10.0));
     makeSteps(1);
     const uint64_t lost = m_fixture->simulation().latest().report.events_lost;
     QVERIFY(lost > 0);

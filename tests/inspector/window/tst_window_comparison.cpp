@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The ball beside its ghost: switched on by key and dock, drawn at its position, its distance plotted.
 #include "gl/view/maze_view.h"
+#include "inspector/stepping.h"
 #include "support/compare.h"
 #include "support/files.h"
 #include "ui/comparison/distance_plot.h"
@@ -290,8 +291,8 @@ void TestWindowComparison::legendNamesBoth() {
         return names;
     };
     QCOMPARE(texts(), QStringList({"Ball: Symplectic Euler, 10 ms", "Ghost: Exact, 1 ms"}));
-    m_fixture->session().setDt(0.005);
-    m_fixture->session().setStepper("rk4");
+    chooseDt(m_fixture->session(), 0.005);
+    chooseStepper(m_fixture->session(), "rk4");
     QCOMPARE(texts(), QStringList({"Ball: Runge-Kutta 4, 5 ms", "Ghost: Exact, 0.5 ms"}));
 }
 
@@ -354,7 +355,7 @@ void TestWindowComparison::noneTypedInTheTradeTakesTheBandAway() {
 
 void TestWindowComparison::readOutIsInBothUnits() {
     compareWith({});
-    m_fixture->session().setDt(0.1);
+    chooseDt(m_fixture->session(), 0.1);
     makeSteps(30);
     const QPoint middle = m_plot->axisRect()->rect().center();
     hover(m_plot, QPoint(int(m_plot->xAxis->coordToPixel(2.0)), middle.y()));
@@ -440,7 +441,7 @@ void TestWindowComparison::savedTableHasTheGhost() {
 void TestWindowComparison::ghostIsDrawnWhereItIs() {
     QVERIFY(m_fixture->session().openLevel(m_fixture->session().levels().at(1)));
     m_fixture->parameters().set({{"tilt_x", 8.0}, {"tilt_y", 8.0}});
-    m_fixture->session().setDt(0.1);
+    chooseDt(m_fixture->session(), 0.1);
     compareWith({"explicit-euler", 1});
     for (int i = 0; i < 40 && distance() < 2.5 * 0.006; ++i) makeSteps(1);
     QVERIFY(distance() >= 2.5 * 0.006); // nothing of the ghost is behind the ball
@@ -479,7 +480,7 @@ void TestWindowComparison::ghostOnTheBallIsHidden() {
 
 void TestWindowComparison::trailsAreBoundedAndOfTheLegendsColours() {
     m_fixture->parameters().set({{"restitution_wall", 1.0}}); // both are still moving at the end
-    m_fixture->session().setDt(0.1);
+    chooseDt(m_fixture->session(), 0.1);
     compareWith({"explicit-euler", 1});
     makeSteps(40); // 4 s
     const inspector::gl::Frame frame = inspector::ui::currentFrame(m_fixture->session());
@@ -528,7 +529,7 @@ void TestWindowComparison::coloursCanBeTold() {
 // Straight up, so fast that the ghost would need more substeps than are allowed; exact has no such limit in free
 // flight.
 void TestWindowComparison::refuseTheGhost() {
-    m_fixture->session().setStepper("exact");
+    chooseStepper(m_fixture->session(), "exact");
     compareWith({"symplectic-euler", 1});
     phys_state state = now().current;
     state.velocity.z = 1e6;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The game from the first prompt to the tenth level, and the messages when something fails.
 #include "gl/view/maze_view.h"
+#include "inspector/stepping.h"
 #include "ui/game/game_strip.h"
 #include "ui/parts/message_bar.h"
 #include "ui/window/unattended_run.h"
@@ -130,7 +131,7 @@ void TestWindowGame::runWithoutTheGameSaysHowToPlay() {
 }
 
 void TestWindowGame::longStepSaysWhenTheNextOneComes() {
-    m_fixture->session().setDt(10.0);
+    chooseDt(m_fixture->session(), 10.0);
     m_fixture->press(Qt::Key_Space);
     QTRY_VERIFY(text().hint.startsWith("One step of dt takes 10 s · the next one in "));
     m_fixture->press(Qt::Key_Space);
@@ -342,8 +343,8 @@ void TestWindowGame::otherPhysicsSetNoBestTimeAndSayWhy() {
     QFETCH(QString, what);
     m_fixture->key(Qt::Key_Return);
     if (what == "gravity") m_fixture->parameters().set({{what, 3.0}});
-    if (what == "stepper") m_fixture->session().setStepper("rk4");
-    if (what == "dt") m_fixture->session().setDt(0.005);
+    if (what == "stepper") chooseStepper(m_fixture->session(), "rk4");
+    if (what == "dt") chooseDt(m_fixture->session(), 0.005);
     if (what == "speed") m_fixture->session().setSpeed(0.5);
     m_fixture->parameters().set({{"gravity", 9.81}}); // too late
     leaveByHand();

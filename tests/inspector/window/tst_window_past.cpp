@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every run is kept: the user goes back to it, takes it over with a change, saves it afterwards.
 #include "gl/view/maze_view.h"
+#include "inspector/stepping.h"
 #include "support/compare.h"
 #include "support/file_limit.h"
 #include "support/files.h"
@@ -300,8 +301,8 @@ void TestWindowPast::restartKeepsTheRunBefore() {
 void TestWindowPast::runsNameAllThatTheyWereMadeBy() {
     makeSteps(3);
     m_fixture->window().refresh();
-    session().setStepper("exact");
-    session().setDt(0.001);
+    chooseStepper(session(), "exact");
+    chooseDt(session(), 0.001);
     makeSteps(3);
     m_fixture->window().refresh();
     m_fixture->trigger("show_runs_dock");
@@ -394,10 +395,10 @@ void TestWindowPast::tableAfterARestartMissesNothing() {
 void TestWindowPast::fileBesideTheTableSaysWhatMadeEachRow() {
     m_fixture->parameters().set({{"tilt_x", 1.0}});
     makeSteps(10);
-    QVERIFY(m_fixture->session().setDt(0.001));
+    QVERIFY(chooseDt(m_fixture->session(), 0.001));
     makeSteps(10);
     m_fixture->parameters().set({{"tilt_x", 2.0}});
-    QVERIFY(m_fixture->session().setStepper("rk4"));
+    QVERIFY(chooseStepper(m_fixture->session(), "rk4"));
     makeSteps(10);
     m_fixture->parameters().set({{"restitution_wall", 0.9}}); // makes no row
     m_fixture->trigger("save_run");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The live plot shows the ring's samples, and its mouse and keyboard actions work.
+#include "inspector/stepping.h"
 #include "ui/parts/message_bar.h"
 #include "ui/plots/phase_plot.h"
 #include "ui/plots/plot_stack.h"
@@ -127,7 +128,7 @@ void TestWindowPlot::axesAndLegendSayWhatIsShown() {
 }
 
 void TestWindowPlot::followsTheNewestSample() {
-    m_fixture->session().setDt(1.0 / 16.0);
+    chooseDt(m_fixture->session(), 1.0 / 16.0);
     makeSteps(200); // 12.5 s, more than the window of time
     Sample newest;
     QVERIFY(m_fixture->simulation().samples().read(199, newest));

@@ -3,6 +3,7 @@
 #include "core/recording/recording.h"
 #include "core/setup/settings_file.h"
 #include "gl/view/maze_view.h"
+#include "inspector/stepping.h"
 #include "support/files.h"
 #include "ui/game/game_strip.h"
 #include "ui/parts/message_bar.h"
@@ -136,8 +137,8 @@ QString TestWindowReplay::recorded() {
         session->parameters().set({{"tilt_x", 0.5 * i}, {"tilt_y", 3.0}});
         if (!step(30)) qFatal("the recording doesn't get on");
     }
-    session->setStepper("rk4");
-    session->setDt(0.005);
+    chooseStepper(*session, "rk4");
+    chooseDt(*session, 0.005);
     simulation.restart();
     if (!step(200)) qFatal("the recording doesn't get on");
     return file;
@@ -298,7 +299,7 @@ void TestWindowReplay::whatWasRecordedCantBeChanged() {
     for (const char *name : {"play", "autopilot", "reset_parameters"})
         QVERIFY2(!m_fixture->find<QAction>(name)->isEnabled(), name);
     QVERIFY(m_fixture->find<QWidget>("speed")->isEnabled());
-    QVERIFY(!m_fixture->session().setDt(0.02));
+    QVERIFY(!chooseDt(m_fixture->session(), 0.02));
     QVERIFY(!message().isEmpty());
     QTest::keyPress(&m_fixture->window(), Qt::Key_Right);
     m_fixture->press(Qt::Key_Period);
@@ -378,7 +379,7 @@ void TestWindowReplay::goingOnFreesTheSliders() {
 }
 
 void TestWindowReplay::closingGoesBackToTheLevelFromBefore() {
-    QVERIFY(m_fixture->session().setDt(0.002));
+    QVERIFY(chooseDt(m_fixture->session(), 0.002));
     QVERIFY(m_fixture->parameters().set({{"restitution_wall", 0.75}}));
     open(recorded());
     goTo(400);

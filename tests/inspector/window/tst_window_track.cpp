@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A measured ball overlaid on the run: in the view, in plots, on the time bar; and a ball that rolls along.
+#include "inspector/stepping.h"
 #include "inspector/track/made_track.h"
 #include "ui/parts/message_bar.h"
 #include "ui/parts/number_box.h"
@@ -168,7 +169,7 @@ void TestWindowTrack::numberTypedIntoTheTableEndsTheEditOnce() {
 
 void TestWindowTrack::whereItEndsThereIsNoBall() {
     openTrack();
-    m_fixture->session().setDt(0.1);
+    chooseDt(m_fixture->session(), 0.1);
     m_fixture->makeSteps(25);
     QCOMPARE(frame().ghosts.size(), size_t(0));
 }
@@ -195,7 +196,7 @@ void TestWindowTrack::plotsChooseItsCurves() {
 // 2 s of 4 s that were run.
 void TestWindowTrack::timeBarShowsItsSpan() {
     openTrack();
-    m_fixture->session().setDt(0.1);
+    chooseDt(m_fixture->session(), 0.1);
     m_fixture->makeSteps(40);
     m_fixture->window().refresh();
     const auto *slider = m_fixture->find<ui::SeekSlider>("time_slider");
@@ -209,7 +210,7 @@ void TestWindowTrack::timeBarShowsItsSpan() {
 
 void TestWindowTrack::spanBeginsWithTheRun() {
     openTrack();
-    m_fixture->session().setDt(0.1);
+    chooseDt(m_fixture->session(), 0.1);
     m_fixture->makeSteps(40);
     m_fixture->trigger("restart");
     QTRY_COMPARE(now().current.step, uint64_t(0));
@@ -316,7 +317,7 @@ void TestWindowTrack::takingOverThePastEndsRollAlong() {
 
 void TestWindowTrack::rollAlongStartsWhereItStarted() {
     openTrack();
-    m_fixture->session().setStepper("exact");
+    chooseStepper(m_fixture->session(), "exact");
     click(&follow());
     QVERIFY(follow().isChecked());
     QTRY_VERIFY(now().current.time > 1.0);
