@@ -206,7 +206,7 @@ QString durationText(double seconds) {
     const double all = std::numeric_limits<double>::max();
     for (int digits = 1; digits <= kMostDigits; ++digits) {
         if (digits > kFewDigits && 1.0 / rate == seconds) return QStringLiteral("1/%1 s").arg(rate, 0, 'f', 0);
-        const QString text = QStringLiteral("%1 %2").arg(seconds * unit.perSecond, 0, 'g', digits).arg(unit.name);
+        QString text = QStringLiteral("%1 %2").arg(seconds * unit.perSecond, 0, 'g', digits).arg(unit.name);
         if (text.contains(QLatin1Char('e')) && digits < kFewDigits) continue; // 10 ms, not 1e+01 ms
         if (readDuration(text, -all, all).value == seconds) return text;
     }

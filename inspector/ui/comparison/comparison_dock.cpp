@@ -70,16 +70,8 @@ QWidget *ComparisonDock::makeControls(const Actions &actions) {
     m_substeps->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     m_substeps->setKind(wholeNumberKind(1, GhostChoice::kMostSubsteps));
 
-    auto *controls = new QWidget;
-    auto *layout = new FlowLayout(controls);
-    layout->addWidget(switchFor(actions.compare, kPrefix));
-    layout->addWidget(new QLabel(tr("with")));
-    layout->addWidget(m_stepper);
-    layout->addWidget(new QLabel(tr("at dt /")));
-    layout->addWidget(m_substeps);
-    layout->addWidget(buttonFor(actions.meetAgain, kPrefix));
-    layout->addWidget(switchFor(actions.ownParameters, kPrefix));
-    return controls;
+    return flowOf({switchFor(actions.compare, kPrefix), new QLabel(tr("with")), m_stepper, new QLabel(tr("at dt /")),
+                   m_substeps, buttonFor(actions.meetAgain, kPrefix), switchFor(actions.ownParameters, kPrefix)});
 }
 
 void ComparisonDock::choose() {
@@ -135,10 +127,10 @@ QString ComparisonDock::summary(const Snapshot &now) const {
     if (!now.ghost) return comparison.refusal();
     const Deviation &deviation = now.ghost->deviation;
     const double radius = phys_scene_radius(m_session.scene().get());
-    const QString figures = tr("Distance %1, speed %2, energy %3, %4 s after they met")
-                                .arg(distanceText(deviation.distance, radius), speedDifferenceText(deviation.speed),
-                                     energyDifferenceText(deviation.energy),
-                                     QString::number(now.current.time - now.ghost->met.time, 'f', 2));
+    QString figures = tr("Distance %1, speed %2, energy %3, %4 s after they met")
+                          .arg(distanceText(deviation.distance, radius), speedDifferenceText(deviation.speed),
+                               energyDifferenceText(deviation.energy),
+                               QString::number(now.current.time - now.ghost->met.time, 'f', 2));
     if (now.ghost->current.flags & PHYS_OUT) return tr("%1; the ghost is out of the maze").arg(figures);
     if (!m_band) return figures;
     const double known = m_band->middleAt(now.current.time);

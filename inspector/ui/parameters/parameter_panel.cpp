@@ -117,8 +117,6 @@ void ParameterPanel::addRow(Side &side, int index, QGridLayout &grid, int line) 
 
 QWidget *ParameterPanel::makeHead() {
     const QString prefix = QStringLiteral("parameters_");
-    auto *head = new QWidget;
-    auto *layout = new FlowLayout(head);
     auto *sets = new QToolButton;
     sets->setObjectName(QStringLiteral("parameter_sets"));
     sets->setText(tr("Sets"));
@@ -126,10 +124,8 @@ QWidget *ParameterPanel::makeHead() {
     sets->setPopupMode(QToolButton::InstantPopup);
     sets->setMenu(m_sets);
     sets->setFocusPolicy(Qt::TabFocus);
-    layout->addWidget(sets);
-    layout->addWidget(switchFor(m_actions.ghostsOwn, prefix));
-    for (QAction *action : {&m_actions.copy, &m_actions.swap}) layout->addWidget(buttonFor(*action, prefix));
-    return head;
+    return flowOf({sets, switchFor(m_actions.ghostsOwn, prefix), buttonFor(m_actions.copy, prefix),
+                   buttonFor(m_actions.swap, prefix)});
 }
 
 void ParameterPanel::addResetAll(QGridLayout &grid, int line) {

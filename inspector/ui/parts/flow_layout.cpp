@@ -118,4 +118,12 @@ void FlowLayout::placeRow(const Row &row, const QRect &place) const {
     }
 }
 
+QWidget *flowOf(std::initializer_list<QWidget *> widgets) {
+    auto *layout = new FlowLayout;
+    auto *flow = new QWidget;
+    flow->setLayout(layout);
+    for (QWidget *widget : widgets) layout->addWidget(widget);
+    return flow;
+}
+
 } // namespace inspector::ui

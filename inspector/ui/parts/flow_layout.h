@@ -3,6 +3,7 @@
 
 #include <QLayout>
 
+#include <initializer_list>
 #include <vector>
 
 namespace inspector::ui {
@@ -32,5 +33,8 @@ private:
 
     std::vector<QLayoutItem *> m_items;
 };
+
+/// A widget with these widgets in a FlowLayout.
+QWidget *flowOf(std::initializer_list<QWidget *> widgets);
 
 } // namespace inspector::ui

@@ -115,13 +115,7 @@ QWidget *TrackDock::makeControls() {
     m_progress->setAccessibleName(tr("Progress of the fit"));
     for (QPushButton *button : {m_fit, m_follow, m_takeOver})
         button->setFocusPolicy(Qt::TabFocus); // a click doesn't take the keyboard from the game
-    auto *controls = new QWidget;
-    auto *layout = new FlowLayout(controls);
-    for (QWidget *widget :
-         {static_cast<QWidget *>(m_file), static_cast<QWidget *>(m_units), static_cast<QWidget *>(m_fit),
-          static_cast<QWidget *>(m_progress), static_cast<QWidget *>(m_takeOver), static_cast<QWidget *>(m_follow)})
-        layout->addWidget(widget);
-    return controls;
+    return flowOf({m_file, m_units, m_fit, m_progress, m_takeOver, m_follow});
 }
 
 void TrackDock::chooseTrackFile() {

@@ -172,7 +172,7 @@ QString TradeDock::answerText(const TradePoint &point, double seconds) const {
         .arg(point.cost.perSecond * 1e6, 0, 'g', 3);
 }
 
-/// A button that doesn't take the keyboard from the game when clicked.
+/// A click on one of these doesn't take the keyboard from the game.
 void TradeDock::leaveKeysToTheGame() {
     for (QWidget *widget :
          {static_cast<QWidget *>(m_measure), static_cast<QWidget *>(m_model), static_cast<QWidget *>(m_tolerance),
@@ -181,26 +181,16 @@ void TradeDock::leaveKeysToTheGame() {
 }
 
 QWidget *TradeDock::makeTop() {
-    auto *top = new QWidget;
-    auto *layout = new FlowLayout(top);
-    for (QWidget *widget :
-         {static_cast<QWidget *>(m_measure), static_cast<QWidget *>(m_schedule), static_cast<QWidget *>(m_duration),
-          static_cast<QWidget *>(m_model), static_cast<QWidget *>(m_progress), static_cast<QWidget *>(m_remark)})
-        layout->addWidget(widget);
     m_remark->setMinimumWidth(fontMetrics().averageCharWidth() * 30);
-    return top;
+    return flowOf({m_measure, m_schedule, m_duration, m_model, m_progress, m_remark});
 }
 
 QWidget *TradeDock::makeUnknowns() {
-    auto *row = new QWidget;
-    auto *layout = new FlowLayout(row);
     auto *label = new QLabel(tr("&Not known:"));
     label->setBuddy(m_unknowns);
     m_unknowns->setMinimumWidth(fontMetrics().averageCharWidth() * 30);
-    for (QWidget *widget : {static_cast<QWidget *>(label), static_cast<QWidget *>(m_unknowns),
-                            between(tr("error below"), m_share, tr("of it")), between(tr("for"), m_horizon, {})})
-        layout->addWidget(widget);
-    return row;
+    return flowOf(
+        {label, m_unknowns, between(tr("error below"), m_share, tr("of it")), between(tr("for"), m_horizon, {})});
 }
 
 QWidget *TradeDock::makeGoodEnough() {
