@@ -36,7 +36,7 @@ phys_status requirementsOfSwept(void *self, const phys_params *params, double dt
 phys_status sweepStep(const PlanInput &input, phys_state &out, phys_report *report, phys_error *err) {
     const double dt = input.dt;
     const phys_state &in = input.state;
-    Reporter reporter(report, in.time);
+    Reporter reporter(report, in, dt);
     reporter.substeps(1, 0);
     const StepPlan plan = planSweep(input);
     Work work(kMostWorkOfContacts);

@@ -434,12 +434,11 @@ private:
         if (r.event_count > kEvents) complain("report", "%u events in a buffer of %u", r.event_count, kEvents);
         for (uint32_t i = 0; i < std::min(r.event_count, kEvents); ++i) {
             const phys_event &event = m_events[i];
-            const double margin = 1e-9 * leg.dt + 1e-15 * (1 + std::abs(out.time));
-            if (event.time < in.time - margin || event.time > out.time + margin) {
+            if (event.time < in.time || event.time > out.time) {
                 complain("report", "an event at %.17g s in a step from %.17g to %.17g s", event.time, in.time,
                          out.time);
             }
-            if (i > 0 && event.time < m_events[i - 1].time - margin) complain("report", "events out of order");
+            if (i > 0 && event.time < m_events[i - 1].time) complain("report", "events out of order");
             if (event.box != PHYS_NO_BOX && event.box >= m_scene.boxes.size()) {
                 complain("report", "an event with box %u", event.box);
             }

@@ -2,6 +2,7 @@
 #include "registry/report.h"
 
 #include "base/appendable.h"
+#include "registry/clock.h"
 
 namespace phys {
 
@@ -12,8 +13,9 @@ void Reporter::event(uint32_t kind, double after, const Vec3 &point, const Vec3 
         ++m_report->events_lost;
         return;
     }
-    m_report->events[m_report->event_count++] = {
-        m_startTime + after, fromVec(point), fromVec(normal), speedBefore, speedAfter, kind, box};
+    const double time = std::min(m_start->time + after, nextTime(*m_start, m_dt));
+    m_report->events[m_report->event_count++] = {time, fromVec(point), fromVec(normal), speedBefore, speedAfter, kind,
+                                                 box};
 }
 
 // Copied member by member, as a processor stalls if it loads together what was just stored separately.

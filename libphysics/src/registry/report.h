@@ -12,16 +12,21 @@ namespace phys {
 
 class Reporter {
 public:
-    /// report: or nullptr. startTime: state.time at the start of the step.
-    Reporter(phys_report *report, double startTime)
+    /// Reports nothing.
+    Reporter() = default;
+
+    /// report: or nullptr. start: the state before the step of dt (s); outlives the reporter's events.
+    Reporter(phys_report *report, const phys_state &start, double dt)
         : m_report(report)
-        , m_startTime(startTime) {
+        , m_start(&start)
+        , m_dt(dt) {
         if (report) report->pass_cap = kMostImpactRounds; // pushing out of overlaps needs fewer passes
     }
 
     bool wanted() const { return m_report != nullptr; }
 
-    /// `after` seconds into the step. Events without a contact have zero vectors and PHYS_NO_BOX.
+    /// `after` seconds into the step, but never later than the state after it, whose time is rounded otherwise. Events
+    /// without a contact have zero vectors and PHYS_NO_BOX.
     void event(uint32_t kind, double after, const Vec3 &point, const Vec3 &normal, double speedBefore,
                double speedAfter, uint32_t box);
 
@@ -57,8 +62,9 @@ public:
     }
 
 private:
-    phys_report *m_report;
-    double m_startTime;
+    phys_report *m_report = nullptr;
+    const phys_state *m_start = nullptr;
+    double m_dt = 0.0;
 };
 
 /// Copies what a step wrote to a fresh report to the caller. All of it is in the first version of the struct, so there

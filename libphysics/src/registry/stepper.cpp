@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/float_environment.h"
 #include "registry/arguments.h"
+#include "registry/clock.h"
 #include "registry/energy.h"
 #include "registry/plugin_call.h"
 #include "registry/plugin_result.h"
@@ -21,13 +22,6 @@
 namespace phys {
 
 namespace {
-
-/// Steps are counted rather than times summed, as long as the time equals step count times dt: model.md 10.6.
-double nextTime(const phys_state &state, double dt) {
-    const double steps = static_cast<double>(static_cast<int64_t>(state.step));
-    const bool isCounted = std::abs(steps * dt - state.time) <= 4.0 * kRounding * state.time;
-    return isCounted ? (steps + 1.0) * dt : state.time + dt;
-}
 
 /// Integers up to here are representable as doubles.
 constexpr uint64_t kCountedSteps = uint64_t{1} << 53;

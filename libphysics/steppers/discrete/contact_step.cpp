@@ -289,7 +289,7 @@ bool hold(const StepContext &context, const Contacts &contacts, ContactRule kind
         // Contacts that compare equal: the mean of both orders favours none.
         Contacts reversed = contacts;
         reversed.reverseTies();
-        Reporter silent(nullptr, 0.0);
+        Reporter silent;
         Ball other = start;
         holdInThisOrder({context.setting, silent, context.work}, reversed, kind, h, other);
         ball.position = 0.5 * (ball.position + other.position);

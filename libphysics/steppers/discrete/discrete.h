@@ -200,7 +200,7 @@ private:
         if (Scheme::kContactRule == ContactRule::Explicit) ways.add(m_h * free.velocity);
         Contacts contacts;
         if (m_context.report.wanted()) {
-            Reporter silent(nullptr, 0.0);
+            Reporter silent;
             DiscreteStep trial(m_context.setting, silent, m_context.work, m_plan, m_h);
             trial.meetAll(start, ways, contacts, ball);
             ball = before;
@@ -283,7 +283,7 @@ private:
                                  return contact.gap > m_context.scene().tolerance;
                              });
         if (!arrives) {
-            Reporter silent(nullptr, 0.0);
+            Reporter silent;
             Ball next = start;
             const bool pressesOnTop = holdOrFly({m_context.setting, silent, m_context.work}, kept, next);
             if (kept.empty() || !overlapsAnother(contacts, kept, next)) {

@@ -152,7 +152,7 @@ private:
             rotate(out.orientation, 0.5 * dt * (spinBefore + toVec(out.spin)));
         }
         if (!report) return;
-        Reporter reporter(report, in.time);
+        Reporter reporter(report, in, dt);
         reporter.substeps(1, kRule == RegionRule::Swept ? 0 : kSubstepCap);
         if (rests) return;
         const Advance<Vec2> next{{step.velocity.x, step.velocity.y}, {step.displacement.x, step.displacement.y}};

@@ -76,7 +76,7 @@ struct DiscreteStepper {
 
         const auto substeps = static_cast<uint32_t>(stepPlan.substeps);
         const double h = dt / stepPlan.substeps;
-        Reporter reporter(report, in->time);
+        Reporter reporter(report, *in, dt);
         reporter.substeps(substeps, kSubstepCap);
         Work work(kMostWorkOfContacts);
         DiscreteStep<Scheme> substep({scene, *params}, reporter, work, stepPlan, h);

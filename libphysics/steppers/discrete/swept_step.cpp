@@ -93,7 +93,7 @@ Ball SweptStep::at(double t, Reporter &reporter) const {
 }
 
 Ball SweptStep::at(double t) const {
-    Reporter silent(nullptr, 0.0);
+    Reporter silent;
     return at(t, silent);
 }
 
@@ -286,7 +286,7 @@ bool SweptStep::isBound(double speed) const {
 /// later.
 void SweptStep::dropWhatNothingPresses(const Vec3 &velocity) {
     Ball trial = m_ball;
-    Reporter silent(nullptr, 0.0);
+    Reporter silent;
     std::array<bool, Contacts::kMost> presses;
     hold({m_context.setting, silent, m_context.work}, m_contacts, ContactRule::SecondOrder, kSoon * m_substep, trial,
          presses);
@@ -512,7 +512,7 @@ SweptStep::Looks SweptStep::looks(double end, const Ball &last) const {
 /// The first event of the phase, or its end.
 double SweptStep::firstEvent(double end) const {
     Ball last = m_ball;
-    Reporter silent(nullptr, 0.0);
+    Reporter silent;
     if (isParabola(move(end, silent, last), end)) {
         if (const std::optional<double> touch = firstTouchOfParabola(end, last)) return *touch;
     }

@@ -19,7 +19,7 @@ struct MovingBall {
     MovingBall(const Scene &scene, const phys_params &params, double dt, const phys_state &in, phys_report *to,
                phys_error *err)
         : setting{scene, params}
-        , report(to, in.time)
+        , report(to, in, dt)
         , error(err)
         , left(dt)
         , position(toVec(in.position))
