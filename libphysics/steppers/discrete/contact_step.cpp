@@ -175,7 +175,9 @@ void lookAhead(const StepContext &context, const Ball &ball, std::span<const Vec
     const Vec3 gravity = context.setting.gravity();
     for (Contact &contact : contacts) {
         const double pressing = std::max(0.0, -glm::dot(gravity, contact.normal));
-        contact.restSpeed = 2.0 * h * (pressing + contact.curving(ball.velocity, context.radius()));
+        // Contact with an edge lasts only while the ball is pressed on it by more than its way round it curves.
+        const double curving = std::min(pressing, contact.curving(ball.velocity, context.radius()));
+        contact.restSpeed = 2.0 * h * (pressing + curving);
     }
 }
 

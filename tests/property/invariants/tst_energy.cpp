@@ -98,6 +98,10 @@ private slots:
     void slipOnASlopeTakesWhatItTakesInExact();
     void resistanceOnASlopeTakesWhatItTakesInExact_data() { addStepperAndModelRows(); }
     void resistanceOnASlopeTakesWhatItTakesInExact();
+    void edgeReturnsTheEnergyOfEveryHit_data() { addStepperAndModelRows(); }
+    void edgeReturnsTheEnergyOfEveryHit();
+    void weightlessRoomKeepsTheEnergy_data() { addStepperAndModelRows(); }
+    void weightlessRoomKeepsTheEnergy();
     void orientationStaysAUnitQuaternion_data() { addStepperAndModelRows(); }
     void orientationStaysAUnitQuaternion();
     void orientationTurnsByWayOverRadius_data() { addStepperAndModelRows(); }
@@ -239,6 +243,58 @@ void TestEnergy::impactUnderAPullMakesNoEnergy() {
         QVERIFY2(std::abs(ball.report.energy_scheme) <= rounding(16, 2.0), digits(ball.report.energy_scheme));
     }
     QCOMPARE(impacts, 1);
+}
+
+void TestEnergy::edgeReturnsTheEnergyOfEveryHit() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    // From far below a ball's radius per step to eight of them, from nearly head-on to nearly past the edge.
+    for (double speed = 0.25; speed <= 32.0; speed *= 2.0) {
+        for (int sixteenth = 1; sixteenth < 16; ++sixteenth) {
+            const double offset = -0.0625 * sixteenth / 16.0;
+            const SceneBuilder scene = SceneBuilder().ball(0.0625).floor(-8, -8, 8, 8).wall(0, 0, 4, 4);
+            Experiment ball(scene, stepper, model);
+            ball.params.restitution_wall = 1.0;
+            ball.params.sliding_friction = ball.params.wall_friction = 0.0;
+            ball.setPosition(-0.25, offset);
+            ball.roll(speed, 0.0);
+            const double before = 0.5 * speed * speed;
+            uint32_t impacts = 0;
+            for (double left = 0.5; left > 0.0; left -= speed / 64.0) {
+                QVERIFY2(ball.step(1.0 / 64.0), ball.error());
+                impacts += ball.report.event_count;
+            }
+            QCOMPARE(impacts, 1U);
+            const double after = speedOf(ball.state);
+            COMPARE_WITHIN(0.5 * after * after, before, rounding(64.0, before));
+        }
+    }
+}
+
+void TestEnergy::weightlessRoomKeepsTheEnergy() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    Random random(testSeed());
+    for (int room = 0; room < 32; ++room) {
+        const double x = random.between(1.0, 3.0), y = random.between(1.0, 3.0), z = random.between(2.5, 5.0);
+        SceneBuilder scene = SceneBuilder().ball(1.0).floor(-9, -9, 9, 9).box({{-9, -9, z}, {9, 9, 9}});
+        scene.box({{-9, -9, 0}, {-1 - x, 9, z}}).box({{1 + x, -9, 0}, {9, 9, z}});
+        scene.box({{-9, -9, 0}, {9, -1 - y, z}}).box({{-9, 1 + y, 0}, {9, 9, z}});
+        scene.box({{0.5 + x, -9, 0}, {1 + x, 9, random.between(0.1, 0.9)}}); // a ledge, for its edge
+        scene.start({0.0, 0.0, random.between(1.0, z - 1.0)});
+        Experiment ball(scene, stepper, model);
+        ball.params.gravity = {0.0, 0.0, 0.0};
+        ball.params.restitution_wall = ball.params.restitution_floor = 1.0;
+        ball.params.sliding_friction = ball.params.wall_friction = 0.0;
+        ball.state.velocity = {random.between(-1.0, 1.0), random.between(-1.0, 1.0), random.between(-1.0, 1.0)};
+        const double dt = std::ldexp(1.0, -static_cast<int>(random.below(4)));
+        for (int i = 0; i < 128; ++i) {
+            QVERIFY2(ball.step(dt), ball.error());
+            const phys_report &r = ball.report;
+            COMPARE_WITHIN(r.energy_after, r.energy_before, rounding(64.0, r.energy_before));
+            COMPARE_WITHIN(r.lost_impact, 0.0, rounding(64.0, r.energy_before));
+        }
+    }
 }
 
 void TestEnergy::resistanceTakesAllOfABallThatItStops() {
