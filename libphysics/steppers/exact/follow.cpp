@@ -108,9 +108,8 @@ uint32_t stickingAfter(Cause cause, const Touching &touching, const Response &re
     return bits;
 }
 
-/// On a floor: gives the ball exactly the spin that corresponds to its velocity, if the difference is rounding.
-void rollOn(const Vec3 &normal, double rounding, MovingBall &ball) {
-    if (glm::length(slipAt(ball.moment(), normal)) > rounding) return;
+/// On a floor: gives the ball exactly the spin that corresponds to its velocity.
+void rollOn(MovingBall &ball) {
     const Vec3 rolls = rollingSpin(inPlane(ball.motion.velocity), ball.radius());
     ball.motion.spin = {rolls.x, rolls.y, ball.motion.spin.z};
 }
@@ -169,7 +168,11 @@ void settle(const Event &event, const Response &response, MovingBall &ball, Touc
     if (holds) clearSlips(end.cause, sticking, rounding, touching, ball);
     if (end.cause != Cause::time || !rests(ball, response)) keepContacts(touching, response, ball);
     for (uint32_t i = 0; i < touching.count(); ++i) {
-        if (sticking >> i & 1U && touching.contactOf(i).isTop) rollOn(touching.held(i).normal, rounding, ball);
+        if (!touching.contactOf(i).isTop) continue;
+        const Vec3 &normal = touching.held(i).normal;
+        const bool sticks = sticking >> i & 1U && glm::length(slipAt(ball.moment(), normal)) <= rounding;
+        const bool isGlued = touching.held(i).isGlued && isClosed(response, i); // model.md 2.1 R7
+        if (sticks || isGlued) rollOn(ball);
     }
     if (end.cause == Cause::border) ball.position[event.border.axis] = event.border.coordinate;
 }

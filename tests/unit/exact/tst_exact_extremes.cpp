@@ -20,6 +20,8 @@ private slots:
     void tiniestSpeeds();
     void oneLongStepIsAThousandShortOnes();
     void ballWiderThanAGapRestsOnTwoEdges();
+    void stopsUnderAShelfThatIsHardlyTooLow_data();
+    void stopsUnderAShelfThatIsHardlyTooLow();
     void gapOfExactlyTheDiameterDoesNotHang();
     void slipsInAShaftOfExactlyTheDiameter();
     void refusesMoreBouncesThanAreWorthWaitingFor();
@@ -109,6 +111,37 @@ void ExactExtremes::ballWiderThanAGapRestsOnTwoEdges() {
     // At rest when both edges are touched: within the tolerance of 4 rounding steps of the walls' height, 16.
     QVERIFY(exact::difference(run.state, 0.0, 0.1, 0.0, 0.0) <= 2.0 * 4.0 * kU * 16.0);
     QVERIFY(run.state.flags & PHYS_AT_REST);
+}
+
+void ExactExtremes::stopsUnderAShelfThatIsHardlyTooLow_data() {
+    QTest::addColumn<double>("lack");
+    QTest::addColumn<double>("pull");
+    for (int digits = 4; digits <= 13; ++digits) {
+        for (const double pull : {0.0998, 1.0, 9.0}) {
+            QTest::addRow("1e-%d radii, %g m/s^2", digits, pull) << std::pow(10.0, -digits) << pull;
+        }
+    }
+}
+
+void ExactExtremes::stopsUnderAShelfThatIsHardlyTooLow() {
+    QFETCH(double, lack);
+    QFETCH(double, pull);
+    const phys_box shelf{{2, -12, 2 - lack}, {5, 12, 4}};
+    Run run({exact::floorOver(-12, -12, 12, 12), shelf}, 1.0, {0.3, 0, 1}, {0.3, 0.13, 0});
+    run.state.spin = {-0.13, 0.3, 0.0};
+    run.params.gravity = {pull, 0.0, -1.0};
+    run.params.restitution_wall = 0.25;
+    for (int i = 0; i < 60; ++i) {
+        run.step(0.5);
+        QVERIFY(std::abs(run.report.energy_scheme) <= 64.0 * exact::kU * (1.0 + pull));
+    }
+    // The mouth is where the edge touches; rolling on along it, the spin follows the velocity: model.md 2.1 R7.
+    const double low = 2.0 - shelf.min.z;
+    const double mouth = 2.0 - std::sqrt(low * (2.0 - low));
+    QVERIFY(std::abs(run.state.position.x - mouth) <= 4.0 * exact::kU / std::sqrt(low));
+    QCOMPARE(run.state.velocity.x, 0.0);
+    QCOMPARE(run.state.spin.y, 0.0);
+    QCOMPARE(run.state.spin.x, -run.state.velocity.y);
 }
 
 void ExactExtremes::gapOfExactlyTheDiameterDoesNotHang() {
