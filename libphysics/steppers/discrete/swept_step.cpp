@@ -64,10 +64,8 @@ SweptStep::SweptStep(const PlanInput &input, Reporter &reporter, Work &work, con
     , m_slow(kSlow * std::sqrt(glm::length(toVec(input.params.gravity)) * input.scene.radius))
     , m_ball(start) {}
 
-SweptStep::Course SweptStep::move(double t, Reporter &reporter, Ball &ball) const {
-    constexpr uint32_t kEffortOfContacts = 40;
-    ++m_effort;
-    Step step(m_context.setting, reporter, m_context.work, m_plan, t);
+SweptStep::Course SweptStep::move(double t, Reporter &reporter, Work &work, Ball &ball) const {
+    Step step(m_context.setting, reporter, work, m_plan, t);
     if (m_isAlone || m_contacts.empty()) {
         ball.supported = m_isAlone;
         const SmoothLoss loss = step.move(ball);
@@ -79,27 +77,26 @@ SweptStep::Course SweptStep::move(double t, Reporter &reporter, Ball &ball) cons
         ball.supported = true;
         return Course::BetweenWalls;
     }
-    m_effort += kEffortOfContacts;
-    const StepContext context{m_context.setting, reporter, m_context.work};
+    const StepContext context{m_context.setting, reporter, work};
     const ContactRule rule = m_slipEnds ? ContactRule::Symplectic : ContactRule::SecondOrder;
     ball.supported = hold(context, m_contacts, rule, t, ball);
     return Course::Held;
 }
 
-Ball SweptStep::at(double t, Reporter &reporter) const {
-    Ball ball = m_ball;
-    move(t, reporter, ball);
-    return ball;
-}
-
-Ball SweptStep::at(double t) const {
+const SweptStep::Moved &SweptStep::movedBy(double t) const {
+    if (m_moved.t == t && m_moved.slipEnds == m_slipEnds) return m_moved;
+    constexpr uint32_t kEffortOfContacts = 40;
     Reporter silent;
-    return at(t, silent);
+    m_moved = {t, m_slipEnds, Course::Free, m_ball};
+    m_moved.course = move(t, silent, m_context.work, m_moved.ball);
+    m_effort += m_moved.course == Course::Held ? 1 + kEffortOfContacts : 1;
+    return m_moved;
 }
 
 bool SweptStep::toNextEvent() {
     if (advanceFreely()) return true;
     beginPhase();
+    m_moved.t = -1.0;
     if (mayRest(m_context.setting, m_ball.velocity) && rests(m_context, m_ball)) {
         m_done = m_input.dt;
         return true;
@@ -116,7 +113,7 @@ bool SweptStep::toNextEvent() {
 bool SweptStep::advanceFreely() {
     if (m_done > 0.0) return false;
     if (passesBy(m_input)) {
-        m_ball = at(m_input.dt, m_context.report);
+        move(m_input.dt, m_context.report, m_context.work, m_ball);
         return true;
     }
     if (!isSlow(m_input) || spinsFast(m_input)) return false;
@@ -138,12 +135,13 @@ double SweptStep::leavingSpeed(double restSpeed) const {
     return std::max({restSpeed, m_slow, hop});
 }
 
-/// The contacts of a ball on one floor and at most one vertical face; nothing if it touches anything else.
-std::optional<SweptStep::Ground> SweptStep::findGround() const {
+/// Whether the ball touches nothing but one floor and at most one vertical face. These are its contacts then.
+bool SweptStep::touchesGround() {
     const Setting &setting = m_context.setting;
     const Vec3 &p = m_ball.position;
     const double touching = m_context.radius() + setting.tolerance;
-    std::optional<Contact> floor, face;
+    uint32_t floors = 0, faces = 0;
+    m_contacts.clear();
     for (const uint32_t number : setting.scene.boxesNear(p.x, p.y, setting.scene.hasManyBoxes)) {
         const phys_box &box = setting.scene.boxes[number];
         if (squaredDistance(box, p) > touching * touching) continue;
@@ -151,36 +149,34 @@ std::optional<SweptStep::Ground> SweptStep::findGround() const {
         const int axis = sides[2] != 0 ? 2 : sides[1] != 0 ? 1 : 0;
         const int side = sides[static_cast<size_t>(axis)];
         const bool isFace = std::count(sides.begin(), sides.end(), 0) == 2 && std::abs(side) == 1;
-        std::optional<Contact> &contact = axis == 2 ? floor : face;
-        if (!isFace || contact || (axis == 2 && side < 0)) return std::nullopt;
-        contact = contactAtFace(setting, p, number, axis, side);
-        contact->restSpeed = restSpeedAlong(contact->normal);
+        uint32_t &count = axis == 2 ? floors : faces;
+        if (!isFace || count++ > 0 || (axis == 2 && side < 0)) return false;
+        m_contacts.add(contactAtFace(setting, p, number, axis, side));
     }
-    if (!floor) return std::nullopt;
-    return Ground{*floor, face};
+    return floors == 1;
 }
 
 /// The usual phase, begun at less cost with the bits of the general case: in the rolling model, the ball lies on a
-/// floor alone or bounces off a face there. Otherwise returns false and changes nothing.
+/// floor alone or bounces off a face there. Otherwise returns false and changes no more than the contacts.
 bool SweptStep::beginOnFloor() {
     const bool mayBe = !m_context.isRigid() && !m_context.report.wanted() && m_ball.velocity.z == 0.0 &&
                        m_context.params().gravity.z < 0.0;
-    const std::optional<Ground> ground = mayBe ? findGround() : std::nullopt;
-    if (!ground) return false;
+    if (!mayBe || !touchesGround()) return false;
     Motion motion = motionOf(m_ball);
-    if (const std::optional<Contact> &face = ground->face) {
-        const double approach = -glm::dot(motion.velocity, face->normal);
-        if (approach > std::max(face->restSpeed, negligibleSpeed(motion, m_context.radius()))) {
-            motion.velocity += (1.0 + face->restitution) * approach * face->normal;
+    for (const Contact &contact : m_contacts) {
+        if (contact.isTop) continue;
+        const double restSpeed = restSpeedAlong(contact.normal);
+        const double approach = -glm::dot(motion.velocity, contact.normal);
+        if (approach > std::max(restSpeed, negligibleSpeed(motion, m_context.radius()))) {
+            motion.velocity += (1.0 + contact.restitution) * approach * contact.normal;
             dropTraces(motionOf(m_ball), m_context.radius(), motion);
         }
-        if (!(glm::dot(motion.velocity, face->normal) > leavingSpeed(face->restSpeed))) return false;
+        if (!(glm::dot(motion.velocity, contact.normal) > leavingSpeed(restSpeed))) return false;
     }
-    m_contacts.clear();
-    m_contacts.add(ground->floor);
+    m_contacts.drop([](const Contact &contact) { return !contact.isTop; });
     m_ball.velocity = Vec3(inPlane(motion.velocity), 0.0);
     m_ball.spin = rollingSpin(inPlane(motion.velocity), m_context.radius());
-    m_ball.position.z = ground->floor.point.z + m_context.radius();
+    m_ball.position.z = m_contacts[0].point.z + m_context.radius();
     m_isAlone = true;
     m_resists = false;
     return true;
@@ -302,7 +298,12 @@ void SweptStep::dropWhatNothingPresses(const Vec3 &velocity) {
 }
 
 void SweptStep::finishPhase(double t) {
-    m_ball = at(t, m_context.report);
+    const Ball end = at(t);
+    if (m_context.report.wanted()) {
+        Work again; // a report changes no status either
+        move(t, m_context.report, again, m_ball);
+    }
+    m_ball = end;
     if (t == m_stop) {
         m_ball.velocity = Vec3(0.0);
         m_ball.spin = Vec3(0.0, 0.0, m_context.isRigid() ? m_ball.spin.z : 0.0);
@@ -511,9 +512,8 @@ SweptStep::Looks SweptStep::looks(double end, const Ball &last) const {
 
 /// The first event of the phase, or its end.
 double SweptStep::firstEvent(double end) const {
-    Ball last = m_ball;
-    Reporter silent;
-    if (isParabola(move(end, silent, last), end)) {
+    const Ball last = at(end);
+    if (isParabola(movedBy(end).course, end)) {
         if (const std::optional<double> touch = firstTouchOfParabola(end, last)) return *touch;
     }
     const Looks looks = this->looks(end, last);

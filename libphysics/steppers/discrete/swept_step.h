@@ -50,20 +50,21 @@ private:
     };
 
     /// Moves the ball t seconds into this phase, as if there were no obstacles.
-    Course move(double t, Reporter &reporter, Ball &ball) const;
-    Ball at(double t, Reporter &reporter) const;
-    Ball at(double t) const;
+    Course move(double t, Reporter &reporter, Work &work, Ball &ball) const;
+    /// Where that leads.
+    struct Moved {
+        double t = -1.0;       ///< s; below 0: none yet
+        bool slipEnds = false; ///< it was computed with this
+        Course course = Course::Free;
+        Ball ball{};
+    };
+    const Moved &movedBy(double t) const;
+    Ball at(double t) const { return movedBy(t).ball; }
 
     bool advanceFreely();
-    /// Contacts of a ball on a floor.
-    struct Ground {
-        Contact floor;
-        std::optional<Contact> face;
-    };
-
     double restSpeedAlong(const Vec3 &normal) const;
     double leavingSpeed(double restSpeed) const;
-    std::optional<Ground> findGround() const;
+    bool touchesGround();
     bool beginOnFloor();
     void beginPhase();
     void dropWhatIsLeft();
@@ -99,6 +100,7 @@ private:
     Ball m_ball;
     static constexpr uint32_t kBoxesOfPlace = 16;
     mutable uint32_t m_effort = 0, m_boxes = 0;
+    mutable Moved m_moved;   ///< the last one: the end of a phase is asked for several times
     double m_done = 0.0;     ///< s of the step that lie behind the ball
     Contacts m_contacts;     ///< the contacts of this phase
     bool m_isAlone = false;  ///< nothing but one top face is touched
