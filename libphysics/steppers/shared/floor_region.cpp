@@ -191,16 +191,26 @@ private:
                 };
                 const bool isLong = reaches(length.low, length.high);
                 if (!isLong && !reaches(m_place[1 - axis], m_place[1 - axis])) continue;
-                if (range.low == (&box.max.x)[axis] + m_clear && isOverFloor(axis, faceAtLow(box, axis))) {
-                    if (isLong) range.lowFace = faceAtLow(box, axis);
-                    range.lowBox = numberOf(box);
-                }
-                if (range.high == (&box.min.x)[axis] - m_clear && isOverFloor(axis, faceAtHigh(box, axis))) {
-                    if (isLong) range.highFace = faceAtHigh(box, axis);
-                    range.highBox = numberOf(box);
-                }
+                // Of several boxes in one plane the one that extends farthest, so that no shorter one hides it.
+                const auto bound = [&](double place, double &face, uint32_t &number) {
+                    const bool hasLong = face != FloorRegion::kNoFace;
+                    if (hasLong != isLong ? hasLong : !isLonger(box, number, 1 - axis)) return;
+                    if (isLong) face = place;
+                    number = numberOf(box);
+                };
+                const double atLow = faceAtLow(box, axis), atHigh = faceAtHigh(box, axis);
+                if (range.low == (&box.max.x)[axis] + m_clear && isOverFloor(axis, atLow))
+                    bound(atLow, range.lowFace, range.lowBox);
+                if (range.high == (&box.min.x)[axis] - m_clear && isOverFloor(axis, atHigh))
+                    bound(atHigh, range.highFace, range.highBox);
             }
         }
+    }
+
+    /// other: PHYS_NO_BOX for none.
+    bool isLonger(const phys_box &box, uint32_t other, int axis) const {
+        const auto length = [axis](const phys_box &b) { return (&b.max.x)[axis] - (&b.min.x)[axis]; };
+        return other == PHYS_NO_BOX || length(box) > length(m_scene.boxes[other]);
     }
 
     const Scene &m_scene;

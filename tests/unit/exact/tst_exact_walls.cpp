@@ -21,6 +21,7 @@ private slots:
     void hopsAlongARoughWallEndInContact();
     void rubbingTurnsIntoRolling();
     void ballClimbsAWallThatItsSpinGrips();
+    void aShorterBoxInTheSameFaceChangesNothing();
 };
 
 namespace {
@@ -253,6 +254,32 @@ void ExactWalls::ballClimbsAWallThatItsSpinGrips() {
     QVERIFY(run.state.flags & PHYS_AIRBORNE);
     QVERIFY(std::abs(run.state.velocity.z - 4.0 * 0.0625) <= 4.0 * kU);
     QVERIFY(std::abs(run.state.position.z - (kR + 2.0 * 0.0625 * 0.0625)) <= 2.0 * kU);
+}
+
+/// A ball rolls towards the place where two walls share a face. What the stepper has learnt there from another ball
+/// must not tell.
+void ExactWalls::aShorterBoxInTheSameFaceChangesNothing() {
+    const std::vector<phys_box> boxes = {
+        exact::floorOver(-40, -40, 40, 40), {{-40, 2, 0}, {40, 3, 3}}, {{5, 2, 0}, {6, 10, 3}}};
+    const auto prepare = [](Run &run, phys_vec3 position, phys_vec3 velocity) {
+        run.params.gravity = {0.15878912359749753, 0.22726753108151787, -9.8};
+        run.params.rolling_friction = 0.002;
+        run.state.position = position;
+        run.state.velocity = velocity;
+        run.state.spin = {-velocity.y, velocity.x, 0.0};
+    };
+    const phys_vec3 place{4.9779047777555583, 0.99996087133693645, 1},
+        velocity{2.5074305457087855, 0.00026129928940919972, 0};
+    Run fresh(boxes, 1.0, place), used(boxes, 1.0, place);
+    prepare(used, {5.705451500163675, 0.5, 1}, velocity);
+    used.step(1e-3);
+    used.state = fresh.state;
+    for (Run *run : {&fresh, &used}) {
+        prepare(*run, place, velocity);
+        run->step(0.05);
+    }
+    QVERIFY(exact::equal(used.state.position, fresh.state.position));
+    QVERIFY(exact::equal(used.state.velocity, fresh.state.velocity));
 }
 
 QTEST_GUILESS_MAIN(ExactWalls)
