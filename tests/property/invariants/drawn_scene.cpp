@@ -98,6 +98,25 @@ Drawn draw(Random &random, uint32_t model) {
     return drawn;
 }
 
+Drawn drawTiles(Random &random, uint32_t model) {
+    Drawn drawn = draw(random, model);
+    const double cell = kWidth / kCells;
+    const auto start = random.below(kCells * kCells);
+    std::vector<phys_box> boxes;
+    for (uint32_t i = 0; i < kCells * kCells; ++i) {
+        const double x = cell * (i % kCells);
+        const double y = cell * static_cast<double>(i / kCells);
+        const auto kind = random.below(8);
+        if (kind == 0 && i != start) continue; // a hole
+        boxes.push_back({{x, y, -cell}, {x + cell, y + cell, 0.0}});
+        if (kind == 1 && i != start) boxes.push_back({{x, y, 0.0}, {x + cell, y + cell, cell}});
+    }
+    drawn.scene = withBoxes(drawn.scene, boxes);
+    drawn.scene.start(cell * (start % kCells + 0.5), cell * (static_cast<double>(start / kCells) + 0.5));
+    drawn.start.position = drawn.scene.start();
+    return drawn;
+}
+
 Drawn changed(const Drawn &drawn, const Change &change) {
     std::vector<phys_box> boxes;
     for (const phys_box &box : drawn.scene.boxes()) boxes.push_back(changed(box, change));

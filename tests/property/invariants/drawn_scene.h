@@ -25,6 +25,9 @@ inline constexpr int kSegments = 8;
 /// A room of 4 m with boxes in the cells of a lattice, at least two ball diameters apart, a start clear of them, and
 /// parameters of all magnitudes. Coordinates are short binary numbers.
 Drawn draw(support::Random &random, uint32_t model);
+/// The same with floors and walls of single cells of the lattice: flush with one another, and most of them parts of no
+/// box.
+Drawn drawTiles(support::Random &random, uint32_t model);
 
 /// A change of the frame or the units that is exact in floating point.
 struct Change {
