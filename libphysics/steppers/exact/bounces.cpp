@@ -151,7 +151,8 @@ void makeBounces(double back, const Obstacles &obstacles, MovingBall &ball, Touc
         if (flight >= ball.left || face.restitution * speed <= leastBounce(ball, touching.contacts)) return;
         const Vec3 bend = 0.5 * flight * flight * pull;
         if (!isClear(obstacles, ball.position - start, flight * along, bend, ball.radius())) return;
-        ball.turn(Uniform{Vec3(0.0), Vec3(0.0), ball.motion.spin, Vec3(0.0)}, flight);
+        const Uniform turning{Vec3(0.0), Vec3(0.0), ball.motion.spin, Vec3(0.0)};
+        ball.turn(turning, turning.placeAt(flight), flight);
         ball.position += way;
         face.point += way;
         ball.motion.velocity = along + flight * pull - speed * n;
@@ -166,7 +167,8 @@ void followSeries(const BounceSeries &series, const SeriesPart &part, MovingBall
     ball.report.lostImpact(0.5 * (series.speed - part.speed) * (series.speed + part.speed));
     ball.report.lostSlip(0.5 * series.drag * part.squares * glm::dot(series.pull, series.pull));
     const Vec3 turning = 2.5 * series.drag / ball.radius() * glm::cross(face.normal, series.pull);
-    ball.turn(Uniform{Vec3(0.0), Vec3(0.0), ball.motion.spin, turning}, part.time);
+    const Uniform spinning{Vec3(0.0), Vec3(0.0), ball.motion.spin, turning};
+    ball.turn(spinning, spinning.placeAt(part.time), part.time);
     const Vec3 way = series.way(part);
     ball.position += way;
     face.point += way;

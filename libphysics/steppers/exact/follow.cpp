@@ -43,8 +43,8 @@ void move(const P &phase, const End &end, const Touching &touching, const Respon
         ball.report.lostRolling(lost.rolling);
     }
     if (t > 0.0) { // after no time, the series may have terms beyond all numbers
-        ball.turn(phase, t);
         const Place place = phase.placeAt(t);
+        ball.turn(phase, place, t);
         ball.position += place.way;
         ball.motion = {place.velocity, place.spin};
     }

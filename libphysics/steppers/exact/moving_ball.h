@@ -64,8 +64,8 @@ struct MovingBall {
 
     /// Rotates the ball by a phase's motion until t (s), if orientation is requested.
     template<class Phase>
-    void turn(const Phase &phase, double t) {
-        if (params().options & PHYS_OPTION_ORIENTATION) phys::turn(orientation, phase, t);
+    void turn(const Phase &phase, const Place &end, double t) {
+        if (params().options & PHYS_OPTION_ORIENTATION) phys::turn(orientation, phase, end, t);
     }
 
     /// Reports an event at this time, without or with a contact.

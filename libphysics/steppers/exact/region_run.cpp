@@ -265,16 +265,16 @@ private:
             m_ball.report.lostSlip(lost.slip + 0.2 * R * R * (glm::dot(given, given) - glm::dot(m_spin, m_spin)));
             m_ball.report.lostRolling(lost.rolling);
         }
-        m_ball.turn(phase, t);
         m_events.addPhase(m_rests == kNone ? PHYS_NO_BOX : boxAt(m_rests));
         const double face = m_rests == kNone ? 0.0 : placeAt(m_rests);
         const Vec3 start = m_ball.position;
         const Place place = phase.placeAt(t);
+        m_ball.turn(phase, place, t);
         m_ball.position = {start.x + place.way.x, start.y + place.way.y, m_floor};
         if (m_rests != kNone) m_ball.position[m_rests] = face; // a zero may have the opposite sign
         m_ball.motion = {{place.velocity.x, place.velocity.y, 0.0}, place.spin};
         m_ball.pass(t);
-        if (isRigid() && m_rolls) rollExactly();
+        if (m_rolls) rollExactly();
     }
 
     const FloorRegion &m_region;

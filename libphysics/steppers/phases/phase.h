@@ -17,6 +17,7 @@ struct Way {
 /// The ball's complete state in a phase.
 struct Place {
     Vec3 way, velocity, spin;
+    Vec3 turning; ///< integral of the spin over the time
 };
 
 /// How a phase ends by itself, regardless of obstacles.

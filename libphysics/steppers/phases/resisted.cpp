@@ -63,13 +63,15 @@ Way Resisted::at(double t) const {
 }
 
 Place Resisted::placeAt(double t) const {
-    if (t == 0.0) return {Vec3(0.0), m_velocity, m_spin};
+    if (t == 0.0) return {Vec3(0.0), m_velocity, m_spin, Vec3(0.0)};
     const ResistedLaw::Point point = m_law.at(t);
     const Vec3 x = inSpace(point.x), v = inSpace(point.v), drilling = glm::dot(m_spin, m_normal) * m_normal;
-    if (!m_slips) return {x, v, drilling + glm::cross(m_normal, v) / m_radius};
-    const Vec3 q = m_q + t * m_qRate;
-    return {t * (m_q + 0.5 * t * m_qRate) + 2.0 / 7.0 * x, q + 2.0 / 7.0 * v,
-            drilling + glm::cross(m_normal, q - 5.0 / 7.0 * v) / m_radius};
+    if (!m_slips) {
+        return {x, v, drilling + glm::cross(m_normal, v) / m_radius, t * drilling + glm::cross(m_normal, x) / m_radius};
+    }
+    const Vec3 q = m_q + t * m_qRate, way = t * (m_q + 0.5 * t * m_qRate);
+    return {way + 2.0 / 7.0 * x, q + 2.0 / 7.0 * v, drilling + glm::cross(m_normal, q - 5.0 / 7.0 * v) / m_radius,
+            t * drilling + glm::cross(m_normal, way - 5.0 / 7.0 * x) / m_radius};
 }
 
 double Resisted::least(const Vec3 &n, double rate, double t, double until) const {

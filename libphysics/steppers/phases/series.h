@@ -34,7 +34,7 @@ public:
     Way at(double t) const;
     Place placeAt(double t) const {
         const Way now = at(t);
-        return {now.way, now.velocity, spinAt(t)};
+        return {now.way, now.velocity, spinAt(t), m_mirror.backSpin(unit() * m_om.integralAt(t / unit()))};
     }
     Vec3 spinAt(double t) const;
     double least(const Vec3 &n, double rate, double t, double until) const;

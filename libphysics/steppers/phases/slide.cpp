@@ -6,7 +6,9 @@
 namespace phys {
 
 // The pressure on the rough face is constant, the smooth face balances the forces across it. Friction -B d, B = mu N,
-// changes the slip by (-5/2 B d_x, g - 7/2 B d_y), and v = q + (2/7) u along both, where q grows by (5/7) g.
+// changes the slip by (-5/2 B d_x, g - 7/2 B d_y), and v = q + (2/7) u along both, where q grows by (5/7) g. With
+// dt = |u| dxi as in 3.1, du/dxi = (-5/2 B u_x, g |u| - 7/2 B u_y): the end of the slip is infinitely far away in xi,
+// where it limits no series.
 Slide::Slide(const Moment &moment, const Faces &faces, const Vec3 &normal, const Reaction &rough, double friction,
              const Reaction &smooth)
     : m_faces(faces)
@@ -20,16 +22,24 @@ Slide::Slide(const Moment &moment, const Faces &faces, const Vec3 &normal, const
     const double B = m_limitOfFriction;
     m_u[0] = {rough.slip[faces.smoothAxis], rough.slip[m_along]};
     m_d[0] = {rough.direction[faces.smoothAxis], rough.direction[m_along]};
-    m_reach.unit = glm::length(m_u[0]) / (3.5 * B + std::abs(m_g));
+    m_time[0] = 0.0;
+    m_way[0] = Vec2(0.0);
+    m_reach.unit = 1.0 / (3.5 * B + std::abs(m_g));
     for (int k = 0; k <= kOrder; ++k) {
         addDirectionTerm(m_u.c.data(), k, m_speed, m_d);
         if (k == kOrder) break;
-        const Vec2 gravity(0.0, k == 0 ? m_g : 0.0);
-        m_u[k + 1] = unit() / (k + 1) * (gravity - B * Vec2(2.5, 3.5) * m_d[k]);
+        const double share = unit() / (k + 1);
+        m_u[k + 1] = share * (Vec2(0.0, m_g * m_speed[k]) - B * Vec2(2.5, 3.5) * m_u[k]);
+        m_time[k + 1] = share * m_speed[k];
+        Vec2 way(0.0);
+        for (int j = 0; j <= k; ++j) way += m_speed[j] * m_u[k - j];
+        m_way[k + 1] = share * way;
     }
     // The slip needs only the accuracy of the velocities whose difference it is.
-    m_fast = std::min(glm::length(moment.velocity), m_radius * glm::length(m_spin));
-    m_reach.measure(validUntil(m_u, kOrder, m_fast));
+    const double fast = std::min(glm::length(moment.velocity), m_radius * glm::length(m_spin)), time = fast * unit();
+    m_reach.measure(std::min({validUntil(m_u, kOrder, fast), validUntil(m_speed, kOrder, fast),
+                              validUntil(m_time, kOrder, time), validUntil(m_way, kOrder, fast * time)}));
+    m_horizon = m_time.at(m_reach.horizon / unit());
     m_rolling = moment.velocity[m_along] - 2.0 / 7.0 * m_u[0].y;
     m_start = m_g - B * m_d[0].y;
     m_limit = m_g - std::clamp(m_g, -B, B);
@@ -38,21 +48,37 @@ Slide::Slide(const Moment &moment, const Faces &faces, const Vec3 &normal, const
     m_pressure[0] = smooth.pressure;
 }
 
-Way Slide::at(double t) const {
-    const double s = t / unit();
+/// xi in units. Newton's method for a function that is concave or convex, from the side on which it can't overshoot.
+double Slide::xiAt(double t) const {
+    double s = t / m_time[1];
+    for (int i = 0; i < 50; ++i) {
+        const double step = (m_time.at(s) - t) / (unit() * m_speed.at(s));
+        s -= step;
+        if (std::abs(step) <= 0x1p-50 * s) break;
+    }
+    return s;
+}
+
+Way Slide::at(double t) const { return wayAt(t, xiAt(t)); }
+
+Way Slide::wayAt(double t, double s) const {
     Way now{Vec3(0.0), Vec3(0.0)};
-    now.way[m_along] = t * (m_rolling + 5.0 / 14.0 * m_g * t) + 2.0 / 7.0 * unit() * m_u.integralAt(s).y;
+    now.way[m_along] = t * (m_rolling + 5.0 / 14.0 * m_g * t) + 2.0 / 7.0 * m_way.at(s).y;
     now.velocity[m_along] = m_rolling + 5.0 / 7.0 * m_g * t + 2.0 / 7.0 * m_u.at(s).y;
     return now;
 }
 
 Place Slide::placeAt(double t) const {
-    const auto [way, velocity] = at(t);
-    const Vec2 u = m_u.at(t / unit());
-    Vec3 rolls = velocity; // the velocity that corresponds to the spin
-    rolls[m_faces.smoothAxis] -= u.x;
-    rolls[m_along] -= u.y;
-    return {way, velocity, glm::dot(m_spin, m_normal) * m_normal + glm::cross(m_normal, rolls) / m_radius};
+    const double s = xiAt(t);
+    const auto [way, velocity] = wayAt(t, s);
+    // The spin is that of a ball which rolls with the velocity less the slip.
+    const auto spinOf = [&](Vec3 rolls, const Vec2 &slip) {
+        rolls[m_faces.smoothAxis] -= slip.x;
+        rolls[m_along] -= slip.y;
+        return glm::cross(m_normal, rolls) / m_radius;
+    };
+    const Vec3 drilling = glm::dot(m_spin, m_normal) * m_normal;
+    return {way, velocity, drilling + spinOf(velocity, m_u.at(s)), t * drilling + spinOf(way, m_way.at(s))};
 }
 
 /// The slip's direction turns monotonically to where friction balances gravity along both faces.
@@ -61,11 +87,21 @@ double Slide::least(const Vec3 &n, double, double, double) const {
 }
 
 End Slide::end(double until, Work &work) const {
-    End end{m_reach.horizon, Cause::time, 0};
-    const double s = std::min(until, m_reach.horizon) / unit();
-    end.cut({unit() * firstFall(m_pressure, s, work), Cause::release, m_faces.smooth});
-    if (m_limitOfFriction > 0.0) end.cut(endOfSlip(m_speed, s, m_reach, m_small, m_fast, m_faces.rough, work));
+    End end{m_horizon, Cause::time, 0};
+    const double s = until < m_horizon ? xiAt(until) : m_reach.horizon / unit();
+    const double opens = firstFall(m_pressure, s, work);
+    if (opens != kNever) end.cut({m_time.at(opens), Cause::release, m_faces.smooth});
+    // What is left of a small slip falls at its present rate.
+    const double slows = -m_speed[1] / (unit() * m_speed[0]);
+    const bool ends = m_limitOfFriction > 0.0 && slows > 0.0 && m_speed[0] <= m_small;
+    if (ends) end.cut({0.0, Cause::grip, m_faces.rough, m_speed[0] / slows});
     return end;
+}
+
+Losses Slide::losses(double t) const {
+    Jet squares; // of the slip's speed: |u| dt = |u|^2 dxi
+    for (int k = 0; k <= kOrder; ++k) squares[k] = termOf(m_speed, m_speed, k);
+    return {m_limitOfFriction * squares.integralAt(xiAt(t)) * unit(), 0.0};
 }
 
 } // namespace phys

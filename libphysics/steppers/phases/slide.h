@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A ball that slips on one face and leans on a smooth one across it: only the slip is unknown, computed as a Taylor
-// series in time. model.md 14.2.
+// series in xi, dt = |u| dxi. model.md 14.2.
 #pragma once
 
 #include "contact/modes.h"
@@ -26,24 +26,28 @@ public:
     Vec3 spinAt(double t) const { return placeAt(t).spin; }
     double least(const Vec3 &n, double rate, double t, double until) const;
     double mostAcceleration() const { return std::max(std::abs(m_start), std::abs(m_limit)); }
-    double horizon() const { return m_reach.horizon; }
+    double horizon() const { return m_horizon; }
     End end(double until, Work &work) const;
-    Losses losses(double t) const { return {m_limitOfFriction * m_speed.integralAt(t / unit()) * unit(), 0.0}; }
+    Losses losses(double t) const;
 
 private:
     Faces m_faces;
     int m_along;              ///< the axis along both faces
     Vec3 m_normal, m_spin;    ///< of the rough face; at the start
     double m_radius, m_small; ///< m; m/s: speed that is rounding
-    double m_fast;            ///< m/s: the smaller of the velocities whose difference the slip is
     double m_limitOfFriction; ///< mu N, m/s^2
     double m_rolling, m_g;    ///< along both faces: the velocity minus 2/7 of the slip; gravity
     double m_start, m_limit;  ///< m/s^2: acceleration along both faces at the start, and its limit
     JetOf<Vec2> m_u, m_d;     ///< slip and its direction: components across the smooth face and along both
     Jet m_speed, m_pressure;  ///< of the slip; on the smooth face
-    Reach m_reach;
+    Jet m_time;               ///< s
+    JetOf<Vec2> m_way;        ///< m: integral of the slip over the time
+    Reach m_reach;            ///< s^2/m
+    double m_horizon;         ///< s
 
     double unit() const { return m_reach.unit; }
+    double xiAt(double t) const;
+    Way wayAt(double t, double s) const;
 };
 
 } // namespace phys

@@ -14,7 +14,7 @@ struct Uniform {
     Way at(double t) const { return {t * (velocity + 0.5 * t * acceleration), velocity + t * acceleration}; }
     Place placeAt(double t) const {
         const Way now = at(t);
-        return {now.way, now.velocity, spinAt(t)};
+        return {now.way, now.velocity, spinAt(t), t * (spin + 0.5 * t * spinAcceleration)};
     }
     Vec3 spinAt(double t) const { return spin + t * spinAcceleration; }
     double least(const Vec3 &n, double, double, double) const { return glm::dot(n, acceleration); }
