@@ -59,28 +59,15 @@ Vec3 slipRate(const Combination &c, uint32_t i) {
 }
 
 void solve(Combination &c) {
-    c.unknowns = 0;
-    for (uint32_t i = 0; i < c.count(); ++i) {
-        c.column[i] = c.unknowns;
-        c.unknowns += c.width(i);
-    }
-    c.work.add(Work::kEquations * (1 + c.unknowns));
-    dense::Equations equations(c.unknowns);
-    for (uint32_t i = 0; i < c.count(); ++i) {
-        if (!c.isOpen(i)) {
-            const Vec3 turning = glm::cross(c.moment.spin, c.held[i].across * c.moment.velocity);
-            addRows(c, i, equations, turning - c.moment.gravity,
-                    -(glm::dot(c.held[i].normal, c.moment.gravity) + curvature(c.moment, c.held[i])));
-        }
-        for (uint32_t j = 0; j < i; ++j) {
-            if (c.sticks(i) && c.sticks(j)) addGauge(c, i, j, equations);
-        }
-    }
+    dense::Equations equations = equationsOf(c, [&c](uint32_t i, dense::Equations &rows) {
+        const Vec3 turning = glm::cross(c.moment.spin, c.held[i].across * c.moment.velocity);
+        addRows(c, i, rows, turning - c.moment.gravity,
+                -(glm::dot(c.held[i].normal, c.moment.gravity) + curvature(c.moment, c.held[i])));
+    });
     const dense::Values x = equations.solve();
     for (uint32_t i = 0; i < c.count(); ++i) {
         Reaction &reaction = c.reactions[i];
-        reaction.force = Vec3(0.0);
-        for (uint32_t part = 0; part < c.width(i); ++part) reaction.force += x[c.column[i] + part] * c.basis(i, part);
+        reaction.force = c.force(i, x);
         reaction.pressure = c.isOpen(i) ? 0.0 : glm::dot(reaction.force, c.held[i].normal);
         // Rounding must not make a contact pull: friction would follow it and drive the slip.
         if (reaction.mode != Mode::sticking && reaction.pressure < 0.0 && reaction.pressure >= leastPressure(c, i)) {

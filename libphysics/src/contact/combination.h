@@ -51,6 +51,12 @@ struct Combination {
         return {part == 0 ? 1.0 : 0.0, part == 1 ? 1.0 : 0.0, part == 2 ? 1.0 : 0.0};
     }
     uint32_t width(uint32_t i) const { return isOpen(i) ? 0 : sticks(i) ? 3 : 1; }
+    /// Force r of contact i for these values of the unknowns.
+    Vec3 force(uint32_t i, const dense::Values &x) const {
+        Vec3 sum(0.0);
+        for (uint32_t part = 0; part < width(i); ++part) sum += x[column[i] + part] * basis(i, part);
+        return sum;
+    }
 
     Vec3 spinPerForce(uint32_t i, const Vec3 &force) const {
         Vec3 spin = -kInertia / moment.radius * glm::cross(held[i].normal, force);
@@ -67,6 +73,25 @@ void addRows(const Combination &c, uint32_t i, dense::Equations &equations, cons
 /// Two sticking contacts leave a force along the line through both undetermined, which moves nothing. This equation
 /// selects the one with the least friction, model.md 14.1.
 void addGauge(const Combination &c, uint32_t i, uint32_t j, dense::Equations &equations);
+
+/// The equations of a combination; addRowsOf(i, equations) adds those of contact i, which isn't open.
+template<class AddRowsOf>
+dense::Equations equationsOf(Combination &c, AddRowsOf addRowsOf) {
+    c.unknowns = 0;
+    for (uint32_t i = 0; i < c.count(); ++i) {
+        c.column[i] = c.unknowns;
+        c.unknowns += c.width(i);
+    }
+    c.work.add(Work::kEquations * (1 + c.unknowns));
+    dense::Equations equations(c.unknowns);
+    for (uint32_t i = 0; i < c.count(); ++i) {
+        if (!c.isOpen(i)) addRowsOf(i, equations);
+        for (uint32_t j = 0; j < i; ++j) {
+            if (c.sticks(i) && c.sticks(j)) addGauge(c, i, j, equations);
+        }
+    }
+    return equations;
+}
 
 Vec3 slipRate(const Combination &c, uint32_t i);
 

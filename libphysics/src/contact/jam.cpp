@@ -28,26 +28,14 @@ struct Jam {
 /// The impulses that end the slips of sticking contacts and keep the other contacts closed.
 void push(Jam &jam) {
     Combination &c = jam.c;
-    c.unknowns = 0;
-    for (uint32_t i = 0; i < c.count(); ++i) {
-        c.column[i] = c.unknowns;
-        c.unknowns += c.width(i);
-    }
-    c.work.add(Work::kEquations * (1 + c.unknowns));
-    dense::Equations equations(c.unknowns);
-    for (uint32_t i = 0; i < c.count(); ++i) {
-        if (!c.isOpen(i))
-            addRows(c, i, equations, -jam.slipBefore(i), -glm::dot(c.held[i].normal, jam.before.velocity));
-        for (uint32_t j = 0; j < i; ++j) {
-            if (c.sticks(i) && c.sticks(j)) addGauge(c, i, j, equations);
-        }
-    }
+    dense::Equations equations = equationsOf(c, [&jam, &c](uint32_t i, dense::Equations &rows) {
+        addRows(c, i, rows, -jam.slipBefore(i), -glm::dot(c.held[i].normal, jam.before.velocity));
+    });
     const dense::Values x = equations.solve();
     jam.after = jam.before;
     for (uint32_t i = 0; i < c.count(); ++i) {
-        Vec3 &impulse = c.reactions[i].force;
-        impulse = Vec3(0.0);
-        for (uint32_t part = 0; part < c.width(i); ++part) impulse += x[c.column[i] + part] * c.basis(i, part);
+        const Vec3 impulse = c.force(i, x);
+        c.reactions[i].force = impulse;
         c.reactions[i].pressure = glm::dot(impulse, c.held[i].normal);
         jam.after.velocity += impulse;
         jam.after.spin -= kInertia / jam.before.radius * glm::cross(c.held[i].normal, impulse);
