@@ -16,16 +16,19 @@ Vec3 Resisted::inSpace(const Vec2 &v) const {
     return m_axis == 0 ? Vec3(0.0, v.x, v.y) : Vec3(v.x, 0.0, v.y);
 }
 
+Resisted::Resisted(int axis, const Vec3 &velocity, const Vec3 &spin, const Vec3 &normal, const Vec3 &A, double B,
+                   double radius)
+    : m_axis(axis)
+    , m_velocity(velocity)
+    , m_spin(spin)
+    , m_normal(normal)
+    , m_A(A)
+    , m_B(B)
+    , m_radius(radius) {}
+
 Resisted Resisted::rolling(int axis, const Vec3 &velocity, const Vec3 &A, double B, double radius, const Vec3 &spin,
                            const Vec3 &normal) {
-    Resisted phase;
-    phase.m_axis = axis;
-    phase.m_velocity = velocity;
-    phase.m_spin = spin;
-    phase.m_normal = normal;
-    phase.m_A = A;
-    phase.m_B = B;
-    phase.m_radius = radius;
+    Resisted phase(axis, velocity, spin, normal, A, B, radius);
     phase.m_law = ResistedLaw(phase.onFace(velocity), phase.onFace(A), B);
     phase.m_most = length(phase.onFace(A)) + B;
     return phase;
@@ -34,15 +37,8 @@ Resisted Resisted::rolling(int axis, const Vec3 &velocity, const Vec3 &A, double
 // v = q + (2/7) u, where q grows by (5/7) g_t whatever friction does, and u obeys the law of smooth motion.
 Resisted Resisted::slipping(int axis, const Vec3 &velocity, const Vec3 &slip, const Vec3 &gravity, double friction,
                             double radius, const Vec3 &spin, const Vec3 &normal) {
-    Resisted phase;
+    Resisted phase(axis, velocity, spin, normal, gravity, 3.5 * friction, radius);
     phase.m_slips = true;
-    phase.m_axis = axis;
-    phase.m_velocity = velocity;
-    phase.m_spin = spin;
-    phase.m_normal = normal;
-    phase.m_A = gravity;
-    phase.m_B = 3.5 * friction;
-    phase.m_radius = radius;
     phase.m_q = velocity - 2.0 / 7.0 * slip;
     phase.m_qRate = 5.0 / 7.0 * gravity;
     const Vec2 u = phase.onFace(slip), A = phase.onFace(gravity);

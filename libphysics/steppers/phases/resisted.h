@@ -28,13 +28,16 @@ public:
 
 private:
     bool m_slips = false;
-    int m_axis = 2;
-    Vec3 m_velocity{0.0}, m_spin{0.0}, m_normal{0.0};
+    int m_axis;
+    Vec3 m_velocity, m_spin, m_normal;
     Vec3 m_q{0.0}, m_qRate{0.0}; // slip: the velocity of rolling, and its rate; otherwise unused
-    Vec3 m_A{0.0};
-    double m_B = 0.0, m_most = 0.0, m_radius = 0.0;
+    Vec3 m_A;
+    double m_B, m_radius, m_most = 0.0;
     ResistedLaw m_law;
     Vec2 m_slipStart{0.0}, m_slipEnd{0.0};
+
+    Resisted(int axis, const Vec3 &velocity, const Vec3 &spin, const Vec3 &normal, const Vec3 &A, double B,
+             double radius);
 
     Vec2 onFace(const Vec3 &v) const;
     Vec3 inSpace(const Vec2 &v) const;
