@@ -28,12 +28,7 @@ void roll(witness::Case &scene, double x, double y) {
 }
 
 Run::Run(const Subject &subject, const witness::Case &scene) {
-    phys_scene_desc desc;
-    phys_scene_desc_init(&desc, sizeof desc);
-    desc.boxes = scene.boxes.data();
-    desc.box_count = static_cast<uint32_t>(scene.boxes.size());
-    desc.radius = scene.radius;
-    desc.start = scene.start.position;
+    const phys_scene_desc desc = witness::descOf(scene.boxes, scene.radius, scene.start.position);
     phys_scene *created = nullptr;
     phys_stepper *made = nullptr;
     m_status = phys_scene_create(&desc, &created, &m_error);

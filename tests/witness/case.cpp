@@ -129,6 +129,16 @@ uint64_t Case::stepCount() const {
     return sum;
 }
 
+phys_scene_desc descOf(const std::vector<phys_box> &boxes, double radius, const phys_vec3 &start) {
+    phys_scene_desc desc;
+    phys_scene_desc_init(&desc, sizeof desc);
+    desc.boxes = boxes.data();
+    desc.box_count = static_cast<uint32_t>(boxes.size());
+    desc.radius = radius;
+    desc.start = start;
+    return desc;
+}
+
 Case emptyCase() {
     Case scene;
     phys_params_init(&scene.params, sizeof scene.params);

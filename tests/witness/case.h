@@ -44,6 +44,9 @@ struct Case {
 
 Case emptyCase();
 
+/// boxes: must outlive the description.
+phys_scene_desc descOf(const std::vector<phys_box> &boxes, double radius, const phys_vec3 &start);
+
 std::string textOf(const Case &scene);
 
 /// All cases of a file. Throws std::runtime_error with file and line.

@@ -49,12 +49,7 @@ struct Path {
 };
 
 Path pathOf(const phys_registry *registry, const std::string &id, const Case &scene, int steps) {
-    phys_scene_desc desc;
-    phys_scene_desc_init(&desc, sizeof desc);
-    desc.boxes = scene.boxes.data();
-    desc.box_count = static_cast<uint32_t>(scene.boxes.size());
-    desc.radius = scene.radius;
-    desc.start = scene.start.position;
+    const phys_scene_desc desc = descOf(scene.boxes, scene.radius, scene.start.position);
     phys_scene *created = nullptr;
     phys_stepper *made = nullptr;
     phys_error error{};

@@ -37,12 +37,7 @@ struct Engine {
 Engine engineFor(const phys_registry *registry, const std::string &id, const std::vector<phys_box> &boxes,
                  double radius, const phys_vec3 &start) {
     Engine engine;
-    phys_scene_desc desc;
-    phys_scene_desc_init(&desc, sizeof desc);
-    desc.boxes = boxes.data();
-    desc.box_count = static_cast<uint32_t>(boxes.size());
-    desc.radius = radius;
-    desc.start = start;
+    const phys_scene_desc desc = descOf(boxes, radius, start);
     phys_error error{};
     phys_scene *scene = nullptr;
     phys_stepper *stepper = nullptr;

@@ -30,12 +30,7 @@ struct Miss {
 };
 
 support::ScenePtr sceneOf(const std::vector<phys_box> &boxes, double radius) {
-    phys_scene_desc desc;
-    phys_scene_desc_init(&desc, sizeof desc);
-    desc.boxes = boxes.data();
-    desc.box_count = uint32_t(boxes.size());
-    desc.radius = radius;
-    desc.start = {0, 0, radius};
+    const phys_scene_desc desc = descOf(boxes, radius, {0, 0, radius});
     phys_scene *scene = nullptr;
     phys_scene_create(&desc, &scene, nullptr);
     return support::ScenePtr(scene);

@@ -34,6 +34,19 @@ namespace {
 
 constexpr double kBallRadius = 0.006;
 
+// A ball on an open floor whose tilt is unknown, in two step sizes.
+TradePlan unknownTilt() {
+    TradePlan plan;
+    plan.registry = makeRegistry(nullptr);
+    plan.scene = openFloor();
+    plan.inputs = initialInputs();
+    plan.schedules = {randomSchedule(3, 1.0)};
+    plan.stepSizes = {0.05, 0.01};
+    plan.repeats = 1;
+    plan.unknowns = unknownsOf("tilt=0.1deg");
+    return plan;
+}
+
 Band bandOf(const Scene &scene, Tilt tilt, double duration, const char *words) {
     const Registry registry = makeRegistry(nullptr);
     Inputs inputs = initialInputs();
@@ -188,14 +201,7 @@ void TestTradeUnknowns::busyScheduleMeetsWalls() {
 
 void TestTradeUnknowns::goodEnoughIsTheCheapestBelowTheShare() {
     QString error;
-    TradePlan plan;
-    plan.registry = makeRegistry(&error);
-    plan.scene = openFloor();
-    plan.inputs = initialInputs();
-    plan.schedules = {randomSchedule(3, 1.0)};
-    plan.stepSizes = {0.05, 0.01};
-    plan.repeats = 1;
-    plan.unknowns = unknownsOf("tilt=0.1deg");
+    TradePlan plan = unknownTilt();
     const auto result = measureTrade(plan, {}, {}, &error);
     QVERIFY2(result && result->goodEnough, qPrintable(error));
     const TradePoint &best = result->points[result->goodEnough->point];
@@ -207,14 +213,7 @@ void TestTradeUnknowns::goodEnoughIsTheCheapestBelowTheShare() {
 // Only "exact" has no error, so the share that is asked for orders the answers.
 void TestTradeUnknowns::smallerShareIsNeverMetByACheaperSetting() {
     QString error;
-    TradePlan plan;
-    plan.registry = makeRegistry(&error);
-    plan.scene = openFloor();
-    plan.inputs = initialInputs();
-    plan.schedules = {randomSchedule(3, 1.0)};
-    plan.stepSizes = {0.05, 0.01};
-    plan.repeats = 1;
-    plan.unknowns = unknownsOf("tilt=0.1deg");
+    TradePlan plan = unknownTilt();
     const auto result = measureTrade(plan, {}, {}, &error);
     QVERIFY2(result, qPrintable(error));
     double before = 0.0;

@@ -49,12 +49,7 @@ double magnitude(Random &random, double low, double high) {
 /// Runs all steps of a scene, or until one fails.
 Finding timed(const char *id, const Case &scene) {
     Finding finding{scene};
-    phys_scene_desc desc;
-    phys_scene_desc_init(&desc, sizeof desc);
-    desc.boxes = scene.boxes.data();
-    desc.box_count = static_cast<uint32_t>(scene.boxes.size());
-    desc.radius = scene.radius;
-    desc.start = scene.start.position;
+    const phys_scene_desc desc = witness::descOf(scene.boxes, scene.radius, scene.start.position);
     phys_scene *made = nullptr;
     phys_scene_create(&desc, &made, nullptr);
     const support::ScenePtr kept(made);
