@@ -80,8 +80,14 @@ phys_status swapBuffer(const Step &step) {
     return PHYS_OK;
 }
 
+// Clang 14 takes no floating-point numbers as template arguments, but references to them.
+constexpr double kNan = NAN, kInfinity = INFINITY, kMinusInfinity = -INFINITY, kMinusTwo = -2.0, kMinusOne = -1.0,
+                 kEighth = 0.125, kThree = 3.0, kFive = 5.0;
+constexpr phys_vec3 kNowhere{0, NAN, 0}, kLong{0, 0.6, 0.9};
+constexpr uint32_t kNoKind = 0, kKind99 = 99, kBox12345 = 12345, kNoBox = PHYS_NO_BOX;
+
 /// Changes one member of a report. All zero is a good one.
-template<auto member, auto value>
+template<auto member, const auto &value>
 phys_status report(const Step &step) {
     if (step.report) step.report->*member = value;
     return PHYS_OK;
@@ -118,13 +124,11 @@ phys_status reportGoodEvents(const Step &step) {
     return PHYS_OK;
 }
 /// Changes one member of one of them.
-template<int index, auto member, auto value>
+template<int index, auto member, const auto &value>
 phys_status event(const Step &step) {
     if (writeGoodEvents(step)) step.report->events[index].*member = value;
     return PHYS_OK;
 }
-constexpr phys_vec3 kNowhere{0, NAN, 0}, kLong{0, 0.6, 0.9};
-
 phys_status writeParams(const Step &step) {
     const_cast<phys_params *>(step.params)->restitution_wall = 0.125;
     return PHYS_OK;
@@ -197,29 +201,29 @@ constexpr phys_stepper_api kTables[] = {
     doing<writeInput>("writes-input"),
     doing<claimEvents>("too-many-events"),
     doing<swapBuffer>("own-buffer"),
-    doing<report<&phys_report::lost_impact, NAN>>("nan-in-report"),
-    doing<report<&phys_report::penetration, -1.0>>("penetration-negative"),
-    doing<report<&phys_report::lost_slip, -INFINITY>>("slip-infinite"),
+    doing<report<&phys_report::lost_impact, kNan>>("nan-in-report"),
+    doing<report<&phys_report::penetration, kMinusOne>>("penetration-negative"),
+    doing<report<&phys_report::lost_slip, kMinusInfinity>>("slip-infinite"),
     doing<loseEverything>("loses-everything"),
     doing<claimEnergies>("claims-energies"),
     doing<passTheCap>("passes-the-cap"),
     doing<passWithoutACap>("passes-without-a-cap"),
     doing<reportGoodEvents>("good-events"),
-    doing<event<1, &phys_event::kind, 0U>>("event-of-kind-0"),
-    doing<event<0, &phys_event::kind, 99U>>("event-of-kind-99"),
-    doing<event<0, &phys_event::box, 12345U>>("event-of-no-such-box"),
-    doing<event<0, &phys_event::box, PHYS_NO_BOX>>("impact-without-a-box"),
-    doing<event<0, &phys_event::time, 5.0>>("event-too-late"),
-    doing<event<0, &phys_event::time, -1.0>>("event-too-early"),
-    doing<event<1, &phys_event::time, 0.125>>("events-out-of-order"),
-    doing<event<1, &phys_event::time, NAN>>("event-at-no-time"),
+    doing<event<1, &phys_event::kind, kNoKind>>("event-of-kind-0"),
+    doing<event<0, &phys_event::kind, kKind99>>("event-of-kind-99"),
+    doing<event<0, &phys_event::box, kBox12345>>("event-of-no-such-box"),
+    doing<event<0, &phys_event::box, kNoBox>>("impact-without-a-box"),
+    doing<event<0, &phys_event::time, kFive>>("event-too-late"),
+    doing<event<0, &phys_event::time, kMinusOne>>("event-too-early"),
+    doing<event<1, &phys_event::time, kEighth>>("events-out-of-order"),
+    doing<event<1, &phys_event::time, kNan>>("event-at-no-time"),
     doing<event<0, &phys_event::point, kNowhere>>("event-nowhere"),
     doing<event<0, &phys_event::normal, kLong>>("event-with-a-long-normal"),
     doing<event<1, &phys_event::normal, kLong>>("event-with-a-normal-of-no-box"),
-    doing<event<0, &phys_event::speed_before, 3.0>>("impact-from-behind"),
-    doing<event<0, &phys_event::speed_after, -1.0>>("impact-inwards"),
-    doing<event<1, &phys_event::speed_before, -2.0>>("speed-negative"),
-    doing<event<1, &phys_event::speed_after, INFINITY>>("speed-infinite"),
+    doing<event<0, &phys_event::speed_before, kThree>>("impact-from-behind"),
+    doing<event<0, &phys_event::speed_after, kMinusOne>>("impact-inwards"),
+    doing<event<1, &phys_event::speed_before, kMinusTwo>>("speed-negative"),
+    doing<event<1, &phys_event::speed_after, kInfinity>>("speed-infinite"),
     doing<writeParams>("writes-params"),
     doing<throwReason>("throws"),
     doing<throwNumber>("throws-number"),
