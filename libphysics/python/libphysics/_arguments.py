@@ -49,6 +49,8 @@ def _real(value: Any) -> float:
 
 def number(value: Any, name: str) -> float:
     """One double."""
+    if type(value) is float:
+        return value
     array = numbers(value, name)
     if array.size != 1:
         raise TypeError(f"{name} has the shape {array.shape}; expected one number")
@@ -87,7 +89,7 @@ def _ended(value: bytes, name: str) -> bytes:
 
 def is_laid_out(array: np.ndarray) -> bool:
     """Whether C may read it: side by side in numpy's order, at an address that its numbers can have."""
-    return array.flags.c_contiguous and array.__array_interface__["data"][0] % _ALIGNMENT == 0
+    return array.flags.c_contiguous and array.ctypes.data % _ALIGNMENT == 0
 
 
 def laid_out(array: np.ndarray) -> np.ndarray:
