@@ -43,24 +43,4 @@ bool Ground::isOpen(const MovingBall &ball, uint32_t leansOn, double acceleratio
     return leansOn == m_nearBoxes && (keeps(ball, acceleration) || !(way > m_openWay));
 }
 
-bool Ground::isMovedAlong(const MovingBall &ball) const {
-    const Vec3 &v = ball.motion.velocity;
-    if (!holds(ball) || m_boxes.count() > 2 || v.z != 0.0) return false;
-    const bool isSmooth = !ball.setting.isRigid() || ball.params().wall_friction == 0.0;
-    return m_boxes.count() == 1 || (isSmooth && v[m_region->leansAlong(ball.position)] == 0.0);
-}
-
-void Ground::touch(MovingBall &ball, Contacts &contacts) const {
-    Vec3 &place = ball.position;
-    contacts.clear();
-    contacts.add(contactAtFace(ball.setting, place, m_region->floor, 2, 1));
-    place.z = contacts[0].point.z + ball.radius();
-    if (m_boxes.count() == 1) return;
-    const int axis = m_region->leansAlong(place);
-    const FloorRegion::Range &range = m_region->along[static_cast<size_t>(axis)];
-    const int side = place[axis] == range.lowFace ? 1 : -1;
-    place[axis] = side > 0 ? range.lowFace : range.highFace; // a zero may have the other sign
-    contacts.add(contactAtFace(ball.setting, place, m_boxes[1], axis, side));
-}
-
 } // namespace phys

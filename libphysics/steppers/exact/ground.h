@@ -29,12 +29,6 @@ public:
     /// All boxes that it touches there.
     std::span<const uint32_t> boxes() const { return {m_boxes.begin(), m_boxes.count()}; }
 
-    /// Whether it is there on a floor, with at most one smooth wall, and has no velocity along their normals: then
-    /// nothing depends on the order of contacts.
-    bool isMovedAlong(const MovingBall &ball) const;
-    /// Contacts are then known without a search. Puts the ball at the radius from them.
-    void touch(MovingBall &ball, Contacts &contacts) const;
-
 private:
     static constexpr uint32_t kManyBoxes = 0xffffffff;
 

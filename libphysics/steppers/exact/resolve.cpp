@@ -177,10 +177,6 @@ bool collide(double negligible, MovingBall &ball, Touching &touching) {
 
 void resolve(const Ground &ground, MovingBall &ball, Touching &touching) {
     const double speed = glm::length(ball.motion.velocity), negligible = ball.negligibleSpeed();
-    if (ground.isMovedAlong(ball)) {
-        ground.touch(ball, touching.contacts);
-        return holdFaces(ball, touching);
-    }
     touch(ground, ball, touching.contacts);
     if (movesAlongFaces(ball, touching.contacts)) {
         takeFaces(touching.contacts, ball);

@@ -37,10 +37,6 @@ struct FloorRegion {
     uint32_t floor = PHYS_NO_BOX;
     bool isEven = false; ///< that height is exactly where the floor carries a ball, and no other floor is near
 
-    /// The axis across a face on which a ball in the region leans.
-    int leansAlong(const Vec3 &place) const {
-        return place.x == along[0].lowFace || place.x == along[0].highFace ? 0 : 1;
-    }
     bool has(const phys_vec3 &place) const { return place.z == z && along[0].has(place.x) && along[1].has(place.y); }
     /// Whether a ball in the region stays in it for a time, unless it leaves a face on which it leans. acceleration:
     /// upper bound.
