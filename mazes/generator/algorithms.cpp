@@ -15,8 +15,8 @@ std::vector<Side> sidesInside(const CellMaze &maze, Cell cell) {
     return sides;
 }
 
-// Depth first: walk to an unvisited neighbour, go back where there is none. The path is a list of its own because
-// recursion would need one stack frame per cell.
+// Depth first: walk to an unvisited neighbour, go back if there is none. The path is a separate list because recursion
+// would need one stack frame per cell.
 void carveBacktracker(CellMaze &maze, Random &random) {
     std::vector<bool> visited(maze.cellCount());
     std::vector<Cell> path{maze.cellAt(random.below(maze.cellCount()))};
@@ -36,7 +36,7 @@ void carveBacktracker(CellMaze &maze, Random &random) {
     }
 }
 
-// Which cells are joined already: a forest whose roots stand for the joined groups.
+// Which cells are already connected: a forest whose roots represent the connected groups.
 class JoinedCells {
 public:
     explicit JoinedCells(std::size_t count)
@@ -44,7 +44,7 @@ public:
         std::iota(m_parent.begin(), m_parent.end(), std::size_t{0});
     }
 
-    // False if the two were joined before.
+    // False if the two were connected before.
     bool join(std::size_t first, std::size_t second) {
         const std::size_t firstRoot = root(first);
         const std::size_t secondRoot = root(second);
@@ -64,7 +64,7 @@ private:
     std::vector<std::size_t> m_parent;
 };
 
-// All walls in random order; each that parts two groups of cells is opened.
+// All walls in random order; each wall between two groups of cells is opened.
 void carveKruskal(CellMaze &maze, Random &random) {
     std::vector<CellSide> walls = maze.closedInnerWalls();
     shuffle(walls, random);
@@ -73,8 +73,8 @@ void carveKruskal(CellMaze &maze, Random &random) {
         if (joined.join(maze.indexOf(wall.cell), maze.indexOf(neighbour(wall.cell, wall.side)))) maze.open(wall);
 }
 
-// Random walks from each cell to the part carved so far. Only the last way out of each cell is remembered, which cuts
-// off the walk's own loops; what is left is a uniformly drawn spanning tree.
+// Random walks from each cell to the part carved so far. Only the last way out of each cell is stored, which removes
+// the walk's own loops; the result is a uniformly drawn spanning tree.
 void carveWilson(CellMaze &maze, Random &random) {
     std::vector<bool> carved(maze.cellCount());
     std::vector<Side> lastWay(maze.cellCount());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the passages of a maze are chosen.
+// Algorithms that choose the passages of a maze.
 #pragma once
 
 #include "generator/cell_maze.h"
@@ -30,7 +30,7 @@ std::string_view algorithmName(Algorithm algorithm);
 // A perfect maze: exactly one way between any two cells.
 CellMaze carvePerfectMaze(int width, int height, Algorithm algorithm, Random &random);
 
-// Opens this many millionths of the closed inner walls, rounded down; each makes one loop more.
+// Opens this many millionths of the closed inner walls, rounded down; each adds one loop.
 void openLoops(CellMaze &maze, std::int64_t millionths, Random &random);
 
 } // namespace mazes

@@ -11,8 +11,8 @@ namespace mazes {
 
 namespace {
 
-// The ball is a cube of kSquares x kSquares squares per face, blown up. Neighbouring faces keep their own copies of
-// the vertices on common edges: they have equal positions and normals, so no seam shows.
+// The ball is a cube of kSquares x kSquares squares per face, projected onto the sphere. Neighbouring faces have their
+// own copies of the vertices on common edges, with equal positions and normals, so no seam shows.
 constexpr int kSquares = 12;
 constexpr int kDotRadius = 3; // half squares from the middle of a face to the centres of its dot's outermost squares
 
@@ -40,7 +40,7 @@ enum class Pattern { Light, Dark, Dot };
 
 constexpr std::array<std::string_view, 3> kPatternNames = {"ball_light", "ball_dark", "ball_dot"};
 
-// Dark and light octants like a crash-test mark, and a dot at each of the six poles: turning about any axis moves a
+// Dark and light octants like a crash-test mark, and a dot at each of the six poles: rotation about any axis moves a
 // border between colours.
 Pattern patternAt(int side, int column, int row) {
     // From the middle of the face to the middle of the square, in half squares.

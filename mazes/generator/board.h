@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The board with its lengths: boxes, and where the ball starts.
+// The board with its lengths: boxes, and the ball's start.
 #pragma once
 
 #include "generator/cell_maze.h"
@@ -19,7 +19,7 @@ struct Dimensions {
     Length floorThickness = 5 * kMillimetre;
 };
 
-// Why no ball could roll on a board of these dimensions, in one line; empty if one can.
+// Why no ball could roll on a board of these dimensions, in one line; empty if it could.
 std::string impossibility(const Dimensions &dimensions);
 
 using Point = std::array<Length, 3>; // x right, y away, z up; the floor's top is z = 0
@@ -38,8 +38,8 @@ struct Board {
     std::vector<Box> boxes;
 };
 
-// The board is centred on x = y = 0 and its floor ends at the rim's outer face: through the opening `exit` the ball
-// rolls off the edge. Boxes touch without overlapping. The dimensions must be possible ones.
+// The board is centred on x = y = 0 and its floor ends at the rim's outer face: the ball rolls off the edge through the
+// opening `exit`. Boxes touch without overlapping. The dimensions must be possible.
 Board buildBoard(const CellMaze &maze, Cell entrance, CellSide exit, const Dimensions &dimensions);
 
 } // namespace mazes

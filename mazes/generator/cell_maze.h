@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A maze as cells and the passages between them; no lengths yet.
+// A maze as cells and the passages between them, without lengths.
 #pragma once
 
 #include <array>
@@ -50,7 +50,7 @@ public:
     // Each closed wall between two cells once, as the east or north side of a cell, in the order of the cells.
     std::vector<CellSide> closedInnerWalls() const;
 
-    // Steps from one cell to each cell by index; -1 where no way leads.
+    // Number of steps from one cell to each cell by index; -1 if it can't be reached.
     std::vector<int> distancesFrom(Cell start) const;
 
 private:
@@ -60,7 +60,7 @@ private:
     std::vector<bool> m_openNorth;
 };
 
-// The outer side of the border cell that is the longest way from `start`; of equals the first cell and side.
+// The outer side of the border cell with the longest way from `start`; on ties the first cell and side.
 CellSide farthestOuterSide(const CellMaze &maze, Cell start);
 
 } // namespace mazes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What mazegen's arguments ask for.
+// The arguments of mazegen.
 #pragma once
 
 #include "generator/recipe.h"
@@ -22,7 +22,7 @@ struct Command {
     std::optional<std::filesystem::path> ballFolder;
 };
 
-// One line: the option, what was expected, what was found.
+// One line: the option, the expected and the found value.
 class OptionError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };

@@ -19,11 +19,11 @@ fs::path withSuffix(fs::path path, const char *suffix) { return path += suffix; 
 // Beside the file, because renaming is only atomic within one file system.
 fs::path temporaryOf(const OutputFile &file) { return withSuffix(file.path, ".part"); }
 
-// Whether what has the file's name, if anything, is of its kind, which the first bytes tell.
+// Whether an existing file of this name is of the same kind, which its first bytes show.
 bool isReplaceable(const OutputFile &file) {
     constexpr std::size_t kMark = 9;
     std::error_code error;
-    if (!fs::is_regular_file(file.path, error)) return true; // renaming tells
+    if (!fs::is_regular_file(file.path, error)) return true; // renaming reports it
     std::string mark(kMark, '\0');
     std::ifstream stream(file.path, std::ios::binary);
     stream.read(mark.data(), static_cast<std::streamsize>(mark.size()));
@@ -34,7 +34,7 @@ FileError cannotWrite(const OutputFile &file, int reason) {
     return FileError(file.path.string() + ": cannot write: " + std::generic_category().message(reason));
 }
 
-// Makes it, so that a file of this name, which another program may be writing just now, stays as it is.
+// Creates it, so that an existing file of this name, which another program may be writing, isn't changed.
 std::FILE *openTemporary(const OutputFile &file) {
     const std::string name = temporaryOf(file).string();
     std::FILE *stream = std::fopen(name.c_str(), "wbx");

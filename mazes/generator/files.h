@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files on disk, each there as a whole or not at all.
+// Writes files as a whole or not at all.
 #pragma once
 
 #include "generator/recipe.h"

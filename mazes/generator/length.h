@@ -5,8 +5,7 @@
 
 namespace mazes {
 
-// Nanometres. What a user chooses is whole micrometres, so that halves of it are whole numbers here and every
-// coordinate is exact.
+// Nanometres. User input is in whole micrometres, so halves of it are whole numbers here and every coordinate is exact.
 using Length = std::int64_t;
 
 inline constexpr Length kMicrometre = 1'000;

@@ -16,7 +16,7 @@ std::string milliseconds(Clock::duration duration) {
     return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " ms";
 }
 
-// Names may hold line breaks and what moves a terminal's cursor: those as \x1b.
+// Names may contain line breaks and terminal control characters, which are shown as \x1b.
 std::string oneLine(const std::string &text) {
     constexpr char kDigits[] = "0123456789abcdef";
     std::string line;
@@ -74,7 +74,7 @@ void run(const mazes::Command &command) {
 
 int main(int argc, char **argv) {
 #ifdef SIGXFSZ
-    std::signal(SIGXFSZ, SIG_IGN); // a file that is as large as it may be is an error of writing
+    std::signal(SIGXFSZ, SIG_IGN); // exceeding the file size limit is a write error
 #endif
     try {
         run(mazes::parseCommandLine({argv + 1, argv + argc}));

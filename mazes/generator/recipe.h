@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All that a maze follows from: the same recipe gives the same files, byte for byte, on every machine.
+// All inputs of a maze: the same recipe gives the same files, byte for byte, on every machine.
 #pragma once
 
 #include "generator/algorithms.h"
@@ -10,7 +10,7 @@
 
 namespace mazes {
 
-// Grows when the same recipe gives other bytes than before.
+// Increased when the same recipe gives different bytes than before.
 inline constexpr int kGeneratorVersion = 1;
 
 struct Recipe {
@@ -29,13 +29,13 @@ struct Maze {
     Board board;
 };
 
-// The recipe must be a possible one (see impossibility()).
+// The recipe must be possible (see impossibility()).
 Maze makeMaze(const Recipe &recipe);
 
-// Cells on the way from the entrance to the exit, both counted.
+// Number of cells on the way from the entrance to the exit, both included.
 int wayLength(const Maze &maze);
 
-// "mazegen 1 --seed 7 --cells 5x5 ...": with every option, so that later defaults don't change what it means.
+// "mazegen 1 --seed 7 --cells 5x5 ...": with every option, so that later defaults don't change its meaning.
 std::string generatorLine(const Recipe &recipe);
 
 } // namespace mazes

@@ -15,7 +15,7 @@ public:
     int lastPost(Axis axis) const { return axis == Axis::X ? m_maze.width() : m_maze.height(); }
     bool isRim(Axis axis, int line) const { return line == 0 || line == lastLine(axis); }
 
-    // Is there a wall on this line between the posts `post` and `post + 1`?
+    // Whether there is a wall on this line between the posts `post` and `post + 1`.
     bool hasWall(Axis axis, int line, int post) const {
         if (post < 0 || post >= lastPost(axis)) return false;
         const Side side = axis == Axis::X ? Side::North : Side::East;
@@ -23,7 +23,7 @@ public:
         return wall != m_exit && !m_maze.isOpen(wall);
     }
 
-    // A post belongs to the walls along the axis that has more of them there: what passes through stays whole.
+    // A post belongs to the walls along the axis with more walls there, so that a straight wall stays in one piece.
     bool fillsPost(Axis axis, int line, int post) const {
         const int own = wallsAtPost(axis, line, post);
         const int crossing = wallsAtPost(axis == Axis::X ? Axis::Y : Axis::X, post, line);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The walls of a maze of cells as few long straight pieces.
+// The walls of a maze of cells as few, long, straight pieces.
 #pragma once
 
 #include "generator/cell_maze.h"

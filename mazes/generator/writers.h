@@ -9,18 +9,18 @@
 
 namespace mazes {
 
-// The boxes for a program: the format of mazes/README.md. `generator` is one line of free text.
+// The boxes for programs: the format of mazes/README.md. `generator` is one line of free text.
 std::string textFile(const Board &board, std::string_view generator);
 
-// The boxes for the eye: one object per box, with rounded-looking edges inside the box's bounds. `materialFile` is
-// the name of the .mtl file beside it, without white space.
+// The boxes for display: one object per box, with bevelled edges inside the box's bounds. `materialFile` is the name of
+// the .mtl file beside it, without white space.
 std::string meshFile(const Board &board, std::string_view generator, std::string_view materialFile);
 std::string meshMaterialFile();
 
 // The boxes for a 3D printer, in millimetres: an OpenSCAD program.
 std::string scadFile(const Board &board, std::string_view generator);
 
-// A ball of radius 1 whose three colours show rolling about any axis.
+// A ball of radius 1 with three colours that show rotation about any axis.
 std::string ballMeshFile(std::string_view materialFile);
 std::string ballMaterialFile();
 
