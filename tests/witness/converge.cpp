@@ -75,8 +75,13 @@ Path pathOf(const phys_registry *registry, const std::string &id, const Case &sc
 } // namespace
 
 bool hasUndecidedGap(const Case &scene, const phys_vec3 &centre) {
-    const auto isTouched = [&](const phys_box &box) {
-        return touchOf(box, vectorOf(centre), scene.radius).gap <= 1e-9L * scene.radius;
+    // At an edge the ball is still in the mouth of a gap.
+    const auto touchesFace = [&](const phys_box &box, int axis) {
+        const auto isBetweenEnds = [&](int other) {
+            return (&box.min.x)[other] < (&centre.x)[other] && (&centre.x)[other] < (&box.max.x)[other];
+        };
+        return isBetweenEnds((axis + 1) % 3) && isBetweenEnds((axis + 2) % 3) &&
+               touchOf(box, vectorOf(centre), scene.radius).gap <= 1e-9L * scene.radius;
     };
     const auto overlap = [](const phys_box &a, const phys_box &b, int axis) {
         return (&a.min.x)[axis] < (&b.max.x)[axis] && (&b.min.x)[axis] < (&a.max.x)[axis];
@@ -87,7 +92,7 @@ bool hasUndecidedGap(const Case &scene, const phys_vec3 &centre) {
                 const double gap = (&above.min.x)[axis] - (&below.max.x)[axis];
                 if (std::abs(gap - 2 * scene.radius) > 1e-9 * scene.radius) continue;
                 const bool isGap = overlap(below, above, (axis + 1) % 3) && overlap(below, above, (axis + 2) % 3);
-                if (isGap && !(isTouched(below) && isTouched(above))) return true;
+                if (isGap && !(touchesFace(below, axis) && touchesFace(above, axis))) return true;
             }
         }
     }
