@@ -70,7 +70,8 @@ struct Target {
     bool grazes(double gap, double approach, const Vec3 &n, const Vec3 &velocity) const {
         if (isTouched || approach >= 0.0 || gap > tolerance || gap < -tolerance) return false;
         const bool isFace = std::abs(n.x) == 1.0 || std::abs(n.y) == 1.0 || std::abs(n.z) == 1.0;
-        return !isFace && approach >= -slight * glm::length(velocity);
+        const Vec3 across(n.x != 0.0 ? velocity.x : 0.0, n.y != 0.0 ? velocity.y : 0.0, n.z != 0.0 ? velocity.z : 0.0);
+        return !isFace && approach >= -slight * glm::length(across); // along an edge it passes nothing
     }
 };
 
