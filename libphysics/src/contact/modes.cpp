@@ -45,10 +45,20 @@ constexpr Fit kFit[] = {{kFits, false},      {kFits, true},     {1e3 * kFits, fa
                         {1e3 * kFits, true}, {kRoughly, false}, {kRoughly, true}};
 constexpr size_t kNoFit = std::size(kFit);
 
+/// Size of the accelerations that a slip's direction is part of. That of the spin may be far larger.
+double sizeOfForces(const Combination &c) {
+    double size = glm::length(c.moment.gravity);
+    for (uint32_t i = 0; i < c.count(); ++i) {
+        size += glm::length(c.reactions[i].force) + curvature(c.moment, c.held[i]);
+    }
+    return size;
+}
+
 /// Index in kFit; kNoFit if it is beyond `most`. A combination that hasn't converged fits only roughly.
 size_t fitOf(Combination &c, bool isSettled, size_t most, double scale) {
+    const double rough = std::min(scale, sizeOfForces(c));
     for (size_t i = 0; i <= most && i < kNoFit; ++i) {
-        const double zero = kFit[i].tolerance * scale;
+        const double zero = kFit[i].tolerance * (kFit[i].tolerance > kFits ? rough : scale);
         if (!isSettled && kFit[i].tolerance < kRoughly) continue;
         if (kFit[i].shares) share(c, zero);
         if (fits(c, zero)) return i;
