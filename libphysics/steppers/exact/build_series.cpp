@@ -68,10 +68,10 @@ void fitUnit(const Response &response, uint32_t kept, const Touching &touching, 
     for (int guess = 0; guess < 40; ++guess) {
         series.build(ball.moment(), touching.held(), response, unit, kept);
         ball.work.add(Work::kSeries * (1 + series.unknowns()));
-        const bool isLong = series.horizon() > 3.0 * unit && unit < longest && !hasShrunk;
-        if (series.horizon() >= 0.1 * unit && !isLong) return;
+        const bool isLong = series.length() > 3.0 && unit < longest && !hasShrunk;
+        if (series.length() >= 0.1 && !isLong) return;
         hasShrunk = !isLong;
-        unit = isLong ? std::min(4.0 * unit, longest) : std::max(series.suitableUnit(), 0x1p-8 * unit);
+        unit = isLong ? std::min(4.0 * unit, longest) : unit * std::max(2.0 * series.length(), 0x1p-8);
     }
 }
 

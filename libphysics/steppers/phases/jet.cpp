@@ -14,8 +14,8 @@ constexpr double kStalls = 0x1p-7; // if a slip loses this share while its serie
 End zeroOfSpeed(const Jet &speed, double until, const Reach &reach, double small, Cause cause, uint32_t contact,
                 Work &work) {
     const double time = firstFall(speed, until, work);
-    if (-speed[1] * reach.horizon < kStalls * reach.unit * speed[0]) small *= 8.0;
-    if (time != kNever || speed[0] > small || speed[1] >= 0.0) return {reach.unit * time, cause, contact};
+    if (-speed[1] * reach.length < kStalls * speed[0]) small *= 8.0;
+    if (time != kNever || speed[0] > small || speed[1] >= 0.0) return {time, cause, contact};
     return {0.0, cause, contact, reach.unit * speed[0] / -speed[1]};
 }
 
@@ -23,7 +23,7 @@ End endOfSlip(const Jet &speed, double until, const Reach &reach, double small, 
               Work &work) {
     const double good = 0.8 * validUntil(speed, kOrder, noise);
     End end = zeroOfSpeed(speed, std::min(until, good), reach, small, Cause::grip, contact, work);
-    if (good < until) end.cut({reach.unit * good, Cause::time, 0});
+    if (good < until) end.cut({good, Cause::time, 0});
     return end;
 }
 

@@ -63,6 +63,14 @@ inline Vec3 termOf(const Jet &a, const VecJet &b, int k) {
     return sum;
 }
 
+/// Term k of 1/f; inverse: its terms below.
+inline double reciprocalTerm(const Jet &f, const Jet &inverse, int k) {
+    if (k == 0) return 1.0 / f[0];
+    double sum = 0.0;
+    for (int j = 1; j <= k; ++j) sum += f[j] * inverse[k - j];
+    return -sum / f[0];
+}
+
 /// Term k of the length of a vector with terms v[0], v[1], ..., and of its direction, whose term 0 is unchanged.
 template<class V>
 void addDirectionTerm(const V *v, int k, Jet &length, JetOf<V> &direction) {
@@ -108,21 +116,22 @@ double validUntil(const JetOf<V> &f, int last, double noise) {
     return most;
 }
 
-/// The time unit of series, and the longest time for which they are accurate to rounding.
+/// The time unit of series, and how far they are accurate to rounding.
 struct Reach {
-    double unit = 1.0, horizon = 0.0; ///< s
+    double unit = 1.0;   ///< s, at the start
+    double length = 0.0; ///< units
 
-    /// valid: how long they would be valid, in units.
-    void measure(double valid) { horizon = unit * std::min(0.8 * valid, 4.0); }
+    /// valid: how far they would be valid, in units.
+    void measure(double valid) { length = std::min(0.8 * valid, 4.0); }
 };
 
-/// When a speed falls to zero. If its direction turns until the end, the series never reach that time: the remainder of
-/// a sufficiently small speed is assumed to fall at the present rate.
+/// When a speed falls to zero, in units. If its direction turns until the end, the series never reach that time: the
+/// remainder of a sufficiently small speed is assumed to fall at the present rate.
 End zeroOfSpeed(const Jet &speed, double until, const Reach &reach, double small, Cause cause, uint32_t contact,
                 Work &work);
 
-/// When a slip ends. If the slip passes close to zero and friction hardly turns it, the series of its speed are valid
-/// for a shorter time than those of the slip: the phase ends with them. noise: as for validUntil.
+/// When a slip ends, in units. If the slip passes close to zero and friction hardly turns it, the series of its speed
+/// are valid for a shorter time than those of the slip: the phase ends with them. noise: as for validUntil.
 End endOfSlip(const Jet &speed, double until, const Reach &reach, double small, double noise, uint32_t contact,
               Work &work);
 

@@ -148,7 +148,7 @@ bool Series::takeReserve(const Contact &contact, const Contact &other, const Vec
 }
 
 bool Series::slipsBack(uint32_t spent) const {
-    const double soon = kLookAhead * horizon() / unit();
+    const double soon = kLookAhead * length();
     for (uint32_t i = 0; i < m_count; ++i) {
         if ((spent >> given(i) & 1U) && !(slipSpeed(m_contacts[i]).at(soon) > 0.0)) return true;
     }
@@ -226,14 +226,14 @@ uint32_t Series::opening() const {
     const double zero = m_noForce;
     for (uint32_t i = 0; i < m_count; ++i) {
         const Jet &N = m_contacts[i].N;
-        if (N[0] <= zero && falls(N, zero, kLookAhead * horizon() / unit())) bits |= 1U << given(i);
+        if (N[0] <= zero && falls(N, zero, kLookAhead * length())) bits |= 1U << given(i);
     }
     return bits;
 }
 
 uint32_t Series::spent(std::span<Vec3> slips) const {
     uint32_t bits = 0;
-    const double soon = kLookAhead * horizon() / unit();
+    const double soon = kLookAhead * length();
     for (uint32_t i = 0; i < m_count; ++i) {
         const Contact &contact = m_contacts[i];
         if (contact.mode != Mode::sticking || contact.held.isGlued || contact.isKept) continue;

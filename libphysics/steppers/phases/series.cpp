@@ -132,6 +132,7 @@ void Series::begin(const Response &response) {
         else
             rollingDirection(0);
     }
+    weighSlips();
     for (Contact &contact : contacts()) {
         if (contact.mode == Mode::slipping) directions(contact, 0);
         contact.rateKnown = m_a[0] - m_moment.radius * glm::cross(m_al[0], contact.n[0]) -
@@ -143,9 +144,11 @@ void Series::begin(const Response &response) {
 /// From the accelerations of order k to the motion of order k + 1, and the directions that follow from it.
 void Series::move(int k) {
     const double step = unit() / (k + 1);
-    m_p[k + 1] = step * m_v[k];
-    m_v[k + 1] = step * m_a[k];
-    m_om[k + 1] = step * m_al[k];
+    if (m_countsSlips) findPace(k);
+    const auto paced = [&](const VecJet &rate) { return !m_countsSlips ? rate[k] : termOf(m_pace, rate, k); };
+    m_p[k + 1] = step * paced(m_v);
+    m_v[k + 1] = step * paced(m_a);
+    m_om[k + 1] = step * paced(m_al);
     for (Contact &contact : contacts()) {
         contact.n[k + 1] = contact.isFlat ? Vec3(0.0) : contact.held.across * m_p[k + 1] / m_moment.radius;
     }
@@ -163,6 +166,62 @@ void Series::move(int k) {
         }
     }
     if (m_rolls < m_count) rollingDirection(m_rollStarts ? k : k + 1);
+}
+
+/// How fast friction changes the slips. Nothing is counted if a slip or rolling starts, which has singular series of
+/// its own.
+void Series::weighSlips() {
+    m_countsSlips = false;
+    for (Contact &contact : contacts()) {
+        contact.weight = 0.0;
+        if (contact.mode != Mode::slipping || contact.N[0] <= kNoForce * accelerationScale(m_moment)) continue;
+        contact.weight = kSlipPerFriction * contact.held.friction * contact.N[0] / glm::length(contact.u[0]);
+        m_countsSlips = true;
+    }
+    for (const Contact &contact : contacts()) {
+        const bool starts = contact.partner < m_count || contact.mode == Mode::starting || contact.mode == Mode::spent;
+        if (starts || m_rollStarts) m_countsSlips = false;
+    }
+}
+
+/// Terms of dt/dsigma = w: 1/w is the weighted mean of 1 and of u_0/u of each slip.
+void Series::findPace(int k) {
+    double all = std::sqrt(accelerationScale(m_moment) / m_moment.radius), sum = k == 0 ? all : 0.0;
+    for (Contact &contact : contacts()) {
+        if (contact.weight == 0.0) continue;
+        contact.slowness[k] = reciprocalTerm(contact.speed, contact.slowness, k);
+        all += contact.weight;
+        sum += contact.weight * contact.speed[0] * contact.slowness[k];
+    }
+    m_inversePace[k] = sum / all;
+    m_pace[k] = reciprocalTerm(m_inversePace, m_pace, k);
+    m_pace[k + 1] = m_time[0] = 0.0;
+    m_time[k + 1] = unit() / (k + 1) * m_pace[k];
+}
+
+double Series::timeAt(double s) const { return !m_countsSlips || s == kNever ? unit() * s : m_time.at(s); }
+
+/// The inverse of timeAt.
+double Series::placeOf(double t) const {
+    if (!m_countsSlips) return t / unit();
+    double low = 0.0, high = m_reach.length, s = std::min(t / unit(), high);
+    for (int i = 0; i < 60; ++i) {
+        const double off = m_time.at(s) - t;
+        (off < 0.0 ? low : high) = s;
+        double next = s - off / (unit() * m_pace.at(s));
+        if (!(next >= low && next <= high)) next = 0.5 * (low + high);
+        if (std::abs(next - s) <= 0x1p-52 * s) return next;
+        s = next;
+    }
+    return s;
+}
+
+/// Integral over the time until s, in units.
+double Series::integral(const Jet &rate, double s) const {
+    if (!m_countsSlips) return unit() * rate.integralAt(s);
+    Jet paced;
+    for (int k = 0; k <= kOrder; ++k) paced[k] = termOf(m_pace, rate, k);
+    return unit() * paced.integralAt(s);
 }
 
 /// Term k of hat(om_t); for a ball that starts from rest, of om_t divided by the time.
@@ -419,26 +478,28 @@ void Series::measure() {
         for (const Contact &contact : contacts()) s = std::min(s, validUntil(contact.r, kOrder - 1, 0.0));
     }
     for (const Contact &contact : contacts()) s = contact.isKept ? std::min(s, kKeptFor / 0.8) : s;
+    if (m_countsSlips) s = std::min(s, validUntil(m_time, kOrder, 0.0));
     m_reach.measure(s);
-    s = m_reach.horizon / m_reach.unit;
+    s = m_reach.length;
     double most = 0.0;
-    Vec3 jerk(0.0);
+    Vec3 turns(0.0);
     for (int k = kOrder; k >= 0; --k) most = most * s + glm::length(m_a[k]);
-    for (int k = kOrder; k >= 1; --k) jerk = s * jerk + double(k) * glm::abs(m_a[k]);
+    for (int k = kOrder; k >= 1; --k) turns = s * turns + double(k) * glm::abs(m_a[k]);
     m_most = most;
-    m_jerk = jerk / unit();
+    m_turns = turns;
 }
 
 Way Series::at(double t) const {
-    const double s = t / unit();
+    const double s = placeOf(t);
     return {m_mirror.back(m_p.at(s)), m_mirror.back(m_v.at(s))};
 }
 
-Vec3 Series::spinAt(double t) const { return m_mirror.backSpin(m_om.at(t / unit())); }
+Vec3 Series::spinAt(double t) const { return m_mirror.backSpin(m_om.at(placeOf(t))); }
 
 double Series::least(const Vec3 &n, double, double t, double until) const {
     const Vec3 seen = m_mirror.seen(n);
-    return glm::dot(seen, m_a.at(t / unit())) - glm::dot(glm::abs(seen), m_jerk) * (until - t);
+    const double s = placeOf(t);
+    return glm::dot(seen, m_a.at(s)) - glm::dot(glm::abs(seen), m_turns) * (placeOf(until) - s);
 }
 
 Jet Series::slipSpeed(const Contact &contact) const {
@@ -446,6 +507,21 @@ Jet Series::slipSpeed(const Contact &contact) const {
     Jet speed;
     for (int k = 0; k <= kOrder; ++k) speed[k] = dotTerm(contact.u, contact.d, k);
     return speed;
+}
+
+bool Series::startsToSlip(const Contact &contact) const {
+    return contact.mode == Mode::starting || contact.mode == Mode::spent || contact.partner < m_count;
+}
+
+/// Speed of a slip that starts, divided by the power of the time that it starts with: it may come back to zero. How far
+/// it is accurate, in units.
+std::pair<Jet, double> Series::startOfSlip(const Contact &contact) const {
+    const Jet speed = slipSpeed(contact);
+    const bool isAccelerated = contact.mode != Mode::spent && std::abs(speed[1]) > m_noForce * unit();
+    const int power = isAccelerated ? 1 : 2;
+    Jet left;
+    for (int k = 0; k <= kOrder; ++k) left[k] = k + power < kOrder ? speed[k + power] : 0.0;
+    return {left, 0.8 * validUntil(left, kOrder - 1 - power, speedScale(m_moment))};
 }
 
 /// Whether the pressure of a contact is rounding until s. Its friction then moves nothing, and the series of its slip's
@@ -457,23 +533,27 @@ bool Series::isIdle(const Contact &contact, double s) const {
 }
 
 End Series::end(double until, Work &work) const {
-    End end{horizon(), Cause::time, 0};
-    const double s = std::min(until, horizon()) / unit();
+    End end{length(), Cause::time, 0}; // in units, until the end
+    const double s = until < horizon() ? placeOf(until) : length();
     const double speed = speedScale(m_moment);
     const double noForce = m_noForce;
-    end.cut({unit() * endOfPrestress(s, work), Cause::spent, 0});
+    end.cut({endOfPrestress(s, work), Cause::spent, 0});
     for (uint32_t i = 0; i < m_count; ++i) {
         const Contact &contact = m_contacts[i];
         Jet force = contact.N;
         if (force[0] <= noForce) force[0] += noForce;
-        if (!isPrestressed(contact)) end.cut({unit() * firstFall(force, s, work), Cause::release, given(i)});
-        if (contact.mode == Mode::slipping && !isIdle(contact, s)) {
-            if (contact.partner < m_count) continue;
+        if (!isPrestressed(contact)) end.cut({firstFall(force, s, work), Cause::release, given(i)});
+        if (isIdle(contact, s)) continue;
+        if (startsToSlip(contact)) {
+            const auto [left, good] = startOfSlip(contact);
+            end.cut({firstFall(left, std::min(s, good), work), Cause::grip, given(i)});
+            end.cut({good, Cause::time, 0});
+        } else if (contact.mode == Mode::slipping) {
             end.cut(endOfSlip(contact.speed, s, m_reach, kSlipEnds * speed, speed, given(i), work));
         } else if (contact.mode == Mode::sticking && !contact.held.isGlued && !contact.isKept) {
             auto [left, none] = reserveOf(contact);
             if (left[0] <= none) left[0] += none + noForce * noForce;
-            end.cut({unit() * firstFall(left, s, work), Cause::spent, given(i)});
+            end.cut({firstFall(left, s, work), Cause::spent, given(i)});
         }
     }
     if (m_rolls < m_count && !m_rollStarts) {
@@ -481,11 +561,12 @@ End Series::end(double until, Work &work) const {
         for (double &term : left.c) term *= m_moment.radius;
         end.cut(zeroOfSpeed(left, s, m_reach, kSlipEnds * speed, Cause::stop, given(m_rolls), work));
     }
+    end.after = timeAt(end.after);
     return end;
 }
 
 Losses Series::losses(double t) const {
-    const double s = t / unit();
+    const double s = placeOf(t);
     Losses lost;
     for (const Contact &contact : contacts()) {
         if (contact.mode == Mode::sticking || contact.mode == Mode::smooth) continue;
@@ -493,7 +574,7 @@ Losses Series::losses(double t) const {
         const Jet speed = slipSpeed(contact);
         Jet power;
         for (int k = 0; k <= kOrder; ++k) power[k] = contact.held.friction * termOf(contact.N, speed, k);
-        lost.slip += unit() * power.integralAt(s);
+        lost.slip += integral(power, s);
     }
     if (m_rolls < m_count) {
         const Contact &contact = m_contacts[m_rolls];
@@ -502,7 +583,7 @@ Losses Series::losses(double t) const {
         for (int k = 0; k <= kOrder; ++k) {
             power[k] = contact.held.resistance * m_moment.radius * termOf(contact.N, turning, k);
         }
-        lost.rolling += unit() * power.integralAt(s);
+        lost.rolling += integral(power, s);
     }
     return lost;
 }

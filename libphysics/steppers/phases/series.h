@@ -9,6 +9,8 @@
 #include "phases/jet.h"
 #include "phases/phase.h"
 
+#include <utility>
+
 namespace phys {
 
 /// 1 along the axes in which closed contacts let the ball move, if they hold it to an axis or a point; otherwise 1
@@ -21,13 +23,12 @@ public:
 
     Series() {} // NOLINT(modernize-use-equals-default): a defaulted one may clear all terms
 
-    /// unit: the time unit of the series, s. kept: bits of contacts that stick as long as others press them.
+    /// unit: of the clock at the start, s. kept: bits of contacts that stick as long as others press them.
     void build(const Moment &moment, std::span<const Held> held, const Response &response, double unit, uint32_t kept);
 
-    /// Longest time for which the series are accurate to rounding, s.
-    double horizon() const { return m_reach.horizon; }
-    /// The unit that suits the series, s.
-    double suitableUnit() const { return 2.0 * horizon(); }
+    /// Longest time for which the series are accurate to rounding, s; and in units of the clock.
+    double horizon() const { return timeAt(m_reach.length); }
+    double length() const { return m_reach.length; }
     double unit() const { return m_reach.unit; }
     uint32_t unknowns() const { return m_unknowns; }
 
@@ -64,6 +65,8 @@ private:
         VecJet n, u, d, r, free; ///< free: across both normals
         Jet N;
         Jet speed;      ///< of the slip, or of its quotient by the time if it starts
+        Jet slowness;   ///< 1/speed
+        double weight;  ///< of this slip in the independent variable, 1/s; 0: none
         Vec3 rateKnown; ///< rate of the slip at the present order without the contribution of the unknowns
         Vec3 directionKnown;
         uint32_t column = 0;
@@ -92,7 +95,13 @@ private:
     uint32_t m_rolls = kMostHeld; ///< the contact at which resistance acts
     Reach m_reach;
     double m_most = 0.0, m_noForce = 0.0;
-    Vec3 m_jerk{0.0}; ///< along each axis at most
+    Vec3 m_turns{0.0}; ///< upper bound of the change of the acceleration along each axis per unit
+    // The independent variable: the time, or with slips dt = w dsigma, so that it takes as long to halve them again and
+    // again. model.md 14.2.
+    bool m_countsSlips = false;
+    Jet m_time;        ///< s
+    Jet m_pace;        ///< w, 1 at the start
+    Jet m_inversePace; ///< 1/w
     VecJet m_p, m_v, m_om, m_a, m_al;
     VecJet m_turning, m_rolling; ///< om_t, and its direction
     Jet m_turningSpeed;          ///< |om_t|, or its quotient by the time if the ball starts
@@ -104,6 +113,11 @@ private:
     uint32_t given(uint32_t i) const { return m_index[i]; }
 
     void findPartners();
+    void weighSlips();
+    void findPace(int k);
+    double timeAt(double s) const;
+    double placeOf(double t) const;
+    double integral(const Jet &rate, double s) const;
     void begin(const Response &response);
     void forces(int k);
     void knownForces(Contact &contact, int k);
@@ -126,6 +140,8 @@ private:
     bool takeReserve(const Contact &contact, const Contact &other, const VecJet &friction, Reserve &reserve) const;
     double noReserve(const Contact &contact, double pressure) const;
     Jet slipSpeed(const Contact &contact) const;
+    bool startsToSlip(const Contact &contact) const;
+    std::pair<Jet, double> startOfSlip(const Contact &contact) const;
     bool isIdle(const Contact &contact, double s) const;
 };
 

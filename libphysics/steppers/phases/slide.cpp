@@ -39,7 +39,7 @@ Slide::Slide(const Moment &moment, const Faces &faces, const Vec3 &normal, const
     const double fast = std::min(glm::length(moment.velocity), m_radius * glm::length(m_spin)), time = fast * unit();
     m_reach.measure(std::min({validUntil(m_u, kOrder, fast), validUntil(m_speed, kOrder, fast),
                               validUntil(m_time, kOrder, time), validUntil(m_way, kOrder, fast * time)}));
-    m_horizon = m_time.at(m_reach.horizon / unit());
+    m_horizon = m_time.at(m_reach.length);
     m_rolling = moment.velocity[m_along] - 2.0 / 7.0 * m_u[0].y;
     m_start = m_g - B * m_d[0].y;
     m_limit = m_g - std::clamp(m_g, -B, B);
@@ -88,7 +88,7 @@ double Slide::least(const Vec3 &n, double, double, double) const {
 
 End Slide::end(double until, Work &work) const {
     End end{m_horizon, Cause::time, 0};
-    const double s = until < m_horizon ? xiAt(until) : m_reach.horizon / unit();
+    const double s = until < m_horizon ? xiAt(until) : m_reach.length;
     const double opens = firstFall(m_pressure, s, work);
     if (opens != kNever) end.cut({m_time.at(opens), Cause::release, m_faces.smooth});
     // What is left of a small slip falls at its present rate.
