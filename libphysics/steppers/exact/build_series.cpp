@@ -67,7 +67,7 @@ void fitUnit(const Response &response, uint32_t kept, const Touching &touching, 
     bool hasShrunk = false;
     for (int guess = 0; guess < 40; ++guess) {
         series.build(ball.moment(), touching.held(), response, unit, kept);
-        ball.work.add(Work::kSeries * (1 + series.unknowns()));
+        ball.work.add(Work::kSeries * (1 + series.size()));
         const bool isLong = series.length() > 3.0 && unit < longest && !hasShrunk;
         if (series.length() >= 0.1 && !isLong) return;
         hasShrunk = !isLong;

@@ -72,27 +72,45 @@ void turnNormals(const MovingBall &ball, const Response &response, Touching &tou
     }
 }
 
-/// Puts lasting contacts at the radius and removes any velocity along their normals.
-void keepContacts(const Touching &touching, const Response &response, MovingBall &ball) {
-    const double R = ball.radius();
+/// Puts the ball at the radius of the edges and corners that stay closed, in the mean of those that share an axis, so
+/// that their order leaves no trace.
+void keepEdges(const Touching &touching, const Response &response, MovingBall &ball) {
+    Vec3 sum(0.0), count(0.0), speeds(0.0);
+    double edges = 0.0;
     for (uint32_t i = 0; i < touching.count(); ++i) {
-        if (!isClosed(response, i)) continue;
         const Contact &contact = touching.contactOf(i);
+        if (!isClosed(response, i) || contact.isFace()) continue;
         const phys_box &box = ball.scene().boxes[contact.box];
         const Vec3 &n = touching.held(i).normal;
-        const double speed = glm::dot(ball.motion.velocity, n);
         for (int axis = 0; axis < 3; ++axis) {
             const int side = contact.sides[axis];
             if (side == 0) continue;
-            ball.position[axis] = (side > 0 ? (&box.max.x)[axis] : (&box.min.x)[axis]) + R * n[axis];
-            if (contact.isFace()) ball.motion.velocity[axis] = 0.0;
-            for (uint32_t j = 0; j < i && contact.isFace(); ++j) { // in the middle between two walls, like takeFaces
-                const Contact &other = touching.contactOf(j);
-                if (!isClosed(response, j) || !other.isFace() || other.sides[axis] != -side) continue;
-                ball.position[axis] = 0.5 * (ball.position[axis] + other.point[axis] - side * R);
-            }
+            sum[axis] += (side > 0 ? (&box.max.x)[axis] : (&box.min.x)[axis]) + ball.radius() * n[axis];
+            count[axis] += 1.0;
         }
-        if (!contact.isFace()) ball.motion.velocity -= speed * n;
+        speeds += glm::dot(ball.motion.velocity, n) * n;
+        edges += 1.0;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        if (count[axis] > 0.0) ball.position[axis] = sum[axis] / count[axis];
+    }
+    if (edges > 0.0) ball.motion.velocity -= speeds / edges;
+}
+
+/// Puts the ball at the radius of the faces that stay closed, or in the middle between two, like takeFaces.
+void keepFaces(const Touching &touching, const Response &response, MovingBall &ball) {
+    for (uint32_t i = 0; i < touching.count(); ++i) {
+        const Contact &contact = touching.contactOf(i);
+        if (!isClosed(response, i) || !contact.isFace()) continue;
+        const phys_box &box = ball.scene().boxes[contact.box];
+        const int axis = axisOf(contact), side = contact.sides[axis];
+        ball.position[axis] = (side > 0 ? (&box.max.x)[axis] : (&box.min.x)[axis]) + side * ball.radius();
+        ball.motion.velocity[axis] = 0.0;
+        for (uint32_t j = 0; j < i; ++j) {
+            const Contact &other = touching.contactOf(j);
+            if (!isClosed(response, j) || !other.isFace() || other.sides[axis] != -side) continue;
+            ball.position[axis] = 0.5 * (ball.position[axis] + other.point[axis] - side * ball.radius());
+        }
     }
 }
 
@@ -166,7 +184,10 @@ void settle(const Event &event, const Response &response, MovingBall &ball, Touc
     const bool holds = sticking != 0 || end.cause == Cause::stop;
     const double rounding = holds ? 4e-13 * speedScale(ball.moment()) : 0.0;
     if (holds) clearSlips(end.cause, sticking, rounding, touching, ball);
-    if (end.cause != Cause::time || !rests(ball, response)) keepContacts(touching, response, ball);
+    if (end.cause != Cause::time || !rests(ball, response)) {
+        keepEdges(touching, response, ball);
+        keepFaces(touching, response, ball);
+    }
     for (uint32_t i = 0; i < touching.count(); ++i) {
         if (!touching.contactOf(i).isTop) continue;
         const Vec3 &normal = touching.held(i).normal;

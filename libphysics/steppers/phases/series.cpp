@@ -48,7 +48,7 @@ void Series::build(const Moment &moment, std::span<const Held> held, const Respo
     m_reach.unit = unit;
     m_free = glm::abs(m_mirror.seen(freeAxes(moment, held, response)));
     const Sorted sorted(m_mirror, held);
-    m_count = m_unknowns = 0;
+    m_count = m_unknowns = m_turningNormals = 0;
     m_rolls = kMostHeld;
     for (uint32_t i = 0; i < sorted.count; ++i) {
         const Reaction &reaction = response.reactions[sorted.index[i]];
@@ -65,6 +65,7 @@ void Series::build(const Moment &moment, std::span<const Held> held, const Respo
         contact.N[0] = reaction.pressure;
         contact.d[0] = m_mirror.seen(reaction.direction);
         if (reaction.mode == Mode::sticking && contact.held.resistance > 0.0) m_rolls = m_count;
+        m_turningNormals += contact.isFlat ? 0 : 1;
         ++m_count;
     }
     findPartners();

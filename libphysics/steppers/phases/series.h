@@ -30,7 +30,8 @@ public:
     double horizon() const { return timeAt(m_reach.length); }
     double length() const { return m_reach.length; }
     double unit() const { return m_reach.unit; }
-    uint32_t unknowns() const { return m_unknowns; }
+    /// Of the equations of an order: unknowns, and normals that turn.
+    uint32_t size() const { return m_unknowns + m_turningNormals; }
 
     Way at(double t) const;
     Place placeAt(double t) const {
@@ -91,7 +92,7 @@ private:
     Vec3 m_free; ///< freeAxes
     std::array<Contact, kMostHeld> m_contacts;
     std::array<uint32_t, kMostHeld> m_index{};
-    uint32_t m_count = 0, m_unknowns = 0;
+    uint32_t m_count = 0, m_unknowns = 0, m_turningNormals = 0;
     uint32_t m_rolls = kMostHeld; ///< the contact at which resistance acts
     Reach m_reach;
     double m_most = 0.0, m_noForce = 0.0;
