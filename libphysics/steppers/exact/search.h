@@ -119,7 +119,7 @@ double touchTime(const Outlook &around, const phys_box &box, const Phase &phase,
     const double R = around.scene.radius;
     if (target.isTouched && from == 0.0) from = openingTime(target, phase, around, until);
     const auto look = [&](double t) {
-        around.work.add(Phase::kLook);
+        around.work.add(phase.lookWork());
         return gapAt(target, phase, R, t, until);
     };
     return firstZero(look, from, until, 0.25 * around.scene.tolerance);
@@ -206,7 +206,7 @@ double borderTime(const Outlook &around, const Phase &phase, const Border &borde
     Vec3 n(0.0);
     n[axis] = border.inward;
     const auto depth = [&](double t) {
-        around.work.add(Phase::kLook);
+        around.work.add(phase.lookWork());
         const Way now = phase.at(t);
         const double rate = border.inward * now.velocity[axis];
         return Look{start + border.inward * now.way[axis], rate, phase.least(n, rate, t, until)};

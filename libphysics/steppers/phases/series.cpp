@@ -173,6 +173,7 @@ void Series::move(int k) {
 /// its own.
 void Series::weighSlips() {
     m_countsSlips = false;
+    m_known.fill({0.0, 0.0});
     for (Contact &contact : contacts()) {
         contact.weight = 0.0;
         if (contact.mode != Mode::slipping || contact.N[0] <= kNoForce * accelerationScale(m_moment)) continue;
@@ -205,6 +206,12 @@ double Series::timeAt(double s) const { return !m_countsSlips || s == kNever ? u
 /// The inverse of timeAt.
 double Series::placeOf(double t) const {
     if (!m_countsSlips) return t / unit();
+    if (m_known[0].time != t) std::swap(m_known[0], m_known[1]);
+    if (m_known[0].time != t) m_known[0] = {t, findPlace(t)};
+    return m_known[0].place;
+}
+
+double Series::findPlace(double t) const {
     double low = 0.0, high = m_reach.length, s = std::min(t / unit(), high);
     for (int i = 0; i < 60; ++i) {
         const double off = m_time.at(s) - t;

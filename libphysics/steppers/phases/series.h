@@ -19,7 +19,8 @@ Vec3 freeAxes(const Moment &moment, std::span<const Held> held, const Response &
 
 class Series {
 public:
-    static constexpr uint64_t kLook = 60; ///< work
+    /// Work of a look at the way.
+    uint64_t lookWork() const { return m_countsSlips ? 250 : 60; }
 
     Series() {} // NOLINT(modernize-use-equals-default): a defaulted one may clear all terms
 
@@ -103,6 +104,10 @@ private:
     Jet m_time;        ///< s
     Jet m_pace;        ///< w, 1 at the start
     Jet m_inversePace; ///< 1/w
+    struct Known {
+        double time, place;
+    };
+    mutable std::array<Known, 2> m_known; ///< the last times asked for: a search asks for each, and its end, again
     VecJet m_p, m_v, m_om, m_a, m_al;
     VecJet m_turning, m_rolling; ///< om_t, and its direction
     Jet m_turningSpeed;          ///< |om_t|, or its quotient by the time if the ball starts
@@ -118,6 +123,7 @@ private:
     void findPace(int k);
     double timeAt(double s) const;
     double placeOf(double t) const;
+    double findPlace(double t) const;
     double integral(const Jet &rate, double s) const;
     void begin(const Response &response);
     void forces(int k);

@@ -10,7 +10,7 @@ namespace phys {
 
 class Slide {
 public:
-    static constexpr uint64_t kLook = 30; ///< work
+    static constexpr uint64_t lookWork() { return 30; }
 
     /// The two contacts: their numbers, and the axes of their normals.
     struct Faces {

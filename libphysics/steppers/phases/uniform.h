@@ -7,7 +7,7 @@
 namespace phys {
 
 struct Uniform {
-    static constexpr uint64_t kLook = 5; ///< work
+    static constexpr uint64_t lookWork() { return 5; }
 
     Vec3 velocity, acceleration, spin, spinAcceleration;
 
