@@ -158,6 +158,7 @@ void ParameterPanel::edit(Side &side, int index, double value) {
 /// Sets several rows as one undo step.
 void ParameterPanel::change(Side &side, const std::vector<Setting> &wanted, const QString &text) {
     std::vector<Setting> before;
+    before.reserve(wanted.size());
     for (const Setting &setting : wanted)
         before.push_back({setting.id, side.parameters.value(side.parameters.indexOf(setting.id))});
     QString error;

@@ -106,7 +106,7 @@ void FlowLayout::placeRow(const Row &row, const QRect &place) const {
     int left = place.left();
     for (QLayoutItem *item : row) {
         int width = widthOf(*item);
-        if (canGrow(*item) && rest > 0) {
+        if (growing > 0 && rest > 0 && canGrow(*item)) {
             const int share = rest / growing--;
             width += share;
             rest -= share;
