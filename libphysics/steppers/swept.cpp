@@ -10,14 +10,6 @@ namespace phys {
 
 namespace {
 
-/// Work limit of the search for events in one step: some 100 ms.
-constexpr uint32_t kEffortCap = 4'000'000;
-
-phys_status refuseEffort(phys_error *err) {
-    return fail(err, PHYS_ERROR_EVENT_CAP,
-                "this step tries the ball at more than %u places to find its events: take a smaller dt", kEffortCap);
-}
-
 /// Sweeping replaces substeps, and the only rest rule is the one for slow bounces.
 StepPlan planSweep(const PlanInput &input) {
     StepPlan plan = planStep(input, true);
@@ -39,7 +31,7 @@ phys_status sweepStep(const PlanInput &input, phys_state &out, phys_report *repo
     Reporter reporter(report, in, dt);
     reporter.substeps(1, 0);
     const StepPlan plan = planSweep(input);
-    Work work(kMostWorkOfContacts);
+    Work work(kMostWork);
     const StepContext context{SweptStep::settingOf(input), reporter, work};
     DiscreteStep<VelocityVerlet> whole(context.setting, reporter, work, plan, dt);
 
@@ -51,9 +43,11 @@ phys_status sweepStep(const PlanInput &input, phys_state &out, phys_report *repo
     }
     if (reporter.wanted()) before.supported = whole.supports(before);
     SweptStep sweep(input, reporter, work, plan, before);
-    while (!sweep.toNextEvent()) {
-        if (sweep.effort() > kEffortCap) return refuseEffort(err);
-        if (work.isTooMuch()) return refuseContacts(PHYS_ERROR_EVENT_CAP, err);
+    for (uint32_t counted = 0; !sweep.toNextEvent(); counted = sweep.effort()) {
+        const Vec3 &p = sweep.ball().position;
+        const size_t boxes = input.scene.boxesNear(p.x, p.y, input.scene.hasManyBoxes).size();
+        work.add((sweep.effort() - counted) * Work::kPlace + boxes);
+        if (work.isTooMuch()) return refuseWork(PHYS_ERROR_EVENT_CAP, err);
     }
     Ball ball = sweep.ball();
     if (!leaveOverlaps(context, ball)) return refuseStuck(before.position, err);

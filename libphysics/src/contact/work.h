@@ -23,10 +23,14 @@ public:
     static constexpr uint64_t kSeries = 850;    ///< an unknown or a normal of a set of power series
     static constexpr uint64_t kJet = 8;         ///< evaluation of a power series and its rate
 
+    static constexpr uint64_t kSubstep = 20; ///< a substep, besides the boxes near it and several contacts
+    static constexpr uint64_t kPlace = 18;   ///< a position at which swept tries the ball
+
     explicit Work(uint64_t most = kMost)
         : m_most(most) {}
 
     void add(uint64_t units) { m_done += units; }
+    uint64_t done() const { return m_done; }
     bool isTooMuch() const { return m_done > m_most; }
     /// Quarters of the limit that are used up.
     uint64_t quarters() const { return 4 * m_done / m_most; }

@@ -234,6 +234,7 @@ bool hit(const StepContext &context, Contacts &contacts, double after, Ball &bal
         motion = motionOf(ball);
         impacts = resolveImpacts(contacts, context.radius(), motion, work);
     }
+    if (impacts.rounds > 1) context.work.add(work.done()); // a single round belongs to the substep, or event
     setMotion(motion, ball);
     context.report.lostImpact(impacts.lostNormal);
     context.report.lostSlip(impacts.lostSlip);
@@ -330,6 +331,7 @@ bool leaveOverlaps(const StepContext &context, Ball &ball) {
     PushOut pushed = pushOut(context.scene(), ball.position, work);
     context.report.penetration(pushed.depth);
     context.report.passes(pushed.passes);
+    if (pushed.passes > 0) context.work.add(work.done());
     return pushed.isFree;
 }
 

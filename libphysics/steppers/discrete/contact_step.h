@@ -19,7 +19,7 @@ inline constexpr double kRolling = 1e-9;
 struct StepContext {
     Setting setting;
     Reporter &report;
-    Work &work; ///< of lasting contacts
+    Work &work; ///< of the step
 
     const Scene &scene() const { return setting.scene; }
     const phys_params &params() const { return setting.params; }

@@ -193,6 +193,7 @@ private:
     /// Finds all contacts of the substep that begins `start` seconds into the step. free: the ball after it without
     /// contacts.
     bool runInContact(double start, const Ball &free, Ball &ball) {
+        m_context.work.add(Work::kEvent);
         const Ball before = ball;
         Ways ways;
         ways.add(free.position - ball.position);

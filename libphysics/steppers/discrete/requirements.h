@@ -12,8 +12,8 @@ namespace phys {
 /// Steps that need more substeps are refused.
 inline constexpr uint32_t kSubstepCap = 1'000'000;
 
-/// Work limit for the lasting contacts of a step: some 0.3 s.
-inline constexpr uint64_t kMostWorkOfContacts = 70'000'000;
+/// Work limit of a step: some 0.3 s.
+inline constexpr uint64_t kMostWork = 70'000'000;
 
 /// The row that steppers of fixed substeps have of their own (stepper.h).
 inline bool asReported(const phys_params &params) { return params.stepper[0] != 0.0; }

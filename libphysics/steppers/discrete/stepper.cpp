@@ -58,9 +58,9 @@ phys_status refuseSubsteps(double substeps, phys_error *err) {
                 substeps, kSubstepCap);
 }
 
-phys_status refuseContacts(phys_status status, phys_error *err) {
-    return fail(err, status, "what several contacts do in this step takes more than %.9g to compute: take a smaller dt",
-                static_cast<double>(kMostWorkOfContacts));
+phys_status refuseWork(phys_status status, phys_error *err) {
+    return fail(err, status, "more to compute than %.9g in this step: take a smaller dt",
+                static_cast<double>(kMostWork));
 }
 
 phys_status refuseStuck(const Vec3 &position, phys_error *err) {

@@ -565,6 +565,7 @@ double SweptStep::overlap(const Ball &ball) const {
     const Scene &scene = m_context.scene();
     double nearest = INFINITY;
     visitNear(scene, ball.position, scene.radius, [&](const phys_box &box, uint32_t number) {
+        ++m_boxes;
         if (!holds(number)) nearest = std::min(nearest, squaredDistance(box, ball.position));
     });
     return scene.radius - std::sqrt(nearest);
