@@ -35,7 +35,7 @@ QString vector(const phys_vec3 &v, const char *unit) {
 
 QString whenText(E event, const Registry &registry) {
     const StepFacts &step = event.step;
-    const QString name = stepperName(registry, step.stepper);
+    const QString name = stepperName(registry, stepperId(registry, step.stepper));
     QString text = QStringLiteral("%1 s, in step %2 of %3")
                        .arg(event.event.time, 0, 'f', 6)
                        .arg(step.after.step)
@@ -78,9 +78,8 @@ void addBounceLines(E event, double radius, std::vector<LawLine> &lines) {
 QByteArray exactly(double value) { return QByteArray::number(value, 'g', QLocale::FloatingPointShortest); }
 
 QByteArray csvRow(E event, const Registry &registry, char separator) {
-    QByteArray row = eventKindName(event.event.kind).toUtf8() + separator +
-                     stepperName(registry, event.step.stepper).toUtf8() + separator +
-                     modelName(event.step.params.model).toUtf8();
+    QByteArray row = eventKindName(event.event.kind).toUtf8() + separator + stepperId(registry, event.step.stepper) +
+                     separator + modelName(event.step.params.model).toUtf8();
     for (const EventColumn &column : eventColumns()) {
         const Figure value = column.value(event);
         row += separator + (value ? exactly(*value) : QByteArray());

@@ -64,10 +64,16 @@ uint32_t stepperIndex(const Registry &registry, const char *id) {
     return kNoStepper;
 }
 
-QString stepperName(const Registry &registry, uint32_t index) {
+QByteArray stepperId(const Registry &registry, uint32_t index) {
     phys_stepper_info info;
     const bool isThere = phys_registry_info(registry.get(), index, &info) == PHYS_OK;
-    return isThere ? QString::fromUtf8(info.id) : QString();
+    return isThere ? QByteArray(info.id) : QByteArray();
+}
+
+QString stepperName(const Registry &registry, const QByteArray &id) {
+    phys_stepper_info info;
+    const bool isThere = phys_registry_find(registry.get(), id.constData(), &info, nullptr) == PHYS_OK;
+    return isThere ? QString::fromUtf8(info.name) : QString::fromUtf8(id);
 }
 
 bool loadPlugin(const Registry &registry, const QString &path, QString *error) {

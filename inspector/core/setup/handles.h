@@ -25,7 +25,9 @@ Stepper makeStepper(const Registry &registry, const QByteArray &id, const Scene 
 /// A stepper's index in the registry, and the id at an index. kNoStepper and "" for unknown ones. Any thread.
 inline constexpr uint32_t kNoStepper = 0xffffffff;
 uint32_t stepperIndex(const Registry &registry, const char *id);
-QString stepperName(const Registry &registry, uint32_t index);
+QByteArray stepperId(const Registry &registry, uint32_t index);
+/// What the window calls a stepper; command line and files call it by its id. Of an unknown one: the id. Any thread.
+QString stepperName(const Registry &registry, const QByteArray &id);
 
 /// Loads one plugin file into the registry. No other thread may use the registry meanwhile.
 bool loadPlugin(const Registry &registry, const QString &path, QString *error);

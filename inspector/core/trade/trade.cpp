@@ -298,9 +298,10 @@ void Measurement::chooseGoodEnough() {
 void Measurement::tell(size_t index, const char *what) {
     if (!m_listener.progressed) return;
     const TradePoint &point = m_result.points[index];
-    m_listener.progressed(std::min(1.0, m_done / m_all), QStringLiteral("%1 %2 at %3 ms")
-                                                             .arg(QLatin1String(what), QString::fromUtf8(point.stepper))
-                                                             .arg(point.dt * 1e3, 0, 'g', 4));
+    m_listener.progressed(std::min(1.0, m_done / m_all),
+                          QStringLiteral("%1 %2 at %3 ms")
+                              .arg(QLatin1String(what), stepperName(m_plan.registry, point.stepper))
+                              .arg(point.dt * 1e3, 0, 'g', 4));
 }
 
 } // namespace

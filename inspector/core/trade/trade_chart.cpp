@@ -33,7 +33,7 @@ std::vector<ChartCurve> curvesOf(const TradeResult &result, uint32_t model, size
         const TradePoint &point = result.points[i];
         if (point.model != model) continue;
         if (curves.empty() || curves.back().stepper != point.stepper)
-            curves.push_back({point.stepper, colourOf(curves.size()), {}});
+            curves.push_back({point.stepper, QString::fromUtf8(point.stepper), colourOf(curves.size()), {}});
         if (isDrawn(point)) curves.back().points.push_back(chartPoint(result, i, schedule, until));
     }
     return curves;

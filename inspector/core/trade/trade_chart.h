@@ -21,6 +21,7 @@ std::vector<ChartPoint> paretoFront(std::vector<ChartPoint> points);
 
 struct ChartCurve {
     QByteArray stepper;
+    QString name;       ///< in the legend; at first the id
     const char *colour; ///< #rrggbb
     std::vector<ChartPoint> points;
 };
@@ -35,7 +36,7 @@ struct ChartBand {
 struct ChartDescription {
     QString title;
     QString costLabel = QStringLiteral("CPU time of a simulated second [µs]");
-    QString errorLabel = QStringLiteral("largest position error [radii]");
+    QString errorLabel = QStringLiteral("largest error [radii]");
     std::vector<ChartCurve> curves; ///< for every stepper, so that colours don't change while results arrive
     std::vector<ChartPoint> front;  ///< the Pareto front, from cheap to accurate
     std::optional<ChartBand> band;

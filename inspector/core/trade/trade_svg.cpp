@@ -176,7 +176,7 @@ QByteArray Page::draw(const ChartCurve &curve) {
     for (const ChartPoint &point : curve.points)
         svg += "<circle cx=\"" + number(m_x.at(point.cost)) + "\" cy=\"" + number(height(point.error)) +
                "\" r=\"4\" fill=\"" + curve.colour + "\"/>\n";
-    return svg + legendLine(curve.colour, "stroke-width=\"2\"", QString::fromUtf8(curve.stepper));
+    return svg + legendLine(curve.colour, "stroke-width=\"2\"", curve.name);
 }
 
 QByteArray Page::legendLine(const char *colour, const char *look, const QString &words) {

@@ -120,7 +120,7 @@ QVariant BounceTableModel::data(const QModelIndex &index, int role) const {
     if (role == Qt::TextAlignmentRole) return int((isText ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
     if (role != Qt::DisplayRole) return {};
     if (index.column() == kWhat) return eventText(event);
-    if (index.column() == stepperColumn()) return stepperName(m_registry, event.step.stepper);
+    if (index.column() == stepperColumn()) return stepperName(m_registry, stepperId(m_registry, event.step.stepper));
     return figureText(figureAt(index.column()), event);
 }
 

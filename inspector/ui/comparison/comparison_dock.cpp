@@ -92,7 +92,7 @@ void ComparisonDock::showComparison() {
     m_stepper->setCurrentIndex(m_stepper->findData(ghostChoice.stepper));
     m_substeps->setValue(ghostChoice.substeps);
     const auto name = [&](const QByteArray &id, double dt) {
-        return QStringLiteral("%1, %2").arg(m_stepper->itemText(m_stepper->findData(id)), stepSizeText(dt));
+        return QStringLiteral("%1, %2").arg(stepperName(m_session.registry(), id), stepSizeText(dt));
     };
     m_plot->setRadius(phys_scene_radius(m_session.scene().get()));
     m_plot->setNames(tr("Ball: %1").arg(name(m_session.stepperId(), m_session.dt())),

@@ -20,19 +20,13 @@ QString listed(QStringList texts) {
     return texts.join(QStringLiteral(", "));
 }
 
-QString nameOf(const Session &session, const QByteArray &stepper) {
-    phys_stepper_info info;
-    const bool isThere = phys_registry_find(session.registry().get(), stepper.constData(), &info, nullptr) == PHYS_OK;
-    return QString::fromUtf8(isThere ? info.name : stepper.constData());
-}
-
 QStringList textsOf(const Session &session, const KeptRun &run, bool isLive) {
     QString result = run.isOut ? RunDock::tr("out of the maze") : RunDock::tr("ended inside");
     if (isLive && !run.isOut) result = RunDock::tr("the present one");
     QStringList steppers;
     QStringList steps;
     for (const auto &[stepper, dt] : run.pace) {
-        steppers += nameOf(session, stepper);
+        steppers += stepperName(session.registry(), stepper);
         steps += durationText(dt);
     }
     return {levelTitle(session, run.level), listed(steppers), listed(steps), clockText(run.time), result};

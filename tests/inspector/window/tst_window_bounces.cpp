@@ -464,7 +464,7 @@ void TestWindowBounces::detailHasTheLawWithItsNumbers() {
     const QString law =
         QStringLiteral("%1 m/s = 0.5 × %2 m/s").arg(number(mark.event.speed_after), number(-mark.event.speed_before));
     QVERIFY2(text.contains(law), qPrintable(text));
-    QVERIFY(text.contains(QStringLiteral("symplectic-euler")));
+    QVERIFY(text.contains(QStringLiteral("Symplectic Euler")));
     QVERIFY(text.contains(QStringLiteral("<b>Box</b>")));
     QVERIFY(text.contains(QStringLiteral("model.md 2.1 R2")));
 }
