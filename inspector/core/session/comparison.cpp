@@ -4,6 +4,7 @@
 #include "core/session/session.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace inspector {
@@ -12,7 +13,8 @@ Comparison::Comparison(Session &session)
     : m_session(session) {
     takeRows();
     connect(&m_parameters, &Parameters::changed, this, [this] { passOwnInputs(); });
-    connect(&session, &Session::levelOpened, this, &Comparison::begin);
+    connect(&session, &Session::levelOpened, this, &Comparison::beginInScene);
+    connect(&session, &Session::pastChanged, this, &Comparison::beginIfWaiting);
     connect(&session.simulation(), &Simulation::comparisonRefused, this, [this](uint64_t ghost, const QString &line) {
         if (ghost == m_ghost) refuse(line); // ignore an earlier ghost's
     });
@@ -30,6 +32,7 @@ void Comparison::setOn(bool isOn) {
     if (isOn == m_isOn) return;
     if (isOn) return start(m_ghostChoice);
     m_isOn = false;
+    m_isWaiting = false;
     m_refusal.clear();
     m_ghost = 0;
     m_session.simulation().endComparison();
@@ -48,7 +51,10 @@ void Comparison::meetAgain() { begin(); }
 
 /// Makes a new stepper each time: it is cheap, and a stepper that couldn't be made is tried again.
 void Comparison::begin() {
-    if (!m_isOn || m_session.isInPast()) return; // the past has samples only
+    if (!m_isOn) return;
+    m_isWaiting = m_session.isInPast(); // the past has samples only
+    if (m_isWaiting) return;
+    m_scene = m_session.scene();
     m_refusal.clear();
     m_ghost = 0;
     QString error;
@@ -62,6 +68,15 @@ void Comparison::begin() {
     emit changed();
 }
 
+/// Whoever only looked at another level's run comes back to the ghost that was there.
+void Comparison::beginInScene() {
+    if (!m_session.isInPast() && m_session.scene() != m_scene) begin();
+}
+
+void Comparison::beginIfWaiting() {
+    if (m_isWaiting) begin();
+}
+
 /// Passes the ghost's own parameters on, if there is a ghost.
 void Comparison::passOwnInputs() {
     if (m_ghost != 0) note(m_session.simulation().setGhostInputs(ownInputs()));
@@ -69,7 +84,21 @@ void Comparison::passOwnInputs() {
 
 void Comparison::note(uint64_t ghost) {
     m_ghost = ghost;
+    if (m_made.size() >= m_mostMade) forgetUnseen();
     m_made.push_back({ghost, m_ghostChoice, m_hasOwn ? settingsOf(m_parameters) : std::vector<Setting>()});
+}
+
+/// Drops those that no kept sample names, and that make no more.
+void Comparison::forgetUnseen() {
+    const SampleRing &samples = m_session.simulation().samples();
+    const std::optional<Ghost> now = m_session.simulation().latest().ghost;
+    const uint64_t oldestAlive = now ? now->number : m_ghost;
+    std::set<uint64_t> seen;
+    Sample sample;
+    for (uint64_t number = samples.first(); number < samples.last(); ++number)
+        if (samples.read(number, sample)) seen.insert(sample.ghost);
+    std::erase_if(m_made, [&](const Made &made) { return made.number < oldestAlive && !seen.contains(made.number); });
+    m_mostMade = std::max(kFewMade, 2 * m_made.size());
 }
 
 const Comparison::Made *Comparison::made(uint64_t ghost) const {
@@ -78,7 +107,7 @@ const Comparison::Made *Comparison::made(uint64_t ghost) const {
 }
 
 void Comparison::refuse(const QString &line) {
-    m_refusal = tr("comparison with %1: %2").arg(QString::fromUtf8(m_ghostChoice.stepper), line);
+    m_refusal = tr("comparison with %1: %2").arg(stepperName(m_session.registry(), m_ghostChoice.stepper), line);
     emit refused(m_refusal);
     emit changed();
 }

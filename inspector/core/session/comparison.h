@@ -38,7 +38,7 @@ public:
         GhostChoice ghostChoice;
         std::vector<Setting> own; ///< its own parameters; empty: the ball's
     };
-    /// Null if there was no such ghost.
+    /// Null if there was no such ghost, or no sample of it is kept any more.
     const Made *made(uint64_t ghost) const;
 
     /// The ghost's own parameters, including its stepper's rows; the tilt is always the ball's. They are copied from
@@ -53,12 +53,17 @@ signals:
 
 private:
     void begin();
+    void beginInScene();
+    void beginIfWaiting();
     void refuse(const QString &line);
     void takeRows();
     std::optional<Inputs> ownInputs() const;
     void passOwnInputs();
     void note(uint64_t ghost);
+    void forgetUnseen();
     void forgetRefusal();
+
+    static constexpr size_t kFewMade = 256; ///< are kept without a look whether samples name them
 
     Session &m_session;
     GhostChoice m_ghostChoice;
@@ -69,7 +74,10 @@ private:
     bool m_hasOwn = false;
     bool m_hasValues = false; ///< was initialised from the ball
     uint64_t m_ghost = 0;     ///< number of the ghost; 0: none could be made
+    bool m_isWaiting = false; ///< for the present, to begin
+    Scene m_scene;            ///< that it last began in
     std::vector<Made> m_made; ///< ascending
+    size_t m_mostMade = kFewMade;
 };
 
 } // namespace inspector

@@ -36,6 +36,7 @@ private slots:
     void optionSwitchesItOn();
     void ownParametersBeginAsTheBalls();
     void ownParametersAreKeptWhileTheyDontCount();
+    void ghostsThatNoSampleNamesAreForgotten();
     void refusedStepIsSaidOnceAndTheBallGoesOn();
     void refusedSceneIsSaidAndMeetingTriesAgain();
     void tableHasItsColumnsLast();
@@ -324,6 +325,26 @@ void TestComparison::optionSwitchesItOn() {
     QVERIFY(!open(optionsOf(1))->comparison().isOn());
 }
 
+// Each value that a slider goes through makes another ghost.
+void TestComparison::ghostsThatNoSampleNamesAreForgotten() {
+    Options options = optionsOf(1);
+    options.comparison = GhostChoice{};
+    const auto session = open(options);
+    Comparison &comparison = session->comparison();
+    comparison.setOwnParameters(true);
+    makeSteps(*session, 5);
+    const uint64_t seen = session->simulation().latest().ghost->number;
+    uint64_t newest = seen;
+    for (int drag = 0; drag < 4; ++drag) {
+        for (int place = 0; place < 500; ++place, ++newest)
+            QVERIFY(comparison.parameters().set({{"restitution_wall", 0.1 + 0.001 * place}}));
+        QTRY_COMPARE(session->simulation().latest().ghost->number, newest);
+    }
+    QVERIFY(comparison.made(seen));
+    QVERIFY(!comparison.made(seen + 1));
+    QVERIFY(comparison.made(newest));
+}
+
 void TestComparison::refusedStepIsSaidOnceAndTheBallGoesOn() {
     Options options = optionsOf(1);
     options.level = levelOfFile(mazeOf(kLongFloor));
@@ -342,7 +363,7 @@ void TestComparison::refusedStepIsSaidOnceAndTheBallGoesOn() {
     makeSteps(*session, 10);
     QVERIFY(!session->simulation().latest().ghost);
     QTRY_COMPARE(refused.count(), 1);
-    QVERIFY2(refused[0].startsWith("comparison with symplectic-euler: this step needs "), qPrintable(refused[0]));
+    QVERIFY2(refused[0].startsWith("comparison with Symplectic Euler: this step needs "), qPrintable(refused[0]));
     QCOMPARE(session->comparison().refusal(), refused[0]);
     QVERIFY(session->comparison().isOn());
     QCOMPARE(failed.count(), 0);

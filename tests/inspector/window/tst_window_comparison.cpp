@@ -42,6 +42,9 @@ private slots:
     void boxInTheDockSwitchesTheComparison();
     void chosenStepperMovesTheGhost();
     void typedSubstepsMoveTheGhost();
+    void ghostChosenInThePastBeginsInThePresent();
+    void ghostSwitchedOnInThePastBeginsInThePresent();
+    void lookAtAnotherLevelsRunKeepsTheGhost();
     void mBringsThemTogether();
     void rBringsThemTogether();
     void figuresAreThoseOfTheMoment();
@@ -172,6 +175,54 @@ void TestWindowComparison::typedSubstepsMoveTheGhost() {
     QCOMPARE(now().ghost->current.step, uint64_t(200));
 }
 
+void TestWindowComparison::ghostChosenInThePastBeginsInThePresent() {
+    compareWith({"exact", 1});
+    makeSteps(20);
+    m_fixture->key(Qt::Key_Comma);
+    QTRY_VERIFY(m_fixture->session().isInPast() && now().current.step == 19);
+    auto *box = m_fixture->find<inspector::ui::NumberBox>("comparison_substeps");
+    box->setFocus(Qt::TabFocusReason);
+    box->selectAll();
+    QTest::keyClicks(box, "10");
+    QTest::keyClick(box, Qt::Key_Return);
+    QVERIFY(m_fixture->session().isInPast());
+    m_fixture->press(Qt::Key_Escape);
+    QTRY_VERIFY(!m_fixture->session().isInPast());
+    QTRY_COMPARE(now().current.step, uint64_t(20));
+    makeSteps(1);
+    QCOMPARE(now().ghost->met.step, uint64_t(20));
+    const auto *made = m_fixture->session().comparison().made(now().ghost->number);
+    QVERIFY(made && made->ghostChoice == (GhostChoice{"exact", 10}));
+}
+
+void TestWindowComparison::ghostSwitchedOnInThePastBeginsInThePresent() {
+    makeSteps(20);
+    m_fixture->key(Qt::Key_Comma);
+    QTRY_VERIFY(m_fixture->session().isInPast() && now().current.step == 19);
+    m_fixture->key(Qt::Key_C);
+    m_fixture->key(Qt::Key_Escape);
+    QTRY_VERIFY(!m_fixture->session().isInPast());
+    QTRY_VERIFY(now().ghost);
+    QCOMPARE(now().ghost->met.step, uint64_t(20));
+}
+
+void TestWindowComparison::lookAtAnotherLevelsRunKeepsTheGhost() {
+    makeSteps(5);
+    QVERIFY(m_fixture->session().openLevel(m_fixture->session().levels()[0]));
+    QTRY_COMPARE(now().current.step, uint64_t(0));
+    compareWith({"exact", 1});
+    makeSteps(10);
+    const uint64_t ghost = now().ghost->number;
+    m_fixture->session().lookAt(m_fixture->session().runs().front().end);
+    QTRY_COMPARE(m_fixture->session().level().name, QString("03"));
+    m_fixture->window().refresh();
+    m_fixture->key(Qt::Key_Escape);
+    QTRY_VERIFY(!m_fixture->session().isInPast() && now().current.step == 10);
+    makeSteps(1);
+    QCOMPARE(now().ghost->number, ghost);
+    QCOMPARE(now().ghost->met.step, uint64_t(0));
+}
+
 void TestWindowComparison::mBringsThemTogether() {
     compareWith({});
     makeSteps(20);
@@ -225,7 +276,6 @@ void TestWindowComparison::plotShowsTheDistance() {
     QVERIFY(m_plot->yAxis->label().contains("[mm]"));
 }
 
-// Below all others, at a tick with that label.
 void TestWindowComparison::plotMarksTheMomentShown() {
     const auto marked = [this] { // the time of the only line there
         m_fixture->window().refresh();
@@ -243,6 +293,7 @@ void TestWindowComparison::plotMarksTheMomentShown() {
     QTRY_COMPARE(marked(), now().current.time);
 }
 
+// Below all others, at a tick that says so.
 void TestWindowComparison::zeroHasAPlaceOnTheAxis() {
     compareWith({"symplectic-euler", 1});
     makeSteps(10);
@@ -541,7 +592,7 @@ void TestWindowComparison::refuseTheGhost() {
 void TestWindowComparison::refusalIsOneLineInBarAndDock() {
     refuseTheGhost();
     const QString line = m_fixture->window().messages().line();
-    QVERIFY2(line.startsWith("comparison with symplectic-euler: this step needs"), qPrintable(line));
+    QVERIFY2(line.startsWith("comparison with Symplectic Euler: this step needs"), qPrintable(line));
     QVERIFY(!now().ghost);
     QCOMPARE(figures(), line);
     makeSteps(3);
