@@ -14,11 +14,13 @@
 #include "core/setup/settings_file.h"
 #include "ui/trade/trade_picture.h"
 #include "ui/window/application.h"
+#include "ui/window/save_run.h"
 
 #include <QApplication>
 #include <QTextStream>
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -33,6 +35,16 @@ void keepStandardDescriptors() {
     int descriptor = ::open("/dev/null", O_RDONLY); // read-only, so that writing fails
     while (descriptor >= 0 && descriptor <= STDERR_FILENO) descriptor = ::dup(descriptor);
     if (descriptor >= 0) ::close(descriptor);
+}
+
+/// Why too few files can be open, one line; else empty. GLib aborts the program where it can't open another one.
+QString fileLimitProblem() {
+    constexpr rlim_t kFewest = 24; // a window's first picture needs 16
+    rlimit limit{};
+    if (::getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur >= kFewest) return {};
+    return QStringLiteral("only %1 files can be open (ulimit -n); expected at least %2")
+        .arg(limit.rlim_cur)
+        .arg(kFewest);
 }
 
 /// Qt's own options are disabled, as it would take --plugin for one of them.
@@ -98,8 +110,7 @@ int runWithWindow(const Options &options, QTextStream &messages) {
         report(messages, reason);
     });
     const int status = ui::runWindow(*session, options);
-    const bool isWritten =
-        options.csv.isEmpty() || writeTable(options.csv, session->simulation().samples(), options, &error);
+    const bool isWritten = options.csv.isEmpty() || ui::writeTableOfRun(*session, options, &error);
     if (!isWritten) report(messages, QStringLiteral("--csv: ") + error);
     const bool isRemembered = areWritten(settings, messages);
     const SampleRing &samples = session->simulation().samples();
@@ -119,6 +130,10 @@ int main(int argc, char **argv) {
     QCoreApplication::setOrganizationName(QStringLiteral("libphysics"));
     const QStringList words = wordsOf(argc, argv);
     QTextStream messages(stderr);
+    if (const QString problem = fileLimitProblem(); !problem.isEmpty()) {
+        report(messages, problem);
+        return 2;
+    }
     int count = std::min(argc, 1); // Qt gets only the program's name
 
     auto withoutDisplay = std::make_unique<QCoreApplication>(count, argv);

@@ -68,6 +68,12 @@ QString spanOf(const SampleRing &samples, double since) {
     return parts.join(QStringLiteral("; "));
 }
 
+bool hasValues(const SampleRing &samples, Channel channel, double since) {
+    constexpr double kEver = std::numeric_limits<double>::infinity();
+    const std::vector<Column> all = samples.columns(channel, since, kEver, 1);
+    return std::any_of(all.begin(), all.end(), [](const Column &one) { return !std::isnan(one.min); });
+}
+
 bool isPartial(const SampleRing &samples) { return samples.hasLostSamples() || samples.isCut(); }
 
 QByteArray csvHeader(const std::vector<Channel> &channels) {
@@ -90,13 +96,9 @@ QByteArray csvRow(const Sample &sample, const std::vector<Channel> &channels) {
 }
 
 void writeSamples(QIODevice &out, const SampleRing &samples, double since, Columns columns) {
-    constexpr double kEver = std::numeric_limits<double>::infinity();
     std::vector<Channel> channels = channelsOf(columns);
     if (columns == Columns::All)
-        std::erase_if(channels, [&](Channel channel) {
-            const std::vector<Column> all = samples.columns(channel, since, kEver, 1);
-            return std::all_of(all.begin(), all.end(), [](const Column &one) { return std::isnan(one.min); });
-        });
+        std::erase_if(channels, [&](Channel channel) { return !hasValues(samples, channel, since); });
     out.write(csvHeader(channels));
     Sample sample;
     const uint64_t end = samples.last();
@@ -116,10 +118,14 @@ bool saveSamples(const QString &path, const SampleRing &samples, double since, C
     return replaceFile(path, write, error);
 }
 
-CsvWriter::CsvWriter(QIODevice &out, const Options &options)
+TableShape tableShape(const Options &options) {
+    return {options.comparison ? Columns::BallAndGhost : Columns::Ball, options.csvEvery};
+}
+
+CsvWriter::CsvWriter(QIODevice &out, const TableShape &shape)
     : m_out(out)
-    , m_channels(channelsOf(options.comparison ? Columns::BallAndGhost : Columns::Ball))
-    , m_every(options.csvEvery) {
+    , m_channels(channelsOf(shape.columns))
+    , m_every(shape.every) {
     put(csvHeader(m_channels));
 }
 
@@ -131,12 +137,10 @@ void CsvWriter::put(const QByteArray &text) {
     if (m_isGood) m_isGood = m_out.write(text) == text.size();
 }
 
-std::unique_ptr<OutputFile> openTable(const QString &path, const Options &options, QString *error,
-                                      const QString &remark) {
+std::unique_ptr<OutputFile> openTable(const QString &path, const QByteArray &settings, QString *error) {
     if (isStandardOutput(path)) return standardOutput();
     std::unique_ptr<OutputFile> table = OutputFile::open(path, Existing::Replace, {}, error);
     if (!table || !table->isRegular()) return table; // a device has no file next to it
-    const QByteArray settings = tableSettings(options) + (remark.isEmpty() ? QByteArray() : remark.toUtf8() + '\n');
     const std::unique_ptr<OutputFile> beside =
         OutputFile::open(settingsFileOf(path), Existing::Replace, {}, error); // checked by outputProblem()
     if (!beside) return nullptr;
@@ -146,14 +150,15 @@ std::unique_ptr<OutputFile> openTable(const QString &path, const Options &option
     return nullptr;
 }
 
-bool writeTable(const QString &path, const SampleRing &samples, const Options &options, QString *error) {
+bool writeTable(const QString &path, const SampleRing &samples, const TableShape &shape, const QByteArray &settings,
+                QString *error) {
     if (samples.first() == samples.last()) {
         if (error) *error = quoted(path) + QStringLiteral(": no samples");
         return false;
     }
-    const std::unique_ptr<OutputFile> file = openTable(path, options, error, spanOf(samples));
+    const std::unique_ptr<OutputFile> file = openTable(path, settings, error);
     if (!file) return false;
-    CsvWriter writer(*file, options);
+    CsvWriter writer(*file, shape);
     Sample sample;
     const uint64_t end = samples.last();
     for (uint64_t number = samples.first(); number < end && writer.isGood(); ++number)

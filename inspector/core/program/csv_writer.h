@@ -21,6 +21,8 @@ QByteArray tableSettings(const Options &options);
 QString spanOf(const SampleRing &samples, double since = -HUGE_VAL);
 /// Whether some of the run's samples are missing; spanOf() then describes which.
 bool isPartial(const SampleRing &samples);
+/// Whether any sample from `since` on has a value of this channel.
+bool hasValues(const SampleRing &samples, Channel channel, double since);
 enum class Columns { Ball, BallAndGhost, All }; ///< without the comparison's columns, with them, or every channel
 
 std::vector<Channel> channelsOf(Columns columns);
@@ -37,16 +39,23 @@ void writeSamples(QIODevice &out, const SampleRing &samples, double since, Colum
 bool saveSamples(const QString &path, const SampleRing &samples, double since, Columns columns, QString *error);
 
 /// Opens the file that --csv names, or standard output; null, with one line in `error` (may be nullptr), if that fails.
-/// Next to a file, under its name with .txt appended, the settings are written, and the remark if there is one.
-std::unique_ptr<OutputFile> openTable(const QString &path, const Options &options, QString *error,
-                                      const QString &remark = {});
+/// Next to a file, under its name with .txt appended, the settings are written.
+std::unique_ptr<OutputFile> openTable(const QString &path, const QByteArray &settings, QString *error);
+
+/// Which columns and rows a table has.
+struct TableShape {
+    Columns columns = Columns::Ball;
+    uint64_t every = 1; ///< steps from one row to the next
+};
+/// What the options ask for.
+TableShape tableShape(const Options &options);
 
 class CsvWriter {
 public:
     /// out: open for writing; must outlive the writer.
-    CsvWriter(QIODevice &out, const Options &options);
+    CsvWriter(QIODevice &out, const TableShape &shape);
 
-    /// Writes the sample if its step number is a multiple of options.csvEvery.
+    /// Writes the sample if its step number is a multiple of the shape's `every`.
     void write(const Sample &sample);
     /// False once something could not be written; the device has the reason.
     bool isGood() const { return m_isGood; }
@@ -60,8 +69,9 @@ private:
     bool m_isGood = true;
 };
 
-/// Writes all samples of a ring to a file, or to standard output for "-", with their span next to it. Returns false,
+/// Writes all samples of a ring to a file, with the settings next to it, or to standard output for "-". Returns false,
 /// with one line in `error` (may be nullptr), on failure.
-bool writeTable(const QString &path, const SampleRing &samples, const Options &options, QString *error);
+bool writeTable(const QString &path, const SampleRing &samples, const TableShape &shape, const QByteArray &settings,
+                QString *error);
 
 } // namespace inspector

@@ -164,7 +164,7 @@ int runHeadless(const Options &options, QIODevice &out, QTextStream &messages, Q
     ComparedBall other;
     if (!other.open(options, *engine, messages)) return 2;
     const bool hasFile = !isStandardOutput(options.csv);
-    const std::unique_ptr<OutputFile> file = hasFile ? openTable(options.csv, options, &error) : nullptr;
+    const std::unique_ptr<OutputFile> file = hasFile ? openTable(options.csv, tableSettings(options), &error) : nullptr;
     if (hasFile && !file) {
         report(messages, QStringLiteral("--csv: ") + error);
         return 2;
@@ -172,7 +172,7 @@ int runHeadless(const Options &options, QIODevice &out, QTextStream &messages, Q
     QIODevice &table = hasFile ? *file : out;
 
     const std::unique_ptr<Recorder> recorder = makeRecorder(options);
-    CsvWriter writer(table, options);
+    CsvWriter writer(table, tableShape(options));
     const Limits limits{durationOf(options), options.duration.has_value()};
     const Outcome outcome = play(*engine, limits, [&](const Engine &now) {
         Sample sample = now.sample();

@@ -44,14 +44,13 @@ int runReplay(const Options &options, QIODevice &out, QTextStream &messages) {
     const auto recording = openRecording(options.replay, options.registry, options.levels, &error);
     if (!recording) return refuse(QStringLiteral("--replay: ") + error);
     const Place place = placeOfTable(options);
-    const Options table = tableOptions(options, recording->recording());
-    const QString remark = QStringLiteral("of %1, at its beginning").arg(quoted(options.replay));
-    const std::unique_ptr<OutputFile> file =
-        place == Place::File ? openTable(options.csv, table, &error, remark) : nullptr;
+    const QString remark = QStringLiteral("of %1, at its beginning\n").arg(quoted(options.replay));
+    const QByteArray settings = tableSettings(tableOptions(options, recording->recording())) + remark.toUtf8();
+    const std::unique_ptr<OutputFile> file = place == Place::File ? openTable(options.csv, settings, &error) : nullptr;
     if (place == Place::File && !file) return refuse(QStringLiteral("--csv: ") + error);
 
     std::optional<CsvWriter> writer;
-    if (place != Place::Nowhere) writer.emplace(file ? *file : out, table);
+    if (place != Place::Nowhere) writer.emplace(file ? *file : out, tableShape(options));
     const ReplayOutcome outcome = replay(recording, [&](const Engine &now) {
         if (writer) writer->write(now.sample());
         return (!writer || writer->isGood()) && endingSignal() == 0;

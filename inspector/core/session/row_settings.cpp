@@ -143,7 +143,7 @@ QByteArray rowSettings(Session &session, double since) {
         noted = &span;
         ghost = sample.ghost;
     }
-    return settings.text() + earlier;
+    return settings.text() + earlier + spanOf(samples, since).toUtf8() + '\n';
 }
 
 } // namespace inspector

@@ -25,9 +25,16 @@ bool saveTable(Session &session, const QString &path, QString *error) {
 } // namespace
 
 bool saveSettingsBeside(Session &session, const QString &csv, double since, QString *error) {
-    const QString span = spanOf(session.simulation().samples(), since);
-    const QByteArray text = rowSettings(session, since) + span.toUtf8() + '\n';
-    return replaceFile(settingsFileOf(csv), text, error);
+    return replaceFile(settingsFileOf(csv), rowSettings(session, since), error);
+}
+
+bool writeTableOfRun(Session &session, const Options &options, QString *error) {
+    session.simulation().pause(); // so that rows and settings are of the same steps
+    TableShape shape = tableShape(options);
+    const QByteArray settings = rowSettings(session, 0.0);
+    const SampleRing &samples = session.simulation().samples();
+    if (hasValues(samples, Channel::Distance, 0.0)) shape.columns = Columns::BallAndGhost; // switched on in the window
+    return writeTable(options.csv, samples, shape, settings, error);
 }
 
 QString lostSamples(Session &session, const QString &path) {

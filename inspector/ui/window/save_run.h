@@ -5,6 +5,7 @@
 
 namespace inspector {
 class Session;
+struct Options;
 } // namespace inspector
 
 namespace inspector::gl {
@@ -18,9 +19,13 @@ namespace inspector::ui {
 bool saveRun(Session &session, gl::MazeView &view, const QString &path, QString *error);
 
 /// Writes the settings of a table of the samples from `since` on, s, into the file next to it: level, stepper and
-/// parameters that made the rows (see rowSettings()), and the samples' span. Returns false, with one line in `error`
-/// (may be nullptr), on failure.
+/// parameters that made the rows, see rowSettings(). Returns false, with one line in `error` (may be nullptr), on
+/// failure.
 bool saveSettingsBeside(Session &session, const QString &csv, double since, QString *error);
+
+/// Writes the table that --csv asks for, of the run shown, and beside it what made that run. Returns false, with one
+/// line in `error`, on failure.
+bool writeTableOfRun(Session &session, const Options &options, QString *error);
 
 /// One line if a table of all samples would lack the run's first ones; otherwise empty.
 QString lostSamples(Session &session, const QString &path);

@@ -16,6 +16,11 @@ namespace {
 
 QString translated(const char *text) { return QCoreApplication::translate("inspector::ui::StatusLine", text); }
 
+bool isStill(const phys_state &ball) {
+    const auto isZero = [](const phys_vec3 &v) { return v.x == 0.0 && v.y == 0.0 && v.z == 0.0; };
+    return isZero(ball.velocity) && isZero(ball.spin);
+}
+
 QString ballText(const Snapshot &snapshot) {
     struct Name {
         uint64_t flag;
@@ -27,7 +32,11 @@ QString ballText(const Snapshot &snapshot) {
         {PHYS_SLIPPING, QT_TRANSLATE_NOOP("inspector::ui::StatusLine", "slipping")},
         {PHYS_AT_REST, QT_TRANSLATE_NOOP("inspector::ui::StatusLine", "at rest")},
     };
-    if (snapshot.current.step == 0) return translated(QT_TRANSLATE_NOOP("inspector::ui::StatusLine", "about to start"));
+    const bool isPresent = snapshot.replay.number == 0;
+    const bool isFirst = snapshot.current.step == 0;
+    if (isFirst && isPresent) return translated(QT_TRANSLATE_NOOP("inspector::ui::StatusLine", "about to start"));
+    if (isFirst && isStill(snapshot.current)) // no step has found that yet
+        return translated(QT_TRANSLATE_NOOP("inspector::ui::StatusLine", "at rest"));
     for (const Name &name : names)
         if (snapshot.current.flags & name.flag) return translated(name.text);
     return translated(QT_TRANSLATE_NOOP("inspector::ui::StatusLine", "rolling"));

@@ -287,7 +287,7 @@ void TestHeadless::tableOfARingHasTheSameRowsAsThatOfTheRun() {
         return true;
     });
     QString error;
-    QVERIFY2(writeTable(folder.filePath("t.csv"), samples, line.options, &error), qPrintable(error));
+    QVERIFY2(writeTable(folder.filePath("t.csv"), samples, tableShape(line.options), {}, &error), qPrintable(error));
     QFile file(folder.filePath("t.csv"));
     QVERIFY(file.open(QIODevice::ReadOnly));
     QCOMPARE(file.readAll(), headless("--duration 0.4").out);

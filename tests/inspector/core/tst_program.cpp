@@ -21,6 +21,7 @@ private slots:
     void tableGoesToStandardOutputAndMessagesDont();
     void allLevelsAreWon();
     void wrongUseGivesStatus2AndOneLine();
+    void tooFewOpenFilesGiveStatus2AndOneLine();
     void windowWithoutADisplayGivesStatus2AndOneLine();
     void displayThatCantBeOpenedGivesStatus2AndOneLine_data();
     void displayThatCantBeOpenedGivesStatus2AndOneLine();
@@ -113,6 +114,13 @@ void TestProgram::wrongUseGivesStatus2AndOneLine() {
         result.messages,
         QByteArray(
             "physics-inspector: --dt: expected a duration from 1e-06 s to 10 s (as 5 ms or 1/60), found 'never'\n"));
+}
+
+void TestProgram::tooFewOpenFilesGiveStatus2AndOneLine() {
+    const Ended result = runByShell("ulimit -n 5; exec \"$0\" --headless --duration 0.01");
+    QCOMPARE(result.status, 2);
+    QCOMPARE(result.messages,
+             QByteArray("physics-inspector: only 5 files can be open (ulimit -n); expected at least 24\n"));
 }
 
 void TestProgram::windowWithoutADisplayGivesStatus2AndOneLine() {

@@ -8,6 +8,7 @@
 #include "ui/parts/message_bar.h"
 #include "ui/parts/number_box.h"
 #include "ui/transport/seek_slider.h"
+#include "ui/window/save_run.h"
 #include "window_fixture.h"
 
 #include <QFileDialog>
@@ -48,10 +49,12 @@ private slots:
     void runsNameAllThatTheyWereMadeBy();
     void clickOnAnotherLevelKeepsTheRun();
     void parametersAreThoseOfTheMoment();
+    void beginningOfARunThatWasIsNotAboutToStart();
     void savedRunRepeats();
     void tableAndPictureAreSaved();
     void tableAfterARestartMissesNothing();
     void fileBesideTheTableSaysWhatMadeEachRow();
+    void tableAtTheEndIsOfWhatWasRun();
     void tableWithoutSamplesIsNotWritten_data();
     void tableWithoutSamplesIsNotWritten();
     void refusedNameIsForgottenWithTheNextCommandThatWorks_data();
@@ -343,6 +346,16 @@ void TestWindowPast::parametersAreThoseOfTheMoment() {
     QTRY_COMPARE(m_fixture->simulated("gravity"), 5.0);
 }
 
+void TestWindowPast::beginningOfARunThatWasIsNotAboutToStart() {
+    const auto *label = m_fixture->find<QLabel>("status_ball");
+    m_fixture->window().refresh();
+    QCOMPARE(label->text(), QString("Ball: about to start"));
+    makeSteps(10);
+    m_fixture->key(Qt::Key_Home, Qt::ControlModifier);
+    QTRY_VERIFY(session().isInPast() && isAt(0));
+    QCOMPARE(label->text(), QString("Ball: at rest"));
+}
+
 void TestWindowPast::savedRunRepeats() {
     makeSteps(30);
     m_fixture->key(Qt::Key_R);
@@ -411,6 +424,25 @@ void TestWindowPast::fileBesideTheTableSaysWhatMadeEachRow() {
     QVERIFY2(text.contains("\nfrom 0.101 s: dt 0.001 s\n"), text.constData());
     QVERIFY2(text.contains("\nfrom 0.111 s: stepper rk4 "), text.constData());
     QCOMPARE(text.count("from 0."), 3); // with the samples'
+}
+
+// What --csv names: the options are those of the start.
+void TestWindowPast::tableAtTheEndIsOfWhatWasRun() {
+    inspector::Options options;
+    options.registry = session().registry();
+    options.level = session().level();
+    options.csv = m_fixture->path("end.csv");
+    QVERIFY(chooseStepper(session(), "rk4"));
+    m_fixture->key(Qt::Key_C);
+    makeSteps(5);
+    QString error;
+    QVERIFY2(inspector::ui::writeTableOfRun(session(), options, &error), qPrintable(error));
+    const QByteArray beside = support::contentOf(options.csv + ".txt");
+    QVERIFY2(beside.contains("\nstepper rk4 ") && beside.contains("\ncompare exact "), beside.constData());
+    QVERIFY2(beside.endsWith("\nsamples from 0.01 s to 0.05 s\n"), beside.constData());
+    const QByteArray table = support::contentOf(options.csv);
+    QVERIFY2(table.startsWith("time [s],step,") && table.contains(",distance [m],"), table.constData());
+    QCOMPARE(table.count('\n'), 6);
 }
 
 void TestWindowPast::tableWithoutSamplesIsNotWritten_data() {
