@@ -98,13 +98,14 @@ Session::Session(const Options &options, QSettings &settings, const Scene &scene
 
 void Session::startGame() {
     const bool isBallPut = this->isBallPut();
+    phys_state begin = m_simulation->latest().current;
+    begin.time = 0.0;
+    begin.step = 0;
     returnToPresent();
     m_hasUsualPhysics = true;
     watchPhysics();
-    if (!isBallPut) {
-        m_isTakenOver = false;
-        m_simulation->restart();
-    }
+    m_isTakenOver = isBallPut;
+    isBallPut ? m_simulation->setState(begin) : m_simulation->restart();
     m_simulation->run();
 }
 
@@ -317,13 +318,15 @@ void Session::placeBall(const phys_state &state) {
     if (m_replay) return;
     takeOver();
     m_isTakenOver = true;
+    m_isPlaced = true;
     m_simulation->pause(); // first, so that the ball stays there
     m_simulation->setState(state);
 }
 
 bool Session::isBallPut() const {
     const Snapshot &now = m_simulation->latest();
-    if (m_replay || m_past || !m_isTakenOver || now.running || now.current.step > 0) return false;
+    const bool hasMoved = now.running || now.history.end > now.history.run;
+    if (m_replay || m_past || !m_isPlaced || hasMoved) return false;
     phys_state start;
     if (m_ownStart)
         start = *m_ownStart;

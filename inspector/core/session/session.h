@@ -274,7 +274,8 @@ private:
     std::vector<KeptRun> m_runs;
     std::vector<Sample> m_oldFuture;
     uint64_t m_oldFutureRun = 0;   ///< run number in snapshots: discarded with the next run
-    bool m_isTakenOver = false;    ///< from a replay: such a run sets no best time
+    bool m_isTakenOver = false;    ///< from a replay, the past or by hand: such a run sets no best time
+    bool m_isPlaced = false;       ///< by hand, since the last run was taken over
     bool m_hasUsualPhysics = true; ///< unchanged since the level was started
     bool m_keysTilt = false;       ///< the keys control the board's tilt
     Parameters m_parameters;

@@ -82,6 +82,7 @@ void Session::takeOver() {
     keepOldFuture(place);
     m_past.reset();
     m_isTakenOver = true;
+    m_isPlaced = false;
     m_tiltControl = {};
     m_keysTilt = false;
     m_simulation->goOnFrom(position, origin());

@@ -55,6 +55,7 @@ void Session::goOnFromHere() {
     const uint64_t position = now.replay.position;
     m_replay.reset();
     m_isTakenOver = true;
+    m_isPlaced = false;
     m_tiltControl = {};
     m_keysTilt = false;
     m_simulation->goOnFrom(position, origin());

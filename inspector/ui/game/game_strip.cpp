@@ -66,7 +66,10 @@ GameText freeRunText(const Session &session, const QString &title, const Snapsho
     if (now.running) return text;
     text.title = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Paused"));
     text.line = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Space goes on"));
-    text.hint = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "R: back to the start · Enter: play from there"));
+    text.hint =
+        session.isBallPut()
+            ? say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "R: back to the start · Enter: play from here"))
+            : say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "R: back to the start · Enter: play from there"));
     if (!(now.current.flags & PHYS_OUT)) return text;
     text.title = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Out of the maze"));
     text.line = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "R: back to the start"));

@@ -36,6 +36,7 @@ private slots:
     void ballInAWallIsTold();
     void restartBringsItToItsOwnStart();
     void gameStartsWhereTheBallWasPut();
+    void gameStartsWhereTheBallWasPutInAPausedRun();
     void ballPutBackStartsAnOrdinaryGame();
     void placedBallSetsNoBestTime();
     void ballPlacedAtOnceAfterRunStandsStill();
@@ -260,6 +261,26 @@ void TestWindowBall::gameStartsWhereTheBallWasPut() {
     QCOMPARE(ball().position.y, put.y);
     QVERIFY(put.y != start.y);
     QVERIFY(!m_fixture->session().whyNoBestTime().isEmpty());
+}
+
+// The game's clock begins at 0 there.
+void TestWindowBall::gameStartsWhereTheBallWasPutInAPausedRun() {
+    m_fixture->press(Qt::Key_Space);
+    QTRY_VERIFY(ball().step > 3);
+    m_fixture->press(Qt::Key_Space);
+    QTRY_VERIFY(!m_fixture->simulation().latest().running);
+    placeBall(0.0, 0.02);
+    const phys_vec3 put = ball().position;
+    m_fixture->window().refresh();
+    QStringList texts;
+    for (const QLabel *label : m_fixture->find<QFrame>("game_strip")->findChildren<QLabel *>()) texts << label->text();
+    QVERIFY2(texts.join('|').contains("Enter: play from here"), qPrintable(texts.join('|')));
+    m_fixture->press(Qt::Key_Return);
+    QTRY_VERIFY(m_fixture->simulation().latest().running && ball().step > 0);
+    m_fixture->press(Qt::Key_Comma);
+    m_fixture->press(Qt::Key_Home, Qt::ControlModifier);
+    QTRY_COMPARE(ball().step, uint64_t(1)); // the first that is shown: the free run ended at the place of step 0
+    QVERIFY(std::abs(ball().position.y - put.y) < 1e-5);
 }
 
 void TestWindowBall::ballPutBackStartsAnOrdinaryGame() {
