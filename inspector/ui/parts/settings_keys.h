@@ -20,6 +20,7 @@ inline const QString kShowWayAhead = QStringLiteral("window/show_way_ahead");
 inline const QString kRecent = QStringLiteral("window/recent");           ///< files, newest first
 inline const QString kParameterSets = QStringLiteral("parameter_sets/");  ///< and a name: its text
 inline const QString kFitQuantities = QStringLiteral("track/quantities"); ///< words of parseFitQuantities()
+inline const QString kTradeColumns = QStringLiteral("trade/columns");     ///< ids of those that its table shows
 inline const QString kBounces = QStringLiteral("bounces/");               ///< and the name of a box of the dock
 
 } // namespace inspector::ui::settings_keys

@@ -5,14 +5,13 @@
 #include "core/track/track_reader.h"
 #include "ui/parameters/parameter_command.h"
 #include "ui/parts/described.h"
+#include "ui/parts/file_box.h"
 #include "ui/parts/file_chooser.h"
 #include "ui/parts/flow_layout.h"
-#include "ui/parts/path_icon.h"
 #include "ui/parts/settings_keys.h"
 #include "ui/track/fit_table.h"
 #include "ui/track/residual_plot.h"
 
-#include <QAction>
 #include <QBoxLayout>
 #include <QFileInfo>
 #include <QLineEdit>
@@ -57,7 +56,7 @@ TrackDock::TrackDock(Session &session, QUndoStack &undo, QWidget *parent)
     connect(&m_worker, &FitWorker::progressed, this,
             [this](double share) { m_progress->setValue(int(share * m_progress->maximum())); });
     connect(&m_worker, &FitWorker::ended, this, &TrackDock::showOutcome);
-    for (const QLineEdit *typed : {m_file, m_units})
+    for (const QLineEdit *typed : {static_cast<QLineEdit *>(m_file), m_units})
         connect(typed, &QLineEdit::returnPressed, this, &TrackDock::openTrack);
     connect(m_follow, &QPushButton::clicked, this, &TrackDock::follow);
     QSettings &settings = session.settings();
@@ -88,14 +87,12 @@ void TrackDock::resizeEvent(QResizeEvent *event) {
 }
 
 QWidget *TrackDock::makeControls() {
-    m_file = new QLineEdit;
+    m_file = new FileBox;
     m_file->setObjectName(QStringLiteral("track_file"));
     m_file->setPlaceholderText(tr("Table with columns t, x, y"));
     describe(m_file, tr("Table of the measured ball"),
              tr("A file with columns t, x, y and, if measured, tilt_x, tilt_y"));
-    QAction *open = m_file->addAction(glyphIcon(Glyph::Open), QLineEdit::TrailingPosition);
-    open->setToolTip(tr("Choose a file…"));
-    connect(open, &QAction::triggered, this, &TrackDock::chooseTrackFile);
+    connect(m_file, &FileBox::chooseWanted, this, &TrackDock::chooseTrackFile);
     m_units = new QLineEdit;
     m_units->setObjectName(QStringLiteral("track_units"));
     m_units->setPlaceholderText(tr("Units: t=ms, x=mm, px=0.25mm, fps=60, mirror=y"));
@@ -141,7 +138,7 @@ bool TrackDock::openTrack() {
     QString error;
     forgetFit();
     const std::optional<TrackUnits> units = parseTrackUnits(m_units->text(), &error);
-    m_track = units ? readTrackFile(m_file->text().trimmed(), *units, &error) : std::nullopt;
+    m_track = units ? readTrackFile(m_file->path(), *units, &error) : std::nullopt;
     if (!m_track) {
         m_session.showTrack(nullptr);
         m_report->setPlainText(error);
@@ -200,7 +197,7 @@ void TrackDock::showLevel() {
 void TrackDock::showRunning() {
     const bool runs = m_worker.isRunning();
     m_fit->setText(runs ? tr("Cancel") : tr("Fit"));
-    m_fit->setEnabled(runs || !m_file->text().trimmed().isEmpty());
+    m_fit->setEnabled(runs || m_file->isOfFile());
     m_progress->setVisible(runs);
     m_follow->setEnabled(m_session.track() && m_session.track()->hasTilts());
     m_follow->setChecked(m_session.isFollowingTrack());

@@ -15,6 +15,7 @@ class QUndoStack;
 
 namespace inspector::ui {
 
+class FileBox;
 class FitTable;
 class ResidualPlot;
 
@@ -60,7 +61,7 @@ private:
     std::shared_ptr<const FitOutcome> m_outcome; ///< of the last fit; may be null
     std::optional<Track> m_track;
     QString m_level; ///< name of the level on which it was opened
-    QLineEdit *m_file;
+    FileBox *m_file;
     QLineEdit *m_units;
     QPushButton *m_fit;
     QPushButton *m_follow;

@@ -2,16 +2,14 @@
 #include "ui/trade/schedule_chooser.h"
 
 #include "ui/parts/described.h"
+#include "ui/parts/file_box.h"
 #include "ui/parts/file_chooser.h"
 #include "ui/parts/number_box.h"
-#include "ui/parts/path_icon.h"
 
-#include <QAction>
 #include <QComboBox>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLineEdit>
 
 #include <limits>
 
@@ -23,7 +21,7 @@ ScheduleChooser::ScheduleChooser(QSettings &settings, QWidget *parent)
     , m_kind(new QComboBox)
     , m_random(new QWidget)
     , m_seed(new NumberBox)
-    , m_file(new QLineEdit) {
+    , m_file(new FileBox) {
     m_kind->setObjectName(QStringLiteral("trade_schedule"));
     m_kind->addItems({tr("Quiet and busy"), tr("Autopilot (quiet)"), tr("Busy"), tr("Random tilts"),
                       tr("Tilts from a file")}); // in the order of Kind
@@ -54,14 +52,12 @@ void ScheduleChooser::addFile() {
     describe(m_file, tr("File of tilts"),
              tr("Rows of time [s], tilt x and tilt y [°]; or a table of a run, as --csv writes it"));
     m_file->setMinimumWidth(fontMetrics().averageCharWidth() * 26);
-    QAction *open = m_file->addAction(glyphIcon(Glyph::Open), QLineEdit::TrailingPosition);
-    open->setToolTip(tr("Choose a file…"));
-    connect(open, &QAction::triggered, this, &ScheduleChooser::openFile);
-    connect(m_file, &QLineEdit::textChanged, this, &ScheduleChooser::changed);
+    connect(m_file, &FileBox::chooseWanted, this, &ScheduleChooser::openFile);
+    connect(m_file, &FileBox::textChanged, this, &ScheduleChooser::changed);
+    connect(m_file, &FileBox::editingFinished, this, &ScheduleChooser::changed);
 }
 
 QString ScheduleChooser::words() const {
-    const QString path = m_file->text().trimmed();
     switch (Kind(m_kind->currentIndex())) {
     case Both:
         return QStringLiteral("both");
@@ -74,9 +70,11 @@ QString ScheduleChooser::words() const {
     case File:
         break;
     }
-    return path.isEmpty() ? QString()
-                          : QFileInfo(path).absoluteFilePath(); // an absolute path, so that it isn't one of the words
+    return m_file->isOfFile() ? QFileInfo(m_file->path()).absoluteFilePath() // so that it isn't one of the words
+                              : QString();
 }
+
+QString ScheduleChooser::problem() const { return m_kind->currentIndex() == File ? m_file->problem() : QString(); }
 
 void ScheduleChooser::showKind() {
     m_random->setVisible(m_kind->currentIndex() == Random);

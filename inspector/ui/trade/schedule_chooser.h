@@ -4,11 +4,11 @@
 #include <QWidget>
 
 class QComboBox;
-class QLineEdit;
 class QSettings;
 
 namespace inspector::ui {
 
+class FileBox;
 class NumberBox;
 
 /// Chooses the tilts of a trade measurement: the autopilot's, random from a seed, or from a file.
@@ -19,8 +19,10 @@ public:
     /// settings: store the folder of the file; must outlive the chooser.
     explicit ScheduleChooser(QSettings &settings, QWidget *parent = nullptr);
 
-    /// As on the command line (core/trade/trade_options.h); empty while no file is named.
+    /// As on the command line (core/trade/trade_options.h); empty while no file is named, or none that exists.
     QString words() const;
+    /// What is wrong with the file that was entered, one line; else empty.
+    QString problem() const;
 
 signals:
     void changed();
@@ -36,7 +38,7 @@ private:
     QComboBox *m_kind;
     QWidget *m_random; ///< the seed with its label
     NumberBox *m_seed;
-    QLineEdit *m_file;
+    FileBox *m_file;
 };
 
 } // namespace inspector::ui

@@ -16,6 +16,7 @@ namespace inspector::ui {
 namespace {
 
 constexpr double kPickingReach = 12.0; ///< pixels
+constexpr int kWide = 620;             ///< logical pixels: here the legend has room beside the curves
 
 /// The range of the values with a margin.
 QCPRange rangeOf(const std::vector<double> &values) {
@@ -26,9 +27,8 @@ QCPRange rangeOf(const std::vector<double> &values) {
 
 } // namespace
 
-QString tradePointText(const TradePoint &point) {
-    QString text = QStringLiteral("%1, %2, %3")
-                       .arg(QString::fromUtf8(point.stepper), stepSizeText(point.dt), modelName(point.model));
+QString tradePointText(const TradePoint &point, const QString &name) {
+    QString text = QStringLiteral("%1, %2, %3").arg(name, stepSizeText(point.dt), modelName(point.model));
     for (const TradeColumn &column : tradeColumns())
         text += QStringLiteral("\n%1: %2 %3")
                     .arg(QString::fromUtf8(column.label), figureText(column, point),
@@ -39,6 +39,8 @@ QString tradePointText(const TradePoint &point) {
 TradeChart::TradeChart(QWidget *parent)
     : QCustomPlot(parent)
     , m_title(new QCPTextElement(this))
+    , m_below(new QCPLayoutGrid)
+    , m_beside(new QCPLayoutGrid)
     , m_front(new QCPCurve(xAxis, yAxis))
     , m_ring(new QCPItemTracer(this))
     , m_goodEnough(new QCPItemTracer(this))
@@ -46,11 +48,14 @@ TradeChart::TradeChart(QWidget *parent)
     , m_middle(addGraph())
     , m_limit(addGraph()) {
     setObjectName(QStringLiteral("trade_chart"));
-    setMinimumSize(260, 180);
+    setMinimumSize(260, 240);
     setMouseTracking(true);
     makeLogarithmic(*xAxis, m_description.costLabel);
     makeLogarithmic(*yAxis, m_description.errorLabel);
     m_front->setName(tr("best for its cost"));
+    legend->setIconSize(20, 12);
+    legend->setRowSpacing(0);
+    legend->setMargins({4, 2, 4, 2});
     for (QCPGraph *line : {m_middle, m_limit}) line->removeFromLegend();
     for (QCPItemTracer *ring : {m_ring, m_goodEnough}) {
         ring->setStyle(QCPItemTracer::tsCircle);
@@ -63,20 +68,48 @@ TradeChart::TradeChart(QWidget *parent)
     m_band->topLeft->setTypeX(QCPItemPosition::ptAxisRectRatio);
     m_band->bottomRight->setTypeX(QCPItemPosition::ptAxisRectRatio);
     m_band->setVisible(false);
-    auto *below = new QCPLayoutGrid;  // below the title
-    auto *beside = new QCPLayoutGrid; // next to the curves, so that the legend hides none
     QCPAxisRect *curves = axisRect();
-    plotLayout()->addElement(1, 0, below);
-    below->addElement(0, 0, curves);
-    below->addElement(0, 1, beside);
-    below->setColumnStretchFactor(1, 0.001);
-    beside->addElement(0, 0, legend);
-    beside->addElement(1, 0, new QCPLayoutElement(this));
-    beside->setRowStretchFactor(0, 0.001);
+    plotLayout()->addElement(1, 0, m_below);
+    m_below->addElement(0, 0, curves);
+    m_below->addElement(0, 1, m_beside);
+    m_below->setColumnStretchFactor(1, 0.001);
+    m_beside->addElement(0, 0, legend);
+    m_beside->addElement(1, 0, new QCPLayoutElement(this));
+    m_beside->setRowStretchFactor(0, 0.001);
     plotLayout()->addElement(0, 0, m_title);
-    m_title->setTextFlags(Qt::AlignLeft | Qt::AlignVCenter);
-    m_title->setMinimumSize(1, fontMetrics().height()); // its text doesn't determine the width
+    m_title->setTextFlags(Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap);
     takeColours();
+    arrange();
+}
+
+/// The legend never lies on the curves: it is beside them, or below where that would leave them no room.
+void TradeChart::arrange() {
+    wrapTitle();
+    const bool isBeside = width() >= kWide;
+    QCPLayout *wanted = isBeside ? m_beside : m_below;
+    if (legend->layout() != wanted) {
+        legend->layout()->take(legend);
+        isBeside ? m_beside->addElement(0, 0, legend) : m_below->addElement(1, 0, legend);
+        m_below->simplify();
+        if (!isBeside) m_below->setRowStretchFactor(1, 0.001);
+    }
+    int widest = 1;
+    for (QCPLayoutElement *item : legend->elements(false))
+        if (item) widest = std::max(widest, item->minimumOuterSizeHint().width() + legend->columnSpacing());
+    legend->setWrap(isBeside ? 1 : std::max(1, (width() - legend->margins().left()) / widest));
+    legend->setFillOrder(QCPLayoutGrid::foColumnsFirst, true);
+}
+
+void TradeChart::wrapTitle() {
+    const QRect room(0, 0, std::max(1, width() - m_title->margins().left() - m_title->margins().right()), height());
+    const int needed = QFontMetrics(m_title->font()).boundingRect(room, m_title->textFlags(), m_title->text()).height();
+    m_title->setMinimumSize(1, std::max(needed, fontMetrics().height())); // not as wide as its text
+    m_title->setMaximumSize(QWIDGETSIZE_MAX, m_title->minimumSize().height());
+}
+
+void TradeChart::resizeEvent(QResizeEvent *event) {
+    arrange();
+    QCustomPlot::resizeEvent(event);
 }
 
 void TradeChart::show(const ChartDescription &chart, const TradeResult &result) {
@@ -90,6 +123,7 @@ void TradeChart::show(const ChartDescription &chart, const TradeResult &result) 
     addCurves();
     fitAxes();
     showBand();
+    arrange();
     showGoodEnough();
     choose(m_chosen);
 }
@@ -106,7 +140,7 @@ void TradeChart::addCurves() {
         const QColor colour = QLatin1String(curve.colour);
         const QColor line = colour == QColor(Qt::black) ? palette().color(QPalette::Text) : colour;
         m_curves.push_back(new QCPCurve(xAxis, yAxis));
-        m_curves.back()->setName(QString::fromUtf8(curve.stepper));
+        m_curves.back()->setName(curve.name);
         m_curves.back()->setPen(QPen(line, 1.8));
         m_curves.back()->setScatterStyle({QCPScatterStyle::ssDisc, line, 6.0});
         for (const ChartPoint &point : curve.points) m_curves.back()->addData(point.cost, point.error);
@@ -179,11 +213,17 @@ std::optional<size_t> TradeChart::pointAt(const QPointF &place) const {
 void TradeChart::mouseMoveEvent(QMouseEvent *event) {
     const std::optional<size_t> index = pointAt(event->position());
     if (index) {
-        QToolTip::showText(event->globalPosition().toPoint(), tradePointText(m_points[*index]), this);
+        QToolTip::showText(event->globalPosition().toPoint(), tipOf(*index), this);
     } else {
         QToolTip::hideText();
     }
     setCursor(index ? Qt::PointingHandCursor : Qt::ArrowCursor);
+}
+
+QString TradeChart::tipOf(size_t index) const {
+    const TradePoint &point = m_points[index];
+    const auto curve = std::ranges::find(m_description.curves, point.stepper, &ChartCurve::stepper);
+    return tradePointText(point, curve->name);
 }
 
 void TradeChart::mousePressEvent(QMouseEvent *event) {
@@ -202,6 +242,9 @@ void TradeChart::changeEvent(QEvent *event) {
 void TradeChart::takeColours() {
     applyChartStyle(*this);
     m_title->setFont(font());
+    QFont small = font();
+    small.setPointSizeF(0.9 * small.pointSizeF());
+    legend->setFont(small);
     m_title->setTextColor(palette().color(QPalette::Text));
     QPen pen(mixed(palette().color(QPalette::Base), QColor(0xf0, 0xb8, 0x20), 0.6), 9.0);
     pen.setCapStyle(Qt::RoundCap);

@@ -31,19 +31,25 @@ protected:
     void mouseMoveEvent(QMouseEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
     void changeEvent(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
+    void arrange();
+    void wrapTitle();
     void addFront();
     void addCurves();
     void showBand();
     void showGoodEnough();
     void fitAxes();
+    QString tipOf(size_t index) const;
     void takeColours();
 
     ChartDescription m_description;
     std::vector<TradePoint> m_points; ///< of the result
     std::optional<size_t> m_chosen;
     QCPTextElement *m_title;
+    QCPLayoutGrid *m_below;  ///< the title: curves, legend
+    QCPLayoutGrid *m_beside; ///< the curves
     QCPCurve *m_front;
     QCPItemTracer *m_ring;
     QCPItemTracer *m_goodEnough;
@@ -53,7 +59,7 @@ private:
     std::vector<QCPCurve *> m_curves;
 };
 
-/// All figures of a point, a line each, for the chart's tool tip.
-QString tradePointText(const TradePoint &point);
+/// All figures of a point, a line each, for tool tips. name: the stepper's.
+QString tradePointText(const TradePoint &point, const QString &name);
 
 } // namespace inspector::ui

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/trade/trade_dock.h"
 
-#include "core/program/trade_command.h"
 #include "core/setup/tables.h"
 #include "core/trade/trade_answer.h"
 #include "core/trade/trade_table.h"
@@ -9,6 +8,8 @@
 #include "ui/parts/elided_label.h"
 #include "ui/parts/flow_layout.h"
 #include "ui/parts/number_box.h"
+#include "ui/parts/printed_unit.h"
+#include "ui/parts/settings_keys.h"
 #include "ui/parts/stepping_command.h"
 #include "ui/parts/theme.h"
 #include "ui/parts/turning_splitter.h"
@@ -18,9 +19,11 @@
 
 #include <QBoxLayout>
 #include <QComboBox>
+#include <QGridLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSlider>
@@ -29,6 +32,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <utility>
 
 namespace inspector::ui {
 
@@ -58,6 +63,34 @@ QWidget *between(const QString &before, QWidget *widget, const QString &after) {
     return group;
 }
 
+/// Cost, error, and what makes a setting unfit.
+QStringList usualColumns() {
+    return {QStringLiteral("cpu_per_second [us]"), QStringLiteral("position_largest [R]"),
+            QStringLiteral("share_of_unknown [%]"), QStringLiteral("wrong_impacts")};
+}
+
+bool isSameBoard(const Scene &a, const Scene &b) {
+    if (a == b) return true; // else it may have been read again
+    phys_state starts[2];
+    const uint32_t count = phys_scene_box_count(a.get());
+    return phys_scene_radius(a.get()) == phys_scene_radius(b.get()) && count == phys_scene_box_count(b.get()) &&
+           std::memcmp(phys_scene_boxes(a.get()), phys_scene_boxes(b.get()), count * sizeof(phys_box)) == 0 &&
+           phys_scene_start(a.get(), &starts[0]) == PHYS_OK && phys_scene_start(b.get(), &starts[1]) == PHYS_OK &&
+           std::memcmp(&starts[0], &starts[1], sizeof starts[0]) == 0;
+}
+
+/// What all steppers are measured with: not the tilt, which is the schedules', the model, of which both are measured,
+/// or a stepper's own values.
+std::vector<Setting> commonSettings(const Parameters &parameters) {
+    std::vector<Setting> settings;
+    for (int i = 0; i < parameters.count(); ++i) {
+        const phys_param_row &row = parameters.row(i);
+        if (isTilt(row) || (row.flags & PHYS_ROW_CHOICE) || parameters.isOfStepper(i)) continue;
+        settings.push_back({QString::fromUtf8(row.id), parameters.value(i)});
+    }
+    return settings;
+}
+
 } // namespace
 
 TradeDock::TradeDock(Session &session, QUndoStack &undo, QWidget *parent)
@@ -73,16 +106,14 @@ TradeDock::TradeDock(Session &session, QUndoStack &undo, QWidget *parent)
     makeTable();
     auto *halves = new TurningSplitter(kNarrow);
     halves->addWidget(m_chart);
-    halves->addWidget(m_table);
-    halves->setSizes({500, 500}); // per mille
+    halves->addWidget(makeAnswers());
+    halves->setSizes({400, 600}); // per mille
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 4, 6, 6);
     layout->addWidget(makeTop());
     layout->addWidget(makeUnknowns());
     layout->addWidget(m_unknownsError);
     layout->addWidget(halves, 1);
-    layout->addWidget(makeGoodEnough());
-    layout->addWidget(makeBottom());
 
     connect(m_schedule, &ScheduleChooser::changed, this, &TradeDock::showReady);
     connect(m_measure, &QPushButton::clicked, this, &TradeDock::toggle);
@@ -102,6 +133,7 @@ TradeDock::TradeDock(Session &session, QUndoStack &undo, QWidget *parent)
     connect(m_unknowns, &QLineEdit::textChanged, this, &TradeDock::showChangedWish);
     for (NumberBox *box : {m_share, m_horizon}) connect(box, &NumberBox::entered, this, &TradeDock::showChangedWish);
     connect(&session, &Session::levelOpened, this, &TradeDock::changeLevel);
+    connect(&session.parameters(), &Parameters::changed, this, &TradeDock::showConditions);
     showTolerance();
     showReady();
 }
@@ -138,7 +170,7 @@ void TradeDock::makeControls() {
         box->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
         connect(box, &NumberBox::entered, box, &NumberBox::setValue);
     }
-    m_goodEnough = named(new ElidedLabel, "trade_good_enough");
+    m_goodEnough = named(new QLabel, "trade_good_enough");
     m_goodEnough->setText(tr("Good enough for what isn't known: not measured yet"));
     m_useGoodEnough = named(new QPushButton(tr("Use this")), "trade_use_good_enough");
     describe(m_useGoodEnough, tr("Use the cheapest setting that is good enough"),
@@ -155,19 +187,28 @@ void TradeDock::makeControls() {
     m_tolerance->setPageStep(kPerDecade);
     describe(m_tolerance, tr("Accepted error"),
              tr("The largest error that is accepted; the cheapest setting below it is chosen"));
-    m_toleranceText = new QLabel;
+    m_toleranceText = named(new QLabel, "trade_tolerance_text");
     m_toleranceText->setMinimumWidth(fontMetrics().horizontalAdvance(tr("Error under 8.9e-05 mm = 8.9e-05 R")));
-    m_answer = named(new ElidedLabel, "trade_answer");
+    m_answer = named(new QLabel, "trade_answer");
+    for (QLabel *label : {m_goodEnough, m_answer}) {
+        label->setWordWrap(true);
+        label->setTextFormat(Qt::PlainText);
+    }
     m_use = named(new QPushButton(tr("Use this")), "trade_use");
     describe(m_use, {}, tr("Let the simulation go on with the chosen stepper, step size and model"));
     m_use->setEnabled(false);
 }
 
+/// Of the ball that was measured; of the open level's as long as none was.
+double TradeDock::radius() const {
+    const Scene &measured = m_worker.plan().scene;
+    return phys_scene_radius((measured ? measured : m_session.scene()).get());
+}
+
 QString TradeDock::answerText(const TradePoint &point, double seconds) const {
-    const double radius = phys_scene_radius(m_session.scene().get());
     return tr("Cheapest: %1 at %2, off by %3 mm in the first %4 s of each schedule; %5 µs a second")
-        .arg(QString::fromUtf8(point.stepper), stepSizeText(point.dt))
-        .arg(errorUntil(point, seconds) * radius * 1e3, 0, 'g', 2)
+        .arg(nameOf(point), stepSizeText(point.dt))
+        .arg(errorUntil(point, seconds) * radius() * 1e3, 0, 'g', 2)
         .arg(seconds, 0, 'g', 3)
         .arg(point.cost.perSecond * 1e6, 0, 'g', 3);
 }
@@ -193,24 +234,23 @@ QWidget *TradeDock::makeUnknowns() {
         {label, m_unknowns, between(tr("error below"), m_share, tr("of it")), between(tr("for"), m_horizon, {})});
 }
 
-QWidget *TradeDock::makeGoodEnough() {
-    auto *row = new QWidget;
-    auto *layout = new QHBoxLayout(row);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_goodEnough, 1);
-    layout->addWidget(m_useGoodEnough);
-    return row;
-}
-
-QWidget *TradeDock::makeBottom() {
-    auto *bottom = new QWidget;
-    auto *layout = new QHBoxLayout(bottom);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_toleranceText);
-    layout->addWidget(m_tolerance, 1);
-    layout->addWidget(m_answer, 3);
-    layout->addWidget(m_use);
-    return bottom;
+/// The table and, below it, what to use; the chart beside them has the whole height.
+QWidget *TradeDock::makeAnswers() {
+    auto *answers = new QWidget;
+    answers->setMinimumWidth(280); // beside the chart less than kNarrow, else the splitter would never turn
+    auto *grid = new QGridLayout(answers);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setVerticalSpacing(4);
+    grid->addWidget(m_table, 0, 0, 1, 3);
+    grid->addWidget(m_goodEnough, 1, 0, 1, 2);
+    grid->addWidget(m_useGoodEnough, 1, 2);
+    grid->addWidget(m_toleranceText, 2, 0);
+    grid->addWidget(m_tolerance, 2, 1, 1, 2);
+    grid->addWidget(m_answer, 3, 0, 1, 2);
+    grid->addWidget(m_use, 3, 2);
+    grid->setRowStretch(0, 1);
+    grid->setColumnStretch(1, 1);
+    return answers;
 }
 
 void TradeDock::makeTable() {
@@ -226,17 +266,63 @@ void TradeDock::makeTable() {
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->setAlternatingRowColors(true);
     m_table->setWordWrap(false);
-    m_table->setColumnHidden(TradeTableModel::Model, true); // the model is chosen above
+    m_table->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored); // it scrolls by itself
+    hideColumns();
     QHeaderView *header = m_table->horizontalHeader();
     header->setHighlightSections(false);
     // Put cost and error side by side.
     header->moveSection(TradeTableModel::columnOf("cpu_per_second [us]"), TradeTableModel::kNameColumns);
+    header->setMinimumSectionSize(20);
+    header->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(header, &QHeaderView::customContextMenuRequested, this, &TradeDock::askForColumns);
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
+    fitColumns();
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
         m_chart->choose(chosenIndex());
         m_use->setEnabled(chosenIndex() && m_rows->points()[*chosenIndex()].isValid);
     });
+}
+
+/// Those that say what to use are shown, and others that were chosen; tool tips have all figures of a row.
+void TradeDock::hideColumns() {
+    const QStringList shown = m_session.settings().value(settings_keys::kTradeColumns, usualColumns()).toStringList();
+    m_table->setColumnHidden(TradeTableModel::Model, true); // the model is chosen above
+    for (const TradeColumn &column : tradeColumns())
+        m_table->setColumnHidden(TradeTableModel::columnOf(column.id), !shown.contains(QLatin1String(column.id)));
+}
+
+void TradeDock::askForColumns(const QPoint &place) {
+    auto *menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("trade_columns"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    for (const TradeColumn &column : tradeColumns()) {
+        QAction *choice = menu->addAction(QString::fromUtf8(column.label));
+        choice->setToolTip(QString::fromUtf8(column.help));
+        choice->setCheckable(true);
+        choice->setChecked(!m_table->isColumnHidden(TradeTableModel::columnOf(column.id)));
+        connect(choice, &QAction::toggled, this, [this, &column](bool isShown) {
+            m_table->setColumnHidden(TradeTableModel::columnOf(column.id), !isShown);
+            fitColumns();
+            keepColumns();
+        });
+    }
+    menu->setToolTipsVisible(true);
+    menu->popup(m_table->horizontalHeader()->mapToGlobal(place));
+}
+
+/// Without the room that Qt reserves in each for the arrow of the sorted one: as wide as the header is high.
+void TradeDock::fitColumns() {
+    m_table->horizontalHeader()->setSortIndicatorShown(false);
+    m_table->resizeColumnsToContents();
+    m_table->horizontalHeader()->setSortIndicatorShown(true);
+}
+
+void TradeDock::keepColumns() {
+    QStringList shown;
+    for (const TradeColumn &column : tradeColumns())
+        if (!m_table->isColumnHidden(TradeTableModel::columnOf(column.id))) shown += QLatin1String(column.id);
+    m_session.settings().setValue(settings_keys::kTradeColumns, shown);
 }
 
 std::optional<Unknowns> TradeDock::unknowns() {
@@ -255,6 +341,9 @@ void TradeDock::showReady() {
     if (unknowns) m_session.setUnknowns(*unknowns);
     const bool isReady = unknowns && !m_schedule->words().isEmpty();
     m_measure->setEnabled(m_worker.isRunning() || isReady);
+    if (m_worker.isRunning()) return;
+    const QString problem = m_schedule->problem();
+    m_remark->setText(problem.isEmpty() ? remark() : problem);
 }
 
 /// Clicking the button leaves the keyboard, and text being typed, in its field.
@@ -284,15 +373,19 @@ void TradeDock::toggle() {
     m_measure->setText(tr("Cancel"));
     m_progress->setVisible(true);
     m_progress->setValue(0);
-    m_measuredLevel = m_session.level().path;
+    m_measuredWith = commonSettings(m_session.parameters());
+    m_shownConditions.clear();
     m_worker.start(plan, m_schedule->words(), m_duration->value());
 }
 
 void TradeDock::showResult() {
     const TradeResult &result = m_worker.result();
-    m_rows->show(result);
+    m_rows->show(m_worker.plan(), result);
     m_sorted->setFilterFixedString(modelName(model()));
-    m_table->resizeColumnsToContents();
+    const bool hasNotes =
+        std::ranges::any_of(result.points, [](const TradePoint &each) { return !each.note.isEmpty(); });
+    m_table->setColumnHidden(m_rows->columnCount() - 1, !hasNotes);
+    fitColumns();
     showTolerance();
     showBand();
 }
@@ -304,6 +397,7 @@ void TradeDock::showBand() {
     ChartDescription chart = describeChart(m_worker.plan(), result, model(), shownSchedule(result));
     if (chart.band && isOutOfDate())
         for (QString *text : {&chart.band->middleText, &chart.band->limitText}) *text += tr(" (out of date)");
+    for (ChartCurve &curve : chart.curves) curve.name = stepperName(m_worker.plan().registry, curve.stepper);
     m_chart->show(chart, result);
 }
 
@@ -315,8 +409,39 @@ bool TradeDock::isOutOfDate() const {
     if (m_worker.result().spans.empty()) return false;
     const TradePlan &plan = m_worker.plan();
     QString error;
-    return parseUnknowns(m_unknowns->text().trimmed(), &error) != plan.unknowns || share() != plan.share ||
-           m_horizon->value() != plan.horizon;
+    return !otherConditions().isEmpty() || parseUnknowns(m_unknowns->text().trimmed(), &error) != plan.unknowns ||
+           share() != plan.share || m_horizon->value() != plan.horizon;
+}
+
+/// What the figures were measured on or with, one line, if that isn't the present board; otherwise empty.
+QString TradeDock::otherConditions() const {
+    const TradePlan &plan = m_worker.plan();
+    if (!plan.scene) return {};
+    if (!isSameBoard(plan.scene, m_session.scene())) return tr("These figures are of another level.");
+    QStringList others;
+    const Parameters &parameters = m_session.parameters();
+    for (const Setting &before : m_measuredWith) {
+        const int index = parameters.indexOf(before.id);
+        if (parameters.value(index) == before.value) continue;
+        const phys_param_row &row = parameters.row(index);
+        others +=
+            tr("%1 of %2 %3").arg(QString::fromUtf8(row.label)).arg(before.value).arg(printedUnit(row.unit)).trimmed();
+    }
+    return others.isEmpty() ? QString()
+                            : tr("These figures are of other parameters: %1.").arg(others.join(QStringLiteral(", ")));
+}
+
+/// The keys' tilts change parameters 60 times a second, which is nothing to the figures.
+void TradeDock::showConditions() {
+    const QString conditions = otherConditions();
+    if (conditions == std::exchange(m_shownConditions, conditions)) return;
+    showChangedWish();
+    showAnswer();
+    if (!m_worker.isRunning()) m_remark->setText(remark());
+}
+
+QString TradeDock::nameOf(const TradePoint &point) const {
+    return stepperName(m_worker.plan().registry, point.stepper);
 }
 
 double TradeDock::share() const { return m_share->value() / 100.0; }
@@ -325,8 +450,10 @@ void TradeDock::showGoodEnough() {
     const bool isPast = isOutOfDate();
     const TradeResult &result = m_worker.result();
     m_useGoodEnough->setEnabled(result.goodEnough && model() == m_worker.plan().inputs.params.model && !isPast);
-    m_goodEnough->setText((isPast ? tr("Out of date, measure again. ") : QString()) + goodEnoughText());
+    m_goodEnough->setText(isPast ? outOfDate(goodEnoughText()) : goodEnoughText());
 }
+
+QString TradeDock::outOfDate(const QString &text) { return tr("Out of date, measure again. %1").arg(text); }
 
 /// The recommendation for the model that was set when the measurement began.
 QString TradeDock::goodEnoughText() const {
@@ -338,7 +465,7 @@ QString TradeDock::goodEnoughText() const {
     if (model() != m_worker.plan().inputs.params.model) return {};
     const TradePoint &point = result.points[result.goodEnough->point];
     return tr("Good enough: %1 at %2, off by at most %3 % of it on %4 schedules; %5 µs a second")
-        .arg(QString::fromUtf8(point.stepper), stepSizeText(point.dt))
+        .arg(nameOf(point), stepSizeText(point.dt))
         .arg(result.goodEnough->largest * 100.0, 0, 'g', 2)
         .arg(result.goodEnough->validations + int(m_worker.plan().schedules.size()))
         .arg(point.cost.perSecond * 1e6, 0, 'g', 3);
@@ -362,10 +489,10 @@ void TradeDock::showEnd(const QString &error) {
 
 QString TradeDock::remark() const {
     const TradeResult &result = m_worker.result();
-    if (m_measuredLevel.isEmpty())
+    if (!m_worker.plan().scene)
         return tr("Measures every stepper and step size against stepper exact, beside the simulation.");
     if (!m_error.isEmpty()) return m_error;
-    if (m_measuredLevel != m_session.level().path) return tr("These figures are of another level.");
+    if (const QString conditions = otherConditions(); !conditions.isEmpty()) return conditions;
     QStringList lines = tradeSummary(m_worker.plan(), result);
     if (!m_worker.plan().unknowns.empty()) lines.removeFirst(); // the unknowns have a box of their own
     const QString summary = result.points.empty() ? QString() : lines.join(QStringLiteral("; "));
@@ -376,17 +503,25 @@ double TradeDock::tolerance() const { return 0.001 * std::pow(10.0, double(m_tol
 
 uint32_t TradeDock::model() const { return uint32_t(m_model->currentIndex()); }
 
-void TradeDock::showTolerance() {
-    const double radius = phys_scene_radius(m_session.scene().get());
-    m_toleranceText->setText(
-        tr("Error under %1 mm = %2 R").arg(tolerance() * 1e3, 0, 'g', 2).arg(tolerance() / radius, 0, 'g', 2));
-    const TradeResult &result = m_worker.result();
+Recommendation TradeDock::answer() const {
     TradeOptions wish;
     wish.under = {tolerance(), false};
-    const Recommendation answer = recommend(result, model(), wish, radius);
-    m_answer->setText(result.points.empty() ? QString()
-                      : answer.point        ? answerText(*answer.point, answer.seconds)
-                                            : answer.line);
+    return recommend(m_worker.result(), model(), wish, radius());
+}
+
+void TradeDock::showAnswer() {
+    m_toleranceText->setText(
+        tr("Error under %1 mm = %2 R").arg(tolerance() * 1e3, 0, 'g', 2).arg(tolerance() / radius(), 0, 'g', 2));
+    if (m_worker.result().points.empty()) return m_answer->clear();
+    const Recommendation answer = this->answer();
+    const QString text = answer.point ? answerText(*answer.point, answer.seconds) : answer.line;
+    m_answer->setText(otherConditions().isEmpty() ? text : outOfDate(text));
+}
+
+void TradeDock::showTolerance() {
+    showAnswer();
+    const TradeResult &result = m_worker.result();
+    const Recommendation answer = this->answer();
     m_table->clearSelection();
     if (!answer.point) return;
     const auto isIt = [&](const TradePoint &point) {
@@ -425,8 +560,9 @@ void TradeDock::use(const TradePoint &point) {
 }
 
 void TradeDock::changeLevel() {
-    if (m_worker.isRunning()) return m_worker.cancel(); // showEnd() follows
-    m_remark->setText(remark());
+    if (m_worker.isRunning()) m_worker.cancel(); // showEnd() follows
+    showAnswer();
+    showConditions();
 }
 
 } // namespace inspector::ui

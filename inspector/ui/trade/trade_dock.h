@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/program/trade_command.h"
 #include "core/session/session.h"
 #include "core/trade/trade_worker.h"
 
@@ -41,9 +42,12 @@ private:
     void leaveKeysToTheGame();
     QWidget *makeTop();
     QWidget *makeUnknowns();
-    QWidget *makeGoodEnough();
-    QWidget *makeBottom();
+    QWidget *makeAnswers();
     void makeTable();
+    void hideColumns();
+    void askForColumns(const QPoint &place);
+    void keepColumns();
+    void fitColumns();
 
     void showReady();       ///< enables the button if there is something to measure
     void toggle();          ///< starts or cancels a measurement
@@ -51,11 +55,16 @@ private:
     void showResult();
     void showProgress(double share, const QString &what);
     void showEnd(const QString &error);
-    void showTolerance(); ///< updates the recommendation
-    void showBand();      ///< updates chart and recommendation for what is unknown
+    void showTolerance(); ///< updates the recommendation, and chooses it
+    void showAnswer();
+    Recommendation answer() const;
+    void showBand(); ///< updates chart and recommendation for what is unknown
     void showGoodEnough();
     void showChangedWish();
-    bool isOutOfDate() const; ///< measured for other unknowns, another share or horizon than are set now
+    bool isOutOfDate() const; ///< measured under other conditions, or for other wishes than are set
+    static QString outOfDate(const QString &text);
+    QString otherConditions() const;
+    void showConditions();
     QString goodEnoughText() const;
     void choose(size_t index);
     void use(); ///< applies the selected one
@@ -64,8 +73,10 @@ private:
     void changeLevel();
     QString remark() const; ///< about the measurement that ended last
 
-    double tolerance() const; ///< m
-    double share() const;     ///< share of the uncertainty that an error may reach
+    QString nameOf(const TradePoint &point) const; ///< the stepper's
+    double radius() const;                         ///< m
+    double tolerance() const;                      ///< m
+    double share() const;                          ///< share of the uncertainty that an error may reach
     std::optional<size_t> chosenIndex() const;
     std::optional<Unknowns> unknowns(); ///< as typed; reports what is wrong with them
     uint32_t model() const;
@@ -74,9 +85,10 @@ private:
     Session &m_session;
     QUndoStack &m_undo;
     TradeWorker m_worker;
-    QString m_measuredLevel; ///< path of its file; empty: nothing was measured
-    QString m_error;         ///< why the last measurement failed
-    QTimer m_refresh;        ///< limits the update rate
+    std::vector<Setting> m_measuredWith;
+    QString m_shownConditions;
+    QString m_error;  ///< why the last measurement failed
+    QTimer m_refresh; ///< limits the update rate
     QPushButton *m_measure;
     ScheduleChooser *m_schedule;
     NumberBox *m_duration;
@@ -85,7 +97,7 @@ private:
     NumberBox *m_horizon;
     NumberBox *m_share;
     QLabel *m_unknownsError;
-    ElidedLabel *m_goodEnough;
+    QLabel *m_goodEnough;
     QPushButton *m_useGoodEnough;
     QProgressBar *m_progress;
     ElidedLabel *m_remark;
@@ -95,7 +107,7 @@ private:
     QTableView *m_table;
     QSlider *m_tolerance;
     QLabel *m_toleranceText;
-    ElidedLabel *m_answer;
+    QLabel *m_answer;
     QPushButton *m_use;
 };
 

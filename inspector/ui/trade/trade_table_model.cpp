@@ -4,6 +4,7 @@
 #include "core/setup/tables.h"
 #include "core/trade/trade_table.h"
 #include "ui/parts/printed_unit.h"
+#include "ui/trade/trade_chart.h"
 
 #include <algorithm>
 #include <limits>
@@ -19,7 +20,8 @@ int noteColumn() { return TradeTableModel::kNameColumns + int(tradeColumns().siz
 
 } // namespace
 
-void TradeTableModel::show(const TradeResult &result) {
+void TradeTableModel::show(const TradePlan &plan, const TradeResult &result) {
+    m_registry = plan.registry;
     if (result.points.size() == m_points.size()) {
         m_points = result.points;
         if (!m_points.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
@@ -48,7 +50,7 @@ QVariant TradeTableModel::data(const QModelIndex &index, int role) const {
     case Qt::DisplayRole:
         return text(point, index.column());
     case Qt::ToolTipRole:
-        return point.note.isEmpty() ? QVariant() : QVariant(point.note);
+        return tradePointText(point, stepperName(m_registry, point.stepper));
     case Qt::TextAlignmentRole:
         return isFigure ? int(Qt::AlignRight | Qt::AlignVCenter) : int(Qt::AlignLeft | Qt::AlignVCenter);
     case kSortRole:
@@ -59,7 +61,7 @@ QVariant TradeTableModel::data(const QModelIndex &index, int role) const {
 }
 
 QVariant TradeTableModel::text(const TradePoint &point, int column) const {
-    if (column == Stepper) return QString::fromUtf8(point.stepper);
+    if (column == Stepper) return stepperName(m_registry, point.stepper);
     if (column == StepSize) return stepSizeText(point.dt);
     if (column == Model) return modelName(point.model);
     if (column == noteColumn()) return point.note;

@@ -17,7 +17,7 @@ public:
 
     using QAbstractTableModel::QAbstractTableModel;
 
-    void show(const TradeResult &result);
+    void show(const TradePlan &plan, const TradeResult &result);
     /// The column of the figure with this id (core/trade/trade_table.h), which must exist.
     static int columnOf(const char *id);
 
@@ -33,6 +33,7 @@ private:
     QVariant text(const TradePoint &point, int column) const;
     QVariant number(const TradePoint &point, int column) const;
 
+    Registry m_registry; ///< has the steppers' names
     std::vector<TradePoint> m_points;
 };
 

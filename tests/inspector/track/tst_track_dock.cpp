@@ -21,7 +21,7 @@ class TestTrackDock : public QObject, support::DockFixture<TrackDock> {
 private slots:
     void initTestCase();
     void withoutAFileThereIsNothingToFit();
-    void fileThatCantBeReadIsSaid();
+    void fileThatIsntThereIsSaid();
     void wrongUnitsAreSaid();
     void enterInTheUnitsReadsTheTableAnew();
     void pointsBesideTheBoardAreSaid();
@@ -99,10 +99,17 @@ void TestTrackDock::withoutAFileThereIsNothingToFit() {
     QVERIFY(!find<QPushButton>("track_take_over").isEnabled());
 }
 
-void TestTrackDock::fileThatCantBeReadIsSaid() {
+void TestTrackDock::fileThatIsntThereIsSaid() {
+    auto &file = find<QLineEdit>("track_file");
     type("track_file", m_folder.filePath("missing.csv"));
-    click("track_fit");
+    QVERIFY(!find<QPushButton>("track_fit").isEnabled());
+    QTest::keyClick(&file, Qt::Key_Return);
     QVERIFY2(report().contains("missing.csv"), qPrintable(report()));
+    QVERIFY2(file.toolTip().endsWith("missing.csv': there is no such file"), qPrintable(file.toolTip()));
+    QVERIFY(!find<QPushButton>("track_fit").isEnabled());
+    type("track_file", m_folder.filePath("track.csv"));
+    QVERIFY(find<QPushButton>("track_fit").isEnabled());
+    QVERIFY(!file.toolTip().contains("missing.csv"));
 }
 
 void TestTrackDock::wrongUnitsAreSaid() {
