@@ -14,7 +14,8 @@ public:
     /// last: the position at the right end. fine: > 0.
     FineSlider(int last, int fine, QWidget *parent = nullptr);
 
-    QSize minimumSizeHint() const override { return {120, QSlider::minimumSizeHint().height()}; }
+    QSize sizeHint() const override { return {120, QSlider::sizeHint().height()}; }
+    QSize minimumSizeHint() const override { return {56, QSlider::minimumSizeHint().height()}; }
 
 protected:
     void keyPressEvent(QKeyEvent *event) override;

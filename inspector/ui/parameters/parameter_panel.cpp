@@ -81,10 +81,11 @@ void ParameterPanel::changeEvent(QEvent *event) {
 void ParameterPanel::rebuild() {
     auto *page = new QWidget;
     auto *grid = new QGridLayout(page);
-    grid->setContentsMargins(8, 6, 8, 6);
-    grid->setHorizontalSpacing(8);
+    grid->setContentsMargins(6, 6, 4, 6);
+    grid->setHorizontalSpacing(4);
     grid->setVerticalSpacing(4);
-    grid->setColumnStretch(1, 1);
+    grid->setColumnStretch(1, 3);
+    grid->setColumnStretch(2, 1);
     m_ball.rows.clear();
     m_ghost.rows.assign(size_t(m_ghost.parameters.count()), nullptr);
     grid->addWidget(makeHead(), 0, 0, 1, 4);
@@ -124,8 +125,12 @@ QWidget *ParameterPanel::makeHead() {
     sets->setPopupMode(QToolButton::InstantPopup);
     sets->setMenu(m_sets);
     sets->setFocusPolicy(Qt::TabFocus);
-    return flowOf({sets, switchFor(m_actions.ghostsOwn, prefix), buttonFor(m_actions.copy, prefix),
-                   buttonFor(m_actions.swap, prefix)});
+    QCheckBox *ghostsOwn = switchFor(m_actions.ghostsOwn, prefix);
+    ghostsOwn->setAccessibleName(ghostsOwn->text());
+    ghostsOwn->setText(tr("Ghost's own")); // parameters: the dock says so
+    QWidget *head = flowOf({sets, ghostsOwn, buttonFor(m_actions.copy, prefix), buttonFor(m_actions.swap, prefix)});
+    head->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // in two lines where the rows are narrower
+    return head;
 }
 
 void ParameterPanel::addResetAll(QGridLayout &grid, int line) {

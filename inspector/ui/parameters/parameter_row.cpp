@@ -15,6 +15,8 @@
 #include <QSignalBlocker>
 #include <QToolButton>
 
+#include <utility>
+
 namespace inspector::ui {
 
 namespace {
@@ -96,7 +98,10 @@ void ParameterRow::addNumber(QGridLayout &grid, int line) {
     auto *slider = new FineSlider(scale.last(), SliderScale::kFine);
     adopt(slider, "_slider");
     m_box = new NumberBox;
-    m_box->setKind(numberKind({m_row.min, m_row.max, QString::fromUtf8(m_row.unit)}, m_row.step));
+    NumberBox::Kind kind = numberKind({m_row.min, m_row.max, QString::fromUtf8(m_row.unit)}, m_row.step);
+    kind.widest = kind.show(12.34);
+    m_box->setKind(std::move(kind));
+    m_box->setMinimumWidth(m_box->sizeHint().width());
     adopt(m_box, "_box");
 
     connect(slider, &QSlider::sliderPressed, this, &ParameterRow::gestureBegun);

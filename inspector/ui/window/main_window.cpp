@@ -56,9 +56,10 @@ namespace {
 constexpr int kRefreshPeriod = 33; ///< ms
 constexpr QSize kUsualSize(1280, 800);
 constexpr double kScreenShare = 0.75; ///< share of a larger screen
-constexpr double kTradeShare = 0.48;  ///< share of the window's height, when the dock is shown
+constexpr double kTradeShare = 0.56;  ///< share of the window's height, when the dock is shown
 constexpr int kRestHeight = 350;      ///< logical pixels of the window's height, at least, for view and bars
 constexpr double kPlotShare = 0.29;
+constexpr double kTrackShare = 0.48;
 constexpr double kSideShare = 0.42; ///< of the window's width, at most, for the parameters
 constexpr double kComparisonShare = 0.34;
 constexpr double kBouncesShare = 0.42;
@@ -188,7 +189,7 @@ void MainWindow::makeDocks() {
          [](MainWindow &window) -> QWidget * { return window.m_comparison; }},
         {kBouncesDock, QT_TR_NOOP("Bounces"), Qt::BottomDockWidgetArea, kBouncesShare,
          [](MainWindow &window) -> QWidget * { return window.m_bounces; }},
-        {kTrackDock, QT_TR_NOOP("Measured ball"), Qt::BottomDockWidgetArea, kTradeShare,
+        {kTrackDock, QT_TR_NOOP("Measured ball"), Qt::BottomDockWidgetArea, kTrackShare,
          [](MainWindow &window) -> QWidget * { return window.m_track; }},
         {"runs_dock", QT_TR_NOOP("Runs"), Qt::BottomDockWidgetArea, kComparisonShare,
          [](MainWindow &window) -> QWidget * { return window.m_runs; }},
@@ -255,7 +256,7 @@ void MainWindow::showComparisonDock() {
 }
 
 bool MainWindow::openTrack(const QString &path, const QString &units) {
-    showDock(*findChild<QDockWidget *>(QLatin1String(kTrackDock)), kTradeShare);
+    showDock(*findChild<QDockWidget *>(QLatin1String(kTrackDock)), kTrackShare);
     return m_track->open(path, units);
 }
 

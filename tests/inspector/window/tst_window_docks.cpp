@@ -62,6 +62,7 @@ private slots:
     void layoutIsRemembered();
     void viewIsTheLargestPart();
     void noTextOfTheParametersIsCut();
+    void parametersNeedLittleRoom();
     void everyMenuHasItsEntries();
     void emptyCheckBoxesAreSeen_data();
     void emptyCheckBoxesAreSeen();
@@ -221,6 +222,21 @@ void TestWindowDocks::viewIsTheLargestPart() {
 void TestWindowDocks::noTextOfTheParametersIsCut() {
     for (const QLabel *label : m_fixture->find<QWidget>("parameters")->findChildren<QLabel *>())
         QVERIFY2(label->width() >= label->sizeHint().width(), qPrintable(label->text()));
+}
+
+void TestWindowDocks::parametersNeedLittleRoom() {
+    auto *dock = m_fixture->find<QDockWidget>("parameters_dock");
+    const auto *panel = m_fixture->find<QScrollArea>("parameters");
+    m_fixture->window().resizeDocks({dock, m_fixture->find<QDockWidget>("levels_dock")}, {300, 300}, Qt::Horizontal);
+    QTRY_VERIFY2(dock->width() <= 300, qPrintable(QString::number(panel->minimumWidth())));
+    noTextOfTheParametersIsCut();
+    for (const QLineEdit *box : panel->findChildren<QLineEdit *>())
+        QVERIFY2(!box->isVisible() || box->fontMetrics().horizontalAdvance(box->text()) <= box->width() - 8,
+                 qPrintable(box->objectName()));
+    for (const QWidget *part : panel->widget()->findChildren<QWidget *>())
+        QVERIFY2(!part->isVisible() ||
+                     part->mapTo(panel->viewport(), part->rect().topRight()).x() < panel->viewport()->width(),
+                 qPrintable(part->objectName()));
 }
 
 void TestWindowDocks::everyMenuHasItsEntries() {
@@ -436,6 +452,9 @@ void TestWindowDocks::dockBesideTheBouncesIsWhole() {
 void TestWindowDocks::legendIsWholeInANarrowPlot() {
     auto *plot = m_fixture->find<QCustomPlot>("velocity_plot");
     m_fixture->window().resize(800, 600);
+    const QList<QDockWidget *> side{m_fixture->find<QDockWidget>("parameters_dock"),
+                                    m_fixture->find<QDockWidget>("levels_dock")};
+    m_fixture->window().resizeDocks(side, {430, 430}, Qt::Horizontal);
     const auto isWhole = [&] {
         m_fixture->window().refresh();
         plot->replot();
