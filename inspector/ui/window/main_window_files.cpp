@@ -147,7 +147,7 @@ void MainWindow::readMazeAgain(const QString &path) {
                          Cause::Command);
 }
 
-void MainWindow::showGuide() { showPage(QStringLiteral("inspector/README.md"), QStringLiteral("By hand")); }
+void MainWindow::showGuide() { showPage(QStringLiteral("inspector/README.md"), QStringLiteral("Using the window")); }
 void MainWindow::showModelPage() { showPage(QStringLiteral("libphysics/docs/model.md")); }
 void MainWindow::showAccuracyPage() { showPage(QStringLiteral("libphysics/docs/accuracy.md")); }
 
