@@ -42,8 +42,6 @@ private slots:
     void boxInTheDockSwitchesTheComparison();
     void chosenStepperMovesTheGhost();
     void typedSubstepsMoveTheGhost();
-    void ghostChosenInThePastBeginsInThePresent();
-    void ghostSwitchedOnInThePastBeginsInThePresent();
     void lookAtAnotherLevelsRunKeepsTheGhost();
     void mBringsThemTogether();
     void rBringsThemTogether();
@@ -173,37 +171,6 @@ void TestWindowComparison::typedSubstepsMoveTheGhost() {
     makeSteps(20);
     QVERIFY(distance() > 0.0);
     QCOMPARE(now().ghost->current.step, uint64_t(200));
-}
-
-void TestWindowComparison::ghostChosenInThePastBeginsInThePresent() {
-    compareWith({"exact", 1});
-    makeSteps(20);
-    m_fixture->key(Qt::Key_Comma);
-    QTRY_VERIFY(m_fixture->session().isInPast() && now().current.step == 19);
-    auto *box = m_fixture->find<inspector::ui::NumberBox>("comparison_substeps");
-    box->setFocus(Qt::TabFocusReason);
-    box->selectAll();
-    QTest::keyClicks(box, "10");
-    QTest::keyClick(box, Qt::Key_Return);
-    QVERIFY(m_fixture->session().isInPast());
-    m_fixture->press(Qt::Key_Escape);
-    QTRY_VERIFY(!m_fixture->session().isInPast());
-    QTRY_COMPARE(now().current.step, uint64_t(20));
-    makeSteps(1);
-    QCOMPARE(now().ghost->met.step, uint64_t(20));
-    const auto *made = m_fixture->session().comparison().made(now().ghost->number);
-    QVERIFY(made && made->ghostChoice == (GhostChoice{"exact", 10}));
-}
-
-void TestWindowComparison::ghostSwitchedOnInThePastBeginsInThePresent() {
-    makeSteps(20);
-    m_fixture->key(Qt::Key_Comma);
-    QTRY_VERIFY(m_fixture->session().isInPast() && now().current.step == 19);
-    m_fixture->key(Qt::Key_C);
-    m_fixture->key(Qt::Key_Escape);
-    QTRY_VERIFY(!m_fixture->session().isInPast());
-    QTRY_VERIFY(now().ghost);
-    QCOMPARE(now().ghost->met.step, uint64_t(20));
 }
 
 void TestWindowComparison::lookAtAnotherLevelsRunKeepsTheGhost() {

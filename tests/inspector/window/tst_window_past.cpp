@@ -50,6 +50,8 @@ private slots:
     void clickOnAnotherLevelKeepsTheRun();
     void parametersAreThoseOfTheMoment();
     void beginningOfARunThatWasIsNotAboutToStart();
+    void ghostChosenInThePastBeginsInThePresent();
+    void ghostSwitchedOnInThePastBeginsInThePresent();
     void savedRunRepeats();
     void tableAndPictureAreSaved();
     void tableAfterARestartMissesNothing();
@@ -354,6 +356,39 @@ void TestWindowPast::beginningOfARunThatWasIsNotAboutToStart() {
     m_fixture->key(Qt::Key_Home, Qt::ControlModifier);
     QTRY_VERIFY(session().isInPast() && isAt(0));
     QCOMPARE(label->text(), QString("Ball: at rest"));
+}
+
+void TestWindowPast::ghostChosenInThePastBeginsInThePresent() {
+    m_fixture->press(Qt::Key_5, Qt::ControlModifier); // its dock
+    session().comparison().start({"exact", 1});
+    QTRY_VERIFY(now().ghost);
+    makeSteps(20);
+    m_fixture->key(Qt::Key_Comma);
+    QTRY_VERIFY(session().isInPast() && now().current.step == 19);
+    auto *box = m_fixture->find<inspector::ui::NumberBox>("comparison_substeps");
+    box->setFocus(Qt::TabFocusReason);
+    box->selectAll();
+    QTest::keyClicks(box, "10");
+    QTest::keyClick(box, Qt::Key_Return);
+    QVERIFY(session().isInPast());
+    m_fixture->press(Qt::Key_Escape);
+    QTRY_VERIFY(!session().isInPast());
+    QTRY_COMPARE(now().current.step, uint64_t(20));
+    makeSteps(1);
+    QCOMPARE(now().ghost->met.step, uint64_t(20));
+    const auto *made = session().comparison().made(now().ghost->number);
+    QVERIFY(made && made->ghostChoice == (inspector::GhostChoice{"exact", 10}));
+}
+
+void TestWindowPast::ghostSwitchedOnInThePastBeginsInThePresent() {
+    makeSteps(20);
+    m_fixture->key(Qt::Key_Comma);
+    QTRY_VERIFY(session().isInPast() && now().current.step == 19);
+    m_fixture->key(Qt::Key_C);
+    m_fixture->key(Qt::Key_Escape);
+    QTRY_VERIFY(!session().isInPast());
+    QTRY_VERIFY(now().ghost);
+    QCOMPARE(now().ghost->met.step, uint64_t(20));
 }
 
 void TestWindowPast::savedRunRepeats() {
