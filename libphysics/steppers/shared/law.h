@@ -51,11 +51,12 @@ V clampedVelocity(const Law<V> &law, const V &v, double dt) {
     return speed > law.B * dt ? (speed - law.B * dt) * driven / speed : V(0.0);
 }
 
-/// When resistance has stopped a ball that moves straight on, s: |v + t A| = B t. The clamp stops it in a step at least
-/// as long.
+/// When resistance has stopped a ball that moves straight on, s: |v + t A| = B t; 0 if squares of its speed underflow.
+/// The clamp stops it in a step at least as long.
 template<class V>
 double timeToStop(const Law<V> &law, const V &v) {
     const double speed = glm::length(v);
+    if (speed == 0.0) return 0.0;
     const double along = glm::dot(law.A, v) / speed;
     const double across = along * along - glm::dot(law.A, law.A);
     const double slowing = std::sqrt(std::max(0.0, law.B * law.B + across)) - along;
