@@ -19,6 +19,17 @@ double timeOfLeaving(const phys_state &state) {
     return state.flags & PHYS_OUT ? state.time : std::numeric_limits<double>::infinity();
 }
 
+/// s, of the first of the samples outside of the maze, which are the newest.
+double timeOfLeaving(const SampleRing &samples) {
+    double time = std::numeric_limits<double>::infinity();
+    Sample sample;
+    for (uint64_t number = samples.last(); number > samples.first() && samples.read(number - 1, sample); --number) {
+        if (!(uint64_t(sample[Channel::Flags]) & PHYS_OUT)) break;
+        time = sample.time;
+    }
+    return time;
+}
+
 } // namespace
 
 LiveRun::LiveRun(Presentation &presentation, const Scene &scene, const Stepper &stepper)
@@ -107,10 +118,7 @@ void LiveRun::goOnFrom(const Engine &from, const Stepper &stepper, uint64_t numb
     m_beginPlace = m_history.end();
     m_leftAt = timeOfLeaving(m_engine.state());
     if (std::isinf(m_leftAt)) return;
-    // The run's samples end at the exit.
-    const SampleRing &samples = m_presentation.samples();
-    Sample last;
-    if (samples.read(samples.last() - 1, last)) m_leftAt = std::min(m_leftAt, last.time);
+    m_leftAt = std::min(m_leftAt, timeOfLeaving(m_presentation.samples()));
     emit m_presentation.owner().leftMaze(m_leftAt);
 }
 

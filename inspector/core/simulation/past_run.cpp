@@ -51,7 +51,6 @@ void PastRun::refillSamples(uint64_t first) {
     m_presentation.clear();
     m_player.seek(first - m_past.begin);
     while (m_player.position() < end && m_player.next()) {
-        if (engine().previous().flags & PHYS_OUT) continue;
         m_presentation.samples().append(m_presentation.sample());
         m_presentation.noteEvents();
     }

@@ -86,8 +86,6 @@ Sample Presentation::sample() const {
 
 void Presentation::noteStep(double stepTime) {
     countStep();
-    const Engine &engine = m_run->engine();
-    if (engine.previous().flags & PHYS_OUT) return; // outside of the maze it only falls
     leadGhost();
     Sample sample = this->sample();
     if (m_ghost) {

@@ -130,7 +130,7 @@ QString ComparisonDock::summary(const Snapshot &now) const {
     QString figures = tr("Distance %1, speed %2, energy %3, %4 s after they met")
                           .arg(distanceText(deviation.distance, radius), speedDifferenceText(deviation.speed),
                                energyDifferenceText(deviation.energy),
-                               QString::number(now.current.time - now.ghost->met.time, 'f', 2));
+                               QString::number(now.ghost->current.time - now.ghost->met.time, 'f', 2));
     if (now.ghost->current.flags & PHYS_OUT) return tr("%1; the ghost is out of the maze").arg(figures);
     if (!m_band) return figures;
     const double known = m_band->middleAt(now.current.time);

@@ -35,7 +35,7 @@ private slots:
     void otherSceneStartsPaused();
     void failedStepPausesAndIsReportedOnce();
     void leavingTheMazeIsReportedOnceAndTheFallEnds();
-    void samplesEndAtTheExit();
+    void samplesGoOnToTheEndOfTheFall();
     void pilotOnTheThreadGivesTheSameBitsAsByHand();
     void deletingARunningSimulationEndsItsThread();
 };
@@ -317,8 +317,8 @@ void TestSimulation::leavingTheMazeIsReportedOnceAndTheFallEnds() {
     QVERIFY(simulation->latest().current.position.z < 0.0);
 }
 
-// The fall after it is drawn, but isn't part of the run.
-void TestSimulation::samplesEndAtTheExit() {
+// The last sample is of the moment shown, and each step has one, also when the run is shown again as the past.
+void TestSimulation::samplesGoOnToTheEndOfTheFall() {
     const auto simulation = simulationOf(openFloor());
     phys_state state = simulation->latest().current;
     state.position.x = 0.99;
@@ -328,13 +328,13 @@ void TestSimulation::samplesEndAtTheExit() {
     simulation->run();
     QTRY_VERIFY(simulation->latest().current.flags & PHYS_OUT);
     QTRY_VERIFY(!simulation->latest().running);
+    const phys_state end = simulation->latest().current;
     const uint64_t last = simulation->samples().last();
-    QVERIFY(last < simulation->latest().current.step);
+    QCOMPARE(last - simulation->samples().first(), end.step);
     Sample sample;
     QVERIFY(simulation->samples().read(last - 1, sample));
-    QVERIFY(uint64_t(sample[Channel::Flags]) & PHYS_OUT);
-    QVERIFY(simulation->samples().read(last - 2, sample));
-    QVERIFY(!(uint64_t(sample[Channel::Flags]) & PHYS_OUT));
+    QCOMPARE(sample.step, end.step);
+    QCOMPARE(sample.time, end.time);
 }
 
 void TestSimulation::pilotOnTheThreadGivesTheSameBitsAsByHand() {

@@ -14,6 +14,8 @@
 #include <QToolButton>
 #include <QTreeWidget>
 
+#include <cmath>
+
 using namespace window_test;
 using inspector::Game;
 
@@ -55,6 +57,7 @@ private slots:
     void otherPhysicsSetNoBestTimeAndSayWhy();
     void goingOnAtTheEndOfAWonRecordingIsAWin();
     void goingOnInThePastAfterTheExitIsAWin();
+    void afterAWinAllViewsShowOneMoment();
     void unattendedRunEndsWhenTheLevelIsWon();
     void windowIsGrabbedToAFile();
     void pictureLeavesOutWhatTheClockMeasures();
@@ -64,6 +67,7 @@ private:
     void win();
     void openBrokenFile();
     void leaveByHand();
+    bool isOneMoment();
 
     std::unique_ptr<Fixture> m_fixture;
 };
@@ -379,6 +383,35 @@ void TestWindowGame::goingOnInThePastAfterTheExitIsAWin() {
     QVERIFY(!m_fixture->session().isInPast());
     QTRY_COMPARE(text().title, QString("Level 1 done"));
     QCOMPARE(m_fixture->game().time(), time);
+}
+
+// The watched speed is the ball's.
+bool TestWindowGame::isOneMoment() {
+    m_fixture->window().refresh();
+    const inspector::Snapshot now = m_fixture->simulation().latest();
+    const QTreeWidget *list = m_fixture->find<QTreeWidget>("watched");
+    const phys_vec3 &v = now.current.velocity;
+    const double speed = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+    const double watched = list->findItems("Speed", Qt::MatchExactly).value(0)->text(1).toDouble();
+    return std::abs(watched - speed) < 1e-5 * speed;
+}
+
+void TestWindowGame::afterAWinAllViewsShowOneMoment() {
+    m_fixture->trigger("show_watch_dock");
+    win();
+    QTRY_VERIFY(!m_fixture->simulation().latest().running);
+    QVERIFY(isOneMoment());
+    const uint64_t end = m_fixture->simulation().latest().current.step;
+    QVERIFY(m_fixture->session().saveRun(m_fixture->path("won.rec"), nullptr));
+    m_fixture->key(Qt::Key_Comma);
+    QTRY_COMPARE(m_fixture->simulation().latest().current.step, end - 1);
+    QVERIFY(isOneMoment());
+
+    m_fixture->drop(m_fixture->path("won.rec"));
+    QTRY_VERIFY(m_fixture->session().isReplaying());
+    m_fixture->key(Qt::Key_End, Qt::ControlModifier);
+    QTRY_COMPARE(m_fixture->simulation().latest().replay.position, end);
+    QVERIFY(isOneMoment());
 }
 
 void TestWindowGame::unattendedRunEndsWhenTheLevelIsWon() {
