@@ -377,6 +377,8 @@ Options readOptions(const QCommandLineParser &parser, const std::vector<const ph
     const QString option = parser.isSet("trade") ? QStringLiteral("trade") : QStringLiteral("level");
     const QString wanted = parser.isSet(option) ? parser.value(option) : QStringLiteral("1");
     const bool isFile = !file.isEmpty() && track.isEmpty() && options.replay.isEmpty();
+    if (options.action == Options::Action::Fit && !isFile && !parser.isSet("level"))
+        throw WrongUse{QStringLiteral("--fit: needs the track's maze: --level L or a file")};
     const std::optional<Level> level = isFile ? levelOfFile(file) : findLevel(options.levels, wanted, &error);
     if (!level) throw WrongUse{QStringLiteral("--%1: ").arg(option) + error};
     options.level = *level;

@@ -44,11 +44,18 @@ QByteArray tableSettings(const Options &options) {
         parameters.setStepper(info);
     parameters.set(options.settings);
 
-    QByteArray text = versionLine().toUtf8() + "\n";
-    text += "level " + oneLine(options.level.name).toUtf8() + "\n";
+    QByteArray text = settingsHead(options);
     text += "stepper " + options.stepper + " " + (info.version ? info.version : "") + "\n";
     text += "dt " + exactText(options.dt) + " s\nautopilot " + QByteArray(options.autopilot ? "on" : "off") + "\n";
-    text += comparisonLines(options);
+    return text + comparisonLines(options) + parameterLines(parameters);
+}
+
+QByteArray settingsHead(const Options &options) {
+    return versionLine().toUtf8() + "\nlevel " + oneLine(options.level.name).toUtf8() + "\n";
+}
+
+QByteArray parameterLines(const Parameters &parameters) {
+    QByteArray text;
     for (int i = 0; i < parameters.count(); ++i) {
         const phys_param_row &row = parameters.row(i);
         text += QByteArray(row.id) + " " + exactText(parameters.value(i));

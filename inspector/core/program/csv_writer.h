@@ -14,7 +14,11 @@
 
 namespace inspector {
 
-/// The settings of a table, one per line: program, level, stepper, dt and every parameter.
+/// The first lines of each table's settings: program and level.
+QByteArray settingsHead(const Options &options);
+/// A line for each parameter, with its unit.
+QByteArray parameterLines(const Parameters &parameters);
+/// The settings of a run's table, one per line: program, level, stepper, dt and every parameter.
 QByteArray tableSettings(const Options &options);
 /// Describes which of the run's samples from `since` on, s, the ring still has: "samples from 12.3 s to 20 s; earlier
 /// ones aren't kept" and the like.

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/program/fit_command.h"
 
+#include "core/program/csv_writer.h"
 #include "core/program/ending.h"
 #include "core/program/failure.h"
 #include "core/program/long_work.h"
 #include "core/program/outputs.h"
 #include "core/setup/files.h"
 #include "core/setup/lines.h"
+#include "core/setup/tables.h"
 #include "core/track/fit_report.h"
 #include "core/track/track_reader.h"
 
@@ -45,9 +47,26 @@ TrackFit measure(const FitPlan &plan, QTextStream *progress) {
     return std::move(*fit);
 }
 
-void writeTable(const QString &path, const QByteArray &table) {
+/// What the fit began with, and its report.
+QByteArray fitSettings(const Options &options, const QStringList &report) {
+    const FitOptions &wish = options.fit;
+    const TrackFrame &frame = wish.frame;
+    QStringList ids;
+    for (const FitQuantity &quantity : wish.quantities) ids += quantity.id;
+    Parameters parameters;
+    parameters.set(options.settings);
+    QByteArray text = settingsHead(options) + "track " + oneLine(wish.track).toUtf8() + "\n";
+    if (!wish.unitWords.isEmpty()) text += "track-units " + oneLine(wish.unitWords).toUtf8() + "\n";
+    text += "track-frame " + exactText(frame.x * 1e3) + "," + exactText(frame.y * 1e3) + "," +
+            exactText(degrees(frame.angle)) + "," + exactText(frame.scale) + "\n";
+    text += "fit-for " + ids.join(QLatin1Char(',')).toUtf8() + "\n" + parameterLines(parameters);
+    for (const QString &line : report) text += oneLine(line).toUtf8() + "\n";
+    return text;
+}
+
+void writeTable(const QString &path, const QByteArray &table, const QByteArray &settings) {
     QString error;
-    const std::unique_ptr<OutputFile> file = OutputFile::open(path, Existing::Replace, {}, &error);
+    const std::unique_ptr<OutputFile> file = openTable(path, settings, &error);
     if (!file) throw Failure{1, QStringLiteral("--csv: ") + error};
     file->write(table);
     if (!file->finish()) throw Failure{1, QStringLiteral("--csv: ") + file->problem()};
@@ -63,12 +82,13 @@ int runFit(const Options &options, QIODevice &out, QTextStream &messages, QTextS
         const bool isCsv = options.csv == QLatin1String("-");
         QTextStream standard(&out);
         QTextStream &text = isCsv ? messages : standard;
-        for (const QString &line : fitReport(plan, fit)) text << oneLine(line) << '\n';
-        text << "options: " << fitOptions(fit.best()) << '\n';
+        const QStringList report = fitReport(plan, fit) + QStringList(QStringLiteral("options: ") + fitOptions(fit));
+        text << "level " << oneLine(options.level.name) << '\n';
+        for (const QString &line : report) text << oneLine(line) << '\n';
         text.flush();
         if (isCsv) out.write(fitCsv(fit.best()));
-        if (!isStandardOutput(options.csv)) writeTable(options.csv, fitCsv(fit.best()));
-        return fit.verdict == FitVerdict::Neither ? 1 : 0;
+        if (!isStandardOutput(options.csv)) writeTable(options.csv, fitCsv(fit.best()), fitSettings(options, report));
+        return fit.isExplained() ? 0 : 1;
     } catch (const Failure &failure) {
         report(messages, failure.line);
         return failure.status;

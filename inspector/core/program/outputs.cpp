@@ -30,8 +30,7 @@ QByteArray markOfChart(const QString &path) {
 std::vector<Output> outputsOf(const Options &options) {
     std::vector<Output> outputs;
     const QString csv = isStandardOutput(options.csv) ? QString() : options.csv;
-    const bool isOfSteps = options.action == Options::Action::Run || options.action == Options::Action::Replay;
-    const QString settings = isOfSteps && !csv.isEmpty() ? settingsFileOf(csv) : QString();
+    const QString settings = csv.isEmpty() ? QString() : settingsFileOf(csv);
     for (const Output &output : {Output{QStringLiteral("--csv"), csv, markOfTable(options.action)},
                                  Output{QStringLiteral("--csv"), settings, kSettingsMark, true},
                                  Output{QStringLiteral("--record"), options.record, {}},

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/program/trade_command.h"
 
+#include "core/program/csv_writer.h"
 #include "core/program/ending.h"
 #include "core/program/failure.h"
 #include "core/program/long_work.h"
 #include "core/program/outputs.h"
 #include "core/setup/files.h"
 #include "core/setup/lines.h"
+#include "core/setup/tables.h"
 #include "core/trade/trade_answer.h"
 #include "core/trade/trade_svg.h"
 #include "core/trade/trade_table.h"
@@ -62,12 +64,33 @@ void writeFile(const QString &option, const QString &path, const QByteArray &byt
     throw Failure{1, option + QStringLiteral(": ") + (file ? file->problem() : error)};
 }
 
+QByteArray tradeSettings(const Options &options, const TradePlan &plan) {
+    QByteArray text = settingsHead(options);
+    for (const TiltSchedule &schedule : plan.schedules)
+        text += "schedule " + oneLine(schedule.name).toUtf8() + ", " + exactText(schedule.duration) + " s\n";
+    text += "steps";
+    for (const double dt : plan.stepSizes) text += " " + exactText(dt);
+    text += " s\nunknown " + (plan.unknowns.empty() ? QByteArray("none") : unknownsText(plan.unknowns).toUtf8());
+    text += "\nshare " + exactText(plan.share) + "\nhorizon " + exactText(plan.horizon) + " s\n";
+    text += QByteArray("orientation ") + (plan.withOrientation ? "on" : "off") + "\n";
+    Parameters parameters;
+    parameters.set(options.settings);
+    return text + parameterLines(parameters);
+}
+
+void writeTable(const Options &options, const TradePlan &plan, const QByteArray &table) {
+    QString error;
+    const auto file = openTable(options.csv, tradeSettings(options, plan), &error);
+    if (file && file->write(table) == table.size() && file->finish()) return;
+    throw Failure{1, QStringLiteral("--csv: ") + (file ? file->problem() : error)};
+}
+
 void writeFiles(const Options &options, const TradePlan &plan, const TradeResult &result,
                 const TradePictureWriter &writePicture) {
     const QString option = QStringLiteral("--plot");
     const uint32_t model = plan.inputs.params.model;
     const QString &plot = options.trade.plot;
-    if (!isStandardOutput(options.csv)) writeFile(QStringLiteral("--csv"), options.csv, tradeCsv(result));
+    if (!isStandardOutput(options.csv)) writeTable(options, plan, tradeCsv(result));
     if (plot.isEmpty()) return;
     const ChartDescription chart = describeChart(plan, result, model, shownSchedule(result));
     if (plot.endsWith(QLatin1String(".svg"))) return writeFile(option, plot, tradeSvg(chart));

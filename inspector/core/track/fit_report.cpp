@@ -24,11 +24,38 @@ QString rounded(double value, double interval) {
 
 QString nameOf(uint32_t model) { return modelName(model) + QStringLiteral(" model"); }
 
+/// metres: NaN if nothing was compared
+QString millimetres(double metres, int digits) {
+    return std::isnan(metres) ? QStringLiteral("-")
+                              : QString::number(metres * kMilli, 'g', digits) + QStringLiteral(" mm");
+}
+
+QString timesText(int count) {
+    if (count == 0) return QStringLiteral("never");
+    return count == 1 ? QStringLiteral("once") : QStringLiteral("%1 times").arg(count);
+}
+
 QString residualText(const ModelFit &fit) {
-    return QStringLiteral("residuals %1 mm within %2 s after a bounce, %3 mm elsewhere")
-        .arg(fit.rmsNearBounces * kMilli, 0, 'g', 2)
+    return QStringLiteral("residuals %1 within %2 s after a bounce, %3 elsewhere")
+        .arg(millimetres(fit.rmsNearBounces, 2))
         .arg(ModelFit::kNear)
-        .arg(fit.rmsElsewhere * kMilli, 0, 'g', 2);
+        .arg(millimetres(fit.rmsElsewhere, 2));
+}
+
+/// How much of the track the computed ball follows.
+QString shareText(const TrackFit &fit) {
+    const ModelFit &best = fit.best();
+    return QStringLiteral("%1 of %2 points, %3 of %4 s")
+        .arg(best.residuals.size())
+        .arg(fit.points)
+        .arg(best.seconds, 0, 'g', 3)
+        .arg(fit.duration, 0, 'g', 3);
+}
+
+QString besideText(size_t beside, size_t points) {
+    return QStringLiteral("%1 of %2 points lie beside the board: are units, frame and level right?")
+        .arg(beside)
+        .arg(points);
 }
 
 QString breaksText(const ModelFit &fit) {
@@ -37,7 +64,7 @@ QString breaksText(const ModelFit &fit) {
     if (fit.breaks == 0)
         return QStringLiteral("in %1 segments, in which computed and measured ball never part")
             .arg(fit.segments.size());
-    return QStringLiteral("computed and measured ball part %1 times").arg(fit.breaks);
+    return QStringLiteral("computed and measured ball part ") + timesText(fit.breaks);
 }
 
 /// Where a model doesn't explain the track: at bounces or between them.
@@ -46,7 +73,7 @@ QString whereText(const ModelFit &fit, double noise) {
     if (!fit.bouncesOff(Surface::Wall))
         return text + QStringLiteral("; no wall is hit: what the ball does on the floor is missing");
     const QString parted =
-        QStringLiteral("; %1 of %2 times they part at a wall").arg(fit.breaksAtWalls).arg(fit.breaks);
+        QStringLiteral("; they part %1, at a wall %2").arg(timesText(fit.breaks), timesText(fit.breaksAtWalls));
     if (fit.rmsNearBounces > 2.0 * fit.rmsElsewhere || 3 * fit.breaksAtWalls >= 2 * fit.breaks)
         return text + parted +
                QStringLiteral("; what happens at walls is missing (spin, speed-dependent restitution, soft walls)");
@@ -72,31 +99,14 @@ QStringList valueLines(const ModelFit &fit) {
 
 QStringList correlationLines(const ModelFit &fit) {
     QStringList lines;
-    for (size_t i = 0; i < fit.values.size(); ++i)
+    if (fit.share < ModelFit::kLeastShare) return lines;
+    for (size_t i = 0; i < fit.correlations.size(); ++i)
         for (size_t j = 0; j < i; ++j)
             if (std::abs(fit.correlations[i][j]) > kStrong)
                 lines += QStringLiteral("  %1 and %2 are hard to tell apart: correlation %3")
                              .arg(fit.values[j].quantity.id, fit.values[i].quantity.id)
                              .arg(fit.correlations[i][j], 0, 'f', 2);
     return lines;
-}
-
-/// Whether too many points lie outside of the board, which the ball leaves only at an exit.
-bool isBeside(const Track &track, const TrackFrame &frame, const phys_scene *scene, QString *line) {
-    constexpr double kShare = 0.1; // of the points
-    phys_box bounds;
-    phys_scene_bounds(scene, &bounds);
-    const auto isOut = [&](const TrackPoint &point) {
-        double x = 0.0;
-        double y = 0.0;
-        frame.toBoard(point.x, point.y, x, y);
-        return x < bounds.min.x || x > bounds.max.x || y < bounds.min.y || y > bounds.max.y;
-    };
-    const auto count = std::count_if(track.points.begin(), track.points.end(), isOut);
-    *line = QStringLiteral("  %1 of %2 points lie beside the board: are units and frame right?")
-                .arg(count)
-                .arg(track.points.size());
-    return double(count) > kShare * double(track.points.size());
 }
 
 QStringList reportWith(const QStringList &values, const FitPlan &plan, const TrackFit &fit) {
@@ -110,6 +120,11 @@ QStringList reportWith(const QStringList &values, const FitPlan &plan, const Tra
                  .arg(matchedCount(best))
                  .arg(residualText(best));
     return lines;
+}
+
+/// The tilt's offset isn't the parameter of that name, which the table's tilts replace.
+bool isParameter(const FitQuantity &quantity) {
+    return !quantity.id.startsWith(QLatin1String("tilt")) && Parameters().indexOf(quantity.id) >= 0;
 }
 
 } // namespace
@@ -127,9 +142,8 @@ QString valueText(const FittedValue &value) {
 
 QString verdictText(const TrackFit &fit) {
     const ModelFit &best = fit.best();
-    const QString residual = QStringLiteral("residuals %1 mm are the tracker's noise (%2 mm)")
-                                 .arg(best.rms * kMilli, 0, 'g', 3)
-                                 .arg(fit.noise * kMilli, 0, 'g', 3);
+    const QString residual = QStringLiteral("residuals %1 are the tracker's noise (%2) on %3")
+                                 .arg(millimetres(best.rms, 3), millimetres(fit.noise, 3), shareText(fit));
     switch (fit.verdict) {
     case FitVerdict::RollingSuffices:
         return QStringLiteral("the rolling model suffices: ") + residual;
@@ -137,16 +151,21 @@ QString verdictText(const TrackFit &fit) {
         return fit.fits.size() == 1 ? QStringLiteral("the rigid model fits: ") + residual
                                     : QStringLiteral("the rigid model is needed: %1; with rolling, %2")
                                           .arg(residual, breaksText(fit.fits.front()));
+    case FitVerdict::Undetermined:
+        return QStringLiteral("none: the track determines nothing that is looked for, though the %1 goes with it: %2")
+            .arg(nameOf(best.model), residual);
     case FitVerdict::Neither:
         break;
     }
     const QString who = fit.fits.size() == 1 ? QStringLiteral("the %1 doesn't explain").arg(nameOf(best.model))
                                              : QStringLiteral("neither model explains");
-    return QStringLiteral("%1 the track: residuals %2 mm, noise %3 mm; %4")
-        .arg(who)
-        .arg(best.rms * kMilli, 0, 'g', 3)
-        .arg(fit.noise * kMilli, 0, 'g', 3)
-        .arg(whereText(best, fit.noise));
+    if (2 * fit.beside > fit.points)
+        return QStringLiteral("%1 the track on this maze: %2").arg(who, besideText(fit.beside, fit.points));
+    if (best.share < ModelFit::kLeastShare)
+        return QStringLiteral("%1 the track on this maze: the ball is like it on no more than %2; is the level right?")
+            .arg(who, shareText(fit));
+    return QStringLiteral("%1 the track: residuals %2, noise %3, on %4; %5")
+        .arg(who, millimetres(best.rms, 3), millimetres(fit.noise, 3), shareText(fit), whereText(best, fit.noise));
 }
 
 QStringList trackReport(const Track &track, const TrackFrame &frame, const phys_scene *scene) {
@@ -159,8 +178,10 @@ QStringList trackReport(const Track &track, const TrackFrame &frame, const phys_
             .arg(noiseOf(track) * kMilli, 0, 'g', 2)
             .arg(track.tilts.empty() ? QStringLiteral("; tilts not measured: one is looked for") : QString())};
     for (const QString &remark : track.remarks) lines += QStringLiteral("  ") + remark;
-    QString beside;
-    if (isBeside(track, frame, scene, &beside)) lines += beside;
+    constexpr double kManyBeside = 0.1; // of the points
+    const size_t beside = pointsBeside(track, frame, scene);
+    if (double(beside) > kManyBeside * double(track.points.size()))
+        lines += QStringLiteral("  ") + besideText(beside, track.points.size());
     return lines;
 }
 
@@ -170,16 +191,32 @@ QStringList fitReport(const FitPlan &plan, const TrackFit &fit) {
     return reportWith(valueLines(fit.best()), plan, fit);
 }
 
-QString fitOptions(const ModelFit &fit) {
-    QStringList words{QStringLiteral("--model %1").arg(modelName(fit.model))};
-    for (const FittedValue &value : fit.values) {
-        const bool isParameter = value.quantity.unit.isEmpty() && !value.quantity.id.startsWith(QLatin1String("frame"));
-        if (value.isDetermined() && isParameter)
-            words += QStringLiteral("--%1 %2")
-                         .arg(QString(value.quantity.id).replace(QLatin1Char('_'), QLatin1Char('-')))
-                         .arg(value.value, 0, 'g', 6);
+std::vector<Setting> fittedSettings(const TrackFit &fit) {
+    if (!fit.isExplained()) return {};
+    const ModelFit &best = fit.best();
+    std::vector<Setting> settings{{QStringLiteral("model"), double(best.model)}};
+    for (const FittedValue &value : best.values)
+        if (value.isDetermined() && isParameter(value.quantity))
+            settings.push_back({value.quantity.id, value.value / value.quantity.perUnit});
+    return settings;
+}
+
+QString fitOptions(const TrackFit &fit) {
+    if (!fit.isExplained()) return QStringLiteral("none");
+    const ModelFit &best = fit.best();
+    QStringList words{QStringLiteral("--model %1").arg(modelName(best.model))};
+    QStringList others;
+    for (const FittedValue &value : best.values) {
+        if (!value.isDetermined()) continue;
+        const QString number = QString::number(value.value / value.quantity.perUnit, 'g', 6);
+        QString id = value.quantity.id;
+        if (isParameter(value.quantity))
+            words += QStringLiteral("--%1 %2").arg(id.replace(QLatin1Char('_'), QLatin1Char('-')), number);
+        else
+            others += id + QLatin1Char(' ') + number + unitText(value.quantity.unit);
     }
-    return words.join(QLatin1Char(' '));
+    const QString line = words.join(QLatin1Char(' '));
+    return others.isEmpty() ? line : line + QStringLiteral("  # and ") + others.join(QStringLiteral(", "));
 }
 
 QByteArray fitCsv(const ModelFit &fit) {

@@ -2,6 +2,7 @@
 // Reports of a fit, as text and as tables.
 #pragma once
 
+#include "core/setup/parameters.h"
 #include "core/track/track_fit.h"
 
 #include <QByteArray>
@@ -24,8 +25,10 @@ QStringList fitSummary(const FitPlan &plan, const TrackFit &fit);
 /// The summary with the values and their intervals.
 QStringList fitReport(const FitPlan &plan, const TrackFit &fit);
 
-/// The values as command-line options, without those that the track doesn't determine.
-QString fitOptions(const ModelFit &fit);
+/// The model and those parameters that the track determines; nothing if no model explains it.
+std::vector<Setting> fittedSettings(const TrackFit &fit);
+/// The same as command-line options, then as a comment what else was found; "none" if no model explains the track.
+QString fitOptions(const TrackFit &fit);
 
 /// One row per point: time, measured and computed position, residuals; with a header line.
 QByteArray fitCsv(const ModelFit &fit);

@@ -50,6 +50,17 @@ void TrackFrame::toTrack(double boardX, double boardY, double &trackX, double &t
     trackY = -s * (boardX - x) + c * (boardY - y);
 }
 
+size_t pointsBeside(const Track &track, const TrackFrame &frame, const phys_scene *scene) {
+    phys_box bounds;
+    phys_scene_bounds(scene, &bounds);
+    return size_t(std::count_if(track.points.begin(), track.points.end(), [&](const TrackPoint &point) {
+        double x = 0.0;
+        double y = 0.0;
+        frame.toBoard(point.x, point.y, x, y);
+        return x < bounds.min.x || x > bounds.max.x || y < bounds.min.y || y > bounds.max.y;
+    }));
+}
+
 double noiseOf(const Track &track) {
     constexpr double kOfThirdDifference = 4.47213595499958; // sqrt(1 + 9 + 9 + 1), of independent numbers
     constexpr double kOfPlane = 1.1774100225154747;         // the median distance from 0, in deviations of a coordinate

@@ -45,6 +45,9 @@ struct TrackFrame {
     void toTrack(double boardX, double boardY, double &trackX, double &trackY) const;
 };
 
+/// Number of points outside of the board, which the ball leaves only at an exit.
+size_t pointsBeside(const Track &track, const TrackFrame &frame, const phys_scene *scene);
+
 /// Standard deviation of the tracker's noise in each coordinate, m: from third differences, which vanish for smooth
 /// motion, ignoring those around bounces. 0 for fewer than 4 points.
 double noiseOf(const Track &track);

@@ -54,7 +54,8 @@ public:
         , m_noise(noise)
         , m_stop(stop) {
         for (const FitQuantity &quantity : plan.quantities)
-            if (begin.params.model == PHYS_MODEL_RIGID || !quantity.isRigidOnly) m_quantities.push_back(quantity);
+            (begin.params.model == PHYS_MODEL_RIGID || !quantity.isRigidOnly ? m_quantities : m_withoutEffect)
+                .push_back(quantity);
         m_estimate = weakPrior(m_quantities, begin);
     }
 
@@ -85,6 +86,7 @@ private:
     double m_noise;
     const std::stop_token &m_stop;
     std::vector<FitQuantity> m_quantities;
+    std::vector<FitQuantity> m_withoutEffect; ///< in this model
     BoardEstimate m_estimate;
     std::vector<TrackSegment> m_segments;
     std::optional<SegmentFit> m_growing;  ///< the segment being extended
@@ -207,13 +209,20 @@ ModelFit SequentialFit::result() const {
     addResiduals(fit);
     matchBounces(fit);
     const double allowed = std::max(1.0, kAllowedBreaks * double(fit.bounces.size()));
-    fit.isGood = !m_segments.empty() && breaks() <= allowed;
+    fit.share = double(fit.residuals.size()) / double(m_track.points.size());
+    for (const TrackSegment &segment : m_segments) fit.seconds += length(segment.first, segment.last);
+    fit.isGood = fit.share >= ModelFit::kLeastShare && breaks() <= allowed;
     for (size_t i = 0; i < m_quantities.size(); ++i) fit.values.push_back(valueOf(i, fit));
     for (size_t i = 0; i < m_quantities.size(); ++i) {
         fit.correlations.emplace_back();
         for (size_t j = 0; j < m_quantities.size(); ++j)
             fit.correlations[i].push_back(m_estimate.covariance[i][j] /
                                           (m_estimate.deviation(i) * m_estimate.deviation(j)));
+    }
+    for (const FitQuantity &quantity : m_withoutEffect) {
+        BoardParameters board = m_board;
+        fit.values.push_back({quantity, quantity.of(board), quantity.priorDeviation,
+                              QStringLiteral("no effect in the %1 model").arg(modelName(fit.model))});
     }
     return fit;
 }
@@ -223,7 +232,9 @@ FittedValue SequentialFit::valueOf(size_t i, const ModelFit &fit) const {
     FittedValue value{quantity, m_estimate.mean[i], m_estimate.deviation(i), {}};
     const bool isOfWall =
         quantity.id == QLatin1String("restitution_wall") || quantity.id == QLatin1String("wall_friction");
-    if (isOfWall && !fit.bouncesOff(Surface::Wall))
+    if (fit.share < ModelFit::kLeastShare)
+        value.reason = QStringLiteral("too little of the track is explained");
+    else if (isOfWall && !fit.bouncesOff(Surface::Wall))
         value.reason = QStringLiteral("no wall is hit");
     else if (quantity.id == QLatin1String("restitution_floor") && !fit.bouncesOff(Surface::Floor))
         value.reason = QStringLiteral("no bounce on the floor");
@@ -260,7 +271,7 @@ bool SequentialFit::endsAtWall(const TrackSegment &segment) const {
     });
 }
 
-/// Root mean square of the residuals of a coordinate at the wanted times, m.
+/// Root mean square of the residuals of a coordinate at the wanted times, m; NaN without any.
 template<typename Wanted>
 double rmsAt(const std::vector<FitResidual> &residuals, Wanted isWanted) {
     double squares = 0.0;
@@ -271,7 +282,7 @@ double rmsAt(const std::vector<FitResidual> &residuals, Wanted isWanted) {
             std::pow(residual.seen.x - residual.computed.x, 2) + std::pow(residual.seen.y - residual.computed.y, 2);
         count += 2;
     }
-    return count > 0 ? std::sqrt(squares / count) : 0.0;
+    return std::sqrt(squares / count);
 }
 
 void SequentialFit::matchBounces(ModelFit &fit) const {
@@ -338,7 +349,10 @@ ModelFit fitModel(const FitPlan &plan, const BallModel &model, const BoardParame
 
 FitVerdict verdictOf(const std::vector<ModelFit> &fits) {
     for (const ModelFit &fit : fits)
-        if (fit.isGood) return fit.model == PHYS_MODEL_ROLLING ? FitVerdict::RollingSuffices : FitVerdict::RigidNeeded;
+        if (fit.isGood)
+            return fit.determinesNothing()           ? FitVerdict::Undetermined
+                   : fit.model == PHYS_MODEL_ROLLING ? FitVerdict::RollingSuffices
+                                                     : FitVerdict::RigidNeeded;
     return FitVerdict::Neither;
 }
 
@@ -347,6 +361,11 @@ FitVerdict verdictOf(const std::vector<ModelFit> &fits) {
 bool ModelFit::bouncesOff(Surface surface) const {
     return std::any_of(bounces.begin(), bounces.end(),
                        [surface](const FittedBounce &bounce) { return bounce.surface == surface; });
+}
+
+bool ModelFit::determinesNothing() const {
+    return !values.empty() &&
+           std::none_of(values.begin(), values.end(), [](const FittedValue &value) { return value.isDetermined(); });
 }
 
 const ModelFit &TrackFit::best() const {
@@ -378,6 +397,9 @@ std::optional<TrackFit> fitTrack(const FitPlan &plan, const FitProgress &progres
         return std::nullopt;
     }
     result.verdict = verdictOf(result.fits);
+    result.beside = pointsBeside(plan.track, result.best().board.frame, plan.scene.get());
+    result.points = plan.track.points.size();
+    result.duration = plan.track.end() - plan.track.begin();
     return result;
 }
 

@@ -5,6 +5,7 @@
 #include "core/track/segment_fit.h"
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <stop_token>
 
@@ -43,29 +44,39 @@ struct FittedBounce : TrackBounce {
 struct ModelFit {
     uint32_t model;
     BoardParameters board;
-    std::vector<TrackSegment> segments; ///< a single one if it covers the whole track
-    int breaks = 0;                     ///< moments at which the computed ball and the measured one diverge
-    int breaksAtWalls = 0;              ///< of these, those at a bounce off a wall
-    std::vector<FittedValue> values;
-    std::vector<std::vector<double>> correlations; ///< between the values
-    double rms = 0.0;                              ///< m
-    bool isGood = false;                           ///< the model explains the track
+    std::vector<TrackSegment> segments;            ///< a single one if it covers the whole track
+    int breaks = 0;                                ///< moments at which the computed ball and the measured one diverge
+    int breaksAtWalls = 0;                         ///< of these, those at a bounce off a wall
+    double share = 0.0;                            ///< of the track's points, that lie in a segment
+    double seconds = 0.0;                          ///< of the track, within segments
+    std::vector<FittedValue> values;               ///< last those on which the model doesn't depend
+    std::vector<std::vector<double>> correlations; ///< between the fitted values
+    double rms = std::numeric_limits<double>::quiet_NaN(); ///< m; this and the next two: NaN without a residual
+    bool isGood = false;                                   ///< the model explains the track
     std::vector<FitResidual> residuals;
     std::vector<FittedBounce> bounces;
-    double rmsNearBounces = 0.0; ///< m, within kNear of one
-    double rmsElsewhere = 0.0;
+    double rmsNearBounces = std::numeric_limits<double>::quiet_NaN(); ///< m, within kNear of one
+    double rmsElsewhere = std::numeric_limits<double>::quiet_NaN();
 
-    static constexpr double kNear = 0.25; ///< s, after a bounce
+    static constexpr double kNear = 0.25;      ///< s, after a bounce
+    static constexpr double kLeastShare = 0.5; ///< of the points, below which a model explains nothing
 
     bool bouncesOff(Surface surface) const;
+    bool determinesNothing() const;
 };
 
-enum class FitVerdict { RollingSuffices, RigidNeeded, Neither };
+/// Undetermined: a model explains the track, which tells nothing about what was looked for (a ball at rest).
+enum class FitVerdict { RollingSuffices, RigidNeeded, Undetermined, Neither };
 
 struct TrackFit {
     double noise = 0.0;         ///< m, of the tracker
+    size_t beside = 0;          ///< points outside of the board
+    size_t points = 0;          ///< of the track
+    double duration = 0.0;      ///< s, of the track
     std::vector<ModelFit> fits; ///< those that were needed: rolling, rigid
     FitVerdict verdict = FitVerdict::Neither;
+
+    bool isExplained() const { return verdict == FitVerdict::RollingSuffices || verdict == FitVerdict::RigidNeeded; }
 
     const ModelFit &
     best() const; ///< the fit that the verdict is about; if neither model fits, the one with fewer breaks

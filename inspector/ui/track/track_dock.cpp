@@ -201,7 +201,7 @@ void TrackDock::showRunning() {
     m_progress->setVisible(runs);
     m_follow->setEnabled(m_session.track() && m_session.track()->hasTilts());
     m_follow->setChecked(m_session.isFollowingTrack());
-    m_takeOver->setEnabled(!runs && !fittedSettings().empty());
+    m_takeOver->setEnabled(!runs && !found().empty());
 }
 
 void TrackDock::toggle() {
@@ -236,23 +236,13 @@ void TrackDock::showOutcome(const std::shared_ptr<const FitOutcome> &outcome) {
     layOver(best.board);
 }
 
-/// The model and those coefficients that the track determines.
-std::vector<Setting> TrackDock::fittedSettings() const {
-    if (!m_outcome || !m_outcome->fit || m_outcome->fit->verdict == FitVerdict::Neither) return {};
-    const ModelFit &fit = m_outcome->fit->best();
-    std::vector<Setting> settings{{QStringLiteral("model"), double(fit.model)}};
-    for (const FittedValue &value : fit.values) {
-        const bool isParameter = m_session.parameters().indexOf(value.quantity.id) >= 0 &&
-                                 !value.quantity.id.startsWith(QLatin1String("tilt"));
-        if (value.isDetermined() && isParameter)
-            settings.push_back({value.quantity.id, value.value / value.quantity.perUnit});
-    }
-    return settings;
+std::vector<Setting> TrackDock::found() const {
+    return m_outcome && m_outcome->fit ? fittedSettings(*m_outcome->fit) : std::vector<Setting>();
 }
 
 void TrackDock::takeOver() {
     Parameters &parameters = m_session.parameters();
-    const std::vector<Setting> after = fittedSettings();
+    const std::vector<Setting> after = found();
     std::vector<Setting> before;
     before.reserve(after.size());
     for (const Setting &setting : after)

@@ -53,7 +53,7 @@ private:
     void showOutcome(const std::shared_ptr<const FitOutcome> &outcome);
     void showRunning();
     void takeOver();
-    std::vector<Setting> fittedSettings() const;
+    std::vector<Setting> found() const; ///< what can be taken over
 
     Session &m_session;
     QUndoStack &m_undo;

@@ -171,6 +171,7 @@ void TestTrackDock::tableShowsWhatWasFound() {
     QVERIFY2(text("Restitution, walls", FitTable::Found).contains(" ± "),
              qPrintable(text("Restitution, walls", FitTable::Found)));
     QCOMPARE(text("Restitution, floor", FitTable::Found), QString()); // it wasn't fitted
+    QCOMPARE(text("Sliding friction", FitTable::Found), QString("not determined: no effect in the rolling model"));
     QCOMPARE(text("Restitution, walls", FitTable::Begin), QString("0.5"));
     QCOMPARE(text("Delay of the tilt", FitTable::Unit), QString("ms"));
 }

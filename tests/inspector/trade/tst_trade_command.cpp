@@ -30,6 +30,7 @@ private slots:
     void unreachableToleranceGivesStatus1();
     void csvHeaderStaysAsItIs();
     void csvHasARowForEachPoint();
+    void fileBesideTheTableTellsWhatWasMeasured();
     void svgIsWellFormedAndNamesEveryStepper();
     void otherPicturesAreLeftToTheirWriter();
     void whatCantBeOpenedGivesStatus2_data();
@@ -182,6 +183,16 @@ void TestTradeCommand::csvHasARowForEachPoint() {
     QCOMPARE(lines.size(), 1 + qsizetype(phys_registry_count(nullptr)) * 2 * 2); // steps, models
     QVERIFY2(lines[1].startsWith("explicit-euler,0.05,rolling,"), lines[1].constData());
     for (const QByteArray &line : lines) QVERIFY(line.contains('"') || line.count(',') == lines[0].count(','));
+}
+
+void TestTradeCommand::fileBesideTheTableTellsWhatWasMeasured() {
+    const QString path = m_folder.filePath("told.csv");
+    QCOMPARE(runOf(kShort + "--gravity 9.8 --csv " + path).messages, QString());
+    const QByteArray settings = contentOf(path + ".txt");
+    QVERIFY2(settings.startsWith("physics-inspector "), settings.constData());
+    for (const char *line : {"\nlevel 01\n", "\nschedule random:3, 0.5 s\n", "\nsteps 0.05 0.01 s\n",
+                             "\nunknown none\n", "\nshare 0.25\n", "\nhorizon 1 s\n", "\ngravity 9.8 m/s^2\n"})
+        QVERIFY2(settings.contains(line), settings.constData());
 }
 
 void TestTradeCommand::svgIsWellFormedAndNamesEveryStepper() {
