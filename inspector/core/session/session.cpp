@@ -316,11 +316,15 @@ void Session::advanceKeys(double seconds) {
 
 void Session::placeBall(const phys_state &state) {
     if (m_replay) return;
+    const bool isFromPresent = !m_past;
+    const Snapshot now = m_simulation->latest();
+    watchRuns(now);
     takeOver();
     m_isTakenOver = true;
     m_isPlaced = true;
     m_simulation->pause(); // first, so that the ball stays there
     m_simulation->setState(state);
+    if (isFromPresent && now.history.end > now.history.run) emit runLeft();
 }
 
 bool Session::isBallPut() const {

@@ -116,7 +116,8 @@ public:
 
     // ---- placing the ball ----
 
-    /// Puts the ball there, paused; begins a new run. In the past, the past is taken over first.
+    /// Puts the ball there, paused; begins a new run, and the one before stays in runs(). In the past, the past is
+    /// taken over first.
     void placeBall(const phys_state &state);
     /// Where restarts put the ball; empty: at the maze's start. Reset when another level is opened.
     void setStart(const std::optional<phys_state> &start);
@@ -155,9 +156,11 @@ public:
     /// The same by time in the run shown, s.
     void lookAtTime(double time);
     void returnToPresent();
+    /// If the live run has no step yet, shows the end of the one before, paused, and waits until it is shown.
+    void lookAtLastSteps();
     /// The game continues from the moment shown, paused. Any change of the physics has the same effect.
     void takeOver();
-    /// The runs in the history, oldest first; the last is the live one.
+    /// The runs in the history, oldest first; the last is the live one if that has a step.
     const std::vector<KeptRun> &runs() const { return m_runs; }
     /// What followed the moment that was last taken over, with fewer samples.
     const std::vector<Sample> &oldFuture() const { return m_oldFuture; }
@@ -185,6 +188,7 @@ signals:
     void replayChanged(bool isOn);
     void pastChanged(bool isIn);
     void takenOver();                        ///< the past was; the run that was shown stays in runs()
+    void runLeft();                          ///< the ball was placed by hand; the run before stays in runs()
     void replayDiffers(const QString &line); ///< emitted when it is found, and when it is reached and the replay pauses
 
 private:

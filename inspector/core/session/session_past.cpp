@@ -2,6 +2,9 @@
 // The session's past: the history of what was played, shown and taken over.
 #include "core/session/session.h"
 #include "core/setup/files.h"
+#include "core/setup/lines.h"
+
+#include <QThread>
 
 #include <algorithm>
 #include <utility>
@@ -74,6 +77,13 @@ void Session::returnToPresent() {
     emit pastChanged(false);
 }
 
+void Session::lookAtLastSteps() {
+    const RunPlace run = runPlace();
+    if (run.begin != run.end) return;
+    lookAt(run.end);
+    while (m_past && m_simulation->latest().replay.seeks < m_past->seeks) QThread::msleep(1);
+}
+
 void Session::takeOver() {
     if (!m_past) return;
     const uint64_t place = runPlace().place;
@@ -123,6 +133,10 @@ void Session::watchRuns(const Snapshot &now) {
 
 bool Session::saveRun(const QString &path, QString *error) {
     const RunPlace run = runPlace();
+    if (run.begin == run.end) {
+        if (error) *error = tr("%1: no steps made yet; earlier runs are in Runs").arg(quoted(path));
+        return false;
+    }
     const std::optional<Past> kept = m_simulation->past(error, run.begin, run.end);
     if (!kept) return false;
     return replaceFile(path, recordingText(kept->recording->recording(), m_registry), error);

@@ -123,6 +123,7 @@ private:
     void showReplay(bool isOn);
     void showPast(bool isIn);
     void sayWhereTheRunIs();
+    void sayWhereTheRunBeforeIs();
     void sayBriefly(const QString &line); ///< shows it for some seconds in the status line
     void jumpToBounce(int direction);
     void showTitle();

@@ -51,12 +51,13 @@ RunDock::RunDock(Session &session, QWidget *parent)
 void RunDock::refresh() {
     if (!isVisible()) return;
     const std::vector<KeptRun> &runs = m_session.runs();
+    const uint64_t live = m_session.simulation().latest().history.run; // where it begins
     while (topLevelItemCount() < int(runs.size())) new QTreeWidgetItem(this);
     while (topLevelItemCount() > int(runs.size())) delete takeTopLevelItem(topLevelItemCount() - 1);
     for (size_t i = 0; i < runs.size(); ++i) {
         const KeptRun &run = runs[runs.size() - 1 - i];
         QTreeWidgetItem *item = topLevelItem(int(i));
-        const QStringList texts = textsOf(m_session, run, i == 0);
+        const QStringList texts = textsOf(m_session, run, run.begin == live);
         for (int column = 0; column < texts.size(); ++column)
             if (item->text(column) != texts[column]) item->setText(column, texts[column]);
         item->setData(0, kEndRole, qulonglong(run.end));

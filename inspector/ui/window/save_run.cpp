@@ -30,6 +30,7 @@ bool saveSettingsBeside(Session &session, const QString &csv, double since, QStr
 
 bool writeTableOfRun(Session &session, const Options &options, QString *error) {
     session.simulation().pause(); // so that rows and settings are of the same steps
+    session.lookAtLastSteps();
     TableShape shape = tableShape(options);
     const QByteArray settings = rowSettings(session, 0.0);
     const SampleRing &samples = session.simulation().samples();

@@ -23,8 +23,8 @@ bool saveRun(Session &session, gl::MazeView &view, const QString &path, QString 
 /// failure.
 bool saveSettingsBeside(Session &session, const QString &csv, double since, QString *error);
 
-/// Writes the table that --csv asks for, of the run shown, and beside it what made that run. Returns false, with one
-/// line in `error`, on failure.
+/// Writes the table that --csv asks for, of the run shown or, if that has no step yet, of the one before, and beside it
+/// what made that run. Returns false, with one line in `error`, on failure.
 bool writeTableOfRun(Session &session, const Options &options, QString *error);
 
 /// One line if a table of all samples would lack the run's first ones; otherwise empty.

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// What remains of a run when the next one begins: it is listed, said to be, and can still be saved.
+#include "core/program/options.h"
+#include "support/files.h"
+#include "ui/parts/message_bar.h"
+#include "ui/parts/number_box.h"
+#include "ui/window/save_run.h"
+#include "window_fixture.h"
+
+#include <QFile>
+#include <QStatusBar>
+#include <QTreeWidget>
+
+#include <memory>
+
+using namespace window_test;
+using inspector::ui::MessageBar;
+
+class TestWindowRuns : public QObject {
+    Q_OBJECT
+
+public:
+    static void initMain() { prepare(); }
+
+private slots:
+    void init();
+    void cleanup();
+    void recordingWithoutStepsIsNotSaved_data();
+    void recordingWithoutStepsIsNotSaved();
+    void onlyTheLiveRunIsThePresentOne();
+    void typedPlaceLeavesTheRunInRunsAndSaysSo();
+    void tableAtTheEndIsOfTheLastRunWithSteps();
+
+private:
+    QString resultOf(int row);
+    void restart();
+
+    std::unique_ptr<Fixture> m_fixture;
+};
+
+void TestWindowRuns::init() {
+    m_fixture = std::make_unique<Fixture>();
+    QVERIFY(m_fixture->isReady());
+    m_fixture->trigger("show_runs_dock");
+    m_fixture->makeSteps(30);
+    m_fixture->window().refresh();
+}
+
+void TestWindowRuns::cleanup() { m_fixture.reset(); }
+
+// In the list of runs, newest first.
+QString TestWindowRuns::resultOf(int row) {
+    m_fixture->window().refresh();
+    const QTreeWidgetItem *item = m_fixture->find<QTreeWidget>("runs")->topLevelItem(row);
+    return item ? item->text(4) : QStringLiteral("none");
+}
+
+void TestWindowRuns::restart() {
+    m_fixture->key(Qt::Key_R);
+    QTRY_COMPARE(m_fixture->simulation().latest().current.step, uint64_t(0));
+}
+
+void TestWindowRuns::recordingWithoutStepsIsNotSaved_data() {
+    QTest::addColumn<bool>("isOtherLevel");
+    QTest::newRow("after a restart") << false;
+    QTest::newRow("after a change of the level") << true;
+}
+
+void TestWindowRuns::recordingWithoutStepsIsNotSaved() {
+    QFETCH(bool, isOtherLevel);
+    if (isOtherLevel) QVERIFY(m_fixture->session().openLevel(m_fixture->session().levels()[1]));
+    restart();
+    const QString file = m_fixture->path("none.rec");
+    m_fixture->key(Qt::Key_S, Qt::ControlModifier);
+    m_fixture->answerFile(file);
+    QCOMPARE(m_fixture->find<MessageBar>("messages")->line(),
+             "'" + file + "': no steps made yet; earlier runs are in Runs");
+    QVERIFY(!QFile::exists(file));
+}
+
+void TestWindowRuns::onlyTheLiveRunIsThePresentOne() {
+    QCOMPARE(resultOf(0), QString("the present one"));
+    restart();
+    QCOMPARE(resultOf(0), QString("ended inside"));
+    m_fixture->makeSteps(1);
+    QCOMPARE(resultOf(0), QString("the present one"));
+    QCOMPARE(resultOf(1), QString("ended inside"));
+}
+
+void TestWindowRuns::typedPlaceLeavesTheRunInRunsAndSaysSo() {
+    m_fixture->trigger("show_ball_dock");
+    m_fixture->window().refresh();
+    m_fixture->find<QWidget>("ball_x")->setFocus();
+    m_fixture->key(Qt::Key_A, Qt::ControlModifier);
+    m_fixture->type(QStringLiteral("0"));
+    m_fixture->key(Qt::Key_Return);
+    QCOMPARE(m_fixture->window().statusBar()->currentMessage(), QString("The run before is in Runs (Ctrl+8)"));
+    QTRY_COMPARE(m_fixture->simulation().latest().current.position.x, 0.0);
+    m_fixture->trigger("show_runs_dock");
+    QCOMPARE(resultOf(0), QString("ended inside"));
+    QCOMPARE(m_fixture->session().runs().size(), size_t(1));
+}
+
+// What --csv names.
+void TestWindowRuns::tableAtTheEndIsOfTheLastRunWithSteps() {
+    inspector::Options options;
+    options.registry = m_fixture->session().registry();
+    options.level = m_fixture->session().level();
+    options.csv = m_fixture->path("end.csv");
+    restart();
+    QString error;
+    QVERIFY2(inspector::ui::writeTableOfRun(m_fixture->session(), options, &error), qPrintable(error));
+    QCOMPARE(support::contentOf(options.csv).count('\n'), 31);
+    const QByteArray beside = support::contentOf(options.csv + ".txt");
+    QVERIFY2(beside.contains("\nstepper symplectic-euler "), beside.constData());
+    QVERIFY2(beside.endsWith("\nsamples from 0.01 s to 0.3 s\n"), beside.constData());
+}
+
+QTEST_MAIN(TestWindowRuns)
+#include "tst_window_runs.moc"
