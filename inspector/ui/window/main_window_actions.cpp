@@ -339,6 +339,10 @@ void MainWindow::sayWhereTheRunIs() {
     sayBriefly(tr("What came before this moment, and after it, is in Runs (%1)").arg(key.toString()));
 }
 
+void MainWindow::sayWhereTheRunBeforeIs() {
+    sayBriefly(tr("The run before is in Runs (%1)").arg(action("show_runs_dock")->shortcut().toString()));
+}
+
 void MainWindow::saveRun() {
     const QString filter =
         tr("Recording that repeats it (*.rec);;Table of all samples (*.csv);;Picture of the view (*.png)");
@@ -472,9 +476,10 @@ void MainWindow::toggleRunning() {
 void MainWindow::restart() {
     m_session.returnToPresent();
     const bool isWon = m_session.game().phase() == Game::Phase::Won;
+    const bool goesOn = !isWon && m_session.simulation().latest().running;
     if (isWon) m_session.simulation().pause(); // the ball may still be falling
     m_session.simulation().restart();
-    if (isWon) m_session.game().again();
+    if (!goesOn) m_session.game().again();
 }
 
 void MainWindow::toggleAutopilot() {

@@ -31,7 +31,7 @@ private slots:
     void promptIsShownAtTheStart();
     void clockIsShownWhilePlaying();
     void pauseIsSaid();
-    void restartOfAPausedGameIsPaused();
+    void restartOfAPausedGamePrompts();
     void runWithoutTheGameSaysHowToPlay();
     void longStepSaysWhenTheNextOneComes();
     void levelAfterTheAutopilotsIsLevel();
@@ -111,15 +111,18 @@ void TestWindowGame::pauseIsSaid() {
     QTRY_COMPARE(text().title, QString("Paused"));
 }
 
-void TestWindowGame::restartOfAPausedGameIsPaused() {
+void TestWindowGame::restartOfAPausedGamePrompts() {
     m_fixture->press(Qt::Key_Return);
     QTRY_VERIFY(m_fixture->simulation().latest().current.step > 0);
     m_fixture->press(Qt::Key_Space);
     QTRY_COMPARE(text().title, QString("Paused"));
     m_fixture->press(Qt::Key_R);
     QTRY_COMPARE(m_fixture->simulation().latest().current.step, uint64_t(0));
-    QCOMPARE(text().title, QString("Paused"));
-    QCOMPARE(text().line, QString("Space goes on"));
+    QCOMPARE(text().title, QString("Level 1"));
+    QCOMPARE(text().line, QString("Press Enter to start"));
+    m_fixture->press(Qt::Key_Return);
+    QTRY_VERIFY(m_fixture->simulation().latest().current.step > 0);
+    QVERIFY(m_fixture->simulation().latest().running);
 }
 
 void TestWindowGame::runWithoutTheGameSaysHowToPlay() {
