@@ -37,6 +37,9 @@ double durationOf(const Options &options) {
     return options.duration.value_or(options.autopilot ? kAutopilotDuration : kDefaultDuration);
 }
 
+/// Whole steps: the last one reaches the duration, s, up to rounding.
+double stepCount(double duration, double dt) { return std::ceil(duration / dt - 1e-6); }
+
 int playAllLevels(const Options &options, QIODevice &out, QTextStream &messages) {
     int won = 0;
     for (const Level &level : options.levels) {
@@ -138,8 +141,7 @@ std::unique_ptr<Engine> makeEngine(const Options &options, const Level &level, Q
 Outcome play(Engine &engine, const Limits &limits, const std::function<bool(const Engine &)> &visit) {
     Outcome outcome;
     const auto begin = std::chrono::steady_clock::now();
-    // In whole steps: the last one reaches the duration, up to rounding.
-    const double count = std::ceil(limits.duration / engine.dt() - 1e-6);
+    const double count = stepCount(limits.duration, engine.dt());
     while (double(outcome.steps) < count && !(outcome.isOut() && !limits.goesOn)) {
         if (!engine.step(&outcome.error)) break;
         ++outcome.steps;
@@ -160,6 +162,10 @@ int runHeadless(const Options &options, QIODevice &out, QTextStream &messages, Q
     if (!engine) {
         report(messages, error);
         return 2;
+    }
+    if (stepCount(durationOf(options), engine->dt()) < 1.0) {
+        report(messages, QStringLiteral("no step in %1 s: nothing to write").arg(durationOf(options)));
+        return 1;
     }
     ComparedBall other;
     if (!other.open(options, *engine, messages)) return 2;

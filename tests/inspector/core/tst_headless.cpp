@@ -5,6 +5,7 @@
 #include "scenes.h"
 #include "support/files.h"
 
+#include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
 
@@ -25,6 +26,7 @@ private slots:
     void localeMakesNoDifference();
     void durationIsReachedInWholeSteps_data();
     void durationIsReachedInWholeSteps();
+    void runWithoutStepsWritesNothing();
     void runWithoutDurationEndsOutOfTheMaze();
     void autopilotThatDoesntGetOutGivesStatus1();
     void allLevelsAreWonAndEachHasALine();
@@ -154,7 +156,6 @@ void TestHeadless::durationIsReachedInWholeSteps_data() {
     QTest::newRow("0.3 is no whole number of 0.1 in binary") << 0.3 << 0.1 << 3;
     QTest::newRow("one step too long") << 0.01 << 1.0 << 1;
     QTest::newRow("rounded up") << 0.25 << 0.1 << 3;
-    QTest::newRow("nothing") << 0.0 << 0.01 << 0;
 }
 
 void TestHeadless::durationIsReachedInWholeSteps() {
@@ -164,6 +165,19 @@ void TestHeadless::durationIsReachedInWholeSteps() {
     const Result result = headless(QString("--duration %1 --dt %2").arg(duration).arg(dt));
     QCOMPARE(result.status, 0);
     QCOMPARE(result.rows().size(), steps);
+}
+
+void TestHeadless::runWithoutStepsWritesNothing() {
+    const QTemporaryDir folder;
+    const QString table = folder.filePath("t.csv");
+    const QString recording = folder.filePath("r.rec");
+    for (const QString &outputs : {QString(), " --csv " + table, " --record " + recording}) {
+        const Result result = headless("--duration 0" + outputs);
+        QCOMPARE(result.status, 1);
+        QCOMPARE(result.out, QByteArray());
+        QCOMPARE(result.messages, QString("physics-inspector: no step in 0 s: nothing to write\n"));
+    }
+    QVERIFY(QDir(folder.path()).isEmpty());
 }
 
 void TestHeadless::runWithoutDurationEndsOutOfTheMaze() {
