@@ -138,20 +138,33 @@ Recommendation recommend(const TradeResult &result, uint32_t model, const TradeO
                               limit};
 }
 
+QString passedOverText(const GoodEnough &answer, const QString &name) {
+    const PassedOver &cheapest = answer.passedOver.front();
+    const QString fault = cheapest.share ? QStringLiteral("is off by %1 %").arg(*cheapest.share * 100.0, 0, 'g', 2)
+                                         : QStringLiteral("fails");
+    const QString text = QStringLiteral("; cheaper %1 %2 on an unseen schedule").arg(name, fault);
+    const size_t others = answer.passedOver.size() - 1;
+    return others == 0 ? text : text + QStringLiteral(", and %1 more likewise").arg(others);
+}
+
 Recommendation recommendForUnknowns(const TradePlan &plan, const TradeResult &result) {
     if (!result.goodEnough)
         return {std::nullopt, QStringLiteral("none: every error reaches %1 % of what isn't known after %2 s")
                                   .arg(plan.share * 100.0)
                                   .arg(plan.horizon)};
     const TradePoint &point = result.points[result.goodEnough->point];
-    return {point,
-            nameOf(point) + QStringLiteral("  # error at most %1 % of what isn't known, in %2 s on %3 schedules; "
-                                           "%4 ns a step, %5 µs a simulated second")
-                                .arg(result.goodEnough->largest * 100.0, 0, 'g', 2)
-                                .arg(plan.horizon)
-                                .arg(result.goodEnough->validations + int(plan.schedules.size()))
-                                .arg(point.cost.perStep * 1e9, 0, 'g', 3)
-                                .arg(point.cost.perSecond * 1e6, 0, 'g', 3)};
+    const std::vector<PassedOver> &cheaper = result.goodEnough->passedOver;
+    const QString passedOver =
+        cheaper.empty() ? QString() : passedOverText(*result.goodEnough, nameOf(result.points[cheaper[0].point]));
+    return {point, nameOf(point) +
+                       QStringLiteral("  # error at most %1 % of what isn't known, in %2 s on %3 schedules; "
+                                      "%4 ns a step, %5 µs a simulated second")
+                           .arg(result.goodEnough->largest * 100.0, 0, 'g', 2)
+                           .arg(plan.horizon)
+                           .arg(result.goodEnough->validations + int(plan.schedules.size()))
+                           .arg(point.cost.perStep * 1e9, 0, 'g', 3)
+                           .arg(point.cost.perSecond * 1e6, 0, 'g', 3) +
+                       passedOver};
 }
 
 int runTrade(const Options &options, const TradeStreams &streams, const TradePictureWriter &writePicture) {
@@ -164,7 +177,7 @@ int runTrade(const Options &options, const TradeStreams &streams, const TradePic
         if (isCsv) streams.out << tradeCsv(result);
         text << "level " << oneLine(options.level.name) << '\n'
              << tradeSummary(plan, result).join(QLatin1Char('\n')) << "\n\n"
-             << tradeText(result) << '\n';
+             << tradeText(plan, result) << '\n';
         writeFiles(options, plan, result, writePicture);
         const double radius = phys_scene_radius(plan.scene.get());
         const Recommendation answer = recommend(result, plan.inputs.params.model, options.trade, radius);

@@ -31,6 +31,10 @@ Recommendation recommend(const TradeResult &result, uint32_t model, const TradeO
 /// The cheapest good-enough setting; the plan must have unknowns.
 Recommendation recommendForUnknowns(const TradePlan &plan, const TradeResult &result);
 
+/// Why cheaper settings with small errors in the table aren't the answer, if any were passed over; name: the
+/// cheapest's.
+QString passedOverText(const GoodEnough &answer, const QString &name);
+
 /// Returns the exit status: 0; 1 if no setting meets the request or a file can't be written; 2 if something can't be
 /// opened or measured.
 int runTrade(const Options &options, const TradeStreams &streams, const TradePictureWriter &writePicture);

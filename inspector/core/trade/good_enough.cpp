@@ -72,16 +72,19 @@ double shareOnSchedules(const TradePlan &plan, const TradeResult &result, const 
 
 std::optional<GoodEnough> cheapestGoodEnough(const TradePlan &plan, const TradeResult &result,
                                              ValidationSchedules &validations) {
+    std::vector<PassedOver> passedOver;
     for (const size_t index : candidates(plan, result)) {
         const TradePoint &point = result.points[index];
         double largest = shareOnSchedules(plan, result, point);
-        bool isGood = largest < plan.share;
+        if (largest >= plan.share) continue;
+        bool isGood = true;
         for (int i = 0; isGood && i < validations.count(); ++i) {
             const std::optional<double> share = validations.shareOf(point, i);
             isGood = share && *share < plan.share;
             largest = std::max(largest, share.value_or(0.0));
+            if (!isGood) passedOver.push_back({index, share});
         }
-        if (isGood) return GoodEnough{index, largest, validations.count()};
+        if (isGood) return GoodEnough{index, largest, validations.count(), std::move(passedOver)};
     }
     return std::nullopt;
 }

@@ -85,11 +85,18 @@ struct TradeSpan {
     Band band;                ///< for the plan's model only
 };
 
+/// A setting that is good enough on the plan's schedules, but not on one that was tried besides.
+struct PassedOver {
+    size_t point;                ///< index of the point
+    std::optional<double> share; ///< there; empty: its run fails
+};
+
 /// The cheapest setting whose error stays below the plan's share of the uncertainty on every schedule that was tried.
 struct GoodEnough {
-    size_t point;    ///< index of the point
-    double largest;  ///< worst share
-    int validations; ///< schedules tried besides the plan's
+    size_t point;                       ///< index of the point
+    double largest;                     ///< worst share
+    int validations;                    ///< schedules tried besides the plan's
+    std::vector<PassedOver> passedOver; ///< cheaper ones, cheapest first
 };
 
 struct TradeResult {

@@ -85,12 +85,12 @@ const std::vector<TradeColumn> &tradeColumns() {
     static const std::vector<TradeColumn> columns{
         {"position_largest [R]", "max error", "R",
          "largest position error against exact in the whole comparison, on the worst schedule, in radii", 1.0,
-         [](P p) { return ifCompared(p, p.error.positionLargest); }},
+         [](P p) { return ifCompared(p, p.error.positionLargest); }, "in all"},
         {"share_of_unknown [%]", "of unknown", "%",
          "largest position error within the horizon, on the worst schedule, as a share of how far the ball is off "
          "because the board isn't "
          "known exactly",
-         100.0, [](P p) { return p.isValid ? p.share : std::nullopt; }},
+         100.0, [](P p) { return p.isValid ? p.share : std::nullopt; }, "in %1 s"},
         {"position_final [R]", "end error", "R", "position error at the end of the comparison, in radii", 1.0,
          [](P p) { return ifCompared(p, p.error.positionFinal); }},
         {"velocity_largest [m/s]", "velocity", "m/s",
@@ -149,11 +149,20 @@ QStringList tradeSummary(const TradePlan &plan, const TradeResult &result) {
     return lines;
 }
 
-QString tradeText(const TradeResult &result) {
+QString spanAndUnit(const TradeColumn &column, const QString &unit, double horizon) {
+    QStringList words;
+    if (column.span[0]) words += QString::fromUtf8(column.span).replace(QLatin1String("%1"), QString::number(horizon));
+    if (!unit.isEmpty()) words += QLatin1Char('[') + unit + QLatin1Char(']');
+    return words.join(QLatin1Char(' '));
+}
+
+QString tradeText(const TradePlan &plan, const TradeResult &result) {
     QStringList header{QStringLiteral("stepper"), QStringLiteral("dt"), QStringLiteral("model")};
     for (const TradeColumn &column : tradeColumns())
-        header += QString::fromUtf8(column.label) +
-                  (column.unit[0] ? QStringLiteral(" [%1]").arg(QString::fromUtf8(column.unit)) : QString());
+        header +=
+            QStringLiteral("%1 %2")
+                .arg(QString::fromUtf8(column.label), spanAndUnit(column, QString::fromUtf8(column.unit), plan.horizon))
+                .trimmed();
     std::vector<QStringList> rows{header};
     for (const TradePoint &point : result.points) rows.push_back(cellsOf(point));
     std::vector<int> widths(size_t(header.size()), 0);

@@ -20,6 +20,7 @@ struct TradeColumn {
     double scale; ///< factor from `value` to the display unit
     /// In SI or radii; nothing if the point has no such figure.
     std::optional<double> (*value)(const TradePoint &point);
+    const char *span = ""; ///< of time, where columns beside each other differ; %1: the plan's horizon
 };
 
 /// Stepper id, step size and model precede these columns; the note follows them.
@@ -31,8 +32,11 @@ QString figureText(const TradeColumn &column, const TradePoint &point);
 /// Describes what was measured and to what extent it is meaningful: lines for display.
 QStringList tradeSummary(const TradePlan &plan, const TradeResult &result);
 
+/// "in 1 s [%]": the span of time and the unit, which follow the label in a header.
+QString spanAndUnit(const TradeColumn &column, const QString &unit, double horizon);
+
 /// A text table for display.
-QString tradeText(const TradeResult &result);
+QString tradeText(const TradePlan &plan, const TradeResult &result);
 
 /// A header and a row per point: the shortest numbers that read back exactly.
 QByteArray tradeCsv(const TradeResult &result);

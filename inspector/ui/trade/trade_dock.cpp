@@ -280,7 +280,7 @@ void TradeDock::makeTable() {
     fitColumns();
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
         m_chart->choose(chosenIndex());
-        m_use->setEnabled(chosenIndex() && m_rows->points()[*chosenIndex()].isValid);
+        showUsable();
     });
 }
 
@@ -464,11 +464,18 @@ QString TradeDock::goodEnoughText() const {
     }
     if (model() != m_worker.plan().inputs.params.model) return {};
     const TradePoint &point = result.points[result.goodEnough->point];
-    return tr("Good enough: %1 at %2, off by at most %3 % of it on %4 schedules; %5 µs a second")
-        .arg(nameOf(point), stepSizeText(point.dt))
-        .arg(result.goodEnough->largest * 100.0, 0, 'g', 2)
-        .arg(result.goodEnough->validations + int(m_worker.plan().schedules.size()))
-        .arg(point.cost.perSecond * 1e6, 0, 'g', 3);
+    const std::vector<PassedOver> &cheaper = result.goodEnough->passedOver;
+    const auto settingOf = [this](const TradePoint &one) {
+        return tr("%1 at %2").arg(nameOf(one), stepSizeText(one.dt));
+    };
+    const QString passedOver =
+        cheaper.empty() ? QString() : passedOverText(*result.goodEnough, settingOf(result.points[cheaper[0].point]));
+    const QString text = tr("Good enough: %1 at %2, off by at most %3 % of it on %4 schedules; %5 µs a second")
+                             .arg(nameOf(point), stepSizeText(point.dt))
+                             .arg(result.goodEnough->largest * 100.0, 0, 'g', 2)
+                             .arg(result.goodEnough->validations + int(m_worker.plan().schedules.size()))
+                             .arg(point.cost.perSecond * 1e6, 0, 'g', 3);
+    return text + passedOver;
 }
 
 void TradeDock::showProgress(double share, const QString &what) {
@@ -516,6 +523,7 @@ void TradeDock::showAnswer() {
     const Recommendation answer = this->answer();
     const QString text = answer.point ? answerText(*answer.point, answer.seconds) : answer.line;
     m_answer->setText(otherConditions().isEmpty() ? text : outOfDate(text));
+    showUsable();
 }
 
 void TradeDock::showTolerance() {
@@ -535,6 +543,12 @@ void TradeDock::choose(size_t index) {
     const QModelIndex row = m_sorted->mapFromSource(m_rows->index(int(index), 0));
     m_table->selectRow(row.row());
     m_table->scrollTo(row, QAbstractItemView::PositionAtCenter);
+}
+
+/// What was measured on another board may not even run on this one.
+void TradeDock::showUsable() {
+    const std::optional<size_t> index = chosenIndex();
+    m_use->setEnabled(index && m_rows->points()[*index].isValid && otherConditions().isEmpty());
 }
 
 std::optional<size_t> TradeDock::chosenIndex() const {

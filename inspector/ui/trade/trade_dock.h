@@ -67,6 +67,7 @@ private:
     void showConditions();
     QString goodEnoughText() const;
     void choose(size_t index);
+    void showUsable();
     void use(); ///< applies the selected one
     void useGoodEnough();
     void use(const TradePoint &point);

@@ -22,6 +22,8 @@ int noteColumn() { return TradeTableModel::kNameColumns + int(tradeColumns().siz
 
 void TradeTableModel::show(const TradePlan &plan, const TradeResult &result) {
     m_registry = plan.registry;
+    m_horizon = plan.horizon;
+    emit headerDataChanged(Qt::Horizontal, kNameColumns, noteColumn());
     if (result.points.size() == m_points.size()) {
         m_points = result.points;
         if (!m_points.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
@@ -84,9 +86,9 @@ QVariant TradeTableModel::headerData(int section, Qt::Orientation orientation, i
     const TradeColumn &column = columnAt(section);
     if (role == Qt::ToolTipRole) return QString::fromUtf8(column.help);
     if (role != Qt::DisplayRole) return {};
-    const QString unit =
-        column.unit[0] ? QStringLiteral("\n[%1]").arg(printedUnit(QString::fromUtf8(column.unit))) : QString();
-    return QString::fromUtf8(column.label) + unit;
+    const QString below = spanAndUnit(column, printedUnit(QString::fromUtf8(column.unit)), m_horizon);
+    return below.isEmpty() ? QString::fromUtf8(column.label)
+                           : QString::fromUtf8(column.label) + QLatin1Char('\n') + below;
 }
 
 } // namespace inspector::ui

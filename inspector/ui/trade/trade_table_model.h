@@ -35,6 +35,7 @@ private:
 
     Registry m_registry; ///< has the steppers' names
     std::vector<TradePoint> m_points;
+    double m_horizon = 0.0; ///< s, the plan's
 };
 
 } // namespace inspector::ui

@@ -147,6 +147,7 @@ void TestTradeCommand::lastLineIsTheRecommendation() {
     const QStringList lines = result.out.trimmed().split('\n');
     QVERIFY2(lines[2].startsWith("schedule random:3, 0.5 s: "), qPrintable(result.out));
     QVERIFY2(lines.last().startsWith("recommended: --stepper "), qPrintable(lines.last()));
+    QVERIFY2(result.out.contains("  max error in all [R]  of unknown in 1 s [%]  "), qPrintable(result.out));
     QVERIFY2(lines[lines.size() - 2].startsWith("good enough for what is known: --stepper "), qPrintable(result.out));
     QVERIFY(result.messages.isEmpty());
 }

@@ -330,8 +330,10 @@ void TestTradeDock::figuresAreOfTheirLevelAgainAfterAnother() {
     const QString measured = remark();
     QVERIFY(m_session->openLevel(m_session->levels()[1]));
     QCOMPARE(remark(), QString("These figures are of another level."));
+    QVERIFY(!find<QPushButton>("trade_use").isEnabled());
     QVERIFY(m_session->openLevel(m_session->levels()[0]));
     QCOMPARE(remark(), measured);
+    QVERIFY(find<QPushButton>("trade_use").isEnabled());
 }
 
 // Before the first of the new figures replaces them.

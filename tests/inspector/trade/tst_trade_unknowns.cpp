@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is unknown about a board: its text form, sampled boards, and the ball's deviation, compared with closed forms.
+#include "core/program/trade_command.h"
 #include "core/trade/good_enough.h"
 #include "core/trade/trade_options.h"
 #include "inspector/core/scenes.h"
@@ -28,6 +29,7 @@ private slots:
     void busyScheduleMeetsWalls();
     void goodEnoughIsTheCheapestBelowTheShare();
     void smallerShareIsNeverMetByACheaperSetting();
+    void settingThatFailsElsewhereIsPassedOverAndNamed();
 };
 
 namespace {
@@ -227,6 +229,31 @@ void TestTradeUnknowns::smallerShareIsNeverMetByACheaperSetting() {
         QVERIFY(cost >= before);
         before = cost;
     }
+}
+
+// The cheapest setting seems to have no error on the plan's schedule, but has some on others.
+void TestTradeUnknowns::settingThatFailsElsewhereIsPassedOverAndNamed() {
+    QString error;
+    TradePlan plan = unknownTilt();
+    plan.share = 1e-6;
+    auto result = measureTrade(plan, {}, {}, &error);
+    QVERIFY2(result, qPrintable(error));
+    TradePoint &lucky = result->points[0];
+    lucky.cost.perSecond = 0.0;
+    for (TradeError &each : lucky.errors) each.growth.clear();
+    plan.validations = 2;
+    const std::stop_token stop;
+    ValidationSchedules validations(plan, stop);
+    const std::optional<GoodEnough> answer = cheapestGoodEnough(plan, *result, validations);
+    QVERIFY(answer && answer->point != 0);
+    QCOMPARE(answer->passedOver.size(), size_t(1));
+    QCOMPARE(answer->passedOver[0].point, size_t(0));
+    QVERIFY(answer->passedOver[0].share.value_or(0.0) >= plan.share);
+    result->goodEnough = answer;
+    const QString line = recommendForUnknowns(plan, *result).line;
+    QVERIFY2(line.contains("; cheaper --stepper explicit-euler --dt 0.05 is off by ") &&
+                 line.endsWith(" % on an unseen schedule"),
+             qPrintable(line));
 }
 
 QTEST_GUILESS_MAIN(TestTradeUnknowns)
