@@ -91,12 +91,14 @@ void TestWindowRuns::typedPlaceLeavesTheRunInRunsAndSaysSo() {
     m_fixture->trigger("show_ball_dock");
     m_fixture->window().refresh();
     m_fixture->find<QWidget>("ball_x")->setFocus();
+    const uint64_t run = m_fixture->simulation().latest().run;
     m_fixture->key(Qt::Key_A, Qt::ControlModifier);
     m_fixture->type(QStringLiteral("0"));
     m_fixture->key(Qt::Key_Return);
     QCOMPARE(m_fixture->window().statusBar()->currentMessage(), QString("The run before is in Runs (Ctrl+8)"));
-    QTRY_COMPARE(m_fixture->simulation().latest().current.position.x, 0.0);
-    m_fixture->trigger("show_runs_dock");
+    QTRY_VERIFY(m_fixture->simulation().latest().run > run);
+    if (!m_fixture->find<QTreeWidget>("runs")->isVisible())
+        m_fixture->trigger("show_runs_dock"); // the Ball dock hid it
     QCOMPARE(resultOf(0), QString("ended inside"));
     QCOMPARE(m_fixture->session().runs().size(), size_t(1));
 }
