@@ -6,6 +6,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLabel>
 #include <QSlider>
 #include <QToolButton>
 
@@ -34,6 +35,7 @@ private slots:
     void rigidRowsFollowTheGhostsModel();
     void controlsSayWhoseTheyAre();
     void otherStepperBringsItsOwnRows();
+    void figuresOfAGhostThatLeftAreOfThatMoment();
 
 private:
     double ballsOwn(const char *id) { return valueIn(m_fixture->parameters(), id); }
@@ -187,6 +189,19 @@ void TestWindowGhost::otherStepperBringsItsOwnRows() {
     comparison().setGhostChoice({"exact", 1});
     QVERIFY(!m_fixture->window().findChild<QCheckBox *>("ghost_as_reported_switch"));
     QVERIFY(m_fixture->find<QSlider>("ghost_gravity_slider")->isVisible());
+}
+
+// It stays where it left in its first step, while the ball falls on.
+void TestWindowGhost::figuresOfAGhostThatLeftAreOfThatMoment() {
+    m_fixture->press(Qt::Key_5, Qt::ControlModifier); // its dock
+    comparison().start({"symplectic-euler", 1});
+    phys_state outside = m_fixture->simulation().latest().current;
+    outside.position.x += 10.0;
+    m_fixture->simulation().setState(outside);
+    m_fixture->makeSteps(5);
+    m_fixture->window().refresh();
+    const QString figures = m_fixture->find<QLabel>("comparison_figures")->text();
+    QVERIFY2(figures.endsWith("0.01 s after they met; the ghost is out of the maze"), qPrintable(figures));
 }
 
 QTEST_MAIN(TestWindowGhost)
