@@ -148,6 +148,10 @@ void readOutputs(const QCommandLineParser &parser, Options &options) {
     for (const char *name : {"csv", "record", "replay", "grab", "plot"})
         if (parser.isSet(name) && parser.value(name).isEmpty())
             throw WrongUse{QStringLiteral("--%1: expected the name of a file, found ''").arg(name)};
+    for (const char *ending : {".png", ".svg", ".pdf"})
+        if (options.csv.endsWith(QLatin1String(ending), Qt::CaseInsensitive))
+            throw WrongUse{
+                QStringLiteral("--csv: expected a file name ending in .csv, found %1").arg(quoted(options.csv))};
     if (parser.isSet("csv-every")) options.csvEvery = uint64_t(wholeNumberOf(parser, "csv-every", 1, 1e9));
     if (options.headless && parser.isSet("grab"))
         throw WrongUse{QStringLiteral("--grab: there is no picture without a window; leave out --headless")};
@@ -279,6 +283,16 @@ void readTrade(const QCommandLineParser &parser, Options &options) {
         throw wrong("plot", "a file name ending in .svg, .pdf or .png");
 }
 
+/// Of two values one would be ignored.
+void checkGivenOnce(const QCommandLineParser &parser) {
+    for (const QString &name : parser.optionNames()) {
+        const QStringList values = parser.values(name);
+        if (values.size() > 1 && name != QLatin1String("plugin"))
+            throw WrongUse{
+                QStringLiteral("--%1: given twice, %2 and %3").arg(name, quoted(values[0]), quoted(values[1]))};
+    }
+}
+
 /// The positional file argument; empty if there is none.
 QString fileOf(const QCommandLineParser &parser) {
     const QStringList words = parser.positionalArguments();
@@ -356,6 +370,7 @@ Options readOptions(const QCommandLineParser &parser, const std::vector<const ph
     QString error;
     options.registry = registry;
     options.plugins = plugins;
+    checkGivenOnce(parser);
     const QString file = fileOf(parser);
     const QString track = isTrackFile(file) ? file : QString();
     if (isRecordingFile(file)) options.replay = file;

@@ -27,10 +27,10 @@ struct Unit {
 constexpr double kSmallestInMilliseconds = 1e-4; ///< s: 0.1 ms, but 50 µs
 constexpr double kPi = 3.141592653589793;
 constexpr Unit kUnits[] = {
-    {"ns", "s", 1, 1e9},     {"us", "s", 1, 1e6},  {"ms", "s", 1, 1e3},      {"s", "s", 1, 1},
-    {"min", "s", 60, 1},     {"um", "m", 1, 1e6},  {"mm", "m", 1, 1e3},      {"cm", "m", 1, 1e2},
-    {"m", "m", 1, 1},        {"deg", "deg", 1, 1}, {"rad", "deg", 180, kPi}, {"mm/s", "m/s", 1, 1e3},
-    {"cm/s", "m/s", 1, 1e2}, {"m/s", "m/s", 1, 1},
+    {"ns", "s", 1, 1e9},      {"us", "s", 1, 1e6},     {"ms", "s", 1, 1e3},     {"s", "s", 1, 1},
+    {"min", "s", 60, 1},      {"um", "m", 1, 1e6},     {"mm", "m", 1, 1e3},     {"cm", "m", 1, 1e2},
+    {"", "", 1, 1},           {"%", "", 1, 1e2},       {"m", "m", 1, 1},        {"deg", "deg", 1, 1},
+    {"rad", "deg", 180, kPi}, {"mm/s", "m/s", 1, 1e3}, {"cm/s", "m/s", 1, 1e2}, {"m/s", "m/s", 1, 1},
 };
 
 const Unit *unitOf(const QString &name) {
@@ -101,7 +101,7 @@ QString unitsLike(const QString &wanted) {
     if (!known) return wanted;
     QStringList names;
     for (const Unit &unit : kUnits)
-        if (qstrcmp(unit.kind, known->kind) == 0) names += QString::fromUtf8(unit.name);
+        if (*unit.name && qstrcmp(unit.kind, known->kind) == 0) names += QString::fromUtf8(unit.name);
     return names.join(QLatin1Char(' '));
 }
 

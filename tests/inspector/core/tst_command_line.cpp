@@ -99,6 +99,7 @@ void TestCommandLine::durationsAreReadAsInTheWindow() {
     QCOMPARE(parsed({"--dt", "5 us"}).options.dt, 5e-6);
     QCOMPARE(parsed({"--dt", "1/60"}).options.dt, 1.0 / 60.0);
     QCOMPARE(parsed({"--dt", "0,01"}).options.dt, 0.01);
+    QCOMPARE(parsed({"--restitution-wall", "50%"}).options.settings.at(0).value, 0.5);
     QCOMPARE(parsed({"--duration", "2 min"}).options.duration, 120.0);
     QCOMPARE(parsed({"--trade", "1", "--for", "500ms"}).options.trade.seconds, 0.5);
 }
@@ -284,6 +285,14 @@ void TestCommandLine::wrongUseGivesOneLineAndStatus2_data() {
                                 << "--track: doesn't go with the file 'a.csv'";
     QTest::newRow("units of no track") << "--track-units x=mm"
                                        << "--track-units: needs --fit or --track";
+    QTest::newRow("two levels") << "--level 1 --level 2"
+                                << "--level: given twice, '1' and '2'";
+    QTest::newRow("two levels, spelt in two ways") << "--level=1 --level 1"
+                                                   << "--level: given twice, '1' and '1'";
+    QTest::newRow("a parameter twice") << "--rolling_friction 0.1 --rolling-friction=0.2"
+                                       << "--rolling-friction: given twice, '0.1' and '0.2'";
+    QTest::newRow("table as a picture") << "--headless --csv tab.png"
+                                        << "--csv: expected a file name ending in .csv, found 'tab.png'";
     QTest::newRow("one level and all") << "--all-levels --level 2"
                                        << "--all-levels";
 }

@@ -97,6 +97,10 @@ void TestNumbers::numbersAreReadInTheUnitOfTheirRange_data() {
                               << "" << 1.0 / 3.0;
     QTest::newRow("eighth with comma") << "0,125"
                                        << "" << 0.125;
+    QTest::newRow("per cent of nothing else") << "50%"
+                                              << "" << 0.5;
+    QTest::newRow("per cent of per cent") << "50 %"
+                                          << "%" << 50.0;
     QTest::newRow("four places") << "1,0000"
                                  << "" << 1.0;
     QTest::newRow("negative") << "-1e+2"
@@ -158,6 +162,9 @@ void TestNumbers::whatCantBeReadIsRefusedWithTheReason_data() {
     QTest::newRow("unit") << "5 ms"
                           << ""
                           << "'5 ms', where no unit belongs";
+    QTest::newRow("per cent of a unit") << "5%"
+                                        << "s"
+                                        << "'5%', whose unit isn't one of: ns us ms s min";
     QTest::newRow("unit of another kind") << "5 m"
                                           << "s"
                                           << "'5 m', whose unit isn't one of: ns us ms s min";
