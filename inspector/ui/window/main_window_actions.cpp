@@ -195,7 +195,6 @@ void MainWindow::makeMenus() {
          {"play",
           "",
           "run",
-          "pause",
           "restart",
           "",
           "step",

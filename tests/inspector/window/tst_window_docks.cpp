@@ -2,6 +2,7 @@
 // Docks, bars and menus: closed, opened, moved, remembered and reset.
 #include "gl/view/maze_view.h"
 #include "inspector/camera_elevation.h"
+#include "inspector/contrast.h"
 #include "support/compare.h"
 #include "ui/game/game_strip.h"
 #include "ui/parts/message_bar.h"
@@ -27,21 +28,10 @@
 #include <QToolButton>
 
 #include <algorithm>
-#include <cmath>
 
 #include <qcustomplot.h>
 
 using namespace window_test;
-
-namespace {
-
-// Relative luminance of an sRGB colour, WCAG 2.1.
-double luminance(const QColor &colour) {
-    const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
-    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
-}
-
-} // namespace
 
 class TestWindowDocks : public QObject {
     Q_OBJECT
@@ -64,6 +54,7 @@ private slots:
     void noTextOfTheParametersIsCut();
     void parametersNeedLittleRoom();
     void everyMenuHasItsEntries();
+    void noMenuSaysTheSameTwice();
     void emptyCheckBoxesAreSeen_data();
     void emptyCheckBoxesAreSeen();
     void qualityReachesTheView_data();
@@ -246,6 +237,17 @@ void TestWindowDocks::everyMenuHasItsEntries() {
         QVERIFY2(menu->menu()->actions().size() >= 2, qPrintable(menu->text()));
     }
     QCOMPARE(titles, QStringList({"File", "Edit", "View", "Game", "Help"}));
+}
+
+void TestWindowDocks::noMenuSaysTheSameTwice() {
+    m_fixture->trigger("run"); // whose entry then says that it pauses
+    QTRY_VERIFY(m_fixture->simulation().latest().running);
+    for (const QAction *menu : m_fixture->window().menuBar()->actions()) {
+        QStringList texts;
+        for (const QAction *entry : menu->menu()->actions())
+            if (!entry->isSeparator()) texts << entry->text();
+        QVERIFY2(texts.removeDuplicates() == 0, qPrintable(menu->text()));
+    }
 }
 
 void TestWindowDocks::emptyCheckBoxesAreSeen_data() {
@@ -511,9 +513,8 @@ void TestWindowDocks::messageCanBeReadInEveryTheme() {
     m_fixture->trigger("theme_2");
     m_fixture->trigger(theme);
     const auto *text = m_fixture->find<QLabel>("message");
-    const double front = luminance(text->palette().color(QPalette::WindowText));
-    const double back = luminance(m_fixture->window().messages().palette().color(QPalette::Window));
-    QVERIFY((std::max(front, back) + 0.05) / (std::min(front, back) + 0.05) >= 4.5);
+    const QColor front = text->palette().color(QPalette::WindowText);
+    QVERIFY(support::contrastOf(front, m_fixture->window().messages().palette().color(QPalette::Window)) >= 4.5);
 }
 
 QTEST_MAIN(TestWindowDocks)
