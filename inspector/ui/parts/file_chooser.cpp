@@ -3,14 +3,29 @@
 
 #include "ui/parts/settings_keys.h"
 
+#include <QDir>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QSettings>
+#include <QTemporaryFile>
 
 namespace inspector::ui {
 
+namespace {
+
+/// Whether a file of this name can be written beside others: not a device, and not where the system keeps its own.
+bool isInUsualFolder(const QString &path) {
+    const QFileInfo target(path);
+    if (target.exists() && !target.isFile() && !target.isDir()) return false;
+    return QTemporaryFile(target.absolutePath() + QStringLiteral("/XXXXXX")).open();
+}
+
+} // namespace
+
 void chooseFile(QWidget &window, QSettings &settings, const FileQuestion &question,
                 const std::function<void(const QString &path)> &use) {
-    auto *dialog = new QFileDialog(&window, question.title, settings.value(settings_keys::kFolder).toString());
+    auto *dialog = new QFileDialog(&window, question.title,
+                                   settings.value(settings_keys::kFolder, QDir::currentPath()).toString());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setNameFilters(question.filter.split(QStringLiteral(";;")));
     dialog->setFileMode(question.use == FileUse::Read ? QFileDialog::ExistingFile : QFileDialog::AnyFile);
@@ -22,8 +37,9 @@ void chooseFile(QWidget &window, QSettings &settings, const FileQuestion &questi
     };
     followFilter(dialog->selectedNameFilter());
     QObject::connect(dialog, &QFileDialog::filterSelected, dialog, followFilter);
-    QObject::connect(dialog, &QFileDialog::fileSelected, &window, [&settings, use](const QString &path) {
-        settings.setValue(settings_keys::kFolder, QFileInfo(path).absolutePath());
+    QObject::connect(dialog, &QFileDialog::fileSelected, &window, [&settings, use, question](const QString &path) {
+        if (question.use == FileUse::Read || isInUsualFolder(path))
+            settings.setValue(settings_keys::kFolder, QFileInfo(path).absolutePath());
         use(path);
     });
     dialog->open();

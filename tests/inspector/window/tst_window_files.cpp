@@ -6,6 +6,8 @@
 
 #include <QComboBox>
 #include <QDialog>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -44,6 +46,8 @@ private slots:
     void fileOfTheCommandLineIsARecentOne();
     void ownMazeHasABestTime();
     void mazeWithoutWayOutSaysSo();
+    void folderWhereNothingCanBeSavedIsForgotten_data();
+    void folderWhereNothingCanBeSavedIsForgotten();
 
 private:
     QString maze(const QString &name, const QByteArray &more = {});
@@ -282,6 +286,28 @@ void TestWindowFiles::mazeWithoutWayOutSaysSo() {
     QTRY_VERIFY(m_fixture->simulation().latest().current.step > 10);
     drop(maze("open.txt"));
     QTRY_VERIFY2(!strip().contains("no way out") && strip().contains("roll the ball out"), qPrintable(strip()));
+}
+
+void TestWindowFiles::folderWhereNothingCanBeSavedIsForgotten_data() {
+    QTest::addColumn<QString>("file");
+    QTest::newRow("processes") << "/proc/x.csv";
+    QTest::newRow("device") << "/dev/full";
+    QTest::newRow("no folder") << "/nowhere/x.csv";
+}
+
+// The next dialog begins where the last file was saved.
+void TestWindowFiles::folderWhereNothingCanBeSavedIsForgotten() {
+    QFETCH(QString, file);
+    for (const QString &path : {m_fixture->path("run.rec"), file}) {
+        m_fixture->trigger("save_run");
+        m_fixture->answerFile(path);
+    }
+    QVERIFY(!line().isEmpty());
+    m_fixture->trigger("save_run");
+    auto *dialog = m_fixture->window().findChild<QFileDialog *>();
+    QVERIFY(dialog);
+    QCOMPARE(dialog->directory().absolutePath(), QFileInfo(m_fixture->path("run.rec")).absolutePath());
+    delete dialog;
 }
 
 QTEST_MAIN(TestWindowFiles)
