@@ -56,6 +56,7 @@ ParameterPanel::ParameterPanel(Session &session, QUndoStack &undo, const Actions
         connect(&side->parameters, &Parameters::rowsChanged, this, &ParameterPanel::rebuild);
     }
     connect(&m_session, &Session::autopilotChanged, this, &ParameterPanel::showPilot);
+    connect(&m_session, &Session::levelOpened, this, &ParameterPanel::takeBack);
     connect(&m_session, &Session::trackChanged, this, &ParameterPanel::showPilot);
     connect(&m_session, &Session::replayChanged, this, &ParameterPanel::updateLocks);
     connect(&m_session.comparison(), &Comparison::changed, this, &ParameterPanel::showGhost);
@@ -168,6 +169,8 @@ void ParameterPanel::change(Side &side, const std::vector<Setting> &wanted, cons
         before.push_back({setting.id, side.parameters.value(side.parameters.indexOf(setting.id))});
     QString error;
     if (!side.parameters.set(wanted, &error)) return emit refused(error);
+    for (const Setting &setting : wanted) // also where the value is the same
+        if (ParameterRow *row = side.rows[size_t(side.parameters.indexOf(setting.id))]) row->takeBack();
     if (before != wanted) m_undo.push(new ParameterCommand(side.parameters, before, wanted, ++m_gesture, text));
 }
 
@@ -178,6 +181,13 @@ void ParameterPanel::resetAll() {
         initial.push_back({QString::fromUtf8(row.id), row.initial});
     }
     change(m_ball, initial, tr("reset of all parameters"));
+}
+
+/// Shows every value instead of invalid input.
+void ParameterPanel::takeBack() {
+    for (const Side *side : {&m_ball, &m_ghost})
+        for (ParameterRow *row : side->rows)
+            if (row) row->takeBack();
 }
 
 /// A recorded ball's values can't be edited.

@@ -66,6 +66,7 @@ private:
     void showValue(const Side &side, int index, double value);
     void showPilot();
     void showGhost();
+    void takeBack();
     void updateLocks();
     QString lockOf(const Side &side, const phys_param_row &row) const;
 

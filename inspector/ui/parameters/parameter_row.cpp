@@ -149,6 +149,10 @@ void ParameterRow::showValue(double value) {
     m_reset->setEnabled(!m_isInitial && !m_isLocked);
 }
 
+void ParameterRow::takeBack() {
+    if (m_box && m_box->isRefused()) m_box->takeBack();
+}
+
 bool ParameterRow::refuse(const QString &reason) {
     if (!m_box || !m_box->hasFocus()) return false;
     m_box->refuse(reason);
@@ -157,11 +161,12 @@ bool ParameterRow::refuse(const QString &reason) {
 
 void ParameterRow::setLocked(const QString &reason) {
     m_isLocked = !reason.isEmpty();
+    if (m_isLocked) takeBack();
     const QString tip = m_isLocked ? QStringLiteral("<p>%1</p><p><i>%2</i></p>").arg(help(), reason.toHtmlEscaped())
                                    : QStringLiteral("<p>%1</p>").arg(help());
     for (QWidget *widget : m_widgets) {
         widget->setEnabled(!m_isLocked);
-        widget->setToolTip(tip);
+        if (widget != m_box || !m_box->isRefused()) widget->setToolTip(tip);
     }
     m_reset->setEnabled(!m_isInitial && !m_isLocked);
     m_reset->setToolTip(tr("Back to %1").arg(m_row.initial));

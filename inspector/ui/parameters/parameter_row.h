@@ -40,6 +40,8 @@ public:
     /// Applies the theme's colours.
     void takeColours();
     void showValue(double value);
+    /// Shows the value instead of invalid input.
+    void takeBack();
     /// Shows that the value just typed is invalid. False if nothing was typed.
     bool refuse(const QString &reason);
     /// reason: why it can't be edited at the moment; empty if it can.

@@ -70,7 +70,8 @@ void NumberBox::setKind(Kind kind) {
 }
 
 void NumberBox::setValue(double value) {
-    m_value = value;
+    const bool isNew = value != std::exchange(m_value, value);
+    if (isRefused() && isNew) return takeBack();
     if (isModified() || isRefused()) return;
     if (const QString shown = valueText(); shown != text()) showFromStart(shown);
 }
@@ -100,12 +101,16 @@ void NumberBox::refuse(const QString &reason) {
     if (m_reason.isEmpty()) m_usual = {toolTip(), accessibleDescription()};
     m_reason = reason;
     setModified(true);
-    QPalette marked = palette();
-    marked.setColor(QPalette::Text, accentsFor(marked).alarm);
-    setPalette(marked);
+    mark();
     setToolTip(reason);
     setAccessibleDescription(reason);
     if (hasFocus()) showReason();
+}
+
+void NumberBox::mark() {
+    QPalette marked = palette();
+    marked.setColor(QPalette::Text, accentsFor(marked).alarm);
+    if (marked != palette()) setPalette(marked);
 }
 
 /// Validates again, as the text may have become valid.
@@ -194,6 +199,12 @@ void NumberBox::wheelEvent(QWheelEvent *event) {
     stepBy((turned.y() != 0 ? turned.y() : turned.x()) / 120.0 *
            (event->modifiers() & Qt::ShiftModifier ? kFine : 1.0));
     event->accept();
+}
+
+/// The theme may have changed.
+void NumberBox::changeEvent(QEvent *event) {
+    QLineEdit::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange && isRefused()) mark();
 }
 
 /// Called before the text is selected.

@@ -12,9 +12,9 @@ class QLabel;
 namespace inspector::ui {
 
 /// A field for one number, in any form that core/setup/numbers.h reads. Enter, or leaving the field, commits the input.
-/// Invalid input stays as typed, marked and with the reason below, and isn't committed; Esc discards it. If nothing was
-/// typed, Enter and Esc are the dialog's. Up, Down and the wheel change the number by a notch, with Shift by a tenth of
-/// one.
+/// Invalid input stays as typed, marked and with the reason below, and isn't committed; Esc discards it, and so does a
+/// new value. If nothing was typed, Enter and Esc are the dialog's. Up, Down and the wheel change the number by a
+/// notch, with Shift by a tenth of one.
 class NumberBox : public QLineEdit {
     Q_OBJECT
 
@@ -32,8 +32,11 @@ public:
 
     void setKind(Kind kind);
     double value() const { return m_value; }
-    /// Shows the value, unless the user is typing. A selection is kept while the text is the same.
+    /// Shows the value, unless the user is typing; a new value replaces invalid input. A selection is kept while the
+    /// text is the same.
     void setValue(double value);
+    /// Shows the value instead of what was typed.
+    void takeBack();
     /// Marks the committed input as invalid; reason: one line.
     void refuse(const QString &reason);
     void enter(); ///< commits what was typed, like Enter
@@ -50,6 +53,7 @@ signals:
     void entered(double value);
 
 protected:
+    void changeEvent(QEvent *event) override;
     bool event(QEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
     void wheelEvent(QWheelEvent *event) override;
@@ -61,9 +65,9 @@ private:
     void showFromStart(const QString &shown);
     QString valueText() const;
     void apply();
-    void takeBack();
     void stepBy(double notches);
     void accept();
+    void mark();
     void showReason();
 
     Kind m_kind;

@@ -2,6 +2,7 @@
 // Forgiving input: numbers are read as people write them, Enter ends an edit without starting the game, the wheel
 // changes only what has the focus, and no key stays pressed.
 #include "gl/view/maze_view.h"
+#include "inspector/contrast.h"
 #include "ui/parameters/fine_slider.h"
 #include "ui/parameters/slider_scale.h"
 #include "ui/parts/number_box.h"
@@ -11,6 +12,8 @@
 #include <QDialog>
 #include <QLabel>
 #include <QLocale>
+
+#include <functional>
 
 using namespace window_test;
 using inspector::Game;
@@ -32,6 +35,10 @@ private slots:
     void unreadableNumberStaysMarkedWithItsReason();
     void escTakesTheEditBack();
     void unreadableNumberStaysWhereTheFieldIsLeft();
+    void newValueTakesThePlaceOfRefusedText_data();
+    void newValueTakesThePlaceOfRefusedText();
+    void refusedTextCanBeReadInEveryTheme_data();
+    void refusedTextCanBeReadInEveryTheme();
     void enterInTheTimeStepAppliesItAndPlaysNothing();
     void enterInAnOpenListAppliesItAndPlaysNothing_data();
     void enterInAnOpenListAppliesItAndPlaysNothing();
@@ -80,15 +87,17 @@ void TestWindowInput::numberIsReadAsPeopleWriteIt_data() {
     QTest::newRow("point") << "0.9" << 0.9;
     QTest::newRow("fraction") << "1/8" << 0.125;
     QTest::newRow("unit") << "1.62 m/s^2" << 1.62;
+    QTest::newRow("per cent") << "50%" << 0.5;
 }
 
 void TestWindowInput::numberIsReadAsPeopleWriteIt() {
     QFETCH(QString, text);
     QFETCH(double, value);
-    focused("gravity_box");
+    const QString id = text.endsWith('%') ? "restitution_wall" : "gravity";
+    focused(id + "_box");
     m_fixture->type(text);
     m_fixture->key(Qt::Key_Return);
-    QTRY_COMPARE(m_fixture->simulated("gravity"), value);
+    QTRY_COMPARE(m_fixture->simulated(id), value);
     QTRY_VERIFY(hasView());
     QCOMPARE(m_fixture->game().phase(), Game::Phase::Prompt);
 }
@@ -147,8 +156,73 @@ void TestWindowInput::unreadableNumberStaysWhereTheFieldIsLeft() {
     QVERIFY(!box->hasFocus());
     QCOMPARE(box->text(), QString("fast"));
     QVERIFY(box->isRefused());
-    m_fixture->parameters().set({{QStringLiteral("gravity"), 3.0}}); // from elsewhere
+    m_fixture->window().refresh(); // nothing new
     QCOMPARE(box->text(), QString("fast"));
+    m_fixture->trigger("compare"); // another command
+    QVERIFY(box->isRefused());
+    QVERIFY(box->toolTip().contains("fast"));
+}
+
+void TestWindowInput::newValueTakesThePlaceOfRefusedText_data() {
+    QTest::addColumn<QString>("box");
+    QTest::addColumn<std::function<void(Fixture &)>>("change");
+    const auto row = [](const char *name, const char *box, const std::function<void(Fixture &)> &change) {
+        QTest::newRow(name) << QString(box) << change;
+    };
+    row("slider", "gravity_box", [](Fixture &fixture) {
+        auto *slider = fixture.find<inspector::ui::FineSlider>("gravity_slider");
+        slider->setFocus();
+        QTest::keyClick(slider, Qt::Key_Right);
+    });
+    row("reset all", "gravity_box", [](Fixture &fixture) { click(fixture.find<QWidget>("reset_all")); });
+    row("reset to the same", "rolling_friction_box",
+        [](Fixture &fixture) { fixture.press(Qt::Key_R, Qt::ControlModifier); });
+    row("undo", "gravity_box", [](Fixture &fixture) { fixture.press(Qt::Key_Z, Qt::ControlModifier); });
+    row("level", "rolling_friction_box",
+        [](Fixture &fixture) { fixture.session().openLevel(fixture.session().levels().at(1)); });
+    row("autopilot", "tilt_x_box", [](Fixture &fixture) { fixture.press(Qt::Key_A); });
+    row("lock", "tilt_y_box", [](Fixture &fixture) { fixture.press(Qt::Key_A); });
+}
+
+// And of the reason. The gravity was changed before.
+void TestWindowInput::newValueTakesThePlaceOfRefusedText() {
+    QFETCH(QString, box);
+    QFETCH(std::function<void(Fixture &)>, change);
+    focused("gravity_box");
+    m_fixture->type("5");
+    m_fixture->key(Qt::Key_Return);
+    NumberBox *refused = focused(box);
+    const QString tip = refused->toolTip();
+    refused->setFocus();
+    refused->selectAll();
+    m_fixture->type("-1 apples");
+    m_fixture->key(Qt::Key_Return);
+    m_fixture->window().view().setFocus();
+    QVERIFY(refused->isRefused());
+    change(*m_fixture);
+    QTRY_VERIFY(!refused->isRefused());
+    QVERIFY2(!refused->text().contains("apples"), qPrintable(refused->text()));
+    QVERIFY2(!refused->toolTip().contains("apples"), qPrintable(refused->toolTip()));
+}
+
+void TestWindowInput::refusedTextCanBeReadInEveryTheme_data() {
+    QTest::addColumn<QString>("theme");
+    for (const char *theme : {"theme_0", "theme_1", "theme_2"}) QTest::newRow(theme) << theme;
+}
+
+// WCAG 2.1, 1.4.3; the theme may change while the text is there.
+void TestWindowInput::refusedTextCanBeReadInEveryTheme() {
+    QFETCH(QString, theme);
+    m_fixture->trigger(theme == "theme_2" ? "theme_1" : "theme_2");
+    const NumberBox *box = focused("gravity_box");
+    m_fixture->type("fast");
+    m_fixture->key(Qt::Key_Return);
+    m_fixture->trigger(theme);
+    QVERIFY(box->isRefused());
+    const auto contrast =
+        support::contrastOf(box->palette().color(QPalette::Text), box->palette().color(QPalette::Base));
+    QVERIFY2(contrast >= 4.5, qPrintable(QString::number(contrast)));
+    QVERIFY(box->palette().color(QPalette::Text) != QApplication::palette().color(QPalette::Text)); // marked
 }
 
 // The list around the field has the keyboard, not the field.
