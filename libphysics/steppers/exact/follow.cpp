@@ -126,27 +126,18 @@ uint32_t stickingAfter(Cause cause, const Touching &touching, const Response &re
     return bits;
 }
 
-/// On a floor: gives the ball exactly the spin that corresponds to its velocity.
-void rollOn(MovingBall &ball) {
-    const Vec3 rolls = rollingSpin(inPlane(ball.motion.velocity), ball.radius());
-    ball.motion.spin = {rolls.x, rolls.y, ball.motion.spin.z};
-}
-
 /// Ends the slip at a contact by a friction impulse, if it is at most `most`. False if there was nothing to end.
 bool stick(uint32_t i, double most, const Touching &touching, MovingBall &ball) {
     const Held &held = touching.held(i);
-    const double R = ball.radius();
     const Vec3 slip = slipAt(ball.moment(), held.normal);
     if (slip == Vec3(0.0) || glm::length(slip) > most) return false;
     if (touching.contactOf(i).isTop) {
-        // On a floor: exactly the spin that corresponds to the velocity.
         ball.motion.velocity -= 2.0 / 7.0 * Vec3(slip.x, slip.y, 0.0);
-        const Vec3 rolls = rollingSpin(inPlane(ball.motion.velocity), R);
-        ball.motion.spin = {rolls.x, rolls.y, ball.motion.spin.z};
+        ball.roll();
         return true;
     }
     ball.motion.velocity -= 2.0 / 7.0 * slip;
-    ball.motion.spin += 5.0 / 7.0 / R * glm::cross(held.normal, slip);
+    ball.motion.spin += 5.0 / 7.0 / ball.radius() * glm::cross(held.normal, slip);
     return true;
 }
 
@@ -193,7 +184,7 @@ void settle(const Event &event, const Response &response, MovingBall &ball, Touc
         const Vec3 &normal = touching.held(i).normal;
         const bool sticks = sticking >> i & 1U && glm::length(slipAt(ball.moment(), normal)) <= rounding;
         const bool isGlued = touching.held(i).isGlued && isClosed(response, i); // model.md 2.1 R7
-        if (sticks || isGlued) rollOn(ball);
+        if (sticks || isGlued) ball.roll();
     }
     if (end.cause == Cause::border) ball.position[event.border.axis] = event.border.coordinate;
 }

@@ -57,6 +57,12 @@ struct MovingBall {
                     static_cast<unsigned long long>(Work::kMost), left);
     }
 
+    /// On a floor: gives the ball the spin of rolling with its velocity, exact to the last bit.
+    void roll() {
+        const Vec3 rolls = rollingSpin(inPlane(motion.velocity), radius());
+        motion.spin = {rolls.x, rolls.y, motion.spin.z};
+    }
+
     void pass(double time) {
         elapsed += time;
         left -= time;

@@ -237,16 +237,10 @@ private:
         const double before = glm::length(motion.velocity);
         const Vec3 slip = slipAt(m_ball.moment(), kUp);
         motion.velocity -= 2.0 / 7.0 * Vec3(slip.x, slip.y, 0.0);
-        rollExactly();
+        m_ball.roll();
         m_ball.event(PHYS_EVENT_ROLL, before, glm::length(motion.velocity));
         m_ball.work.add(Work::kEvent);
         return range(0).isFree(m_ball.position.x) && range(1).isFree(m_ball.position.y);
-    }
-
-    /// Sets the spin of rolling, exact to the last bit.
-    void rollExactly() {
-        const Vec3 rolls = rollingSpin(inPlane(m_ball.motion.velocity), m_ball.radius());
-        m_ball.motion.spin = {rolls.x, rolls.y, m_ball.motion.spin.z};
     }
 
     Losses losses(const Resisted &phase, double t) const { return phase.losses(t); }
@@ -274,7 +268,7 @@ private:
         if (m_rests != kNone) m_ball.position[m_rests] = face; // a zero may have the opposite sign
         m_ball.motion = {{place.velocity.x, place.velocity.y, 0.0}, place.spin};
         m_ball.pass(t);
-        if (m_rolls) rollExactly();
+        if (m_rolls) m_ball.roll();
     }
 
     const FloorRegion &m_region;
