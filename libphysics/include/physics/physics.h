@@ -2,7 +2,7 @@
 /** @file
  *  libphysics: physics steps for one ball rolling in a maze of axis-aligned boxes.
  *
- *  An immutable scene, a plain complete state and the parameters of this very step go in, the next state comes out:
+ *  A step takes an immutable scene, a plain and complete state, and parameters; it returns the next state:
  *
  *      phys_scene *scene;  phys_stepper *stepper;  phys_state state;  phys_params params;
  *      phys_scene_load("mazes/levels/01.txt", &scene, NULL);
@@ -15,23 +15,23 @@
  *      phys_stepper_destroy(stepper);
  *      phys_scene_destroy(scene);
  *
- *  Units are SI: m, s, m/s, rad/s; energies are per mass, J/kg = m^2/s^2, because the mass cancels everywhere.
- *  Frame: the board's own; x to the right, y away from the viewer, z up from the floor. The board never moves in this
- *  frame: tilting it turns gravity. Formulas are derived in docs/model.md.
+ *  Units are SI: m, s, m/s, rad/s. Energies are per mass, J/kg = m^2/s^2, because the mass cancels everywhere.
+ *  Frame: fixed to the board; x to the right, y away from the viewer, z up from the floor. The board never moves in
+ *  this frame: tilting it turns gravity. Formulas are derived in docs/model.md.
  *
- *  Rules that hold for every function, so that each line below need not repeat them:
+ *  These rules hold for every function and are not repeated below:
  *  - A function that can fail returns a phys_status: PHYS_OK or a negative code. On failure every output is untouched.
- *  - `err` may be NULL. On failure it receives one line: what, which value, what was allowed. On success it's
- * untouched.
- *  - Pointers must not be NULL unless the line says "or NULL". A NULL is reported as PHYS_ERROR_ARGUMENT.
- *  - Structs marked frozen never change. Appendable ones start with their size, get new members at their end only,
- *    and are filled by their *_init function. An older program's shorter one counts as if the members that it lacks
- * were as that function leaves them; one that is longer than the library knows is refused.
- *  - The locale, the floating-point environment (rounding, flushed subnormals, trapped exceptions) and a small stack
- *    (64 kB) change no result.
+ *  - `err` may be NULL. On failure it receives one line: what is wrong, which value, what is allowed. On success it is
+ *    untouched.
+ *  - Pointers must not be NULL unless the text says "or NULL". A NULL is reported as PHYS_ERROR_ARGUMENT.
+ *  - Structs marked frozen never change. Appendable structs start with their size, get new members only at their end,
+ *    and are filled by their *_init function. If an older program passes a shorter struct, the missing members have
+ *    the values that *_init gives them. A struct longer than the library knows is refused.
+ *  - Results don't depend on the locale or on the floating-point environment (rounding mode, flushed subnormals,
+ *    trapped exceptions). A stack of 64 kB suffices.
  *  - Nothing prints, exits, aborts or throws. Only *_create, *_load, *_parse and *_destroy allocate and free memory.
- *  - Scenes and registries are immutable once made and shared freely between threads; a stepper serves one thread at a
- *    time. There are no globals.
+ *  - Scenes and registries are immutable once made and may be shared between threads; a stepper is used by one thread
+ *    at a time. There are no globals.
  */
 #ifndef PHYS_PHYSICS_H
 #define PHYS_PHYSICS_H
@@ -60,7 +60,7 @@ extern "C" {
 /** Number of the binary interface; equals the library's SONAME. Changes only when an old program would break. */
 #define PHYS_ABI_VERSION 1
 
-#define PHYS_VERSION_MAJOR 1 /**< of the header that a program is compiled with */
+#define PHYS_VERSION_MAJOR 1 /**< of the header a program is compiled with */
 #define PHYS_VERSION_MINOR 1 /**< likewise: grows when functions or members are added */
 #define PHYS_VERSION_PATCH 0 /**< likewise */
 
@@ -101,7 +101,7 @@ PHYS_API const char *phys_status_text(phys_status status);
 /** A status's name, for instance "PHYS_ERROR_RANGE". Static text; "unknown" otherwise. Any thread. Since 1.0. */
 PHYS_API const char *phys_status_name(phys_status status);
 
-/** What went wrong: frozen. The caller owns it; no need to initialise it. */
+/** Details of a failure: frozen. The caller owns it; it needs no initialisation. */
 typedef struct phys_error {
     phys_status status; /**< as the function returned it */
     int32_t reserved;   /**< 0 */
@@ -134,7 +134,7 @@ PHYS_API phys_status phys_gravity_from_tilt(double tilt_x, double tilt_y, double
 /** Boxes, ball and start; immutable. Opaque. */
 typedef struct phys_scene phys_scene;
 
-/** What a scene is made of: appendable. The boxes are copied. Boxes may touch and overlap. */
+/** Description of a scene: appendable. The boxes are copied. Boxes may touch and overlap. */
 typedef struct phys_scene_desc {
     uint32_t struct_size;  /**< sizeof(phys_scene_desc), set by phys_scene_desc_init */
     uint32_t box_count;    /**< 0 .. 1,000,000 */
@@ -148,8 +148,8 @@ typedef struct phys_scene_desc {
 PHYS_API phys_status phys_scene_desc_init(phys_scene_desc *desc, size_t size);
 
 /** Makes a scene from a description: checks it, merges flush boxes, classifies floor and walls, builds the grid.
- *  What is under the ball at its start is floor: all boxes whose top lies in that plane. Any thread.
- *  However the boxes lie, it needs at most 1 MB and 400 bytes a box while it works, and n log n time for n boxes.
+ *  The floor is what lies under the ball at its start: all boxes whose top is in that plane. Any thread.
+ *  While it works it needs at most 1 MB plus 400 bytes per box, and a time of order n log n for n boxes.
  *  Errors: ARGUMENT, SCENE, MEMORY. Free it with phys_scene_destroy. Since 1.0. */
 PHYS_API phys_status phys_scene_create(const phys_scene_desc *desc, phys_scene **out, phys_error *err);
 
@@ -157,14 +157,14 @@ PHYS_API phys_status phys_scene_create(const phys_scene_desc *desc, phys_scene *
  *  Errors: ARGUMENT, FILE, SYNTAX (with file and line), SCENE, MEMORY. Since 1.0. */
 PHYS_API phys_status phys_scene_load(const char *path, phys_scene **out, phys_error *err);
 
-/** Makes a scene from the text of a maze file in memory (format: mazes/README.md). text: `size` bytes, or NULL with
- * size 0; needs no NUL. name: UTF-8, stands in messages where a file's path would; or NULL: "text". Any thread. Errors:
- * ARGUMENT, SYNTAX (with name and line), SCENE, MEMORY. Since 1.1. */
+/** Makes a scene from the text of a maze file in memory (format: mazes/README.md). text: `size` bytes without a final
+ *  NUL, or NULL with size 0. name: UTF-8, used in messages in place of a file's path, or NULL for "text". Any thread.
+ *  Errors: ARGUMENT, SYNTAX (with name and line), SCENE, MEMORY. Since 1.1. */
 PHYS_API phys_status phys_scene_parse(const char *text, size_t size, const char *name, phys_scene **out,
                                       phys_error *err);
 
-/** Frees a scene, or does nothing for NULL. No stepper made for it may be alive. One thread: the last that uses it.
- *  Since 1.0. */
+/** Frees a scene; does nothing for NULL. All its steppers must have been destroyed, and no other thread may still use
+ *  it. Since 1.0. */
 PHYS_API void phys_scene_destroy(phys_scene *scene);
 
 /** The ball's radius, m; 0 for NULL. Any thread. Since 1.0. */
@@ -173,14 +173,14 @@ PHYS_API double phys_scene_radius(const phys_scene *scene);
 /** Number of boxes as given (not merged); 0 for NULL. Any thread. Since 1.0. */
 PHYS_API uint32_t phys_scene_box_count(const phys_scene *scene);
 
-/** The boxes as given, phys_scene_box_count of them, living as long as the scene; NULL for NULL or without boxes.
- *  Box numbers in events, contacts and messages count in this array from 0. Any thread. Since 1.0. */
+/** The boxes as given, phys_scene_box_count of them, valid as long as the scene; NULL for NULL or without boxes.
+ *  Box numbers in events, contacts and messages are indices into this array. Any thread. Since 1.0. */
 PHYS_API const phys_box *phys_scene_boxes(const phys_scene *scene);
 
 /** The smallest box around all boxes; all zero without boxes. Any thread. Errors: ARGUMENT. Since 1.0. */
 PHYS_API phys_status phys_scene_bounds(const phys_scene *scene, phys_box *out);
 
-/** Whether the ball's contacts while it rolls on the floor are all horizontal (model.md 0).
+/** Whether all contacts of the ball are horizontal while it rolls on the floor (model.md 0).
  *  PHYS_OK if so. Any thread. Errors: ARGUMENT; UNSUPPORTED with the box and the reason if it isn't. Since 1.0. */
 PHYS_API phys_status phys_scene_check_planar(const phys_scene *scene, phys_error *err);
 
@@ -197,38 +197,39 @@ typedef struct phys_contact {
 } phys_contact;
 
 /** All boxes, floors included, whose gap to a ball centred at `centre` is at most `reach` (m, >= 0, finite), in order
- *  of their numbers. Writes at most `capacity` of them to `out` (or NULL if capacity is 0) and how many there are to
- *  `count`. The centre's coordinates must be numbers within +-2^100 m. Any thread. Errors: ARGUMENT. Since 1.0. */
+ *  of their numbers. Writes at most `capacity` of them to `out` (or NULL if capacity is 0) and the number of all to
+ *  `count`. The centre's coordinates must be within +-2^100 m. Any thread. Errors: ARGUMENT. Since 1.0. */
 PHYS_API phys_status phys_scene_contacts(const phys_scene *scene, const phys_vec3 *centre, double reach,
                                          phys_contact *out, uint32_t capacity, uint32_t *count);
 
 /* -------------------------------------------------------------------------------------------------------- state -- */
 
-/** Flags of a state. They follow from the step that made the state; steppers never read them. */
+/** Flags of a state. Each step sets them; steppers never read them. */
 enum {
-    PHYS_AT_REST = 1,  /**< no velocity, no spin, and with unchanged gravity it stays so */
+    PHYS_AT_REST = 1,  /**< no velocity, no spin, and under unchanged gravity it stays at rest */
     PHYS_AIRBORNE = 2, /**< not supported by a floor */
-    PHYS_OUT = 4,      /**< the centre has left the bounds of all boxes seen from above: out of the maze */
+    PHYS_OUT = 4,      /**< out of the maze: seen from above, the centre is outside the bounds of all boxes */
     PHYS_SLIPPING = 8, /**< rigid model: the floor contact slips */
     PHYS_STATE_FLAGS = 15
 };
 
-/** Everything that a ball is: frozen, 128 bytes, no padding; memcpy, memcmp and hash it. No number beyond 2^100. */
+/** Complete state of the ball: frozen, 128 bytes without padding, so that memcpy, memcmp and hashing work. All numbers
+ *  are within +-2^100. */
 typedef struct phys_state {
     double time;           /**< s since the start */
     uint64_t step;         /**< steps since the start; phys_step adds one (none for dt = 0) */
     phys_vec3 position;    /**< of the centre, m */
     phys_vec3 velocity;    /**< m/s */
     phys_vec3 spin;        /**< angular velocity, rad/s; rolling model on the floor: follows from the velocity */
-    double orientation[4]; /**< unit quaternion x y z w; for drawing: no motion depends on it */
+    double orientation[4]; /**< unit quaternion x y z w, for drawing: the motion doesn't depend on it */
     uint64_t flags;        /**< PHYS_AT_REST | ... */
 } phys_state;
 
 /** The state at the start: at rest, time 0, no rotation. Any thread. Errors: ARGUMENT. Since 1.0. */
 PHYS_API phys_status phys_scene_start(const phys_scene *scene, phys_state *out);
 
-/** A 64-bit hash of all 128 bytes: FNV-1a over 16 words, each from its least significant byte on; 0 for NULL. Any
- * thread. Since 1.0. */
+/** A 64-bit hash of all 128 bytes: FNV-1a over 16 words, each in little-endian order of bytes; 0 for NULL. Any thread.
+ *  Since 1.0. */
 PHYS_API uint64_t phys_state_hash(const phys_state *state);
 
 /* --------------------------------------------------------------------------------------------------- parameters -- */
@@ -240,27 +241,27 @@ enum {
 
 /** Bits of phys_params.options. */
 enum {
-    PHYS_OPTION_ORIENTATION = 1, /**< also integrate state.orientation (only drawing needs it) */
-    PHYS_OPTION_ALL_STAGES = 2,  /**< run every stage even if not required; for tests and benchmarks: no bit changes */
+    PHYS_OPTION_ORIENTATION = 1, /**< also integrate state.orientation, which only drawing needs */
+    PHYS_OPTION_ALL_STAGES = 2,  /**< run every stage even if not required, for tests and benchmarks; same results */
     PHYS_OPTIONS = 3
 };
 
-/** Most parameters of its own that a stepper can have. */
+/** Greatest number of parameters of its own that a stepper can have. */
 #define PHYS_STEPPER_VALUES 8
 
-/** What a step obeys: appendable. Allowed ranges: the rows of phys_param_rows. */
+/** Parameters of a step: appendable. The rows of phys_param_rows say which values are allowed. */
 typedef struct phys_params {
-    uint32_t struct_size;     /**< sizeof(phys_params), set by phys_params_init */
-    uint32_t model;           /**< PHYS_MODEL_ROLLING or PHYS_MODEL_RIGID */
-    phys_vec3 gravity;        /**< m/s^2 in the board frame: this is how tilt arrives; z < 0 while a floor supports */
-    double restitution_wall;  /**< 0 .. 1 */
-    double restitution_floor; /**< 0 .. 1: landing */
-    double rolling_friction;  /**< >= 0: resistance = this times the normal force; rigid: <= sliding_friction */
-    double sliding_friction;  /**< >= 0: ball on floor, rigid model */
-    double wall_friction;     /**< >= 0: ball on wall, rigid model */
-    uint32_t options;         /**< PHYS_OPTION_* */
-    uint32_t reserved;        /**< 0 */
-    double stepper[PHYS_STEPPER_VALUES]; /**< what the stepper's own rows point at; 0 unless it has such rows */
+    uint32_t struct_size;                /**< sizeof(phys_params), set by phys_params_init */
+    uint32_t model;                      /**< PHYS_MODEL_ROLLING or PHYS_MODEL_RIGID */
+    phys_vec3 gravity;                   /**< m/s^2, board frame: tilt turns it; z < 0 while a floor supports */
+    double restitution_wall;             /**< 0 .. 1 */
+    double restitution_floor;            /**< 0 .. 1: when landing */
+    double rolling_friction;             /**< >= 0: resistance / normal force; rigid: at most sliding_friction */
+    double sliding_friction;             /**< >= 0: ball on floor, rigid model */
+    double wall_friction;                /**< >= 0: ball on wall, rigid model */
+    uint32_t options;                    /**< PHYS_OPTION_* */
+    uint32_t reserved;                   /**< 0 */
+    double stepper[PHYS_STEPPER_VALUES]; /**< values of the stepper's own rows; 0 where it has none */
 } phys_params;
 
 /** Fills params with each row's initial value, gravity (0, 0, -9.81), the rolling model, no options. size =
@@ -275,36 +276,36 @@ enum {
     PHYS_ROW_SWITCH = 8  /**< 0 or 1, stored as double */
 };
 
-/** All there is to know about one parameter: frozen. Texts are static, English, UTF-8, never NULL. */
+/** Description of one parameter: frozen. Texts are static, English, UTF-8, never NULL. */
 typedef struct phys_param_row {
-    const char *id;      /**< for ever; for settings, options and columns: rolling_friction */
+    const char *id;      /**< never changes; for settings, options and columns: rolling_friction */
     const char *label;   /**< for people: Rolling friction */
     const char *unit;    /**< "" if it has none */
-    const char *help;    /**< what it does, its default, how to choose it */
+    const char *help;    /**< its effect, its default, how to choose it */
     const char *choices; /**< names separated by '\n' for PHYS_ROW_CHOICE, otherwise "" */
     double min;          /**< least allowed value */
     double max;          /**< greatest allowed value */
-    double low;          /**< the range that a slider should offer begins here */
-    double high;         /**< the range that a slider should offer ends here */
-    double initial;      /**< default */
-    double step;         /**< one notch */
+    double low;          /**< least value a slider should offer */
+    double high;         /**< greatest value a slider should offer */
+    double initial;      /**< default value */
+    double step;         /**< one notch of a slider */
     uint32_t offset;     /**< of the double (or uint32_t, see flags) in phys_params, bytes */
     uint32_t flags;      /**< PHYS_ROW_* */
 } phys_param_row;
 
-/** The library's own rows, in the order in which to show them; writes their number to `count`. Static. Any thread.
+/** The library's own rows in the order of display; writes their number to `count`. Static. Any thread.
  *  Since 1.0. */
 PHYS_API const phys_param_row *phys_param_rows(uint32_t *count);
 
-/** Reads the value a row stands for: its initial one if params is too short to have it; NaN for NULL. Any thread.
+/** Reads a row's value: its initial one if params is too short to have it; NaN for NULL. Any thread.
  *  Since 1.0. */
 PHYS_API double phys_param_get(const phys_params *params, const phys_param_row *row);
 
-/** Writes the value a row stands for. Errors: ARGUMENT (also if params is too short to have it), RANGE. Any thread.
+/** Writes a row's value. Errors: ARGUMENT (also if params is too short to have it), RANGE. Any thread.
  *  Since 1.0. */
 PHYS_API phys_status phys_param_set(phys_params *params, const phys_param_row *row, double value, phys_error *err);
 
-/** Whether a step would accept these parameters: sizes, ranges, and what holds between them. Errors: ARGUMENT, RANGE.
+/** Whether a step would accept these parameters: sizes, ranges, relations between them. Errors: ARGUMENT, RANGE.
  *  Any thread. Since 1.0. */
 PHYS_API phys_status phys_params_check(const phys_params *params, phys_error *err);
 
@@ -315,12 +316,12 @@ enum {
     PHYS_EVENT_LANDING = 2, /**< bounced off or came down on a floor */
     PHYS_EVENT_TAKEOFF = 3, /**< left the floor */
     PHYS_EVENT_STOP = 4,    /**< came to rest */
-    PHYS_EVENT_ROLL = 5,    /**< slip ended: rolls from here on */
-    PHYS_EVENT_CONTACT = 6, /**< "exact" only: stays in contact with a wall from here on */
+    PHYS_EVENT_ROLL = 5,    /**< slip ended: the ball rolls from now on */
+    PHYS_EVENT_CONTACT = 6, /**< "exact" only: stays in contact with a wall from now on */
     PHYS_EVENT_RELEASE = 7  /**< "exact" only: left a wall it was in contact with, without an impact */
 };
 
-/** Something that happened during a step: frozen. */
+/** An event during a step: frozen. */
 typedef struct phys_event {
     double time;         /**< s since the start, as state.time */
     phys_vec3 point;     /**< of contact, m (the centre for events without one) */
@@ -334,27 +335,28 @@ typedef struct phys_event {
 /** phys_event.box of an event without one. */
 #define PHYS_NO_BOX 0xffffffffu
 
-/** What a step did: appendable. Set up by phys_report_init, then events and event_capacity by the caller; the rest is
- *  written anew by each successful step (after a failed one the content of the event buffer is undefined). Energies per
- * mass, J/kg. They balance: energy_before + energy_scheme = energy_after + lost_impact + lost_rolling + lost_slip. */
+/** Report of a step: appendable. phys_report_init fills it, the caller then sets events and event_capacity; each
+ *  successful step overwrites the rest (after a failed step the contents of the event buffer are undefined). Energies
+ *  are per mass, J/kg, and balance:
+ *  energy_before + energy_scheme = energy_after + lost_impact + lost_rolling + lost_slip. */
 typedef struct phys_report {
     uint32_t struct_size;    /**< sizeof(phys_report), set by phys_report_init */
-    uint32_t event_capacity; /**< room in events */
+    uint32_t event_capacity; /**< how many events fit into the buffer */
     phys_event *events;      /**< the caller's buffer, or NULL with event_capacity 0 */
     uint32_t event_count;    /**< written to events, in order of time */
-    uint32_t events_lost;    /**< happened too, but found no room */
-    uint32_t substeps;       /**< the step was cut into; 1 for exact, 0 for dt = 0 */
-    uint32_t substep_cap;    /**< above this the step fails with PHYS_ERROR_SUBSTEP_CAP; 0 where it has no cap */
+    uint32_t events_lost;    /**< further events, which didn't fit */
+    uint32_t substeps;       /**< substeps the step was cut into; 1 for exact, 0 for dt = 0 */
+    uint32_t substep_cap;    /**< above this the step fails with PHYS_ERROR_SUBSTEP_CAP; 0: no cap */
     uint32_t passes;         /**< most passes that resolving contacts took at one moment */
-    uint32_t pass_cap;       /**< most that are tried: then a ball without room fails with PHYS_ERROR_STUCK, and impacts
-                                  that still approach end without a bounce; 0: a plugin that has none */
-    double penetration;      /**< deepest seen before it was resolved, m, >= 0 */
+    uint32_t pass_cap;       /**< most passes tried: after them a ball without room fails with PHYS_ERROR_STUCK, and
+                                  impacts that still approach end without a bounce; 0: a plugin without a cap */
+    double penetration;      /**< deepest penetration before it was resolved, m, >= 0 */
     double energy_before;    /**< phys_energy of the given state with the step's gravity */
     double energy_after;     /**< phys_energy of the new state */
     double lost_impact;      /**< to impacts with walls and floors */
     double lost_rolling;     /**< to rolling resistance */
-    double lost_slip; /**< to friction at a slipping contact; the rolling model's landing counts here, either sign */
-    double energy_scheme; /**< made (> 0) or lost (< 0) by the stepper's own error: what remains in the balance */
+    double lost_slip;        /**< to friction of slipping contacts; rolling model: of landings, of either sign */
+    double energy_scheme;    /**< gained (> 0) or lost (< 0) by the stepper's own error: the rest of the balance */
 } phys_report;
 
 /** Fills a report: no event buffer, all zero. size = sizeof(phys_report). Any thread. Errors: ARGUMENT. Since 1.0. */
@@ -370,22 +372,22 @@ PHYS_API phys_status phys_energy(const phys_scene *scene, const phys_params *par
 /** The steppers that can be made: the built-in ones and those of loaded plugins. Opaque. */
 typedef struct phys_registry phys_registry;
 
-/** Id of the stepper to take without a reason for another one. */
+/** Id of the stepper to use unless there is a reason for another one. */
 #define PHYS_STEPPER_DEFAULT "symplectic-euler"
 
 /** Bits of phys_stepper_info.flags. */
 enum {
     PHYS_STEPPER_EXACT_IN_DT = 1,     /**< one step of any dt is as good as many small ones */
-    PHYS_STEPPER_BITS_EVERYWHERE = 2, /**< only + - x / sqrt, and what is made of them: same bits on every system */
+    PHYS_STEPPER_BITS_EVERYWHERE = 2, /**< made of + - x / sqrt alone: same bits on every system */
     PHYS_STEPPER_PLUGIN = 4           /**< comes from a plugin */
 };
 
-/** What is known of a stepper before it is made: frozen. Texts live as long as the registry, never NULL. */
+/** Description of a stepper: frozen. Texts live as long as the registry and are never NULL. */
 typedef struct phys_stepper_info {
-    const char *id;                    /**< for ever */
+    const char *id;                    /**< never changes */
     const char *name;                  /**< for people */
     const char *version;               /**< changes when trajectories change */
-    const char *summary;               /**< a sentence: what it's for */
+    const char *summary;               /**< its purpose in one sentence */
     const char *file;                  /**< of the plugin; "" for built-in ones */
     const phys_param_row *const *rows; /**< of its own, row_count pointers */
     uint32_t row_count;                /**< 0 .. PHYS_STEPPER_VALUES */
@@ -396,31 +398,31 @@ typedef struct phys_stepper_info {
  *  Since 1.0. */
 PHYS_API phys_status phys_registry_create(phys_registry **out, phys_error *err);
 
-/** Frees a registry, or does nothing for NULL. No stepper made from it may be alive. Loaded plugins stay loaded. One
- *  thread: the last that uses it. Since 1.0. */
+/** Frees a registry; does nothing for NULL. All steppers made from it must have been destroyed, and no other thread may
+ *  still use it. Loaded plugins stay loaded. Since 1.0. */
 PHYS_API void phys_registry_destroy(phys_registry *registry);
 
 /** Loads the plugin in one file and adds its steppers. Not while another thread uses the registry.
  *  Errors: ARGUMENT, FILE, MEMORY, PLUGIN_REFUSED with file, reason, expected and found. Since 1.0. */
 PHYS_API phys_status phys_registry_load_file(phys_registry *registry, const char *path, phys_error *err);
 
-/** Receives one line for each plugin file that a scan loads (PHYS_OK) or refuses. */
+/** Called once for each plugin file that a scan loads (PHYS_OK) or refuses; text: one line. */
 typedef void (*phys_scan_function)(void *context, const char *path, phys_status status, const char *text);
 
-/** Loads every *.so (Windows: *.dll) of a folder, in order of name. Paths are UTF-8.
- *  folder NULL: the folders of PHYS_PLUGIN_PATH (separated by ':', on Windows by ';'),
- *  then `physics-1` beside the library. A refused file doesn't end the scan; `report` (or NULL) hears of each.
- *  registry NULL: loads nothing, `report` hears PHYS_OK and an empty text of each file that would be loaded. A host can
- *  so try each in a process of its own first, because a damaged one may end the process that loads it.
- *  Errors: FILE (the folder named isn't there), MEMORY. Not while another thread uses the registry. Since 1.0. */
+/** Loads every *.so (Windows: *.dll) of a folder in order of name. Paths are UTF-8. folder NULL: the folders of
+ *  PHYS_PLUGIN_PATH (separated by ':', on Windows by ';'), then `physics-1` beside the library. A refused file doesn't
+ *  end the scan; `report` (or NULL) is called for each file. registry NULL: loads nothing and calls `report` with
+ *  PHYS_OK and an empty text for each file that would be loaded. So a host can first try each in a process of its own,
+ *  because a damaged file may end the process that loads it. Not while another thread uses the registry.
+ *  Errors: FILE (the folder doesn't exist), MEMORY. Since 1.0. */
 PHYS_API phys_status phys_registry_scan(phys_registry *registry, const char *folder, phys_scan_function report,
                                         void *context, phys_error *err);
 
 /** Number of steppers; registry NULL: of the built-in ones. Any thread. Since 1.0. */
 PHYS_API uint32_t phys_registry_count(const phys_registry *registry);
 
-/** Describes stepper `index`; built-in ones come first, from crude to exact. registry or NULL for the built-in ones.
- *  Errors: ARGUMENT. Any thread. Since 1.0. */
+/** Describes stepper `index`; the built-in ones come first, from crude to exact. registry, or NULL for the built-in
+ *  ones. Errors: ARGUMENT. Any thread. Since 1.0. */
 PHYS_API phys_status phys_registry_info(const phys_registry *registry, uint32_t index, phys_stepper_info *out);
 
 /** Describes the stepper with this id. registry or NULL. Errors: ARGUMENT, UNKNOWN_STEPPER. Any thread. Since 1.0. */
@@ -431,16 +433,15 @@ PHYS_API phys_status phys_registry_find(const phys_registry *registry, const cha
  *  Errors: ARGUMENT, RANGE. Since 1.0. */
 PHYS_API phys_status phys_stepper_info_init_params(const phys_stepper_info *info, phys_params *params);
 
-/** Computes steps in one scene. Opaque. It keeps nothing from one step to the next. */
+/** Computes steps in one scene. Opaque. No result depends on earlier steps. */
 typedef struct phys_stepper phys_stepper;
 
-/** Makes a stepper for a scene; both registry (or NULL: the built-in steppers) and scene must outlive it. Errors:
- *  ARGUMENT, UNKNOWN_STEPPER, UNSUPPORTED (the scene is not one it can do, with the box), MEMORY. Any thread. Since
- *  1.0. */
+/** Makes a stepper for a scene; both registry (or NULL: the built-in steppers) and scene must outlive it. Any thread.
+ *  Errors: ARGUMENT, UNKNOWN_STEPPER, UNSUPPORTED (it can't handle the scene; names the box), MEMORY. Since 1.0. */
 PHYS_API phys_status phys_stepper_create(const phys_registry *registry, const char *id, const phys_scene *scene,
                                          phys_stepper **out, phys_error *err);
 
-/** Frees a stepper, or does nothing for NULL. One thread: the last that uses it. Since 1.0. */
+/** Frees a stepper; does nothing for NULL. No other thread may still use it. Since 1.0. */
 PHYS_API void phys_stepper_destroy(phys_stepper *stepper);
 
 /** One step of dt seconds (0 .. 2^100; 0 changes nothing). in and out may be the same; report or NULL.
@@ -451,14 +452,14 @@ PHYS_API phys_status phys_step(phys_stepper *stepper, const phys_params *params,
 
 /* -------------------------------------------------------------------------------------- many balls, many steps -- */
 
-/** Balls that take steps of the same size in one scene: appendable. Set up by phys_batch_init, then filled by the
- *  caller, who owns all arrays. Strides are the bytes from one element to the next, multiples of 8; what is only read
- * may have the stride 0: one for all. */
+/** Balls that take steps of the same size in one scene: appendable. phys_batch_init sets it up, the caller fills it and
+ *  owns all arrays. Strides are in bytes from one element to the next, multiples of 8; arrays that are only read may
+ *  have a stride of 0: one element for all. */
 typedef struct phys_batch {
     uint32_t struct_size;       /**< sizeof(phys_batch), set by phys_batch_init */
-    uint32_t stop_flags;        /**< a ball is done once its state has one of these, for instance PHYS_OUT; 0: never */
+    uint32_t stop_flags;        /**< a ball is done once its state has one of these flags, such as PHYS_OUT; 0: never */
     uint64_t ball_count;        /**< balls in the arrays below */
-    uint64_t step_count;        /**< most steps that a ball takes */
+    uint64_t step_count;        /**< greatest number of steps of each ball */
     double dt;                  /**< of each step, s, 0 .. 2^100 */
     const phys_params *params;  /**< of each ball */
     size_t params_stride;       /**< from ball to ball */
@@ -472,21 +473,21 @@ typedef struct phys_batch {
     uint64_t path_every;        /**< 1 or more with a path: it has step_count / path_every states a ball */
     uint64_t *steps_done;       /**< out, of each ball, side by side; or NULL */
     phys_status *statuses;      /**< out, of each ball, side by side: PHYS_OK or why it stopped early; or NULL */
-    uint64_t *impacts;          /**< of each ball, side by side: its PHYS_EVENT_IMPACTs are added; or NULL */
-    double *energy_lost;        /**< the same, J/kg: what impacts, rolling and slip take in each step; or NULL */
+    uint64_t *impacts;          /**< of each ball, side by side: the number of its impacts is added; or NULL */
+    double *energy_lost;        /**< likewise, J/kg: energy lost in impacts, rolling and slip is added; or NULL */
 } phys_batch;
 
 /** Fills a batch: no balls, no steps, no arrays. size = sizeof(phys_batch). Any thread. Errors: ARGUMENT. Since 1.1. */
 PHYS_API phys_status phys_batch_init(phys_batch *batch, size_t size);
 
-/** Runs the balls first .. first + count - 1 of a batch: for each, the bits that phys_step gives in a loop. A ball that
- *  fails keeps its last good state and its status, the others go on; what remains of its path, and of that of a ball
- * that is done, repeats its last state. impacts and energy_lost are what the reports of phys_step would give: events of
- * PHYS_EVENT_IMPACT, not of landings, but any beyond 64 in a step. Who wants neither has faster steps. Allocates
- * nothing. One thread at a time per stepper; threads with a stepper each may run disjoint ranges of one batch. On
- * failure outputs are untouched, but for the last of these cases. Errors: ARGUMENT, RANGE (of parameters that all balls
- * share); if statuses is NULL, the error of the first ball that fails, with its number, after all have run. Since 1.1.
- */
+/** Runs the balls first .. first + count - 1 of a batch; each gets the same bits as by phys_step in a loop. A ball that
+ *  fails keeps its last good state and its status, the others go on. The rest of its path, as of that of a ball that is
+ *  done, repeats its last state. impacts and energy_lost are the sums of what the reports of phys_step would say:
+ *  events PHYS_EVENT_IMPACT, not landings (of a step with more than 64 events, all after the 64th count as impacts).
+ *  Without them steps are faster. Allocates nothing. One thread at a time per stepper; threads, each with a stepper of
+ *  its own, may run disjoint ranges of one batch. Errors: ARGUMENT, RANGE (of parameters that all balls share), with
+ *  outputs untouched; if statuses is NULL, the error of the first ball that fails, with its number, after all have run.
+ *  Since 1.1. */
 PHYS_API phys_status phys_batch_run(phys_stepper *stepper, const phys_batch *batch, uint64_t first, uint64_t count,
                                     phys_error *err);
 
@@ -505,15 +506,15 @@ PHYS_API phys_status phys_batch_run(phys_stepper *stepper, const phys_batch *bat
 enum { PHYS_STAGE_LIST(PHYS_STAGE_ENUMERATOR) PHYS_STAGE_COUNT = 6 };
 #undef PHYS_STAGE_ENUMERATOR
 
-/** Which stages the next step runs, and why: frozen. */
+/** The stages that the next step runs, and why: frozen. */
 typedef struct phys_requirements {
     uint32_t stages;                     /**< PHYS_STAGE_* bits of the stages that run */
-    uint32_t substeps;                   /**< the step would be cut into */
+    uint32_t substeps;                   /**< substeps the step would be cut into */
     char reasons[PHYS_STAGE_COUNT][120]; /**< a sentence for each stage: why it runs or why not */
 } phys_requirements;
 
-/** Says which stages the step with these arguments needs. Errors: phys_step's before it moves the ball, and
- *  UNSUPPORTED for a plugin that doesn't tell. One thread at a time per stepper. Since 1.0. */
+/** Says which stages the step with these arguments needs. Errors: those of phys_step's checks of its arguments, and
+ *  UNSUPPORTED for a plugin without this function. One thread at a time per stepper. Since 1.0. */
 PHYS_API phys_status phys_stepper_requirements(const phys_stepper *stepper, const phys_params *params, double dt,
                                                const phys_state *state, phys_requirements *out, phys_error *err);
 

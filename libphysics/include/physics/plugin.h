@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /** @file
- *  What a plugin hands to libphysics: one exported constant table of steppers. A plugin links to nothing of ours; the
- *  built-in steppers fill the very same table. A plugin is a shared object that defines
+ *  Interface of plugins. A plugin is a shared object that exports one constant table of steppers, the same table that
+ *  the built-in steppers fill. It doesn't link to libphysics. It defines
  *
  *     const phys_plugin phys_plugin_entry = { PHYS_ABI_VERSION, sizeof(phys_plugin), 1, 0, steppers };
  *
- *  The table is checked before any of its functions is called, and what a step returns before anyone sees it. But code
- *  that runs when a shared object is loaded (constructors) has run by then: load only files that you trust.
+ *  The table is checked before any of its functions is called, and the result of each step before the caller gets it.
+ *  But constructors, which run when a shared object is loaded, have run by then: load only files that you trust.
  */
 #ifndef PHYS_PLUGIN_H
 #define PHYS_PLUGIN_H
@@ -17,15 +17,15 @@
 extern "C" {
 #endif
 
-/** What a stepper sees of a scene: appendable. Lives longer than the stepper made from it. All members may be read by
- *  any thread at any time. */
+/** A scene as a stepper sees it: appendable. It outlives the steppers made from it. All members may be read by any
+ *  thread at any time. */
 typedef struct phys_scene_view {
     uint32_t struct_size;  /**< sizeof(phys_scene_view) */
     uint32_t box_count;    /**< boxes as given to phys_scene_create */
     const phys_box *boxes; /**< box_count of them, m; NULL if there are none */
     double radius;         /**< of the ball, m */
     double floor_top;      /**< height of the floor's top, m; NaN if the start isn't over a floor */
-    const void *scene;     /**< handed back to the two functions below */
+    const void *scene;     /**< first argument of the two functions below */
 
     /** Numbers of the boxes that overlap or touch region, in ascending order: writes the lowest, at most capacity of
      *  them, to out (or NULL if capacity is 0) and returns how many there are; 0 for a region that isn't a box. */
@@ -36,8 +36,8 @@ typedef struct phys_scene_view {
                          uint32_t capacity);
 } phys_scene_view;
 
-/** Ids that no row of a stepper's own may have, nor those of phys_param_rows: programs have options, settings and
- * columns of these names. */
+/** Ids that a stepper's own rows may not have, nor those of phys_param_rows: programs have options, settings and
+ *  columns of these names. */
 #define PHYS_RESERVED_ROW_IDS                                                                                          \
     "all_levels", "autopilot", "box", "check", "compare", "compare_set", "compare_substeps", "csv", "csv_every", "dt", \
         "duration", "energy", "event", "fit", "fit_for", "flags", "for", "force", "grab", "gravity", "headless",       \
@@ -52,23 +52,23 @@ typedef struct phys_scene_view {
 typedef struct phys_stepper_api {
     uint32_t struct_size;              /**< sizeof(phys_stepper_api) */
     uint32_t flags;                    /**< PHYS_STEPPER_* without PHYS_STEPPER_PLUGIN */
-    const char *id;                    /**< for ever, unique: lower case letters, digits and '-', 1 .. 63 bytes */
+    const char *id;                    /**< never changes, unique: lower case letters, digits, '-', 1 .. 63 bytes */
     const char *name;                  /**< for people, 1 .. 127 bytes */
     const char *version;               /**< changes when trajectories change, 1 .. 31 bytes */
-    const char *summary;               /**< a sentence: what it's for, 0 .. 255 bytes */
+    const char *summary;               /**< its purpose in one sentence, 0 .. 255 bytes */
     const phys_param_row *const *rows; /**< its own; offsets point into phys_params.stepper; NULL if there are none */
     uint32_t row_count;                /**< 0 .. PHYS_STEPPER_VALUES */
     uint32_t reserved;                 /**< 0 */
 
-    /** Makes what the stepper needs in this scene and stores it in *self (it may stay NULL). */
+    /** Creates the stepper's own data for this scene and stores it in *self, which may stay NULL. */
     phys_status (*create)(const phys_scene_view *scene, void **self, phys_error *err);
 
-    /** Frees what create made. */
+    /** Frees what create has created. */
     void (*destroy)(void *self);
 
     /** As phys_step, with arguments already checked: pointers valid, dt > 0, in valid, params within their rows.
-     *  in and out never overlap. err is never NULL; report may be. The host has filled *out with *in, step and time
-     *  already advanced: leave those two as they are. It puts the energies into the report itself. */
+     *  in and out never overlap. err is never NULL, report may be. The host has copied *in to *out and advanced step
+     *  and time: leave those two as they are. It computes the report's energies before and after itself. */
     phys_status (*step)(void *self, const phys_params *params, double dt, const phys_state *in, phys_state *out,
                         phys_report *report, phys_error *err);
 
@@ -76,20 +76,20 @@ typedef struct phys_stepper_api {
     phys_status (*requirements)(void *self, const phys_params *params, double dt, const phys_state *state,
                                 phys_requirements *out, phys_error *err);
 
-    /** Optional. Abilities that later versions may ask for by name; NULL for those it doesn't have. */
+    /** Optional. Extensions that later versions may ask for by name; NULL for those it doesn't have. */
     const void *(*extension)(void *self, const char *extension_id);
 } phys_stepper_api;
 
 /** A plugin's table: appendable. */
 typedef struct phys_plugin {
-    uint32_t abi_version;                    /**< PHYS_ABI_VERSION that it was compiled with */
+    uint32_t abi_version;                    /**< PHYS_ABI_VERSION it was compiled with */
     uint32_t struct_size;                    /**< sizeof(phys_plugin) */
     uint32_t stepper_count;                  /**< 1 or more */
     uint32_t reserved;                       /**< 0 */
     const phys_stepper_api *const *steppers; /**< stepper_count pointers */
 } phys_plugin;
 
-/** Visible even where PHYS_API isn't, as in a host that links libphysics statically. */
+/** Exports the table even where PHYS_API exports nothing, as in a host that links libphysics statically. */
 #if defined(_WIN32)
 #define PHYS_PLUGIN_API __declspec(dllexport)
 #elif defined(__GNUC__)
@@ -101,7 +101,7 @@ typedef struct phys_plugin {
 /** The only symbol that a plugin exports. */
 extern PHYS_PLUGIN_API const phys_plugin phys_plugin_entry;
 
-/** Whether *pointer is large enough to have an optional function, and has it. */
+/** Whether *pointer is long enough to have the optional function `slot`, and has it. */
 #define PHYS_HAS_SLOT(type, pointer, slot)                                                                             \
     ((pointer)->struct_size >= offsetof(type, slot) + sizeof((pointer)->slot) && (pointer)->slot)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What crosses into C: numbers, texts and arrays, each checked in one place before ctypes would wrap, cut or cast it."""
+"""Arguments of C functions: numbers, texts and arrays, checked here before ctypes could wrap, cut or cast them."""
 from __future__ import annotations
 
 import operator
@@ -58,7 +58,7 @@ def number(value: Any, name: str) -> float:
 
 
 def vector(value: Any, name: str) -> np.ndarray:
-    """Three doubles side by side."""
+    """Three contiguous doubles."""
     array = numbers(value, name)
     if array.shape != (3,):
         raise ValueError(f"{name} has the shape {array.shape}; expected (3,)")
@@ -88,7 +88,7 @@ def _ended(value: bytes, name: str) -> bytes:
 
 
 def is_laid_out(array: np.ndarray) -> bool:
-    """Whether C may read it: side by side in numpy's order, at an address that its numbers can have."""
+    """Whether C may read it: contiguous in C order and aligned."""
     return array.flags.c_contiguous and array.ctypes.data % _ALIGNMENT == 0
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The shared library: found, declared, and compared with the dtypes before anything uses them."""
+"""Finds and declares the shared library, and compares its structs with the dtypes before anything uses them."""
 from __future__ import annotations
 
 import ctypes
@@ -144,8 +144,8 @@ def check(status: int, error: Error | None = None) -> None:
 
 
 class Handle:
-    """What a *_create function of the library made: destroyed once, when nothing refers to it any more, and before what it
-    was made from, in whatever order the interpreter drops the objects. ctypes passes it as the pointer.
+    """Owns an object of the library. It is destroyed once, when nothing refers to it any more, and before the objects it was
+    made from, in whatever order the interpreter drops them. ctypes passes a Handle as the pointer.
     """
 
     __slots__ = ("_as_parameter_", "__weakref__")
@@ -163,7 +163,7 @@ def _destroy(destroy: Callable[[c_void_p], None], pointer: c_void_p, needed: lis
 
 
 class Owner:
-    """Has handles and never changes, so that a copy of it is itself."""
+    """Base of immutable classes that own handles: a copy is the object itself."""
 
     __slots__ = ()
 

@@ -1,23 +1,23 @@
 # SPDX-License-Identifier: MIT
-"""The C structs as numpy dtypes, and the numbers that stand for things."""
+"""The C structs as numpy dtypes, and the constants of the header."""
 from __future__ import annotations
 
 import numpy as np
 
-#: Everything that a ball is: time (s), step, position (m), velocity (m/s), spin (rad/s), orientation (x y z w), flags.
+#: Complete state of a ball: time (s), step, position (m), velocity (m/s), spin (rad/s), orientation (x y z w), flags.
 state_dtype = np.dtype([("time", "f8"), ("step", "u8"), ("position", "f8", 3), ("velocity", "f8", 3), ("spin", "f8", 3),
                         ("orientation", "f8", 4), ("flags", "u8")], align=True)
 
-#: What a step obeys. Make it with Params, which knows defaults and ranges.
+#: Parameters of a step. Make them with Params, which knows defaults and ranges.
 params_dtype = np.dtype([("struct_size", "u4"), ("model", "u4"), ("gravity", "f8", 3), ("restitution_wall", "f8"),
                          ("restitution_floor", "f8"), ("rolling_friction", "f8"), ("sliding_friction", "f8"),
                          ("wall_friction", "f8"), ("options", "u4"), ("reserved", "u4"), ("stepper", "f8", 8)], align=True)
 
-#: Something that happened during a step: time (s), point (m), normal, speeds (m/s), kind (EVENT_*), box.
+#: An event during a step: time (s), point (m), normal, speeds (m/s), kind (EVENT_*), box.
 event_dtype = np.dtype([("time", "f8"), ("point", "f8", 3), ("normal", "f8", 3), ("speed_before", "f8"),
                         ("speed_after", "f8"), ("kind", "u4"), ("box", "u4")], align=True)
 
-#: What a step did. Energies are per mass, J/kg; penetration in m.
+#: Report of a step. Energies are per mass, J/kg; penetration in m.
 report_dtype = np.dtype([("struct_size", "u4"), ("event_capacity", "u4"), ("events", np.uintp), ("event_count", "u4"),
                          ("events_lost", "u4"), ("substeps", "u4"), ("substep_cap", "u4"), ("passes", "u4"),
                          ("pass_cap", "u4"), ("penetration", "f8"), ("energy_before", "f8"), ("energy_after", "f8"),

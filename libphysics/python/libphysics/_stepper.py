@@ -24,7 +24,7 @@ _STAGES = ("vertical motion", "substeps", "rolling resistance", "slip and spin",
 
 
 class Info(NamedTuple):
-    """What is known of a stepper before it is made. file: of the plugin, "" for built-in ones."""
+    """Description of a stepper. file: its plugin, "" for a built-in one."""
 
     id: str
     name: str
@@ -43,12 +43,12 @@ class Step(NamedTuple):
 
 
 class Run(NamedTuple):
-    """What `Stepper.run` gives. `batch` is the common shape of states, params and gravity.
+    """Result of `Stepper.run`. `batch` is the common shape of states, params and gravity.
 
     states: the last good state of each ball, batch. path: every k-th state, batch + (steps // k,), or None.
     steps_done, statuses: batch; a ball whose status is below 0 failed in the step after its last good state.
-    impacts, energy_lost: batch; how often a ball hit a wall (EVENT_IMPACT, no landings), and what it lost to impacts,
-    landings, rolling and slip, J/kg, as the reports of its steps would say; or None.
+    impacts, energy_lost: batch; the number of hits of walls (EVENT_IMPACT, no landings) and the energy lost in impacts,
+    landings, rolling and slip, J/kg, summed over the reports of the steps; or None.
     """
 
     states: np.ndarray
@@ -89,7 +89,7 @@ class Registry(Owner):
             check(lib.phys_registry_scan(self._handle, None, hear, None, byref(error)), error)
 
     def steppers(self) -> list[Info]:
-        """All of them, from crude to exact, then those of plugins."""
+        """All steppers: the built-in ones from crude to exact, then those of plugins."""
         return [_describe(self._info(index)) for index in range(lib.phys_registry_count(self._handle))]
 
     def _info(self, index: int) -> StepperInfo:
@@ -118,8 +118,8 @@ def steppers() -> list[Info]:
 class Stepper(Owner):
     """Computes steps in one scene.
 
-    id: of a built-in stepper or one of the plugin's. plugin: path of a shared object, or a Registry. It keeps nothing
-    from one step to the next. Python threads may share it: they take turns; `run` uses threads of its own. It is pickled by
+    id: of a built-in stepper or one of the plugin's. plugin: path of a shared object, or a Registry. No result
+    depends on earlier steps. Python threads may share it: they take turns; `run` uses threads of its own. It is pickled by
     its id, scene and plugin's file.
     """
 
