@@ -125,7 +125,7 @@ typedef struct phys_box {
 
 /** The gravity vector (m/s^2, board frame) of a board tilted by two angles.
  *  tilt_x, tilt_y: rad, each in (-pi/2, pi/2): the slope along x and along y; positive makes the ball roll towards +x
- *  and +y. strength: m/s^2, >= 0. With s = (tan tilt_x, tan tilt_y, -1) the result is strength * s / |s|.
+ *  and +y. strength: m/s^2, 0 .. 2^100. With s = (tan tilt_x, tan tilt_y, -1) the result is strength * s / |s|.
  *  Any thread. Fails with PHYS_ERROR_ARGUMENT for anything else. Since 1.0. */
 PHYS_API phys_status phys_gravity_from_tilt(double tilt_x, double tilt_y, double strength, phys_vec3 *out);
 

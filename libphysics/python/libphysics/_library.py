@@ -26,6 +26,9 @@ class PhysicsError(Exception):
         self.status = status
         self.name = lib.phys_status_name(status).decode()
 
+    def __reduce__(self) -> Any:  # or a process that fails couldn't tell the one that waits for it
+        return type(self), (self.status, str(self)), getattr(self, "__dict__", None)
+
 
 class Error(ctypes.Structure):
     _fields_ = [("status", c_int32), ("reserved", c_int32), ("text", c_char * 248)]

@@ -104,6 +104,8 @@ class Params:
 
     def _view(self, row: Row) -> np.ndarray:
         kind = "u4" if row.flags & _CHOICE else "f8"
+        if not self.record.size:  # without memory to look at
+            return np.empty(self.shape, kind)
         return np.ndarray(self.shape, kind, self.record, row.offset, self.record.strides)
 
     def __getattr__(self, name: str) -> Any:

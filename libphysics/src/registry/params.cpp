@@ -5,6 +5,7 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "base/float_environment.h"
+#include "base/numbers.h"
 
 #include <cmath>
 #include <cstring>
@@ -105,7 +106,7 @@ phys_status phys_gravity_from_tilt(double tilt_x, double tilt_y, double strength
     const phys::FloatEnvironment environment;
     constexpr double kQuarterTurn = 1.5707963267948966;
     const bool valid = out && std::abs(tilt_x) < kQuarterTurn && std::abs(tilt_y) < kQuarterTurn && strength >= 0.0 &&
-                       std::isfinite(strength);
+                       strength <= phys::kLargestNumber;
     if (!valid) return PHYS_ERROR_ARGUMENT;
     // (tan tilt_x, tan tilt_y, -1) times both cosines: nothing diverges near a quarter turn.
     const double cosineX = phys::elementary::cos(tilt_x), cosineY = phys::elementary::cos(tilt_y);

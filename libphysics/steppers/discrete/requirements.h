@@ -99,8 +99,9 @@ inline bool spinsFast(const PlanInput &input) {
     return glm::dot(turn, turn) > kSafeTurn * kSafeTurn;
 }
 
-/// Slip depends on the rigid model rather than on a scene: it can't be forced in the rolling model.
-inline constexpr uint32_t kForcibleStages = ((1U << PHYS_STAGE_COUNT) - 1U) & ~static_cast<uint32_t>(PHYS_STAGE_SLIP);
+/// What PHYS_OPTION_ALL_STAGES forces: what depends on the scene. Slip depends on the model, orientation on an option.
+inline constexpr uint32_t kForcibleStages =
+    ((1U << PHYS_STAGE_COUNT) - 1U) & ~static_cast<uint32_t>(PHYS_STAGE_SLIP | PHYS_STAGE_ORIENTATION);
 
 inline StepPlan planStep(const PlanInput &input, bool asReported) {
     const auto stage = [](bool runs, uint32_t bit) { return runs ? bit : 0U; };

@@ -250,10 +250,12 @@ std::vector<Misuse> wrongValuesOfTerseFunctions() {
                             return b.energy();
                         }});
     }
-    for (const double value : {kNaN, kInfinity, -kInfinity, -1.0}) {
+    for (const double value : {kNaN, kInfinity, -kInfinity, -1.0, 0x1.1p100}) {
         rows.push_back({"phys_gravity_from_tilt: strength " + digits(value), refused, [value](Bench &b, phys_error *) {
                             return phys_gravity_from_tilt(0, 0, value, &b.out.vector);
                         }});
+    }
+    for (const double value : {kNaN, kInfinity, -kInfinity, -1.0}) {
         rows.push_back({"phys_scene_contacts: reach " + digits(value), refused,
                         [value](Bench &b, phys_error *) { return b.contacts(value); }});
     }

@@ -198,9 +198,9 @@ void TestRequirements::allStagesAreForced() {
     Experiment ball = plainBall(stepper);
     ball.params.options = PHYS_OPTION_ALL_STAGES;
     QVERIFY2(ask(ball), m_error.text);
-    // Slip belongs to the rigid model: the rolling one has none to force.
+    // Slip belongs to the rigid model, orientation to its own option.
     const uint32_t all = (1U << PHYS_STAGE_COUNT) - 1U;
-    QCOMPARE(m_answer.stages | PHYS_STAGE_SLIP, all);
+    QCOMPARE(m_answer.stages | PHYS_STAGE_SLIP | PHYS_STAGE_ORIENTATION, all);
     QVERIFY(reason(PHYS_STAGE_RESISTANCE).contains("PHYS_OPTION_ALL_STAGES"));
 }
 

@@ -113,6 +113,11 @@ class ParamsTest(unittest.TestCase):
         self.assertEqual(params.restitution_wall[4, 0], 1.0)
         self.assertEqual(params.rolling_friction[0].tolist(), [0.0, 0.01, 0.02])
 
+    def test_sets_of_no_length_are_sets(self):
+        for shape in ((0,), (2, 0)):
+            params = lp.Params(restitution_wall=np.zeros(shape), gravity=np.zeros(shape + (3,)), orientation=True)
+            self.assertEqual((params.shape, params.restitution_wall.shape, params.copy().shape), (shape,) * 3)
+
     def test_switches_are_bits_of_the_options(self):
         params = lp.Params(orientation=True)
         self.assertEqual((int(params.record["options"]), bool(params.orientation)), (1, True))
@@ -392,6 +397,12 @@ class CopyTest(unittest.TestCase):
             self.assertEqual(params.as_reported.tolist(), [1, 1])
             with self.assertRaisesRegex(lp.PhysicsError, "as_reported is 2"):
                 other.as_reported = 2
+
+    def test_an_error_reaches_another_process(self):
+        with self.assertRaises(lp.PhysicsError) as caught:
+            lp.gravity_from_tilt(2, 0)
+        for other in (*self.copies(caught.exception), pickle.loads(pickle.dumps(caught.exception))):
+            self.assertEqual((other.status, other.name, str(other)), (-1, "PHYS_ERROR_ARGUMENT", str(caught.exception)))
 
     def test_a_stepper_outlives_what_its_scene_was(self):
         scene = room()
