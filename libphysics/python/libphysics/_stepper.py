@@ -47,8 +47,8 @@ class Run(NamedTuple):
 
     states: the last good state of each ball, batch. path: every k-th state, batch + (steps // k,), or None.
     steps_done, statuses: batch; a ball whose status is below 0 failed in the step after its last good state.
-    impacts, energy_lost: batch; the number of hits of walls (EVENT_IMPACT, no landings) and the energy lost in impacts,
-    landings, rolling and slip, J/kg, summed over the reports of the steps; or None.
+    impacts: batch, or None; the number of hits of walls (EVENT_IMPACT, no landings; but of a step with more than 64 events,
+    all after the 64th are counted). energy_lost: batch, or None; what was lost in impacts, landings, rolling and slip, J/kg.
     """
 
     states: np.ndarray
