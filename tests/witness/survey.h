@@ -75,7 +75,7 @@ Survey survey(const Plan &plan);
 
 void print(std::FILE *file, const Survey &survey);
 
-/// All that a registry has: from `first` on.
+/// Ids of a registry's steppers from index `first` on.
 std::vector<std::string> stepperIds(const phys_registry *registry, uint32_t first = 0);
 
 } // namespace witness

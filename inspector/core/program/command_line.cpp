@@ -283,7 +283,7 @@ void readTrade(const QCommandLineParser &parser, Options &options) {
         throw wrong("plot", "a file name ending in .svg, .pdf or .png");
 }
 
-/// Of two values one would be ignored.
+/// Refuses options that are given twice, because one of the values would be ignored.
 void checkGivenOnce(const QCommandLineParser &parser) {
     for (const QString &name : parser.optionNames()) {
         const QStringList values = parser.values(name);

@@ -24,7 +24,7 @@ QString modelName(uint32_t model);
 /// 16.67 ms
 QString stepSizeText(double dt);
 
-/// Of this program: 1.1.0.
+/// The program's version, for instance 1.1.0.
 const char *programVersion();
 /// physics-inspector 1.1.0, libphysics 1.0.0
 QString versionLine();

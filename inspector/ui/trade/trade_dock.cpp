@@ -199,7 +199,7 @@ void TradeDock::makeControls() {
     m_use->setEnabled(false);
 }
 
-/// Of the ball that was measured; of the open level's as long as none was.
+/// Radius of the measured ball; before a measurement, of the open level's. m
 double TradeDock::radius() const {
     const Scene &measured = m_worker.plan().scene;
     return phys_scene_radius((measured ? measured : m_session.scene()).get());

@@ -30,7 +30,7 @@ struct EngineKind {
     std::function<std::unique_ptr<Engine>(const Scene &, double dt)> make;
 };
 
-// Each of these is empty if the engine wasn't found at build time.
+// Each list is empty if the engine wasn't found at build time.
 std::vector<EngineKind> chipmunkEngines();
 std::vector<EngineKind> box2dEngines();
 std::vector<EngineKind> bulletEngines();

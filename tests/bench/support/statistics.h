@@ -5,7 +5,7 @@
 
 namespace bench {
 
-// Of at least one value.
+// `values` has at least one.
 double median(std::vector<double> values);
 
 // Between the first and the third quartile, relative to the median.

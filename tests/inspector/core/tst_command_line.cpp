@@ -49,7 +49,7 @@ void put(const QString &path, const QByteArray &bytes) {
     QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
 }
 
-// Of one step, which no stepper would make.
+// A recording of one step, which no stepper would make.
 QByteArray recordingIn(const QString &maze) {
     const Registry registry = makeRegistry(nullptr);
     phys_stepper_info stepper;

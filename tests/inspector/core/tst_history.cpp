@@ -122,7 +122,7 @@ void TestHistory::placeIsFoundByItsTime() {
     QCOMPARE(kept.placeAt(99.0, 10), uint64_t(300));
 }
 
-// Of a part that begins in the middle.
+// Saves a part that begins in the middle.
 void TestHistory::savedRunIsTheSame() {
     play(300);
     m_engine->restart();

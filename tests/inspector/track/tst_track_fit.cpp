@@ -85,7 +85,7 @@ Scene betweenKerbs() {
 
 } // namespace
 
-// Of 2 s from rest under a tilt of 2 degrees to the right.
+// The bounces of 2 s from rest under a tilt of 2 degrees to the right.
 std::vector<TrackBounce> TestTrackFit::bouncesOn(const Scene &scene) {
     Track track;
     for (int i = 0; i <= 60; ++i) track.points.push_back({i / 30.0, 0.0, 0.0});

@@ -184,7 +184,7 @@ void TestWindowPlot::doubleClickFollowsAgain() {
     QVERIFY(m_plot->isFollowing());
 }
 
-// Of both axes, in both directions, following and not.
+// Both axes, in both directions, following and not.
 void TestWindowPlot::zoomHasLimits() {
     makeSteps(20);
     const QPoint axis(m_plot->axisRect()->left() - 20, middle().y());

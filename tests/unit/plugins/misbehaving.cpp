@@ -8,7 +8,7 @@
 
 namespace {
 
-/// All that a step is given.
+/// The arguments of a step.
 struct Step {
     const phys_params *params;
     double dt;
