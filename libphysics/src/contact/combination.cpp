@@ -3,19 +3,36 @@
 
 namespace phys {
 
-void addRows(const Combination &c, uint32_t i, dense::Equations &equations, const Vec3 &slipRate, double apart) {
+void pairUp(Combination &c) {
+    constexpr double kNearly = 1e-3; // sine of the angle between normals
+    c.partner.fill(kMostHeld);
+    for (uint32_t i = 0; i < c.count(); ++i) {
+        if (c.isOpen(i) || c.sticks(i)) continue;
+        for (uint32_t j = 0; j < c.count() && !c.hasPartner(i); ++j) {
+            if (j == i || c.isOpen(j) || c.hasPartner(j)) continue;
+            // The smoother contact is the partner, as its pressure becomes a difference.
+            const double smoother = c.sticks(j) ? -1.0 : c.held[j].friction;
+            if (smoother > c.held[i].friction || (smoother == c.held[i].friction && j > i)) continue;
+            const Vec3 line = glm::cross(c.held[i].normal, c.held[j].normal);
+            if (line == Vec3(0.0) || squared(line) > kNearly * kNearly) continue;
+            c.partner[i] = j;
+            c.facing[i] = glm::dot(c.held[i].normal, c.held[j].normal) > 0.0 ? 1.0 : -1.0;
+        }
+    }
+}
+
+void addRows(const Combination &c, uint32_t i, dense::Equations &equations, const Vec3 &slipRate, const Vec3 &free,
+             double bend) {
     const Held &contact = c.held[i];
-    const Moment &moment = c.moment;
     const bool sticks = c.sticks(i);
     for (uint32_t row = 0; row < (sticks ? 3U : 1U); ++row) {
-        Vec3 axis = contact.normal;
+        Vec3 axis = c.apart(i);
         if (sticks) axis = {row == 0 ? 1.0 : 0.0, row == 1 ? 1.0 : 0.0, row == 2 ? 1.0 : 0.0};
-        dense::Values &factors = equations.add(sticks ? glm::dot(axis, slipRate) : apart);
+        dense::Values &factors = equations.add(sticks ? glm::dot(axis, slipRate) : -(glm::dot(axis, free) + bend));
         for (uint32_t j = 0; j < c.count(); ++j) {
             for (uint32_t part = 0; part < c.width(j); ++part) {
-                const Vec3 force = c.basis(j, part);
-                Vec3 change = force;
-                if (sticks) change -= moment.radius * glm::cross(c.spinPerForce(j, force), contact.normal);
+                Vec3 change = c.pushPer(j, part);
+                if (sticks) change -= c.moment.radius * glm::cross(c.spinPer(j, part), contact.normal);
                 factors[c.column[j] + part] = glm::dot(axis, change);
             }
         }
@@ -34,15 +51,22 @@ void addGauge(const Combination &c, uint32_t i, uint32_t j, dense::Equations &eq
 
 namespace {
 
-/// Computes accelerations and the slips' rates from the reactions.
-void accelerate(Combination &c) {
+/// Computes accelerations from the unknowns.
+void accelerate(Combination &c, const dense::Values &x) {
     c.acceleration = c.moment.gravity;
     c.spinAcceleration = Vec3(0.0);
     for (uint32_t i = 0; i < c.count(); ++i) {
         if (c.isOpen(i)) continue;
-        c.acceleration += c.reactions[i].force;
-        c.spinAcceleration += c.spinPerForce(i, c.reactions[i].force);
+        const Vec3 push = c.push(i, x);
+        c.acceleration += push;
+        c.spinAcceleration += c.hasPartner(i) ? x[c.column[i]] * c.spinPer(i, 0) : c.spinPerForce(i, push);
     }
+}
+
+/// The features' curvature in the equation of contact i.
+double bendOf(const Combination &c, uint32_t i) {
+    const double own = curvature(c.moment, c.held[i]);
+    return c.hasPartner(i) ? own - c.facing[i] * curvature(c.moment, c.held[c.partner[i]]) : own;
 }
 
 /// The smallest N that counts as zero: it is negative by no more than rounding, and so is the friction due to it.
@@ -61,21 +85,21 @@ Vec3 slipRate(const Combination &c, uint32_t i) {
 void solve(Combination &c) {
     dense::Equations equations = equationsOf(c, [&c](uint32_t i, dense::Equations &rows) {
         const Vec3 turning = glm::cross(c.moment.spin, c.held[i].across * c.moment.velocity);
-        addRows(c, i, rows, turning - c.moment.gravity,
-                -(glm::dot(c.held[i].normal, c.moment.gravity) + curvature(c.moment, c.held[i])));
+        addRows(c, i, rows, turning - c.moment.gravity, c.moment.gravity, bendOf(c, i));
     });
-    const dense::Values x = equations.solve();
+    dense::Values x = equations.solve();
     for (uint32_t i = 0; i < c.count(); ++i) {
         Reaction &reaction = c.reactions[i];
         reaction.force = c.force(i, x);
         reaction.pressure = c.isOpen(i) ? 0.0 : glm::dot(reaction.force, c.held[i].normal);
         // Rounding must not make a contact pull: friction would follow it and drive the slip.
         if (reaction.mode != Mode::sticking && reaction.pressure < 0.0 && reaction.pressure >= leastPressure(c, i)) {
+            x[c.column[i]] = c.pressureOfPartners(i, x);
             reaction.pressure = 0.0;
             reaction.force = Vec3(0.0);
         }
     }
-    accelerate(c);
+    accelerate(c, x);
 }
 
 namespace {

@@ -18,6 +18,9 @@ struct Combination {
     Vec3 rolling{0.0}; ///< direction that resistance opposes; shorter than 1 where part of it holds the ball
     Vec3 acceleration{0.0}, spinAcceleration{0.0};
     std::array<uint32_t, kMostHeld> column{}; ///< first unknown of each contact
+    /// A contact of nearly the same or the opposite normal, or none: see `pairUp`. facing: 1 if the same, otherwise -1.
+    std::array<uint32_t, kMostHeld> partner{};
+    std::array<double, kMostHeld> facing{};
     uint32_t unknowns = 0;
     uint32_t spent = 0; ///< bits of contacts whose friction is spent: they may start without an acceleration
 
@@ -45,17 +48,43 @@ struct Combination {
         spinAcceleration = glm::length(pivoting) * moment.radius > zero ? pivoting : Vec3(0.0);
     }
 
-    /// Force r of contact i per unit of its unknown `part`.
-    Vec3 basis(uint32_t i, uint32_t part) const {
-        if (!sticks(i)) return held[i].normal - held[i].friction * reactions[i].direction;
-        return {part == 0 ? 1.0 : 0.0, part == 1 ? 1.0 : 0.0, part == 2 ? 1.0 : 0.0};
+    bool hasPartner(uint32_t i) const { return partner[i] < count(); }
+    /// Normal of contact i, less that of its partner.
+    Vec3 apart(uint32_t i) const {
+        return hasPartner(i) ? held[i].normal - facing[i] * held[partner[i]].normal : held[i].normal;
     }
+    /// Friction per unit of pressure of a contact that doesn't stick.
+    Vec3 rubbing(uint32_t i) const { return sticks(i) ? Vec3(0.0) : -held[i].friction * reactions[i].direction; }
+
     uint32_t width(uint32_t i) const { return isOpen(i) ? 0 : sticks(i) ? 3 : 1; }
+    /// Force on the ball per unit of the unknown `part` of contact i.
+    Vec3 pushPer(uint32_t i, uint32_t part) const {
+        if (sticks(i)) return {part == 0 ? 1.0 : 0.0, part == 1 ? 1.0 : 0.0, part == 2 ? 1.0 : 0.0};
+        return hasPartner(i) ? apart(i) + (rubbing(i) - facing[i] * rubbing(partner[i])) : apart(i) + rubbing(i);
+    }
+    /// The spin's acceleration due to it.
+    Vec3 spinPer(uint32_t i, uint32_t part) const {
+        if (!hasPartner(i)) return spinPerForce(i, pushPer(i, part));
+        const uint32_t j = partner[i];
+        const Vec3 ofPartner = spinPerForce(j, sticks(j) ? held[j].normal : rubbing(j));
+        return spinPerForce(i, rubbing(i)) - facing[i] * ofPartner;
+    }
+    /// Force on the ball due to the unknowns of contact i.
+    Vec3 push(uint32_t i, const dense::Values &x) const {
+        Vec3 sum(0.0);
+        for (uint32_t part = 0; part < width(i); ++part) sum += x[column[i] + part] * pushPer(i, part);
+        return sum;
+    }
+    /// The part of contact i's pressure that is in the unknowns of contacts whose partner it is, with the sign changed.
+    double pressureOfPartners(uint32_t i, const dense::Values &x) const {
+        double sum = 0.0;
+        for (uint32_t j = 0; j < count(); ++j) sum += partner[j] == i ? facing[j] * x[column[j]] : 0.0;
+        return sum;
+    }
     /// Force r of contact i for these values of the unknowns.
     Vec3 force(uint32_t i, const dense::Values &x) const {
-        Vec3 sum(0.0);
-        for (uint32_t part = 0; part < width(i); ++part) sum += x[column[i] + part] * basis(i, part);
-        return sum;
+        const Vec3 along = held[i].normal + rubbing(i);
+        return (hasPartner(i) ? x[column[i]] * along : push(i, x)) - pressureOfPartners(i, x) * along;
     }
 
     Vec3 spinPerForce(uint32_t i, const Vec3 &force) const {
@@ -67,8 +96,15 @@ struct Combination {
     }
 };
 
-/// The equation of contact i: for the slip's rate if it sticks, otherwise for the normal acceleration.
-void addRows(const Combination &c, uint32_t i, dense::Equations &equations, const Vec3 &slipRate, double apart);
+/// Two contacts of nearly opposite normals hold a ball by forces that nearly cancel, and so do those of nearly the same
+/// normal. Their equations would lose all digits by the square of the angle, so that one contact's unknown is the force
+/// that both add, and its equation the difference of both.
+void pairUp(Combination &c);
+
+/// The equation of contact i: for the slip's rate if it sticks, otherwise for the normal acceleration. free: without
+/// the forces. bend: the contribution of the features' curvature.
+void addRows(const Combination &c, uint32_t i, dense::Equations &equations, const Vec3 &slipRate, const Vec3 &free,
+             double bend);
 
 /// Two sticking contacts leave a force along the line through both undetermined, which moves nothing. This equation
 /// selects the one with the least friction, model.md 14.1.
@@ -77,6 +113,7 @@ void addGauge(const Combination &c, uint32_t i, uint32_t j, dense::Equations &eq
 /// The equations of a combination; addRowsOf(i, equations) adds those of contact i, which isn't open.
 template<class AddRowsOf>
 dense::Equations equationsOf(Combination &c, AddRowsOf addRowsOf) {
+    pairUp(c);
     c.unknowns = 0;
     for (uint32_t i = 0; i < c.count(); ++i) {
         c.column[i] = c.unknowns;

@@ -29,7 +29,7 @@ struct Jam {
 void push(Jam &jam) {
     Combination &c = jam.c;
     dense::Equations equations = equationsOf(c, [&jam, &c](uint32_t i, dense::Equations &rows) {
-        addRows(c, i, rows, -jam.slipBefore(i), -glm::dot(c.held[i].normal, jam.before.velocity));
+        addRows(c, i, rows, -jam.slipBefore(i), jam.before.velocity, 0.0);
     });
     const dense::Values x = equations.solve();
     jam.after = jam.before;

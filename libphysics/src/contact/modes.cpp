@@ -36,7 +36,8 @@ bool modeOf(const Held &held, const Reaction &reaction, uint32_t index, Mode &mo
 }
 
 /// How well a combination fits, best first: within rounding; within the accuracy of directions with few digits, such as
-/// that of a slip that has just begun; each also with shifted forces of sticking contacts.
+/// that of a slip that has just begun; within that of directions that haven't converged; each also with shifted forces
+/// of sticking contacts.
 struct Fit {
     double tolerance;
     bool shares;
@@ -54,12 +55,13 @@ double sizeOfForces(const Combination &c) {
     return size;
 }
 
-/// Index in kFit; kNoFit if it is beyond `most`. A combination that hasn't converged fits only roughly.
+/// Index in kFit; kNoFit if it is beyond `most`. Only a combination that hasn't converged may fit roughly.
 size_t fitOf(Combination &c, bool isSettled, size_t most, double scale) {
-    const double rough = std::min(scale, sizeOfForces(c));
+    constexpr double kRoundings = 16.0 * 0x1p-52; // of the sum of forces, which a wedge increases without limit
+    const double size = sizeOfForces(c), rough = std::min(scale, size);
     for (size_t i = 0; i <= most && i < kNoFit; ++i) {
-        const double zero = kFit[i].tolerance * (kFit[i].tolerance > kFits ? rough : scale);
-        if (!isSettled && kFit[i].tolerance < kRoughly) continue;
+        const double zero = kFit[i].tolerance * (kFit[i].tolerance > kFits ? rough : scale) + kRoundings * size;
+        if (isSettled == (kFit[i].tolerance == kRoughly)) continue;
         if (kFit[i].shares) share(c, zero);
         if (fits(c, zero)) return i;
     }
@@ -115,6 +117,13 @@ Response enumerate(const Moment &moment, std::span<const Held> held, Work &work,
         best.rolling = c.isHeld() ? Vec3(0.0) : c.rolling;
     } while (nextModes(held, known, numbers) && !work.isTooMuch());
     best.isFound = bestFit != kNoFit;
+    // A contact that fits doesn't pull, but by rounding, which the phase would take for the moment of its release.
+    for (uint32_t i = 0; i < best.count; ++i) {
+        Reaction &reaction = best.reactions[i];
+        if (reaction.pressure >= 0.0 || reaction.mode == Mode::sticking) continue;
+        reaction.pressure = 0.0;
+        reaction.force = Vec3(0.0);
+    }
     return best;
 }
 

@@ -77,7 +77,7 @@ void fitUnit(const Response &response, uint32_t kept, const Touching &touching, 
 
 } // namespace
 
-void buildSeries(MovingBall &ball, Touching &touching, Response &response, Series &series) {
+bool buildSeries(MovingBall &ball, Touching &touching, Response &response, Series &series) {
     double unit = firstUnit(ball, response);
     const double longest = std::max(unit, ball.left);
     Excluded excluded;
@@ -93,7 +93,7 @@ void buildSeries(MovingBall &ball, Touching &touching, Response &response, Serie
         }
         const uint32_t opening = series.opening() & ~excluded.closed;
         const uint32_t slipping = series.spent(slips) & ~(spent | kept);
-        if (!opening && !slipping) return;
+        if (!opening && !slipping) return true;
         if (!opening && countSticking(response) == 1 && excluded.sticking == 0) {
             spent |= slipping;
             withoutResistance(slipping, ball, touching, response);
@@ -109,13 +109,14 @@ void buildSeries(MovingBall &ball, Touching &touching, Response &response, Serie
         }
         excluded.sticking &= ~slipping;
         excluded.closed &= ~opening;
-        if (opening) return;
+        if (opening) return false;
         auto pressed = response.reactions;
         together = series.spentTogether(pressed, slips);
         if (together) response.reactions = pressed;
         spent |= together;
         kept |= together ? 0 : slipping;
     }
+    return true;
 }
 
 } // namespace phys

@@ -7,7 +7,8 @@
 
 namespace phys {
 
-/// Changes the response if its modes end immediately. No resistance acts on a ball that begins to slip.
-void buildSeries(MovingBall &ball, Touching &touching, Response &response, Series &series);
+/// Changes the response if its modes end immediately; false if no others follow. No resistance acts on a ball that
+/// begins to slip.
+bool buildSeries(MovingBall &ball, Touching &touching, Response &response, Series &series);
 
 } // namespace phys

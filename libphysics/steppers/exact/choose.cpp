@@ -169,8 +169,9 @@ phys_status choose(MovingBall &ball, Touching &touching, Choice &choice) {
         const Held &rough = touching.held(faces.rough);
         choice.phase.emplace<Slide>(ball.moment(), faces, rough.normal, response.reactions[faces.rough], rough.friction,
                                     response.reactions[faces.smooth]);
-    } else {
-        buildSeries(ball, touching, response, choice.phase.emplace<Series>());
+    } else if (!buildSeries(ball, touching, response, choice.phase.emplace<Series>())) {
+        if (const phys_status status = jam(touching, ball, response)) return status;
+        return choose(ball, touching, choice);
     }
     return PHYS_OK;
 }

@@ -2,6 +2,7 @@
 #include "exact/follow.h"
 
 #include "contact/held.h"
+#include "contact/mirror.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,11 +73,27 @@ void turnNormals(const MovingBall &ball, const Response &response, Touching &tou
     }
 }
 
-/// Puts the ball at the radius of the edges and corners that stay closed, in the mean of those that share an axis, so
-/// that their order leaves no trace.
-void keepEdges(const Touching &touching, const Response &response, MovingBall &ball) {
-    Vec3 sum(0.0), count(0.0), speeds(0.0);
+/// Removes the velocity along the normals of the contacts that stay closed; of edges and corners in the mean, so that
+/// their order leaves no trace.
+void stopAcross(const Touching &touching, const Response &response, MovingBall &ball) {
+    Vec3 &velocity = ball.motion.velocity, speeds(0.0);
     double edges = 0.0;
+    for (uint32_t i = 0; i < touching.count(); ++i) {
+        if (!isClosed(response, i) || touching.contactOf(i).isFace()) continue;
+        const Vec3 &n = touching.held(i).normal;
+        speeds += glm::dot(velocity, n) * n;
+        edges += 1.0;
+    }
+    if (edges > 0.0) velocity -= speeds / edges;
+    for (uint32_t i = 0; i < touching.count(); ++i) {
+        const Contact &contact = touching.contactOf(i);
+        if (isClosed(response, i) && contact.isFace()) velocity[axisOf(contact)] = 0.0;
+    }
+}
+
+/// Puts the ball at the radius of the edges and corners that stay closed, in the mean of those that share an axis.
+void keepEdges(const Touching &touching, const Response &response, MovingBall &ball) {
+    Vec3 sum(0.0), count(0.0);
     for (uint32_t i = 0; i < touching.count(); ++i) {
         const Contact &contact = touching.contactOf(i);
         if (!isClosed(response, i) || contact.isFace()) continue;
@@ -88,13 +105,10 @@ void keepEdges(const Touching &touching, const Response &response, MovingBall &b
             sum[axis] += (side > 0 ? (&box.max.x)[axis] : (&box.min.x)[axis]) + ball.radius() * n[axis];
             count[axis] += 1.0;
         }
-        speeds += glm::dot(ball.motion.velocity, n) * n;
-        edges += 1.0;
     }
     for (int axis = 0; axis < 3; ++axis) {
         if (count[axis] > 0.0) ball.position[axis] = sum[axis] / count[axis];
     }
-    if (edges > 0.0) ball.motion.velocity -= speeds / edges;
 }
 
 /// Puts the ball at the radius of the faces that stay closed, or in the middle between two, like takeFaces.
@@ -105,7 +119,6 @@ void keepFaces(const Touching &touching, const Response &response, MovingBall &b
         const phys_box &box = ball.scene().boxes[contact.box];
         const int axis = axisOf(contact), side = contact.sides[axis];
         ball.position[axis] = (side > 0 ? (&box.max.x)[axis] : (&box.min.x)[axis]) + side * ball.radius();
-        ball.motion.velocity[axis] = 0.0;
         for (uint32_t j = 0; j < i; ++j) {
             const Contact &other = touching.contactOf(j);
             if (!isClosed(response, j) || !other.isFace() || other.sides[axis] != -side) continue;
@@ -141,17 +154,23 @@ bool stick(uint32_t i, double most, const Touching &touching, MovingBall &ball) 
     return true;
 }
 
-/// Removes rounding errors: slip at sticking contacts, and a velocity that ends with it.
-void clearSlips(Cause cause, uint32_t sticking, double rounding, const Touching &touching, MovingBall &ball) {
+/// Removes rounding errors: slip at sticking contacts, and a velocity that ends with it. What ends a slip leads into
+/// other contacts, and stopping that brings part of the slip back.
+void clearSlips(const End &end, uint32_t sticking, double rounding, const Touching &touching, const Response &response,
+                MovingBall &ball) {
+    const bool grips = end.cause == Cause::grip;
+    const Sorted sorted(Mirror(ball.moment(), touching.held()), touching.held()); // symmetric images sweep alike
     bool isStill = false;
-    for (int sweep = 0; sweep < 4 && !isStill; ++sweep) {
+    for (int sweep = 0; sweep < 8 && !isStill; ++sweep) {
+        stopAcross(touching, response, ball);
         isStill = true;
-        for (uint32_t i = 0; i < touching.count(); ++i) {
+        for (uint32_t k = 0; k < sorted.count; ++k) {
+            const uint32_t i = sorted.index[k];
             if (!(sticking >> i & 1U) || touching.contactOf(i).isTop) continue;
-            if (stick(i, rounding, touching, ball)) isStill = false;
+            if (stick(i, grips && i == end.contact ? kNever : rounding, touching, ball)) isStill = false;
         }
     }
-    if (cause != Cause::grip && cause != Cause::stop) return;
+    if (!grips && end.cause != Cause::stop) return;
     if (glm::length(ball.motion.velocity) <= rounding) ball.motion.velocity = Vec3(0.0);
     if (ball.radius() * glm::length(ball.motion.spin) <= rounding) ball.motion.spin = Vec3(0.0);
 }
@@ -174,10 +193,11 @@ void settle(const Event &event, const Response &response, MovingBall &ball, Touc
     const uint32_t sticking = stickingAfter(end.cause, touching, response);
     const bool holds = sticking != 0 || end.cause == Cause::stop;
     const double rounding = holds ? 4e-13 * speedScale(ball.moment()) : 0.0;
-    if (holds) clearSlips(end.cause, sticking, rounding, touching, ball);
+    if (holds) clearSlips(end, sticking, rounding, touching, response, ball);
     if (end.cause != Cause::time || !rests(ball, response)) {
         keepEdges(touching, response, ball);
         keepFaces(touching, response, ball);
+        stopAcross(touching, response, ball);
     }
     for (uint32_t i = 0; i < touching.count(); ++i) {
         if (!touching.contactOf(i).isTop) continue;

@@ -15,10 +15,11 @@ void takeJammed(const Moment &jammed, const Touching &touching, MovingBall &ball
     response = respond(ball.moment(), touching.held(), ball.work);
 }
 
-/// If no modes fit, friction drives the reactions beyond all bounds, which is an impact without a collision. Slips end,
-/// within Coulomb's cones if modes fit afterwards.
+} // namespace
+
 phys_status jam(const Touching &touching, MovingBall &ball, Response &response) {
     Moment jammed = ball.moment();
+    response.isFound = false;
     if (endSlips(jammed, touching.held(), ball.work)) takeJammed(jammed, touching, ball, response);
     if (!response.isFound) {
         stopSlips(jammed, touching.held(), ball.work);
@@ -29,8 +30,6 @@ phys_status jam(const Touching &touching, MovingBall &ball, Response &response) 
     return fail(ball.error, PHYS_ERROR_STUCK, "the ball at (%.9g, %.9g, %.9g) is jammed by friction", ball.position.x,
                 ball.position.y, ball.position.z);
 }
-
-} // namespace
 
 phys_status respondNow(const Touching &touching, MovingBall &ball, Response &response) {
     response = respond(ball.moment(), touching.held(), ball.work);

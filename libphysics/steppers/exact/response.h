@@ -10,6 +10,10 @@ namespace phys {
 /// afterwards.
 phys_status respondNow(const Touching &touching, MovingBall &ball, Response &response);
 
+/// If no modes fit, friction drives the reactions beyond all bounds, which is an impact without a collision. Slips end,
+/// within Coulomb's cones if modes fit afterwards.
+phys_status jam(const Touching &touching, MovingBall &ball, Response &response);
+
 inline bool isClosed(const Response &response, uint32_t lasting) {
     return response.reactions[lasting].mode != Mode::open;
 }

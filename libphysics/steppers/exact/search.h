@@ -205,11 +205,14 @@ double borderTime(const Outlook &around, const Phase &phase, const Border &borde
     const double start = border.inward * (around.position[axis] - border.coordinate);
     Vec3 n(0.0);
     n[axis] = border.inward;
+    const double negligible = negligibleSpeed(around.motion, around.scene.radius);
     const auto depth = [&](double t) {
         around.work.add(phase.lookWork());
         const Way now = phase.at(t);
-        const double rate = border.inward * now.velocity[axis];
-        return Look{start + border.inward * now.way[axis], rate, phase.least(n, rate, t, until)};
+        const double rate = border.inward * now.velocity[axis], deep = start + border.inward * now.way[axis];
+        // A contact of a ball that creeps over the border would be found on the same side again, model.md 13.1.
+        const bool creeps = rate >= -negligible && std::abs(deep) <= around.scene.tolerance;
+        return Look{creeps ? around.scene.tolerance : deep, rate, phase.least(n, rate, t, until)};
     };
     return firstZero(depth, from, until, 0.25 * around.scene.tolerance);
 }

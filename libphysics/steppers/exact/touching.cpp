@@ -16,7 +16,9 @@ bool crosses(const MovingBall &ball, const Vec3 &first, const Vec3 &second, cons
     if (glm::dot(first, second) <= 0.0) return false;
     const Vec3 across = ball.motion.velocity - glm::dot(ball.motion.velocity, along) * along;
     const Vec3 wide = first - second; // in radii
-    return glm::dot(across, across) > glm::dot(wide, wide) * ball.radius() * glm::length(ball.setting.gravity());
+    const double square = glm::dot(across, across), rounding = ball.negligibleSpeed();
+    return square > rounding * rounding &&
+           square > glm::dot(wide, wide) * ball.radius() * glm::length(ball.setting.gravity());
 }
 
 } // namespace
@@ -84,6 +86,7 @@ void project(const Touching &touching, MovingBall &ball) {
     if (v == Vec3(0.0)) return;
     for (uint32_t i = 0; i < touching.count(); ++i) {
         const Vec3 &n = touching.held(i).normal;
+        bool isAlong = false; // a line: what remains across it is rounding, which would be to one side
         for (uint32_t j = 0; j < i; ++j) {
             const Vec3 line = glm::cross(n, touching.held(j).normal);
             if (glm::dot(line, line) < kParallel * kParallel) continue;
@@ -93,12 +96,13 @@ void project(const Touching &touching, MovingBall &ball) {
                 if (std::abs(glm::dot(touching.held(k).normal, along)) > kParallel) v = Vec3(0.0);
             }
             v = glm::dot(v, along) * along;
+            isAlong = true;
         }
         if (touching.contactOf(i).isFace()) {
             for (int axis = 0; axis < 3; ++axis) {
                 if (n[axis] != 0.0) v[axis] = 0.0;
             }
-        } else {
+        } else if (!isAlong) {
             v -= glm::dot(v, n) * n;
         }
     }

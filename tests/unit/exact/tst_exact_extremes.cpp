@@ -22,6 +22,8 @@ private slots:
     void ballWiderThanAGapRestsOnTwoEdges();
     void stopsUnderAShelfThatIsHardlyTooLow_data();
     void stopsUnderAShelfThatIsHardlyTooLow();
+    void isWedgedUnderAShelfThatIsHardlyTooLow_data() { stopsUnderAShelfThatIsHardlyTooLow_data(); }
+    void isWedgedUnderAShelfThatIsHardlyTooLow();
     void gapOfExactlyTheDiameterDoesNotHang();
     void slipsInAShaftOfExactlyTheDiameter();
     void refusesMoreBouncesThanAreWorthWaitingFor();
@@ -142,6 +144,24 @@ void ExactExtremes::stopsUnderAShelfThatIsHardlyTooLow() {
     QCOMPARE(run.state.velocity.x, 0.0);
     QCOMPARE(run.state.spin.y, 0.0);
     QCOMPARE(run.state.spin.x, -run.state.velocity.y);
+}
+
+/// With friction that exceeds the tangent of half the wedge's angle: the ball jams where the edge touches.
+void ExactExtremes::isWedgedUnderAShelfThatIsHardlyTooLow() {
+    QFETCH(double, lack);
+    QFETCH(double, pull);
+    const phys_box shelf{{2, -12, 2 - lack}, {5, 12, 4}};
+    Run run({exact::floorOver(-12, -12, 12, 12), shelf}, 1.0, {0.3, 0, 1}, {0.3, 0.13, 0});
+    run.params.model = PHYS_MODEL_RIGID;
+    run.state.spin = {-0.13, 0.3, 0.0};
+    run.params.gravity = {pull, 0.0, -1.0};
+    run.params.sliding_friction = 0.3;
+    run.params.wall_friction = 0.2;
+    for (int i = 0; i < 60; ++i) run.step(0.5);
+    const double low = 2.0 - shelf.min.z;
+    const double mouth = 2.0 - std::sqrt(low * (2.0 - low));
+    QVERIFY(std::abs(run.state.position.x - mouth) <= 4.0 * exact::kU / std::sqrt(low));
+    QVERIFY(std::abs(run.state.velocity.x) <= 64.0 * exact::kU * (1.0 + pull));
 }
 
 void ExactExtremes::gapOfExactlyTheDiameterDoesNotHang() {
