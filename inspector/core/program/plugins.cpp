@@ -115,7 +115,7 @@ int probePlugin() {
 }
 
 Registry registryWith(const QStringList &plugins, PluginLoader load, QStringList *leftOut, QString *error) {
-    const Registry registry = makeRegistry(error);
+    Registry registry = makeRegistry(error);
     if (!registry) return {};
     for (const QString &path : plugins)
         if (!load(registry, path, error)) return {};
