@@ -9,6 +9,7 @@
 #include "requirements.h"
 
 #include <cmath>
+#include <optional>
 
 namespace phys {
 
@@ -214,58 +215,78 @@ private:
 
     bool meetFaces(double start, const FloorView &view, Ball &ball) const {
         const phys_params &params = m_context.params();
-        const double radius = m_context.radius();
         if (m_context.isRigid() && params.wall_friction > 0.0) return false;
         const std::span<const UprightFace> faces = view.faces();
         Ball next = ball;
         next.supported = true;
         const bool bounces = bounce(faces, next);
-        const FloorContact contact = floorContact(params, radius, inPlane(next.velocity), next.spin);
-        if (contact == FloorContact::Slips) return false;
         const Ball bounced = next;
+        const FloorContact contact = floorContact(params, m_context.radius(), inPlane(next.velocity), next.spin);
+        const std::optional<SmoothLoss> loss =
+            contact == FloorContact::Slips ? slipAway(faces, next) : rollBeside(contact, faces, next);
+        if (!loss || !view.hasRoom(m_context, ball.position, next.position)) return false;
+        book(*loss);
+        if (bounces) bookBounce(start, faces, ball, bounced);
+        ball = next;
+        return true;
+    }
+
+    bool isTouched(const UprightFace &face) const { return face.gap <= m_context.scene().tolerance; }
+
+    /// Slips on the floor without pressing on any face. Nothing, if it would.
+    std::optional<SmoothLoss> slipAway(std::span<const UprightFace> faces, Ball &ball) const {
+        const Vec3 before = ball.velocity;
+        const SmoothLoss loss = roll(FloorContact::Slips, {}, ball);
+        const bool isAway = std::all_of(faces.begin(), faces.end(), [&](const UprightFace &face) {
+            const bool isLeft = ball.velocity[face.axis] * face.normal >= (isTouched(face) ? 0.0 : -face.gap / m_h);
+            return isLeft && (Scheme::kContactRule != ContactRule::SecondOrder || leaves(face, before));
+        });
+        return isAway ? std::optional(loss) : std::nullopt;
+    }
+
+    /// Order 2 keeps a ball at the faces that it leaves more slowly.
+    bool leaves(const UprightFace &face, const Vec3 &velocity) const {
+        return velocity[face.axis] * face.normal > (isTouched(face) ? restSpeedOf(face) : 0.0);
+    }
+
+    /// Rolls or slides along the faces that the drive presses it on. Nothing, if friction on the floor doesn't suffice.
+    std::optional<SmoothLoss> rollBeside(FloorContact contact, std::span<const UprightFace> faces, Ball &ball) const {
         Law<Vec2> law = lawOnFloor(contact);
-        const double tolerance = m_context.scene().tolerance;
         // While held at one face the ball comes to another within the substep: the rule of order 1 handles both.
         const bool arrives = std::any_of(faces.begin(), faces.end(), [&](const UprightFace &face) {
-            return face.gap > tolerance && next.velocity[face.axis] * face.normal <= 0.0;
+            return !isTouched(face) && ball.velocity[face.axis] * face.normal <= 0.0;
         });
         const bool keeps = Scheme::kContactRule == ContactRule::SecondOrder && !arrives;
         std::array<bool, 2> presses{};
         for (uint32_t i = 0; i < faces.size(); ++i) {
             const UprightFace &face = faces[i];
-            double &speed = next.velocity[face.axis];
+            double &speed = ball.velocity[face.axis];
             double &drive = law.A[face.axis];
-            const bool isTouched = face.gap <= tolerance;
             if (keeps) {
-                const bool leaves = speed * face.normal > (isTouched ? restSpeedOf(face) : 0.0);
-                if (leaves) continue;
+                if (leaves(face, ball.velocity)) continue;
                 speed = 0.0;
                 presses[i] = drive * face.normal < 0.0;
                 if (presses[i]) drive = 0.0;
-            } else if (isTouched && drive * face.normal < -speed * face.normal / m_h) {
+            } else if (isTouched(face) && drive * face.normal < -speed * face.normal / m_h) {
                 presses[i] = true;
                 drive = -speed / m_h;
             }
         }
-        if (!grips(contact, law.A)) return false;
-        const SmoothLoss loss = roll(contact, law, next);
+        if (!grips(contact, law.A)) return std::nullopt;
+        const SmoothLoss loss = roll(contact, law, ball);
         for (uint32_t i = 0; i < faces.size(); ++i) {
             const UprightFace &face = faces[i];
-            double &speed = next.velocity[face.axis];
-            if (!keeps && face.gap > tolerance && speed * face.normal < -face.gap / m_h) {
+            double &speed = ball.velocity[face.axis];
+            if (!keeps && !isTouched(face) && speed * face.normal < -face.gap / m_h) {
                 speed = -face.gap / m_h * face.normal;
                 presses[i] = true;
             }
             if (!presses[i]) continue;
-            next.position[face.axis] = face.place;
-            if (face.gap <= tolerance) speed = 0.0;
+            ball.position[face.axis] = face.place;
+            if (isTouched(face)) speed = 0.0;
         }
-        if (!view.hasRoom(m_context, ball.position, next.position)) return false;
-        next.spin = spinAfter(contact, inPlane(next.velocity), next.spin, radius);
-        book(loss);
-        if (bounces) bookBounce(start, faces, ball, bounced);
-        ball = next;
-        return true;
+        ball.spin = spinAfter(contact, inPlane(ball.velocity), ball.spin, m_context.radius());
+        return loss;
     }
 
     void bookBounce(double start, std::span<const UprightFace> faces, const Ball &before, const Ball &after) const {

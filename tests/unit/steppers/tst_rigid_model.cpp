@@ -58,6 +58,8 @@ private slots:
     void rollingBallKeepsTheEffectiveRestitution();
     void slipAfterABounceLastsAsLongAsPredicted_data() { addStepperRows(); }
     void slipAfterABounceLastsAsLongAsPredicted();
+    void slipsAfterABounceAsOnTheFloorAlone_data() { addStepperRows(); }
+    void slipsAfterABounceAsOnTheFloorAlone();
     void roughWallLiftsTheBall_data();
     void roughWallLiftsTheBall();
     void slipEndsInTheComputedVelocity_data() { addStepperRows(); }
@@ -100,6 +102,30 @@ void TestRigidModel::slipAfterABounceLastsAsLongAsPredicted() {
     COMPARE_WITHIN(ball.state.time, 0.087374399301004805592, 2.0 * dt);
     COMPARE_WITHIN(ball.state.position.x - kBallRadius, 0.023715908381701304375, 2.0 * 0.4 * dt);
     COMPARE_WITHIN(ball.state.velocity.x, 1.0 / 7.0, rounding(1e4, 0.5));
+}
+
+void TestRigidModel::slipsAfterABounceAsOnTheFloorAlone() {
+    QFETCH(QByteArray, stepper);
+    constexpr double kDt = 0x1p-7;
+    Experiment ball = rigid(wallOnTheLeft(), stepper, 0.25);
+    ball.params.gravity = {0.25, -0.5, -9.81};
+    ball.params.restitution_wall = 0.5;
+    ball.setPosition(kBallRadius, 0.0); // it touches the wall
+    ball.roll(-0.5, 0.25);
+    Experiment alone = rigid(openFloor(), stepper, 0.25);
+    alone.params.gravity = ball.params.gravity;
+    alone.state = ball.state;
+    alone.state.velocity.x = 0.25;
+    QVERIFY2(ball.step(kDt) && alone.step(kDt), ball.error());
+    QCOMPARE(ball.report.event_count, 1U);
+    const phys_state &found = ball.state, &expected = alone.state;
+    COMPARE_WITHIN(found.position.x, expected.position.x, rounding(4, 0.1));
+    COMPARE_WITHIN(found.position.y, expected.position.y, rounding(4, 0.1));
+    COMPARE_WITHIN(found.velocity.x, expected.velocity.x, rounding(4, 0.5));
+    COMPARE_WITHIN(found.velocity.y, expected.velocity.y, rounding(4, 0.5));
+    COMPARE_WITHIN(found.spin.x, expected.spin.x, rounding(4, 8.0));
+    COMPARE_WITHIN(found.spin.y, expected.spin.y, rounding(4, 8.0));
+    COMPARE_WITHIN(ball.report.lost_slip, alone.report.lost_slip, rounding(4, 0.1));
 }
 
 void TestRigidModel::roughWallLiftsTheBall_data() {
