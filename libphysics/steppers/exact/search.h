@@ -112,17 +112,95 @@ double openingTime(const Target &target, const Phase &phase, const Outlook &arou
     return t;
 }
 
-/// First time in [from, until] at which the ball touches this box and moves towards it.
+/// The search for a face of a box, in a phase whose velocity along any direction changes its sign at most once
+/// (model.md 3.5): the rest of the box lies behind the face's plane.
 template<class Phase>
-double touchTime(const Outlook &around, const phys_box &box, const Phase &phase, double from, double until) {
-    const Target target(around, box);
+class PlaneSearch {
+public:
+    PlaneSearch(const Target &target, const Outlook &around, const Phase &phase)
+        : m_target(target)
+        , m_around(around)
+        , m_phase(phase)
+        , m_gap(target.gap(Vec3(0.0), around.scene.radius, m_normal))
+        , m_rate(glm::dot(m_normal, around.motion.velocity)) {}
+
+    /// Whether the nearest feature of the box is a face that may be met from now on.
+    bool isAhead() const {
+        const bool isPressed = m_target.isTouched && m_rate <= negligibleSpeed(m_around.motion, m_around.scene.radius);
+        return isFace(m_normal) && m_gap >= 0.0 && !isPressed;
+    }
+
+    /// Whether the ball certainly doesn't come to the plane.
+    bool isFar(double until) const { return firstFall(m_gap, m_rate, m_phase.leastAcceleration(m_normal)) > until; }
+
+    /// When it comes there, by Newton's method with the curvature: at the first zero at which the distance falls, as
+    /// the phase turns once. kNever if another feature of the box is nearer then, or the method fails.
+    double run(double until) const {
+        double t = firstFall(m_gap, m_rate, glm::dot(m_normal, m_phase.accelerationAt(m_around.motion.velocity)));
+        for (int i = 0; i < 4 && t > 0.0 && t < until; ++i) {
+            Vec3 normal;
+            const double step = stepFrom(t, normal);
+            t += step;
+            if (normal != m_normal) return kNever;
+            if (std::abs(step) <= 0x1p-19 * t) return t < until ? t : kNever;
+        }
+        return kNever; // of a NaN, too
+    }
+
+    /// The zero near t, if it is at a face, from a start of few digits: like phys::settled, with the curvature.
+    double settled(double t) const {
+        Vec3 normal;
+        const double start = static_cast<double>(static_cast<float>(t)), s = start + stepFrom(start, normal);
+        return isFace(normal) && std::abs(s - t) <= 0x1p-40 * t ? s : t;
+    }
+
+private:
+    static bool isFace(const Vec3 &n) { return std::abs(n.x) == 1.0 || std::abs(n.y) == 1.0 || std::abs(n.z) == 1.0; }
+
+    /// From t towards the zero at the nearest feature; NaN if the ball doesn't approach it then.
+    double stepFrom(double t, Vec3 &n) const {
+        m_around.work.add(m_phase.lookWork());
+        const Way now = m_phase.at(t);
+        const double gap = m_target.gap(now.way, m_around.scene.radius, n), speed = -glm::dot(n, now.velocity);
+        if (!(speed > 0.0)) return NAN;
+        const double newton = gap / speed, bend = glm::dot(n, m_phase.accelerationAt(now.velocity));
+        return newton * (1.0 + 0.5 * newton * bend / speed);
+    }
+
+    const Target &m_target;
+    const Outlook &m_around;
+    const Phase &m_phase;
+    Vec3 m_normal;
+    double m_gap, m_rate; ///< at the start: m, m/s
+};
+
+/// First time in [from, until] at which the ball touches a target and moves towards it, in any phase.
+template<class Phase>
+double anyTouchTime(const Target &target, const Outlook &around, const Phase &phase, double from, double until) {
     const double R = around.scene.radius;
-    if (target.isTouched && from == 0.0) from = openingTime(target, phase, around, until);
     const auto look = [&](double t) {
         around.work.add(phase.lookWork());
         return gapAt(target, phase, R, t, until);
     };
+    if (target.isTouched && from == 0.0) from = openingTime(target, phase, around, until);
     return firstZero(look, from, until, 0.25 * around.scene.tolerance);
+}
+
+/// The same for a box.
+template<class Phase>
+double touchTime(const Outlook &around, const phys_box &box, const Phase &phase, double from, double until) {
+    const Target target(around, box);
+    if constexpr (requires { phase.turnsOnce(); }) {
+        if (phase.turnsOnce()) {
+            const PlaneSearch plane(target, around, phase);
+            const bool isAhead = plane.isAhead();
+            if (isAhead && plane.isFar(until)) return kNever;
+            double t = isAhead ? plane.run(until) : kNever;
+            if (t == kNever || t < from) t = anyTouchTime(target, around, phase, from, until);
+            return t == kNever ? t : plane.settled(t);
+        }
+    }
+    return anyTouchTime(target, around, phase, from, until);
 }
 
 /// A part of a ball's path.

@@ -23,6 +23,11 @@ public:
     double least(const Vec3 &n, double rate, double t, double until) const;
     double mostAcceleration() const { return m_most; }
     double horizon() const { return kNever; }
+    /// Whether the velocity along any direction changes its sign at most once: model.md 3.5.
+    bool turnsOnce() const { return !m_slips; }
+    /// Of a rolling ball, with this velocity, and at least along n.
+    Vec3 accelerationAt(const Vec3 &velocity) const { return m_A - m_B / glm::length(velocity) * velocity; }
+    double leastAcceleration(const Vec3 &n) const { return glm::dot(n, m_A) - m_B; }
     End end() const { return {m_law.stopTime(), m_slips ? Cause::grip : Cause::stop, 0}; }
     Losses losses(double t) const;
 

@@ -20,6 +20,10 @@ struct Uniform {
     double least(const Vec3 &n, double, double, double) const { return glm::dot(n, acceleration); }
     double mostAcceleration() const { return glm::length(acceleration); }
     double horizon() const { return kNever; }
+    /// Whether the velocity along any direction changes its sign at most once.
+    bool turnsOnce() const { return true; }
+    Vec3 accelerationAt(const Vec3 &) const { return acceleration; }
+    double leastAcceleration(const Vec3 &n) const { return glm::dot(n, acceleration); }
 };
 
 } // namespace phys
