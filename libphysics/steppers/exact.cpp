@@ -4,10 +4,13 @@
 #include "base/text.h"
 #include "discrete/requirements.h"
 #include "exact/exact_step.h"
+#include "exact/undisturbed.h"
 #include "registry/built_in_steppers.h"
+#include "registry/lanes.h"
 
 #include <bit>
 #include <cmath>
+#include <cstring>
 
 namespace phys {
 
@@ -59,6 +62,25 @@ phys_status stepExact(void *self, const phys_params *params, double dt, const ph
     return advance(exact, *params, duration, *in, *out, report, err);
 }
 
+/// The most frequent steps, without the copies and checks of a step in full.
+bool stepUndisturbed(void *self, const phys_params &params, double dt, const phys_state &in, phys_state &out,
+                     phys_report *report) {
+    Exact &exact = *static_cast<Exact *>(self);
+    const phys_vec3 &g = params.gravity;
+    if (report || isNegligible(dt) || isNegligible(g.x) || isNegligible(g.y) || isNegligible(g.z)) return false;
+    return rollUndisturbed(exact.regions, exact.scene, params, dt, in, out) ||
+           (in.velocity.z != 0.0 && fallUndisturbed(exact.scene, params, dt, in, out));
+}
+
+/// Only single balls: their motions have too many forms to compute them side by side.
+const void *extensionOfExact(void *, const char *id) {
+    static constexpr LaneSteps kSteps{
+        [](void *, const phys_params &, double, Lanes &) {},
+        [](void *, const phys_params &, const phys_state &, Lanes &, uint32_t) { return false; },
+        [](Lanes &) { return 0U; }, stepUndisturbed, [](const phys_params &, const Lanes &, uint32_t, phys_state &) {}};
+    return std::strcmp(id, kLanesId) == 0 ? &kSteps : nullptr;
+}
+
 phys_status requirementsOfExact(void *self, const phys_params *params, double dt, const phys_state *state,
                                 phys_requirements *out, phys_error *) {
     const PlanInput input{static_cast<const Exact *>(self)->scene, *params, dt, *state};
@@ -85,7 +107,7 @@ constinit const phys_stepper_api kExact = {
     .destroy = destroy,
     .step = stepExact,
     .requirements = requirementsOfExact,
-    .extension = nullptr,
+    .extension = extensionOfExact,
 };
 
 } // namespace phys

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "exact/region_run.h"
 
+#include "exact/floor_pull.h"
 #include "exact/last_bounce.h"
 #include "exact/search.h"
 #include "phases/resisted.h"
@@ -14,11 +15,6 @@ namespace phys {
 
 namespace {
 
-/// relative to the numbers beside it, what may be rounding; in such cases the step is left to the event loop
-constexpr double kUnsure = 1e-9;
-
-double sumOfParts(const Vec3 &v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
-
 const Vec3 kUp(0.0, 0.0, 1.0);
 
 class RegionRun {
@@ -28,8 +24,8 @@ public:
         , m_ball(ball)
         , m_events(events)
         , m_floor(ball.scene().boxes[region.floor].max.z + ball.radius())
-        , m_level(ball.params().gravity.x, ball.params().gravity.y, 0.0)
-        , m_pressure(-ball.params().gravity.z) {}
+        , m_pull(ball.scene(), ball.params())
+        , m_level(m_pull.level, 0.0) {}
 
     /// Computes one phase and the event that ends it. False if anything else may happen next.
     bool advance() {
@@ -44,7 +40,7 @@ public:
                 return false;
         }
         m_spin = isRigid() ? m_ball.motion.spin : rollingSpin(inPlane(velocity), m_ball.radius());
-        m_rolls = rolls();
+        m_rolls = m_pull.rolls(inPlane(velocity), m_ball.motion.spin);
         if (m_rests != kNone) return m_rolls && rollAlongFace();
         if (m_rolls) return roll();
         if (!isRigid()) return false;
@@ -61,27 +57,11 @@ private:
     uint32_t boxAt(int axis) const { return sideOf(axis) > 0 ? range(axis).lowBox : range(axis).highBox; }
     double placeAt(int axis) const { return sideOf(axis) > 0 ? range(axis).lowFace : range(axis).highFace; }
 
-    /// Whether the ball certainly moves and, in the rigid model, certainly rolls and continues to.
-    bool rolls() const {
-        const Vec3 &velocity = m_ball.motion.velocity;
-        const double R = m_ball.radius(), speedSquared = glm::dot(velocity, velocity);
-        const Vec3 surface = R * m_ball.motion.spin;
-        constexpr double kStill = 1e-13; // relative: smaller values are rounding
-        if (!(speedSquared > kStill * kStill * (R * sumOfParts(m_ball.setting.gravity()) + glm::dot(surface, surface))))
-            return false;
-        if (!isRigid()) return true;
-        constexpr double kNoSlip = 64.0 * kRounding;
-        const Vec2 slip = inPlane(velocity) - spinSpeed(m_spin, R);
-        const double most = m_ball.params().sliding_friction * m_pressure;
-        return glm::dot(slip, slip) <= kNoSlip * kNoSlip * speedSquared &&
-               4.0 / 49.0 * glm::dot(m_level, m_level) < most * most;
-    }
-
     bool roll() {
-        const double resistance = m_ball.params().rolling_friction * m_pressure;
-        if (!turns(m_ball.motion.velocity, resistance)) return false;
-        const Resisted phase = Resisted::rolling(2, m_ball.motion.velocity, 5.0 / 7.0 * m_level, 5.0 / 7.0 * resistance,
-                                                 m_ball.radius(), m_spin, kUp);
+        const double B = m_pull.resistance();
+        if (!m_pull.turns(inPlane(m_ball.motion.velocity), B)) return false;
+        const Resisted phase =
+            Resisted::rolling(2, m_ball.motion.velocity, Vec3(m_pull.drive(), 0.0), B, m_ball.radius(), m_spin, kUp);
         return runOn(phase, phase.end());
     }
 
@@ -89,8 +69,8 @@ private:
         constexpr double kLeast = 1e-12; // relative to the speeds: smaller slips may be rounding
         const Moment moment = m_ball.moment();
         const Vec3 slip = slipAt(moment, kUp);
-        const double friction = m_ball.params().sliding_friction * m_pressure;
-        if (!(glm::length(slip) > kLeast * speedScale(moment)) || !turns(slip, friction)) return false;
+        const double friction = m_ball.params().sliding_friction * m_pull.pressure;
+        if (!(glm::length(slip) > kLeast * speedScale(moment)) || !m_pull.turns(inPlane(slip), friction)) return false;
         const Resisted phase =
             Resisted::slipping(2, moment.velocity, slip, m_level, friction, m_ball.radius(), moment.spin, kUp);
         const End end = phase.end();
@@ -105,30 +85,15 @@ private:
         return motion.velocity != Vec3(0.0) && runOn(Uniform{motion.velocity, m_level, motion.spin, Vec3(-0.0)}, End());
     }
 
-    /// Whether a velocity that friction opposes certainly turns: it isn't parallel to the drive.
-    bool turns(const Vec3 &v, double friction) const {
-        constexpr double kLeast = 1e-10; // sine of the angle between the velocity and its rate of change
-        const double across = v.x * m_level.y - v.y * m_level.x;
-        const double most = kLeast * (std::abs(m_level.x) + std::abs(m_level.y) + friction);
-        return friction > 0.0 && across * across > most * most * glm::dot(v, v);
-    }
-
     /// The drive presses the ball against a face, so that its acceleration is constant: model.md 14.1.
     bool rollAlongFace() {
-        const double R = m_ball.radius();
         const Vec3 velocity = m_ball.motion.velocity;
-        if ((isRigid() && m_ball.params().wall_friction > 0.0) || m_spin[1 - m_rests] != 0.0) return false;
-        const Vec3 drive = 5.0 / 7.0 * m_level;
-        const double scale = sumOfParts(m_ball.setting.gravity()) +
-                             (glm::dot(velocity, velocity) + R * R * glm::dot(m_spin, m_spin)) / R;
-        const double push = -sideOf(m_rests) * drive[m_rests];
-        if (!(push > (kUnsure + 8.0 * m_ball.scene().tolerance / R) * scale)) return false;
-
-        const Vec3 heading = glm::sign(velocity);
-        Vec3 a = drive - 5.0 / 7.0 * m_ball.params().rolling_friction * m_pressure * heading;
-        a[m_rests] = 0.0;
-        if (!(-glm::dot(a, heading) * m_ball.left < (1.0 - kUnsure) * glm::dot(velocity, heading))) return false;
-        return runOn(Uniform{velocity, a, m_spin, glm::cross(kUp, a) / R}, End());
+        const int along = 1 - m_rests;
+        if (!m_pull.presses(m_rests, sideOf(m_rests), inPlane(velocity), m_spin)) return false;
+        Vec3 a(0.0);
+        a[along] = m_pull.accelerationAlong(along, velocity[along]);
+        if (!m_pull.keepsDirection(velocity[along], a[along], m_ball.left)) return false;
+        return runOn(Uniform{velocity, a, m_spin, glm::cross(kUp, a) / m_ball.radius()}, End());
     }
 
     /// An impact on a face of the region.
@@ -193,7 +158,8 @@ private:
     double squareOfLastBounce() const {
         const phys_params &params = m_ball.params();
         const double friction = std::max(params.rolling_friction, isRigid() ? params.sliding_friction : 0.0);
-        return 2.0 * (sumOfParts(m_level) + friction * m_pressure) * lastHeight(m_ball);
+        const double level = std::abs(m_level.x) + std::abs(m_level.y);
+        return 2.0 * (level + friction * m_pull.pressure) * lastHeight(m_ball);
     }
 
     /// False if another contact is near or this may be the last bounce.
@@ -247,7 +213,7 @@ private:
     Losses losses(const Uniform &phase, double t) const {
         if (!m_rolls) return {};
         const double turning = std::abs(glm::dot(phase.spinAt(0.5 * t), glm::cross(kUp, glm::sign(phase.velocity))));
-        return {0.0, m_ball.params().rolling_friction * m_pressure * m_ball.radius() * t * turning};
+        return {0.0, m_ball.params().rolling_friction * m_pull.pressure * m_ball.radius() * t * turning};
     }
 
     template<class Phase>
@@ -274,10 +240,10 @@ private:
     const FloorRegion &m_region;
     MovingBall &m_ball;
     ContactEvents &m_events;
-    double m_floor;    ///< m: height of the centre
-    Vec3 m_level;      ///< gravity along the floor, m/s^2
-    double m_pressure; ///< gravity into it, m/s^2
-    Vec3 m_spin{0.0};  ///< at the start of the phase
+    double m_floor; ///< m: height of the centre
+    FloorPull m_pull;
+    Vec3 m_level;     ///< gravity along the floor, m/s^2
+    Vec3 m_spin{0.0}; ///< at the start of the phase
     bool m_rolls = false;
     int m_rests = kNone; ///< the axis across which it leans on a face
 };

@@ -11,22 +11,47 @@ namespace phys {
 
 namespace {
 
+/// Two numbers that are computed together, in one SIMD register where processors have them.
+using Two = double __attribute__((vector_size(16)));
+
+inline double sum(Two numbers) { return numbers[0] + numbers[1]; }
+
 /// Most steps are short compared with the time in which velocities change, so a few terms suffice.
 bool isShort(double z) { return std::abs(z) <= 0.3; }
 
 /// (exp(z) - 1)/z for small z: the sum of z^k/(k + 1)!, in groups of four, so that terms are computed in parallel.
-double growth(double z) {
-    const double z2 = z * z, z4 = z2 * z2;
-    const double first = (1.0 + z * (1.0 / 2.0)) + z2 * (1.0 / 6.0 + z * (1.0 / 24.0));
-    const double second = (1.0 / 120.0 + z * (1.0 / 720.0)) + z2 * (1.0 / 5040.0 + z * (1.0 / 40320.0));
-    const double third = (1.0 / 362880.0 + z * (1.0 / 3628800.0)) + z2 * (1.0 / 39916800.0 + z * (1.0 / 479001600.0));
+template<class N>
+inline N growth(N z) {
+    const N z2 = z * z, z4 = z2 * z2;
+    const N first = (1.0 + z * (1.0 / 2.0)) + z2 * (1.0 / 6.0 + z * (1.0 / 24.0));
+    const N second = (1.0 / 120.0 + z * (1.0 / 720.0)) + z2 * (1.0 / 5040.0 + z * (1.0 / 40320.0));
+    const N third = (1.0 / 362880.0 + z * (1.0 / 3628800.0)) + z2 * (1.0 / 39916800.0 + z * (1.0 / 479001600.0));
     return first + z4 * (second + z4 * (third + z4 * (1.0 / 6227020800.0)));
 }
 
 /// I(c) = integral of exp(c s) from 0 to xi.
-inline double integral(double c, double xi) {
+double integral(double c, double xi) {
     const double z = c * xi;
     return isShort(z) ? xi * growth(z) : elementary::expm1(z) / c;
+}
+
+/// The integrals of two exponentials.
+struct Integrals {
+    static double of(double c, double xi) { return integral(c, xi); }
+    static Two of(Two c, double xi) { return Two{integral(c[0], xi), integral(c[1], xi)}; }
+};
+/// The same if all c xi are small.
+struct ShortIntegrals {
+    template<class N>
+    static N of(N c, double xi) {
+        return xi * growth(c * xi);
+    }
+};
+
+/// An integral at xi - back, where back^3 is negligible, so that the computation needn't wait for `back`.
+template<class N>
+inline N shifted(N c, N integral, double back) {
+    return integral - back * (1.0 + c * integral) * (1.0 - 0.5 * c * back);
 }
 
 /// xi at which share * I(c) = t, where share * I(c) is one of the two positive parts of t(xi): an upper bound for xi.
@@ -85,17 +110,14 @@ ResistedLaw::ResistedLaw(const Vec2 &v0, const Vec2 &A, double B)
     }
 }
 
-ResistedLaw::Point ResistedLaw::at(double t) const {
-    if (t >= m_stopTime) return atStop();
-    if (m_fromRest) {
-        const double speed = (m_a - m_B) * t;
-        return {0.5 * t * speed * m_e, speed * m_e, 0.5 * t * speed};
-    }
-    return atTime(t);
-}
+/// A moment: xi - back, and the integrals at xi of which the time is composed.
+struct ResistedLaw::Passed {
+    double xi, back; ///< s^2/m
+    Two integrals;   ///< s^2/m: I(a - B), I(-a - B)
+};
 
 /// A starting value for short times: the inverse of the first four terms of t(xi). -1 if the time isn't short.
-double ResistedLaw::shortXi(double t) const {
+inline double ResistedLaw::shortXi(double t) const {
     const double perSpeed = 1.0 / m_speed, tau = t * perSpeed;
     if (!((m_a + m_B) * tau < 0.3)) return -1.0;
     // The derivatives of |v| with respect to xi at the start, in units of |v| and tau.
@@ -106,8 +128,28 @@ double ResistedLaw::shortXi(double t) const {
     return tau * ((1.0 - q) + (2.0 * q * q - w) + (5.0 * q * (w - q * q) - y));
 }
 
-/// Chebyshev's method inside the bracket of model.md 3.4: t(xi) is strictly increasing, dt/dxi = |v|.
-ResistedLaw::Point ResistedLaw::atTime(double t) const {
+/// One of Chebyshev's steps for t(xi), which is strictly increasing, dt/dxi = |v|.
+template<class Of>
+inline ResistedLaw::Passed ResistedLaw::improve(double xi, double t) const {
+    const Two share{m_P, m_M}, c{m_a - m_B, -(m_a + m_B)}, integrals = Of::of(c, xi);
+    const double excess = sum(share * integrals) - t;
+    const Two parts = share + share * (c * integrals); // of |v|
+    const double perSpeed = 1.0 / sum(parts), newton = excess * perSpeed;
+    return {xi, newton * (1.0 + 0.5 * newton * sum(c * parts) * perSpeed), integrals};
+}
+
+/// Most steps: short compared with the time in which velocities change.
+inline bool ResistedLaw::isAtShortTime(double t, Point &out) const {
+    const double xi = shortXi(t);
+    if (!(xi >= 0.0 && isShort((m_a + 2.0 * m_B) * xi))) return false;
+    const Passed passed = improve<ShortIntegrals>(xi, t);
+    if (!isLast(passed)) return false;
+    out = atXi<ShortIntegrals>(passed, t);
+    return true;
+}
+
+/// Chebyshev's method inside the bracket of model.md 3.4.
+ResistedLaw::Point ResistedLaw::atAnyTime(double t) const {
     const double c1 = m_a - m_B, c2 = -(m_a + m_B);
     double low = 0.0, high = kNever, xi = shortXi(t);
     if (xi < 0.0) {
@@ -117,45 +159,57 @@ ResistedLaw::Point ResistedLaw::atTime(double t) const {
         xi = high;
     }
     for (int iteration = 0; iteration < 60; ++iteration) {
-        const double ofFast = integral(c1, xi), ofSlow = integral(c2, xi);
-        const double excess = m_P * ofFast + m_M * ofSlow - t;
-        const double fast = m_P + m_P * (c1 * ofFast), slow = m_M + m_M * (c2 * ofSlow); // |v| is their sum
-        (excess > 0.0 ? high : low) = xi;
-        // t'' = c1 P e^(c1 xi) + c2 M e^(c2 xi).
-        const double perSpeed = 1.0 / (fast + slow), newton = excess * perSpeed;
-        const double back = newton * (1.0 + 0.5 * newton * (c1 * fast + c2 * slow) * perSpeed);
-        // Convergence is cubic: after a step this small the next one is below rounding.
-        if (back <= xi && std::abs(back) <= 4e-6 * std::min(xi, -1.0 / c2)) return atXi({xi, back, ofFast, ofSlow}, t);
-        const double next = xi - back;
+        const Passed passed = improve<Integrals>(xi, t);
+        if (isLast(passed)) return atXi<Integrals>(passed, t);
+        (passed.back > 0.0 ? high : low) = xi;
+        const double next = xi - passed.back;
         xi = next > low && next < high ? next : 0.5 * (low + high);
     }
-    return atXi({xi, 0.0, integral(c1, xi), integral(c2, xi)}, t);
+    return atXi<Integrals>({xi, 0.0, Integrals::of(Two{c1, c2}, xi)}, t);
 }
 
-/// The same integral at xi - back, where back^3 is negligible, so that the computation needn't wait for `back`.
-double ResistedLaw::shifted(double c, double integral, double back) {
-    return integral - back * (1.0 + c * integral) * (1.0 - 0.5 * c * back);
+/// Convergence is cubic: after a step this small the next one is below rounding.
+inline bool ResistedLaw::isLast(const Passed &passed) const {
+    const double size = std::abs(passed.back);
+    return passed.back <= passed.xi && size <= 4e-6 * passed.xi && size * (m_a + m_B) <= 4e-6;
 }
 
-ResistedLaw::Point ResistedLaw::atXi(const Passed &passed, double t) const {
-    const auto &[xi, back, ofFast, ofSlow] = passed;
-    const double c1 = m_a - m_B, c2 = -(m_a + m_B), c3 = m_a - 2.0 * m_B, c4 = -(m_a + 2.0 * m_B);
-    const double slowTime = m_M * shifted(c2, ofSlow, back);
-    // Computed from the time itself: after a long growth e^(c1 xi) has lost digits.
-    const double fastTime = c1 > 0.0 && slowTime < 0.5 * t ? t - slowTime : m_P * shifted(c1, ofFast, back);
-    const double fast = m_P + c1 * fastTime, slow = m_M + c2 * slowTime;
+template<class Of>
+inline ResistedLaw::Point ResistedLaw::atXi(const Passed &passed, double t) const {
+    const auto &[xi, back, integrals] = passed;
+    const Two share{m_P, m_M}, c{m_a - m_B, -(m_a + m_B)}, c3{m_a - 2.0 * m_B, -(m_a + 2.0 * m_B)};
+    Two times = share * shifted(c, integrals, back);
+    // Computed from the time itself: after a long growth e^(c xi) has lost digits.
+    if (m_a > m_B && times[1] < 0.5 * t) times[0] = t - times[1];
+    const Two parts = share + c * times; // of |v|
     // P^2 I(2c) = (P I(c)) (P + P e^(c xi))/2: time share times mean speed, which neither overflows nor underflows.
-    const double alongFast = fastTime * (0.5 * (m_P + fast));
-    const double alongSlow = slowTime * (0.5 * (m_M + slow));
-    const double across =
-        m_vt * (m_P * shifted(c3, integral(c3, xi), back) + m_M * shifted(c4, integral(c4, xi), back));
-    const double damping = shifted(-m_B, integral(-m_B, xi), back);
+    const Two along = times * (0.5 * (share + parts));
+    const double across = m_vt * sum(share * shifted(c3, Of::of(c3, xi), back));
+    const double damping = shifted(-m_B, Of::of(-m_B, xi), back);
     const double mixed = 2.0 * m_P * m_M * (damping * (1.0 - 0.5 * m_B * damping));
     // While the velocity changes little, its change is known more accurately than itself: many short phases keep their
     // digits.
-    const Vec2 v = -c2 * xi < 0.5 ? m_v0 + turned(c1 * fastTime - c2 * slowTime, m_vt * (-m_B * damping))
-                                  : turned(fast - slow, m_vt * elementary::exp(-m_B * (xi - back)));
-    return {turned(alongFast - alongSlow, across), v, alongFast + mixed + alongSlow};
+    const Two change = c * times;
+    const Vec2 v = (m_a + m_B) * xi < 0.5 ? m_v0 + turned(change[0] - change[1], m_vt * (-m_B * damping))
+                                          : turned(parts[0] - parts[1], m_vt * elementary::exp(-m_B * (xi - back)));
+    return {turned(along[0] - along[1], across), v, along[0] + mixed + along[1]};
+}
+
+ResistedLaw::Point ResistedLaw::at(double t) const {
+    if (t >= m_stopTime) return atStop();
+    if (m_fromRest) {
+        const double speed = (m_a - m_B) * t;
+        return {0.5 * t * speed * m_e, speed * m_e, 0.5 * t * speed};
+    }
+    Point point;
+    return isAtShortTime(t, point) ? point : atAnyTime(t);
+}
+
+bool ResistedLaw::goesOn(const Vec2 &v0, const Vec2 &A, double B, double t, Point &out) {
+    const ResistedLaw law(v0, A, B);
+    if (law.m_fromRest || !(t < law.m_stopTime)) return false;
+    if (!law.isAtShortTime(t, out)) out = law.atAnyTime(t);
+    return true;
 }
 
 ResistedLaw::Point ResistedLaw::atStop() const {

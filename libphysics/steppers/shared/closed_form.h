@@ -28,6 +28,9 @@ public:
     ResistedLaw() = default;
     ResistedLaw(const Vec2 &v0, const Vec2 &A, double B);
 
+    /// The state of a ball from v0 after t seconds; false if it rests at the start or stops by then.
+    static bool goesOn(const Vec2 &v0, const Vec2 &A, double B, double t, Point &out);
+
     /// When the ball stops, model.md 3.2; kNever if it doesn't.
     double stopTime() const { return m_stopTime; }
 
@@ -44,15 +47,15 @@ private:
     double m_stopTime = kNever;
     bool m_fromRest = false;
 
-    /// A moment: xi - back, and the integrals at xi of which the time is composed.
-    struct Passed {
-        double xi, back;       ///< s^2/m
-        double ofFast, ofSlow; ///< s^2/m: I(a - B), I(-a - B)
-    };
+    struct Passed;
 
     double shortXi(double t) const;
-    Point atTime(double t) const;
-    static double shifted(double c, double integral, double back);
+    template<class Of>
+    Passed improve(double xi, double t) const;
+    bool isLast(const Passed &passed) const;
+    bool isAtShortTime(double t, Point &out) const;
+    Point atAnyTime(double t) const;
+    template<class Of>
     Point atXi(const Passed &passed, double t) const;
     Point atStop() const;
     Vec2 turned(double along, double across) const;

@@ -25,9 +25,12 @@ struct FloorRegion {
         bool isFree(double place) const { return place >= low && place <= high; }
         bool isFace(double place) const { return place == lowFace || place == highFace; }
         bool has(double place) const { return isFree(place) || isFace(place); }
+        /// bend: how far the ball may be off the straight way, m.
+        bool isFreeOnWay(double place, double way, double bend) const {
+            return place + std::min(way, 0.0) - bend >= low && place + std::max(way, 0.0) + bend <= high;
+        }
         bool keeps(double place, double way, double bend) const {
-            return isFace(place) ||
-                   (isFree(place + std::min(way, 0.0) - bend) && isFree(place + std::max(way, 0.0) + bend));
+            return isFace(place) || isFreeOnWay(place, way, bend);
         }
     };
     static constexpr double kNoFace = 0x1p200; ///< beyond all positions

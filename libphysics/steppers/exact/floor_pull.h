@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// What is certain of the motion of a ball on a floor, without evaluating the law of contact. In case of doubt the event
+// loop decides.
+#pragma once
+
+#include "scene/scene.h"
+
+#include <cmath>
+
+namespace phys {
+
+/// Relative to the numbers beside it, what may be rounding.
+inline constexpr double kUnsure = 1e-9;
+
+class FloorPull {
+public:
+    Vec2 level;      ///< gravity along the floor, m/s^2
+    double pressure; ///< gravity into it, m/s^2
+
+    FloorPull(const Scene &scene, const phys_params &params)
+        : level(inPlane(params.gravity))
+        , pressure(-params.gravity.z)
+        , m_scene(scene)
+        , m_params(params) {}
+
+    bool isRigid() const { return m_params.model == PHYS_MODEL_RIGID; }
+    /// m/s^2: the sum of components, which is no smaller than the length.
+    double gravity() const { return std::abs(level.x) + std::abs(level.y) + pressure; }
+    /// m/s^2: rolling resistance, of a ball that rolls.
+    double resistance() const { return 5.0 / 7.0 * (m_params.rolling_friction * pressure); }
+    /// m/s^2: acceleration of a ball that rolls, without resistance.
+    Vec2 drive() const { return 5.0 / 7.0 * level; }
+
+    /// m/s^2: an upper bound for a ball that rolls.
+    double mostAcceleration() const { return 5.0 / 7.0 * (std::abs(level.x) + std::abs(level.y)) + resistance(); }
+
+    /// Whether the ball moves and, in the rigid model, rolls and continues to. spin: the given one.
+    bool rolls(const Vec2 &velocity, const Vec3 &spin) const {
+        constexpr double kStill = 1e-13; // relative: smaller values are rounding
+        const double R = m_scene.radius, speedSquared = glm::dot(velocity, velocity);
+        const double turning = R * R * glm::dot(spin, spin);
+        if (!(speedSquared > kStill * kStill * (R * gravity() + turning))) return false;
+        if (!isRigid()) return true;
+        constexpr double kNoSlip = 64.0 * kRounding;
+        const Vec2 slip = velocity - spinSpeed(spin, R);
+        const double most = m_params.sliding_friction * pressure;
+        return glm::dot(slip, slip) <= kNoSlip * kNoSlip * speedSquared &&
+               4.0 / 49.0 * glm::dot(level, level) < most * most;
+    }
+
+    /// Whether a velocity that friction (m/s^2) opposes turns: it isn't parallel to the pull.
+    bool turns(const Vec2 &v, double friction) const {
+        constexpr double kLeast = 1e-10; // sine of the angle between the velocity and its rate of change
+        const double across = v.x * level.y - v.y * level.x;
+        const double most = kLeast * (std::abs(level.x) + std::abs(level.y) + friction);
+        return friction > 0.0 && across * across > most * most * glm::dot(v, v);
+    }
+
+    /// Whether the pull presses a rolling ball against a smooth face along which it moves. across: axis of the face's
+    /// normal; side: its direction.
+    bool presses(int across, int side, const Vec2 &velocity, const Vec3 &spin) const {
+        if (isRigid() && (m_params.wall_friction > 0.0 || spin[1 - across] != 0.0)) return false;
+        const double R = m_scene.radius, push = -side * (5.0 / 7.0 * level[across]);
+        const double speedSquared = glm::dot(velocity, velocity);
+        const double scale = R * gravity() + speedSquared + (isRigid() ? R * R * glm::dot(spin, spin) : speedSquared);
+        return push * R * R > (kUnsure * R + 8.0 * m_scene.tolerance) * scale;
+    }
+
+    /// Of a ball that rolls along an axis, m/s^2.
+    double accelerationAlong(int axis, double speed) const {
+        const double heading = speed > 0.0 ? 1.0 : -1.0;
+        return 5.0 / 7.0 * level[axis] - 5.0 / 7.0 * m_params.rolling_friction * pressure * heading;
+    }
+
+    /// Whether that neither stops nor reverses the ball within a time.
+    static bool keepsDirection(double speed, double acceleration, double time) {
+        const double heading = speed > 0.0 ? 1.0 : -1.0;
+        return -acceleration * heading * time < (1.0 - kUnsure) * std::abs(speed);
+    }
+
+private:
+    const Scene &m_scene;
+    const phys_params &m_params;
+};
+
+} // namespace phys
