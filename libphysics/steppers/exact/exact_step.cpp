@@ -65,6 +65,13 @@ phys_status leave(const MovingBall &ball, uint32_t flags, phys_state &out) {
     return PHYS_OK;
 }
 
+/// The rest of the step, or the next phases, if they are of the most frequent kinds. False if the loop must continue.
+bool finishInRegion(FloorRegions &regions, MovingBall &ball, ContactEvents &events, uint32_t &flags) {
+    if (!runInRegion(regions, ball, events)) return false;
+    flags = slipsAt({0.0, 0.0, 1.0}, ball) ? PHYS_SLIPPING : 0;
+    return true;
+}
+
 /// The event loop of model.md 8.1, from any moment of a step on.
 phys_status followEvents(FloorRegions &regions, MovingBall &ball, ContactEvents &events, uint32_t &flags) {
     Ground ground(ball, regions);
@@ -88,6 +95,9 @@ phys_status followEvents(FloorRegions &regions, MovingBall &ball, ContactEvents 
         response = nullptr;
         resolve(ground, ball, touching);
         skipBounces(ground, ball, touching);
+        const double left = ball.left;
+        if (left > 0.0 && finishInRegion(regions, ball, events, flags)) return ball.checkWork();
+        if (ball.left < left) resolve(ground, ball, touching);
     }
     if (const phys_status status = ball.checkWork()) return status;
     flags = flagsOf(touching, response, ball);
@@ -101,8 +111,8 @@ phys_status stepExactly(const Scene &scene, FloorRegions &regions, const phys_pa
     MovingBall ball(scene, params, dt, in, report, err);
     ball.report.substeps(1, 0);
     ContactEvents events;
-    if (runInRegion(regions, ball, events)) return leave(ball, slipsAt({0.0, 0.0, 1.0}, ball) ? PHYS_SLIPPING : 0, out);
     uint32_t flags = 0;
+    if (finishInRegion(regions, ball, events, flags)) return leave(ball, flags, out);
     if (const phys_status status = followEvents(regions, ball, events, flags)) return status;
     return leave(ball, flags, out);
 }

@@ -49,10 +49,7 @@ void move(const P &phase, const End &end, const Touching &touching, const Respon
         ball.position += place.way;
         ball.motion = {place.velocity, place.spin};
     }
-    // Not if the ball's velocity changes meanwhile by more than the speed that vanishes.
-    const bool waits =
-        end.rest > 0.0 && end.rest * phase.mostAcceleration() <= 16.0 * kSlipEnds * speedScale(ball.moment());
-    const double passed = std::min(t + (waits ? end.rest : 0.0), ball.left);
+    const double passed = std::min(t + (ball.waits(end, phase.mostAcceleration()) ? end.rest : 0.0), ball.left);
     ball.pass(passed);
     // Before normals are turned, because a slip that has ended would begin again at another place of an edge.
     if (passed > t && end.cause == Cause::grip) ball.position += (passed - t) * ball.motion.velocity;

@@ -7,6 +7,7 @@
 #include "contact/modes.h"
 #include "contact/work.h"
 #include "exact/search.h"
+#include "phases/jet.h"
 #include "phases/turning.h"
 #include "registry/report.h"
 
@@ -48,6 +49,11 @@ struct MovingBall {
     Moment moment() const {
         return {motion.velocity, motion.spin, setting.gravity(), radius(),
                 16.0 * kRounding + 4.0 * scene().tolerance / radius()};
+    }
+
+    /// Whether only time passes while a vanishing speed ends: meanwhile the ball's velocity changes by less than that.
+    bool waits(const End &end, double mostAcceleration) const {
+        return end.rest > 0.0 && end.rest * mostAcceleration <= 16.0 * kSlipEnds * speedScale(moment());
     }
 
     /// Refuses a step whose work limit is exceeded.

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "exact/region_run.h"
 
+#include "contact/held.h"
 #include "exact/floor_pull.h"
 #include "exact/last_bounce.h"
 #include "exact/search.h"
 #include "phases/resisted.h"
+#include "phases/slide.h"
 #include "phases/uniform.h"
 
 #include <algorithm>
@@ -41,10 +43,10 @@ public:
         }
         m_spin = isRigid() ? m_ball.motion.spin : rollingSpin(inPlane(velocity), m_ball.radius());
         m_rolls = m_pull.rolls(inPlane(velocity), m_ball.motion.spin);
-        if (m_rests != kNone) return m_rolls && rollAlongFace();
+        const bool slips = isRigid() && !m_rolls && m_ball.params().sliding_friction > 0.0;
+        if (m_rests != kNone) return (m_rolls && rollAlongFace()) || (slips && slipAlongFace());
         if (m_rolls) return roll();
-        if (!isRigid()) return false;
-        return m_ball.params().sliding_friction > 0.0 ? slip() : glide();
+        return isRigid() && (slips ? slip() : glide());
     }
 
 private:
@@ -96,6 +98,29 @@ private:
         return runOn(Uniform{velocity, a, m_spin, glm::cross(kUp, a) / m_ball.radius()}, End());
     }
 
+    /// Friction and drive press the ball against a smooth face, and the slip turns: model.md 14.2.
+    bool slipAlongFace() {
+        const phys_params &params = m_ball.params();
+        const Moment moment = m_ball.moment();
+        const int along = 1 - m_rests;
+        const double B = params.sliding_friction * m_pull.pressure, scale = speedScale(moment);
+        const Vec3 slip = slipAt(moment, kUp), direction = hat(slip), a = m_level - B * direction;
+        const Vec3 n = contactAtFace(m_ball.setting, m_ball.position, boxAt(m_rests), m_rests, sideOf(m_rests)).normal;
+        const double push = -glm::dot(n, a);
+        const Vec2 rate(-2.5 * B * direction[m_rests], m_level[along] - 3.5 * B * direction[along]);
+        const double turning = slip[m_rests] * rate.y - slip[along] * rate.x;
+        constexpr double kLeast = 1e-12, kLeastTurn = 1e-10; // relative to the speeds; sine of an angle
+        if (params.wall_friction > 0.0 || !(glm::length(slip) > kLeast * scale)) return false;
+        if (!(push > 0.02 * B + kUnsure * accelerationScale(moment))) return false;
+        if (!(std::abs(turning) > kLeastTurn * glm::length(slip) * glm::length(rate))) return false;
+        const Reaction rough{Mode::slipping, m_pull.pressure, Vec3(0.0), direction, slip};
+        const Reaction smooth{Mode::smooth, push, push * n, Vec3(0.0), Vec3(0.0)};
+        const Slide phase(moment, {0, 1, 2, m_rests}, kUp, rough, params.sliding_friction, smooth);
+        const End end = phase.end(m_ball.left, m_ball.work);
+        const double rolling = moment.velocity[along] - 2.0 / 7.0 * slip[along]; // if the slip ends now
+        return (end.cause != Cause::grip || std::abs(rolling) > kUnsure * scale) && runOn(phase, end);
+    }
+
     /// An impact on a face of the region.
     struct Hit {
         double after = kNever;  ///< s
@@ -110,10 +135,11 @@ private:
         Hit hit;
         if (!findHit(phase, until, hit)) return false;
         const bool hits = hit.after < until, ends = !hits && own.after < m_ball.left;
-        if (ends && own.cause != Cause::grip) return false;
+        if (ends && own.cause != Cause::grip && own.cause != Cause::time) return false;
         const double end = hits ? hit.after : until;
-        follow(phase, end);
-        return hits ? bounce(hit) : !ends || grip();
+        if (end > 0.0) follow(phase, end);
+        if (ends && own.cause == Cause::grip) return grip(own, phase.mostAcceleration());
+        return !hits || bounce(hit);
     }
 
     /// False if the ball may leave the region beside the faces.
@@ -197,19 +223,30 @@ private:
                      glm::dot(m_ball.motion.velocity, face.normal));
     }
 
-    /// The end of a slip. False if a face is near.
-    bool grip() {
+    /// The end of a slip. False if another face is near.
+    bool grip(const End &end, double mostAcceleration) {
         Motion &motion = m_ball.motion;
+        if (m_ball.waits(end, mostAcceleration)) {
+            const double passed = std::min(end.rest, m_ball.left);
+            m_ball.pass(passed);
+            m_ball.position += passed * motion.velocity;
+        }
         const double before = glm::length(motion.velocity);
         const Vec3 slip = slipAt(m_ball.moment(), kUp);
         motion.velocity -= 2.0 / 7.0 * Vec3(slip.x, slip.y, 0.0);
         m_ball.roll();
         m_ball.event(PHYS_EVENT_ROLL, before, glm::length(motion.velocity));
         m_ball.work.add(Work::kEvent);
-        return range(0).isFree(m_ball.position.x) && range(1).isFree(m_ball.position.y);
+        if (m_rests == kNone) return range(0).isFree(m_ball.position.x) && range(1).isFree(m_ball.position.y);
+        motion.velocity[m_rests] = 0.0;
+        m_ball.roll();
+        return true;
     }
 
-    Losses losses(const Resisted &phase, double t) const { return phase.losses(t); }
+    template<class Phase>
+    Losses losses(const Phase &phase, double t) const {
+        return phase.losses(t);
+    }
     Losses losses(const Uniform &phase, double t) const {
         if (!m_rolls) return {};
         const double turning = std::abs(glm::dot(phase.spinAt(0.5 * t), glm::cross(kUp, glm::sign(phase.velocity))));
