@@ -155,9 +155,11 @@ void share(Combination &c, double zero) {
                 const double q2 = squared(along) - most * ln * ln;
                 const double q1 = glm::dot(r, along) - most * rn * ln, q0 = squared(r) - most * rn * rn;
                 const double discriminant = q1 * q1 - q2 * q0;
-                if (c.held[k].isGlued || discriminant < 0.0 || q2 == 0.0) return;
-                moves[count++] = (-q1 + std::sqrt(discriminant)) / q2;
-                moves[count++] = (-q1 - std::sqrt(discriminant)) / q2;
+                if (c.held[k].isGlued || discriminant < 0.0) return;
+                // q2 is rounding where the line is parallel to the cone: friction of 1 at perpendicular normals.
+                const double q = -(q1 + std::copysign(std::sqrt(discriminant), q1));
+                if (q2 != 0.0) moves[count++] = q / q2;
+                if (q != 0.0) moves[count++] = q0 / q;
             };
             addRoots(i, line);
             addRoots(j, -line);

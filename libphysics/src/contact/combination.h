@@ -48,6 +48,16 @@ struct Combination {
         spinAcceleration = glm::length(pivoting) * moment.radius > zero ? pivoting : Vec3(0.0);
     }
 
+    /// Whether contact i, which doesn't stick, is opposite to another face that carries all.
+    bool isIdle(uint32_t i) const {
+        if (isOpen(i) || sticks(i)) return false;
+        for (uint32_t j = 0; j < count(); ++j) {
+            if (isOpen(j)) continue;
+            if (isIdleBeside(held[i].normal, held[j].normal, moment.gravity, i < j || sticks(j))) return true;
+        }
+        return false;
+    }
+
     bool hasPartner(uint32_t i) const { return partner[i] < count(); }
     /// Normal of contact i, less that of its partner.
     Vec3 apart(uint32_t i) const {
@@ -123,6 +133,7 @@ dense::Equations equationsOf(Combination &c, AddRowsOf addRowsOf) {
     dense::Equations equations(c.unknowns);
     for (uint32_t i = 0; i < c.count(); ++i) {
         if (!c.isOpen(i)) addRowsOf(i, equations);
+        if (c.isIdle(i)) equations.add(0.0)[c.column[i]] = 1.0 + c.held[i].friction;
         for (uint32_t j = 0; j < i; ++j) {
             if (c.sticks(i) && c.sticks(j)) addGauge(c, i, j, equations);
         }

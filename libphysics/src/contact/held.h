@@ -29,6 +29,14 @@ inline Vec3 tangential(const Vec3 &v, const Vec3 &normal) { return v - glm::dot(
 inline bool isFace(const Held &held) { return held.across.x + held.across.y + held.across.z == 1.0; }
 inline bool isTopFace(const Held &held) { return isFace(held) && held.normal.z == 1.0; }
 
+/// Of two faces as far apart as the ball is wide: whether the first is the idle one, from which gravity pulls the ball.
+/// A squeeze of both moves nothing, and there is none, model.md 14.1.
+inline bool isIdleBeside(const Vec3 &normal, const Vec3 &other, const Vec3 &gravity, bool isFirst) {
+    if (normal != -other) return false;
+    const double pull = glm::dot(normal, gravity);
+    return pull > 0.0 || (pull == 0.0 && isFirst);
+}
+
 /// The contribution of a feature's curvature to the normal acceleration: |P v|^2 / R.
 inline double curvature(const Moment &moment, const Held &held) {
     return isFace(held) ? 0.0 : squared(held.across * moment.velocity) / moment.radius;

@@ -84,10 +84,10 @@ bool isUniform(const MovingBall &ball, const Touching &touching, const Response 
     for (uint32_t i = 0; i < touching.count(); ++i) {
         const Reaction &reaction = response.reactions[i];
         const Held &held = touching.held(i);
-        const bool isFace = touching.contactOf(i).isFace();
+        const bool isStraight = touching.contactOf(i).isFace() || free != Vec3(1.0);
         if (reaction.mode == Mode::open) continue;
-        if (isFace && reaction.pressure == 0.0) continue; // in the middle between two walls a ball apart
-        if (!isFace && (reaction.mode != Mode::smooth || free == Vec3(1.0))) return false;
+        if (isStraight && reaction.pressure == 0.0) continue; // as in the middle between two walls a ball apart
+        if (!touching.contactOf(i).isFace() && (reaction.mode != Mode::smooth || !isStraight)) return false;
         if (reaction.mode == Mode::slipping) {
             const Vec3 turning = glm::cross(response.spinAcceleration, held.normal);
             if (!isCollinear(reaction.slip, response.acceleration - ball.radius() * turning)) return false;

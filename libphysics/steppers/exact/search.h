@@ -66,9 +66,10 @@ struct Target {
     /// without a difference of large numbers.
     double gap(const Vec3 &way, double radius, Vec3 &n) const;
 
-    /// Whether the ball only grazes an edge or corner that it meets: model.md 5.4.
+    /// Whether the ball only grazes an edge or corner that it meets or, if it touched it at the start, returns to:
+    /// model.md 5.4.
     bool grazes(double gap, double approach, const Vec3 &n, const Vec3 &velocity) const {
-        if (isTouched || approach >= 0.0 || gap > tolerance || gap < -tolerance) return false;
+        if (approach >= 0.0 || gap > tolerance || gap < -tolerance) return false;
         const bool isFace = std::abs(n.x) == 1.0 || std::abs(n.y) == 1.0 || std::abs(n.z) == 1.0;
         const Vec3 across(n.x != 0.0 ? velocity.x : 0.0, n.y != 0.0 ? velocity.y : 0.0, n.z != 0.0 ? velocity.z : 0.0);
         return !isFace && approach >= -slight * glm::length(across); // along an edge it passes nothing
@@ -81,7 +82,9 @@ Look gapAt(const Target &target, const Phase &phase, double radius, double t, do
     Vec3 n;
     const double gap = target.gap(now.way, radius, n);
     const double rate = glm::dot(n, now.velocity);
-    return {target.grazes(gap, rate, n, now.velocity) ? target.tolerance : gap, rate, phase.least(n, rate, t, until)};
+    const bool returns = !target.isTouched || glm::dot(now.way, now.way) > 0.0625 * radius * radius;
+    const bool grazes = returns && target.grazes(gap, rate, n, now.velocity);
+    return {grazes ? target.tolerance : gap, rate, phase.least(n, rate, t, until)};
 }
 
 /// The time from which the gap to a touched box that doesn't press is certainly open. Its first terms in time are zero,

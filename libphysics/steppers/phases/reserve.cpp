@@ -58,10 +58,13 @@ Range rangeOfCone(double mu, const Vec3 &r, const Vec3 &n, const Vec3 &along) {
     // |r + s along|^2 = (1 + mu^2) (n.(r + s along))^2
     const double most = 1.0 + mu * mu, rn = glm::dot(r, n), ln = glm::dot(along, n);
     const double q2 = glm::dot(along, along) - most * ln * ln, q1 = glm::dot(r, along) - most * rn * ln;
-    const double discriminant = q1 * q1 - q2 * (glm::dot(r, r) - most * rn * rn);
+    const double q0 = glm::dot(r, r) - most * rn * rn, discriminant = q1 * q1 - q2 * q0;
     if (discriminant < 0.0) return kNone;
-    const double root = std::sqrt(discriminant), low = (-q1 - root) / q2, high = (-q1 + root) / q2;
-    if (q2 < 0.0) return {low, kNever}; // the friction suffices for any such pressure
+    const double q = -(q1 + std::copysign(std::sqrt(discriminant), q1));
+    if (q == 0.0) return q2 <= 0.0 ? Range{0.0, kNever} : Range{0.0, 0.0};
+    const double near = q0 / q, far = q2 != 0.0 ? q / q2 : near;
+    if (q2 <= 0.0) return {std::max(near, far), kNever}; // the friction suffices for any such pressure
+    const double low = std::min(near, far), high = std::max(near, far);
     return rn - q1 / q2 * ln >= 0.0 ? Range{low, high} : kNone;
 }
 

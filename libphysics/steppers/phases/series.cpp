@@ -438,6 +438,15 @@ void Series::addGauge(uint32_t i, uint32_t j, int k, dense::Equations &equations
     }
 }
 
+/// Whether the pressure of a contact that doesn't stick is zero, as that of the opposite one isn't.
+bool Series::isIdleBesideOther(const Contact &contact) const {
+    if (contact.mode != Mode::smooth && contact.mode != Mode::slipping) return false;
+    return std::any_of(contacts().begin(), contacts().end(), [&](const Contact &other) {
+        return isIdleBeside(contact.n[0], other.n[0], m_moment.gravity,
+                            &contact < &other || other.mode == Mode::sticking);
+    });
+}
+
 void Series::solveOrder(int k) {
     // Only where slipping or rolling starts do the unknowns of an order contribute to directions, by the order.
     bool areSame = !m_rollStarts;
@@ -446,7 +455,12 @@ void Series::solveOrder(int k) {
         m_equations.again();
     else
         m_equations.begin(m_unknowns);
-    for (const Contact &contact : contacts()) addRows(contact, k, m_equations);
+    for (const Contact &contact : contacts()) {
+        addRows(contact, k, m_equations);
+        if (!isIdleBesideOther(contact)) continue;
+        dense::Values &factors = m_equations.add(0.0);
+        if (!m_equations.areSolved()) factors[contact.column] = 1.0 + contact.held.friction;
+    }
     for (uint32_t j = 0; j < m_count; ++j) {
         for (uint32_t i = 0; i < j; ++i) {
             if (m_contacts[i].mode == Mode::sticking && m_contacts[j].mode == Mode::sticking)

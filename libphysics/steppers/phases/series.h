@@ -129,6 +129,7 @@ private:
     void forces(int k);
     void knownForces(Contact &contact, int k);
     void knownAccelerations(int k);
+    bool isIdleBesideOther(const Contact &contact) const;
     void solveOrder(int k);
     void addGauge(uint32_t i, uint32_t j, int k, dense::Equations &equations);
     void addRows(const Contact &contact, int k, dense::Equations &equations) const;
