@@ -171,6 +171,7 @@ std::map<std::string, std::vector<double>> measure(const std::vector<Level> &lev
         for (int round = 0; round < kRounds; ++round) {
             for (size_t i = 0; i < all.size(); ++i) {
                 try {
+                    all[i].secondsPerStep(level); // the contender before it has taken caches and branch prediction
                     rounds[i].push_back(all[i].secondsPerStep(level));
                 } catch (const std::exception &problem) {
                     if (round == 0) std::fprintf(stderr, "%s: %s\n", all[i].name.c_str(), problem.what());
