@@ -10,13 +10,12 @@ class ContactEvents {
 public:
     /// The closed contacts of a phase, before it begins.
     void add(const Touching &touching, const Response &response, MovingBall &ball);
-    /// A phase without such events: the ball goes on over a floor, beside a wall or PHYS_NO_BOX.
-    void addPhase(uint32_t wall) {
-        m_isCarried = true;
-        m_wall = wall;
-    }
+    /// The same for a ball that a floor carries, beside a wall or PHYS_NO_BOX.
+    void addOnFloor(uint32_t wall, int axis, int side, MovingBall &ball);
 
 private:
+    void add(bool isCarried, const Contact *wall, MovingBall &ball);
+
     bool m_isCarried = false; // in the previous phase
     uint32_t m_wall = PHYS_NO_BOX;
 };

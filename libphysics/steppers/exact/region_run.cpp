@@ -262,7 +262,9 @@ private:
             m_ball.report.lostSlip(lost.slip + 0.2 * R * R * (glm::dot(given, given) - glm::dot(m_spin, m_spin)));
             m_ball.report.lostRolling(lost.rolling);
         }
-        m_events.addPhase(m_rests == kNone ? PHYS_NO_BOX : boxAt(m_rests));
+        const bool leans = m_rests != kNone;
+        m_events.addOnFloor(leans ? boxAt(m_rests) : PHYS_NO_BOX, leans ? m_rests : 0, leans ? sideOf(m_rests) : 1,
+                            m_ball);
         const double face = m_rests == kNone ? 0.0 : placeAt(m_rests);
         const Vec3 start = m_ball.position;
         const Place place = phase.placeAt(t);

@@ -19,6 +19,8 @@ private slots:
     void spinsDownBetweenRoughWalls();
     void fallsBetweenSmoothWalls();
     void hopsAlongARoughWallEndInContact();
+    void comingToLeanOnASmoothWallIsReported_data();
+    void comingToLeanOnASmoothWallIsReported();
     void rubbingTurnsIntoRolling();
     void ballClimbsAWallThatItsSpinGrips();
     void aShorterBoxInTheSameFaceChangesNothing();
@@ -196,6 +198,28 @@ void ExactWalls::fallsBetweenSmoothWalls() {
     QVERIFY(run.state.flags & PHYS_AT_REST);
     QCOMPARE(run.state.position.x, kR);
     QCOMPARE(run.state.position.z, kR);
+}
+
+void ExactWalls::comingToLeanOnASmoothWallIsReported_data() {
+    QTest::addColumn<uint32_t>("model");
+    QTest::addColumn<uint32_t>("options");
+    QTest::newRow("rolling") << uint32_t(PHYS_MODEL_ROLLING) << 0U;
+    QTest::newRow("rolling, all stages") << uint32_t(PHYS_MODEL_ROLLING) << uint32_t(PHYS_OPTION_ALL_STAGES);
+    QTest::newRow("rigid") << uint32_t(PHYS_MODEL_RIGID) << 0U;
+    QTest::newRow("rigid, all stages") << uint32_t(PHYS_MODEL_RIGID) << uint32_t(PHYS_OPTION_ALL_STAGES);
+}
+
+void ExactWalls::comingToLeanOnASmoothWallIsReported() {
+    QFETCH(uint32_t, model);
+    QFETCH(uint32_t, options);
+    Run run({exact::kFloor, exact::wall(0.5, -2, 1, 2)}, kR, {0.4, 0, kR}, {0.25, 0.125, 0});
+    run.params.model = model;
+    run.params.options = options;
+    run.params.gravity = {1.0, 0.25, -9.75};
+    run.params.rolling_friction = 0.002;
+    run.step(2.0);
+    QCOMPARE(run.eventsOf(PHYS_EVENT_CONTACT).size(), std::size_t(1));
+    QCOMPARE(run.eventsOf(PHYS_EVENT_CONTACT).front().box, 1U);
 }
 
 void ExactWalls::hopsAlongARoughWallEndInContact() {
