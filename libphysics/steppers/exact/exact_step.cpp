@@ -72,15 +72,27 @@ bool finishInRegion(FloorRegions &regions, MovingBall &ball, ContactEvents &even
     return true;
 }
 
+/// The same from a moment that is resolved; resolves the moment at which that stops.
+bool goOnInRegion(FloorRegions &regions, const Ground &ground, MovingBall &ball, Touching &touching,
+                  ContactEvents &events, uint32_t &flags) {
+    const double left = ball.left;
+    if (finishInRegion(regions, ball, events, flags)) return true;
+    if (ball.left < left) resolve(ground, ball, touching);
+    return false;
+}
+
 /// The event loop of model.md 8.1, from any moment of a step on.
 phys_status followEvents(FloorRegions &regions, MovingBall &ball, ContactEvents &events, uint32_t &flags) {
     Ground ground(ball, regions);
     if (const phys_status status = leaveBoxes(ground, ball)) return status;
     Touching touching;
     Choice choice;
+    const Vec3 given = ball.motion.velocity;
     resolve(ground, ball, touching);
     skipBounces(ground, ball, touching);
-    const Response *response = nullptr; // of the present contacts
+    const Response *response = nullptr;               // of the present contacts
+    const bool isNew = ball.motion.velocity != given; // not the motion for which the region had no answer
+    if (isNew && goOnInRegion(regions, ground, ball, touching, events, flags)) return ball.checkWork();
     while (ball.left > 0.0) {
         ball.work.add(Work::kEvent);
         if (const phys_status status = ball.checkWork()) return status;
@@ -95,9 +107,7 @@ phys_status followEvents(FloorRegions &regions, MovingBall &ball, ContactEvents 
         response = nullptr;
         resolve(ground, ball, touching);
         skipBounces(ground, ball, touching);
-        const double left = ball.left;
-        if (left > 0.0 && finishInRegion(regions, ball, events, flags)) return ball.checkWork();
-        if (ball.left < left) resolve(ground, ball, touching);
+        if (ball.left > 0.0 && goOnInRegion(regions, ground, ball, touching, events, flags)) return ball.checkWork();
     }
     if (const phys_status status = ball.checkWork()) return status;
     flags = flagsOf(touching, response, ball);

@@ -109,7 +109,7 @@ private:
         const double push = -glm::dot(n, a);
         const Vec2 rate(-2.5 * B * direction[m_rests], m_level[along] - 3.5 * B * direction[along]);
         const double turning = slip[m_rests] * rate.y - slip[along] * rate.x;
-        constexpr double kLeast = 1e-12, kLeastTurn = 1e-10; // relative to the speeds; sine of an angle
+        constexpr double kLeast = 1e-13, kLeastTurn = 1e-10; // relative to the speeds; sine of an angle
         if (params.wall_friction > 0.0 || !(glm::length(slip) > kLeast * scale)) return false;
         if (!(push > 0.02 * B + kUnsure * accelerationScale(moment))) return false;
         if (!(std::abs(turning) > kLeastTurn * glm::length(slip) * glm::length(rate))) return false;
