@@ -3,7 +3,10 @@
 
 #include "footing.h"
 
+#include "contact/least_push.h"
+#include "contact/near.h"
 #include "contact/push_out.h"
+#include "scene/nearest.h"
 
 #include <cmath>
 
@@ -184,23 +187,14 @@ void lookAhead(const StepContext &context, const Ball &ball, std::span<const Vec
 ExplicitLanding::ExplicitLanding(const StepContext &context, const Contacts &contacts, double h, Ball &ball)
     : m_early(-0.5 * h * context.params().gravity.z) {
     const double approach = -ball.velocity.z - m_early;
-    if (!(m_early > 0.0) || !(approach > 0.0)) return;
-    for (const Contact &contact : contacts) {
-        if (!contact.isTop) continue;
-        const double head = -2.0 * context.params().gravity.z * std::max(0.0, contact.gap);
-        const double atFace = std::sqrt(approach * approach + head);
-        if (atFace <= contact.restSpeed) continue;
-        m_lands = true;
-        m_head = head;
-        ball.velocity.z = -atFace;
-        return;
-    }
+    m_lands = m_early > 0.0 && std::any_of(contacts.begin(), contacts.end(), [&](const Contact &contact) {
+                  return contact.isTop && approach > contact.restSpeed;
+              });
+    if (m_lands) ball.velocity.z = -approach;
 }
 
 void ExplicitLanding::leave(Ball &ball) const {
-    const double speed = ball.velocity.z;
-    if (!m_lands || speed <= 0.0) return;
-    ball.velocity.z = std::max(0.0, std::sqrt(std::max(0.0, speed * speed - m_head)) - m_early);
+    if (m_lands && ball.velocity.z > 0.0) ball.velocity.z = std::max(0.0, ball.velocity.z - m_early);
 }
 
 namespace {
@@ -220,9 +214,50 @@ bool dropFacing(const StepContext &context, const Ball &ball, Contacts &contacts
     return contacts.count() < all.count();
 }
 
+bool hasRoom(const StepContext &context, const Vec3 &position) {
+    const Scene &scene = context.scene();
+    const double overlapping = scene.radius - context.setting.tolerance;
+    bool overlaps = false;
+    visitNear(scene, position, scene.radius, [&](const phys_box &box, uint32_t) {
+        overlaps = overlaps || squaredDistance(box, position) < overlapping * overlapping;
+    });
+    return !overlaps;
+}
+
+/// The shortest way to where an impact leaves the ball: restitution takes its share of the gaps too, model.md 13.5.
+/// Only of those that the motion before it closes within h, so that the way is never longer than that motion.
+Vec3 wayToImpact(const StepContext &context, const Contacts &contacts, double h, const Ball &before) {
+    std::array<Push, Contacts::kMost> pushes;
+    uint32_t count = 0;
+    for (const Contact &contact : contacts) {
+        const double approach = -glm::dot(before.velocity, contact.normal);
+        if (contact.gap > h * (approach + 0.5 * contact.restSpeed)) continue;
+        const double restitution = approach > contact.restSpeed ? contact.restitution : 0.0;
+        const double way = (1.0 - restitution * restitution) * contact.gap;
+        if (approach > 0.0 && way > context.setting.tolerance) pushes[count++] = {-contact.normal, way};
+    }
+    if (count == 0) return Vec3(0.0);
+    const std::span all(pushes.data(), count);
+    Work work; // limited as for a step of `exact`
+    const double negligible = 0.5 * context.setting.tolerance;
+    const Vec3 way = leastPush(all, negligible, work);
+    if (count < 2) return way;
+    // The mean of both orders favours none.
+    std::reverse(all.begin(), all.end());
+    return 0.5 * (way + leastPush(all, negligible, work));
+}
+
+/// Moves the ball there, if it has room and the impact takes more energy than the way.
+void moveToImpact(const StepContext &context, const Impacts &impacts, const Vec3 &way, Contacts &contacts, Ball &ball) {
+    const double lifted = -glm::dot(context.setting.gravity(), way);
+    if (way == Vec3(0.0) || lifted > impacts.lostNormal || !hasRoom(context, ball.position + way)) return;
+    ball.position += way;
+    for (Contact &contact : contacts) contact.gap += glm::dot(contact.normal, way);
+}
+
 } // namespace
 
-bool hit(const StepContext &context, Contacts &contacts, double after, Ball &ball) {
+bool hit(const StepContext &context, Contacts &contacts, double after, double h, Ball &ball) {
     const bool any = std::any_of(contacts.begin(), contacts.end(), [&](const Contact &contact) {
         return -glm::dot(ball.velocity, contact.normal) > contact.restSpeed;
     });
@@ -235,7 +270,9 @@ bool hit(const StepContext &context, Contacts &contacts, double after, Ball &bal
         impacts = resolveImpacts(contacts, context.radius(), motion, work);
     }
     if (impacts.rounds > 1) context.work.add(work.done()); // a single round belongs to the substep, or event
+    const Vec3 way = wayToImpact(context, contacts, h, ball);
     setMotion(motion, ball);
+    moveToImpact(context, impacts, way, contacts, ball);
     context.report.lostImpact(impacts.lostNormal);
     context.report.lostSlip(impacts.lostSlip);
     context.report.passes(impacts.rounds);
@@ -335,13 +372,9 @@ bool leaveOverlaps(const StepContext &context, Ball &ball) {
     return pushed.isFree;
 }
 
-void payForLift(const StepContext &context, const Contacts &contacts, const Vec3 &way, Ball &ball) {
+void payForLift(const StepContext &context, const Vec3 &way, Ball &ball) {
     const double lifted = -glm::dot(context.setting.gravity(), way);
     if (!(lifted > 0.0)) return;
-    const bool beganInside = std::any_of(contacts.begin(), contacts.end(), [&](const Contact &contact) {
-        return contact.gap < -context.setting.tolerance;
-    });
-    if (beganInside) return;
     const double kinetic = kineticEnergy(context, ball);
     const double share = kinetic > lifted ? std::sqrt(1.0 - lifted / kinetic) : 0.0;
     ball.velocity *= share;

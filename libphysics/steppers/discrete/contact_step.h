@@ -41,25 +41,24 @@ inline void setMotion(const Motion &motion, Ball &ball) {
 void lookAhead(const StepContext &context, const Ball &ball, std::span<const Vec3> ways, double h, Contacts &contacts);
 
 /// A landing on a top face where the position moves with the old velocity. Such a flight gains speed, and the ball
-/// would hop there for ever, with neither the drive nor the resistance of a rolling ball. The ball bounces with the
-/// speed that corresponds to the flight's energy at the face: model.md 13.5.
+/// would hop there for ever, with neither the drive nor the resistance of a rolling ball. It lands with the velocity
+/// that corresponds to the flight's energy: model.md 13.5.
 class ExplicitLanding {
 public:
-    /// Called before the impacts: changes the substep's velocity to that at the face.
+    /// Called before the impacts: changes the substep's velocity to that one.
     ExplicitLanding(const StepContext &context, const Contacts &contacts, double h, Ball &ball);
     /// Called after them: changes it back.
     void leave(Ball &ball) const;
 
 private:
+    double m_early; ///< speed by which a substep's velocity is ahead of that at its position, m/s
     bool m_lands = false;
-    double m_head = 0.0; ///< contribution of the gap to the square of the speed, m^2/s^2
-    double m_early;      ///< speed by which a substep's velocity is ahead of that at its position, m/s
 };
 
 /// The impacts of this moment, `after` seconds into the step, and their events. False if nothing hits. Contacts
 /// opposite to each other, between which the ball would bounce back and forth without end, are hit one at a time: the
-/// later ones are dropped.
-bool hit(const StepContext &context, Contacts &contacts, double after, Ball &ball);
+/// later ones are dropped. Moves the ball towards what it would reach within h (s), and changes the gaps accordingly.
+bool hit(const StepContext &context, Contacts &contacts, double after, double h, Ball &ball);
 
 /// The rolling model's spin at a top face, which follows the velocity: model.md 13.1.
 class SpinOnFloor {
@@ -108,9 +107,8 @@ private:
 /// Moves the ball out of all boxes without changing its velocity. False if there is no room for it.
 bool leaveOverlaps(const StepContext &context, Ball &ball);
 
-/// Reduces a ball's kinetic energy by that of a push that lifted it by `way`. A ball that began the substep inside a
-/// box, with these contacts, is lifted at no cost.
-void payForLift(const StepContext &context, const Contacts &contacts, const Vec3 &way, Ball &ball);
+/// Reduces a ball's kinetic energy by that of a push that lifted it by `way`.
+void payForLift(const StepContext &context, const Vec3 &way, Ball &ball);
 
 /// Whether a velocity is so small that `rests` must be evaluated, which is rarely so for a moving ball.
 inline bool mayRest(const Setting &setting, const Vec3 &velocity) {

@@ -62,7 +62,11 @@ public:
     bool run(double after, Ball &ball) {
         m_endedOnFloor = !m_plan.asReported && m_onFloor.run(after - m_h, ball);
         if (m_endedOnFloor) return true;
-        const Around around = lookAround(ball);
+        Around around = lookAround(ball);
+        if (!m_plan.asReported && overlaps(around)) { // it began the step inside a box
+            if (!leaveOverlaps(m_context, ball)) return false;
+            around = lookAround(ball);
+        }
         Ball free = ball;
         free.supported = around.carrier != nullptr;
         const SmoothLoss loss = move(free);
@@ -144,6 +148,11 @@ private:
         return around;
     }
 
+    bool overlaps(const Around &around) const {
+        const double overlapping = m_context.radius() - m_context.scene().tolerance;
+        return around.nearestSquared < overlapping * overlapping;
+    }
+
     /// Whether a top face under the ball would carry it: if it falls, then for too short a time to count.
     bool mayLie(const Ball &ball) const {
         if (!(m_context.params().gravity.z < 0.0)) return false;
@@ -213,14 +222,14 @@ private:
         }
         const Vec3 reached = ball.position;
         if (leaveOverlaps(m_context, ball)) {
-            payForLift(m_context, contacts, ball.position - reached, ball);
+            payForLift(m_context, ball.position - reached, ball);
             return true;
         }
-        // The ball doesn't fit at the end of its motion; at the start it did, unless it began inside a box.
+        // The ball doesn't fit at the end of its motion; at the start it did.
         ball = before;
         ball.velocity = Vec3(0.0);
         ball.spin = Vec3(0.0);
-        return leaveOverlaps(m_context, ball);
+        return true;
     }
 
     /// Contacts may lead the ball to a place that it wouldn't have reached without them; boxes that it would overlap
@@ -254,10 +263,10 @@ private:
     void hitInThisScheme(Contacts &contacts, double start, Ball &ball) const {
         if constexpr (Scheme::kContactRule == ContactRule::Explicit) {
             const ExplicitLanding landing(m_context, contacts, m_h, ball);
-            hit(m_context, contacts, start, ball);
+            hit(m_context, contacts, start, m_h, ball);
             landing.leave(ball);
         } else {
-            hit(m_context, contacts, start, ball);
+            hit(m_context, contacts, start, m_h, ball);
         }
     }
 

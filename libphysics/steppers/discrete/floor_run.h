@@ -177,19 +177,25 @@ private:
         return {inPlane(moved.velocity), inPlane(moved.displacement)};
     }
 
-    /// A bounce off the faces that are approached fast enough. Returns whether there was one.
-    bool bounce(std::span<const UprightFace> faces, Ball &ball) const {
+    /// A bounce off the faces that are approached fast enough. Returns whether there was one. Moves the ball towards
+    /// them: restitution takes its share of the gaps too, model.md 13.5.
+    bool bounce(std::span<UprightFace> faces, Ball &ball) const {
         const auto restSpeed = [&](const UprightFace &face) { return restSpeedOf(face); };
         const auto approach = [&](const UprightFace &face) { return -ball.velocity[face.axis] * face.normal; };
         if (std::none_of(faces.begin(), faces.end(),
                          [&](const UprightFace &face) { return approach(face) > restSpeed(face); }))
             return false;
         const double negligible = negligibleSpeed(motionOf(ball), m_context.radius());
-        for (const UprightFace &face : faces) {
+        for (UprightFace &face : faces) {
             const double speed = approach(face);
             if (speed <= negligible) continue;
             const double restitution = speed > restSpeed(face) ? m_context.params().restitution_wall : 0.0;
             ball.velocity[face.axis] += (1.0 + restitution) * speed * face.normal;
+            const double left = restitution * restitution * face.gap;
+            const double climb = (&m_context.params().gravity.x)[face.axis] * face.normal * face.gap;
+            if (face.gap - left <= m_context.setting.tolerance || climb > 0.5 * speed * speed) continue;
+            face.gap = left;
+            ball.position[face.axis] = face.place + left * face.normal;
         }
         return true;
     }
@@ -213,10 +219,10 @@ private:
         return !mayStop || glm::dot(ahead.roll.velocity, velocity) > kZero * glm::dot(velocity, velocity);
     }
 
-    bool meetFaces(double start, const FloorView &view, Ball &ball) const {
+    bool meetFaces(double start, FloorView &view, Ball &ball) const {
         const phys_params &params = m_context.params();
         if (m_context.isRigid() && params.wall_friction > 0.0) return false;
-        const std::span<const UprightFace> faces = view.faces();
+        const std::span<UprightFace> faces = view.faces();
         Ball next = ball;
         next.supported = true;
         const bool bounces = bounce(faces, next);
@@ -302,7 +308,8 @@ private:
             if (!(approach < 0.0)) continue;
             Vec3 normal(0.0);
             normal[face.axis] = face.normal;
-            const Vec3 point = before.position - (m_context.radius() + face.gap) * normal;
+            Vec3 point = before.position;
+            point[face.axis] = face.place - m_context.radius() * face.normal;
             report.event(PHYS_EVENT_IMPACT, start, point, normal, approach,
                          std::max(0.0, after.velocity[face.axis] * face.normal),
                          m_context.scene().givenBox(face.box, point));

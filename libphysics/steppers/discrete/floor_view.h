@@ -29,7 +29,7 @@ public:
     bool isEmpty() const { return m_count == 0; }
     /// Finds the faces that the ball touches or would overlap at the end. False if it also meets anything else.
     bool findFaces(const StepContext &context, const Vec3 &start, const Vec3 &end);
-    std::span<const UprightFace> faces() const { return {m_faces.data(), m_faceCount}; }
+    std::span<UprightFace> faces() { return {m_faces.data(), m_faceCount}; }
 
     /// Whether another end is on the floor, within the view, and overlaps nothing.
     bool hasRoom(const StepContext &context, const Vec3 &start, const Vec3 &end) const;

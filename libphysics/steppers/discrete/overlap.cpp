@@ -57,7 +57,7 @@ void collideAsReported(const StepContext &context, double h, double after, Ball 
         if (contact.isTop) contact.restSpeed = 2.0 * h * std::max(0.0, -context.params().gravity.z);
         Contacts contacts;
         contacts.add(contact);
-        if (hit(context, contacts, after, ball)) continue;
+        if (hit(context, contacts, after, 0.0, ball)) continue;
         if (contact.isTop && ball.velocity.z < 0.0) ball.velocity.z = 0.0;
     }
 }

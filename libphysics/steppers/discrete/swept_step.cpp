@@ -192,7 +192,7 @@ void SweptStep::beginPhase() {
     lookHere();
     SpinOnFloor landing(m_context, m_contacts, m_ball);
     // The velocity determines on which side of a border the ball is.
-    if (hit(m_context, m_contacts, m_done, m_ball)) lookHere();
+    if (hit(m_context, m_contacts, m_done, 0.0, m_ball)) lookHere();
     landing.follow(m_contacts, m_ball);
     landing.settle(true, m_ball);
     dropWhatIsLeft();

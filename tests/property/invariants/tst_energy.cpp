@@ -239,8 +239,13 @@ void TestEnergy::impactUnderAPullMakesNoEnergy() {
     int impacts = 0;
     for (int i = 0; i < 16; ++i) {
         QVERIFY2(ball.step(0x1p-6), ball.error());
-        if (ball.report.lost_impact > 0.0) ++impacts;
-        QVERIFY2(std::abs(ball.report.energy_scheme) <= rounding(16, 2.0), digits(ball.report.energy_scheme));
+        const bool hits = ball.report.lost_impact > 0.0;
+        if (hits) ++impacts;
+        // Where the impact is found ahead, restitution takes its share of the way's energy as well: model.md 13.5.
+        const bool isAhead = hits && promiseOf(stepper).impacts == 1;
+        const double taken = isAhead ? (1.0 - 0.75 * 0.75) * 1.4 * 1.0 * 0x1p-6 : 0.0; // a pull of 7/5, less than 1 m/s
+        const double made = ball.report.energy_scheme;
+        QVERIFY2(made <= rounding(16, 2.0) && made >= -taken - rounding(16, 2.0), digits(made));
     }
     QCOMPARE(impacts, 1);
 }
