@@ -77,7 +77,9 @@ bool goOnInRegion(FloorRegions &regions, const Ground &ground, MovingBall &ball,
                   ContactEvents &events, uint32_t &flags) {
     const double left = ball.left;
     if (finishInRegion(regions, ball, events, flags)) return true;
-    if (ball.left < left) resolve(ground, ball, touching);
+    if (ball.left == left) return false;
+    resolve(ground, ball, touching);
+    skipBounces(ground, ball, touching);
     return false;
 }
 

@@ -114,6 +114,7 @@ ResistedLaw::ResistedLaw(const Vec2 &v0, const Vec2 &A, double B)
 struct ResistedLaw::Passed {
     double xi, back; ///< s^2/m
     Two integrals;   ///< s^2/m: I(a - B), I(-a - B)
+    double excess;   ///< s, of the time at xi; far from the zero, `back` may have the other sign
 };
 
 /// A starting value for short times: the inverse of the first four terms of t(xi). -1 if the time isn't short.
@@ -135,7 +136,7 @@ inline ResistedLaw::Passed ResistedLaw::improve(double xi, double t) const {
     const double excess = sum(share * integrals) - t;
     const Two parts = share + share * (c * integrals); // of |v|
     const double perSpeed = 1.0 / sum(parts), newton = excess * perSpeed;
-    return {xi, newton * (1.0 + 0.5 * newton * sum(c * parts) * perSpeed), integrals};
+    return {xi, newton * (1.0 + 0.5 * newton * sum(c * parts) * perSpeed), integrals, excess};
 }
 
 /// Most steps: short compared with the time in which velocities change.
@@ -161,11 +162,11 @@ ResistedLaw::Point ResistedLaw::atAnyTime(double t) const {
     for (int iteration = 0; iteration < 60; ++iteration) {
         const Passed passed = improve<Integrals>(xi, t);
         if (isLast(passed)) return atXi<Integrals>(passed, t);
-        (passed.back > 0.0 ? high : low) = xi;
+        (passed.excess > 0.0 ? high : low) = xi;
         const double next = xi - passed.back;
         xi = next > low && next < high ? next : 0.5 * (low + high);
     }
-    return atXi<Integrals>({xi, 0.0, Integrals::of(Two{c1, c2}, xi)}, t);
+    return atXi<Integrals>({xi, 0.0, Integrals::of(Two{c1, c2}, xi), 0.0}, t);
 }
 
 /// Convergence is cubic: after a step this small the next one is below rounding.
@@ -176,7 +177,7 @@ inline bool ResistedLaw::isLast(const Passed &passed) const {
 
 template<class Of>
 inline ResistedLaw::Point ResistedLaw::atXi(const Passed &passed, double t) const {
-    const auto &[xi, back, integrals] = passed;
+    const auto &[xi, back, integrals, excess] = passed;
     const Two share{m_P, m_M}, c{m_a - m_B, -(m_a + m_B)}, c3{m_a - 2.0 * m_B, -(m_a + 2.0 * m_B)};
     Two times = share * shifted(c, integrals, back);
     // Computed from the time itself: after a long growth e^(c xi) has lost digits.
