@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 namespace inspector {
 
@@ -369,10 +370,10 @@ bool ModelFit::determinesNothing() const {
 }
 
 const ModelFit &TrackFit::best() const {
-    const auto better = [](const ModelFit &a, const ModelFit &b) {
-        return a.isGood != b.isGood ? a.isGood : a.breaks < b.breaks;
+    const auto isWorse = [](const ModelFit &a, const ModelFit &b) {
+        return std::tuple(a.isGood, a.share, -a.breaks) < std::tuple(b.isGood, b.share, -b.breaks);
     };
-    return *std::min_element(fits.begin(), fits.end(), better);
+    return *std::ranges::max_element(fits, isWorse);
 }
 
 std::optional<TrackFit> fitTrack(const FitPlan &plan, const FitProgress &progress, const std::stop_token &stop,

@@ -78,8 +78,8 @@ struct TrackFit {
 
     bool isExplained() const { return verdict == FitVerdict::RollingSuffices || verdict == FitVerdict::RigidNeeded; }
 
-    const ModelFit &
-    best() const; ///< the fit that the verdict is about; if neither model fits, the one with fewer breaks
+    /// The fit that the verdict is about; if neither model fits, the one that explains more of the track.
+    const ModelFit &best() const;
 };
 
 using FitProgress = std::function<void(double share, const QString &what)>;

@@ -25,6 +25,7 @@ private slots:
     void gravityIsFound();
     void frameIsFound();
     void unknownQuantityIsOneLine();
+    void modelThatExplainsNothingIsNotTheBest();
     void stoppedFitIsNone();
     void fitCanBeStoppedWhereNothingIsLikeTheTrack();
 
@@ -260,6 +261,19 @@ void TestTrackFit::fitCanBeStoppedWhereNothingIsLikeTheTrack() {
     QVERIFY(!fitTrack(plan(level(1), track, "rolling_friction,tilt"), progress, stop.get_token(), &error));
     QCOMPARE(error, QString("stopped"));
     QCOMPARE(told, 10);
+}
+
+// Without a segment it has no breaks either.
+void TestTrackFit::modelThatExplainsNothingIsNotTheBest() {
+    TrackFit fit;
+    fit.fits.resize(2);
+    fit.fits[0].model = PHYS_MODEL_ROLLING;
+    fit.fits[0].breaks = 6;
+    fit.fits[0].share = 0.9;
+    fit.fits[1].model = PHYS_MODEL_RIGID;
+    QCOMPARE(fit.best().model, uint32_t(PHYS_MODEL_ROLLING));
+    fit.fits[1].isGood = true;
+    QCOMPARE(fit.best().model, uint32_t(PHYS_MODEL_RIGID));
 }
 
 void TestTrackFit::stoppedFitIsNone() {
