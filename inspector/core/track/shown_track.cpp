@@ -21,8 +21,9 @@ double usualBegin(const Track &track) {
     return track.begin() >= 0.0 && track.begin() < kSoonAfter ? track.begin() : 0.0;
 }
 
-ShownTrack::ShownTrack(const Track &track, const BoardParameters &board, double begin)
-    : m_start(startAt(track, board.frame, 0))
+ShownTrack::ShownTrack(const Track &track, const BoardParameters &board, double begin,
+                       const std::optional<BallStart> &start)
+    : m_start(start ? *start : startAt(track, board.frame, 0))
     , m_longest(kJoined * track.period()) {
     const double shift = begin - track.begin();
     for (const TrackPoint &point : track.points) {

@@ -13,8 +13,9 @@ namespace inspector {
 class ShownTrack {
 public:
     /// The points are shifted to the run's times, beginning at `begin`, s. board: gives the frame, and offset and delay
-    /// of the tilts.
-    ShownTrack(const Track &track, const BoardParameters &board, double begin);
+    /// of the tilts. start: where a ball that rolls along starts; empty: estimated from the first points.
+    ShownTrack(const Track &track, const BoardParameters &board, double begin,
+               const std::optional<BallStart> &start = {});
 
     struct Place {
         double x, y;   ///< m

@@ -359,6 +359,11 @@ FitVerdict verdictOf(const std::vector<ModelFit> &fits) {
 
 } // namespace
 
+std::optional<BallStart> ModelFit::start() const {
+    const bool isFromTheFirst = !segments.empty() && segments.front().first == 0;
+    return isFromTheFirst ? std::optional(segments.front().start) : std::nullopt;
+}
+
 bool ModelFit::bouncesOff(Surface surface) const {
     return std::any_of(bounces.begin(), bounces.end(),
                        [surface](const FittedBounce &bounce) { return bounce.surface == surface; });

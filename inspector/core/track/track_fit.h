@@ -61,6 +61,8 @@ struct ModelFit {
     static constexpr double kNear = 0.25;      ///< s, after a bounce
     static constexpr double kLeastShare = 0.5; ///< of the points, below which a model explains nothing
 
+    /// Of the computed ball at the track's first point; empty if no segment begins there.
+    std::optional<BallStart> start() const;
     bool bouncesOff(Surface surface) const;
     bool determinesNothing() const;
 };

@@ -168,10 +168,9 @@ void TrackDock::layOver(const BoardParameters &board) {
 /// Follows the track from time 0 on, with the fitted board if there is one.
 void TrackDock::follow(bool isOn) {
     if (isOn && m_track) {
-        const bool isFitted = m_outcome && m_outcome->fit;
-        const BoardParameters board =
-            isFitted ? m_outcome->fit->best().board : m_quantities->begin(m_session.parameters().inputs());
-        m_session.showTrack(std::make_shared<ShownTrack>(*m_track, board, 0.0));
+        const ModelFit *fit = m_outcome && m_outcome->fit ? &m_outcome->fit->best() : nullptr;
+        const BoardParameters board = fit ? fit->board : m_quantities->begin(m_session.parameters().inputs());
+        m_session.showTrack(std::make_shared<ShownTrack>(*m_track, board, 0.0, fit ? fit->start() : std::nullopt));
     }
     m_session.followTrack(isOn);
     showRunning();

@@ -27,6 +27,7 @@ private slots:
     void pointsBesideTheBoardAreSaid();
     void fitTellsTheVerdictAndTheValues();
     void valuesAreTakenOver();
+    void ballRollsAlongFromTheStartThatWasFitted();
     void oneUndoTakesThemBack();
     void tableShowsWhatWasFound();
     void onlyWhatIsTickedIsLookedFor();
@@ -159,6 +160,19 @@ void TestTrackDock::valuesAreTakenOver() {
     QVERIFY(std::abs(value("restitution_wall") - m_truth.params.restitution_wall) < 0.001);
     QVERIFY(std::abs(value("rolling_friction") - m_truth.params.rolling_friction) < 0.0001);
     QCOMPARE(m_undo.count(), 1);
+}
+
+// Not from the one that the first points tell. The made ball starts at rest.
+void TestTrackDock::ballRollsAlongFromTheStartThatWasFitted() {
+    const auto speed = [](const phys_state &state) { return std::hypot(state.velocity.x, state.velocity.y); };
+    const phys_scene *scene = m_session->scene().get();
+    const double guessed = speed(m_session->track()->start(scene));
+    click("track_follow");
+    m_session->simulation().pause();
+    const double fitted = speed(m_session->track()->start(scene));
+    QVERIFY2(fitted < guessed, qPrintable(QStringLiteral("%1 %2").arg(fitted).arg(guessed)));
+    click("track_follow");
+    QVERIFY(!m_session->isFollowingTrack());
 }
 
 void TestTrackDock::oneUndoTakesThemBack() {
