@@ -53,10 +53,11 @@ FitTable::FitTable(QWidget *parent)
     }
     want(usualFitQuantities());
     verticalHeader()->hide();
-    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
+    verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents); // a reason may need two lines
     horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     horizontalHeader()->setSectionResizeMode(Found, QHeaderView::Stretch);
     horizontalHeader()->setHighlightSections(false);
+    horizontalHeader()->setTextElideMode(Qt::ElideRight);
     connect(this, &QTableWidget::itemChanged, this, &FitTable::read);
 }
 

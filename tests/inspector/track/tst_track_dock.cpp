@@ -35,6 +35,7 @@ private slots:
     void wrongBeginningStaysInRed();
     void nothingIsFittedFromAWrongBeginning();
     void ticksAreRemembered();
+    void foundIsReadWhole();
     void narrowDockHasRoomForWhatWasFound();
     void otherLevelForgetsTheFit();
 
@@ -236,6 +237,25 @@ void TestTrackDock::ticksAreRemembered() {
     const TrackDock other(*m_session, m_undo);
     QVERIFY(!other.findChild<FitTable *>("track_quantities")->words().contains("delay"));
     QVERIFY(other.findChild<FitTable *>("track_quantities")->words().contains("restitution_wall"));
+}
+
+// Also where a reason needs two lines.
+void TestTrackDock::foundIsReadWhole() {
+    const QSize before = m_dock->size();
+    for (const int width : {1200, 760}) {
+        m_dock->resize(width, 420);
+        QApplication::processEvents();
+        const auto isWhole = [this](const char *label) {
+            const QRect cell = table().visualItemRect(table().item(rowOf(label), FitTable::Found));
+            const int margin = table().style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 1;
+            const QRect needed = table().fontMetrics().boundingRect(cell.adjusted(margin, 0, -margin, 0),
+                                                                    Qt::TextWordWrap, text(label, FitTable::Found));
+            return needed.height() <= cell.height() && needed.width() <= cell.width() - 2 * margin;
+        };
+        QTRY_VERIFY2(isWhole("Sliding friction"), qPrintable(QString::number(width)));
+        QTRY_VERIFY2(isWhole("Restitution, walls"), qPrintable(QString::number(width)));
+    }
+    m_dock->resize(before);
 }
 
 // Beside the bounces in a window of 1280 pixels.
