@@ -290,6 +290,14 @@ void TradeDock::hideColumns() {
     m_table->setColumnHidden(TradeTableModel::Model, true); // the model is chosen above
     for (const TradeColumn &column : tradeColumns())
         m_table->setColumnHidden(TradeTableModel::columnOf(column.id), !shown.contains(QLatin1String(column.id)));
+    hideNotes();
+}
+
+/// Unless a setting of the model shown has one.
+void TradeDock::hideNotes() {
+    const bool hasNotes = std::ranges::any_of(
+        m_rows->points(), [this](const TradePoint &each) { return each.model == model() && !each.note.isEmpty(); });
+    m_table->setColumnHidden(m_rows->columnCount() - 1, !hasNotes);
 }
 
 void TradeDock::askForColumns(const QPoint &place) {
@@ -382,9 +390,7 @@ void TradeDock::showResult() {
     const TradeResult &result = m_worker.result();
     m_rows->show(m_worker.plan(), result);
     m_sorted->setFilterFixedString(modelName(model()));
-    const bool hasNotes =
-        std::ranges::any_of(result.points, [](const TradePoint &each) { return !each.note.isEmpty(); });
-    m_table->setColumnHidden(m_rows->columnCount() - 1, !hasNotes);
+    hideNotes();
     fitColumns();
     showTolerance();
     showBand();

@@ -45,6 +45,7 @@ private:
     QWidget *makeAnswers();
     void makeTable();
     void hideColumns();
+    void hideNotes();
     void askForColumns(const QPoint &place);
     void keepColumns();
     void fitColumns();

@@ -160,8 +160,9 @@ void TestTradeDock::measureRefusesANumberStillTyped() {
 
 void TestTradeDock::measuringFillsTableAndChart() {
     QVERIFY(!find<QPushButton>("trade_use").isEnabled());
-    QVERIFY(!chart().legend->visible());                             // there is nothing to name
-    QCOMPARE(find<QLineEdit>("trade_unknowns").cursorPosition(), 0); // so that its beginning is seen
+    QVERIFY(table().isColumnHidden(table().model()->columnCount() - 1)); // nor to note
+    QVERIFY(!chart().legend->visible());                                 // there is nothing to name
+    QCOMPARE(find<QLineEdit>("trade_unknowns").cursorPosition(), 0);     // so that its beginning is seen
     QTest::mouseClick(&measure(), Qt::LeftButton);
     QVERIFY(isMeasuring());
     QTRY_VERIFY_WITH_TIMEOUT(!isMeasuring(), kLong);
