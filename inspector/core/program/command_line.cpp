@@ -88,7 +88,8 @@ double parameterOf(const QString &option, const QString &text, const phys_param_
     const qsizetype choice = choicesOf(row).indexOf(text.toLower());
     if (choice >= 0) return row.min + double(choice);
     const bool isNumber = choicesOf(row).isEmpty() && !(row.flags & PHYS_ROW_SWITCH);
-    const NumberReading read = readNumber(text, {row.min, row.max, QString::fromUtf8(row.unit)});
+    const NumberRange range{row.min, row.max, QString::fromUtf8(row.unit)};
+    const NumberReading read = isNumber ? readNumber(text, range) : readWholeNumber(text, range);
     if (isNumber || read.value) return valueOf(option, read);
     throw WrongUse{QStringLiteral("--%1: expected %2, found %3").arg(option, expectedOf(row), quoted(text))};
 }

@@ -89,13 +89,6 @@ struct Amount {
     QString why;
 };
 
-/// Units assumed for input without one, and the unit of the result.
-struct Units {
-    QString plain;    ///< of 5
-    QString quotient; ///< of 1/60
-    QString wanted;
-};
-
 QString unitsLike(const QString &wanted) {
     const Unit *known = unitOf(wanted);
     if (!known) return wanted;
@@ -114,7 +107,8 @@ Amount inUnit(double value, const QString &unit, const QString &wanted) {
     return {std::nullopt, QStringLiteral("whose unit isn't one of: ") + unitsLike(wanted)};
 }
 
-Amount amountOf(const Parts &parts, const Units &units) {
+/// unit: of the result, and of input without one.
+Amount amountOf(const Parts &parts, const QString &unit) {
     if (hasTwoMeanings(parts.first) || hasTwoMeanings(parts.second))
         return {std::nullopt, QStringLiteral("which can mean two numbers: write a point, or no comma")};
     const bool isQuotient = !parts.second.isEmpty();
@@ -122,8 +116,7 @@ Amount amountOf(const Parts &parts, const Units &units) {
     const std::optional<double> second = isQuotient ? doubleOf(parts.second) : std::optional(1.0);
     if (!first || !second) return {std::nullopt, QStringLiteral("which is beyond what a number can hold")};
     if (*second == 0.0) return {std::nullopt, QStringLiteral("which divides by zero")};
-    const QString implied = isQuotient ? units.quotient : units.plain;
-    return inUnit(*first / *second, parts.unit.isEmpty() ? implied : parts.unit, units.wanted);
+    return inUnit(*first / *second, parts.unit.isEmpty() ? unit : parts.unit, unit);
 }
 
 bool isNotFinite(QString text) {
@@ -132,14 +125,14 @@ bool isNotFinite(QString text) {
     return text == QLatin1String("nan") || text == QLatin1String("inf") || text == QLatin1String("infinity");
 }
 
-Amount amountOf(QString text, const Units &units) {
+Amount amountOf(QString text, const QString &unit) {
     // A typographic minus, and the kinds of spaces found in copied tables.
     text.replace(QChar(0x2212), QLatin1Char('-'));
     text.replace(QChar(0x00a0), QLatin1Char(' ')).replace(QChar(0x202f), QLatin1Char(' '));
     text = text.trimmed();
     if (isNotFinite(text)) return {std::nullopt, QStringLiteral("which isn't a finite number")};
     const std::optional<Parts> parts = partsOf(text);
-    return parts ? amountOf(*parts, units) : Amount{};
+    return parts ? amountOf(*parts, unit) : Amount{};
 }
 
 QString withUnit(double value, const QString &unit) {
@@ -171,24 +164,24 @@ NumberReading within(const NumberRange &range, const Amount &amount, const QStri
 } // namespace
 
 NumberReading readNumber(const QString &text, const NumberRange &range) {
-    const Amount amount = amountOf(text, {range.unit, range.unit, range.unit});
+    const Amount amount = amountOf(text, range.unit);
     return within(range, amount, expectedOf(range, QStringLiteral("a number")), text);
 }
 
 NumberReading readWholeNumber(const QString &text, const NumberRange &range) {
-    const Amount amount = amountOf(text, {range.unit, range.unit, range.unit});
+    const Amount amount = amountOf(text, range.unit);
     const QString expected = expectedOf(range, QStringLiteral("a whole number"));
+    if (text.contains(QLatin1Char('%')))
+        return refusal(expected, text, QStringLiteral("which is a share of something"));
     if (amount.value && *amount.value != std::floor(*amount.value)) return refusal(expected, text, {});
     return within(range, amount, expected, text);
 }
 
-NumberReading readDuration(const QString &text, double min, double max, const QString &unit) {
+NumberReading readDuration(const QString &text, double min, double max) {
     const QString seconds = QStringLiteral("s");
-    const Amount amount = amountOf(text, {unit, seconds, seconds});
-    const double perSecond = unitOf(unit)->denominator / unitOf(unit)->numerator;
     const QString expected = QStringLiteral("a duration from %1 to %2 (as 5 ms or 1/60)")
-                                 .arg(withUnit(min * perSecond, unit), withUnit(max * perSecond, unit));
-    return within({min, max, seconds}, amount, expected, text);
+                                 .arg(withUnit(min, seconds), withUnit(max, seconds));
+    return within({min, max, seconds}, amountOf(text, seconds), expected, text);
 }
 
 const TimeUnit &timeUnitFor(double seconds) {

@@ -28,12 +28,11 @@ struct NumberReading {
 /// Ambiguous input (1,000) is refused.
 NumberReading readNumber(const QString &text, const NumberRange &range);
 
-/// The same for a whole number.
+/// The same for a whole number, which is no share of anything: 400% is refused.
 NumberReading readWholeNumber(const QString &text, const NumberRange &range);
 
-/// A duration, in seconds like min and max. unit: a unit of time, assumed for input without one and used for the range
-/// in an error message; but 1/60 always means a sixtieth of a second.
-NumberReading readDuration(const QString &text, double min, double max, const QString &unit = QStringLiteral("s"));
+/// A duration, in seconds like min and max; input without a unit is in seconds.
+NumberReading readDuration(const QString &text, double min, double max);
 
 /// A unit of time for texts.
 struct TimeUnit {

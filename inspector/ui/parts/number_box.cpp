@@ -61,7 +61,10 @@ NumberBox::NumberBox(QWidget *parent)
     : QLineEdit(parent) {
     setAlignment(Qt::AlignRight);
     setFocusPolicy(Qt::StrongFocus);
-    connect(this, &QLineEdit::textEdited, this, &NumberBox::accept); // validated again when entered
+    connect(this, &QLineEdit::textEdited, this, [this] {
+        accept(); // validated again when entered
+        if (!m_kind.hint.isEmpty()) showNote(m_kind.hint, palette().color(QPalette::ToolTipBase));
+    });
 }
 
 void NumberBox::setKind(Kind kind) {
@@ -88,6 +91,7 @@ void NumberBox::showFromStart(const QString &shown) {
 
 void NumberBox::apply() {
     if (!isModified()) return;
+    if (m_note) m_note->hide();
     const NumberReading reading = m_kind.read(text());
     if (!reading.value) return refuse(reading.problem);
     setModified(false);
@@ -104,7 +108,7 @@ void NumberBox::refuse(const QString &reason) {
     mark();
     setToolTip(reason);
     setAccessibleDescription(reason);
-    if (hasFocus()) showReason();
+    if (hasFocus()) showNote(reason, accentsFor(window()->palette()).warning);
 }
 
 void NumberBox::mark() {
@@ -147,10 +151,11 @@ void NumberBox::stepBy(double notches) {
     if (!isRefused()) showFromStart(valueText());
 }
 
-void NumberBox::showReason() {
+/// Below the field.
+void NumberBox::showNote(const QString &text, const QColor &colour) {
     if (!m_note) {
         m_note = new QLabel(window());
-        m_note->setObjectName(objectName() + QStringLiteral("_reason"));
+        m_note->setObjectName(objectName() + QStringLiteral("_note"));
         m_note->setWordWrap(true);
         m_note->setTextFormat(Qt::PlainText);
         m_note->setMargin(5);
@@ -159,9 +164,9 @@ void NumberBox::showReason() {
         m_note->setAttribute(Qt::WA_TransparentForMouseEvents);
     }
     QPalette plate = window()->palette();
-    plate.setColor(QPalette::Window, accentsFor(plate).warning);
+    plate.setColor(QPalette::Window, colour);
     m_note->setPalette(plate);
-    m_note->setText(m_reason);
+    m_note->setText(text);
     const int width = std::min(kNoteWidth, window()->width());
     m_note->resize(width, m_note->heightForWidth(width));
     const QPoint below = mapTo(window(), rect().bottomRight()) + QPoint(0, 2);
@@ -240,8 +245,12 @@ NumberBox::Kind numberKind(const NumberRange &range, double notch) {
     const auto text = [unit, notch](int digits) {
         return [unit, notch, digits](double value) { return numberText(value, notch, digits) + unit; };
     };
-    return {[range](const QString &typed) { return readNumber(typed, range); }, text(kShownDigits), notch,
-            QStringLiteral("-00.0000") + unit, text(QLocale::FloatingPointShortest)};
+    return {[range](const QString &typed) { return readNumber(typed, range); },
+            text(kShownDigits),
+            notch,
+            QStringLiteral("-00.0000") + unit,
+            text(QLocale::FloatingPointShortest),
+            {}};
 }
 
 NumberBox::Kind wholeNumberKind(int min, int max) {
@@ -250,15 +259,17 @@ NumberBox::Kind wholeNumberKind(int min, int max) {
             [](double value) { return QString::number(value, 'f', 0); },
             1.0,
             QString::number(max),
+            {},
             {}};
 }
 
 NumberBox::Kind durationKind(double min, double max) {
-    return {[min, max](const QString &text) { return readDuration(text, min, max, QStringLiteral("ms")); },
+    return {[min, max](const QString &text) { return readDuration(text, min, max); },
             durationText,
             0.0,
             QStringLiteral("0.0166667 ms"),
-            {}};
+            {},
+            NumberBox::tr("In s, or with a unit: 5 ms")};
 }
 
 } // namespace inspector::ui

@@ -26,6 +26,7 @@ public:
         double notch = 0.0;                         ///< 0: no stepping
         QString widest;                             ///< the longest common text
         std::function<QString(double value)> exact; ///< text shown while it has the keyboard; empty: the usual one
+        QString hint;                               ///< shown below while the user types; empty: nothing
     };
 
     explicit NumberBox(QWidget *parent = nullptr);
@@ -68,7 +69,7 @@ private:
     void stepBy(double notches);
     void accept();
     void mark();
-    void showReason();
+    void showNote(const QString &text, const QColor &colour);
 
     Kind m_kind;
     double m_value = 0.0;
@@ -76,14 +77,14 @@ private:
     struct {
         QString tip, description;
     } m_usual;                // replaced while a reason is shown
-    QLabel *m_note = nullptr; ///< the reason, while the field has the focus; owned by the window
+    QLabel *m_note = nullptr; ///< the reason or the hint, while the field has the focus; owned by the window
 };
 
 /// A number in this range, shown with at least as many decimals as a notch has.
 NumberBox::Kind numberKind(const NumberRange &range, double notch);
 /// An integer from min to max.
 NumberBox::Kind wholeNumberKind(int min, int max);
-/// A time in seconds; input without a unit is in ms.
+/// A time in seconds, as is input without a unit.
 NumberBox::Kind durationKind(double min, double max);
 
 } // namespace inspector::ui

@@ -80,7 +80,8 @@ void TransportBar::addSteppers() {
 void TransportBar::addTimeSteps() {
     m_timeStep =
         addChooser(tr("Time step"), "time_step",
-                   tr("Simulated time of one step; choose one or type your own: a number without a unit is in ms."));
+                   tr("Simulated time of one step; choose one or type your own: 5 ms, 20 us, 1/60. A number without a "
+                      "unit is in s, as for --dt."));
     for (const double dt : usualStepSizes()) m_timeStep->addItem(durationText(dt), dt);
     m_typedTimeStep = new NumberBox;
     m_typedTimeStep->setObjectName(QStringLiteral("time_step_box"));

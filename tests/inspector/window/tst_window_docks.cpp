@@ -339,7 +339,7 @@ void TestWindowDocks::chosenTimeStepReachesTheSimulation() {
 void TestWindowDocks::typedTimeStepReachesTheSimulation_data() {
     QTest::addColumn<QString>("text");
     QTest::addColumn<double>("dt");
-    QTest::newRow("a number is in ms") << "3" << 0.003;
+    QTest::newRow("a number is in s, as for --dt") << "0.003" << 0.003;
     QTest::newRow("ms") << "2.5 ms" << 0.0025;
     QTest::newRow("s") << "0.02 s" << 0.02;
     QTest::newRow("a fraction is in s") << "1/120" << 1.0 / 120.0;

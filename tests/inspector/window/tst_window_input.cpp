@@ -40,6 +40,7 @@ private slots:
     void refusedTextCanBeReadInEveryTheme_data();
     void refusedTextCanBeReadInEveryTheme();
     void enterInTheTimeStepAppliesItAndPlaysNothing();
+    void unitOfTheTimeStepIsSaidWhileItIsTyped();
     void enterInAnOpenListAppliesItAndPlaysNothing_data();
     void enterInAnOpenListAppliesItAndPlaysNothing();
     void enterOnAListPlaysNothing_data();
@@ -129,7 +130,7 @@ void TestWindowInput::unreadableNumberStaysMarkedWithItsReason() {
     m_fixture->key(Qt::Key_Return);
     QVERIFY(box->isRefused());
     QCOMPARE(box->text(), text);
-    const auto *reason = m_fixture->find<QLabel>("gravity_box_reason");
+    const auto *reason = m_fixture->find<QLabel>("gravity_box_note");
     QVERIFY(reason->isVisible());
     QVERIFY2(reason->text().contains("to 1000 m/s^2") && reason->text().contains(text), qPrintable(reason->text()));
     QVERIFY(box->hasFocus());
@@ -145,7 +146,7 @@ void TestWindowInput::escTakesTheEditBack() {
     m_fixture->key(Qt::Key_Escape);
     QVERIFY(!box->isRefused());
     QCOMPARE(box->text(), QString::fromUtf8("9.81 m/s²"));
-    QVERIFY(!m_fixture->find<QLabel>("gravity_box_reason")->isVisible());
+    QVERIFY(!m_fixture->find<QLabel>("gravity_box_note")->isVisible());
     QTRY_VERIFY(hasView());
 }
 
@@ -230,12 +231,29 @@ void TestWindowInput::enterInTheTimeStepAppliesItAndPlaysNothing() {
     auto *chooser = m_fixture->find<QComboBox>("time_step");
     chooser->setFocus();
     chooser->lineEdit()->selectAll();
-    m_fixture->type("2,5");
+    m_fixture->type("2,5 ms");
     m_fixture->key(Qt::Key_Return);
     QTRY_COMPARE(m_fixture->simulation().latest().dt, 0.0025);
     QCOMPARE(m_fixture->game().phase(), Game::Phase::Prompt);
     QTRY_VERIFY(hasView());
     QCOMPARE(chooser->currentText(), QString("2.5 ms"));
+}
+
+void TestWindowInput::unitOfTheTimeStepIsSaidWhileItIsTyped() {
+    auto *chooser = m_fixture->find<QComboBox>("time_step");
+    chooser->setFocus();
+    chooser->lineEdit()->selectAll();
+    m_fixture->type("0.0025");
+    const auto *note = m_fixture->find<QLabel>("time_step_box_note");
+    QVERIFY(note->isVisible());
+    QCOMPARE(note->text(), QString("In s, or with a unit: 5 ms"));
+    m_fixture->type("x");
+    m_fixture->key(Qt::Key_Return);
+    QVERIFY2(note->isVisible() && note->text().startsWith("expected a duration"), qPrintable(note->text()));
+    m_fixture->key(Qt::Key_Backspace);
+    m_fixture->key(Qt::Key_Return);
+    QTRY_COMPARE(m_fixture->simulation().latest().dt, 0.0025);
+    QVERIFY(!note->isVisible());
 }
 
 void TestWindowInput::enterInAnOpenListAppliesItAndPlaysNothing_data() {

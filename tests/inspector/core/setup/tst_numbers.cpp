@@ -14,13 +14,13 @@ class TestNumbers : public QObject {
 private slots:
     void durationsAreReadInSeconds_data();
     void durationsAreReadInSeconds();
-    void durationsOfABoxOfMillisecondsAreItsUnlessTheySayOtherwise();
-    void refusalOfABoxOfMillisecondsIsInMilliseconds();
+    void refusedDurationSaysItsUnit();
     void numbersAreReadInTheUnitOfTheirRange_data();
     void numbersAreReadInTheUnitOfTheirRange();
     void whatCantBeReadIsRefusedWithTheReason_data();
     void whatCantBeReadIsRefusedWithTheReason();
     void wholeNumbersHaveNoFraction();
+    void wholeNumberIsNoShare();
     void everyCutOfARefusedTextIsReadOrRefusedInOneLine();
     void textOfADurationReadsBackBitByBit();
     void textOfADurationHasAUnitOfItsSize_data();
@@ -65,18 +65,9 @@ void TestNumbers::durationsAreReadInSeconds() {
     QVERIFY(*read.value == seconds);
 }
 
-void TestNumbers::durationsOfABoxOfMillisecondsAreItsUnlessTheySayOtherwise() {
-    const auto read = [](const char *text) { return readDuration(text, 0.0, kAny, "ms").value.value_or(-1.0); };
-    QVERIFY(read("5") == 0.005);
-    QVERIFY(read("5 us") == 5e-6);
-    QVERIFY(read("2 min") == 120.0);
-    QVERIFY(read("1/60") == 1.0 / 60.0); // of a second everywhere
-    QVERIFY(read("1/60 ms") == (1.0 / 60.0) / 1e3);
-}
-
-void TestNumbers::refusalOfABoxOfMillisecondsIsInMilliseconds() {
-    QCOMPARE(readDuration("20000", 1e-6, 10.0, "ms").problem,
-             QString("expected a duration from 0.001 ms to 10000 ms (as 5 ms or 1/60), found '20000'"));
+void TestNumbers::refusedDurationSaysItsUnit() {
+    QCOMPARE(readDuration("20", 1e-6, 10.0).problem,
+             QString("expected a duration from 1e-06 s to 10 s (as 5 ms or 1/60), found '20'"));
 }
 
 void TestNumbers::numbersAreReadInTheUnitOfTheirRange_data() {
@@ -190,6 +181,11 @@ void TestNumbers::whatCantBeReadIsRefusedWithTheReason() {
 void TestNumbers::wholeNumbersHaveNoFraction() {
     QCOMPARE(readWholeNumber("1e3", {1, 1e9}).value, 1000.0);
     QCOMPARE(readWholeNumber("2.5", {1, 1e9}).problem, QString("expected a whole number from 1 to 1e+09, found '2.5'"));
+}
+
+void TestNumbers::wholeNumberIsNoShare() {
+    QCOMPARE(readWholeNumber("400%", {1, 1e9}).problem,
+             QString("expected a whole number from 1 to 1e+09, found '400%', which is a share of something"));
 }
 
 // A refusal has no value, and one line that quotes the input.
