@@ -27,11 +27,16 @@ std::optional<double> Game::bestTime() const { return storedTime(m_settings, bes
 
 void Game::confirm() {
     if (m_phase == Phase::Won) {
-        emit levelWanted((m_level + 1) % levelCount());
+        const std::optional<int> next = nextLevel();
+        next ? emit levelWanted(*next) : emit againWanted();
     } else if (m_phase == Phase::Prompt) {
         enter(Phase::Playing);
         emit started();
     }
+}
+
+std::optional<int> Game::nextLevel() const {
+    return m_isListed ? std::optional((m_level + 1) % levelCount()) : std::nullopt;
 }
 
 void Game::choose(int level) {
@@ -56,8 +61,9 @@ void Game::again() {
 }
 
 void Game::open(int level, const QString &other) {
-    if (isInList(level)) m_level = level;
-    m_maze = isInList(level) ? m_mazes[level] : other;
+    m_isListed = isInList(level);
+    if (m_isListed) m_level = level;
+    m_maze = m_isListed ? m_mazes[level] : other;
     m_time = 0.0;
     m_isRecord = false;
 }

@@ -20,7 +20,7 @@ public:
     enum class Phase {
         Prompt, ///< waiting; Enter starts the level
         Playing,
-        Won, ///< the time is shown; Enter opens the next level
+        Won, ///< the time is shown; Enter opens the next level, if there is one
     };
 
     /// mazes: a unique text for each level's maze, at least one; best times are stored under it. settings: stores best
@@ -34,7 +34,10 @@ public:
     std::optional<double> bestTime(int level) const;
     std::optional<double> bestTime() const; ///< of the open maze
 
-    /// Enter: starts the level, or opens the next one after a win (the first follows the last).
+    /// After a win, from 0: the first follows the last; none follows a maze that isn't in the list.
+    std::optional<int> nextLevel() const;
+
+    /// Enter: starts the level; after a win opens the next one, or the same again if there is none.
     void confirm();
     /// Requests a level of the list; other numbers are ignored.
     void choose(int level);
@@ -51,6 +54,7 @@ public:
 signals:
     void phaseChanged(Game::Phase phase);
     void levelWanted(int level); ///< open it, then call prompt(level)
+    void againWanted();          ///< put the ball back to the start, then call again()
     void started();              ///< start the simulation from the beginning
 
 private:
@@ -63,7 +67,8 @@ private:
     QSettings &m_settings;
     Phase m_phase = Phase::Prompt;
     int m_level = 0;
-    QString m_maze; ///< of the open level
+    bool m_isListed = true; ///< the open maze is that level
+    QString m_maze;         ///< of the open level
     double m_time = 0.0;
     bool m_isRecord = false;
 };

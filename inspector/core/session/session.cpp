@@ -91,6 +91,7 @@ Session::Session(const Options &options, QSettings &settings, const Scene &scene
         if (m_replay && m_replay->number == replay) emit replayDiffers(m_replay->difference);
     });
     connect(&m_game, &Game::started, this, &Session::startGame);
+    connect(&m_game, &Game::againWanted, this, &Session::restart);
     connect(&m_game, &Game::levelWanted, this, [this](int level) {
         if (size_t(level) < m_levels.size()) openLevel(m_levels[size_t(level)]);
     });
@@ -107,6 +108,15 @@ void Session::startGame() {
     m_isTakenOver = isBallPut;
     isBallPut ? m_simulation->setState(begin) : m_simulation->restart();
     m_simulation->run();
+}
+
+void Session::restart() {
+    returnToPresent();
+    const bool isWon = m_game.phase() == Game::Phase::Won;
+    const bool goesOn = !isWon && m_simulation->latest().running;
+    if (isWon) m_simulation->pause(); // the ball may still be falling
+    m_simulation->restart();
+    if (!goesOn) m_game.again();
 }
 
 int Session::levelIndex() const {

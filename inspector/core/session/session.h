@@ -88,6 +88,9 @@ public:
     bool loadPlugin(const QString &file);
     bool setAutopilot(bool isOn); ///< on: takes over from the current state; off: levels the board
 
+    /// The ball back to the start, or a recording to its beginning; a running game goes on, another one is prompted.
+    void restart();
+
     /// Records from the next step on, until stopRecording(), a write error, or the end of the session.
     void startRecording(const QString &file);
     void stopRecording();

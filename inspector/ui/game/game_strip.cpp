@@ -71,9 +71,9 @@ GameText freeRunText(const Session &session, const QString &title, const Snapsho
             ? say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "R: back to the start · Enter: play from here"))
             : say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "R: back to the start · Enter: play from there"));
     if (!(now.current.flags & PHYS_OUT)) return text;
-    text.title = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Out of the maze"));
-    text.line = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "R: back to the start"));
-    text.hint = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Enter: play"));
+    text.title = title; // the status line says where the ball is
+    text.line = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "The free run has ended"));
+    text.hint = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "R: back to the start · Enter: play"));
     return text;
 }
 
@@ -148,8 +148,9 @@ GameText stateText(Session &session, const Snapshot &now) {
         text.isResult = true;
         text.title = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "%1 done")).arg(title);
         text.line = winLine(session, game);
-        text.hint = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Enter: level %1 · R: again"))
-                        .arg((game.level() + 1) % int(std::max<size_t>(1, session.levels().size())) + 1);
+        text.hint = game.nextLevel() ? say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Enter: level %1 · R: again"))
+                                           .arg(*game.nextLevel() + 1)
+                                     : say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Enter or R: again"));
         break;
     }
     return text;

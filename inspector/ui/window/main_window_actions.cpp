@@ -472,14 +472,7 @@ void MainWindow::toggleRunning() {
     simulation.latest().running ? simulation.pause() : simulation.run();
 }
 
-void MainWindow::restart() {
-    m_session.returnToPresent();
-    const bool isWon = m_session.game().phase() == Game::Phase::Won;
-    const bool goesOn = !isWon && m_session.simulation().latest().running;
-    if (isWon) m_session.simulation().pause(); // the ball may still be falling
-    m_session.simulation().restart();
-    if (!goesOn) m_session.game().again();
-}
+void MainWindow::restart() { m_session.restart(); }
 
 void MainWindow::toggleAutopilot() {
     m_session.setAutopilot(!m_session.hasAutopilot());

@@ -30,6 +30,7 @@ private slots:
     void secondLeavingCountsNothing();
     void enterAfterAWinAsksForTheNextLevel();
     void afterTheLastLevelTheFirstComesAgain();
+    void noLevelFollowsAMazeThatIsNotInTheList();
     void choosingAsksForThatLevel();
     void levelsThatDontExistAreIgnored();
     void firstTimeIsARecord();
@@ -108,6 +109,17 @@ void TestGame::afterTheLastLevelTheFirstComesAgain() {
     m_game->leaveMaze(12.0, false);
     m_game->confirm();
     QCOMPARE(wanted[0][0].toInt(), 0);
+}
+
+void TestGame::noLevelFollowsAMazeThatIsNotInTheList() {
+    QSignalSpy levels(m_game.get(), &Game::levelWanted);
+    QSignalSpy again(m_game.get(), &Game::againWanted);
+    m_game->prompt(-1, "own");
+    m_game->confirm();
+    m_game->leaveMaze(1.0, false);
+    m_game->confirm();
+    QCOMPARE(levels.count(), 0);
+    QCOMPARE(again.count(), 1);
 }
 
 void TestGame::choosingAsksForThatLevel() {

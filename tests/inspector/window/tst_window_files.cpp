@@ -45,6 +45,7 @@ private slots:
     void sectionOfABounceOpensThere();
     void fileOfTheCommandLineIsARecentOne();
     void ownMazeHasABestTime();
+    void freeRunSaysOnceThatTheBallIsOut();
     void mazeWithoutWayOutSaysSo();
     void folderWhereNothingCanBeSavedIsForgotten_data();
     void folderWhereNothingCanBeSavedIsForgotten();
@@ -271,12 +272,30 @@ void TestWindowFiles::ownMazeHasABestTime() {
     QTRY_COMPARE(m_fixture->game().phase(), inspector::Game::Phase::Won);
     QTest::keyRelease(&m_fixture->window(), Qt::Key_Right);
     QVERIFY(m_fixture->game().isRecord());
-    m_fixture->press(Qt::Key_R);
+    m_fixture->window().refresh();
+    QVERIFY2(strip().contains("Enter or R: again") && !strip().contains("level 1"), qPrintable(strip()));
+    m_fixture->press(Qt::Key_Return); // no level follows it
+    QCOMPARE(QFileInfo(m_fixture->session().level().path).fileName(), QString("mine.txt"));
+    QCOMPARE(m_fixture->game().phase(), inspector::Game::Phase::Prompt);
     m_fixture->window().refresh();
     QTRY_VERIFY2(strip().contains("best time"), qPrintable(strip()));
     m_fixture->press(Qt::Key_Return); // the same again, not a level of the list
     QCOMPARE(QFileInfo(m_fixture->session().level().path).fileName(), QString("mine.txt"));
     QCOMPARE(m_fixture->game().phase(), inspector::Game::Phase::Playing);
+}
+
+void TestWindowFiles::freeRunSaysOnceThatTheBallIsOut() {
+    drop(maze("mine.txt"));
+    m_fixture->parameters().set({{QStringLiteral("tilt_x"), 10.0}});
+    m_fixture->press(Qt::Key_Space);
+    QTRY_VERIFY(m_fixture->simulation().latest().current.flags & PHYS_OUT);
+    QTRY_VERIFY(!m_fixture->simulation().latest().running);
+    m_fixture->window().refresh();
+    QStringList texts;
+    for (const QLabel *label : m_fixture->window().findChildren<QLabel *>())
+        if (label->isVisible()) texts << label->text();
+    QCOMPARE(texts.join('|').count("out of the maze", Qt::CaseInsensitive), 1);
+    QVERIFY2(strip().contains("The free run has ended"), qPrintable(strip()));
 }
 
 void TestWindowFiles::mazeWithoutWayOutSaysSo() {
