@@ -63,6 +63,7 @@ ParameterPanel::ParameterPanel(Session &session, QUndoStack &undo, const Actions
     connect(m_sets, &SetMenu::chosen, this,
             [this](const ParameterSet &set, Owner owner) { useSet(owner == Owner::Ball ? m_ball : m_ghost, set); });
     connect(m_sets, &SetMenu::failed, this, &ParameterPanel::refused);
+    connect(m_sets, &SetMenu::exported, this, &ParameterPanel::saved);
     rebuild();
 }
 

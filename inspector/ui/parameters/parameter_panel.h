@@ -44,6 +44,7 @@ public:
 signals:
     /// A value was refused; line: the library's message.
     void refused(const QString &line);
+    void saved(const QString &path); ///< a set of parameters was exported
 
 protected:
     void changeEvent(QEvent *event) override;

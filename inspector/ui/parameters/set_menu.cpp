@@ -166,7 +166,7 @@ void SetMenu::askWhereToExport() {
 void SetMenu::exportTo(const QString &path) {
     QString error;
     const QByteArray text = setText(presentSet(QFileInfo(path).completeBaseName(), m_parameters));
-    if (!replaceFile(path, text, &error)) emit failed(error);
+    replaceFile(path, text, &error) ? emit exported(path) : emit failed(error);
 }
 
 } // namespace inspector::ui

@@ -31,6 +31,7 @@ public:
 signals:
     void chosen(const inspector::ParameterSet &set, Owner owner);
     void failed(const QString &line);
+    void exported(const QString &path);
 
 private:
     void fill();

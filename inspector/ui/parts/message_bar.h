@@ -14,6 +14,7 @@ enum class Cause {
     Command,    ///< a command's message, mostly why it failed: until the next command that succeeds
     Step,       ///< a step failed: until another run begins, or the run continues
     Level,      ///< the open level's files
+    Maze,       ///< the open maze's file is gone: until it is there again
     View,       ///< shaders
     Comparison, ///< a stepper that refused the ghost
     Recording,  ///< the file that is written

@@ -166,7 +166,7 @@ bool Film::takePicture(QString *error) {
 
 void Film::joinPictures() {
     m_look.stop();
-    if (m_plan.kind == FilmKind::Pictures) return end({});
+    if (m_plan.kind == FilmKind::Pictures) return finish();
     m_progress->setLabelText(tr("ffmpeg makes one file of the pictures"));
     m_progress->setRange(0, 0);
     m_tool = new QProcess(this);
@@ -193,7 +193,12 @@ void Film::useJoined() {
         replaceFile(m_path, film.readAll(), &error);
     else
         error = tr("%1: %2").arg(film.fileName(), film.errorString());
-    end(error);
+    error.isEmpty() ? finish() : end(error);
+}
+
+void Film::finish() {
+    end({});
+    emit saved(m_path);
 }
 
 void Film::removePictures() {

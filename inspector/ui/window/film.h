@@ -55,6 +55,7 @@ public:
 signals:
     /// error: why it failed, or empty.
     void finished(const QString &error);
+    void saved(const QString &path); ///< after finished(), unless it failed or was cancelled
 
 private:
     bool makeFolder(const QString &path, QString *error);
@@ -64,6 +65,7 @@ private:
     void joinPictures();
     void useJoined();
     void removePictures();
+    void finish();
     void end(const QString &error);
 
     Session &m_session;

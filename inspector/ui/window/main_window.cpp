@@ -272,6 +272,8 @@ void MainWindow::connectSession() {
     connect(&m_session.comparison(), &Comparison::changed, this, &MainWindow::showComparison);
     connect(&m_session.simulation(), &Simulation::runningChanged, this, &MainWindow::showRunning);
     connect(m_mazeWatcher, &MazeWatcher::changed, this, &MainWindow::readMazeAgain);
+    connect(m_mazeWatcher, &MazeWatcher::lost, this, &MainWindow::sayMazeIsGone);
+    connect(m_mazeWatcher, &MazeWatcher::found, this, [this] { m_messages->settle(Cause::Maze); });
     connect(m_view, &gl::MazeView::followingChanged, action("camera_follow"), &QAction::setChecked);
     connectPlots();
     connect(&m_refresh, &QTimer::timeout, this, &MainWindow::refresh);
@@ -344,6 +346,7 @@ void MainWindow::connectMessages() {
     });
 
     connect(m_parameters, &ParameterPanel::refused, this, say(Cause::Command));
+    connect(m_parameters, &ParameterPanel::saved, this, &MainWindow::sayItIsSaved);
     connect(&m_session.comparison().parameters(), &Parameters::changed, this, &MainWindow::settleCommand);
     connect(m_view, &gl::MazeView::problem, this, say(Cause::View));
     connect(m_view, &gl::MazeView::shadersRebuilt, this, settle(Cause::View));
@@ -405,6 +408,7 @@ gl::Frame MainWindow::frame() const {
 
 void MainWindow::openLevel() {
     m_messages->settle(Cause::Level);
+    m_messages->settle(Cause::Maze);
     QString ofMaze;
     QString ofBall;
     m_view->setMaze(mazeMesh(m_session, &ofMaze));

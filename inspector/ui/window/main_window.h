@@ -107,7 +107,9 @@ private:
     void connectPlots();
     void askWhereToSavePlot(const QString &name, const TimeView &time,
                             const std::function<bool(const QString &path, QString *error)> &save);
-    void showSaved(const QString &error);
+    void showSaved(const QString &path, const QString &line);
+    void showRemark(const QString &line);
+    void sayItIsSaved(const QString &path);
 
     void connectBounces();
     void selectBounceAt(const gl::Ray &ray);
@@ -119,6 +121,7 @@ private:
     void loadPlugin(const QString &path);
     void watchMaze();
     void readMazeAgain(const QString &path);
+    void sayMazeIsGone(const QString &path);
     void showPage(const QString &page, const QString &section = {});
     void showReplay(bool isOn);
     void showPast(bool isIn);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Menus and their commands: one table of actions, and a few menus of choices.
+#include "core/setup/lines.h"
 #include "core/setup/stored_values.h"
 #include "gl/view/maze_view.h"
 #include "ui/bounces/bounce_dock.h"
@@ -349,7 +350,7 @@ void MainWindow::saveRun() {
                [this](const QString &path) {
                    QString error;
                    if (ui::saveRun(m_session, *m_view, path, &error)) error = lostSamples(m_session, path);
-                   showSaved(error);
+                   showSaved(path, error);
                });
 }
 
@@ -368,7 +369,7 @@ void MainWindow::askWhereToSavePlot(const QString &name, const TimeView &time,
                    if (save(path, &error) &&
                        (!isTable || saveSettingsBeside(m_session, path, time.clearedAt(), &error)))
                        error = lostSamples(m_session, path);
-                   showSaved(error);
+                   showSaved(path, error);
                });
 }
 
@@ -378,18 +379,29 @@ void MainWindow::saveScreenshot() {
                [this](const QString &path) {
                    QString error;
                    grabTo(path, &error);
-                   showSaved(error);
+                   showSaved(path, error);
                });
 }
 
 /// line: why it failed, a remark, or empty.
-void MainWindow::showSaved(const QString &line) {
+void MainWindow::showSaved(const QString &path, const QString &line) {
+    showRemark(line);
+    if (line.isEmpty()) sayItIsSaved(path);
+}
+
+/// line: or empty.
+void MainWindow::showRemark(const QString &line) {
     m_messages->settle(Cause::Command);
     if (!line.isEmpty()) m_messages->showLine(line, Cause::Command);
 }
 
+void MainWindow::sayItIsSaved(const QString &path) { sayBriefly(tr("Saved: %1").arg(oneLine(path))); }
+
 void MainWindow::toggleRecording() {
-    if (m_session.isRecording()) return m_session.stopRecording();
+    if (m_session.isRecording()) {
+        m_session.stopRecording();
+        return sayBriefly(tr("The recording has ended; its file is complete"));
+    }
     action("record")->setChecked(false); // stays off until a file is chosen
     chooseFile(*this, m_session.settings(),
                {tr("Record the run"), tr("Recording (*.rec)"), tr("run.rec"), FileUse::Write},

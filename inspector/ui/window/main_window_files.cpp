@@ -129,8 +129,9 @@ void MainWindow::saveFilm() {
         chooseFile(*this, m_session.settings(), questions[int(plan.kind)], [this, plan](const QString &path) {
             QString error;
             auto *film = new Film(m_session, *m_view, plan, pictureScale() + 1, *this);
-            connect(film, &Film::finished, this, &MainWindow::showSaved);
-            if (!film->begin(path, &error)) showSaved(error);
+            connect(film, &Film::finished, this, &MainWindow::showRemark);
+            connect(film, &Film::saved, this, &MainWindow::sayItIsSaved);
+            if (!film->begin(path, &error)) showRemark(error);
         });
     });
 }
@@ -145,6 +146,10 @@ void MainWindow::readMazeAgain(const QString &path) {
     if (!m_session.openLevel(levelOfFile(path))) return; // the failure was reported; the open level stays
     m_messages->showLine(tr("%1 was changed on disk and has been read again").arg(QFileInfo(path).fileName()),
                          Cause::Command);
+}
+
+void MainWindow::sayMazeIsGone(const QString &path) {
+    m_messages->showLine(tr("%1 can't be read any more; the maze stays open as it was").arg(quoted(path)), Cause::Maze);
 }
 
 void MainWindow::showGuide() { showPage(QStringLiteral("inspector/README.md"), QStringLiteral("Using the window")); }

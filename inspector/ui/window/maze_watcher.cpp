@@ -7,6 +7,7 @@
 #include <QFileInfo>
 
 #include <chrono>
+#include <utility>
 
 namespace inspector::ui {
 
@@ -30,6 +31,7 @@ void MazeWatcher::watch(const QString &path) {
     if (!before.isEmpty()) m_watcher.removePaths(before);
     m_path = path;
     m_known = digest();
+    m_isLost = m_known.isEmpty() && !path.isEmpty();
     addPaths();
 }
 
@@ -49,6 +51,8 @@ QByteArray MazeWatcher::digest() const {
 void MazeWatcher::look() {
     addPaths();
     const QByteArray now = digest();
+    const bool isLost = now.isEmpty() && !m_path.isEmpty();
+    if (std::exchange(m_isLost, isLost) != isLost) isLost ? emit lost(m_path) : emit found();
     if (now.isEmpty() || now == m_known) return;
     m_known = now;
     emit changed(m_path);

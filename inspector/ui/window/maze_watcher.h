@@ -19,6 +19,8 @@ public:
 
 signals:
     void changed(const QString &path);
+    void lost(const QString &path); ///< it was deleted or can't be read any more
+    void found();                   ///< after lost()
 
 private:
     void look();
@@ -29,6 +31,7 @@ private:
     QTimer m_settling; ///< debounces writes in several parts
     QString m_path;
     QByteArray m_known;
+    bool m_isLost = false;
 };
 
 } // namespace inspector::ui

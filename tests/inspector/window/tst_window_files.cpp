@@ -14,6 +14,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalSpy>
+#include <QStatusBar>
 #include <QTextBlock>
 #include <QTextBrowser>
 
@@ -35,6 +36,9 @@ private slots:
     void changedMazeIsReadAgain();
     void noteOfAChangedMazeIsForgottenAtARestart();
     void replacedMazeIsReadAgain();
+    void mazeThatIsDeletedIsSaid();
+    void savedFileIsSaid_data();
+    void savedFileIsSaid();
     void mazeThatBecameWrongLeavesTheOpenOne();
     void mazeWrittenWithTheSameBytesGoesOn();
     void pluginsStepperCanBeChosen();
@@ -154,6 +158,55 @@ void TestWindowFiles::replacedMazeIsReadAgain() {
         QVERIFY(QFile::remove(path) && QFile::rename(beside, path));
         QTRY_COMPARE(boxes(), uint32_t(1 + more.size() / kWall.size()));
     }
+}
+
+void TestWindowFiles::mazeThatIsDeletedIsSaid() {
+    const QString path = maze("mine.txt", kWall);
+    drop(path);
+    QVERIFY(QFile::remove(path));
+    QTRY_COMPARE(line(), "'" + path + "' can't be read any more; the maze stays open as it was");
+    QCOMPARE(boxes(), 2U);
+    m_fixture->key(Qt::Key_R);
+    QVERIFY(!line().isEmpty()); // it is still gone
+    write(path, kFloor + kWall);
+    QTRY_COMPARE(line(), QString());
+    QVERIFY(QFile::remove(path));
+    QTRY_VERIFY(!line().isEmpty());
+    QVERIFY(m_fixture->session().openLevel(m_fixture->session().levels()[0]));
+    QCOMPARE(line(), QString());
+}
+
+void TestWindowFiles::savedFileIsSaid_data() {
+    QTest::addColumn<QString>("action");
+    QTest::addColumn<QString>("name");
+    QTest::newRow("run") << "save_run"
+                         << "run.rec";
+    QTest::newRow("table of the run") << "save_run"
+                                      << "run.csv";
+    QTest::newRow("picture of the view") << "save_run"
+                                         << "run.png";
+    QTest::newRow("plot") << "save_plot"
+                          << "plot.png";
+    QTest::newRow("window") << "screenshot"
+                            << "window.png";
+    QTest::newRow("set of parameters") << "set_export"
+                                       << "set.txt";
+}
+
+void TestWindowFiles::savedFileIsSaid() {
+    QFETCH(QString, action);
+    QFETCH(QString, name);
+    m_fixture->makeSteps(2);
+    const QString path = m_fixture->path(name);
+    if (action == "set_export") {
+        auto *menu = m_fixture->find<QMenu>("set_menu");
+        menu->popup(m_fixture->window().mapToGlobal(QPoint(40, 40))); // which fills it
+        menu->close();
+    }
+    m_fixture->trigger(action);
+    m_fixture->answerFile(path);
+    QVERIFY2(QFile::exists(path), qPrintable(line()));
+    QCOMPARE(m_fixture->window().statusBar()->currentMessage(), "Saved: " + path);
 }
 
 void TestWindowFiles::mazeThatBecameWrongLeavesTheOpenOne() {
