@@ -337,6 +337,14 @@ void Session::placeBall(const phys_state &state) {
     if (isFromPresent && now.history.end > now.history.run) emit runLeft();
 }
 
+void Session::putBallBack(const Snapshot &before) {
+    if (m_replay) return;
+    takeOver();
+    m_simulation->pause();
+    const bool isOfLiveRun = before.replay.number == 0;
+    isOfLiveRun ? m_simulation->resume(before.history, before.current) : m_simulation->setState(before.current);
+}
+
 bool Session::isBallPut() const {
     const Snapshot &now = m_simulation->latest();
     const bool hasMoved = now.running || now.history.end > now.history.run;

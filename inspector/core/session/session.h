@@ -122,6 +122,9 @@ public:
     /// Puts the ball there, paused; begins a new run, and the one before stays in runs(). In the past, the past is
     /// taken over first.
     void placeBall(const phys_state &state);
+    /// Takes a placing back: `before` is the moment at which it was done. The run that it ended goes on, paused, unless
+    /// steps were made since.
+    void putBallBack(const Snapshot &before);
     /// Where restarts put the ball; empty: at the maze's start. Reset when another level is opened.
     void setStart(const std::optional<phys_state> &start);
     bool hasOwnStart() const { return m_ownStart.has_value(); }

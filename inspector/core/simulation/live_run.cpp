@@ -122,6 +122,12 @@ void LiveRun::goOnFrom(const Engine &from, const Stepper &stepper, uint64_t numb
     emit m_presentation.owner().leftMaze(m_leftAt);
 }
 
+void LiveRun::resume(const Engine &end, uint64_t begin) {
+    m_engine.setState(end.state(), end.sums());
+    m_beginPlace = begin;
+    m_leftAt = std::min(timeOfLeaving(m_engine.state()), timeOfLeaving(m_presentation.samples()));
+}
+
 // ---- recording ----
 
 void LiveRun::startRecording(const QString &file, const Origin &origin) {

@@ -40,6 +40,8 @@ public:
     /// other run would have made. Inputs given after `number` are kept, even if they arrived earlier. Reports a ball
     /// that has left.
     void goOnFrom(const Engine &from, const Stepper &stepper, uint64_t number);
+    /// Continues the last run of the history, which began at this place, from its end.
+    void resume(const Engine &end, uint64_t begin);
 
     // ---- recording ----
 

@@ -102,6 +102,12 @@ void Simulation::setState(const phys_state &state) {
     post([state](Worker &worker) { worker.live.setState(state); });
 }
 
+void Simulation::resume(const HistoryPlace &run, const phys_state &state) {
+    post([run, state](Worker &worker) {
+        if (!worker.resume(run)) worker.live.setState(state);
+    });
+}
+
 void Simulation::setStart(const std::optional<phys_state> &start) {
     post([start](Worker &worker) {
         std::optional<phys_state> first = start;

@@ -54,6 +54,8 @@ public:
     /// own values don't fit another. origin: for the recorder and the ghost, if there are any.
     void setStepper(const Stepper &stepper, const Inputs &inputs, const Origin &origin = {});
     void setState(const phys_state &state);
+    /// Continues this run at its end if no step was made since; otherwise sets the state.
+    void resume(const HistoryPlace &run, const phys_state &state);
     void setStart(const std::optional<phys_state> &start); ///< of restarts; empty: the scene's
     void setDt(double dt);                                 ///< s, > 0
     void setSpeed(double speed); ///< clamped to kSlowest .. kFastest; changes the number of steps per second, never dt

@@ -47,6 +47,24 @@ void Simulation::Worker::showLive() {
 void Simulation::Worker::goOnLive(uint64_t number) {
     live.goOnFrom(replay->engine(), replay->stepper(), number);
     replay->forgetFuture();
+    handOver();
+}
+
+bool Simulation::Worker::resume(const HistoryPlace &run) {
+    const History &history = live.history();
+    const bool isLast = run.end > run.run && history.end() == run.end && live.beginPlace() == run.end;
+    if (replay || !isLast || history.begin() > run.run) return false;
+    const std::optional<Past> kept = history.past(run.run, run.end, nullptr);
+    if (!kept) return false;
+    lookBack(*kept, 0);
+    past->goTo(kept->recording->length());
+    live.resume(past->engine(), run.run);
+    handOver();
+    return true;
+}
+
+/// The live ball is where the one shown is, and is shown from now on.
+void Simulation::Worker::handOver() {
     presentation.show(live);
     past = nullptr;
     replay.reset();

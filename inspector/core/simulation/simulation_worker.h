@@ -21,8 +21,11 @@ struct Simulation::Worker {
     void lookBack(const Past &kept, uint64_t number);
     void leavePast();
     void showLive(); ///< paused
+    void handOver();
     /// The live ball continues from what is shown. number: of the inputs given with the command.
     void goOnLive(uint64_t number);
+    /// Continues this run where it ended, with its samples; false, and nothing changes, if steps were made since.
+    bool resume(const HistoryPlace &run);
 };
 
 } // namespace inspector

@@ -7,7 +7,8 @@ class QUndoStack;
 
 namespace inspector::ui {
 
-/// Pushes a command for a ball that the user has already moved; a single undo reverts all of it.
-void pushBallCommand(Session &session, QUndoStack &undo, const phys_state &before, const phys_state &after);
+/// Pushes a command for a ball that the user has already moved; a single undo reverts all of it. before: the moment at
+/// which the user did.
+void pushBallCommand(Session &session, QUndoStack &undo, const Snapshot &before, const phys_state &after);
 
 } // namespace inspector::ui

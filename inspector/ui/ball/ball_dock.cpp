@@ -88,8 +88,8 @@ BallDock::BallDock(Session &session, QUndoStack &undo, QWidget *parent)
 }
 
 void BallDock::enter(size_t row, double value) {
-    const phys_state before = m_session.simulation().latest().current;
-    phys_state after = before;
+    const Snapshot before = m_session.simulation().latest();
+    phys_state after = before.current;
     after.*kRows[row].vector.*kRows[row].component = value;
     m_session.placeBall(after);
     pushBallCommand(m_session, m_undo, before, after);

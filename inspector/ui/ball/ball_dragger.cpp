@@ -66,15 +66,16 @@ bool BallDragger::take(const QMouseEvent &event) {
     const Snapshot &now = m_session.simulation().latest();
     if (event.button() != Qt::LeftButton || now.running || m_session.isReplaying()) return false;
     if (!isOverBall(event.position())) return false;
-    m_before = m_now = now.current;
+    m_before = now;
+    m_now = now.current;
     m_pulls = event.modifiers() & Qt::ControlModifier;
     return true;
 }
 
 void BallDragger::move(const QMouseEvent &event) {
-    const std::optional<glm::dvec3> point = pointAt(m_view.rayAt(event.position()), m_before->position.z);
+    const std::optional<glm::dvec3> point = pointAt(m_view.rayAt(event.position()), m_before->current.position.z);
     if (!point) return;
-    phys_state state = *m_before;
+    phys_state state = m_before->current;
     if (m_pulls) {
         const glm::dvec3 velocity = (*point - toGlm(state.position)) / kArrow;
         state.velocity = {velocity.x, velocity.y, 0.0};
@@ -88,9 +89,10 @@ void BallDragger::move(const QMouseEvent &event) {
 
 bool BallDragger::drop() {
     if (!m_before) return false;
-    const phys_state before = *std::exchange(m_before, std::nullopt);
+    const Snapshot before = *std::exchange(m_before, std::nullopt);
+    const phys_state &ball = before.current;
     const bool hasMoved =
-        toGlm(before.position) != toGlm(m_now.position) || toGlm(before.velocity) != toGlm(m_now.velocity);
+        toGlm(ball.position) != toGlm(m_now.position) || toGlm(ball.velocity) != toGlm(m_now.velocity);
     if (hasMoved) pushBallCommand(m_session, m_undo, before, m_now);
     return hasMoved; // a click without a move is left to the view
 }

@@ -40,7 +40,7 @@ private:
     Session &m_session;
     gl::MazeView &m_view;
     QUndoStack &m_undo;
-    std::optional<phys_state> m_before; ///< before the drag
+    std::optional<Snapshot> m_before; ///< the drag
     phys_state m_now{};
     bool m_pulls = false; ///< the drag sets the velocity, not the position
 };

@@ -26,6 +26,9 @@ private slots:
     void draggedBallIsWhereTheMouseIs();
     void ballDraggedIntoAWallStaysOutside();
     void draggedBallIsUndone();
+    void undoGoesOnWithTheRun_data();
+    void undoGoesOnWithTheRun();
+    void placingIsNotUndoneInAnotherMaze();
     void dragWithCtrlPullsTheVelocity();
     void rollingBallIsNotTaken();
     void typedNumbersAreTheBalls_data();
@@ -61,6 +64,10 @@ private:
 
     std::unique_ptr<Fixture> m_fixture;
 };
+
+namespace {
+uint64_t hashOf(const phys_state &state) { return phys_state_hash(&state); }
+} // namespace
 
 void TestWindowBall::init() {
     m_fixture = std::make_unique<Fixture>();
@@ -127,6 +134,43 @@ void TestWindowBall::draggedBallIsUndone() {
     QTRY_COMPARE(ball().position.y, from.y);
     m_fixture->press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
     QTRY_COMPARE(ball().position.y, to.y);
+}
+
+// And goes on as if the ball hadn't been touched.
+void TestWindowBall::undoGoesOnWithTheRun_data() {
+    QTest::addColumn<bool>("isTyped");
+    QTest::newRow("dragged") << false;
+    QTest::newRow("typed") << true;
+}
+
+void TestWindowBall::undoGoesOnWithTheRun() {
+    QFETCH(bool, isTyped);
+    m_fixture->parameters().set({{QStringLiteral("tilt_y"), 3.0}});
+    m_fixture->makeSteps(20);
+    const phys_state before = ball();
+    isTyped ? void(noteAt("-50 mm")) : placeBall(0.0, 0.01);
+    QVERIFY(ball().position.x != before.position.x || ball().position.y != before.position.y);
+    m_fixture->press(Qt::Key_Z, Qt::ControlModifier);
+    QTRY_COMPARE(hashOf(ball()), hashOf(before));
+    const inspector::RunPlace run = m_fixture->session().runPlace();
+    QCOMPARE(run.end - run.begin, uint64_t(20));
+    QCOMPARE(m_fixture->simulation().samples().last() - m_fixture->simulation().samples().first(), uint64_t(20));
+    m_fixture->makeSteps(1);
+    QCOMPARE(m_fixture->session().runPlace().begin, run.begin);
+    QCOMPARE(m_fixture->session().runs().size(), size_t(1));
+    m_fixture->press(Qt::Key_Comma); // its past is there
+    QTRY_COMPARE(hashOf(ball()), hashOf(before));
+}
+
+void TestWindowBall::placingIsNotUndoneInAnotherMaze() {
+    placeBall(0.0, 0.01);
+    QVERIFY(m_fixture->session().openLevel(m_fixture->session().levels()[2]));
+    phys_state start;
+    QCOMPARE(phys_scene_start(m_fixture->session().scene().get(), &start), PHYS_OK);
+    QTRY_COMPARE(ball().position.x, start.position.x);
+    m_fixture->press(Qt::Key_Z, Qt::ControlModifier);
+    m_fixture->makeSteps(1);
+    QVERIFY(std::abs(ball().position.x - start.position.x) < 1e-4);
 }
 
 // The arrow ends where the ball would be after 0.2 s.
