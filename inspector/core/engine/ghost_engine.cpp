@@ -36,16 +36,14 @@ std::optional<GhostSetup> makeGhostSetup(const Registry &registry, const GhostCh
 
 GhostEngine::GhostEngine(const Engine &leader, const GhostSetup &setup, const QByteArray &leaderId)
     : m_engine(leader.scene(), setup.stepper)
-    , m_info(setup.info)
-    , m_substeps(setup.substeps)
-    , m_own(setup.own) {
+    , m_setup(setup) {
     setLeaderStepper(leaderId);
     meet(leader);
 }
 
 void GhostEngine::meet(const Engine &leader) {
     phys_state state = leader.state();
-    state.step *= uint64_t(m_substeps); // so that its time is still computed from the step count: model.md 10.6
+    state.step *= uint64_t(m_setup.substeps); // so that its time is still computed from the step count: model.md 10.6
     m_engine.setState(state);
     m_previous = leader.previous();
     m_met = leader.state();
@@ -55,24 +53,25 @@ void GhostEngine::meet(const Engine &leader) {
 
 /// If the magnitudes of gravity are equal, the direction is the leader's to the last bit.
 Inputs GhostEngine::inputsBeside(const Engine &leader) const {
-    Inputs inputs = m_own ? *m_own : leader.inputs();
-    if (m_own && m_own->gravity != leader.inputs().gravity) {
+    const std::optional<Inputs> &own = m_setup.own;
+    Inputs inputs = own ? *own : leader.inputs();
+    if (own && own->gravity != leader.inputs().gravity) {
         tiltBoard(inputs, leader.inputs().tilt);
     } else {
         inputs.tilt = leader.inputs().tilt;
         inputs.params.gravity = leader.inputs().params.gravity;
     }
-    if (!m_own && !m_sharesValues) phys_stepper_info_init_params(&m_info, &inputs.params);
+    if (!own && !m_sharesValues) phys_stepper_info_init_params(&m_setup.info, &inputs.params);
     return inputs;
 }
 
 bool GhostEngine::follow(const Engine &leader, QString *error) {
     if (!m_isThere) return true;
     m_engine.setInputs(inputsBeside(leader));
-    m_engine.setDt(leader.dt() / m_substeps);
+    m_engine.setDt(leader.dt() / m_setup.substeps);
     m_previous = m_engine.state();
     if (m_previous.flags & PHYS_OUT) return true; // it stays at the exit
-    for (int i = 0; i < m_substeps && m_isThere; ++i) m_isThere = m_engine.step(error);
+    for (int i = 0; i < m_setup.substeps && m_isThere; ++i) m_isThere = m_engine.step(error);
     if (!m_isThere) return false;
     m_deviation = deviationOf(leader, m_engine);
     return true;

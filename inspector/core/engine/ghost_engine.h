@@ -47,9 +47,9 @@ public:
     GhostEngine(const Engine &leader, const GhostSetup &setup, const QByteArray &leaderId);
 
     /// The ghost's own parameters; empty: the leader's. The tilt is always the leader's.
-    void setOwnInputs(const std::optional<Inputs> &own) { m_own = own; }
+    void setOwnInputs(const std::optional<Inputs> &own) { m_setup.own = own; }
     /// Called when the leader has changed its stepper.
-    void setLeaderStepper(const QByteArray &id) { m_sharesValues = id == m_info.id; }
+    void setLeaderStepper(const QByteArray &id) { m_sharesValues = id == m_setup.info.id; }
     /// Returns to the leader's current state, also after a refusal.
     void meet(const Engine &leader);
     /// Makes one step of the leader's dt; call it after the leader's step. If the stepper fails, `error` gets the
@@ -57,6 +57,7 @@ public:
     /// it.
     bool follow(const Engine &leader, QString *error);
 
+    const GhostSetup &setup() const { return m_setup; }
     const Scene &scene() const { return m_engine.scene(); }
     bool isThere() const { return m_isThere; }
     const phys_state &state() const { return m_engine.state(); }
@@ -70,10 +71,8 @@ private:
     Inputs inputsBeside(const Engine &leader) const;
 
     Engine m_engine;
-    phys_stepper_info m_info;
-    int m_substeps;
+    GhostSetup m_setup;
     bool m_sharesValues = false; ///< of the stepper's own rows
-    std::optional<Inputs> m_own;
     bool m_isThere = true;
     phys_state m_previous{};
     phys_state m_met{};

@@ -8,7 +8,8 @@ namespace inspector {
 
 namespace {
 
-/// The number of steps of an earlier run that are repeated for plots and trails; this takes a moment.
+/// The number of steps of an earlier run, and of a ghost beside it, that are repeated for plots and trails; this takes
+/// a moment.
 constexpr uint64_t kStepsOfARun = 100000;
 
 } // namespace
@@ -43,21 +44,39 @@ bool PastRun::showAt(uint64_t position) {
 
 void PastRun::goTo(uint64_t position) { showAt(position); }
 
-/// Repeats the run from its beginning to its end; the player returns to where it was.
+/// Repeats the run from its beginning to its end, beside a ghost like the present one; the player returns to where it
+/// was.
 void PastRun::refillSamples(uint64_t first) {
     const uint64_t position = m_player.position();
     const uint64_t end = std::min(m_past.endOfRun(first + 1), first + kStepsOfARun) - m_past.begin;
     m_presentation.hold();
     m_presentation.clear();
     m_player.seek(first - m_past.begin);
-    while (m_player.position() < end && m_player.next()) {
-        m_presentation.samples().append(m_presentation.sample());
+    m_player.enterRun();
+    const bool isLive = first == std::max(m_live.beginPlace(), m_past.begin);
+    std::optional<GhostEngine> ghost;
+    uint64_t ghostSteps = 0;
+    while (m_player.position() < end) {
+        if (!ghost && ghostSteps == 0 && m_presentation.ghostBeginsAt(engine().state(), isLive))
+            ghost = m_presentation.ghostOf(engine(), leaderId());
+        if (!m_player.next()) break;
+        Sample sample = m_presentation.sample();
+        if (ghost) ghostSteps += follow(*ghost, sample);
+        if (ghostSteps > kStepsOfARun) ghost.reset();
+        m_presentation.samples().append(sample);
         m_presentation.noteEvents();
     }
     if (end < m_past.endOfRun(first + 1) - m_past.begin) m_presentation.samples().cut();
     m_player.seek(position);
     m_presentation.release();
     m_shownRun = first;
+}
+
+/// Returns the number of steps that it makes.
+uint64_t PastRun::follow(GhostEngine &ghost, Sample &sample) const {
+    ghost.setLeaderStepper(leaderId());
+    if (ghost.follow(engine(), nullptr)) m_presentation.addGhost(ghost, sample);
+    return uint64_t(ghost.setup().substeps);
 }
 
 void PastRun::showLiveRun() {

@@ -28,6 +28,7 @@ protected:
 private:
     uint64_t place() const { return m_past.begin + m_player.position(); }
     void refillSamples(uint64_t first);
+    uint64_t follow(GhostEngine &ghost, Sample &sample) const;
     std::optional<Ghost> ghost() const;
 
     Past m_past;

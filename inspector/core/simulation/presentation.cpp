@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/presentation.h"
 
+#include "core/recording/same_bits.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -44,17 +46,20 @@ void Presentation::compare(uint64_t number, const GhostSetup &setup, const QByte
     m_ghostNumber = number;
     // A replay may have moved to another scene; then the comparison is requested again.
     if (setup.scene == m_run->engine().scene()) m_ghost.emplace(m_run->engine(), setup, leaderId);
+    m_isGhostAsMet = true;
 }
 
 void Presentation::setGhostInputs(uint64_t number, const std::optional<Inputs> &own) {
     if (!m_ghost) return;
     m_ghostNumber = number;
+    m_isGhostAsMet = false;
     m_ghost->setOwnInputs(own);
 }
 
 void Presentation::meetGhost() {
     if (m_ghost && m_ghost->scene() != m_run->engine().scene()) m_ghost.reset(); // its stepper is of the other scene
     if (m_ghost) m_ghost->meet(m_run->engine());
+    m_isGhostAsMet = true;
 }
 
 /// Steps the ghost, after everything else: the ball never depends on it.
@@ -62,6 +67,20 @@ void Presentation::leadGhost() {
     QString line;
     if (!m_ghost || m_ghost->follow(m_run->engine(), &line)) return;
     emit m_owner.comparisonRefused(m_ghostNumber, line);
+}
+
+bool Presentation::ghostBeginsAt(const phys_state &ball, bool isLive) const {
+    return m_ghost && (!isLive || (m_isGhostAsMet && isSameBits(ball, m_ghost->met())));
+}
+
+std::optional<GhostEngine> Presentation::ghostOf(const Engine &ball, const QByteArray &leaderId) const {
+    if (!m_ghost || m_ghost->scene() != ball.scene()) return std::nullopt;
+    return std::optional<GhostEngine>(std::in_place, ball, m_ghost->setup(), leaderId);
+}
+
+void Presentation::addGhost(const GhostEngine &ghost, Sample &sample) const {
+    ghost.addTo(sample);
+    sample.ghost = m_ghostNumber;
 }
 
 // ---- samples and events ----
@@ -88,10 +107,7 @@ void Presentation::noteStep(double stepTime) {
     countStep();
     leadGhost();
     Sample sample = this->sample();
-    if (m_ghost) {
-        m_ghost->addTo(sample);
-        sample.ghost = m_ghostNumber;
-    }
+    if (m_ghost) addGhost(*m_ghost, sample);
     sample[Channel::StepTime] = stepTime;
     m_samples.append(sample);
     noteEvents();

@@ -39,6 +39,12 @@ public:
     GhostEngine *ghost() { return m_ghost ? &*m_ghost : nullptr; }
     void setGhostInputs(uint64_t number, const std::optional<Inputs> &own); ///< of the ghost, if there is one
     void endComparison() { m_ghost.reset(); }
+    /// Whether a ghost of a run that is repeated begins at this state of the ball: in the live run where the present
+    /// one met it, unless that one has got other inputs since; in another run at its beginning.
+    bool ghostBeginsAt(const phys_state &ball, bool isLive) const;
+    /// A ghost like the present one that begins with this ball; nothing if there is none in its scene.
+    std::optional<GhostEngine> ghostOf(const Engine &ball, const QByteArray &leaderId) const;
+    void addGhost(const GhostEngine &ghost, Sample &sample) const;
     void meetGhost(); ///< restarts the ghost at the ball's state; a ghost of another scene is removed
 
     // ---- measured ball ----
@@ -83,6 +89,7 @@ private:
     uint64_t m_published = 0;
     std::optional<GhostEngine> m_ghost{};
     uint64_t m_ghostNumber = 0;
+    bool m_isGhostAsMet = false; ///< its inputs haven't been changed since it met the ball
     std::shared_ptr<const ShownTrack> m_track{};
     std::vector<Scene> m_trackScenes{};
 };

@@ -56,8 +56,7 @@ void ReplayRun::step(Clock::time_point due) {
 }
 
 void ReplayRun::noteStep() {
-    if (GhostEngine *ghost = m_presentation.ghost())
-        ghost->setLeaderStepper(m_player.recording().segment(m_player.segment()).conditions.stepper.id);
+    if (GhostEngine *ghost = m_presentation.ghost()) ghost->setLeaderStepper(leaderId());
     m_presentation.noteStep(kNotMeasured);
 }
 

@@ -44,6 +44,9 @@ public:
 protected:
     /// Does part of showing this position, before which everything is checked; true when done.
     virtual bool showAt(uint64_t position);
+    const QByteArray &leaderId() const {
+        return m_player.recording().segment(m_player.segment()).conditions.stepper.id;
+    }
 
     Presentation &m_presentation;
     const LiveRun &m_live;

@@ -11,6 +11,7 @@
 #include <QStatusBar>
 #include <QTreeWidget>
 
+#include <cmath>
 #include <memory>
 
 using namespace window_test;
@@ -30,6 +31,8 @@ private slots:
     void onlyTheLiveRunIsThePresentOne();
     void typedPlaceLeavesTheRunInRunsAndSaysSo();
     void tableAtTheEndIsOfTheLastRunWithSteps();
+    void tableOfAnEarlierRunHasItsGhost();
+    void ghostOfThePresentStartsWhereItMetTheBall();
 
 private:
     QString resultOf(int row);
@@ -116,6 +119,48 @@ void TestWindowRuns::tableAtTheEndIsOfTheLastRunWithSteps() {
     const QByteArray beside = support::contentOf(options.csv + ".txt");
     QVERIFY2(beside.contains("\nstepper symplectic-euler "), beside.constData());
     QVERIFY2(beside.endsWith("\nsamples from 0.01 s to 0.3 s\n"), beside.constData());
+}
+
+// It follows the ball from the beginning of the run.
+void TestWindowRuns::tableOfAnEarlierRunHasItsGhost() {
+    inspector::Options options;
+    options.registry = m_fixture->session().registry();
+    options.level = m_fixture->session().level();
+    options.csv = m_fixture->path("end.csv");
+    m_fixture->parameters().set({{QStringLiteral("tilt_x"), 3.0}});
+    restart();
+    m_fixture->trigger("compare");
+    m_fixture->makeSteps(30);
+    QString error;
+    QVERIFY2(inspector::ui::writeTableOfRun(m_fixture->session(), options, &error), qPrintable(error));
+    const QByteArray live = support::contentOf(options.csv);
+    const QByteArray beside = support::contentOf(options.csv + ".txt");
+    restart();
+    QVERIFY2(inspector::ui::writeTableOfRun(m_fixture->session(), options, &error), qPrintable(error));
+    QVERIFY2(live.contains("distance [m]"), live.left(400).constData());
+    QCOMPARE(support::contentOf(options.csv), live);
+    QCOMPARE(support::contentOf(options.csv + ".txt"), beside);
+}
+
+// Where another run was looked at in between, too.
+void TestWindowRuns::ghostOfThePresentStartsWhereItMetTheBall() {
+    restart();
+    m_fixture->makeSteps(10);
+    m_fixture->trigger("compare");
+    m_fixture->makeSteps(20);
+    const auto ghostAt = [&](uint64_t number) {
+        inspector::Sample sample;
+        const inspector::SampleRing &samples = m_fixture->simulation().samples();
+        return samples.read(samples.first() + number, sample) ? sample[inspector::Channel::Distance] : -1.0;
+    };
+    const double last = ghostAt(29);
+    QVERIFY(std::isnan(ghostAt(9)) && last >= 0.0);
+    m_fixture->session().lookAt(5); // of the first run
+    QTRY_COMPARE(m_fixture->simulation().latest().current.step, uint64_t(5));
+    QVERIFY(ghostAt(9) >= 0.0);
+    m_fixture->session().returnToPresent();
+    QTRY_VERIFY(std::isnan(ghostAt(9)));
+    QCOMPARE(ghostAt(29), last);
 }
 
 QTEST_MAIN(TestWindowRuns)
