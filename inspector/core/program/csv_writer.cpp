@@ -58,7 +58,10 @@ QByteArray parameterLines(const Parameters &parameters) {
     QByteArray text;
     for (int i = 0; i < parameters.count(); ++i) {
         const phys_param_row &row = parameters.row(i);
-        text += QByteArray(row.id) + " " + exactText(parameters.value(i));
+        const QStringList choices = choicesOf(row);
+        const double value = parameters.value(i);
+        text += QByteArray(row.id) + " " +
+                (choices.isEmpty() ? exactText(value) : choices.value(qsizetype(value - row.min)).toUtf8());
         text += row.unit[0] ? " " + QByteArray(row.unit) + "\n" : "\n";
     }
     return text;

@@ -4,6 +4,7 @@
 #include "core/program/csv_writer.h"
 #include "core/program/ending.h"
 #include "core/program/outputs.h"
+#include "core/program/run_settings.h"
 #include "core/recording/replay.h"
 #include "core/setup/lines.h"
 
@@ -12,18 +13,6 @@
 namespace inspector {
 
 namespace {
-
-/// The settings written next to the table are those at the recording's beginning.
-Options tableOptions(const Options &options, const Recording &recording) {
-    Options result = options;
-    if (recording.segments.empty()) return result;
-    const Conditions &first = recording.segments.front().conditions;
-    result.level = levelOfFile(first.maze.path);
-    result.stepper = first.stepper.id;
-    result.dt = first.dt;
-    result.settings = settingsOf(first, options.registry);
-    return result;
-}
 
 /// The stream of the table.
 enum class Place { Nowhere, Output, File };
@@ -44,8 +33,8 @@ int runReplay(const Options &options, QIODevice &out, QTextStream &messages) {
     const auto recording = openRecording(options.replay, options.registry, options.levels, &error);
     if (!recording) return refuse(QStringLiteral("--replay: ") + error);
     const Place place = placeOfTable(options);
-    const QString remark = QStringLiteral("of %1, at its beginning\n").arg(quoted(options.replay));
-    const QByteArray settings = tableSettings(tableOptions(options, recording->recording())) + remark.toUtf8();
+    const QString remark = QStringLiteral("of %1\n").arg(quoted(options.replay));
+    const QByteArray settings = recordingSettings(*recording) + remark.toUtf8();
     const std::unique_ptr<OutputFile> file = place == Place::File ? openTable(options.csv, settings, &error) : nullptr;
     if (place == Place::File && !file) return refuse(QStringLiteral("--csv: ") + error);
 

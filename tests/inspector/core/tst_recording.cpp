@@ -32,6 +32,7 @@ private slots:
     void autopilotsRunOfLevel1IsTheSame();
     void tableOfAReplayHasTheRowsOfTheRun();
     void tableOfAReplayIsDescribedByTheRecording();
+    void tableOfAReplayIsDescribedWholly();
     void flippedBitOfAHashNamesItsStep_data();
     void flippedBitOfAHashNamesItsStep();
     void changedInputNamesTheStepItActsOn();
@@ -187,6 +188,31 @@ void TestRecording::tableOfAReplayIsDescribedByTheRecording() {
     const QByteArray settings = contentOf(path("t.csv.txt"));
     QVERIFY2(settings.contains("stepper rk4 "), settings.constData());
     QVERIFY2(settings.contains("dt 0.001 s"), settings.constData());
+}
+
+// From the first row to the last, over its runs.
+void TestRecording::tableOfAReplayIsDescribedWholly() {
+    Recorder recorder(path("r"));
+    const auto engine = recordedEngine(recorder);
+    const auto makeSteps = [&](int count) {
+        for (int i = 0; i < count && engine->step(nullptr); ++i) recorder.note(*engine);
+    };
+    makeSteps(2);
+    engine->setDt(0.005);
+    makeSteps(2);
+    engine->restart();
+    Inputs inputs = tilted(0.1, 0.0);
+    inputs.params.restitution_wall = 0.25;
+    engine->setInputs(inputs);
+    makeSteps(2);
+    recorder.close();
+    QCOMPARE(runOf({"--headless", "--replay", path("r"), "--csv", path("t.csv")}).status, 0);
+    const QByteArray settings = contentOf(path("t.csv.txt"));
+    for (const char *line :
+         {"\ndt 0.01 s\n", "\nmodel rolling\n", "\nrestitution_wall 0.5\n", "\nfrom 0.025 s: dt 0.005 s\n",
+          "\nrun 2: rows from 0.005 s\nfrom 0.005 s: restitution_wall 0.25\n",
+          "\ntilt varies: columns tilt_x, tilt_y\n"})
+        QVERIFY2(settings.contains(line), settings.constData());
 }
 
 void TestRecording::flippedBitOfAHashNamesItsStep_data() {
