@@ -46,7 +46,7 @@ Backdrop backdropOf(const QPalette &palette) {
 
 MazeView::MazeView(Drawing drawing, QWidget *parent)
     : QWidget(parent) {
-    setMinimumSize(160, 120);
+    setMinimumSize(160, 70);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     makeCanvas(drawing);

@@ -6,15 +6,46 @@
 #include <QHBoxLayout>
 #include <QToolButton>
 
+#include <algorithm>
+#include <vector>
+
 namespace inspector::ui {
+
+/// Buttons below each other, in as many columns as the height needs.
+class ButtonColumns : public QWidget {
+public:
+    void add(QToolButton *button) {
+        button->setParent(this);
+        m_buttons.push_back(button);
+        arrange();
+    }
+    QSize sizeHint() const override { return {width(), int(m_buttons.size()) * pitch()}; }
+    QSize minimumSizeHint() const override { return {width(), kFewestRows * pitch()}; }
+
+protected:
+    void resizeEvent(QResizeEvent *) override { arrange(); }
+
+private:
+    static constexpr int kGap = 2; ///< pixels
+    static constexpr int kFewestRows = 2;
+
+    int pitch() const { return m_buttons.front()->sizeHint().height() + kGap; }
+
+    void arrange() {
+        const int count = int(m_buttons.size());
+        const int rows = std::clamp(height() / pitch(), kFewestRows, std::max(kFewestRows, count));
+        const int across = m_buttons.front()->sizeHint().width() + kGap;
+        for (int i = 0; i < count; ++i)
+            m_buttons[size_t(i)]->setGeometry({{i / rows * across, i % rows * pitch()}, m_buttons.front()->sizeHint()});
+        setFixedWidth((count + rows - 1) / rows * across);
+    }
+
+    std::vector<QToolButton *> m_buttons;
+};
 
 PlotPanel::PlotPanel(QWidget *content, TimeView &time, const QString &prefix, QWidget *parent)
     : QWidget(parent)
-    , m_buttons(new QVBoxLayout) {
-    auto *side = new QVBoxLayout;
-    m_buttons->setSpacing(2);
-    side->addLayout(m_buttons);
-    side->addStretch();
+    , m_buttons(new ButtonColumns) {
     QToolButton *follow = addButton(Glyph::Follow, prefix + QLatin1String("_follow"), tr("Follow the newest values"));
     QToolButton *pause =
         addButton(Glyph::Pause, prefix + QLatin1String("_pause"), tr("Hold the plots; the simulation goes on"));
@@ -32,8 +63,8 @@ PlotPanel::PlotPanel(QWidget *content, TimeView &time, const QString &prefix, QW
 
     auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(4, 0, 0, 0);
-    layout->setSpacing(2);
-    layout->addLayout(side);
+    layout->setSpacing(0);
+    layout->addWidget(m_buttons);
     layout->addWidget(content, 1);
 }
 
@@ -46,7 +77,7 @@ QToolButton *PlotPanel::addButton(Glyph glyph, const QString &name, const QStrin
     button->setAccessibleName(tip);
     button->setAutoRaise(true);
     button->setFocusPolicy(Qt::TabFocus);
-    m_buttons->addWidget(button);
+    m_buttons->add(button);
     return button;
 }
 

@@ -5,11 +5,11 @@
 
 #include <QWidget>
 
-class QBoxLayout;
 class QToolButton;
 
 namespace inspector::ui {
 
+class ButtonColumns;
 class TimeView;
 
 /// Plots over time with their buttons: follow, pause, clear, save.
@@ -29,7 +29,7 @@ signals:
     void saveWanted();
 
 private:
-    QBoxLayout *m_buttons;
+    ButtonColumns *m_buttons;
 };
 
 } // namespace inspector::ui

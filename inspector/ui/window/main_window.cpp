@@ -34,6 +34,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QChildEvent>
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QMenu>
@@ -41,6 +42,7 @@
 #include <QScrollArea>
 #include <QStatusBar>
 #include <QStyle>
+#include <QTabBar>
 #include <QTextStream>
 #include <QToolButton>
 #include <QUndoStack>
@@ -57,13 +59,15 @@ constexpr int kRefreshPeriod = 33; ///< ms
 constexpr QSize kUsualSize(1280, 800);
 constexpr double kScreenShare = 0.75; ///< share of a larger screen
 constexpr double kTradeShare = 0.56;  ///< share of the window's height, when the dock is shown
-constexpr int kRestHeight = 350;      ///< logical pixels of the window's height, at least, for view and bars
+constexpr int kRestHeight = 390;      ///< logical pixels of the window's height, at least, for view and bars
+constexpr int kLeastHeight = 100;     ///< of a dock that is opened
 constexpr double kPlotShare = 0.29;
 constexpr double kTrackShare = 0.48;
 constexpr double kSideShare = 0.42; ///< of the window's width, at most, for the parameters
 constexpr double kComparisonShare = 0.34;
 constexpr double kBouncesShare = 0.42;
 constexpr double kBouncesWidth = 0.36; ///< share of the window's width, next to the plots
+constexpr int kRoomBesidePlots = 1000; ///< logical pixels of the window's width, else the bounces are tabbed with them
 constexpr int kLayoutVersion = 7;      ///< a new number invalidates stored layouts with other docks
 
 } // namespace
@@ -228,6 +232,9 @@ void MainWindow::addDockAction(QDockWidget &dock, int number, double share) {
     if (number <= 10) toggle->setShortcut(QKeySequence(QStringLiteral("Ctrl+%1").arg(number % 10)));
     const auto showState = [&dock, toggle] { toggle->setChecked(!dock.isHidden()); };
     connect(&dock, &QDockWidget::visibilityChanged, toggle, showState);
+    connect(dock.toggleViewAction(), &QAction::toggled, this, [this, &dock] {
+        if (dock.isHidden()) giveBackHeights(dockWidgetArea(&dock));
+    });
     connect(toggle, &QAction::triggered, &dock, [this, &dock, share, showState] {
         const bool isSeen = dock.isVisible() && !dock.visibleRegion().isEmpty();
         if (isSeen)
@@ -242,12 +249,50 @@ void MainWindow::addDockAction(QDockWidget &dock, int number, double share) {
 
 void MainWindow::showDock(QDockWidget &dock, double share) {
     const bool isResized = share > 0.0 && dock.isHidden() && !dock.isFloating();
+    const Qt::DockWidgetArea area = dockWidgetArea(&dock);
+    if (isResized && docksOf(area, true).isEmpty())
+        for (QDockWidget *other : docksOf(area, false)) m_heights[other] = other->height();
+    const bool isBounces = dock.objectName() == QLatin1String(kBouncesDock);
+    auto *plots = findChild<QDockWidget *>(QLatin1String(kDockNames[2]));
+    const bool hasRoomBeside = width() >= kRoomBesidePlots;
+    if (isResized && isBounces && !hasRoomBeside) tabifyDockWidget(plots, &dock);
     dock.show();
     dock.raise();
     if (!isResized) return;
-    resizeDocks({&dock}, {std::min(int(share * height()), height() - kRestHeight)}, Qt::Vertical);
-    if (dock.objectName() == QLatin1String(kBouncesDock))
-        resizeDocks({&dock}, {int(kBouncesWidth * width())}, Qt::Horizontal);
+    resizeDocks({&dock}, {std::min(int(share * height()), std::max(height() - kRestHeight, kLeastHeight))},
+                Qt::Vertical);
+    if (isBounces && hasRoomBeside) resizeDocks({&dock}, {int(kBouncesWidth * width())}, Qt::Horizontal);
+}
+
+/// Those that are open there: on demand, or from the start.
+QList<QDockWidget *> MainWindow::docksOf(Qt::DockWidgetArea area, bool isOnCall) const {
+    QList<QDockWidget *> docks = findChildren<QDockWidget *>();
+    docks.removeIf([&](QDockWidget *dock) {
+        const bool isFirst =
+            std::ranges::count(kDockNames, dock->objectName(), [](const char *name) { return QLatin1String(name); });
+        return isFirst == isOnCall || dock->isHidden() || dock->isFloating() || dockWidgetArea(dock) != area;
+    });
+    return docks;
+}
+
+/// Once the last dock opened on demand is closed, the others have their heights from before.
+void MainWindow::giveBackHeights(Qt::DockWidgetArea area) {
+    if (!docksOf(area, true).isEmpty()) return;
+    QList<QDockWidget *> docks;
+    QList<int> heights;
+    for (QDockWidget *dock : docksOf(area, false)) {
+        if (!m_heights.contains(dock)) continue;
+        docks += dock;
+        heights += m_heights.take(dock);
+    }
+    resizeDocks(docks, heights, Qt::Vertical);
+}
+
+/// Tabs of docks are scrolled rather than cut.
+void MainWindow::childEvent(QChildEvent *event) {
+    QMainWindow::childEvent(event);
+    auto *tabs = qobject_cast<QTabBar *>(event->child());
+    if (tabs && event->type() == QEvent::ChildPolished) tabs->setElideMode(Qt::ElideNone);
 }
 
 /// Called when the window is shown, as tabs can't be raised before.

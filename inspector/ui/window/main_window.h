@@ -3,6 +3,8 @@
 
 #include "core/session/session.h"
 
+#include <QHash>
+#include <QList>
 #include <QMainWindow>
 #include <QTimer>
 
@@ -71,6 +73,7 @@ public:
     TrackDock &track() { return *m_track; }
 
 protected:
+    void childEvent(QChildEvent *event) override;
     void closeEvent(QCloseEvent *event) override;
     void dragEnterEvent(QDragEnterEvent *event) override;
     void dropEvent(QDropEvent *event) override;
@@ -92,6 +95,8 @@ private:
     void arrangeOnCall(std::span<const DockRow> rows);
     void addDockAction(QDockWidget &dock, int number, double share);
     void showDock(QDockWidget &dock, double share);
+    QList<QDockWidget *> docksOf(Qt::DockWidgetArea area, bool isOnCall) const;
+    void giveBackHeights(Qt::DockWidgetArea area);
     void showComparisonDock();
     void makeMenus();
     void addUndoActions(QMenu &menu);
@@ -214,6 +219,7 @@ private:
     QByteArray m_firstLayout; ///< of docks and bars, before the user moved them
     uint64_t m_drawn = 0;     ///< sum of the versions of what the view shows
     QTimer m_refresh;
+    QHash<QDockWidget *, int> m_heights; ///< of docks, before others were opened in their area
 };
 
 } // namespace inspector::ui

@@ -21,7 +21,6 @@
 #include <QPainter>
 #include <QScreen>
 #include <QScrollArea>
-#include <QScrollBar>
 #include <QSignalSpy>
 #include <QStyleOptionViewItem>
 #include <QTimer>
@@ -55,6 +54,10 @@ private slots:
     void parametersNeedLittleRoom();
     void everyMenuHasItsEntries();
     void noMenuSaysTheSameTwice();
+    void dockGivesItsRoomBack_data();
+    void dockGivesItsRoomBack();
+    void lastDockGivesItsRoomBack();
+    void docksAtTheSideGiveTheirRoomBack();
     void emptyCheckBoxesAreSeen_data();
     void emptyCheckBoxesAreSeen();
     void qualityReachesTheView_data();
@@ -72,12 +75,7 @@ private slots:
     void statusHasNoSignBeforeZero();
     void aboutNamesVersionsAndLicences();
     void everyControlHasANameToBeRead();
-    void windowFitsASmallScreen_data();
-    void windowFitsASmallScreen();
     void stripWidensNoWindow();
-    void dockBesideTheBouncesIsWhole_data();
-    void dockBesideTheBouncesIsWhole();
-    void legendIsWholeInANarrowPlot();
     void standingWindowDrawsNothing();
     void messageCanBeReadInEveryTheme_data();
     void messageCanBeReadInEveryTheme();
@@ -250,6 +248,57 @@ void TestWindowDocks::noMenuSaysTheSameTwice() {
     }
 }
 
+void TestWindowDocks::dockGivesItsRoomBack_data() {
+    QTest::addColumn<Qt::Key>("key");
+    QTest::newRow("trade") << Qt::Key_4;
+    QTest::newRow("comparison") << Qt::Key_5;
+    QTest::newRow("bounces") << Qt::Key_6;
+    QTest::newRow("track") << Qt::Key_7;
+    QTest::newRow("runs") << Qt::Key_8;
+}
+
+// By the key that opened it; while it is there, the board can be seen.
+void TestWindowDocks::dockGivesItsRoomBack() {
+    QFETCH(Qt::Key, key);
+    const QWidget &view = m_fixture->window().view();
+    m_fixture->window().resize(1280, 800);
+    QTRY_VERIFY(view.height() > 300);
+    const QSize before = view.size();
+    m_fixture->press(key, Qt::ControlModifier);
+    QTRY_VERIFY(view.height() < before.height());
+    QVERIFY2(view.height() >= 220, qPrintable(QString::number(view.height())));
+    m_fixture->press(key, Qt::ControlModifier);
+    QTRY_COMPARE(view.size(), before);
+}
+
+// Whatever the order.
+void TestWindowDocks::lastDockGivesItsRoomBack() {
+    const QWidget &view = m_fixture->window().view();
+    m_fixture->window().resize(1280, 800);
+    QTRY_VERIFY(view.height() > 300);
+    const QSize before = view.size();
+    m_fixture->press(Qt::Key_4, Qt::ControlModifier);
+    m_fixture->press(Qt::Key_8, Qt::ControlModifier);
+    m_fixture->find<QDockWidget>("trade_dock")->close();
+    m_fixture->press(Qt::Key_8, Qt::ControlModifier);
+    QTRY_COMPARE(view.size(), before);
+}
+
+// At the side, too.
+void TestWindowDocks::docksAtTheSideGiveTheirRoomBack() {
+    m_fixture->window().resize(1280, 800);
+    const QWidget *parameters = m_fixture->find<QDockWidget>("parameters_dock");
+    const QWidget *levels = m_fixture->find<QDockWidget>("levels_dock");
+    QTRY_VERIFY(parameters->height() > 200);
+    const QSize before(parameters->height(), levels->height());
+    m_fixture->press(Qt::Key_9, Qt::ControlModifier);
+    m_fixture->press(Qt::Key_0, Qt::ControlModifier);
+    QTRY_VERIFY(parameters->height() < before.width());
+    m_fixture->press(Qt::Key_9, Qt::ControlModifier);
+    m_fixture->press(Qt::Key_0, Qt::ControlModifier);
+    QTRY_COMPARE(QSize(parameters->height(), levels->height()), before);
+}
+
 void TestWindowDocks::emptyCheckBoxesAreSeen_data() {
     QTest::addColumn<inspector::ui::Theme>("theme");
     QTest::newRow("light") << inspector::ui::Theme::Light;
@@ -400,77 +449,6 @@ void TestWindowDocks::everyControlHasANameToBeRead() {
         QVERIFY2(!read->text(QAccessible::Name).isEmpty(), qPrintable(widget->objectName()));
         QVERIFY2(!read->text(QAccessible::Description).contains('<'), qPrintable(widget->objectName()));
     }
-}
-
-void TestWindowDocks::windowFitsASmallScreen_data() {
-    QTest::addColumn<QString>("dock");
-    QTest::newRow("at first") << "";
-    for (const char *name : {"trade", "comparison", "bounces", "track", "runs", "watch", "ball"})
-        QTest::newRow(name) << QStringLiteral("%1_dock").arg(QLatin1String(name));
-}
-
-// With everything that the time bar can show.
-void TestWindowDocks::windowFitsASmallScreen() {
-    QFETCH(QString, dock);
-    inspector::ui::MainWindow &window = m_fixture->window();
-    m_fixture->session().startRecording(m_fixture->path("run.rec"));
-    m_fixture->trigger("step");
-    QTRY_COMPARE(m_fixture->simulation().latest().current.step, uint64_t(1));
-    m_fixture->session().lookAt(0);
-    QTRY_VERIFY(m_fixture->find<QWidget>("time_bar_go_on")->isVisible());
-    QTRY_VERIFY(m_fixture->find<QWidget>("time_recording")->isVisible());
-    window.resize(800, 600);
-    QTRY_COMPARE(window.size(), QSize(800, 600));
-    if (!dock.isEmpty()) m_fixture->trigger("show_" + dock);
-    const auto fits = [&] {
-        const QSize least = window.minimumSizeHint();
-        return least.width() <= 800 && least.height() <= 600 && window.size() == QSize(800, 600);
-    };
-    QTRY_VERIFY2(fits(), qPrintable(QStringLiteral("%1 x %2, at least %3 x %4")
-                                        .arg(window.width())
-                                        .arg(window.height())
-                                        .arg(window.minimumSizeHint().width())
-                                        .arg(window.minimumSizeHint().height())));
-    QVERIFY(window.view().height() >= 150);
-}
-
-void TestWindowDocks::dockBesideTheBouncesIsWhole_data() {
-    QTest::addColumn<QString>("dock");
-    for (const char *name : {"trade_dock", "comparison_dock", "track_dock"}) QTest::newRow(name) << name;
-}
-
-// From side to side.
-void TestWindowDocks::dockBesideTheBouncesIsWhole() {
-    QFETCH(QString, dock);
-    m_fixture->window().resize(1280, 800);
-    m_fixture->trigger("show_bounces_dock");
-    m_fixture->trigger("show_" + dock);
-    const auto *area = qobject_cast<QScrollArea *>(m_fixture->find<QDockWidget>(dock)->widget());
-    QVERIFY(area);
-    QTRY_VERIFY(area->isVisible());
-    QTRY_COMPARE(area->horizontalScrollBar()->maximum(), 0);
-}
-
-void TestWindowDocks::legendIsWholeInANarrowPlot() {
-    auto *plot = m_fixture->find<QCustomPlot>("velocity_plot");
-    m_fixture->window().resize(800, 600);
-    const QList<QDockWidget *> side{m_fixture->find<QDockWidget>("parameters_dock"),
-                                    m_fixture->find<QDockWidget>("levels_dock")};
-    m_fixture->window().resizeDocks(side, {430, 430}, Qt::Horizontal);
-    const auto isWhole = [&] {
-        m_fixture->window().refresh();
-        plot->replot();
-        for (int cell = 0; cell < plot->legend->elementCount(); ++cell) {
-            const QCPLayoutElement *entry = plot->legend->elementAt(cell);
-            if (!entry) continue;
-            const bool hasRoom = entry->rect().width() >= entry->minimumOuterSizeHint().width();
-            if (!hasRoom || !plot->rect().contains(entry->rect())) return false;
-        }
-        return true;
-    };
-    QTRY_VERIFY(plot->width() < 400);
-    QTRY_VERIFY(isWhole());
-    QCOMPARE(plot->legend->rowCount(), 2);
 }
 
 // Whatever a level is called, and however the run ended.

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+// A small window, or a small screen: everything fits, and what is there can be read.
+#include "gl/view/maze_view.h"
+#include "window_fixture.h"
+
+#include <QDockWidget>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QTabBar>
+
+#include <qcustomplot.h>
+
+using namespace window_test;
+
+class TestWindowSmall : public QObject {
+    Q_OBJECT
+
+public:
+    static void initMain() { prepare(); }
+
+private slots:
+    void init();
+    void cleanup();
+    void windowFitsASmallScreen_data();
+    void windowFitsASmallScreen();
+    void windowFitsAScreenOfLargePixels_data();
+    void windowFitsAScreenOfLargePixels();
+    void tabsOfDocksAreWhole();
+    void dockBesideTheBouncesIsWhole_data();
+    void dockBesideTheBouncesIsWhole();
+    void legendIsWholeInANarrowPlot();
+
+private:
+    std::unique_ptr<Fixture> m_fixture;
+};
+
+void TestWindowSmall::init() {
+    m_fixture = std::make_unique<Fixture>();
+    QVERIFY(m_fixture->isReady());
+}
+
+void TestWindowSmall::cleanup() { m_fixture.reset(); }
+
+void TestWindowSmall::windowFitsASmallScreen_data() {
+    QTest::addColumn<QString>("dock");
+    QTest::newRow("at first") << "";
+    for (const char *name : {"trade", "comparison", "bounces", "track", "runs", "watch", "ball"})
+        QTest::newRow(name) << QStringLiteral("%1_dock").arg(QLatin1String(name));
+}
+
+// With everything that the time bar can show.
+void TestWindowSmall::windowFitsASmallScreen() {
+    QFETCH(QString, dock);
+    inspector::ui::MainWindow &window = m_fixture->window();
+    m_fixture->session().startRecording(m_fixture->path("run.rec"));
+    m_fixture->trigger("step");
+    QTRY_COMPARE(m_fixture->simulation().latest().current.step, uint64_t(1));
+    m_fixture->session().lookAt(0);
+    QTRY_VERIFY(m_fixture->find<QWidget>("time_bar_go_on")->isVisible());
+    QTRY_VERIFY(m_fixture->find<QWidget>("time_recording")->isVisible());
+    window.resize(800, 600);
+    QTRY_COMPARE(window.size(), QSize(800, 600));
+    if (!dock.isEmpty()) m_fixture->trigger("show_" + dock);
+    const auto fits = [&] {
+        const QSize least = window.minimumSizeHint();
+        return least.width() <= 800 && least.height() <= 600 && window.size() == QSize(800, 600);
+    };
+    QTRY_VERIFY2(fits(), qPrintable(QStringLiteral("%1 x %2, at least %3 x %4")
+                                        .arg(window.width())
+                                        .arg(window.height())
+                                        .arg(window.minimumSizeHint().width())
+                                        .arg(window.minimumSizeHint().height())));
+    QVERIFY(window.view().height() >= 150);
+}
+
+void TestWindowSmall::windowFitsAScreenOfLargePixels_data() { windowFitsASmallScreen_data(); }
+
+// 1280 x 800 at a scale of 2 are 640 x 400, of which a window manager's frame takes some.
+void TestWindowSmall::windowFitsAScreenOfLargePixels() {
+    QFETCH(QString, dock);
+    inspector::ui::MainWindow &window = m_fixture->window();
+    window.resize(640, 360);
+    if (!dock.isEmpty()) m_fixture->trigger("show_" + dock);
+    const auto least = [&] { return window.minimumSizeHint(); };
+    QTRY_VERIFY2(least().width() <= 640 && least().height() <= 360,
+                 qPrintable(QStringLiteral("%1 x %2").arg(least().width()).arg(least().height())));
+    QTRY_COMPARE(window.size(), QSize(640, 360));
+}
+
+void TestWindowSmall::tabsOfDocksAreWhole() {
+    m_fixture->window().resize(800, 600);
+    for (const char *name : {"trade", "comparison", "bounces", "track", "runs"})
+        m_fixture->trigger(QStringLiteral("show_%1_dock").arg(QLatin1String(name)));
+    const auto whole = [&] {
+        int tabs = 0;
+        for (const QTabBar *bar : m_fixture->window().findChildren<QTabBar *>()) {
+            if (!bar->isVisible()) continue;
+            for (int i = 0; i < bar->count(); ++i)
+                tabs += bar->tabRect(i).width() >= bar->fontMetrics().horizontalAdvance(bar->tabText(i)) ? 1 : -100;
+        }
+        return tabs;
+    };
+    QTRY_COMPARE(whole(), 6);
+}
+
+void TestWindowSmall::dockBesideTheBouncesIsWhole_data() {
+    QTest::addColumn<QString>("dock");
+    QTest::addColumn<QSize>("size");
+    for (const char *name : {"trade_dock", "comparison_dock", "track_dock"})
+        for (const QSize size : {QSize(1280, 800), QSize(800, 600)})
+            QTest::addRow("%s at %d", name, size.width()) << name << size;
+}
+
+// From side to side.
+void TestWindowSmall::dockBesideTheBouncesIsWhole() {
+    QFETCH(QString, dock);
+    QFETCH(QSize, size);
+    m_fixture->window().resize(size);
+    m_fixture->trigger("show_bounces_dock");
+    m_fixture->trigger("show_" + dock);
+    const auto *area = qobject_cast<QScrollArea *>(m_fixture->find<QDockWidget>(dock)->widget());
+    QVERIFY(area);
+    QTRY_VERIFY(area->isVisible());
+    QTRY_COMPARE(area->horizontalScrollBar()->maximum(), 0);
+}
+
+void TestWindowSmall::legendIsWholeInANarrowPlot() {
+    auto *plot = m_fixture->find<QCustomPlot>("velocity_plot");
+    m_fixture->window().resize(800, 600);
+    const QList<QDockWidget *> side{m_fixture->find<QDockWidget>("parameters_dock"),
+                                    m_fixture->find<QDockWidget>("levels_dock")};
+    m_fixture->window().resizeDocks(side, {430, 430}, Qt::Horizontal);
+    const auto isWhole = [&] {
+        m_fixture->window().refresh();
+        plot->replot();
+        for (int cell = 0; cell < plot->legend->elementCount(); ++cell) {
+            const QCPLayoutElement *entry = plot->legend->elementAt(cell);
+            if (!entry) continue;
+            const bool hasRoom = entry->rect().width() >= entry->minimumOuterSizeHint().width();
+            if (!hasRoom || !plot->rect().contains(entry->rect())) return false;
+        }
+        return true;
+    };
+    QTRY_VERIFY(plot->width() < 400);
+    QTRY_VERIFY(isWhole());
+    QCOMPARE(plot->legend->rowCount(), 2);
+}
+
+QTEST_MAIN(TestWindowSmall)
+#include "tst_window_small.moc"
