@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 #include <QFontDatabase>
 #include <QLabel>
+#include <QLayout>
 
 #include <cmath>
 
@@ -115,10 +116,14 @@ StatusLine::StatusLine(QWidget *parent)
     }
 }
 
+/// A message takes the room of the first fields if it needs it.
 void StatusLine::showSnapshot(const Snapshot &snapshot) {
-    for (size_t i = 0; i < m_fields.size(); ++i) {
+    const int message = fontMetrics().horizontalAdvance(currentMessage());
+    int room = message > 0 ? width() - message - 2 * fontMetrics().height() : QWIDGETSIZE_MAX;
+    for (size_t i = m_fields.size(); i-- > 0;) {
         const QString text = kFields[i].text(snapshot);
-        m_fields[i]->setVisible(!text.isEmpty());
+        if (!text.isEmpty()) room -= m_fields[i]->sizeHint().width() + layout()->spacing();
+        m_fields[i]->setVisible(!text.isEmpty() && room >= 0);
         m_fields[i]->setText(QStringLiteral("%1: %2").arg(translated(kFields[i].label), text));
     }
 }

@@ -4,8 +4,10 @@
 #include "window_fixture.h"
 
 #include <QDockWidget>
+#include <QLabel>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QStatusBar>
 #include <QTabBar>
 
 #include <qcustomplot.h>
@@ -26,6 +28,7 @@ private slots:
     void windowFitsAScreenOfLargePixels_data();
     void windowFitsAScreenOfLargePixels();
     void tabsOfDocksAreWhole();
+    void messageHasItsRoom();
     void dockBesideTheBouncesIsWhole_data();
     void dockBesideTheBouncesIsWhole();
     void legendIsWholeInANarrowPlot();
@@ -101,6 +104,27 @@ void TestWindowSmall::tabsOfDocksAreWhole() {
         return tabs;
     };
     QTRY_COMPARE(whole(), 6);
+}
+
+// In the status line.
+void TestWindowSmall::messageHasItsRoom() {
+    m_fixture->window().resize(800, 600);
+    auto *line = m_fixture->window().statusBar();
+    line->showMessage(QString(60, 'n'));
+    const int end = line->fontMetrics().horizontalAdvance(line->currentMessage());
+    const auto fields = [&] { // that are shown, or -1 if one hides the message
+        m_fixture->window().refresh();
+        int count = 0;
+        for (const QLabel *field : line->findChildren<QLabel *>()) {
+            if (!field->isVisible()) continue;
+            if (field->x() < end) return -1;
+            ++count;
+        }
+        return count;
+    };
+    QTRY_VERIFY2(fields() >= 1, qPrintable(QString::number(fields())));
+    line->clearMessage();
+    QTRY_COMPARE(fields(), -1);
 }
 
 void TestWindowSmall::dockBesideTheBouncesIsWhole_data() {
