@@ -6,6 +6,7 @@
 #include "known_places.h"
 #include "lane_stepper.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace phys {
@@ -72,9 +73,7 @@ struct DiscreteStepper {
         const Scene &scene = static_cast<KnownPlaces *>(self)->scene();
         const PlanInput input{scene, *params, dt, *in};
         const StepPlan stepPlan = plan(input);
-        if (stepPlan.substeps > kSubstepCap) return refuseSubsteps(stepPlan.substeps, err);
-
-        const auto substeps = static_cast<uint32_t>(stepPlan.substeps);
+        const auto substeps = static_cast<uint32_t>(std::min<double>(stepPlan.substeps, kSubstepCap));
         const double h = dt / stepPlan.substeps;
         Reporter reporter(report, *in, dt);
         reporter.substeps(substeps, kSubstepCap);
@@ -86,6 +85,7 @@ struct DiscreteStepper {
             finishStep(substep, input, before, before, stepPlan, reporter, *out);
             return PHYS_OK;
         }
+        if (stepPlan.substeps > kSubstepCap) return refuseSubsteps(stepPlan.substeps, err);
         if (reporter.wanted()) before.supported = substep.supports(before);
         Ball ball = loadBall(*in);
         for (uint32_t i = 1; i <= substeps; ++i) {

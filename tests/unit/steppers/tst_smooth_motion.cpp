@@ -26,6 +26,8 @@ class TestSmoothMotion : public QObject {
     Q_OBJECT
 
 private slots:
+    void restsHoweverLongTheStepIs_data() { addStepperAndModelRows(); }
+    void restsHoweverLongTheStepIs();
     void speedAfterRollingDownAHeight_data() { addStepperAndModelRows(); }
     void speedAfterRollingDownAHeight();
     void constantAccelerationFollowsTheSchemesFormula_data() { addStepperAndModelRows(); }
@@ -220,6 +222,24 @@ void TestSmoothMotion::turnsBackWhereItStopsOnASlope() {
     COMPARE_WITHIN(ball.state.position.x, -19.0 / 196.0, slack);
     COMPARE_WITHIN(ball.state.velocity.x, 11.0 / 14.0, slack);
     COMPARE_EXACT(ball.state.velocity.y, 0.0);
+}
+
+/// Not refused as too fast: gravity along the floor would move it, if resistance and the wall didn't hold it.
+void TestSmoothMotion::restsHoweverLongTheStepIs() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    Experiment ball(squareRoom(1.0), stepper, model);
+    ball.params.gravity = {-0.5, 0.25, -8.0};
+    ball.params.rolling_friction = 0.0625;
+    ball.params.sliding_friction = 0.5;
+    ball.setPosition(0.0625, 0.5);
+    const phys_state before = ball.state;
+    for (const double dt : {30.0, 1e20}) {
+        QVERIFY2(ball.step(dt), ball.error());
+        COMPARE_EXACT(ball.state.position.x, before.position.x);
+        COMPARE_EXACT(ball.state.position.y, before.position.y);
+        QVERIFY(ball.state.flags & PHYS_AT_REST);
+    }
 }
 
 QTEST_GUILESS_MAIN(TestSmoothMotion)
