@@ -28,7 +28,7 @@
  *    and are filled by their *_init function. If an older program passes a shorter struct, the missing members have
  *    the values that *_init gives them. A struct longer than the library knows is refused.
  *  - Results don't depend on the locale or on the floating-point environment (rounding mode, flushed subnormals,
- *    trapped exceptions). A stack of 64 kB suffices.
+ *    trapped exceptions). A stack of 128 kB suffices.
  *  - Nothing prints, exits, aborts or throws. Only *_create, *_load, *_parse and *_destroy allocate and free memory.
  *  - Scenes and registries are immutable once made and may be shared between threads; a stepper is used by one thread
  *    at a time. There are no globals.
@@ -342,7 +342,7 @@ typedef struct phys_event {
 typedef struct phys_report {
     uint32_t struct_size;    /**< sizeof(phys_report), set by phys_report_init */
     uint32_t event_capacity; /**< how many events fit into the buffer */
-    phys_event *events;      /**< the caller's buffer, or NULL with event_capacity 0 */
+    phys_event *events;      /**< the caller's buffer, or NULL: all events count as lost */
     uint32_t event_count;    /**< written to events, in order of time */
     uint32_t events_lost;    /**< further events, which didn't fit */
     uint32_t substeps;       /**< substeps the step was cut into; 1 for exact, 0 for dt = 0 */

@@ -17,7 +17,8 @@ Quaternion multiply(const Quaternion &a, const Quaternion &b) {
             a.scalar * b.scalar - glm::dot(a.vector, b.vector)};
 }
 
-/// Halves the angle until it is small, evaluates the Taylor series of sine and cosine, and squares to undo the halving.
+/// Halves the angle until it is small, evaluates the Taylor series of sine and cosine, and squares to undo the halving,
+/// which doubles the rounding each time.
 Quaternion fromTurn(Vec3 half) {
     constexpr double kSmall = 0.25; // the first omitted terms are below 1e-17 there
     int halvings = 0;
@@ -35,7 +36,8 @@ Quaternion fromTurn(Vec3 half) {
 } // namespace
 
 void rotate(double (&orientation)[4], const Vec3 &turn) {
-    if (turn == Vec3(0.0)) return;
+    constexpr double kMost = 0x1p50; // rad: beyond, rounding leaves no angle to turn by
+    if (turn == Vec3(0.0) || !(glm::dot(turn, turn) < kMost * kMost)) return;
     const Quaternion before{{orientation[0], orientation[1], orientation[2]}, orientation[3]};
     const Quaternion after = multiply(fromTurn(0.5 * turn), before);
     const double scale = 1.0 / std::sqrt(glm::dot(after.vector, after.vector) + after.scalar * after.scalar);

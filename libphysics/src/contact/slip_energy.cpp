@@ -12,6 +12,8 @@ namespace {
 /// Sweeps converge like a geometric series, quickly unless rough contacts are nearly parallel or opposite.
 constexpr int kSweepsBetween = 50;
 constexpr int kMostNewtonSteps = 40;
+/// Newton's steps are made for at most this many discs, whose system is kept on the stack; for more, sweeps must do.
+constexpr size_t kMostInNewtonStep = 12;
 
 /// A unit impulse changes the slip of its own contact by 7/2.
 constexpr double kSlipShare = 2.0 / 7.0;
@@ -56,7 +58,7 @@ double residual(std::span<const FrictionDisc> discs, double radius, const Motion
 /// A small dense linear system, solved by elimination with pivoting.
 class LinearSystem {
 public:
-    static constexpr size_t kMost = size_t{2} * Contacts::kMost;
+    static constexpr size_t kMost = 2 * kMostInNewtonStep;
 
     explicit LinearSystem(size_t size)
         : m_size(size) {}
@@ -122,8 +124,9 @@ double slipSlope(const Vec3 &slipping, const Vec3 &along, const Vec3 &pushed, co
 /// A semismooth Newton step on `impulse = best(impulse)`; accepted only if it reduces the residual.
 void newtonStep(std::span<FrictionDisc> discs, double radius, Motion &motion, Work &work) {
     const size_t count = discs.size();
+    if (count > kMostInNewtonStep) return;
     work.add(Work::kDisc * count * count * (4 + count));
-    std::array<Frame, Contacts::kMost> frames;
+    std::array<Frame, kMostInNewtonStep> frames;
     for (size_t i = 0; i < count; ++i) frames[i] = frameOf(discs[i], radius, motion);
     LinearSystem system(2 * count);
     for (size_t i = 0; i < count; ++i) {
@@ -142,7 +145,7 @@ void newtonStep(std::span<FrictionDisc> discs, double radius, Motion &motion, Wo
         }
     }
     if (!system.solve()) return;
-    std::array<FrictionDisc, Contacts::kMost> next;
+    std::array<FrictionDisc, kMostInNewtonStep> next;
     Motion moved = motion;
     for (size_t i = 0; i < count; ++i) {
         next[i] = discs[i];

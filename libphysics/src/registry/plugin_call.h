@@ -6,6 +6,7 @@
 
 #include <physics/plugin.h>
 
+#include <cfenv>
 #include <exception>
 
 namespace phys {
@@ -17,10 +18,23 @@ phys_status passOn(const phys_stepper_api &api, const char *function, phys_statu
 /// An exception that left a plugin. reason: nullptr if it has no text.
 phys_status refuseException(const phys_stepper_api &api, const char *function, const char *reason, phys_error *err);
 
-/// Calls call(own) with a separate error struct, as plugin.h promises, and lets nothing but a status out. function: its
-/// name in phys_stepper_api, for the message.
+/// Restores the floating-point environment, whatever is done to it in between.
+class KeptEnvironment {
+public:
+    KeptEnvironment() { std::fegetenv(&m_before); }
+    ~KeptEnvironment() { std::fesetenv(&m_before); }
+    KeptEnvironment(const KeptEnvironment &) = delete;
+    KeptEnvironment &operator=(const KeptEnvironment &) = delete;
+
+private:
+    std::fenv_t m_before;
+};
+
+/// Calls call(own) with a separate error struct, as plugin.h promises, and lets nothing but a status out: neither an
+/// exception nor another rounding. function: its name in phys_stepper_api, for the message.
 template<class Call>
 phys_status callPlugin(const phys_stepper_api &api, const char *function, phys_error *err, Call call) noexcept {
+    const KeptEnvironment environment;
     try {
         phys_error own{};
         const phys_status status = call(own);

@@ -2,6 +2,7 @@
 // Steppers with one run-time fault each; the id says which.
 #include <physics/plugin.h>
 
+#include <cfenv>
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
@@ -66,6 +67,12 @@ phys_status stretchOrientation(const Step &step) {
 }
 phys_status writeInput(const Step &step) {
     std::memset(const_cast<phys_state *>(step.in), 0xff, sizeof *step.in);
+    return PHYS_OK;
+}
+
+/// As numerical code does that computes bounds.
+phys_status roundUpwards(const Step &) {
+    std::fesetround(FE_UPWARD);
     return PHYS_OK;
 }
 
@@ -199,6 +206,7 @@ constexpr phys_stepper_api kTables[] = {
     doing<writeUnknownFlags>("unknown-flags"),
     doing<stretchOrientation>("orientation-not-unit"),
     doing<writeInput>("writes-input"),
+    doing<roundUpwards>("rounds-upwards"),
     doing<claimEvents>("too-many-events"),
     doing<swapBuffer>("own-buffer"),
     doing<report<&phys_report::lost_impact, kNan>>("nan-in-report"),

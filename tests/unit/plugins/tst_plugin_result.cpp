@@ -3,6 +3,7 @@
 #include "support/compare.h"
 
 #include <QTest>
+#include <cfenv>
 
 #include <physics/physics.h>
 
@@ -37,6 +38,7 @@ private slots:
     void theHostPutsTheEnergiesIn();
     void anInputWrittenToStaysAsItWas();
     void paramsWrittenToStayAsTheyWere();
+    void theHostRoundsAsBefore();
     void aWrongCreationIsRefused_data();
     void aWrongCreationIsRefused();
     void anExceptionAtDestructionStaysInside();
@@ -239,6 +241,17 @@ void PluginResult::anInputWrittenToStaysAsItWas() {
     phys_state out{};
     QCOMPARE(phys_step(wrong, &m_params, kDt, &in, &out, nullptr, nullptr), PHYS_OK);
     QVERIFY(sameBits(in, m_start));
+    phys_stepper_destroy(wrong);
+}
+
+void PluginResult::theHostRoundsAsBefore() {
+    phys_stepper *wrong = stepper("rounds-upwards");
+    QVERIFY(wrong);
+    phys_state out{};
+    QCOMPARE(phys_step(wrong, &m_params, kDt, &m_start, &out, nullptr, nullptr), PHYS_OK);
+    const int found = std::fegetround();
+    std::fesetround(FE_TONEAREST);
+    QCOMPARE(found, FE_TONEAREST);
     phys_stepper_destroy(wrong);
 }
 
