@@ -62,7 +62,6 @@ TimePlot::TimePlot(const SampleRing &samples, std::shared_ptr<TimeView> time, QW
     connect(m_time.get(), &TimeView::changed, this, [this] { m_isStale = true; });
     connect(xAxis, qOverload<const QCPRange &>(&QCPAxis::rangeChanged), m_time.get(), &TimeView::setRange);
     xAxis->setRange(m_time->range());
-    updateReadOut();
 }
 
 /// Puts the legend into one line with the read-out.

@@ -56,6 +56,7 @@ private slots:
     void saveAsksForAName();
     void darkPaletteGivesADarkPlot();
     void addedPlotSharesTheTime();
+    void plotIsAddedWhileValuesAreRead();
     void chosenQuantityIsPlotted();
     void valuesOnALogarithmicAxisFitIt();
     void quantityOverAnotherIsTheSamples();
@@ -359,6 +360,20 @@ void TestWindowPlot::addedPlotSharesTheTime() {
     QTest::mouseDClick(added, Qt::LeftButton, {}, added->axisRect()->center());
     QVERIFY(m_plot->isFollowing());
     QCOMPARE(added->axisRect()->left(), m_plot->axisRect()->left()); // aligned
+}
+
+void TestWindowPlot::plotIsAddedWhileValuesAreRead() {
+    makeSteps(20);
+    hover(m_plot, middle());
+    m_fixture->window().refresh();
+    QVERIFY(!readOut().isEmpty());
+    QMenu *menu = menuOf(m_plot);
+    for (QAction *entry : menu->findChildren<QAction *>())
+        if (entry->text() == "Energy") entry->trigger();
+    menu->close();
+    m_fixture->window().refresh();
+    QCOMPARE(plots().size(), 2);
+    QVERIFY(!readOutOf(plots()[1]).isEmpty());
 }
 
 void TestWindowPlot::chosenQuantityIsPlotted() {
