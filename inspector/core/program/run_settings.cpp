@@ -2,6 +2,7 @@
 #include "core/program/run_settings.h"
 
 #include "core/program/csv_writer.h"
+#include "core/recording/replay.h"
 #include "core/recording/same_bits.h"
 #include "core/setup/tables.h"
 
