@@ -27,8 +27,8 @@ QString outcomeLine(const Level &level, const Outcome &outcome) {
     const QString name = QStringLiteral("level %1 ").arg(oneLine(level.name));
     if (!outcome.error.isEmpty()) return name + QStringLiteral("failed: ") + outcome.error;
     return name + QStringLiteral("%1 %2 s (simulated), %3 steps, %4 steps/s")
-                      .arg(outcome.isOut() ? QStringLiteral("won in") : QStringLiteral("not won after"))
-                      .arg(outcome.outAt.value_or(outcome.time), 0, 'f', 2)
+                      .arg(outcome.isWon() ? QStringLiteral("won in") : QStringLiteral("not won after"))
+                      .arg(outcome.left ? outcome.left->time : outcome.time, 0, 'f', 2)
                       .arg(outcome.steps)
                       .arg(outcome.stepsPerSecond(), 0, 'f', 0);
 }
@@ -52,7 +52,7 @@ int playAllLevels(const Options &options, QIODevice &out, QTextStream &messages)
         const Outcome outcome =
             play(*engine, {durationOf(options), false}, [](const Engine &) { return endingSignal() == 0; });
         if (endingSignal()) return statusAfter(endingSignal());
-        won += outcome.isOut() ? 1 : 0;
+        won += outcome.isWon() ? 1 : 0;
         if (out.write(outcomeLine(level, outcome).toUtf8() + '\n') < 0) return 1;
     }
     return won == int(options.levels.size()) ? 0 : 1;
@@ -142,10 +142,11 @@ Outcome play(Engine &engine, const Limits &limits, const std::function<bool(cons
     Outcome outcome;
     const auto begin = std::chrono::steady_clock::now();
     const double count = stepCount(limits.duration, engine.dt());
-    while (double(outcome.steps) < count && !(outcome.isOut() && !limits.goesOn)) {
+    while (double(outcome.steps) < count && !(outcome.left && !limits.goesOn)) {
         if (!engine.step(&outcome.error)) break;
         ++outcome.steps;
-        if (!outcome.outAt && (engine.state().flags & PHYS_OUT)) outcome.outAt = engine.state().time;
+        const BoardSide side = boardSide(engine.scene().get(), engine.state().position);
+        if (!outcome.left && side != BoardSide::Within) outcome.left = {engine.state().time, side};
         if (!visit(engine)) break;
     }
     outcome.time = engine.state().time;
@@ -194,7 +195,7 @@ int runHeadless(const Options &options, QIODevice &out, QTextStream &messages, Q
     if (hasFile && !isWritten) report(messages, QStringLiteral("--csv: ") + file->problem());
     if (endingSignal()) return statusAfter(endingSignal());
     const bool hadToWin = options.autopilot && !options.duration;
-    const bool hasFailed = !outcome.error.isEmpty() || (hadToWin && !outcome.isOut());
+    const bool hasFailed = !outcome.error.isEmpty() || (hadToWin && !outcome.isWon());
     return hasFailed || !isWritten || !isRecorded || !isCompared ? 1 : 0;
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/engine/engine.h"
 #include "core/program/options.h"
+#include "core/simulation/departure.h"
 
 #include <QTextStream>
 
@@ -17,13 +18,13 @@ namespace inspector {
 std::unique_ptr<Engine> makeEngine(const Options &options, const Level &level, QString *error);
 
 struct Outcome {
-    std::optional<double> outAt; ///< s, simulated, when the ball left the maze
-    double time = 0.0;           ///< s, simulated, at the end
+    std::optional<Departure> left; ///< how the ball left the maze
+    double time = 0.0;             ///< s, simulated, at the end
     uint64_t steps = 0;
     double seconds = 0.0; ///< wall-clock time
     QString error;        ///< why a step failed; else empty
 
-    bool isOut() const { return outAt.has_value(); }
+    bool isWon() const { return left && left->side == BoardSide::Beside; }
     double stepsPerSecond() const { return seconds > 0.0 ? double(steps) / seconds : 0.0; }
 };
 

@@ -29,7 +29,7 @@ void Game::confirm() {
     if (m_phase == Phase::Won) {
         const std::optional<int> next = nextLevel();
         next ? emit levelWanted(*next) : emit againWanted();
-    } else if (m_phase == Phase::Prompt) {
+    } else if (m_phase != Phase::Playing) {
         enter(Phase::Playing);
         emit started();
     }
@@ -77,6 +77,12 @@ void Game::leaveMaze(double time, bool isAssisted) {
     if (m_isRecord) m_settings.setValue(bestTimeKey(m_maze), time);
     m_settings.sync();
     enter(Phase::Won);
+}
+
+void Game::lose(double time) {
+    if (m_phase != Phase::Playing) return;
+    m_time = time;
+    enter(Phase::Lost);
 }
 
 void Game::enter(Phase phase) {

@@ -20,7 +20,8 @@ public:
     enum class Phase {
         Prompt, ///< waiting; Enter starts the level
         Playing,
-        Won, ///< the time is shown; Enter opens the next level, if there is one
+        Won,  ///< the time is shown; Enter opens the next level, if there is one
+        Lost, ///< likewise; Enter starts the level again
     };
 
     /// mazes: a unique text for each level's maze, at least one; best times are stored under it. settings: stores best
@@ -29,7 +30,7 @@ public:
 
     Phase phase() const { return m_phase; }
     int level() const { return m_level; }        ///< from 0
-    double time() const { return m_time; }       ///< s, that the level took; 0 before a win
+    double time() const { return m_time; }       ///< s, that the level took; 0 before its end
     bool isRecord() const { return m_isRecord; } ///< whether that is a new best time
     std::optional<double> bestTime(int level) const;
     std::optional<double> bestTime() const; ///< of the open maze
@@ -37,7 +38,8 @@ public:
     /// After a win, from 0: the first follows the last; none follows a maze that isn't in the list.
     std::optional<int> nextLevel() const;
 
-    /// Enter: starts the level; after a win opens the next one, or the same again if there is none.
+    /// Enter: starts the level, also after it was lost; after a win opens the next one, or the same again if there is
+    /// none.
     void confirm();
     /// Requests a level of the list; other numbers are ignored.
     void choose(int level);
@@ -50,6 +52,8 @@ public:
     void again();
     /// The ball left the maze `time` s after the start. Ignored unless playing; assisted runs set no best time.
     void leaveMaze(double time, bool isAssisted);
+    /// The same for a ball that left it otherwise than by a way out.
+    void lose(double time);
 
 signals:
     void phaseChanged(Game::Phase phase);

@@ -4,6 +4,7 @@
 #include "core/pilot/autopilot.h"
 #include "core/pilot/exits.h"
 #include "core/recording/recording.h"
+#include "core/setup/ball_place.h"
 #include "core/setup/files.h"
 #include "core/setup/lines.h"
 
@@ -14,6 +15,7 @@ namespace inspector {
 
 namespace {
 
+constexpr double kTouchingShare = 0.1;          ///< of the radius: a ball that starts less deep in a box touches it
 constexpr int kOthersAhead = 24;                ///< boards
 constexpr uint64_t kOthersSeed = 1;             ///< fixed, so that moving a slider doesn't resample them
 const QString kModel = QStringLiteral("model"); ///< the row's id
@@ -81,8 +83,7 @@ Session::Session(const Options &options, QSettings &settings, const Scene &scene
         showRecording(false);
         emit recordingFailed(line);
     });
-    connect(m_simulation.get(), &Simulation::leftMaze, this,
-            [this](double time) { m_game.leaveMaze(time, !whyNoBestTime().isEmpty()); });
+    connect(m_simulation.get(), &Simulation::leftMaze, this, &Session::endGame);
     connect(&m_parameters, &Parameters::changed, this, &Session::watchPhysics);
     connect(this, &Session::stepperChanged, this, &Session::watchPhysics);
     connect(this, &Session::paceChanged, this, &Session::watchPhysics);
@@ -112,11 +113,17 @@ void Session::startGame() {
 
 void Session::restart() {
     returnToPresent();
-    const bool isWon = m_game.phase() == Game::Phase::Won;
-    const bool goesOn = !isWon && m_simulation->latest().running;
-    if (isWon) m_simulation->pause(); // the ball may still be falling
+    const bool isOver = m_game.phase() == Game::Phase::Won || m_game.phase() == Game::Phase::Lost;
+    const bool goesOn = !isOver && m_simulation->latest().running;
+    if (isOver) m_simulation->pause(); // the ball may still be falling
     m_simulation->restart();
     if (!goesOn) m_game.again();
+}
+
+void Session::endGame(const Departure &departure) {
+    const bool hasBegunOutside = !m_isTakenOver && !startFault().isEmpty();
+    if (departure.side == BoardSide::Below || hasBegunOutside) return m_game.lose(departure.time);
+    m_game.leaveMaze(departure.time, !whyNoBestTime().isEmpty());
 }
 
 int Session::levelIndex() const {
@@ -138,11 +145,31 @@ void Session::watchPhysics() {
     m_hasUsualPhysics = m_hasUsualPhysics && isUsual;
 }
 
-QString Session::whyNoBestTime() const {
+QString Session::whyNoBestTime() {
     if (m_hasAutopilot) return tr("the autopilot's");
     if (m_isTakenOver || m_ownStart) return tr("the ball was taken over or placed by hand");
     if (!m_hasUsualPhysics) return tr("parameters, stepper, time step and speed have to be the default ones");
+    if (exits() && exits()->empty()) return tr("this maze has no way out");
     return {};
+}
+
+QString Session::startFault() const {
+    phys_state start;
+    if (m_ownStart || phys_scene_start(m_scene.get(), &start) != PHYS_OK) return {};
+    const BoardSide side = boardSide(m_scene.get(), start.position);
+    if (side == BoardSide::Beside) return tr("the ball starts beside the board");
+    if (side == BoardSide::Below) return tr("the ball starts below the board");
+    const double touching = kTouchingShare * phys_scene_radius(m_scene.get());
+    return overlapOf(m_scene.get(), start.position) > touching ? tr("the ball starts in a box") : QString();
+}
+
+std::optional<Departure> Session::departure(const Snapshot &now) const {
+    return inspector::departure(m_simulation->samples(), m_scene.get(), now.current.time);
+}
+
+double Session::stopwatch(const Snapshot &now) const {
+    const std::optional<Departure> left = departure(now);
+    return left ? left->time : now.current.time;
 }
 
 bool Session::report(const QString &line) {

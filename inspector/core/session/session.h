@@ -11,6 +11,7 @@
 #include "core/setup/handles.h"
 #include "core/setup/levels.h"
 #include "core/setup/parameters.h"
+#include "core/simulation/departure.h"
 #include "core/simulation/simulation.h"
 #include "core/simulation/way_ahead.h"
 #include "core/trade/unknowns.h"
@@ -39,8 +40,8 @@ struct KeptRun {
     uint64_t end = 0;
     Level level;
     std::vector<std::pair<QByteArray, double>> pace; ///< id of the stepper and dt, s, in their order
-    double time = 0.0;                               ///< s, at its end
-    bool isOut = false;                              ///< the ball left the maze
+    double time = 0.0;                               ///< s, until the ball left the maze; else at its end
+    BoardSide side = BoardSide::Within;              ///< where it left
 };
 
 /// The position of the moment shown in its run.
@@ -78,7 +79,13 @@ public:
     double speed() const { return m_speed; }
     bool hasAutopilot() const { return m_hasAutopilot; }
     /// Why a win at this moment would not count as a best time, in a few words; empty if it would.
-    QString whyNoBestTime() const;
+    QString whyNoBestTime();
+    /// What is wrong with the place where the ball starts, in a few words; empty if nothing is.
+    QString startFault() const;
+    /// Of the run shown, up to the moment shown.
+    std::optional<Departure> departure(const Snapshot &now) const;
+    /// s since the start, as a stopwatch shows it: it stops when the ball leaves the maze.
+    double stopwatch(const Snapshot &now) const;
 
     /// On failure each returns false, changes nothing and emits failed() with one line.
     bool openLevel(const Level &level); ///< pauses at its start; a level of the list also becomes the game's
@@ -204,6 +211,7 @@ private:
     QString otherMaze() const; ///< such a file's maze, for the game; empty for a level of the list
     void showPrompt();
     void startGame();
+    void endGame(const Departure &departure);
     bool report(const QString &line); ///< sends failed(); returns false
     bool refuseInReplay();
     /// Like the public functions, but without signals; a failure may leave the change incomplete.

@@ -127,8 +127,9 @@ void Session::watchRuns(const Snapshot &now) {
     run.begin = kept.run;
     run.end = kept.end;
     run.level = m_level;
-    run.time = now.current.time;
-    run.isOut = (now.current.flags & PHYS_OUT) != 0;
+    run.time = stopwatch(now);
+    const std::optional<Departure> left = departure(now);
+    run.side = left ? left->side : BoardSide::Within;
 }
 
 bool Session::saveRun(const QString &path, QString *error) {

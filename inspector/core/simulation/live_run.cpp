@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/live_run.h"
 
+#include "core/simulation/departure.h"
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -17,17 +19,6 @@ constexpr double kRounding = 1e-6;
 
 double timeOfLeaving(const phys_state &state) {
     return state.flags & PHYS_OUT ? state.time : std::numeric_limits<double>::infinity();
-}
-
-/// s, of the first of the samples outside of the maze, which are the newest.
-double timeOfLeaving(const SampleRing &samples) {
-    double time = std::numeric_limits<double>::infinity();
-    Sample sample;
-    for (uint64_t number = samples.last(); number > samples.first() && samples.read(number - 1, sample); --number) {
-        if (!(uint64_t(sample[Channel::Flags]) & PHYS_OUT)) break;
-        time = sample.time;
-    }
-    return time;
 }
 
 } // namespace
@@ -61,10 +52,11 @@ void LiveRun::step(Clock::time_point due) {
 
 void LiveRun::noteLeaving() {
     const phys_state &state = m_engine.state();
-    if (!(state.flags & PHYS_OUT)) return;
+    const BoardSide side = boardSide(m_engine.scene().get(), state.position);
+    if (side == BoardSide::Within) return;
     if (std::isinf(m_leftAt)) {
         m_leftAt = state.time;
-        emit m_presentation.owner().leftMaze(m_leftAt);
+        emit m_presentation.owner().leftMaze({m_leftAt, side});
     }
     if (state.time >= m_leftAt + kFallTime) m_presentation.setRunning(false);
 }
@@ -116,16 +108,16 @@ void LiveRun::goOnFrom(const Engine &from, const Stepper &stepper, uint64_t numb
     obey({from.inputs(), number});
     m_engine.setState(from.state(), from.sums());
     m_beginPlace = m_history.end();
-    m_leftAt = timeOfLeaving(m_engine.state());
-    if (std::isinf(m_leftAt)) return;
-    m_leftAt = std::min(m_leftAt, timeOfLeaving(m_presentation.samples()));
-    emit m_presentation.owner().leftMaze(m_leftAt);
+    const auto left = departure(m_presentation.samples(), from.scene().get(), from.state().time);
+    m_leftAt = left ? left->time : timeOfLeaving(m_engine.state());
+    if (left) emit m_presentation.owner().leftMaze(*left);
 }
 
 void LiveRun::resume(const Engine &end, uint64_t begin) {
     m_engine.setState(end.state(), end.sums());
     m_beginPlace = begin;
-    m_leftAt = std::min(timeOfLeaving(m_engine.state()), timeOfLeaving(m_presentation.samples()));
+    const auto left = departure(m_presentation.samples(), end.scene().get(), end.state().time);
+    m_leftAt = left ? left->time : timeOfLeaving(m_engine.state());
 }
 
 // ---- recording ----

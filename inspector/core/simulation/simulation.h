@@ -10,6 +10,7 @@
 #include "core/recording/history.h"
 #include "core/recording/player.h"
 #include "core/recording/recorder.h"
+#include "core/simulation/departure.h"
 #include "core/simulation/latest_value.h"
 #include "core/simulation/sample_ring.h"
 #include "core/simulation/snapshot.h"
@@ -109,9 +110,8 @@ signals: // queued: sent by the stepping thread, and received in the order in wh
     void failed(const QString &line);
     /// A restart, another scene, or a state was set: earlier problems are obsolete.
     void runBegan();
-    /// The ball has left the maze at `time` (s since the start). It keeps falling for a while, then the simulation
-    /// pauses.
-    void leftMaze(double time);
+    /// The ball has left the maze. It keeps falling for a while, then the simulation pauses.
+    void leftMaze(const Departure &departure);
     void runningChanged(bool running);
     /// The recording can't be written and ends; the simulation continues.
     void recordingFailed(const QString &line);

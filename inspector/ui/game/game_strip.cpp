@@ -22,7 +22,7 @@ constexpr double kLongWait = 1.0; ///< s between two steps
 
 QString say(const char *text) { return QCoreApplication::translate("inspector::ui::GameStrip", text); }
 
-QString winLine(const Session &session, const Game &game) {
+QString winLine(Session &session, const Game &game) {
     QString time = clockText(game.time());
     const QString obstacle = session.whyNoBestTime();
     if (!obstacle.isEmpty())
@@ -33,8 +33,16 @@ QString winLine(const Session &session, const Game &game) {
     return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "%1 – best time %2")).arg(time, clockText(*best));
 }
 
+QString lossLine(const Session &session, const Game &game) {
+    const QString fault = session.startFault();
+    const QString reason =
+        fault.isEmpty() ? say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "the ball fell through a hole")) : fault;
+    return QStringLiteral("%1 – %2").arg(clockText(game.time()), reason);
+}
+
 /// A hint what to do; for the user's own maze also its best time, which the list of levels doesn't show.
 QString promptHint(Session &session) {
+    if (const QString fault = session.startFault(); !fault.isEmpty()) return fault;
     if (session.hasAutopilot())
         return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "The autopilot plays · A takes over"));
     QString play = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip",
@@ -70,7 +78,7 @@ GameText freeRunText(const Session &session, const QString &title, const Snapsho
         session.isBallPut()
             ? say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "R: back to the start · Enter: play from here"))
             : say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "R: back to the start · Enter: play from there"));
-    if (!(now.current.flags & PHYS_OUT)) return text;
+    if (!session.departure(now)) return text;
     text.title = title; // the status line says where the ball is
     text.line = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "The free run has ended"));
     text.hint = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "R: back to the start · Enter: play"));
@@ -113,14 +121,14 @@ GameText stateText(Session &session, const Snapshot &now) {
         text.title = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Recording"));
         if (!now.running) text.line = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Space plays it"));
         text.hint = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "G: go on from here · Ctrl+W: close"));
-        text.clock = clockText(now.current.time);
+        text.clock = clockText(session.stopwatch(now));
         return text;
     }
     if (session.isInPast()) {
         text.title = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Looking back"));
         text.line = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Space plays it · G goes on from here"));
         text.hint = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "so does any change · Esc: the present"));
-        text.clock = clockText(now.current.time);
+        text.clock = clockText(session.stopwatch(now));
         return text;
     }
     switch (game.phase()) {
@@ -137,7 +145,7 @@ GameText stateText(Session &session, const Snapshot &now) {
         break;
     case Game::Phase::Playing:
         text.title = title;
-        text.clock = clockText(now.current.time);
+        text.clock = clockText(session.stopwatch(now));
         text.hint = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "%1 · Space: pause")).arg(tiltHint(session));
         if (now.running) break;
         text.title = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Paused"));
@@ -151,6 +159,12 @@ GameText stateText(Session &session, const Snapshot &now) {
         text.hint = game.nextLevel() ? say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Enter: level %1 · R: again"))
                                            .arg(*game.nextLevel() + 1)
                                      : say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Enter or R: again"));
+        break;
+    case Game::Phase::Lost:
+        text.isResult = true;
+        text.title = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "%1: lost")).arg(title);
+        text.line = lossLine(session, game);
+        text.hint = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Enter: again · R: back to the start"));
         break;
     }
     return text;

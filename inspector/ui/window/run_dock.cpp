@@ -20,16 +20,27 @@ QString listed(QStringList texts) {
     return texts.join(QStringLiteral(", "));
 }
 
+QString resultOf(const KeptRun &run, bool isLive) {
+    switch (run.side) {
+    case BoardSide::Beside:
+        return RunDock::tr("out of the maze");
+    case BoardSide::Below:
+        return RunDock::tr("through a hole");
+    case BoardSide::Within:
+        break;
+    }
+    return isLive ? RunDock::tr("the present one") : RunDock::tr("ended inside");
+}
+
 QStringList textsOf(const Session &session, const KeptRun &run, bool isLive) {
-    QString result = run.isOut ? RunDock::tr("out of the maze") : RunDock::tr("ended inside");
-    if (isLive && !run.isOut) result = RunDock::tr("the present one");
     QStringList steppers;
     QStringList steps;
     for (const auto &[stepper, dt] : run.pace) {
         steppers += stepperName(session.registry(), stepper);
         steps += durationText(dt);
     }
-    return {levelTitle(session, run.level), listed(steppers), listed(steps), clockText(run.time), result};
+    return {levelTitle(session, run.level), listed(steppers), listed(steps), clockText(run.time),
+            resultOf(run, isLive)};
 }
 
 } // namespace

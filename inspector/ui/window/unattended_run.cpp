@@ -63,7 +63,7 @@ bool UnattendedRun::isOver() {
     const Snapshot now = m_session.simulation().latest();
     // Both end in a pause at the exact step, so that the picture is reproducible.
     if (m_duration && now.current.time >= *m_duration - 0.5 * now.dt) return !now.running;
-    if (now.current.flags & PHYS_OUT) return !now.running;
+    if (m_session.departure(now)) return !now.running;
     return !m_plays && !m_duration && m_looks >= kLooksAtRest;
 }
 

@@ -28,6 +28,7 @@ private slots:
     void leavingTheMazeWhilePlayingWins();
     void leavingTheMazeAtThePromptCountsNothing();
     void secondLeavingCountsNothing();
+    void lostGameHasNoBestTimeAndBeginsAgain();
     void enterAfterAWinAsksForTheNextLevel();
     void afterTheLastLevelTheFirstComesAgain();
     void noLevelFollowsAMazeThatIsNotInTheList();
@@ -87,6 +88,20 @@ void TestGame::secondLeavingCountsNothing() {
     m_game->leaveMaze(12.0, false);
     m_game->leaveMaze(1.0, false);
     QCOMPARE(m_game->time(), 12.0);
+}
+
+void TestGame::lostGameHasNoBestTimeAndBeginsAgain() {
+    m_game->confirm();
+    m_game->lose(1.0);
+    QCOMPARE(m_game->phase(), Game::Phase::Lost);
+    QCOMPARE(m_game->time(), 1.0);
+    QVERIFY(!m_game->isRecord() && !m_game->bestTime());
+    QSignalSpy started(m_game.get(), &Game::started);
+    QSignalSpy wanted(m_game.get(), &Game::levelWanted);
+    m_game->confirm();
+    QCOMPARE(m_game->phase(), Game::Phase::Playing);
+    QCOMPARE(started.count(), 1);
+    QCOMPARE(wanted.count(), 0);
 }
 
 void TestGame::enterAfterAWinAsksForTheNextLevel() {

@@ -303,14 +303,14 @@ void TestSimulation::failedStepPausesAndIsReportedOnce() {
 // From the middle of 2 m of floor at 20 degrees: out after sqrt(2 * 1 / (5/7 * 9.81 * sin 20)) = 0.91 s.
 void TestSimulation::leavingTheMazeIsReportedOnceAndTheFallEnds() {
     const auto simulation = simulationOf(openFloor());
-    Received<double> left(*simulation, &Simulation::leftMaze);
+    Received<Departure> left(*simulation, &Simulation::leftMaze);
     Received<bool> running(*simulation, &Simulation::runningChanged);
     simulation->setInputs(tilted(20.0, 0.0));
     simulation->setSpeed(Simulation::kFastest);
     simulation->run();
     QTRY_COMPARE(running.count(), 2); // started, and stopped by itself
     QTRY_COMPARE(left.count(), 1);
-    const double time = left[0];
+    const double time = left[0].time;
     QVERIFY(time > 0.89 && time < 0.95); // rolling friction 0.002 delays it by less than a hundredth; steps of 10 ms
     QTRY_VERIFY(!simulation->latest().running);
     QVERIFY(simulation->latest().current.flags & PHYS_OUT);
