@@ -29,11 +29,24 @@ std::vector<SettingsSpan> spansOf(const PlayableRecording &recording, uint64_t f
     for (size_t i = 0; i < recording.recording().segments.size(); ++i) {
         const Segment &segment = recording.segment(i);
         const double begin = segment.from ? segment.from->time : time;
-        time = begin + double(segment.hashes.size()) * segment.conditions.dt;
+        const uint64_t end = std::clamp(to, recording.begin(i), recording.end(i));
+        time = begin + double(end - recording.begin(i)) * segment.conditions.dt;
         if (segment.hashes.empty() || recording.end(i) <= from || recording.begin(i) >= to) continue;
         spans.push_back({segment.conditions, recording.level(i), begin, time, segment.from.has_value()});
     }
     return spans;
+}
+
+std::vector<SettingsSpan> joined(std::vector<SettingsSpan> earlier, const std::vector<SettingsSpan> &run) {
+    if (run.empty()) return earlier;
+    const double begin = run.front().begin;
+    std::erase_if(earlier, [&](const SettingsSpan &span) { return span.begin >= begin - 0.5 * span.conditions.dt; });
+    const bool isContinued = !earlier.empty();
+    if (isContinued) earlier.back().end = std::min(earlier.back().end, begin);
+    const size_t place = earlier.size();
+    earlier.insert(earlier.end(), run.begin(), run.end());
+    if (isContinued) earlier[place].beginsRun = false;
+    return earlier;
 }
 
 bool isSameButForTilt(const Conditions &a, const Conditions &b) {
@@ -60,6 +73,8 @@ void RunSettings::note(const SettingsSpan &span, const GhostSettings &ghost, dou
         if (!m_lines.contains(line)) m_text += m_lines.isEmpty() ? line + '\n' : from(time) + line + '\n';
     for (const QByteArray &line : m_lines)
         if (!hasWord(lines, wordOf(line))) m_text += from(time) + "no " + wordOf(line) + '\n';
+    if (m_met != 0 && ghost.met != 0 && ghost.met != m_met) m_text += from(time) + "compare starts anew at the ball\n";
+    m_met = ghost.met;
     m_lines = lines;
 }
 

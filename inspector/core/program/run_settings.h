@@ -21,16 +21,21 @@ struct SettingsSpan {
 /// The spans of the steps [from, to) of a recording.
 std::vector<SettingsSpan> spansOf(const PlayableRecording &recording, uint64_t from, uint64_t to);
 
+/// Those of a run that continues another one; what `earlier` has after the run's begin isn't part of it.
+std::vector<SettingsSpan> joined(std::vector<SettingsSpan> earlier, const std::vector<SettingsSpan> &run);
+
 bool isSameButForTilt(const Conditions &a, const Conditions &b);
 
 /// What a ghost was stepped with.
 struct GhostSettings {
     std::optional<GhostChoice> ghostChoice; ///< empty: there was none
     std::vector<Setting> own;
+    uint64_t met = 0; ///< identifies its start at the ball
 };
 
 /// Lists the settings of the first row, one per line, then a line for each setting that changes, "from 1.06 s: dt 0.001
-/// s", with the time of the first row to which it applies. A tilt that varies isn't listed, as it has a column.
+/// s", with the time of the first row to which it applies, and one where a ghost starts anew. A tilt that varies isn't
+/// listed, as it has a column.
 class RunSettings {
 public:
     RunSettings(Registry registry, const std::vector<SettingsSpan> &spans);
@@ -47,6 +52,7 @@ private:
     Registry m_registry;
     bool m_isTiltVaried = false;
     int m_runs = 0;
+    uint64_t m_met = 0;     ///< the last rows' ghost's; 0: there was none
     QByteArrayList m_lines; ///< of the last rows
     QByteArray m_text;
 };

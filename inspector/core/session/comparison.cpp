@@ -64,7 +64,8 @@ void Comparison::begin() {
         return refuse(error);
     }
     setup->own = ownInputs();
-    note(m_session.simulation().compareWith(*setup, m_session.stepperId()));
+    m_met = m_session.simulation().compareWith(*setup, m_session.stepperId());
+    note(m_met);
     emit changed();
 }
 
@@ -85,7 +86,7 @@ void Comparison::passOwnInputs() {
 void Comparison::note(uint64_t ghost) {
     m_ghost = ghost;
     if (m_made.size() >= m_mostMade) forgetUnseen();
-    m_made.push_back({ghost, m_ghostChoice, m_hasOwn ? settingsOf(m_parameters) : std::vector<Setting>()});
+    m_made.push_back({ghost, m_met, m_ghostChoice, m_hasOwn ? settingsOf(m_parameters) : std::vector<Setting>()});
 }
 
 /// Drops those that no kept sample names, and that make no more.

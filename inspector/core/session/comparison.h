@@ -35,6 +35,7 @@ public:
     /// How a ghost was made.
     struct Made {
         uint64_t number; ///< as in samples and snapshots
+        uint64_t met;    ///< number of the ghost that last started at the ball; later ones have other parameters
         GhostChoice ghostChoice;
         std::vector<Setting> own; ///< its own parameters; empty: the ball's
     };
@@ -74,6 +75,7 @@ private:
     bool m_hasOwn = false;
     bool m_hasValues = false; ///< was initialised from the ball
     uint64_t m_ghost = 0;     ///< number of the ghost; 0: none could be made
+    uint64_t m_met = 0;       ///< as in Made
     bool m_isWaiting = false; ///< for the present, to begin
     Scene m_scene;            ///< that it last began in
     std::vector<Made> m_made; ///< ascending

@@ -9,28 +9,15 @@ namespace inspector {
 
 namespace {
 
-/// The spans of the run whose samples are shown.
-std::vector<SettingsSpan> spansOf(Session &session) {
-    if (session.isReplaying()) {
-        const PlayableRecording &recording = session.recording();
-        const uint64_t position = session.simulation().latest().replay.position;
-        return spansOf(recording, recording.beginOfRun(position), position);
-    }
-    const RunPlace run = session.runPlace();
-    const std::optional<Past> past = session.simulation().past(nullptr, run.begin, run.end);
-    if (!past) return {};
-    return spansOf(*past->recording, 0, past->recording->length());
-}
-
 GhostSettings ghostSettings(Session &session, uint64_t ghost) {
     const Comparison::Made *made = session.comparison().made(ghost);
-    return made ? GhostSettings{made->ghostChoice, made->own} : GhostSettings{};
+    return made ? GhostSettings{made->ghostChoice, made->own, made->met} : GhostSettings{};
 }
 
 } // namespace
 
 QByteArray rowSettings(Session &session, double since) {
-    const std::vector<SettingsSpan> spans = spansOf(session);
+    const std::vector<SettingsSpan> spans = session.settingsSpans();
     const SampleRing &samples = session.simulation().samples();
     RunSettings settings(session.registry(), spans);
     QByteArray earlier;
@@ -42,7 +29,7 @@ QByteArray rowSettings(Session &session, double since) {
         if (!samples.read(number, sample)) continue;
         const double half = 0.5 * spans[place].conditions.dt;
         if (sample.time < spans.front().begin + half) {
-            earlier = "rows to " + QByteArray::number(sample.time) + " s: of the run that this one continues\n";
+            earlier = "rows to " + QByteArray::number(sample.time) + " s: settings that are no longer kept\n";
             continue;
         }
         while (place + 1 < spans.size() && sample.time > spans[place].end + 0.5 * spans[place + 1].conditions.dt)

@@ -5,6 +5,7 @@
 
 #include "core/pilot/tilt_control.h"
 #include "core/program/options.h"
+#include "core/program/run_settings.h"
 #include "core/session/comparison.h"
 #include "core/session/game.h"
 #include "core/session/live_uncertainty.h"
@@ -177,6 +178,8 @@ public:
     const std::vector<KeptRun> &runs() const { return m_runs; }
     /// What followed the moment that was last taken over, with fewer samples.
     const std::vector<Sample> &oldFuture() const { return m_oldFuture; }
+    /// What made the steps of the run shown, and those before it that its samples begin with if it continues another.
+    std::vector<SettingsSpan> settingsSpans();
     /// Writes the run shown as a recording. Returns false, with one line in `error`, if that fails.
     bool saveRun(const QString &path, QString *error);
 
@@ -257,6 +260,7 @@ private:
     void askAnew();
     std::vector<OtherBoard> otherBoards(const Snapshot &now) const;
     void keepOldFuture(uint64_t place);
+    std::vector<SettingsSpan> settingsSpans(uint64_t begin, uint64_t end);
     void noteDifference(uint64_t replay, const Difference &difference);
     Stepping steppingWithAll() const;
     void show(const Stepping &stepping);
@@ -290,6 +294,12 @@ private:
     WayAhead m_way;
     uint64_t m_ways = 0;
     std::vector<KeptRun> m_runs;
+    /// What made the steps before a run that continues another one.
+    struct Continued {
+        uint64_t begin = 0; ///< of the run
+        std::vector<SettingsSpan> before;
+    };
+    Continued m_continued; ///< the last such run: samples of others don't have these steps
     std::vector<Sample> m_oldFuture;
     uint64_t m_oldFutureRun = 0;   ///< run number in snapshots: discarded with the next run
     bool m_isTakenOver = false;    ///< from a replay, the past or by hand: such a run sets no best time

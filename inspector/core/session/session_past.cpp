@@ -90,6 +90,7 @@ void Session::takeOver() {
     const uint64_t position = place - m_past->past.begin;
     const bool isOtherLevel = m_scene != m_past->scene;
     keepOldFuture(place);
+    m_continued = {m_past->past.end(), settingsSpans(runPlace().begin, place)};
     m_past.reset();
     m_isTakenOver = true;
     m_isPlaced = false;
@@ -112,6 +113,20 @@ void Session::keepOldFuture(uint64_t place) {
     m_oldFutureRun = now.run;
     if (now.history.place != place) return; // not shown yet: the samples may belong to another run
     m_oldFuture = samples.spread(samples.find(now.current.time), samples.last(), kOldFutureIntervals);
+}
+
+std::vector<SettingsSpan> Session::settingsSpans() {
+    if (!m_replay) return settingsSpans(runPlace().begin, runPlace().end);
+    const uint64_t position = m_simulation->latest().replay.position;
+    return spansOf(recording(), recording().beginOfRun(position), position);
+}
+
+/// Of the steps [begin, end) of the run that begins there, and of those that it continues.
+std::vector<SettingsSpan> Session::settingsSpans(uint64_t begin, uint64_t end) {
+    const std::optional<Past> past = m_simulation->past(nullptr, begin, end);
+    std::vector<SettingsSpan> spans;
+    if (past) spans = spansOf(*past->recording, 0, past->recording->length());
+    return begin == m_continued.begin ? joined(m_continued.before, spans) : spans;
 }
 
 /// Drops runs that are no longer in the history.

@@ -53,6 +53,7 @@ void Session::goOnFromHere() {
     followReplay(now);
     if (!replayPlace(now)) return; // nothing shown yet
     const uint64_t position = now.replay.position;
+    m_continued = {now.history.end, spansOf(recording(), recording().beginOfRun(position), position)};
     m_replay.reset();
     m_isTakenOver = true;
     m_isPlaced = false;

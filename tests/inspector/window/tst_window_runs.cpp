@@ -8,9 +8,11 @@
 #include "window_fixture.h"
 
 #include <QFile>
+#include <QLabel>
 #include <QStatusBar>
 #include <QTreeWidget>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -33,10 +35,15 @@ private slots:
     void tableAtTheEndIsOfTheLastRunWithSteps();
     void tableOfAnEarlierRunHasItsGhost();
     void ghostOfThePresentStartsWhereItMetTheBall();
+    void tableOfARunTakenOverSaysWhatMadeEachRow();
+    void tableOfARecordingGoneOnFromSaysWhatMadeEachRow();
 
 private:
     QString resultOf(int row);
     void restart();
+    void goBack(uint64_t steps);
+    void typeGravity(const QString &text);
+    QByteArray textBesideTable();
 
     std::unique_ptr<Fixture> m_fixture;
 };
@@ -61,6 +68,28 @@ QString TestWindowRuns::resultOf(int row) {
 void TestWindowRuns::restart() {
     m_fixture->key(Qt::Key_R);
     QTRY_COMPARE(m_fixture->simulation().latest().current.step, uint64_t(0));
+}
+
+void TestWindowRuns::goBack(uint64_t steps) {
+    const uint64_t place = m_fixture->simulation().latest().current.step - steps;
+    for (uint64_t i = 0; i < steps; ++i) m_fixture->press(Qt::Key_Comma);
+    QTRY_COMPARE(m_fixture->simulation().latest().current.step, place);
+}
+
+void TestWindowRuns::typeGravity(const QString &text) {
+    auto *box = m_fixture->find<inspector::ui::NumberBox>("gravity_box");
+    box->setFocus();
+    box->selectAll();
+    m_fixture->type(text);
+    m_fixture->key(Qt::Key_Return);
+    QTRY_COMPARE(m_fixture->simulated("gravity"), text.toDouble());
+    QCoreApplication::processEvents(); // as between two commands of a user
+}
+
+QByteArray TestWindowRuns::textBesideTable() {
+    m_fixture->trigger("save_run");
+    m_fixture->answerFile(m_fixture->path("table.csv"));
+    return support::contentOf(m_fixture->path("table.csv.txt"));
 }
 
 void TestWindowRuns::recordingWithoutStepsIsNotSaved_data() {
@@ -161,6 +190,42 @@ void TestWindowRuns::ghostOfThePresentStartsWhereItMetTheBall() {
     m_fixture->session().returnToPresent();
     QTRY_VERIFY(std::isnan(ghostAt(9)));
     QCOMPARE(ghostAt(29), last);
+}
+
+// Its rows begin with those of the run before.
+void TestWindowRuns::tableOfARunTakenOverSaysWhatMadeEachRow() {
+    m_fixture->press(Qt::Key_C);
+    m_fixture->makeSteps(10);
+    goBack(5);
+    typeGravity("1.62");
+    m_fixture->makeSteps(10);
+    goBack(3);
+    typeGravity("3.71");
+    const QByteArray before = textBesideTable(); // without a step of its own
+    QVERIFY2(before.contains("\nfrom 0.36 s: gravity 1.62 m/s^2\n") && !before.contains("3.71"), before.constData());
+    m_fixture->makeSteps(10);
+    const QByteArray text = textBesideTable();
+    QVERIFY2(text.contains("\ngravity 9.81 m/s^2\n"), text.constData());
+    QVERIFY2(text.contains("\nfrom 0.31 s: compare exact "), text.constData());
+    QVERIFY2(text.contains("\nfrom 0.36 s: gravity 1.62 m/s^2\nfrom 0.36 s: compare starts anew at the ball\n"),
+             text.constData());
+    QVERIFY2(text.contains("\nfrom 0.43 s: gravity 3.71 m/s^2\nfrom 0.43 s: compare starts anew at the ball\n"),
+             text.constData());
+    QVERIFY2(text.endsWith("\nsamples from 0.01 s to 0.52 s\n") && !text.contains("rows to"), text.constData());
+}
+
+void TestWindowRuns::tableOfARecordingGoneOnFromSaysWhatMadeEachRow() {
+    m_fixture->press(Qt::Key_S, Qt::ControlModifier);
+    m_fixture->answerFile(m_fixture->path("thirty.rec"));
+    m_fixture->drop(m_fixture->path("thirty.rec"));
+    QTRY_COMPARE(m_fixture->simulation().latest().replay.position, uint64_t(30));
+    m_fixture->press(Qt::Key_G);
+    typeGravity("1.62");
+    m_fixture->makeSteps(10);
+    const QByteArray text = textBesideTable();
+    QVERIFY2(text.contains("\ngravity 9.81 m/s^2\n"), text.constData());
+    QVERIFY2(text.contains("\nfrom 0.31 s: gravity 1.62 m/s^2\n"), text.constData());
+    QVERIFY2(text.endsWith("\nsamples from 0.01 s to 0.4 s\n") && !text.contains("rows to"), text.constData());
 }
 
 QTEST_MAIN(TestWindowRuns)
