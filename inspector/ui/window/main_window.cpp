@@ -352,18 +352,28 @@ void MainWindow::connectPlots() {
 void MainWindow::sayBriefly(const QString &line) {
     constexpr int kSaidFor = 8000; // ms
     statusBar()->showMessage(line, kSaidFor);
+    m_isJustSaid = true;
+    QTimer::singleShot(0, this, [this] { m_isJustSaid = false; });
 }
 
-/// A successful command settles an earlier failure.
+/// A successful command settles an earlier failure and what an earlier command said.
 void MainWindow::obey(void (MainWindow::*command)()) {
     const uint64_t count = m_messages->count();
     (this->*command)();
-    if (m_messages->count() == count) m_messages->settle(Cause::Command);
+    if (m_messages->count() != count) return;
+    m_messages->settle(Cause::Command);
+    settleSaid();
 }
 
 void MainWindow::settleCommand() {
     m_messages->settle(Cause::Command);
     m_messages->settle(Cause::Step);
+    settleSaid();
+}
+
+/// What the command itself said stays.
+void MainWindow::settleSaid() {
+    if (!m_isJustSaid) statusBar()->clearMessage();
 }
 
 /// Changes made by a replay, the past or the keys aren't commands.

@@ -107,6 +107,7 @@ private:
     void connectMessages();
     void obey(void (MainWindow::*command)());
     void settleCommand();
+    void settleSaid();
     void settleByChange();
     QAction *action(const char *name) const;
     void connectPlots();
@@ -198,6 +199,7 @@ private:
     gl::MazeView *m_view = nullptr;
     GameStrip *m_strip = nullptr;
     MessageBar *m_messages = nullptr;
+    bool m_isJustSaid = false; ///< by the command that is being carried out
     ParameterPanel *m_parameters = nullptr;
     PlotStack *m_plots = nullptr;
     PlotPanel *m_plotPanel = nullptr;

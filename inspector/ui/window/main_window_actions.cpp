@@ -336,7 +336,8 @@ void MainWindow::showPast(bool isIn) {
 /// the player acts.
 void MainWindow::sayWhereTheRunIs() {
     const QKeySequence key = action("show_runs_dock")->shortcut();
-    sayBriefly(tr("What came before this moment, and after it, is in Runs (%1)").arg(key.toString()));
+    const QString line = tr("What came before this moment, and after it, is in Runs (%1)").arg(key.toString());
+    sayBriefly(m_session.comparison().isOn() ? tr("%1; the ghost starts at the ball again").arg(line) : line);
 }
 
 void MainWindow::sayWhereTheRunBeforeIs() {

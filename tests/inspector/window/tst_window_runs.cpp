@@ -37,6 +37,9 @@ private slots:
     void ghostOfThePresentStartsWhereItMetTheBall();
     void tableOfARunTakenOverSaysWhatMadeEachRow();
     void tableOfARecordingGoneOnFromSaysWhatMadeEachRow();
+    void wholeMessageIsReadBesideTheFields();
+    void messageGoesWithTheNextCommand_data();
+    void messageGoesWithTheNextCommand();
 
 private:
     QString resultOf(int row);
@@ -226,6 +229,42 @@ void TestWindowRuns::tableOfARecordingGoneOnFromSaysWhatMadeEachRow() {
     QVERIFY2(text.contains("\ngravity 9.81 m/s^2\n"), text.constData());
     QVERIFY2(text.contains("\nfrom 0.31 s: gravity 1.62 m/s^2\n"), text.constData());
     QVERIFY2(text.endsWith("\nsamples from 0.01 s to 0.4 s\n") && !text.contains("rows to"), text.constData());
+}
+
+void TestWindowRuns::wholeMessageIsReadBesideTheFields() {
+    m_fixture->press(Qt::Key_C);
+    goBack(5);
+    typeGravity("1.62");
+    m_fixture->window().refresh();
+    const QStatusBar *status = m_fixture->window().statusBar();
+    const QString message = status->currentMessage();
+    QVERIFY2(message.endsWith("is in Runs (Ctrl+8); the ghost starts at the ball again"), qPrintable(message));
+    int room = status->width();
+    for (const QLabel *field : status->findChildren<QLabel *>())
+        if (field->isVisible()) room = std::min(room, field->x());
+    QVERIFY2(room > status->fontMetrics().horizontalAdvance(message), qPrintable(QString::number(room)));
+    QVERIFY(room < status->width()); // some fields are still there
+    m_fixture->press(Qt::Key_R);
+    QCOMPARE(status->currentMessage(), QString());
+    m_fixture->window().refresh();
+    QVERIFY(m_fixture->find<QLabel>("status_ghost")->isVisible());
+}
+
+void TestWindowRuns::messageGoesWithTheNextCommand_data() {
+    QTest::addColumn<Qt::Key>("key");
+    QTest::newRow("restart") << Qt::Key_R;
+    QTest::newRow("comparison") << Qt::Key_C;
+    QTest::newRow("start of the game") << Qt::Key_Return;
+}
+
+void TestWindowRuns::messageGoesWithTheNextCommand() {
+    QFETCH(Qt::Key, key);
+    goBack(5);
+    const QStatusBar *status = m_fixture->window().statusBar();
+    typeGravity("1.62");
+    QVERIFY(!status->currentMessage().isEmpty());
+    m_fixture->press(key);
+    QCOMPARE(status->currentMessage(), QString());
 }
 
 QTEST_MAIN(TestWindowRuns)
