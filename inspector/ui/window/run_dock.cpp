@@ -12,7 +12,8 @@ namespace inspector::ui {
 
 namespace {
 
-constexpr int kEndRole = Qt::UserRole; ///< in the first column: the run's last place
+constexpr int kEndRole = Qt::UserRole;       ///< in the first column: the run's last place
+constexpr int kBeginRole = Qt::UserRole + 1; ///< the same: where it begins, which identifies it
 
 /// Lists each of them once, in the order of their first use.
 QString listed(QStringList texts) {
@@ -63,8 +64,11 @@ void RunDock::refresh() {
     if (!isVisible()) return;
     const std::vector<KeptRun> &runs = m_session.runs();
     const uint64_t live = m_session.simulation().latest().history.run; // where it begins
-    while (topLevelItemCount() < int(runs.size())) new QTreeWidgetItem(this);
-    while (topLevelItemCount() > int(runs.size())) delete takeTopLevelItem(topLevelItemCount() - 1);
+    // A run keeps its item, and so the selection: the oldest go at the end, new ones come first.
+    const auto oldest = [this] { return topLevelItem(topLevelItemCount() - 1); };
+    while (oldest() && (runs.empty() || oldest()->data(0, kBeginRole).toULongLong() < runs.front().begin))
+        delete takeTopLevelItem(topLevelItemCount() - 1);
+    while (topLevelItemCount() < int(runs.size())) insertTopLevelItem(0, new QTreeWidgetItem);
     for (size_t i = 0; i < runs.size(); ++i) {
         const KeptRun &run = runs[runs.size() - 1 - i];
         QTreeWidgetItem *item = topLevelItem(int(i));
@@ -72,6 +76,7 @@ void RunDock::refresh() {
         for (int column = 0; column < texts.size(); ++column)
             if (item->text(column) != texts[column]) item->setText(column, texts[column]);
         item->setData(0, kEndRole, qulonglong(run.end));
+        item->setData(0, kBeginRole, qulonglong(run.begin));
     }
 }
 

@@ -31,6 +31,7 @@ private slots:
     void recordingWithoutStepsIsNotSaved_data();
     void recordingWithoutStepsIsNotSaved();
     void onlyTheLiveRunIsThePresentOne();
+    void selectionStaysOnItsRun();
     void typedPlaceLeavesTheRunInRunsAndSaysSo();
     void tableAtTheEndIsOfTheLastRunWithSteps();
     void tableOfAnEarlierRunHasItsGhost();
@@ -120,6 +121,21 @@ void TestWindowRuns::onlyTheLiveRunIsThePresentOne() {
     m_fixture->makeSteps(1);
     QCOMPARE(resultOf(0), QString("the present one"));
     QCOMPARE(resultOf(1), QString("ended inside"));
+}
+
+// Newer runs are listed above it.
+void TestWindowRuns::selectionStaysOnItsRun() {
+    auto *runs = m_fixture->find<QTreeWidget>("runs");
+    for (uint64_t steps : {10, 5}) {
+        restart();
+        m_fixture->makeSteps(steps);
+        m_fixture->window().refresh();
+        if (steps == 10)
+            QTest::mouseClick(runs->viewport(), Qt::LeftButton, {},
+                              runs->visualItemRect(runs->topLevelItem(1)).center());
+        QVERIFY(runs->currentItem());
+        QCOMPARE(runs->currentItem()->text(3), QString("0:00.30"));
+    }
 }
 
 void TestWindowRuns::typedPlaceLeavesTheRunInRunsAndSaysSo() {
