@@ -162,6 +162,10 @@ void readOutputs(const QCommandLineParser &parser, Options &options) {
     options.shaders = parser.value("shaders");
     if (parser.isSet("shaders") && !isFolder(options.shaders))
         throw WrongUse{QStringLiteral("--shaders: expected a folder, found %1").arg(quoted(options.shaders))};
+    for (const char *pilot : {"autopilot", "all-levels"})
+        for (const char *tilt : {"tilt-x", "tilt-y"})
+            if (parser.isSet(pilot) && parser.isSet(tilt))
+                throw WrongUse{QStringLiteral("--%1: doesn't go with --%2").arg(tilt, pilot)};
     if (parser.isSet("all-levels") && (parser.isSet("csv") || parser.isSet("level")))
         throw WrongUse{QStringLiteral("--all-levels: takes neither --csv nor --level")};
 }

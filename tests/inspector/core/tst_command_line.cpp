@@ -225,6 +225,10 @@ void TestCommandLine::wrongUseGivesOneLineAndStatus2_data() {
                                             << "--replay in the window only";
     QTest::newRow("comparison of all levels") << "--all-levels --compare exact"
                                               << "doesn't go with --all-levels";
+    QTest::newRow("tilt beside the autopilot's") << "--autopilot --tilt-x 3"
+                                                 << "--tilt-x: doesn't go with --autopilot";
+    QTest::newRow("tilt of all levels") << "--all-levels --tilt-y 3"
+                                        << "--tilt-y: doesn't go with --all-levels";
     QTest::newRow("comparison of a trade") << "--trade 1 --compare exact"
                                            << "doesn't go with --trade";
     QTest::newRow("unknown option") << "--colour"
