@@ -17,6 +17,7 @@ constexpr double kSmallestSpan = 1e-9; ///< smallest span of values
 constexpr double kLargestSpan = 1e9;
 constexpr int kLeftMargin = 74; ///< pixels, so that stacked plots are aligned
 constexpr float kOldAlpha = 0.35F;
+constexpr double kLeastStretch = 1e-3; ///< of a row: as high as it needs to be
 
 /// Limits the range, keeping its middle. A logarithmic axis is limited by its values.
 QCPRange bounded(const QCPAxis &axis) {
@@ -28,17 +29,32 @@ QCPRange bounded(const QCPAxis &axis) {
 
 } // namespace
 
-/// Uses the available room instead of requesting it.
+/// Uses the available room instead of requesting it, except for the height of its lines.
 class ReadOutText : public QCPTextElement {
 public:
     explicit ReadOutText(QCustomPlot *plot)
         : QCPTextElement(plot) {
         setObjectName(QStringLiteral("read_out"));
-        setTextFlags(Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine);
+        setTextFlags(Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap);
         setMargins(QMargins(12, 0, 4, 0));
     }
-    QSize minimumOuterSizeHint() const override { return {0, 0}; }
+    QSize minimumOuterSizeHint() const override { return {0, m_height}; }
     QSize maximumOuterSizeHint() const override { return {QWIDGETSIZE_MAX, QWIDGETSIZE_MAX}; }
+
+    /// The width of the text and its margins in one line.
+    int lineWidth() const {
+        constexpr int kRounding = 2; // pixels
+        return QFontMetrics(font()).horizontalAdvance(text()) + margins().left() + margins().right() + kRounding;
+    }
+    /// Asks for the height that the text has in lines of this width, margins included.
+    void fitHeight(int width) {
+        const QFontMetrics metrics(font());
+        const QRect room(0, 0, std::max(1, width - margins().left() - margins().right()), QWIDGETSIZE_MAX);
+        m_height = std::max(metrics.height(), metrics.boundingRect(room, textFlags(), text()).height());
+    }
+
+private:
+    int m_height = 0;
 };
 
 TimePlot::TimePlot(const SampleRing &samples, std::shared_ptr<TimeView> time, QWidget *parent)
@@ -62,10 +78,33 @@ TimePlot::TimePlot(const SampleRing &samples, std::shared_ptr<TimeView> time, QW
     connect(m_time.get(), &TimeView::changed, this, [this] { m_isStale = true; });
     connect(xAxis, qOverload<const QCPRange &>(&QCPAxis::rangeChanged), m_time.get(), &TimeView::setRange);
     xAxis->setRange(m_time->range());
+    m_cursorLine->setVisible(false); // until refresh(), as a subclass has the values
+    m_momentLine->setVisible(false);
 }
 
-/// Puts the legend into one line with the read-out.
-void TimePlot::layOutLegend() { putLegendAbove(*this, kLeftMargin)->addElement(0, 1, m_text); }
+void TimePlot::layOutLegend() {
+    m_legendLine = putLegendAbove(*this, kLeftMargin);
+    placeReadOut();
+}
+
+/// Puts the read-out beside the legend if there is room for the longest so far, so that the curves don't move at each
+/// value, and otherwise below it.
+void TimePlot::placeReadOut() {
+    if (m_readOut) m_longestReadOut = std::max(m_longestReadOut, m_text->lineWidth());
+    const int room = width() - legend->minimumOuterSizeHint().width();
+    const bool isBelow = m_longestReadOut > std::max(room, 0);
+    m_text->fitHeight(width());
+    QCPLayoutGrid *place = isBelow ? plotLayout() : m_legendLine;
+    if (m_text->layout() == place) return;
+    if (m_text->layout()) m_text->layout()->take(m_text);
+    if (isBelow) {
+        plotLayout()->insertRow(1);
+        plotLayout()->setRowStretchFactor(1, kLeastStretch);
+    } else {
+        plotLayout()->simplify(); // removes the row that it had
+    }
+    isBelow ? place->addElement(1, 0, m_text) : place->addElement(0, 1, m_text);
+}
 
 void TimePlot::addCurve(Channel channel, QColor Accents::*colour, Qt::PenStyle style) {
     QCPGraph *graph = addGraph();
@@ -86,6 +125,7 @@ void TimePlot::clearCurves() {
         if (curve.old) removePlottable(curve.old);
     }
     m_curves.clear();
+    m_longestReadOut = 0;
     m_isStale = true;
 }
 
@@ -319,6 +359,7 @@ void TimePlot::updateReadOut() {
     }
     m_text->setText(m_readOut ? tr("%1 s   %2").arg(m_readOut->time, 0, 'f', 4).arg(textOf(*m_readOut)) : hint());
     m_text->setTextColor(m_readOut ? palette().color(QPalette::Text) : palette().color(QPalette::PlaceholderText));
+    placeReadOut();
     if (!m_readOut) return;
     m_cursorLine->point1->setCoords(m_readOut->time, 0.0);
     m_cursorLine->point2->setCoords(m_readOut->time, 1.0);

@@ -97,13 +97,14 @@ protected:
     void changeEvent(QEvent *event) override;
 
 private:
-    void layOutLegend();
+    void layOutLegend(); ///< in one line, with the read-out if there is room
     void takeColours();
     std::optional<double> newestTime() const;
     QCPRange shownTimes() const; ///< may be empty: then the end precedes the beginning
     void load(const Curve &curve);
     void loadOldFuture(const Curve &curve);
     void updateReadOut();
+    void placeReadOut();
     QString hint() const;
     std::optional<Sample> sampleAt(double time) const;
     Qt::Orientations orientationAt(QPointF position, Qt::KeyboardModifiers modifiers) const;
@@ -122,6 +123,8 @@ private:
     QCPItemStraightLine *m_cursorLine;
     QCPItemStraightLine *m_momentLine;
     ReadOutText *m_text;
+    QCPLayoutGrid *m_legendLine = nullptr;
+    int m_longestReadOut = 0; ///< logical pixels
     QPointF m_pressedAt;
     std::optional<Sample> m_readOut;
     bool m_fitsValues = true;

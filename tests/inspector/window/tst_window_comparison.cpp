@@ -57,6 +57,7 @@ private slots:
     void bandBeginsWhereTheyMeet();
     void noneTypedInTheTradeTakesTheBandAway();
     void readOutIsInBothUnits();
+    void readOutIsWholeBesideALongLegend();
     void missingValueHasNoDot();
     void curveBeginsAnewWithAnotherGhost();
     void savedTableHasTheGhost();
@@ -385,6 +386,16 @@ void TestWindowComparison::readOutIsInBothUnits() {
     const double shown = sample[Channel::Distance];
     const QString expected = QString("%1 mm = %2 R").arg(shown * 1e3, 0, 'g', 4).arg(shown / 0.006, 0, 'g', 3);
     QVERIFY2(text.contains(expected), qPrintable(text));
+}
+
+void TestWindowComparison::readOutIsWholeBesideALongLegend() {
+    compareWith({});
+    makeSteps(40);
+    QTRY_VERIFY(showsBandUntil(0.3)); // which the legend names, too
+    hover(m_plot, m_plot->axisRect()->rect().center());
+    m_fixture->window().refresh();
+    m_plot->replot();
+    QVERIFY2(isReadOutWhole(m_plot), qPrintable(readOutOf(m_plot)));
 }
 
 // Under the cursor; a dot at NaN would be drawn at no sample.

@@ -18,6 +18,7 @@
 #include <QToolButton>
 #include <QTreeWidget>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace window_test;
@@ -48,6 +49,8 @@ private slots:
     void restartShowsTheNewRun();
     void readOutIsTheSampleUnderTheCursor();
     void readOutEndsWhereTheCursorLeaves();
+    void readOutIsWhole_data();
+    void readOutIsWhole();
     void tableHasEverySample();
     void pictureAndDocumentAreWritten_data();
     void pictureAndDocumentAreWritten();
@@ -262,6 +265,28 @@ void TestWindowPlot::readOutEndsWhereTheCursorLeaves() {
     QApplication::sendEvent(m_plot, &leave);
     m_fixture->window().refresh();
     QVERIFY(readOut().isEmpty());
+}
+
+void TestWindowPlot::readOutIsWhole_data() {
+    QTest::addColumn<QString>("content");
+    QTest::newRow("one quantity") << "speed";
+    QTest::newRow("several") << "velocity_x,velocity_y,speed";
+    QTest::newRow("many") << "velocity_x,velocity_y,speed,position_x,position_y";
+}
+
+void TestWindowPlot::readOutIsWhole() {
+    QFETCH(const QString, content);
+    makeSteps(20);
+    m_plot->setContent(inspector::ui::plotContentOf(content));
+    m_fixture->window().resize(800, 600);
+    QTRY_VERIFY(m_plot->width() < 450);
+    m_fixture->window().refresh();
+    hover(m_plot, middle());
+    m_fixture->window().refresh();
+    m_plot->replot();
+    QVERIFY(!readOut().isEmpty());
+    QVERIFY2(isReadOutWhole(m_plot), qPrintable(readOut()));
+    QVERIFY2(m_plot->axisRect()->height() >= 20, qPrintable(QString::number(m_plot->axisRect()->height())));
 }
 
 void TestWindowPlot::tableHasEverySample() {

@@ -45,6 +45,14 @@ QString readOutOf(const QCustomPlot *plot) {
     return text->text().startsWith("Wheel: zoom") ? QString() : text->text(); // that is the hint
 }
 
+bool isReadOutWhole(const QCustomPlot *plot) {
+    const auto *text = plot->findChild<QCPTextElement *>("read_out");
+    const QRect room = text->rect();
+    const QRect needed = QFontMetrics(text->font()).boundingRect(room, text->textFlags(), text->text());
+    return needed.width() <= room.width() && needed.height() <= room.height() &&
+           plot->rect().contains(text->outerRect());
+}
+
 void prepare() { QSurfaceFormat::setDefaultFormat(inspector::gl::surfaceFormat()); }
 
 Fixture::Fixture(int level, inspector::gl::Drawing drawing)

@@ -33,6 +33,9 @@ void prepare();
 /// The text above a plot's curves about the sample under the cursor.
 QString readOutOf(const QCustomPlot *plot);
 
+/// Whether that text has the room that it needs.
+bool isReadOutWhole(const QCustomPlot *plot);
+
 class Fixture {
 public:
     explicit Fixture(int level = 1, inspector::gl::Drawing drawing = {}); // solid
