@@ -14,6 +14,7 @@
 #include <QSettings>
 
 #include <algorithm>
+#include <numeric>
 
 namespace inspector::ui {
 
@@ -52,15 +53,25 @@ PlotStack::PlotStack(const SampleRing &samples, QSettings &settings, QWidget *pa
 }
 
 QuantityPlot *PlotStack::addPlot(const PlotContent &content) {
+    const QList<int> heights = sizes();
     QuantityPlot *plot = makePlot(content);
+    shareHeight(heights);
     remember();
     return plot;
 }
 
 PhasePlot *PlotStack::addPhasePlot(Channel x, Channel y) {
+    const QList<int> heights = sizes();
     PhasePlot *plot = makePhasePlot(x, y);
+    shareHeight(heights);
     remember();
     return plot;
+}
+
+/// Gives the newest plot the mean height; the others keep their proportions. heights: before it was added.
+void PlotStack::shareHeight(QList<int> heights) {
+    heights += std::accumulate(heights.begin(), heights.end(), 0) / int(heights.size());
+    setSizes(heights); // which scales them to the room
 }
 
 QuantityPlot *PlotStack::makePlot(const PlotContent &content) {

@@ -52,6 +52,7 @@ private:
     /// Doesn't store the change in the settings.
     QuantityPlot *makePlot(const PlotContent &content);
     PhasePlot *makePhasePlot(Channel x, Channel y);
+    void shareHeight(QList<int> heights);
     void offerMenu(QWidget *plot);
     void restore();
     void remember();

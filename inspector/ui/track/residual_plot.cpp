@@ -29,7 +29,7 @@ ResidualPlot::ResidualPlot(QWidget *parent)
     m_noise->bottomRight->setTypeX(QCPItemPosition::ptAxisRectRatio);
     m_noise->setPen(Qt::NoPen);
     m_noise->setBrush(QColor(0x2a, 0x9f, 0x4f, 45));
-    putLegendAbove(*this, 0);
+    putLegendAbove(*this, 6);
     legend->setIconSize(16, 16); // fits into the narrowest dock
     legend->setColumnSpacing(8);
     setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);

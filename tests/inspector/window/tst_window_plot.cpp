@@ -60,6 +60,7 @@ private slots:
     void darkPaletteGivesADarkPlot();
     void addedPlotSharesTheTime();
     void plotIsAddedWhileValuesAreRead();
+    void addedPlotSharesTheHeight();
     void chosenQuantityIsPlotted();
     void valuesOnALogarithmicAxisFitIt();
     void quantityOverAnotherIsTheSamples();
@@ -399,6 +400,20 @@ void TestWindowPlot::plotIsAddedWhileValuesAreRead() {
     m_fixture->window().refresh();
     QCOMPARE(plots().size(), 2);
     QVERIFY(!readOutOf(plots()[1]).isEmpty());
+}
+
+void TestWindowPlot::addedPlotSharesTheHeight() {
+    for (const char *name : {"Energy", "The way on the board (y over x)"}) {
+        QMenu *menu = menuOf(m_plot);
+        for (QAction *entry : menu->findChildren<QAction *>())
+            if (entry->text() == QLatin1String(name)) entry->trigger();
+        menu->close();
+        QApplication::processEvents();
+        const QList<int> heights = stack().sizes();
+        const auto [least, largest] = std::minmax_element(heights.begin(), heights.end());
+        QVERIFY2(*largest - *least <= 2, qPrintable(QStringLiteral("%1 to %2").arg(*least).arg(*largest)));
+    }
+    QCOMPARE(stack().count(), 3);
 }
 
 void TestWindowPlot::chosenQuantityIsPlotted() {
