@@ -80,10 +80,10 @@ void addGhost(gl::Frame &frame, const SampleRing &samples, const phys_state &sta
     frame.trails.push_back({pointsOf(samples, way), withAlpha(colour, kTrailAlpha), kGhostTrailWidth});
 }
 
-/// The measured ball at that time, and its whole path.
-void addTrack(gl::Frame &frame, const ShownTrack &track, double time) {
+/// The measured ball at that time, and its whole path; only x and y were measured, of a ball on the floor.
+void addTrack(gl::Frame &frame, const ShownTrack &track, const phys_scene *scene, double time) {
     const QColor colour = accentsFor(QGuiApplication::palette()).selected;
-    const double height = frame.ball.position.z;
+    const double height = track.start(scene).position.z;
     gl::Trail all{{}, withAlpha(colour, kOldAlpha), kGhostTrailWidth};
     gl::Trail lately{{}, withAlpha(colour, kTrailAlpha), kGhostTrailWidth};
     const size_t stride = track.points().size() / kTrackPoints + 1;
@@ -139,7 +139,7 @@ gl::Frame currentFrame(Session &session) {
     frame.trails.push_back({pointsOf(samples, way), withAlpha(accentsFor(QGuiApplication::palette()).ball, kTrailAlpha),
                             now.ghost ? kBallTrailWidth : kTrailWidth});
     addOldFuture(frame, session.oldFuture());
-    if (session.track()) addTrack(frame, *session.track(), state.time);
+    if (session.track()) addTrack(frame, *session.track(), session.scene().get(), state.time);
     if (const auto ghost = interpolatedGhost(now, moment)) addGhost(frame, samples, *ghost, now.ghost->met.time);
     return frame;
 }

@@ -33,6 +33,7 @@ private slots:
     void init();
     void cleanup() { m_fixture.reset(); }
     void openedTrackIsABallAndATrail();
+    void trailStaysWhereItWasMeasuredWhenTheBallFalls();
     void droppedTableIsLaidOverTheRun();
     void droppedTableThatIsWrongSaysWhy();
     void openedTrackSettlesARefusedName();
@@ -114,6 +115,21 @@ void TestWindowTrack::openedTrackIsABallAndATrail() {
     QCOMPARE(shown.trails.size(), trails + 2);                     // its path, and the last part of it
     const QString picture = qEnvironmentVariable("TRACK_PICTURE"); // to look at
     if (!picture.isEmpty()) QVERIFY(m_fixture->window().grabTo(picture, nullptr));
+}
+
+void TestWindowTrack::trailStaysWhereItWasMeasuredWhenTheBallFalls() {
+    openTrack();
+    const double floor = now().current.position.z;
+    phys_state fallen = now().current;
+    fallen.position.z = -0.1;
+    m_fixture->simulation().setState(fallen);
+    QTRY_COMPARE(now().current.position.z, -0.1);
+    m_fixture->makeSteps(1);
+    const gl::Frame shown = frame();
+    QCOMPARE(shown.ghosts.size(), size_t(1));
+    QVERIFY(std::abs(shown.ghosts[0].ball.position.z - floor) < 1e-9);
+    for (const gl::Trail &trail : {shown.trails.end()[-2], shown.trails.end()[-1]})
+        for (const glm::dvec3 &point : trail.points) QVERIFY(std::abs(point.z - floor) < 1e-9);
 }
 
 void TestWindowTrack::droppedTableIsLaidOverTheRun() {
