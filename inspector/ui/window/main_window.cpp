@@ -127,6 +127,14 @@ MainWindow::MainWindow(Session &session, gl::Drawing drawing)
     m_refresh.start(kRefreshPeriod);
 }
 
+/// Qt fits a layout restored before the window is shown to a window of another size, and then to this one, which gives
+/// what was saved to other docks.
+void MainWindow::showEvent(QShowEvent *event) {
+    QMainWindow::showEvent(event);
+    if (std::exchange(m_wasShown, true) || isMaximized() || isFullScreen()) return;
+    restoreState(storedBytes(m_session.settings(), settings_keys::kLayout), kLayoutVersion);
+}
+
 MainWindow::~MainWindow() = default;
 
 QAction *MainWindow::action(const char *name) const { return findChild<QAction *>(QLatin1String(name)); }

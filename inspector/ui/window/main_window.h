@@ -75,6 +75,7 @@ public:
 protected:
     void childEvent(QChildEvent *event) override;
     void closeEvent(QCloseEvent *event) override;
+    void showEvent(QShowEvent *event) override;
     void dragEnterEvent(QDragEnterEvent *event) override;
     void dropEvent(QDropEvent *event) override;
 
@@ -220,6 +221,7 @@ private:
     StatusLine *m_status = nullptr;
     QByteArray m_firstLayout; ///< of docks and bars, before the user moved them
     uint64_t m_drawn = 0;     ///< sum of the versions of what the view shows
+    bool m_wasShown = false;
     QTimer m_refresh;
     QHash<QDockWidget *, int> m_heights; ///< of docks, before others were opened in their area
 };

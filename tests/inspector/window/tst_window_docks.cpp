@@ -49,6 +49,7 @@ private slots:
     void viewMenuTicksWhatIsOpen();
     void resetLayoutBringsEveryDockBack();
     void layoutIsRemembered();
+    void layoutStaysHoweverOftenTheWindowIsReopened();
     void viewIsTheLargestPart();
     void noTextOfTheParametersIsCut();
     void parametersNeedLittleRoom();
@@ -199,6 +200,35 @@ void TestWindowDocks::layoutIsRemembered() {
     QVERIFY(m_fixture->isReady());
     QVERIFY(!m_fixture->find<QDockWidget>("levels_dock")->isVisible());
     QCOMPARE(m_fixture->window().dockWidgetArea(m_fixture->find<QDockWidget>("plot_dock")), Qt::TopDockWidgetArea);
+}
+
+void TestWindowDocks::layoutStaysHoweverOftenTheWindowIsReopened() {
+    m_fixture->window().resize(1280, 820);
+    for (const Qt::Key key : {Qt::Key_5, Qt::Key_9, Qt::Key_0, Qt::Key_6}) m_fixture->press(key, Qt::ControlModifier);
+    const auto layout = [this] {
+        QStringList places;
+        for (const QDockWidget *dock : m_fixture->window().findChildren<QDockWidget *>()) {
+            if (dock->isHidden() || dock->visibleRegion().isEmpty()) continue;
+            const QRect place = dock->geometry();
+            places += QStringLiteral("%1 %2,%3 %4x%5")
+                          .arg(dock->objectName())
+                          .arg(place.x())
+                          .arg(place.y())
+                          .arg(place.width())
+                          .arg(place.height());
+        }
+        places.sort();
+        return places.join('\n');
+    };
+    QTRY_VERIFY(layout().contains("bounces_dock"));
+    QApplication::processEvents(); // which lays out what the docks need
+    const QString before = layout();
+    for (int i = 0; i < 3; ++i) {
+        m_fixture->reopen();
+        QVERIFY(m_fixture->isReady());
+        m_fixture->window().refresh();
+        QCOMPARE(layout(), before);
+    }
 }
 
 void TestWindowDocks::viewIsTheLargestPart() {
