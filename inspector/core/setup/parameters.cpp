@@ -146,6 +146,23 @@ std::vector<Setting> settingsOf(const Parameters &parameters) {
     return settings;
 }
 
+std::vector<Setting> boardSettings(const Parameters &parameters) {
+    std::vector<Setting> settings;
+    for (int i = 0; i < parameters.count(); ++i) {
+        const phys_param_row &row = parameters.row(i);
+        if (isTilt(row) || (row.flags & PHYS_ROW_CHOICE) || parameters.isOfStepper(i)) continue;
+        settings.push_back({QString::fromUtf8(row.id), parameters.value(i)});
+    }
+    return settings;
+}
+
+std::vector<Setting> differingFrom(const Parameters &parameters, const std::vector<Setting> &settings) {
+    std::vector<Setting> others;
+    for (const Setting &setting : settings)
+        if (parameters.value(parameters.indexOf(setting.id)) != setting.value) others.push_back(setting);
+    return others;
+}
+
 std::vector<Setting> sharedValues(const Parameters &from, const Parameters &to) {
     std::vector<Setting> shared;
     for (int i = 0; i < from.count(); ++i) {

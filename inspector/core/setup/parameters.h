@@ -78,6 +78,11 @@ private:
 
 /// All values of the parameters.
 std::vector<Setting> settingsOf(const Parameters &parameters);
+/// What a ball rolls on, whatever its model and stepper: without the tilt, the rows that are choices, and the
+/// stepper's.
+std::vector<Setting> boardSettings(const Parameters &parameters);
+/// Those of the settings whose values aren't set any more.
+std::vector<Setting> differingFrom(const Parameters &parameters, const std::vector<Setting> &settings);
 /// The values of the rows that both have, except the tilt, for one ball to take over from another.
 std::vector<Setting> sharedValues(const Parameters &from, const Parameters &to);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/parts/printed_unit.h"
 
+#include <QStringList>
+
 namespace inspector::ui {
 
 QString printedUnit(const QString &unit) {
@@ -8,6 +10,19 @@ QString printedUnit(const QString &unit) {
     if (unit == QLatin1String("us")) return QStringLiteral("µs");
     QString printed = unit;
     return printed.replace(QLatin1String("^2"), QStringLiteral("²")).replace(QLatin1Char('*'), QStringLiteral("·"));
+}
+
+QString settingsText(const Parameters &parameters, const std::vector<Setting> &settings) {
+    QStringList texts;
+    for (const Setting &setting : settings) {
+        const phys_param_row &row = parameters.row(parameters.indexOf(setting.id));
+        texts += QObject::tr("%1 of %2 %3")
+                     .arg(QString::fromUtf8(row.label))
+                     .arg(setting.value)
+                     .arg(printedUnit(QString::fromUtf8(row.unit)))
+                     .trimmed();
+    }
+    return texts.join(QStringLiteral(", "));
 }
 
 } // namespace inspector::ui

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/setup/parameters.h"
+
 #include <QString>
 
 namespace inspector::ui {
 
 /// A unit as typeset: a degree sign for deg, raised powers.
 QString printedUnit(const QString &unit);
+
+/// Gravity of 1.62 m/s², Restitution, walls of 0.5
+QString settingsText(const Parameters &parameters, const std::vector<Setting> &settings);
 
 } // namespace inspector::ui

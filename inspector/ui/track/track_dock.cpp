@@ -8,6 +8,7 @@
 #include "ui/parts/file_box.h"
 #include "ui/parts/file_chooser.h"
 #include "ui/parts/flow_layout.h"
+#include "ui/parts/printed_unit.h"
 #include "ui/parts/settings_keys.h"
 #include "ui/track/fit_table.h"
 #include "ui/track/residual_plot.h"
@@ -20,6 +21,9 @@
 #include <QPushButton>
 #include <QSplitter>
 #include <QUndoStack>
+
+#include <algorithm>
+#include <utility>
 
 namespace inspector::ui {
 
@@ -65,6 +69,7 @@ TrackDock::TrackDock(Session &session, QUndoStack &undo, QWidget *parent)
             [this, &settings] { settings.setValue(settings_keys::kFitQuantities, m_quantities->words()); });
     const auto showBegin = [this] { m_quantities->showBegin(m_session.parameters().inputs()); };
     connect(&session.parameters(), &Parameters::changed, this, showBegin);
+    connect(&session.parameters(), &Parameters::changed, this, &TrackDock::showConditions);
     connect(&session, &Session::trackChanged, this, &TrackDock::showRunning);
     connect(&session, &Session::levelOpened, this, &TrackDock::showLevel);
     showBegin();
@@ -106,7 +111,8 @@ QWidget *TrackDock::makeControls() {
     describe(m_follow, {}, tr("Start where the measured ball started, under the tilts of its table"));
     m_takeOver = new QPushButton(tr("Take over"));
     m_takeOver->setObjectName(QStringLiteral("track_take_over"));
-    describe(m_takeOver, {}, tr("Set model and coefficients to what the fit has found"));
+    describe(m_takeOver, {},
+             tr("Set model and coefficients to what the fit has found, and the others to what it assumed"));
     m_progress = new QProgressBar;
     m_progress->setRange(0, 1000);
     m_progress->setAccessibleName(tr("Progress of the fit"));
@@ -215,6 +221,10 @@ void TrackDock::toggle() {
     if (wanted.empty()) return m_report->setPlainText(tr("Nothing is chosen to look for."));
     m_report->appendPlainText(tr("Fitting…"));
     m_progress->setValue(0);
+    m_assumed = boardSettings(m_session.parameters());
+    std::erase_if(m_assumed, [&wanted](const Setting &setting) {
+        return std::ranges::count(wanted, setting.id, &FitQuantity::id) > 0;
+    });
     m_worker.start({m_session.registry(),
                     m_session.scene(),
                     *m_track,
@@ -228,15 +238,38 @@ void TrackDock::showOutcome(const std::shared_ptr<const FitOutcome> &outcome) {
     m_outcome = outcome;
     showRunning();
     if (!outcome->fit) return m_report->setPlainText(outcome->error);
-    m_report->setPlainText(fitSummary(outcome->plan, *outcome->fit).join(QLatin1Char('\n')));
+    showFitReport();
     const ModelFit &best = outcome->fit->best();
     m_quantities->showFound(best);
     m_residuals->show(best, outcome->fit->noise);
     layOver(best.board);
 }
 
+/// Begins with what the fit assumed, where that isn't set any more.
+void TrackDock::showFitReport() {
+    const Parameters &parameters = m_session.parameters();
+    m_shownOthers = settingsText(parameters, differingFrom(parameters, m_assumed));
+    QStringList lines = fitSummary(m_outcome->plan, *m_outcome->fit);
+    if (!m_shownOthers.isEmpty())
+        lines.prepend(tr("Found with other parameters than are set now: %1.").arg(m_shownOthers));
+    m_report->setPlainText(lines.join(QLatin1Char('\n')));
+}
+
+/// Tilts change parameters 60 times a second, which is nothing to a fit.
+void TrackDock::showConditions() {
+    if (!m_outcome || !m_outcome->fit) return;
+    const Parameters &parameters = m_session.parameters();
+    if (settingsText(parameters, differingFrom(parameters, m_assumed)) != m_shownOthers) showFitReport();
+}
+
+/// Nothing if there is no result.
 std::vector<Setting> TrackDock::found() const {
-    return m_outcome && m_outcome->fit ? fittedSettings(*m_outcome->fit) : std::vector<Setting>();
+    if (!m_outcome || !m_outcome->fit) return {};
+    std::vector<Setting> settings = fittedSettings(*m_outcome->fit);
+    if (settings.empty()) return {};
+    const std::vector<Setting> assumed = differingFrom(m_session.parameters(), m_assumed);
+    settings.insert(settings.end(), assumed.begin(), assumed.end());
+    return settings;
 }
 
 void TrackDock::takeOver() {

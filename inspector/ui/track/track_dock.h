@@ -52,6 +52,8 @@ private:
     void toggle();    ///< starts or cancels a fit
     void showOutcome(const std::shared_ptr<const FitOutcome> &outcome);
     void showRunning();
+    void showFitReport();
+    void showConditions(); ///< updates the report if parameters changed on which the result depends
     void takeOver();
     std::vector<Setting> found() const; ///< what can be taken over
 
@@ -59,6 +61,8 @@ private:
     QUndoStack &m_undo;
     FitWorker m_worker;
     std::shared_ptr<const FitOutcome> m_outcome; ///< of the last fit; may be null
+    std::vector<Setting> m_assumed;              ///< parameters that the last fit took for true
+    QString m_shownOthers;                       ///< those of them that aren't set any more, as the report names them
     std::optional<Track> m_track;
     QString m_level; ///< name of the level on which it was opened
     FileBox *m_file;

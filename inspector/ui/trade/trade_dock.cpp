@@ -79,18 +79,6 @@ bool isSameBoard(const Scene &a, const Scene &b) {
            std::memcmp(&starts[0], &starts[1], sizeof starts[0]) == 0;
 }
 
-/// What all steppers are measured with: not the tilt, which is the schedules', the model, of which both are measured,
-/// or a stepper's own values.
-std::vector<Setting> commonSettings(const Parameters &parameters) {
-    std::vector<Setting> settings;
-    for (int i = 0; i < parameters.count(); ++i) {
-        const phys_param_row &row = parameters.row(i);
-        if (isTilt(row) || (row.flags & PHYS_ROW_CHOICE) || parameters.isOfStepper(i)) continue;
-        settings.push_back({QString::fromUtf8(row.id), parameters.value(i)});
-    }
-    return settings;
-}
-
 } // namespace
 
 TradeDock::TradeDock(Session &session, QUndoStack &undo, QWidget *parent)
@@ -381,7 +369,7 @@ void TradeDock::toggle() {
     m_measure->setText(tr("Cancel"));
     m_progress->setVisible(true);
     m_progress->setValue(0);
-    m_measuredWith = commonSettings(m_session.parameters());
+    m_measuredWith = boardSettings(m_session.parameters());
     m_shownConditions.clear();
     m_worker.start(plan, m_schedule->words(), m_duration->value());
 }
@@ -424,17 +412,10 @@ QString TradeDock::otherConditions() const {
     const TradePlan &plan = m_worker.plan();
     if (!plan.scene) return {};
     if (!isSameBoard(plan.scene, m_session.scene())) return tr("These figures are of another level.");
-    QStringList others;
     const Parameters &parameters = m_session.parameters();
-    for (const Setting &before : m_measuredWith) {
-        const int index = parameters.indexOf(before.id);
-        if (parameters.value(index) == before.value) continue;
-        const phys_param_row &row = parameters.row(index);
-        others +=
-            tr("%1 of %2 %3").arg(QString::fromUtf8(row.label)).arg(before.value).arg(printedUnit(row.unit)).trimmed();
-    }
-    return others.isEmpty() ? QString()
-                            : tr("These figures are of other parameters: %1.").arg(others.join(QStringLiteral(", ")));
+    const std::vector<Setting> others = differingFrom(parameters, m_measuredWith);
+    return others.empty() ? QString()
+                          : tr("These figures are of other parameters: %1.").arg(settingsText(parameters, others));
 }
 
 /// The keys' tilts change parameters 60 times a second, which is nothing to the figures.

@@ -30,6 +30,8 @@ private slots:
     void ballRollsAlongFromTheStartThatWasFitted();
     void oneUndoTakesThemBack();
     void tableShowsWhatWasFound();
+    void resultSaysOfWhichParametersItIs();
+    void takeOverSetsWhatTheFitAssumed();
     void onlyWhatIsTickedIsLookedFor();
     void typedBeginningsCount();
     void wrongBeginningStaysInRed();
@@ -189,6 +191,31 @@ void TestTrackDock::tableShowsWhatWasFound() {
     QCOMPARE(text("Sliding friction", FitTable::Found), QString("not determined: no effect in the rolling model"));
     QCOMPARE(text("Restitution, walls", FitTable::Begin), QString("0.5"));
     QCOMPARE(text("Delay of the tilt", FitTable::Unit), QString("ms"));
+}
+
+void TestTrackDock::resultSaysOfWhichParametersItIs() {
+    QVERIFY2(!report().contains("other parameters"), qPrintable(report()));
+    QVERIFY(m_session->parameters().set({{QStringLiteral("rolling_friction"), 0.01}})); // which it has found itself
+    QVERIFY2(!report().contains("other parameters"), qPrintable(report()));
+    QVERIFY(m_session->parameters().set({{QStringLiteral("gravity"), 1.62}}));
+    QVERIFY2(report().startsWith("Found with other parameters than are set now: Gravity of 9.81 m/s²."),
+             qPrintable(report()));
+    QVERIFY2(report().contains("verdict: "), qPrintable(report()));
+    QVERIFY(
+        m_session->parameters().set({{QStringLiteral("gravity"), 9.81}, {QStringLiteral("rolling_friction"), 0.002}}));
+    QVERIFY2(!report().contains("other parameters"), qPrintable(report()));
+}
+
+void TestTrackDock::takeOverSetsWhatTheFitAssumed() {
+    QVERIFY(m_session->parameters().set({{QStringLiteral("gravity"), 1.62}}));
+    click("track_take_over");
+    QCOMPARE(value("gravity"), 9.81);
+    QVERIFY(std::abs(value("rolling_friction") - m_truth.params.rolling_friction) < 0.0001);
+    QVERIFY2(!report().contains("other parameters"), qPrintable(report()));
+    m_undo.undo();
+    QCOMPARE(value("gravity"), 1.62);
+    QCOMPARE(value("rolling_friction"), 0.002);
+    QVERIFY(m_session->parameters().set({{QStringLiteral("gravity"), 9.81}}));
 }
 
 void TestTrackDock::onlyWhatIsTickedIsLookedFor() {
