@@ -64,20 +64,6 @@ void writeFile(const QString &option, const QString &path, const QByteArray &byt
     throw Failure{1, option + QStringLiteral(": ") + (file ? file->problem() : error)};
 }
 
-QByteArray tradeSettings(const Options &options, const TradePlan &plan) {
-    QByteArray text = settingsHead(options);
-    for (const TiltSchedule &schedule : plan.schedules)
-        text += "schedule " + oneLine(schedule.name).toUtf8() + ", " + exactText(schedule.duration) + " s\n";
-    text += "steps";
-    for (const double dt : plan.stepSizes) text += " " + exactText(dt);
-    text += " s\nunknown " + (plan.unknowns.empty() ? QByteArray("none") : unknownsText(plan.unknowns).toUtf8());
-    text += "\nshare " + exactText(plan.share) + "\nhorizon " + exactText(plan.horizon) + " s\n";
-    text += QByteArray("orientation ") + (plan.withOrientation ? "on" : "off") + "\n";
-    Parameters parameters;
-    parameters.set(options.settings);
-    return text + parameterLines(parameters);
-}
-
 void writeTable(const Options &options, const TradePlan &plan, const QByteArray &table) {
     QString error;
     const auto file = openTable(options.csv, tradeSettings(options, plan), &error);
@@ -90,7 +76,7 @@ void writeFiles(const Options &options, const TradePlan &plan, const TradeResult
     const QString option = QStringLiteral("--plot");
     const uint32_t model = plan.inputs.params.model;
     const QString &plot = options.trade.plot;
-    if (!isStandardOutput(options.csv)) writeTable(options, plan, tradeCsv(result));
+    if (!isStandardOutput(options.csv)) writeTable(options, plan, tradeCsv(result.points));
     if (plot.isEmpty()) return;
     const ChartDescription chart = describeChart(plan, result, model, shownSchedule(result));
     if (plot.endsWith(QLatin1String(".svg"))) return writeFile(option, plot, tradeSvg(chart));
@@ -115,6 +101,20 @@ QString whyOf(const TradePoint &point, double seconds, double radius) {
 }
 
 } // namespace
+
+QByteArray tradeSettings(const Options &options, const TradePlan &plan) {
+    QByteArray text = settingsHead(options);
+    for (const TiltSchedule &schedule : plan.schedules)
+        text += "schedule " + oneLine(schedule.name).toUtf8() + ", " + exactText(schedule.duration) + " s\n";
+    text += "steps";
+    for (const double dt : plan.stepSizes) text += " " + exactText(dt);
+    text += " s\nunknown " + (plan.unknowns.empty() ? QByteArray("none") : unknownsText(plan.unknowns).toUtf8());
+    text += "\nshare " + exactText(plan.share) + "\nhorizon " + exactText(plan.horizon) + " s\n";
+    text += QByteArray("orientation ") + (plan.withOrientation ? "on" : "off") + "\n";
+    Parameters parameters;
+    parameters.set(options.settings);
+    return text + parameterLines(parameters);
+}
 
 Recommendation recommend(const TradeResult &result, uint32_t model, const TradeOptions &wish, double radius) {
     const std::vector<TradePoint> points = result.valid(model);
@@ -174,7 +174,7 @@ int runTrade(const Options &options, const TradeStreams &streams, const TradePic
         // With --csv - the table occupies standard output, so that the report goes to messages.
         const bool isCsv = options.csv == QLatin1String("-");
         QTextStream &text = isCsv ? streams.messages : streams.out;
-        if (isCsv) streams.out << tradeCsv(result);
+        if (isCsv) streams.out << tradeCsv(result.points);
         text << "level " << oneLine(options.level.name) << '\n'
              << tradeSummary(plan, result).join(QLatin1Char('\n')) << "\n\n"
              << tradeText(plan, result) << '\n';

@@ -35,6 +35,9 @@ Recommendation recommendForUnknowns(const TradePlan &plan, const TradeResult &re
 /// cheapest's.
 QString passedOverText(const GoodEnough &answer, const QString &name);
 
+/// The settings that made a trade's table, one per line: those of the options that concern it, and the plan's.
+QByteArray tradeSettings(const Options &options, const TradePlan &plan);
+
 /// Returns the exit status: 0; 1 if no setting meets the request or a file can't be written; 2 if something can't be
 /// opened or measured.
 int runTrade(const Options &options, const TradeStreams &streams, const TradePictureWriter &writePicture);

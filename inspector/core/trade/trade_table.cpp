@@ -180,22 +180,23 @@ QString tradeText(const TradePlan &plan, const TradeResult &result) {
     return text;
 }
 
-QByteArray tradeCsvHeader() {
-    QByteArray header = "stepper,dt [s],model";
-    for (const TradeColumn &column : tradeColumns()) header += ',' + QByteArray(column.id);
-    return header + ",note\n";
+QByteArray tradeCsvHeader(char separator) {
+    QByteArrayList names{"stepper", "dt [s]", "model"};
+    for (const TradeColumn &column : tradeColumns()) names += column.id;
+    return (names << "note").join(separator) + '\n';
 }
 
-QByteArray tradeCsv(const TradeResult &result) {
-    QByteArray csv = tradeCsvHeader();
-    for (const TradePoint &point : result.points) {
-        csv += point.stepper + ',' + exactly(point.dt) + ',' + modelName(point.model).toUtf8();
+QByteArray tradeCsv(const std::vector<TradePoint> &points, char separator) {
+    QByteArray csv = tradeCsvHeader(separator);
+    for (const TradePoint &point : points) {
+        QByteArrayList fields{point.stepper, exactly(point.dt), modelName(point.model).toUtf8()};
         for (const TradeColumn &column : tradeColumns()) {
             const std::optional<double> value = column.value(point);
-            csv += ',' + (value ? exactly(*value * column.scale) : QByteArray());
+            fields += value ? exactly(*value * column.scale) : QByteArray();
         }
-        QByteArray note = point.note.toUtf8();
-        csv += point.note.isEmpty() ? QByteArray(",\n") : ",\"" + note.replace('"', "\"\"") + "\"\n";
+        const QByteArray note = point.note.toUtf8();
+        fields += note.isEmpty() ? QByteArray() : '"' + QByteArray(note).replace('"', "\"\"") + '"';
+        csv += fields.join(separator) + '\n';
     }
     return csv;
 }

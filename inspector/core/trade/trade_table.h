@@ -39,7 +39,7 @@ QString spanAndUnit(const TradeColumn &column, const QString &unit, double horiz
 QString tradeText(const TradePlan &plan, const TradeResult &result);
 
 /// A header and a row per point: the shortest numbers that read back exactly.
-QByteArray tradeCsv(const TradeResult &result);
-QByteArray tradeCsvHeader();
+QByteArray tradeCsv(const std::vector<TradePoint> &points, char separator = ',');
+QByteArray tradeCsvHeader(char separator = ',');
 
 } // namespace inspector

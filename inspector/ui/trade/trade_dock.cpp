@@ -8,6 +8,7 @@
 #include "ui/parts/elided_label.h"
 #include "ui/parts/flow_layout.h"
 #include "ui/parts/number_box.h"
+#include "ui/parts/path_icon.h"
 #include "ui/parts/printed_unit.h"
 #include "ui/parts/settings_keys.h"
 #include "ui/parts/stepping_command.h"
@@ -21,6 +22,7 @@
 #include <QComboBox>
 #include <QGridLayout>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -29,6 +31,7 @@
 #include <QSlider>
 #include <QSortFilterProxyModel>
 #include <QTableView>
+#include <QToolButton>
 
 #include <algorithm>
 #include <cmath>
@@ -105,6 +108,7 @@ TradeDock::TradeDock(Session &session, QUndoStack &undo, QWidget *parent)
 
     connect(m_schedule, &ScheduleChooser::changed, this, &TradeDock::showReady);
     connect(m_measure, &QPushButton::clicked, this, &TradeDock::toggle);
+    connect(m_save, &QToolButton::clicked, this, &TradeDock::saveWanted);
     connect(m_model, &QComboBox::currentIndexChanged, this, &TradeDock::showResult);
     connect(&m_worker, &TradeWorker::changed, &m_refresh, [this] {
         if (!m_refresh.isActive()) m_refresh.start(kChartPeriod);
@@ -129,6 +133,10 @@ TradeDock::TradeDock(Session &session, QUndoStack &undo, QWidget *parent)
 void TradeDock::makeControls() {
     m_measure = named(new QPushButton(tr("Measure")), "trade_measure");
     describe(m_measure, {}, tr("Measure what every stepper and step size costs, and how far off it is"));
+    m_save = named(new QToolButton, "trade_save");
+    m_save->setIcon(glyphIcon(Glyph::Save));
+    m_save->setAutoRaise(true);
+    describe(m_save, tr("Save the figures"), tr("Save as CSV, PNG, PDF or SVG…"));
     m_schedule = new ScheduleChooser(m_session.settings());
     m_duration = named(new NumberBox, "trade_duration");
     m_duration->setKind(numberKind({0.5, 600.0, QStringLiteral("s")}, 1.0));
@@ -204,14 +212,14 @@ QString TradeDock::answerText(const TradePoint &point, double seconds) const {
 /// A click on one of these doesn't take the keyboard from the game.
 void TradeDock::leaveKeysToTheGame() {
     for (QWidget *widget :
-         {static_cast<QWidget *>(m_measure), static_cast<QWidget *>(m_model), static_cast<QWidget *>(m_tolerance),
-          static_cast<QWidget *>(m_use), static_cast<QWidget *>(m_useGoodEnough)})
+         {static_cast<QWidget *>(m_measure), static_cast<QWidget *>(m_save), static_cast<QWidget *>(m_model),
+          static_cast<QWidget *>(m_tolerance), static_cast<QWidget *>(m_use), static_cast<QWidget *>(m_useGoodEnough)})
         widget->setFocusPolicy(Qt::TabFocus);
 }
 
 QWidget *TradeDock::makeTop() {
     m_remark->setMinimumWidth(fontMetrics().averageCharWidth() * 30);
-    return flowOf({m_measure, m_schedule, m_duration, m_model, m_progress, m_remark});
+    return flowOf({m_measure, m_save, m_schedule, m_duration, m_model, m_progress, m_remark});
 }
 
 QWidget *TradeDock::makeUnknowns() {
@@ -251,7 +259,8 @@ void TradeDock::makeTable() {
     m_table->setSortingEnabled(true);
     m_table->sortByColumn(-1, Qt::AscendingOrder); // in the order of measurement
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setSelectionMode(QAbstractItemView::ExtendedSelection); // several can be copied
+    m_table->installEventFilter(this);
     m_table->setAlternatingRowColors(true);
     m_table->setWordWrap(false);
     m_table->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored); // it scrolls by itself
@@ -369,6 +378,7 @@ void TradeDock::toggle() {
     m_measure->setText(tr("Cancel"));
     m_progress->setVisible(true);
     m_progress->setValue(0);
+    m_measuredOn = m_session.level();
     m_measuredWith = boardSettings(m_session.parameters());
     m_shownConditions.clear();
     m_worker.start(plan, m_schedule->words(), m_duration->value());
@@ -385,14 +395,28 @@ void TradeDock::showResult() {
 }
 
 void TradeDock::showBand() {
-    const TradeResult &result = m_worker.result();
     showGoodEnough();
-    if (result.spans.empty()) return;
+    if (!m_worker.result().spans.empty()) m_chart->show(describedChart(), m_worker.result());
+}
+
+ChartDescription TradeDock::describedChart() const {
+    const TradeResult &result = m_worker.result();
     ChartDescription chart = describeChart(m_worker.plan(), result, model(), shownSchedule(result));
     if (chart.band && isOutOfDate())
         for (QString *text : {&chart.band->middleText, &chart.band->limitText}) *text += tr(" (out of date)");
     for (ChartCurve &curve : chart.curves) curve.name = stepperName(m_worker.plan().registry, curve.stepper);
-    m_chart->show(chart, result);
+    return chart;
+}
+
+/// While the table has the focus it handles Ctrl+C.
+bool TradeDock::eventFilter(QObject *object, QEvent *event) {
+    const bool isOffer = event->type() == QEvent::ShortcutOverride;
+    if (object != m_table || (!isOffer && event->type() != QEvent::KeyPress)) return false;
+    const bool isCopy = static_cast<QKeyEvent *>(event)->matches(QKeySequence::Copy);
+    if (!isCopy || !m_table->selectionModel()->hasSelection()) return false;
+    if (!isOffer) copy();
+    event->accept();
+    return true;
 }
 
 void TradeDock::showChangedWish() {
@@ -538,9 +562,10 @@ void TradeDock::showUsable() {
     m_use->setEnabled(index && m_rows->points()[*index].isValid && otherConditions().isEmpty());
 }
 
+/// Several rows are only selected to be copied.
 std::optional<size_t> TradeDock::chosenIndex() const {
     const QModelIndexList rows = m_table->selectionModel()->selectedRows();
-    if (rows.isEmpty()) return std::nullopt;
+    if (rows.size() != 1) return std::nullopt;
     return size_t(m_sorted->mapToSource(rows.first()).row());
 }
 

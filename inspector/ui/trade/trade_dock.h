@@ -16,6 +16,7 @@ class QPushButton;
 class QSlider;
 class QSortFilterProxyModel;
 class QTableView;
+class QToolButton;
 class QUndoStack;
 
 namespace inspector::ui {
@@ -36,6 +37,16 @@ public:
     TradeDock(Session &session, QUndoStack &undo, QWidget *parent = nullptr);
 
     QSize sizeHint() const override { return {900, 360}; }
+
+    /// Writes, by the name's suffix, .csv (the figures of all settings, and beside them what they were measured with),
+    /// .svg, .png or .pdf (the chart). Returns false, with one line in `error`, on failure.
+    bool save(const QString &path, QString *error);
+
+signals:
+    void saveWanted();
+
+protected:
+    bool eventFilter(QObject *object, QEvent *event) override;
 
 private:
     void makeControls();
@@ -59,6 +70,9 @@ private:
     void showTolerance(); ///< updates the recommendation, and chooses it
     void showAnswer();
     Recommendation answer() const;
+    ChartDescription describedChart() const;
+    bool saveTable(const QString &path, QString *error) const;
+    void copy() const;
     void showBand(); ///< updates chart and recommendation for what is unknown
     void showGoodEnough();
     void showChangedWish();
@@ -88,10 +102,12 @@ private:
     QUndoStack &m_undo;
     TradeWorker m_worker;
     std::vector<Setting> m_measuredWith;
+    Level m_measuredOn;
     QString m_shownConditions;
     QString m_error;  ///< why the last measurement failed
     QTimer m_refresh; ///< limits the update rate
     QPushButton *m_measure;
+    QToolButton *m_save;
     ScheduleChooser *m_schedule;
     NumberBox *m_duration;
     QComboBox *m_model;

@@ -188,6 +188,7 @@ void MainWindow::makeDocks() {
     m_watched = new WatchList(m_session);
     m_ball = new BallDock(m_session, *m_undo);
     m_track = new TrackDock(m_session, *m_undo);
+    m_trade = new TradeDock(m_session, *m_undo);
     static const DockRow rows[] = {
         {kDockNames[0], QT_TR_NOOP("Parameters"), Qt::RightDockWidgetArea, 0.0,
          [](MainWindow &window) -> QWidget * { return window.m_parameters; }},
@@ -196,7 +197,7 @@ void MainWindow::makeDocks() {
         {kDockNames[2], QT_TR_NOOP("Plots"), Qt::BottomDockWidgetArea, 0.0,
          [](MainWindow &window) -> QWidget * { return window.m_plotPanel; }},
         {"trade_dock", QT_TR_NOOP("Trade"), Qt::BottomDockWidgetArea, kTradeShare,
-         [](MainWindow &window) -> QWidget * { return new TradeDock(window.m_session, *window.m_undo); }},
+         [](MainWindow &window) -> QWidget * { return window.m_trade; }},
         {kComparisonDock, QT_TR_NOOP("Comparison"), Qt::BottomDockWidgetArea, kComparisonShare,
          [](MainWindow &window) -> QWidget * { return window.m_comparison; }},
         {kBouncesDock, QT_TR_NOOP("Bounces"), Qt::BottomDockWidgetArea, kBouncesShare,
@@ -341,12 +342,9 @@ void MainWindow::connectPlots() {
     connect(m_plotPanel, &PlotPanel::followWanted, m_plots, &PlotStack::setFollowing);
     connect(m_plotPanel, &PlotPanel::pauseWanted, m_plots, &PlotStack::setPaused);
     connect(m_plotPanel, &PlotPanel::clearWanted, m_plots, &PlotStack::clear);
-    connect(m_plotPanel, &PlotPanel::saveWanted, this, &MainWindow::savePlot);
-    connect(m_comparison, &ComparisonDock::saveWanted, this, [this] {
-        askWhereToSavePlot(tr("distance"), m_comparison->plot().time(), [this](const QString &path, QString *error) {
-            return m_comparison->plot().save(path, error);
-        });
-    });
+    connect(m_plotPanel, &PlotPanel::saveWanted, this, &MainWindow::saveCurves);
+    connect(m_comparison, &ComparisonDock::saveWanted, this, &MainWindow::saveDistance);
+    connect(m_trade, &TradeDock::saveWanted, this, &MainWindow::saveTrade);
     const QToolButton *add =
         m_plotPanel->addButton(Glyph::Add, QStringLiteral("plot_add"), tr("Add a plot, or change one"));
     connect(add, &QToolButton::clicked, this, [this, add] {

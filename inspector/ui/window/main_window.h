@@ -44,6 +44,7 @@ class StatusLine;
 class TimePlot;
 class TimeView;
 class TrackDock;
+class TradeDock;
 class TransportBar;
 class WatchList;
 
@@ -161,6 +162,9 @@ private:
     void saveRun();
     void saveFilm();
     void savePlot();
+    void saveCurves();
+    void saveDistance();
+    void saveTrade();
     void saveScreenshot();
     void toggleRecording();
     void quit();
@@ -212,6 +216,7 @@ private:
     DocumentDialog *m_documents = nullptr; ///< created on demand
     BallDock *m_ball = nullptr;
     TrackDock *m_track = nullptr;
+    TradeDock *m_trade = nullptr;
     BounceDock *m_bounces = nullptr;
     RunDock *m_runs = nullptr;
     WatchList *m_watched = nullptr;

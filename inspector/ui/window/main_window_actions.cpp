@@ -4,6 +4,8 @@
 #include "core/setup/stored_values.h"
 #include "gl/view/maze_view.h"
 #include "ui/bounces/bounce_dock.h"
+#include "ui/comparison/comparison_dock.h"
+#include "ui/comparison/distance_plot.h"
 #include "ui/game/game_strip.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/parts/file_chooser.h"
@@ -13,6 +15,7 @@
 #include "ui/parts/theme.h"
 #include "ui/plots/plot_panel.h"
 #include "ui/plots/plot_stack.h"
+#include "ui/trade/trade_dock.h"
 #include "ui/transport/time_bar.h"
 #include "ui/transport/transport_bar.h"
 #include "ui/window/help_dialogs.h"
@@ -56,7 +59,7 @@ std::vector<MainWindow::ActionRow> MainWindow::fileRows() {
          QT_TR_NOOP("What was just seen, as a recording, a table of all samples or a picture"), &MainWindow::saveRun},
         {"save_film", QT_TR_NOOP("Save film…"), "Ctrl+Shift+F",
          QT_TR_NOOP("The last seconds as a film, or as pictures in a folder"), &MainWindow::saveFilm},
-        {"save_plot", QT_TR_NOOP("Save plot…"), "Ctrl+Shift+S", QT_TR_NOOP("As CSV, PNG or PDF"),
+        {"save_plot", QT_TR_NOOP("Save plot…"), "Ctrl+Shift+S", QT_TR_NOOP("As CSV, PNG or PDF: the one that is seen"),
          &MainWindow::savePlot},
         {"screenshot", QT_TR_NOOP("Save picture of the window…"), "Ctrl+P", "", &MainWindow::saveScreenshot},
         {"record", QT_TR_NOOP("Record…"), "",
@@ -355,7 +358,31 @@ void MainWindow::saveRun() {
                });
 }
 
+/// The one that is seen: their docks lie behind each other.
 void MainWindow::savePlot() {
+    const auto isSeen = [](const QWidget *dock) { return !dock->visibleRegion().isEmpty(); };
+    if (isSeen(m_plots)) return saveCurves();
+    if (isSeen(m_comparison)) return saveDistance();
+    if (isSeen(m_trade)) return saveTrade();
+    saveCurves();
+}
+
+void MainWindow::saveDistance() {
+    askWhereToSavePlot(tr("distance"), m_comparison->plot().time(),
+                       [this](const QString &path, QString *error) { return m_comparison->plot().save(path, error); });
+}
+
+void MainWindow::saveTrade() {
+    const QString filter = tr("Table of all settings (*.csv);;Picture (*.png);;Document (*.pdf);;Drawing (*.svg)");
+    chooseFile(*this, m_session.settings(), {tr("Save trade"), filter, tr("trade"), FileUse::Write},
+               [this](const QString &path) {
+                   QString error;
+                   m_trade->save(path, &error);
+                   showSaved(path, error);
+               });
+}
+
+void MainWindow::saveCurves() {
     askWhereToSavePlot(tr("plot"), m_plots->time(),
                        [this](const QString &path, QString *error) { return m_plots->save(path, error); });
 }

@@ -57,6 +57,7 @@ private slots:
     void nameWithoutAKnownEndingIsRefused();
     void fileThatCantBeWrittenIsShown();
     void saveAsksForAName();
+    void savePlotSavesWhatIsSeen();
     void darkPaletteGivesADarkPlot();
     void addedPlotSharesTheTime();
     void plotIsAddedWhileValuesAreRead();
@@ -348,6 +349,25 @@ void TestWindowPlot::saveAsksForAName() {
     click(dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Save));
     QTRY_VERIFY(QFile::exists(m_fixture->path("chosen.csv")));
     QCOMPARE(m_fixture->game().phase(), inspector::Game::Phase::Prompt);
+}
+
+void TestWindowPlot::savePlotSavesWhatIsSeen() {
+    const auto suggested = [this] {
+        m_fixture->trigger("save_plot");
+        auto *dialog = m_fixture->window().findChild<QFileDialog *>();
+        const QString name = dialog ? dialog->findChild<QLineEdit *>("fileNameEdit")->text() : QString();
+        delete dialog;
+        return name.section('/', -1);
+    };
+    QCOMPARE(suggested(), QString("plot"));
+    for (const auto &[key, name] : {std::pair(Qt::Key_4, "trade"), std::pair(Qt::Key_5, "distance")}) {
+        m_fixture->press(key, Qt::ControlModifier);
+        QTRY_VERIFY(m_plot->visibleRegion().isEmpty());
+        QCOMPARE(suggested(), QString(name));
+    }
+    m_fixture->press(Qt::Key_3, Qt::ControlModifier);
+    QTRY_VERIFY(!m_plot->visibleRegion().isEmpty());
+    QCOMPARE(suggested(), QString("plot"));
 }
 
 void TestWindowPlot::darkPaletteGivesADarkPlot() {
