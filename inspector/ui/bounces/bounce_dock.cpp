@@ -220,8 +220,8 @@ void BounceDock::select(uint64_t number) {
     const LoggedEvent &event = m_events->events()[size_t(row)];
     if (!m_filter->shows(event)) (event.isBounce() ? m_slow : m_others)->setChecked(true);
     const QModelIndex index = m_filter->mapFromSource(m_events->index(row, 0));
-    m_table->setCurrentIndex(index);
-    m_table->selectRow(index.row());
+    // By the model: the table's own functions toggle rows while Ctrl is held, as in a jump from bounce to bounce.
+    m_table->selectionModel()->setCurrentIndex(index, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
     m_table->scrollTo(index);
 }
 

@@ -552,7 +552,7 @@ void TradeDock::showTolerance() {
 
 void TradeDock::choose(size_t index) {
     const QModelIndex row = m_sorted->mapFromSource(m_rows->index(int(index), 0));
-    m_table->selectRow(row.row());
+    m_table->selectionModel()->setCurrentIndex(row, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
     m_table->scrollTo(row, QAbstractItemView::PositionAtCenter);
 }
 

@@ -15,6 +15,7 @@
 #include <QImage>
 #include <QLabel>
 #include <QStatusBar>
+#include <QTableView>
 #include <QToolButton>
 #include <QTreeWidget>
 
@@ -45,6 +46,7 @@ private slots:
     void takingOverWithoutAChangeGivesTheSameBits();
     void timeBarSaysTheStateStep();
     void keysJumpFromBounceToBounce();
+    void jumpSelectsItsBounceAlone();
     void restartKeepsTheRunBefore();
     void runsNameAllThatTheyWereMadeBy();
     void clickOnAnotherLevelKeepsTheRun();
@@ -280,6 +282,29 @@ void TestWindowPast::keysJumpFromBounceToBounce() {
     QTRY_VERIFY(isAtTime(times[1]));
     m_fixture->key(Qt::Key_Left, Qt::ControlModifier);
     QTRY_VERIFY(isAtTime(times[0]));
+}
+
+// With Ctrl held down from one jump to the next.
+void TestWindowPast::jumpSelectsItsBounceAlone() {
+    m_fixture->trigger("show_bounces_dock");
+    makeSteps(250);
+    const auto *table = m_fixture->find<QTableView>("bounces_table");
+    m_fixture->window().refresh();
+    const auto selected = [&] {
+        m_fixture->window().refresh();
+        QStringList times;
+        for (const QModelIndex &row : table->selectionModel()->selectedRows()) times += row.data().toString();
+        return times.join(' ');
+    };
+    QTest::keyPress(&m_fixture->window().view(), Qt::Key_Control, Qt::ControlModifier);
+    m_fixture->key(Qt::Key_Left, Qt::ControlModifier);
+    QTRY_VERIFY(!selected().isEmpty());
+    const QString last = selected();
+    QVERIFY2(!last.contains(' '), qPrintable(last));
+    m_fixture->key(Qt::Key_Left, Qt::ControlModifier);
+    QTRY_VERIFY2(!selected().isEmpty() && selected().toDouble() < last.toDouble(), qPrintable(selected()));
+    QVERIFY(!m_fixture->find<QLabel>("bounces_detail")->text().contains("Click a bounce"));
+    QTest::keyRelease(&m_fixture->window().view(), Qt::Key_Control);
 }
 
 void TestWindowPast::restartKeepsTheRunBefore() {
