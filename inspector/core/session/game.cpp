@@ -76,6 +76,7 @@ void Game::leaveMaze(double time, bool isAssisted) {
     m_isRecord = !isAssisted && !m_maze.isEmpty() && (!best || time < *best);
     if (m_isRecord) m_settings.setValue(bestTimeKey(m_maze), time);
     m_settings.sync();
+    m_isStored = m_isRecord && m_settings.status() != QSettings::AccessError;
     enter(Phase::Won);
 }
 

@@ -32,6 +32,7 @@ public:
     int level() const { return m_level; }        ///< from 0
     double time() const { return m_time; }       ///< s, that the level took; 0 before its end
     bool isRecord() const { return m_isRecord; } ///< whether that is a new best time
+    bool isStored() const { return m_isStored; } ///< whether the settings keep it
     std::optional<double> bestTime(int level) const;
     std::optional<double> bestTime() const; ///< of the open maze
 
@@ -75,6 +76,7 @@ private:
     QString m_maze;         ///< of the open level
     double m_time = 0.0;
     bool m_isRecord = false;
+    bool m_isStored = false;
 };
 
 } // namespace inspector

@@ -27,6 +27,9 @@ QString winLine(Session &session, const Game &game) {
     const QString obstacle = session.whyNoBestTime();
     if (!obstacle.isEmpty())
         return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "%1 – no best time: %2")).arg(time, obstacle);
+    if (game.isRecord() && !game.isStored())
+        return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "%1 – a new best time, which can't be stored"))
+            .arg(time);
     if (game.isRecord()) return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "%1 – a new best time")).arg(time);
     const std::optional<double> best = game.bestTime();
     if (!best) return time;

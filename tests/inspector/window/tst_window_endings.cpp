@@ -3,6 +3,7 @@
 #include "ui/game/clock_text.h"
 #include "window_fixture.h"
 
+#include <QDir>
 #include <QFile>
 #include <QLabel>
 #include <QTreeWidget>
@@ -28,6 +29,7 @@ private slots:
     void impossibleStartIsSaid_data();
     void impossibleStartIsSaid();
     void runBesideTheBoardIsNoWin();
+    void bestTimeThatCantBeStoredIsSaid();
     void runsAndClockShowTheTimeOfTheResult();
 
 private:
@@ -149,6 +151,14 @@ void TestWindowEndings::runBesideTheBoardIsNoWin() {
     QVERIFY2(!strip().contains("done") && !strip().contains("best time"), qPrintable(strip()));
     QVERIFY2(strip().contains("the ball starts beside the board"), qPrintable(strip()));
     QVERIFY(!m_fixture->game().bestTime());
+}
+
+void TestWindowEndings::bestTimeThatCantBeStoredIsSaid() {
+    const QString file = m_fixture->settings().fileName();
+    m_fixture->settings().sync();
+    QVERIFY(QFile::remove(file) && QDir().mkdir(file));
+    drop(kMazeHead + kWholeFloor + kThreeRims);
+    playToTheRight("a new best time, which can't be stored");
 }
 
 // The ball falls for a while after it has left.
