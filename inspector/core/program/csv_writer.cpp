@@ -47,7 +47,15 @@ QByteArray tableSettings(const Options &options) {
     QByteArray text = settingsHead(options);
     text += "stepper " + options.stepper + " " + (info.version ? info.version : "") + "\n";
     text += "dt " + exactText(options.dt) + " s\nautopilot " + QByteArray(options.autopilot ? "on" : "off") + "\n";
-    return text + comparisonLines(options) + parameterLines(parameters);
+    text += comparisonLines(options) + parameterLines(parameters);
+    return options.autopilot ? withVariedTilt(text) : text;
+}
+
+QByteArray withVariedTilt(const QByteArray &settings) {
+    QByteArrayList lines = settings.trimmed().split('\n');
+    lines.removeIf([](const QByteArray &line) { return line.startsWith("tilt_"); });
+    lines += "tilt varies: columns tilt_x, tilt_y\n";
+    return lines.join('\n');
 }
 
 QByteArray settingsHead(const Options &options) {

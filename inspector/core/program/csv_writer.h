@@ -20,6 +20,8 @@ QByteArray settingsHead(const Options &options);
 QByteArray parameterLines(const Parameters &parameters);
 /// The settings of a run's table, one per line: program, level, stepper, dt and every parameter.
 QByteArray tableSettings(const Options &options);
+/// Those settings with a tilt that isn't constant: instead of its values, that they are in the table's columns.
+QByteArray withVariedTilt(const QByteArray &settings);
 /// Describes which of the run's samples from `since` on, s, the ring still has: "samples from 12.3 s to 20 s; earlier
 /// ones aren't kept" and the like.
 QString spanOf(const SampleRing &samples, double since = -HUGE_VAL);

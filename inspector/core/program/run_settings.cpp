@@ -80,11 +80,9 @@ void RunSettings::note(const SettingsSpan &span, const GhostSettings &ghost, dou
 
 /// Omits what set the tilt: the tilts are in the table.
 QByteArrayList RunSettings::linesOf(const SettingsSpan &span, const GhostSettings &ghost) const {
-    QByteArrayList lines = tableSettings(optionsOf(span, ghost)).trimmed().split('\n');
-    lines.removeIf([this](const QByteArray &line) {
-        return line.startsWith("autopilot ") || (m_isTiltVaried && line.startsWith("tilt_"));
-    });
-    if (m_isTiltVaried) lines += "tilt varies: columns tilt_x, tilt_y";
+    const QByteArray settings = tableSettings(optionsOf(span, ghost));
+    QByteArrayList lines = (m_isTiltVaried ? withVariedTilt(settings) : settings).trimmed().split('\n');
+    lines.removeIf([](const QByteArray &line) { return line.startsWith("autopilot "); });
     return lines;
 }
 

@@ -20,6 +20,7 @@ private slots:
     void headerNamesEveryColumnWithItsUnit();
     void firstLineIsTheHeaderAndNothingIsAComment();
     void fileBesideTheTableTellsHowToRepeatTheRun();
+    void fileBesideTheAutopilotsTableNamesNoTilt();
     void fileOfAnotherKindBesideTheTableStays();
     void rowPerStepReadsBackExactly();
     void everySoManyStepsIsARow();
@@ -102,6 +103,15 @@ void TestHeadless::fileBesideTheTableTellsHowToRepeatTheRun() {
     const Parameters parameters;
     for (int i = 0; i < parameters.count(); ++i)
         QVERIFY2(settings.contains('\n' + QByteArray(parameters.row(i).id) + ' '), parameters.row(i).id);
+}
+
+void TestHeadless::fileBesideTheAutopilotsTableNamesNoTilt() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("t.csv");
+    headless("--autopilot --duration 0.01 --csv " + path);
+    const QByteArray settings = support::contentOf(path + ".txt");
+    QVERIFY2(settings.contains("\nautopilot on\ngravity ") && !settings.contains("\ntilt_"), settings.constData());
+    QVERIFY2(settings.endsWith("\ntilt varies: columns tilt_x, tilt_y\n"), settings.constData());
 }
 
 void TestHeadless::fileOfAnotherKindBesideTheTableStays() {
