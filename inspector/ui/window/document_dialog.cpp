@@ -71,8 +71,8 @@ bool DocumentDialog::showPage(const QString &page, const QString &section) {
     const QString path = documentFolder() + QLatin1Char('/') + page;
     if (!QFileInfo::exists(path)) return false;
     m_text->setSource(QUrl::fromLocalFile(path), QTextDocument::MarkdownResource);
-    goTo(section);
     show();
+    goTo(section); // once shown: the page is laid out anew for the window's width
     raise();
     activateWindow();
     m_text->setFocus();

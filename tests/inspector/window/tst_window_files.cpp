@@ -264,6 +264,12 @@ void TestWindowFiles::guideOpensByKeyAndIsSearched() {
     auto *page = m_fixture->find<QTextBrowser>("document");
     QTRY_VERIFY(page->isVisible());
     QVERIFY2(page->toPlainText().startsWith("inspector\n"), qPrintable(page->toPlainText().left(80)));
+    const auto headingAtTheTop = [page] {
+        const QTextBlock block = page->textCursor().block();
+        const int top = page->cursorRect().top();
+        return block.text() == QLatin1String("Using the window") && top >= 0 && top < page->viewport()->height() / 10;
+    };
+    QTRY_VERIFY(headingAtTheTop());
     auto *sought = m_fixture->find<QLineEdit>("document_sought");
     click(sought);
     QTest::keyClicks(sought, "After an interruption");
