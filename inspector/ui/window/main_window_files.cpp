@@ -29,6 +29,12 @@ QString droppedFile(const QMimeData &data) {
     return urls.size() == 1 ? urls.constFirst().toLocalFile() : QString();
 }
 
+/// Also where the source proposes to move the file: it would delete it then.
+void acceptCopy(QDropEvent &event) {
+    event.setDropAction(Qt::CopyAction);
+    event.accept();
+}
+
 } // namespace
 
 void MainWindow::openMazeFile() {
@@ -71,11 +77,11 @@ void MainWindow::rememberFirst() {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent *event) {
-    if (!droppedFile(*event->mimeData()).isEmpty()) event->acceptProposedAction();
+    if (!droppedFile(*event->mimeData()).isEmpty()) acceptCopy(*event);
 }
 
 void MainWindow::dropEvent(QDropEvent *event) {
-    event->acceptProposedAction();
+    acceptCopy(*event);
     openFile(droppedFile(*event->mimeData()));
 }
 

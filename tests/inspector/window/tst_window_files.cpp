@@ -6,11 +6,13 @@
 
 #include <QComboBox>
 #include <QDialog>
+#include <QDropEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMimeData>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalSpy>
@@ -32,6 +34,7 @@ private slots:
     void init();
     void cleanup();
     void droppedMazeIsARecentOne();
+    void droppedFileIsNotMoved();
     void recentFileThatIsGoneIsForgotten();
     void changedMazeIsReadAgain();
     void noteOfAChangedMazeIsForgottenAtARestart();
@@ -117,6 +120,22 @@ void TestWindowFiles::droppedMazeIsARecentOne() {
     menu = recent();
     QCOMPARE(menu->actions().at(0)->text(), QString("&1  first.txt"));
     QTest::keyClick(menu, Qt::Key_Escape);
+}
+
+// A source that also offers to move it would delete the file.
+void TestWindowFiles::droppedFileIsNotMoved() {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(maze("mine.txt"))});
+    QDragEnterEvent enter({9, 9}, Qt::CopyAction | Qt::MoveAction, &data, Qt::LeftButton, Qt::ShiftModifier);
+    QCOMPARE(enter.proposedAction(), Qt::MoveAction);
+    QApplication::sendEvent(&m_fixture->window(), &enter);
+    QVERIFY(enter.isAccepted());
+    QCOMPARE(enter.dropAction(), Qt::CopyAction);
+    QDropEvent drop({9, 9}, Qt::CopyAction | Qt::MoveAction, &data, Qt::LeftButton, Qt::ShiftModifier);
+    QApplication::sendEvent(&m_fixture->window(), &drop);
+    QVERIFY(drop.isAccepted());
+    QCOMPARE(drop.dropAction(), Qt::CopyAction);
+    QTRY_COMPARE(m_fixture->session().level().name, QString("mine"));
 }
 
 void TestWindowFiles::recentFileThatIsGoneIsForgotten() {
