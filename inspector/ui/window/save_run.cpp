@@ -13,6 +13,9 @@
 #include <QFileInfo>
 #include <QImage>
 
+#include <algorithm>
+#include <optional>
+
 namespace inspector::ui {
 
 namespace {
@@ -20,6 +23,16 @@ namespace {
 bool saveTable(Session &session, const QString &path, QString *error) {
     return saveSamples(path, session.simulation().samples(), 0.0, Columns::All, error) &&
            saveSettingsBeside(session, path, 0.0, error);
+}
+
+/// The time, s, from which on the run shown is kept; nothing if all of it is.
+std::optional<double> keptSince(Session &session) {
+    const uint64_t oldest = session.simulation().latest().history.begin;
+    const auto isCut = [oldest](const KeptRun &run) { return run.begin < oldest && oldest < run.end; };
+    if (session.runPlace().begin != oldest || std::ranges::none_of(session.runs(), isCut)) return std::nullopt;
+    const std::optional<Past> first = session.simulation().past(nullptr, oldest, oldest + 1);
+    if (!first) return std::nullopt;
+    return first->keyframes.front().state.time;
 }
 
 } // namespace
@@ -38,7 +51,10 @@ bool writeTableOfRun(Session &session, const Options &options, QString *error) {
     return writeTable(options.csv, samples, shape, settings, error);
 }
 
-QString lostSamples(Session &session, const QString &path) {
+QString lostSteps(Session &session, const QString &path) {
+    const bool isRecording = path.endsWith(QLatin1String(".rec"), Qt::CaseInsensitive);
+    const std::optional<double> since = isRecording ? keptSince(session) : std::nullopt;
+    if (since) return QStringLiteral("%1: steps from %2 s; earlier ones aren't kept").arg(path).arg(*since);
     const SampleRing &samples = session.simulation().samples();
     const bool isTable = path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive);
     return isTable && isPartial(samples) ? QStringLiteral("%1: %2").arg(path, spanOf(samples)) : QString();

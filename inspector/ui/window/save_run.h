@@ -27,7 +27,7 @@ bool saveSettingsBeside(Session &session, const QString &csv, double since, QStr
 /// what made that run. Returns false, with one line in `error`, on failure.
 bool writeTableOfRun(Session &session, const Options &options, QString *error);
 
-/// One line if a table of all samples would lack the run's first ones; otherwise empty.
-QString lostSamples(Session &session, const QString &path);
+/// One line if a recording, or a table of all samples, of this name lacks the run's first steps; otherwise empty.
+QString lostSteps(Session &session, const QString &path);
 
 } // namespace inspector::ui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What remains of a run when the next one begins: it is listed, said to be, and can still be saved.
 #include "core/program/options.h"
+#include "core/recording/history.h"
 #include "support/files.h"
 #include "ui/parts/message_bar.h"
 #include "ui/parts/number_box.h"
@@ -28,6 +29,7 @@ public:
 private slots:
     void init();
     void cleanup();
+    void runWhoseBeginningIsGoneSaysSo();
     void recordingWithoutStepsIsNotSaved_data();
     void recordingWithoutStepsIsNotSaved();
     void onlyTheLiveRunIsThePresentOne();
@@ -94,6 +96,28 @@ QByteArray TestWindowRuns::textBesideTable() {
     m_fixture->trigger("save_run");
     m_fixture->answerFile(m_fixture->path("table.csv"));
     return support::contentOf(m_fixture->path("table.csv.txt"));
+}
+
+// The history keeps so many changes of the step size.
+void TestWindowRuns::runWhoseBeginningIsGoneSaysSo() {
+    const uint64_t steps = inspector::History::kMostBlocks + 10;
+    for (uint64_t i = 0; i < steps; ++i) {
+        m_fixture->simulation().setDt(i % 2 ? 1e-6 : 2e-6);
+        m_fixture->simulation().stepOnce();
+    }
+    QTRY_COMPARE(m_fixture->simulation().latest().current.step, 30 + steps);
+    m_fixture->window().refresh();
+    const QString file = m_fixture->path("late.rec");
+    m_fixture->key(Qt::Key_S, Qt::ControlModifier);
+    m_fixture->answerFile(file);
+    const auto *messages = m_fixture->find<MessageBar>("messages");
+    const QString kept = QStringLiteral("steps from 0.300015 s"); // ten of those steps are gone
+    QVERIFY2(messages->line().contains(kept), qPrintable(messages->line()));
+    restart();
+    m_fixture->makeSteps(5);
+    m_fixture->key(Qt::Key_S, Qt::ControlModifier);
+    m_fixture->answerFile(m_fixture->path("whole.rec"));
+    QCOMPARE(messages->line(), QString());
 }
 
 void TestWindowRuns::recordingWithoutStepsIsNotSaved_data() {
