@@ -17,8 +17,9 @@ void turn(double (&orientation)[4], const Phase &phase, const Place &end, double
     constexpr double kMostParts = 16.0;
     Place before{Vec3(0.0), Vec3(0.0), phase.spinAt(0.0), Vec3(0.0)};
     const double angle = t * std::max(glm::length(before.spin), glm::length(end.spin));
-    const double parts = std::clamp(std::ceil(angle), 1.0, kMostParts), h = t / parts;
-    for (double part = 1.0; part <= parts; ++part) {
+    const int parts = static_cast<int>(std::clamp(std::ceil(angle), 1.0, kMostParts));
+    const double h = t / parts;
+    for (int part = 1; part <= parts; ++part) {
         const Place now = part < parts ? phase.placeAt(part * h) : end;
         rotate(orientation, now.turning - before.turning + h * h / 12.0 * glm::cross(now.spin, before.spin));
         before = now;
