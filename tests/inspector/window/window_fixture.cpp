@@ -59,6 +59,7 @@ Fixture::Fixture(int level, inspector::gl::Drawing drawing)
     : m_drawing(drawing)
     , m_settings(m_folder.filePath(QStringLiteral("settings.ini")), inspector::settingsFormat()) {
     m_settings.setValue(QStringLiteral("window/show_way_ahead"), false); // it appears at an unpredictable time
+    m_settings.setValue(QStringLiteral("window/quality"), 0);            // drawn by software: the lowest is the fastest
     QString error;
     m_session = inspector::Session::open(optionsOf(level), m_settings, &error);
     if (!m_session) qFatal("%s", qPrintable(error));
