@@ -56,7 +56,7 @@ void Engine::setState(const phys_state &state, const EnergySums &sums) {
 void Engine::askPilot() {
     if (!m_pilot) return;
     const auto interval = uint64_t(std::max(1.0, std::round(m_pilot->period() / std::max(m_dt, 1e-9))));
-    if (m_pilotIsNew || m_state.step % interval == 0) tiltBoard(m_inputs, m_pilot->tilt(m_state));
+    if (m_pilotIsNew || m_state.step % interval == 0) tiltBoard(m_inputs, m_pilot->tilt(m_state, m_dt));
     m_pilotIsNew = false;
 }
 

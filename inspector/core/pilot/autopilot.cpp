@@ -56,7 +56,7 @@ Autopilot::Aim Autopilot::aim(Point from) const {
     return {m_space.centre(best), m_space.isOutside(best)};
 }
 
-Tilt Autopilot::tilt(const phys_state &state) const {
+Tilt Autopilot::tilt(const phys_state &state, double) const {
     const Point here{state.position.x, state.position.y};
     const Aim target = aim(here);
     const double dx = target.point.x - here.x;

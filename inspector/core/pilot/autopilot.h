@@ -19,7 +19,7 @@ public:
     static std::shared_ptr<const Autopilot> create(const phys_scene *scene, QString *error);
 
     /// A pure function of the state. Any thread.
-    Tilt tilt(const phys_state &state) const override;
+    Tilt tilt(const phys_state &state, double dt) const override;
 
 private:
     explicit Autopilot(const phys_scene *scene);

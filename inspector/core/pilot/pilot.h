@@ -9,8 +9,9 @@ namespace inspector {
 class Pilot {
 public:
     virtual ~Pilot() = default;
-    /// The tilt for this state, rad; a function of the state alone, so that a run can be repeated from any state.
-    virtual Tilt tilt(const phys_state &state) const = 0;
+    /// The tilt for a step of dt, s, from this state on, rad; a function of both alone, so that a run can be repeated
+    /// from any state.
+    virtual Tilt tilt(const phys_state &state, double dt) const = 0;
     /// Simulated time between two calls, s: about as often as a player's hand moves. 0: before each step.
     virtual double period() const { return 0.02; }
 };

@@ -111,7 +111,7 @@ TiltSchedule autopilotSchedule(const Registry &registry, const Scene &scene, con
     Inputs now = inputs;
     for (int i = 0; i * kScheduleHold < duration; ++i) {
         const double time = i * kScheduleHold;
-        const Tilt tilt = pilot->tilt(state);
+        const Tilt tilt = pilot->tilt(state, kScheduleHold);
         tiltBoard(now, tilt);
         phys_error failure;
         if (phys_step(stepper.get(), &now.params, kScheduleHold, &state, &state, nullptr, &failure) != PHYS_OK) {

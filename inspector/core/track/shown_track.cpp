@@ -53,11 +53,24 @@ std::optional<ShownTrack::Place> ShownTrack::at(double time) const {
     return Place{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), (to.x - from.x) / span, (to.y - from.y) / span};
 }
 
-/// A step that begins at a switch of the tilt, up to rounding, has the new tilt.
-Tilt ShownTrack::tiltAt(double time) const {
-    const auto after = std::upper_bound(m_tilts.begin(), m_tilts.end(), time + kRounding,
-                                        [](double now, const TiltChange &change) { return now < change.time; });
-    return after == m_tilts.begin() ? m_tilts.front().tilt : std::prev(after)->tilt;
+/// A switch at either end, up to rounding, doesn't count as being between.
+Tilt ShownTrack::tiltBetween(double begin, double end) const {
+    auto next = std::upper_bound(m_tilts.begin(), m_tilts.end(), begin + kRounding,
+                                 [](double now, const TiltChange &change) { return now < change.time; });
+    Tilt now = next == m_tilts.begin() ? m_tilts.front().tilt : std::prev(next)->tilt;
+    double from = begin;
+    Tilt sum{};
+    const auto addUntil = [&](double to) {
+        sum = {sum.x + now.x * (to - from), sum.y + now.y * (to - from)};
+        from = to;
+    };
+    for (; next != m_tilts.end() && next->time < end - kRounding; ++next) {
+        addUntil(next->time);
+        now = next->tilt;
+    }
+    if (from == begin) return now;
+    addUntil(end);
+    return {sum.x / (end - begin), sum.y / (end - begin)};
 }
 
 phys_state ShownTrack::start(const phys_scene *scene) const { return rollingState(scene, m_start); }

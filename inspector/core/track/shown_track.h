@@ -28,7 +28,8 @@ public:
     std::optional<Place> at(double time) const;
 
     bool hasTilts() const { return !m_tilts.empty(); }
-    Tilt tiltAt(double time) const; ///< before the track begins its first tilt; only if it has tilts
+    /// The mean tilt over these times, s; before the track begins it has its first tilt. Only if it has tilts.
+    Tilt tiltBetween(double begin, double end) const;
     /// A rolling ball on the floor where the ball was first seen.
     phys_state start(const phys_scene *scene) const;
 
@@ -45,12 +46,15 @@ private:
 /// The time at which a track begins in a run: its own if that is soon after 0, as in tables of runs; otherwise 0.
 double usualBegin(const Track &track);
 
-/// A pilot that applies the tilts of the track.
+/// A pilot that applies the tilts of the track. A step during which they change has their mean, so that it ends with
+/// the velocity that they give, whenever they change.
 class TrackPilot : public Pilot {
 public:
     explicit TrackPilot(std::shared_ptr<const ShownTrack> track)
         : m_track(std::move(track)) {}
-    Tilt tilt(const phys_state &state) const override { return m_track->tiltAt(state.time); }
+    Tilt tilt(const phys_state &state, double dt) const override {
+        return m_track->tiltBetween(state.time, state.time + dt);
+    }
     double period() const override { return 0.0; }
 
 private:

@@ -35,7 +35,7 @@ namespace {
 
 class CountingPilot : public Pilot {
 public:
-    Tilt tilt(const phys_state &) const override {
+    Tilt tilt(const phys_state &, double) const override {
         ++m_questions;
         return {radians(4.0), 0.0};
     }

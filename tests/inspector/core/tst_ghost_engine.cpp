@@ -59,7 +59,7 @@ GhostEngine ghostOf(const Engine &ball, const GhostChoice &ghostChoice, const QB
 // Tilts depending on the position: both balls would get different tilts if each had its own pilot.
 class PlacePilot : public Pilot {
 public:
-    Tilt tilt(const phys_state &state) const override {
+    Tilt tilt(const phys_state &state, double) const override {
         return {radians(8.0 * std::sin(200.0 * state.position.x)), radians(8.0 * std::cos(130.0 * state.position.y))};
     }
 };

@@ -74,7 +74,9 @@ void waitBlocked(const Simulation &simulation, uint64_t samples) {
 
 class ShiftingPilot : public Pilot {
 public:
-    Tilt tilt(const phys_state &state) const override { return {radians(5.0), state.position.x > -0.02 ? -0.1 : 0.1}; }
+    Tilt tilt(const phys_state &state, double) const override {
+        return {radians(5.0), state.position.x > -0.02 ? -0.1 : 0.1};
+    }
 };
 
 } // namespace
