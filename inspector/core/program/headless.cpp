@@ -26,11 +26,13 @@ constexpr double kAutopilotDuration = 600.0; ///< s, simulated
 QString outcomeLine(const Level &level, const Outcome &outcome) {
     const QString name = QStringLiteral("level %1 ").arg(oneLine(level.name));
     if (!outcome.error.isEmpty()) return name + QStringLiteral("failed: ") + outcome.error;
-    return name + QStringLiteral("%1 %2 s (simulated), %3 steps, %4 steps/s")
+    const QString fault = outcome.startFault.isEmpty() ? QString() : QStringLiteral("; ") + outcome.startFault;
+    return name + QStringLiteral("%1 %2 s (simulated), %3 steps, %4 steps/s%5")
                       .arg(outcome.isWon() ? QStringLiteral("won in") : QStringLiteral("not won after"))
                       .arg(outcome.left ? outcome.left->time : outcome.time, 0, 'f', 2)
                       .arg(outcome.steps)
-                      .arg(outcome.stepsPerSecond(), 0, 'f', 0);
+                      .arg(outcome.stepsPerSecond(), 0, 'f', 0)
+                      .arg(fault);
 }
 
 double durationOf(const Options &options) {
@@ -140,6 +142,7 @@ std::unique_ptr<Engine> makeEngine(const Options &options, const Level &level, Q
 
 Outcome play(Engine &engine, const Limits &limits, const std::function<bool(const Engine &)> &visit) {
     Outcome outcome;
+    outcome.startFault = startFault(engine.scene().get(), engine.state().position);
     const auto begin = std::chrono::steady_clock::now();
     const double count = stepCount(limits.duration, engine.dt());
     while (double(outcome.steps) < count && !(outcome.left && !limits.goesOn)) {

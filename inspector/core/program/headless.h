@@ -18,13 +18,14 @@ namespace inspector {
 std::unique_ptr<Engine> makeEngine(const Options &options, const Level &level, QString *error);
 
 struct Outcome {
+    QString startFault;            ///< what is wrong with the start, which makes a win impossible; else empty
     std::optional<Departure> left; ///< how the ball left the maze
     double time = 0.0;             ///< s, simulated, at the end
     uint64_t steps = 0;
     double seconds = 0.0; ///< wall-clock time
     QString error;        ///< why a step failed; else empty
 
-    bool isWon() const { return left && left->side == BoardSide::Beside; }
+    bool isWon() const { return startFault.isEmpty() && left && left->side == BoardSide::Beside; }
     double stepsPerSecond() const { return seconds > 0.0 ? double(steps) / seconds : 0.0; }
 };
 

@@ -4,7 +4,6 @@
 #include "core/pilot/autopilot.h"
 #include "core/pilot/exits.h"
 #include "core/recording/recording.h"
-#include "core/setup/ball_place.h"
 #include "core/setup/files.h"
 #include "core/setup/lines.h"
 
@@ -15,7 +14,6 @@ namespace inspector {
 
 namespace {
 
-constexpr double kTouchingShare = 0.1;          ///< of the radius: a ball that starts less deep in a box touches it
 constexpr int kOthersAhead = 24;                ///< boards
 constexpr uint64_t kOthersSeed = 1;             ///< fixed, so that moving a slider doesn't resample them
 const QString kModel = QStringLiteral("model"); ///< the row's id
@@ -156,15 +154,23 @@ QString Session::whyNoBestTime() {
 QString Session::startFault() const {
     phys_state start;
     if (m_ownStart || phys_scene_start(m_scene.get(), &start) != PHYS_OK) return {};
-    const BoardSide side = boardSide(m_scene.get(), start.position);
-    if (side == BoardSide::Beside) return tr("the ball starts beside the board");
-    if (side == BoardSide::Below) return tr("the ball starts below the board");
-    const double touching = kTouchingShare * phys_scene_radius(m_scene.get());
-    return overlapOf(m_scene.get(), start.position) > touching ? tr("the ball starts in a box") : QString();
+    return inspector::startFault(m_scene.get(), start.position);
 }
 
 std::optional<Departure> Session::departure(const Snapshot &now) const {
     return inspector::departure(m_simulation->samples(), m_scene.get(), now.current.time);
+}
+
+std::optional<Departure> Session::departure() const {
+    const SampleRing &samples = m_simulation->samples();
+    Sample last;
+    const bool hasAny = samples.last() > samples.first() && samples.read(samples.last() - 1, last);
+    return hasAny ? inspector::departure(samples, m_scene.get(), last.time) : std::nullopt;
+}
+
+bool Session::hasEnded(const Snapshot &now) const {
+    const std::optional<Departure> left = m_replay || m_past ? std::nullopt : departure(now);
+    return left && now.current.time >= left->time + kFallTime;
 }
 
 double Session::stopwatch(const Snapshot &now) const {

@@ -51,6 +51,7 @@ struct RunPlace {
     uint64_t end = 0;
     uint64_t first = 0; ///< first place that shows this run: one later if another run ends there
     uint64_t place = 0;
+    bool isCut = false; ///< steps before `begin` aren't kept any more
 };
 
 class Session : public QObject {
@@ -85,6 +86,9 @@ public:
     QString startFault() const;
     /// Of the run shown, up to the moment shown.
     std::optional<Departure> departure(const Snapshot &now) const;
+    std::optional<Departure> departure() const; ///< of all its samples
+    /// Whether the live ball has left the maze and fallen as far as is shown.
+    bool hasEnded(const Snapshot &now) const;
     /// s since the start, as a stopwatch shows it: it stops when the ball leaves the maze.
     double stopwatch(const Snapshot &now) const;
 

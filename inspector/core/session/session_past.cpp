@@ -20,8 +20,10 @@ constexpr size_t kOldFutureIntervals = 4000; ///< that its points divide the tim
 RunPlace Session::runPlace() {
     const Snapshot &now = m_simulation->latest();
     const HistoryPlace &kept = now.history;
-    const auto placeIn = [&kept](uint64_t begin, uint64_t end, uint64_t place) {
-        return RunPlace{begin, end, begin > kept.begin ? std::min(begin + 1, end) : begin, place};
+    const bool isOldestCut = !m_runs.empty() && m_runs.front().begin < kept.begin;
+    const auto placeIn = [&](uint64_t begin, uint64_t end, uint64_t place) {
+        const bool isOldest = begin <= kept.begin;
+        return RunPlace{begin, end, isOldest ? begin : std::min(begin + 1, end), place, isOldest && isOldestCut};
     };
     if (!m_past) return placeIn(std::max(kept.run, kept.begin), kept.end, kept.end);
     const bool isThere = now.replay.number == m_past->number && now.replay.seeks >= m_past->seeks;

@@ -4,6 +4,8 @@
 
 #include "core/simulation/sample_ring.h"
 
+#include <QString>
+
 #include <optional>
 
 namespace inspector {
@@ -14,6 +16,12 @@ enum class BoardSide {
     Below,  ///< within these, below the lowest box: the ball has fallen through a hole
 };
 BoardSide boardSide(const phys_scene *scene, const phys_vec3 &centre);
+
+/// What is wrong with this place of the centre as a start, in a few words; empty if nothing is.
+QString startFault(const phys_scene *scene, const phys_vec3 &centre);
+
+/// How long the ball keeps falling after it left the maze, s of simulated time.
+constexpr double kFallTime = 0.4;
 
 /// The first step that left the maze.
 struct Departure {

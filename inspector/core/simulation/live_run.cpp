@@ -12,8 +12,6 @@ namespace inspector {
 
 namespace {
 
-/// How long the ball keeps falling after it left the maze, s of simulated time.
-constexpr double kFallTime = 0.4;
 /// Tolerance as a share of a step: 30 steps of 0.01 s are 0.3 s.
 constexpr double kRounding = 1e-6;
 

@@ -30,6 +30,7 @@ private slots:
     void runWithoutStepsWritesNothing();
     void runWithoutDurationEndsOutOfTheMaze();
     void autopilotThatDoesntGetOutGivesStatus1();
+    void startBesideTheBoardIsNoWin();
     void allLevelsAreWonAndEachHasALine();
     void missingLevelGivesOneLineAndStatus2();
     void unwritableTableGivesOneLineAndStatus2();
@@ -204,6 +205,17 @@ void TestHeadless::autopilotThatDoesntGetOutGivesStatus1() {
     const Result result = headless("--autopilot --rolling-friction 0.2 --csv-every 1000000");
     QCOMPARE(result.status, 1);
     QVERIFY2(result.messages.startsWith("level 01 not won after 600.00 s"), qPrintable(result.messages));
+}
+
+void TestHeadless::startBesideTheBoardIsNoWin() {
+    const QTemporaryDir folder;
+    QFile maze(folder.filePath("beside.txt"));
+    QVERIFY(maze.open(QIODevice::WriteOnly));
+    maze.write("physics-maze 1\nunits m\nball 0.006\nstart -0.5 0 0.006\nbox -0.09 -0.09 -0.005 0.09 0.09 0\n");
+    maze.close();
+    const Result result = inspector::runOf({"--headless", maze.fileName()});
+    QVERIFY2(result.messages.startsWith("level beside not won after 0.01 s"), qPrintable(result.messages));
+    QVERIFY2(result.messages.contains("the ball starts beside the board\n"), qPrintable(result.messages));
 }
 
 void TestHeadless::allLevelsAreWonAndEachHasALine() {
