@@ -47,23 +47,6 @@ TrackFit measure(const FitPlan &plan, QTextStream *progress) {
     return std::move(*fit);
 }
 
-/// What the fit began with, and its report.
-QByteArray fitSettings(const Options &options, const QStringList &report) {
-    const FitOptions &wish = options.fit;
-    const TrackFrame &frame = wish.frame;
-    QStringList ids;
-    for (const FitQuantity &quantity : wish.quantities) ids += quantity.id;
-    Parameters parameters;
-    parameters.set(options.settings);
-    QByteArray text = settingsHead(options) + "track " + oneLine(wish.track).toUtf8() + "\n";
-    if (!wish.unitWords.isEmpty()) text += "track-units " + oneLine(wish.unitWords).toUtf8() + "\n";
-    text += "track-frame " + exactText(frame.x * 1e3) + "," + exactText(frame.y * 1e3) + "," +
-            exactText(degrees(frame.angle)) + "," + exactText(frame.scale) + "\n";
-    text += "fit-for " + ids.join(QLatin1Char(',')).toUtf8() + "\n" + parameterLines(parameters);
-    for (const QString &line : report) text += oneLine(line).toUtf8() + "\n";
-    return text;
-}
-
 void writeTable(const QString &path, const QByteArray &table, const QByteArray &settings) {
     QString error;
     const std::unique_ptr<OutputFile> file = openTable(path, settings, &error);
@@ -72,7 +55,35 @@ void writeTable(const QString &path, const QByteArray &table, const QByteArray &
     if (!file->finish()) throw Failure{1, QStringLiteral("--csv: ") + file->problem()};
 }
 
+/// The tilt's offset and delay that were set: the command line can't do that.
+QByteArray typedLines(BoardParameters begin) {
+    QByteArray text;
+    for (const FitQuantity &quantity : fitQuantities()) {
+        const bool isTyped = quantity.id.startsWith(QLatin1String("tilt")) || quantity.id == QLatin1String("delay");
+        const double value = isTyped ? quantity.of(begin) / quantity.perUnit : 0.0;
+        if (value != 0.0)
+            text += (quantity.id + QLatin1Char(' ')).toUtf8() + exactText(value) + " " + quantity.unit.toUtf8() + "\n";
+    }
+    return text;
+}
+
 } // namespace
+
+QByteArray fitSettings(const Options &options, const FitPlan &plan, const QStringList &report) {
+    const TrackFrame &frame = plan.begin.frame;
+    QStringList ids;
+    for (const FitQuantity &quantity : plan.quantities) ids += quantity.id;
+    Parameters parameters;
+    parameters.set(options.settings);
+    QByteArray text = settingsHead(options) + "track " + oneLine(options.fit.track).toUtf8() + "\n";
+    if (!options.fit.unitWords.isEmpty()) text += "track-units " + oneLine(options.fit.unitWords).toUtf8() + "\n";
+    text += "track-frame " + exactText(frame.x * 1e3) + "," + exactText(frame.y * 1e3) + "," +
+            exactText(degrees(frame.angle)) + "," + exactText(frame.scale) + "\n";
+    text +=
+        typedLines(plan.begin) + "fit-for " + ids.join(QLatin1Char(',')).toUtf8() + "\n" + parameterLines(parameters);
+    for (const QString &line : report) text += oneLine(line).toUtf8() + "\n";
+    return text;
+}
 
 int runFit(const Options &options, QIODevice &out, QTextStream &messages, QTextStream *progress) {
     try {
@@ -87,7 +98,8 @@ int runFit(const Options &options, QIODevice &out, QTextStream &messages, QTextS
         for (const QString &line : report) text << oneLine(line) << '\n';
         text.flush();
         if (isCsv) out.write(fitCsv(fit.best()));
-        if (!isStandardOutput(options.csv)) writeTable(options.csv, fitCsv(fit.best()), fitSettings(options, report));
+        if (!isStandardOutput(options.csv))
+            writeTable(options.csv, fitCsv(fit.best()), fitSettings(options, plan, report));
         return fit.isExplained() ? 0 : 1;
     } catch (const Failure &failure) {
         report(messages, failure.line);

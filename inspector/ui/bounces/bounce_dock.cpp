@@ -115,10 +115,9 @@ BounceDock::BounceDock(Session &session, QWidget *parent)
     m_area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // the text wraps
     m_area->setMinimumWidth(fontMetrics().averageCharWidth() * 24);
     m_area->installEventFilter(this);
-    auto *halves = new TurningSplitter(kNarrow);
+    auto *halves = new TurningSplitter(kNarrow, {400, 600}, {600, 400}); // per mille
     halves->addWidget(m_table);
     halves->addWidget(m_area);
-    halves->setSizes({400, 600}); // per mille
     auto *top = new QHBoxLayout;
     top->addWidget(m_slow);
     top->addWidget(m_others);
@@ -162,17 +161,28 @@ void BounceDock::makeTable() {
     header->setHighlightSections(false);
     header->setStretchLastSection(true);
     // As wide as the longest expected text, so that columns keep their widths while rows arrive.
-    const QStringList widest{QStringLiteral("000.0000"), tr("Leaning: 0.00 s, 000 impacts"), QStringLiteral("000")};
+    const QStringList widest{QStringLiteral("000.0000"), {}, QStringLiteral("000")};
     for (int column = 0; column < m_events->columnCount(); ++column) {
         const QString title = m_events->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
         const QString text = widest.value(column, QStringLiteral("00.0000"));
         header->resizeSection(
             column, std::max(fontMetrics().horizontalAdvance(title), fontMetrics().horizontalAdvance(text)) + 16);
     }
+    fitWhat();
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &BounceDock::showSelected);
     connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this, &BounceDock::showSelected);
+}
+
+/// Gives way to the figures where the dock is narrow; a tool tip has the whole text.
+void BounceDock::fitWhat() {
+    QHeaderView *header = m_table->horizontalHeader();
+    const int figures = header->length() - header->sectionSize(BounceTableModel::kWhat) -
+                        header->sectionSize(m_events->columnCount() - 1); // without the stepper
+    const int widest = fontMetrics().horizontalAdvance(tr("Leaning: 0.00 s, 000 impacts")) + 16;
+    const int least = fontMetrics().horizontalAdvance(tr("Impact")) + 16;
+    header->resizeSection(BounceTableModel::kWhat, std::clamp(m_table->viewport()->width() - figures, least, widest));
 }
 
 /// Keeps the newest row visible, unless the user has scrolled away.
@@ -272,6 +282,7 @@ std::vector<double> BounceDock::bounceTimes() const {
 /// While the table has the focus it handles Ctrl+C, and Esc if something is selected.
 bool BounceDock::eventFilter(QObject *object, QEvent *event) {
     if (object == m_area && event->type() == QEvent::Resize) showDetail(selected());
+    if (object == m_table && event->type() == QEvent::Resize) fitWhat();
     const bool isOffer = event->type() == QEvent::ShortcutOverride;
     if (object != m_table || (!isOffer && event->type() != QEvent::KeyPress)) return false;
     auto *key = static_cast<QKeyEvent *>(event);

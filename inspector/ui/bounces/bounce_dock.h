@@ -55,6 +55,7 @@ protected:
 private:
     QCheckBox *addFilter(const QString &text, const char *name, const QString &tip);
     void makeTable();
+    void fitWhat();
     void applyFilter();
     void showSelected();
     void showDetail(const std::optional<LoggedEvent> &event);

@@ -25,9 +25,10 @@ const std::vector<const EventColumn *> &shownColumns() {
 }
 
 /// Columns: time, event, the other figures, stepper.
-constexpr int kWhat = 1;
 int stepperColumn() { return int(shownColumns().size()) + 1; }
-const EventColumn &figureAt(int column) { return *shownColumns()[size_t(column < kWhat ? column : column - 1)]; }
+const EventColumn &figureAt(int column) {
+    return *shownColumns()[size_t(column < BounceTableModel::kWhat ? column : column - 1)];
+}
 
 } // namespace
 
@@ -118,7 +119,8 @@ QVariant BounceTableModel::data(const QModelIndex &index, int role) const {
     const LoggedEvent &event = m_events[size_t(index.row())];
     const bool isText = index.column() == kWhat || index.column() == stepperColumn();
     if (role == Qt::TextAlignmentRole) return int((isText ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
-    if (role != Qt::DisplayRole) return {};
+    const bool isTip = role == Qt::ToolTipRole && index.column() == kWhat; // the column may be too narrow
+    if (role != Qt::DisplayRole && !isTip) return {};
     if (index.column() == kWhat) return eventText(event);
     if (index.column() == stepperColumn()) return stepperName(m_registry, stepperId(m_registry, event.step.stepper));
     return figureText(figureAt(index.column()), event);

@@ -21,6 +21,8 @@ public:
     /// Fetches new entries of the log; false if there are none.
     bool refresh();
 
+    static constexpr int kWhat = 1; ///< column of what happened
+
     const std::deque<LoggedEvent> &events() const { return m_events; }
     /// Row of the entry with this number; -1 if it isn't there.
     int rowOf(uint64_t number) const;

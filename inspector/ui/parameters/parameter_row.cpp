@@ -63,8 +63,7 @@ void ParameterRow::setVisible(bool isVisible) {
 }
 
 void ParameterRow::setPalette(const QPalette &palette) {
-    for (QWidget *widget : m_widgets)
-        if (widget != m_box || !m_box->isRefused()) widget->setPalette(palette);
+    for (QWidget *widget : m_widgets) widget->setPalette(palette);
 }
 
 void ParameterRow::takeColours() {

@@ -11,7 +11,8 @@
 namespace inspector::ui {
 
 FileBox::FileBox(QWidget *parent)
-    : QLineEdit(parent) {
+    : QLineEdit(parent)
+    , m_alarm(new AlarmText(*this, QPalette::Text)) {
     QAction *open = addAction(glyphIcon(Glyph::Open), QLineEdit::TrailingPosition);
     open->setToolTip(tr("Choose a file…"));
     connect(open, &QAction::triggered, this, &FileBox::chooseWanted);
@@ -28,13 +29,9 @@ QString FileBox::problem() const {
 
 void FileBox::mark(bool isEntered) {
     m_isEntered = isEntered;
-    setPalette({});
-    setToolTip(accessibleDescription());
-    if (problem().isEmpty()) return;
-    QPalette marked = palette();
-    marked.setColor(QPalette::Text, accentsFor(marked).alarm);
-    setPalette(marked);
-    setToolTip(problem());
+    const QString problem = this->problem();
+    m_alarm->setOn(!problem.isEmpty());
+    setToolTip(problem.isEmpty() ? accessibleDescription() : problem);
 }
 
 } // namespace inspector::ui

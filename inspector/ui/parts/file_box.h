@@ -5,6 +5,8 @@
 
 namespace inspector::ui {
 
+class AlarmText;
+
 /// The name of a file that is read, as typed, with a button that asks for one. A name of no file is marked once it is
 /// entered.
 class FileBox : public QLineEdit {
@@ -24,6 +26,7 @@ signals:
 private:
     void mark(bool isEntered);
 
+    AlarmText *m_alarm;
     bool m_isEntered = false; ///< since it was edited last
 };
 

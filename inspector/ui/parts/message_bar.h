@@ -19,6 +19,7 @@ enum class Cause {
     Comparison, ///< a stepper that refused the ghost
     Recording,  ///< the file that is written
     Replay,     ///< the recording that is watched
+    Settings,   ///< they can't be written: until it is dismissed
 };
 
 /// A line across the window that shows a problem until it is closed or settled. It doesn't block.

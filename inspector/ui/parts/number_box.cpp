@@ -58,7 +58,8 @@ double notchesOf(const QKeyEvent &event) {
 } // namespace
 
 NumberBox::NumberBox(QWidget *parent)
-    : QLineEdit(parent) {
+    : QLineEdit(parent)
+    , m_alarm(new AlarmText(*this, QPalette::Text)) {
     setAlignment(Qt::AlignRight);
     setFocusPolicy(Qt::StrongFocus);
     connect(this, &QLineEdit::textEdited, this, [this] {
@@ -105,16 +106,10 @@ void NumberBox::refuse(const QString &reason) {
     if (m_reason.isEmpty()) m_usual = {toolTip(), accessibleDescription()};
     m_reason = reason;
     setModified(true);
-    mark();
+    m_alarm->setOn(true);
     setToolTip(reason);
     setAccessibleDescription(reason);
     if (hasFocus()) showNote(reason, accentsFor(window()->palette()).warning);
-}
-
-void NumberBox::mark() {
-    QPalette marked = palette();
-    marked.setColor(QPalette::Text, accentsFor(marked).alarm);
-    if (marked != palette()) setPalette(marked);
 }
 
 /// Validates again, as the text may have become valid.
@@ -122,7 +117,7 @@ void NumberBox::accept() {
     if (m_note) m_note->hide();
     if (m_reason.isEmpty()) return;
     m_reason.clear();
-    setPalette({});
+    m_alarm->setOn(false);
     setToolTip(m_usual.tip);
     setAccessibleDescription(m_usual.description);
 }
@@ -206,10 +201,10 @@ void NumberBox::wheelEvent(QWheelEvent *event) {
     event->accept();
 }
 
-/// The theme may have changed.
+/// The note has the colours of the theme before.
 void NumberBox::changeEvent(QEvent *event) {
     QLineEdit::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange && isRefused()) mark();
+    if (event->type() == QEvent::PaletteChange && m_note) m_note->hide();
 }
 
 /// Called before the text is selected.

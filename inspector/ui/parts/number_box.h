@@ -11,6 +11,8 @@ class QLabel;
 
 namespace inspector::ui {
 
+class AlarmText;
+
 /// A field for one number, in any form that core/setup/numbers.h reads. Enter, or leaving the field, commits the input.
 /// Invalid input stays as typed, marked and with the reason below, and isn't committed; Esc discards it, and so does a
 /// new value. If nothing was typed, Enter and Esc are the dialog's. Up, Down and the wheel change the number by a
@@ -68,9 +70,9 @@ private:
     void apply();
     void stepBy(double notches);
     void accept();
-    void mark();
     void showNote(const QString &text, const QColor &colour);
 
+    AlarmText *m_alarm; ///< on while refused
     Kind m_kind;
     double m_value = 0.0;
     QString m_reason;

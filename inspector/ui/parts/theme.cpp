@@ -2,9 +2,10 @@
 #include "ui/parts/theme.h"
 
 #include <QApplication>
-#include <QPalette>
+#include <QEvent>
 #include <QProxyStyle>
 #include <QStyleOptionButton>
+#include <QWidget>
 
 namespace inspector::ui {
 
@@ -97,6 +98,33 @@ Accents accentsFor(const QPalette &palette) {
                 QColor(0xff8a3c), QColor(0x57a8ff), QColor(0xff5aa8), QColor(0xff7b72)};
     return {QColor(0x1f6fc0), QColor(0xc96a0c), QColor(0x3a3f45), QColor(0xffefc2),
             QColor(0xd64a00), QColor(0x0a5fd0), QColor(0xc2185b), QColor(0xc62828)};
+}
+
+AlarmText::AlarmText(QWidget &widget, QPalette::ColorRole role)
+    : QObject(&widget)
+    , m_widget(widget)
+    , m_role(role) {
+    widget.installEventFilter(this);
+}
+
+void AlarmText::setOn(bool isOn) {
+    if (isOn == m_isOn) return;
+    m_isOn = isOn;
+    isOn ? takeColour() : m_widget.setPalette({});
+}
+
+bool AlarmText::eventFilter(QObject *, QEvent *event) {
+    if (m_isOn && event->type() == QEvent::PaletteChange) takeColour();
+    return false;
+}
+
+/// A copy of the widget's palette would keep the theme's other colours, too.
+void AlarmText::takeColour() {
+    const QColor alarm = accentsFor(QApplication::palette()).alarm;
+    if (m_widget.palette().color(m_role) == alarm) return; // this call caused the change
+    QPalette own;
+    own.setColor(m_role, alarm);
+    m_widget.setPalette(own);
 }
 
 } // namespace inspector::ui

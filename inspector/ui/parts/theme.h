@@ -3,9 +3,11 @@
 #pragma once
 
 #include <QColor>
+#include <QObject>
+#include <QPalette>
 #include <QString>
 
-class QPalette;
+class QWidget;
 
 namespace inspector::ui {
 
@@ -25,5 +27,23 @@ struct Accents {
     QColor alarm;       ///< marks errors
 };
 Accents accentsFor(const QPalette &palette);
+
+/// Gives a widget's text the colour that marks errors, in every theme; all else follows the theme.
+class AlarmText : public QObject {
+public:
+    /// role: that of the text. The widget becomes the owner.
+    AlarmText(QWidget &widget, QPalette::ColorRole role);
+    void setOn(bool isOn); ///< initially off
+
+protected:
+    bool eventFilter(QObject *widget, QEvent *event) override;
+
+private:
+    void takeColour();
+
+    QWidget &m_widget;
+    QPalette::ColorRole m_role;
+    bool m_isOn = false;
+};
 
 } // namespace inspector::ui

@@ -5,8 +5,11 @@
 #include "core/track/fit_report.h"
 #include "ui/parts/theme.h"
 
+#include <QEvent>
 #include <QHeaderView>
 #include <QSignalBlocker>
+
+#include <algorithm>
 
 namespace inspector::ui {
 
@@ -98,7 +101,7 @@ void FitTable::showBegin(const Inputs &inputs) {
     const QSignalBlocker silent(this);
     for (int row = 0; row < rowCount(); ++row) {
         const FitQuantity &quantity = m_quantities[size_t(row)];
-        if (!item(row, Begin)->data(kReason).toString().isEmpty()) continue;
+        if (!reasonOf(row).isEmpty()) continue;
         item(row, Begin)->setText(QString::number(quantity.of(board) / quantity.perUnit, 'g', 6));
     }
 }
@@ -111,11 +114,13 @@ void FitTable::read(QTableWidgetItem *item) {
     const NumberRange range{quantity.lower / quantity.perUnit, quantity.upper / quantity.perUnit, quantity.unit};
     double &number = quantity.of(m_typed);
     const NumberReading reading = readNumber(item->text(), range);
-    const QSignalBlocker silent(this);
+    QSignalBlocker silent(this);
     showReason(*item, reading.problem);
     if (!reading.value) return;
     number = *reading.value * quantity.perUnit;
     item->setText(QString::number(number / quantity.perUnit, 'g', 6));
+    silent.unblock();
+    emit typed();
 }
 
 /// reason: empty if the value is accepted.
@@ -129,9 +134,33 @@ void FitTable::showReason(QTableWidgetItem &begin, const QString &reason) {
     begin.setForeground(reason.isEmpty() ? QBrush() : QBrush(accentsFor(palette()).alarm));
 }
 
+QString FitTable::othersOf(const FitPlan &plan) const {
+    BoardParameters assumed = plan.begin;
+    BoardParameters now = m_typed;
+    QStringList others;
+    for (const FitQuantity &quantity : m_quantities) {
+        const bool isFitted = std::ranges::count(plan.quantities, quantity.id, &FitQuantity::id) > 0;
+        if (isFitted || !isTyped(quantity) || quantity.of(assumed) == quantity.of(now)) continue;
+        const double value = quantity.of(assumed) / quantity.perUnit;
+        others += QStringLiteral("%1 of %2 %3").arg(quantity.label).arg(value, 0, 'g', 6).arg(quantity.unit).trimmed();
+    }
+    return others.join(QStringLiteral(", "));
+}
+
+/// Empty if the value is accepted.
+QString FitTable::reasonOf(int row) const { return item(row, Begin)->data(kReason).toString(); }
+
+/// The theme may have changed.
+void FitTable::changeEvent(QEvent *event) {
+    QTableWidget::changeEvent(event);
+    if (event->type() != QEvent::PaletteChange) return;
+    const QSignalBlocker silent(this);
+    for (int row = 0; row < rowCount(); ++row) showReason(*item(row, Begin), reasonOf(row));
+}
+
 QString FitTable::refusal() const {
     for (int row = 0; row < rowCount(); ++row) {
-        const QString reason = item(row, Begin)->data(kReason).toString();
+        const QString reason = reasonOf(row);
         if (!reason.isEmpty()) return m_quantities[size_t(row)].id + QStringLiteral(": ") + reason;
     }
     return {};

@@ -25,6 +25,8 @@ public:
     void showBegin(const Inputs &inputs);
     void showFound(const ModelFit &fit);
     void forgetFound();
+    /// What this fit took for true and isn't typed here any more; empty if all is.
+    QString othersOf(const FitPlan &plan) const;
     /// What is wrong with the first initial value that was refused; empty if none was.
     QString refusal() const;
 
@@ -32,10 +34,15 @@ public:
 
 signals:
     void wantedChanged();
+    void typed(); ///< another initial value
+
+protected:
+    void changeEvent(QEvent *event) override;
 
 private:
     void read(QTableWidgetItem *item);
     void showReason(QTableWidgetItem &begin, const QString &reason);
+    QString reasonOf(int row) const;
 
     std::vector<FitQuantity> m_quantities;
     BoardParameters m_typed{}; ///< without coefficients and gravity

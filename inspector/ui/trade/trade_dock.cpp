@@ -95,10 +95,9 @@ TradeDock::TradeDock(Session &session, QUndoStack &undo, QWidget *parent)
     makeControls();
     leaveKeysToTheGame();
     makeTable();
-    auto *halves = new TurningSplitter(kNarrow);
+    auto *halves = new TurningSplitter(kNarrow, {400, 600}, {400, 600}); // per mille
     halves->addWidget(m_chart);
     halves->addWidget(makeAnswers());
-    halves->setSizes({400, 600}); // per mille
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 4, 6, 6);
     layout->addWidget(makeTop());
@@ -153,6 +152,8 @@ void TradeDock::makeControls() {
     m_unknownsError = named(new QLabel, "trade_unknowns_error");
     m_unknownsError->setWordWrap(true);
     m_unknownsError->setTextFormat(Qt::PlainText);
+    (new AlarmText(*m_unknownsError, QPalette::WindowText))->setOn(true);
+    m_unknownsAlarm = new AlarmText(*m_unknowns, QPalette::Text);
     m_horizon = named(new NumberBox, "trade_horizon");
     m_horizon->setKind(numberKind({0.1, 60.0, QStringLiteral("s")}, 0.1));
     m_horizon->setValue(kTradeHorizon);
@@ -334,9 +335,7 @@ std::optional<Unknowns> TradeDock::unknowns() {
     QString error;
     std::optional<Unknowns> result = parseUnknowns(m_unknowns->text().trimmed(), &error);
     m_unknownsError->setText(error);
-    QPalette marked = palette();
-    marked.setColor(QPalette::WindowText, accentsFor(marked).alarm);
-    m_unknownsError->setPalette(marked);
+    m_unknownsAlarm->setOn(!error.isEmpty());
     m_unknownsError->setVisible(!error.isEmpty());
     return result;
 }

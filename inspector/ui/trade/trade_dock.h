@@ -21,6 +21,7 @@ class QUndoStack;
 
 namespace inspector::ui {
 
+class AlarmText;
 class ElidedLabel;
 class NumberBox;
 class ScheduleChooser;
@@ -112,6 +113,7 @@ private:
     NumberBox *m_duration;
     QComboBox *m_model;
     QLineEdit *m_unknowns;
+    AlarmText *m_unknownsAlarm; ///< on while they can't be read
     NumberBox *m_horizon;
     NumberBox *m_share;
     QLabel *m_unknownsError;

@@ -39,6 +39,12 @@ void SeekSlider::setDifference(std::optional<int> position) {
     update();
 }
 
+void SeekSlider::setContinuing(bool isContinuing) {
+    if (m_isContinuing == isContinuing) return;
+    m_isContinuing = isContinuing;
+    update();
+}
+
 void SeekSlider::setSpan(std::optional<Span> span) {
     if (m_span == span) return;
     m_span = span;
@@ -82,6 +88,8 @@ void SeekSlider::paintEvent(QPaintEvent *event) {
     }
     painter.setPen(palette().color(QPalette::Disabled, QPalette::WindowText));
     for (const int run : m_runs) painter.drawLine(pixelOf(run), height() - 4, pixelOf(run), height());
+    if (m_isContinuing)
+        for (const int x : {2, 5}) painter.drawLine(x + 2, 1, x, height() - 2);
     if (!m_difference) return;
     const double x = pixelOf(*m_difference) + 0.5;
     QPainterPath flag(QPointF(x, 6.0));

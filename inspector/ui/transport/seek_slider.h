@@ -9,7 +9,8 @@
 namespace inspector::ui {
 
 /// A slider over the positions of a recording. A press seeks. Left and Right move by a step, PageUp and PageDown by a
-/// second, Home and End to the ends. Marks show where runs begin and where the first difference is.
+/// second, Home and End to the ends. Marks show where runs begin, where the first difference is, and that there were
+/// steps before the left end.
 class SeekSlider : public QSlider {
     Q_OBJECT
 
@@ -18,6 +19,7 @@ public:
 
     void setRuns(std::vector<int> positions);
     void setDifference(std::optional<int> position);
+    void setContinuing(bool isContinuing); ///< steps before the left end aren't shown
     /// The positions at which the track has measured points.
     struct Span {
         int begin, end;
@@ -43,6 +45,7 @@ private:
     int positionAt(int pixel) const;
 
     std::vector<int> m_runs;
+    bool m_isContinuing = false;
     std::optional<int> m_difference;
     std::optional<Span> m_span;
 };

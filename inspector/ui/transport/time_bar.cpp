@@ -30,6 +30,12 @@ uint64_t firstStepOf(const RunPlace &run, const Snapshot &now) {
     return now.current.step - std::min(made, now.current.step);
 }
 
+/// What happened to those in front of the bar's left end; empty if there were none.
+QString stepsBefore(const RunPlace &run, const Snapshot &now) {
+    if (run.isCut) return TimeBar::tr("Earlier steps aren't kept");
+    return firstStepOf(run, now) > 0 ? TimeBar::tr("Earlier steps are in Runs") : QString();
+}
+
 constexpr int kLeastWidth = 48; ///< pixels, minimum width of a button with a text
 
 QToolButton *buttonOf(QAction *action) {
@@ -51,6 +57,7 @@ TimeBar::TimeBar(Session &session, const QList<QAction *> &playback, const QList
     , m_slider(new SeekSlider)
     , m_place(new ElidedLabel)
     , m_verdict(new ElidedLabel)
+    , m_alarm(new AlarmText(*m_verdict, QPalette::WindowText))
     , m_recording(new ElidedLabel)
     , m_toDifference(new QToolButton) {
     setObjectName(QStringLiteral("time_bar"));
@@ -104,9 +111,11 @@ void TimeBar::goTo(int notch) {
 void TimeBar::reset() {
     m_slider->setDifference(std::nullopt);
     m_slider->setRuns({});
+    m_slider->setContinuing(false);
+    m_slider->setToolTip({});
     m_toDifference->hide();
     m_verdict->clear();
-    m_verdict->setPalette({});
+    m_alarm->setOn(false);
     m_place->setWidest({});
     if (!m_session.isReplaying()) return showRun(m_session.simulation().latest());
     const PlayableRecording &recording = m_session.recording();
@@ -132,16 +141,20 @@ void TimeBar::refresh(const Snapshot &now) {
 
 void TimeBar::showRun(const Snapshot &now) {
     const RunPlace run = m_session.runPlace();
-    const uint64_t place = run.place - run.begin;
     const QSignalBlocker silent(m_slider);
     m_slider->setPageStep(int(std::clamp(std::round(1.0 / now.dt), 1.0, 1e6)));
     if (!m_slider->isSliderDown()) {
         m_slider->setMaximum(notchOf(run.end - run.begin));
-        m_slider->setValue(notchOf(place));
+        m_slider->setValue(notchOf(run.place - run.begin));
     }
     const QString time = tr("%1 s · step %2").arg(now.current.time, 0, 'f', 3).arg(now.current.step);
     const uint64_t lastStep = firstStepOf(run, now) + run.end - run.begin;
-    m_place->setText(m_session.isInPast() ? tr("%1 of %2").arg(time).arg(lastStep) : time);
+    const QString place = m_session.isInPast() ? tr("%1 of %2").arg(time).arg(lastStep) : time;
+    const QString before = stepsBefore(run, now);
+    const bool isAtBegin = m_session.isInPast() && run.place == run.first;
+    m_place->setText(isAtBegin && !before.isEmpty() ? QStringLiteral("%1 · %2").arg(place, before) : place);
+    m_slider->setToolTip(before);
+    m_slider->setContinuing(!before.isEmpty());
 }
 
 /// The run's samples, one per step, map times to steps. If a run was taken over, they may begin before the bar does.
@@ -180,9 +193,7 @@ void TimeBar::showVerdict(const ReplayPlace &place, const Snapshot &now) {
     m_verdict->setText(text);
     if (!place.difference) return;
     m_slider->setDifference(notchOf(*place.difference));
-    QPalette colours = palette();
-    colours.setColor(QPalette::WindowText, accentsFor(colours).alarm);
-    m_verdict->setPalette(colours);
+    m_alarm->setOn(true);
 }
 
 void TimeBar::goToDifference() {

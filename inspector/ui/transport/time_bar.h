@@ -10,6 +10,7 @@ class QToolButton;
 
 namespace inspector::ui {
 
+class AlarmText;
 class ElidedLabel;
 class SeekSlider;
 
@@ -41,6 +42,7 @@ private:
     SeekSlider *m_slider;
     ElidedLabel *m_place;
     ElidedLabel *m_verdict;
+    AlarmText *m_alarm; ///< the verdict's
     ElidedLabel *m_recording;
     QToolButton *m_toDifference;
 };

@@ -13,7 +13,6 @@
 #include <QFileInfo>
 #include <QImage>
 
-#include <algorithm>
 #include <optional>
 
 namespace inspector::ui {
@@ -27,10 +26,9 @@ bool saveTable(Session &session, const QString &path, QString *error) {
 
 /// The time, s, from which on the run shown is kept; nothing if all of it is.
 std::optional<double> keptSince(Session &session) {
-    const uint64_t oldest = session.simulation().latest().history.begin;
-    const auto isCut = [oldest](const KeptRun &run) { return run.begin < oldest && oldest < run.end; };
-    if (session.runPlace().begin != oldest || std::ranges::none_of(session.runs(), isCut)) return std::nullopt;
-    const std::optional<Past> first = session.simulation().past(nullptr, oldest, oldest + 1);
+    const RunPlace run = session.runPlace();
+    if (!run.isCut) return std::nullopt;
+    const std::optional<Past> first = session.simulation().past(nullptr, run.begin, run.begin + 1);
     if (!first) return std::nullopt;
     return first->keyframes.front().state.time;
 }

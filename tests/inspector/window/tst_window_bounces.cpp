@@ -62,6 +62,7 @@ private slots:
     void lostEventsAreTold();
     void detailHasTheLawWithItsNumbers();
     void detailIsWrappedBesideAnotherDock();
+    void listBesideThePlotsHasRoom();
 
 private:
     void makeSteps(int count);
@@ -482,6 +483,24 @@ void TestWindowBounces::detailIsWrappedBesideAnotherDock() {
                  qPrintable(QString("%1 of %2").arg(detail->minimumSizeHint().width()).arg(area->width())));
     const auto *dock = m_fixture->find<QDockWidget>("bounces_dock");
     QVERIFY2(dock->width() > 0.3 * m_fixture->window().width(), qPrintable(QString::number(dock->width())));
+}
+
+// In the default window, beside the plots.
+void TestWindowBounces::listBesideThePlotsHasRoom() {
+    m_fixture->window().resize(1280, 820);
+    showDock();
+    play(5);
+    const QHeaderView *header = m_table->horizontalHeader();
+    const auto endOf = [header](const char *title) {
+        for (int column = 0; column < header->count(); ++column)
+            if (header->model()->headerData(column, Qt::Horizontal).toString().startsWith(title))
+                return header->sectionViewportPosition(column) + header->sectionSize(column);
+        qFatal("no column %s", title);
+    };
+    QTRY_VERIFY2(endOf("After") <= m_table->viewport()->width(),
+                 qPrintable(QString("%1 of %2").arg(endOf("After")).arg(m_table->viewport()->width())));
+    const int rows = m_table->viewport()->height() / m_table->rowHeight(0);
+    QVERIFY2(rows >= 4, qPrintable(QString::number(rows)));
 }
 
 QTEST_MAIN(TestWindowBounces)
