@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/track/track_dock.h"
 
+#include "core/program/fit_command.h"
+#include "core/program/outputs.h"
+#include "core/setup/files.h"
 #include "core/track/fit_report.h"
 #include "core/track/track_reader.h"
 #include "ui/parameters/parameter_command.h"
@@ -8,8 +11,11 @@
 #include "ui/parts/file_box.h"
 #include "ui/parts/file_chooser.h"
 #include "ui/parts/flow_layout.h"
+#include "ui/parts/path_icon.h"
 #include "ui/parts/printed_unit.h"
 #include "ui/parts/settings_keys.h"
+#include "ui/parts/theme.h"
+#include "ui/plots/plot_file.h"
 #include "ui/track/fit_table.h"
 #include "ui/track/residual_plot.h"
 
@@ -20,9 +26,11 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSplitter>
+#include <QToolButton>
 #include <QUndoStack>
 
 #include <algorithm>
+#include <initializer_list>
 #include <utility>
 
 namespace inspector::ui {
@@ -70,6 +78,7 @@ TrackDock::TrackDock(Session &session, QUndoStack &undo, QWidget *parent)
     const auto showBegin = [this] { m_quantities->showBegin(m_session.parameters().inputs()); };
     connect(&session.parameters(), &Parameters::changed, this, showBegin);
     connect(&session.parameters(), &Parameters::changed, this, &TrackDock::showConditions);
+    connect(m_quantities, &FitTable::typed, this, &TrackDock::showConditions);
     connect(&session, &Session::trackChanged, this, &TrackDock::showRunning);
     connect(&session, &Session::levelOpened, this, &TrackDock::showLevel);
     showBegin();
@@ -102,6 +111,8 @@ QWidget *TrackDock::makeControls() {
     m_units->setObjectName(QStringLiteral("track_units"));
     m_units->setPlaceholderText(tr("Units: t=ms, x=mm, px=0.25mm, fps=60, mirror=y"));
     describe(m_units, tr("Units of the table"), tr("What the names of the columns don't say"));
+    m_unitsAlarm = new AlarmText(*m_units, QPalette::Text);
+    connect(m_units, &QLineEdit::textEdited, this, [this] { m_unitsAlarm->setOn(false); });
     m_fit = new QPushButton(tr("Fit"));
     m_fit->setObjectName(QStringLiteral("track_fit"));
     describe(m_fit, {}, tr("Find the board on which the computed ball rolls like the measured one"));
@@ -109,16 +120,22 @@ QWidget *TrackDock::makeControls() {
     m_follow->setObjectName(QStringLiteral("track_follow"));
     m_follow->setCheckable(true);
     describe(m_follow, {}, tr("Start where the measured ball started, under the tilts of its table"));
-    m_takeOver = new QPushButton(tr("Take over"));
+    m_takeOver = new QPushButton(tr("Use these"));
     m_takeOver->setObjectName(QStringLiteral("track_take_over"));
-    describe(m_takeOver, {},
+    describe(m_takeOver, tr("Use what was found"),
              tr("Set model and coefficients to what the fit has found, and the others to what it assumed"));
     m_progress = new QProgressBar;
     m_progress->setRange(0, 1000);
     m_progress->setAccessibleName(tr("Progress of the fit"));
-    for (QPushButton *button : {m_fit, m_follow, m_takeOver})
+    m_save = new QToolButton;
+    m_save->setObjectName(QStringLiteral("track_save"));
+    m_save->setIcon(glyphIcon(Glyph::Save));
+    m_save->setAutoRaise(true);
+    describe(m_save, tr("Save the fit"), tr("Save as CSV, PNG or PDF…"));
+    connect(m_save, &QToolButton::clicked, this, &TrackDock::saveWanted);
+    for (QAbstractButton *button : std::initializer_list<QAbstractButton *>{m_fit, m_follow, m_takeOver, m_save})
         button->setFocusPolicy(Qt::TabFocus); // a click doesn't take the keyboard from the game
-    return flowOf({m_file, m_units, m_fit, m_progress, m_takeOver, m_follow});
+    return flowOf({m_file, m_units, m_fit, m_save, m_progress, m_takeOver, m_follow});
 }
 
 void TrackDock::chooseTrackFile() {
@@ -127,10 +144,17 @@ void TrackDock::chooseTrackFile() {
                [this](const QString &path) { open(path, m_units->text()); });
 }
 
+/// If it is refused, the names of the open one come back.
 bool TrackDock::open(const QString &path, const QString &units) {
+    const QString fileBefore = m_file->text();
+    const QString unitsBefore = m_units->text();
     m_file->setText(path);
     m_units->setText(units);
-    return openTrack();
+    if (openTrack()) return true;
+    if (!m_track) return false;
+    m_file->setText(fileBefore);
+    m_units->setText(unitsBefore);
+    return false;
 }
 
 QString TrackDock::units() const { return m_units->text(); }
@@ -140,31 +164,43 @@ void TrackDock::setFrame(const TrackFrame &frame) {
     m_quantities->showBegin(m_session.parameters().inputs());
 }
 
+/// A refused one takes nothing away from the open one.
 bool TrackDock::openTrack() {
     QString error;
-    forgetFit();
     const std::optional<TrackUnits> units = parseTrackUnits(m_units->text(), &error);
-    m_track = units ? readTrackFile(m_file->path(), *units, &error) : std::nullopt;
-    if (!m_track) {
-        m_session.showTrack(nullptr);
-        m_report->setPlainText(error);
+    std::optional<Track> track = units ? readTrackFile(m_file->path(), *units, &error) : std::nullopt;
+    m_unitsAlarm->setOn(!units);
+    if (!track) {
+        m_report->setPlainText((QStringList(error) + reportLines()).join(QLatin1Char('\n')));
         return false;
     }
+    forgetFit();
+    m_track = std::move(track);
     m_level = m_session.level().name;
     layOver(m_quantities->begin(m_session.parameters().inputs()));
-    showTrackReport();
+    showReport();
     return true;
 }
 
-void TrackDock::showTrackReport() {
-    const BoardParameters board = m_quantities->begin(m_session.parameters().inputs());
-    m_report->setPlainText(trackReport(*m_track, board.frame, m_session.scene().get()).join(QLatin1Char('\n')));
+/// About the open track or its fit, which begins with what it assumed where that isn't set any more.
+QStringList TrackDock::reportLines() const {
+    if (!m_track || !m_session.track()) return {};
+    if (!m_outcome || !m_outcome->fit) {
+        const TrackFrame frame = m_quantities->begin(m_session.parameters().inputs()).frame;
+        return trackReport(*m_track, frame, m_session.scene().get());
+    }
+    QStringList lines = fitSummary(m_outcome->plan, *m_outcome->fit);
+    if (const QString others = othersText(); !others.isEmpty())
+        lines.prepend(tr("Found with other parameters than are set now: %1.").arg(others));
+    return lines;
 }
+
+void TrackDock::showReport() { m_report->setPlainText(reportLines().join(QLatin1Char('\n'))); }
 
 /// Clears what a fit had found.
 void TrackDock::showAnew() {
     if (!m_session.isFollowingTrack()) layOver(m_quantities->begin(m_session.parameters().inputs()));
-    showTrackReport();
+    showReport();
 }
 
 void TrackDock::layOver(const BoardParameters &board) {
@@ -222,6 +258,10 @@ void TrackDock::toggle() {
     m_report->appendPlainText(tr("Fitting…"));
     m_progress->setValue(0);
     m_assumed = boardSettings(m_session.parameters());
+    m_begunWith.level = m_session.level();
+    m_begunWith.settings = m_assumed;
+    m_begunWith.fit.track = m_track->name;
+    m_begunWith.fit.unitWords = m_units->text();
     std::erase_if(m_assumed, [&wanted](const Setting &setting) {
         return std::ranges::count(wanted, setting.id, &FitQuantity::id) > 0;
     });
@@ -238,28 +278,28 @@ void TrackDock::showOutcome(const std::shared_ptr<const FitOutcome> &outcome) {
     m_outcome = outcome;
     showRunning();
     if (!outcome->fit) return m_report->setPlainText(outcome->error);
-    showFitReport();
+    m_shownOthers = othersText();
+    showReport();
     const ModelFit &best = outcome->fit->best();
     m_quantities->showFound(best);
     m_residuals->show(best, outcome->fit->noise);
     layOver(best.board);
 }
 
-/// Begins with what the fit assumed, where that isn't set any more.
-void TrackDock::showFitReport() {
+/// What the fit took for true and isn't set any more.
+QString TrackDock::othersText() const {
     const Parameters &parameters = m_session.parameters();
-    m_shownOthers = settingsText(parameters, differingFrom(parameters, m_assumed));
-    QStringList lines = fitSummary(m_outcome->plan, *m_outcome->fit);
-    if (!m_shownOthers.isEmpty())
-        lines.prepend(tr("Found with other parameters than are set now: %1.").arg(m_shownOthers));
-    m_report->setPlainText(lines.join(QLatin1Char('\n')));
+    QStringList others{settingsText(parameters, differingFrom(parameters, m_assumed)),
+                       m_quantities->othersOf(m_outcome->plan)};
+    others.removeAll(QString());
+    return others.join(QStringLiteral(", "));
 }
 
 /// Tilts change parameters 60 times a second, which is nothing to a fit.
 void TrackDock::showConditions() {
     if (!m_outcome || !m_outcome->fit) return;
-    const Parameters &parameters = m_session.parameters();
-    if (settingsText(parameters, differingFrom(parameters, m_assumed)) != m_shownOthers) showFitReport();
+    const QString others = othersText();
+    if (others != std::exchange(m_shownOthers, others)) showReport();
 }
 
 /// Nothing if there is no result.
@@ -270,6 +310,20 @@ std::vector<Setting> TrackDock::found() const {
     const std::vector<Setting> assumed = differingFrom(m_session.parameters(), m_assumed);
     settings.insert(settings.end(), assumed.begin(), assumed.end());
     return settings;
+}
+
+bool TrackDock::save(const QString &path, QString *error) {
+    if (!m_outcome || !m_outcome->fit) {
+        *error = tr("%1: nothing has been fitted yet").arg(path);
+        return false;
+    }
+    if (!path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive))
+        return savePlot(*m_residuals, m_residuals->size(), path, error);
+    const FitPlan &plan = m_outcome->plan;
+    const QStringList report =
+        fitReport(plan, *m_outcome->fit) + QStringList("options: " + fitOptions(*m_outcome->fit));
+    return replaceFile(path, fitCsv(m_outcome->fit->best()), error) &&
+           replaceFile(settingsFileOf(path), fitSettings(m_begunWith, plan, report), error);
 }
 
 void TrackDock::takeOver() {

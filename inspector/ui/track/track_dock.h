@@ -11,10 +11,12 @@ class QPlainTextEdit;
 class QProgressBar;
 class QPushButton;
 class QSplitter;
+class QToolButton;
 class QUndoStack;
 
 namespace inspector::ui {
 
+class AlarmText;
 class FileBox;
 class FitTable;
 class ResidualPlot;
@@ -32,8 +34,14 @@ public:
     bool open(const QString &path, const QString &units);
     void setFrame(const TrackFrame &frame);
     QString units() const; ///< as typed
+    /// Writes, by the name's suffix, .csv (the residuals, and beside them what the fit began with and found), .png or
+    /// .pdf (the plot). Returns false, with one line in `error`, on failure.
+    bool save(const QString &path, QString *error);
 
     QSize sizeHint() const override { return {900, 320}; }
+
+signals:
+    void saveWanted();
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
@@ -45,14 +53,15 @@ private:
     bool openTrack(); ///< opens the file that was typed; reports what is wrong with it
     void layOver(const BoardParameters &board);
     void follow(bool isOn);
-    void showTrackReport();
+    QStringList reportLines() const;
+    void showReport();
     void showAnew();
     void forgetFit();
     void showLevel(); ///< clears a fit of the maze before; a track is shown again with its level
     void toggle();    ///< starts or cancels a fit
     void showOutcome(const std::shared_ptr<const FitOutcome> &outcome);
     void showRunning();
-    void showFitReport();
+    QString othersText() const;
     void showConditions(); ///< updates the report if parameters changed on which the result depends
     void takeOver();
     std::vector<Setting> found() const; ///< what can be taken over
@@ -62,12 +71,15 @@ private:
     FitWorker m_worker;
     std::shared_ptr<const FitOutcome> m_outcome; ///< of the last fit; may be null
     std::vector<Setting> m_assumed;              ///< parameters that the last fit took for true
+    Options m_begunWith;                         ///< likewise, and its files
     QString m_shownOthers;                       ///< those of them that aren't set any more, as the report names them
     std::optional<Track> m_track;
     QString m_level; ///< name of the level on which it was opened
     FileBox *m_file;
     QLineEdit *m_units;
+    AlarmText *m_unitsAlarm; ///< on while they can't be read
     QPushButton *m_fit;
+    QToolButton *m_save;
     QPushButton *m_follow;
     QPushButton *m_takeOver;
     QProgressBar *m_progress;
