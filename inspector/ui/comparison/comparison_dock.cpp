@@ -107,7 +107,7 @@ void ComparisonDock::refresh(const Snapshot &now) {
     m_band = m_session.liveUncertainty().band();
     m_plot->showBand(m_band);
     m_figures->setText(summary(now));
-    m_plot->setContext({nullptr, m_session.isInPast() ? std::optional(now.current.time) : std::nullopt});
+    m_plot->setContext({nullptr, m_session.isInPast() ? std::optional(now.current.time) : std::nullopt, {}});
     hideEarlierGhosts(now);
     m_plot->refresh();
 }
@@ -132,6 +132,7 @@ QString ComparisonDock::summary(const Snapshot &now) const {
                                energyDifferenceText(deviation.energy),
                                QString::number(now.ghost->current.time - now.ghost->met.time, 'f', 2));
     if (now.ghost->current.flags & PHYS_OUT) return tr("%1; the ghost is out of the maze").arg(figures);
+    if (now.current.flags & PHYS_OUT) return tr("%1; the ball is out of the maze").arg(figures);
     if (!m_band) return figures;
     const double known = m_band->middleAt(now.current.time);
     return tr("%1; not known: %2").arg(figures, distanceText(known * radius, radius));

@@ -157,6 +157,7 @@ GameText stateText(Session &session, const Snapshot &now) {
         break;
     case Game::Phase::Won:
         text.isResult = true;
+        text.clock = clockText(game.time());
         text.title = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "%1 done")).arg(title);
         text.line = winLine(session, game);
         text.hint = game.nextLevel() ? say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Enter: level %1 · R: again"))
@@ -165,6 +166,7 @@ GameText stateText(Session &session, const Snapshot &now) {
         break;
     case Game::Phase::Lost:
         text.isResult = true;
+        text.clock = clockText(game.time());
         text.title = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "%1: lost")).arg(title);
         text.line = lossLine(session, game);
         text.hint = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Enter: again · R: back to the start"));
@@ -173,10 +175,11 @@ GameText stateText(Session &session, const Snapshot &now) {
     return text;
 }
 
-/// What remains of a result after it was closed: how to continue.
+/// What remains of a result after it was closed: of what it is, and how to continue.
 GameText closed(const GameText &result) {
     GameText text;
-    text.hint = result.hint;
+    text.hint = QStringLiteral("%1 · %2").arg(result.title, result.hint);
+    text.clock = result.clock;
     return text;
 }
 

@@ -128,7 +128,7 @@ void QuantityPlot::fitPowers() {
     QCPRange values(0.0, 0.0);
     for (const Curve &curve : curves()) {
         bool hasValues = false;
-        const QCPRange range = curve.graph->getValueRange(hasValues, QCP::sdPositive);
+        const QCPRange range = curve.graph->getValueRange(hasValues, QCP::sdPositive, fittedTimes());
         if (hasValues) values = values.upper > 0.0 ? values.expanded(range) : range;
     }
     if (values.upper <= 0.0) return;
@@ -141,7 +141,7 @@ void QuantityPlot::fitSpan() {
     QCPRange values(0.0, 0.0);
     for (const Curve &curve : curves()) {
         bool hasValues = false;
-        const QCPRange range = curve.graph->getValueRange(hasValues);
+        const QCPRange range = curve.graph->getValueRange(hasValues, QCP::sdBoth, fittedTimes());
         if (hasValues) values = hasAny ? values.expanded(range) : range;
         hasAny = hasAny || hasValues;
     }

@@ -197,6 +197,13 @@ QCPRange TimePlot::shownTimes() const {
     return times;
 }
 
+/// The fall after a run would squeeze its curves into a line.
+QCPRange TimePlot::fittedTimes() const {
+    const QCPRange times = shownTimes();
+    const double end = std::min(times.upper, m_context.left.value_or(times.upper));
+    return end > times.lower ? QCPRange(times.lower, end) : times;
+}
+
 /// Loads the visible part of a channel into its curve.
 void TimePlot::load(const Curve &curve) {
     const auto [from, to] = shownTimes();
@@ -242,7 +249,8 @@ void TimePlot::showBounces(std::vector<double> times, std::optional<double> sele
 void TimePlot::setContext(const RunContext &context) {
     const bool hasFuture = context.oldFuture && !context.oldFuture->empty();
     const bool hadFuture = m_context.oldFuture && !m_context.oldFuture->empty();
-    if (hasFuture == hadFuture && context.moment == m_context.moment) return;
+    const bool isSame = context.moment == m_context.moment && context.left == m_context.left;
+    if (hasFuture == hadFuture && isSame) return;
     m_context = context;
     for (Curve &curve : m_curves) {
         if (!hasFuture || curve.old) continue;

@@ -17,10 +17,11 @@ namespace inspector::ui {
 class BounceTicks;
 class ReadOutText;
 
-/// What is drawn in addition to a run's own samples.
+/// What is drawn in addition to a run's own samples, and which of these matter.
 struct RunContext {
     const std::vector<Sample> *oldFuture = nullptr; ///< the discarded future, after the past was taken over; or nullptr
     std::optional<double> moment;                   ///< the moment shown in the past, s
+    std::optional<double> left;                     ///< s, when the ball left the maze; it falls then
 };
 
 /// Channels of a sample ring over time; loads only what is visible. Subclasses define which channels are shown and how.
@@ -71,6 +72,7 @@ protected:
     QCPGraph *addKey(QColor Accents::*colour); ///< a legend entry without a curve
     const std::vector<Curve> &curves() const { return m_curves; }
     bool fitsAtOnce() const { return m_fitsAtOnce; }
+    QCPRange fittedTimes() const; ///< those whose values the value axis has to show
     void fitAgain();
 
     /// Converts a value to the value axis's unit; NaN if there is none.

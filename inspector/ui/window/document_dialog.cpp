@@ -8,6 +8,7 @@
 #include <QDesktopServices>
 #include <QDir>
 #include <QFileInfo>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QScreen>
 #include <QScrollBar>
@@ -22,6 +23,24 @@ namespace {
 
 constexpr QSize kUsualSize(860, 700);
 constexpr double kScreenShare = 0.9;
+
+/// The first heading. Qt's reader of Markdown sets code in a heading, and what follows it, like other text.
+QString dressHeadings(QTextDocument &page) {
+    constexpr int kLargestStep = 4; // as the reader's, for the first level
+    QString first;
+    for (QTextBlock block = page.begin(); block.isValid(); block = block.next()) {
+        const int level = block.blockFormat().headingLevel();
+        if (level == 0) continue;
+        if (first.isEmpty()) first = block.text();
+        QTextCharFormat letters;
+        letters.setFontWeight(QFont::Bold);
+        letters.setProperty(QTextFormat::FontSizeAdjustment, kLargestStep - level);
+        QTextCursor heading(block);
+        heading.movePosition(QTextCursor::EndOfBlock, QTextCursor::KeepAnchor);
+        heading.mergeCharFormat(letters);
+    }
+    return first;
+}
 
 } // namespace
 
@@ -58,9 +77,15 @@ DocumentDialog::DocumentDialog(QWidget *parent)
 
     connect(back, &QToolButton::clicked, m_text, &QTextBrowser::backward);
     connect(m_text, &QTextBrowser::anchorClicked, this, &DocumentDialog::follow);
-    connect(m_text, &QTextBrowser::sourceChanged, this,
-            [this](const QUrl &page) { setWindowTitle(tr("%1 – Help").arg(page.fileName())); });
+    connect(m_text, &QTextBrowser::sourceChanged, this, [this](const QUrl &page) {
+        const QString heading = dressHeadings(*m_text->document());
+        setWindowTitle(tr("%1 – Help").arg(heading.isEmpty() ? page.fileName() : heading));
+    });
     connect(m_sought, &QLineEdit::returnPressed, this, &DocumentDialog::find);
+    connect(m_sought, &QLineEdit::textEdited, this, [this] {
+        m_text->moveCursor(QTextCursor::Start);
+        find();
+    });
     connect(new QShortcut(QKeySequence::Find, this), &QShortcut::activated, this, [this] {
         m_sought->setFocus();
         m_sought->selectAll();
@@ -88,6 +113,16 @@ void DocumentDialog::goTo(const QString &section) {
         m_text->verticalScrollBar()->setValue(m_text->verticalScrollBar()->value() + m_text->cursorRect().top());
         return;
     }
+}
+
+/// What is typed anywhere is sought.
+void DocumentDialog::keyPressEvent(QKeyEvent *event) {
+    const bool isLetter = !event->text().isEmpty() && event->text().at(0) > QLatin1Char(' ');
+    if (!isLetter || event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier))
+        return QDialog::keyPressEvent(event);
+    m_sought->setFocus();
+    m_sought->selectAll();
+    QCoreApplication::sendEvent(m_sought, event);
 }
 
 /// Searches from the cursor on, then from the top.

@@ -11,7 +11,7 @@ namespace inspector::ui {
 /// The folder of the pages: the share folder of an installation, else the source tree. Empty if there is none.
 QString documentFolder();
 
-/// The documentation pages: links between them work, Ctrl+F searches.
+/// The documentation pages: links between them work, what is typed is sought.
 class DocumentDialog : public QDialog {
     Q_OBJECT
 
@@ -21,6 +21,9 @@ public:
     /// page: relative to documentFolder(). section: the number that begins a heading, or empty. False if there is no
     /// such page.
     bool showPage(const QString &page, const QString &section = {});
+
+protected:
+    void keyPressEvent(QKeyEvent *event) override;
 
 private:
     void find();

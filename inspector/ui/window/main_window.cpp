@@ -127,11 +127,22 @@ MainWindow::MainWindow(Session &session, gl::Drawing drawing)
     m_refresh.start(kRefreshPeriod);
 }
 
-/// Qt fits a layout restored before the window is shown to a window of another size, and then to this one, which gives
-/// what was saved to other docks.
 void MainWindow::showEvent(QShowEvent *event) {
     QMainWindow::showEvent(event);
-    if (std::exchange(m_wasShown, true) || isMaximized() || isFullScreen()) return;
+    if (std::exchange(m_wasShown, true)) return;
+    m_awaitsItsSize = isMaximized() || isFullScreen();
+    if (!m_awaitsItsSize) restoreDocks();
+}
+
+/// The window manager enlarges a maximised window once it is shown.
+void MainWindow::resizeEvent(QResizeEvent *event) {
+    QMainWindow::resizeEvent(event);
+    if (std::exchange(m_awaitsItsSize, false)) restoreDocks();
+}
+
+/// Qt fits a layout that is restored earlier to a window of another size, and then to this one, which gives what was
+/// saved to other docks.
+void MainWindow::restoreDocks() {
     restoreState(storedBytes(m_session.settings(), settings_keys::kLayout), kLayoutVersion);
 }
 
@@ -345,6 +356,7 @@ void MainWindow::connectPlots() {
     connect(m_plotPanel, &PlotPanel::saveWanted, this, &MainWindow::saveCurves);
     connect(m_comparison, &ComparisonDock::saveWanted, this, &MainWindow::saveDistance);
     connect(m_trade, &TradeDock::saveWanted, this, &MainWindow::saveTrade);
+    connect(m_track, &TrackDock::saveWanted, this, &MainWindow::saveFit);
     const QToolButton *add =
         m_plotPanel->addButton(Glyph::Add, QStringLiteral("plot_add"), tr("Add a plot, or change one"));
     connect(add, &QToolButton::clicked, this, [this, add] {
@@ -352,79 +364,6 @@ void MainWindow::connectPlots() {
         menu->setAttribute(Qt::WA_DeleteOnClose);
         m_plots->fillMenu(*menu, &m_plots->first());
         menu->popup(add->mapToGlobal(add->rect().bottomLeft()));
-    });
-}
-
-void MainWindow::sayBriefly(const QString &line) {
-    constexpr int kSaidFor = 8000; // ms
-    statusBar()->showMessage(line, kSaidFor);
-    m_isJustSaid = true;
-    QTimer::singleShot(0, this, [this] { m_isJustSaid = false; });
-}
-
-/// A successful command settles an earlier failure and what an earlier command said.
-void MainWindow::obey(void (MainWindow::*command)()) {
-    const uint64_t count = m_messages->count();
-    (this->*command)();
-    if (m_messages->count() != count) return;
-    m_messages->settle(Cause::Command);
-    settleSaid();
-}
-
-void MainWindow::settleCommand() {
-    m_messages->settle(Cause::Command);
-    m_messages->settle(Cause::Step);
-    settleSaid();
-}
-
-/// What the command itself said stays.
-void MainWindow::settleSaid() {
-    if (!m_isJustSaid) statusBar()->clearMessage();
-}
-
-/// Changes made by a replay, the past or the keys aren't commands.
-void MainWindow::settleByChange() {
-    if (!m_session.isReplaying() && !m_session.isInPast() && !m_session.isTiltedByKeys()) settleCommand();
-}
-
-/// Connects each message with the event that settles it. Problems of the stepping thread are settled by its own
-/// signals, which keep their order, or by the user; a snapshot may be older or newer than the message.
-void MainWindow::connectMessages() {
-    const auto say = [this](Cause cause) {
-        return [this, cause](const QString &line) { m_messages->showLine(line, cause); };
-    };
-    const auto settle = [this](Cause cause) { return [this, cause] { m_messages->settle(cause); }; };
-    connect(&m_session, &Session::failed, this, say(Cause::Command));
-    for (const auto signal : {&Session::levelOpened, &Session::stepperChanged, &Session::paceChanged})
-        connect(&m_session, signal, this, &MainWindow::settleByChange);
-    for (const auto signal : {&Session::autopilotChanged, &Session::replayChanged})
-        connect(&m_session, signal, this, &MainWindow::settleCommand);
-    connect(&m_session.parameters(), &Parameters::changed, this, &MainWindow::settleByChange);
-    connect(&m_session.simulation(), &Simulation::failed, this, say(Cause::Step));
-    connect(&m_session.simulation(), &Simulation::runBegan, this, settle(Cause::Step));
-    connect(&m_session.simulation(), &Simulation::runningChanged, this, [this](bool isRunning) {
-        if (isRunning) m_messages->settle(Cause::Step);
-    });
-
-    connect(m_parameters, &ParameterPanel::refused, this, say(Cause::Command));
-    connect(m_parameters, &ParameterPanel::saved, this, &MainWindow::sayItIsSaved);
-    connect(&m_session.comparison().parameters(), &Parameters::changed, this, &MainWindow::settleCommand);
-    connect(m_view, &gl::MazeView::problem, this, say(Cause::View));
-    connect(m_view, &gl::MazeView::shadersRebuilt, this, settle(Cause::View));
-    connect(&m_session.comparison(), &Comparison::refused, this, say(Cause::Comparison));
-    connect(&m_session.comparison(), &Comparison::changed, this, [this] {
-        if (m_session.comparison().refusal().isEmpty()) m_messages->settle(Cause::Comparison);
-    });
-    connect(&m_session, &Session::recordingFailed, this, say(Cause::Recording));
-    connect(&m_session, &Session::recordingChanged, this, [this](bool isOn) {
-        if (isOn) m_messages->settle(Cause::Recording);
-    });
-    connect(&m_session, &Session::trackChanged, this, [this] {
-        if (m_session.track()) m_messages->settle(Cause::Command);
-    });
-    connect(&m_session, &Session::replayChanged, this, settle(Cause::Replay));
-    connect(&m_session, &Session::replayDiffers, m_messages, [this](const QString &line) {
-        if (m_messages->line() != line) m_messages->showLine(line, Cause::Replay);
     });
 }
 
@@ -484,10 +423,6 @@ void MainWindow::openLevel() {
     showTitle();
 }
 
-void MainWindow::sayWhyFlat(const QString &reason) {
-    m_messages->showLine(tr("%1; the board is drawn from above instead").arg(reason), Cause::View);
-}
-
 void MainWindow::showTitle() {
     const QString title = tr("%1 – Physics inspector").arg(levelTitle(m_session, m_session.level()));
     if (!m_session.isReplaying()) return setWindowTitle(title);
@@ -495,14 +430,17 @@ void MainWindow::showTitle() {
 }
 
 void MainWindow::refresh() {
+    sayIfSettingsAreLost();
     const Snapshot now = m_session.simulation().latest(); // the same moment for the whole window
     m_session.followReplay(now);
+    action("run")->setEnabled(!m_session.hasEnded(now));
     m_status->showSnapshot(now);
     m_time->refresh(now);
     m_strip->setText(gameText(m_session, now));
     m_bounces->refresh();
     const std::optional<double> moment = m_session.isInPast() ? std::optional(now.current.time) : std::nullopt;
-    m_plots->refresh({&m_session.oldFuture(), moment});
+    const std::optional<Departure> left = m_session.departure();
+    m_plots->refresh({&m_session.oldFuture(), moment, left ? std::optional(left->time) : std::nullopt});
     m_watched->refresh(now);
     m_ball->refresh(now);
     m_comparison->refresh(now);
@@ -546,7 +484,7 @@ void MainWindow::restoreLook() {
     m_firstLayout = saveState(kLayoutVersion);
     restoreGeometry(storedBytes(settings, settings_keys::kGeometry));
     fitScreen();
-    restoreState(storedBytes(settings, settings_keys::kLayout), kLayoutVersion);
+    restoreDocks();
     useQuality();
 }
 

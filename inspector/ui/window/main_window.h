@@ -77,6 +77,7 @@ protected:
     void childEvent(QChildEvent *event) override;
     void closeEvent(QCloseEvent *event) override;
     void showEvent(QShowEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
     void dragEnterEvent(QDragEnterEvent *event) override;
     void dropEvent(QDropEvent *event) override;
 
@@ -135,12 +136,14 @@ private:
     void showPast(bool isIn);
     void sayWhereTheRunIs();
     void sayWhereTheRunBeforeIs();
+    void sayIfSettingsAreLost();
     void sayBriefly(const QString &line); ///< shows it for some seconds in the status line
     void jumpToBounce(int direction);
     void showTitle();
     void showRunning(bool isRunning);
     void showComparison();
     void restoreLook();
+    void restoreDocks();
     void fitScreen();
     void arrangeDocks();
     bool hasNewFrame();
@@ -165,6 +168,7 @@ private:
     void saveCurves();
     void saveDistance();
     void saveTrade();
+    void saveFit();
     void saveScreenshot();
     void toggleRecording();
     void quit();
@@ -205,6 +209,7 @@ private:
     GameStrip *m_strip = nullptr;
     MessageBar *m_messages = nullptr;
     bool m_isJustSaid = false; ///< by the command that is being carried out
+    bool m_hasSaidSettingsAreLost = false;
     ParameterPanel *m_parameters = nullptr;
     PlotStack *m_plots = nullptr;
     PlotPanel *m_plotPanel = nullptr;
@@ -227,6 +232,7 @@ private:
     QByteArray m_firstLayout; ///< of docks and bars, before the user moved them
     uint64_t m_drawn = 0;     ///< sum of the versions of what the view shows
     bool m_wasShown = false;
+    bool m_awaitsItsSize = false;
     QTimer m_refresh;
     QHash<QDockWidget *, int> m_heights; ///< of docks, before others were opened in their area
 };

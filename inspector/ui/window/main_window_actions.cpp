@@ -15,6 +15,7 @@
 #include "ui/parts/theme.h"
 #include "ui/plots/plot_panel.h"
 #include "ui/plots/plot_stack.h"
+#include "ui/track/track_dock.h"
 #include "ui/trade/trade_dock.h"
 #include "ui/transport/time_bar.h"
 #include "ui/transport/transport_bar.h"
@@ -364,6 +365,7 @@ void MainWindow::savePlot() {
     if (isSeen(m_plots)) return saveCurves();
     if (isSeen(m_comparison)) return saveDistance();
     if (isSeen(m_trade)) return saveTrade();
+    if (isSeen(m_track)) return saveFit();
     saveCurves();
 }
 
@@ -378,6 +380,16 @@ void MainWindow::saveTrade() {
                [this](const QString &path) {
                    QString error;
                    m_trade->save(path, &error);
+                   showSaved(path, error);
+               });
+}
+
+void MainWindow::saveFit() {
+    const QString filter = tr("Table of the residuals (*.csv);;Picture (*.png);;Document (*.pdf)");
+    chooseFile(*this, m_session.settings(), {tr("Save fit"), filter, tr("fit"), FileUse::Write},
+               [this](const QString &path) {
+                   QString error;
+                   m_track->save(path, &error);
                    showSaved(path, error);
                });
 }

@@ -44,6 +44,15 @@ QStringList textsOf(const Session &session, const KeptRun &run, bool isLive) {
             resultOf(run, isLive)};
 }
 
+/// In bold; a screen reader says it.
+void markShown(QTreeWidgetItem &item, bool isShown) {
+    if (item.font(0).bold() == isShown) return;
+    QFont font = item.treeWidget()->font();
+    font.setBold(isShown);
+    for (int column = 0; column < item.columnCount(); ++column) item.setFont(column, font);
+    item.setData(0, Qt::AccessibleDescriptionRole, isShown ? RunDock::tr("The run shown") : QString());
+}
+
 } // namespace
 
 RunDock::RunDock(Session &session, QWidget *parent)
@@ -64,6 +73,7 @@ void RunDock::refresh() {
     if (!isVisible()) return;
     const std::vector<KeptRun> &runs = m_session.runs();
     const uint64_t live = m_session.simulation().latest().history.run; // where it begins
+    const RunPlace shown = m_session.runPlace();
     // A run keeps its item, and so the selection: the oldest go at the end, new ones come first.
     const auto oldest = [this] { return topLevelItem(topLevelItemCount() - 1); };
     while (oldest() && (runs.empty() || oldest()->data(0, kBeginRole).toULongLong() < runs.front().begin))
@@ -75,6 +85,8 @@ void RunDock::refresh() {
         const QStringList texts = textsOf(m_session, run, run.begin == live);
         for (int column = 0; column < texts.size(); ++column)
             if (item->text(column) != texts[column]) item->setText(column, texts[column]);
+        const bool isShown = !m_session.isReplaying() && run.begin < shown.end && shown.begin < run.end;
+        markShown(*item, isShown);
         item->setData(0, kEndRole, qulonglong(run.end));
         item->setData(0, kBeginRole, qulonglong(run.begin));
     }

@@ -49,8 +49,13 @@ QString tiltText(double tilt) {
     return QStringLiteral("%1°").arg(tenths / 10.0, 0, 'f', 1);
 }
 
+/// A distance says nothing once one of the balls falls outside.
 QString ghostText(const Snapshot &snapshot) {
     if (!snapshot.ghost) return {};
+    if (snapshot.ghost->current.flags & PHYS_OUT)
+        return translated(QT_TRANSLATE_NOOP("inspector::ui::StatusLine", "out of the maze"));
+    if (snapshot.current.flags & PHYS_OUT)
+        return translated(QT_TRANSLATE_NOOP("inspector::ui::StatusLine", "still in the maze"));
     return translated(QT_TRANSLATE_NOOP("inspector::ui::StatusLine", "%1 mm apart"))
         .arg(snapshot.ghost->deviation.distance * 1e3, 0, 'g', 3);
 }

@@ -4,6 +4,7 @@
 
 #include "inspector/dock_fixture.h"
 #include "inspector/track/made_track.h"
+#include "support/files.h"
 #include "ui/parts/theme.h"
 #include "ui/track/fit_table.h"
 #include "ui/track/residual_plot.h"
@@ -11,6 +12,8 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QSignalSpy>
+#include <QToolButton>
 
 using namespace inspector;
 using namespace inspector::ui;
@@ -21,6 +24,7 @@ class TestTrackDock : public QObject, support::DockFixture<TrackDock> {
 private slots:
     void initTestCase();
     void withoutAFileThereIsNothingToFit();
+    void withoutAFitThereIsNothingToSave();
     void fileThatIsntThereIsSaid();
     void wrongUnitsAreSaid();
     void enterInTheUnitsReadsTheTableAnew();
@@ -31,6 +35,8 @@ private slots:
     void oneUndoTakesThemBack();
     void tableShowsWhatWasFound();
     void resultSaysOfWhichParametersItIs();
+    void resultSaysOfWhichFrameItIs();
+    void resultIsSavedWithWhatItBeganWith();
     void takeOverSetsWhatTheFitAssumed();
     void onlyWhatIsTickedIsLookedFor();
     void typedBeginningsCount();
@@ -103,6 +109,13 @@ void TestTrackDock::withoutAFileThereIsNothingToFit() {
     QVERIFY(!find<QPushButton>("track_take_over").isEnabled());
 }
 
+void TestTrackDock::withoutAFitThereIsNothingToSave() {
+    QString error;
+    QVERIFY(!m_dock->save(m_folder.filePath("none.csv"), &error));
+    QVERIFY2(error.endsWith("nothing has been fitted yet"), qPrintable(error));
+    QVERIFY(!QFile::exists(m_folder.filePath("none.csv")));
+}
+
 void TestTrackDock::fileThatIsntThereIsSaid() {
     auto &file = find<QLineEdit>("track_file");
     type("track_file", m_folder.filePath("missing.csv"));
@@ -129,7 +142,6 @@ void TestTrackDock::enterInTheUnitsReadsTheTableAnew() {
     type("track_units", "px=abc, t=-1");
     QTest::keyClick(&find<QLineEdit>("track_units"), Qt::Key_Return);
     QVERIFY2(report().contains("px=abc"), qPrintable(report()));
-    QVERIFY(!rollAlong.isEnabled());
     type("track_units", "");
     QTest::keyClick(&find<QLineEdit>("track_units"), Qt::Key_Return);
     QVERIFY2(!report().contains("px=abc"), qPrintable(report()));
@@ -206,6 +218,34 @@ void TestTrackDock::resultSaysOfWhichParametersItIs() {
     QVERIFY2(!report().contains("other parameters"), qPrintable(report()));
 }
 
+// The delay is looked for, the frame isn't.
+void TestTrackDock::resultSaysOfWhichFrameItIs() {
+    typeBegin("Delay of the tilt", "20");
+    QVERIFY2(!report().contains("other parameters"), qPrintable(report()));
+    typeBegin("Frame x", "3");
+    QVERIFY2(report().startsWith("Found with other parameters than are set now: Frame x of 0 mm."),
+             qPrintable(report()));
+    typeBegin("Frame x", "0");
+    typeBegin("Delay of the tilt", "0");
+    QVERIFY2(!report().contains("other parameters"), qPrintable(report()));
+}
+
+void TestTrackDock::resultIsSavedWithWhatItBeganWith() {
+    QSignalSpy wanted(m_dock.get(), &TrackDock::saveWanted);
+    QTest::mouseClick(&find<QToolButton>("track_save"), Qt::LeftButton);
+    QCOMPARE(wanted.size(), 1);
+    QString error;
+    QVERIFY2(m_dock->save(m_folder.filePath("fit.csv"), &error), qPrintable(error));
+    const QByteArray table = support::contentOf(m_folder.filePath("fit.csv"));
+    QVERIFY2(table.count('\n') > 100, table.constData());
+    const QByteArray beside = support::contentOf(m_folder.filePath("fit.csv.txt"));
+    for (const char *line :
+         {"\nlevel 03\n", "track.csv\n", "\ntrack-frame 0,0,0,1\n", "\ngravity 9.81 m/s^2\n", "verdict: "})
+        QVERIFY2(beside.contains(line), qPrintable(QString("%1 in %2").arg(QString(line), QString(beside))));
+    QVERIFY2(m_dock->save(m_folder.filePath("fit.png"), &error), qPrintable(error));
+    QVERIFY(!m_dock->save(m_folder.filePath("fit.doc"), &error) && error.contains("fit.doc"));
+}
+
 void TestTrackDock::takeOverSetsWhatTheFitAssumed() {
     QVERIFY(m_session->parameters().set({{QStringLiteral("gravity"), 1.62}}));
     click("track_take_over");
@@ -244,7 +284,11 @@ void TestTrackDock::wrongBeginningStaysInRed() {
     QVERIFY(m_session->parameters().set({{QStringLiteral("gravity"), 9.0}}));
     QVERIFY(m_session->parameters().set({{QStringLiteral("gravity"), 9.81}}));
     QCOMPARE(cell->text(), QString("1e400"));
-    QCOMPARE(cell->foreground().color(), accentsFor(table().palette()).alarm);
+    for (const Theme theme : {Theme::Dark, Theme::Light}) {
+        applyTheme(theme);
+        QTRY_COMPARE(cell->foreground().color(), accentsFor(QApplication::palette()).alarm);
+    }
+    applyTheme(Theme::System);
     QVERIFY2(cell->toolTip().contains("found '1e400'"), qPrintable(cell->toolTip()));
     typeBegin("Delay of the tilt", "-100");
     QCOMPARE(cell->foreground().style(), Qt::NoBrush);

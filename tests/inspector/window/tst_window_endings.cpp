@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How a game ends: what counts as a win, and how long the run took, the same everywhere.
 #include "ui/game/clock_text.h"
+#include "ui/plots/plot_stack.h"
 #include "window_fixture.h"
 
 #include <QDir>
@@ -8,7 +9,10 @@
 #include <QLabel>
 #include <QTreeWidget>
 
+#include <algorithm>
 #include <memory>
+
+#include <qcustomplot.h>
 
 using namespace window_test;
 using inspector::Game;
@@ -31,11 +35,14 @@ private slots:
     void runBesideTheBoardIsNoWin();
     void bestTimeThatCantBeStoredIsSaid();
     void runsAndClockShowTheTimeOfTheResult();
+    void nothingIsLeftToRunAfterAWin();
+    void fallAfterARunLeavesItsCurvesTheirHeight();
 
 private:
     void drop(const QByteArray &maze);
     QString strip(); // all of its text
     void playToTheRight(const char *said);
+    void winByAutopilot();
 
     std::unique_ptr<Fixture> m_fixture;
 };
@@ -161,14 +168,19 @@ void TestWindowEndings::bestTimeThatCantBeStoredIsSaid() {
     playToTheRight("a new best time, which can't be stored");
 }
 
-// The ball falls for a while after it has left.
-void TestWindowEndings::runsAndClockShowTheTimeOfTheResult() {
-    m_fixture->trigger("show_runs_dock");
+// Until the ball has fallen.
+void TestWindowEndings::winByAutopilot() {
     m_fixture->session().setSpeed(inspector::Simulation::kFastest);
     m_fixture->session().setAutopilot(true);
     m_fixture->press(Qt::Key_Return);
     QTRY_COMPARE(m_fixture->game().phase(), Game::Phase::Won);
     QTRY_VERIFY(!m_fixture->simulation().latest().running);
+}
+
+// The ball falls for a while after it has left.
+void TestWindowEndings::runsAndClockShowTheTimeOfTheResult() {
+    m_fixture->trigger("show_runs_dock");
+    winByAutopilot();
     const QString time = inspector::ui::clockText(m_fixture->game().time());
     const double end = m_fixture->simulation().latest().current.time;
     QVERIFY(inspector::ui::clockText(end) != time);
@@ -185,6 +197,40 @@ void TestWindowEndings::runsAndClockShowTheTimeOfTheResult() {
     m_fixture->press(Qt::Key_End, Qt::ControlModifier);
     QTRY_COMPARE(m_fixture->simulation().latest().current.time, end);
     QTRY_VERIFY2(strip().contains(time), qPrintable(strip()));
+}
+
+// Space would make a single step.
+void TestWindowEndings::nothingIsLeftToRunAfterAWin() {
+    QVERIFY(m_fixture->find<QAction>("run")->isEnabled());
+    winByAutopilot();
+    const uint64_t end = m_fixture->simulation().latest().current.step;
+    QTRY_VERIFY(!m_fixture->find<QAction>("run")->isEnabled());
+    m_fixture->press(Qt::Key_Space);
+    m_fixture->press(Qt::Key_Comma);
+    QTRY_COMPARE(m_fixture->simulation().latest().current.step, end - 1);
+    QTRY_VERIFY(m_fixture->find<QAction>("run")->isEnabled()); // plays the past
+    m_fixture->press(Qt::Key_End, Qt::ControlModifier);
+    QTRY_VERIFY(!m_fixture->find<QAction>("run")->isEnabled());
+    m_fixture->press(Qt::Key_R);
+    QTRY_VERIFY(m_fixture->find<QAction>("run")->isEnabled());
+}
+
+void TestWindowEndings::fallAfterARunLeavesItsCurvesTheirHeight() {
+    winByAutopilot();
+    const double left = m_fixture->game().time();
+    const inspector::SampleRing &samples = m_fixture->simulation().samples();
+    double before = 0.0;
+    double after = 0.0;
+    inspector::Sample sample;
+    for (uint64_t number = samples.first(); number < samples.last(); ++number) {
+        QVERIFY(samples.read(number, sample));
+        double &largest = sample.time <= left ? before : after;
+        largest = std::max(largest, sample[inspector::Channel::Speed]);
+    }
+    QVERIFY(after > 2.0 * before);
+    m_fixture->window().refresh();
+    const QCPRange range = m_fixture->find<inspector::ui::PlotStack>("plots")->first().yAxis->range();
+    QVERIFY2(range.upper >= before && range.upper < 1.2 * before, qPrintable(QString::number(range.upper / before)));
 }
 
 QTEST_MAIN(TestWindowEndings)

@@ -47,6 +47,8 @@ private slots:
     void pluginsStepperCanBeChosen();
     void fileThatIsNoPluginIsRefusedInOneLine();
     void guideOpensByKeyAndIsSearched();
+    void lettersTypedIntoAPageAreSought();
+    void headingsAreTitlesOfOneSize();
     void linkBetweenPagesIsFollowed();
     void keysAreScrolledByPages();
     void sectionOfABounceOpensThere();
@@ -295,6 +297,33 @@ void TestWindowFiles::guideOpensByKeyAndIsSearched() {
     QTest::keyClick(sought, Qt::Key_Return);
     QCOMPARE(page->textCursor().selectedText(), QString("After an interruption"));
     QTRY_VERIFY(page->verticalScrollBar()->value() > 0);
+}
+
+void TestWindowFiles::lettersTypedIntoAPageAreSought() {
+    m_fixture->trigger("page_model");
+    auto *page = m_fixture->find<QTextBrowser>("document");
+    QTRY_VERIFY(page->hasFocus());
+    m_fixture->type("Coulomb");
+    QCOMPARE(m_fixture->find<QLineEdit>("document_sought")->text(), QString("Coulomb"));
+    QCOMPARE(page->textCursor().selectedText(), QString("Coulomb"));
+}
+
+// Also where it has code, which Qt reads as text of the usual size.
+void TestWindowFiles::headingsAreTitlesOfOneSize() {
+    m_fixture->trigger("page_accuracy");
+    const auto *page = m_fixture->find<QTextBrowser>("document");
+    QTRY_VERIFY(page->isVisible());
+    QString first;
+    for (QTextBlock block = page->document()->begin(); block.isValid(); block = block.next()) {
+        if (block.blockFormat().headingLevel() == 0) continue;
+        if (first.isEmpty()) first = block.text();
+        for (const QTextLayout::FormatRange &letters : block.textFormats())
+            QVERIFY2(letters.format.intProperty(QTextFormat::FontSizeAdjustment) ==
+                         4 - block.blockFormat().headingLevel(),
+                     qPrintable(block.text()));
+    }
+    QVERIFY(!first.isEmpty());
+    QCOMPARE(page->window()->windowTitle(), first + " – Help");
 }
 
 void TestWindowFiles::linkBetweenPagesIsFollowed() {

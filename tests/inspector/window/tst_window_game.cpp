@@ -2,6 +2,7 @@
 // The game from the first prompt to the tenth level, and the messages when something fails.
 #include "gl/view/maze_view.h"
 #include "inspector/stepping.h"
+#include "ui/game/clock_text.h"
 #include "ui/game/game_strip.h"
 #include "ui/parts/message_bar.h"
 #include "ui/window/unattended_run.h"
@@ -324,7 +325,8 @@ void TestWindowGame::escClosesTheResultAndSaysHowToGoOn() {
     for (int i = 0; i < 2; ++i) { // it stays closed
         QVERIFY(!text().isResult);
         QCOMPARE(text().line, QString());
-        QCOMPARE(text().hint, QString("Enter: level 2 · R: again"));
+        QCOMPARE(text().hint, QString("Level 1 done · Enter: level 2 · R: again"));
+        QCOMPARE(text().clock, inspector::ui::clockText(m_fixture->game().time()));
     }
 }
 

@@ -202,6 +202,7 @@ void TestWindowGhost::figuresOfAGhostThatLeftAreOfThatMoment() {
     m_fixture->window().refresh();
     const QString figures = m_fixture->find<QLabel>("comparison_figures")->text();
     QVERIFY2(figures.endsWith("0.01 s after they met; the ghost is out of the maze"), qPrintable(figures));
+    QCOMPARE(m_fixture->find<QLabel>("status_ghost")->text(), QString("Ghost: out of the maze"));
 }
 
 QTEST_MAIN(TestWindowGhost)

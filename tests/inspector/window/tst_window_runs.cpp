@@ -30,6 +30,8 @@ private slots:
     void init();
     void cleanup();
     void runWhoseBeginningIsGoneSaysSo();
+    void runThatContinuesAnotherSaysWhereThatIs();
+    void runShownIsMarked();
     void recordingWithoutStepsIsNotSaved_data();
     void recordingWithoutStepsIsNotSaved();
     void onlyTheLiveRunIsThePresentOne();
@@ -45,6 +47,7 @@ private slots:
     void messageGoesWithTheNextCommand();
 
 private:
+    QString placeText() { return m_fixture->find<QLabel>("time_place")->text(); }
     QString resultOf(int row);
     void restart();
     void goBack(uint64_t steps);
@@ -107,6 +110,12 @@ void TestWindowRuns::runWhoseBeginningIsGoneSaysSo() {
     }
     QTRY_COMPARE(m_fixture->simulation().latest().current.step, 30 + steps);
     m_fixture->window().refresh();
+    QVERIFY2(!placeText().contains("Earlier"), qPrintable(placeText()));
+    m_fixture->key(Qt::Key_Home, Qt::ControlModifier);
+    QTRY_VERIFY2(placeText().endsWith("Earlier steps aren't kept"), qPrintable(placeText()));
+    m_fixture->key(Qt::Key_End, Qt::ControlModifier);
+    QTRY_VERIFY2(!placeText().contains("Earlier"), qPrintable(placeText()));
+    QCOMPARE(m_fixture->find<QWidget>("time_slider")->toolTip(), QString("Earlier steps aren't kept"));
     const QString file = m_fixture->path("late.rec");
     m_fixture->key(Qt::Key_S, Qt::ControlModifier);
     m_fixture->answerFile(file);
@@ -118,6 +127,37 @@ void TestWindowRuns::runWhoseBeginningIsGoneSaysSo() {
     m_fixture->key(Qt::Key_S, Qt::ControlModifier);
     m_fixture->answerFile(m_fixture->path("whole.rec"));
     QCOMPARE(messages->line(), QString());
+    m_fixture->window().refresh();
+    QCOMPARE(m_fixture->find<QWidget>("time_slider")->toolTip(), QString());
+}
+
+void TestWindowRuns::runThatContinuesAnotherSaysWhereThatIs() {
+    goBack(10);
+    typeGravity("1.62");
+    m_fixture->makeSteps(5);
+    m_fixture->key(Qt::Key_Home, Qt::ControlModifier);
+    QTRY_VERIFY2(placeText().endsWith("Earlier steps are in Runs"), qPrintable(placeText()));
+}
+
+void TestWindowRuns::runShownIsMarked() {
+    restart();
+    m_fixture->makeSteps(5);
+    m_fixture->window().refresh();
+    auto *runs = m_fixture->find<QTreeWidget>("runs");
+    const auto marked = [runs] {
+        QList<int> rows;
+        for (int row = 0; row < runs->topLevelItemCount(); ++row)
+            if (runs->topLevelItem(row)->font(0).bold()) rows += row;
+        return rows;
+    };
+    QCOMPARE(marked(), QList<int>{0});
+    QTest::mouseClick(runs->viewport(), Qt::LeftButton, {}, runs->visualItemRect(runs->topLevelItem(1)).center());
+    m_fixture->key(Qt::Key_Return);
+    QTRY_COMPARE(marked(), QList<int>{1});
+    m_fixture->press(Qt::Key_End, Qt::ControlModifier);
+    QTRY_COMPARE(marked(), QList<int>{0});
+    restart(); // without a step it isn't listed
+    QTRY_COMPARE(marked(), QList<int>());
 }
 
 void TestWindowRuns::recordingWithoutStepsIsNotSaved_data() {
