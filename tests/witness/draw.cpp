@@ -269,6 +269,27 @@ void room(Sketch &s) {
     s.velocity(v * s.dice.between(-1, 1), v * s.dice.between(-1, 1), v * s.dice.between(-1, 1));
 }
 
+/// Slippery, with smooth walls: balls still slip when they have leant on a wall for long.
+void slippery(Sketch &s) {
+    const double width = s.dice.between(2, 10), wall = s.dice.magnitude(0.01, 2);
+    s.box(-width - wall, -width - wall, -wall, width + wall, width + wall, 0);
+    s.box(-width - wall, -width - wall, 0, -width, width + wall, 3);
+    s.box(width, -width - wall, 0, width + wall, width + wall, 3);
+    s.box(-width, -width - wall, 0, width, -width, 3);
+    s.box(-width, width, 0, width, width + wall, 3);
+    s.scene.params.sliding_friction = s.dice.magnitude(1e-3, 0.3);
+    s.scene.params.wall_friction = 0;
+    s.scene.params.rolling_friction = std::min(s.scene.params.rolling_friction, s.scene.params.sliding_friction);
+    const double most = width - 1;
+    s.place(s.dice.chance(0.5) ? most : s.dice.between(-most, most), s.dice.between(-most, most), 1);
+    s.velocity(0, s.dice.between(-5, 5), 0);
+    const uint32_t steps = 8;
+    for (int legs = 1 + s.dice.below(3); legs > 0; --legs) {
+        const phys_vec3 gravity{s.dice.between(-5, 5), s.dice.between(-5, 5), -kGravity};
+        s.scene.legs.push_back({gravity, s.dice.magnitude(0.01, 0.5) * std::sqrt(s.r / 0.006), steps});
+    }
+}
+
 struct Kind {
     const char *name;
     void (*draw)(Sketch &);
@@ -292,6 +313,7 @@ constexpr Kind kKinds[] = {
     {"overlapping", overlapping},
     {"board_edge", boardEdge},
     {"room", room},
+    {"slippery", slippery},
 };
 
 void drawRadius(Sketch &s) {
@@ -338,6 +360,20 @@ double drawDt(Sketch &s) {
     return s.dice.oneOf(kSteps) * std::sqrt(s.r / 0.006);
 }
 
+void drawLegs(Sketch &s) {
+    const int legs = 1 + s.dice.below(4);
+    for (int i = 0; i < legs; ++i) {
+        phys_vec3 gravity = drawGravity(s.dice);
+        if (i > 0 && s.dice.chance(0.2)) {
+            const phys_vec3 &before = s.scene.legs.back().gravity;
+            gravity = {-before.x, -before.y, s.dice.chance(0.8) ? before.z : -before.z};
+        }
+        const double dt = drawDt(s);
+        const int most = dt > 0.05 * std::sqrt(s.r / 0.006) ? 2 : 12;
+        s.scene.legs.push_back({gravity, dt, static_cast<uint32_t>(1 + s.dice.below(most))});
+    }
+}
+
 Sketch sketch(size_t kind, uint64_t seed, uint32_t model) {
     Dice dice(seed * 1000003 + kind * 2 + model);
     dice.bits();
@@ -377,17 +413,7 @@ Case drawCase(size_t kind, uint64_t seed, uint32_t model) {
     kKinds[kind].draw(s);
     drawSpin(s);
     turn(s);
-    const int legs = 1 + s.dice.below(4);
-    for (int i = 0; i < legs; ++i) {
-        phys_vec3 gravity = drawGravity(s.dice);
-        if (i > 0 && s.dice.chance(0.2)) {
-            const phys_vec3 &before = s.scene.legs.back().gravity;
-            gravity = {-before.x, -before.y, s.dice.chance(0.8) ? before.z : -before.z};
-        }
-        const double dt = drawDt(s);
-        const int most = dt > 0.05 * std::sqrt(s.r / 0.006) ? 2 : 12;
-        s.scene.legs.push_back({gravity, dt, static_cast<uint32_t>(1 + s.dice.below(most))});
-    }
+    if (s.scene.legs.empty()) drawLegs(s);
     return s.scene;
 }
 
@@ -409,7 +435,7 @@ Case drawSmoothCase(size_t kind, uint64_t seed, uint32_t model) {
     turn(s);
     const double tilt = s.dice.magnitude(0.02, 0.8);
     const double turned = s.dice.between(-3.15, 3.15);
-    s.scene.legs.push_back({{kGravity * std::sin(tilt) * std::cos(turned), kGravity * std::sin(tilt) * std::sin(turned),
+    s.scene.legs.assign(1, {{kGravity * std::sin(tilt) * std::cos(turned), kGravity * std::sin(tilt) * std::sin(turned),
                              -kGravity * std::cos(tilt)},
                             0.1,
                             1});
