@@ -103,6 +103,21 @@ inline double firstFall(const Jet &g, double end, Work &work) {
     return firstZero(look, 0.0, end, zero);
 }
 
+/// Where in [0, end] an increasing series of the time has the value t: Newton's method within a bracket, outside of
+/// which the series mean nothing. pace: its rate in `unit`.
+inline double placeOf(const Jet &time, const Jet &pace, double unit, double t, double end) {
+    double low = 0.0, high = end, s = std::min(t / time[1], end);
+    for (int i = 0; i < 60; ++i) {
+        const double off = time.at(s) - t;
+        (off < 0.0 ? low : high) = s;
+        double next = s - off / (unit * pace.at(s));
+        if (!(next >= low && next <= high)) next = 0.5 * (low + high);
+        if (std::abs(next - s) <= 0x1p-50 * s) return next;
+        s = next;
+    }
+    return s;
+}
+
 /// How long a series is valid, in units. noise: smaller terms are certainly rounding.
 template<class V>
 double validUntil(const JetOf<V> &f, int last, double noise) {

@@ -201,21 +201,8 @@ double Series::timeAt(double s) const { return !m_countsSlips || s == kNever ? u
 double Series::placeOf(double t) const {
     if (!m_countsSlips) return t / unit();
     if (m_known[0].time != t) std::swap(m_known[0], m_known[1]);
-    if (m_known[0].time != t) m_known[0] = {t, findPlace(t)};
+    if (m_known[0].time != t) m_known[0] = {t, phys::placeOf(m_time, m_pace, unit(), t, m_reach.length)};
     return m_known[0].place;
-}
-
-double Series::findPlace(double t) const {
-    double low = 0.0, high = m_reach.length, s = std::min(t / unit(), high);
-    for (int i = 0; i < 60; ++i) {
-        const double off = m_time.at(s) - t;
-        (off < 0.0 ? low : high) = s;
-        double next = s - off / (unit() * m_pace.at(s));
-        if (!(next >= low && next <= high)) next = 0.5 * (low + high);
-        if (std::abs(next - s) <= 0x1p-52 * s) return next;
-        s = next;
-    }
-    return s;
 }
 
 /// Integral over the time until s, in units.

@@ -123,7 +123,6 @@ private:
     void findPace(int k);
     double timeAt(double s) const;
     double placeOf(double t) const;
-    double findPlace(double t) const;
     double integral(const Jet &rate, double s) const;
     void begin(const Response &response);
     void forces(int k);

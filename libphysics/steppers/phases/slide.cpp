@@ -48,16 +48,8 @@ Slide::Slide(const Moment &moment, const Faces &faces, const Vec3 &normal, const
     m_pressure[0] = smooth.pressure;
 }
 
-/// xi in units. Newton's method for a function that is concave or convex, from the side on which it can't overshoot.
-double Slide::xiAt(double t) const {
-    double s = t / m_time[1];
-    for (int i = 0; i < 50; ++i) {
-        const double step = (m_time.at(s) - t) / (unit() * m_speed.at(s));
-        s -= step;
-        if (std::abs(step) <= 0x1p-50 * s) break;
-    }
-    return s;
-}
+/// xi in units.
+double Slide::xiAt(double t) const { return placeOf(m_time, m_speed, unit(), t, m_reach.length); }
 
 Way Slide::at(double t) const { return wayAt(t, xiAt(t)); }
 

@@ -118,6 +118,7 @@ class ExactInvariants : public QObject {
 private slots:
     void energyBalances_data() { addRooms(); }
     void energyBalances();
+    void slipBetweenSmoothWallsMakesNoEnergy();
     void splitStepsAreTheWholeStep_data() { addRooms(); }
     void splitStepsAreTheWholeStep();
     void turnedRoomTurnsTheWay_data() { addRooms(); }
@@ -151,6 +152,34 @@ void ExactInvariants::energyBalances() {
         const double events = run.report.event_count + run.report.events_lost;
         QVERIFY2(std::abs(run.report.energy_scheme) <= 8.0 * kU * (1.0 + events),
                  qPrintable(QString::number(run.report.energy_scheme)));
+    }
+}
+
+// So slippery that balls still slip when they have leant on a wall for long, and turn round with hardly any slip.
+void ExactInvariants::slipBetweenSmoothWallsMakesNoEnergy() {
+    constexpr double kRadius = 0.0625, kWidth = 0.5; // m
+    constexpr double kFastest = 4.0;                 // m/s: falling across the room
+    constexpr double kSlipsEnd = 3.2e-12;            // by which a slip's end may change velocities, relative to them
+    constexpr uint32_t kRuns = 2000;
+    const std::vector<phys_box> boxes{exact::floorOver(-1, -1, 1, 1), exact::wall(-1, -1, -kWidth, 1),
+                                      exact::wall(kWidth, -1, 1, 1), exact::wall(-1, -1, 1, -kWidth),
+                                      exact::wall(-1, kWidth, 1, 1)};
+    for (uint32_t seed = 1; seed <= kRuns; ++seed) {
+        Dice dice(seed);
+        const double x = dice.chance(0.5) ? kWidth - kRadius : dice(-0.375, 0.375), y = dice(-0.375, 0.375);
+        Run run(boxes, kRadius, {x, y, kRadius}, {0.0, dice(-1.0, 1.0), 0.0});
+        run.params.model = PHYS_MODEL_RIGID;
+        run.params.restitution_wall = dice(0.0, 1.0);
+        run.params.sliding_friction = std::exp2(dice(-10.0, -2.0));
+        run.params.gravity = {dice(0.0, 4.0), dice(-4.0, 4.0), -9.0};
+        run.state.spin = {dice(-16.0, 16.0), dice(-16.0, 16.0), dice(-16.0, 16.0)};
+        const double dt = std::exp2(dice(-6.0, 0.0));
+        for (int i = 0; i < 64; ++i) {
+            run.step(dt);
+            const double made = run.report.energy_scheme;
+            QVERIFY2(made <= kSlipsEnd * kFastest * kFastest,
+                     qPrintable(QString("seed %1, step %2: %3 J/kg").arg(seed).arg(i).arg(made)));
+        }
     }
 }
 
