@@ -68,7 +68,7 @@ bool stepUndisturbed(void *self, const phys_params &params, double dt, const phy
     Exact &exact = *static_cast<Exact *>(self);
     const phys_vec3 &g = params.gravity;
     if (report || isNegligible(dt) || isNegligible(g.x) || isNegligible(g.y) || isNegligible(g.z)) return false;
-    return rollUndisturbed(exact.regions, exact.scene, params, dt, in, out) ||
+    return moveUndisturbed(exact.regions, exact.scene, params, dt, in, out) ||
            (in.velocity.z != 0.0 && fallUndisturbed(exact.scene, params, dt, in, out));
 }
 

@@ -24,15 +24,17 @@ public:
         , m_params(params) {}
 
     bool isRigid() const { return m_params.model == PHYS_MODEL_RIGID; }
+    /// Without friction the ball glides: its spin stays, and nothing resists.
+    bool glides() const { return isRigid() && m_params.sliding_friction == 0.0; }
     /// m/s^2: the sum of components, which is no smaller than the length.
     double gravity() const { return std::abs(level.x) + std::abs(level.y) + pressure; }
-    /// m/s^2: rolling resistance, of a ball that rolls.
-    double resistance() const { return 5.0 / 7.0 * (m_params.rolling_friction * pressure); }
-    /// m/s^2: acceleration of a ball that rolls, without resistance.
-    Vec2 drive() const { return 5.0 / 7.0 * level; }
+    /// m/s^2: rolling resistance, of a ball that rolls or glides.
+    double resistance() const { return glides() ? 0.0 : 5.0 / 7.0 * (m_params.rolling_friction * pressure); }
+    /// m/s^2: its acceleration without resistance.
+    Vec2 drive() const { return glides() ? level : 5.0 / 7.0 * level; }
 
-    /// m/s^2: an upper bound for a ball that rolls.
-    double mostAcceleration() const { return 5.0 / 7.0 * (std::abs(level.x) + std::abs(level.y)) + resistance(); }
+    /// m/s^2: an upper bound for it.
+    double mostAcceleration() const { return std::abs(drive().x) + std::abs(drive().y) + resistance(); }
 
     /// Whether the ball moves and, in the rigid model, rolls and continues to. spin: the given one.
     bool rolls(const Vec2 &velocity, const Vec3 &spin) const {
@@ -48,6 +50,11 @@ public:
                4.0 / 49.0 * glm::dot(level, level) < most * most;
     }
 
+    /// Whether it moves and rolls or glides on.
+    bool goesOn(const Vec2 &velocity, const Vec3 &spin) const {
+        return glides() ? velocity != Vec2(0.0) : rolls(velocity, spin);
+    }
+
     /// Whether a velocity that friction (m/s^2) opposes turns: it isn't parallel to the pull.
     bool turns(const Vec2 &v, double friction) const {
         constexpr double kLeast = 1e-10; // sine of the angle between the velocity and its rate of change
@@ -56,24 +63,26 @@ public:
         return friction > 0.0 && across * across > most * most * glm::dot(v, v);
     }
 
-    /// Whether the pull presses a rolling ball against a smooth face along which it moves. across: axis of the face's
-    /// normal; side: its direction.
+    /// Whether the pull presses a ball that rolls or glides against a smooth face along which it moves. across: axis of
+    /// the face's normal; side: its direction.
     bool presses(int across, int side, const Vec2 &velocity, const Vec3 &spin) const {
-        if (isRigid() && (m_params.wall_friction > 0.0 || spin[1 - across] != 0.0)) return false;
-        const double R = m_scene.radius, push = -side * (5.0 / 7.0 * level[across]);
+        if (isRigid() && (m_params.wall_friction > 0.0 || (spin[1 - across] != 0.0 && !glides()))) return false;
+        const double R = m_scene.radius, push = -side * drive()[across];
         const double speedSquared = glm::dot(velocity, velocity);
         const double scale = R * gravity() + speedSquared + (isRigid() ? R * R * glm::dot(spin, spin) : speedSquared);
         return push * R * R > (kUnsure * R + 8.0 * m_scene.tolerance) * scale;
     }
 
-    /// Of a ball that rolls along an axis, m/s^2.
+    /// Of a ball that rolls or glides along an axis, m/s^2.
     double accelerationAlong(int axis, double speed) const {
+        if (glides()) return level[axis];
         const double heading = speed > 0.0 ? 1.0 : -1.0;
         return 5.0 / 7.0 * level[axis] - 5.0 / 7.0 * m_params.rolling_friction * pressure * heading;
     }
 
-    /// Whether that neither stops nor reverses the ball within a time.
-    static bool keepsDirection(double speed, double acceleration, double time) {
+    /// Whether that acceleration lasts for a time: resistance neither stops nor reverses the ball.
+    bool keepsAcceleration(double speed, double acceleration, double time) const {
+        if (resistance() == 0.0) return true;
         const double heading = speed > 0.0 ? 1.0 : -1.0;
         return -acceleration * heading * time < (1.0 - kUnsure) * std::abs(speed);
     }

@@ -42,11 +42,11 @@ public:
                 return false;
         }
         m_spin = isRigid() ? m_ball.motion.spin : rollingSpin(inPlane(velocity), m_ball.radius());
-        m_rolls = m_pull.rolls(inPlane(velocity), m_ball.motion.spin);
-        const bool slips = isRigid() && !m_rolls && m_ball.params().sliding_friction > 0.0;
-        if (m_rests != kNone) return (m_rolls && rollAlongFace()) || (slips && slipAlongFace());
-        if (m_rolls) return roll();
-        return isRigid() && (slips ? slip() : glide());
+        const bool goesOn = m_pull.goesOn(inPlane(velocity), m_ball.motion.spin);
+        m_rolls = goesOn && !m_pull.glides();
+        if (goesOn) return m_rests == kNone ? moveFreely() : moveAlongFace();
+        if (!isRigid() || m_pull.glides()) return false;
+        return m_rests == kNone ? slip() : slipAlongFace();
     }
 
 private:
@@ -59,12 +59,18 @@ private:
     uint32_t boxAt(int axis) const { return sideOf(axis) > 0 ? range(axis).lowBox : range(axis).highBox; }
     double placeAt(int axis) const { return sideOf(axis) > 0 ? range(axis).lowFace : range(axis).highFace; }
 
-    bool roll() {
-        const double B = m_pull.resistance();
-        if (!m_pull.turns(inPlane(m_ball.motion.velocity), B)) return false;
-        const Resisted phase =
-            Resisted::rolling(2, m_ball.motion.velocity, Vec3(m_pull.drive(), 0.0), B, m_ball.radius(), m_spin, kUp);
+    /// The ball rolls or glides.
+    bool moveFreely() {
+        const Vec3 velocity = m_ball.motion.velocity, drive(m_pull.drive(), 0.0);
+        const double B = m_pull.resistance(), R = m_ball.radius();
+        if (B == 0.0) return runOn(uniform(drive), End());
+        if (!m_pull.turns(inPlane(velocity), B)) return false;
+        const Resisted phase = Resisted::rolling(2, velocity, drive, B, R, m_spin, kUp);
         return runOn(phase, phase.end());
+    }
+
+    Uniform uniform(const Vec3 &a) const {
+        return {m_ball.motion.velocity, a, m_spin, m_rolls ? glm::cross(kUp, a) / m_ball.radius() : Vec3(-0.0)};
     }
 
     bool slip() {
@@ -81,21 +87,14 @@ private:
         return (!(end.after < m_ball.left) || glm::length(rolling) > kUnsure * speedScale(moment)) && runOn(phase, end);
     }
 
-    /// Without friction.
-    bool glide() {
-        const Motion &motion = m_ball.motion;
-        return motion.velocity != Vec3(0.0) && runOn(Uniform{motion.velocity, m_level, motion.spin, Vec3(-0.0)}, End());
-    }
-
     /// The drive presses the ball against a face, so that its acceleration is constant: model.md 14.1.
-    bool rollAlongFace() {
+    bool moveAlongFace() {
         const Vec3 velocity = m_ball.motion.velocity;
         const int along = 1 - m_rests;
         if (!m_pull.presses(m_rests, sideOf(m_rests), inPlane(velocity), m_spin)) return false;
         Vec3 a(0.0);
         a[along] = m_pull.accelerationAlong(along, velocity[along]);
-        if (!m_pull.keepsDirection(velocity[along], a[along], m_ball.left)) return false;
-        return runOn(Uniform{velocity, a, m_spin, glm::cross(kUp, a) / m_ball.radius()}, End());
+        return m_pull.keepsAcceleration(velocity[along], a[along], m_ball.left) && runOn(uniform(a), End());
     }
 
     /// Friction and drive press the ball against a smooth face, and the slip turns: model.md 14.2.

@@ -24,23 +24,28 @@ bool isFree(const FloorRegion &region, int axis, const Plane &ball, double dt, d
 }
 
 /// False if the ball may stop.
-bool rollFreely(const FloorPull &pull, double dt, Plane &ball) {
+bool moveFreely(const FloorPull &pull, double dt, Plane &ball) {
     ResistedLaw::Point point;
     const double B = pull.resistance();
+    if (B == 0.0) {
+        const Vec2 v = ball.velocity, a = pull.drive();
+        ball = {ball.place + dt * (v + 0.5 * dt * a), v + dt * a};
+        return true;
+    }
     if (!pull.turns(ball.velocity, B) || !ResistedLaw::goesOn(ball.velocity, pull.drive(), B, dt, point)) return false;
     ball = {ball.place + point.x, point.v};
     return true;
 }
 
 /// Along a face that the ball touches. across: axis of the face's normal.
-bool rollAlong(int across, const FloorRegion &region, const FloorPull &pull, double dt, const Vec3 &spin, Plane &ball) {
+bool moveAlong(int across, const FloorRegion &region, const FloorPull &pull, double dt, const Vec3 &spin, Plane &ball) {
     const FloorRegion::Range &range = region.along[static_cast<size_t>(across)];
     const int along = 1 - across;
     if (!range.isFace(ball.place[across]) || ball.velocity[across] != 0.0) return false;
     const bool isLow = ball.place[across] == range.lowFace;
     if (!pull.presses(across, isLow ? 1 : -1, ball.velocity, spin)) return false;
     const double v = ball.velocity[along], a = pull.accelerationAlong(along, v);
-    if (!pull.keepsDirection(v, a, dt)) return false;
+    if (!pull.keepsAcceleration(v, a, dt)) return false;
     ball.place[across] = isLow ? range.lowFace : range.highFace; // a zero may have the opposite sign
     ball.place[along] += dt * (v + 0.5 * dt * a);
     ball.velocity[across] = 0.0;
@@ -48,12 +53,12 @@ bool rollAlong(int across, const FloorRegion &region, const FloorPull &pull, dou
     return true;
 }
 
-bool roll(const FloorRegion &region, const FloorPull &pull, double dt, const Vec3 &spin, Plane &ball) {
+bool move(const FloorRegion &region, const FloorPull &pull, double dt, const Vec3 &spin, Plane &ball) {
     const double most = pull.mostAcceleration();
     const bool isFreeAlongX = isFree(region, 0, ball, dt, most), isFreeAlongY = isFree(region, 1, ball, dt, most);
-    if (isFreeAlongX && isFreeAlongY) return rollFreely(pull, dt, ball);
+    if (isFreeAlongX && isFreeAlongY) return moveFreely(pull, dt, ball);
     if (!isFreeAlongX && !isFreeAlongY) return false;
-    return rollAlong(isFreeAlongX ? 1 : 0, region, pull, dt, spin, ball);
+    return moveAlong(isFreeAlongX ? 1 : 0, region, pull, dt, spin, ball);
 }
 
 /// False, and nothing is written, if the numbers are beyond those of a valid state.
@@ -80,28 +85,28 @@ bool fallUndisturbed(const Scene &scene, const phys_params &params, double dt, c
     return store(place + dt * (v + 0.5 * dt * g), v + dt * g, spin, PHYS_AIRBORNE, scene, in, out);
 }
 
-bool rollUndisturbed(FloorRegions &regions, const Scene &scene, const phys_params &params, double dt,
+bool moveUndisturbed(FloorRegions &regions, const Scene &scene, const phys_params &params, double dt,
                      const phys_state &in, phys_state &out) {
     if (params.options != 0 || in.velocity.z != 0.0 || !(params.gravity.z < 0.0)) return false;
     const FloorPull pull(scene, params);
     const Vec3 spin = toVec(in.spin);
     Plane ball{inPlane(in.position), inPlane(in.velocity)};
-    if (!pull.rolls(ball.velocity, spin)) return false;
+    if (!pull.goesOn(ball.velocity, spin)) return false;
     if (spin.z == 0.0 && std::signbit(spin.z)) return false; // the loop's sums may change its sign
     const bool isLeaning = ball.velocity.x == 0.0 || ball.velocity.y == 0.0;
     // The last region may end near the ball; that of its own grid cell extends further.
     const FloorRegion *last = nullptr, *region = regions.around(in.position, isLeaning);
-    while (region && !roll(*region, pull, dt, spin, ball)) {
+    while (region && !move(*region, pull, dt, spin, ball)) {
         if (last) return false;
         last = region;
         region = regions.find(in.position, isLeaning);
         if (region == last) return false;
     }
     if (!region) return false;
-    const Vec3 rolling = rollingSpin(ball.velocity, scene.radius);
     const double height = scene.boxes[region->floor].max.z + scene.radius;
-    return store(Vec3(ball.place, height), Vec3(ball.velocity, 0.0),
-                 {rolling.x, rolling.y, pull.isRigid() ? spin.z : 0.0}, 0, scene, in, out);
+    Vec3 turning = rollingSpin(ball.velocity, scene.radius);
+    if (pull.isRigid()) turning.z = spin.z;
+    return store(Vec3(ball.place, height), Vec3(ball.velocity, 0.0), pull.glides() ? spin : turning, 0, scene, in, out);
 }
 
 } // namespace phys

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The most frequent steps of all: a ball meets nothing but the floor on which it rolls, and a smooth wall along it, or
-// nothing at all. model.md 8.1.
+// The most frequent steps of all: a ball meets nothing but the floor on which it rolls or glides, and a smooth wall
+// along it, or nothing at all. model.md 8.1.
 #pragma once
 
 #include "shared/floor_region.h"
@@ -9,9 +9,9 @@
 
 namespace phys {
 
-/// Makes a step of a rolling ball with the bits of the event loop: all of `out`, which may be `in`, except time and
+/// Makes a step of a ball on a floor with the bits of the event loop: all of `out`, which may be `in`, except time and
 /// step number. False, and nothing is written, if anything else may happen.
-bool rollUndisturbed(FloorRegions &regions, const Scene &scene, const phys_params &params, double dt,
+bool moveUndisturbed(FloorRegions &regions, const Scene &scene, const phys_params &params, double dt,
                      const phys_state &in, phys_state &out);
 
 /// The same for a ball that falls far from all boxes.

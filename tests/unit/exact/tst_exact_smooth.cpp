@@ -115,12 +115,22 @@ void ExactSmooth::undisturbedStepsHaveTheBitsOfAllStages_data() {
     QTest::addColumn<uint32_t>("model");
     QTest::addColumn<double>("pull"); // along x
     QTest::addColumn<double>("vx");
-    for (const uint32_t model : {uint32_t(PHYS_MODEL_ROLLING), uint32_t(PHYS_MODEL_RIGID)}) {
-        const char *name = model == PHYS_MODEL_RIGID ? "rigid" : "rolling";
-        QTest::addRow("%s, freely", name) << model << -0.5 << -0.1;
-        QTest::addRow("%s, along a wall", name) << model << 0.5 << 0.0;
-        QTest::addRow("%s, off a wall", name) << model << -0.5 << 0.0;
-        QTest::addRow("%s, back to a wall again and again", name) << model << 8.0 << -0.25;
+    QTest::addColumn<double>("resistance");
+    QTest::addColumn<double>("friction");
+    const struct {
+        const char *name;
+        uint32_t model;
+        double resistance, friction;
+    } laws[] = {{"rolling", PHYS_MODEL_ROLLING, 0.0625, 0.3},
+                {"rolling without resistance", PHYS_MODEL_ROLLING, 0.0, 0.3},
+                {"rigid", PHYS_MODEL_RIGID, 0.0625, 0.3},
+                {"rigid without resistance", PHYS_MODEL_RIGID, 0.0, 0.3},
+                {"gliding", PHYS_MODEL_RIGID, 0.0, 0.0}};
+    for (const auto &[name, model, resistance, friction] : laws) {
+        QTest::addRow("%s, freely", name) << model << -0.5 << -0.1 << resistance << friction;
+        QTest::addRow("%s, along a wall", name) << model << 0.5 << 0.0 << resistance << friction;
+        QTest::addRow("%s, off a wall", name) << model << -0.5 << 0.0 << resistance << friction;
+        QTest::addRow("%s, back to a wall again and again", name) << model << 8.0 << -0.25 << resistance << friction;
     }
 }
 
@@ -128,12 +138,15 @@ void ExactSmooth::undisturbedStepsHaveTheBitsOfAllStages() {
     QFETCH(uint32_t, model);
     QFETCH(double, pull);
     QFETCH(double, vx);
+    QFETCH(double, resistance);
+    QFETCH(double, friction);
     phys_state states[2];
     for (const uint32_t options : {0U, uint32_t(PHYS_OPTION_ALL_STAGES)}) {
         Run run({exact::kFloor, exact::wall(0.25, -2, 0.5, 2)}, 0.125, {0.125, 0, 0.125}, {vx, 0.25, 0});
         run.params.model = model;
         run.params.options = options | PHYS_OPTION_ORIENTATION;
-        run.setLaw(pull, -0.125, 0.0625);
+        run.setLaw(pull, -0.125, resistance);
+        run.params.sliding_friction = friction;
         run.state.spin = {0.0 - 0.25 / 0.125, vx / 0.125, -0.0};
         for (int i = 0; i < 16; ++i) run.step(1.0 / 64.0);
         states[options ? 1 : 0] = run.state;
