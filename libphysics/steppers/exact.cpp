@@ -20,7 +20,7 @@ namespace {
 struct Exact {
     explicit Exact(const Scene &ofScene)
         : scene(ofScene)
-        , regions(ofScene) {}
+        , regions(ofScene, FloorRegions::Beside::edges) {}
 
     const Scene &scene;
     FloorRegions regions;

@@ -12,7 +12,7 @@ class KnownPlaces {
 public:
     explicit KnownPlaces(const Scene &scene)
         : m_scene(scene)
-        , m_regions(scene) {}
+        , m_regions(scene, FloorRegions::Beside::faces) {}
 
     const Scene &scene() const { return m_scene; }
     FloorRegions &regions() { return m_regions; }

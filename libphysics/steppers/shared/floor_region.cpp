@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "shared/floor_region.h"
 
+#include "scene/nearest.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,8 +16,9 @@ constexpr uint32_t kMostFloors = 8; ///< capacity of a FloorView
 /// A region while it is being reduced.
 class Cutting {
 public:
-    Cutting(const Scene &scene, const Vec3 &place)
+    Cutting(const Scene &scene, FloorRegions::Beside beside, const Vec3 &place)
         : m_scene(scene)
+        , m_beside(beside)
         , m_place(place)
         , m_margin(4.0 * scene.tolerance)
         , m_clear(scene.radius + m_margin) {
@@ -112,7 +115,6 @@ private:
 
     /// Restricts the region to positions beside a face that the ball touches, and between its ends. False if there is
     /// already such a face.
-    /// already.
     bool leanOn(const phys_box &box) {
         const int axis = isTouched(box, 0) ? 0 : 1;
         FloorRegion::Range &range = m_region.along[axis];
@@ -148,15 +150,33 @@ private:
         return side;
     }
 
+    /// Removes the positions on one side of a coordinate.
+    void cutAt(int axis, bool isLow, double place) {
+        FloorRegion::Range &range = m_region.along[axis];
+        if (isLow)
+            range.low = std::max(range.low, place);
+        else
+            range.high = std::min(range.high, place);
+    }
+
     /// Removes the side on which the box is. False if it is too near.
     bool cutAway(const phys_box &box) {
         const auto [axis, isLow, beyond] = sideOf(box);
-        FloorRegion::Range &range = m_region.along[axis];
-        if (isLow)
-            range.low = std::max(range.low, (&box.max.x)[axis] + m_clear);
-        else
-            range.high = std::min(range.high, (&box.min.x)[axis] - m_clear);
-        return beyond > 0.0;
+        if (!(beyond > 0.0)) return m_beside == FloorRegions::Beside::edges && cutBesideEdge(box);
+        cutAt(axis, isLow, isLow ? (&box.max.x)[axis] + m_clear : (&box.min.x)[axis] - m_clear);
+        return true;
+    }
+
+    /// Beside an upright edge, a corner of the region lies between edge and ball, at the required distance from the
+    /// edge. False if the ball is too near.
+    bool cutBesideEdge(const phys_box &box) {
+        const Vec2 place = inPlane(m_place);
+        const Vec2 edge(limited(place.x, box.min.x, box.max.x), limited(place.y, box.min.y, box.max.y));
+        const Vec2 away = place - edge;
+        const double share = m_clear / glm::length(away); // infinite inside of the box
+        if (away.x == 0.0 || away.y == 0.0 || !(share < 1.0)) return false;
+        for (int axis = 0; axis < 2; ++axis) cutAt(axis, away[axis] > 0.0, edge[axis] + share * away[axis]);
+        return true;
     }
 
     bool isEasy() const {
@@ -214,6 +234,7 @@ private:
     }
 
     const Scene &m_scene;
+    FloorRegions::Beside m_beside;
     Vec3 m_place;
     double m_margin, m_clear; ///< m
     FloorRegion m_region;
@@ -224,8 +245,9 @@ private:
 
 } // namespace
 
-FloorRegions::FloorRegions(const Scene &scene)
+FloorRegions::FloorRegions(const Scene &scene, Beside beside)
     : m_scene(scene)
+    , m_beside(beside)
     , m_regions(std::make_unique<std::array<FloorRegion, kKept>>())
     , m_last(m_regions->data()) {}
 
@@ -234,7 +256,7 @@ const FloorRegion *FloorRegions::find(const phys_vec3 &place, bool isLeaning) {
     if (cell == Grid::kNoCell) return nullptr;
     FloorRegion &kept = (*m_regions)[(cell + (isLeaning ? kKept / 2 : 0)) % kKept];
     if (!kept.has(place)) {
-        const FloorRegion found = Cutting(m_scene, toVec(place)).run(cell);
+        const FloorRegion found = Cutting(m_scene, m_beside, toVec(place)).run(cell);
         if (!found.has(place)) return nullptr;
         kept = found;
     }

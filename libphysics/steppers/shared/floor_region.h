@@ -52,7 +52,11 @@ struct FloorRegion {
 /// Cache of regions. They follow from the scene alone, and no step depends on which of them is used.
 class FloorRegions {
 public:
-    explicit FloorRegions(const Scene &scene);
+    /// Where regions may lie: at a box's faces only, or also at its upright edges. Steppers of fixed substeps round
+    /// otherwise there than in a region.
+    enum class Beside { faces, edges };
+
+    FloorRegions(const Scene &scene, Beside beside);
 
     /// A region that contains the position, or nullptr. isLeaning: which of two to prefer.
     const FloorRegion *around(const phys_vec3 &place, bool isLeaning) {
@@ -67,6 +71,7 @@ private:
     static constexpr uint32_t kKept = 1024; ///< a power of two
 
     const Scene &m_scene;
+    Beside m_beside;
     std::unique_ptr<std::array<FloorRegion, kKept>> m_regions;
     const FloorRegion *m_last; ///< one of them
 };
