@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace phys {
 
@@ -32,6 +33,7 @@ public:
     /// Computes one phase and the event that ends it. False if anything else may happen next.
     bool advance() {
         const Vec3 &velocity = m_ball.motion.velocity;
+        const bool goesOn = m_pull.goesOn(inPlane(velocity), m_ball.motion.spin);
         m_rests = kNone;
         for (int axis = 0; axis < 2; ++axis) {
             if (!range(axis).isFace(m_ball.position[axis])) continue;
@@ -42,7 +44,6 @@ public:
                 return false;
         }
         m_spin = isRigid() ? m_ball.motion.spin : rollingSpin(inPlane(velocity), m_ball.radius());
-        const bool goesOn = m_pull.goesOn(inPlane(velocity), m_ball.motion.spin);
         m_rolls = goesOn && !m_pull.glides();
         if (goesOn) return m_rests == kNone ? moveFreely() : moveAlongFace();
         if (!isRigid() || m_pull.glides()) return false;
@@ -141,32 +142,52 @@ private:
         return !hits || bounce(hit);
     }
 
-    /// False if the ball may leave the region beside the faces.
+    /// Bounds of the ball's coordinates.
+    struct Extent {
+        Vec2 low, high;
+    };
+
+    Extent extentUntil(double time, double mostAcceleration) const {
+        const Vec2 place = inPlane(m_ball.position), way = time * inPlane(m_ball.motion.velocity);
+        const double bend = 0.5 * time * time * mostAcceleration;
+        return {place + glm::min(way, 0.0) - bend, place + glm::max(way, 0.0) + bend};
+    }
+
+    /// Whether the ball may leave the region through a side.
+    bool isBeyond(const Extent &extent, int axis, int side) const {
+        if (axis == m_rests) return false;
+        return side > 0 ? extent.low[axis] < range(axis).low : extent.high[axis] > range(axis).high;
+    }
+
+    uint32_t boxOn(int axis, int side) const { return side > 0 ? range(axis).lowBox : range(axis).highBox; }
+
+    /// Whether a ball that leaves the region through a side meets a face there.
+    bool isBeforeFace(const Extent &extent, int axis, int side) const {
+        const uint32_t number = boxOn(axis, side);
+        if (number == PHYS_NO_BOX) return false;
+        const phys_box &box = m_ball.scene().boxes[number];
+        const int other = 1 - axis;
+        const double margin = 4.0 * m_ball.scene().tolerance; // from the ends of the face
+        return extent.low[other] >= (&box.min.x)[other] + margin && extent.high[other] <= (&box.max.x)[other] - margin;
+    }
+
+    /// False if the ball may leave the region beside the faces before.
     template<class Phase>
     bool findHit(const Phase &phase, double until, Hit &first) {
-        const double bend = 0.5 * until * until * phase.mostAcceleration();
-        std::array<double, 2> low, high; // bounds of the ball's coordinates
-        for (int axis = 0; axis < 2; ++axis) {
-            const double place = m_ball.position[axis], way = until * m_ball.motion.velocity[axis];
-            low[axis] = place + std::min(way, 0.0) - bend;
-            high[axis] = place + std::max(way, 0.0) + bend;
+        constexpr std::array<std::pair<int, int>, 4> kSides{{{0, 1}, {0, -1}, {1, 1}, {1, -1}}};
+        const double most = phase.mostAcceleration();
+        Extent extent = extentUntil(until, most);
+        for (const auto &[axis, side] : kSides) {
+            const uint32_t number = boxOn(axis, side);
+            if (!isBeyond(extent, axis, side) || number == PHYS_NO_BOX) continue;
+            const double after = timeOfHit(phase, until, axis, m_ball.scene().boxes[number]);
+            if (after < first.after) first = {after, axis, side, number};
         }
-        for (int axis = 0; axis < 2; ++axis) {
-            const int other = 1 - axis;
-            if (axis == m_rests) continue;
-            for (const int side : {1, -1}) {
-                if (side > 0 ? low[axis] >= range(axis).low : high[axis] <= range(axis).high) continue;
-                const uint32_t number = side > 0 ? range(axis).lowBox : range(axis).highBox;
-                if (number == PHYS_NO_BOX) return false;
-                const phys_box &box = m_ball.scene().boxes[number];
-                const double margin = 4.0 * m_ball.scene().tolerance; // from the ends of the face
-                if (low[other] < (&box.min.x)[other] + margin || high[other] > (&box.max.x)[other] - margin)
-                    return false;
-                const double after = timeOfHit(phase, until, axis, box);
-                if (after < first.after) first = {after, axis, side, number};
-            }
-        }
-        return true;
+        if (first.after < until) extent = extentUntil(first.after, most);
+        return std::all_of(kSides.begin(), kSides.end(), [&](const std::pair<int, int> &each) {
+            const auto &[axis, side] = each;
+            return !isBeyond(extent, axis, side) || isBeforeFace(extent, axis, side);
+        });
     }
 
     template<class Phase>
