@@ -310,6 +310,7 @@ void Series::knownAccelerations(int k) {
         m_al[k] = steadied(m_al[k], k);
     }
     for (Contact &contact : contacts()) {
+        if (!contact.needsRate()) continue;
         contact.rateKnown = m_a[k] + R * contact.crossNormal(m_al, k);
         for (int j = 0; j <= k && !contact.isFlat; ++j)
             contact.rateKnown -= glm::cross(m_om[j], contact.held.across * m_v[k - j]);

@@ -69,10 +69,12 @@ private:
         Jet speed;      ///< of the slip, or of its quotient by the time if it starts
         Jet slowness;   ///< 1/speed
         double weight;  ///< of this slip in the independent variable, 1/s; 0: none
-        Vec3 rateKnown; ///< rate of the slip at the present order without the contribution of the unknowns
+        Vec3 rateKnown; ///< rate of the slip at the present order without the contribution of the unknowns, if needed
         Vec3 directionKnown;
         uint32_t column = 0;
 
+        /// Whether the equations are about the rate of the slip.
+        bool needsRate() const { return mode != Mode::smooth && mode != Mode::slipping; }
         /// The last nonzero term of n up to k.
         int lastNormal(int k) const { return isFlat ? 0 : k; }
         /// Term k of n x b.
