@@ -57,8 +57,10 @@ struct InRegion {
     /// Whether nothing is near a position.
     Mask isFree(N there) const { return all(low <= there, there <= high); }
     Mask isFreeAround(N way) const { return all(low <= place - way, place + way <= high); }
-    /// Whether that is so, or the ball is still at its face.
-    Mask has(N there) const { return any(isFree(there), all(any(isAtLow(), isAtHigh()), there == place)); }
+    /// Whether that is so, or the ball is still at its face, with a velocity with which it may be there.
+    Mask has(N there, N velocityThere) const {
+        return any(isFree(there), all(any(isAtLow(), isAtHigh()), there == place, velocityThere == 0.0));
+    }
     /// Whether the ball reaches no other face within a displacement in either direction.
     Mask isClear(N way) const { return all(any(low <= place - way, isAtLow()), any(place + way <= high, isAtHigh())); }
 };
@@ -151,12 +153,13 @@ private:
         const N aheadX = (magnitude(velocity.x) + (magnitude(drive.A.x) + drive.B) * h) * h;
         const N aheadY = (magnitude(velocity.y) + (magnitude(drive.A.y) + drive.B) * h) * h;
         const auto isClear = all(x.isClear(choose(leansY, aheadX, 0.0)), y.isClear(choose(leansX, aheadY, 0.0)));
-        auto rolls = all(step.isFine, isSlow(balls, N(limits.reach), h), wayOf(step) <= limits.reach, isClear,
-                         x.has(x.place + step.displacement.x), y.has(y.place + step.displacement.y),
-                         staysFast(limits, velocity, step.velocity));
+        auto rolls =
+            all(step.isFine, isSlow(balls, N(limits.reach), h), wayOf(step) <= limits.reach, isClear,
+                x.has(x.place + step.displacement.x, step.velocity.x),
+                y.has(y.place + step.displacement.y, step.velocity.y), staysFast(limits, velocity, step.velocity));
         if constexpr (kRule == RegionRule::Swept) {
             const Planar<N> turn = 0.5 * h * velocity;
-            rolls = all(rolls, x.has(x.place + turn.x), y.has(y.place + turn.y));
+            rolls = all(rolls, x.has(x.place + turn.x, velocity.x), y.has(y.place + turn.y, velocity.y));
         }
         step.isFine = rolls;
         const auto isAtRest = rests > 0.0;

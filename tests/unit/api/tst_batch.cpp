@@ -129,7 +129,7 @@ Case draw(Random &random) {
     return made;
 }
 
-/// Many balls for a long time under lasting tilts: they lean, roll along walls and rest.
+/// Many balls for a long time under tilts that mostly last: they lean, roll along walls and rest.
 Case drawLong(Random &random) {
     Case made{};
     made.balls = 1 + random.below(19);
@@ -145,9 +145,10 @@ Case drawLong(Random &random) {
     if (random.below(3) == 0) params.sliding_friction = params.rolling_friction = 0.0;
     made.params = {params};
     phys_vec3 gravity{};
+    const uint64_t lasts = random.below(3) ? 50 : 1 + random.below(3); // steps
     for (uint64_t i = 0; i < made.balls * made.steps + 1; ++i) {
         const double strength = random.below(4) ? 1.0 : 0.0;
-        if (i % 50 == 0) gravity = {strength * random.between(-2, 2), random.between(-2, 2), -9.75};
+        if (i % lasts == 0) gravity = {strength * random.between(-2, 2), random.between(-2, 2), -9.75};
         made.gravity.push_back(gravity);
     }
     const double fastest = random.below(3) ? 1.0 : 6.0;
