@@ -76,7 +76,7 @@ typedef int32_t phys_status;
 #define PHYS_STATUS_LIST(X)                                                                                            \
     X(PHYS_OK, 0, "success")                                                                                           \
     X(PHYS_ERROR_ARGUMENT, -1, "an argument is NULL, of the wrong size or not finite")                                 \
-    X(PHYS_ERROR_RANGE, -2, "a parameter is outside its allowed range")                                                \
+    X(PHYS_ERROR_RANGE, -2, "a parameter is not a number or outside its allowed range")                                \
     X(PHYS_ERROR_STATE, -3, "the state, before or after the step, is not one that a ball can have")                    \
     X(PHYS_ERROR_MEMORY, -4, "out of memory")                                                                          \
     X(PHYS_ERROR_FILE, -5, "a file can't be read")                                                                     \
@@ -124,9 +124,9 @@ typedef struct phys_box {
 } phys_box;
 
 /** The gravity vector (m/s^2, board frame) of a board tilted by two angles.
- *  tilt_x, tilt_y: rad, each in (-pi/2, pi/2): the slope along x and along y; positive makes the ball roll towards +x
- *  and +y. strength: m/s^2, 0 .. 2^100. With s = (tan tilt_x, tan tilt_y, -1) the result is strength * s / |s|.
- *  Any thread. Fails with PHYS_ERROR_ARGUMENT for anything else. Since 1.0. */
+ *  tilt_x, tilt_y: rad, each between the doubles nearest to -pi/2 and pi/2, without these: the slope along x and along
+ *  y; positive makes the ball roll towards +x and +y. strength: m/s^2, 0 .. 2^100. With s = (tan tilt_x, tan tilt_y,
+ * -1) the result is strength * s / |s|. Any thread. Fails with PHYS_ERROR_ARGUMENT for anything else. Since 1.0. */
 PHYS_API phys_status phys_gravity_from_tilt(double tilt_x, double tilt_y, double strength, phys_vec3 *out);
 
 /* ------------------------------------------------------------------------------------------------------- scenes -- */
@@ -180,8 +180,10 @@ PHYS_API const phys_box *phys_scene_boxes(const phys_scene *scene);
 /** The smallest box around all boxes; all zero without boxes. Any thread. Errors: ARGUMENT. Since 1.0. */
 PHYS_API phys_status phys_scene_bounds(const phys_scene *scene, phys_box *out);
 
-/** Whether all contacts of the ball are horizontal while it rolls on the floor (model.md 0).
- *  PHYS_OK if so. Any thread. Errors: ARGUMENT; UNSUPPORTED with the box and the reason if it isn't. Since 1.0. */
+/** Whether each box that reaches above the floor, and begins below the top of a ball on it, spans the height of the
+ *  ball's centre: then none can lift or press down a ball that the floor carries (model.md 0). Boxes count wherever
+ * they are, gaps, steps and edges of the floor don't. PHYS_OK if so. Any thread. Errors: ARGUMENT; UNSUPPORTED with the
+ * box and the reason if it isn't. Since 1.0. */
 PHYS_API phys_status phys_scene_check_planar(const phys_scene *scene, phys_error *err);
 
 /** Kinds of feature of a box that the ball touches. */
@@ -217,7 +219,7 @@ enum {
  *  are within +-2^100. */
 typedef struct phys_state {
     double time;           /**< s since the start */
-    uint64_t step;         /**< steps since the start; phys_step adds one (none for dt = 0) */
+    uint64_t step;         /**< steps since the start, modulo 2^64; phys_step adds one (none for dt = 0) */
     phys_vec3 position;    /**< of the centre, m */
     phys_vec3 velocity;    /**< m/s */
     phys_vec3 spin;        /**< angular velocity, rad/s; rolling model on the floor: follows from the velocity */
@@ -356,7 +358,8 @@ typedef struct phys_report {
     double energy_after;     /**< phys_energy of the new state */
     double lost_impact;      /**< to impacts with walls and floors */
     double lost_rolling;     /**< to rolling resistance */
-    double lost_slip;        /**< to friction of slipping contacts; rolling model: of landings, of either sign */
+    double lost_slip;        /**< to friction of slipping contacts; rolling model: of landings, and of a given spin that
+                                  isn't that of rolling, of either sign */
     double energy_scheme;    /**< gained (> 0) or lost (< 0) by the stepper's own error: the rest of the balance */
 } phys_report;
 

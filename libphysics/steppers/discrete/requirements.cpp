@@ -24,6 +24,27 @@ bool staysOnOneFloor(const PlanInput &input, double reach) {
     return Scene::isOver(floor, p.x - reach, p.y - reach) && Scene::isOver(floor, p.x + reach, p.y + reach);
 }
 
+/// reachOfStep with the fall: whatever can lift a ball off the floor, and the floor's edge, can let it fall within a
+/// long step. leaves: whether it may pass that edge.
+double wayOfStep(const PlanInput &input, bool leaves) {
+    const double reach = reachOfStep(input);
+    return leaves || !input.isPlanar() ? reach + fallOfStep(input) : reach;
+}
+
+void saySubsteps(const PlanInput &input, double substeps, phys_requirements &out) {
+    const double reach = reachOfStep(input) / input.scene.radius;
+    if (substeps == 1.0)
+        return say(out, 1, "not needed: the ball moves at most %.2g of its radius in this step; half a radius is safe",
+                   reach);
+    if (spinsFast(input) && reach <= 0.5)
+        return say(out, 1, "%s", "friction may turn the ball's spin into a way of more than a quarter of its radius");
+    if (reach <= 0.5)
+        return say(out, 1, "%s",
+                   "the ball may come over the floor's edge, and fall by more than half a radius in this step");
+    say(out, 1, "the ball moves at most %.2g of its radius in this step; half a radius is safe",
+        wayOfStep(input, mayFallOffFloor(input)) / input.scene.radius);
+}
+
 } // namespace
 
 bool passesBy(const PlanInput &input) {
@@ -56,9 +77,8 @@ double substepsNeeded(const PlanInput &input) {
     const double safe = 0.5 * scene.radius;
     const double reach = reachOfStep(input);
     if (scene.boxes.empty() || staysOnOneFloor(input, reach) || passesBy(input)) return 1.0;
-    // Whatever can lift a ball off the floor, and the floor's edge, can let it fall within a long step.
     const bool leaves = mayFallOffFloor(input);
-    const double way = leaves || !input.isPlanar() ? reach + fallOfStep(input) : reach;
+    const double way = wayOfStep(input, leaves);
     const double forWay = (leaves ? way : reach) <= safe ? 1.0 : std::ceil(way / safe);
     const double spin = glm::length(toVec(input.state.spin));
     return spinsFast(input) ? std::max(forWay, std::ceil(spin * input.dt / kSafeTurn)) : forWay;
@@ -75,12 +95,7 @@ void describePlan(const PlanInput &input, const StepPlan &plan, phys_requirement
         !input.isOnFloor() ? "the ball is not on the floor"
         : input.isPlanar() ? "not needed: the floor carries the ball and walls push it sideways only"
                            : "a low box or a rough wall can lift the ball off the floor");
-    const double reach = reachOfStep(input) / scene.radius;
-    if (plan.substeps > 1.0 && reach <= 0.5 && !spinsFast(input))
-        say(out, 1, "%s", "the ball may come over the floor's edge, and fall by more than half a radius in this step");
-    else
-        say(out, 1, "%sthe ball moves at most %.2g of its radius in this step; half a radius is safe",
-            plan.substeps > 1.0 ? "" : "not needed: ", reach);
+    saySubsteps(input, plan.substeps, out);
     say(out, 2, "%s",
         params.rolling_friction > 0.0 ? "rolling_friction is above 0" : "not needed: rolling_friction is 0");
     say(out, 3, "%s",

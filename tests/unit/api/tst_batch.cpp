@@ -551,7 +551,8 @@ void TestBatch::firstFailureIsToldWhereStatusesAreNotAskedFor() {
         },
         &status);
     QCOMPARE(status, PHYS_ERROR_RANGE);
-    QCOMPARE(QString(error.text), QString("ball 1 fails in step 0: a parameter is outside its allowed range"));
+    QCOMPARE(QString(error.text),
+             QString("ball 1 fails in step 0: a parameter is not a number or outside its allowed range"));
     QCOMPARE(found.done, (std::vector<uint64_t>{5, 0, 5}));
 }
 
