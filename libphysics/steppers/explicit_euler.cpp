@@ -20,6 +20,6 @@ struct ExplicitEuler {
 } // namespace
 
 constinit const phys_stepper_api kExplicitEuler = discreteStepper<ExplicitEuler>(
-    "explicit-euler", "Explicit Euler", "8", "A bad example to compare with: first order, and restless in contact.");
+    "explicit-euler", "Explicit Euler", "9", "A bad example to compare with: first order, and restless in contact.");
 
 } // namespace phys

@@ -6,6 +6,9 @@
 #include "discrete/velocity_verlet.h"
 #include "registry/built_in_steppers.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace phys {
 
 namespace {
@@ -39,6 +42,7 @@ phys_status sweepStep(const PlanInput &input, phys_state &out, phys_report *repo
     if (!leaveOverlaps(context, before)) return refuseStuck(before.position, err);
     if (before.velocity == Vec3(0.0) && whole.rests(before)) {
         finishStep(whole, input, before, before, plan, reporter, out);
+        storeOrientation(input, plan, before.spin, out);
         return PHYS_OK;
     }
     if (reporter.wanted()) before.supported = whole.supports(before);
@@ -52,6 +56,7 @@ phys_status sweepStep(const PlanInput &input, phys_state &out, phys_report *repo
     Ball ball = sweep.ball();
     if (!leaveOverlaps(context, ball)) return refuseStuck(before.position, err);
     finishStep(whole, input, before, ball, plan, reporter, out);
+    std::copy(std::begin(sweep.orientation()), std::end(sweep.orientation()), out.orientation);
     return PHYS_OK;
 }
 
@@ -67,7 +72,7 @@ constinit const phys_stepper_api kSwept = {sizeof(phys_stepper_api),
                                            PHYS_STEPPER_BITS_EVERYWHERE,
                                            "swept",
                                            "Swept",
-                                           "7",
+                                           "8",
                                            "Second order throughout: every impact is found, moved to and reflected "
                                            "inside the step.",
                                            nullptr,

@@ -21,6 +21,6 @@ struct SymplecticEuler {
 } // namespace
 
 constinit const phys_stepper_api kSymplecticEuler = discreteStepper<SymplecticEuler>(
-    "symplectic-euler", "Symplectic Euler", "8", "The default: the cheapest that is stable at rest; first order.");
+    "symplectic-euler", "Symplectic Euler", "9", "The default: the cheapest that is stable at rest; first order.");
 
 } // namespace phys

@@ -95,16 +95,18 @@ Impacts resolveInThisOrder(const Contacts &contacts, double radius, Motion &moti
 
 Impacts resolveImpacts(const Contacts &contacts, double radius, Motion &motion, Work &work) {
     const Motion before = motion;
-    const Impacts impacts = resolveInThisOrder(contacts, radius, motion, work);
+    Impacts impacts = resolveInThisOrder(contacts, radius, motion, work);
     if (impacts.rounds == 0) return impacts;
     if (contacts.hasTies()) {
         // Contacts that compare equal: the mean of both orders favours none.
         Contacts reversed = contacts;
         reversed.reverseTies();
         Motion other = before;
-        resolveInThisOrder(reversed, radius, other, work);
+        const Impacts ofOther = resolveInThisOrder(reversed, radius, other, work);
         motion.velocity = 0.5 * (motion.velocity + other.velocity);
         motion.spin = 0.5 * (motion.spin + other.spin);
+        impacts.lostNormal = 0.5 * (impacts.lostNormal + ofOther.lostNormal);
+        impacts.lostSlip = 0.5 * (impacts.lostSlip + ofOther.lostSlip);
     }
     dropTraces(before, radius, motion);
     return impacts;

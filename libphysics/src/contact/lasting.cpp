@@ -39,7 +39,7 @@ double reactionOf(const Lasting &contact, const Motion &motion) {
 /// Friction that ends the slip, or as much as Coulomb's cone allows, opposing the mean slip.
 Vec3 frictionOf(Lasting &contact, const Motion &motion, double radius) {
     contact.isSpent = false;
-    if (contact.reaction == 0.0 || (contact.friction == 0.0 && !contact.isGlued)) return Vec3(0.0);
+    if (!contact.holds(motion.velocity) || (contact.friction == 0.0 && !contact.isGlued)) return Vec3(0.0);
     const Vec3 slip = slipAt(motion, contact.limit, radius);
     const Vec3 sticking = tangential(contact.rubbing - kEndsSlip * slip, contact.lever);
     const double most = contact.friction * contact.reaction;

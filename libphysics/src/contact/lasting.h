@@ -29,6 +29,8 @@ struct Lasting {
     bool sticks() const {
         return !isSpent && reaction > 0.0 && glm::dot(rubbing, rubbing) < friction * friction * reaction * reaction;
     }
+    /// Whether it pulls along what it touches: a face that glues does so until it opens, even without pressure.
+    bool holds(const Vec3 &velocity) const { return reaction > 0.0 || (isGlued && glm::dot(limit, velocity) <= slow); }
 };
 
 /// The friction that ends a slip. A unit impulse changes the slip of its own contact by 7/2.

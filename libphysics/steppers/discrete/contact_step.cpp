@@ -17,8 +17,6 @@ namespace {
 /// Order 2: alternates between the end, which determines the normals, and the normals, which determine the end.
 constexpr int kMidpointPasses = 3;
 
-double spinEnergy(const Vec3 &spin, double radius) { return 0.2 * radius * radius * glm::dot(spin, spin); }
-
 double kineticEnergy(const StepContext &context, const Ball &ball) {
     return 0.5 * glm::dot(ball.velocity, ball.velocity) + spinEnergy(ball.spin, context.radius());
 }
@@ -35,17 +33,26 @@ Vec3 normalAt(const Contact &contact, const Vec3 &position) {
 }
 
 /// The energy dissipated by friction and resistance: each impulse times the mean motion that it opposes, model.md 13.5.
-void book(const StepContext &context, const LastingContacts &contacts, const Motion &before, const Motion &after) {
-    if (!context.report.wanted()) return;
+SmoothLoss lossOf(const StepContext &context, const LastingContacts &contacts, const Motion &before,
+                  const Motion &after) {
+    SmoothLoss loss;
+    if (!context.report.wanted()) return loss;
     const double radius = context.radius();
     const Motion mean{0.5 * (before.velocity + after.velocity), 0.5 * (before.spin + after.spin)};
     for (const Lasting &contact : contacts) {
         const Vec3 slip = mean.velocity - radius * glm::cross(mean.spin, contact.lever);
         // Neither adds energy; a negative amount due to the order belongs to the scheme.
-        context.report.lostSlip(std::max(0.0, -glm::dot(contact.rubbing, slip)));
-        context.report.lostRolling(std::max(0.0, -0.4 * radius * radius * glm::dot(contact.resisting, mean.spin)));
+        loss.slip += std::max(0.0, -glm::dot(contact.rubbing, slip));
+        loss.rolling += std::max(0.0, -0.4 * radius * radius * glm::dot(contact.resisting, mean.spin));
     }
+    return loss;
 }
+
+/// The contacts at the end of a substep, and what they took.
+struct HeldBall {
+    LastingContacts contacts;
+    SmoothLoss loss;
+};
 
 Lasting lastingOf(const Contact &contact, double slow) {
     const Vec3 none(0.0);
@@ -63,8 +70,7 @@ Vec3 mixedVelocity(const LastingContacts &contacts, const Vec3 &before, const Ve
     return after - pressing.across(after - before);
 }
 
-LastingContacts holdFirstOrder(const StepContext &context, const Contacts &contacts, bool isExplicit, double h,
-                               Ball &ball) {
+HeldBall holdFirstOrder(const StepContext &context, const Contacts &contacts, bool isExplicit, double h, Ball &ball) {
     LastingContacts lasting(context.radius(), context.work);
     for (const Contact &contact : contacts) {
         lasting.add(lastingOf(contact, touches(context, contact) ? 0.0 : -contact.gap / h));
@@ -73,7 +79,7 @@ LastingContacts holdFirstOrder(const StepContext &context, const Contacts &conta
     Motion motion = before;
     motion.velocity += h * context.setting.gravity();
     lasting.solve(context.params().rolling_friction, motion);
-    book(context, lasting, before, motion);
+    const SmoothLoss loss = lossOf(context, lasting, before, motion);
     const Vec3 moving = isExplicit ? mixedVelocity(lasting, before.velocity, motion.velocity) : motion.velocity;
     ball.position += h * moving;
     setMotion(motion, ball);
@@ -81,7 +87,7 @@ LastingContacts holdFirstOrder(const StepContext &context, const Contacts &conta
         const bool arrives = lasting.begin()[i].reaction > 0.0 && contacts[i].isFace();
         if (arrives) snapToFace(context, contacts[i], ball);
     }
-    return lasting;
+    return {lasting, loss};
 }
 
 /// Impulses act along the normals at a quarter of the motion, conditions along those at half of it; friction opposes
@@ -113,7 +119,7 @@ void settleOn(const StepContext &context, const Contact &contact, Ball &ball) {
     ball.velocity -= glm::dot(ball.velocity, normal) * normal;
 }
 
-LastingContacts holdSecondOrder(const StepContext &context, const Contacts &contacts, double h, Ball &ball) {
+HeldBall holdSecondOrder(const StepContext &context, const Contacts &contacts, double h, Ball &ball) {
     const Motion before = motionOf(ball);
     Motion driven = before;
     driven.velocity += h * context.setting.gravity();
@@ -132,13 +138,13 @@ LastingContacts holdSecondOrder(const StepContext &context, const Contacts &cont
         motion = driven;
         lasting.solve(context.params().rolling_friction, motion);
     }
-    book(context, lasting, before, motion);
+    const SmoothLoss loss = lossOf(context, lasting, before, motion);
     ball.position += 0.5 * h * (before.velocity + motion.velocity);
     setMotion(motion, ball);
     for (uint32_t i = 0; i < contacts.count(); ++i) {
         if (lasting.begin()[i].reaction > 0.0) settleOn(context, contacts[i], ball);
     }
-    return lasting;
+    return {lasting, loss};
 }
 
 /// Whether contacts, with friction and resistance, can hold a ball at rest: model.md 13.5.
@@ -156,8 +162,7 @@ bool canHold(const StepContext &context, const Contacts &contacts) {
     return glm::length(motion.velocity) <= left && context.radius() * glm::length(motion.spin) <= left;
 }
 
-LastingContacts holdInThisOrder(const StepContext &context, const Contacts &contacts, ContactRule kind, double h,
-                                Ball &ball) {
+HeldBall holdInThisOrder(const StepContext &context, const Contacts &contacts, ContactRule kind, double h, Ball &ball) {
     if (kind == ContactRule::SecondOrder) return holdSecondOrder(context, contacts, h, ball);
     return holdFirstOrder(context, contacts, kind == ContactRule::Explicit, h, ball);
 }
@@ -225,18 +230,22 @@ bool hasRoom(const StepContext &context, const Vec3 &position) {
 }
 
 /// The shortest way to where an impact leaves the ball: restitution takes its share of the gaps too, model.md 13.5.
-/// Only of those that the motion before it closes within h, so that the way is never longer than that motion.
+/// Only of those that the motion before it closes within h, so that the way is never longer than that motion, and not
+/// through anything else: the way to a kerb leads along the floor.
 Vec3 wayToImpact(const StepContext &context, const Contacts &contacts, double h, const Ball &before) {
     std::array<Push, Contacts::kMost> pushes;
     uint32_t count = 0;
+    bool any = false;
     for (const Contact &contact : contacts) {
         const double approach = -glm::dot(before.velocity, contact.normal);
-        if (contact.gap > h * (approach + 0.5 * contact.restSpeed)) continue;
         const double restitution = approach > contact.restSpeed ? contact.restitution : 0.0;
         const double way = (1.0 - restitution * restitution) * contact.gap;
-        if (approach > 0.0 && way > context.setting.tolerance) pushes[count++] = {-contact.normal, way};
+        const bool isReached = approach > 0.0 && contact.gap <= h * (approach + 0.5 * contact.restSpeed);
+        const bool closes = isReached && way > context.setting.tolerance;
+        pushes[count++] = closes ? Push{-contact.normal, way} : Push{contact.normal, -std::max(0.0, contact.gap)};
+        any = any || closes;
     }
-    if (count == 0) return Vec3(0.0);
+    if (!any) return Vec3(0.0);
     const std::span all(pushes.data(), count);
     Work work; // limited as for a step of `exact`
     const double negligible = 0.5 * context.setting.tolerance;
@@ -292,12 +301,10 @@ SpinOnFloor::SpinOnFloor(const StepContext &context, const Contacts &contacts, c
     : m_context(context)
     , m_before(ball.spin) {
     const double negligible = negligibleSpeed(motionOf(ball), context.radius());
-    m_rolled =
-        std::any_of(contacts.begin(), contacts.end(),
-                    [&](const Contact &contact) {
-                        return contact.isGlued && touches(context, contact) && std::abs(ball.velocity.z) <= negligible;
-                    }) &&
-        rolls(inPlane(ball.velocity), ball.spin, context.radius());
+    m_isCarried = std::any_of(contacts.begin(), contacts.end(), [&](const Contact &contact) {
+        return contact.isGlued && touches(context, contact) && std::abs(ball.velocity.z) <= negligible;
+    });
+    m_atImpact = m_isCarried ? rollingSpinOf(context, ball) : ball.spin;
 }
 
 void SpinOnFloor::follow(const Contacts &contacts, Ball &ball) {
@@ -306,7 +313,7 @@ void SpinOnFloor::follow(const Contacts &contacts, Ball &ball) {
     });
     if (!m_follows) return;
     ball.spin = rollingSpinOf(m_context, ball);
-    m_jump = spinEnergy(m_before, m_context.radius()) - spinEnergy(ball.spin, m_context.radius());
+    m_jump = spinEnergy(m_atImpact, m_context.radius()) - spinEnergy(ball.spin, m_context.radius());
 }
 
 void SpinOnFloor::settle(bool presses, Ball &ball) const {
@@ -317,32 +324,35 @@ void SpinOnFloor::settle(bool presses, Ball &ball) const {
     }
     ball.spin = rollingSpinOf(m_context, ball);
     // When a rolling ball hits a wall, the spin takes part in the impact; at a landing, friction gives or takes its
-    // energy.
-    m_rolled ? m_context.report.lostImpact(m_jump) : m_context.report.lostSlip(m_jump);
+    // energy, as where a carried ball is given another spin.
+    m_isCarried ? m_context.report.lostImpact(m_jump) : m_context.report.lostSlip(m_jump);
+    m_context.report.lostSlip(spinEnergy(m_before, m_context.radius()) - spinEnergy(m_atImpact, m_context.radius()));
 }
 
 bool hold(const StepContext &context, const Contacts &contacts, ContactRule kind, double h, Ball &ball,
           std::span<bool> presses) {
     const Ball start = ball;
-    const LastingContacts lasting = holdInThisOrder(context, contacts, kind, h, ball);
+    const HeldBall held = holdInThisOrder(context, contacts, kind, h, ball);
+    SmoothLoss loss = held.loss;
     if (contacts.hasTies()) {
         // Contacts that compare equal: the mean of both orders favours none.
         Contacts reversed = contacts;
         reversed.reverseTies();
-        Reporter silent;
         Ball other = start;
-        holdInThisOrder({context.setting, silent, context.work}, reversed, kind, h, other);
+        const SmoothLoss lossOfOther = holdInThisOrder(context, reversed, kind, h, other).loss;
+        loss = {0.5 * (loss.rolling + lossOfOther.rolling), 0.5 * (loss.slip + lossOfOther.slip)};
         ball.position = 0.5 * (ball.position + other.position);
         ball.velocity = 0.5 * (ball.velocity + other.velocity);
         ball.spin = 0.5 * (ball.spin + other.spin);
     }
+    book(loss, context.report);
     Motion motion = motionOf(ball);
     dropTraces(motionOf(start), context.radius(), motion);
     setMotion(motion, ball);
     bool onTop = false;
-    for (size_t i = 0; const Lasting &contact : lasting) {
+    for (size_t i = 0; const Lasting &contact : held.contacts) {
         const bool isPressed = contact.reaction > 0.0;
-        onTop = onTop || (contact.isTop && isPressed);
+        onTop = onTop || (contact.isTop && contact.holds(ball.velocity));
         if (!presses.empty()) presses[i++] = isPressed;
     }
     return onTop;
@@ -389,12 +399,15 @@ bool rests(const StepContext &context, Ball &ball) {
     if (context.isRigid() && radius * glm::length(ball.spin) > still) return false;
     Contacts contacts;
     if (!findContacts(context.setting, ball.position, motionOf(ball), Vec3(0.0), contacts)) return false;
+    // In the air, which pulls nothing without gravity, the rolling model's spin stays as well.
+    if (contacts.empty() && ball.spin != Vec3(0.0)) return false;
     const Footing footing = Footing::of(contacts, context.setting.tolerance);
     // A ball that rolls on the floor alone keeps even the slowest motion.
     const bool isStill = ball.velocity == Vec3(0.0) && (!context.isRigid() || ball.spin == Vec3(0.0));
     if (!isStill && contacts.count() == 1 && contacts[0].isTop) return false;
     const bool isHeld = footing.isEasy(context.params()) ? footing.holds(context.params()) : canHold(context, contacts);
     if (!isHeld) return false;
+    if (!context.isRigid()) context.report.lostSlip(spinEnergy(ball.spin, radius));
     ball.velocity = Vec3(0.0);
     ball.spin = Vec3(0.0);
     return true;

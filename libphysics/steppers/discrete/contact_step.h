@@ -30,6 +30,17 @@ struct StepContext {
 /// Below this share of gravity, or of sqrt(g R), a motion is the rounding error of a ball that stopped.
 inline constexpr double kStill = 1e-12;
 
+/// Energy dissipated by a smooth motion, J/kg.
+struct SmoothLoss {
+    double rolling = 0.0;
+    double slip = 0.0;
+};
+
+inline void book(const SmoothLoss &loss, Reporter &report) {
+    report.lostRolling(loss.rolling);
+    report.lostSlip(loss.slip);
+}
+
 inline Motion motionOf(const Ball &ball) { return {ball.velocity, ball.spin}; }
 
 inline void setMotion(const Motion &motion, Ball &ball) {
@@ -72,10 +83,11 @@ public:
 
 private:
     const StepContext &m_context;
-    bool m_rolled = false;  ///< whether it rolled before the impacts
+    Vec3 m_before;          ///< the ball's spin
+    Vec3 m_atImpact;        ///< spin with which it meets the impacts: that of rolling if a top face carries it already
+    bool m_isCarried;       ///< whether one does
     bool m_follows = false; ///< whether it follows now
-    Vec3 m_before;          ///< spin before the impacts
-    double m_jump = 0.0;    ///< energy that the spin lost when it started to follow, J/kg
+    double m_jump = 0.0;    ///< energy that the spin lost in the impacts, J/kg
 };
 
 /// A substep with lasting contacts. Returns whether a top face pressed; presses: for each contact whether it did, or

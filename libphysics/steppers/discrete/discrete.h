@@ -7,7 +7,6 @@
 #pragma once
 
 #include "base/error.h"
-#include "base/orientation.h"
 #include "between_walls.h"
 #include "contact/near.h"
 #include "contact_step.h"
@@ -35,14 +34,22 @@ public:
 
     /// Whether a top face carries the ball.
     bool supports(const Ball &ball) const {
-        if (m_endedOnFloor || lookAround(ball).carrier) return true;
+        if (m_endedOnFloor) return true;
         if (!mayLie(ball)) return false;
+        if (lookAround(ball).carrier) return true;
         // Within rounding beyond its end the face still carries the ball, unless the ball moves on.
         Contacts contacts;
         findContacts(m_context.setting, ball.position, motionOf(ball), Vec3(0.0), contacts);
         return std::any_of(contacts.begin(), contacts.end(), [&](const Contact &contact) {
             return contact.isTop && std::abs(contact.gap) <= m_context.setting.tolerance;
         });
+    }
+
+    /// The spin of a ball at the beginning of a step: in the rolling model it follows the velocity where a top face
+    /// carries the ball, model.md 2.1 R7.
+    Vec3 spinAtStart(const Ball &ball) const {
+        const Vec3 rolling = rollingSpin(inPlane(ball.velocity), m_context.radius());
+        return m_context.isRigid() || ball.spin == rolling || !supports(ball) ? ball.spin : rolling;
     }
 
     /// Whether the ball stays as it is.
@@ -93,7 +100,10 @@ public:
         ball.velocity.z = 0.0;
         const phys_params &params = m_context.params();
         const FloorContact contact = floorContact(params, m_context.radius(), inPlane(ball.velocity), ball.spin);
-        return m_onFloor.roll(contact, m_onFloor.lawOnFloor(contact), ball);
+        const double spin = m_onFloor.lossOfSpin(ball);
+        SmoothLoss loss = m_onFloor.roll(contact, m_onFloor.lawOnFloor(contact), ball);
+        loss.slip += spin;
+        return loss;
     }
 
     /// The closed form for a rolling ball with only smooth vertical walls near. False if that doesn't apply.
@@ -101,7 +111,7 @@ public:
         const phys_params &params = m_context.params();
         const double radius = m_context.radius();
         std::optional<UprightWalls> walls = UprightWalls::find(m_context, contacts, ball);
-        if (!walls || params.gravity.z >= 0.0) return false;
+        if (!walls || params.gravity.z > 0.0) return false;
         const FloorContact contact = floorContact(params, radius, inPlane(ball.velocity), ball.spin);
         if (contact == FloorContact::Slips) return false;
         Law<Vec2> law = m_onFloor.lawOnFloor(contact);
@@ -155,7 +165,7 @@ private:
 
     /// Whether a top face under the ball would carry it: if it falls, then for too short a time to count.
     bool mayLie(const Ball &ball) const {
-        if (!(m_context.params().gravity.z < 0.0)) return false;
+        if (m_context.params().gravity.z > 0.0) return false;
         return ball.velocity.z == 0.0 ||
                std::abs(ball.velocity.z) <= negligibleSpeed(motionOf(ball), m_context.radius());
     }

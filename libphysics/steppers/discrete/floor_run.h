@@ -13,12 +13,6 @@
 
 namespace phys {
 
-/// Energy dissipated by a smooth motion, J/kg.
-struct SmoothLoss {
-    double rolling = 0.0;
-    double slip = 0.0;
-};
-
 /// Speeds below this share count as zero.
 inline constexpr double kZero = 1e-9;
 
@@ -89,10 +83,14 @@ public:
         return !needsGrip || glm::length(drive) <= 2.5 * params.sliding_friction * -params.gravity.z;
     }
 
-    void book(const SmoothLoss &loss) const {
-        m_context.report.lostRolling(loss.rolling);
-        m_context.report.lostSlip(loss.slip);
+    /// What is lost, J/kg, as the spin of a ball that a floor begins to carry becomes that of rolling: model.md 2.1 R7.
+    double lossOfSpin(const Ball &ball) const {
+        if (!m_context.report.wanted() || m_context.isRigid()) return 0.0;
+        const double radius = m_context.radius();
+        return spinEnergy(ball.spin, radius) - spinEnergy(rollingSpin(inPlane(ball.velocity), radius), radius);
     }
+
+    void book(const SmoothLoss &loss) const { phys::book(loss, m_context.report); }
 
 private:
     /// The result of the smooth law for a motion on the floor.
@@ -112,7 +110,7 @@ private:
     /// Never smaller than the length.
     static double sum(const Vec2 &v) { return std::abs(v.x) + std::abs(v.y); }
 
-    bool liesOnFloor(const Ball &ball) const { return ball.velocity.z == 0.0 && m_context.params().gravity.z < 0.0; }
+    bool liesOnFloor(const Ball &ball) const { return ball.velocity.z == 0.0 && m_context.params().gravity.z <= 0.0; }
 
     Ahead rollAhead(const Ball &ball) const {
         const FloorContact contact =
@@ -136,6 +134,7 @@ private:
     }
 
     void finish(const FreeRoll &next, Ball &ball) const {
+        m_context.report.lostSlip(lossOfSpin(ball));
         book(next.loss);
         place(next, ball);
         ball.supported = true;
@@ -231,6 +230,7 @@ private:
         const std::optional<SmoothLoss> loss =
             contact == FloorContact::Slips ? slipAway(faces, next) : rollBeside(contact, faces, next);
         if (!loss || !view.hasRoom(m_context, ball.position, next.position)) return false;
+        m_context.report.lostSlip(lossOfSpin(ball));
         book(*loss);
         if (bounces) bookBounce(start, faces, ball, bounced);
         ball = next;

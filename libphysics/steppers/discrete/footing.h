@@ -24,7 +24,7 @@ public:
     /// Whether a ball at rest stays at rest, model.md 6.3: walls balance what presses on them, and resistance holds the
     /// remainder up to its limit, including the limit.
     bool holds(const phys_params &params) const {
-        if (!(params.gravity.z < 0.0)) return false;
+        if (params.gravity.z > 0.0) return false;
         Law<Vec2> law = rollingLaw(params);
         if (params.model == PHYS_MODEL_RIGID && params.sliding_friction == 0.0) law.B = 0.0;
         if (!m_isFree[law.A.x > 0.0 ? 1 : 0]) law.A.x = 0.0;

@@ -144,16 +144,18 @@ private:
     static void take(const PlanInput &input, const Kind &kind, bool rests, const Planar<double> &place,
                      const RegionStep<double> &step, phys_state &out, phys_report *report) {
         const auto &[scene, params, dt, in] = input;
-        const Vec3 spinBefore = toVec(in.spin);
-        const Vec2 velocity = inPlane(in.velocity);
+        const Vec2 velocity = inPlane(in.velocity); // `out` may be `in`
+        const Vec3 given = toVec(in.spin);
+        const auto spinBefore = [&] { return kind.isRigid ? given : rollingSpin(velocity, scene.radius); };
         if (&out != &in) out = in;
         store(params, kind, scene.radius, rests, {place.x, place.y}, {step.velocity.x, step.velocity.y}, out);
         if (params.options & PHYS_OPTION_ORIENTATION) {
-            rotate(out.orientation, 0.5 * dt * (spinBefore + toVec(out.spin)));
+            rotate(out.orientation, 0.5 * dt * (spinBefore() + toVec(out.spin)));
         }
         if (!report) return;
         Reporter reporter(report, in, dt);
         reporter.substeps(1, kRule == RegionRule::Swept ? 0 : kSubstepCap);
+        reporter.lostSlip(spinEnergy(given, scene.radius) - spinEnergy(spinBefore(), scene.radius));
         if (rests) return;
         const Advance<Vec2> next{{step.velocity.x, step.velocity.y}, {step.displacement.x, step.displacement.y}};
         reporter.lostRolling(1.4 * rollingLaw(params).B * meanWay<Scheme>(velocity, next, dt));

@@ -3,6 +3,8 @@
 
 #include "base/orientation.h"
 
+#include <cstring>
+
 namespace phys {
 
 namespace {
@@ -27,8 +29,10 @@ constexpr phys_param_row kAsReported{"as_reported",
 
 constinit const phys_param_row *const kDiscreteRows[1] = {&kAsReported};
 
-void turn(const Vec3 &spinBefore, double dt, phys_state &out) {
-    rotate(out.orientation, 0.5 * dt * (spinBefore + toVec(out.spin)));
+void storeOrientation(const PlanInput &input, const StepPlan &plan, const Vec3 &spinBefore, phys_state &out) {
+    if (&out != &input.state) std::memcpy(out.orientation, input.state.orientation, sizeof out.orientation);
+    if (!plan.runs(PHYS_STAGE_ORIENTATION)) return;
+    rotate(out.orientation, 0.5 * input.dt * (spinBefore + toVec(out.spin)));
 }
 
 void reportTransitions(Reporter &reporter, const PlanInput &input, const Ball &before, const phys_state &out) {

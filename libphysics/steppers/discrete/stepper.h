@@ -7,7 +7,6 @@
 #include "lane_stepper.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace phys {
 
@@ -30,8 +29,8 @@ inline void storeBall(const Scene &scene, const phys_params &params, const Ball 
     out.flags = flags;
 }
 
-/// Rotates the orientation by the mean spin of the step.
-void turn(const Vec3 &spinBefore, double dt, phys_state &out);
+/// Stores the orientation, rotated by the mean spin of the step if that is asked for. The spin after it is in `out`.
+void storeOrientation(const PlanInput &input, const StepPlan &plan, const Vec3 &spinBefore, phys_state &out);
 
 /// Events that are known only at the end of a step. before.supported: whether the floor carried the ball.
 void reportTransitions(Reporter &reporter, const PlanInput &input, const Ball &before, const phys_state &out);
@@ -45,7 +44,8 @@ phys_status refuseSubsteps(double substeps, phys_error *err);
 phys_status refuseWork(phys_status status, phys_error *err);
 phys_status refuseStuck(const Vec3 &position, phys_error *err);
 
-/// Stores the ball after its last substep, with the flags derived from it and the events known only now.
+/// Stores the ball after its last substep, with the flags derived from it and the events known only now; all but the
+/// orientation.
 template<class Scheme>
 void finishStep(const DiscreteStep<Scheme> &substep, const PlanInput &input, const Ball &before, Ball &ball,
                 const StepPlan &plan, Reporter &reporter, phys_state &out) {
@@ -53,9 +53,7 @@ void finishStep(const DiscreteStep<Scheme> &substep, const PlanInput &input, con
         plan.asReported ? ball.velocity == Vec3(0.0) : mayRest({input.scene, input.params}, ball.velocity);
     uint64_t flags = isStill && substep.rests(ball) ? PHYS_AT_REST : 0;
     if (!substep.supports(ball)) flags |= PHYS_AIRBORNE;
-    if (&out != &input.state) std::memcpy(out.orientation, input.state.orientation, sizeof out.orientation);
     storeBall(input.scene, input.params, ball, flags, out);
-    if (plan.runs(PHYS_STAGE_ORIENTATION)) turn(before.spin, input.dt, out);
     if (reporter.wanted()) reportTransitions(reporter, input, before, out);
 }
 
@@ -83,10 +81,12 @@ struct DiscreteStepper {
         Ball before = loadBall(*in);
         if (!stepPlan.asReported && before.velocity == Vec3(0.0) && substep.rests(before)) {
             finishStep(substep, input, before, before, stepPlan, reporter, *out);
+            storeOrientation(input, stepPlan, before.spin, *out);
             return PHYS_OK;
         }
         if (stepPlan.substeps > kSubstepCap) return refuseSubsteps(stepPlan.substeps, err);
         if (reporter.wanted()) before.supported = substep.supports(before);
+        if (stepPlan.runs(PHYS_STAGE_ORIENTATION)) before.spin = substep.spinAtStart(before);
         Ball ball = loadBall(*in);
         for (uint32_t i = 1; i <= substeps; ++i) {
             const Ball last = ball;
@@ -96,6 +96,7 @@ struct DiscreteStepper {
             if (i % kCountedTogether == 0) work.add(kCountedTogether * workOfSubstep(scene, ball.position));
         }
         finishStep(substep, input, before, ball, stepPlan, reporter, *out);
+        storeOrientation(input, stepPlan, before.spin, *out);
         return PHYS_OK;
     }
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "swept_step.h"
 
+#include "base/orientation.h"
 #include "scene/nearest.h"
 #include "shared/first_zero.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace phys {
 
@@ -62,15 +65,15 @@ SweptStep::SweptStep(const PlanInput &input, Reporter &reporter, Work &work, con
     , m_context{settingOf(input), reporter, work}
     , m_substep(std::min(input.dt, safeTime(input, start)))
     , m_slow(kSlow * std::sqrt(glm::length(toVec(input.params.gravity)) * input.scene.radius))
-    , m_ball(start) {}
+    , m_ball(start) {
+    std::copy(std::begin(input.state.orientation), std::end(input.state.orientation), m_orientation);
+}
 
 SweptStep::Course SweptStep::move(double t, Reporter &reporter, Work &work, Ball &ball) const {
     Step step(m_context.setting, reporter, work, m_plan, t);
     if (m_isAlone || m_contacts.empty()) {
         ball.supported = m_isAlone;
-        const SmoothLoss loss = step.move(ball);
-        reporter.lostRolling(loss.rolling);
-        reporter.lostSlip(loss.slip);
+        book(step.move(ball), reporter);
         return Course::Free;
     }
     if (step.rollBetweenWalls(m_contacts, ball)) {
@@ -103,7 +106,9 @@ bool SweptStep::toNextEvent() {
     }
     const double rest = m_input.dt - m_done;
     const double t = firstEvent(timeToStopOrRoll(timeToSlipEnd(std::min(rest, horizon()))));
+    const Vec3 spinBefore = m_ball.spin;
     finishPhase(t);
+    turn(spinBefore, t);
     // The remainder may be too short to count.
     m_done = rest - t <= 2.0 * kRounding * m_input.dt ? m_input.dt : m_done + t;
     return m_done >= m_input.dt;
@@ -114,11 +119,20 @@ bool SweptStep::advanceFreely() {
     if (m_done > 0.0) return false;
     if (passesBy(m_input)) {
         move(m_input.dt, m_context.report, m_context.work, m_ball);
+        turn(m_ball.spin, m_input.dt);
         return true;
     }
     if (!isSlow(m_input) || spinsFast(m_input)) return false;
     const StepContext context{{m_input.scene, m_input.params}, m_context.report, m_context.work};
-    return FloorRun<VelocityVerlet>(context, m_plan, m_input.dt).glide(m_ball);
+    const Motion before = motionOf(m_ball);
+    if (!FloorRun<VelocityVerlet>(context, m_plan, m_input.dt).glide(m_ball)) return false;
+    turn(m_context.isRigid() ? before.spin : rollingSpin(inPlane(before.velocity), m_context.radius()), m_input.dt);
+    return true;
+}
+
+/// Rotates by the mean spin of the t seconds that have passed.
+void SweptStep::turn(const Vec3 &spinBefore, double t) {
+    if (m_plan.runs(PHYS_STAGE_ORIENTATION)) rotate(m_orientation, 0.5 * t * (spinBefore + m_ball.spin));
 }
 
 /// Speed below which an approach doesn't bounce.
@@ -160,7 +174,7 @@ bool SweptStep::touchesGround() {
 /// floor alone or bounces off a face there. Otherwise returns false and changes no more than the contacts.
 bool SweptStep::beginOnFloor() {
     const bool mayBe = !m_context.isRigid() && !m_context.report.wanted() && m_ball.velocity.z == 0.0 &&
-                       m_context.params().gravity.z < 0.0;
+                       m_context.params().gravity.z <= 0.0;
     if (!mayBe || !touchesGround()) return false;
     Motion motion = motionOf(m_ball);
     for (const Contact &contact : m_contacts) {
@@ -213,7 +227,7 @@ void SweptStep::dropWhatIsLeft() {
                                      [&](const Contact &contact) { return speed(contact) > contact.restSpeed; });
     if (hasHops) dropWhatNothingPresses(velocity);
     snapToFaces();
-    m_isAlone = m_contacts.count() == 1 && m_contacts[0].isTop && m_context.params().gravity.z < 0.0;
+    m_isAlone = m_contacts.count() == 1 && m_contacts[0].isTop && m_context.params().gravity.z <= 0.0;
     m_resists = !m_isAlone && m_context.params().rolling_friction > 0.0 && m_ball.velocity != Vec3(0.0) &&
                 std::any_of(m_contacts.begin(), m_contacts.end(), [](const Contact &contact) { return contact.isTop; });
 }

@@ -19,6 +19,8 @@ public:
     SweptStep(const PlanInput &input, Reporter &reporter, Work &work, const StepPlan &plan, const Ball &start);
 
     const Ball &ball() const { return m_ball; }
+    /// How the step turned the ball so far: piece by piece, as impacts change the spin.
+    const double (&orientation() const)[4] { return m_orientation; }
 
     /// Positions of the ball that were tried and boxes that were tested, weighted by their cost: a position in the air
     /// is 1.
@@ -62,6 +64,7 @@ private:
     Ball at(double t) const { return movedBy(t).ball; }
 
     bool advanceFreely();
+    void turn(const Vec3 &spinBefore, double t);
     double restSpeedAlong(const Vec3 &normal) const;
     double leavingSpeed(double restSpeed) const;
     bool touchesGround();
@@ -98,6 +101,7 @@ private:
     double m_substep; ///< s: longest way in contact at a time
     double m_slow;    ///< m/s: a slower motion counts as none for a lasting contact
     Ball m_ball;
+    double m_orientation[4];
     static constexpr uint32_t kBoxesOfPlace = 16;
     mutable uint32_t m_effort = 0, m_boxes = 0;
     mutable Moved m_moved;   ///< the last one: the end of a phase is asked for several times

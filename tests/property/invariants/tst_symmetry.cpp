@@ -7,6 +7,7 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <functional>
 
 using namespace invariants;
@@ -43,6 +44,8 @@ private slots:
     void sameWithTilesInAnotherOrder();
     void sameWithTiedBoxesInAnotherOrder_data();
     void sameWithTiedBoxesInAnotherOrder();
+    void lossesAtEqualContactsAreThoseOfTheMirrorImage_data() { addStepperRows(); }
+    void lossesAtEqualContactsAreThoseOfTheMirrorImage();
     void addedVelocityAddsItsWay_data() { addStepperAndModelRows(); }
     void addedVelocityAddsItsWay();
     void reversedMotionComesBack_data() { addStepperAndModelRows(); }
@@ -184,6 +187,33 @@ void TestSymmetry::sameWithTiedBoxesInAnotherOrder() {
         for (const phys_state &state : path) {
             QVERIFY2(other.step(0x1p-8), other.error());
             QVERIFY(support::sameBits(other.state, state));
+        }
+    }
+}
+
+/// Slipping along a wall that it is pressed on as on the floor: nothing but their friction distinguishes both.
+void TestSymmetry::lossesAtEqualContactsAreThoseOfTheMirrorImage() {
+    QFETCH(QByteArray, stepper);
+    Random random(testSeed() + 6);
+    for (int i = 0; i < 20; ++i) {
+        const double speed = random.between(0.5, 2.0), floorFriction = random.between(0.01, 0.2),
+                     wallFriction = random.between(0.01, 0.2);
+        const auto besideAWall = [&](double side) {
+            const double near = std::min(0.0, side), far = std::max(0.0, side);
+            Experiment ball(
+                SceneBuilder().ball(0.0625).floor(-1, -20, 1, 20).wall(near, -20, far, 20).start(-0.0625 * side, 0.0),
+                stepper, PHYS_MODEL_RIGID);
+            ball.params.gravity = {8.0 * side, 0.0, -8.0};
+            ball.params.sliding_friction = floorFriction;
+            ball.params.wall_friction = wallFriction;
+            ball.state.velocity.y = speed;
+            return ball;
+        };
+        Experiment left = besideAWall(-1.0), right = besideAWall(1.0);
+        for (int step = 0; step < 20; ++step) {
+            QVERIFY2(left.step(0.01), left.error());
+            QVERIFY2(right.step(0.01), right.error());
+            COMPARE_EXACT(left.report.lost_slip, right.report.lost_slip);
         }
     }
 }

@@ -7,6 +7,8 @@
 
 #include <QTest>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -98,6 +100,8 @@ private slots:
     void firstIntegralIsKeptToThePromisedOrder_data() { addStepperRows(); }
     void firstIntegralIsKeptToThePromisedOrder();
     void sweptKeepsItsOrderWhereASlipEndsInResistance();
+    void sweptTurnsTheBallToSecondOrderAcrossImpacts_data();
+    void sweptTurnsTheBallToSecondOrderAcrossImpacts();
 };
 
 void TestConvergence::errorOfTheFirstCaseIsAsTabled_data() {
@@ -293,6 +297,41 @@ void TestConvergence::sweptKeepsItsOrderWhereASlipEndsInResistance() {
         const double h = 1.0 / n;
         QVERIFY2(ball.stepTimes(static_cast<uint64_t>(n), h), ball.error());
         COMPARE_WITHIN(ball.state.position.x, end, 2.0 * h * h); // accelerations of 2 m/s^2
+    }
+}
+
+void TestConvergence::sweptTurnsTheBallToSecondOrderAcrossImpacts_data() {
+    QTest::addColumn<uint32_t>("model");
+    QTest::newRow("rolling") << uint32_t{PHYS_MODEL_ROLLING};
+    QTest::newRow("rigid") << uint32_t{PHYS_MODEL_RIGID};
+}
+
+/// A landing and hits on walls change the spin within the step.
+void TestConvergence::sweptTurnsTheBallToSecondOrderAcrossImpacts() {
+    QFETCH(uint32_t, model);
+    const auto orientationAfter = [model](const QByteArray &stepper, int n, std::array<double, 4> &turned) {
+        Experiment ball(twoRooms(), stepper, model);
+        ball.params.options = PHYS_OPTION_ORIENTATION;
+        ball.params.gravity = {0.5, -0.3125, -9.75};
+        ball.params.sliding_friction = 0.25;
+        ball.params.wall_friction = 0.25;
+        ball.state.position.z += 0.01;
+        ball.state.velocity = {0.75, 0.5, 0.0};
+        ball.state.spin = {-4.0, 8.0, 2.0};
+        const bool isDone = ball.stepTimes(static_cast<uint64_t>(n), 0.5 / n);
+        std::copy(std::begin(ball.state.orientation), std::end(ball.state.orientation), turned.begin());
+        return isDone;
+    };
+    std::array<double, 4> truth{}, turned{};
+    QVERIFY(orientationAfter("exact", 8192, truth)); // between events, it takes the mean of the spin
+    for (const int n : {50, 100, 200, 400, 800}) {
+        QVERIFY(orientationAfter("swept", n, turned));
+        double squared = 0.0;
+        for (size_t i = 0; i < 4; ++i) squared += (turned[i] - truth[i]) * (turned[i] - truth[i]);
+        const double h = 0.5 / n;
+        // The spin of 12/s changes within 0.06 s.
+        const double bound = 12.0 / 0.06 * h * h;
+        QVERIFY2(std::sqrt(squared) <= bound, "n = " + QByteArray::number(n) + ": " + digits(std::sqrt(squared)));
     }
 }
 

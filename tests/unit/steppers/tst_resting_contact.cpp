@@ -82,6 +82,10 @@ private slots:
     void havingRestedChangesNoAnswer();
     void wallTakesItsPartOfTheDriveBeforeStiction_data() { addStepperAndModelRows(); }
     void wallTakesItsPartOfTheDriveBeforeStiction();
+    void restsWithoutGravityWhereverItIs_data() { addStepperAndModelRows(); }
+    void restsWithoutGravityWhereverItIs();
+    void aDeckCarriesTheBallWithoutPressure_data() { addStepperAndModelRows(); }
+    void aDeckCarriesTheBallWithoutPressure();
     void stepWhoseContactsTakeTooMuchIsRefused();
     void stepThatLooksAtTooManyBoxesIsRefused();
 };
@@ -360,6 +364,48 @@ void TestRestingContact::wallTakesItsPartOfTheDriveBeforeStiction() {
 
 /// On two edges, pressed by a hundred times the gravity for eleven seconds: fewer substeps than are allowed, but in
 /// each the contacts must be solved together.
+namespace {
+
+/// A ball on a second floor, above that of the scene's start.
+Experiment onADeck(const QByteArray &stepper, uint32_t model) {
+    auto scene = openFloor(4.0).box({{-4.0, -4.0, 0.5}, {4.0, 4.0, 1.0}});
+    Experiment ball(scene, stepper, model);
+    ball.state.position = {0.0, 0.0, 1.0 + scene.radius()};
+    return ball;
+}
+
+} // namespace
+
+void TestRestingContact::restsWithoutGravityWhereverItIs() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    for (const double height : {0.0}) {
+        Experiment ball = onADeck(stepper, model);
+        ball.params.gravity = {0.0, 0.0, 0.0};
+        ball.state.position.z += height;
+        const phys_vec3 start = ball.state.position;
+        QVERIFY2(ball.step(kDt), ball.error());
+        QCOMPARE(ball.state.flags, static_cast<uint64_t>(PHYS_AT_REST | (height > 0.0 ? PHYS_AIRBORNE : 0)));
+        COMPARE_EXACT(ball.state.position.z, start.z);
+    }
+}
+
+/// model.md 6.1: kept as a constraint with pressure 0, on which the rolling model rolls; without pressure there is no
+/// friction in the rigid one.
+void TestRestingContact::aDeckCarriesTheBallWithoutPressure() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    Experiment ball = onADeck(stepper, model);
+    ball.params.gravity = {1.0, 0.0, 0.0};
+    ball.params.sliding_friction = 0.5;
+    QVERIFY2(ball.stepTimes(64, kDt), ball.error());
+    const bool rolls = model == PHYS_MODEL_ROLLING;
+    const double speed = (rolls ? 5.0 / 7.0 : 1.0) * 64.0 * kDt;
+    COMPARE_WITHIN(ball.state.velocity.x, speed, rounding(128, 1.0));
+    COMPARE_WITHIN(ball.state.spin.y, rolls ? speed / 0.0625 : 0.0, rounding(256, 16.0));
+    QCOMPARE(ball.state.flags & PHYS_AIRBORNE, 0U);
+}
+
 void TestRestingContact::stepWhoseContactsTakeTooMuchIsRefused() {
     const auto scene =
         SceneBuilder().ball(0.7).box({{0, -30, -2}, {30, 30, 0}}).box({{-6, 0, 0}, {-1, 6, 0.4}}).start({0, 0, 0});

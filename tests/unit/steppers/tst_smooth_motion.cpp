@@ -48,7 +48,57 @@ private slots:
     void hugeResistanceStopsInOneStep();
     void turnsBackWhereItStopsOnASlope_data() { addStepperAndModelRows(); }
     void turnsBackWhereItStopsOnASlope();
+    void givenSpinIsLostToSlip_data() { addStepperRows(); }
+    void givenSpinIsLostToSlip();
+    void givenSpinTurnsTheBallAsInRolling_data() { addStepperRows(); }
+    void givenSpinTurnsTheBallAsInRolling();
 };
+
+namespace {
+
+/// Rolling model: a ball with a spin that isn't that of rolling, as after a change of the model.
+Experiment spinning(const QByteArray &stepper, const phys_vec3 &spin) {
+    Experiment ball(openFloor(), stepper);
+    ball.state.velocity = {0.5, 0.0, 0.0};
+    ball.state.spin = spin;
+    return ball;
+}
+
+} // namespace
+
+/// model.md 2.1 R7: from the start of the step on it rolls.
+void TestSmoothMotion::givenSpinIsLostToSlip() {
+    QFETCH(QByteArray, stepper);
+    for (const phys_vec3 spin : {phys_vec3{0.0, 0.0, 0.0}, phys_vec3{0.0, 16.0, 4.0}}) {
+        for (const int steps : {1, 4}) {
+            for (const bool isLong : {false, true}) { // than the way for which a floor's region is free
+                Experiment ball = spinning(stepper, spin);
+                const double dt = isLong ? 1.0 : 0x1p-8;
+                double lost = 0.0, scheme = 0.0;
+                for (int i = 0; i < steps; ++i) {
+                    QVERIFY2(ball.step(dt), ball.error());
+                    lost += ball.report.lost_slip;
+                    scheme = std::max(scheme, std::abs(ball.report.energy_scheme));
+                }
+                const double energy = 0.2 * 0.0625 * 0.0625 * (spin.y * spin.y + spin.z * spin.z);
+                COMPARE_WITHIN(lost, energy - 0.05, rounding(16, 1.0));
+                QVERIFY(scheme <= rounding(16, 1.0));
+            }
+        }
+    }
+}
+
+void TestSmoothMotion::givenSpinTurnsTheBallAsInRolling() {
+    QFETCH(QByteArray, stepper);
+    for (const uint32_t option : {0U, uint32_t{PHYS_OPTION_ALL_STAGES}}) {
+        Experiment ball = spinning(stepper, {0.0, 0.0, 0.0});
+        ball.params.options = PHYS_OPTION_ORIENTATION | option;
+        QVERIFY2(ball.step(0x1p-4), ball.error());
+        // By half a radian: 0.5 m/s over 1/16 m for 1/16 s.
+        COMPARE_WITHIN(ball.state.orientation[1], std::sin(0.25), rounding(64, 1.0));
+        COMPARE_WITHIN(ball.state.orientation[3], std::cos(0.25), rounding(64, 1.0));
+    }
+}
 
 void TestSmoothMotion::speedAfterRollingDownAHeight() {
     QFETCH(QByteArray, stepper);
