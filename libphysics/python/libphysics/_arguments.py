@@ -30,7 +30,7 @@ def whole(value: Any, name: str, least: int, most: int) -> int:
 
 def numbers(value: Any, name: str) -> np.ndarray:
     """An array of doubles. Texts, None, complex numbers and records are no numbers."""
-    array = np.asarray(value)
+    array = _array(value, name, "numbers")
     if array.dtype.kind not in "buifO":
         raise TypeError(f"{name} is {short(value)}; expected numbers")
     try:
@@ -39,6 +39,13 @@ def numbers(value: Any, name: str) -> np.ndarray:
         return np.asarray(array, "f8")
     except (TypeError, ValueError, OverflowError):
         raise TypeError(f"{name} is {short(value)}; expected numbers") from None
+
+
+def _array(value: Any, name: str, expected: str) -> np.ndarray:
+    try:
+        return np.asarray(value)
+    except ValueError:  # rows of different lengths
+        raise TypeError(f"{name} is {short(value)}; expected {expected}") from None
 
 
 def _real(value: Any) -> float:
@@ -99,7 +106,7 @@ def laid_out(array: np.ndarray) -> np.ndarray:
 
 def records(value: Any, dtype: np.dtype, name: str) -> np.ndarray:
     """An array of one of the C structs."""
-    array = np.asarray(value)
+    array = _array(value, name, _NAMES[dtype])
     if array.dtype != dtype:
         found = "of other records" if array.dtype.names else f"of {array.dtype}"
         raise TypeError(f"{name} is an array {found}; expected {_NAMES[dtype]}")

@@ -27,7 +27,14 @@ class PhysicsError(Exception):
         self.name = lib.phys_status_name(status).decode()
 
     def __reduce__(self) -> Any:  # or a process that fails couldn't tell the one that waits for it
-        return type(self), (self.status, str(self)), getattr(self, "__dict__", None)
+        return _remade, (type(self), self.status, str(self)), self.__dict__
+
+
+def _remade(kind: type[PhysicsError], status: int, text: str) -> PhysicsError:
+    """Of a class that may have an __init__ of its own."""
+    error = kind.__new__(kind, status, text)
+    PhysicsError.__init__(error, status, text)
+    return error
 
 
 class Error(ctypes.Structure):
@@ -65,6 +72,7 @@ class Batch(ctypes.Structure):
 
 SCAN_FUNCTION = ctypes.CFUNCTYPE(None, c_void_p, c_char_p, c_int32, c_char_p)
 
+_ERROR_ARGUMENT = -1
 _HANDLE_OUT = POINTER(c_void_p)
 _ERROR_OUT = POINTER(Error)
 
@@ -144,6 +152,13 @@ def check(status: int, error: Error | None = None) -> None:
     if status != 0:
         text = error.text if error is not None and error.status == status else lib.phys_status_text(status)
         raise PhysicsError(status, text.decode(errors="replace"))
+
+
+def expect(holds: np.ndarray, values: np.ndarray, name: str, unit: str, expected: str) -> None:
+    """Names the first of the values that doesn't hold, for functions of the library that tell no more than a status."""
+    wrong = values[~holds]
+    if wrong.size:
+        raise PhysicsError(_ERROR_ARGUMENT, f"{name} is {wrong[0]:.9g} {unit}; expected {expected}")
 
 
 class Handle:

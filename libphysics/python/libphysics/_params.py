@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ._arguments import numbers
-from ._library import Error, ParamRow, address, check, lib, library_rows
+from ._library import Error, ParamRow, address, check, expect, lib, library_rows
 from ._records import params_dtype
 
 _CHOICE = 1
@@ -30,7 +30,10 @@ def gravity_from_tilt(tilt_x: Any, tilt_y: Any, strength: Any = 9.81) -> np.ndar
     each = (repeat(values.item()) if values.size == 1 else np.broadcast_to(values, shape).ravel().tolist()
             for values in given)
     statuses = map(lib.phys_gravity_from_tilt, *each, places)
-    check(min(statuses, default=0))  # all of them: errors are negative
+    if min(statuses, default=0) != 0:  # all of them: errors are negative
+        for values, name in zip(given, ("tilt_x", "tilt_y")):
+            expect(np.abs(values) < np.pi / 2, values, name, "rad", "a number between -pi/2 and pi/2")
+        expect((given[2] >= 0) & (given[2] <= 2.0**100), given[2], "strength", "m/s^2", "a number from 0 to 2^100")
     return gravity
 
 
@@ -68,22 +71,25 @@ class Params:
 
     Names are those of the library's rows (`restitution_wall`, `rolling_friction`, ...; `Params.rows()` lists them), of
     the stepper's own (made by `Stepper.params`), `gravity` (m/s^2, shape + (3,)) and the switches `orientation` and
-    `all_stages`. Values may be arrays: the set then has their common shape, and `Stepper.run` broadcasts it.
+    `all_stages`. Values may be arrays: the set then has their common shape, and `Stepper.run` broadcasts it. What is
+    written into such an array in place (`params.restitution_wall[1] = 7`, `params.gravity[2] = 5`) is checked by the step.
     """
 
     __slots__ = ("record", "_rows")
     record: np.ndarray  #: the C structs, dtype params_dtype
 
     def __init__(self, own_rows: list[ParamRow] | None = None, **values: Any) -> None:
-        shapes = [np.shape(value)[:-1] if name == "gravity" else np.shape(value) for name, value in values.items()]
-        record = np.zeros(np.broadcast_shapes(*shapes), params_dtype)
+        object.__setattr__(self, "_rows", _rows_of_library() | _by_name(own_rows or []))
+        for name in values.keys() - set(self.names()):
+            raise TypeError(self._unknown(name))
+        given = {name: numbers(value, name) for name, value in values.items()}
+        shapes = [value.shape[:-1] if name == "gravity" else value.shape for name, value in given.items()]
         first = np.zeros((), params_dtype)
         check(lib.phys_params_init(address(first), params_dtype.itemsize))
         for row in own_rows or []:
             check(lib.phys_param_set(address(first), byref(row), row.initial, None))
-        record[...] = first
-        self.__setstate__((record, _by_name(own_rows or [])))
-        for name, value in values.items():
+        object.__setattr__(self, "record", np.full(np.broadcast_shapes(*shapes), first))
+        for name, value in given.items():
             setattr(self, name, value)
 
     @staticmethod
@@ -100,7 +106,7 @@ class Params:
 
     def names(self) -> list[str]:
         """All names that can be read and set."""
-        return [name for name in self._rows if not name.startswith("gravity_")] + ["gravity", *_OPTIONS]
+        return [*self._rows, "gravity", *_OPTIONS]
 
     def _view(self, row: Row) -> np.ndarray:
         kind = "u4" if row.flags & _CHOICE else "f8"
@@ -175,7 +181,7 @@ class Params:
         return sorted([*object.__dir__(self), *self.names()])
 
     def __repr__(self) -> str:
-        shown = [f"{name}={getattr(self, name)!r}" for name in self.names()]
+        shown = [f"{name}={getattr(self, name)!r}" for name in self.names() if not name.startswith("gravity_")]
         return f"Params({', '.join(shown)})" if not self.shape else f"<Params, shape {self.shape}>"
 
 

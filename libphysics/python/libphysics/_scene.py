@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from ._arguments import MOST_U32, laid_out, number, numbers, path as path_of, record, vector, whole
-from ._library import Error, Handle, Owner, SceneDesc, address, check, lib
+from ._library import Error, Handle, Owner, SceneDesc, address, check, expect, lib
 from ._records import contact_dtype, state_dtype
 
 
@@ -42,8 +42,8 @@ class Scene(Owner):
             self._handle = _create(boxes, radius, start)
 
     def __reduce__(self) -> Any:
-        made = functools.partial(type(self), boxes=self.boxes, radius=self.radius, start=self.start()["position"])
-        return made, (), getattr(self, "__dict__", None)
+        made = functools.partial(_remade, boxes=self.boxes, radius=self.radius, start=self.start()["position"])
+        return made, (type(self),), getattr(self, "__dict__", None)
 
     @property
     def radius(self) -> float:
@@ -75,8 +75,14 @@ class Scene(Owner):
         return states
 
     def contacts(self, centre: Any, reach: float = 0.0) -> np.ndarray:
-        """All boxes whose gap to a ball at `centre` (3, m) is at most `reach` (m): an array of contact_dtype, by box."""
+        """All boxes whose gap to a ball at `centre` (3, m) is at most `reach` (m): an array of contact_dtype, by box.
+
+        Boxes that the library merged (identical ones, one inside another, flush ones that make up a larger box) are one,
+        with the number of the one that is nearest to the contact's point, the lowest of equals.
+        """
         place, reach, count = vector(centre, "centre"), number(reach, "reach"), c_uint32()
+        expect(np.abs(place) <= 2.0**100, place, "a coordinate of centre", "m", "a number within +-2^100")
+        expect(np.array(0 <= reach < np.inf), np.array(reach), "reach", "m", "a finite number, 0 or more")
         check(lib.phys_scene_contacts(self._handle, address(place), reach, None, 0, byref(count)))
         out = np.zeros(count.value, contact_dtype)
         if out.size:
@@ -90,6 +96,13 @@ class Scene(Owner):
 
     def __repr__(self) -> str:
         return f"<Scene, {lib.phys_scene_box_count(self._handle)} boxes, radius {self.radius:g} m>"
+
+
+def _remade(kind: type[Scene], **parts: Any) -> Scene:
+    """Of a class that may have an __init__ of its own."""
+    scene = object.__new__(kind)
+    Scene.__init__(scene, **parts)
+    return scene
 
 
 def _create(boxes: Any, radius: float | None, start: Any) -> Handle:

@@ -5,9 +5,7 @@ from __future__ import annotations
 import ctypes
 import os
 import threading
-from concurrent.futures import ThreadPoolExecutor
 from ctypes import byref, c_double
-from itertools import repeat
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -16,6 +14,7 @@ from ._arguments import MOST_U32, MOST_U64, is_laid_out, laid_out, number, numbe
 from ._library import (SCAN_FUNCTION, Batch, Error, Handle, Owner, PhysicsError, Requirements, StepperInfo, address, check,
                        lib)
 from ._params import Params, rows_of
+from ._pieces import run_piece, run_ranges, viewed
 from ._records import event_dtype, params_dtype, report_dtype, state_dtype
 from ._scene import Scene
 
@@ -42,7 +41,16 @@ class Step(NamedTuple):
     events: np.ndarray
 
 
-class Run(NamedTuple):
+class _Run(NamedTuple):
+    states: np.ndarray
+    path: np.ndarray | None
+    steps_done: np.ndarray
+    statuses: np.ndarray
+    impacts: np.ndarray | None = None
+    energy_lost: np.ndarray | None = None
+
+
+class Run(_Run):
     """Result of `Stepper.run`. `batch` is the common shape of states, params and gravity.
 
     states: the last good state of each ball, batch. path: every k-th state, batch + (steps // k,), or None.
@@ -51,21 +59,16 @@ class Run(NamedTuple):
     all after the 64th are counted). energy_lost: batch, or None; what was lost in impacts, landings, rolling and slip, J/kg.
     """
 
-    states: np.ndarray
-    path: np.ndarray | None
-    steps_done: np.ndarray
-    statuses: np.ndarray
-    impacts: np.ndarray | None = None
-    energy_lost: np.ndarray | None = None
+    _reason = ""  # what `step` says where the first of the balls that failed did
 
     def check(self) -> "Run":
-        """Raises PhysicsError if a ball failed, with the number of the first of them; returns itself otherwise."""
+        """Raises PhysicsError if a ball failed, with the number of the first of them and what was wrong; or returns itself."""
         failed = np.flatnonzero(self.statuses)
         if failed.size:
             ball = failed[0]
             status = int(self.statuses.flat[ball])
-            text = lib.phys_status_text(status).decode()
-            raise PhysicsError(status, f"ball {ball} fails in step {self.steps_done.flat[ball]}: {text}")
+            reason = self._reason or lib.phys_status_text(status).decode()
+            raise PhysicsError(status, f"ball {ball} fails in step {self.steps_done.flat[ball]}: {reason}")
         return self
 
 
@@ -138,7 +141,7 @@ class Stepper(Owner):
 
     def __reduce__(self) -> Any:
         info = self.info
-        return type(self), (info.id, self._scene, info.file or None), getattr(self, "__dict__", None)
+        return _remade, (type(self), info.id, self._scene, info.file or None), getattr(self, "__dict__", None)
 
     def _handle(self, index: int) -> Handle:
         """The library's stepper for thread `index`."""
@@ -186,7 +189,8 @@ class Stepper(Owner):
         (3,) for all, or (..., 1, 3) for each ball, or (..., steps, 3) for each ball and step. The shapes of states and
         params and gravity's `...` broadcast to the batch. every: keep every k-th state as `path`; 0: none. stop: a ball
         is done once its state has one of these flags, for instance OUT. threads: how many run (1 .. 1024; never more than
-        there are balls), with the interpreter's lock released. tally: whether `impacts` and `energy_lost` are wanted; steps
+        there are balls), with the interpreter's lock released. Ctrl-C is heeded between pieces of a million steps; `out` then
+        has balls after different numbers of steps. tally: whether `impacts` and `energy_lost` are wanted; steps
         are slower then. out: states of the batch's shape that are written, for instance `states` itself.
         Wrong arguments raise TypeError, ValueError or PhysicsError and write nothing; a ball that fails has its status in
         the result (`Run.check` raises).
@@ -216,12 +220,29 @@ class Stepper(Owner):
         energy_lost = np.zeros(shape, "f8") if tally else None
         if impacts is not None and energy_lost is not None:
             batch.impacts, batch.energy_lost = address(impacts), address(energy_lost)
+        run = Run(result, path, done, statuses, impacts, energy_lost)
         with self._lock:
             handles = [self._handle(index) for index in range(max(1, min(threads, result.size)))]
-            _run_range(handles[0], batch, 0, 0)  # checks the arguments before anything is written
+            run_piece(handles[0], batch, 0, 0)  # checks the arguments before anything is written
             _copy_whole(given, result)
-            _run_ranges(handles, batch)
-        return Run(result, path, done, statuses, impacts, energy_lost)
+            run_ranges(handles, batch, run)
+            run._reason = self._first_failure(run, batch)
+        return run
+
+    def _first_failure(self, run: Run, batch: Batch) -> str:
+        """What the library says of the step in which the first of the balls that failed did."""
+        failed = np.flatnonzero(run.statuses)
+        if not failed.size:
+            return ""
+        ball, error = int(failed[0]), Error()
+        params = np.array(viewed(batch.params + ball * batch.params_stride, params_dtype))
+        if batch.gravity:
+            step = int(run.steps_done.flat[ball])
+            place = batch.gravity + ball * batch.gravity_ball_stride + step * batch.gravity_step_stride
+            params["gravity"] = viewed(place, np.dtype(("f8", 3)))
+        state, after = run.states.reshape(-1)[ball:ball + 1], np.empty((), state_dtype)
+        lib.phys_step(self._handle(0), address(params), batch.dt, address(state), address(after), None, byref(error))
+        return _decoded(error.text)
 
     def energy(self, state: np.ndarray, params: Params | np.ndarray) -> float:
         """Energy per mass, J/kg."""
@@ -245,19 +266,11 @@ class Stepper(Owner):
         return f"<Stepper '{self.info.id}', version {self.info.version}, in {self._scene!r}>"
 
 
-def _run_range(handle: Handle, batch: Batch, first: int, count: int) -> None:
-    error = Error()
-    check(lib.phys_batch_run(handle, byref(batch), first, count, byref(error)), error)
-
-
-def _run_ranges(handles: list[Handle], batch: Batch) -> None:
-    """One range of the balls for each of the library's steppers, each in a thread."""
-    ends = [batch.ball_count * i // len(handles) for i in range(len(handles) + 1)]
-    counts = [end - first for first, end in zip(ends, ends[1:])]
-    if len(handles) == 1:
-        return _run_range(handles[0], batch, 0, counts[0])
-    with ThreadPoolExecutor(len(handles)) as pool:
-        list(pool.map(_run_range, handles, repeat(batch), ends, counts))
+def _remade(kind: type[Stepper], *arguments: Any) -> Stepper:
+    """Of a class that may have an __init__ of its own."""
+    stepper = object.__new__(kind)
+    Stepper.__init__(stepper, *arguments)
+    return stepper
 
 
 def _record(params: Params | np.ndarray) -> np.ndarray:
@@ -297,4 +310,4 @@ def _per_ball(array: np.ndarray, shape: tuple[int, ...], inner: int) -> tuple[np
     if np.prod(array.shape[:array.ndim - inner]) == 1:
         return laid_out(array).reshape((1,) + tail), 0
     each = laid_out(np.broadcast_to(array, shape + tail)).reshape((np.prod(shape, dtype=int),) + tail)
-    return each, each.strides[0]
+    return each, array.itemsize * int(np.prod(tail))  # numpy's strides of an array without elements may be 0: shared

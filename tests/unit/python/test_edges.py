@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: MIT
+"""The Python package where arguments are empty, wrong or many, and where a signal or a class of one's own comes in."""
+import os
+import pickle
+import signal
+import threading
+import time
+import unittest
+
+import numpy as np
+
+import libphysics as lp
+
+LEVEL = os.environ["LEVEL"]
+FLOOR = [(-2, -2, -1), (2, 2, 0)]
+
+
+class EmptyShapesTest(unittest.TestCase):
+    """Where the batch is empty nothing is read: not even what lies behind an array without elements."""
+
+    def test_all_broadcast_as_numpy_does(self):
+        scene = lp.Scene(LEVEL)
+        stepper = lp.Stepper("symplectic-euler", scene)
+        shapes = ((), (0,), (1,), (3, 0), (0, 3), (0, 1), (1, 0), (0, 0))
+        for ball in shapes:
+            for sets in shapes:
+                for pull in (None, *shapes):
+                    wanted = [ball, sets] + ([] if pull is None else [pull])
+                    try:
+                        shape = np.broadcast_shapes(*wanted)
+                    except ValueError:
+                        continue
+                    for steps in (1, 5):
+                        gravity = None if pull is None else np.full(pull + (steps, 3), (0.5, 0, -9.75))
+                        params = stepper.params(restitution_wall=np.full(sets, 0.5))
+                        for threads in (1, 3):
+                            run = stepper.run(scene.start(ball), params, 0.01, steps, gravity=gravity, every=1, tally=True,
+                                              threads=threads).check()
+                            self.assertEqual((run.states.shape, run.path.shape), (shape, shape + (steps,)), wanted)
+
+    def test_a_mask_that_selects_no_ball(self):
+        scene = lp.Scene(LEVEL)
+        stepper = lp.Stepper("exact", scene)
+        nobody = np.zeros(4, bool)
+        params = stepper.params(restitution_wall=np.array([0.1, 0.2, 0.3, 0.4])[nobody])
+        self.assertEqual(stepper.run(scene.start(4)[nobody], params, 0.01, 5).states.shape, (0,))
+
+
+class PiecesTest(unittest.TestCase):
+    """A long run is made in pieces, which show in nothing but that signals are heeded."""
+
+    def setUp(self):
+        self.scene = lp.Scene(LEVEL)
+        self.stepper = lp.Stepper("symplectic-euler", self.scene)
+
+    def runs(self, sizes, **arguments):
+        from libphysics import _pieces
+        usual = _pieces._STEPS
+        try:
+            for size in sizes:
+                _pieces._STEPS = size
+                yield self.stepper.run(self.scene.start(), self.stepper.params(), 0.01, **arguments)
+        finally:
+            _pieces._STEPS = usual
+
+    def test_pieces_of_any_size_have_the_same_bits(self):
+        gravity = lp.gravity_from_tilt(*np.random.default_rng(5).uniform(-0.1, 0.1, (2, 21, 60)))
+        gravity[::4, 33] = (0, 0, 1)  # pulled off their floor
+        gravity[1::4, :] = lp.gravity_from_tilt(0.2, 0.1)  # out after a while
+        for every in (0, 1, 7, 20, 60, 100):
+            for stop in (0, lp.AT_REST | lp.OUT):
+                arguments = {"steps": 60, "gravity": gravity, "every": every, "stop": stop, "tally": True}
+                whole, *others = self.runs((10**9, 1, 8, 100, 250, 1000), **arguments)
+                self.assertIn(-2, whole.statuses)
+                for other in others:
+                    for name, mine, its in zip(whole._fields, whole, other):
+                        self.assertEqual(None if mine is None else mine.tobytes(), None if its is None else its.tobytes(), name)
+
+    def test_balls_that_are_done_end_the_run(self):
+        scene = lp.Scene(boxes=[FLOOR], radius=0.125)
+        stepper = lp.Stepper("swept", scene)
+        run = stepper.run(scene.start(2), stepper.params(), 0.01, 2**63, gravity=(2, 0, -9.75), stop=lp.OUT)
+        self.assertTrue((run.states["flags"] & lp.OUT).all())
+
+    def test_a_signal_ends_a_run(self):
+        for threads in (1, 2):
+            timer = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
+            timer.start()
+            with self.assertRaises(KeyboardInterrupt):
+                self.stepper.run(self.scene.start(2), self.stepper.params(), 0.01, 2**60, threads=threads)
+            timer.join()
+        self.stepper.run(self.scene.start(2), self.stepper.params(), 0.01, 5).check()
+
+
+class MessagesTest(unittest.TestCase):
+    def refused(self, use):
+        with self.assertRaises((lp.PhysicsError, TypeError)) as caught:
+            use()
+        return str(caught.exception)
+
+    def test_a_run_says_what_a_step_says(self):
+        scene = lp.Scene(LEVEL)
+        stepper = lp.Stepper("rk4", scene)
+        gravity = np.tile([0.0, 0.0, -9.75], (3, 10, 1))
+        gravity[1, 4] = (np.inf, 0, -9.75)
+        run = stepper.run(scene.start(), stepper.params(), 0.01, 10, gravity=gravity)
+        expected = "ball 1 fails in step 4: gravity_x is inf m/s^2; allowed is -1000000 .. 1000000 m/s^2"
+        for one in (run, pickle.loads(pickle.dumps(run))):
+            self.assertEqual(self.refused(one.check), expected)
+        params = stepper.params(restitution_wall=[0.5, 0.5, 0.5])
+        params.restitution_wall[2] = 7
+        run = stepper.run(scene.start(), params, 0.01, 10)
+        self.assertEqual(self.refused(run.check), "ball 2 fails in step 0: restitution_wall is 7; allowed is 0 .. 1")
+
+    def test_arguments_without_a_line_of_the_library(self):
+        scene = lp.Scene(LEVEL)
+        for use, expected in ((lambda: lp.gravity_from_tilt([0, 5], 0),
+                               "tilt_x is 5 rad; expected a number between -pi/2 and pi/2"),
+                              (lambda: lp.gravity_from_tilt(0, np.nan), "tilt_y is nan rad; expected a number between"),
+                              (lambda: lp.gravity_from_tilt(0, 0, [[-1]]), "strength is -1 m/s^2; expected a number from 0 to"),
+                              (lambda: scene.contacts((0, 0, 0), np.inf), "reach is inf m; expected a finite number, 0 or more"),
+                              (lambda: scene.contacts((0, 0, 0), -1), "reach is -1 m; expected"),
+                              (lambda: scene.contacts((0, 1e31, 0)), r"a coordinate of centre is 1e+31 m; expected"),
+                              (lambda: lp.Stepper("rk4", scene).step(scene.start().item(), lp.Params(), 0.01),
+                               "expected state_dtype"),
+                              (lambda: lp.Params(gravity=[[0, 0, -9], [0]]), "expected numbers"),
+                              (lambda: lp.Stepper("rk4", scene).params(nope=1), "no parameter is called 'nope'; known are")):
+            self.assertIn(expected, self.refused(use))
+
+    def test_names_are_all_that_can_be_read_and_set(self):
+        params = lp.Params()
+        self.assertLessEqual({"gravity", "gravity_x", "gravity_z", "restitution_wall", "orientation"}, set(params.names()))
+        for name in params.names():
+            setattr(params, name, getattr(params, name))
+            self.assertIn(name, dir(params))
+
+
+class Room(lp.Scene):
+    def __init__(self, size):
+        super().__init__(boxes=[np.multiply(FLOOR, size)], radius=0.125)
+        self.size = size
+
+
+class Mine(lp.Stepper):
+    def __init__(self, scene):
+        super().__init__("rk4", scene)
+
+
+class Mishap(lp.PhysicsError):
+    def __init__(self):
+        super().__init__(-3, "mishap")
+
+
+class SubclassTest(unittest.TestCase):
+    def test_classes_with_an_init_of_their_own_are_pickled(self):
+        mine = pickle.loads(pickle.dumps(Mine(Room(2))))
+        self.assertEqual((type(mine), mine.info.id, type(mine.scene), mine.scene.size), (Mine, "rk4", Room, 2))
+        np.testing.assert_array_equal(mine.scene.boxes, [np.multiply(FLOOR, 2)])
+        mishap = pickle.loads(pickle.dumps(Mishap()))
+        self.assertEqual((type(mishap), mishap.status, str(mishap)), (Mishap, -3, "mishap"))
+
+
+if __name__ == "__main__":
+    unittest.main()
