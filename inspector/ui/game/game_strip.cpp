@@ -202,6 +202,7 @@ GameStrip::GameStrip(QWidget *parent)
     m_title->setFont(scaled(font(), 1.15, true));
     m_line->setFont(scaled(font(), 1.15, false));
     for (ElidedLabel *label : {m_title, m_line}) label->setWidest({}); // as wide as their texts if there is room
+    m_title->setLeast(int(tr("Level 10 done").size()));
     m_hint->setForegroundRole(QPalette::PlaceholderText);
     m_clock->setFont(scaled(QFontDatabase::systemFont(QFontDatabase::FixedFont), 1.3, true));
     m_close->setObjectName(QStringLiteral("game_strip_close"));

@@ -22,13 +22,18 @@ void ElidedLabel::setWidest(const QString &text) {
     updateGeometry();
 }
 
+void ElidedLabel::setLeast(int characters) {
+    m_least = characters;
+    updateGeometry();
+}
+
 QSize ElidedLabel::sizeHint() const {
     const QSize hint = QLabel::sizeHint();
     return {std::max(hint.width(), m_widest), hint.height()};
 }
 
 QSize ElidedLabel::minimumSizeHint() const {
-    const int least = std::min(fontMetrics().averageCharWidth() * 8, sizeHint().width());
+    const int least = std::min(fontMetrics().averageCharWidth() * m_least, sizeHint().width());
     return {least, QLabel::minimumSizeHint().height()};
 }
 

@@ -15,6 +15,8 @@ public:
     /// Reserves the width of this text if there is room, so that changes of the text don't move its neighbours.
     void setWidest(const QString &text);
 
+    void setLeast(int characters); ///< that are shown where there is little room
+
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
@@ -26,6 +28,7 @@ private:
     QString shown() const;
 
     int m_widest = 0; ///< px
+    int m_least = 8;  ///< average characters
 };
 
 } // namespace inspector::ui

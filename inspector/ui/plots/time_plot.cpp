@@ -87,6 +87,20 @@ void TimePlot::layOutLegend() {
     placeReadOut();
 }
 
+/// In a small plot the legend takes less of it.
+void TimePlot::fitLegend() {
+    constexpr int kSmall = 320; // pixels
+    const bool isSmall = width() < kSmall;
+    const QSize icon = isSmall ? QSize(14, 14) : QSize(32, 18);
+    if (legend->iconSize() == icon) return;
+    legend->setIconSize(icon);
+    legend->setColumnSpacing(isSmall ? 8 : 18);
+    legend->setRowSpacing(isSmall ? 0 : 3);
+    QMargins margins = legend->margins();
+    margins.setLeft(isSmall ? 6 : kLeftMargin);
+    legend->setMargins(margins);
+}
+
 /// Puts the read-out beside the legend if there is room for the longest so far, so that the curves don't move at each
 /// value, and otherwise below it.
 void TimePlot::placeReadOut() {
@@ -171,6 +185,7 @@ void TimePlot::refresh() {
     if (!m_isStale && (last == m_shown || isPaused())) return;
     m_shown = last;
 
+    fitLegend();
     fitChart(*this);
     const std::optional<double> newest = newestTime();
     if (isFollowing() && !isPaused() && newest) m_time->follow(*newest);

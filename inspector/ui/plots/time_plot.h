@@ -99,6 +99,7 @@ protected:
     void changeEvent(QEvent *event) override;
 
 private:
+    void fitLegend();
     void layOutLegend(); ///< in one line, with the read-out if there is room
     void takeColours();
     std::optional<double> newestTime() const;

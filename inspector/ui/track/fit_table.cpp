@@ -61,6 +61,7 @@ FitTable::FitTable(QWidget *parent)
     horizontalHeader()->setSectionResizeMode(Found, QHeaderView::Stretch);
     horizontalHeader()->setHighlightSections(false);
     horizontalHeader()->setTextElideMode(Qt::ElideRight);
+    horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter); // a centred title is cut on both sides
     connect(this, &QTableWidget::itemChanged, this, &FitTable::read);
 }
 

@@ -22,7 +22,7 @@ int noteColumn() { return TradeTableModel::kNameColumns + int(tradeColumns().siz
 
 void TradeTableModel::show(const TradePlan &plan, const TradeResult &result) {
     m_registry = plan.registry;
-    m_horizon = plan.horizon;
+    if (plan.scene) m_horizon = plan.horizon; // something has been measured
     emit headerDataChanged(Qt::Horizontal, kNameColumns, noteColumn());
     if (result.points.size() == m_points.size()) {
         m_points = result.points;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/trade/trade.h"
+#include "core/trade/trade_options.h"
 
 #include <QAbstractTableModel>
 
@@ -35,7 +36,7 @@ private:
 
     Registry m_registry; ///< has the steppers' names
     std::vector<TradePoint> m_points;
-    double m_horizon = 0.0; ///< s, the plan's
+    double m_horizon = kTradeHorizon; ///< s, the measured plan's
 };
 
 } // namespace inspector::ui

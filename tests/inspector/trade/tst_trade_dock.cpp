@@ -32,6 +32,7 @@ class TestTradeDock : public QObject, support::DockFixture<TradeDock> {
 
 private slots:
     void initTestCase();
+    void headerNamesTheUsualSpanAtFirst();
     void numbersAreReadAsPeopleWriteThem_data();
     void numbersAreReadAsPeopleWriteThem();
     void whatIsNoNumberIsRefusedWithAReason_data();
@@ -96,6 +97,11 @@ void TestTradeDock::initTestCase() {
     const QString error = open(1);
     QVERIFY2(error.isEmpty(), qPrintable(error));
     type("trade_duration", "500 ms");
+}
+
+void TestTradeDock::headerNamesTheUsualSpanAtFirst() {
+    const int column = TradeTableModel::columnOf("share_of_unknown [%]");
+    QCOMPARE(table().model()->headerData(column, Qt::Horizontal).toString(), QString("of unknown\nin 1 s [%]"));
 }
 
 void TestTradeDock::numbersAreReadAsPeopleWriteThem_data() {
