@@ -32,8 +32,6 @@ public:
     void add(uint64_t units) { m_done += units; }
     uint64_t done() const { return m_done; }
     bool isTooMuch() const { return m_done > m_most; }
-    /// Quarters of the limit that are used up.
-    uint64_t quarters() const { return 4 * m_done / m_most; }
 
 private:
     uint64_t m_most;

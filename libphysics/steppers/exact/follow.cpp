@@ -3,6 +3,7 @@
 
 #include "contact/held.h"
 #include "contact/mirror.h"
+#include "exact/last_bounce.h"
 
 #include <algorithm>
 #include <cmath>
@@ -209,6 +210,9 @@ void settle(const Event &event, const Response &response, MovingBall &ball, Touc
 } // namespace
 
 void follow(const Choice &choice, const Event &event, MovingBall &ball, Touching &touching) {
+    constexpr uint32_t kHopsOfSeries = 10; // that cost as much
+    const bool isSeries = std::holds_alternative<Series>(choice.phase);
+    if (isSeries || event.end.cause == Cause::touch) countHops(isSeries ? kHopsOfSeries : 1, event.end.after, ball);
     std::visit([&](const auto &phase) { move(phase, event.end, touching, choice.response, ball); }, choice.phase);
     settle(event, choice.response, ball, touching);
 }

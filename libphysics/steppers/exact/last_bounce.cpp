@@ -16,19 +16,29 @@ constexpr double kLastHop = 1e-26;
 /// For restitutions above this, the series of bounces would never end.
 constexpr double kSlowDecay = 0.95;
 
-/// Factor on the height of the last bounces in a step with much work, for each quarter of its work limit: a less exact
+/// Hops last no longer than gravity takes for a way of this many radii.
+constexpr double kHop = 1e-5;
+
+/// After this many hops in a step, last bounces may be higher, and after as many again higher still: a less exact
 /// result is better than none.
-double higher(const Work &work) {
-    constexpr double kHigher = 100.0;
+constexpr uint32_t kManyHops = 15'000;
+
+/// Factor on the height of the last bounces.
+double higher(const MovingBall &ball) {
+    constexpr double kHigher = 100.0, kHighest = 1e6;
     double factor = 1.0;
-    for (uint64_t quarters = work.quarters(); quarters > 0; --quarters) factor *= kHigher;
+    for (uint32_t many = ball.hops / kManyHops; many > 0 && factor < kHighest; --many) factor *= kHigher;
     return factor;
 }
 
 } // namespace
 
+void countHops(uint32_t count, double time, MovingBall &ball) {
+    if (time * time * glm::length(ball.setting.gravity()) <= kHop * ball.radius()) ball.hops += count;
+}
+
 double lastHeight(const MovingBall &ball) {
-    return std::max(ball.scene().tolerance, higher(ball.work) * kLastBounce * ball.radius());
+    return std::max(ball.scene().tolerance, higher(ball) * kLastBounce * ball.radius());
 }
 
 double lastBounce(const MovingBall &ball, const Contacts &contacts, const Contact &contact, const Vec3 &acting) {
@@ -39,7 +49,7 @@ double lastBounce(const MovingBall &ball, const Contacts &contacts, const Contac
     if (endsAsSeries(ball, contacts, contact)) return 0.0;
     const bool isUpright = contact.normal.z == 0.0;
     const bool isSmooth = (isUpright && contact.friction == 0.0) || contact.restitution > kSlowDecay;
-    const double height = isSmooth ? lastHeight(ball) : higher(ball.work) * kLastHop * R;
+    const double height = isSmooth ? lastHeight(ball) : higher(ball) * kLastHop * R;
     return std::sqrt(2.0 * std::max(0.0, back) * height);
 }
 
@@ -58,7 +68,7 @@ bool endsSlips(const MovingBall &ball, const Contact &face) {
 bool endsAsSeries(const MovingBall &ball, const Contacts &contacts, const Contact &face) {
     constexpr double kElastic = 1.0 - 1e-6; // restitution above which bounces are too many for an end
     const double eps = face.restitution, back = -glm::dot(ball.setting.gravity(), face.normal);
-    if (contacts.count() != 1 || !face.isFace() || ball.work.quarters() > 0) return false;
+    if (contacts.count() != 1 || !face.isFace() || ball.hops >= kManyHops) return false;
     if (!(back > 0.0) || eps <= kSlowDecay || eps > kElastic) return false;
     if (face.friction == 0.0) return true;
     const double push = (1.0 + eps) * std::abs(glm::dot(ball.motion.velocity, face.normal));

@@ -6,6 +6,9 @@
 
 namespace phys {
 
+/// Counts a phase of this length (s) as that many hops, if it is short.
+void countHops(uint32_t count, double time, MovingBall &ball);
+
 /// The largest height of last bounces at smooth contacts, m.
 double lastHeight(const MovingBall &ball);
 

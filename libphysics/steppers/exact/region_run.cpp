@@ -139,7 +139,9 @@ private:
         const double end = hits ? hit.after : until;
         if (end > 0.0) follow(phase, end);
         if (ends && own.cause == Cause::grip) return grip(own, phase.mostAcceleration());
-        return !hits || bounce(hit);
+        if (!hits) return true;
+        countHops(1, end, m_ball);
+        return bounce(hit);
     }
 
     /// Bounds of the ball's coordinates.
