@@ -40,13 +40,13 @@ uint32_t flagsOf(const Touching &touching, const Response *response, MovingBall 
     bool isCarried = false, slips = false;
     for (uint32_t i = 0; i < touching.count(); ++i) {
         const Contact &contact = touching.contactOf(i);
-        const bool presses = response ? isClosed(*response, i) : ball.params().gravity.z < 0.0;
+        const bool presses = response ? isClosed(*response, i) : ball.params().gravity.z <= 0.0;
         if (!contact.isTop || !presses) continue;
         isCarried = true;
         slips = slipsAt(contact.normal, ball);
     }
     const uint32_t flags = (isCarried ? 0 : PHYS_AIRBORNE) | (slips ? PHYS_SLIPPING : 0);
-    if (!ball.isStill() || touching.count() == 0) return flags;
+    if (!ball.isStill()) return flags;
     Response asked;
     if (!response && respondNow(touching, ball, asked)) return flags;
     return flags | (rests(ball, response ? *response : asked) ? PHYS_AT_REST : 0);

@@ -115,7 +115,7 @@ void stopBounces(double negligible, MovingBall &ball, Touching &touching) {
 /// given spin from it.
 double roll(const Touching &touching, MovingBall &ball) {
     double lost = 0.0;
-    if (ball.setting.isRigid() || ball.params().gravity.z >= 0.0) return lost;
+    if (ball.setting.isRigid() || ball.params().gravity.z > 0.0) return lost;
     for (const Held &held : touching.held()) {
         if (!held.isGlued) continue;
         const double R = ball.radius();

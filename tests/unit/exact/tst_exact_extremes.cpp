@@ -44,6 +44,8 @@ private slots:
     void risesBesideAnEdgeItRestsOn();
     void inTheFloorAndPulledUpItFlies();
     void leastTimeMovesNothing();
+    void restsWithoutGravity();
+    void rollsWithoutGravity();
 };
 
 void ExactExtremes::elasticBouncesKeepTheEnergy() {
@@ -376,6 +378,26 @@ void ExactExtremes::leastTimeMovesNothing() {
     run.params.wall_friction = 0.5;
     run.step(std::numeric_limits<double>::denorm_min());
     QCOMPARE(run.state.position.y, 0.0);
+}
+
+/// In the air, and on top of a box, which carries it with pressure 0.
+void ExactExtremes::restsWithoutGravity() {
+    const phys_box deck{{-1, -1, 0.5}, {1, 1, 0.75}};
+    for (const bool isCarried : {false, true}) {
+        Run run({kFloor, deck}, 0.125, {0, 0, isCarried ? 0.875 : 1.5});
+        run.params.gravity = {0, 0, 0};
+        run.step(0.5);
+        QCOMPARE(run.state.flags, uint64_t(isCarried ? PHYS_AT_REST : PHYS_AT_REST | PHYS_AIRBORNE));
+    }
+}
+
+/// Even in no time: what a top face carries rolls.
+void ExactExtremes::rollsWithoutGravity() {
+    Run run({kFloor, {{-1, -1, 0.5}, {1, 1, 0.75}}}, 0.125, {0, 0, 0.875}, {0.5, 0, 0});
+    run.params.gravity = {0, 0, 0};
+    run.step(std::numeric_limits<double>::denorm_min());
+    QCOMPARE(run.state.flags, uint64_t(0));
+    QCOMPARE(run.state.spin.y, 4.0);
 }
 
 QTEST_GUILESS_MAIN(ExactExtremes)
