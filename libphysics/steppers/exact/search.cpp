@@ -73,8 +73,10 @@ Target::Target(const Outlook &around, const phys_box &from)
     normal = close.normal;
     for (int axis = 0; axis < 3; ++axis) {
         const double n = close.normal[axis];
-        if (n > 0.0) (&box.max.x)[axis] = -R * n;
-        if (n < 0.0) (&box.min.x)[axis] = -R * n;
+        double &low = (&box.min.x)[axis], &high = (&box.max.x)[axis];
+        if (n > 0.0) high = -R * n;
+        if (n < 0.0) low = -R * n;
+        if (low > high) (n > 0.0 ? low : high) = -R * n; // a box without width keeps none
     }
 }
 
