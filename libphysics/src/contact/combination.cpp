@@ -59,7 +59,7 @@ void accelerate(Combination &c, const dense::Values &x) {
         if (c.isOpen(i)) continue;
         const Vec3 push = c.push(i, x);
         c.acceleration += push;
-        c.spinAcceleration += c.hasPartner(i) ? x[c.column[i]] * c.spinPer(i, 0) : c.spinPerForce(i, push);
+        c.spinAcceleration += c.sticks(i) ? c.spinPerForce(i, push) : x[c.column[i]] * c.spinPer(i, 0);
     }
 }
 

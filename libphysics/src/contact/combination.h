@@ -74,7 +74,8 @@ struct Combination {
     }
     /// The spin's acceleration due to it.
     Vec3 spinPer(uint32_t i, uint32_t part) const {
-        if (!hasPartner(i)) return spinPerForce(i, pushPer(i, part));
+        if (sticks(i)) return spinPerForce(i, pushPer(i, part));
+        if (!hasPartner(i)) return spinPerForce(i, rubbing(i)); // pressure turns nothing, not even by rounding
         const uint32_t j = partner[i];
         const Vec3 ofPartner = spinPerForce(j, sticks(j) ? held[j].normal : rubbing(j));
         return spinPerForce(i, rubbing(i)) - facing[i] * ofPartner;

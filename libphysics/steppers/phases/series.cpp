@@ -298,7 +298,7 @@ void Series::knownAccelerations(int k) {
     m_a[k] = m_al[k] = Vec3(0.0);
     for (const Contact &contact : contacts()) {
         m_a[k] += contact.r[k];
-        m_al[k] -= kInertia / R * contact.crossNormal(contact.r, k);
+        if (contact.mode != Mode::smooth) m_al[k] -= kInertia / R * contact.crossNormal(contact.r, k);
     }
     if (m_rolls < m_count) {
         const Contact &contact = m_contacts[m_rolls];

@@ -30,6 +30,7 @@ Vec3 Series::basis(const Contact &contact, uint32_t part) const {
 }
 
 Vec3 Series::spinPerForce(const Contact &contact, const Vec3 &force, int k) const {
+    if (contact.mode == Mode::smooth) return Vec3(0.0); // not even rounding
     Vec3 spin = -kInertia / m_moment.radius * glm::cross(contact.n[0], force);
     if (m_rolls < m_count && &contact == &m_contacts[m_rolls]) {
         spin -= kInertia * contact.held.resistance / m_moment.radius * glm::dot(force, contact.n[0]) * m_rolling[0];
