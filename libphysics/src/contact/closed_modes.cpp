@@ -108,7 +108,7 @@ bool respondOnFloor(const Moment &moment, std::span<const Held> held, uint32_t f
     const Vec3 level(moment.gravity.x, moment.gravity.y, 0.0);
     const bool slips = reaction.slip != Vec3(0.0) && !ground.isGlued && ground.friction > 0.0;
     const bool rolls = !slips && (ground.isGlued || ground.friction > 0.0);
-    const double B = rolls ? 5.0 / 7.0 * ground.resistance * N : 0.0;
+    const double B = rolls ? 5.0 / 7.0 * (ground.resistance * N) : 0.0;
 
     Smooth smooth{moment, held, rolls ? 1.4 : 1.0, zero};
     std::array<double, kMostHeld> push{};

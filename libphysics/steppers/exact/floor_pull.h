@@ -77,7 +77,7 @@ public:
     double accelerationAlong(int axis, double speed) const {
         if (glides()) return level[axis];
         const double heading = speed > 0.0 ? 1.0 : -1.0;
-        return 5.0 / 7.0 * level[axis] - 5.0 / 7.0 * m_params.rolling_friction * pressure * heading;
+        return drive()[axis] - heading * resistance();
     }
 
     /// Whether that acceleration lasts for a time: resistance neither stops nor reverses the ball.
