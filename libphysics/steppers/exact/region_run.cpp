@@ -315,6 +315,7 @@ bool runInRegion(FloorRegions &regions, MovingBall &ball, ContactEvents &events)
     if (ball.motion.velocity.z != 0.0 || !(ball.params().gravity.z < 0.0) || ball.runsAllStages()) return false;
     const FloorRegion *tried = nullptr; // at the present position
     while (ball.left > 0.0) {
+        if (ball.work.isTooMuch()) return false;
         const Vec3 &velocity = ball.motion.velocity;
         const bool isLeaning = velocity.x == 0.0 || velocity.y == 0.0;
         const phys_vec3 place = fromVec(ball.position);

@@ -77,7 +77,9 @@ struct Target {
 };
 
 template<class Phase>
-Look gapAt(const Target &target, const Phase &phase, double radius, double t, double until) {
+Look gapAt(const Target &target, const Phase &phase, const Outlook &around, double t, double until) {
+    around.work.add(phase.lookWork());
+    const double radius = around.scene.radius;
     const Way now = phase.at(t);
     Vec3 n;
     const double gap = target.gap(now.way, radius, n);
@@ -105,13 +107,13 @@ double openingTime(const Target &target, const Phase &phase, const Outlook &arou
     if (target.isBehindFace) return t;
     double shorter = t;
     for (int i = 0; i < 24 && target.rate >= 0.0; ++i, shorter *= 0.5) {
-        const Look now = gapAt(target, phase, R, shorter, until);
+        const Look now = gapAt(target, phase, around, shorter, until);
         if (now.rate > 0.0 && now.value >= -around.scene.tolerance) return shorter;
     }
     // The gap opens by rounding only, which may be all of the speed: at most as long as the displacement into the box
     // is negligible.
     if (target.rate < 0.0 && speed > 0.0) t = std::min(t, 8.0 * sameNormal(around.scene) * R / speed);
-    for (int i = 0; i < 60 && gapAt(target, phase, R, t, until).value < -around.scene.tolerance; ++i) t *= 0.5;
+    for (int i = 0; i < 60 && gapAt(target, phase, around, t, until).value < -around.scene.tolerance; ++i) t *= 0.5;
     return t;
 }
 
@@ -180,11 +182,7 @@ private:
 /// First time in [from, until] at which the ball touches a target and moves towards it, in any phase.
 template<class Phase>
 double anyTouchTime(const Target &target, const Outlook &around, const Phase &phase, double from, double until) {
-    const double R = around.scene.radius;
-    const auto look = [&](double t) {
-        around.work.add(phase.lookWork());
-        return gapAt(target, phase, R, t, until);
-    };
+    const auto look = [&](double t) { return gapAt(target, phase, around, t, until); };
     if (target.isTouched && from == 0.0) from = openingTime(target, phase, around, until);
     return firstZero(look, from, until, 0.25 * around.scene.tolerance);
 }

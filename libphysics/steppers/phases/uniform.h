@@ -7,7 +7,7 @@
 namespace phys {
 
 struct Uniform {
-    static constexpr uint64_t lookWork() { return 5; }
+    static constexpr uint64_t lookWork() { return 12; }
 
     Vec3 velocity, acceleration, spin, spinAcceleration;
 
