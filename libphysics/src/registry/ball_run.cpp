@@ -6,6 +6,7 @@
 #include "registry/params.h"
 
 #include <algorithm>
+#include <cstring>
 #include <iterator>
 
 namespace phys {
@@ -14,7 +15,7 @@ phys_params wholeParams(const phys_params &given) {
     return isOlder(given) ? completed(given, phys_params_init) : given;
 }
 
-BallRun::BallRun(const phys_stepper &stepper, const phys_batch &batch, uint64_t ball, bool paramsAreChecked)
+BallRun::BallRun(phys_stepper &stepper, const phys_batch &batch, uint64_t ball, bool paramsAreChecked)
     : m_stepper(&stepper)
     , m_batch(&batch)
     , m_number(ball)
@@ -66,15 +67,46 @@ phys_status BallRun::tryStep(decltype(&makeStep) make, phys_state &next) const {
     return make(*m_stepper, m_params, m_batch->dt, state(), next, nullptr, nullptr);
 }
 
-void BallRun::step(uint64_t number, decltype(&makeStep) make) {
-    m_params.gravity = gravity(number);
-    m_done = number;
+uint64_t BallRun::nextStop() const {
+    const uint64_t steps = m_batch->step_count, every = m_batch->path_every;
+    if (!m_path) return steps;
+    const uint64_t last = m_pathCount * every;
+    return steps - last < every ? steps : last + every;
+}
+
+uint64_t BallRun::advance(uint64_t step, decltype(&makeStep) make) {
+    m_params.gravity = gravity(step);
+    m_done = step;
     m_status = tryStep(make, m_states[1 - m_now]);
     m_isRunning = m_status == PHYS_OK;
-    if (!m_isRunning) return;
+    if (!m_isRunning) return step;
     m_now = 1 - m_now;
     ++m_done;
     m_isRunning = !(state().flags & m_batch->stop_flags);
+    if (!m_isRunning || !wasUnchanged()) return m_done;
+    const uint64_t more = stepsOfSameGravity(step);
+    advanceClock(m_batch->dt, more, state());
+    return m_done + more;
+}
+
+/// Whether the last step left the ball as it was, as the same step will then do again. Plugins may have a memory.
+bool BallRun::wasUnchanged() const {
+    return (state().flags & PHYS_AT_REST) && m_batch->dt > 0.0 && !m_stepper->isPlugin && !wantsTally(*m_batch) &&
+           isSameBall(m_states[0], m_states[1]);
+}
+
+/// The number of steps after this one, until the next stop, that have the same gravity.
+uint64_t BallRun::stepsOfSameGravity(uint64_t step) const {
+    const uint64_t most = nextStop() - (step + 1);
+    if (!m_gravity || m_batch->gravity_step_stride == 0) return most;
+    uint64_t count = 0;
+    while (count < most && std::memcmp(&gravity(step + 1 + count), &m_params.gravity, sizeof m_params.gravity) == 0)
+        ++count;
+    return count;
+}
+
+void BallRun::stop(const phys_state &state) {
+    if (m_path && m_pathCount < pathLength(*m_batch)) m_path[m_pathCount++] = state;
 }
 
 void BallRun::finish() {

@@ -28,7 +28,7 @@ class BallRun {
 public:
     BallRun() = default;
     /// Checks the ball's initial data. paramsAreChecked: except for gravity, if the batch has its own.
-    BallRun(const phys_stepper &stepper, const phys_batch &batch, uint64_t ball, bool paramsAreChecked);
+    BallRun(phys_stepper &stepper, const phys_batch &batch, uint64_t ball, bool paramsAreChecked);
 
     uint64_t number() const { return m_number; }
     /// Whether it is neither done nor failed.
@@ -44,10 +44,13 @@ public:
         return m_gravity ? *at(m_gravity, m_batch->gravity_step_stride, step) : m_params.gravity;
     }
 
-    /// Makes the step of this number: by makeStep, or by `advance` if the shortcut is known not to apply.
-    void step(uint64_t number, decltype(&makeStep) make);
-    /// Appends the state of a running ball to its path.
-    void appendToPath(const phys_state &state) { m_path[m_pathCount++] = state; }
+    /// The number of steps after which its path continues, or its run ends.
+    uint64_t nextStop() const;
+    /// Makes the step of this number, and those until the next stop that leave the ball at rest. Returns how many steps
+    /// are then behind it. make: `advance` if the shortcut is known not to apply.
+    uint64_t advance(uint64_t step, decltype(&makeStep) make = makeStep);
+    /// What happens to a running ball at a stop.
+    void stop(const phys_state &state);
     /// Stores the ball after the last step. A ball that was done earlier keeps its state.
     void finish();
 
@@ -55,8 +58,10 @@ private:
     phys_status check(bool paramsAreChecked) const;
     phys_status tryStep(decltype(&makeStep) make, phys_state &next) const;
     phys_status stepAndTally(phys_state &next) const;
+    bool wasUnchanged() const;
+    uint64_t stepsOfSameGravity(uint64_t step) const;
 
-    const phys_stepper *m_stepper = nullptr;
+    phys_stepper *m_stepper = nullptr;
     const phys_batch *m_batch = nullptr;
     uint64_t m_number = 0; ///< in the batch
     phys_params m_params{};

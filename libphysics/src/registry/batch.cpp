@@ -62,33 +62,7 @@ phys_status checkSharedParams(const phys_stepper &stepper, const phys_batch &bat
     return checkParams(*stepper.api, params, err);
 }
 
-/// The progress of the balls.
-class Outcome {
-public:
-    Outcome(const phys_batch &batch, phys_error *err)
-        : m_batch(batch)
-        , m_err(err) {}
-
-    void add(const BallRun &run) {
-        const uint64_t ball = run.number();
-        if (m_batch.steps_done) m_batch.steps_done[ball] = run.stepsDone();
-        if (m_batch.statuses) m_batch.statuses[ball] = run.status();
-        if (run.status() == PHYS_OK || m_first != PHYS_OK || m_batch.statuses) return;
-        m_first = fail(m_err, run.status(), "ball %llu fails in step %llu: %s", static_cast<unsigned long long>(ball),
-                       static_cast<unsigned long long>(run.stepsDone()), phys_status_text(run.status()));
-    }
-
-    /// The error of the first failed ball, if there are no statuses to report it.
-    phys_status status() const { return m_first; }
-
-private:
-    const phys_batch &m_batch;
-    phys_error *m_err;
-    phys_status m_first = PHYS_OK;
-};
-
-phys_status runBalls(const phys_stepper &stepper, const phys_batch &batch, uint64_t first, uint64_t count,
-                     phys_error *err) {
+phys_status runBalls(phys_stepper &stepper, const phys_batch &batch, uint64_t first, uint64_t count, phys_error *err) {
     const bool areShared = batch.params_stride == 0;
     if (areShared) {
         if (const phys_status status = checkSharedParams(stepper, batch, err)) return status;
@@ -96,15 +70,7 @@ phys_status runBalls(const phys_stepper &stepper, const phys_batch &batch, uint6
     Outcome outcome(batch, err);
     // A ball that slides in a lane needs no test for slipping.
     const bool mayUseLanes = batch.dt > 0.0 && !(batch.stop_flags & PHYS_SLIPPING) && !wantsTally(batch);
-    const LaneSteps *steps = mayUseLanes ? stepper.lanes : nullptr;
-    const uint64_t together = steps ? SideBySide::kMost : 1;
-    for (uint64_t ball = first; ball < first + count;) {
-        const uint64_t next = ball + std::min(together, first + count - ball);
-        SideBySide balls(stepper, batch, steps, areShared);
-        for (; ball < next; ++ball) balls.add(ball);
-        balls.run();
-        for (const BallRun &run : balls.balls()) outcome.add(run);
-    }
+    SideBySide(stepper, batch, mayUseLanes ? stepper.lanes : nullptr, areShared, outcome).run(first, first + count);
     return outcome.status();
 }
 

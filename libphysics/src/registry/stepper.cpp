@@ -26,16 +26,20 @@ namespace {
 /// Integers up to here are representable as doubles.
 constexpr uint64_t kCountedSteps = uint64_t{1} << 53;
 
-inline phys_status checkArguments(const phys_stepper &stepper, const phys_params &params, double dt,
-                                  const phys_state &state, phys_error *err) {
+inline phys_status checkParamsAndDt(const phys_stepper &stepper, const phys_params &params, double dt,
+                                    phys_error *err) {
     if (const phys_status status = checkDt(dt, err)) return status;
-    if (const phys_status status = checkParams(*stepper.api, params, err)) return status;
+    return checkParams(*stepper.api, params, err);
+}
+
+inline phys_status checkBall(const phys_stepper &stepper, const phys_params &params, const phys_state &state,
+                             phys_error *err) {
     if (const phys_status status = checkState(state, err)) return status;
     return checkPull(*stepper.scene, params, state, err);
 }
 
 /// A step for which the stepper has no shortcut.
-phys_status stepInFull(const phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
+phys_status stepInFull(phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
                        phys_state &out, phys_report *report, phys_error *err) {
     phys_state next;
     if (const phys_status status = advance(stepper, params, dt, in, next, report, err)) return status;
@@ -44,7 +48,7 @@ phys_status stepInFull(const phys_stepper &stepper, const phys_params &params, d
 }
 
 /// makeStep, inlined for the single steps of a caller.
-inline phys_status step(const phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
+inline phys_status step(phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
                         phys_state &out, phys_report *report, phys_error *err) {
     if (dt == 0.0) {
         out = in;
@@ -58,7 +62,7 @@ inline phys_status step(const phys_stepper &stepper, const phys_params &params, 
     return PHYS_OK;
 }
 
-phys_status stepAndReport(const phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
+phys_status stepAndReport(phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
                           phys_state &out, phys_report &report, phys_error *err) {
     if (!isKnownSize<phys_report>(report.struct_size)) {
         return fail(err, PHYS_ERROR_ARGUMENT, "report.struct_size is %u; expected %zu: call phys_report_init first",
@@ -78,10 +82,11 @@ phys_status stepAndReport(const phys_stepper &stepper, const phys_params &params
     return PHYS_OK;
 }
 
-/// A step of a ball at rest, with a built-in stepper and without a report.
+/// A step of a ball at rest with the known arguments, by a built-in stepper and without a report.
 phys_status stepAtRest(phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
                        phys_state &out, phys_error *err) {
-    if (dt > 0.0 && isModerate(in.time) && stepper.rest.holds(params, dt, in)) {
+    phys_state &rest = stepper.known.rest;
+    if (dt > 0.0 && isModerate(in.time) && isSameBall(in, rest)) {
         const double time = nextTime(in, dt);
         const uint64_t number = in.step + 1;
         if (&out != &in) out = in;
@@ -89,10 +94,10 @@ phys_status stepAtRest(phys_stepper &stepper, const phys_params &params, double 
         out.step = number;
         return PHYS_OK;
     }
-    if (const phys_status status = checkArguments(stepper, params, dt, in, err)) return status;
+    if (const phys_status status = checkBall(stepper, params, in, err)) return status;
     const phys_state before = in;
     if (const phys_status status = step(stepper, params, dt, in, out, nullptr, err)) return status;
-    if (KnownRest::isSameBall(before, out)) stepper.rest.keep(params, dt, out);
+    if (isSameBall(before, out)) rest = out;
     return PHYS_OK;
 }
 
@@ -103,8 +108,14 @@ phys_status createPlugin(phys_stepper &stepper, phys_error *err) {
 
 } // namespace
 
-phys_status makeStep(const phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
-                     phys_state &out, phys_report *report, phys_error *err) {
+void learn(phys_stepper &stepper, const phys_params &params, double dt) {
+    stepper.known = {params, dt, {}};
+    if (stepper.lanes) stepper.lanes->prepare(stepper.self, params, dt);
+}
+
+phys_status makeStep(phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in, phys_state &out,
+                     phys_report *report, phys_error *err) {
+    if (!stepper.known.are(params, dt)) learn(stepper, params, dt);
     return step(stepper, params, dt, in, out, report, err);
 }
 
@@ -123,8 +134,8 @@ void advanceClock(double dt, uint64_t steps, phys_state &state) {
     }
 }
 
-phys_status advance(const phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
-                    phys_state &next, phys_report *report, phys_error *err) {
+phys_status advance(phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in, phys_state &next,
+                    phys_report *report, phys_error *err) {
     if (stepper.isPlugin) next = in; // the built-in steppers fill in the rest themselves
     next.time = nextTime(in, dt);
     next.step = in.step + 1;
@@ -182,9 +193,13 @@ phys_status phys_step(phys_stepper *stepper, const phys_params *params, double d
         const phys_params whole = phys::completed(*params, phys_params_init);
         return phys_step(stepper, &whole, dt, in, out, report, err);
     }
+    if (!stepper->known.are(*params, dt)) {
+        if (const phys_status status = phys::checkParamsAndDt(*stepper, *params, dt, err)) return status;
+        phys::learn(*stepper, *params, dt);
+    }
     if ((in->flags & PHYS_AT_REST) && !report && !stepper->isPlugin)
         return phys::stepAtRest(*stepper, *params, dt, *in, *out, err);
-    if (const phys_status status = phys::checkArguments(*stepper, *params, dt, *in, err)) return status;
+    if (const phys_status status = phys::checkBall(*stepper, *params, *in, err)) return status;
     return report ? phys::stepAndReport(*stepper, *params, dt, *in, *out, *report, err)
                   : phys::step(*stepper, *params, dt, *in, *out, nullptr, err);
 }
@@ -203,7 +218,8 @@ phys_status phys_stepper_requirements(const phys_stepper *stepper, const phys_pa
         const phys_params whole = phys::completed(*params, phys_params_init);
         return phys_stepper_requirements(stepper, &whole, dt, state, out, err);
     }
-    if (const phys_status status = phys::checkArguments(*stepper, *params, dt, *state, err)) return status;
+    if (const phys_status status = phys::checkParamsAndDt(*stepper, *params, dt, err)) return status;
+    if (const phys_status status = phys::checkBall(*stepper, *params, *state, err)) return status;
     if (!PHYS_HAS_SLOT(phys_stepper_api, stepper->api, requirements)) {
         return phys::fail(err, PHYS_ERROR_UNSUPPORTED, "stepper '%s' doesn't tell what it requires", stepper->api->id);
     }

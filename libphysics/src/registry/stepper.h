@@ -12,32 +12,25 @@
 
 namespace phys {
 
-/// Caches the last step that left a ball at rest unchanged. A built-in stepper's result depends only on its inputs, so
-/// the same step needn't be computed again; this is the cheapest kind of step.
-class KnownRest {
-public:
-    /// Whether this is the cached step, apart from time and step number.
-    bool holds(const phys_params &params, double dt, const phys_state &state) const {
-        return dt == m_dt && isSameBall(state, m_state) && std::memcmp(&params, &m_params, sizeof params) == 0;
-    }
-    void keep(const phys_params &params, double dt, const phys_state &state) {
-        m_params = params;
-        m_dt = dt;
-        m_state = state;
-    }
+/// What is known from earlier steps, and is the same for the next one unless its arguments differ. A built-in stepper's
+/// result depends only on its inputs, so no result depends on it.
+struct KnownArguments {
+    phys_params params{}; ///< that are valid
+    double dt = -1.0;     ///< s, valid; negative: nothing is known
+    phys_state rest{};    ///< a step with these left this ball at rest unchanged, if the flag is set
 
-    /// Compares bytes, apart from time and number, because zeros have a sign.
-    static bool isSameBall(const phys_state &a, const phys_state &b) {
-        constexpr size_t kBegin = offsetof(phys_state, position);
-        const auto bytesOf = [](const phys_state &state) { return reinterpret_cast<const char *>(&state) + kBegin; };
-        return std::memcmp(bytesOf(a), bytesOf(b), sizeof a - kBegin) == 0;
+    /// Compares bytes, because zeros have a sign.
+    bool are(const phys_params &others, double length) const {
+        return length == dt && std::memcmp(&others, &params, sizeof params) == 0;
     }
-
-private:
-    phys_params m_params{};
-    double m_dt = 0.0; ///< s; 0: nothing is cached
-    phys_state m_state{};
 };
+
+/// Compares bytes, apart from time and number.
+inline bool isSameBall(const phys_state &a, const phys_state &b) {
+    constexpr size_t kBegin = offsetof(phys_state, position);
+    const auto bytesOf = [](const phys_state &state) { return reinterpret_cast<const char *>(&state) + kBegin; };
+    return std::memcmp(bytesOf(a), bytesOf(b), sizeof a - kBegin) == 0;
+}
 
 } // namespace phys
 
@@ -48,7 +41,7 @@ struct phys_stepper {
     phys_scene_view view;
     bool isPlugin;
     const phys::LaneSteps *lanes; ///< its ability to move balls in lanes, or nullptr
-    phys::KnownRest rest;
+    phys::KnownArguments known;
 };
 
 namespace phys {
@@ -56,14 +49,17 @@ namespace phys {
 /// Time and step of a state after this many further steps of dt.
 void advanceClock(double dt, uint64_t steps, phys_state &state);
 
+/// Prepares for steps with other arguments, which are valid.
+void learn(phys_stepper &stepper, const phys_params &params, double dt);
+
 /// Like phys_step, for checked arguments: `out` may be `in`, and is written on success only. report: a fresh one, or
 /// nullptr.
-phys_status makeStep(const phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
-                     phys_state &out, phys_report *report, phys_error *err);
+phys_status makeStep(phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in, phys_state &out,
+                     phys_report *report, phys_error *err);
 
 /// One step of dt > 0 from `in` to `next`, which must differ; `next` is valid only after PHYS_OK. A plugin isn't
 /// trusted: its status and its outputs are checked.
-phys_status advance(const phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
-                    phys_state &next, phys_report *report, phys_error *err);
+phys_status advance(phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in, phys_state &next,
+                    phys_report *report, phys_error *err);
 
 } // namespace phys

@@ -5,7 +5,7 @@
 #include "base/orientation.h"
 #include "floor_contact.h"
 #include "known_places.h"
-#include "region_step.h"
+#include "lane_step.h"
 #include "registry/lanes.h"
 #include "registry/report.h"
 #include "requirements.h"
@@ -20,43 +20,28 @@ template<class Scheme, RegionRule kRule>
 class LaneStepper {
 public:
     static const void *extension(void *, const char *id) {
-        static constexpr LaneSteps kSteps{begin, enter, step, one, leave};
+        static constexpr LaneSteps kSteps{begin, enter, stepInLanes<Scheme, kRule, Pair>, prepare, one, leave};
         return std::strcmp(id, kLanesId) == 0 ? &kSteps : nullptr;
     }
 
 private:
-    /// What a step reads of a ball and its parameters besides position and velocity.
-    struct Kind {
-        bool isRigid, slides;
+    static constexpr uint32_t kReportedCap = kRule == RegionRule::Swept ? 0 : kSubstepCap;
 
-        explicit Kind(const phys_params &params)
-            : isRigid(params.model == PHYS_MODEL_RIGID)
-            , slides(isRigid && params.sliding_friction == 0.0) {}
-
-        bool grips() const { return isRigid && !slides; }
-        bool mayLean(const phys_params &params) const { return !isRigid || params.wall_friction == 0.0; }
-        double share() const { return slides ? 1.0 : 5.0 / 7.0; }
-        double friction(const phys_params &params) const { return isRigid ? params.sliding_friction : 0.0; }
-        /// gripHolds, with one rounding step of margin.
-        double grip(const phys_params &params) const {
-            const double steepest = 3.5 * params.sliding_friction;
-            return grips() ? steepest * steepest * (1.0 - 1e-9) : 0x1p400;
-        }
-    };
-
-    static RegionLimits limitsOf(const Scene &scene, double dt) {
+    /// fall: m, upper bound of the ball's fall in a step; from mayFallOffFloor.
+    static RegionLimits limitsOf(const Scene &scene, double dt, double fall) {
         const bool isOpen = kRule == RegionRule::Substeps && scene.boxes.size() == 1;
         // From isSlow and FloorView. A single floor needs neither, only finite numbers for the computation.
         const bool isUsual = dt >= 1e-9 && dt <= 1e3;
-        const double reach = isOpen ? 1e6 : 0.5 * scene.radius * (1.0 - 1e-9) - 4.0 * scene.tolerance;
+        const double reach = !isUsual ? -1.0 : isOpen ? 1e6 : 0.5 * scene.radius * (1.0 - 1e-9) - 4.0 * scene.tolerance;
         // From mayRest, under the strongest gravity.
-        return {dt, isUsual ? reach : -1.0, 3.5e-17 * scene.radius, isOpen, false};
+        return {dt, reach, 3.5e-17 * scene.radius, isOpen || (kRule == RegionRule::Substeps && fall > reach)};
     }
 
     /// The longest displacement of a step where nothing is near. swept checks once whether a long path is free, and
     /// then makes it in one piece; where it puts the ball exactly onto its floor, and friction can't speed it up, this
     /// changes no bit.
-    static double farthestOf(double reach, const phys_params &params, const Kind &kind, const FloorRegion &region) {
+    static double farthestOf(double reach, const phys_params &params, const FloorKind &kind,
+                             const FloorRegion &region) {
         const bool mayBeLong = kRule == RegionRule::Swept && region.isEven && kind.friction(params) == 0.0;
         return mayBeLong && reach > 0.0 ? 0x1p100 : reach;
     }
@@ -68,8 +53,8 @@ private:
     }
 
     /// Whether a ball rolls or slides on the floor with no other spin than that.
-    static bool isOnFloor(const PlanInput &input, const Kind &kind) {
-        if (asReported(input.params) || !input.isOnFloor()) return false;
+    static bool isOnFloor(const PlanInput &input, const FloorKind &kind) {
+        if (!input.isOnFloor()) return false;
         if (!kind.isRigid) return true;
         const Vec3 spin = toVec(input.state.spin);
         const double turn = input.dt * (kind.slides ? glm::length(spin) : std::abs(spin.z));
@@ -97,42 +82,48 @@ private:
 
     // One ball.
 
+    static void prepare(void *self, const phys_params &params, double dt) {
+        KnownPlaces &places = *static_cast<KnownPlaces *>(self);
+        const FloorKind kind(params);
+        const phys_vec3 &g = params.gravity;
+        const bool isOther = params.options & ~static_cast<uint32_t>(PHYS_OPTION_ORIENTATION);
+        const RegionLimits limits = limitsOf(places.scene(), dt, dt * dt * -g.z);
+        const auto drive = driveOf<double>({g.x, g.y}, g.z, kind.share(), params.rolling_friction,
+                                           kind.friction(params), kind.grip(params), limits);
+        places.prepared() = {!isOther && !asReported(params), kind, kind.mayLean(params), limits, drive};
+    }
+
     static bool one(void *self, const phys_params &params, double dt, const phys_state &in, phys_state &out,
                     phys_report *report) {
         KnownPlaces &places = *static_cast<KnownPlaces *>(self);
+        const auto &[isPossible, kind, mayLean, limits, drive] = places.prepared();
         const PlanInput input{places.scene(), params, dt, in};
-        const Kind kind(params);
-        const bool isOther = params.options & ~static_cast<uint32_t>(PHYS_OPTION_ORIENTATION);
-        if (isOther || (report && kind.slides) || !isOnFloor(input, kind)) return false;
-        RegionLimits limits = limitsOf(places.scene(), dt);
-        limits.mayGrip = kind.grips();
-        const bool mayLean = kind.mayLean(params), rests = isAtRest(in);
-        const phys_vec3 &g = params.gravity;
-        const FloorDrive<double> drive{{g.x, g.y}, g.z, kind.share(), params.rolling_friction};
+        if (!isPossible || (report && kind.slides) || !isOnFloor(input, kind)) return false;
         const FloorRegion *region = regionOf(places, in, mayLean);
-        for (bool isFirst = true; region; isFirst = false) {
+        if (!region) return false;
+        for (bool isFirst = true;; isFirst = false) {
             const BallsInRegion<double> ball{axisOf(region->along[0], mayLean, in.position.x, in.velocity.x),
-                                             axisOf(region->along[1], mayLean, in.position.y, in.velocity.y),
-                                             drive,
-                                             kind.grip(params),
-                                             kind.friction(params),
-                                             rests ? 1.0 : 0.0,
+                                             axisOf(region->along[1], mayLean, in.position.y, in.velocity.y), drive,
                                              report ? limits.reach : farthestOf(limits.reach, params, kind, *region)};
+            if (isAtRest(in) && staysAtRest(ball)) {
+                stayAtRest(input, out, report);
+                return true;
+            }
             const auto asItIs = [](const RegionStep<double> &step) { return step; };
             const RegionStep<double> step = params.rolling_friction > 0.0
                                                 ? StepInRegion<Scheme, kRule, true>::make(ball, limits, asItIs)
                                                 : StepInRegion<Scheme, kRule, false>::make(ball, limits, asItIs);
             const Planar<double> end{in.position.x + step.displacement.x, in.position.y + step.displacement.y};
             if (step.isFine) {
-                take(input, kind, rests, end, step, out, report);
+                take(input, kind, end, step, out, report);
                 return true;
             }
-            if (!isFirst || (region->along[0].has(end.x) && region->along[1].has(end.y))) return false;
+            if (!isFirst || !(region->along[0].endsOpenBefore(end.x) || region->along[1].endsOpenBefore(end.y)))
+                return false;
             // Regions overlap: one that contains the end may also contain the start.
             region = places.regions().find({end.x, end.y, in.position.z}, in.velocity.x == 0.0 || in.velocity.y == 0.0);
-            if (region && !has(*region, in, mayLean)) return false;
+            if (!region || !has(*region, in, mayLean)) return false;
         }
-        return false;
     }
 
     static InRegion<double> axisOf(const FloorRegion::Range &range, bool mayLean, double place, double velocity) {
@@ -140,34 +131,35 @@ private:
             place, velocity, range.low, range.high, faceOf(range.lowFace, mayLean), faceOf(range.highFace, mayLean)};
     }
 
+    static void stayAtRest(const PlanInput &input, phys_state &out, phys_report *report) {
+        if (&out != &input.state) out = input.state;
+        out.velocity = out.spin = {0.0, 0.0, 0.0};
+        Reporter(report, input.state, input.dt).substeps(1, kReportedCap);
+    }
+
     /// Stores the result of the step for the ball.
-    static void take(const PlanInput &input, const Kind &kind, bool rests, const Planar<double> &place,
+    static void take(const PlanInput &input, const FloorKind &kind, const Planar<double> &place,
                      const RegionStep<double> &step, phys_state &out, phys_report *report) {
         const auto &[scene, params, dt, in] = input;
         const Vec2 velocity = inPlane(in.velocity); // `out` may be `in`
         const Vec3 given = toVec(in.spin);
         const auto spinBefore = [&] { return kind.isRigid ? given : rollingSpin(velocity, scene.radius); };
         if (&out != &in) out = in;
-        store(params, kind, scene.radius, rests, {place.x, place.y}, {step.velocity.x, step.velocity.y}, out);
+        store(params, kind, scene.radius, {place.x, place.y}, {step.velocity.x, step.velocity.y}, out);
         if (params.options & PHYS_OPTION_ORIENTATION) {
             rotate(out.orientation, 0.5 * dt * (spinBefore() + toVec(out.spin)));
         }
         if (!report) return;
         Reporter reporter(report, in, dt);
-        reporter.substeps(1, kRule == RegionRule::Swept ? 0 : kSubstepCap);
+        reporter.substeps(1, kReportedCap);
         reporter.lostSlip(spinEnergy(given, scene.radius) - spinEnergy(spinBefore(), scene.radius));
-        if (rests) return;
         const Advance<Vec2> next{{step.velocity.x, step.velocity.y}, {step.displacement.x, step.displacement.y}};
         reporter.lostRolling(1.4 * rollingLaw(params).B * meanWay<Scheme>(velocity, next, dt));
     }
 
     /// Stores a ball except for its height, orientation, time and step.
-    static void store(const phys_params &params, const Kind &kind, double radius, bool rests, const Vec2 &place,
+    static void store(const phys_params &params, const FloorKind &kind, double radius, const Vec2 &place,
                       const Vec2 &velocity, phys_state &state) {
-        if (rests) {
-            state.velocity = state.spin = {0.0, 0.0, 0.0};
-            return;
-        }
         state.position.x = place.x;
         state.position.y = place.y;
         state.velocity = {velocity.x, velocity.y, 0.0};
@@ -183,13 +175,14 @@ private:
     static void begin(void *self, const phys_params &params, double dt, Lanes &lanes) {
         const Scene &scene = static_cast<KnownPlaces *>(self)->scene();
         lanes = {};
-        const RegionLimits limits = limitsOf(scene, dt);
+        const RegionLimits limits = limitsOf(scene, dt, 0.0);
         lanes.dt = dt;
         lanes.reach = limits.reach;
         lanes.restSquared = limits.restSquared;
-        lanes.isOpen = limits.isOpen;
+        lanes.mayFall = limits.mayFall;
         lanes.radius = scene.radius;
         lanes.resists = params.rolling_friction > 0.0;
+        lanes.tilted = ~0U;
         for (uint32_t i = 0; i < kLaneCount; ++i) {
             lanes.gravityZ[i] = -1.0;
             for (LaneAxis *along : {&lanes.x, &lanes.y}) keepTo({}, true, *along, i);
@@ -198,8 +191,9 @@ private:
 
     static bool enter(void *self, const phys_params &params, const phys_state &state, Lanes &lanes, uint32_t i) {
         KnownPlaces &places = *static_cast<KnownPlaces *>(self);
-        const Kind kind(params);
-        const bool isUsual = params.options == 0 && lanes.resists == (params.rolling_friction > 0.0);
+        const FloorKind kind(params);
+        const bool isUsual = params.options == 0 && !asReported(params) && state.flags != PHYS_AT_REST &&
+                             lanes.resists == (params.rolling_friction > 0.0);
         if (!isUsual || !isOnFloor({places.scene(), params, lanes.dt, state}, kind)) return false;
         const bool mayLean = kind.mayLean(params);
         const FloorRegion *region = regionOf(places, state, mayLean);
@@ -213,9 +207,7 @@ private:
         lanes.share[i] = kind.share();
         lanes.resistance[i] = params.rolling_friction;
         lanes.friction[i] = kind.friction(params);
-        lanes.mayGrip = lanes.mayGrip || kind.grips();
         lanes.grip[i] = kind.grip(params);
-        lanes.rests[i] = isAtRest(state) ? 1.0 : 0.0;
         lanes.farthest[i] = farthestOf(lanes.reach, params, kind, *region);
         return true;
     }
@@ -227,45 +219,8 @@ private:
         along.highFace[i] = faceOf(range.highFace, mayLean);
     }
 
-    static uint32_t step(Lanes &lanes) { return lanes.resists ? roll<true>(lanes) : roll<false>(lanes); }
-
-    template<bool kResists>
-    static uint32_t roll(Lanes &lanes) {
-        const RegionLimits limits{lanes.dt, lanes.reach, lanes.restSquared, lanes.isOpen, lanes.mayGrip};
-        uint32_t moved = 0;
-        for (uint32_t lane = 0; lane < kLaneCount; lane += kWidth<Pair>) {
-            const BallsInRegion<Pair> balls = load(lanes, lane);
-            moved |= StepInRegion<Scheme, kRule, kResists>::make(balls, limits, [&](const RegionStep<Pair> &step) {
-                move(balls.x, step.displacement.x, step.velocity.x, step.isFine, lanes.x, lane);
-                move(balls.y, step.displacement.y, step.velocity.y, step.isFine, lanes.y, lane);
-                return bitsOf(step.isFine) << lane;
-            });
-        }
-        return moved;
-    }
-
-    static BallsInRegion<Pair> load(const Lanes &lanes, uint32_t lane) {
-        const auto of = [lane](const LaneNumbers &numbers) { return phys::load<Pair>(numbers + lane); };
-        const auto along = [of](const LaneAxis &axis) {
-            return InRegion<Pair>{of(axis.position), of(axis.velocity), of(axis.low),
-                                  of(axis.high),     of(axis.lowFace),  of(axis.highFace)};
-        };
-        const Planar<Pair> pull{of(lanes.x.gravity), of(lanes.y.gravity)};
-        return {
-            along(lanes.x),    along(lanes.y),     {pull, of(lanes.gravityZ), of(lanes.share), of(lanes.resistance)},
-            of(lanes.grip),    of(lanes.friction), of(lanes.rests),
-            of(lanes.farthest)};
-    }
-
-    /// Stores the balls' results along an axis; balls for which `fine` is false are unchanged.
-    static void move(const InRegion<Pair> &ball, Pair displacement, Pair velocity, MaskOf<Pair> isFine, LaneAxis &along,
-                     uint32_t lane) {
-        phys::store(choose(isFine, ball.place + displacement, ball.place), along.position + lane);
-        phys::store(choose(isFine, velocity, ball.velocity), along.velocity + lane);
-    }
-
     static void leave(const phys_params &params, const Lanes &lanes, uint32_t i, phys_state &state) {
-        store(params, Kind(params), lanes.radius, lanes.rests[i] != 0.0, {lanes.x.position[i], lanes.y.position[i]},
+        store(params, FloorKind(params), lanes.radius, {lanes.x.position[i], lanes.y.position[i]},
               {lanes.x.velocity[i], lanes.y.velocity[i]}, state);
     }
 };

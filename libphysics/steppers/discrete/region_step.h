@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A step of balls on the floor, each in a region where it only rolls, leans on walls or rests. The code is the same for
-// one ball and for several side by side (base/pair.h), and gives the results of FloorRun, or of LastFooting at rest.
+// A step of balls on the floor, each in a region where it only rolls or leans on walls. The code is the same for one
+// ball and for several side by side (base/pair.h), and gives the results of FloorRun.
 #pragma once
 
 #include "base/pair.h"
@@ -19,29 +19,42 @@ struct RegionLimits {
     double h;           ///< s
     double reach;       ///< m: longest displacement in a step beside a face; negative if h is unusual
     double restSquared; ///< m^2/s^2: a ball with a larger squared speed isn't at rest
-    bool isOpen;        ///< whether there is only a floor, which a ball must not leave
-    bool mayGrip;       ///< whether `grip` limits the slope for any ball
+    bool mayFall;       ///< whether it must be checked that balls stay on the floor
 };
 
-/// The effect of gravity on balls on the floor, model.md 2.1.
+/// The speed (m/s) up to which resistance may stop a ball within h, from nearStop.
+template<class N>
+N stopSpeed(const Planar<N> &A, N B, double h) {
+    const N drive = length(A);
+    return choose(B < drive, 1.0, 4.0) * (drive + B) * h;
+}
+
+/// What gravity and friction do to balls on the floor, model.md 2.1.
 template<class N>
 struct FloorDrive {
-    Planar<N> pull; ///< gravity along the floor, m/s^2
-    N normal;       ///< gravity into it, m/s^2
-    Planar<N> A;    ///< acceleration of a ball that nothing holds, m/s^2
-    N B;            ///< rolling resistance, m/s^2
-
-    FloorDrive(const Planar<N> &along, N gravityZ, N share, N resistance)
-        : pull(along)
-        , normal(-gravityZ)
-        , A(share * along)
-        , B(share * (resistance * normal)) {}
-
-    /// Whether parameters may have this gravity, which in a batch differs from step to step.
-    MaskOf<N> isAllowed() const {
-        return all(magnitude(pull.x) + magnitude(pull.y) <= kMostGravity, normal <= kMostGravity, normal > 0.0);
-    }
+    Planar<N> A; ///< acceleration of a ball that nothing holds, m/s^2
+    N B;         ///< rolling resistance, m/s^2
+    N pull; ///< upper bound of what may accelerate a ball, m/s^2; INFINITY if steps in regions aren't for this drive
+    N stop; ///< square of stopSpeed, m^2/s^2
+    N slow; ///< square of the longest way without the drive, m^2; -1 if even the drive's is too long
 };
+
+/// The drive of a tilt. share: of the drive that accelerates the ball; resistance: coefficient of rolling friction;
+/// friction: that of the sliding friction which may speed the ball up; grip: square of the slope up to which it rolls.
+template<class N>
+FloorDrive<N> driveOf(const Planar<N> &gravity, N gravityZ, N share, N resistance, N friction, N grip,
+                      const RegionLimits &limits) {
+    const double h = limits.h;
+    const N normal = -gravityZ, level = magnitude(gravity.x) + magnitude(gravity.y);
+    const Planar<N> A = share * gravity;
+    const N B = share * (resistance * normal);
+    // In a batch gravity isn't checked in each step.
+    const auto isUsual = all(level <= kMostGravity, normal <= kMostGravity, normal > 0.0,
+                             dot(gravity, gravity) <= grip * (normal * normal));
+    const N pull = choose(isUsual, level + friction * normal, INFINITY);
+    const N stop = stopSpeed(A, B, h), farthest = limits.reach - h * h * pull; // from reachOfStep
+    return {A, B, pull, stop * stop, choose(farthest > 0.0, farthest * farthest, -1.0)};
+}
 
 /// One axis of balls in their regions: either nothing is near a ball, or it is at a face with no speed along the axis.
 template<class N>
@@ -69,9 +82,6 @@ template<class N>
 struct BallsInRegion {
     InRegion<N> x, y;
     FloorDrive<N> drive;
-    N grip;     ///< square of the slope up to which the ball rolls
-    N friction; ///< coefficient of the sliding friction that may speed the ball up
-    N rests;    ///< 1: the ball is at rest, 0: it moves
     N farthest; ///< m: longest displacement in a step of swept where nothing is near
 
     Planar<N> velocity() const { return {x.velocity, y.velocity}; }
@@ -105,6 +115,29 @@ Planar<N> clampedVelocity(const UnstoppedLaw<N, kResists> &law, const Planar<N> 
     return v + dt * acceleration(law, v);
 }
 
+/// Which faces press on balls, and what these leave of the drive.
+template<class N>
+struct Lean {
+    MaskOf<N> onX, onY; ///< at a face across that axis
+    Planar<N> A;        ///< m/s^2
+
+    explicit Lean(const BallsInRegion<N> &balls)
+        : onX(isPressed(balls.x, balls.drive.A.x))
+        , onY(isPressed(balls.y, balls.drive.A.y))
+        , A(choose(onX, 0.0, balls.drive.A.x), choose(onY, 0.0, balls.drive.A.y)) {}
+
+private:
+    static MaskOf<N> isPressed(const InRegion<N> &along, N drive) {
+        return any(all(along.isAtLow(), drive < 0.0), all(along.isAtHigh(), drive > 0.0));
+    }
+};
+
+/// Whether a ball that is at rest in its region stays so, model.md 6.3.
+inline bool staysAtRest(const BallsInRegion<double> &ball) {
+    const Planar<double> A = Lean<double>(ball).A;
+    return dot(A, A) <= ball.drive.B * ball.drive.B && ball.drive.pull < INFINITY;
+}
+
 /// The step of a scheme, without regard to regions. kResists: whether there is rolling friction, for all balls or for
 /// none.
 template<class Scheme, RegionRule kRule, bool kResists>
@@ -113,15 +146,15 @@ struct StepInRegion {
     template<class N, class Take>
     static auto make(const BallsInRegion<N> &balls, const RegionLimits &limits, Take take) {
         const bool areFree = bitsOf(any(balls.x.velocity == 0.0, balls.y.velocity == 0.0)) == 0;
-        return areFree ? take(rollFree(balls, limits)) : take(rollOrRest(balls, limits));
+        return areFree ? take(rollFree(balls, limits)) : take(rollBeside(balls, limits));
     }
 
 private:
-    /// Balls none of which is at a face or at rest.
+    /// Balls none of which is at a face.
     template<class N>
     static RegionStep<N> rollFree(const BallsInRegion<N> &balls, const RegionLimits &limits) {
         const InRegion<N> &x = balls.x, &y = balls.y;
-        RegionStep<N> step = rollBy(balls.drive.A, balls, limits);
+        RegionStep<N> step = rollBy(balls.drive.A, balls.drive.stop, balls, limits);
         const N farthest = kRule == RegionRule::Swept ? balls.farthest : N(limits.reach);
         MaskOf<N> isFine =
             all(step.isFine, isSlow(balls, farthest, limits.h), x.isFree(x.place + step.displacement.x),
@@ -130,87 +163,59 @@ private:
             const Planar<N> turn = 0.5 * limits.h * balls.velocity();
             isFine = all(isFine, wayOf(step) <= farthest, x.isFree(x.place + turn.x), y.isFree(y.place + turn.y));
         }
-        if (mayFall(balls, limits)) isFine = all(isFine, staysOnFloor(balls, limits));
+        if (limits.mayFall) isFine = all(isFine, staysOnFloor(balls, limits));
         step.isFine = isFine;
         return step;
     }
 
     /// Any balls.
     template<class N>
-    static RegionStep<N> rollOrRest(const BallsInRegion<N> &balls, const RegionLimits &limits) {
-        const auto &[x, y, drive, grip, friction, rests, farthest] = balls;
+    static RegionStep<N> rollBeside(const BallsInRegion<N> &balls, const RegionLimits &limits) {
+        const InRegion<N> &x = balls.x, &y = balls.y;
+        const FloorDrive<N> &drive = balls.drive;
         const double h = limits.h;
-        // A face removes the component of the drive into it for a ball that leans on it.
-        const auto leansX = any(all(x.isAtLow(), drive.A.x < 0.0), all(x.isAtHigh(), drive.A.x > 0.0));
-        const auto leansY = any(all(y.isAtLow(), drive.A.y < 0.0), all(y.isAtHigh(), drive.A.y > 0.0));
-        const Planar<N> A{choose(leansX, 0.0, drive.A.x), choose(leansY, 0.0, drive.A.y)};
+        const Lean<N> lean(balls);
         const Planar<N> velocity = balls.velocity();
-        RegionStep<N> step = rollBy(A, balls, limits);
-        step.velocity = {choose(leansX, 0.0, step.velocity.x), choose(leansY, 0.0, step.velocity.y)};
-        step.displacement = {choose(leansX, 0.0, step.displacement.x), choose(leansY, 0.0, step.displacement.y)};
+        const N stop = stopSpeed(lean.A, drive.B, h);
+        RegionStep<N> step = rollBy(lean.A, stop * stop, balls, limits);
+        step.velocity = {choose(lean.onX, 0.0, step.velocity.x), choose(lean.onY, 0.0, step.velocity.y)};
+        step.displacement = {choose(lean.onX, 0.0, step.displacement.x), choose(lean.onY, 0.0, step.displacement.y)};
 
         // Other faces are looked for along the displacement without the face on which the ball leans.
         const N aheadX = (magnitude(velocity.x) + (magnitude(drive.A.x) + drive.B) * h) * h;
         const N aheadY = (magnitude(velocity.y) + (magnitude(drive.A.y) + drive.B) * h) * h;
-        const auto isClear = all(x.isClear(choose(leansY, aheadX, 0.0)), y.isClear(choose(leansX, aheadY, 0.0)));
-        auto rolls =
+        const auto isClear = all(x.isClear(choose(lean.onY, aheadX, 0.0)), y.isClear(choose(lean.onX, aheadY, 0.0)));
+        step.isFine =
             all(step.isFine, isSlow(balls, N(limits.reach), h), wayOf(step) <= limits.reach, isClear,
                 x.has(x.place + step.displacement.x, step.velocity.x),
                 y.has(y.place + step.displacement.y, step.velocity.y), staysFast(limits, velocity, step.velocity));
         if constexpr (kRule == RegionRule::Swept) {
             const Planar<N> turn = 0.5 * h * velocity;
-            rolls = all(rolls, x.has(x.place + turn.x, velocity.x), y.has(y.place + turn.y, velocity.y));
+            step.isFine = all(step.isFine, x.has(x.place + turn.x, velocity.x), y.has(y.place + turn.y, velocity.y));
         }
-        step.isFine = rolls;
-        const auto isAtRest = rests > 0.0;
-        if (bitsOf(isAtRest)) {
-            const auto isHeld = all(dot(A, A) <= drive.B * drive.B, balls.drive.isAllowed(), isClear);
-            step.velocity = {choose(isAtRest, velocity.x, step.velocity.x),
-                             choose(isAtRest, velocity.y, step.velocity.y)};
-            step.displacement = {choose(isAtRest, 0.0, step.displacement.x),
-                                 choose(isAtRest, 0.0, step.displacement.y)};
-            step.isFine = any(all(isAtRest, isHeld), all(rests == 0.0, rolls));
-        }
-        if (mayFall(balls, limits)) step.isFine = all(step.isFine, staysOnFloor(balls, limits));
+        if (limits.mayFall) step.isFine = all(step.isFine, staysOnFloor(balls, limits));
         return step;
     }
 
-    /// The step under a drive, without regard to regions.
+    /// The step under a drive, without regard to regions. Balls that are left to the general case, as those whose
+    /// squared speed isn't above `stop`, get finite substitutes.
     template<class N>
-    static RegionStep<N> rollBy(const Planar<N> &A, const BallsInRegion<N> &balls, const RegionLimits &limits) {
-        const double h = limits.h;
-        const FloorDrive<N> &drive = balls.drive;
+    static RegionStep<N> rollBy(const Planar<N> &A, N stop, const BallsInRegion<N> &balls, const RegionLimits &limits) {
         const Planar<N> velocity = balls.velocity();
-        // From nearStop. Balls that are left to the general case get finite substitutes.
-        const N speedSquared = dot(velocity, velocity), driveLength = length(A);
-        const N stop = choose(drive.B < driveLength, 1.0, 4.0) * (driveLength + drive.B) * h;
-        const auto goesOn = kResists                        ? speedSquared > stop * stop
+        const N speedSquared = dot(velocity, velocity);
+        const auto goesOn = kResists                        ? speedSquared > stop
                             : kRule == RegionRule::Substeps ? speedSquared >= 0.0
                                                             : speedSquared > 0.0;
         const Planar<N> v{choose(goesOn, velocity.x, 1.0), choose(goesOn, velocity.y, 0.0)};
-        const auto next = Scheme::advance(UnstoppedLaw<N, kResists>{A, drive.B}, v, h);
-
-        MaskOf<N> isFine = all(goesOn, balls.drive.isAllowed());
-        if (limits.mayGrip)
-            isFine = all(isFine, dot(drive.pull, drive.pull) <= balls.grip * (drive.normal * drive.normal));
-        return {next.velocity, next.displacement, isFine};
+        const auto next = Scheme::advance(UnstoppedLaw<N, kResists>{A, balls.drive.B}, v, limits.h);
+        return {next.velocity, next.displacement, goesOn};
     }
 
-    /// Whether a ball moves by at most `most` (m).
+    /// Whether a ball moves by at most `most` (m), which is the limits' reach where substeps would make it longer.
     template<class N>
     static MaskOf<N> isSlow(const BallsInRegion<N> &balls, N most, double h) {
         if constexpr (kRule == RegionRule::Swept) return reach(balls, h) <= most;
-        // From reachOfStep, comparing squares.
-        const double hSquared = h * h;
-        const N farthest = most - hSquared * pull(balls);
-        return all(farthest > 0.0, hSquared * dot(balls.velocity(), balls.velocity()) <= farthest * farthest);
-    }
-
-    /// An upper bound of what may accelerate the ball, m/s^2.
-    template<class N>
-    static N pull(const BallsInRegion<N> &balls) {
-        const FloorDrive<N> &drive = balls.drive;
-        return magnitude(drive.pull.x) + magnitude(drive.pull.y) + balls.friction * drive.normal;
+        return h * h * dot(balls.velocity(), balls.velocity()) <= balls.drive.slow;
     }
 
     /// An upper bound of a ball's displacement, m.
@@ -222,7 +227,7 @@ private:
     /// An upper bound of how far a ball can move, m.
     template<class N>
     static N reach(const BallsInRegion<N> &balls, double h) {
-        return (magnitude(balls.x.velocity) + magnitude(balls.y.velocity) + pull(balls) * h) * h;
+        return (magnitude(balls.x.velocity) + magnitude(balls.y.velocity) + balls.drive.pull * h) * h;
     }
 
     /// Whether a step ends neither nearly at rest nor in the opposite direction.
@@ -231,15 +236,6 @@ private:
         const auto isFast = dot(next, next) > limits.restSquared;
         if constexpr (kRule == RegionRule::Substeps) return isFast;
         return all(isFast, dot(next, velocity) > 1.1e-9 * dot(velocity, velocity));
-    }
-
-    /// Whether it must be checked that a ball stays on the floor: there is nothing else, or the step is long; from
-    /// mayFallOffFloor.
-    template<class N>
-    static bool mayFall(const BallsInRegion<N> &balls, const RegionLimits &limits) {
-        if (limits.isOpen) return true;
-        if constexpr (kRule == RegionRule::Swept) return false;
-        return bitsOf(balls.drive.normal * (limits.h * limits.h) > limits.reach) != 0;
     }
 
     template<class N>

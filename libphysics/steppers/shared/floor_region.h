@@ -25,6 +25,10 @@ struct FloorRegion {
         bool isFree(double place) const { return place >= low && place <= high; }
         bool isFace(double place) const { return place == lowFace || place == highFace; }
         bool has(double place) const { return isFree(place) || isFace(place); }
+        /// Whether it ends before a place, but not at a face.
+        bool endsOpenBefore(double place) const {
+            return (place < low && lowFace == kNoFace) || (place > high && highFace == kNoFace);
+        }
         /// bend: how far the ball may be off the straight way, m.
         bool isFreeOnWay(double place, double way, double bend) const {
             return place + std::min(way, 0.0) - bend >= low && place + std::max(way, 0.0) + bend <= high;

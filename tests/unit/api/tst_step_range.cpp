@@ -55,6 +55,11 @@ private slots:
         }
     }
     void resultIsAStateOrAStatus();
+
+    void argumentsAreCheckedThatDifferFromThoseBefore_data() { addStepperRows(); }
+    void argumentsAreCheckedThatDifferFromThoseBefore();
+    void argumentsOfTheFirstStepAreChecked_data() { addStepperRows(); }
+    void argumentsOfTheFirstStepAreChecked();
 };
 
 void TestStepRange::resultIsAStateOrAStatus() {
@@ -69,6 +74,29 @@ void TestStepRange::resultIsAStateOrAStatus() {
     }
     QVERIFY(QByteArray(ball.error()).contains("2^100"));
     QCOMPARE(std::memcmp(&ball.state, &before, sizeof before), 0);
+}
+
+void TestStepRange::argumentsAreCheckedThatDifferFromThoseBefore() {
+    QFETCH(QByteArray, stepper);
+    Experiment ball(SceneBuilder().start({0, 0, 0}), stepper);
+    const phys_params good = ball.params;
+    for (int i = 0; i < 2; ++i) QVERIFY2(ball.step(0.01), ball.error());
+    for (double phys_params::*member : {&phys_params::restitution_wall, &phys_params::rolling_friction}) {
+        ball.params.*member = -1.0;
+        QVERIFY(!ball.step(0.01));
+        ball.params = good;
+        QVERIFY2(ball.step(0.01), ball.error());
+    }
+    QVERIFY(!ball.step(-0.01));
+    QVERIFY2(ball.step(0.01), ball.error());
+}
+
+/// Zeros are what a stepper might begin with.
+void TestStepRange::argumentsOfTheFirstStepAreChecked() {
+    QFETCH(QByteArray, stepper);
+    Experiment ball(SceneBuilder().start({0, 0, 0}), stepper);
+    ball.params = {};
+    QVERIFY(!ball.step(0.0));
 }
 
 QTEST_GUILESS_MAIN(TestStepRange)
