@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Moves to the first impact inside the step, reflects, and continues with the rest: second order across impacts as
 // well, and no tunnelling at any speed.
+#include "discrete/schemes.h"
 #include "discrete/stepper.h"
 #include "discrete/swept_step.h"
-#include "discrete/velocity_verlet.h"
 #include "registry/built_in_steppers.h"
 
 #include <algorithm>

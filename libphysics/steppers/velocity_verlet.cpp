@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Second order where the motion is smooth, at the cost of a second force evaluation.
-#include "discrete/velocity_verlet.h"
-
+#include "discrete/schemes.h"
 #include "discrete/stepper.h"
 #include "registry/built_in_steppers.h"
 

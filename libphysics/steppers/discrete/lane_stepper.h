@@ -6,6 +6,7 @@
 #include "floor_contact.h"
 #include "known_places.h"
 #include "lane_step.h"
+#include "lane_step_by_four.h"
 #include "registry/lanes.h"
 #include "registry/report.h"
 #include "requirements.h"
@@ -19,9 +20,13 @@ namespace phys {
 template<class Scheme, RegionRule kRule>
 class LaneStepper {
 public:
-    static const void *extension(void *, const char *id) {
-        static constexpr LaneSteps kSteps{begin, enter, stepInLanes<Scheme, kRule, Pair>, prepare, one, leave};
-        return std::strcmp(id, kLanesId) == 0 ? &kSteps : nullptr;
+    static const void *extension(void *self, const char *id) {
+        static constexpr LaneSteps kByTwo{begin, enter, stepInLanes<Scheme, kRule, Pair>, prepare, one, leave};
+        static constexpr LaneSteps kByFour{begin, enter, stepByFour<Scheme, kRule>, prepare, one, leave};
+        if (std::strcmp(id, kLanesId) != 0) return nullptr;
+        // Beside walls four are slower: all of them take the longer way if one of them leans, and balls come and go.
+        const bool isOpen = static_cast<KnownPlaces *>(self)->scene().boxes.size() == 1;
+        return isOpen && mayStepByFour() ? &kByFour : &kByTwo;
     }
 
 private:

@@ -150,9 +150,12 @@ struct StepInRegion {
     }
 
 private:
+    // Both are inlined so that balls stay in registers: 6 % of a single step.
+
     /// Balls none of which is at a face.
     template<class N>
-    static RegionStep<N> rollFree(const BallsInRegion<N> &balls, const RegionLimits &limits) {
+    [[gnu::always_inline]] static inline RegionStep<N> rollFree(const BallsInRegion<N> &balls,
+                                                                const RegionLimits &limits) {
         const InRegion<N> &x = balls.x, &y = balls.y;
         RegionStep<N> step = rollBy(balls.drive.A, balls.drive.stop, balls, limits);
         const N farthest = kRule == RegionRule::Swept ? balls.farthest : N(limits.reach);
@@ -170,7 +173,8 @@ private:
 
     /// Any balls.
     template<class N>
-    static RegionStep<N> rollBeside(const BallsInRegion<N> &balls, const RegionLimits &limits) {
+    [[gnu::always_inline]] static inline RegionStep<N> rollBeside(const BallsInRegion<N> &balls,
+                                                                  const RegionLimits &limits) {
         const InRegion<N> &x = balls.x, &y = balls.y;
         const FloorDrive<N> &drive = balls.drive;
         const double h = limits.h;

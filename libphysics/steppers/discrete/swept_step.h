@@ -4,7 +4,7 @@
 #pragma once
 
 #include "discrete.h"
-#include "velocity_verlet.h"
+#include "schemes.h"
 
 #include <optional>
 
