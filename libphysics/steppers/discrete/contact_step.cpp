@@ -219,6 +219,26 @@ bool dropFacing(const StepContext &context, const Ball &ball, Contacts &contacts
     return contacts.count() < all.count();
 }
 
+/// An edge or corner ahead gets the normal of the place where the ball meets it if it moves straight on, by up to the
+/// way over R away from that of its place now: an error that a flight after the impact magnifies. The contact becomes
+/// that of the plane there.
+void meetAhead(const StepContext &context, double h, const Ball &ball, Contacts &contacts) {
+    for (Contact &contact : contacts) {
+        if (contact.isFace() || touches(context, contact)) continue;
+        const Vec3 offset = contact.across(ball.position - contact.point);
+        const Vec3 velocity = contact.across(ball.velocity);
+        // |offset + t velocity| = R
+        const double beyond = glm::dot(offset, offset) - context.radius() * context.radius();
+        const double closing = -glm::dot(offset, velocity);
+        const double root = closing * closing - glm::dot(velocity, velocity) * beyond;
+        if (closing <= 0.0 || root < 0.0) continue;
+        const double t = beyond / (closing + std::sqrt(root));
+        if (!(t <= h)) continue;
+        contact.normal = glm::normalize(offset + t * velocity);
+        contact.gap = -t * glm::dot(velocity, contact.normal);
+    }
+}
+
 bool hasRoom(const StepContext &context, const Vec3 &position) {
     const Scene &scene = context.scene();
     const double overlapping = scene.radius - context.setting.tolerance;
@@ -229,31 +249,37 @@ bool hasRoom(const StepContext &context, const Vec3 &position) {
     return !overlaps;
 }
 
+/// leastPush in the mean of both orders, which favours none.
+Vec3 leastWay(std::span<Push> pushes, double negligible) {
+    Work work; // limited as for a step of `exact`
+    const Vec3 way = leastPush(pushes, negligible, work);
+    if (pushes.size() < 2) return way;
+    std::reverse(pushes.begin(), pushes.end());
+    return 0.5 * (way + leastPush(pushes, negligible, work));
+}
+
 /// The shortest way to where an impact leaves the ball: restitution takes its share of the gaps too, model.md 13.5.
-/// Only of those that the motion before it closes within h, so that the way is never longer than that motion, and not
-/// through anything else: the way to a kerb leads along the floor.
+/// Only of those that the motion before it closes within h, so that the way is never longer than that motion, and
+/// without what leads into other contacts: the way to a kerb leads along the floor.
 Vec3 wayToImpact(const StepContext &context, const Contacts &contacts, double h, const Ball &before) {
-    std::array<Push, Contacts::kMost> pushes;
-    uint32_t count = 0;
-    bool any = false;
+    std::array<Push, Contacts::kMost> closing, others;
+    uint32_t closingCount = 0, otherCount = 0;
     for (const Contact &contact : contacts) {
         const double approach = -glm::dot(before.velocity, contact.normal);
         const double restitution = approach > contact.restSpeed ? contact.restitution : 0.0;
         const double way = (1.0 - restitution * restitution) * contact.gap;
         const bool isReached = approach > 0.0 && contact.gap <= h * (approach + 0.5 * contact.restSpeed);
-        const bool closes = isReached && way > context.setting.tolerance;
-        pushes[count++] = closes ? Push{-contact.normal, way} : Push{contact.normal, -std::max(0.0, contact.gap)};
-        any = any || closes;
+        if (isReached && way > context.setting.tolerance)
+            closing[closingCount++] = {-contact.normal, way};
+        else
+            others[otherCount++] = {contact.normal, -std::max(0.0, contact.gap)};
     }
-    if (!any) return Vec3(0.0);
-    const std::span all(pushes.data(), count);
-    Work work; // limited as for a step of `exact`
+    if (closingCount == 0) return Vec3(0.0);
     const double negligible = 0.5 * context.setting.tolerance;
-    const Vec3 way = leastPush(all, negligible, work);
-    if (count < 2) return way;
-    // The mean of both orders favours none.
-    std::reverse(all.begin(), all.end());
-    return 0.5 * (way + leastPush(all, negligible, work));
+    const Vec3 way = leastWay({closing.data(), closingCount}, negligible);
+    if (otherCount == 0) return way;
+    for (uint32_t i = 0; i < otherCount; ++i) others[i].wanted -= glm::dot(way, others[i].normal);
+    return way + leastWay({others.data(), otherCount}, negligible);
 }
 
 /// Moves the ball there, if it has room and the impact takes more energy than the way.
@@ -271,6 +297,7 @@ bool hit(const StepContext &context, Contacts &contacts, double after, double h,
         return -glm::dot(ball.velocity, contact.normal) > contact.restSpeed;
     });
     if (!any) return false;
+    meetAhead(context, h, ball, contacts);
     Motion motion = motionOf(ball);
     Work work; // limited as for a step of `exact`
     Impacts impacts = resolveImpacts(contacts, context.radius(), motion, work);
@@ -398,7 +425,8 @@ bool rests(const StepContext &context, Ball &ball) {
     // The rolling model's spin isn't independent: it ends with the velocity.
     if (context.isRigid() && radius * glm::length(ball.spin) > still) return false;
     Contacts contacts;
-    if (!findContacts(context.setting, ball.position, motionOf(ball), Vec3(0.0), contacts)) return false;
+    // As at the start of the next step: the motion that is left must not decide.
+    if (!findContacts(context.setting, ball.position, {Vec3(0.0), Vec3(0.0)}, Vec3(0.0), contacts)) return false;
     // In the air, which pulls nothing without gravity, the rolling model's spin stays as well.
     if (contacts.empty() && ball.spin != Vec3(0.0)) return false;
     const Footing footing = Footing::of(contacts, context.setting.tolerance);

@@ -92,6 +92,8 @@ private slots:
     void seamOfFlushFloorsIsNotFelt();
     void edgeOnAParabolaDeflectsAsComputed_data() { addStepperRows(); }
     void edgeOnAParabolaDeflectsAsComputed();
+    void edgeDeflectsAsWhereItIsMet_data() { addStepperAndModelRows(); }
+    void edgeDeflectsAsWhereItIsMet();
     void bouncesAccumulateWhenPredicted_data();
     void bouncesAccumulateWhenPredicted();
     void impactEventTellsWhatHappened_data() { addStepperAndModelRows(); }
@@ -355,6 +357,23 @@ void TestImpacts::edgeOnAParabolaDeflectsAsComputed() {
         COMPARE_WITHIN(ball.state.position.x, time + vx * after, slack);
         COMPARE_WITHIN(ball.state.position.y, 0.2 * time - time * time / 2.0 + vy * after - after * after / 2.0, slack);
     }
+}
+
+/// Not with the normal of the place, up to a step before, from which it is looked for.
+void TestImpacts::edgeDeflectsAsWhereItIsMet() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    constexpr double kOffset = 0.03;
+    Experiment ball(SceneBuilder().ball(kRadius).floor(-1, -1, 2, 1).wall(0.5, -1, 1, 0).start(0.0, kOffset), stepper,
+                    model);
+    makeSmooth(ball);
+    ball.params.restitution_wall = 0.5;
+    ball.roll(0.5, 0.0);
+    QVERIFY2(ball.stepFor(1.0, 1.0 / 40.0), ball.error());
+    const double nx = -std::sqrt(1.0 - kOffset * kOffset / (kRadius * kRadius)), ny = kOffset / kRadius;
+    const double impulse = -1.5 * 0.5 * nx;
+    COMPARE_WITHIN(ball.state.velocity.x, 0.5 + impulse * nx, rounding(256, 1.0));
+    COMPARE_WITHIN(ball.state.velocity.y, impulse * ny, rounding(256, 1.0));
 }
 
 void TestImpacts::bouncesAccumulateWhenPredicted_data() {
