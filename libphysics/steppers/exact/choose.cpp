@@ -11,16 +11,6 @@ namespace phys {
 
 namespace {
 
-/// Whether b is parallel to a, in either direction, up to rounding.
-bool isCollinear(const Vec3 &a, const Vec3 &b) {
-    const auto isRounding = [](const Vec3 &across, double squares) {
-        return glm::dot(across, across) <= 16.0 * kRounding * kRounding * squares;
-    };
-    const double squares = glm::dot(a, a) * glm::dot(b, b);
-    if (squares > 1e-100 && squares < 1e100) return isRounding(glm::cross(a, b), squares);
-    return isRounding(glm::cross(hat(a), hat(b)), 1.0);
-}
-
 /// Whether the path of a rolling ball is certainly curved: its velocity isn't parallel to the drive.
 bool turnsAgainst(const MovingBall &ball, const Vec3 &drive, double resistance) {
     constexpr double kLeast = 1e-10; // sine of the angle between the velocity and its rate of change
@@ -135,6 +125,15 @@ bool slides(const MovingBall &ball, const Touching &touching, const Response &re
 }
 
 } // namespace
+
+bool isCollinear(const Vec3 &a, const Vec3 &b) {
+    const auto isRounding = [](const Vec3 &across, double squares) {
+        return glm::dot(across, across) <= 16.0 * kRounding * kRounding * squares;
+    };
+    const double squares = glm::dot(a, a) * glm::dot(b, b);
+    if (squares > 1e-100 && squares < 1e100) return isRounding(glm::cross(a, b), squares);
+    return isRounding(glm::cross(hat(a), hat(b)), 1.0);
+}
 
 uint32_t onlyFace(const Touching &touching, const Response &response) {
     uint32_t closed = kMostHeld;

@@ -24,6 +24,9 @@ struct Choice {
 /// to slip. Independent of the previous choice, which it replaces.
 phys_status choose(MovingBall &ball, Touching &touching, Choice &choice);
 
+/// Whether b is parallel to a, in either direction, up to rounding.
+bool isCollinear(const Vec3 &a, const Vec3 &b);
+
 /// The closed lasting contact if there is exactly one and it is a face; otherwise kMostHeld.
 uint32_t onlyFace(const Touching &touching, const Response &response);
 

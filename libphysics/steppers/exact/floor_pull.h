@@ -75,10 +75,12 @@ public:
 
     /// Of a ball that rolls or glides along an axis, m/s^2.
     double accelerationAlong(int axis, double speed) const {
-        if (glides()) return level[axis];
         const double heading = speed > 0.0 ? 1.0 : -1.0;
         return drive()[axis] - heading * resistance();
     }
+
+    /// The same in any direction.
+    Vec2 accelerationAlong(const Vec2 &heading) const { return drive() - resistance() * heading; }
 
     /// Whether that acceleration lasts for a time: resistance neither stops nor reverses the ball.
     bool keepsAcceleration(double speed, double acceleration, double time) const {

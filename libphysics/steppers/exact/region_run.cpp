@@ -2,6 +2,7 @@
 #include "exact/region_run.h"
 
 #include "contact/held.h"
+#include "exact/choose.h"
 #include "exact/floor_pull.h"
 #include "exact/last_bounce.h"
 #include "exact/search.h"
@@ -65,9 +66,20 @@ private:
         const Vec3 velocity = m_ball.motion.velocity, drive(m_pull.drive(), 0.0);
         const double B = m_pull.resistance(), R = m_ball.radius();
         if (B == 0.0) return runOn(uniform(drive), End());
-        if (!m_pull.turns(inPlane(velocity), B)) return false;
+        if (!m_pull.turns(inPlane(velocity), B)) return rollStraight();
         const Resisted phase = Resisted::rolling(2, velocity, drive, B, R, m_spin, kUp);
         return runOn(phase, phase.end());
+    }
+
+    /// Along the drive, until resistance stops the ball.
+    bool rollStraight() {
+        const Moment moment = m_ball.moment();
+        const Vec3 turning = tangential(m_spin, kUp), heading = hat(glm::cross(turning, kUp));
+        m_rolling = glm::cross(kUp, heading);
+        const Uniform phase = uniform(Vec3(m_pull.accelerationAlong(inPlane(heading)), 0.0));
+        if (isNoSlip(moment, moment.radius * turning) || !isCollinear(m_rolling, phase.spinAcceleration)) return false;
+        const double speed = glm::dot(m_spin, m_rolling), slows = -glm::dot(phase.spinAcceleration, m_rolling);
+        return runOn(phase, slows > 0.0 ? End{speed / slows, Cause::stop, 0} : End());
     }
 
     Uniform uniform(const Vec3 &a) const {
@@ -92,6 +104,7 @@ private:
     bool moveAlongFace() {
         const Vec3 velocity = m_ball.motion.velocity;
         const int along = 1 - m_rests;
+        m_rolling = glm::cross(kUp, glm::sign(velocity));
         if (!m_pull.presses(m_rests, sideOf(m_rests), inPlane(velocity), m_spin)) return false;
         Vec3 a(0.0);
         a[along] = m_pull.accelerationAlong(along, velocity[along]);
@@ -271,7 +284,7 @@ private:
     }
     Losses losses(const Uniform &phase, double t) const {
         if (!m_rolls) return {};
-        const double turning = std::abs(glm::dot(phase.spinAt(0.5 * t), glm::cross(kUp, glm::sign(phase.velocity))));
+        const double turning = std::abs(glm::dot(phase.spinAt(0.5 * t), m_rolling));
         return {0.0, m_ball.params().rolling_friction * m_pull.pressure * m_ball.radius() * t * turning};
     }
 
@@ -303,8 +316,9 @@ private:
     ContactEvents &m_events;
     double m_floor; ///< m: height of the centre
     FloorPull m_pull;
-    Vec3 m_level;     ///< gravity along the floor, m/s^2
-    Vec3 m_spin{0.0}; ///< at the start of the phase
+    Vec3 m_level;        ///< gravity along the floor, m/s^2
+    Vec3 m_spin{0.0};    ///< at the start of the phase
+    Vec3 m_rolling{0.0}; ///< direction of the spin that resistance opposes, of a ball that rolls straight
     bool m_rolls = false;
     int m_rests = kNone; ///< the axis across which it leans on a face
 };

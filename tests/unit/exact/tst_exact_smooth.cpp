@@ -128,6 +128,7 @@ void ExactSmooth::undisturbedStepsHaveTheBitsOfAllStages_data() {
                 {"gliding", PHYS_MODEL_RIGID, 0.0, 0.0}};
     for (const auto &[name, model, resistance, friction] : laws) {
         QTest::addRow("%s, freely", name) << model << -0.5 << -0.1 << resistance << friction;
+        QTest::addRow("%s, straight against the pull", name) << model << 0.125 << -0.25 << resistance << friction;
         QTest::addRow("%s, along a wall", name) << model << 0.5 << 0.0 << resistance << friction;
         QTest::addRow("%s, off a wall", name) << model << -0.5 << 0.0 << resistance << friction;
         QTest::addRow("%s, back to a wall again and again", name) << model << 8.0 << -0.25 << resistance << friction;
