@@ -148,16 +148,17 @@ private:
         const auto &[scene, params, dt, in] = input;
         const Vec2 velocity = inPlane(in.velocity); // `out` may be `in`
         const Vec3 given = toVec(in.spin);
-        const auto spinBefore = [&] { return kind.isRigid ? given : rollingSpin(velocity, scene.radius); };
+        const double radius = input.scene.radius; // clang captures no structured binding
+        const auto spinBefore = [&] { return kind.isRigid ? given : rollingSpin(velocity, radius); };
         if (&out != &in) out = in;
-        store(params, kind, scene.radius, {place.x, place.y}, {step.velocity.x, step.velocity.y}, out);
+        store(params, kind, radius, {place.x, place.y}, {step.velocity.x, step.velocity.y}, out);
         if (params.options & PHYS_OPTION_ORIENTATION) {
             rotate(out.orientation, 0.5 * dt * (spinBefore() + toVec(out.spin)));
         }
         if (!report) return;
         Reporter reporter(report, in, dt);
         reporter.substeps(1, kReportedCap);
-        reporter.lostSlip(spinEnergy(given, scene.radius) - spinEnergy(spinBefore(), scene.radius));
+        reporter.lostSlip(spinEnergy(given, radius) - spinEnergy(spinBefore(), radius));
         const Advance<Vec2> next{{step.velocity.x, step.velocity.y}, {step.displacement.x, step.displacement.y}};
         reporter.lostRolling(1.4 * rollingLaw(params).B * meanWay<Scheme>(velocity, next, dt));
     }
