@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "swept_step.h"
 
-#include "base/orientation.h"
 #include "scene/nearest.h"
 #include "shared/first_zero.h"
 
@@ -128,11 +127,6 @@ bool SweptStep::advanceFreely() {
     if (!FloorRun<VelocityVerlet>(context, m_plan, m_input.dt).glide(m_ball)) return false;
     turn(m_context.isRigid() ? before.spin : rollingSpin(inPlane(before.velocity), m_context.radius()), m_input.dt);
     return true;
-}
-
-/// Rotates by the mean spin of the t seconds that have passed.
-void SweptStep::turn(const Vec3 &spinBefore, double t) {
-    if (m_plan.runs(PHYS_STAGE_ORIENTATION)) rotate(m_orientation, 0.5 * t * (spinBefore + m_ball.spin));
 }
 
 /// Speed below which an approach doesn't bounce.

@@ -3,6 +3,7 @@
 // 13.5.
 #pragma once
 
+#include "base/orientation.h"
 #include "discrete.h"
 #include "schemes.h"
 
@@ -64,7 +65,10 @@ private:
     Ball at(double t) const { return movedBy(t).ball; }
 
     bool advanceFreely();
-    void turn(const Vec3 &spinBefore, double t);
+    /// Rotates by the mean spin of the t seconds that have passed.
+    void turn(const Vec3 &spinBefore, double t) {
+        if (m_plan.runs(PHYS_STAGE_ORIENTATION)) rotate(m_orientation, 0.5 * t * (spinBefore + m_ball.spin));
+    }
     double restSpeedAlong(const Vec3 &normal) const;
     double leavingSpeed(double restSpeed) const;
     bool touchesGround();
