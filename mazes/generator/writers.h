@@ -9,7 +9,7 @@
 
 namespace mazes {
 
-// The boxes for programs: the format of mazes/README.md. `generator` is one line of free text.
+// The boxes for programs: the format of libphysics/docs/maze_format.md. `generator` is one line of free text.
 std::string textFile(const Board &board, std::string_view generator);
 
 // The boxes for display: one object per box, with bevelled edges inside the box's bounds. `materialFile` is the name of

@@ -20,7 +20,8 @@
  *  this frame: tilting it turns gravity. Formulas are derived in docs/model.md.
  *
  *  These rules hold for every function and are not repeated below:
- *  - A function that can fail returns a phys_status: PHYS_OK or a negative code. On failure every output is untouched.
+ *  - A function that can fail returns a phys_status: PHYS_OK or a negative code. On failure every output is untouched,
+ *    but for the contents of an event buffer.
  *  - `err` may be NULL. On failure it receives one line: what is wrong, which value, what is allowed. On success it is
  *    untouched.
  *  - Pointers must not be NULL unless the text says "or NULL". A NULL is reported as PHYS_ERROR_ARGUMENT.
@@ -29,7 +30,8 @@
  *    the values that *_init gives them. A struct longer than the library knows is refused.
  *  - Results don't depend on the locale or on the floating-point environment (rounding mode, flushed subnormals,
  *    trapped exceptions). A stack of 128 kB suffices.
- *  - Nothing prints, exits, aborts or throws. Only *_create, *_load, *_parse and *_destroy allocate and free memory.
+ *  - Nothing prints, exits, aborts or throws. Only *_create, *_load, *_parse, *_destroy, phys_registry_load_file and
+ *    phys_registry_scan allocate and free memory.
  *  - Scenes and registries are immutable once made and may be shared between threads; a stepper is used by one thread
  *    at a time. There are no globals.
  */
@@ -75,7 +77,7 @@ typedef int32_t phys_status;
 /** The one list of codes: X(name, value, what it means). */
 #define PHYS_STATUS_LIST(X)                                                                                            \
     X(PHYS_OK, 0, "success")                                                                                           \
-    X(PHYS_ERROR_ARGUMENT, -1, "an argument is NULL, of the wrong size or not finite")                                 \
+    X(PHYS_ERROR_ARGUMENT, -1, "an argument is NULL, of the wrong size or outside its allowed range")                  \
     X(PHYS_ERROR_RANGE, -2, "a parameter is not a number or outside its allowed range")                                \
     X(PHYS_ERROR_STATE, -3, "the state, before or after the step, is not one that a ball can have")                    \
     X(PHYS_ERROR_MEMORY, -4, "out of memory")                                                                          \
@@ -153,13 +155,13 @@ PHYS_API phys_status phys_scene_desc_init(phys_scene_desc *desc, size_t size);
  *  Errors: ARGUMENT, SCENE, MEMORY. Free it with phys_scene_destroy. Since 1.0. */
 PHYS_API phys_status phys_scene_create(const phys_scene_desc *desc, phys_scene **out, phys_error *err);
 
-/** Makes a scene from a maze text file (format: mazes/README.md). path: UTF-8. Any thread.
+/** Makes a scene from a maze text file (format: docs/maze_format.md). path: UTF-8. Any thread.
  *  Errors: ARGUMENT, FILE, SYNTAX (with file and line), SCENE, MEMORY. Since 1.0. */
 PHYS_API phys_status phys_scene_load(const char *path, phys_scene **out, phys_error *err);
 
-/** Makes a scene from the text of a maze file in memory (format: mazes/README.md). text: `size` bytes without a final
- *  NUL, or NULL with size 0. name: UTF-8, used in messages in place of a file's path, or NULL for "text". Any thread.
- *  Errors: ARGUMENT, SYNTAX (with name and line), SCENE, MEMORY. Since 1.1. */
+/** Makes a scene from the text of a maze file in memory (format: docs/maze_format.md). text: `size` bytes without a
+ *  final NUL, or NULL with size 0. name: UTF-8, used in messages in place of a file's path, or NULL for "text".
+ *  Any thread. Errors: ARGUMENT, SYNTAX (with name and line), SCENE, MEMORY. Since 1.1. */
 PHYS_API phys_status phys_scene_parse(const char *text, size_t size, const char *name, phys_scene **out,
                                       phys_error *err);
 
@@ -199,8 +201,10 @@ typedef struct phys_contact {
 } phys_contact;
 
 /** All boxes, floors included, whose gap to a ball centred at `centre` is at most `reach` (m, >= 0, finite), in order
- *  of their numbers. Writes at most `capacity` of them to `out` (or NULL if capacity is 0) and the number of all to
- *  `count`. The centre's coordinates must be within +-2^100 m. Any thread. Errors: ARGUMENT. Since 1.0. */
+ *  of their numbers. Flush and identical boxes whose union is a box are one, with the number of that one of them that
+ *  is nearest to the contact's point, the lowest of several. Writes at most `capacity` of them to `out` (or NULL if
+ *  capacity is 0) and the number of all to `count`. The centre's coordinates must be within +-2^100 m. Any thread.
+ *  Errors: ARGUMENT. Since 1.0. */
 PHYS_API phys_status phys_scene_contacts(const phys_scene *scene, const phys_vec3 *centre, double reach,
                                          phys_contact *out, uint32_t capacity, uint32_t *count);
 
@@ -208,7 +212,8 @@ PHYS_API phys_status phys_scene_contacts(const phys_scene *scene, const phys_vec
 
 /** Flags of a state. Each step sets them; steppers never read them. */
 enum {
-    PHYS_AT_REST = 1,  /**< no velocity, no spin, and under unchanged gravity it stays at rest */
+    PHYS_AT_REST = 1,  /**< no velocity, no spin, and steps under the same gravity and parameters leave it at rest (but
+                            one may be refused: for its size, or as a floor now carries the ball) */
     PHYS_AIRBORNE = 2, /**< not supported by a floor */
     PHYS_OUT = 4,      /**< out of the maze: seen from above, the centre is outside the bounds of all boxes */
     PHYS_SLIPPING = 8, /**< rigid model: the floor contact slips */
@@ -263,8 +268,8 @@ typedef struct phys_params {
     double sliding_friction;             /**< >= 0: ball on floor, rigid model */
     double wall_friction;                /**< >= 0: ball on wall, rigid model */
     uint32_t options;                    /**< PHYS_OPTION_* */
-    uint32_t reserved;                   /**< 0 */
-    double stepper[PHYS_STEPPER_VALUES]; /**< values of the stepper's own rows; 0 where it has none */
+    uint32_t reserved;                   /**< 0, not checked */
+    double stepper[PHYS_STEPPER_VALUES]; /**< values of the stepper's own rows; others: 0, not checked */
 } phys_params;
 
 /** Fills params with each row's initial value, gravity (0, 0, -9.81), the rolling model, no options. size =
@@ -349,7 +354,8 @@ typedef struct phys_report {
     uint32_t event_count;    /**< written to events, in order of time */
     uint32_t events_lost;    /**< further events, which didn't fit */
     uint32_t substeps;       /**< substeps the step was cut into; 1 for exact, 0 for dt = 0 */
-    uint32_t substep_cap;    /**< above this the step fails with PHYS_ERROR_SUBSTEP_CAP; 0: no cap */
+    uint32_t substep_cap;    /**< a step that is still moving the ball after these fails with PHYS_ERROR_SUBSTEP_CAP; 0:
+                                  no cap */
     uint32_t passes;         /**< most passes that resolving contacts took at one moment */
     uint32_t pass_cap;       /**< most passes tried: after them a ball without room fails with PHYS_ERROR_STUCK, and
                                   impacts that still approach end without a bounce; 0: a plugin without a cap */
@@ -416,9 +422,9 @@ typedef void (*phys_scan_function)(void *context, const char *path, phys_status 
 /** Loads every *.so (Windows: *.dll) of a folder in order of name. Paths are UTF-8. folder NULL: the folders of
  *  PHYS_PLUGIN_PATH (separated by ':', on Windows by ';'), then `physics-1` beside the library. A refused file doesn't
  *  end the scan; `report` (or NULL) is called for each file. registry NULL: loads nothing and calls `report` with
- *  PHYS_OK and an empty text for each file that would be loaded. So a host can first try each in a process of its own,
- *  because a damaged file may end the process that loads it. Not while another thread uses the registry.
- *  Errors: FILE (the folder doesn't exist), MEMORY. Since 1.0. */
+ *  PHYS_OK and an empty text for each name that would be tried, whatever it is. So a host can first try each in a
+ *  process of its own, because a damaged file may end the process that loads it. Not while another thread uses the
+ *  registry. Errors: FILE (the folder doesn't exist), MEMORY. Since 1.0. */
 PHYS_API phys_status phys_registry_scan(phys_registry *registry, const char *folder, phys_scan_function report,
                                         void *context, phys_error *err);
 
@@ -490,7 +496,8 @@ PHYS_API phys_status phys_batch_init(phys_batch *batch, size_t size);
  *  events PHYS_EVENT_IMPACT, not landings (of a step with more than 64 events, all after the 64th count as impacts).
  *  Without them steps are faster. Allocates nothing. One thread at a time per stepper; threads, each with a stepper of
  *  its own, may run disjoint ranges of one batch. Errors: ARGUMENT, RANGE (of parameters that all balls share), with
- *  outputs untouched; if statuses is NULL, the error of the first ball that fails, with its number, after all have run.
+ *  outputs untouched; if statuses is NULL, the error of the first ball that fails, after all have run: its number and
+ *  step, and what phys_step says of that step.
  *  Since 1.1. */
 PHYS_API phys_status phys_batch_run(phys_stepper *stepper, const phys_batch *batch, uint64_t first, uint64_t count,
                                     phys_error *err);
@@ -513,7 +520,8 @@ enum { PHYS_STAGE_LIST(PHYS_STAGE_ENUMERATOR) PHYS_STAGE_COUNT = 6 };
 /** The stages that the next step runs, and why: frozen. */
 typedef struct phys_requirements {
     uint32_t stages;                     /**< PHYS_STAGE_* bits of the stages that run */
-    uint32_t substeps;                   /**< substeps the step would be cut into */
+    uint32_t substeps;                   /**< of the size that the step begins with; they end early if the ball
+                                              comes to rest, so that more than the cap aren't always a failure */
     char reasons[PHYS_STAGE_COUNT][120]; /**< a sentence for each stage: why it runs or why not */
 } phys_requirements;
 

@@ -31,7 +31,7 @@ typedef struct phys_scene_view {
      *  them, to out (or NULL if capacity is 0) and returns how many there are; 0 for a region that isn't a box. */
     uint32_t (*query)(const void *scene, const phys_box *region, uint32_t *out, uint32_t capacity);
 
-    /** As phys_scene_contacts: boxes within reach (m) of a ball at centre. Returns how many there are. */
+    /** As phys_scene_contacts, flush boxes as one: within reach (m) of a ball at centre. Returns how many. */
     uint32_t (*contacts)(const void *scene, const phys_vec3 *centre, double reach, phys_contact *out,
                          uint32_t capacity);
 } phys_scene_view;

@@ -77,8 +77,8 @@ class Scene(Owner):
     def contacts(self, centre: Any, reach: float = 0.0) -> np.ndarray:
         """All boxes whose gap to a ball at `centre` (3, m) is at most `reach` (m): an array of contact_dtype, by box.
 
-        Boxes that the library merged (identical ones, one inside another, flush ones that make up a larger box) are one,
-        with the number of the one that is nearest to the contact's point, the lowest of equals.
+        Flush and identical boxes whose union is a box are one, with the number of that one of them that is nearest to the
+        contact's point, the lowest of several.
         """
         place, reach, count = vector(centre, "centre"), number(reach, "reach"), c_uint32()
         expect(np.abs(place) <= 2.0**100, place, "a coordinate of centre", "m", "a number within +-2^100")

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <system_error>
@@ -23,8 +24,9 @@ struct Arguments {
 /// One conversion of a format, as far as it is supported.
 struct Conversion {
     size_t width = 0;
-    int precision = -1; ///< not given
-    int longs = 0;      ///< 1: long, 2: long long
+    int precision = -1;  ///< not given
+    int longs = 0;       ///< 1: long, 2: long long
+    bool isView = false; ///< the precision is an argument: a length
     bool isSize = false;
     char kind = '%';
 };
@@ -40,6 +42,7 @@ Conversion readConversion(const char *&format, Arguments &arguments) {
         if (*format == '*') {
             ++format;
             conversion.precision = va_arg(arguments.list, int);
+            conversion.isView = true;
         }
         while (*format >= '0' && *format <= '9') conversion.precision = 10 * conversion.precision + (*format++ - '0');
     }
@@ -118,9 +121,7 @@ public:
         case 's': {
             const char *text = va_arg(arguments.list, const char *);
             if (!text) return; // an empty std::string_view's
-            return addShown({text, conversion.precision < 0
-                                       ? std::strlen(text)
-                                       : strnlen(text, static_cast<size_t>(conversion.precision))});
+            return addShown({text, lengthOf(text, conversion)});
         }
         case 'g':
             return addDouble(va_arg(arguments.list, double), conversion.precision < 0 ? 6 : conversion.precision);
@@ -144,6 +145,12 @@ public:
     }
 
 private:
+    static size_t lengthOf(const char *text, const Conversion &conversion) {
+        if (conversion.precision < 0) return std::strlen(text);
+        const auto most = static_cast<size_t>(conversion.precision);
+        return conversion.isView ? most : strnlen(text, most);
+    }
+
     void addByte(unsigned char byte) {
         if (byte == '\n') return add("\\n");
         if (byte == '\r') return add("\\r");
@@ -164,9 +171,16 @@ private:
             character = (character << 6) | (static_cast<unsigned char>(text[i]) & 0x3fU);
         }
         constexpr uint32_t kLeast[] = {0, 0, 0xa0, 0x800, 0x10000}; // 0xa0: those below are control characters
-        const bool isLineEnd = character == 0x2028 || character == 0x2029;
-        const bool isSurrogate = character >= 0xd800 && character <= 0xdfff;
-        return character < kLeast[length] || character > 0x10ffff || isLineEnd || isSurrogate ? 0 : length;
+        return character < kLeast[length] || character > 0x10ffff || isUnseen(character) ? 0 : length;
+    }
+
+    /// Blanks but for the usual one, ends of lines, directions, joiners, byte order marks, surrogates.
+    static bool isUnseen(uint32_t character) {
+        constexpr uint32_t kRanges[][2] = {{0xa0, 0xa0},     {0xad, 0xad},     {0x1680, 0x1680},
+                                           {0x2000, 0x200f}, {0x2028, 0x202f}, {0x205f, 0x206f},
+                                           {0x3000, 0x3000}, {0xd800, 0xdfff}, {0xfeff, 0xfeff}};
+        return std::any_of(std::begin(kRanges), std::end(kRanges),
+                           [character](const auto &range) { return character >= range[0] && character <= range[1]; });
     }
 
     static bool isContinuation(char byte) { return (static_cast<unsigned char>(byte) & 0xc0) == 0x80; }

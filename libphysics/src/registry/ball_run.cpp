@@ -2,6 +2,7 @@
 #include "registry/ball_run.h"
 
 #include "base/appendable.h"
+#include "base/error.h"
 #include "registry/arguments.h"
 #include "registry/params.h"
 
@@ -107,6 +108,12 @@ uint64_t BallRun::stepsOfSameGravity(uint64_t step) const {
 
 void BallRun::stop(const phys_state &state) {
     if (m_path && m_pathCount < pathLength(*m_batch)) m_path[m_pathCount++] = state;
+}
+
+void BallRun::explain(phys_error &reason) const {
+    phys_state unused;
+    fail(&reason, m_status, "%s", phys_status_text(m_status)); // for a plugin that doesn't fail again
+    phys_step(m_stepper, &m_params, m_batch->dt, &state(), &unused, nullptr, &reason);
 }
 
 void BallRun::finish() {

@@ -51,6 +51,8 @@ public:
     uint64_t advance(uint64_t step, decltype(&makeStep) make = makeStep);
     /// What happens to a running ball at a stop.
     void stop(const phys_state &state);
+    /// Why the ball failed: what phys_step says of that step.
+    void explain(phys_error &reason) const;
     /// Stores the ball after the last step. A ball that was done earlier keeps its state.
     void finish();
 

@@ -17,6 +17,11 @@ phys_status refuseStride(const char *name, size_t stride, uint64_t least, phys_e
                 static_cast<unsigned long long>(least));
 }
 
+/// Of one ball; of those that no memory can hold the greatest number instead of one that has wrapped around.
+uint64_t bytesOfPath(const phys_batch &batch) {
+    return std::min(pathLength(batch), UINT64_MAX / sizeof(phys_state)) * sizeof(phys_state);
+}
+
 phys_status checkStrides(const phys_batch &batch, phys_error *err) {
     // Inputs may be shared; the outputs of two balls must not overlap.
     const uint64_t own = batch.ball_count > 1 ? 1 : 0;
@@ -28,7 +33,7 @@ phys_status checkStrides(const phys_batch &batch, phys_error *err) {
                    {"gravity_ball_stride", batch.gravity_ball_stride, 0},
                    {"gravity_step_stride", batch.gravity_step_stride, 0},
                    {"states_stride", batch.states_stride, own * sizeof(phys_state)},
-                   {"path_ball_stride", batch.path_ball_stride, own * pathLength(batch) * sizeof(phys_state)}};
+                   {"path_ball_stride", batch.path_ball_stride, own * bytesOfPath(batch)}};
     for (const auto &[name, stride, least] : strides) {
         if (stride % 8 != 0 || stride < least) return refuseStride(name, stride, least, err);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "registry/energy.h"
 
+#include "base/appendable.h"
 #include "base/float_environment.h"
 #include "base/numbers.h"
 #include "base/vec.h"
@@ -19,6 +20,7 @@ double energyOf(const Scene &scene, const phys_params &params, const phys_state 
 phys_status phys_energy(const phys_scene *scene, const phys_params *params, const phys_state *state, double *out) {
     const phys::FloatEnvironment environment;
     if (!scene || !params || !state || !out) return PHYS_ERROR_ARGUMENT;
+    if (!phys::isKnownSize<phys_params>(params->struct_size)) return PHYS_ERROR_ARGUMENT;
     const bool isValid = phys::isModerate(state->position) && phys::isModerate(state->velocity) &&
                          phys::isModerate(state->spin) && phys::isModerate(params->gravity);
     if (!isValid) return PHYS_ERROR_ARGUMENT;

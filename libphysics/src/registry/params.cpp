@@ -28,6 +28,11 @@ void write(phys_params &params, const phys_param_row &row, double value) {
 /// Whether the caller's struct is long enough to contain the row's value.
 bool hasRow(const phys_params &params, const phys_param_row &row) { return endOf(row) <= params.struct_size; }
 
+phys_status refuseSize(const phys_params &params, phys_error *err) {
+    return fail(err, PHYS_ERROR_ARGUMENT, "params.struct_size is %u; expected %zu: call phys_params_init first",
+                params.struct_size, sizeof params);
+}
+
 } // namespace
 
 phys_status checkValue(double value, const phys_param_row &row, phys_error *err) {
@@ -38,10 +43,7 @@ phys_status checkValue(double value, const phys_param_row &row, phys_error *err)
 }
 
 phys_status explainParams(const phys_params &params, phys_error *err) {
-    if (params.struct_size != sizeof params) {
-        return fail(err, PHYS_ERROR_ARGUMENT, "params.struct_size is %u; expected %zu: call phys_params_init first",
-                    params.struct_size, sizeof params);
-    }
+    if (params.struct_size != sizeof params) return refuseSize(params, err);
     if (params.options & ~static_cast<uint32_t>(PHYS_OPTIONS)) {
         return fail(err, PHYS_ERROR_RANGE, "params.options is 0x%x; allowed bits are 0x%x", params.options,
                     PHYS_OPTIONS);
@@ -87,6 +89,7 @@ double phys_param_get(const phys_params *params, const phys_param_row *row) {
 
 phys_status phys_param_set(phys_params *params, const phys_param_row *row, double value, phys_error *err) {
     if (!params || !row) return phys::fail(err, PHYS_ERROR_ARGUMENT, "%s is NULL", params ? "row" : "params");
+    if (!phys::isKnownSize<phys_params>(params->struct_size)) return phys::refuseSize(*params, err);
     if (!phys::hasRow(*params, *row)) {
         return phys::fail(err, PHYS_ERROR_ARGUMENT, "params.struct_size is %u; %s needs %zu", params->struct_size,
                           row->id, phys::endOf(*row));

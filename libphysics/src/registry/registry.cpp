@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "registry/registry.h"
 
+#include "base/appendable.h"
 #include "base/error.h"
+#include "base/text.h"
 #include "registry/built_in_steppers.h"
 #include "registry/params.h"
 
@@ -34,18 +36,14 @@ phys_stepper_info describe(const phys_registry *registry, uint32_t index) {
             api.flags | (isPlugin ? static_cast<uint32_t>(PHYS_STEPPER_PLUGIN) : 0U)};
 }
 
-/// All ids, for a message.
-std::string knownIds(const phys_registry *registry) {
-    std::string ids;
-    for (uint32_t i = 0; i < phys_registry_count(registry); ++i) {
-        ids += (i ? ", " : "") + std::string(describe(registry, i).id);
-    }
-    return ids;
-}
-
+/// Names all ids, as many as there is room for; allocates nothing.
 phys_status refuseUnknown(const phys_registry *registry, const char *id, phys_error *err) {
-    return fail(err, PHYS_ERROR_UNKNOWN_STEPPER, "no stepper has the id '%.60s'; known are %s", id,
-                knownIds(registry).c_str());
+    char ids[sizeof phys_error::text] = "";
+    for (uint32_t i = 0; i < phys_registry_count(registry); ++i) {
+        const size_t length = std::strlen(ids);
+        writeText(ids + length, sizeof ids - length, "%s%s", i ? ", " : "", describe(registry, i).id);
+    }
+    return fail(err, PHYS_ERROR_UNKNOWN_STEPPER, "no stepper has the id '%.60s'; known are %s", id, ids);
 }
 
 } // namespace
@@ -84,8 +82,7 @@ phys_status phys_registry_info(const phys_registry *registry, uint32_t index, ph
     return PHYS_OK;
 }
 
-phys_status phys_registry_find(const phys_registry *registry, const char *id, phys_stepper_info *out,
-                               phys_error *err) try {
+phys_status phys_registry_find(const phys_registry *registry, const char *id, phys_stepper_info *out, phys_error *err) {
     if (!id || !out) return phys::fail(err, PHYS_ERROR_ARGUMENT, "%s is NULL", id ? "out" : "id");
     for (uint32_t i = 0; i < phys_registry_count(registry); ++i) {
         const phys_stepper_info info = phys::describe(registry, i);
@@ -94,12 +91,10 @@ phys_status phys_registry_find(const phys_registry *registry, const char *id, ph
         return PHYS_OK;
     }
     return phys::refuseUnknown(registry, id, err);
-} catch (const std::bad_alloc &) {
-    return phys::fail(err, PHYS_ERROR_MEMORY, "out of memory");
 }
 
 phys_status phys_stepper_info_init_params(const phys_stepper_info *info, phys_params *params) {
-    if (!info || !params) return PHYS_ERROR_ARGUMENT;
+    if (!info || !params || !phys::isKnownSize<phys_params>(params->struct_size)) return PHYS_ERROR_ARGUMENT;
     std::memset(params->stepper, 0, sizeof params->stepper);
     for (uint32_t i = 0; i < info->row_count; ++i) {
         if (const phys_status status = phys_param_set(params, info->rows[i], info->rows[i]->initial, nullptr)) {

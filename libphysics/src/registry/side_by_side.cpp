@@ -26,8 +26,10 @@ void Outcome::add(const BallRun &run) {
     if (m_batch.statuses) m_batch.statuses[ball] = run.status();
     if (run.status() == PHYS_OK || ball > m_failed || m_batch.statuses) return;
     m_failed = ball;
+    phys_error reason;
+    run.explain(reason);
     m_status = fail(m_err, run.status(), "ball %llu fails in step %llu: %s", static_cast<unsigned long long>(ball),
-                    static_cast<unsigned long long>(run.stepsDone()), phys_status_text(run.status()));
+                    static_cast<unsigned long long>(run.stepsDone()), reason.text);
 }
 
 SideBySide::SideBySide(phys_stepper &stepper, const phys_batch &batch, const LaneSteps *steps, bool paramsAreChecked,

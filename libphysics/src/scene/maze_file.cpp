@@ -24,12 +24,12 @@ public:
         , m_err(err) {}
 
     phys_status read(std::string_view text) {
-        while (!text.empty()) {
+        do { // an empty text is an empty line
             ++m_line;
             const size_t end = text.find('\n');
             if (const phys_status status = readLine(text.substr(0, end))) return status;
             text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-        }
+        } while (!text.empty());
         if (!m_isMaze) return refuse("expected 'physics-maze 1' as the first line, found an empty file");
         if (!m_hasUnits) return refuse("'units m' is missing");
         if (!m_hasBall) return refuse("'ball RADIUS' is missing");
@@ -54,6 +54,11 @@ private:
         return fail(m_err, PHYS_ERROR_SYNTAX, "%s:%u: %s", m_path, m_line, text);
     }
 
+    /// What is wrong with the numbers of a line.
+    phys_status passOn(phys_status status, const phys_error &reason) const {
+        return status ? fail(m_err, status, "%s:%u: %s", m_path, m_line, reason.text) : PHYS_OK;
+    }
+
     phys_status readLine(std::string_view line) {
         line = line.substr(0, line.find('#'));
         const std::string_view key = nextWord(line);
@@ -61,8 +66,8 @@ private:
         if (!m_isMaze) return readVersion(key, line);
         if (key == "units") return readUnits(line);
         if (key == "generator") return PHYS_OK;
-        if (key == "ball") return readOnce("ball", m_hasBall, &m_radius, 1, line);
-        if (key == "start") return readOnce("start", m_hasStart, &m_start.x, 3, line);
+        if (key == "ball") return readBall(line);
+        if (key == "start") return readStart(line);
         if (key == "box") return readBox(line);
         return refuse("expected units, generator, ball, start or box, found '%.*s'", shown(key), key.data());
     }
@@ -92,6 +97,18 @@ private:
         return readNumbers(key, numbers, count, line);
     }
 
+    phys_status readBall(std::string_view line) {
+        if (const phys_status status = readOnce("ball", m_hasBall, &m_radius, 1, line)) return status;
+        phys_error reason;
+        return passOn(checkRadius(m_radius, &reason), reason);
+    }
+
+    phys_status readStart(std::string_view line) {
+        if (const phys_status status = readOnce("start", m_hasStart, &m_start.x, 3, line)) return status;
+        phys_error reason;
+        return passOn(checkStart(m_start, &reason), reason);
+    }
+
     phys_status readBox(std::string_view line) {
         double n[6];
         if (const phys_status status = readNumbers("box", n, 6, line)) return status;
@@ -101,13 +118,15 @@ private:
                           n[axis + 3]);
         }
         m_boxes.push_back({{n[0], n[1], n[2]}, {n[3], n[4], n[5]}});
-        return PHYS_OK;
+        phys_error reason;
+        return passOn(checkBox(m_boxes.back(), static_cast<uint32_t>(m_boxes.size() - 1), &reason), reason);
     }
 
     phys_status readNumbers(const char *key, double *numbers, int count, std::string_view line) {
         for (int i = 0; i < count; ++i) {
             const std::string_view word = nextWord(line);
-            if (word.empty()) return refuse("%s: expected %d numbers in m, found %d", key, count, i);
+            if (word.empty())
+                return refuse("%s: expected %d number%s in m, found %d", key, count, count == 1 ? "" : "s", i);
             if (parseNumber(word, numbers[i])) continue;
             return refuse("%s: expected a number in m, found '%.*s'%s", key, shown(word), word.data(),
                           isBeyondDouble(word) ? ", which is beyond what a number can hold" : "");
@@ -116,8 +135,10 @@ private:
     }
 
     phys_status expectEnd(std::string_view line) const {
+        const bool mayEnd = line.find('\r') < line.find_first_not_of(kSpace);
         const std::string_view rest = nextWord(line);
         if (rest.empty()) return PHYS_OK;
+        if (mayEnd) return refuse("expected \\n or \\r\\n as the end of the line, found \\r alone");
         return refuse("expected the end of the line, found '%.*s'", shown(rest), rest.data());
     }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads a maze text file; the format is described in mazes/README.md.
+// Reads a maze text file; the format is described in libphysics/docs/maze_format.md.
 #pragma once
 
 #include "scene/scene.h"

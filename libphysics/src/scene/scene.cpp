@@ -30,22 +30,6 @@ constexpr double kCellSize = 6.0;
 bool isCoordinate(double value) { return std::abs(value) <= kLargestCoordinate; } // false for NaN
 bool isPoint(const phys_vec3 &p) { return isCoordinate(p.x) && isCoordinate(p.y) && isCoordinate(p.z); }
 
-phys_status checkBox(const phys_box &box, uint32_t number, phys_error *err) {
-    if (!isPoint(box.min) || !isPoint(box.max)) {
-        return fail(err, PHYS_ERROR_SCENE, "box %u: coordinates must be numbers within +-%g m", number,
-                    kLargestCoordinate);
-    }
-    const char axisNames[] = {'x', 'y', 'z'};
-    for (int axis = 0; axis < 3; ++axis) {
-        const double low = (&box.min.x)[axis];
-        const double high = (&box.max.x)[axis];
-        if (low <= high) continue;
-        return fail(err, PHYS_ERROR_SCENE, "box %u: min.%c = %.9g is above max.%c = %.9g", number, axisNames[axis], low,
-                    axisNames[axis], high);
-    }
-    return PHYS_OK;
-}
-
 phys_status checkDescription(const phys_scene_desc &desc, phys_error *err) {
     if (desc.box_count > kMostBoxes) {
         return fail(err, PHYS_ERROR_SCENE, "box_count is %u; at most %u are allowed", desc.box_count, kMostBoxes);
@@ -53,14 +37,8 @@ phys_status checkDescription(const phys_scene_desc &desc, phys_error *err) {
     if (desc.box_count > 0 && !desc.boxes) {
         return fail(err, PHYS_ERROR_ARGUMENT, "boxes is NULL, but box_count is %u", desc.box_count);
     }
-    if (!(desc.radius >= kSmallestRadius && desc.radius <= kLargestRadius)) {
-        return fail(err, PHYS_ERROR_SCENE, "radius is %.9g m; allowed is %g .. %g m", desc.radius, kSmallestRadius,
-                    kLargestRadius);
-    }
-    if (!isPoint(desc.start)) {
-        return fail(err, PHYS_ERROR_SCENE, "start is (%.9g, %.9g, %.9g); each must be within +-%g m", desc.start.x,
-                    desc.start.y, desc.start.z, kLargestCoordinate);
-    }
+    if (const phys_status status = checkRadius(desc.radius, err)) return status;
+    if (const phys_status status = checkStart(desc.start, err)) return status;
     for (uint32_t number = 0; number < desc.box_count; ++number) {
         if (const phys_status status = checkBox(desc.boxes[number], number, err)) return status;
     }
@@ -143,6 +121,33 @@ uint32_t nearestPart(const Scene &scene, std::span<const uint32_t> parts, const 
 }
 
 } // namespace
+
+phys_status checkRadius(double radius, phys_error *err) {
+    if (radius >= kSmallestRadius && radius <= kLargestRadius) return PHYS_OK; // false for NaN
+    return fail(err, PHYS_ERROR_SCENE, "radius is %.9g m; allowed is %g .. %g m", radius, kSmallestRadius,
+                kLargestRadius);
+}
+
+phys_status checkStart(const phys_vec3 &start, phys_error *err) {
+    if (isPoint(start)) return PHYS_OK;
+    return fail(err, PHYS_ERROR_SCENE, "start is (%.9g, %.9g, %.9g); each must be within +-%g m", start.x, start.y,
+                start.z, kLargestCoordinate);
+}
+
+phys_status checkBox(const phys_box &box, uint32_t number, phys_error *err) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const char name = "xyz"[axis];
+        const double low = (&box.min.x)[axis], high = (&box.max.x)[axis];
+        if (!isCoordinate(low) || !isCoordinate(high)) {
+            return fail(err, PHYS_ERROR_SCENE, "box %u: %s.%c is %.9g m; expected a number within +-%g m", number,
+                        isCoordinate(low) ? "max" : "min", name, isCoordinate(low) ? high : low, kLargestCoordinate);
+        }
+        if (low <= high) continue;
+        return fail(err, PHYS_ERROR_SCENE, "box %u: min.%c = %.9g is above max.%c = %.9g", number, name, low, name,
+                    high);
+    }
+    return PHYS_OK;
+}
 
 uint32_t Scene::givenBox(uint32_t box, const Vec3 &point) const { return nearestPart(*this, partsOf(box), point); }
 

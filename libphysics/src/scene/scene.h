@@ -80,6 +80,11 @@ struct Scene {
     }
 };
 
+// Each explains why a scene can't have this; PHYS_OK if it can.
+phys_status checkRadius(double radius, phys_error *err);
+phys_status checkStart(const phys_vec3 &start, phys_error *err);
+phys_status checkBox(const phys_box &box, uint32_t number, phys_error *err);
+
 /// Checks a description and makes the scene. Throws std::bad_alloc only.
 phys_status makeScene(const phys_scene_desc &desc, Scene &out, phys_error *err);
 

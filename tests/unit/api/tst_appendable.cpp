@@ -46,6 +46,13 @@ phys_status checkParams(uint32_t size, phys_error *error) {
     return phys_params_check(&params, error);
 }
 
+phys_status setParam(uint32_t size, phys_error *error) {
+    phys_params params;
+    phys_params_init(&params, sizeof params);
+    params.struct_size = size;
+    return phys_param_set(&params, &phys_param_rows(nullptr)[4], 0.25, error);
+}
+
 phys_status stepWithReport(uint32_t size, phys_error *error) {
     Experiment ball(openFloor(), PHYS_STEPPER_DEFAULT);
     ball.report.struct_size = size;
@@ -70,6 +77,7 @@ private slots:
     void initTakesItsSizeOnly();
     void anotherSizeIsRefusedByName_data();
     void anotherSizeIsRefusedByName();
+    void anotherSizeIsRefusedWhereThereIsNoLine();
     void aRowBehindTheStructReadsAsItsInitialValue();
     void aRowBehindTheStructIsNotWritten();
 };
@@ -110,6 +118,7 @@ void Appendable::anotherSizeIsRefusedByName_data() {
     QTest::newRow("phys_stepper_requirements")
         << Use(requireWithParams) << size << uint32_t(kFirstParams) << QByteArray("params");
     QTest::newRow("phys_params_check") << Use(checkParams) << size << uint32_t(kFirstParams) << QByteArray("params");
+    QTest::newRow("phys_param_set") << Use(setParam) << size << uint32_t(kFirstParams) << QByteArray("params");
     QTest::newRow("phys_step, report") << Use(stepWithReport) << uint32_t(sizeof(phys_report)) << uint32_t(kFirstReport)
                                        << QByteArray("report");
 }
@@ -127,6 +136,24 @@ void Appendable::anotherSizeIsRefusedByName() {
                                 QByteArray::number(size) + ": call phys_";
         QVERIFY2(QByteArray(error.text).startsWith(line), error.text);
     }
+}
+
+void Appendable::anotherSizeIsRefusedWhereThereIsNoLine() {
+    Experiment ball(openFloor(), "rk4");
+    phys_stepper_info info;
+    QCOMPARE(phys_registry_find(nullptr, "rk4", &info, nullptr), PHYS_OK);
+    const phys_params before = ball.params;
+    for (const uint32_t wrong : {0U, uint32_t(kFirstParams) - 8, uint32_t(sizeof(phys_params)) + 8, UINT32_MAX}) {
+        ball.params.struct_size = wrong;
+        ball.params.stepper[0] = 9.0;
+        double energy = 7.0;
+        QCOMPARE(phys_energy(ball.scene(), &ball.params, &ball.state, &energy), PHYS_ERROR_ARGUMENT);
+        QCOMPARE(phys_stepper_info_init_params(&info, &ball.params), PHYS_ERROR_ARGUMENT);
+        QVERIFY(energy == 7.0 && ball.params.stepper[0] == 9.0);
+    }
+    ball.params.struct_size = sizeof(phys_params);
+    QCOMPARE(phys_stepper_info_init_params(&info, &ball.params), PHYS_OK);
+    QVERIFY(sameBits(ball.params, before));
 }
 
 /// Like the row of a member that a later version has appended.

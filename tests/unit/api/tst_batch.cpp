@@ -510,6 +510,12 @@ void TestBatch::wrongBatchIsRefusedAndNothingTouched_data() {
         b.path_every = 1;
         b.path_ball_stride = 128;
     });
+    row("paths longer than memory", "path_ball_stride", [](phys_batch &b, uint64_t &, uint64_t &) {
+        b.path = b.states;
+        b.path_every = 1;
+        b.step_count = (uint64_t{1} << 57) + 1; // times 128 bytes: 128 beyond 2^64
+        b.path_ball_stride = 256;
+    });
 }
 
 void TestBatch::wrongBatchIsRefusedAndNothingTouched() {
@@ -551,8 +557,7 @@ void TestBatch::firstFailureIsToldWhereStatusesAreNotAskedFor() {
         },
         &status);
     QCOMPARE(status, PHYS_ERROR_RANGE);
-    QCOMPARE(QString(error.text),
-             QString("ball 1 fails in step 0: a parameter is not a number or outside its allowed range"));
+    QCOMPARE(QString(error.text), QString("ball 1 fails in step 0: restitution_wall is 2; allowed is 0 .. 1"));
     QCOMPARE(found.done, (std::vector<uint64_t>{5, 0, 5}));
 }
 

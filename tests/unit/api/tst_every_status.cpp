@@ -164,6 +164,7 @@ private slots:
     void isReached();
     void hasAWay() { QCOMPARE(withoutAWay(kStatuses), QByteArrayList()); }
     void wouldBeMissedWithoutAWay();
+    void anUnknownIdIsToldWithoutMemory();
 };
 
 void EveryStatus::isReached_data() {
@@ -185,6 +186,20 @@ void EveryStatus::wouldBeMissedWithoutAWay() {
     std::vector<NamedStatus> grown = kStatuses;
     grown.push_back({-16, "PHYS_ERROR_NEW"});
     QCOMPARE(withoutAWay(grown), QByteArrayList{"PHYS_ERROR_NEW"});
+}
+
+void EveryStatus::anUnknownIdIsToldWithoutMemory() {
+    phys_stepper_info info;
+    phys_error error{};
+    phys_status status = PHYS_OK;
+    {
+        const AllocationsLeft none(0);
+        status = phys_registry_find(nullptr, "rk5", &info, &error);
+    }
+    QCOMPARE(status, PHYS_ERROR_UNKNOWN_STEPPER);
+    QCOMPARE(QByteArray(error.text),
+             QByteArray("no stepper has the id 'rk5'; known are explicit-euler, symplectic-euler, "
+                        "velocity-verlet, rk4, swept, exact"));
 }
 
 QTEST_GUILESS_MAIN(EveryStatus)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Maze text files: what is read, and how each kind of invalid line is refused (format: mazes/README.md).
+// Maze text files: what is read, and how each kind of invalid line is refused (format: libphysics/docs/maze_format.md).
 #include "support/compare.h"
 #include "support/handles.h"
 
@@ -183,10 +183,11 @@ void TestMazeFiles::missingItemIsRefused() {
 void TestMazeFiles::wrongSceneInAFileIsRefused_data() {
     QTest::addColumn<QByteArray>("content");
     QTest::addColumn<QByteArray>("reason");
-    QTest::newRow("radius 0") << withLine(4, "ball 0") << QByteArray("radius");
+    QTest::newRow("radius 0") << withLine(4, "ball 0") << QByteArray(":4: radius is 0 m; allowed is");
     QTest::newRow("radius below 0") << withLine(4, "ball -1") << QByteArray("radius");
-    QTest::newRow("start too far away") << withLine(5, "start 2e9 0 0") << QByteArray("start");
-    QTest::newRow("box too far away") << withLine(6, "box -1 -2 -0.5 3 4e9 0") << QByteArray("box 0");
+    QTest::newRow("start too far away") << withLine(5, "start 2e9 0 0") << QByteArray(":5: start is (2e+09, 0, 0)");
+    QTest::newRow("box too far away") << withLine(6, "box -1 -2 -0.5 3 4e9 0")
+                                      << QByteArray(":6: box 0: max.y is 4e+09 m; expected a number within +-1e+09 m");
 }
 
 void TestMazeFiles::wrongSceneInAFileIsRefused() {

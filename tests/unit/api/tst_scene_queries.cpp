@@ -66,6 +66,7 @@ private slots:
     void centreInsideLeavesThroughTheNearestFace();
     void contactsMatchAPlainComputation();
     void contactsComeInOrderOfTheirBoxes();
+    void flushAndIdenticalBoxesAreOneContact();
     void capacityKeepsTheFirstContactsAndCountsAll();
     void reachIsIncluded();
     void planarScene_data();
@@ -222,6 +223,27 @@ void TestSceneQueries::contactsComeInOrderOfTheirBoxes() {
     const auto contacts = contactsOf(scene.get(), {2, 2, 0.0625}, 10.0);
     QCOMPARE(contacts.size(), size_t{5});
     for (size_t i = 0; i < contacts.size(); ++i) QCOMPARE(contacts[i].box, static_cast<uint32_t>(i));
+}
+
+void TestSceneQueries::flushAndIdenticalBoxesAreOneContact() {
+    // Two tiles, a wall, the wall again, and a box within it that shares no cross-section with it.
+    const ScenePtr scene = SceneBuilder()
+                               .ball(0.125)
+                               .start(0, 0)
+                               .floor(0, -1, 1, 1)
+                               .floor(-1, -1, 0, 1)
+                               .wall(0.5, -1, 0.75, 1)
+                               .wall(0.5, -1, 0.75, 1)
+                               .wall(0.5, -0.5, 0.625, 0.5)
+                               .build();
+    const auto boxesAt = [&](double x) {
+        std::vector<uint32_t> boxes;
+        for (const phys_contact &contact : contactsOf(scene.get(), {x, 0, 0.125}, 10.0)) boxes.push_back(contact.box);
+        return boxes;
+    };
+    QCOMPARE(boxesAt(0.25), (std::vector<uint32_t>{0, 2, 4})); // over the first tile
+    QCOMPARE(boxesAt(-0.25), (std::vector<uint32_t>{1, 2, 4}));
+    QCOMPARE(boxesAt(0.0), (std::vector<uint32_t>{0, 2, 4})); // over the seam: the lowest of both
 }
 
 void TestSceneQueries::capacityKeepsTheFirstContactsAndCountsAll() {

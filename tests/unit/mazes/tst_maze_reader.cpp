@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The library reads the text format as mazes/README.md describes it, and refuses anything else in one line.
+// The library reads the text format as libphysics/docs/maze_format.md describes it, and refuses anything else in one
+// line.
 #include "maze_text.h"
 
 #include <physics/physics.h>
@@ -60,7 +61,7 @@ private slots:
     void everyLevelIsReadAsWritten();
     void inEveryLevelTheBallRestsOnTheFloorAmongWallsOnly_data() { levelPaths(); }
     void inEveryLevelTheBallRestsOnTheFloorAmongWallsOnly();
-    void theExampleOfTheReadmeIsRead();
+    void theExampleOfTheFormatIsRead();
     void commentsBlanksAndLineEndsDontMatter();
     void wrongFilesAreRefusedWithFileAndLine_data();
     void wrongFilesAreRefusedWithFileAndLine();
@@ -94,10 +95,10 @@ void TestMazeReader::inEveryLevelTheBallRestsOnTheFloorAmongWallsOnly() {
     QVERIFY2(phys_scene_check_planar(loaded.scene.get(), &error) == PHYS_OK, error.text);
 }
 
-void TestMazeReader::theExampleOfTheReadmeIsRead() {
-    QFile readme(QStringLiteral(MAZES_FOLDER "/README.md"));
-    QVERIFY(readme.open(QIODevice::ReadOnly));
-    const QByteArray text = readme.readAll();
+void TestMazeReader::theExampleOfTheFormatIsRead() {
+    QFile page(QStringLiteral(MAZES_FOLDER "/../libphysics/docs/maze_format.md"));
+    QVERIFY(page.open(QIODevice::ReadOnly));
+    const QByteArray text = page.readAll();
     const qsizetype begin = text.indexOf("physics-maze 1");
     const qsizetype end = text.indexOf("```", begin);
     QVERIFY(begin >= 0 && end > begin);
@@ -124,7 +125,7 @@ void TestMazeReader::wrongFilesAreRefusedWithFileAndLine_data() {
     const auto add = [](const char *tag, const QByteArray &content, const char *expected) {
         QTest::newRow(tag) << content << QString::fromUtf8(expected);
     };
-    add("empty", "", ":0: expected 'physics-maze 1' as the first line, found an empty file");
+    add("empty", "", ":1: expected 'physics-maze 1' as the first line, found an empty file");
     add("another kind of file", "# board\no floor_0\n", ":2: expected 'physics-maze 1', found 'o'");
     add("a later version", "physics-maze 2\n", ":1: expected version 1, found '2'");
     add("no version", "physics-maze\n", ":1: expected version 1, found ''");
@@ -137,6 +138,15 @@ void TestMazeReader::wrongFilesAreRefusedWithFileAndLine_data() {
         ":6: expected units, generator, ball, start or box, found 'sphere'");
     add("number missing", kHeader + "box 0 0 0 1 1\n", ":5: box: expected 6 numbers in m, found 5");
     add("number too many", kHeader + "box 0 0 0 1 1 1 1\n", ":5: expected the end of the line, found '1'");
+    add("no radius", "physics-maze 1\nball\n", ":2: ball: expected 1 number in m, found 0");
+    add("byte order mark", "\xef\xbb\xbfphysics-maze 1\n",
+        ":1: expected 'physics-maze 1', found '\\xef\\xbb\\xbfphysics-maze'");
+    add("NUL", QByteArray("physics-maze 1\nunits\0 m\n", 24),
+        ":2: expected units, generator, ball, start or box, found 'units\\x00'");
+    add("blank of another kind", "physics-maze 1\nball\u00a00.006\n",
+        ":2: expected units, generator, ball, start or box, found 'ball\\xc2\\xa00.006'");
+    add("carriage returns alone", "physics-maze 1\runits m\r",
+        ":1: expected \\n or \\r\\n as the end of the line, found \\r alone");
     add("no number", kHeader + "box 0 0 0 1 1 1mm\n", ":5: box: expected a number in m, found '1mm'");
     add("comma", kHeader + "box 0 0 0 1 1 0,5\n", ":5: box: expected a number in m, found '0,5'");
     add("beyond double", kHeader + "box 0 0 0 1 1 1e999\n",
