@@ -154,7 +154,7 @@ phys_status choose(MovingBall &ball, Touching &touching, Choice &choice) {
     keepFixed(ball, touching, response);
     stopHeld(touching, response, ball);
     Motion &motion = ball.motion;
-    if (!ball.setting.isRigid() && rests(ball, response)) {
+    if (!ball.setting.isRigid() && touching.count() > 0 && rests(ball, response)) { // in the air the spin stays
         ball.report.lostSlip(0.2 * ball.radius() * ball.radius() * glm::dot(motion.spin, motion.spin));
         motion.spin = Vec3(0.0);
     }

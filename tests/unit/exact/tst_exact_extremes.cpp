@@ -46,6 +46,7 @@ private slots:
     void leastTimeMovesNothing();
     void restsWithoutGravity();
     void rollsWithoutGravity();
+    void spinsInTheAirWithoutGravity();
 };
 
 void ExactExtremes::elasticBouncesKeepTheEnergy() {
@@ -398,6 +399,17 @@ void ExactExtremes::rollsWithoutGravity() {
     run.step(std::numeric_limits<double>::denorm_min());
     QCOMPARE(run.state.flags, uint64_t(0));
     QCOMPARE(run.state.spin.y, 4.0);
+}
+
+/// model.md 2.1 R7: in flight the spin stays as it was, also without a velocity.
+void ExactExtremes::spinsInTheAirWithoutGravity() {
+    Run run({kFloor}, 0.125, {0, 0, 1.5});
+    run.params.gravity = {0, 0, 0};
+    run.state.spin = {2, -6, -3};
+    run.step(0.5);
+    QVERIFY(exact::equal(run.state.spin, {2, -6, -3}));
+    QCOMPARE(run.report.lost_slip, 0.0);
+    QCOMPARE(run.state.flags, uint64_t(PHYS_AIRBORNE));
 }
 
 QTEST_GUILESS_MAIN(ExactExtremes)
