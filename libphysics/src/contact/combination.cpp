@@ -105,14 +105,28 @@ void solve(Combination &c) {
 namespace {
 
 bool isWithinCone(const Combination &c, uint32_t i, double zero) {
+    const Vec3 &n = c.held[i].normal;
     const double mu = c.held[i].friction, most = zero + roundingOfLimit(c.moment, mu);
-    return reserve(c.held[i], c.reactions[i], c.rolling) >= -2.0 * most * mu * c.reactions[i].pressure - zero * zero;
+    const double pressure = glm::dot(c.judged[i], n), limit = mu * pressure;
+    if (pressure < -zero) return false;
+    return limit * limit - squared(c.judged[i] - pressure * n) >= -2.0 * most * limit - zero * zero;
 }
 
 /// Whether a slip starts at this moment in the direction that another, sticking contact leaves free.
 bool isSpent(const Combination &c, uint32_t i) { return (c.spent >> i & 1U) && c.onlySticking() < c.count(); }
 
 } // namespace
+
+void judge(Combination &c) {
+    for (uint32_t i = 0; i < c.count(); ++i) c.judged[i] = c.reactions[i].force;
+    if (c.rolling == Vec3(0.0)) return;
+    Combination free = c;
+    free.rolling = Vec3(0.0);
+    solve(free);
+    for (uint32_t i = 0; i < c.count(); ++i) {
+        if (c.sticks(i) && c.held[i].resistance > 0.0) c.judged[i] = free.reactions[i].force;
+    }
+}
 
 bool fits(const Combination &c, double zero) {
     for (uint32_t i = 0; i < c.count(); ++i) {
@@ -150,7 +164,7 @@ void share(Combination &c, double zero) {
             const auto addRoots = [&](uint32_t k, const Vec3 &along) {
                 // |r + s along|^2 = (1 + mu^2) (n.(r + s along))^2
                 const double most = 1.0 + c.held[k].friction * c.held[k].friction;
-                const Vec3 &r = c.reactions[k].force, &n = c.held[k].normal;
+                const Vec3 &r = c.judged[k], &n = c.held[k].normal;
                 const double rn = glm::dot(r, n), ln = glm::dot(along, n);
                 const double q2 = squared(along) - most * ln * ln;
                 const double q1 = glm::dot(r, along) - most * rn * ln, q0 = squared(r) - most * rn * rn;
@@ -166,9 +180,13 @@ void share(Combination &c, double zero) {
             std::sort(moves.begin(), moves.begin() + count,
                       [](double a, double b) { return std::abs(a) < std::abs(b); });
             const Reaction before[] = {c.reactions[i], c.reactions[j]};
+            const Vec3 judgedBefore[] = {c.judged[i], c.judged[j]};
             for (uint32_t move = 0; move < count; ++move) {
-                c.reactions[i].force = before[0].force + moves[move] * line;
-                c.reactions[j].force = before[1].force - moves[move] * line;
+                const Vec3 force = moves[move] * line;
+                c.reactions[i].force = before[0].force + force;
+                c.reactions[j].force = before[1].force - force;
+                c.judged[i] = judgedBefore[0] + force;
+                c.judged[j] = judgedBefore[1] - force;
                 for (const uint32_t k : {i, j}) {
                     c.reactions[k].pressure = glm::dot(c.reactions[k].force, c.held[k].normal);
                 }
@@ -176,6 +194,8 @@ void share(Combination &c, double zero) {
             }
             c.reactions[i] = before[0];
             c.reactions[j] = before[1];
+            c.judged[i] = judgedBefore[0];
+            c.judged[j] = judgedBefore[1];
         }
     }
 }

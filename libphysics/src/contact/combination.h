@@ -17,6 +17,7 @@ struct Combination {
     std::array<Reaction, kMostHeld> reactions{};
     Vec3 rolling{0.0}; ///< direction that resistance opposes; shorter than 1 where part of it holds the ball
     Vec3 acceleration{0.0}, spinAcceleration{0.0};
+    std::array<Vec3, kMostHeld> judged{};     ///< the forces by which the friction of sticking contacts is judged
     std::array<uint32_t, kMostHeld> column{}; ///< first unknown of each contact
     /// A contact of nearly the same or the opposite normal, or none: see `pairUp`. facing: 1 if the same, otherwise -1.
     std::array<uint32_t, kMostHeld> partner{};
@@ -151,7 +152,11 @@ void solve(Combination &c);
 /// resistance where a ball starts to roll. False if the iteration doesn't converge.
 bool settle(Combination &c);
 
-/// Whether the conditions of the modes hold, up to accelerations of `zero`.
+/// Sets the forces by which friction is judged: those of the reactions, but where resistance acts the force without it,
+/// as a slip ends the resistance. model.md 14.1.
+void judge(Combination &c);
+
+/// Whether the conditions of the modes hold for judged forces, up to accelerations of `zero`.
 bool fits(const Combination &c, double zero);
 
 /// Shifts forces of sticking contacts along the lines through pairs of them, which changes no motion, until both are

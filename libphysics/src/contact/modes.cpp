@@ -104,6 +104,7 @@ Response enumerate(const Moment &moment, std::span<const Held> held, Work &work,
         c.spent = excluded.sticking;
         if (!setModes(c, numbers, known, excluded)) continue;
         const bool isSettled = settle(c);
+        judge(c);
         const size_t fit = fitOf(c, isSettled, bestFit, scale);
         if (fit == kNoFit) continue;
         const double more = sumOfPressures(c.list()) - sumOfPressures(best.list());
@@ -150,13 +151,6 @@ Vec3 slipAt(const Moment &moment, const Vec3 &normal) {
 bool isNoSlip(const Moment &moment, const Vec3 &slip) {
     const double size = kNoSlip * speedScale(moment);
     return squared(slip) <= size * size;
-}
-
-double reserve(const Held &held, const Reaction &reaction, const Vec3 &rolling) {
-    const Vec3 friction = reaction.force - reaction.pressure * held.normal +
-                          5.0 / 7.0 * held.resistance * reaction.pressure * glm::cross(rolling, held.normal);
-    const double most = held.friction * reaction.pressure;
-    return most * most - squared(friction);
 }
 
 Response respond(const Moment &moment, std::span<const Held> held, Work &work, const Excluded &excluded) {

@@ -93,8 +93,4 @@ double speedScale(const Moment &moment);
 /// Rounding error of a contact's friction limit mu N due to N: it grows with the friction, m/s^2.
 double roundingOfLimit(const Moment &moment, double friction);
 
-/// Friction reserve of a contact, (mu N)^2 - |f|^2, not counting the friction that rolling resistance needs: model.md
-/// 2.2.
-double reserve(const Held &held, const Reaction &reaction, const Vec3 &rolling);
-
 } // namespace phys

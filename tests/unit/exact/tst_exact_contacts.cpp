@@ -29,6 +29,8 @@ private slots:
     void fallOnALowerFloorIsNone();
     void ballInAWallIsPushedOut();
     void ballBetweenTwoWallsTooCloseIsStuck();
+    void startsBackAlongAKerbAgainstResistance_data();
+    void startsBackAlongAKerbAgainstResistance();
 };
 
 void ExactContacts::edgeIsHitByAParabola() {
@@ -239,6 +241,37 @@ void ExactContacts::bouncesOfAFastBallDontBeginAnew() {
     QVERIFY(std::abs(run.state.velocity.x - (speed + 5.0 / 7.0 * slope * rest)) <= 256.0 * kU);
     QVERIFY(std::abs(run.state.position.x - (way + rest * (speed + 5.0 / 14.0 * slope * rest))) <= 1024.0 * kU);
     QCOMPARE(run.state.velocity.z, 0.0);
+}
+
+void ExactContacts::startsBackAlongAKerbAgainstResistance_data() {
+    QTest::addColumn<double>("friction");
+    QTest::addColumn<double>("speed");
+    const double slips = 0.00496938, rolls = 0.00923421;
+    QTest::newRow("the floor slips on the way back") << 0.0433 << slips;
+    for (const double friction : {0.0434, 0.0446, 0.0455, 0.046, 0.3}) {
+        QTest::addRow("both stick, friction %g", friction) << friction << rolls;
+    }
+}
+
+/// A ball rolls along floor and kerb, stops after 0.0404 s and starts back: model.md 14.1. Both stick as long as the
+/// floor has the friction that they need without resistance, 0.043363 of its pressure. The speeds have all digits of an
+/// integration of the law of contact that shares nothing with this library: it tries all modes, extrapolates Gragg's
+/// steps to their limit and bisects events.
+void ExactContacts::startsBackAlongAKerbAgainstResistance() {
+    QFETCH(double, friction);
+    QFETCH(double, speed);
+    const double R = 0.006, height = 0.005, v = -0.05, up = (R - height) / R, away = -std::sqrt(1.0 - up * up);
+    for (const int steps : {1, 50}) {
+        Run run({exact::floorOver(-1, -1, 1, 1), {{-away * R, -1, -0.02}, {1, 1, height}}}, R, {0, 0, R}, {0, v, 0});
+        run.state.spin = {-v / R, 0, v / R * (1.0 - up) / away};
+        run.params.model = PHYS_MODEL_RIGID;
+        run.params.gravity = {2.9136, 1.8527, -9.1823};
+        run.params.rolling_friction = 0.027;
+        run.params.sliding_friction = friction;
+        run.params.wall_friction = 0.15;
+        for (int i = 0; i < steps; ++i) run.step(0.05 / steps);
+        QVERIFY(std::abs(run.state.velocity.y - speed) <= 6e-9);
+    }
 }
 
 QTEST_GUILESS_MAIN(ExactContacts)
