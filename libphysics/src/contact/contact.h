@@ -31,9 +31,12 @@ inline Vec3 slipAt(const Motion &motion, const Vec3 &normal, double radius) {
     return surface - glm::dot(surface, normal) * normal;
 }
 
-/// Speeds along a normal below this count as rounding: "tolv" in model.md 13.2.
+/// Relative to the motion, speeds along a normal that count as rounding: "tolv" in model.md 13.2.
+inline constexpr double kNegligibleShare = 64.0 * kRounding;
+
+/// The same in m/s.
 inline double negligibleSpeed(const Motion &motion, double radius) {
-    return 64.0 * kRounding * (glm::length(motion.velocity) + radius * glm::length(motion.spin));
+    return kNegligibleShare * (glm::length(motion.velocity) + radius * glm::length(motion.spin));
 }
 
 /// Friction can halve a slip again and again without ending it. Components that are smaller than the motion before the

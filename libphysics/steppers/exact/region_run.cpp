@@ -9,6 +9,7 @@
 #include "phases/resisted.h"
 #include "phases/slide.h"
 #include "phases/uniform.h"
+#include "scene/nearest.h"
 
 #include <algorithm>
 #include <array>
@@ -41,7 +42,7 @@ public:
             const double away = velocity[axis] * sideOf(axis);
             if (away == 0.0 && m_rests == kNone)
                 m_rests = axis;
-            else if (!(away > 0.0 && away * away > squareOfLastBounce()))
+            else if (!(away > 0.0 && away * away > squareOfLeastSpeed()))
                 return false;
         }
         m_spin = isRigid() ? m_ball.motion.spin : rollingSpin(inPlane(velocity), m_ball.radius());
@@ -186,17 +187,31 @@ private:
         return extent.low[other] >= (&box.min.x)[other] + margin && extent.high[other] <= (&box.max.x)[other] - margin;
     }
 
+    template<class Phase>
+    static bool turnsOnce(const Phase &phase) {
+        if constexpr (requires { phase.turnsOnce(); }) return phase.turnsOnce();
+        return false;
+    }
+
     /// False if the ball may leave the region beside the faces before.
     template<class Phase>
     bool findHit(const Phase &phase, double until, Hit &first) {
         constexpr std::array<std::pair<int, int>, 4> kSides{{{0, 1}, {0, -1}, {1, 1}, {1, -1}}};
         const double most = phase.mostAcceleration();
         Extent extent = extentUntil(until, most);
-        for (const auto &[axis, side] : kSides) {
-            const uint32_t number = boxOn(axis, side);
-            if (!isBeyond(extent, axis, side) || number == PHYS_NO_BOX) continue;
-            const double after = timeOfHit(phase, until, axis, m_ball.scene().boxes[number]);
-            if (after < first.after) first = {after, axis, side, number};
+        const auto search = [&](const Way &, double from, double end, double) {
+            for (const auto &[axis, side] : kSides) {
+                const uint32_t number = boxOn(axis, side);
+                if (!isBeyond(extent, axis, side) || number == PHYS_NO_BOX) continue;
+                const double after = timeOfHit(phase, from, end, axis, m_ball.scene().boxes[number]);
+                if (after < first.after) first = {after, axis, side, number};
+            }
+            return first.after;
+        };
+        if (turnsOnce(phase)) {
+            search({}, 0.0, until, 0.0);
+        } else { // rounding of a fast spin may hide the time: it depends on where the event loop searches, too
+            searchParts(m_ball.work, phase, 0.0, until, kFirstWindow * m_ball.radius(), search);
         }
         if (first.after < until) extent = extentUntil(first.after, most);
         return std::all_of(kSides.begin(), kSides.end(), [&](const std::pair<int, int> &each) {
@@ -206,33 +221,43 @@ private:
     }
 
     template<class Phase>
-    double timeOfHit(const Phase &phase, double until, int axis, const phys_box &box) {
+    double timeOfHit(const Phase &phase, double from, double end, int axis, const phys_box &box) {
         Contacts touched;
         if (range(axis).isFace(m_ball.position[axis])) {
             touched.add(contactAtFace(m_ball.setting, m_ball.position, boxAt(axis), axis, sideOf(axis)));
         }
         const Outlook around{m_ball.scene(), m_ball.position, m_ball.motion, touched, m_ball.work};
-        return touchTime(around, box, phase, 0.0, until);
+        return touchTime(around, box, phase, from, end);
     }
 
-    /// (m/s)^2: squared speed off a face above which a bounce certainly isn't the last one, model.md 6.4.
-    double squareOfLastBounce() const {
+    /// (m/s)^2: squared speed off a face above which a ball certainly leaves it: its bounce isn't the last one,
+    /// model.md 6.4, and the speed isn't rounding, which a fast spin makes.
+    double squareOfLeastSpeed() const {
         const phys_params &params = m_ball.params();
+        const Motion &motion = m_ball.motion;
         const double friction = std::max(params.rolling_friction, isRigid() ? params.sliding_friction : 0.0);
-        const double level = std::abs(m_level.x) + std::abs(m_level.y);
-        return 2.0 * (level + friction * m_pull.pressure) * lastHeight(m_ball);
+        const double level = std::abs(m_level.x) + std::abs(m_level.y), R = m_ball.radius();
+        const double squares = glm::dot(motion.velocity, motion.velocity) + R * R * glm::dot(motion.spin, motion.spin);
+        return std::max(2.0 * (level + friction * m_pull.pressure) * lastHeight(m_ball),
+                        2.0 * kNegligibleShare * kNegligibleShare * squares);
     }
 
-    /// False if another contact is near or this may be the last bounce.
+    /// Whether the law sees the contact: rounding may end the way short of it.
+    bool touches(uint32_t box) const {
+        const double reach = m_ball.radius() + m_ball.scene().tolerance;
+        return squaredDistance(m_ball.scene().boxes[box], m_ball.position) <= reach * reach;
+    }
+
+    /// False if the face isn't reached, another contact is near or this may be the last bounce.
     bool bounce(const Hit &hit) {
         m_ball.work.add(Work::kEvent);
         const int other = 1 - hit.axis;
-        if (other != m_rests && !range(other).isFree(m_ball.position[other])) return false;
+        if (!touches(hit.box) || (other != m_rests && !range(other).isFree(m_ball.position[other]))) return false;
         const Contact face = contactAtFace(m_ball.setting, m_ball.position, hit.box, hit.axis, hit.side);
         const Motion before = m_ball.motion;
         const double R = m_ball.radius(), approach = -glm::dot(before.velocity, face.normal);
         const double after = face.restitution * approach;
-        if (face.friction > 0.0 || !(after * after > squareOfLastBounce())) return false;
+        if (face.friction > 0.0 || !(after * after > squareOfLeastSpeed())) return false;
         Motion &motion = m_ball.motion;
         motion.velocity += (1.0 + face.restitution) * approach * face.normal;
         report(face, before);

@@ -237,33 +237,45 @@ inline double leastTime(double way, double speed, double acceleration) {
 /// Radii: the distance whose surroundings are searched first.
 inline constexpr double kFirstWindow = 0.48;
 
+/// Searches parts of a path, one after the other, until search(start, from, end, length) returns a time. Parts grow:
+/// most paths end near, and only near boxes need to be tested. length: of the first part, m.
+template<class Phase, class Search>
+double searchParts(const Work &work, const Phase &phase, double from, double until, double length, Search search) {
+    double found = kNever;
+    for (; from < until && found == kNever && !work.isTooMuch(); length *= 2.0) {
+        const Way start = phase.at(from);
+        const double time = leastTime(length, glm::length(start.velocity), phase.mostAcceleration());
+        const double end = from + time < until ? from + time : until;
+        found = search(start, from, end, length);
+        if (end == from) break;
+        from = end;
+    }
+    return found;
+}
+
 /// First time in [from, until] at which the ball touches a box and moves towards it; kNever if there is none. length:
 /// of the part of the path that is searched first, m.
 template<class Phase>
 double firstTouch(const Outlook &around, const Phase &phase, double from, double until, double length) {
     const Scene &scene = around.scene;
     const double a = phase.mostAcceleration(), ball = scene.radius * (1.0 + 1e-9) + scene.tolerance;
-    double best = kNever;
-    // Windows of growing length: most paths end near, and only near boxes need to be tested.
-    for (; from < until && best == kNever && !around.work.isTooMuch(); length *= 2.0) {
-        const Way start = phase.at(from);
-        const double v = glm::length(start.velocity), window = leastTime(length, v, a);
-        const double end = from + window < until ? from + window : until, time = end - from;
-        const double way = std::min(length, time * (v + 0.5 * a * time));
+    const auto search = [&](const Way &start, double begin, double end, double longest) {
+        const double time = end - begin;
+        const double way = std::min(longest, time * (glm::length(start.velocity) + 0.5 * a * time));
         Stretch stretch{around.position + start.way, around.position, ball, ball + way, way > 2.0 * scene.radius};
         if (stretch.isLong) {
             stretch.end += phase.at(end).way;
             stretch.off += 0.125 * a * time * time;
         }
+        double best = kNever;
         visitAlong(scene, stretch, around.work, [&](const phys_box &box, uint32_t number) {
             if (around.work.isTooMuch() || around.isKept(number, box)) return;
             around.work.add(Work::kSearch);
-            best = std::min(best, touchTime(around, box, phase, from, end));
+            best = std::min(best, touchTime(around, box, phase, begin, end));
         });
-        if (end == from) break;
-        from = end;
-    }
-    return best;
+        return best;
+    };
+    return searchParts(around.work, phase, from, until, length, search);
 }
 
 /// When the feature of a lasting contact ends: the centre crosses a border of its region.
