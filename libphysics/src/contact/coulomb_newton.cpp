@@ -111,8 +111,8 @@ private:
         mode.presses = c.reaction + missing / glm::dot(c.limit, c.lever) > 0.0;
         if (!mode.presses) return;
         const double most = c.friction * c.reaction;
-        if (c.isGlued || glm::length(holding(c)) <= most)
-            mode.rubbing.answer = c.isGlued || c.friction > 0.0 ? Answer::Holds : Answer::None;
+        if (c.hasNoLimit() || glm::length(holding(c)) <= most)
+            mode.rubbing.answer = c.hasNoLimit() || c.friction > 0.0 ? Answer::Holds : Answer::None;
         else
             mode.rubbing.answer = c.friction > 0.0 ? Answer::Limited : Answer::None;
         mode.resists = c.rolls && m_problem.rollingFriction > 0.0;
@@ -247,7 +247,7 @@ private:
                 Vec3 rubbing = c.rubbing + change[unknown] * mode.rubbing.along;
                 rubbing += change[unknown + 1] * mode.rubbing.sideways;
                 unknown += 2;
-                if (!c.isGlued) rubbing = clipped(rubbing, c.friction * reaction);
+                if (!c.hasNoLimit()) rubbing = clipped(rubbing, c.friction * reaction);
                 if (reaction == 0.0) rubbing = Vec3(0.0);
                 add(rubOf(c, rubbing - c.rubbing, radius()), m_motion);
                 c.rubbing = rubbing;

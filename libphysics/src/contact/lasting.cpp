@@ -24,6 +24,9 @@ constexpr int kFirstNewton = 12;
 /// Changes below this share of the speeds count as rounding.
 constexpr double kNegligible = 1e-15;
 
+/// Slips that friction ends are larger than what counts as rounding of one change by up to this factor.
+constexpr double kLeftOfSlip = 1e4;
+
 constexpr double kNotPressed = -1.0;
 
 double size(const Vec3 &v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
@@ -43,7 +46,7 @@ Vec3 frictionOf(Lasting &contact, const Motion &motion, double radius) {
     const Vec3 slip = slipAt(motion, contact.limit, radius);
     const Vec3 sticking = tangential(contact.rubbing - kEndsSlip * slip, contact.lever);
     const double most = contact.friction * contact.reaction;
-    if (contact.isGlued || glm::dot(sticking, sticking) <= most * most) return sticking;
+    if (contact.hasNoLimit() || glm::dot(sticking, sticking) <= most * most) return sticking;
     contact.isSpent = true;
     return clipped(tangential(contact.rubbing - kEndsSlip * (contact.slipBefore + slip), contact.lever), most);
 }
@@ -221,11 +224,6 @@ double LastingContacts::pressTogether(double negligible, Motion &motion) {
 /// A solution far from the result of the sweeps is a different one, in which friction maintains the pressure that it
 /// depends on.
 bool LastingContacts::solveByNewton(double rollingFriction, double negligible, bool isLast, Motion &motion) {
-    const auto pressure = [&] {
-        double sum = 0.0;
-        for (const Lasting &contact : *this) sum += contact.reaction;
-        return sum;
-    };
     const LastingContacts before = *this;
     const Motion motionBefore = motion;
     const double most = isLast ? INFINITY : 2.0 * pressure();
@@ -312,12 +310,15 @@ bool LastingContacts::releaseOpposite(double negligible) {
 
 /// Two sticking contacts can be pressed against each other along the line between their points without moving anything.
 /// Of all such solutions the law takes the one with the least friction, model.md 13.3, to which this changes if the
-/// cones allow it. One of them may be at its limit by this pressure alone. Returns the largest change, m/s.
-double LastingContacts::relieve(double negligible, const Motion &motion) {
-    const auto isStill = [&](const Lasting &contact) {
-        return contact.reaction > 0.0 && size(slipAt(motion, contact.limit, m_radius)) <= 4.0 * negligible;
+/// cones allow it. One of them may be at its limit by this pressure alone.
+LastingContacts::Strain LastingContacts::relieve(double negligible, const Motion &motion) {
+    const auto isAllowed = [](const Lasting &contact) {
+        return contact.rolls ? contact.reaction > 0.0 : contact.sticks();
     };
-    double largest = 0.0;
+    const auto isStill = [&](const Lasting &contact) {
+        return contact.reaction > 0.0 && size(slipAt(motion, contact.limit, m_radius)) <= kLeftOfSlip * negligible;
+    };
+    Strain strain{0.0, false};
     for (Lasting *a = begin(); a != end(); ++a) {
         for (Lasting *b = a + 1; b != end(); ++b) {
             if (!isStill(*a) || !isStill(*b)) continue;
@@ -334,13 +335,35 @@ double LastingContacts::relieve(double negligible, const Motion &motion) {
             relievedB.reaction -= share * glm::dot(line, b->lever);
             relievedB.rubbing -= share * acrossB;
             relievedA.isSpent = relievedB.isSpent = false;
-            if (!relievedA.sticks() || !relievedB.sticks()) continue;
+            if (!isAllowed(relievedA) || !isAllowed(relievedB)) {
+                strain.remains = true;
+                continue;
+            }
             *a = relievedA;
             *b = relievedB;
-            largest = std::max(largest, std::abs(share));
+            strain.relieved = std::max(strain.relieved, std::abs(share));
         }
     }
-    return largest;
+    return strain;
+}
+
+/// Contacts that stick only by such a pressure may slip instead, at less: friction must not maintain the pressure on
+/// which it depends, model.md 14.1. Reactions found without friction first, with which friction then grows, are the
+/// smallest.
+void LastingContacts::settleFromBelow(double negligible, const Motion &driven, Motion &motion) {
+    LastingContacts other = *this;
+    Motion after = driven;
+    other.unload();
+    if (!other.settleTogether(0.0, negligible, kMostTogether, after)) return;
+    if (!(other.pressure() < pressure() - negligible)) return;
+    std::copy(other.begin(), other.end(), begin());
+    motion = after;
+}
+
+double LastingContacts::pressure() const {
+    double sum = 0.0;
+    for (const Lasting &contact : *this) sum += contact.reaction;
+    return sum;
 }
 
 void LastingContacts::solve(double rollingFriction, Motion &motion) {
@@ -352,8 +375,11 @@ void LastingContacts::solve(double rollingFriction, Motion &motion) {
         motion.spin -= 2.5 / m_radius * glm::cross(contact.lever, contact.rubbing);
     }
     settleWithoutResistance(negligible, driven, motion);
+    if (relieve(negligible, motion).remains) {
+        settleFromBelow(negligible, driven, motion);
+        relieve(negligible, motion);
+    }
     if (rollingFriction == 0.0) return;
-    relieve(negligible, motion);
     bool anyRolls = false;
     for (Lasting &contact : *this) {
         contact.rolls = contact.isTop && contact.reaction > 0.0 && (contact.isGlued || contact.sticks());
@@ -365,7 +391,7 @@ void LastingContacts::solve(double rollingFriction, Motion &motion) {
     for (int i = 0; i < kMostShares; ++i) {
         if (!shareLoads() || !settleTogether(rollingFriction, negligible, kUsuallyTogether, motion))
             settle(rollingFriction, negligible, true, motion);
-        if (relieve(negligible, motion) <= negligible) return;
+        if (relieve(negligible, motion).relieved <= negligible) return;
     }
 }
 

@@ -29,6 +29,8 @@ struct Lasting {
     bool sticks() const {
         return !isSpent && reaction > 0.0 && glm::dot(rubbing, rubbing) < friction * friction * reaction * reaction;
     }
+    /// Friction of a contact that rolls was judged without the resistance, model.md 13.5.
+    bool hasNoLimit() const { return isGlued || rolls; }
     /// Whether it pulls along what it touches: a face that glues does so until it opens, even without pressure.
     bool holds(const Vec3 &velocity) const { return reaction > 0.0 || (isGlued && glm::dot(limit, velocity) <= slow); }
 };
@@ -56,7 +58,14 @@ private:
     bool shareLoads() const;
     double pressTogether(double negligible, Motion &motion);
     bool releaseOpposite(double negligible);
-    double relieve(double negligible, const Motion &motion);
+    /// A pressure between two sticking contacts that moves nothing.
+    struct Strain {
+        double relieved; ///< m/s
+        bool remains;    ///< somewhere: without it a contact would slip
+    };
+    Strain relieve(double negligible, const Motion &motion);
+    void settleFromBelow(double negligible, const Motion &driven, Motion &motion);
+    double pressure() const;
     double sweep(double rollingFriction, bool arePressed, Motion &motion);
 
     double m_radius;

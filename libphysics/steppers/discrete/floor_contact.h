@@ -4,6 +4,7 @@
 
 #include "contact/ball.h"
 #include "scene/scene.h"
+#include "shared/closed_form.h"
 #include "shared/law.h"
 
 #include <algorithm>
@@ -25,11 +26,32 @@ struct Advance {
     V displacement; ///< during the substep, m
 };
 
+/// The closed form of a motion that resistance may stop: from there the ball starts back if the drive exceeds it.
+inline ResistedLaw::Point resisted(const Law<Vec2> &law, const Vec2 &velocity, double h) {
+    const ResistedLaw motion(velocity, law.A, law.B);
+    const double stop = motion.stopTime();
+    if (!(h >= (1.0 - 8.0 * kRounding) * stop)) return motion.at(h);
+    const ResistedLaw::Point end = motion.at(stop);
+    if (!(h > stop)) return end;
+    const ResistedLaw::Point back = ResistedLaw(Vec2(0.0), law.A, law.B).at(h - stop);
+    return {end.x + back.x, back.v, end.path + back.path};
+}
+
 /// A substep in which resistance may stop the ball, for schemes of second order and higher: model.md 10.5.
-template<class Law, class V>
-Advance<V> stopping(const Law &law, const V &velocity, double h) {
-    const V next = clampedVelocity(law, velocity, h);
-    return {next, 0.5 * h * (velocity + next)};
+inline Advance<Vec2> stopping(const Law<Vec2> &law, const Vec2 &velocity, double h) {
+    const ResistedLaw::Point end = resisted(law, velocity, h);
+    return {end.v, end.x};
+}
+/// In space resistance acts only on a floor.
+inline Advance<Vec3> stopping(const Law<Vec3> &law, const Vec3 &velocity, double h) {
+    const Advance<Vec2> next = stopping(Law<Vec2>{inPlane(law.A), law.B, law.resists}, inPlane(velocity), h);
+    return {Vec3(next.velocity, 0.0), Vec3(next.displacement, 0.0)};
+}
+
+/// How far a ball may go before it turns, in units of the way with its first velocity: a parabola stays in the triangle
+/// of its tangents; the speed along an axis only falls until resistance has ended it.
+inline double shareOfTurn(const Law<Vec2> &law, const Vec2 &velocity, double h) {
+    return nearStop(law, velocity, h) ? 1.0 : 0.5;
 }
 
 /// One Euler step of the velocity, clamped if it may end in a stop.
@@ -48,9 +70,12 @@ double meanWay(const V &velocity, const Advance<V> &next, double h) {
 }
 
 /// The same where resistance may have stopped the ball within the substep.
-template<class Scheme, class Law, class V>
-double resistedWay(const Law &law, const V &velocity, const Advance<V> &next, double h) {
-    const bool stops = next.velocity == V(0.0) && velocity != V(0.0);
+template<class Scheme>
+double resistedWay(const Law<Vec2> &law, const Vec2 &velocity, const Advance<Vec2> &next, double h) {
+    if constexpr (Scheme::kContactRule == ContactRule::SecondOrder) {
+        if (nearStop(law, velocity, h)) return resisted(law, velocity, h).path;
+    }
+    const bool stops = next.velocity == Vec2(0.0) && velocity != Vec2(0.0);
     if (stops) [[unlikely]]
         return 0.5 * std::min(h, timeToStop(law, velocity)) * glm::length(velocity);
     return meanWay<Scheme>(velocity, next, h);

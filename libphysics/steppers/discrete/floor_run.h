@@ -46,8 +46,8 @@ public:
         Ahead ahead = rollAhead(ball);
         const bool slips = ahead.contact == FloorContact::Slips;
         if (slips && m_context.params().rolling_friction > 0.0) return false; // starts once the slip has ended
-        // The ball may reverse: its path stays in the triangle of its ends and this corner.
-        const Vec2 turn = 0.5 * m_h * inPlane(ball.velocity);
+        // The ball may reverse: its path stays in the bounds of its ends and this corner.
+        const Vec2 turn = m_h * shareOfTurn(ahead.law, inPlane(ball.velocity), m_h) * inPlane(ball.velocity);
         const Vec3 end = ball.position + Vec3(ahead.roll.displacement, 0.0);
         FloorView view;
         if (!view.look(m_context, ball.position, end, std::max(sum(turn), sum(ahead.roll.displacement)))) return false;

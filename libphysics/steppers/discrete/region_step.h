@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/pair.h"
+#include "floor_contact.h"
 #include "registry/params.h"
 
 namespace phys {
@@ -113,6 +114,10 @@ Planar<N> acceleration(const UnstoppedLaw<N, kResists> &law, const Planar<N> &v)
 template<class N, bool kResists>
 Planar<N> clampedVelocity(const UnstoppedLaw<N, kResists> &law, const Planar<N> &v, double dt) {
     return v + dt * acceleration(law, v);
+}
+template<class N, bool kResists>
+Advance<Planar<N>> stopping(const UnstoppedLaw<N, kResists> &law, const Planar<N> &v, double h) {
+    return {clampedVelocity(law, v, h), h * v};
 }
 
 /// Which faces press on balls, and what these leave of the drive.

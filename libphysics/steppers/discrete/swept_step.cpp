@@ -443,7 +443,8 @@ double SweptStep::safeTimeOfPhase() const {
 /// Whether the bounding box of t seconds of motion contains nothing except the face on which the ball is.
 bool SweptStep::isClear(double t) const {
     const Vec3 end = at(t).position;
-    const Vec3 corner = m_ball.position + 0.5 * t * m_ball.velocity; // of the triangle around a parabola
+    const double share = m_isAlone ? shareOfTurn(rollingLaw(m_context.params()), inPlane(m_ball.velocity), t) : 0.5;
+    const Vec3 corner = m_ball.position + t * share * m_ball.velocity;
     const double margin = m_context.radius() + 2.0 * m_context.scene().tolerance;
     const Vec3 low = glm::min(corner, glm::min(m_ball.position, end));
     const Vec3 high = glm::max(corner, glm::max(m_ball.position, end));

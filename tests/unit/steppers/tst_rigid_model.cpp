@@ -72,6 +72,8 @@ private slots:
     void slipsOnASlopeTooSteepForFriction();
     void rollsInTheGrooveOfFloorAndRoughWall_data() { addStepperRows(); }
     void rollsInTheGrooveOfFloorAndRoughWall();
+    void resistanceDoesNotSpendTheFrictionOfFloorAndKerb_data();
+    void resistanceDoesNotSpendTheFrictionOfFloorAndKerb();
 };
 
 void TestRigidModel::rollingBallKeepsTheEffectiveRestitution() {
@@ -249,6 +251,40 @@ void TestRigidModel::rollsInTheGrooveOfFloorAndRoughWall() {
     COMPARE_WITHIN(ball.state.velocity.y, 5.0 / 9.0 * 0.5, slack);
     COMPARE_WITHIN(ball.state.position.y, 5.0 / 9.0 * 0.5 / 2.0, slack);
     COMPARE_EXACT(ball.state.position.x, kBallRadius);
+}
+
+void TestRigidModel::resistanceDoesNotSpendTheFrictionOfFloorAndKerb_data() {
+    QTest::addColumn<QByteArray>("stepper");
+    for (const char *stepper : {"explicit-euler", "symplectic-euler", "velocity-verlet", "rk4", "swept"})
+        QTest::addRow("%s", stepper) << QByteArray(stepper);
+}
+
+void TestRigidModel::resistanceDoesNotSpendTheFrictionOfFloorAndKerb() {
+    QFETCH(QByteArray, stepper);
+    // Both contacts stick, the ball stops and starts back. Without resistance the floor needs 0.04336 N of friction, so
+    // that from there on mu_s has no effect: model.md 13.5.
+    const double R = 0.006, h = 0.005, c = std::sqrt(R * R - (R - h) * (R - h)), v = -0.05;
+    const auto rolled = [&](double friction, int steps) {
+        Experiment ball(
+            SceneBuilder().ball(R).box({{-1, -1, -0.02}, {1, 1, 0}}).box({{c, -1, -0.02}, {1, 1, h}}).start(0, 0),
+            stepper, PHYS_MODEL_RIGID);
+        ball.params.gravity = {2.9136, 1.8527, -9.1823};
+        ball.params.rolling_friction = 0.027;
+        ball.params.sliding_friction = friction;
+        ball.params.wall_friction = 0.15;
+        ball.state.velocity = {0.0, v, 0.0};
+        ball.state.spin = {-v / R, 0.0, -(v / R) * (1.0 - (R - h) / R) * R / c};
+        return ball.stepTimes(steps, 0.05 / steps) ? ball.state.velocity.y : NAN;
+    };
+    const bool findsStops = stepper == "swept";
+    for (const double friction : {0.0434, 0.0446, 0.0455, 0.046, 0.05, 0.06}) {
+        for (const int steps : {50, 500}) {
+            // Both decelerations act for at most a step too long.
+            const double slack = findsStops ? 1e-6 : 4.0 * 0.05 / steps;
+            COMPARE_WITHIN(rolled(friction, steps), 0.00923421, slack);
+            COMPARE_WITHIN(rolled(friction, steps), rolled(0.3, steps), rounding(1e4, -v));
+        }
+    }
 }
 
 QTEST_GUILESS_MAIN(TestRigidModel)

@@ -42,6 +42,8 @@ private slots:
     void restsUpToTheTiltWhoseTangentIsTheFriction();
     void resistanceStopsTheBallAfterItsClosedForm_data() { addStepperAndModelRows(); }
     void resistanceStopsTheBallAfterItsClosedForm();
+    void startsBackFromAStopWithinAStep_data();
+    void startsBackFromAStopWithinAStep();
     void stopsWithStep512_data();
     void stopsWithStep512();
     void hugeResistanceStopsInOneStep_data() { addStepperAndModelRows(); }
@@ -214,6 +216,43 @@ void TestSmoothMotion::resistanceStopsTheBallAfterItsClosedForm() {
     QVERIFY(ball.state.flags & PHYS_AT_REST);
     const double slack = promiseOf(stepper).smooth == 1 ? dt / 2.0 : 0.0;
     COMPARE_WITHIN(ball.state.position.x, 4.0, slack + rounding(4e3, 4.0));
+}
+
+void TestSmoothMotion::startsBackFromAStopWithinAStep_data() {
+    QTest::addColumn<QByteArray>("stepper");
+    QTest::addColumn<uint32_t>("model");
+    QTest::addColumn<bool>("leans");
+    for (const char *stepper : {"velocity-verlet", "rk4", "swept"}) {
+        for (const uint32_t model : {PHYS_MODEL_ROLLING, PHYS_MODEL_RIGID}) {
+            for (const bool leans : {false, true}) {
+                QTest::addRow("%s, %s, %s", stepper, modelName(model).constData(),
+                              leans ? "along a wall" : "on a floor")
+                    << QByteArray(stepper) << model << leans;
+            }
+        }
+    }
+}
+
+void TestSmoothMotion::startsBackFromAStopWithinAStep() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(uint32_t, model);
+    QFETCH(bool, leans);
+    // model.md 3.2: stops after v0/(a + B), from where it starts back with a - B.
+    const double a = 1.25, B = 0.375, v0 = 0.0625, T = 0.0625;
+    const double back = T - v0 / (a + B);
+    const double speed = (a - B) * back, way = 0.5 * (a - B) * back * back - 0.5 * v0 * v0 / (a + B);
+    for (const int steps : {1, 3, 7, 10, 30, 71}) {
+        SceneBuilder scene = openFloor();
+        const double right = scene.radius();
+        if (leans) scene.box({{right, -4.0, 0.0}, {1.0 + right, 4.0, 1.0}});
+        Experiment ball(scene, stepper, model);
+        ball.setLaw(leans ? 0.125 : 0.0, a, B);
+        ball.state.position = {0.0, 0.0, ball.state.position.z};
+        ball.roll(0.0, -v0);
+        QVERIFY2(ball.stepTimes(steps, T / steps), ball.error());
+        COMPARE_WITHIN(ball.state.velocity.y, speed, rounding(1e2, v0));
+        COMPARE_WITHIN(ball.state.position.y, way, rounding(1e2, v0 * T));
+    }
 }
 
 void TestSmoothMotion::stopsWithStep512_data() {
