@@ -45,7 +45,7 @@ QString lossLine(const Session &session, const Game &game) {
 
 /// A hint what to do; for the user's own maze also its best time, which the list of levels doesn't show.
 QString promptHint(Session &session) {
-    if (const QString fault = session.startFault(); !fault.isEmpty()) return fault;
+    if (QString fault = session.startFault(); !fault.isEmpty()) return fault;
     if (session.hasAutopilot())
         return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "The autopilot plays · A takes over"));
     QString play = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip",
