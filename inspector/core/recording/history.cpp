@@ -16,6 +16,11 @@ uint64_t Past::endOfRun(uint64_t place) const {
     return begin + (next == runs.end() ? recording->length() : *next);
 }
 
+uint64_t Past::firstOfRun(uint64_t place) const {
+    const uint64_t first = beginOfRun(place);
+    return first == begin ? first : first + 1;
+}
+
 /// Steps at the block's dt from the run's last keyframe at or before this place.
 uint64_t Past::placeAt(double time, uint64_t place) const {
     const uint64_t first = beginOfRun(place) - begin;
@@ -26,10 +31,10 @@ uint64_t Past::placeAt(double time, uint64_t place) const {
         if (before && keyframe.state.time > time) break;
         before = &keyframe;
     }
-    if (!before) return begin + first;
+    if (!before) return firstOfRun(place);
     const double dt = recording->segment(before->segment).conditions.dt;
     const double steps = std::ceil((time - before->state.time) / dt - 1e-6);
-    return begin + std::clamp(before->position + uint64_t(std::max(steps, 0.0)), first, last);
+    return std::clamp(begin + before->position + uint64_t(std::max(steps, 0.0)), firstOfRun(place), begin + last);
 }
 
 History::History(uint64_t mostSteps)

@@ -25,7 +25,10 @@ struct Past {
     /// Begin and end of the run to which the step before `place` belongs.
     uint64_t beginOfRun(uint64_t place) const;
     uint64_t endOfRun(uint64_t place) const;
-    /// The first place at or after `time`, s, in the run of `place`; the run's end if it doesn't last that long.
+    /// The first place that shows the run of `place`: one after its begin if another run ends there.
+    uint64_t firstOfRun(uint64_t place) const;
+    /// The first place at or after `time`, s, that shows the run of `place`; the run's end if it doesn't last that
+    /// long.
     uint64_t placeAt(double time, uint64_t place) const;
 };
 

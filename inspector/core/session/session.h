@@ -171,7 +171,7 @@ public:
     RunPlace runPlace();
     /// Shows this place in the history, paused; the end of the live run is the present.
     void lookAt(uint64_t place);
-    /// The same by time in the run shown, s.
+    /// The same by time in the run shown, s; nothing if it has no step yet.
     void lookAtTime(double time);
     void returnToPresent();
     /// If the live run has no step yet, shows the end of the one before, paused, and waits until it is shown.

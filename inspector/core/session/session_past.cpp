@@ -61,7 +61,8 @@ void Session::lookAt(uint64_t place) {
 }
 
 void Session::lookAtTime(double time) {
-    if (!lookBack()) return;
+    const RunPlace run = runPlace();
+    if (run.begin == run.end || !lookBack()) return; // without a step it is shown by the present alone
     lookAt(m_past->past.placeAt(time, runPlace().place));
 }
 

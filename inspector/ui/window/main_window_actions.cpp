@@ -486,7 +486,8 @@ void MainWindow::stepBack() {
 
 void MainWindow::goToStart() {
     if (m_session.isReplaying()) return m_session.seek(0);
-    m_session.lookAt(m_session.runPlace().first);
+    const RunPlace run = m_session.runPlace();
+    if (run.place > run.first) m_session.lookAt(run.first);
 }
 
 void MainWindow::goToEnd() {

@@ -120,6 +120,8 @@ void TestHistory::placeIsFoundByItsTime() {
     QCOMPARE(kept.placeAt(1.001, 10), uint64_t(101)); // at or after
     QCOMPARE(kept.placeAt(0.1, 400), uint64_t(350));  // of the second, at 2 ms
     QCOMPARE(kept.placeAt(99.0, 10), uint64_t(300));
+    QCOMPARE(kept.placeAt(0.0, 10), uint64_t(0));
+    QCOMPARE(kept.placeAt(0.0, 400), uint64_t(301)); // 300 shows the end of the first
 }
 
 // Saves a part that begins in the middle.

@@ -32,6 +32,8 @@ private slots:
     void enterTakesAChangedNumberThenSaves();
     void filmIsOfTheSecondsAskedFor();
     void picturesFollowTheBall();
+    void filmIsOfTheRunShown();
+    void runWithoutStepsIsOnePictureOfItsStart();
     void presentIsShownAgainAfterwards();
     void cancelledFilmLeavesNothing();
     void folderThatHoldsSomethingIsRefused();
@@ -147,6 +149,36 @@ void TestWindowFilm::picturesFollowTheBall() {
     QTRY_COMPARE(picturesIn(folder).size(), 2);
     QTRY_VERIFY(isOver());
     QVERIFY(QImage(folder + "/00001.png") != QImage(folder + "/00002.png"));
+}
+
+// Also if more seconds are asked for than it has.
+void TestWindowFilm::filmIsOfTheRunShown() {
+    m_fixture->press(Qt::Key_R);
+    QTRY_COMPARE(ball().step, uint64_t(0));
+    m_fixture->parameters().set({{"tilt_x", -3.0}, {"tilt_y", -4.0}});
+    m_fixture->makeSteps(50);
+    const QString folder = m_fixture->path("film");
+    ask("10", "10", folder);
+    QTRY_VERIFY(m_fixture->session().isInPast());
+    while (m_fixture->session().isInPast()) {
+        QCOMPARE(m_fixture->session().runPlace().begin, uint64_t(100));
+        QTest::qWait(1);
+    }
+    QTRY_VERIFY(isOver());
+    QCOMPARE(picturesIn(folder).size(), 6);
+}
+
+void TestWindowFilm::runWithoutStepsIsOnePictureOfItsStart() {
+    m_fixture->press(Qt::Key_R);
+    QTRY_COMPARE(ball().step, uint64_t(0));
+    m_fixture->key(Qt::Key_Home, Qt::ControlModifier);
+    QVERIFY(!m_fixture->session().isInPast());
+    const QString folder = m_fixture->path("film");
+    ask("10", "10", folder);
+    QTRY_VERIFY(isOver());
+    QCOMPARE(picturesIn(folder).size(), 1);
+    QVERIFY(!m_fixture->session().isInPast());
+    QCOMPARE(ball().step, uint64_t(0));
 }
 
 void TestWindowFilm::presentIsShownAgainAfterwards() {
