@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/parts/file_chooser.h"
 
+#include "core/recording/recording.h"
+#include "core/setup/lines.h"
 #include "ui/parts/settings_keys.h"
 
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QMessageBox>
 #include <QSettings>
 #include <QTemporaryFile>
 
@@ -18,6 +21,23 @@ bool isInUsualFolder(const QString &path) {
     const QFileInfo target(path);
     if (target.exists() && !target.isFile() && !target.isDir()) return false;
     return QTemporaryFile(target.absolutePath() + QStringLiteral("/XXXXXX")).open();
+}
+
+/// A recording can't be made again from anything else, so that only another recording replaces it.
+bool replacesARecording(const FileQuestion &question, const QString &path) {
+    const QString suffix = QStringLiteral(".rec");
+    const bool isRecording = question.filter.contains(suffix) && path.endsWith(suffix, Qt::CaseInsensitive);
+    return question.use == FileUse::Write && !isRecording && isRecordingFile(path);
+}
+
+void sayItStays(QWidget &window, const FileQuestion &question, const QString &path) {
+    auto *refusal = new QMessageBox(
+        QMessageBox::Warning, question.title,
+        QFileDialog::tr("%1 is a recording, which only another one replaces; nothing was saved").arg(quoted(path)),
+        QMessageBox::Ok, &window);
+    refusal->setObjectName(QStringLiteral("recording_stays"));
+    refusal->setAttribute(Qt::WA_DeleteOnClose);
+    refusal->open();
 }
 
 } // namespace
@@ -37,7 +57,8 @@ void chooseFile(QWidget &window, QSettings &settings, const FileQuestion &questi
     };
     followFilter(dialog->selectedNameFilter());
     QObject::connect(dialog, &QFileDialog::filterSelected, dialog, followFilter);
-    QObject::connect(dialog, &QFileDialog::fileSelected, &window, [&settings, use, question](const QString &path) {
+    QObject::connect(dialog, &QFileDialog::fileSelected, &window, [=, &window, &settings](const QString &path) {
+        if (replacesARecording(question, path)) return sayItStays(window, question, path);
         if (question.use == FileUse::Read || isInUsualFolder(path))
             settings.setValue(settings_keys::kFolder, QFileInfo(path).absolutePath());
         use(path);

@@ -9,11 +9,13 @@
 #include "ui/track/track_dock.h"
 #include "window_fixture.h"
 
+#include <QApplication>
 #include <QDir>
 #include <QFile>
 #include <QHash>
 #include <QImage>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QScopeGuard>
@@ -39,6 +41,7 @@ private slots:
     void lostSettingsAreSaidAtTheChangeAndOnce();
     void refusedTableTakesNothingAway();
     void refusedUnitsTakeNothingAway();
+    void pictureDoesNotReplaceARecording();
 
 private:
     void choose(const QString &theme);
@@ -218,6 +221,25 @@ void TestWindowRefusals::refusedUnitsTakeNothingAway() {
     QVERIFY2(report().contains("'nonsense'"), qPrintable(report()));
     QCOMPARE(m_fixture->session().track(), track);
     QCOMPARE(units->text(), QString("nonsense")); // to be mended
+}
+
+// Another run is a recording, too, and replaces it: the dialog has asked.
+void TestWindowRefusals::pictureDoesNotReplaceARecording() {
+    const QByteArray recording = "physics-recording 1\n";
+    const QString path = write("run.rec", recording);
+    m_fixture->press(Qt::Key_P, Qt::ControlModifier);
+    m_fixture->answerFile(path);
+    QCOMPARE(support::contentOf(path), recording);
+    auto *refusal = m_fixture->find<QMessageBox>("recording_stays");
+    QVERIFY(refusal->text().startsWith("'" + path + "' is a recording"));
+    refusal->activateWindow(); // as window managers do
+    QTRY_COMPARE(QApplication::activeWindow(), refusal);
+    click(refusal->button(QMessageBox::Ok));
+    QTRY_VERIFY(!m_fixture->window().findChild<QMessageBox *>());
+    m_fixture->makeSteps(3);
+    m_fixture->trigger("save_run");
+    m_fixture->answerFile(path);
+    QVERIFY(support::contentOf(path).size() > recording.size());
 }
 
 QTEST_MAIN(TestWindowRefusals)
