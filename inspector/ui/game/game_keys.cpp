@@ -10,6 +10,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDialog>
+#include <QDockWidget>
 #include <QKeyEvent>
 
 #include <algorithm>
@@ -31,9 +32,9 @@ bool isText(const QWidget *widget) {
            (combo && combo->isEditable()) || QApplication::activePopupWidget();
 }
 
-bool isList(const QWidget *widget) {
-    return qobject_cast<const QAbstractItemView *>(widget) || qobject_cast<const QComboBox *>(widget);
-}
+bool isTable(const QWidget *widget) { return qobject_cast<const QAbstractItemView *>(widget); }
+
+bool isList(const QWidget *widget) { return isTable(widget) || qobject_cast<const QComboBox *>(widget); }
 
 bool isInDialog(const QWidget *widget) {
     for (; widget; widget = widget->parentWidget())
@@ -63,19 +64,24 @@ GameKeys::GameKeys(Session &session, QWidget &window, gl::MazeView &view)
     m_clock.start();
 }
 
+/// The main window, or a dock that floats.
+bool GameKeys::hasKeyboard() const {
+    const QWidget *active = QApplication::activeWindow();
+    return active == &m_window || (qobject_cast<const QDockWidget *>(active) && active->parentWidget() == &m_window);
+}
+
 bool GameKeys::isForGame(const QKeyEvent &event) const {
     if (!isArrow(event.key()) || (event.modifiers() & ~Qt::KeypadModifier)) return false;
     if (m_session.isReplaying()) return false;
-    if (QApplication::activeWindow() != &m_window || QApplication::activePopupWidget()) return false;
+    if (!hasKeyboard() || QApplication::activePopupWidget()) return false;
     const QWidget *focus = QApplication::focusWidget();
-    const bool isItems = qobject_cast<const QAbstractItemView *>(focus);
-    if (isItems && (m_session.hasAutopilot() || !m_session.simulation().latest().running)) return false;
+    if (isTable(focus) && (m_session.hasAutopilot() || !m_session.simulation().latest().running)) return false;
     return m_session.game().phase() == Game::Phase::Playing || !focus || focus == &m_view || focus == &m_window;
 }
 
 /// Keys that a widget needs although the window has a command for them.
 bool GameKeys::isForWidget(const QKeyEvent &event, const QWidget *widget) const {
-    if (isEnter(event.key())) return isText(widget) || isList(widget);
+    if (isEnter(event.key())) return isText(widget) || qobject_cast<const QComboBox *>(widget);
     if (event.key() == Qt::Key_Escape) return isText(widget);
     const bool isPressed = qobject_cast<const QAbstractButton *>(widget) || qobject_cast<const QComboBox *>(widget);
     return event.key() == Qt::Key_Space && isPressed && m_session.game().phase() != Game::Phase::Playing;
@@ -87,6 +93,7 @@ bool GameKeys::eventFilter(QObject *object, QEvent *event) {
     const auto *key = static_cast<const QKeyEvent *>(event);
     const auto *widget = qobject_cast<const QWidget *>(object);
     if (type == QEvent::ShortcutOverride) {
+        if (isEnter(key->key()) && isTable(widget) && !isInDialog(widget)) returnKeyboardAfter(widget);
         if (!isForWidget(*key, widget)) return false;
         event->accept();
         if (!QApplication::activePopupWidget()) return true;
@@ -144,8 +151,8 @@ void GameKeys::releaseAll() {
 void GameKeys::advance() {
     const double seconds = 1e-9 * double(m_clock.nsecsElapsed());
     m_clock.restart();
-    if (QApplication::activeWindow() != &m_window) m_held = {}; // releases go to another window
-    sendKeys();                                                 // the camera may have moved
+    if (!hasKeyboard()) m_held = {}; // releases go to another window
+    sendKeys();                      // the camera may have moved
     m_session.advanceKeys(std::min(seconds, kLongestTurn));
 }
 

@@ -20,7 +20,8 @@ namespace inspector::ui {
 
 /// Routes keys to the game. While a level is played, arrow keys tilt the board whatever has the focus; otherwise only
 /// if the view has it. They act in screen directions, independent of the camera's azimuth. In editors and choosers,
-/// Enter and Esc finish the input and return the focus to the view, and have no other effect.
+/// Enter and Esc finish the input and return the focus to the view, and have no other effect; a table that doesn't use
+/// Enter leaves it to the game.
 class GameKeys : public QObject {
     Q_OBJECT
 
@@ -32,6 +33,7 @@ protected:
     bool eventFilter(QObject *object, QEvent *event) override;
 
 private:
+    bool hasKeyboard() const;
     bool isForGame(const QKeyEvent &event) const;
     bool isForWidget(const QKeyEvent &event, const QWidget *widget) const;
     bool takeArrow(const QKeyEvent &event);

@@ -253,7 +253,9 @@ void MainWindow::addDockAction(QDockWidget &dock, int number, double share) {
     const auto showState = [&dock, toggle] { toggle->setChecked(!dock.isHidden()); };
     connect(&dock, &QDockWidget::visibilityChanged, toggle, showState);
     connect(dock.toggleViewAction(), &QAction::toggled, this, [this, &dock] {
-        if (dock.isHidden()) giveBackHeights(dockWidgetArea(&dock));
+        if (!dock.isHidden()) return;
+        giveBackHeights(dockWidgetArea(&dock));
+        m_view->setFocus(); // Qt gives it to what happens to be next
     });
     connect(toggle, &QAction::triggered, &dock, [this, &dock, share, showState] {
         const bool isSeen = dock.isVisible() && !dock.visibleRegion().isEmpty();

@@ -12,6 +12,8 @@ namespace inspector::ui {
 
 namespace {
 
+bool isEnter(const QKeyEvent &event) { return event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter; }
+
 constexpr int kEndRole = Qt::UserRole;       ///< in the first column: the run's last place
 constexpr int kBeginRole = Qt::UserRole + 1; ///< the same: where it begins, which identifies it
 
@@ -94,9 +96,15 @@ void RunDock::refresh() {
 
 void RunDock::goTo(const QTreeWidgetItem *item) { m_session.lookAt(item->data(0, kEndRole).toULongLong()); }
 
+/// Enter is the window's otherwise.
+bool RunDock::event(QEvent *event) {
+    if (event->type() != QEvent::ShortcutOverride) return QTreeWidget::event(event);
+    if (currentItem() && isEnter(*static_cast<QKeyEvent *>(event))) event->accept();
+    return event->isAccepted();
+}
+
 void RunDock::keyPressEvent(QKeyEvent *event) {
-    const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-    if (isEnter && currentItem()) return goTo(currentItem());
+    if (currentItem() && isEnter(*event)) return goTo(currentItem());
     QTreeWidget::keyPressEvent(event);
 }
 

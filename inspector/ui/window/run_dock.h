@@ -20,6 +20,7 @@ public:
     QSize sizeHint() const override { return {500, 200}; }
 
 protected:
+    bool event(QEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
 
 private:

@@ -5,6 +5,8 @@
 #include "ui/parts/number_box.h"
 #include "window_fixture.h"
 
+#include <QApplication>
+#include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -24,6 +26,11 @@ private slots:
     void init();
     void cleanup();
     void enterStartsTheGame();
+    void enterStartsTheGameFromAList_data();
+    void enterStartsTheGameFromAList();
+    void floatingDockLeavesTheGameItsKeys();
+    void closedDockReturnsTheKeyboard_data();
+    void closedDockReturnsTheKeyboard();
     void arrowTiltsTheBoardTowardsItself_data();
     void arrowTiltsTheBoardTowardsItself();
     void releasedArrowLevelsTheBoard();
@@ -69,6 +76,75 @@ void TestWindowKeys::enterStartsTheGame() {
     startGame();
     QCOMPARE(m_fixture->game().phase(), Game::Phase::Playing);
     QTRY_VERIFY(ball().step > 0);
+}
+
+void TestWindowKeys::enterStartsTheGameFromAList_data() {
+    QTest::addColumn<QString>("dock");
+    QTest::addColumn<QString>("list");
+    QTest::newRow("levels") << "levels_dock"
+                            << "levels";
+    QTest::newRow("bounces") << "bounces_dock"
+                             << "bounces_table";
+    QTest::newRow("watch") << "watch_dock"
+                           << "watched";
+    QTest::newRow("trade") << "trade_dock"
+                           << "trade_table";
+    QTest::newRow("runs, of which there is none yet") << "runs_dock"
+                                                      << "runs";
+}
+
+// As the line above the board says; then the view has the keyboard.
+void TestWindowKeys::enterStartsTheGameFromAList() {
+    QFETCH(QString, dock);
+    QFETCH(QString, list);
+    if (!m_fixture->find<QDockWidget>(dock)->isVisible()) m_fixture->trigger("show_" + dock);
+    m_fixture->find<QWidget>(list)->setFocus(Qt::TabFocusReason);
+    m_fixture->key(Qt::Key_Return);
+    QTRY_VERIFY(isRunning());
+    QTRY_VERIFY(m_fixture->window().view().hasFocus());
+}
+
+void TestWindowKeys::floatingDockLeavesTheGameItsKeys() {
+    m_fixture->trigger("show_trade_dock");
+    auto *dock = m_fixture->find<QDockWidget>("trade_dock");
+    dock->setFloating(true);
+    dock->activateWindow();
+    QTRY_COMPARE(QApplication::activeWindow(), dock);
+    auto *table = m_fixture->find<QWidget>("trade_table");
+    table->setFocus();
+    m_fixture->key(Qt::Key_Return);
+    QTRY_VERIFY(isRunning());
+    QTest::keyPress(table, Qt::Key_Up);
+    QTRY_VERIFY(m_fixture->simulated("tilt_y") > 1.0);
+    QTest::keyRelease(table, Qt::Key_Up);
+    QTRY_COMPARE(m_fixture->simulated("tilt_y"), 0.0);
+}
+
+void TestWindowKeys::closedDockReturnsTheKeyboard_data() {
+    QTest::addColumn<QString>("dock");
+    QTest::addColumn<Qt::Key>("key"); // none: its button
+    QTest::newRow("levels by the key") << "levels_dock" << Qt::Key_2;
+    QTest::newRow("trade by the key") << "trade_dock" << Qt::Key_4;
+    QTest::newRow("levels by the button") << "levels_dock" << Qt::Key_unknown;
+}
+
+// Not to what happens to be next, here the watched quantities.
+void TestWindowKeys::closedDockReturnsTheKeyboard() {
+    QFETCH(QString, dock);
+    QFETCH(Qt::Key, key);
+    auto *closed = m_fixture->find<QDockWidget>(dock);
+    m_fixture->trigger("show_watch_dock");
+    if (!closed->isVisible()) m_fixture->trigger("show_" + dock);
+    closed->widget()->setFocus();
+    QVERIFY(closed->isAncestorOf(QApplication::focusWidget()));
+    if (key == Qt::Key_unknown)
+        click(closed->findChild<QWidget *>("qt_dockwidget_closebutton"));
+    else
+        m_fixture->key(key, Qt::ControlModifier);
+    QTRY_VERIFY(closed->isHidden());
+    QCOMPARE(QApplication::focusWidget(), &m_fixture->window().view());
+    m_fixture->key(Qt::Key_Return);
+    QTRY_VERIFY(isRunning());
 }
 
 void TestWindowKeys::arrowTiltsTheBoardTowardsItself_data() {
