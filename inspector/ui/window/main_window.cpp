@@ -132,6 +132,17 @@ void MainWindow::showEvent(QShowEvent *event) {
     if (std::exchange(m_wasShown, true)) return;
     m_awaitsItsSize = isMaximized() || isFullScreen();
     if (!m_awaitsItsSize) restoreDocks();
+    QMetaObject::invokeMethod(this, &MainWindow::bringFloatingDocksUp, Qt::QueuedConnection);
+}
+
+/// The layout showed them before this window, which lies above them since; window managers keep above it what is
+/// shown after it.
+void MainWindow::bringFloatingDocksUp() {
+    for (QDockWidget *dock : findChildren<QDockWidget *>()) {
+        if (!dock->isFloating() || dock->isHidden()) continue;
+        dock->hide();
+        dock->show();
+    }
 }
 
 /// The window manager enlarges a maximised window once it is shown.

@@ -143,6 +143,7 @@ private:
     void showRunning(bool isRunning);
     void showComparison();
     void restoreLook();
+    void bringFloatingDocksUp();
     void restoreDocks();
     void fitScreen();
     void arrangeDocks();

@@ -25,12 +25,24 @@
 #include <QStyleOptionViewItem>
 #include <QTimer>
 #include <QToolButton>
+#include <QWindow>
 
 #include <algorithm>
 
 #include <qcustomplot.h>
 
 using namespace window_test;
+
+namespace {
+/// Windows in the order in which they are shown.
+struct ShownWindows : QObject {
+    bool eventFilter(QObject *object, QEvent *event) override {
+        if (object->isWindowType() && event->type() == QEvent::Show) list << object;
+        return false;
+    }
+    QList<const QObject *> list;
+};
+} // namespace
 
 class TestWindowDocks : public QObject {
     Q_OBJECT
@@ -51,6 +63,7 @@ private slots:
     void layoutIsRemembered();
     void layoutStaysHoweverOftenTheWindowIsReopened_data();
     void layoutStaysHoweverOftenTheWindowIsReopened();
+    void floatingDockIsShownAfterTheWindow();
     void viewIsTheLargestPart();
     void noTextOfTheParametersIsCut();
     void parametersNeedLittleRoom();
@@ -244,6 +257,20 @@ void TestWindowDocks::layoutStaysHoweverOftenTheWindowIsReopened() {
         m_fixture->window().refresh();
         QCOMPARE(layout(), before);
     }
+}
+
+// Window managers keep above a window what is shown after it.
+void TestWindowDocks::floatingDockIsShownAfterTheWindow() {
+    m_fixture->find<QDockWidget>("levels_dock")->setFloating(true);
+    ShownWindows shown;
+    qApp->installEventFilter(&shown);
+    m_fixture->reopen();
+    QVERIFY(m_fixture->isReady());
+    const auto *dock = m_fixture->find<QDockWidget>("levels_dock");
+    QVERIFY(dock->isFloating());
+    const auto *window = &m_fixture->window();
+    QTRY_VERIFY(shown.list.lastIndexOf(dock->windowHandle()) > shown.list.lastIndexOf(window->windowHandle()));
+    QVERIFY(dock->isVisible());
 }
 
 void TestWindowDocks::viewIsTheLargestPart() {
