@@ -127,11 +127,14 @@ QString ComparisonDock::summary(const Snapshot &now) const {
     if (!now.ghost) return comparison.refusal();
     const Deviation &deviation = now.ghost->deviation;
     const double radius = phys_scene_radius(m_session.scene().get());
-    QString figures = tr("Distance %1, speed %2, energy %3, %4 s after they met")
+    const bool hasGhostLeft = now.ghost->current.flags & PHYS_OUT; // it stays at the exit, and so do the figures
+    QString figures = (hasGhostLeft ? tr("When the ghost left the maze: distance %1, speed %2, energy %3, %4 s after "
+                                         "they met")
+                                    : tr("Distance %1, speed %2, energy %3, %4 s after they met"))
                           .arg(distanceText(deviation.distance, radius), speedDifferenceText(deviation.speed),
                                energyDifferenceText(deviation.energy),
                                QString::number(now.ghost->current.time - now.ghost->met.time, 'f', 2));
-    if (now.ghost->current.flags & PHYS_OUT) return tr("%1; the ghost is out of the maze").arg(figures);
+    if (hasGhostLeft) return figures;
     if (now.current.flags & PHYS_OUT) return tr("%1; the ball is out of the maze").arg(figures);
     if (!m_band) return figures;
     const double known = m_band->middleAt(now.current.time);
