@@ -19,7 +19,7 @@ namespace inspector::ui {
 
 namespace {
 
-const QString kFilter = QStringLiteral("(*.txt)");
+const QString kFilter = QStringLiteral(" (*.txt)");
 
 /// Escapes a name, which may contain the separator of keys.
 QString keyOf(const QString &name) {
@@ -140,7 +140,8 @@ void SetMenu::remove(const ParameterSet &set) {
 }
 
 void SetMenu::askWhatToImport() {
-    chooseFile(*window(), m_settings, {tr("Import parameters"), tr("Parameters") + kFilter, {}, FileUse::Read},
+    chooseFile(*window(), m_settings,
+               {tr("Import parameters"), tr("Parameters") + kFilter + tr(";;All files (*)"), {}, FileUse::Read},
                [this](const QString &path) { import(path); });
 }
 

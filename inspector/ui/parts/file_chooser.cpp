@@ -51,12 +51,14 @@ void chooseFile(QWidget &window, QSettings &settings, const FileQuestion &questi
     dialog->setFileMode(question.use == FileUse::Read ? QFileDialog::ExistingFile : QFileDialog::AnyFile);
     dialog->setAcceptMode(question.use == FileUse::Read ? QFileDialog::AcceptOpen : QFileDialog::AcceptSave);
     if (!question.name.isEmpty()) dialog->selectFile(question.name);
-    // A name without a suffix gets that of the selected kind of file.
+    // A new file's name without a suffix gets that of the selected kind.
     const auto followFilter = [dialog](const QString &filter) {
         dialog->setDefaultSuffix(filter.section(QStringLiteral("*."), 1).section(QLatin1Char(')'), 0, 0));
     };
-    followFilter(dialog->selectedNameFilter());
-    QObject::connect(dialog, &QFileDialog::filterSelected, dialog, followFilter);
+    if (question.use == FileUse::Write) {
+        followFilter(dialog->selectedNameFilter());
+        QObject::connect(dialog, &QFileDialog::filterSelected, dialog, followFilter);
+    }
     QObject::connect(dialog, &QFileDialog::fileSelected, &window, [=, &window, &settings](const QString &path) {
         if (replacesARecording(question, path)) return sayItStays(window, question, path);
         if (question.use == FileUse::Read || isInUsualFolder(path))

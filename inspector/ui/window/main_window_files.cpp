@@ -38,7 +38,8 @@ void acceptCopy(QDropEvent &event) {
 } // namespace
 
 void MainWindow::openMazeFile() {
-    chooseFile(*this, m_session.settings(), {tr("Open maze file"), tr("Mazes (*.txt)"), {}, FileUse::Read},
+    chooseFile(*this, m_session.settings(),
+               {tr("Open maze file"), tr("Mazes (*.txt);;All files (*)"), {}, FileUse::Read},
                [this](const QString &path) { openFile(path); });
 }
 

@@ -36,6 +36,7 @@ private slots:
     void droppedMazeIsARecentOne();
     void droppedFileIsNotMoved();
     void recentFileThatIsGoneIsForgotten();
+    void nameIsOpenedAsItIsTyped();
     void changedMazeIsReadAgain();
     void noteOfAChangedMazeIsForgottenAtARestart();
     void replacedMazeIsReadAgain();
@@ -148,6 +149,22 @@ void TestWindowFiles::recentFileThatIsGoneIsForgotten() {
     QVERIFY2(line().contains("gone.txt"), qPrintable(line()));
     QCOMPARE(recent()->actions().at(0)->text(), QString("None yet"));
     m_fixture->find<QMenu>("recent_menu")->close();
+}
+
+// The dialog adds no suffix, and lists files of every name.
+void TestWindowFiles::nameIsOpenedAsItIsTyped() {
+    const QString path = maze("board", kWall);
+    m_fixture->trigger("open");
+    auto *dialog = m_fixture->window().findChild<QFileDialog *>();
+    QVERIFY(dialog);
+    dialog->setDirectory(QFileInfo(path).absolutePath());
+    auto *name = dialog->findChild<QLineEdit *>("fileNameEdit");
+    name->selectAll();
+    QTest::keyClicks(name, "board");
+    QCOMPARE(dialog->selectedFiles(), QStringList(path)); // otherwise a message would wait for an answer
+    QVERIFY(dialog->nameFilters().contains("All files (*)"));
+    QTest::keyClick(name, Qt::Key_Return);
+    QTRY_COMPARE(m_fixture->session().level().path, path);
 }
 
 void TestWindowFiles::changedMazeIsReadAgain() {
