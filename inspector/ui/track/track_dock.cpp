@@ -177,6 +177,7 @@ bool TrackDock::openTrack() {
     forgetFit();
     m_track = std::move(track);
     m_level = m_session.level().name;
+    emit opened(m_file->path());
     layOver(m_quantities->begin(m_session.parameters().inputs()));
     showReport();
     return true;

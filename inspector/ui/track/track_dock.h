@@ -41,6 +41,7 @@ public:
     QSize sizeHint() const override { return {900, 320}; }
 
 signals:
+    void opened(const QString &path);
     void saveWanted();
 
 protected:

@@ -370,6 +370,7 @@ void MainWindow::connectPlots() {
     connect(m_comparison, &ComparisonDock::saveWanted, this, &MainWindow::saveDistance);
     connect(m_trade, &TradeDock::saveWanted, this, &MainWindow::saveTrade);
     connect(m_track, &TrackDock::saveWanted, this, &MainWindow::saveFit);
+    connect(m_track, &TrackDock::opened, this, [this](const QString &path) { remember(path, true); });
     const QToolButton *add =
         m_plotPanel->addButton(Glyph::Add, QStringLiteral("plot_add"), tr("Add a plot, or change one"));
     connect(add, &QToolButton::clicked, this, [this, add] {

@@ -35,6 +35,7 @@ private slots:
     void openedTrackIsABallAndATrail();
     void trailStaysWhereItWasMeasuredWhenTheBallFalls();
     void droppedTableIsLaidOverTheRun();
+    void typedTableIsARecentOne();
     void droppedTableThatIsWrongSaysWhy();
     void openedTrackSettlesARefusedName();
     void numberTypedIntoTheTableEndsTheEditOnce();
@@ -142,6 +143,19 @@ void TestWindowTrack::droppedTableIsLaidOverTheRun() {
     recent->popup(m_fixture->window().mapToGlobal(QPoint(40, 40)));
     QCOMPARE(recent->actions().at(0)->text(), QString("&1  track.csv"));
     QTest::keyClick(recent, Qt::Key_Escape);
+}
+
+// And so is one of --track, which the window opens in the same way.
+void TestWindowTrack::typedTableIsARecentOne() {
+    m_fixture->trigger("show_track_dock");
+    auto *box = m_fixture->find<QLineEdit>("track_file");
+    box->setFocus();
+    box->selectAll();
+    m_fixture->type(m_fixture->path("track.csv"));
+    m_fixture->key(Qt::Key_Return);
+    QTRY_VERIFY(m_fixture->session().track());
+    const QStringList recent = m_fixture->settings().value("window/recent").toStringList();
+    QVERIFY2(!recent.isEmpty() && recent.front() == m_fixture->path("track.csv"), qPrintable(recent.join(' ')));
 }
 
 void TestWindowTrack::droppedTableThatIsWrongSaysWhy() {
