@@ -170,11 +170,13 @@ void NumberBox::showNote(const QString &text, const QColor &colour) {
     m_note->raise();
 }
 
-/// While the user is typing, the undo keys apply to the field's text; otherwise they are the window's.
+/// While the user is typing, the undo keys apply to the field's text; without any of it they are the window's.
 bool NumberBox::event(QEvent *event) {
-    if (event->type() == QEvent::ShortcutOverride && !isModified()) {
+    if (event->type() == QEvent::ShortcutOverride) {
         const auto *key = static_cast<QKeyEvent *>(event);
-        if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+        const bool isUndo = key->matches(QKeySequence::Undo);
+        const bool hasText = isModified() && (isUndo ? isUndoAvailable() : isRedoAvailable());
+        if (!hasText && (isUndo || key->matches(QKeySequence::Redo))) {
             event->ignore();
             return false;
         }

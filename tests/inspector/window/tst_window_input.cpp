@@ -34,6 +34,7 @@ private slots:
     void unreadableNumberStaysMarkedWithItsReason();
     void escTakesTheEditBack();
     void unreadableNumberStaysWhereTheFieldIsLeft();
+    void undoGoesOnAfterTheTextOfANumber();
     void newValueTakesThePlaceOfRefusedText_data();
     void newValueTakesThePlaceOfRefusedText();
     void enterInTheTimeStepAppliesItAndPlaysNothing();
@@ -159,6 +160,25 @@ void TestWindowInput::unreadableNumberStaysWhereTheFieldIsLeft() {
     m_fixture->trigger("compare"); // another command
     QVERIFY(box->isRefused());
     QVERIFY(box->toolTip().contains("fast"));
+}
+
+// First the text comes back, then the changes before it.
+void TestWindowInput::undoGoesOnAfterTheTextOfANumber() {
+    focused("gravity_box");
+    m_fixture->type("5");
+    m_fixture->key(Qt::Key_Return);
+    QTRY_COMPARE(m_fixture->simulated("gravity"), 5.0);
+    NumberBox *box = focused("restitution_wall_box");
+    m_fixture->type("100 km/h");
+    m_fixture->key(Qt::Key_Return);
+    QVERIFY(box->isRefused());
+    const int most = int(box->text().size()) + 2; // at worst letter by letter
+    for (int i = 0; i < most && m_fixture->simulated("gravity") == 5.0; ++i) {
+        m_fixture->key(Qt::Key_Z, Qt::ControlModifier);
+        m_fixture->window().refresh();
+    }
+    QTRY_COMPARE(m_fixture->simulated("gravity"), 9.81);
+    QVERIFY(!box->isRefused());
 }
 
 void TestWindowInput::newValueTakesThePlaceOfRefusedText_data() {
