@@ -6,8 +6,10 @@
 #include "ui/parts/file_chooser.h"
 #include "ui/parts/settings_keys.h"
 
+#include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QInputDialog>
+#include <QPushButton>
 #include <QSettings>
 #include <QUndoCommand>
 #include <QUndoStack>
@@ -20,6 +22,7 @@ namespace inspector::ui {
 namespace {
 
 const QString kFilter = QStringLiteral(" (*.txt)");
+constexpr int kLongestEntry = 40; ///< characters
 
 /// Escapes a name, which may contain the separator of keys.
 QString keyOf(const QString &name) {
@@ -46,7 +49,12 @@ private:
     QString m_key, m_before, m_after;
 };
 
-QString plain(const QString &name) { return QString(name).replace(QLatin1Char('&'), QLatin1String("&&")); }
+/// A longer name would put the rest of the menu off the screen.
+QString entryOf(const QString &name, const QMenu &menu) {
+    const QFontMetrics metrics = menu.fontMetrics();
+    QString entry = metrics.elidedText(name, Qt::ElideRight, metrics.averageCharWidth() * kLongestEntry);
+    return entry.replace(QLatin1Char('&'), QLatin1String("&&"));
+}
 
 QString tipOf(const ParameterSet &set) {
     QString values;
@@ -107,7 +115,7 @@ void SetMenu::addSets(QMenu &menu, Owner owner) {
 }
 
 void SetMenu::addSet(QMenu &menu, Owner owner, const ParameterSet &set) {
-    QAction *use = menu.addAction(plain(set.name), this, [this, set, owner] { emit chosen(set, owner); });
+    QAction *use = menu.addAction(entryOf(set.name, menu), this, [this, set, owner] { emit chosen(set, owner); });
     use->setToolTip(tipOf(set));
 }
 
@@ -115,7 +123,7 @@ void SetMenu::addDeletions(QMenu &menu) {
     menu.setObjectName(QStringLiteral("set_delete"));
     const std::vector<ParameterSet> own = kept();
     menu.setEnabled(!own.empty());
-    for (const ParameterSet &set : own) menu.addAction(plain(set.name), this, [this, set] { remove(set); });
+    for (const ParameterSet &set : own) menu.addAction(entryOf(set.name, menu), this, [this, set] { remove(set); });
 }
 
 void SetMenu::askForName() {
@@ -125,10 +133,15 @@ void SetMenu::askForName() {
     dialog->setWindowTitle(tr("Save parameters"));
     dialog->setLabelText(tr("Name of the set"));
     connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString &name) {
-        if (!name.trimmed().isEmpty())
-            keep(presentSet(name.trimmed(), m_parameters), tr("save of %1").arg(name.trimmed()));
+        keep(presentSet(name.trimmed(), m_parameters), tr("save of %1").arg(name.trimmed()));
     });
-    dialog->open();
+    dialog->open(); // makes its buttons
+    auto *buttons = dialog->findChild<QDialogButtonBox *>();
+    const auto needName = [buttons](const QString &name) {
+        buttons->button(QDialogButtonBox::Ok)->setEnabled(!name.trimmed().isEmpty());
+    };
+    connect(dialog, &QInputDialog::textValueChanged, buttons, needName);
+    needName({});
 }
 
 void SetMenu::keep(const ParameterSet &set, const QString &text) {

@@ -7,9 +7,11 @@
 #include "window_fixture.h"
 
 #include <QApplication>
+#include <QDialogButtonBox>
 #include <QInputDialog>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPushButton>
 #include <QToolButton>
 
 #include <algorithm>
@@ -28,6 +30,8 @@ private slots:
     void knownSetIsChosenByKeyboardAndUndone();
     void tipSaysValuesAndSources();
     void savedSetComesBackWithTheNextWindow();
+    void longNameLeavesTheMenuOnTheScreen();
+    void blankNameCantBeSaved();
     void deletionIsUndone();
     void ghostGetsASetOfItsOwn();
     void exportedFileIsImported();
@@ -122,6 +126,28 @@ void TestWindowSets::savedSetComesBackWithTheNextWindow() {
     choose("Moon && more");
     COMPARE_EXACT(own("gravity"), 1.62);
     COMPARE_EXACT(own("tilt_x"), 0.0); // the board's tilt isn't part of it
+}
+
+void TestWindowSets::longNameLeavesTheMenuOnTheScreen() {
+    save(QString(300, 'x'));
+    const int width = menu()->sizeHint().width();
+    m_fixture->find<QMenu>("set_menu")->close();
+    QVERIFY2(width < 600, qPrintable(QString::number(width)));
+}
+
+void TestWindowSets::blankNameCantBeSaved() {
+    choose("Save these parameters as…");
+    QTRY_VERIFY(m_fixture->window().findChild<QInputDialog *>("set_name"));
+    auto *dialog = m_fixture->find<QInputDialog>("set_name");
+    QTRY_VERIFY(dialog->isVisible());
+    const QAbstractButton *save = dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok);
+    QTest::keyClicks(dialog->findChild<QLineEdit *>(), "  ");
+    QVERIFY(!save->isEnabled());
+    QTest::keyClick(dialog->findChild<QLineEdit *>(), Qt::Key_Return);
+    QVERIFY(dialog->isVisible());
+    QTest::keyClicks(dialog->findChild<QLineEdit *>(), "a");
+    QVERIFY(save->isEnabled());
+    dialog->reject();
 }
 
 void TestWindowSets::deletionIsUndone() {
