@@ -4,6 +4,7 @@
 #include "core/setup/tables.h"
 #include "core/trade/trade_answer.h"
 #include "core/trade/trade_table.h"
+#include "ui/parts/board_vector.h"
 #include "ui/parts/described.h"
 #include "ui/parts/elided_label.h"
 #include "ui/parts/flow_layout.h"
@@ -79,7 +80,7 @@ bool isSameBoard(const Scene &a, const Scene &b) {
     return phys_scene_radius(a.get()) == phys_scene_radius(b.get()) && count == phys_scene_box_count(b.get()) &&
            std::memcmp(phys_scene_boxes(a.get()), phys_scene_boxes(b.get()), count * sizeof(phys_box)) == 0 &&
            phys_scene_start(a.get(), &starts[0]) == PHYS_OK && phys_scene_start(b.get(), &starts[1]) == PHYS_OK &&
-           std::memcmp(&starts[0], &starts[1], sizeof starts[0]) == 0;
+           toGlm(starts[0].position) == toGlm(starts[1].position);
 }
 
 } // namespace
@@ -509,7 +510,7 @@ QString TradeDock::remark() const {
     if (!m_worker.plan().scene)
         return tr("Measures every stepper and step size against stepper exact, beside the simulation.");
     if (!m_error.isEmpty()) return m_error;
-    if (const QString conditions = otherConditions(); !conditions.isEmpty()) return conditions;
+    if (QString conditions = otherConditions(); !conditions.isEmpty()) return conditions;
     QStringList lines = tradeSummary(m_worker.plan(), result);
     if (!m_worker.plan().unknowns.empty()) lines.removeFirst(); // the unknowns have a box of their own
     const QString summary = result.points.empty() ? QString() : lines.join(QStringLiteral("; "));
