@@ -21,6 +21,7 @@ struct KnownArguments {
 
     /// Compares bytes, because zeros have a sign.
     bool are(const phys_params &others, double length) const {
+        // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): no padding
         return length == dt && std::memcmp(&others, &params, sizeof params) == 0;
     }
 };
