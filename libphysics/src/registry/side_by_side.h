@@ -65,7 +65,7 @@ private:
     bool m_paramsAreChecked;
     Outcome &m_outcome;
     uint64_t m_next = 0, m_end = 0; ///< the balls that haven't begun
-    Lanes m_lanes;
+    Lanes m_lanes{};
     std::array<Slot, kLaneCount> m_slots{};
     std::array<const phys_vec3 *, kLaneCount> m_gravity{}; ///< of the next step in each lane
     bool m_hasBegun = false;
