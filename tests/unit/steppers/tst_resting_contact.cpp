@@ -379,7 +379,7 @@ Experiment onADeck(const QByteArray &stepper, uint32_t model) {
 void TestRestingContact::restsWithoutGravityWhereverItIs() {
     QFETCH(QByteArray, stepper);
     QFETCH(uint32_t, model);
-    for (const double height : {0.0}) {
+    for (const double height : {0.0, 0.25}) {
         Experiment ball = onADeck(stepper, model);
         ball.params.gravity = {0.0, 0.0, 0.0};
         ball.state.position.z += height;
