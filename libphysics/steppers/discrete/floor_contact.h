@@ -44,7 +44,7 @@ inline Advance<Vec2> stopping(const Law<Vec2> &law, const Vec2 &velocity, double
 }
 /// In space resistance acts only on a floor.
 inline Advance<Vec3> stopping(const Law<Vec3> &law, const Vec3 &velocity, double h) {
-    const Advance<Vec2> next = stopping(Law<Vec2>{inPlane(law.A), law.B, law.resists}, inPlane(velocity), h);
+    const Advance<Vec2> next = stopping(Law<Vec2>{inPlane(law.A), law.B}, inPlane(velocity), h);
     return {Vec3(next.velocity, 0.0), Vec3(next.displacement, 0.0)};
 }
 
@@ -120,7 +120,7 @@ inline bool isSlipping(const phys_params &params, double radius, const Vec2 &vel
 
 /// The law of the velocity, if there is one: not while it slips.
 inline Law<Vec2> velocityLaw(FloorContact contact, const phys_params &params) {
-    return contact == FloorContact::Slides ? Law<Vec2>{inPlane(params.gravity), 0.0, false} : rollingLaw(params);
+    return contact == FloorContact::Slides ? Law<Vec2>{inPlane(params.gravity), 0.0} : rollingLaw(params);
 }
 
 /// The spin after a step of that law. The spin about the vertical is unchanged.

@@ -62,11 +62,7 @@ public:
         return true;
     }
 
-    Law<Vec2> lawOnFloor(FloorContact contact) const {
-        Law<Vec2> law = velocityLaw(contact, m_context.params());
-        law.resists = m_stages & PHYS_STAGE_RESISTANCE;
-        return law;
-    }
+    Law<Vec2> lawOnFloor(FloorContact contact) const { return velocityLaw(contact, m_context.params()); }
 
     /// The smooth motion of a ball on the floor alone.
     SmoothLoss roll(FloorContact contact, const Law<Vec2> &law, Ball &ball) const {
@@ -171,7 +167,7 @@ private:
     Advance<Vec2> advance(const Law<Vec2> &law, const Vec2 &velocity) const {
         if (velocity == Vec2(0.0) && glm::dot(law.A, law.A) <= law.B * law.B) return {Vec2(0.0), Vec2(0.0)};
         if (!(m_stages & PHYS_STAGE_VERTICAL)) return Scheme::advance(law, velocity, m_h);
-        const Law<Vec3> inSpace{Vec3(law.A, 0.0), law.B, law.resists};
+        const Law<Vec3> inSpace{Vec3(law.A, 0.0), law.B};
         const Advance<Vec3> moved = Scheme::advance(inSpace, Vec3(velocity, 0.0), m_h);
         return {inPlane(moved.velocity), inPlane(moved.displacement)};
     }

@@ -12,30 +12,29 @@ namespace phys {
 /// V is Vec2 for a ball supported by the floor and Vec3 for one in flight.
 template<class V>
 struct Law {
-    V A;          ///< constant acceleration, m/s^2
-    double B;     ///< constant resistance against the motion, m/s^2
-    bool resists; ///< whether B takes part in the computation at all; may be false where B = 0
+    V A;      ///< constant acceleration, m/s^2
+    double B; ///< constant resistance against the motion, m/s^2
 };
 
 /// Rolling on the floor, model.md 2.1 R1 and 2.2 F2: the variable is the velocity.
 inline Law<Vec2> rollingLaw(const phys_params &params) {
     const double normal = -params.gravity.z;
-    return {5.0 / 7.0 * inPlane(params.gravity), 5.0 / 7.0 * (params.rolling_friction * normal),
-            params.rolling_friction != 0.0};
+    return {5.0 / 7.0 * inPlane(params.gravity), 5.0 / 7.0 * (params.rolling_friction * normal)};
 }
 
 /// Slipping on the floor, model.md 3.6: the variable is the slip velocity u.
 inline Law<Vec2> slippingLaw(const phys_params &params) {
-    return {inPlane(params.gravity), 3.5 * (params.sliding_friction * -params.gravity.z), true};
+    return {inPlane(params.gravity), 3.5 * (params.sliding_friction * -params.gravity.z)};
 }
 
 /// Flight, model.md 3.7: the variable is the velocity.
-inline Law<Vec3> flightLaw(const phys_params &params) { return {toVec(params.gravity), 0.0, false}; }
+inline Law<Vec3> flightLaw(const phys_params &params) { return {toVec(params.gravity), 0.0}; }
 
-/// Right-hand side of the law; at v = 0 the resistance has no direction and is left to the clamp.
+/// Right-hand side of the law; at v = 0 the resistance has no direction and is left to the clamp. Without resistance A
+/// is returned as it is: subtracting 0 v would turn its negative zeros into positive ones.
 template<class V>
 V acceleration(const Law<V> &law, const V &v) {
-    if (!law.resists) return law.A;
+    if (law.B == 0.0) return law.A;
     const double speed = glm::length(v);
     return speed > 0.0 ? law.A - law.B / speed * v : law.A;
 }
@@ -45,7 +44,7 @@ V acceleration(const Law<V> &law, const V &v) {
 template<class V>
 V clampedVelocity(const Law<V> &law, const V &v, double dt) {
     const V driven = v + dt * law.A;
-    if (!law.resists) return driven;
+    if (law.B == 0.0) return driven;
     const double speed = glm::length(driven);
     // The division comes last, so that short binary numbers stay exact.
     return speed > law.B * dt ? (speed - law.B * dt) * driven / speed : V(0.0);
@@ -67,7 +66,7 @@ double timeToStop(const Law<V> &law, const V &v) {
 /// exceeds the resistance, the ball reverses instead of stopping, and only the step of the reversal needs the clamp.
 template<class V>
 bool nearStop(const Law<V> &law, const V &velocity, double h) {
-    if (!law.resists || law.B == 0.0) return false;
+    if (law.B == 0.0) return false;
     // The usual case, without a square root: the sum of components is never smaller than the length.
     double most = law.B;
     for (int axis = 0; axis < V::length(); ++axis) most += std::abs(law.A[axis]);
