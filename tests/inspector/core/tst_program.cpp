@@ -379,6 +379,8 @@ void TestProgram::aSignalLeavesTableAndRecordingWhole() {
     const QTemporaryDir folder;
     QProcess process;
     process.setProcessEnvironment(noDisplay());
+    // The program leaves a signal ignored that is so, as in what a script starts in the background.
+    process.setChildProcessModifier([signal] { std::signal(signal, SIG_DFL); });
     process.start(INSPECTOR, {"--headless", "--duration", "1e6", "--csv-every", "1000", "--csv", folder.filePath("t"),
                               "--record", folder.filePath("r")});
     QVERIFY(process.waitForStarted());
