@@ -131,6 +131,12 @@ typedef struct phys_box {
  * -1) the result is strength * s / |s|. Any thread. Fails with PHYS_ERROR_ARGUMENT for anything else. Since 1.0. */
 PHYS_API phys_status phys_gravity_from_tilt(double tilt_x, double tilt_y, double strength, phys_vec3 *out);
 
+/** The same for `count` boards, as a batch wants it: out[i] (m/s^2) of tilts_x[i], tilts_y[i] (rad) and strengths[i]
+ *  (m/s^2). Any thread. Fails with PHYS_ERROR_ARGUMENT where phys_gravity_from_tilt would for one of them, and then
+ *  writes nothing; arrays may be NULL if count is 0. `out` must overlap none of the others. Since 1.1. */
+PHYS_API phys_status phys_gravities_from_tilts(uint64_t count, const double *tilts_x, const double *tilts_y,
+                                               const double *strengths, phys_vec3 *out);
+
 /* ------------------------------------------------------------------------------------------------------- scenes -- */
 
 /** Boxes, ball and start; immutable. Opaque. */

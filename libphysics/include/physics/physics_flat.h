@@ -30,6 +30,8 @@ typedef struct phys_box {
     phys_vec3 max;
 } phys_box;
 phys_status phys_gravity_from_tilt(double tilt_x, double tilt_y, double strength, phys_vec3 *out);
+phys_status phys_gravities_from_tilts(uint64_t count, const double *tilts_x, const double *tilts_y,
+                                               const double *strengths, phys_vec3 *out);
 typedef struct phys_scene phys_scene;
 typedef struct phys_scene_desc {
     uint32_t struct_size;

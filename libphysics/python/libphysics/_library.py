@@ -82,6 +82,7 @@ _FUNCTIONS: dict[str, tuple[Any, list[Any]]] = {
     "phys_status_text": (c_char_p, [c_int32]),
     "phys_status_name": (c_char_p, [c_int32]),
     "phys_gravity_from_tilt": (c_int32, [c_double, c_double, c_double, c_void_p]),
+    "phys_gravities_from_tilts": (c_int32, [c_uint64, c_void_p, c_void_p, c_void_p, c_void_p]),
     "phys_scene_desc_init": (c_int32, [POINTER(SceneDesc), c_size_t]),
     "phys_scene_create": (c_int32, [POINTER(SceneDesc), _HANDLE_OUT, _ERROR_OUT]),
     "phys_scene_load": (c_int32, [c_char_p, _HANDLE_OUT, _ERROR_OUT]),

@@ -5,12 +5,11 @@ from __future__ import annotations
 import functools
 from collections.abc import Iterable
 from ctypes import byref
-from itertools import repeat
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from ._arguments import numbers
+from ._arguments import laid_out, numbers
 from ._library import Error, ParamRow, address, check, expect, lib, library_rows
 from ._records import params_dtype
 
@@ -26,11 +25,8 @@ def gravity_from_tilt(tilt_x: Any, tilt_y: Any, strength: Any = 9.81) -> np.ndar
     given = [numbers(tilt_x, "tilt_x"), numbers(tilt_y, "tilt_y"), numbers(strength, "strength")]
     shape = np.broadcast_shapes(*(values.shape for values in given))
     gravity = np.empty(shape + (3,))
-    places = range(address(gravity), address(gravity) + gravity.nbytes, 24)
-    each = (repeat(values.item()) if values.size == 1 else np.broadcast_to(values, shape).ravel().tolist()
-            for values in given)
-    statuses = map(lib.phys_gravity_from_tilt, *each, places)
-    if min(statuses, default=0) != 0:  # all of them: errors are negative
+    each = [laid_out(np.broadcast_to(values, shape)) for values in given]
+    if lib.phys_gravities_from_tilts(gravity.size // 3, *map(address, each), address(gravity)) != 0:
         for values, name in zip(given, ("tilt_x", "tilt_y")):
             expect(np.abs(values) < np.pi / 2, values, name, "rad", "a number between -pi/2 and pi/2")
         expect((given[2] >= 0) & (given[2] <= 2.0**100), given[2], "strength", "m/s^2", "a number from 0 to 2^100")

@@ -33,6 +33,21 @@ phys_status refuseSize(const phys_params &params, phys_error *err) {
                 params.struct_size, sizeof params);
 }
 
+bool isTilt(double tiltX, double tiltY, double strength) {
+    constexpr double kQuarterTurn = 1.5707963267948966;
+    return std::abs(tiltX) < kQuarterTurn && std::abs(tiltY) < kQuarterTurn && strength >= 0.0 &&
+           strength <= kLargestNumber;
+}
+
+phys_vec3 gravityOf(double tiltX, double tiltY, double strength) {
+    // (tan tiltX, tan tiltY, -1) times both cosines: nothing diverges near a quarter turn.
+    const double cosineX = elementary::cos(tiltX), cosineY = elementary::cos(tiltY);
+    const double x = elementary::sin(tiltX) * cosineY, y = elementary::sin(tiltY) * cosineX;
+    const double z = cosineX * cosineY;
+    const double scale = strength / std::sqrt((x * x + y * y) + z * z);
+    return {scale * x, scale * y, -scale * z};
+}
+
 } // namespace
 
 phys_status checkValue(double value, const phys_param_row &row, phys_error *err) {
@@ -106,16 +121,16 @@ phys_status phys_params_check(const phys_params *params, phys_error *err) {
 }
 
 phys_status phys_gravity_from_tilt(double tilt_x, double tilt_y, double strength, phys_vec3 *out) {
+    return phys_gravities_from_tilts(1, &tilt_x, &tilt_y, &strength, out);
+}
+
+phys_status phys_gravities_from_tilts(uint64_t count, const double *tilts_x, const double *tilts_y,
+                                      const double *strengths, phys_vec3 *out) {
     const phys::FloatEnvironment environment;
-    constexpr double kQuarterTurn = 1.5707963267948966;
-    const bool valid = out && std::abs(tilt_x) < kQuarterTurn && std::abs(tilt_y) < kQuarterTurn && strength >= 0.0 &&
-                       strength <= phys::kLargestNumber;
-    if (!valid) return PHYS_ERROR_ARGUMENT;
-    // (tan tilt_x, tan tilt_y, -1) times both cosines: nothing diverges near a quarter turn.
-    const double cosineX = phys::elementary::cos(tilt_x), cosineY = phys::elementary::cos(tilt_y);
-    const double x = phys::elementary::sin(tilt_x) * cosineY, y = phys::elementary::sin(tilt_y) * cosineX;
-    const double z = cosineX * cosineY;
-    const double scale = strength / std::sqrt((x * x + y * y) + z * z);
-    *out = {scale * x, scale * y, -scale * z};
+    if (count > 0 && !(tilts_x && tilts_y && strengths && out)) return PHYS_ERROR_ARGUMENT;
+    for (uint64_t i = 0; i < count; ++i) {
+        if (!phys::isTilt(tilts_x[i], tilts_y[i], strengths[i])) return PHYS_ERROR_ARGUMENT;
+    }
+    for (uint64_t i = 0; i < count; ++i) out[i] = phys::gravityOf(tilts_x[i], tilts_y[i], strengths[i]);
     return PHYS_OK;
 }

@@ -208,16 +208,19 @@ void runInTheOpen(const phys_scene &level) {
     runOnce(balls);
 }
 
-/// The same sweep as in tests/bench/speed/sweep.py.
+/// The same sweep as in tests/bench/speed/sweep.py, with results of its own.
 void sweep(phys_stepper *stepper, const phys_state &start) {
     constexpr uint64_t kMany = 1000;
     phys_params params;
     phys_params_init(&params, sizeof params);
     std::vector<phys_state> states(kMany, start);
+    std::vector<uint64_t> done(kMany);
+    std::vector<phys_status> statuses(kMany);
     std::vector<phys_vec3> gravity(kMany);
-    for (uint64_t i = 0; i < kMany; ++i) {
-        phys_gravity_from_tilt(-0.1 + 0.2 * static_cast<double>(i) / (kMany - 1), 0.05, kStrength, &gravity[i]);
-    }
+    std::vector<double> alongX(kMany);
+    const std::vector<double> alongY(kMany, 0.05), strengths(kMany, kStrength);
+    for (uint64_t i = 0; i < kMany; ++i) alongX[i] = -0.1 + 0.2 * static_cast<double>(i) / (kMany - 1);
+    phys_gravities_from_tilts(kMany, alongX.data(), alongY.data(), strengths.data(), gravity.data());
     phys_batch batch;
     phys_batch_init(&batch, sizeof batch);
     batch.ball_count = batch.step_count = kMany;
@@ -227,8 +230,11 @@ void sweep(phys_stepper *stepper, const phys_state &start) {
     batch.gravity_ball_stride = sizeof(phys_vec3);
     batch.states = states.data();
     batch.states_stride = sizeof(phys_state);
+    batch.steps_done = done.data();
+    batch.statuses = statuses.data();
     phys_error error;
     check(phys_batch_run(stepper, &batch, 0, kMany, &error), error);
+    for (const phys_status status : statuses) check(status, error);
 }
 
 void printSweep(const phys_scene &level) {

@@ -156,10 +156,19 @@ std::vector<Misuse> nullPointers() {
 }
 
 std::vector<Misuse> nullPointersOfTerseFunctions() {
+    static constexpr double kOne = 1.0;
     const phys_status refused = PHYS_ERROR_ARGUMENT;
     return {
         {"phys_gravity_from_tilt: out", refused,
          [](Bench &, phys_error *) { return phys_gravity_from_tilt(0, 0, 9.81, nullptr); }},
+        {"phys_gravities_from_tilts: tilts_x", refused,
+         [](Bench &b, phys_error *) { return phys_gravities_from_tilts(1, nullptr, &kOne, &kOne, &b.out.vector); }},
+        {"phys_gravities_from_tilts: tilts_y", refused,
+         [](Bench &b, phys_error *) { return phys_gravities_from_tilts(1, &kOne, nullptr, &kOne, &b.out.vector); }},
+        {"phys_gravities_from_tilts: strengths", refused,
+         [](Bench &b, phys_error *) { return phys_gravities_from_tilts(1, &kOne, &kOne, nullptr, &b.out.vector); }},
+        {"phys_gravities_from_tilts: out", refused,
+         [](Bench &, phys_error *) { return phys_gravities_from_tilts(1, &kOne, &kOne, &kOne, nullptr); }},
         {"phys_scene_desc_init: desc", refused,
          [](Bench &, phys_error *) { return phys_scene_desc_init(nullptr, sizeof(phys_scene_desc)); }},
         {"phys_batch_init: batch", refused,

@@ -70,6 +70,8 @@ private slots:
     void levelBoardHasGravityStraightDown();
     void tiltKeepsGravitysStrength();
     void tiltIsTheSlopeAlongItsAxis();
+    void manyTiltsGiveTheBitsOfEach();
+    void oneWrongTiltWritesNothing();
 
 private:
     void addRows();
@@ -228,6 +230,31 @@ void TestParameterRows::tiltIsTheSlopeAlongItsAxis() {
     QCOMPARE(phys_gravity_from_tilt(0.1, -0.2, 9.81, &g), PHYS_OK);
     COMPARE_WITHIN(g.x / -g.z, std::tan(0.1), 0x1p-52);
     COMPARE_WITHIN(g.y / -g.z, -std::tan(0.2), 0x1p-52);
+}
+
+void TestParameterRows::manyTiltsGiveTheBitsOfEach() {
+    std::vector<double> alongX, alongY, strengths;
+    for (int i = -6; i <= 6; ++i) {
+        alongX.push_back(0.25 * i);
+        alongY.push_back(0.0625 * i * i - 1.0);
+        strengths.push_back(i + 6.0);
+    }
+    std::vector<phys_vec3> found(alongX.size());
+    QCOMPARE(phys_gravities_from_tilts(found.size(), alongX.data(), alongY.data(), strengths.data(), found.data()),
+             PHYS_OK);
+    for (size_t i = 0; i < found.size(); ++i) {
+        phys_vec3 expected;
+        QCOMPARE(phys_gravity_from_tilt(alongX[i], alongY[i], strengths[i], &expected), PHYS_OK);
+        QVERIFY(std::memcmp(&found[i], &expected, sizeof expected) == 0);
+    }
+    QCOMPARE(phys_gravities_from_tilts(0, nullptr, nullptr, nullptr, nullptr), PHYS_OK);
+}
+
+void TestParameterRows::oneWrongTiltWritesNothing() {
+    const double tilts[] = {0.1, 0.2, 2.0}, strengths[] = {9.81, 9.81, 9.81};
+    phys_vec3 found[3] = {};
+    QCOMPARE(phys_gravities_from_tilts(3, tilts, tilts, strengths, found), PHYS_ERROR_ARGUMENT);
+    for (const phys_vec3 &gravity : found) COMPARE_EXACT(gravity.z, 0.0);
 }
 
 QTEST_GUILESS_MAIN(TestParameterRows)
