@@ -125,10 +125,8 @@ public:
     Jammed(const Moment &moment, std::span<const Held> held, Work &work)
         : m_mirror(moment, held)
         , m_sorted(m_mirror, held)
-        , m_before(m_mirror.seen(moment))
-        , m_still(m_before)
-        , m_jam{Combination{m_still, m_sorted.list(), work}, m_before, m_before, kFits * speedScale(m_before)} {
-        m_still.gravity = Vec3(0.0);
+        , m_before(withoutGravity(m_mirror.seen(moment)))
+        , m_jam{Combination{m_before, m_sorted.list(), work}, m_before, m_before, kFits * speedScale(m_before)} {
         for (uint32_t i = 0; i < m_jam.c.count(); ++i) setMode(m_jam, i, 0);
     }
 
@@ -161,8 +159,14 @@ public:
 private:
     Mirror m_mirror;
     Sorted m_sorted;
-    Moment m_before, m_still;
+    Moment m_before;
     Jam m_jam;
+
+    /// It takes no part in impulses, nor in their rounding.
+    static Moment withoutGravity(Moment moment) {
+        moment.gravity = Vec3(0.0);
+        return moment;
+    }
 };
 
 } // namespace
