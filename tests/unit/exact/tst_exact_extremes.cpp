@@ -18,6 +18,8 @@ private slots:
     void hugeResistanceStopsAtOnce();
     void tiniestSpeeds_data();
     void tiniestSpeeds();
+    void stopsARoundingBeforeItTurnsRound_data();
+    void stopsARoundingBeforeItTurnsRound();
     void oneLongStepIsAThousandShortOnes();
     void ballWiderThanAGapRestsOnTwoEdges();
     void stopsUnderAShelfThatIsHardlyTooLow_data();
@@ -27,6 +29,7 @@ private slots:
     void gapOfExactlyTheDiameterDoesNotHang();
     void slipsInAShaftOfExactlyTheDiameter();
     void refusesMoreBouncesThanAreWorthWaitingFor();
+    void isStuckAmongManyWallsCloserThanItself();
     void fastBallBouncesInACorridor();
     void thinWallIsSeenAtAnySpeed();
     void millionMetresAway();
@@ -93,6 +96,32 @@ void ExactExtremes::tiniestSpeeds() {
         QVERIFY(std::abs(run.state.velocity.x - fromRest) <= 2.0 * kU);
         QVERIFY(std::abs(run.state.position.x - 0.5 * fromRest) <= 2.0 * kU);
         QVERIFY(std::abs(run.state.velocity.y) <= speed);
+    }
+}
+
+void ExactExtremes::stopsARoundingBeforeItTurnsRound_data() {
+    QTest::addColumn<double>("x");
+    QTest::addColumn<double>("y");
+    for (const double x : {1.0, 0.3, 0x1p-40, -0.7}) {
+        for (const double y : {0.0, 1.0, -0.1, 0.7 / 3.0}) QTest::addRow("(%g, %g)", x, y) << x << y;
+    }
+}
+
+/// Straight against a pull that exceeds the resistance: the law's variable is infinite at the stop, model.md 3.2.
+void ExactExtremes::stopsARoundingBeforeItTurnsRound() {
+    QFETCH(double, x);
+    QFETCH(double, y);
+    for (const uint32_t model : {PHYS_MODEL_ROLLING, PHYS_MODEL_RIGID}) {
+        for (int i = -16; i <= 16; ++i) {
+            constexpr double kB = 0.125, kSpeed = 1.0 / 3.0;
+            const phys_vec3 velocity{-kSpeed * x, -kSpeed * y, 0};
+            Run run({kFloor}, 0.125, {0, 0, 0.125}, velocity);
+            run.params.model = model;
+            run.setLaw(3.0 * x, 3.0 * y, kB * std::hypot(x, y));
+            run.state.spin = {-velocity.y / 0.125, velocity.x / 0.125, 0};
+            run.step((1.0 - 0.5 * kU * i) * kSpeed / (3.0 + kB));
+            QVERIFY(std::hypot(run.state.velocity.x, run.state.velocity.y) <= 32.0 * kU * kSpeed * std::hypot(x, y));
+        }
     }
 }
 
@@ -197,6 +226,20 @@ void ExactExtremes::refusesMoreBouncesThanAreWorthWaitingFor() {
     run.params.restitution_wall = 1.0;
     QCOMPARE(run.tryStep(1.0), PHYS_ERROR_EVENT_CAP); // after 11 million bounces
     QCOMPARE(run.state.position.x, 0.0);
+}
+
+void ExactExtremes::isStuckAmongManyWallsCloserThanItself() {
+    std::vector<phys_box> spiral{kFloor};
+    const double thick = 1e-4;
+    for (int i = 0; i < 50; ++i) {
+        const double s = 4e-4 * (i + 1);
+        spiral.push_back(exact::wall(-s, -s, s, -s + thick));
+        spiral.push_back(exact::wall(s, -s, s + thick, s));
+        spiral.push_back(exact::wall(-s, s, s, s + thick));
+        spiral.push_back(exact::wall(-s - thick, -s, -s, s));
+    }
+    Run run(spiral, 0.006, {0, 0, 0.006}, {0.1, 0.05, 0});
+    QCOMPARE(run.tryStep(0.1), PHYS_ERROR_STUCK);
 }
 
 void ExactExtremes::fastBallBouncesInACorridor() {
