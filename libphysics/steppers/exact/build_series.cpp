@@ -66,7 +66,7 @@ void fitUnit(const Response &response, uint32_t kept, const Touching &touching, 
              Series &series, double &unit) {
     bool hasShrunk = false;
     for (int guess = 0; guess < 40; ++guess) {
-        series.build(ball.moment(), touching.held(), response, unit, kept);
+        series.build(ball.moment(), touching.held(), response, unit, kept, ball.left);
         ball.work.add(Work::kSeries * (1 + series.size()));
         const bool isLong = series.length() > 3.0 && unit < longest && !hasShrunk;
         if (series.length() >= 0.1 && !isLong) return;

@@ -36,7 +36,7 @@ Vec3 freeAxes(const Moment &moment, std::span<const Held> held, const Response &
 }
 
 void Series::build(const Moment &moment, std::span<const Held> held, const Response &response, double unit,
-                   uint32_t kept) {
+                   uint32_t kept, double wanted) {
     m_mirror = Mirror(moment, held);
     m_moment = m_mirror.seen(moment);
     m_reach.unit = unit;
@@ -69,17 +69,12 @@ void Series::build(const Moment &moment, std::span<const Held> held, const Respo
         m_unknowns += isVector ? 3 : contact.mode == Mode::starting ? 4 : 1;
     }
     begin(response);
-    for (int k = 1; k < kOrder; ++k) {
-        forces(k);
-        move(k);
+    m_last = 1;
+    for (; m_last < kOrder && !suffices(wanted / unit); ++m_last) {
+        forces(m_last);
+        move(m_last);
     }
-    m_a[kOrder] = m_al[kOrder] = Vec3(0.0);
-    for (Contact &contact : contacts()) {
-        contact.r[kOrder] = Vec3(0.0);
-        contact.N[kOrder] = 0.0;
-        m_rolling[kOrder] = Vec3(0.0);
-        if (contact.mode != Mode::slipping) contact.d[kOrder] = Vec3(0.0);
-    }
+    clearRest();
     measure();
     // The direction of a slip with few digits has few digits itself, and so have the forces.
     m_noForce = kNoForce * accelerationScale(m_moment);
@@ -317,18 +312,50 @@ void Series::knownAccelerations(int k) {
     }
 }
 
-void Series::measure() {
+/// How far the terms so far are valid, in units.
+double Series::validSoFar() const {
     VecJet turning;
     bool slips = false;
-    for (int k = 0; k <= kOrder; ++k) turning[k] = m_moment.radius * m_om[k];
+    for (int k = 0; k <= m_last; ++k) turning[k] = m_moment.radius * m_om[k];
     const double noise = kNoise * speedScale(m_moment);
-    double s = std::min(validUntil(m_v, kOrder, noise), validUntil(turning, kOrder, noise));
+    double s = std::min(validUntil(m_v, m_last, noise), validUntil(turning, m_last, noise));
     for (const Contact &contact : contacts()) slips = slips || contact.mode != Mode::sticking;
     if (!slips) {
-        for (const Contact &contact : contacts()) s = std::min(s, validUntil(contact.r, kOrder - 1, 0.0));
+        for (const Contact &contact : contacts()) s = std::min(s, validUntil(contact.r, m_last - 1, 0.0));
     }
     for (const Contact &contact : contacts()) s = contact.isKept ? std::min(s, kKeptFor / 0.8) : s;
-    if (m_countsSlips) s = std::min(s, validUntil(m_time, kOrder, 0.0));
+    if (m_countsSlips) s = std::min(s, validUntil(m_time, m_last, 0.0));
+    return s;
+}
+
+/// Whether the terms so far are enough for a time, in units. Directions of slips need all.
+bool Series::suffices(double s) const {
+    constexpr int kFirst = 8, kEach = 4;
+    if (m_last < kFirst || m_last % kEach != 0 || m_rollStarts) return false;
+    const bool slips = std::any_of(contacts().begin(), contacts().end(), [](const Contact &contact) {
+        return contact.mode != Mode::smooth && contact.mode != Mode::sticking;
+    });
+    return !slips && 0.8 * validSoFar() >= std::max(s, 0.125);
+}
+
+/// Sets the terms to zero that aren't computed.
+void Series::clearRest() {
+    for (int k = m_last; k <= kOrder; ++k) {
+        m_a[k] = m_al[k] = m_rolling[k] = Vec3(0.0);
+        for (Contact &contact : contacts()) {
+            contact.r[k] = Vec3(0.0);
+            contact.N[k] = 0.0;
+            if (contact.mode != Mode::slipping) contact.d[k] = Vec3(0.0);
+        }
+        if (k == m_last) continue;
+        m_p[k] = m_v[k] = m_om[k] = m_turning[k] = Vec3(0.0);
+        m_turningSpeed[k] = 0.0;
+        for (Contact &contact : contacts()) contact.n[k] = Vec3(0.0);
+    }
+}
+
+void Series::measure() {
+    double s = validSoFar();
     m_reach.measure(s);
     s = m_reach.length;
     double most = 0.0;

@@ -24,8 +24,10 @@ public:
 
     Series() {} // NOLINT(modernize-use-equals-default): a defaulted one may clear all terms
 
-    /// unit: of the clock at the start, s. kept: bits of contacts that stick as long as others press them.
-    void build(const Moment &moment, std::span<const Held> held, const Response &response, double unit, uint32_t kept);
+    /// unit: of the clock at the start, s. kept: bits of contacts that stick as long as others press them. wanted: how
+    /// long the motion is asked for, s.
+    void build(const Moment &moment, std::span<const Held> held, const Response &response, double unit, uint32_t kept,
+               double wanted);
 
     /// Longest time for which the series are accurate to rounding, s; and in units of the clock.
     double horizon() const { return timeAt(m_reach.length); }
@@ -97,6 +99,7 @@ private:
     std::array<uint32_t, kMostHeld> m_index{};
     uint32_t m_count = 0, m_unknowns = 0, m_turningNormals = 0;
     uint32_t m_rolls = kMostHeld; ///< the contact at which resistance acts
+    int m_last = kOrder;          ///< order of the last terms
     Reach m_reach;
     double m_most = 0.0, m_noForce = 0.0;
     Vec3 m_turns{0.0}; ///< upper bound of the change of the acceleration along each axis per unit
@@ -140,6 +143,9 @@ private:
     void rollingDirection(int k);
     Vec3 steadied(const Vec3 &al, int k) const;
     void directions(Contact &contact, int k);
+    double validSoFar() const;
+    bool suffices(double s) const;
+    void clearRest();
     void measure();
     VecJet frictionOf(const Contact &contact) const;
     const Contact *otherSticking(const Contact &contact) const;
