@@ -235,7 +235,7 @@ uint32_t Series::opening() const {
 }
 
 uint32_t Series::spent(std::span<Vec3> slips) const {
-    uint32_t bits = 0;
+    uint32_t bits = 0, prestressed = 0; // of the latter it was spent before
     const double soon = kLookAhead * length();
     for (uint32_t i = 0; i < m_count; ++i) {
         const Contact &contact = m_contacts[i];
@@ -244,12 +244,12 @@ uint32_t Series::spent(std::span<Vec3> slips) const {
         const auto [left, none] = reserveOf(contact);
         if (left[0] > none || !falls(left, none, soon)) continue;
         const double most = contact.held.friction * contact.N[0];
-        bits |= 1U << given(i);
+        (left[0] < -none ? prestressed : bits) |= 1U << given(i);
         // While all friction is below rounding, it has no direction.
         const VecJet friction = frictionOf(contact);
         slips[given(i)] = m_mirror.back(-hat(2.0 * left[0] < most * most ? friction[0] : friction.at(soon)));
     }
-    return bits;
+    return bits ? bits : prestressed;
 }
 
 } // namespace phys
