@@ -50,7 +50,9 @@ void move(const P &phase, const End &end, const Touching &touching, const Respon
         ball.position += place.way;
         ball.motion = {place.velocity, place.spin};
     }
-    const double passed = std::min(t + (ball.waits(end, phase.mostAcceleration()) ? end.rest : 0.0), ball.left);
+    const double turning = ball.radius() * glm::length(response.spinAcceleration);
+    const bool waits = ball.waits(end, std::max(phase.mostAcceleration(), turning));
+    const double passed = std::min(t + (waits ? end.rest : 0.0), ball.left);
     ball.pass(passed);
     // Before normals are turned, because a slip that has ended would begin again at another place of an edge.
     if (passed > t && end.cause == Cause::grip) ball.position += (passed - t) * ball.motion.velocity;

@@ -52,7 +52,7 @@ struct MovingBall {
                 16.0 * kRounding + 4.0 * scene().tolerance / radius()};
     }
 
-    /// Whether only time passes while a vanishing speed ends: meanwhile the ball's velocity changes by less than that.
+    /// Whether only time passes while a vanishing speed ends: meanwhile the ball's motion changes by less than that.
     bool waits(const End &end, double mostAcceleration) const {
         return end.rest > 0.0 && end.rest * mostAcceleration <= 16.0 * kSlipEnds * speedScale(moment());
     }
