@@ -73,7 +73,9 @@ Range rangeOfCone(double mu, const Vec3 &r, const Vec3 &n, const Vec3 &along) {
 /// Without the friction that rolling resistance needs: model.md 2.2.
 VecJet Series::frictionOf(const Contact &contact) const {
     VecJet friction;
-    for (int k = 0; k <= kOrder; ++k) friction[k] = contact.r[k] - termOf(contact.N, contact.n, k);
+    for (int k = 0; k <= kOrder; ++k) {
+        friction[k] = contact.r[k] - (contact.isFlat ? contact.N[k] * contact.n[0] : termOf(contact.N, contact.n, k));
+    }
     if (m_rolls < m_count && &contact == &m_contacts[m_rolls]) {
         const double share = 5.0 / 7.0 * contact.held.resistance;
         for (int k = 0; k <= kOrder; ++k) {
@@ -101,7 +103,14 @@ double Series::noReserve(const Contact &contact, double pressure) const {
 }
 
 /// (mu N)^2 less the square of the friction.
-Series::Reserve Series::reserveOf(const Contact &contact) const {
+const Series::Reserve &Series::reserveOf(const Contact &contact) const {
+    const auto i = static_cast<uint32_t>(&contact - m_contacts.data());
+    if (!(m_knownReserves >> i & 1U)) m_reserves[i] = findReserve(contact);
+    m_knownReserves |= 1U << i;
+    return m_reserves[i];
+}
+
+Series::Reserve Series::findReserve(const Contact &contact) const {
     const VecJet friction = frictionOf(contact);
     Reserve beside;
     if (const Contact *other = otherSticking(contact); other && takeReserve(contact, *other, friction, beside)) {
@@ -241,7 +250,7 @@ uint32_t Series::spent(std::span<Vec3> slips) const {
         const Contact &contact = m_contacts[i];
         if (contact.mode != Mode::sticking || contact.held.isGlued || contact.isKept) continue;
         if (isIdle(contact, soon)) continue; // there is none to be spent
-        const auto [left, none] = reserveOf(contact);
+        const auto &[left, none] = reserveOf(contact);
         if (left[0] > none || !falls(left, none, soon)) continue;
         const double most = contact.held.friction * contact.N[0];
         (left[0] < -none ? prestressed : bits) |= 1U << given(i);

@@ -43,6 +43,7 @@ void Series::build(const Moment &moment, std::span<const Held> held, const Respo
     m_free = glm::abs(m_mirror.seen(freeAxes(moment, held, response)));
     const Sorted sorted(m_mirror, held);
     m_count = m_unknowns = m_turningNormals = 0;
+    m_knownReserves = 0;
     m_rolls = kMostHeld;
     for (uint32_t i = 0; i < sorted.count; ++i) {
         const Reaction &reaction = response.reactions[sorted.index[i]];

@@ -117,7 +117,9 @@ private:
     VecJet m_turning, m_rolling; ///< om_t, and its direction
     Jet m_turningSpeed;          ///< |om_t|, or its quotient by the time if the ball starts
     bool m_rollStarts = false;
-    dense::Equations m_equations; ///< of the unknowns of an order
+    dense::Equations m_equations;                      ///< of the unknowns of an order
+    mutable std::array<Reserve, kMostHeld> m_reserves; ///< those asked for: the start and the end of a phase ask
+    mutable uint32_t m_knownReserves = 0;              ///< their bits
 
     std::span<Contact> contacts() { return {m_contacts.data(), m_count}; }
     std::span<const Contact> contacts() const { return {m_contacts.data(), m_count}; }
@@ -149,7 +151,8 @@ private:
     void measure();
     VecJet frictionOf(const Contact &contact) const;
     const Contact *otherSticking(const Contact &contact) const;
-    Reserve reserveOf(const Contact &contact) const;
+    const Reserve &reserveOf(const Contact &contact) const;
+    Reserve findReserve(const Contact &contact) const;
     bool isPrestressed(const Contact &contact) const;
     double endOfPrestress(double s, Work &work) const;
     bool takeReserve(const Contact &contact, const Contact &other, const VecJet &friction, Reserve &reserve) const;
