@@ -26,14 +26,10 @@ namespace {
 /// Integers up to here are representable as doubles.
 constexpr uint64_t kCountedSteps = uint64_t{1} << 53;
 
-inline phys_status checkParamsAndDt(const phys_stepper &stepper, const phys_params &params, double dt,
-                                    phys_error *err) {
+inline phys_status checkArguments(const phys_stepper &stepper, const phys_params &params, double dt,
+                                  const phys_state &state, phys_error *err) {
     if (const phys_status status = checkDt(dt, err)) return status;
-    return checkParams(*stepper.api, params, err);
-}
-
-inline phys_status checkBall(const phys_stepper &stepper, const phys_params &params, const phys_state &state,
-                             phys_error *err) {
+    if (const phys_status status = checkParams(*stepper.api, params, err)) return status;
     if (const phys_status status = checkState(state, err)) return status;
     return checkPull(*stepper.scene, params, state, err);
 }
@@ -82,11 +78,10 @@ phys_status stepAndReport(phys_stepper &stepper, const phys_params &params, doub
     return PHYS_OK;
 }
 
-/// A step of a ball at rest with the known arguments, by a built-in stepper and without a report.
+/// A step of a ball at rest, by a built-in stepper and without a report.
 phys_status stepAtRest(phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in,
                        phys_state &out, phys_error *err) {
-    phys_state &rest = stepper.known.rest;
-    if (dt > 0.0 && isModerate(in.time) && isSameBall(in, rest)) {
+    if (dt > 0.0 && isModerate(in.time) && stepper.rest.holds(params, dt, in)) {
         const double time = nextTime(in, dt);
         const uint64_t number = in.step + 1;
         if (&out != &in) out = in;
@@ -94,10 +89,10 @@ phys_status stepAtRest(phys_stepper &stepper, const phys_params &params, double 
         out.step = number;
         return PHYS_OK;
     }
-    if (const phys_status status = checkBall(stepper, params, in, err)) return status;
+    if (const phys_status status = checkArguments(stepper, params, dt, in, err)) return status;
     const phys_state before = in;
     if (const phys_status status = step(stepper, params, dt, in, out, nullptr, err)) return status;
-    if (isSameBall(before, out)) rest = out;
+    if (isSameBall(before, out)) stepper.rest = {params, dt, out};
     return PHYS_OK;
 }
 
@@ -108,14 +103,8 @@ phys_status createPlugin(phys_stepper &stepper, phys_error *err) {
 
 } // namespace
 
-void learn(phys_stepper &stepper, const phys_params &params, double dt) {
-    stepper.known = {params, dt, {}};
-    if (stepper.lanes) stepper.lanes->prepare(stepper.self, params, dt);
-}
-
 phys_status makeStep(phys_stepper &stepper, const phys_params &params, double dt, const phys_state &in, phys_state &out,
                      phys_report *report, phys_error *err) {
-    if (!stepper.known.are(params, dt)) learn(stepper, params, dt);
     return step(stepper, params, dt, in, out, report, err);
 }
 
@@ -193,13 +182,9 @@ phys_status phys_step(phys_stepper *stepper, const phys_params *params, double d
         const phys_params whole = phys::completed(*params, phys_params_init);
         return phys_step(stepper, &whole, dt, in, out, report, err);
     }
-    if (!stepper->known.are(*params, dt)) {
-        if (const phys_status status = phys::checkParamsAndDt(*stepper, *params, dt, err)) return status;
-        phys::learn(*stepper, *params, dt);
-    }
     if ((in->flags & PHYS_AT_REST) && !report && !stepper->isPlugin)
         return phys::stepAtRest(*stepper, *params, dt, *in, *out, err);
-    if (const phys_status status = phys::checkBall(*stepper, *params, *in, err)) return status;
+    if (const phys_status status = phys::checkArguments(*stepper, *params, dt, *in, err)) return status;
     return report ? phys::stepAndReport(*stepper, *params, dt, *in, *out, *report, err)
                   : phys::step(*stepper, *params, dt, *in, *out, nullptr, err);
 }
@@ -218,8 +203,7 @@ phys_status phys_stepper_requirements(const phys_stepper *stepper, const phys_pa
         const phys_params whole = phys::completed(*params, phys_params_init);
         return phys_stepper_requirements(stepper, &whole, dt, state, out, err);
     }
-    if (const phys_status status = phys::checkParamsAndDt(*stepper, *params, dt, err)) return status;
-    if (const phys_status status = phys::checkBall(*stepper, *params, *state, err)) return status;
+    if (const phys_status status = phys::checkArguments(*stepper, *params, dt, *state, err)) return status;
     if (!PHYS_HAS_SLOT(phys_stepper_api, stepper->api, requirements)) {
         return phys::fail(err, PHYS_ERROR_UNSUPPORTED, "stepper '%s' doesn't tell what it requires", stepper->api->id);
     }

@@ -12,26 +12,26 @@
 
 namespace phys {
 
-/// What is known from earlier steps, and is the same for the next one unless its arguments differ. A built-in stepper's
-/// result depends only on its inputs, so no result depends on it.
-struct KnownArguments {
-    phys_params params{}; ///< that are valid
-    double dt = -1.0;     ///< s, valid; negative: nothing is known
-    phys_state rest{};    ///< a step with these left this ball at rest unchanged, if the flag is set
-
-    /// Compares bytes, because zeros have a sign.
-    bool are(const phys_params &others, double length) const {
-        // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): no padding
-        return length == dt && std::memcmp(&others, &params, sizeof params) == 0;
-    }
-};
-
-/// Compares bytes, apart from time and number.
+/// Compares bytes, apart from time and number, because zeros have a sign.
 inline bool isSameBall(const phys_state &a, const phys_state &b) {
     constexpr size_t kBegin = offsetof(phys_state, position);
     const auto bytesOf = [](const phys_state &state) { return reinterpret_cast<const char *>(&state) + kBegin; };
     return std::memcmp(bytesOf(a), bytesOf(b), sizeof a - kBegin) == 0;
 }
+
+/// The last step that left a ball at rest unchanged. A built-in stepper's result depends only on its inputs, so the
+/// same step needn't be computed again.
+struct KnownRest {
+    phys_params params{};
+    double dt = 0.0; ///< s; 0: nothing is known
+    phys_state state{};
+
+    /// Whether this is that step, apart from time and step number.
+    bool holds(const phys_params &others, double length, const phys_state &ball) const {
+        // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): no padding
+        return length == dt && isSameBall(ball, state) && std::memcmp(&others, &params, sizeof params) == 0;
+    }
+};
 
 } // namespace phys
 
@@ -42,16 +42,13 @@ struct phys_stepper {
     phys_scene_view view;
     bool isPlugin;
     const phys::LaneSteps *lanes; ///< its ability to move balls in lanes, or nullptr
-    phys::KnownArguments known;
+    phys::KnownRest rest;
 };
 
 namespace phys {
 
 /// Time and step of a state after this many further steps of dt.
 void advanceClock(double dt, uint64_t steps, phys_state &state);
-
-/// Prepares for steps with other arguments, which are valid.
-void learn(phys_stepper &stepper, const phys_params &params, double dt);
 
 /// Like phys_step, for checked arguments: `out` may be `in`, and is written on success only. report: a fresh one, or
 /// nullptr.

@@ -4,6 +4,7 @@
 
 #include "base/orientation.h"
 #include "floor_contact.h"
+#include "floor_kind.h"
 #include "known_places.h"
 #include "lane_step.h"
 #include "lane_step_by_four.h"
@@ -21,8 +22,8 @@ template<class Scheme, RegionRule kRule>
 class LaneStepper {
 public:
     static const void *extension(void *self, const char *id) {
-        static constexpr LaneSteps kByTwo{begin, enter, stepInLanes<Scheme, kRule, Pair>, prepare, one, leave};
-        static constexpr LaneSteps kByFour{begin, enter, stepByFour<Scheme, kRule>, prepare, one, leave};
+        static constexpr LaneSteps kByTwo{begin, enter, stepInLanes<Scheme, kRule, Pair>, one, leave};
+        static constexpr LaneSteps kByFour{begin, enter, stepByFour<Scheme, kRule>, one, leave};
         if (std::strcmp(id, kLanesId) != 0) return nullptr;
         // Beside walls four are slower: all of them take the longer way if one of them leans, and balls come and go.
         const bool isOpen = static_cast<KnownPlaces *>(self)->scene().boxes.size() == 1;
@@ -87,25 +88,20 @@ private:
 
     // One ball.
 
-    static void prepare(void *self, const phys_params &params, double dt) {
-        KnownPlaces &places = *static_cast<KnownPlaces *>(self);
-        const FloorKind kind(params);
-        const phys_vec3 &g = params.gravity;
-        const bool isOther = params.options & ~static_cast<uint32_t>(PHYS_OPTION_ORIENTATION);
-        const RegionLimits limits = limitsOf(places.scene(), dt, dt * dt * -g.z);
-        const auto drive = driveOf<double>({g.x, g.y}, g.z, kind.share(), params.rolling_friction,
-                                           kind.friction(params), kind.grip(params), limits);
-        places.prepared() = {!isOther && !asReported(params), kind, kind.mayLean(params), limits, drive};
-    }
-
     static bool one(void *self, const phys_params &params, double dt, const phys_state &in, phys_state &out,
                     phys_report *report) {
         KnownPlaces &places = *static_cast<KnownPlaces *>(self);
-        const auto &[isPossible, kind, mayLean, limits, drive] = places.prepared();
         const PlanInput input{places.scene(), params, dt, in};
-        if (!isPossible || (report && kind.slides) || !isOnFloor(input, kind)) return false;
+        const FloorKind kind(params);
+        const bool isOther = (params.options & ~static_cast<uint32_t>(PHYS_OPTION_ORIENTATION)) || asReported(params);
+        if (isOther || (report && kind.slides) || !isOnFloor(input, kind)) return false;
+        const bool mayLean = kind.mayLean(params);
         const FloorRegion *region = regionOf(places, in, mayLean);
         if (!region) return false;
+        const phys_vec3 &g = params.gravity;
+        const RegionLimits limits = limitsOf(places.scene(), dt, dt * dt * -g.z);
+        const auto drive = driveOf<double>({g.x, g.y}, g.z, kind.share(), params.rolling_friction,
+                                           kind.friction(params), kind.grip(params), limits);
         for (bool isFirst = true;; isFirst = false) {
             const BallsInRegion<double> ball{axisOf(region->along[0], mayLean, in.position.x, in.velocity.x),
                                              axisOf(region->along[1], mayLean, in.position.y, in.velocity.y), drive,

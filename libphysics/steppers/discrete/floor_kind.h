@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What follows from parameters and the length of a step, for steps in regions.
+// How a ball moves on the floor, for steps in regions.
 #pragma once
 
-#include "region_step.h"
+#include <physics/physics.h>
 
 namespace phys {
 
-/// How a ball moves on the floor.
+/// It follows from the parameters.
 struct FloorKind {
     bool isRigid = false, slides = false;
 
@@ -23,14 +23,6 @@ struct FloorKind {
         const double steepest = 3.5 * params.sliding_friction;
         return isRigid && !slides ? steepest * steepest * (1.0 - 1e-9) : 0x1p400;
     }
-};
-
-struct PreparedStep {
-    bool isPossible = false; ///< whether steps in regions are for these parameters
-    FloorKind kind;
-    bool mayLean = false;
-    RegionLimits limits{};
-    FloorDrive<double> drive{{0.0, 0.0}, 0.0, 0.0, 0.0, 0.0};
 };
 
 } // namespace phys
