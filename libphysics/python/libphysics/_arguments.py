@@ -14,7 +14,7 @@ from ._records import params_dtype, state_dtype
 MOST_U32, MOST_U64 = 2**32 - 1, 2**64 - 1
 
 _ALIGNMENT = 8  # of every struct of the library
-_NAMES = {state_dtype: "state_dtype", params_dtype: "params_dtype"}
+_NAMES = {state_dtype: "state_dtype", params_dtype: "params_dtype, as Params makes it"}
 
 
 def whole(value: Any, name: str, least: int, most: int) -> int:
@@ -94,6 +94,15 @@ def _ended(value: bytes, name: str) -> bytes:
     return value
 
 
+def common_shape(**shapes: tuple[int, ...]) -> tuple[int, ...]:
+    """To which the arguments broadcast."""
+    try:
+        return np.broadcast_shapes(*shapes.values())
+    except ValueError:
+        listed = ", ".join(f"{name} {shape}" for name, shape in shapes.items() if shape)
+        raise ValueError(f"shapes that don't broadcast: {listed}") from None
+
+
 def is_laid_out(array: np.ndarray) -> bool:
     """Whether C may read it: contiguous in C order and aligned."""
     return array.flags.c_contiguous and array.ctypes.data % _ALIGNMENT == 0
@@ -108,8 +117,8 @@ def records(value: Any, dtype: np.dtype, name: str) -> np.ndarray:
     """An array of one of the C structs."""
     array = _array(value, name, _NAMES[dtype])
     if array.dtype != dtype:
-        found = "of other records" if array.dtype.names else f"of {array.dtype}"
-        raise TypeError(f"{name} is an array {found}; expected {_NAMES[dtype]}")
+        found = "an array of other records" if array.dtype.names else f"an array of {array.dtype}"
+        raise TypeError(f"{name} is {short(value) if array.dtype == object else found}; expected {_NAMES[dtype]}")
     return array
 
 

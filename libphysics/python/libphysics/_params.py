@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ._arguments import laid_out, numbers
+from ._arguments import common_shape, laid_out, numbers
 from ._library import Error, ParamRow, address, check, expect, lib, library_rows
 from ._records import params_dtype
 
@@ -23,7 +23,7 @@ def gravity_from_tilt(tilt_x: Any, tilt_y: Any, strength: Any = 9.81) -> np.ndar
     Returns an array of their common shape + (3,): the bits of phys_gravity_from_tilt.
     """
     given = [numbers(tilt_x, "tilt_x"), numbers(tilt_y, "tilt_y"), numbers(strength, "strength")]
-    shape = np.broadcast_shapes(*(values.shape for values in given))
+    shape = common_shape(tilt_x=given[0].shape, tilt_y=given[1].shape, strength=given[2].shape)
     gravity = np.empty(shape + (3,))
     each = [laid_out(np.broadcast_to(values, shape)) for values in given]
     if lib.phys_gravities_from_tilts(gravity.size // 3, *map(address, each), address(gravity)) != 0:
@@ -79,12 +79,12 @@ class Params:
         for name in values.keys() - set(self.names()):
             raise TypeError(self._unknown(name))
         given = {name: numbers(value, name) for name, value in values.items()}
-        shapes = [value.shape[:-1] if name == "gravity" else value.shape for name, value in given.items()]
+        shape = common_shape(**{name: value.shape[:-1] if name == "gravity" else value.shape for name, value in given.items()})
         first = np.zeros((), params_dtype)
         check(lib.phys_params_init(address(first), params_dtype.itemsize))
         for row in own_rows or []:
             check(lib.phys_param_set(address(first), byref(row), row.initial, None))
-        object.__setattr__(self, "record", np.full(np.broadcast_shapes(*shapes), first))
+        object.__setattr__(self, "record", np.full(shape, first))
         for name, value in given.items():
             setattr(self, name, value)
 

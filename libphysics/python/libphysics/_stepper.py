@@ -10,7 +10,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ._arguments import MOST_U32, MOST_U64, is_laid_out, laid_out, number, numbers, path, record, records, text, whole
+from ._arguments import (MOST_U32, MOST_U64, common_shape, is_laid_out, laid_out, number, numbers, path, record, records,
+                         text, whole)
 from ._library import (SCAN_FUNCTION, Batch, Error, Handle, Owner, PhysicsError, Requirements, StepperInfo, address, check,
                        lib)
 from ._params import Params, rows_of
@@ -39,6 +40,9 @@ class Step(NamedTuple):
     state: np.ndarray
     report: np.ndarray
     events: np.ndarray
+
+    def __repr__(self) -> str:
+        return f"<Step to {self.state['time']:g} s, {len(self.events)} events>"
 
 
 class _Run(NamedTuple):
@@ -70,6 +74,10 @@ class Run(_Run):
             reason = self._reason or lib.phys_status_text(status).decode()
             raise PhysicsError(status, f"ball {ball} fails in step {self.steps_done.flat[ball]}: {reason}")
         return self
+
+    def __repr__(self) -> str:
+        kept = "" if self.path is None else f", a path of {self.path.shape[-1]} states each"
+        return f"<Run, shape {self.states.shape}{kept}, {np.count_nonzero(self.statuses)} failed>"
 
 
 class Registry(Owner):
@@ -199,7 +207,7 @@ class Stepper(Owner):
         steps, every = whole(steps, "steps", 0, MOST_U64), whole(every, "every", 0, MOST_U64)
         stop, threads = whole(stop, "stop", 0, MOST_U32), whole(threads, "threads", 1, _MOST_THREADS)
         pull = None if gravity is None else _gravity(gravity, steps)
-        shape = np.broadcast_shapes(given.shape, sets.shape, () if pull is None else pull.shape[:-2])
+        shape = common_shape(states=given.shape, params=sets.shape, gravity=() if pull is None else pull.shape[:-2])
         result = _output(shape, out)
         path = np.empty(shape + (steps // every,), state_dtype) if every > 0 else None
         done, statuses = np.zeros(shape, "u8"), np.zeros(shape, "i4")

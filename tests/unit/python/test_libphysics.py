@@ -192,10 +192,22 @@ class StepTest(unittest.TestCase):
         self.assertFalse(told["vertical motion"][0])
         self.assertTrue(all(reason for _, reason in told.values()))
 
+    def test_shapes_that_do_not_broadcast_are_named(self):
+        scene = room()
+        stepper = lp.Stepper("rk4", scene)
+        with self.assertRaisesRegex(ValueError, r"states \(3,\), gravity \(2,\)$"):
+            stepper.run(scene.start(3), stepper.params(), 0.01, 4, gravity=np.zeros((2, 1, 3)))
+        with self.assertRaisesRegex(ValueError, r"tilt_x \(3,\), tilt_y \(2,\)$"):
+            lp.gravity_from_tilt([0, 0, 0], [0, 0])
+        with self.assertRaisesRegex(ValueError, r"restitution_wall \(3,\), gravity \(2,\)$"):
+            stepper.params(restitution_wall=[0, 0, 0], gravity=np.zeros((2, 3)))
+
     def test_every_repr_is_one_line(self):
         scene = room()
         stepper = lp.Stepper("rk4", scene)
-        for thing in (scene, stepper, stepper.params(), stepper.params(model=[0, 1]), lp.Registry()):
+        step = stepper.step(scene.start(), stepper.params(), 0.01)
+        run = stepper.run(scene.start(3), stepper.params(), 0.01, 9, every=3)
+        for thing in (scene, stepper, stepper.params(), stepper.params(model=[0, 1]), lp.Registry(), step, run):
             self.assertNotIn("\n", repr(thing))
 
 
