@@ -24,13 +24,16 @@ public:
         const Vec3 lean = most + least, reach = glm::max(most, -least);
         m_flipX = isNegative({v.x, g.x, om.y, lean.x});
         m_flipY = isNegative({v.y, g.y, -om.x, lean.y});
-        m_swaps = isNegative({std::abs(v.x) - std::abs(v.y), std::abs(g.x) - std::abs(g.y),
-                              std::abs(om.y) - std::abs(om.x), reach.x - reach.y});
+        const std::initializer_list<double> apart = {std::abs(v.x) - std::abs(v.y), std::abs(g.x) - std::abs(g.y),
+                                                     std::abs(om.y) - std::abs(om.x), reach.x - reach.y};
+        m_swaps = isNegative(apart);
         // A spin about the vertical alone has a sense but no direction.
         if (isUndecided({v.x, g.x, om.y, lean.x}) && om.z * handedness() < 0.0)
             m_flipX = !m_flipX;
         else if (isUndecided({v.y, g.y, om.x, lean.y}) && om.z * handedness() < 0.0)
             m_flipY = !m_flipY;
+        else if (isUndecided(apart) && om.z * handedness() < 0.0)
+            m_swaps = true;
     }
 
     Vec3 seen(Vec3 v) const {
