@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <thread>
+#include <future>
 
 namespace {
 
@@ -31,14 +31,14 @@ int run(const char *level) {
     batch.states = states.data();
     batch.states_stride = sizeof(phys_state);
 
-    std::vector<std::thread> threads;
+    std::vector<std::future<void>> parts; // a failure in a thread comes out of get()
     for (int i = 0; i < kThreads; ++i) {
-        threads.emplace_back([&, i] {
+        parts.push_back(std::async(std::launch::async, [&, i] {
             physics::Stepper stepper(registry, PHYS_STEPPER_DEFAULT, scene); // serves one thread
             stepper.run(batch, kBalls * i / kThreads, kBalls * (i + 1) / kThreads - kBalls * i / kThreads);
-        });
+        }));
     }
-    for (std::thread &thread : threads) thread.join();
+    for (std::future<void> &part : parts) part.get();
 
     const auto with = [&](uint64_t flag) {
         return static_cast<int>(
