@@ -7,25 +7,30 @@
 #include <chrono>
 #include <cinttypes>
 #include <cstdio>
+#include <filesystem>
 #include <stdexcept>
 
 namespace {
 
+namespace fs = std::filesystem;
+
 using sweep::Outcome;
 using sweep::Plan;
 
-/// A file that gets its name when it's complete: a sweep that is cut short leaves no half of a CSV behind. What it has
-/// so far is called NAME.part.
-class WholeFile {
+/// Where the CSV goes. A file gets its name when it's complete: a sweep that is cut short leaves no half of a CSV
+/// behind. What it has so far is called NAME.part. Renaming would replace a device or a pipe, so these are written as
+/// they are.
+class Output {
 public:
-    explicit WholeFile(const std::string &name)
-        : m_name(name)
-        , m_file(std::fopen(part().c_str(), "w")) {}
-    ~WholeFile() {
+    explicit Output(const fs::path &name)
+        : m_isRenamed(!fs::exists(name) || fs::is_regular_file(name))
+        , m_name(m_isRenamed ? fs::weakly_canonical(name).string() : name.string()) // the file that a link points to
+        , m_file(fs::is_directory(name) ? nullptr : std::fopen(written().c_str(), "w")) {}
+    ~Output() {
         if (m_file) std::fclose(m_file);
     }
-    WholeFile(const WholeFile &) = delete;
-    WholeFile &operator=(const WholeFile &) = delete;
+    Output(const Output &) = delete;
+    Output &operator=(const Output &) = delete;
 
     std::FILE *get() const { return m_file; }
 
@@ -33,15 +38,24 @@ public:
         const bool isWritten = !std::ferror(m_file);
         const bool isClosed = std::fclose(m_file) == 0;
         m_file = nullptr;
-        return isWritten && isClosed && std::rename(part().c_str(), m_name.c_str()) == 0;
+        return isWritten && isClosed && (!m_isRenamed || std::rename(written().c_str(), m_name.c_str()) == 0);
     }
 
 private:
-    std::string part() const { return m_name + ".part"; }
+    std::string written() const { return m_isRenamed ? m_name + ".part" : m_name; }
 
+    bool m_isRenamed;
     std::string m_name;
     std::FILE *m_file;
 };
+
+/// Text as a field of a CSV (RFC 4180).
+std::string quoted(const std::string &text) {
+    if (text.find_first_of("\",\r\n") == std::string::npos) return text;
+    std::string field = "\"";
+    for (const char c : text) field += c == '"' ? "\"\"" : std::string(1, c);
+    return field + '"';
+}
 
 void writeCsv(const Plan &plan, const std::vector<Outcome> &outcomes, std::FILE *file) {
     std::fprintf(file, "level,stepper,rolling_friction,restitution_wall,dt,steps,x,y,z,vx,vy,vz,flags,impacts,"
@@ -49,8 +63,8 @@ void writeCsv(const Plan &plan, const std::vector<Outcome> &outcomes, std::FILE 
     for (const Outcome &outcome : outcomes) {
         const sweep::Job job = plan.job(outcome.job);
         const phys_state &s = outcome.state;
-        std::fprintf(file, "%s,%s,%.17g,%.17g,%.17g,%" PRIu64, job.level.c_str(), job.stepper.c_str(), job.friction,
-                     job.restitution, job.dt, s.step);
+        std::fprintf(file, "%s,%s,%.17g,%.17g,%.17g,%" PRIu64, quoted(job.level).c_str(), quoted(job.stepper).c_str(),
+                     job.friction, job.restitution, job.dt, s.step);
         std::fprintf(file, ",%.17g,%.17g,%.17g,%.17g,%.17g,%.17g", s.position.x, s.position.y, s.position.z,
                      s.velocity.x, s.velocity.y, s.velocity.z);
         std::fprintf(file, ",%" PRIu64 ",%" PRIu64 ",%.17g,%016" PRIx64 ",%s\n", s.flags, outcome.impacts,
@@ -60,7 +74,7 @@ void writeCsv(const Plan &plan, const std::vector<Outcome> &outcomes, std::FILE 
 
 /// Rank 0: gathers, shows progress, names failures. Returns the exit code.
 int lead(const sweep::Farm &farm, const Plan &plan) {
-    WholeFile csv(plan.file); // before the work: that it can't be written is no surprise at the end
+    Output csv(plan.file); // before the work: that it can't be written is no surprise at the end
     if (!csv.get()) {
         std::fprintf(stderr, "sweep: %s can't be written\n", plan.file.c_str());
         farm.computeAll(Plan{}, nullptr); // nothing to do: sends the other ranks home

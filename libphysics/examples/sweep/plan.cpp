@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -14,10 +15,15 @@ const char *const usage = "usage: sweep --levels FILE,... --steppers ID,... --ou
 
 namespace {
 
-std::vector<std::string> split(const std::string &list) {
+constexpr double kMostSteps = 1e12; // days of work: a slip of a digit
+
+std::vector<std::string> split(const std::string &option, const std::string &list) {
     std::vector<std::string> parts;
-    std::stringstream stream(list);
-    for (std::string part; std::getline(stream, part, ',');) parts.push_back(part);
+    std::stringstream stream(list + ',');
+    for (std::string part; std::getline(stream, part, ',');) {
+        if (part.empty()) throw std::invalid_argument(option + " has an empty value in '" + list + "'");
+        parts.push_back(part);
+    }
     return parts;
 }
 
@@ -31,7 +37,7 @@ double number(const std::string &option, const std::string &text) {
 
 std::vector<double> numbers(const std::string &option, const std::string &list) {
     std::vector<double> values;
-    for (const std::string &text : split(list)) values.push_back(number(option, text));
+    for (const std::string &text : split(option, list)) values.push_back(number(option, text));
     return values;
 }
 
@@ -41,13 +47,12 @@ double positive(const std::string &option, double value) {
 }
 
 void set(Plan &plan, const std::string &option, const std::string &value) {
-    if (value.empty()) throw std::invalid_argument(option + " is empty; expected a value");
     if (option == "--levels")
-        plan.levels = split(value);
+        plan.levels = split(option, value);
     else if (option == "--steppers")
-        plan.steppers = split(value);
+        plan.steppers = split(option, value);
     else if (option == "--plugins")
-        plan.plugins = split(value);
+        plan.plugins = split(option, value);
     else if (option == "--frictions")
         plan.frictions = numbers(option, value);
     else if (option == "--restitutions")
@@ -85,14 +90,19 @@ Job Plan::job(uint64_t number) const {
 
 Plan readPlan(int argc, char **argv) {
     Plan plan;
+    std::set<std::string> given;
     for (int i = 1; i < argc; i += 2) {
+        if (!given.insert(argv[i]).second) throw std::invalid_argument(std::string(argv[i]) + " is given twice");
         if (i + 1 == argc) throw std::invalid_argument(std::string(argv[i]) + " has no value");
         set(plan, argv[i], argv[i + 1]);
     }
     if (plan.levels.empty()) throw std::invalid_argument("--levels is missing");
     if (plan.steppers.empty()) throw std::invalid_argument("--steppers is missing");
     if (plan.file.empty()) throw std::invalid_argument("--out is missing");
-    for (const double dt : plan.dts) positive("--dts", dt);
+    for (const double dt : plan.dts) {
+        positive("--dts", dt);
+        if (plan.seconds / dt > kMostSteps) throw std::invalid_argument("--seconds is more than 1e12 steps of --dts");
+    }
     return plan;
 }
 
