@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import math
 import os
 import threading
 from ctypes import byref, c_double
@@ -67,9 +68,8 @@ class Run(_Run):
 
     def check(self) -> "Run":
         """Raises PhysicsError if a ball failed, with the number of the first of them and what was wrong; or returns itself."""
-        failed = np.flatnonzero(self.statuses)
-        if failed.size:
-            ball = failed[0]
+        if np.count_nonzero(self.statuses):
+            ball = np.flatnonzero(self.statuses)[0]
             status = int(self.statuses.flat[ball])
             reason = self._reason or lib.phys_status_text(status).decode()
             raise PhysicsError(status, f"ball {ball} fails in step {self.steps_done.flat[ball]}: {reason}")
@@ -239,10 +239,9 @@ class Stepper(Owner):
 
     def _first_failure(self, run: Run, batch: Batch) -> str:
         """What the library says of the step in which the first of the balls that failed did."""
-        failed = np.flatnonzero(run.statuses)
-        if not failed.size:
+        if not np.count_nonzero(run.statuses):
             return ""
-        ball, error = int(failed[0]), Error()
+        ball, error = int(np.flatnonzero(run.statuses)[0]), Error()
         params = np.array(viewed(batch.params + ball * batch.params_stride, params_dtype))
         if batch.gravity:
             step = int(run.steps_done.flat[ball])
@@ -315,7 +314,7 @@ def _copy_whole(given: np.ndarray, out: np.ndarray) -> None:
 def _per_ball(array: np.ndarray, shape: tuple[int, ...], inner: int) -> tuple[np.ndarray, int]:
     """The array with its batch dimensions as one, and the bytes from ball to ball: 0 if all balls share one element."""
     tail = array.shape[array.ndim - inner:]
-    if np.prod(array.shape[:array.ndim - inner]) == 1:
+    if math.prod(array.shape[:array.ndim - inner]) == 1:
         return laid_out(array).reshape((1,) + tail), 0
-    each = laid_out(np.broadcast_to(array, shape + tail)).reshape((np.prod(shape, dtype=int),) + tail)
-    return each, array.itemsize * int(np.prod(tail))  # numpy's strides of an array without elements may be 0: shared
+    each = laid_out(np.broadcast_to(array, shape + tail)).reshape((math.prod(shape),) + tail)
+    return each, array.itemsize * math.prod(tail)  # numpy's strides of an array without elements may be 0: shared
