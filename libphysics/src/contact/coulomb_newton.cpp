@@ -90,9 +90,7 @@ private:
     uint32_t count() const { return static_cast<uint32_t>(m_problem.contacts.size()); }
     Lasting &contact(uint32_t i) const { return m_problem.contacts[i]; }
     double radius() const { return m_problem.radius; }
-    double mostResistance(const Lasting &of) const {
-        return kInertia * m_problem.rollingFriction * of.reaction / radius();
-    }
+    double mostResistance(const Lasting &of) const { return of.mostResisting(m_problem.rollingFriction, radius()); }
     Vec3 slip(const Lasting &of) const { return slipAt(m_motion, of.limit, radius()); }
     Vec3 holding(const Lasting &of) const { return tangential(of.rubbing - kEndsSlip * slip(of), of.lever); }
     Vec3 limited(const Lasting &of) const {
@@ -198,20 +196,19 @@ private:
         visitUnknowns([&](uint32_t unknown, const Motion &by) { normal[unknown] = glm::dot(c.limit, by.velocity); });
         const double weight = mode.givesWay ? kGivesWay : 1.0;
         const auto slipOf = [&](const Motion &by) { return slipAt(by, c.limit, radius()); };
-        addDisc(mode.rubbing, mode.first + 1, mode.first, c.friction, c.rubbing, c.reaction, slip(c), kEndsSlip, weight,
-                slipOf, equations);
+        addDisc(mode.rubbing, mode.first + 1, mode.first, c.friction, c.rubbing, c.friction * c.reaction, slip(c),
+                kEndsSlip, weight, slipOf, equations);
         const auto spinOf = [&](const Motion &by) { return radius() * by.spin; };
-        addDisc(mode.resisting, mode.first + 1 + countOf(mode.rubbing), mode.first,
-                kInertia * m_problem.rollingFriction, radius() * c.resisting, c.reaction, radius() * m_motion.spin, 1.0,
-                1.0, spinOf, equations);
+        const double perPressure = c.load < 0.0 ? kInertia * m_problem.rollingFriction : 0.0;
+        addDisc(mode.resisting, mode.first + 1 + countOf(mode.rubbing), mode.first, perPressure, radius() * c.resisting,
+                radius() * mostResistance(c), radius() * m_motion.spin, 1.0, 1.0, spinOf, equations);
     }
 
-    /// Holds: the velocity that it opposes ends. Limited: the answer is perPressure * reaction along its target, which
-    /// turns with that velocity and with the answer itself.
+    /// Holds: the velocity that it opposes ends. Limited: the answer is `most` along its target, which turns with that
+    /// velocity and with the answer itself; perPressure: how `most` grows with the reaction.
     template<class Meet>
-    void addDisc(const Disc &disc, uint32_t own, uint32_t reaction, double perPressure, const Vec3 &answer,
-                 double pressure, const Vec3 &met, double share, double weight, Meet meetOf,
-                 dense::Equations &equations) const {
+    void addDisc(const Disc &disc, uint32_t own, uint32_t reaction, double perPressure, const Vec3 &answer, double most,
+                 const Vec3 &met, double share, double weight, Meet meetOf, dense::Equations &equations) const {
         if (disc.answer == Answer::None) return;
         for (uint32_t k = 0; k < 2; ++k) {
             if (disc.answer == Answer::Holds) {
@@ -220,7 +217,7 @@ private:
                 visitUnknowns(
                     [&](uint32_t unknown, const Motion &by) { row[unknown] = glm::dot(meetOf(by), direction); });
             } else if (k == 0) {
-                dense::Values &row = equations.add(perPressure * pressure - glm::dot(answer, disc.along));
+                dense::Values &row = equations.add(most - glm::dot(answer, disc.along));
                 row[own] = 1.0;
                 row[reaction] = -perPressure;
             } else {

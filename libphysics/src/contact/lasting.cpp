@@ -156,8 +156,7 @@ double LastingContacts::sweep(double rollingFriction, bool arePressed, Motion &m
         largest = std::max({largest, std::abs(pushed), size(rubbed)});
 
         if (rollingFriction == 0.0 || !contact.rolls) continue;
-        const double most = 2.5 * rollingFriction * contact.reaction / m_radius;
-        const Vec3 resisting = resistanceOf(contact, motion, most);
+        const Vec3 resisting = resistanceOf(contact, motion, contact.mostResisting(rollingFriction, m_radius));
         const Vec3 resisted = resisting - contact.resisting;
         motion.spin += resisted;
         contact.resisting = resisting;
@@ -272,7 +271,8 @@ void LastingContacts::unload() {
 }
 
 /// driven: the motion without any impulse. Where friction depends on itself, sweeps may not converge: squeezing is then
-/// kept, and if that doesn't help, friction is dropped.
+/// kept. A slip that reverses within the substep can have no friction of order 2, neither that of a slip nor that of
+/// sticking: then its end alone determines the direction. If nothing helps, friction is dropped.
 void LastingContacts::settleWithoutResistance(double negligible, const Motion &driven, Motion &motion) {
     if (shareLoads()) {
         if (settleTogether(0.0, negligible, kUsuallyTogether, motion)) return;
@@ -286,6 +286,10 @@ void LastingContacts::settleWithoutResistance(double negligible, const Motion &d
     unload();
     motion = driven;
     if (settle(0.0, negligible, false, motion)) return;
+    unload();
+    motion = driven;
+    for (Lasting &contact : *this) contact.slipBefore = Vec3(0.0);
+    if (settle(0.0, negligible, true, motion)) return;
     unload();
     motion = driven;
     for (Lasting &contact : *this) contact.friction = 0.0;
@@ -386,13 +390,26 @@ void LastingContacts::solve(double rollingFriction, Motion &motion) {
         anyRolls = anyRolls || contact.rolls;
     }
     if (!anyRolls) return;
-    // The resistance depends on how contacts share their load.
+    // The resistance depends on how contacts share their load, which a solution doesn't determine.
     constexpr int kMostShares = 20;
     for (int i = 0; i < kMostShares; ++i) {
         if (!shareLoads() || !settleTogether(rollingFriction, negligible, kUsuallyTogether, motion))
             settle(rollingFriction, negligible, true, motion);
-        if (relieve(negligible, motion).relieved <= negligible) return;
+        const bool isRelieved = relieve(negligible, motion).relieved > negligible;
+        if (i == 0 && !isRelieved) return;
+        if (keepLoads(negligible)) return;
     }
+}
+
+/// Lets resistance depend on the present reactions from now on, whatever pressure between sticking contacts the next
+/// solution has. Returns whether it did so already.
+bool LastingContacts::keepLoads(double negligible) {
+    bool areKept = true;
+    for (Lasting &contact : *this) {
+        areKept = areKept && std::abs(contact.reaction - contact.load) <= negligible;
+        contact.load = contact.reaction;
+    }
+    return areKept;
 }
 
 } // namespace phys

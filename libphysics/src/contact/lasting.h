@@ -24,10 +24,15 @@ struct Lasting {
     Vec3 resisting; ///< rolling resistance: change of the spin, rad/s
     bool isSpent;   ///< friction is at its limit
     bool rolls;     ///< a top face without slip, so that rolling resistance works there
+    double load;    ///< reaction on which resistance depends, m/s; below 0: the present one
 
     /// Whether friction has a reserve. Its magnitude doesn't tell, as friction at its limit is rounded.
     bool sticks() const {
         return !isSpent && reaction > 0.0 && glm::dot(rubbing, rubbing) < friction * friction * reaction * reaction;
+    }
+    /// The largest resistance, rad/s; rollingFriction: the coefficient.
+    double mostResisting(double rollingFriction, double radius) const {
+        return 2.5 * rollingFriction * (load >= 0.0 && reaction > 0.0 ? load : reaction) / radius;
     }
     /// Friction of a contact that rolls was judged without the resistance, model.md 13.5.
     bool hasNoLimit() const { return isGlued || rolls; }
@@ -64,6 +69,7 @@ private:
         bool remains;    ///< somewhere: without it a contact would slip
     };
     Strain relieve(double negligible, const Motion &motion);
+    bool keepLoads(double negligible);
     void settleFromBelow(double negligible, const Motion &driven, Motion &motion);
     double pressure() const;
     double sweep(double rollingFriction, bool arePressed, Motion &motion);

@@ -55,10 +55,14 @@ struct HeldBall {
 };
 
 Lasting lastingOf(const Contact &contact, double slow) {
-    const Vec3 none(0.0);
-    return {
-        contact.normal, contact.normal, slow, contact.friction, contact.isTop, contact.isGlued, none, none, 0.0, none,
-        none,           false,          false};
+    Lasting lasting{};
+    lasting.lever = lasting.limit = contact.normal;
+    lasting.slow = slow;
+    lasting.friction = contact.friction;
+    lasting.isTop = contact.isTop;
+    lasting.isGlued = contact.isGlued;
+    lasting.load = -1.0;
+    return lasting;
 }
 
 /// The explicit rule: the old velocity, with the new one's component along the normals of pressing contacts.

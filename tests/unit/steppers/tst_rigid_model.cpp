@@ -74,6 +74,8 @@ private slots:
     void rollsInTheGrooveOfFloorAndRoughWall();
     void resistanceDoesNotSpendTheFrictionOfFloorAndKerb_data();
     void resistanceDoesNotSpendTheFrictionOfFloorAndKerb();
+    void strongResistanceInAGrooveHasItsClosedForm_data();
+    void strongResistanceInAGrooveHasItsClosedForm();
 };
 
 void TestRigidModel::rollingBallKeepsTheEffectiveRestitution() {
@@ -284,6 +286,53 @@ void TestRigidModel::resistanceDoesNotSpendTheFrictionOfFloorAndKerb() {
             COMPARE_WITHIN(rolled(friction, steps), 0.00923421, slack);
             COMPARE_WITHIN(rolled(friction, steps), rolled(0.3, steps), rounding(1e4, -v));
         }
+    }
+}
+
+void TestRigidModel::strongResistanceInAGrooveHasItsClosedForm_data() {
+    QTest::addColumn<QByteArray>("stepper");
+    QTest::addColumn<double>("height"); // of the kerb, in radii
+    QTest::addColumn<double>("resistance");
+    QTest::addColumn<double>("wallFriction");
+    QTest::addColumn<double>("slope"); // g_y; the kerb's edge sticks or slips, without resistance it does the same
+    QTest::addColumn<bool>("sticks");
+    for (const QByteArray &stepper : stepperIds()) {
+        QTest::addRow("%s, edge sticks", stepper.constData()) << stepper << 0.6735 << 0.5266 << 0.4527 << -2.67 << true;
+        QTest::addRow("%s, edge slips the other way without resistance", stepper.constData())
+            << stepper << 0.776 << 0.4341 << 0.3721 << -2.31 << false;
+    }
+}
+
+void TestRigidModel::strongResistanceInAGrooveHasItsClosedForm() {
+    QFETCH(QByteArray, stepper);
+    QFETCH(double, height);
+    QFETCH(double, resistance);
+    QFETCH(double, wallFriction);
+    QFETCH(double, slope);
+    QFETCH(bool, sticks);
+    // Along a kerb whose edge has the normal (-s, 0, k): least friction has none across the groove, model.md 14.1.
+    const double R = 0.006, k = 1.0 - height, s = std::sqrt(1.0 - k * k), v = -0.08, T = 0.0194;
+    const phys_vec3 g{sticks ? 2.63 : 0.394, slope, -8.0};
+    const double onEdge = g.x / s, onFloor = -g.z - k * onEdge;
+    const double turn = (1.0 - k) / s; // om_z/om_x while both stick
+    // Resistance and, once it slips, the edge's friction take from the motion along y.
+    const double a = sticks ? (slope + resistance * onFloor) / (1.0 + 0.4 * (1.0 + turn * turn))
+                            : (slope + resistance * onFloor - (1.0 - k) * wallFriction * onEdge) / 1.4;
+    for (const int steps : {40, 400}) {
+        Experiment ball(SceneBuilder()
+                            .ball(R)
+                            .box({{-1, -1, -0.02}, {1, 1, 0}})
+                            .box({{s * R, -1, -0.02}, {1, 1, height * R}})
+                            .start(0, 0),
+                        stepper, PHYS_MODEL_RIGID);
+        ball.params.gravity = g;
+        ball.params.rolling_friction = resistance;
+        ball.params.sliding_friction = 0.6;
+        ball.params.wall_friction = wallFriction;
+        ball.state.velocity = {0.0, v, 0.0};
+        ball.state.spin = {-v / R, 0.0, -v / R * turn};
+        QVERIFY2(ball.stepTimes(steps, T / steps), ball.error());
+        COMPARE_WITHIN(ball.state.velocity.y, v + a * T, rounding(1e4, -v));
     }
 }
 
