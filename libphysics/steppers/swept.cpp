@@ -50,7 +50,7 @@ phys_status sweepStep(const PlanInput &input, phys_state &out, phys_report *repo
     for (uint32_t counted = 0; !sweep.toNextEvent(); counted = sweep.effort()) {
         const Vec3 &p = sweep.ball().position;
         const size_t boxes = input.scene.boxesNear(p.x, p.y, input.scene.hasManyBoxes).size();
-        work.add((sweep.effort() - counted) * Work::kPlace + boxes);
+        work.add(Work::kEvent + (sweep.effort() - counted) * Work::kPlace + boxes);
         if (work.isTooMuch()) return refuseWork(PHYS_ERROR_EVENT_CAP, err);
     }
     Ball ball = sweep.ball();
@@ -72,7 +72,7 @@ constinit const phys_stepper_api kSwept = {sizeof(phys_stepper_api),
                                            PHYS_STEPPER_BITS_EVERYWHERE,
                                            "swept",
                                            "Swept",
-                                           "8",
+                                           "9",
                                            "Second order throughout: every impact is found, moved to and reflected "
                                            "inside the step.",
                                            nullptr,
