@@ -59,6 +59,7 @@ double sizeOfForces(const Combination &c) {
 size_t fitOf(Combination &c, bool isSettled, size_t most, double scale) {
     constexpr double kRoundings = 16.0 * 0x1p-52; // of the sum of forces, which a wedge increases without limit
     const double size = sizeOfForces(c), rough = std::min(scale, size);
+    if (kRoundings * size > scale) return kNoFit; // what is left of such forces is rounding
     for (size_t i = 0; i <= most && i < kNoFit; ++i) {
         const double zero = kFit[i].tolerance * (kFit[i].tolerance > kFits ? rough : scale) + kRoundings * size;
         if (isSettled == (kFit[i].tolerance == kRoughly)) continue;
