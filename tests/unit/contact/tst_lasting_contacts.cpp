@@ -20,7 +20,7 @@ const Vec3 kUp(0.0, 0.0, 1.0);
 
 Lasting contact(const Vec3 &normal, double friction, double slow = 0.0) {
     const Vec3 none(0.0);
-    return {normal, normal, slow, friction, normal == kUp, false, none, none, 0.0, none, none, false, false};
+    return {normal, normal, slow, friction, normal == kUp, false, none, none, 0.0, none, none, false, false, -1.0};
 }
 
 /// Spins are given as surface speeds.
