@@ -83,6 +83,8 @@ class PiecesTest(unittest.TestCase):
         self.assertTrue((run.states["flags"] & lp.OUT).all())
 
     def test_a_signal_ends_a_run(self):
+        # A shell lets what it starts in the background ignore this signal, which Python takes over.
+        signal.signal(signal.SIGINT, signal.default_int_handler)
         # A program that a script starts in the background ignores the signal.
         heeded = signal.signal(signal.SIGINT, signal.default_int_handler)
         self.addCleanup(signal.signal, signal.SIGINT, heeded)
