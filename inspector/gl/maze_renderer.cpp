@@ -11,6 +11,7 @@
 
 #include <QMatrix4x4>
 #include <QOpenGLContext>
+#include <QOpenGLPixelTransferOptions>
 #include <QOpenGLVersionFunctionsFactory>
 #include <QVector3D>
 #include <QVector4D>
@@ -129,8 +130,13 @@ MazeRenderer::MazeRenderer(QOpenGLFunctions_3_3_Core *gl)
     m_grain.setSize(kGrainTexels, kGrainTexels);
     m_grain.setMipLevels(m_grain.maximumMipLevels());
     m_grain.allocateStorage();
-    static const std::vector<std::uint8_t> grain = woodGrain(kGrainTexels);
-    m_grain.setData(QOpenGLTexture::Red, QOpenGLTexture::UInt8, grain.data());
+    // Averaged here, once: an OpenGL by software compiles shaders for each context that is to make mipmaps.
+    static const std::vector<std::vector<std::uint8_t>> grain = mipmapsOf(woodGrain(kGrainTexels), kGrainTexels);
+    m_grain.setAutoMipMapGenerationEnabled(false);
+    QOpenGLPixelTransferOptions packed;
+    packed.setAlignment(1);
+    for (int level = 0; level < static_cast<int>(grain.size()); ++level)
+        m_grain.setData(level, QOpenGLTexture::Red, QOpenGLTexture::UInt8, grain[level].data(), &packed);
     m_grain.setMinMagFilters(QOpenGLTexture::LinearMipMapNearest, QOpenGLTexture::Linear);
     setBall(patternedBall());
 }

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
+#include <utility>
 
 namespace inspector::gl {
 
@@ -47,6 +47,21 @@ double fibre(double u, double v) {
     return 0.38 * rings + 0.40 * fibres - 1.1 * pores;
 }
 
+/// Each texel is the mean of four; size is that of the result.
+std::vector<std::uint8_t> halved(const std::vector<std::uint8_t> &pixels, int size) {
+    std::vector<std::uint8_t> result;
+    result.reserve(static_cast<std::size_t>(size) * size);
+    for (int y = 0; y < size; ++y) {
+        const std::uint8_t *above = &pixels[static_cast<std::size_t>(4) * y * size];
+        const std::uint8_t *below = above + 2 * size;
+        for (int x = 0; x < size; ++x) {
+            const int sum = above[2 * x] + above[2 * x + 1] + below[2 * x] + below[2 * x + 1];
+            result.push_back(static_cast<std::uint8_t>((sum + 2) / 4));
+        }
+    }
+    return result;
+}
+
 } // namespace
 
 std::vector<std::uint8_t> woodGrain(int size) {
@@ -59,6 +74,15 @@ std::vector<std::uint8_t> woodGrain(int size) {
         }
     }
     return pixels;
+}
+
+std::vector<std::vector<std::uint8_t>> mipmapsOf(std::vector<std::uint8_t> pixels, int size) {
+    std::vector<std::vector<std::uint8_t>> levels{std::move(pixels)};
+    while (size > 1) {
+        size /= 2;
+        levels.push_back(halved(levels.back(), size));
+    }
+    return levels;
 }
 
 } // namespace inspector::gl

@@ -9,4 +9,7 @@ namespace inspector::gl {
 /// A square, tileable texture of wood fibres along the rows: 128 is the mean. Deterministic.
 std::vector<std::uint8_t> woodGrain(int size);
 
+/// A square texture, then each of its mipmaps down to a single texel. size is a power of two.
+std::vector<std::vector<std::uint8_t>> mipmapsOf(std::vector<std::uint8_t> pixels, int size);
+
 } // namespace inspector::gl
