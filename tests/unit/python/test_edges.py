@@ -3,6 +3,8 @@
 import os
 import pickle
 import signal
+import subprocess
+import sys
 import threading
 import time
 import unittest
@@ -116,6 +118,12 @@ class MessagesTest(unittest.TestCase):
         params.restitution_wall[2] = 7
         run = stepper.run(scene.start(), params, 0.01, 10)
         self.assertEqual(self.refused(run.check), "ball 2 fails in step 0: restitution_wall is 7; allowed is 0 .. 1")
+
+    def test_missing_library_is_explained(self):
+        environment = {**os.environ, "PHYSICS_LIBRARY": "/nowhere/libphysics.so"}
+        out = subprocess.run([sys.executable, "-c", "import libphysics"], env=environment, capture_output=True, text=True)
+        self.assertNotEqual(out.returncode, 0)
+        self.assertIn("PHYSICS_LIBRARY", out.stderr)
 
     def test_arguments_without_a_line_of_the_library(self):
         scene = lp.Scene(LEVEL)
