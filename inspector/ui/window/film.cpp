@@ -28,7 +28,7 @@ namespace {
 constexpr std::chrono::milliseconds kLookPeriod{5};
 constexpr double kLongest = 1200.0; ///< s
 constexpr int kMostPerSecond = 100;
-constexpr double kRounding = 1e-6;           ///< share of a picture
+constexpr double kFrameRounding = 1e-6;      ///< share of a picture
 constexpr int kDigits = 5;                   ///< of a picture's number
 const char *const kAllPictures = "%05d.png"; ///< ffmpeg's pattern
 
@@ -94,7 +94,7 @@ Film::Film(Session &session, gl::MazeView &view, const FilmPlan &plan, int scale
     , m_wasInPast(session.isInPast())
     , m_progress(new QProgressDialog(&window)) {
     m_first = std::max(0.0, m_last - plan.seconds);
-    m_count = int(std::floor((m_last - m_first) / m_period + kRounding)) + 1; // both ends included
+    m_count = int(std::floor((m_last - m_first) / m_period + kFrameRounding)) + 1; // both ends included
     m_progress->setObjectName(QStringLiteral("film_progress"));
     m_progress->setWindowTitle(tr("Save film"));
     m_progress->setRange(0, m_count);

@@ -16,7 +16,7 @@ namespace inspector::ui {
 
 namespace {
 
-const gl::Colour kColour(1.0F, 0.85F, 0.1F, 1.0F);
+const gl::Colour kRulerColour(1.0F, 0.85F, 0.1F, 1.0F);
 constexpr float kWidth = 2.5F; ///< logical pixels
 constexpr float kEnd = 8.0F;
 constexpr double kAbove = 5e-4;   ///< m, height of the line above the floor
@@ -92,8 +92,8 @@ void Ruler::drawTo(const QPointF &place) {
 void Ruler::addTo(gl::Strokes &strokes) const {
     if (!m_isShown) return;
     const glm::dvec3 above(0.0, 0.0, kAbove);
-    strokes.line(m_from + above, m_to + above, kColour, kWidth);
-    for (const glm::dvec3 &end : {m_from, m_to}) strokes.point(end + above, kColour, kEnd);
+    strokes.line(m_from + above, m_to + above, kRulerColour, kWidth);
+    for (const glm::dvec3 &end : {m_from, m_to}) strokes.point(end + above, kRulerColour, kEnd);
 }
 
 bool Ruler::dismiss() {
