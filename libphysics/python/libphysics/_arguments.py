@@ -42,6 +42,8 @@ def numbers(value: Any, name: str) -> np.ndarray:
 
 
 def _array(value: Any, name: str, expected: str) -> np.ndarray:
+    if isinstance(value, np.ma.MaskedArray):  # whose masked elements would count as any others
+        raise TypeError(f"{name} is a masked array; expected {expected} without a mask")
     try:
         return np.asarray(value)
     except ValueError:  # rows of different lengths
@@ -117,9 +119,21 @@ def records(value: Any, dtype: np.dtype, name: str) -> np.ndarray:
     """An array of one of the C structs."""
     array = _array(value, name, _NAMES[dtype])
     if array.dtype != dtype:
+        if array.dtype.names and array.dtype == dtype.newbyteorder():
+            raise TypeError(f"{name} has the other order of bytes; expected {_NAMES[dtype]}: use {name}.astype({name}.dtype."
+                            "newbyteorder('='))")
         found = "an array of other records" if array.dtype.names else f"an array of {array.dtype}"
         raise TypeError(f"{name} is {short(value) if array.dtype == object else found}; expected {_NAMES[dtype]}")
     return array
+
+
+def shape(value: Any) -> tuple[int, ...]:
+    """Of an array: one length or several."""
+    try:
+        lengths = tuple(value)
+    except TypeError:
+        lengths = (value,)
+    return tuple(whole(length, "shape", 0, MOST_U64) for length in lengths)
 
 
 def record(value: Any, dtype: np.dtype, name: str) -> np.ndarray:

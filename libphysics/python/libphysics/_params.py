@@ -68,7 +68,8 @@ class Params:
     Names are those of the library's rows (`restitution_wall`, `rolling_friction`, ...; `Params.rows()` lists them), of
     the stepper's own (made by `Stepper.params`), `gravity` (m/s^2, shape + (3,)) and the switches `orientation` and
     `all_stages`. Values may be arrays: the set then has their common shape, and `Stepper.run` broadcasts it. What is
-    written into such an array in place (`params.restitution_wall[1] = 7`, `params.gravity[2] = 5`) is checked by the step.
+    written into such an array in place (`params.restitution_wall[1] = 7`, `params.gravity[2] = 5`) is checked by the step;
+    those of the switches are read-only. Two sets are compared by their `record`s.
     """
 
     __slots__ = ("record", "_rows")
@@ -114,7 +115,9 @@ class Params:
         if name == "gravity":
             return self.record["gravity"]
         if name in _OPTIONS:
-            return (self.record["options"] & _OPTIONS[name]) != 0
+            values = np.asarray((self.record["options"] & _OPTIONS[name]) != 0)
+            values.flags.writeable = False  # a copy
+            return values if self.shape else values.item()
         if name.startswith("_") or name not in self._rows:  # _rows itself, before there is one
             raise AttributeError(self._unknown(name))
         values = self._view(self._rows[name])

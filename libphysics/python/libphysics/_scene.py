@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from ._arguments import MOST_U32, laid_out, number, numbers, path as path_of, record, vector, whole
+from ._arguments import MOST_U32, laid_out, number, numbers, path as path_of, record, shape as shape_of, vector, whole
 from ._library import Error, Handle, Owner, SceneDesc, address, check, expect, lib
 from ._records import contact_dtype, state_dtype
 
@@ -52,25 +52,25 @@ class Scene(Owner):
 
     @property
     def boxes(self) -> np.ndarray:
-        """As given, shape (n, 2, 3), m: a copy. Events and contacts count in it."""
+        """As given, shape (n, 2, 3), m: a read-only copy. Events and contacts count in it."""
         count = lib.phys_scene_box_count(self._handle)
         if count == 0:
-            return np.zeros((0, 2, 3))
+            return _read_only(np.zeros((0, 2, 3)))
         memory = (c_double * (6 * count)).from_address(lib.phys_scene_boxes(self._handle))
-        return np.frombuffer(memory, "f8").reshape(count, 2, 3).copy()
+        return _read_only(np.frombuffer(memory, "f8").reshape(count, 2, 3).copy())
 
     @property
     def bounds(self) -> np.ndarray:
-        """The smallest box around all boxes, shape (2, 3), m."""
+        """The smallest box around all boxes, shape (2, 3), m; read-only."""
         out = np.zeros((2, 3))
         check(lib.phys_scene_bounds(self._handle, address(out)))
-        return out
+        return _read_only(out)
 
     def start(self, shape: int | tuple[int, ...] = ()) -> np.ndarray:
         """The state at the start, at rest: an array of state_dtype and this shape, each element the same."""
         out = np.zeros((), state_dtype)
         check(lib.phys_scene_start(self._handle, address(out)))
-        states = np.empty(shape, state_dtype)
+        states = np.empty(shape_of(shape), state_dtype)
         states[...] = out
         return states
 
@@ -96,6 +96,12 @@ class Scene(Owner):
 
     def __repr__(self) -> str:
         return f"<Scene, {lib.phys_scene_box_count(self._handle)} boxes, radius {self.radius:g} m>"
+
+
+def _read_only(array: np.ndarray) -> np.ndarray:
+    """Of an immutable scene: what is written into it would have no effect."""
+    array.flags.writeable = False
+    return array
 
 
 def _remade(kind: type[Scene], **parts: Any) -> Scene:

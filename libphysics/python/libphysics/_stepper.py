@@ -6,6 +6,7 @@ import ctypes
 import math
 import os
 import threading
+import weakref
 from ctypes import byref, c_double
 from typing import Any, NamedTuple
 
@@ -146,10 +147,19 @@ class Stepper(Owner):
         self._info, error = StepperInfo(), Error()
         check(lib.phys_registry_find(self._registry._handle, text(id, "id"), byref(self._info), byref(error)), error)
         self._handle(0)
+        _all.add(self)
 
     def __reduce__(self) -> Any:
         info = self.info
         return _remade, (type(self), info.id, self._scene, info.file or None), getattr(self, "__dict__", None)
+
+    def _after_fork(self) -> None:
+        """A lock that another thread held is never released in the child, where that thread isn't; what its call was doing
+        to the library's steppers isn't finished either: they are left alone."""
+        if self._lock.locked():
+            self._lock = threading.Lock()
+            _abandoned.append(self._handles)
+            self._handles = []
 
     def _handle(self, index: int) -> Handle:
         """The library's stepper for thread `index`."""
@@ -273,6 +283,19 @@ class Stepper(Owner):
         return f"<Stepper '{self.info.id}', version {self.info.version}, in {self._scene!r}>"
 
 
+_all: weakref.WeakSet[Stepper] = weakref.WeakSet()
+_abandoned: list[list[Handle]] = []
+
+
+def _after_fork() -> None:
+    for stepper in list(_all):
+        stepper._after_fork()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_after_fork)
+
+
 def _remade(kind: type[Stepper], *arguments: Any) -> Stepper:
     """Of a class that may have an __init__ of its own."""
     stepper = object.__new__(kind)
@@ -281,14 +304,21 @@ def _remade(kind: type[Stepper], *arguments: Any) -> Stepper:
 
 
 def _record(params: Params | np.ndarray) -> np.ndarray:
-    return params.record if isinstance(params, Params) else records(params, params_dtype, "params")
+    if isinstance(params, Params):
+        return params.record
+    sets = records(params, params_dtype, "params")
+    if np.any(sets["struct_size"] != params_dtype.itemsize):
+        raise ValueError("params has records that nobody filled (their struct_size is another); expected those of "
+                         "Stepper.params()")
+    return sets
 
 
 def _gravity(gravity: Any, steps: int) -> np.ndarray:
     array = numbers(gravity, "gravity")
     array = array.reshape(1, 3) if array.shape == (3,) else array
     if array.ndim < 2 or array.shape[-1] != 3 or array.shape[-2] not in (1, steps):
-        raise ValueError(f"gravity has the shape {array.shape}; expected (3,), (..., 1, 3) or (..., {steps}, 3)")
+        each = "" if steps == 1 else f" or (..., {steps}, 3)"
+        raise ValueError(f"gravity has the shape {array.shape}; expected (3,), (..., 1, 3){each}")
     return array
 
 

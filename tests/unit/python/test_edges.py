@@ -99,9 +99,25 @@ class PiecesTest(unittest.TestCase):
         self.stepper.run(self.scene.start(2), self.stepper.params(), 0.01, 5).check()
 
 
+class ForkTest(unittest.TestCase):
+    @unittest.skipUnless(hasattr(os, "fork"), "there is no fork here")
+    def test_a_child_steps_although_another_thread_was_at_it(self):
+        scene = lp.Scene(LEVEL)
+        stepper = lp.Stepper("rk4", scene)
+        tilt = lp.gravity_from_tilt(0.1, 0.05)
+        params, after = stepper.params(gravity=tilt), stepper.step(scene.start(), stepper.params(gravity=tilt), 0.01).state
+        with stepper._lock:  # as a run on another thread has it
+            child = os.fork()
+            if child == 0:
+                signal.alarm(20)
+                os._exit(0 if stepper.step(scene.start(), params, 0.01).state.tobytes() == after.tobytes() else 1)
+        self.assertEqual(os.waitpid(child, 0)[1], 0)
+        stepper.step(scene.start(), params, 0.01)
+
+
 class MessagesTest(unittest.TestCase):
     def refused(self, use):
-        with self.assertRaises((lp.PhysicsError, TypeError)) as caught:
+        with self.assertRaises((lp.PhysicsError, TypeError, ValueError)) as caught:
             use()
         return str(caught.exception)
 
@@ -137,8 +153,41 @@ class MessagesTest(unittest.TestCase):
                               (lambda: lp.Stepper("rk4", scene).step(scene.start().item(), lp.Params(), 0.01),
                                "expected state_dtype"),
                               (lambda: lp.Params(gravity=[[0, 0, -9], [0]]), "expected numbers"),
-                              (lambda: lp.Stepper("rk4", scene).params(nope=1), "no parameter is called 'nope'; known are")):
+                              (lambda: lp.Stepper("rk4", scene).params(nope=1), "no parameter is called 'nope'; known are"),
+                              (lambda: scene.start(None), "shape is None; expected an integer"),
+                              (lambda: scene.start(2.5), "shape is 2.5; expected an integer"),
+                              (lambda: scene.start((3, -1)), "shape is -1; expected 0 .. "),
+                              (lambda: lp.Stepper("rk4", scene).step(scene.start(), np.zeros((), lp.params_dtype), 0.01),
+                               "expected those of Stepper.params()"),
+                              (lambda: lp.Stepper("rk4", scene).run(scene.start(), lp.Params(), 0.01, 1, gravity=np.zeros((2, 3))),
+                               "expected (3,), (..., 1, 3)")):
             self.assertIn(expected, self.refused(use))
+
+    def test_a_mask_is_refused(self):
+        scene = lp.Scene(LEVEL)
+        stepper, masked = lp.Stepper("rk4", scene), np.ma.masked_array
+        states, boxes = masked(scene.start(2), mask=True), masked([FLOOR], mask=True)
+        for name, use in (("tilt_x", lambda: lp.gravity_from_tilt(masked([0.1, 0.2], mask=[1, 0]), 0)),
+                          ("states", lambda: stepper.run(states, lp.Params(), 0.01, 1)),
+                          ("gravity", lambda: stepper.params(gravity=masked([0, 0, -9.0], mask=[1, 0, 0]))),
+                          ("boxes", lambda: lp.Scene(boxes=boxes))):
+            self.assertIn(name + " is a masked array; expected ", self.refused(use))
+
+    def test_the_other_order_of_bytes_says_how_to_turn_it(self):
+        scene = lp.Scene(LEVEL)
+        states = scene.start(2)
+        states = states.astype(states.dtype.newbyteorder())
+        said = self.refused(lambda: lp.Stepper("rk4", scene).run(states, lp.Params(), 0.01, 1))
+        self.assertIn("states has the other order of bytes; expected state_dtype", said)
+        turned = eval(said.partition("use ")[2])
+        self.assertEqual(turned.tobytes(), scene.start(2).tobytes())
+        lp.Stepper("rk4", scene).run(turned, lp.Params(), 0.01, 1).check()
+
+    def test_a_write_without_effect_is_refused(self):
+        scene, params = lp.Scene(LEVEL), lp.Params(orientation=[True, False], all_stages=False)
+        for array in (scene.boxes, lp.Scene(boxes=[]).boxes, scene.bounds, params.orientation, params.all_stages):
+            with self.assertRaisesRegex(ValueError, "read-only"):
+                array[...] = 0
 
     def test_names_are_all_that_can_be_read_and_set(self):
         params = lp.Params()
