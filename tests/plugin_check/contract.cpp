@@ -8,18 +8,50 @@
 
 #include <physics/plugin.h>
 
+#include <algorithm>
 #include <array>
 #include <cfenv>
 #include <cmath>
 #include <cstring>
 #include <dlfcn.h>
 #include <exception>
+#include <filesystem>
 
 namespace plugin_check {
 
 namespace {
 
 constexpr double kStep = 0.01;
+
+/// A value with memory around it that nobody may write to.
+template<class T>
+class Guarded {
+public:
+    explicit Guarded(const T &initial)
+        : value(initial)
+        , m_initial(initial) {
+        before.fill(kPattern);
+        behind.fill(kPattern);
+    }
+    bool isChanged() const { return std::memcmp(&value, &m_initial, sizeof value) != 0; } // NOLINT: no padding
+    bool isOverrun() const { return !isWhole(before) || !isWhole(behind); }
+
+private:
+    static constexpr unsigned char kPattern = 0xa5;
+    using Guard = std::array<unsigned char, 256>; // more than an event has
+    static bool isWhole(const Guard &guard) {
+        return std::ranges::all_of(guard, [](unsigned char byte) { return byte == kPattern; });
+    }
+
+    alignas(16) Guard before{};
+
+public:
+    T value;
+
+private:
+    Guard behind{};
+    T m_initial;
+};
 
 /// A floor and a wall, as a plugin sees them.
 class Host {
@@ -97,7 +129,10 @@ public:
     }
 
 private:
-    void note(const std::string &breach) { m_breaches.push_back(breach); }
+    /// Once, although several calls may commit it.
+    void note(const std::string &breach) {
+        if (std::ranges::find(m_breaches, breach) == m_breaches.end()) m_breaches.push_back(breach);
+    }
 
     /// False if it threw.
     template<class Call>
@@ -131,32 +166,51 @@ private:
         return params;
     }
 
+    static phys_state rollingState() {
+        phys_state state{};
+        state.position = {0, 0, kRadius};
+        state.velocity = {0.2, 0.1, 0};
+        state.spin = {-0.1 / kRadius, 0.2 / kRadius, 0};
+        state.orientation[3] = 1.0;
+        return state;
+    }
+
     void step(void *self, bool withReport) {
-        const phys_params params = initialParams();
-        phys_state in{};
-        in.position = {0, 0, kRadius};
-        in.velocity = {0.2, 0.1, 0};
-        in.spin = {-0.1 / kRadius, 0.2 / kRadius, 0};
-        in.orientation[3] = 1.0;
-        const phys_state given = in;
-        phys_state out = in;
-        out.time = kStep;
-        out.step = 1;
-        std::array<phys_event, 3> events{}; // one more than the stepper is told of
-        phys_report report;
-        phys_report_init(&report, sizeof report);
-        report.events = events.data();
-        report.event_capacity = 2;
-        phys_error error{};
-        std::memset(error.text, 'x', sizeof error.text);
-        error.text[0] = '\0';
+        Guarded params(initialParams());
+        Guarded in(rollingState());
+        phys_state next = in.value;
+        next.time = kStep;
+        next.step = 1;
+        Guarded out(next);
+        Guarded events(std::array<phys_event, 2>{});
+        phys_report told;
+        phys_report_init(&told, sizeof told);
+        told.events = events.value.data();
+        told.event_capacity = static_cast<uint32_t>(events.value.size());
+        Guarded report(told);
+        phys_error noReason{};
+        std::memset(noReason.text, 'x', sizeof noReason.text);
+        noReason.text[0] = '\0';
+        Guarded reason(noReason);
+        const phys_error &error = reason.value;
         phys_status status = PHYS_OK;
         const Arithmetic arithmetic = Arithmetic::now();
         const bool isDone = guarded("step", [&] {
-            status = m_api.step(self, &params, kStep, &in, &out, withReport ? &report : nullptr, &error);
+            status = m_api.step(self, &params.value, kStep, &in.value, &out.value, withReport ? &report.value : nullptr,
+                                &reason.value);
         });
         checkArithmetic(arithmetic);
-        if (!isSame(in, given)) note("step writes to the state it is given");
+        if (in.isChanged()) note("step writes to the state it is given");
+        if (params.isChanged()) note("step writes to the parameters it is given");
+        const auto checkGuards = [&](const char *name, const auto &guarded) {
+            if (guarded.isOverrun()) note(std::string("step writes beyond ") + name);
+        };
+        checkGuards("the state it is given", in);
+        checkGuards("the parameters it is given", params);
+        checkGuards("the state `out`", out);
+        checkGuards("the report", report);
+        checkGuards("the report's buffer of events", events);
+        checkGuards("the error", reason);
         if (!isDone) return;
         if (status) {
             if (status > 0 || !isKnown(status)) note("step returns the unknown status " + std::to_string(status));
@@ -166,8 +220,8 @@ private:
                 note(std::string("step refuses a ball that rolls on a floor: ") + phys_status_name(status));
             return;
         }
-        checkState(out);
-        if (withReport) checkReport(report, events.data());
+        checkState(out.value);
+        if (withReport) checkReport(report.value, events.value.data());
     }
 
     /// Restores the process-wide state that anyone can change, because the rest of the check computes.
@@ -249,7 +303,8 @@ private:
 } // namespace
 
 std::vector<std::string> breaches(const std::string &file, const std::string &stepper) {
-    void *handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL); // stays loaded, as in the library's loader
+    const std::string path = std::filesystem::absolute(file); // a plain name is looked for among the system's libraries
+    void *handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL); // stays loaded, as in the library's loader
     const auto *plugin = handle ? static_cast<const phys_plugin *>(dlsym(handle, "phys_plugin_entry")) : nullptr;
     if (!plugin) return {"phys_plugin_entry isn't there"};
     for (uint32_t i = 0; i < plugin->stepper_count; ++i) {

@@ -18,10 +18,6 @@ namespace plugin_check {
 
 namespace {
 
-constexpr unsigned kMostCpuSeconds = 25; // of a part
-constexpr unsigned kMostSeconds = 30;    // of a part, for one that waits
-constexpr unsigned kCardSeconds = 55;    // of all parts
-
 /// A plugin must not print, and must leave the process as it is: output to standard output or error during a part, and
 /// process state that differs after it, are faults of their own.
 Measure silently(const std::function<Measure()> &work) {
@@ -42,18 +38,20 @@ Measure silently(const std::function<Measure()> &work) {
 
 } // namespace
 
-Measure Isolation::run(const std::function<Measure()> &work) const {
-    const auto before = static_cast<unsigned>((std::chrono::steady_clock::now() - m_begin) / std::chrono::seconds(1));
-    if (before >= kCardSeconds) return {true, "not begun after " + std::to_string(kCardSeconds) + " s"};
-    const unsigned most = std::min(kMostSeconds, kCardSeconds - before);
+Measure Isolation::run(const std::function<Measure()> &work, int seconds) const {
+    const auto before = static_cast<int>((std::chrono::steady_clock::now() - m_begin) / std::chrono::seconds(1));
+    const std::string isOver = " when the card's " + std::to_string(m_seconds) + " s were over";
+    if (before >= m_seconds) return {false, "not begun" + isOver, true};
+    const int most = std::min(seconds, m_seconds - before);
     int ends[2];
     if (pipe(ends)) return {true, "no pipe"};
     std::fflush(stdout);
     const pid_t child = fork();
     if (child == 0) {
         close(ends[0]);
-        alarm(most);
-        const rlimit cpu{kMostCpuSeconds, kMostCpuSeconds + 1};
+        alarm(static_cast<unsigned>(most));
+        const auto busy = static_cast<rlim_t>(most); // for a plugin that ends the alarm
+        const rlimit cpu{busy, busy + 1};
         setrlimit(RLIMIT_CPU, &cpu);
         const Measure measure = silently(work);
         const std::string text = (measure.isWrong ? "1" : "0") + measure.text;
@@ -75,9 +73,9 @@ Measure Isolation::run(const std::function<Measure()> &work) const {
     waitpid(child, &status, 0);
     if (WIFSIGNALED(status)) {
         const int signal = WTERMSIG(status);
-        if (signal == SIGALRM) return {true, "not done after " + std::to_string(most) + " s"};
-        if (signal == SIGXCPU)
-            return {true, "not done after " + std::to_string(kMostCpuSeconds) + " s of the processor"};
+        const bool isLate = signal == SIGALRM || signal == SIGXCPU;
+        if (isLate && most < seconds) return {false, "not done" + isOver, true};
+        if (isLate) return {true, "not done after " + std::to_string(most) + " s"};
         return {true, std::string("crashes: ") + strsignal(signal)};
     }
     if (text.empty()) return {true, "ends without a word, or closes the pipe for it"};

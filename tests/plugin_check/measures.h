@@ -11,6 +11,7 @@ namespace plugin_check {
 struct Measure {
     bool isWrong = false;
     std::string text;
+    bool isOpen = false; ///< not judged: it had no time
 };
 
 /// A stepper of a registry.

@@ -116,7 +116,12 @@ void judgeFlags(const Subject &subject, Complaints &complaints) {
     if (falling.step(kDt)) complaints.unless(falling.state.flags & PHYS_AIRBORNE, "not airborne in the air");
 
     Run resting(subject, board(modelOf(subject)));
-    for (int i = 0; i < 10; ++i) resting.step(kDt);
+    for (int i = 0; i < 10; ++i) {
+        Report report;
+        if (!resting.step(kDt, &report.all)) break;
+        const double lost = report.all.lost_impact + report.all.lost_rolling + report.all.lost_slip;
+        complaints.unless(std::abs(lost) < 1e-12, "energy is lost at rest");
+    }
     if (resting.status() == PHYS_OK) complaints.unless(resting.state.flags & PHYS_AT_REST, "at rest without its flag");
 
     Case slope = board(modelOf(subject));

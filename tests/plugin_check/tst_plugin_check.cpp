@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Whether the report card detects what a plugin does wrong.
+#include <QDir>
 #include <QFile>
+#include <QFileInfo>
+#include <QProcess>
 #include <QTest>
 
 #include "card.h"
@@ -10,6 +13,10 @@
 
 #include "support/handles.h"
 #include "witness/survey.h"
+
+#include <cstdlib>
+#include <set>
+#include <unistd.h>
 
 class PluginCheck : public QObject {
     Q_OBJECT
@@ -22,6 +29,11 @@ private slots:
     void whatIsUntrueIsNamed_data();
     void whatIsUntrueIsNamed();
     void aSoundPluginKeepsTheContract();
+    void whatLacksTimeIsOpen();
+    void aSlowSteppersPartsAreOpen();
+    void aStepperThatMakesNoStepHasAShortCard();
+    void commandLine_data();
+    void commandLine();
     void soundSteppersSayWhatHappens_data();
     void soundSteppersSayWhatHappens();
     void theLawIsFollowedAcrossImpacts_data();
@@ -65,6 +77,11 @@ void PluginCheck::aBreachOfTheContractIsNamed_data() {
     row("unknown-flags", "step sets unknown flags");
     row("orientation-not-unit", "step writes an orientation that is no unit quaternion");
     row("writes-input", "step writes to the state it is given");
+    row("writes-params", "step writes to the parameters it is given");
+    row("writes-beyond-out", "step writes beyond the state `out`");
+    row("one-event-too-far", "step writes beyond the report's buffer of events");
+    row("writes-beyond-report", "step writes beyond the report");
+    row("writes-beyond-error", "step writes beyond the error");
     row("too-many-events", "step reports more events than there is room for");
     row("own-buffer", "step changes the report's size or its event buffer");
     row("nan-in-report", "step reports a number that isn't finite");
@@ -88,6 +105,7 @@ void PluginCheck::aBreachOfTheContractIsNamed() {
     QByteArray all;
     for (const std::string &line : found) all += QByteArray(line.c_str()) + "; ";
     QVERIFY2(std::find(found.begin(), found.end(), breach.toStdString()) != found.end(), all);
+    QVERIFY2(std::set(found.begin(), found.end()).size() == found.size(), all); // none twice
 }
 
 /// The witness's planted faults that a short check must detect, and a stepper that jumps through everything.
@@ -146,6 +164,10 @@ void PluginCheck::whatIsUntrueIsNamed_data() {
     row("impacts-not-booked", reports, "energy lost in an impact isn't booked");
     row("flies-unseen", reports, "not airborne in the air");
     row("rests-unseen", reports, "at rest without its flag");
+    row("loses-at-rest", reports, "energy is lost at rest");
+    row("speeds-up", invariants, "other bits: velocity.x ");
+    row("random", threads, "other bits in a repeat on another thread: position.x ");
+    row("fails-always", invariants, "refused with PHYS_ERROR_PLUGIN_RESULT: ");
     row("claims-slip", reports, "slipping in the rolling model");
     row("turns-backwards", reports, "the orientation doesn't follow the spin");
     row("never-turns", reports, "the orientation doesn't follow the spin");
@@ -239,8 +261,80 @@ void PluginCheck::theExamplesPageShowsItsCard() {
 }
 
 void PluginCheck::aSoundPluginKeepsTheContract() {
-    const std::vector<std::string> found = plugin_check::breaches(EXAMPLE, "adaptive-drag");
-    QVERIFY2(found.empty(), found.empty() ? "" : found[0].c_str());
+    const std::string example(EXAMPLE);
+    QVERIFY(QDir::setCurrent(QFileInfo(EXAMPLE).path()));
+    for (const std::string &file : {example, example.substr(example.rfind('/') + 1)}) {
+        const std::vector<std::string> found = plugin_check::breaches(file, "adaptive-drag");
+        QVERIFY2(found.empty(), found.empty() ? "" : found[0].c_str());
+    }
+}
+
+/// A slow machine or a part that lacks time is no fault of the stepper; a part that never ends is one.
+void PluginCheck::whatLacksTimeIsOpen() {
+    const plugin_check::Isolation card;
+    const Measure endless = card.run([]() -> Measure { pause(), std::abort(); }, 1);
+    QVERIFY2(endless.isWrong && endless.text == "not done after 1 s", endless.text.c_str());
+    const plugin_check::Isolation over(1);
+    const Measure cut = over.run([]() -> Measure { pause(), std::abort(); }, 3);
+    QVERIFY2(!cut.isWrong && cut.isOpen, cut.text.c_str());
+    QCOMPARE(cut.text, std::string("not done when the card's 1 s were over"));
+    const Measure late = over.run([] { return Measure{true, ""}; }, 3);
+    QVERIFY2(!late.isWrong && late.isOpen, late.text.c_str());
+    QCOMPARE(plugin_check::lineOf("law", late),
+             std::string("open  law              not begun when the card's 1 s were over"));
+}
+
+namespace {
+
+struct Ended {
+    int status;
+    QByteArray out, messages;
+};
+
+Ended check(const QStringList &arguments) {
+    QProcess process;
+    process.start(PHYSICS_CHECK, arguments);
+    if (!process.waitForFinished(-1)) qFatal("physics-check doesn't run");
+    return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+} // namespace
+
+void PluginCheck::aSlowSteppersPartsAreOpen() {
+    if (kIsSanitized) QSKIP("sanitizers need more stack");
+    const Ended ended = check({UNTRUE, "--stepper", "slow"});
+    QVERIFY2(ended.status == 3 && !ended.out.contains("FAIL"), ended.out);
+    QVERIFY2(ended.out.contains("\nok    small stack "), ended.out);
+    QVERIFY2(ended.out.contains("\nopen  memory           not begun: some 3000 steps of 0.0"), ended.out);
+}
+
+void PluginCheck::aStepperThatMakesNoStepHasAShortCard() {
+    const Ended ended = check({UNTRUE, "--stepper", "fails-always"});
+    QCOMPARE(ended.status, 1);
+    QVERIFY2(ended.out.contains("\nFAIL  contract         step returns the unknown status 3"), ended.out);
+    QVERIFY2(ended.out.contains("\nFAIL  cost             nothing else is asked, because "), ended.out);
+    QCOMPARE(ended.out.count('\n'), 3);
+}
+
+void PluginCheck::commandLine_data() {
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<int>("status");
+    QTest::addColumn<QByteArray>("out");
+    QTest::addColumn<QByteArray>("messages");
+    QTest::newRow("help") << QStringList{"--help"} << 0 << QByteArray("usage: physics-check FILE.so") << QByteArray();
+    QTest::newRow("nothing") << QStringList() << 2 << QByteArray() << QByteArray("usage: physics-check FILE.so");
+    QTest::newRow("unknown stepper") << QStringList{UNTRUE, "--stepper", "nobody"} << 2 << QByteArray()
+                                     << QByteArray("physics-check: " UNTRUE ": no stepper nobody\n");
+}
+
+void PluginCheck::commandLine() {
+    QFETCH(QStringList, arguments);
+    const Ended ended = check(arguments);
+    QTEST(ended.status, "status");
+    QFETCH(QByteArray, out);
+    QFETCH(QByteArray, messages);
+    QVERIFY2(ended.out.startsWith(out) && ended.out.isEmpty() == out.isEmpty(), ended.out);
+    QVERIFY2(ended.messages.startsWith(messages) && ended.messages.isEmpty() == messages.isEmpty(), ended.messages);
 }
 
 QTEST_GUILESS_MAIN(PluginCheck)

@@ -65,6 +65,10 @@ phys_status hideImpacts(Step &step) {
     return withReport(step, [](phys_report &report) { report.lost_impact = 0; });
 }
 
+phys_status loseAtRest(Step &step) {
+    return withReport(step, [](phys_report &report) { report.lost_rolling += 1e-7; });
+}
+
 /// A correct step whose state is changed in a way that doesn't affect the motion.
 template<class Change>
 phys_status withState(Step &step, Change change) {
@@ -89,6 +93,19 @@ phys_status neverTurn(Step &step) {
     return soundStep(step);
 }
 phys_status staySleeping(Step &step) { return step.in.flags & PHYS_AT_REST ? PHYS_OK : soundStep(step); }
+
+/// The motion depends on what was before.
+phys_status speedUp(Step &step) {
+    return withState(step, [&](phys_state &out) { out.velocity.x *= ++step.self.calls > 3 ? 1.0001 : 1; });
+}
+phys_status drawVelocity(Step &step) {
+    return withState(step, [](phys_state &out) { out.velocity.x += 1e-12 * (std::rand() % 100); }); // NOLINT
+}
+phys_status oversleep(Step &step) {
+    usleep(20'000);
+    return soundStep(step);
+}
+phys_status failAlways(Step &) { return 3; }
 
 bool isTooFast(const Step &step) { return dot(step.in.velocity, step.in.velocity) > 1e10; }
 
@@ -201,6 +218,11 @@ constexpr phys_stepper_api kTables[] = {
     doing<hideImpacts>("impacts-not-booked"),
     doing<flyUnseen>("flies-unseen"),
     doing<restUnseen>("rests-unseen"),
+    doing<loseAtRest>("loses-at-rest"),
+    doing<speedUp>("speeds-up"),
+    doing<drawVelocity>("random"),
+    doing<failAlways>("fails-always"),
+    doing<oversleep>("slow"),
     doing<claimSlip>("claims-slip"),
     doing<turnBackwards>("turns-backwards"),
     doing<neverTurn>("never-turns"),

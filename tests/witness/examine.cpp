@@ -8,6 +8,7 @@
 
 #include "support/handles.h"
 #include "support/orders.h"
+#include "support/state_difference.h"
 
 #include <algorithm>
 #include <array>
@@ -264,7 +265,7 @@ private:
             if (again.status != status) {
                 complain(check, "%s, then %s", phys_status_name(status), phys_status_name(again.status));
             } else if (!status && std::memcmp(&again.out, &out, sizeof out) != 0) { // NOLINT
-                complain(check, "other bits: x %.17g, then %.17g", out.position.x, again.out.position.x);
+                complain(check, "other bits: %s", support::firstDifference(out, again.out).c_str());
             }
         }
     }

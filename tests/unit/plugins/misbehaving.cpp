@@ -70,6 +70,20 @@ phys_status writeInput(const Step &step) {
     return PHYS_OK;
 }
 
+/// Writes the byte behind it.
+template<class T>
+phys_status writeBeyond(T *record) {
+    if (record) *reinterpret_cast<char *>(record + 1) = 1;
+    return PHYS_OK;
+}
+phys_status writeBeyondOut(const Step &step) { return writeBeyond(step.out); }
+phys_status writeBeyondReport(const Step &step) { return writeBeyond(step.report); }
+phys_status writeBeyondError(const Step &step) { return writeBeyond(step.err); }
+phys_status writeOneEventTooFar(const Step &step) {
+    if (step.report && step.report->event_capacity) step.report->events[step.report->event_capacity] = {};
+    return PHYS_OK;
+}
+
 /// As numerical code does that computes bounds.
 phys_status roundUpwards(const Step &) {
     std::fesetround(FE_UPWARD);
@@ -206,6 +220,10 @@ constexpr phys_stepper_api kTables[] = {
     doing<writeUnknownFlags>("unknown-flags"),
     doing<stretchOrientation>("orientation-not-unit"),
     doing<writeInput>("writes-input"),
+    doing<writeBeyondOut>("writes-beyond-out"),
+    doing<writeBeyondReport>("writes-beyond-report"),
+    doing<writeBeyondError>("writes-beyond-error"),
+    doing<writeOneEventTooFar>("one-event-too-far"),
     doing<roundUpwards>("rounds-upwards"),
     doing<claimEvents>("too-many-events"),
     doing<swapBuffer>("own-buffer"),
