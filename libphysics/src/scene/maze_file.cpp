@@ -11,7 +11,7 @@ namespace phys {
 
 namespace {
 
-constexpr std::string_view kSpace = " \t\r";
+constexpr std::string_view kSpace = " \t";
 
 /// A million boxes with the longest lines need less.
 constexpr size_t kMostBytes = 268'435'456;
@@ -24,13 +24,15 @@ public:
         , m_err(err) {}
 
     phys_status read(std::string_view text) {
+        const char *content = text.empty() ? "an empty file" : "no more than comments";
         do { // an empty text is an empty line
             ++m_line;
             const size_t end = text.find('\n');
-            if (const phys_status status = readLine(text.substr(0, end))) return status;
-            text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+            const size_t size = end == std::string_view::npos ? text.size() : end + 1;
+            if (const phys_status status = readLine(withoutEnd(text.substr(0, size)))) return status;
+            text.remove_prefix(size);
         } while (!text.empty());
-        if (!m_isMaze) return refuse("expected 'physics-maze 1' as the first line, found an empty file");
+        if (!m_isMaze) return refuse("expected 'physics-maze 1' as the first line, found %s", content);
         if (!m_hasUnits) return refuse("'units m' is missing");
         if (!m_hasBall) return refuse("'ball RADIUS' is missing");
         if (!m_hasStart) return refuse("'start X Y Z' is missing");
@@ -59,7 +61,14 @@ private:
         return status ? fail(m_err, status, "%s:%u: %s", m_path, m_line, reason.text) : PHYS_OK;
     }
 
+    static std::string_view withoutEnd(std::string_view line) {
+        if (line.ends_with("\r\n")) return line.substr(0, line.size() - 2);
+        return line.ends_with('\n') ? line.substr(0, line.size() - 1) : line;
+    }
+
     phys_status readLine(std::string_view line) {
+        if (line.find('\r') != std::string_view::npos)
+            return refuse("expected \\n or \\r\\n as the end of the line, found \\r alone");
         line = line.substr(0, line.find('#'));
         const std::string_view key = nextWord(line);
         if (key.empty()) return PHYS_OK;
@@ -135,10 +144,8 @@ private:
     }
 
     phys_status expectEnd(std::string_view line) const {
-        const bool mayEnd = line.find('\r') < line.find_first_not_of(kSpace);
         const std::string_view rest = nextWord(line);
         if (rest.empty()) return PHYS_OK;
-        if (mayEnd) return refuse("expected \\n or \\r\\n as the end of the line, found \\r alone");
         return refuse("expected the end of the line, found '%.*s'", shown(rest), rest.data());
     }
 

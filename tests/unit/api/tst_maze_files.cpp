@@ -96,6 +96,9 @@ void TestMazeFiles::spellingsOfAGoodFileAreEqual_data() {
     QTest::newRow("carriage returns") << QByteArray(kGood).replace("\n", "\r\n");
     QTest::newRow("no newline at the end") << QByteArray(kGood).chopped(1);
     QTest::newRow("exponents") << withLine(6, "box -1e0 -2 -5e-1 3 0.4E1 0");
+    QTest::newRow("no zero before or behind a point") << withLine(6, "box -1. -2 -.5 3. 4 0E+1");
+    QTest::newRow("items repeated") << QByteArray(kGood) + "units m\ngenerator again\n";
+    QTest::newRow("any bytes in comments") << QByteArray(kGood) + QByteArray("# \xff\xfe\0\n", 6) + "generator \xff";
     QTest::newRow("another order") << QByteArray(
         "physics-maze 1\nbox -1 -2 -0.5 3 4 0\nstart 0.5 0.25 0.0625\nball 0.0625\nunits m\n");
     QTest::newRow("no generator") << without("generator by hand");
@@ -132,6 +135,8 @@ void TestMazeFiles::wrongLineIsRefusedWithItsNumber_data() {
     add(4, "ball 0,0625", "a number", "'0,0625'");
     add(4, "ball 0.0625m", "a number", "'0.0625m'");
     add(4, "ball 1e999", "a number", "'1e999'");
+    add(4, "ball 1e-999", "a number", "'1e-999'");
+    add(4, "ball +0.0625", "a number", "'+0.0625'");
     add(4, "ball inf", "a number", "'inf'");
     add(4, "ball 0.0625 0.0625", "end of the line", "'0.0625'");
     add(5, "start 0.5 0.25", "3 numbers", "found 2");
@@ -146,6 +151,8 @@ void TestMazeFiles::wrongLineIsRefusedWithItsNumber_data() {
     add(6, "ball 0.0625", "'ball'", "twice");
     add(6, "start 0 0 0", "'start'", "twice");
     add(3, "Units m", "units", "'Units'");
+    for (const char *text : {"ball\r0.0625", "ball 0.0625\r\r", "ball 0.0625 # 6 cm\rof ball", "\rball 0.0625"})
+        add(4, text + QByteArray("\r"), "\\n or \\r\\n as the end of the line", "\\r alone");
 }
 
 void TestMazeFiles::wrongLineIsRefusedWithItsNumber() {
@@ -167,8 +174,10 @@ void TestMazeFiles::missingItemIsRefused_data() {
     QTest::newRow("units") << without("units m") << QByteArray("units");
     QTest::newRow("ball") << without("ball 0.0625") << QByteArray("ball");
     QTest::newRow("start") << without("start 0.5 0.25 0.0625") << QByteArray("start");
-    QTest::newRow("everything") << QByteArray() << QByteArray("physics-maze 1");
-    QTest::newRow("everything but a comment") << QByteArray("# nothing\n") << QByteArray("physics-maze 1");
+    QTest::newRow("everything") << QByteArray()
+                                << QByteArray("'physics-maze 1' as the first line, found an empty file");
+    QTest::newRow("everything but a comment")
+        << QByteArray("# nothing\n") << QByteArray("'physics-maze 1' as the first line, found no more than comments");
 }
 
 void TestMazeFiles::missingItemIsRefused() {
@@ -188,6 +197,8 @@ void TestMazeFiles::wrongSceneInAFileIsRefused_data() {
     QTest::newRow("start too far away") << withLine(5, "start 2e9 0 0") << QByteArray(":5: start is (2e+09, 0, 0)");
     QTest::newRow("box too far away") << withLine(6, "box -1 -2 -0.5 3 4e9 0")
                                       << QByteArray(":6: box 0: max.y is 4e+09 m; expected a number within +-1e+09 m");
+    QTest::newRow("radius too small beside a coordinate")
+        << withLine(4, "ball 1e-9").replace("box -1", "box -1e9") << QByteArray("maze.txt: radius is 1e-09 m beside");
 }
 
 void TestMazeFiles::wrongSceneInAFileIsRefused() {
