@@ -83,6 +83,9 @@ private:
 
     phys_status readVersion(std::string_view key, std::string_view line) {
         const std::string_view version = nextWord(line);
+        if (key.starts_with("\xef\xbb\xbf")) {
+            return refuse("expected 'physics-maze 1', found a byte order mark (BOM) before it; save the file without");
+        }
         if (key != "physics-maze") {
             return refuse("expected 'physics-maze 1', found '%.*s'", shown(key), key.data());
         }

@@ -140,7 +140,7 @@ void TestMazeReader::wrongFilesAreRefusedWithFileAndLine_data() {
     add("number too many", kHeader + "box 0 0 0 1 1 1 1\n", ":5: expected the end of the line, found '1'");
     add("no radius", "physics-maze 1\nball\n", ":2: ball: expected 1 number in m, found 0");
     add("byte order mark", "\xef\xbb\xbfphysics-maze 1\n",
-        ":1: expected 'physics-maze 1', found '\\xef\\xbb\\xbfphysics-maze'");
+        ":1: expected 'physics-maze 1', found a byte order mark (BOM) before it; save the file without");
     add("NUL", QByteArray("physics-maze 1\nunits\0 m\n", 24),
         ":2: expected units, generator, ball, start or box, found 'units\\x00'");
     add("blank of another kind", "physics-maze 1\nball\u00a00.006\n",
