@@ -126,6 +126,14 @@ void readParameters(const QCommandLineParser &parser, const std::vector<const ph
     if (!parameters.set(options.settings, &error)) throw WrongUse{error};
 }
 
+/// Refuses a tilt, also one of --parameters, where something else tilts the board.
+void checkTilts(const QCommandLineParser &parser, const std::vector<Setting> &settings) {
+    for (const QString &tilt : {QStringLiteral("tilt_x"), QStringLiteral("tilt_y")})
+        for (const char *pilot : {"autopilot", "all-levels", "trade", "fit"})
+            if (parser.isSet(pilot) && std::ranges::count(settings, tilt, &Setting::id) > 0)
+                throw WrongUse{QStringLiteral("--%1: doesn't go with --%2").arg(dashed(tilt), pilot)};
+}
+
 void readView(const QCommandLineParser &parser, Options &options) {
     if (!parser.isSet("view")) return;
     const QString view = parser.value("view");
@@ -162,10 +170,6 @@ void readOutputs(const QCommandLineParser &parser, Options &options) {
     options.shaders = parser.value("shaders");
     if (parser.isSet("shaders") && !isFolder(options.shaders))
         throw WrongUse{QStringLiteral("--shaders: expected a folder, found %1").arg(quoted(options.shaders))};
-    for (const char *pilot : {"autopilot", "all-levels"})
-        for (const char *tilt : {"tilt-x", "tilt-y"})
-            if (parser.isSet(pilot) && parser.isSet(tilt))
-                throw WrongUse{QStringLiteral("--%1: doesn't go with --%2").arg(tilt, pilot)};
     if (parser.isSet("all-levels") && (parser.isSet("csv") || parser.isSet("level")))
         throw WrongUse{QStringLiteral("--all-levels: takes neither --csv nor --level")};
 }
@@ -248,7 +252,8 @@ void checkTradeWords(const QCommandLineParser &parser) {
     for (const char *name :
          {"schedule", "steps", "under", "for", "within", "plot", "unknown", "share", "with-orientation"})
         if (!trades && parser.isSet(name)) throw WrongUse{QStringLiteral("--%1: needs --trade").arg(name)};
-    for (const char *name : {"level", "stepper", "dt", "all-levels", "autopilot", "csv-every", "grab", "shaders"})
+    for (const char *name :
+         {"level", "stepper", "dt", "speed", "all-levels", "autopilot", "csv-every", "grab", "shaders", "view"})
         if (trades && parser.isSet(name)) throw WrongUse{QStringLiteral("--trade: doesn't go with --%1").arg(name)};
     if (parser.isSet("within") && (parser.isSet("under") || parser.isSet("for")))
         throw WrongUse{QStringLiteral("--within: takes neither --under nor --for")};
@@ -355,8 +360,8 @@ void readFit(const QCommandLineParser &parser, Options &options) {
     const bool fits = parser.isSet("fit");
     if (!fits && parser.isSet("fit-for")) throw WrongUse{QStringLiteral("--fit-for: needs --fit")};
     if (!fits) return;
-    for (const char *name : {"trade", "replay", "record", "compare", "stepper", "dt", "duration", "all-levels",
-                             "autopilot", "csv-every", "grab", "shaders", "track"})
+    for (const char *name : {"trade", "replay", "record", "compare", "stepper", "dt", "speed", "duration", "all-levels",
+                             "autopilot", "csv-every", "grab", "shaders", "view", "track"})
         if (parser.isSet(name)) throw WrongUse{QStringLiteral("--fit: doesn't go with --%1").arg(name)};
     QString error;
     options.action = Options::Action::Fit;
@@ -369,10 +374,23 @@ void readFit(const QCommandLineParser &parser, Options &options) {
     options.fit.quantities = *quantities;
 }
 
+/// file: the positional argument, if it is a maze; else empty. A window returns to the level after a replay.
+Level readLevel(const QCommandLineParser &parser, const QString &file, const Options &options) {
+    if (!file.isEmpty()) return levelOfFile(file);
+    if (options.action == Options::Action::Fit && !parser.isSet("level"))
+        throw WrongUse{QStringLiteral("--fit: needs the track's maze: --level L or a file")};
+    const QString named = parser.isSet("trade") ? QStringLiteral("trade") : QStringLiteral("level");
+    const QString wanted = parser.isSet(named) ? parser.value(named) : QStringLiteral("1");
+    QString error;
+    const std::optional<Level> level = findLevel(options.levels, wanted, &error);
+    const QString option = options.action == Options::Action::Replay ? QStringLiteral("replay") : named;
+    if (!level) throw WrongUse{QStringLiteral("--%1: ").arg(option) + error};
+    return *level;
+}
+
 Options readOptions(const QCommandLineParser &parser, const std::vector<const phys_param_row *> &rows,
                     const Registry &registry, const QStringList &plugins) {
     Options options;
-    QString error;
     options.registry = registry;
     options.plugins = plugins;
     checkGivenOnce(parser);
@@ -391,17 +409,13 @@ Options readOptions(const QCommandLineParser &parser, const std::vector<const ph
     readFit(parser, options);
     if (options.action != Options::Action::Fit) readTrackOfWindow(parser, track, options);
     readParameters(parser, rows, options);
+    checkTilts(parser, options.settings);
     readGhostsParameters(parser, options);
 
     options.levels = levelsIn(levelsFolder());
-    const QString option = parser.isSet("trade") ? QStringLiteral("trade") : QStringLiteral("level");
-    const QString wanted = parser.isSet(option) ? parser.value(option) : QStringLiteral("1");
-    const bool isFile = !file.isEmpty() && track.isEmpty() && options.replay.isEmpty();
-    if (options.action == Options::Action::Fit && !isFile && !parser.isSet("level"))
-        throw WrongUse{QStringLiteral("--fit: needs the track's maze: --level L or a file")};
-    const std::optional<Level> level = isFile ? levelOfFile(file) : findLevel(options.levels, wanted, &error);
-    if (!level) throw WrongUse{QStringLiteral("--%1: ").arg(option) + error};
-    options.level = *level;
+    const bool isReplay = options.action == Options::Action::Replay;
+    const bool isMaze = track.isEmpty() && !isReplay;
+    if (!isReplay || !options.headless) options.level = readLevel(parser, isMaze ? file : QString(), options);
     const QString problem = outputProblem(options);
     if (!problem.isEmpty()) throw WrongUse{problem};
     return options;

@@ -22,6 +22,7 @@ namespace {
 
 constexpr double kDefaultDuration = 60.0;    ///< s, simulated
 constexpr double kAutopilotDuration = 600.0; ///< s, simulated
+constexpr double kDurationRounding = 1e-12;  ///< share of a duration
 
 QString outcomeLine(const Level &level, const Outcome &outcome) {
     const QString name = QStringLiteral("level %1 ").arg(oneLine(level.name));
@@ -39,8 +40,8 @@ double durationOf(const Options &options) {
     return options.duration.value_or(options.autopilot ? kAutopilotDuration : kDefaultDuration);
 }
 
-/// Whole steps: the last one reaches the duration, s, up to rounding.
-double stepCount(double duration, double dt) { return std::ceil(duration / dt - 1e-6); }
+/// Whole steps: the last one reaches the duration, s, up to the rounding of both.
+double stepCount(double duration, double dt) { return std::ceil(duration / dt * (1.0 - kDurationRounding)); }
 
 int playAllLevels(const Options &options, QIODevice &out, QTextStream &messages) {
     int won = 0;

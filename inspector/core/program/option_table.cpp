@@ -35,7 +35,8 @@ void addRunOptions(QCommandLineParser &parser) {
          "file"},
         {"autopilot", utf8("Let the autopilot tilt the board.")},
         {"duration",
-         utf8("End after so many simulated seconds. Default with --headless: when the ball is out of the maze, after "
+         utf8("End after so many simulated seconds, with the first whole step that reaches them. Default with "
+              "--headless: when the ball is out of the maze, after "
               "60 s at the latest, with --autopilot 600 s."),
          QStringLiteral("s")},
         {"headless", utf8("Run without a window, as fast as possible, and write a table of the steps (CSV).")},
@@ -44,7 +45,10 @@ void addRunOptions(QCommandLineParser &parser) {
 
 void addTableOptions(QCommandLineParser &parser) {
     parser.addOptions({
-        {"csv", utf8("Write the table to this file; -: to standard output. Default with --headless: standard output."),
+        {"csv",
+         utf8("Write the table to this file, and beside it into FILE.txt the settings that made it; -: the table alone "
+              "to "
+              "standard output. Default with --headless: that."),
          "file"},
         {"csv-every", utf8("Write every so many-th step. Default 1."), "steps"},
         {"record",

@@ -122,9 +122,11 @@ Registry registryWith(const QStringList &plugins, PluginLoader load, QStringList
     Found found;
     phys_registry_scan(nullptr, nullptr, note, &found, nullptr);
     *leftOut = found.problems;
+    QStringList tried = plugins;
     for (const QString &path : found.files) {
         const auto isFile = [&](const QString &plugin) { return isSameFile(plugin, path); };
-        if (std::any_of(plugins.begin(), plugins.end(), isFile)) continue; // already loaded
+        if (std::any_of(tried.begin(), tried.end(), isFile)) continue; // a folder may be named twice
+        tried += path;
         QString problem;
         if (!load(registry, path, &problem)) *leftOut += problem;
     }

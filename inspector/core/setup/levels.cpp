@@ -81,9 +81,8 @@ QString levelsFolder() {
     const QByteArray own = qgetenv("PHYSICS_LEVELS");
     if (!own.isEmpty()) return decodePath(own);
     const QString installed = QCoreApplication::applicationDirPath() + QStringLiteral("/../share/physics/levels");
-    for (const QString &folder : {installed, QStringLiteral(INSPECTOR_SOURCE_LEVELS)})
-        if (isFolder(folder)) return QDir::cleanPath(folder);
-    return {};
+    const QString ofSource = QStringLiteral(INSPECTOR_SOURCE_LEVELS);
+    return QDir::cleanPath(!isFolder(installed) && isFolder(ofSource) ? ofSource : installed);
 }
 
 std::optional<Level> findLevel(const std::vector<Level> &levels, const QString &text, QString *error) {

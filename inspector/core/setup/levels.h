@@ -21,7 +21,7 @@ Level levelOfFile(const QString &path);
 std::vector<Level> levelsIn(const QString &folder);
 
 /// The folder of the levels: the environment variable PHYSICS_LEVELS, else the share folder of an installation, else
-/// the source tree. Empty if there is none.
+/// the source tree's; if neither exists, the installation's.
 QString levelsFolder();
 
 /// Finds a level by what the user typed: its number, or the path of a file. The number is its name where all names in

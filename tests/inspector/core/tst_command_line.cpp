@@ -31,6 +31,8 @@ private slots:
     void versionIsThatOfProgramAndLibrary();
     void wrongUseGivesOneLineAndStatus2_data();
     void wrongUseGivesOneLineAndStatus2();
+    void tiltOfAFileIsRefusedWhereTheAutopilotTilts();
+    void checkOfARecordingNeedsNoLevels();
     void windowIsNeededUnlessTheArgumentsSayOtherwise();
     void aFileAloneIsALevelOrARecording();
     void aTableAloneIsLaidOverTheLevel();
@@ -153,6 +155,7 @@ void TestCommandLine::helpNamesEveryOptionWithItsUnit() {
          {"--level", "--stepper", "--dt <s>", "--speed", "--headless", "--autopilot", "--duration <s>", "--csv",
           "--compare <id>", "--compare-substeps", "--grab", "--all-levels", "--list-steppers"})
         QVERIFY2(line.output.contains(option), option);
+    QVERIFY(line.output.simplified().contains("beside it into FILE.txt the settings")); // which --csv also writes
 }
 
 // Rows become options with their ids; all other option names are reserved.
@@ -229,6 +232,11 @@ void TestCommandLine::wrongUseGivesOneLineAndStatus2_data() {
                                                  << "--tilt-x: doesn't go with --autopilot";
     QTest::newRow("tilt of all levels") << "--all-levels --tilt-y 3"
                                         << "--tilt-y: doesn't go with --all-levels";
+    for (const char *option : {"--tilt-x 3", "--tilt-y 3", "--speed 2", "--view 2d"}) {
+        QTest::addRow("trade %s", option) << QStringLiteral("--trade 1 %1").arg(option) << "doesn't go with --";
+        QTest::addRow("fit %s", option) << QStringLiteral("--fit t.csv --level 1 %1").arg(option)
+                                        << "doesn't go with --";
+    }
     QTest::newRow("comparison of a trade") << "--trade 1 --compare exact"
                                            << "doesn't go with --trade";
     QTest::newRow("unknown option") << "--colour"
@@ -309,6 +317,30 @@ void TestCommandLine::wrongUseGivesOneLineAndStatus2() {
     QVERIFY(line.output.isEmpty());
     QVERIFY2(line.error.startsWith("physics-inspector: ") && line.error.contains(said), qPrintable(line.error));
     QCOMPARE(line.error.count('\n'), 1);
+}
+
+// Here a file's tilt isn't used either.
+void TestCommandLine::tiltOfAFileIsRefusedWhereTheAutopilotTilts() {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("leaning.txt");
+    put(file, "physics-parameters 1\nname leaning\nset tilt_x 3\n");
+    QVERIFY(!parsed({"--parameters", file}).exitStatus);
+    QCOMPARE(parsed({"--parameters", file, "--autopilot"}).error,
+             QString("physics-inspector: --tilt-x: doesn't go with --autopilot\n"));
+}
+
+// A recording names its mazes, which may lie beside it.
+void TestCommandLine::checkOfARecordingNeedsNoLevels() {
+    const QTemporaryDir folder;
+    const QByteArray levels = qgetenv("PHYSICS_LEVELS");
+    qputenv("PHYSICS_LEVELS", QFile::encodeName(folder.filePath("none")));
+    const CommandLine check = parsed({"--replay", "a.rec", "--check"});
+    const CommandLine window = parsed({"--replay", "a.rec"});
+    qputenv("PHYSICS_LEVELS", levels);
+    QVERIFY2(!check.exitStatus, qPrintable(check.error));
+    QCOMPARE(window.error, QString("physics-inspector: --replay: no levels found in the folder '%1' (PHYSICS_LEVELS "
+                                   "names another)\n")
+                               .arg(folder.filePath("none")));
 }
 
 void TestCommandLine::windowIsNeededUnlessTheArgumentsSayOtherwise() {

@@ -167,6 +167,8 @@ void TestHeadless::durationIsReachedInWholeSteps_data() {
     QTest::newRow("0.3 is no whole number of 0.1 in binary") << 0.3 << 0.1 << 3;
     QTest::newRow("one step too long") << 0.01 << 1.0 << 1;
     QTest::newRow("rounded up") << 0.25 << 0.1 << 3;
+    QTest::newRow("a small part of a step") << 1e-9 << 0.01 << 1;
+    QTest::newRow("many steps") << 0.07 << 1e-5 << 7000;
 }
 
 void TestHeadless::durationIsReachedInWholeSteps() {

@@ -444,6 +444,10 @@ void TestProgram::pluginFoldersAreScannedAndWhatIsRefusedIsTold() {
     // A plugin that is both named and in the folder is no error.
     const Ended named = runProgram({"--list-steppers", "--plugin", folder.filePath("a.so")}, environment);
     QCOMPARE(named.messages.count("left out"), 1);
+    // Nor is a folder that is named twice.
+    environment.insert("PHYS_PLUGIN_PATH", folder.path() + ':' + folder.path() + "/.");
+    const Ended twice = runProgram({"--list-steppers"}, environment);
+    QVERIFY2(!twice.messages.contains("a.so"), twice.messages.constData());
 }
 
 QTEST_GUILESS_MAIN(TestProgram)
