@@ -147,11 +147,21 @@ QString passedOverText(const GoodEnough &answer, const QString &name) {
     return others == 0 ? text : text + QStringLiteral(", and %1 more likewise").arg(others);
 }
 
+QString shortSchedulesText(const TradePlan &plan) {
+    double longest = 0.0;
+    for (const TiltSchedule &schedule : plan.schedules) longest = std::max(longest, schedule.duration);
+    if (longest >= plan.horizon) return {};
+    return QStringLiteral("; %1 s were asked for, the schedules end after %2 s")
+        .arg(plan.horizon)
+        .arg(longest, 0, 'g', 3);
+}
+
 Recommendation recommendForUnknowns(const TradePlan &plan, const TradeResult &result) {
     if (!result.goodEnough)
         return {std::nullopt, QStringLiteral("none: every error reaches %1 % of what isn't known after %2 s")
-                                  .arg(plan.share * 100.0)
-                                  .arg(plan.horizon)};
+                                      .arg(plan.share * 100.0)
+                                      .arg(plan.horizon) +
+                                  shortSchedulesText(plan)};
     const TradePoint &point = result.points[result.goodEnough->point];
     const std::vector<PassedOver> &cheaper = result.goodEnough->passedOver;
     const QString passedOver =
@@ -164,7 +174,7 @@ Recommendation recommendForUnknowns(const TradePlan &plan, const TradeResult &re
                            .arg(result.goodEnough->validations + int(plan.schedules.size()))
                            .arg(point.cost.perStep * 1e9, 0, 'g', 3)
                            .arg(point.cost.perSecond * 1e6, 0, 'g', 3) +
-                       passedOver};
+                       passedOver + shortSchedulesText(plan)};
 }
 
 int runTrade(const Options &options, const TradeStreams &streams, const TradePictureWriter &writePicture) {

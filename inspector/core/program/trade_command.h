@@ -31,6 +31,9 @@ Recommendation recommend(const TradeResult &result, uint32_t model, const TradeO
 /// The cheapest good-enough setting; the plan must have unknowns.
 Recommendation recommendForUnknowns(const TradePlan &plan, const TradeResult &result);
 
+/// If no schedule lasts as long as a setting must be good enough; else empty.
+QString shortSchedulesText(const TradePlan &plan);
+
 /// Why cheaper settings with small errors in the table aren't the answer, if any were passed over; name: the
 /// cheapest's.
 QString passedOverText(const GoodEnough &answer, const QString &name);

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <random>
 #include <span>
 
@@ -20,11 +19,14 @@ namespace {
 /// A quantity that can be unknown: how its amount is read, and how it varies a board.
 struct Quantity {
     QString id;
-    QString unit;  ///< for display
-    double scale;  ///< factor to Unknown::amount
-    bool hasShare; ///< has a value, so that the amount can be a percentage
+    QString unit;
+    double largest; ///< amount, in the unit
+    double scale;   ///< factor to Unknown::amount
+    bool hasShare;  ///< has a value, so that the amount can be a percentage
     std::function<void(SampledBoard &, const Inputs &, const Unknown &, const std::function<double()> &)> vary;
 };
+
+constexpr double kLargestStart = 1000.0; ///< mm
 
 double clamped(double value, const phys_param_row &row) { return std::clamp(value, row.min, row.max); }
 
@@ -34,7 +36,11 @@ double deviation(const Unknown &unknown, double value) {
 
 Quantity quantityOf(const phys_param_row &row) {
     return {
-        QString::fromUtf8(row.id), QString::fromUtf8(row.unit), 1.0, true,
+        QString::fromUtf8(row.id),
+        QString::fromUtf8(row.unit),
+        row.max - row.min,
+        1.0,
+        true,
         [&row](SampledBoard &board, const Inputs &inputs, const Unknown &unknown, const std::function<double()> &next) {
             const double value = phys_param_get(&inputs.params, &row);
             phys_param_set(&board.params, &row, clamped(value + deviation(unknown, value) * next(), row), nullptr);
@@ -43,26 +49,27 @@ Quantity quantityOf(const phys_param_row &row) {
 
 std::vector<Quantity> makeQuantities() {
     using Next = const std::function<double()> &;
+    const std::vector<phys_param_row> &ofBoard = boardRows(); // tilt x, tilt y, gravity
     std::vector<Quantity> result{
-        {"tilt", QStringLiteral("deg"), 1.0, false,
+        {"tilt", QStringLiteral("deg"), ofBoard[0].max, 1.0, false,
          [](SampledBoard &board, const Inputs &, const Unknown &unknown, Next next) {
              board.tiltOffset.x += radians(unknown.amount) * next();
              board.tiltOffset.y += radians(unknown.amount) * next();
          }},
-        {"tilt_x", QStringLiteral("deg"), 1.0, false,
+        {"tilt_x", QStringLiteral("deg"), ofBoard[0].max, 1.0, false,
          [](SampledBoard &board, const Inputs &, const Unknown &unknown, Next next) {
              board.tiltOffset.x += radians(unknown.amount) * next();
          }},
-        {"tilt_y", QStringLiteral("deg"), 1.0, false,
+        {"tilt_y", QStringLiteral("deg"), ofBoard[1].max, 1.0, false,
          [](SampledBoard &board, const Inputs &, const Unknown &unknown, Next next) {
              board.tiltOffset.y += radians(unknown.amount) * next();
          }},
-        {"start", QStringLiteral("mm"), 1e-3, false,
+        {"start", QStringLiteral("mm"), kLargestStart, 1e-3, false,
          [](SampledBoard &board, const Inputs &, const Unknown &unknown, Next next) {
              board.startOffset.x += unknown.amount * next();
              board.startOffset.y += unknown.amount * next();
          }},
-        {"gravity", QStringLiteral("m/s^2"), 1.0, true,
+        {"gravity", QStringLiteral("m/s^2"), ofBoard[2].max, 1.0, true,
          [](SampledBoard &board, const Inputs &inputs, const Unknown &unknown, Next next) {
              board.gravity = std::max(0.0, inputs.gravity + deviation(unknown, inputs.gravity) * next());
          }},
@@ -91,17 +98,19 @@ QString names() {
     return names.join(QStringLiteral(", "));
 }
 
-std::optional<Unknown> parseAmount(const Quantity &quantity, const QString &text) {
+/// Nothing, with one line in `error`, if it can't be read. A share above 100 % would reach beyond 0.
+std::optional<Unknown> parseAmount(const Quantity &quantity, const QString &text, QString *error) {
     const bool isShare = quantity.hasShare && text.endsWith(QLatin1Char('%'));
-    const NumberRange range{0.0, std::numeric_limits<double>::max(), isShare ? QString() : quantity.unit};
-    const std::optional<double> amount = readNumber(isShare ? text.chopped(1) : text, range).value;
-    if (!amount || !(*amount > 0.0)) return std::nullopt;
-    return Unknown{quantity.id, isShare ? 0.01 * *amount : quantity.scale * *amount, isShare};
-}
-
-QString expected(const Quantity &quantity) {
-    return QStringLiteral("%1=0.1%2%3")
-        .arg(quantity.id, quantity.unit, quantity.hasShare ? QStringLiteral(" or %1=10%").arg(quantity.id) : QString());
+    const NumberRange range =
+        isShare ? NumberRange{0.0, 100.0, QStringLiteral("%")} : NumberRange{0.0, quantity.largest, quantity.unit};
+    const NumberReading amount = readNumber(text, range);
+    if (amount.value && *amount.value > 0.0)
+        return Unknown{quantity.id, isShare ? 0.01 * *amount.value : quantity.scale * *amount.value, isShare};
+    const QString orShare = quantity.hasShare ? QStringLiteral(" or %1=10%").arg(quantity.id) : QString();
+    *error = amount.value || text.isEmpty() ? QStringLiteral("expected an amount above 0, as %1=0.1%2%3; found '%4'")
+                                                  .arg(quantity.id, quantity.unit, orShare, text.left(60))
+                                            : quantity.id + QStringLiteral(": ") + amount.problem;
+    return std::nullopt;
 }
 
 } // namespace
@@ -121,12 +130,9 @@ std::optional<Unknowns> parseUnknowns(const QString &words, QString *error) {
             *error = QStringLiteral("expected one of %1, or none; found '%2'").arg(names(), id.left(60));
             return std::nullopt;
         }
-        const std::optional<Unknown> unknown = parseAmount(*quantity, word.section(QLatin1Char('='), 1).trimmed());
-        if (!unknown) {
-            *error = QStringLiteral("expected an amount above 0, as %1; found '%2'")
-                         .arg(expected(*quantity), word.trimmed().left(60));
-            return std::nullopt;
-        }
+        const std::optional<Unknown> unknown =
+            parseAmount(*quantity, word.section(QLatin1Char('='), 1).trimmed(), error);
+        if (!unknown) return std::nullopt;
         const bool isDouble =
             std::any_of(result.begin(), result.end(), [&](const Unknown &before) { return before.id == id; });
         if (isDouble) {

@@ -486,7 +486,7 @@ QString TradeDock::goodEnoughText() const {
                              .arg(result.goodEnough->largest * 100.0, 0, 'g', 2)
                              .arg(result.goodEnough->validations + int(m_worker.plan().schedules.size()))
                              .arg(point.cost.perSecond * 1e6, 0, 'g', 3);
-    return text + passedOver;
+    return text + passedOver + shortSchedulesText(m_worker.plan());
 }
 
 void TradeDock::showProgress(double share, const QString &what) {
