@@ -10,11 +10,13 @@
 #include <QFileInfo>
 #include <QInputDialog>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSettings>
 #include <QUndoCommand>
 #include <QUndoStack>
 #include <QUrl>
 
+#include <algorithm>
 #include <utility>
 
 namespace inspector::ui {
@@ -24,10 +26,17 @@ namespace {
 const QString kFilter = QStringLiteral(" (*.txt)");
 constexpr int kLongestEntry = 40; ///< characters
 
-/// Escapes a name, which may contain the separator of keys.
-QString keyOf(const QString &name) {
-    return settings_keys::kParameterSets + QString::fromLatin1(QUrl::toPercentEncoding(name));
+/// A slash would divide the key.
+QString keyOf(QString name) {
+    name.replace(QLatin1Char('%'), QLatin1String("%25")).replace(QLatin1Char('/'), QLatin1String("%2F"));
+    return settings_keys::kParameterSets + name;
 }
+
+QString nameOf(const QString &key) {
+    return QUrl::fromPercentEncoding(key.mid(settings_keys::kParameterSets.size()).toUtf8());
+}
+
+bool isBuiltIn(const QString &name) { return std::ranges::count(knownSets(), name, &ParameterSet::name) > 0; }
 
 /// Stores a set's text in the settings; an empty one is removed.
 class KeptSetCommand : public QUndoCommand {
@@ -73,18 +82,31 @@ SetMenu::SetMenu(const Parameters &parameters, QSettings &settings, QUndoStack &
     , m_undo(undo)
     , m_ghostHasOwn(std::move(ghostHasOwn)) {
     setObjectName(QStringLiteral("set_menu"));
+    renameKeys();
     connect(this, &QMenu::aboutToShow, this, &SetMenu::fill);
+}
+
+/// Earlier versions escaped more.
+void SetMenu::renameKeys() {
+    for (const QString &key : keys()) {
+        const QString now = keyOf(nameOf(key));
+        if (now == key) continue;
+        m_settings.setValue(now, m_settings.value(key));
+        m_settings.remove(key);
+    }
+}
+
+QStringList SetMenu::keys() const {
+    return m_settings.allKeys().filter(QRegularExpression(QLatin1Char('^') + settings_keys::kParameterSets));
 }
 
 std::vector<ParameterSet> SetMenu::kept() const {
     std::vector<ParameterSet> sets;
-    const QString group = settings_keys::kParameterSets;
-    for (const QString &key : m_settings.allKeys()) {
-        if (!key.startsWith(group)) continue;
+    for (const QString &key : keys()) {
         const QString text = m_settings.value(key).toString();
         std::optional<ParameterSet> set = readSet(text.toUtf8(), key, nullptr);
         if (!set) continue;
-        set->name = QUrl::fromPercentEncoding(key.mid(group.size()).toLatin1());
+        set->name = nameOf(key);
         set->about = tr("Saved by you.");
         sets.push_back(*std::move(set));
     }
@@ -131,17 +153,25 @@ void SetMenu::askForName() {
     dialog->setObjectName(QStringLiteral("set_name"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("Save parameters"));
-    dialog->setLabelText(tr("Name of the set"));
-    connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString &name) {
-        keep(presentSet(name.trimmed(), m_parameters), tr("save of %1").arg(name.trimmed()));
+    connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString &typed) {
+        const QString name = typed.trimmed();
+        keep(presentSet(name, m_parameters), tr("save of %1").arg(entryOf(name, *this)));
     });
     dialog->open(); // makes its buttons
-    auto *buttons = dialog->findChild<QDialogButtonBox *>();
-    const auto needName = [buttons](const QString &name) {
-        buttons->button(QDialogButtonBox::Ok)->setEnabled(!name.trimmed().isEmpty());
-    };
-    connect(dialog, &QInputDialog::textValueChanged, buttons, needName);
-    needName({});
+    connect(dialog, &QInputDialog::textValueChanged, dialog,
+            [this, dialog](const QString &typed) { judgeName(*dialog, typed.trimmed()); });
+    judgeName(*dialog, {});
+}
+
+/// Says what the name would do.
+void SetMenu::judgeName(QInputDialog &dialog, const QString &name) const {
+    const bool replaces = !name.isEmpty() && m_settings.contains(keyOf(name));
+    dialog.setLabelText(isBuiltIn(name) ? tr("Name of the set: a built-in one has this")
+                        : replaces      ? tr("Name of the set: replaces yours of this")
+                                        : tr("Name of the set"));
+    QAbstractButton *save = dialog.findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok);
+    save->setText(replaces ? tr("Replace") : tr("Save"));
+    save->setEnabled(!name.isEmpty() && !isBuiltIn(name));
 }
 
 void SetMenu::keep(const ParameterSet &set, const QString &text) {
@@ -149,7 +179,7 @@ void SetMenu::keep(const ParameterSet &set, const QString &text) {
 }
 
 void SetMenu::remove(const ParameterSet &set) {
-    m_undo.push(new KeptSetCommand(m_settings, set.name, {}, tr("deletion of %1").arg(set.name)));
+    m_undo.push(new KeptSetCommand(m_settings, set.name, {}, tr("deletion of %1").arg(entryOf(set.name, *this))));
 }
 
 void SetMenu::askWhatToImport() {
@@ -158,14 +188,27 @@ void SetMenu::askWhatToImport() {
                [this](const QString &path) { import(path); });
 }
 
-/// Stores it under its name, and applies it.
+/// Also free is the name of the same set.
+QString SetMenu::freeName(const QString &wanted, ParameterSet set) const {
+    const auto isFree = [&](const QString &name) {
+        set.name = name;
+        const QString there = m_settings.value(keyOf(name)).toString();
+        return !isBuiltIn(name) && (there.isEmpty() || there == QString::fromUtf8(setText(set)));
+    };
+    QString name = wanted;
+    for (int number = 2; !isFree(name); ++number) name = QStringLiteral("%1 %2").arg(wanted).arg(number);
+    return name;
+}
+
+/// Stores it under its name, or a similar one if another set has that, and applies it.
 void SetMenu::import(const QString &path) {
     QString error;
     const std::optional<QByteArray> text = readFile(path, kMegabyte, &error);
     std::optional<ParameterSet> set = text ? readSet(*text, path, &error) : std::nullopt;
     if (!set) return emit failed(error);
     if (set->name.isEmpty()) set->name = QFileInfo(path).completeBaseName();
-    m_undo.beginMacro(tr("import of %1").arg(set->name));
+    set->name = freeName(set->name, *set);
+    m_undo.beginMacro(tr("import of %1").arg(entryOf(set->name, *this)));
     keep(*set, {});
     emit chosen(*set, Owner::Ball);
     m_undo.endMacro();

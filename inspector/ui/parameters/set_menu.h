@@ -7,6 +7,7 @@
 
 #include <functional>
 
+class QInputDialog;
 class QSettings;
 class QUndoStack;
 
@@ -34,11 +35,15 @@ signals:
     void exported(const QString &path);
 
 private:
+    void renameKeys();
+    QStringList keys() const; ///< of the user's sets
     void fill();
     void addSets(QMenu &menu, Owner owner);
     void addSet(QMenu &menu, Owner owner, const ParameterSet &set);
     void addDeletions(QMenu &menu);
     void askForName();
+    void judgeName(QInputDialog &dialog, const QString &name) const;
+    QString freeName(const QString &wanted, ParameterSet set) const;
     void keep(const ParameterSet &set, const QString &text);
     void remove(const ParameterSet &set);
     void askWhatToImport();

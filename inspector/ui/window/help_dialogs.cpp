@@ -2,6 +2,7 @@
 #include "ui/window/help_dialogs.h"
 
 #include "core/setup/tables.h"
+#include "ui/parts/menu_letters.h"
 
 #include <QAction>
 #include <QCoreApplication>
@@ -40,7 +41,7 @@ QString keysTable(const QWidget &window, const QString &sought) {
     add(Help::tr("Arrow keys"), Help::tr("Tilt the board as the screen shows it"));
     for (const QAction *action : window.actions()) {
         if (action->shortcut().isEmpty()) continue;
-        add(action->shortcut().toString(QKeySequence::NativeText), action->text().remove(QLatin1Char('&')));
+        add(action->shortcut().toString(QKeySequence::NativeText), plainText(action->text()));
     }
     const QString gestures[][2] = {
         {Help::tr("View: drag"), Help::tr("Turn; with the right button move")},

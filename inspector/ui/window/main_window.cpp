@@ -13,6 +13,7 @@
 #include "ui/game/game_strip.h"
 #include "ui/game/level_panel.h"
 #include "ui/parameters/parameter_panel.h"
+#include "ui/parts/menu_letters.h"
 #include "ui/parts/message_bar.h"
 #include "ui/parts/path_icon.h"
 #include "ui/parts/settings_keys.h"
@@ -171,6 +172,7 @@ void MainWindow::makeCentre(gl::Drawing drawing) {
     m_strip = new GameStrip;
     new GameKeys(m_session, *this, *m_view); // owned by the window
     new WheelGuard(*this);
+    new MenuLetters(*this);
     m_hand = new BallDragger(m_session, *m_view, *m_undo, this);
     m_ruler = new Ruler(*m_view, this);
     m_mazeWatcher = new MazeWatcher(this);

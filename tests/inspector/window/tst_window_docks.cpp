@@ -17,7 +17,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
-#include <QMenuBar>
 #include <QPainter>
 #include <QScreen>
 #include <QScrollArea>
@@ -67,8 +66,6 @@ private slots:
     void viewIsTheLargestPart();
     void noTextOfTheParametersIsCut();
     void parametersNeedLittleRoom();
-    void everyMenuHasItsEntries();
-    void noMenuSaysTheSameTwice();
     void dockGivesItsRoomBack_data();
     void dockGivesItsRoomBack();
     void lastDockGivesItsRoomBack();
@@ -298,26 +295,6 @@ void TestWindowDocks::parametersNeedLittleRoom() {
         QVERIFY2(!part->isVisible() ||
                      part->mapTo(panel->viewport(), part->rect().topRight()).x() < panel->viewport()->width(),
                  qPrintable(part->objectName()));
-}
-
-void TestWindowDocks::everyMenuHasItsEntries() {
-    QStringList titles;
-    for (const QAction *menu : m_fixture->window().menuBar()->actions()) {
-        titles << menu->text().remove('&');
-        QVERIFY2(menu->menu()->actions().size() >= 2, qPrintable(menu->text()));
-    }
-    QCOMPARE(titles, QStringList({"File", "Edit", "View", "Game", "Help"}));
-}
-
-void TestWindowDocks::noMenuSaysTheSameTwice() {
-    m_fixture->trigger("run"); // whose entry then says that it pauses
-    QTRY_COMPARE(m_fixture->find<QAction>("run")->text(), QString("Pause"));
-    for (const QAction *menu : m_fixture->window().menuBar()->actions()) {
-        QStringList texts;
-        for (const QAction *entry : menu->menu()->actions())
-            if (!entry->isSeparator()) texts << entry->text();
-        QVERIFY2(texts.removeDuplicates() == 0, qPrintable(menu->text()));
-    }
 }
 
 void TestWindowDocks::dockGivesItsRoomBack_data() {

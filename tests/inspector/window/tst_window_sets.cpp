@@ -3,6 +3,7 @@
 #include "core/setup/parameter_sets.h"
 #include "support/compare.h"
 #include "support/files.h"
+#include "ui/parts/menu_letters.h"
 #include "ui/parts/message_bar.h"
 #include "window_fixture.h"
 
@@ -17,6 +18,7 @@
 #include <algorithm>
 
 using namespace window_test;
+using inspector::ui::plainText;
 
 class TestWindowSets : public QObject {
     Q_OBJECT
@@ -31,6 +33,13 @@ private slots:
     void tipSaysValuesAndSources();
     void savedSetComesBackWithTheNextWindow();
     void longNameLeavesTheMenuOnTheScreen();
+    void nameOfABuiltInSetCantBeSaved();
+    void replacedSetIsSaidBefore();
+    void importedSetReplacesNoOther_data();
+    void importedSetReplacesNoOther();
+    void nameIsTheKeyOfTheSettings_data();
+    void nameIsTheKeyOfTheSettings();
+    void setOfAnEarlierVersionIsRenamed();
     void blankNameCantBeSaved();
     void deletionIsUndone();
     void ghostGetsASetOfItsOwn();
@@ -44,6 +53,8 @@ private:
     double own(const char *id) { return m_fixture->parameters().value(m_fixture->parameters().indexOf(id)); }
     QMenu *menu();
     void choose(const QString &text, const QString &inMenu = {});
+    QInputDialog *asked();
+    static QAbstractButton *saveButton(const QInputDialog &dialog);
     void save(const QString &name);
     void refuseInRecording();
 
@@ -69,23 +80,20 @@ void TestWindowSets::choose(const QString &text, const QString &inMenu) {
     QMenu *shown = menu();
     if (!inMenu.isEmpty()) {
         for (QAction *action : shown->actions())
-            if (action->text() == inMenu) shown = action->menu();
+            if (plainText(action->text()) == inMenu) shown = action->menu();
         QVERIFY(shown->isEnabled());
         shown->popup(menu()->pos() + QPoint(40, 40));
     }
     const QList<QAction *> actions = shown->actions();
-    const auto found = std::find_if(actions.begin(), actions.end(), [&](QAction *a) { return a->text() == text; });
+    const auto found =
+        std::find_if(actions.begin(), actions.end(), [&](QAction *a) { return plainText(a->text()) == text; });
     QVERIFY2(found != actions.end(), qPrintable(text));
     QTest::mouseClick(shown, Qt::LeftButton, {}, shown->actionGeometry(*found).center());
     while (QWidget *open = QApplication::activePopupWidget()) open->close();
 }
 
 void TestWindowSets::save(const QString &name) {
-    choose("Save these parameters as…");
-    QTRY_VERIFY(m_fixture->window().findChild<QInputDialog *>("set_name"));
-    auto *dialog = m_fixture->find<QInputDialog>("set_name");
-    auto *line = dialog->findChild<QLineEdit *>();
-    QTRY_VERIFY(line->isVisible());
+    auto *line = asked()->findChild<QLineEdit *>();
     QTest::keyClicks(line, name);
     QTest::keyClick(line, Qt::Key_Return);
     QTRY_VERIFY(!m_fixture->window().findChild<QInputDialog *>("set_name"));
@@ -110,7 +118,7 @@ void TestWindowSets::knownSetIsChosenByKeyboardAndUndone() {
 
 void TestWindowSets::tipSaysValuesAndSources() {
     const QAction *first = menu()->actions().front();
-    QCOMPARE(first->text(), QString("Steel on wood"));
+    QCOMPARE(plainText(first->text()), QString("Steel on wood"));
     QVERIFY2(first->toolTip().contains("rolling_friction = 0.002"), qPrintable(first->toolTip()));
     QVERIFY2(first->toolTip().contains("Cross"), qPrintable(first->toolTip()));
     m_fixture->find<QMenu>("set_menu")->close();
@@ -123,7 +131,7 @@ void TestWindowSets::savedSetComesBackWithTheNextWindow() {
     COMPARE_EXACT(own("gravity"), 9.81);
     m_fixture->reopen();
     QVERIFY(m_fixture->isReady());
-    choose("Moon && more");
+    choose("Moon & more");
     COMPARE_EXACT(own("gravity"), 1.62);
     COMPARE_EXACT(own("tilt_x"), 0.0); // the board's tilt isn't part of it
 }
@@ -135,12 +143,100 @@ void TestWindowSets::longNameLeavesTheMenuOnTheScreen() {
     QVERIFY2(width < 600, qPrintable(QString::number(width)));
 }
 
-void TestWindowSets::blankNameCantBeSaved() {
+// The dialog that asks for a name.
+QInputDialog *TestWindowSets::asked() {
     choose("Save these parameters as…");
-    QTRY_VERIFY(m_fixture->window().findChild<QInputDialog *>("set_name"));
+    [this] { QTRY_VERIFY(m_fixture->window().findChild<QInputDialog *>("set_name")); }();
     auto *dialog = m_fixture->find<QInputDialog>("set_name");
-    QTRY_VERIFY(dialog->isVisible());
-    const QAbstractButton *save = dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok);
+    [dialog] { QTRY_VERIFY(dialog->findChild<QLineEdit *>()->isVisible()); }();
+    return dialog;
+}
+
+QAbstractButton *TestWindowSets::saveButton(const QInputDialog &dialog) {
+    return dialog.findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok);
+}
+
+// Two entries of the same text couldn't be told apart.
+void TestWindowSets::nameOfABuiltInSetCantBeSaved() {
+    QInputDialog *dialog = asked();
+    QTest::keyClicks(dialog->findChild<QLineEdit *>(), "Steel on wood");
+    QVERIFY(!saveButton(*dialog)->isEnabled());
+    QVERIFY2(dialog->labelText().contains("built-in"), qPrintable(dialog->labelText()));
+    QTest::keyClick(dialog->findChild<QLineEdit *>(), Qt::Key_Backspace);
+    QVERIFY(saveButton(*dialog)->isEnabled());
+    QVERIFY2(!dialog->labelText().contains("built-in"), qPrintable(dialog->labelText()));
+    dialog->reject();
+}
+
+void TestWindowSets::replacedSetIsSaidBefore() {
+    save("Mine");
+    m_fixture->parameters().set({{"gravity", 1.62}});
+    QInputDialog *dialog = asked();
+    QTest::keyClicks(dialog->findChild<QLineEdit *>(), "Min");
+    QCOMPARE(saveButton(*dialog)->text(), QString("Save"));
+    QTest::keyClicks(dialog->findChild<QLineEdit *>(), "e");
+    QCOMPARE(saveButton(*dialog)->text(), QString("Replace"));
+    QVERIFY2(dialog->labelText().contains("replaces"), qPrintable(dialog->labelText()));
+    QTest::keyClick(dialog->findChild<QLineEdit *>(), Qt::Key_Return);
+    QTRY_VERIFY(m_fixture->settings().value("parameter_sets/Mine").toString().contains("gravity 1.62"));
+}
+
+void TestWindowSets::importedSetReplacesNoOther_data() {
+    QTest::addColumn<QString>("name");
+    QTest::newRow("built-in") << "Steel on wood";
+    QTest::newRow("of the user") << "Mine";
+}
+
+void TestWindowSets::importedSetReplacesNoOther() {
+    QFETCH(QString, name);
+    save("Mine");
+    const QString before = m_fixture->settings().value("parameter_sets/Mine").toString();
+    const QString path = m_fixture->path("other.txt");
+    support::write(path, "physics-parameters 1\nname " + name.toUtf8() + "\nset gravity 1.62\n");
+    for (int i = 0; i < 2; ++i) { // the same again is no other
+        choose("Import…");
+        m_fixture->answerFile(path);
+        QTRY_VERIFY(m_fixture->settings().contains("parameter_sets/" + name + " 2"));
+    }
+    COMPARE_EXACT(own("gravity"), 1.62);
+    QCOMPARE(m_fixture->settings().value("parameter_sets/Mine").toString(), before);
+    QVERIFY(!m_fixture->settings().contains("parameter_sets/Steel on wood"));
+    QVERIFY(!m_fixture->settings().contains("parameter_sets/" + name + " 3"));
+}
+
+void TestWindowSets::nameIsTheKeyOfTheSettings_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("key");
+    QTest::newRow("words") << "Ball on ice"
+                           << "Ball on ice";
+    QTest::newRow("slash") << "a/b"
+                           << "a%2Fb";
+    QTest::newRow("share") << "50%"
+                           << "50%25";
+}
+
+void TestWindowSets::nameIsTheKeyOfTheSettings() {
+    QFETCH(QString, name);
+    QFETCH(QString, key);
+    save(name);
+    QVERIFY2(m_fixture->settings().contains("parameter_sets/" + key),
+             qPrintable(m_fixture->settings().allKeys().join(' ')));
+    choose(name); // it reads back
+}
+
+// Of earlier versions, which escaped more.
+void TestWindowSets::setOfAnEarlierVersionIsRenamed() {
+    m_fixture->settings().setValue("parameter_sets/Ball%20on%20ice", "physics-parameters 1\nset gravity 1.62\n");
+    m_fixture->reopen();
+    QVERIFY(m_fixture->isReady());
+    QVERIFY(m_fixture->settings().contains("parameter_sets/Ball on ice"));
+    choose("Ball on ice", "Delete");
+    QVERIFY(m_fixture->settings().allKeys().filter("parameter_sets").isEmpty());
+}
+
+void TestWindowSets::blankNameCantBeSaved() {
+    QInputDialog *dialog = asked();
+    const QAbstractButton *save = saveButton(*dialog);
     QTest::keyClicks(dialog->findChild<QLineEdit *>(), "  ");
     QVERIFY(!save->isEnabled());
     QTest::keyClick(dialog->findChild<QLineEdit *>(), Qt::Key_Return);
