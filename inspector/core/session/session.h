@@ -45,6 +45,8 @@ struct KeptRun {
     BoardSide side = BoardSide::Within;              ///< where it left
 };
 
+enum class Direction { Back, On };
+
 /// The position of the moment shown in its run.
 struct RunPlace {
     uint64_t begin = 0; ///< steps since the program began
@@ -173,6 +175,9 @@ public:
     void lookAt(uint64_t place);
     /// The same by time in the run shown, s; nothing if it has no step yet.
     void lookAtTime(double time);
+    /// Shows the nearest of these times, s, ascending, of the run shown, that is a step or more before or after the
+    /// moment shown, or the one that will be. Nothing if there is none.
+    std::optional<double> lookAtNearest(const std::vector<double> &times, Direction direction);
     void returnToPresent();
     /// If the live run has no step yet, shows the end of the one before, paused, and waits until it is shown.
     void lookAtLastSteps();

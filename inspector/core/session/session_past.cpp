@@ -66,6 +66,21 @@ void Session::lookAtTime(double time) {
     lookAt(m_past->past.placeAt(time, runPlace().place));
 }
 
+std::optional<double> Session::lookAtNearest(const std::vector<double> &times, Direction direction) {
+    const RunPlace run = runPlace();
+    if (m_replay || run.begin == run.end) return std::nullopt;
+    const std::optional<Past> past = m_past ? m_past->past : m_simulation->past(nullptr);
+    if (!past) return std::nullopt;
+    std::optional<double> found;
+    for (const double time : times) {
+        const uint64_t place = past->placeAt(time, run.place);
+        if (direction == Direction::Back && place < run.place) found = time;
+        if (direction == Direction::On && place > run.place && !found) found = time;
+    }
+    if (found) lookAtTime(*found);
+    return found;
+}
+
 void Session::returnToPresent() {
     if (!m_past) return;
     const LookingBack present = *std::move(m_past);

@@ -138,7 +138,7 @@ private:
     void sayWhereTheRunBeforeIs();
     void sayIfSettingsAreLost();
     void sayBriefly(const QString &line); ///< shows it for some seconds in the status line
-    void jumpToBounce(int direction);
+    void jumpToBounce(Direction direction);
     void showTitle();
     void showRunning(bool isRunning);
     void showComparison();

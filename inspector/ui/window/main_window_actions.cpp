@@ -495,23 +495,12 @@ void MainWindow::goToEnd() {
     m_session.returnToPresent();
 }
 
-void MainWindow::bounceBack() { jumpToBounce(-1); }
-void MainWindow::bounceOn() { jumpToBounce(1); }
+void MainWindow::bounceBack() { jumpToBounce(Direction::Back); }
+void MainWindow::bounceOn() { jumpToBounce(Direction::On); }
 
-/// The nearest bounce before or after the moment shown; one within the last step counts as being at the moment.
-void MainWindow::jumpToBounce(int direction) {
-    const Snapshot &now = m_session.simulation().latest();
-    const std::vector<double> times = m_bounces->bounceTimes();
-    std::optional<double> found;
-    for (const double time : times) {
-        const bool isBefore = time <= now.previous.time;
-        const bool isAfter = time > now.current.time;
-        if (direction < 0 && isBefore) found = time;
-        if (direction > 0 && isAfter && !found) found = time;
-    }
-    if (!found) return;
-    m_session.lookAtTime(*found);
-    m_bounces->selectAt(*found);
+void MainWindow::jumpToBounce(Direction direction) {
+    const std::optional<double> found = m_session.lookAtNearest(m_bounces->bounceTimes(), direction);
+    if (found) m_bounces->selectAt(*found);
 }
 
 void MainWindow::goOnFromHere() {
