@@ -198,9 +198,12 @@ QStringList TrackDock::reportLines() const {
 
 void TrackDock::showReport() { m_report->setPlainText(reportLines().join(QLatin1Char('\n'))); }
 
-/// Clears what a fit had found.
+/// With what a fit has found, if there is one.
 void TrackDock::showAnew() {
-    if (!m_session.isFollowingTrack()) layOver(m_quantities->begin(m_session.parameters().inputs()));
+    const ModelFit *fit = m_outcome && m_outcome->fit ? &m_outcome->fit->best() : nullptr;
+    if (!m_session.isFollowingTrack()) layOver(fit ? fit->board : m_quantities->begin(m_session.parameters().inputs()));
+    if (fit) m_quantities->showFound(*fit);
+    if (fit) m_residuals->show(*fit, m_outcome->fit->noise);
     showReport();
 }
 
@@ -220,14 +223,20 @@ void TrackDock::follow(bool isOn) {
 }
 
 void TrackDock::forgetFit() {
-    m_worker.cancel();
     m_outcome.reset();
+    hideFit();
+}
+
+void TrackDock::hideFit() {
+    m_worker.cancel();
     m_quantities->forgetFound();
     m_residuals->clear();
 }
 
+/// While the past of another level is shown the fit is hidden with its track.
 void TrackDock::showLevel() {
-    forgetFit();
+    const bool isOfOther = m_outcome && m_session.track() && m_outcome->plan.scene != m_session.scene();
+    isOfOther ? forgetFit() : hideFit();
     showRunning();
     if (!m_track) return;
     if (m_session.track()) return showAnew();
@@ -280,11 +289,8 @@ void TrackDock::showOutcome(const std::shared_ptr<const FitOutcome> &outcome) {
     showRunning();
     if (!outcome->fit) return m_report->setPlainText(outcome->error);
     m_shownOthers = othersText();
-    showReport();
-    const ModelFit &best = outcome->fit->best();
-    m_quantities->showFound(best);
-    m_residuals->show(best, outcome->fit->noise);
-    layOver(best.board);
+    m_session.followTrack(false);
+    showAnew();
 }
 
 /// What the fit took for true and isn't set any more.
@@ -305,7 +311,7 @@ void TrackDock::showConditions() {
 
 /// Nothing if there is no result.
 std::vector<Setting> TrackDock::found() const {
-    if (!m_outcome || !m_outcome->fit) return {};
+    if (!m_session.track() || !m_outcome || !m_outcome->fit) return {};
     std::vector<Setting> settings = fittedSettings(*m_outcome->fit);
     if (settings.empty()) return {};
     const std::vector<Setting> assumed = differingFrom(m_session.parameters(), m_assumed);

@@ -58,7 +58,8 @@ private:
     void showReport();
     void showAnew();
     void forgetFit();
-    void showLevel(); ///< clears a fit of the maze before; a track is shown again with its level
+    void hideFit();
+    void showLevel(); ///< clears a fit of another maze; a track, and its fit, are shown again with their level
     void toggle();    ///< starts or cancels a fit
     void showOutcome(const std::shared_ptr<const FitOutcome> &outcome);
     void showRunning();

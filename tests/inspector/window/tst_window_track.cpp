@@ -46,6 +46,7 @@ private slots:
     void otherLevelHidesItAndSaysSo();
     void itsLevelBringsItBack();
     void itsLevelBringsItBackWithoutWhatAFitHadFound();
+    void fitComesBackFromThePastOfAnotherLevel();
     void recordingThatChangesTheLevelSamplesItInItsOwnOnly();
     void recordingOfItsLevelKeepsIt();
     void recordingOfAnotherLevelHidesIt();
@@ -171,8 +172,8 @@ void TestWindowTrack::droppedTableThatIsWrongSaysWhy() {
 
 void TestWindowTrack::openedTrackSettlesARefusedName() {
     m_fixture->trigger("save_run");
-    m_fixture->answerFile(m_fixture->path("run.txt"));
-    QVERIFY(m_fixture->window().messages().line().contains("expected a name that ends in"));
+    m_fixture->answerFile(m_fixture->path("none/run.csv"));
+    QVERIFY(!m_fixture->window().messages().line().isEmpty());
     openTrack();
     QCOMPARE(m_fixture->window().messages().line(), QString());
 }
@@ -284,6 +285,41 @@ void TestWindowTrack::itsLevelBringsItBackWithoutWhatAFitHadFound() {
     clickLevel(4);
     clickLevel(3);
     QCOMPARE(m_fixture->session().track()->points().front().x, before);
+}
+
+void TestWindowTrack::fitComesBackFromThePastOfAnotherLevel() {
+    clickLevel(4);
+    m_fixture->makeSteps(5);
+    clickLevel(3);
+    m_fixture->settings().setValue("track/quantities", "rolling_friction");
+    m_fixture->reopen();
+    QVERIFY(m_fixture->isReady());
+    openTrack();
+    const auto *table = m_fixture->find<QTableWidget>("track_quantities");
+    const auto found = [&] {
+        QStringList texts;
+        for (int row = 0; row < table->rowCount(); ++row) texts << table->item(row, 2)->text();
+        return texts.join(' ').trimmed();
+    };
+    click(m_fixture->find<QPushButton>("track_fit"));
+    QTRY_VERIFY(!found().isEmpty());
+    m_fixture->makeSteps(5);
+    const QString foundBefore = found();
+    const QString reportBefore = report();
+    const auto isOfLevel = [this](const char *name) {
+        m_fixture->window().refresh();
+        return m_fixture->session().level().name == name;
+    };
+    m_fixture->session().lookAt(0);
+    QTRY_VERIFY(isOfLevel("04"));
+    QVERIFY2(report().startsWith("track.csv lies over level 03"), qPrintable(report()));
+    QCOMPARE(found(), QString());
+    QVERIFY(!m_fixture->find<QPushButton>("track_take_over")->isEnabled());
+    m_fixture->press(Qt::Key_Escape);
+    QTRY_VERIFY(isOfLevel("03"));
+    QCOMPARE(report(), reportBefore);
+    QCOMPARE(found(), foundBefore);
+    QVERIFY(m_fixture->find<QPushButton>("track_take_over")->isEnabled());
 }
 
 // Also in its samples, before the window receives the other level.
