@@ -9,8 +9,11 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QRegularExpression>
 #include <QSettings>
 #include <QTemporaryFile>
+
+#include <algorithm>
 
 namespace inspector::ui {
 
@@ -27,15 +30,39 @@ bool isInUsualFolder(const QString &path) {
 bool replacesARecording(const FileQuestion &question, const QString &path) {
     const QString suffix = QStringLiteral(".rec");
     const bool isRecording = question.filter.contains(suffix) && path.endsWith(suffix, Qt::CaseInsensitive);
-    return question.use == FileUse::Write && !isRecording && isRecordingFile(path);
+    return !isRecording && isRecordingFile(path);
 }
 
-void sayItStays(QWidget &window, const FileQuestion &question, const QString &path) {
-    auto *refusal = new QMessageBox(
-        QMessageBox::Warning, question.title,
-        QFileDialog::tr("%1 is a recording, which only another one replaces; nothing was saved").arg(quoted(path)),
-        QMessageBox::Ok, &window);
-    refusal->setObjectName(QStringLiteral("recording_stays"));
+/// The endings of the kinds that are offered; none: any.
+QStringList endingsOf(const QString &filter) {
+    QStringList endings;
+    static const QRegularExpression pattern(QStringLiteral("\\*(\\.\\w+)"));
+    for (const QRegularExpressionMatch &match : pattern.globalMatch(filter)) endings += match.captured(1);
+    return endings;
+}
+
+bool hasEnding(const QString &path, const QStringList &endings) {
+    return endings.isEmpty() || std::ranges::any_of(endings, [&](const QString &ending) {
+               return path.endsWith(ending, Qt::CaseInsensitive);
+           });
+}
+
+/// Why nothing is saved under this name; empty if it is.
+QString reasonAgainst(const FileQuestion &question, const QString &path) {
+    if (question.use != FileUse::Write) return {};
+    const QStringList endings = endingsOf(question.filter);
+    if (!hasEnding(path, endings))
+        return QFileDialog::tr("expected a name that ends in %1, found %2")
+            .arg(endings.join(QStringLiteral(" or ")), quoted(QFileInfo(path).fileName()));
+    if (replacesARecording(question, path))
+        return QFileDialog::tr("%1 is a recording, which only another one replaces").arg(quoted(path));
+    return {};
+}
+
+void sayNothingIsSaved(QWidget &window, const QString &title, const QString &reason) {
+    auto *refusal = new QMessageBox(QMessageBox::Warning, title, QFileDialog::tr("%1; nothing was saved").arg(reason),
+                                    QMessageBox::Ok, &window);
+    refusal->setObjectName(QStringLiteral("nothing_saved"));
     refusal->setAttribute(Qt::WA_DeleteOnClose);
     refusal->open();
 }
@@ -60,7 +87,8 @@ void chooseFile(QWidget &window, QSettings &settings, const FileQuestion &questi
         QObject::connect(dialog, &QFileDialog::filterSelected, dialog, followFilter);
     }
     QObject::connect(dialog, &QFileDialog::fileSelected, &window, [=, &window, &settings](const QString &path) {
-        if (replacesARecording(question, path)) return sayItStays(window, question, path);
+        const QString reason = reasonAgainst(question, path);
+        if (!reason.isEmpty()) return sayNothingIsSaved(window, question.title, reason);
         if (question.use == FileUse::Read || isInUsualFolder(path))
             settings.setValue(settings_keys::kFolder, QFileInfo(path).absolutePath());
         use(path);

@@ -19,8 +19,8 @@ struct FileQuestion {
     FileUse use;
 };
 
-/// Asks for a file, starting in the last used folder; doesn't block. Says so instead of using the name if something
-/// else would replace a recording.
+/// Asks for a file, starting in the last used folder; doesn't block. Says so instead of using a name for saving that
+/// has none of the endings in the filter, or where something else would replace a recording.
 void chooseFile(QWidget &window, QSettings &settings, const FileQuestion &question,
                 const std::function<void(const QString &path)> &use);
 

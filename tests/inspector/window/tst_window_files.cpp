@@ -12,6 +12,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -147,7 +148,7 @@ void TestWindowFiles::recentFileThatIsGoneIsForgotten() {
     QVERIFY(QFile::remove(path));
     QTest::keyClick(recent(), Qt::Key_1);
     QVERIFY2(line().contains("gone.txt"), qPrintable(line()));
-    QCOMPARE(recent()->actions().at(0)->text(), QString("None yet"));
+    QCOMPARE(recent()->actions().at(0)->text(), QString("&None yet"));
     m_fixture->find<QMenu>("recent_menu")->close();
 }
 
@@ -445,7 +446,7 @@ void TestWindowFiles::folderWhereNothingCanBeSavedIsForgotten() {
         m_fixture->trigger("save_run");
         m_fixture->answerFile(path);
     }
-    QVERIFY(!line().isEmpty());
+    QVERIFY(!line().isEmpty() || m_fixture->window().findChild<QMessageBox *>("nothing_saved"));
     m_fixture->trigger("save_run");
     auto *dialog = m_fixture->window().findChild<QFileDialog *>();
     QVERIFY(dialog);

@@ -12,6 +12,7 @@
 #include <QApplication>
 #include <QDir>
 #include <QFile>
+#include <QFileDialog>
 #include <QHash>
 #include <QImage>
 #include <QLineEdit>
@@ -42,6 +43,8 @@ private slots:
     void refusedTableTakesNothingAway();
     void refusedUnitsTakeNothingAway();
     void pictureDoesNotReplaceARecording();
+    void endingOfAnotherKindIsRefused_data();
+    void endingOfAnotherKindIsRefused();
 
 private:
     void choose(const QString &theme);
@@ -226,20 +229,61 @@ void TestWindowRefusals::refusedUnitsTakeNothingAway() {
 // Another run is a recording, too, and replaces it: the dialog has asked.
 void TestWindowRefusals::pictureDoesNotReplaceARecording() {
     const QByteArray recording = "physics-recording 1\n";
-    const QString path = write("run.rec", recording);
+    const QString path = write("run.png", recording);
     m_fixture->press(Qt::Key_P, Qt::ControlModifier);
     m_fixture->answerFile(path);
     QCOMPARE(support::contentOf(path), recording);
-    auto *refusal = m_fixture->find<QMessageBox>("recording_stays");
+    auto *refusal = m_fixture->find<QMessageBox>("nothing_saved");
     QVERIFY(refusal->text().startsWith("'" + path + "' is a recording"));
     refusal->activateWindow(); // as window managers do
     QTRY_COMPARE(QApplication::activeWindow(), refusal);
     click(refusal->button(QMessageBox::Ok));
     QTRY_VERIFY(!m_fixture->window().findChild<QMessageBox *>());
+    const QString other = write("run.rec", recording);
     m_fixture->makeSteps(3);
     m_fixture->trigger("save_run");
-    m_fixture->answerFile(path);
-    QVERIFY(support::contentOf(path).size() > recording.size());
+    m_fixture->answerFile(other);
+    QVERIFY(support::contentOf(other).size() > recording.size());
+}
+
+void TestWindowRefusals::endingOfAnotherKindIsRefused_data() {
+    QTest::addColumn<QString>("command");
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("expected");
+    QTest::newRow("picture as a table") << "screenshot"
+                                        << "a.csv"
+                                        << ".png";
+    QTest::newRow("picture as a recording") << "screenshot"
+                                            << "a.rec"
+                                            << ".png";
+    QTest::newRow("run as a text") << "save_run"
+                                   << "a.txt"
+                                   << ".rec or .csv or .png";
+    QTest::newRow("plot as a drawing") << "save_plot"
+                                       << "a.svg"
+                                       << ".csv or .png or .pdf";
+    QTest::newRow("recording as a table") << "record"
+                                          << "a.csv"
+                                          << ".rec";
+}
+
+void TestWindowRefusals::endingOfAnotherKindIsRefused() {
+    QFETCH(QString, command);
+    QFETCH(QString, name);
+    QFETCH(QString, expected);
+    m_fixture->makeSteps(3);
+    m_fixture->trigger(command);
+    QTRY_VERIFY(m_fixture->window().findChild<QFileDialog *>());
+    auto *dialog = m_fixture->window().findChild<QFileDialog *>();
+    dialog->setDirectory(QFileInfo(m_fixture->path(name)).absolutePath());
+    auto *line = dialog->findChild<QLineEdit *>("fileNameEdit");
+    line->selectAll();
+    QTest::keyClicks(line, name);
+    QTest::keyClick(line, Qt::Key_Return);
+    QTRY_VERIFY(m_fixture->window().findChild<QMessageBox *>("nothing_saved"));
+    QCOMPARE(m_fixture->find<QMessageBox>("nothing_saved")->text(),
+             "expected a name that ends in " + expected + ", found '" + name + "'; nothing was saved");
+    QVERIFY(!QFile::exists(m_fixture->path(name)));
 }
 
 QTEST_MAIN(TestWindowRefusals)
