@@ -145,8 +145,8 @@ void Session::watchPhysics() {
 
 QString Session::whyNoBestTime() {
     if (m_hasAutopilot) return tr("the autopilot's");
-    if (m_isTakenOver || m_ownStart) return tr("the ball was taken over or placed by hand");
-    if (!m_hasUsualPhysics) return tr("parameters, stepper, time step and speed have to be the default ones");
+    if (m_isTakenOver || m_ownStart) return tr("not from the start");
+    if (!m_hasUsualPhysics) return tr("speed or physics changed");
     if (exits() && exits()->empty()) return tr("this maze has no way out");
     return {};
 }

@@ -3,6 +3,7 @@
 
 #include "ui/game/clock_text.h"
 #include "ui/parts/elided_label.h"
+#include "ui/parts/flow_layout.h"
 #include "ui/parts/path_icon.h"
 
 #include <QCoreApplication>
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace inspector::ui {
 
@@ -22,25 +24,22 @@ constexpr double kLongWait = 1.0; ///< s between two steps
 
 QString say(const char *text) { return QCoreApplication::translate("inspector::ui::GameStrip", text); }
 
+/// The clock beside it has the time.
 QString winLine(Session &session, const Game &game) {
-    QString time = clockText(game.time());
     const QString obstacle = session.whyNoBestTime();
     if (!obstacle.isEmpty())
-        return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "%1 – no best time: %2")).arg(time, obstacle);
+        return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "no best time: %1")).arg(obstacle);
     if (game.isRecord() && !game.isStored())
-        return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "%1 – a new best time, which can't be stored"))
-            .arg(time);
-    if (game.isRecord()) return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "%1 – a new best time")).arg(time);
+        return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "a new best time, which can't be stored"));
+    if (game.isRecord()) return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "a new best time"));
     const std::optional<double> best = game.bestTime();
-    if (!best) return time;
-    return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "%1 – best time %2")).arg(time, clockText(*best));
+    if (!best) return {};
+    return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "best time %1")).arg(clockText(*best));
 }
 
-QString lossLine(const Session &session, const Game &game) {
+QString lossLine(const Session &session) {
     const QString fault = session.startFault();
-    const QString reason =
-        fault.isEmpty() ? say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "the ball fell through a hole")) : fault;
-    return QStringLiteral("%1 – %2").arg(clockText(game.time()), reason);
+    return fault.isEmpty() ? say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "the ball fell through a hole")) : fault;
 }
 
 /// A hint what to do; for the user's own maze also its best time, which the list of levels doesn't show.
@@ -168,17 +167,19 @@ GameText stateText(Session &session, const Snapshot &now) {
         text.isResult = true;
         text.clock = clockText(game.time());
         text.title = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "%1: lost")).arg(title);
-        text.line = lossLine(session, game);
+        text.line = lossLine(session);
         text.hint = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Enter: again · R: back to the start"));
         break;
     }
     return text;
 }
 
-/// What remains of a result after it was closed: of what it is, and how to continue.
+/// What remains of a result after it was closed.
 GameText closed(const GameText &result) {
+    QStringList parts{result.title, result.line, result.hint};
+    parts.removeAll(QString());
     GameText text;
-    text.hint = QStringLiteral("%1 · %2").arg(result.title, result.hint);
+    text.hint = parts.join(QStringLiteral(" · "));
     text.clock = result.clock;
     return text;
 }
@@ -215,12 +216,11 @@ GameStrip::GameStrip(QWidget *parent)
     auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(10, 2, 6, 2);
     layout->setSpacing(14);
-    layout->addWidget(m_title);
-    layout->addWidget(m_line);
-    layout->addWidget(m_hint, 1);
+    for (ElidedLabel *label : {m_title, m_line}) label->setContentsMargins(0, 0, 8, 0);
+    layout->addWidget(flowOf({m_title, m_line, m_hint}), 1, Qt::AlignVCenter); // more lines where there is no room
     layout->addWidget(m_close);
     layout->addWidget(m_clock);
-    setFixedHeight(std::max(m_clock->sizeHint().height(), m_close->sizeHint().height()) + 6);
+    setMinimumHeight(std::max(m_clock->sizeHint().height(), m_close->sizeHint().height()) + 6);
     show(GameText{});
     QFrame::show();
 }
@@ -233,9 +233,11 @@ void GameStrip::setText(const GameText &text) {
 
 void GameStrip::show(const GameText &text) {
     m_text = text;
-    m_title->setText(text.title);
-    m_line->setText(text.line);
-    m_hint->setText(text.hint);
+    const std::pair<ElidedLabel *, QString> parts[] = {{m_title, text.title}, {m_line, text.line}, {m_hint, text.hint}};
+    for (const auto &[label, part] : parts) {
+        label->setText(part);
+        label->setVisible(!part.isEmpty());
+    }
     m_clock->setText(text.clock);
     m_close->setVisible(text.isResult);
 }

@@ -28,7 +28,8 @@ QString levelTitle(const Session &session, const Level &level);
 /// now: of the session's simulation.
 GameText gameText(Session &session, const Snapshot &now);
 
-/// A banner of constant height, so that the view below doesn't move and nothing covers the board.
+/// A banner above the view, so that nothing covers the board; of one line, and of more where those have no room beside
+/// each other.
 class GameStrip : public QFrame {
     Q_OBJECT
 

@@ -62,6 +62,7 @@ constexpr double kScreenShare = 0.75; ///< share of a larger screen
 constexpr double kTradeShare = 0.56;  ///< share of the window's height, when the dock is shown
 constexpr int kRestHeight = 390;      ///< logical pixels of the window's height, at least, for view and bars
 constexpr int kLeastHeight = 100;     ///< of a dock that is opened
+constexpr int kLeastView = 150;       ///< logical pixels of the board's height, where docks can give some
 constexpr double kPlotShare = 0.29;
 constexpr double kTrackShare = 0.48;
 constexpr double kSideShare = 0.42; ///< of the window's width, at most, for the parameters
@@ -150,6 +151,18 @@ void MainWindow::bringFloatingDocksUp() {
 void MainWindow::resizeEvent(QResizeEvent *event) {
     QMainWindow::resizeEvent(event);
     if (std::exchange(m_awaitsItsSize, false)) restoreDocks();
+    QMetaObject::invokeMethod(this, &MainWindow::keepBoardSeen, Qt::QueuedConnection); // after the layout
+}
+
+/// A window that becomes smaller takes from the board first.
+void MainWindow::keepBoardSeen() {
+    if (m_view->height() >= kLeastView) return;
+    const int most = std::max(height() - kRestHeight, kLeastHeight);
+    for (QDockWidget *dock : findChildren<QDockWidget *>()) {
+        const bool isBelow = dockWidgetArea(dock) == Qt::BottomDockWidgetArea && !dock->isFloating();
+        if (isBelow && !dock->visibleRegion().isEmpty() && dock->height() > most)
+            resizeDocks({dock}, {most}, Qt::Vertical);
+    }
 }
 
 /// Qt fits a layout that is restored earlier to a window of another size, and then to this one, which gives what was

@@ -146,6 +146,7 @@ private:
     void bringFloatingDocksUp();
     void restoreDocks();
     void fitScreen();
+    void keepBoardSeen();
     void arrangeDocks();
     bool hasNewFrame();
     gl::Frame frame() const;

@@ -121,15 +121,19 @@ StatusLine::StatusLine(QWidget *parent)
     }
 }
 
-/// A message takes the room of the first fields if it needs it.
+/// Where there is no room for all fields, those of the clock are left out first. A message takes the room of others,
+/// from the left.
 void StatusLine::showSnapshot(const Snapshot &snapshot) {
     const int message = fontMetrics().horizontalAdvance(currentMessage());
-    int room = message > 0 ? width() - message - 2 * fontMetrics().height() : QWIDGETSIZE_MAX;
-    for (size_t i = m_fields.size(); i-- > 0;) {
-        const QString text = kFields[i].text(snapshot);
-        if (!text.isEmpty()) room -= m_fields[i]->sizeHint().width() + layout()->spacing();
-        m_fields[i]->setVisible(!text.isEmpty() && room >= 0);
-        m_fields[i]->setText(QStringLiteral("%1: %2").arg(translated(kFields[i].label), text));
+    int room = width() - (message > 0 ? message + 2 * fontMetrics().height() : 0);
+    for (const bool isOfClock : {false, true}) {
+        for (size_t i = m_fields.size(); i-- > 0;) {
+            if (kFields[i].isOfClock != isOfClock) continue;
+            const QString text = kFields[i].text(snapshot);
+            m_fields[i]->setText(QStringLiteral("%1: %2").arg(translated(kFields[i].label), text));
+            if (!text.isEmpty()) room -= m_fields[i]->sizeHint().width() + layout()->spacing();
+            m_fields[i]->setVisible(!text.isEmpty() && room >= 0);
+        }
     }
 }
 

@@ -10,6 +10,9 @@
 #include <QStatusBar>
 #include <QTabBar>
 
+#include <functional>
+#include <utility>
+
 #include <qcustomplot.h>
 
 using namespace window_test;
@@ -27,6 +30,7 @@ private slots:
     void windowFitsASmallScreen();
     void windowFitsAScreenOfLargePixels_data();
     void windowFitsAScreenOfLargePixels();
+    void boardIsSeenInAWindowThatBecameSmall();
     void tabsOfDocksAreWhole();
     void messageHasItsRoom();
     void dockBesideTheBouncesIsWhole_data();
@@ -34,6 +38,10 @@ private slots:
     void legendIsWholeInANarrowPlot();
     void legendLeavesASmallPlotToItsCurves();
     void resultNamesItsLevel();
+    void resultSaysItsReasonWhole_data();
+    void resultSaysItsReasonWhole();
+    void closedResultSaysAllOfIt();
+    void everyFieldOfTheStatusIsWhole();
 
 private:
     std::unique_ptr<Fixture> m_fixture;
@@ -90,6 +98,18 @@ void TestWindowSmall::windowFitsAScreenOfLargePixels() {
     QTRY_VERIFY2(least().width() <= 640 && least().height() <= 360,
                  qPrintable(QStringLiteral("%1 x %2").arg(least().width()).arg(least().height())));
     QTRY_COMPARE(window.size(), QSize(640, 360));
+}
+
+// Its docks had more room before.
+void TestWindowSmall::boardIsSeenInAWindowThatBecameSmall() {
+    m_fixture->window().resize(1200, 1000);
+    m_fixture->trigger("show_trade_dock");
+    const auto *dock = m_fixture->find<QDockWidget>("trade_dock");
+    QTRY_VERIFY(dock->height() > 400);
+    m_fixture->window().resize(800, 600);
+    QTRY_COMPARE(m_fixture->window().size(), QSize(800, 600));
+    QTRY_VERIFY2(m_fixture->window().view().height() >= 150,
+                 qPrintable(QString::number(m_fixture->window().view().height())));
 }
 
 void TestWindowSmall::tabsOfDocksAreWhole() {
@@ -200,5 +220,78 @@ void TestWindowSmall::resultNamesItsLevel() {
     QTRY_VERIFY(isWhole());
 }
 
+void TestWindowSmall::resultSaysItsReasonWhole_data() {
+    QTest::addColumn<std::function<void(inspector::Session &)>>("prepare");
+    const auto row = [](const char *name, std::function<void(inspector::Session &)> prepare) {
+        QTest::newRow(name) << std::move(prepare);
+    };
+    row("autopilot", [](inspector::Session &session) { session.setAutopilot(true); });
+    row("placed", [](inspector::Session &session) {
+        session.setStart(session.simulation().latest().current); // where it is put by hand
+    });
+    row("speed", [](inspector::Session &session) { session.setSpeed(inspector::Simulation::kFastest); });
+}
+
+void TestWindowSmall::resultSaysItsReasonWhole() {
+    QFETCH(std::function<void(inspector::Session &)>, prepare);
+    m_fixture->window().resize(800, 600);
+    prepare(m_fixture->session());
+    m_fixture->press(Qt::Key_Return);
+    m_fixture->game().leaveMaze(599.99, !m_fixture->session().whyNoBestTime().isEmpty());
+    m_fixture->window().refresh();
+    const QString reason = "no best time: " + m_fixture->session().whyNoBestTime();
+    const auto isWhole = [&] {
+        for (const QLabel *label : m_fixture->find<QWidget>("game_strip")->findChildren<QLabel *>())
+            if (label->text() == reason)
+                return label->contentsRect().width() >= label->fontMetrics().horizontalAdvance(reason);
+        return false;
+    };
+    QTRY_VERIFY2(isWhole(), qPrintable(reason));
+    QVERIFY(m_fixture->window().view().height() >= 150);
+}
+
+// At the place of its title.
+void TestWindowSmall::closedResultSaysAllOfIt() {
+    m_fixture->session().setAutopilot(true);
+    m_fixture->press(Qt::Key_Return);
+    m_fixture->game().leaveMaze(2.0, true);
+    m_fixture->window().refresh();
+    const auto first = [this] {
+        for (const QLabel *label : m_fixture->find<QWidget>("game_strip")->findChildren<QLabel *>())
+            if (label->isVisible()) return std::pair(label->text(), label->mapTo(&m_fixture->window(), QPoint()).x());
+        return std::pair(QString(), -1);
+    };
+    QTRY_COMPARE(first().first, QString("Level 1 done"));
+    const int left = first().second;
+    m_fixture->press(Qt::Key_Escape);
+    QTRY_COMPARE(first(), std::pair(QString::fromUtf8("Level 1 done · no best time: the autopilot's · "
+                                                      "Enter: level 2 · R: again"),
+                                    left));
+}
+
+// With a ghost, in a run that has left the maze.
+void TestWindowSmall::everyFieldOfTheStatusIsWhole() {
+    m_fixture->window().resize(800, 600);
+    m_fixture->trigger("compare");
+    phys_state state = m_fixture->simulation().latest().current;
+    state.position.x = 1.0;
+    m_fixture->simulation().setState(state);
+    m_fixture->trigger("step");
+    QTRY_VERIFY(m_fixture->simulation().latest().current.flags & PHYS_OUT);
+    const auto cut = [this] {
+        m_fixture->window().refresh();
+        QStringList texts;
+        for (const QLabel *field : m_fixture->window().statusBar()->findChildren<QLabel *>())
+            if (field->isVisible() &&
+                field->contentsRect().width() < field->fontMetrics().horizontalAdvance(field->text()))
+                texts << field->text();
+        return texts.join(' ');
+    };
+    QTRY_COMPARE(cut(), QString());
+    QVERIFY(m_fixture->find<QLabel>("status_ball")->isVisible());
+    QVERIFY(m_fixture->find<QLabel>("status_tilt")->isVisible());
+}
+
+Q_DECLARE_METATYPE(std::function<void(inspector::Session &)>)
 QTEST_MAIN(TestWindowSmall)
 #include "tst_window_small.moc"
