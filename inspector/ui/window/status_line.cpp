@@ -121,20 +121,23 @@ StatusLine::StatusLine(QWidget *parent)
     }
 }
 
-/// Where there is no room for all fields, those of the clock are left out first. A message takes the room of others,
-/// from the left.
+/// Where there is no room for all fields, those of the clock are left out first. A message takes the room of the first
+/// ones, so that the others stay where they are.
 void StatusLine::showSnapshot(const Snapshot &snapshot) {
-    const int message = fontMetrics().horizontalAdvance(currentMessage());
-    int room = width() - (message > 0 ? message + 2 * fontMetrics().height() : 0);
+    std::vector<bool> fits(m_fields.size());
+    const auto takes = [this](size_t i) { return m_fields[i]->sizeHint().width() + layout()->spacing(); };
+    int rest = width();
     for (const bool isOfClock : {false, true}) {
         for (size_t i = m_fields.size(); i-- > 0;) {
             if (kFields[i].isOfClock != isOfClock) continue;
             const QString text = kFields[i].text(snapshot);
             m_fields[i]->setText(QStringLiteral("%1: %2").arg(translated(kFields[i].label), text));
-            if (!text.isEmpty()) room -= m_fields[i]->sizeHint().width() + layout()->spacing();
-            m_fields[i]->setVisible(!text.isEmpty() && room >= 0);
+            fits[i] = !text.isEmpty() && (rest -= takes(i)) >= 0;
         }
     }
+    const int message = fontMetrics().horizontalAdvance(currentMessage());
+    int room = width() - (message > 0 ? message + 2 * fontMetrics().height() : 0);
+    for (size_t i = m_fields.size(); i-- > 0;) m_fields[i]->setVisible(fits[i] && (room -= takes(i)) >= 0);
 }
 
 void StatusLine::leaveOutClock() {
