@@ -290,6 +290,23 @@ void slippery(Sketch &s) {
     }
 }
 
+/// Rolls on the floor round a pillar's upright edge: the normal of a contact that sticks turns.
+void uprightEdge(Sketch &s) {
+    s.floor();
+    const double angle = s.dice.between(0.02, 1.55), out = s.dice.chance(0.7) ? 0 : s.dice.magnitude(1e-9, 0.5);
+    s.box(-4, -4, 0, -std::cos(angle), -std::sin(angle), 3);
+    if (s.dice.chance(0.2)) s.box(-4, 1.5, 0, 4, 4, s.dice.between(0.1, 3));
+    s.place(out * std::cos(angle), out * std::sin(angle), 1);
+    const double speed = s.dice.sign() * s.dice.magnitude(0.02, 2);
+    s.velocity(-speed * std::sin(angle), speed * std::cos(angle), 0);
+    s.scene.start.spin.z = speed * std::sqrt(kGravity / s.r);
+    const double press = s.dice.magnitude(0.05, 1) * kGravity, along = s.dice.between(-0.5, 0.5) * kGravity;
+    s.scene.legs.push_back({{-press * std::cos(angle) - along * std::sin(angle),
+                             -press * std::sin(angle) + along * std::cos(angle), -kGravity},
+                            s.dice.magnitude(1e-4, 1e-2) * std::sqrt(s.r / 0.006),
+                            12});
+}
+
 struct Kind {
     const char *name;
     void (*draw)(Sketch &);
@@ -314,6 +331,7 @@ constexpr Kind kKinds[] = {
     {"board_edge", boardEdge},
     {"room", room},
     {"slippery", slippery},
+    {"upright_edge", uprightEdge},
 };
 
 void drawRadius(Sketch &s) {
@@ -338,7 +356,7 @@ void drawCoefficients(Sketch &s) {
 
 void drawSpin(Sketch &s) {
     const phys_vec3 &v = s.scene.start.velocity;
-    s.scene.start.spin = {-v.y / s.r, v.x / s.r, 0};
+    s.scene.start.spin = {-v.y / s.r, v.x / s.r, s.scene.start.spin.z};
     if (s.scene.params.model != PHYS_MODEL_RIGID || s.dice.chance(0.3)) return;
     const double most = s.dice.magnitude(0.1, 10) * std::sqrt(kGravity / s.r);
     s.scene.start.spin = {s.dice.between(-most, most), s.dice.between(-most, most), s.dice.between(-most, most)};
@@ -392,6 +410,7 @@ void turn(Sketch &s) {
         s.scene.start.position = quarter(s.scene.start.position);
         s.scene.start.velocity = quarter(s.scene.start.velocity);
         s.scene.start.spin = quarter(s.scene.start.spin);
+        for (Leg &leg : s.scene.legs) leg.gravity = quarter(leg.gravity);
     }
 }
 

@@ -312,15 +312,19 @@ bool LastingContacts::releaseOpposite(double negligible) {
     return any;
 }
 
+bool LastingContacts::slips(const Lasting &contact, double negligible, const Motion &motion) const {
+    return size(slipAt(motion, contact.limit, m_radius)) > kLeftOfSlip * negligible;
+}
+
 /// Two sticking contacts can be pressed against each other along the line between their points without moving anything.
 /// Of all such solutions the law takes the one with the least friction, model.md 13.3, to which this changes if the
 /// cones allow it. One of them may be at its limit by this pressure alone.
 LastingContacts::Strain LastingContacts::relieve(double negligible, const Motion &motion) {
     const auto isAllowed = [](const Lasting &contact) {
-        return contact.rolls ? contact.reaction > 0.0 : contact.sticks();
+        return contact.rolls || contact.closes ? contact.reaction > 0.0 : contact.sticks();
     };
     const auto isStill = [&](const Lasting &contact) {
-        return contact.reaction > 0.0 && size(slipAt(motion, contact.limit, m_radius)) <= kLeftOfSlip * negligible;
+        return contact.reaction > 0.0 && (contact.closes || !slips(contact, negligible, motion));
     };
     Strain strain{0.0, false};
     for (Lasting *a = begin(); a != end(); ++a) {
@@ -351,6 +355,34 @@ LastingContacts::Strain LastingContacts::relieve(double negligible, const Motion
     return strain;
 }
 
+/// A pair that closes a gap slips along the line between its points, which is no slip of the motion: where the friction
+/// that keeps the pair from any other slip, with the least pressure between them, is within the cones, both stick.
+/// Otherwise that pressure would grow until a cone is reached, and the slip along the line would decide what rolls.
+void LastingContacts::stickWhileClosing(double negligible, Motion &motion) {
+    for (Lasting *a = begin(); a != end(); ++a) {
+        for (Lasting *b = a + 1; b != end(); ++b) {
+            const bool isClosing = a->slow < 0.0 || b->slow < 0.0;
+            const bool areRough = a->reaction * a->friction > 0.0 && b->reaction * b->friction > 0.0;
+            if (isClosing && areRough && sticksWhileClosing(*a, *b, negligible, motion)) return;
+        }
+    }
+}
+
+bool LastingContacts::sticksWhileClosing(Lasting &a, Lasting &b, double negligible, Motion &motion) {
+    if (!slips(a, negligible, motion) && !slips(b, negligible, motion)) return false;
+    const LastingContacts before = *this;
+    const Motion motionBefore = motion;
+    a.closes = b.closes = true;
+    if (solveCoulomb({{begin(), end()}, m_radius, 0.0, negligible, *m_work}, motion)) {
+        relieve(negligible, motion);
+        m_needsNewton = a.sticks() && b.sticks();
+        if (m_needsNewton) return true;
+    }
+    *this = before;
+    motion = motionBefore;
+    return false;
+}
+
 /// Contacts that stick only by such a pressure may slip instead, at less: friction must not maintain the pressure on
 /// which it depends, model.md 14.1. Reactions found without friction first, with which friction then grows, are the
 /// smallest.
@@ -379,6 +411,7 @@ void LastingContacts::solve(double rollingFriction, Motion &motion) {
         motion.spin -= 2.5 / m_radius * glm::cross(contact.lever, contact.rubbing);
     }
     settleWithoutResistance(negligible, driven, motion);
+    stickWhileClosing(negligible, motion);
     if (relieve(negligible, motion).remains) {
         settleFromBelow(negligible, driven, motion);
         relieve(negligible, motion);

@@ -24,6 +24,7 @@ struct Lasting {
     Vec3 resisting; ///< rolling resistance: change of the spin, rad/s
     bool isSpent;   ///< friction is at its limit
     bool rolls;     ///< a top face without slip, so that rolling resistance works there
+    bool closes;    ///< sticks, but for the slip with which a pair of sticking contacts closes a gap
     double load;    ///< reaction on which resistance depends, m/s; below 0: the present one
 
     /// Whether friction has a reserve. Its magnitude doesn't tell, as friction at its limit is rounded.
@@ -34,8 +35,8 @@ struct Lasting {
     double mostResisting(double rollingFriction, double radius) const {
         return 2.5 * rollingFriction * (load >= 0.0 && reaction > 0.0 ? load : reaction) / radius;
     }
-    /// Friction of a contact that rolls was judged without the resistance, model.md 13.5.
-    bool hasNoLimit() const { return isGlued || rolls; }
+    /// Friction of a contact that rolls or closes was judged without the resistance, model.md 13.5.
+    bool hasNoLimit() const { return isGlued || rolls || closes; }
     /// Whether it pulls along what it touches: a face that glues does so until it opens, even without pressure.
     bool holds(const Vec3 &velocity) const { return reaction > 0.0 || (isGlued && glm::dot(limit, velocity) <= slow); }
 };
@@ -69,7 +70,10 @@ private:
         bool remains;    ///< somewhere: without it a contact would slip
     };
     Strain relieve(double negligible, const Motion &motion);
+    bool slips(const Lasting &contact, double negligible, const Motion &motion) const;
     bool keepLoads(double negligible);
+    void stickWhileClosing(double negligible, Motion &motion);
+    bool sticksWhileClosing(Lasting &a, Lasting &b, double negligible, Motion &motion);
     void settleFromBelow(double negligible, const Motion &driven, Motion &motion);
     double pressure() const;
     double sweep(double rollingFriction, bool arePressed, Motion &motion);
