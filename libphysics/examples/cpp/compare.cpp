@@ -12,9 +12,8 @@ constexpr double kDt = 0.005; // s
 constexpr int kSteps = 200;
 
 void run(const physics::Registry &registry, const phys_stepper_info &info, const physics::Scene &scene) {
-    phys_params params = physics::defaultParams();
+    phys_params params = physics::defaultParams(info);
     params.gravity = physics::gravityFromTilt(0.10, 0.05);
-    phys_stepper_info_init_params(&info, &params);
 
     physics::Stepper stepper(registry, info.id, scene);
     phys_state state = scene.start();

@@ -63,6 +63,13 @@ inline phys_params defaultParams() {
     return params;
 }
 
+/// With the initial values of a stepper's own parameters, too.
+inline phys_params defaultParams(const phys_stepper_info &info) {
+    phys_params params = defaultParams();
+    detail::checkCode(phys_stepper_info_init_params(&info, &params));
+    return params;
+}
+
 /// No balls, no steps, no arrays.
 inline phys_batch defaultBatch() {
     phys_batch batch;
@@ -75,6 +82,17 @@ inline phys_vec3 gravityFromTilt(double tiltX, double tiltY, double strength = 9
     phys_vec3 gravity;
     detail::checkCode(phys_gravity_from_tilt(tiltX, tiltY, strength, &gravity));
     return gravity;
+}
+
+/// For each i of tiltsX[i], tiltsY[i] (rad), with one strength (m/s^2): as phys_batch wants it.
+inline std::vector<phys_vec3> gravitiesFromTilts(const std::vector<double> &tiltsX, const std::vector<double> &tiltsY,
+                                                 double strength = 9.81) {
+    if (tiltsX.size() != tiltsY.size()) throw Error(PHYS_ERROR_ARGUMENT, "tiltsX and tiltsY differ in size");
+    const std::vector<double> strengths(tiltsX.size(), strength);
+    std::vector<phys_vec3> gravities(tiltsX.size());
+    detail::checkCode(
+        phys_gravities_from_tilts(gravities.size(), tiltsX.data(), tiltsY.data(), strengths.data(), gravities.data()));
+    return gravities;
 }
 
 class Scene {
@@ -137,6 +155,11 @@ public:
         for (uint32_t i = 0; i < infos.size(); ++i) detail::checkCode(phys_registry_info(get(), i, &infos[i]));
         return infos;
     }
+    phys_stepper_info find(const std::string &id) const {
+        phys_stepper_info info;
+        detail::check([&](phys_error *err) { return phys_registry_find(get(), id.c_str(), &info, err); });
+        return info;
+    }
     const phys_registry *get() const noexcept { return m_registry.get(); }
 
 private:
@@ -150,6 +173,8 @@ public:
         : m_stepper(detail::make<phys_stepper, phys_stepper_destroy>([&](phys_stepper **out, phys_error *err) {
             return phys_stepper_create(registry.get(), id.c_str(), scene.get(), out, err);
         })) {}
+    Stepper(const Registry &&, const std::string &, const Scene &) = delete; // they would be gone
+    Stepper(const Registry &, const std::string &, const Scene &&) = delete;
 
     /// The state dt seconds later. report: or nullptr.
     phys_state step(const phys_params &params, double dt, const phys_state &state, phys_report *report = nullptr) {

@@ -17,8 +17,9 @@ int run(const char *level) {
     const physics::Registry registry;
     const phys_params params = physics::defaultParams();
     std::vector<phys_state> states(kBalls, scene.start());
-    std::vector<phys_vec3> gravity;
-    for (int i = 0; i < kBalls; ++i) gravity.push_back(physics::gravityFromTilt(0.0002 * (i - kBalls / 2), 0.05));
+    std::vector<double> tiltsX; // rad
+    for (int i = 0; i < kBalls; ++i) tiltsX.push_back(0.0002 * (i - kBalls / 2));
+    const std::vector<phys_vec3> gravity = physics::gravitiesFromTilts(tiltsX, std::vector<double>(kBalls, 0.05));
 
     phys_batch batch = physics::defaultBatch();
     batch.stop_flags = PHYS_OUT;

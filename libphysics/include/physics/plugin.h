@@ -37,15 +37,15 @@ typedef struct phys_scene_view {
 } phys_scene_view;
 
 /** Ids that a stepper's own rows may not have, nor those of phys_param_rows: programs have options, settings and
- *  columns of these names. */
+ *  columns of these names, and the Python package's parameters have such attributes. */
 #define PHYS_RESERVED_ROW_IDS                                                                                          \
-    "all_levels", "autopilot", "box", "check", "compare", "compare_set", "compare_substeps", "csv", "csv_every", "dt", \
-        "duration", "energy", "event", "fit", "fit_for", "flags", "for", "force", "grab", "gravity", "headless",       \
-        "help", "kind", "level", "list_parameters", "list_steppers", "maze", "normal", "orientation", "parameters",    \
-        "plot", "plugin", "point", "position", "record", "replay", "report", "scene", "schedule", "seed", "shaders",   \
-        "share", "speed", "spin", "start", "state", "step", "stepper", "steps", "theme", "tilt", "tilt_x", "tilt_y",   \
-        "time", "track", "track_frame", "track_units", "trade", "under", "unknown", "velocity", "version", "view",     \
-        "with_orientation", "within", "x", "y", "z"
+    "all_levels", "all_stages", "autopilot", "box", "check", "compare", "compare_set", "compare_substeps", "copy",     \
+        "csv", "csv_every", "dt", "duration", "energy", "event", "fit", "fit_for", "flags", "for", "force", "grab",    \
+        "gravity", "headless", "help", "kind", "level", "list_parameters", "list_steppers", "maze", "names", "normal", \
+        "orientation", "parameters", "plot", "plugin", "point", "position", "record", "replay", "report", "rows",      \
+        "scene", "schedule", "seed", "shaders", "shape", "share", "speed", "spin", "start", "state", "step",           \
+        "stepper", "steps", "theme", "tilt", "tilt_x", "tilt_y", "time", "track", "track_frame", "track_units",        \
+        "trade", "under", "unknown", "velocity", "version", "view", "with_orientation", "within", "x", "y", "z"
 
 /** One stepper: appendable, texts static. All functions are called by one thread at a time for one self; none may
  *  throw, exit or keep a pointer that it is given, except create the view. Required unless marked optional. */

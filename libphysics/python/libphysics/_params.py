@@ -75,7 +75,7 @@ class Params:
     __slots__ = ("record", "_rows")
     record: np.ndarray  #: the C structs, dtype params_dtype
 
-    def __init__(self, own_rows: list[ParamRow] | None = None, **values: Any) -> None:
+    def __init__(self, own_rows: list[ParamRow] | None = None, /, **values: Any) -> None:
         object.__setattr__(self, "_rows", _rows_of_library() | _by_name(own_rows or []))
         for name in values.keys() - set(self.names()):
             raise TypeError(self._unknown(name))

@@ -176,7 +176,7 @@ class Stepper(Owner):
     def scene(self) -> Scene:
         return self._scene
 
-    def params(self, **values: Any) -> Params:
+    def params(self, /, **values: Any) -> Params:
         """Params that know this stepper's own names, too."""
         return Params(rows_of(self._info), **values)
 

@@ -41,9 +41,8 @@ phys_status checkStrides(const phys_batch &batch, phys_error *err) {
 }
 
 phys_status checkBatch(const phys_batch &batch, uint64_t first, uint64_t count, phys_error *err) {
-    if (!batch.states || !batch.params) {
-        return fail(err, PHYS_ERROR_ARGUMENT, "batch.%s is NULL", batch.states ? "params" : "states");
-    }
+    if (!batch.states && batch.ball_count > 0) return fail(err, PHYS_ERROR_ARGUMENT, "batch.states is NULL");
+    if (!batch.params) return fail(err, PHYS_ERROR_ARGUMENT, "batch.params is NULL");
     if (first > batch.ball_count || count > batch.ball_count - first) {
         return fail(err, PHYS_ERROR_ARGUMENT, "%llu balls from %llu on; the batch has %llu",
                     static_cast<unsigned long long>(count), static_cast<unsigned long long>(first),

@@ -41,7 +41,11 @@ void add(phys_registry &registry, const phys_plugin &plugin, const std::string &
 }
 
 phys_status loadFile(phys_registry &registry, const std::string &path, phys_error *err) {
+    if (path.empty()) return fail(err, PHYS_ERROR_FILE, "path is empty; expected a file's name");
     const std::string name = shown(path);
+    const auto isItsFile = [&](const PluginStepper &stepper) { return *stepper.file == path; };
+    if (std::ranges::any_of(registry.plugins, isItsFile))
+        return fail(err, PHYS_ERROR_PLUGIN_REFUSED, "%s: is loaded already", name.c_str());
     if (const phys_status status = checkSharedObjectFile(path, name.c_str(), err)) return status;
     system::SharedObject object(path);
     if (!object.isOpen()) {
@@ -52,6 +56,13 @@ phys_status loadFile(phys_registry &registry, const std::string &path, phys_erro
     if (!plugin) {
         return fail(err, PHYS_ERROR_PLUGIN_REFUSED, "%s: expected the symbol phys_plugin_entry; found none",
                     name.c_str());
+    }
+    if (isOfDeletedFile(plugin)) {
+        return fail(
+            err, PHYS_ERROR_PLUGIN_REFUSED,
+            "%s: this process has loaded an older file of this name and keeps its code; give the new one another "
+            "name, or load it in another process",
+            name.c_str());
     }
     if (const phys_status status = checkPlugin(*plugin, name.c_str(), registry, err)) return status;
     add(registry, *plugin, path);

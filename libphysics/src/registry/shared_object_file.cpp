@@ -5,6 +5,7 @@
 #include "base/system.h"
 
 #if __has_include(<link.h>)
+#include <cinttypes>
 #include <cstdio>
 #include <cstring>
 #include <link.h>
@@ -52,6 +53,13 @@ phys_status checkSegments(const std::string &path, const char *name, phys_error 
     return PHYS_OK;
 }
 
+/// A line of /proc/self/maps: "begin-end rights offset device inode path", with " (deleted)" behind the path.
+bool isDeletedAt(const char *line, uintptr_t address) {
+    uint64_t begin = 0, end = 0;
+    if (std::sscanf(line, "%" SCNx64 "-%" SCNx64, &begin, &end) != 2) return false;
+    return begin <= address && address < end && std::strstr(line, " (deleted)\n");
+}
+
 #else
 
 phys_status checkSegments(const std::string &, const char *, phys_error *) { return PHYS_OK; }
@@ -64,6 +72,17 @@ phys_status checkSharedObjectFile(const std::string &path, const char *name, phy
     const std::string reason = system::whyNoFile(path);
     if (!reason.empty()) return fail(err, PHYS_ERROR_FILE, "%s: %s", name, reason.c_str());
     return checkSegments(path, name, err);
+}
+
+bool isOfDeletedFile([[maybe_unused]] const void *address) {
+#if __has_include(<link.h>)
+    const File maps(std::fopen("/proc/self/maps", "re"), std::fclose);
+    char line[8192]; // a path has up to 4095 bytes
+    while (maps && std::fgets(line, sizeof line, maps.get())) {
+        if (isDeletedAt(line, reinterpret_cast<uintptr_t>(address))) return true;
+    }
+#endif
+    return false;
 }
 
 } // namespace phys

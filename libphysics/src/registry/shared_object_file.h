@@ -13,4 +13,8 @@ namespace phys {
 /// headers list. name: used in messages.
 phys_status checkSharedObjectFile(const std::string &path, const char *name, phys_error *err);
 
+/// Whether the code or data at `address` comes from a file that has been deleted or replaced since it was loaded: the
+/// system's loader knows shared objects by their names, and gives the old one for a new file.
+bool isOfDeletedFile(const void *address);
+
 } // namespace phys

@@ -188,6 +188,7 @@ phys_status parseScene(std::string_view text, const char *name, Scene &out, phys
 }
 
 phys_status loadScene(const char *path, Scene &out, phys_error *err) {
+    if (!*path) return fail(err, PHYS_ERROR_FILE, "path is empty; expected a file's name");
     std::string text;
     if (const phys_status status = readFile(path, text, err)) return status;
     return parseScene(text, path, out, err);

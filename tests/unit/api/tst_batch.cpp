@@ -334,6 +334,7 @@ private slots:
     void nothingIsAllocated_data() { addStepperRows(); }
     void nothingIsAllocated();
     void batchWithoutTalliesInItIsTaken();
+    void noBallsNeedNoStates();
     void wrongBatchIsRefusedAndNothingTouched_data();
     void wrongBatchIsRefusedAndNothingTouched();
     void firstFailureIsToldWhereStatusesAreNotAskedFor();
@@ -478,6 +479,21 @@ void TestBatch::batchWithoutTalliesInItIsTaken() {
 }
 
 using Change = std::function<void(phys_batch &, uint64_t &first, uint64_t &count)>;
+
+/// As an empty std::vector has it.
+void TestBatch::noBallsNeedNoStates() {
+    const ScenePtr scene = openRoom();
+    const StepperPtr stepper = stepperOf(PHYS_STEPPER_DEFAULT, scene.get());
+    phys_params params;
+    phys_params_init(&params, sizeof params);
+    phys_batch batch;
+    phys_batch_init(&batch, sizeof batch);
+    batch.params = &params;
+    batch.dt = 0.01;
+    batch.step_count = 5;
+    phys_error error{};
+    QVERIFY2(phys_batch_run(stepper.get(), &batch, 0, 0, &error) == PHYS_OK, error.text);
+}
 
 void TestBatch::wrongBatchIsRefusedAndNothingTouched_data() {
     QTest::addColumn<Change>("change");

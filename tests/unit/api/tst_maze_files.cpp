@@ -216,6 +216,8 @@ void TestMazeFiles::missingFileIsRefused() {
     QCOMPARE(phys_scene_load("no/such/maze.txt", &scene, &error), PHYS_ERROR_FILE);
     QVERIFY(!scene);
     QVERIFY2(QByteArray(error.text).startsWith("no/such/maze.txt: "), error.text);
+    QCOMPARE(phys_scene_load("", &scene, &error), PHYS_ERROR_FILE);
+    QCOMPARE(error.text, "path is empty; expected a file's name");
 }
 
 void TestMazeFiles::directoryIsRefused() {

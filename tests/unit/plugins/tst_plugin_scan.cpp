@@ -55,6 +55,7 @@ private slots:
     void aScanWithoutARegistryOnlyListsTheFiles();
     void aTableLongerThanOursLoads();
     void pluginsStayWhenTheirRegistryGoes();
+    void aFileThatTookAnotherOnesNameIsRefused();
     void rowsOfAPluginReachTheParameters();
 
 private:
@@ -178,6 +179,29 @@ void PluginScan::pluginsStayWhenTheirRegistryGoes() {
     const char *summary = info.summary; // in the plugin's own memory
     phys_registry_destroy(other);
     QCOMPARE(summary, "Leaves the ball where it is.");
+}
+
+/// The system's loader would give the old code for it.
+void PluginScan::aFileThatTookAnotherOnesNameIsRefused() {
+    const QTemporaryDir folder;
+    const QString plugin = folder.filePath(QStringLiteral("mine.so"));
+    const QByteArray path = plugin.toUtf8();
+    QVERIFY(QFile::copy(kGood, plugin));
+    QCOMPARE(phys_registry_load_file(m_registry, path, nullptr), PHYS_OK);
+    phys_registry_destroy(m_registry);
+    QCOMPARE(phys_registry_create(&m_registry, nullptr), PHYS_OK);
+    QCOMPARE(phys_registry_load_file(m_registry, path, nullptr), PHYS_OK); // the same file in another registry
+    phys_registry_destroy(m_registry);
+    QCOMPARE(phys_registry_create(&m_registry, nullptr), PHYS_OK);
+    QVERIFY(QFile::remove(plugin) && QFile::copy(QStringLiteral(FIXTURES "/good/other.so"), plugin));
+    phys_error error{};
+    QCOMPARE(phys_registry_load_file(m_registry, path, &error), PHYS_ERROR_PLUGIN_REFUSED);
+    QVERIFY2(QByteArray(error.text).contains("mine.so: this process has loaded an older file of this name"),
+             error.text);
+    QVERIFY2(QByteArray(error.text).endsWith("in another process"), error.text);
+    const QString renamed = folder.filePath(QStringLiteral("new.so"));
+    QVERIFY(QFile::rename(plugin, renamed));
+    QCOMPARE(phys_registry_load_file(m_registry, renamed.toUtf8(), nullptr), PHYS_OK);
 }
 
 void PluginScan::rowsOfAPluginReachTheParameters() {

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The Python package where arguments are empty, wrong or many, and where a signal or a class of one's own comes in."""
 import os
+import pathlib
 import pickle
+import re
 import signal
 import subprocess
 import sys
@@ -188,6 +190,16 @@ class MessagesTest(unittest.TestCase):
         for array in (scene.boxes, lp.Scene(boxes=[]).boxes, scene.bounds, params.orientation, params.all_stages):
             with self.assertRaisesRegex(ValueError, "read-only"):
                 array[...] = 0
+
+    def test_no_plugin_has_a_row_with_the_name_of_an_attribute(self):
+        header = pathlib.Path(os.environ["SYMBOLS"]).parents[1] / "include/physics/plugin.h"
+        listed = header.read_text().partition("#define PHYS_RESERVED_ROW_IDS")[2].partition("\n\n")[0]
+        reserved = set(re.findall('"([a-z_]+)"', listed)) | {row["id"] for row in lp.Params.rows()}
+        attributes = {name for name in dir(lp.Params()) if not name.startswith("_")}
+        self.assertLessEqual(attributes, reserved)
+        for name in ("self", "own_rows"):  # may be those of rows
+            self.assertIn(f"no parameter is called '{name}'",
+                          self.refused(lambda: lp.Stepper("rk4", lp.Scene(LEVEL)).params(**{name: 1})))
 
     def test_names_are_all_that_can_be_read_and_set(self):
         params = lp.Params()
