@@ -128,7 +128,7 @@ void Witness::bruteForceNeverMakesEnergy() {
 void Witness::bruteForceFollowsTheMirror() {
     for (size_t kind = 0; kind < kinds().size(); ++kind) {
         if (kinds()[kind] == "overlapping") continue;
-        const Case scene = drawSmoothCase(kind, 11, PHYS_MODEL_RIGID);
+        const Case scene = drawSmoothCase(kind, 12, PHYS_MODEL_RIGID);
         Case image = scene;
         for (phys_box &box : image.boxes)
             box = {{-box.max.x, box.min.y, box.min.z}, {-box.min.x, box.max.y, box.max.z}};
