@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <initializer_list>
+#include <numeric>
 
 namespace phys {
 
@@ -86,6 +87,7 @@ public:
         return std::all_of(m_reactions.begin(), m_reactions.begin() + m_count,
                            [&](double reaction) { return reaction >= -negligible; });
     }
+    double sum() const { return std::accumulate(m_reactions.begin(), m_reactions.begin() + m_count, 0.0); }
     const Vec3 &velocity() const { return m_velocity; }
     void store() const {
         for (uint32_t k = 0; k < m_count; ++k) m_contacts[k]->reaction = std::max(0.0, m_reactions[k]);
@@ -180,43 +182,48 @@ bool LastingContacts::shareLoads() const {
     return count() == 3 && std::abs(glm::dot(all[0].lever, glm::cross(all[1].lever, all[2].lever))) < kFlat;
 }
 
-/// The smallest reactions of all contacts together, with friction unchanged. Returns the largest change of the velocity
-/// (m/s), or kNotPressed if there is no solution, in which case nothing is changed.
+/// The reactions of least sum of all contacts together, with friction unchanged: more normals than independent ones
+/// leave a choice, model.md 14.1. Returns the largest change of the velocity (m/s), or kNotPressed if there is no
+/// solution, in which case nothing is changed.
 double LastingContacts::pressTogether(double negligible, Motion &motion) {
     Vec3 unpressed = motion.velocity;
     for (const Lasting &contact : *this) unpressed -= contact.reaction * contact.lever;
-    Pressing pressing(unpressed);
+    Pressing pressing(unpressed), least(unpressed);
+    double leastSum = INFINITY;
     const auto isEnough = [&] {
         return pressing.areNoPulls(negligible) && std::all_of(begin(), end(), [&](const Lasting &contact) {
                    return glm::dot(contact.limit, pressing.velocity()) >= contact.slow - 8.0 * negligible;
                });
     };
-    const auto fit = [&](std::initializer_list<Lasting *> contacts) { return pressing.solve(contacts) && isEnough(); };
-    const auto any = [&] {
-        if (fit({})) return true;
+    const auto fit = [&](std::initializer_list<Lasting *> contacts) {
+        if (!pressing.solve(contacts) || !isEnough()) return;
+        const double sum = pressing.sum();
+        if (!(sum < leastSum - negligible)) return;
+        leastSum = sum;
+        least = pressing;
+    };
+    const auto isFound = [&] { return leastSum < INFINITY; };
+    m_work->add(Work::kPush * count() * count());
+    fit({});
+    for (Lasting *a = begin(); a != end() && !isFound(); ++a) fit({a}); // no several ones press less
+    if (!isFound()) {
         for (Lasting *a = begin(); a != end(); ++a) {
-            if (fit({a})) return true;
+            for (Lasting *b = a + 1; b != end(); ++b) fit({a, b});
         }
-        for (Lasting *a = begin(); a != end(); ++a) {
-            for (Lasting *b = a + 1; b != end(); ++b) {
-                if (fit({a, b})) return true;
-            }
-        }
-        for (Lasting *a = begin(); a != end(); ++a) {
-            for (Lasting *b = a + 1; b != end(); ++b) {
-                for (Lasting *c = b + 1; c != end(); ++c) {
-                    if (fit({a, b, c})) return true;
+        // Three that aren't independent press no less than two of them.
+        if (!isFound() || count() > 3) {
+            for (Lasting *a = begin(); a != end(); ++a) {
+                for (Lasting *b = a + 1; b != end(); ++b) {
+                    for (Lasting *c = b + 1; c != end(); ++c) fit({a, b, c});
                 }
             }
         }
-        return false;
-    };
-    m_work->add(Work::kPush * count() * count());
-    if (!any()) return kNotPressed;
+    }
+    if (!isFound()) return kNotPressed;
     for (Lasting &contact : *this) contact.reaction = 0.0;
-    pressing.store();
-    const Vec3 change = pressing.velocity() - motion.velocity;
-    motion.velocity = pressing.velocity();
+    least.store();
+    const Vec3 change = least.velocity() - motion.velocity;
+    motion.velocity = least.velocity();
     return size(change);
 }
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "contact/least_push.h"
 
+#include "contact/short_list.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace phys {
 
@@ -29,7 +32,8 @@ double misfit(std::span<const Push> pushes) {
     return worst;
 }
 
-/// Tries subsets of positive amounts until one fits; keeps the one with the smallest violation meanwhile.
+/// Tries subsets of positive amounts, of which it takes the one that fits with the least sum: more normals than
+/// independent ones leave a choice, on which friction depends. Keeps the one with the smallest violation otherwise.
 class Search {
 public:
     Search(std::span<Push> pushes, double negligible, Work &work)
@@ -42,23 +46,25 @@ public:
     }
 
     bool two() {
+        Fitting fitting;
         for (size_t i = 0; i < m_pushes.size(); ++i) {
             for (size_t j = i + 1; j < m_pushes.size(); ++j) {
-                if (fitsTwo(m_pushes[i], m_pushes[j])) return true;
+                if (fitsTwo(m_pushes[i], m_pushes[j])) consider(fitting);
             }
         }
-        return false;
+        return take(fitting);
     }
 
     bool three() {
+        Fitting fitting;
         for (size_t i = 0; i < m_pushes.size(); ++i) {
             for (size_t j = i + 1; j < m_pushes.size(); ++j) {
                 for (size_t k = j + 1; k < m_pushes.size(); ++k) {
-                    if (fitsThree(m_pushes[i], m_pushes[j], m_pushes[k])) return true;
+                    if (fitsThree(m_pushes[i], m_pushes[j], m_pushes[k])) consider(fitting);
                 }
             }
         }
-        return false;
+        return take(fitting);
     }
 
     double least() const { return m_least; }
@@ -68,6 +74,24 @@ public:
     }
 
 private:
+    /// The amounts of least sum so far.
+    struct Fitting {
+        double sum = INFINITY;
+        std::array<double, kMostContacts> amounts;
+    };
+    void consider(Fitting &fitting) const {
+        double sum = 0.0;
+        for (const Push &push : m_pushes) sum += push.amount;
+        if (!(sum < fitting.sum - m_negligible)) return;
+        fitting.sum = sum;
+        for (size_t i = 0; i < m_pushes.size(); ++i) fitting.amounts[i] = m_pushes[i].amount;
+    }
+    bool take(const Fitting &fitting) {
+        if (fitting.sum == INFINITY) return false;
+        for (size_t i = 0; i < m_pushes.size(); ++i) m_pushes[i].amount = fitting.amounts[i];
+        return true;
+    }
+
     template<size_t Count>
     bool fits(const std::array<Push *, Count> &pushes, const std::array<double, Count> &amounts) {
         m_work.add(Work::kPush * m_pushes.size());
@@ -135,13 +159,18 @@ private:
     size_t m_bestCount = 0;
 };
 
-/// For nearly parallel or opposite normals, where no subset fits because of rounding.
+/// For nearly parallel or opposite normals, where no subset fits because of rounding. Ends where the amounts grow
+/// without limit, or converge too slowly.
 void sweep(std::span<Push> pushes, double negligible, Work &work) {
     for (Push &push : pushes) push.amount = 0.0;
     Vec3 sum(0.0);
+    constexpr int kRound = 64;
+    constexpr double kTooSlow = 0.99; // in a round
+    double largest = INFINITY, lastRound = INFINITY;
     for (int i = 0; i < kMostPushSweeps && !work.isTooMuch(); ++i) {
+        if (i % kRound == 0 && largest > kTooSlow * std::exchange(lastRound, largest)) return;
         work.add(Work::kPush * pushes.size());
-        double largest = 0.0;
+        largest = 0.0;
         for (Push &push : pushes) {
             const double amount = std::max(0.0, push.amount + push.wanted - glm::dot(push.normal, sum));
             sum += (amount - push.amount) * push.normal;

@@ -74,7 +74,51 @@ Vec3 mixedVelocity(const LastingContacts &contacts, const Vec3 &before, const Ve
     return after - pressing.across(after - before);
 }
 
-HeldBall holdFirstOrder(const StepContext &context, const Contacts &contacts, bool isExplicit, double h, Ball &ball) {
+/// Puts a ball onto the edge or corner that pressed it, and removes its speed along the normal. Returns how far it was
+/// off, m.
+double settleOn(const StepContext &context, const Contact &contact, Ball &ball) {
+    const Vec3 offset = contact.across(ball.position - contact.point);
+    const double distance = glm::length(offset);
+    const Vec3 normal = offset / distance;
+    const double off = context.radius() - distance;
+    ball.position += off * normal;
+    ball.velocity -= glm::dot(ball.velocity, normal) * normal;
+    return std::abs(off);
+}
+
+/// What pressed until the end stays in contact, at all places together: where only friction presses the ball, it would
+/// fly off what is left of a gap or of a speed.
+void settleOnAll(const StepContext &context, const Contacts &contacts, const LastingContacts &lasting, Ball &ball) {
+    constexpr int kMostSweeps = 40;
+    const double near = 0.25 * context.setting.tolerance;
+    double off = INFINITY;
+    uint32_t pressing = 0;
+    for (int i = 0; i < kMostSweeps && off > near && (i == 0 || pressing > 1); ++i) {
+        off = 0.0;
+        pressing = 0;
+        for (uint32_t k = 0; k < contacts.count(); ++k) {
+            if (!(lasting.begin()[k].reaction > 0.0)) continue;
+            ++pressing;
+            if (contacts[k].isFace())
+                snapToFace(context, contacts[k], ball);
+            else
+                off = std::max(off, settleOn(context, contacts[k], ball));
+        }
+    }
+    if (pressing < 2) return;
+    NormalSpan span;
+    double fastest = 0.0;
+    for (uint32_t k = 0; k < contacts.count(); ++k) {
+        if (!(lasting.begin()[k].reaction > 0.0)) continue;
+        const Vec3 normal = normalAt(contacts[k], ball.position);
+        span.add(normal);
+        fastest = std::max(fastest, std::abs(glm::dot(ball.velocity, normal)));
+    }
+    const Vec3 across = span.across(ball.velocity);
+    if (glm::distance(across, ball.velocity) <= kMostTaken * fastest) ball.velocity = across;
+}
+
+HeldBall holdFirstOrder(const StepContext &context, const Contacts &contacts, ContactRule kind, double h, Ball &ball) {
     LastingContacts lasting(context.radius(), context.work);
     for (const Contact &contact : contacts) {
         lasting.add(lastingOf(contact, touches(context, contact) ? 0.0 : -contact.gap / h));
@@ -84,9 +128,14 @@ HeldBall holdFirstOrder(const StepContext &context, const Contacts &contacts, bo
     motion.velocity += h * context.setting.gravity();
     lasting.solve(context.params().rolling_friction, motion);
     const SmoothLoss loss = lossOf(context, lasting, before, motion);
+    const bool isExplicit = kind == ContactRule::Explicit;
     const Vec3 moving = isExplicit ? mixedVelocity(lasting, before.velocity, motion.velocity) : motion.velocity;
     ball.position += h * moving;
     setMotion(motion, ball);
+    if (kind == ContactRule::Closing) {
+        settleOnAll(context, contacts, lasting, ball);
+        return {lasting, loss};
+    }
     for (uint32_t i = 0; i < contacts.count(); ++i) {
         const bool arrives = lasting.begin()[i].reaction > 0.0 && contacts[i].isFace();
         if (arrives) snapToFace(context, contacts[i], ball);
@@ -113,16 +162,6 @@ LastingContacts midpointContacts(const StepContext &context, const Contacts &con
     return lasting;
 }
 
-/// What pressed until the end stays in contact.
-void settleOn(const StepContext &context, const Contact &contact, Ball &ball) {
-    if (contact.isFace()) return snapToFace(context, contact, ball);
-    const Vec3 offset = contact.across(ball.position - contact.point);
-    const double distance = glm::length(offset);
-    const Vec3 normal = offset / distance;
-    ball.position += (context.radius() - distance) * normal;
-    ball.velocity -= glm::dot(ball.velocity, normal) * normal;
-}
-
 HeldBall holdSecondOrder(const StepContext &context, const Contacts &contacts, double h, Ball &ball) {
     const Motion before = motionOf(ball);
     Motion driven = before;
@@ -145,9 +184,7 @@ HeldBall holdSecondOrder(const StepContext &context, const Contacts &contacts, d
     const SmoothLoss loss = lossOf(context, lasting, before, motion);
     ball.position += 0.5 * h * (before.velocity + motion.velocity);
     setMotion(motion, ball);
-    for (uint32_t i = 0; i < contacts.count(); ++i) {
-        if (lasting.begin()[i].reaction > 0.0) settleOn(context, contacts[i], ball);
-    }
+    settleOnAll(context, contacts, lasting, ball);
     return {lasting, loss};
 }
 
@@ -168,7 +205,7 @@ bool canHold(const StepContext &context, const Contacts &contacts) {
 
 HeldBall holdInThisOrder(const StepContext &context, const Contacts &contacts, ContactRule kind, double h, Ball &ball) {
     if (kind == ContactRule::SecondOrder) return holdSecondOrder(context, contacts, h, ball);
-    return holdFirstOrder(context, contacts, kind == ContactRule::Explicit, h, ball);
+    return holdFirstOrder(context, contacts, kind, h, ball);
 }
 
 } // namespace

@@ -182,13 +182,36 @@ private:
         const Scene &scene = m_context.scene();
         const double touching = scene.radius + scene.tolerance;
         if (around.nearestSquared <= touching * touching) return true;
-        if (!m_plan.runs(PHYS_STAGE_SUBSTEPS) && isFar(around, free.position - ball.position)) return false;
+        const Vec3 way = glm::max(glm::abs(free.position - ball.position), glm::abs(m_h * free.velocity));
+        if (!m_plan.runs(PHYS_STAGE_SUBSTEPS) && isFar(around, way)) return false;
         const double overlapping = scene.radius - scene.tolerance;
         bool overlaps = false;
         visitNear(scene, free.position, scene.radius, [&](const phys_box &box, uint32_t) {
             overlaps = overlaps || squaredDistance(box, free.position) < overlapping * overlapping;
         });
-        return overlaps;
+        return overlaps || (!free.supported && leansOnAnother({}, ball, free.velocity));
+    }
+
+    /// Whether the explicit rule, which moves with the old velocity, would miss a contact: the ball is as near to a box
+    /// that isn't among the contacts as it is to one it leans on, and the new velocity leads into it.
+    bool leansOnAnother(const Contacts &contacts, const Ball &ball, const Vec3 &newVelocity) const {
+        if constexpr (Scheme::kContactRule != ContactRule::Explicit) return false;
+        const Scene &scene = m_context.scene();
+        const double overlapping = scene.radius - scene.tolerance;
+        const double leaning = scene.radius + m_h * m_h * glm::length(m_context.setting.gravity());
+        const Vec3 there = ball.position + m_h * newVelocity;
+        bool leans = false;
+        visitNear(scene, there, scene.radius, [&](const phys_box &box, uint32_t number) {
+            if (squaredDistance(box, there) >= overlapping * overlapping) return;
+            if (squaredDistance(box, ball.position) > leaning * leaning) return;
+            leans = leans || !isAmong(contacts, number);
+        });
+        return leans;
+    }
+
+    static bool isAmong(const Contacts &contacts, uint32_t box) {
+        return std::any_of(contacts.begin(), contacts.end(),
+                           [&](const Contact &contact) { return contact.box == box; });
     }
 
     void moveBy(const Law<Vec3> &law, Ball &ball) const {
@@ -244,14 +267,19 @@ private:
     }
 
     /// Contacts may lead the ball to a place that it wouldn't have reached without them; boxes that it would overlap
-    /// there are contacts as well. Between two edges impacts may follow each other ever faster. Adds the displacements
-    /// due to them to `ways`.
+    /// there are contacts as well, and those that it leans on only due to them. Between two edges impacts may follow
+    /// each other ever faster. Adds the displacements due to them to `ways`.
     void meetAll(double start, const Vec3 &gain, Ways &ways, Contacts &contacts, Ball &ball) {
         const Ball before = ball;
         meet(start, gain, ways, contacts, ball);
-        while (!ways.isFull() && overlapsAnother(contacts, ball)) {
+        while (!ways.isFull()) {
             const uint32_t met = contacts.count();
-            ways.add(ball.position - before.position);
+            if (overlapsAnother(contacts, ball))
+                ways.add(ball.position - before.position);
+            else if (leansOnAnother(contacts, before, ball.velocity))
+                ways.add(m_h * ball.velocity);
+            else
+                return;
             ball = before;
             meet(start, gain, ways, contacts, ball);
             if (contacts.count() == met) return;
@@ -291,8 +319,7 @@ private:
         bool overlaps = false;
         visitNear(scene, ball.position, scene.radius, [&](const phys_box &box, uint32_t number) {
             if (squaredDistance(box, ball.position) >= overlapping * overlapping) return;
-            overlaps = overlaps || std::none_of(contacts.begin(), contacts.end(),
-                                                [&](const Contact &contact) { return contact.box == number; });
+            overlaps = overlaps || !isAmong(contacts, number);
         });
         return overlaps;
     }
@@ -318,7 +345,7 @@ private:
         }
         // While held at one contact the ball comes to another within the substep: the rule that closes gaps handles
         // both.
-        return hold(m_context, contacts, ContactRule::Symplectic, m_h, ball);
+        return hold(m_context, contacts, ContactRule::Closing, m_h, ball);
     }
 
     bool holdOrFly(const StepContext &context, const Contacts &contacts, Ball &ball) const {
@@ -332,9 +359,8 @@ private:
         const Scene &scene = m_context.scene();
         const double overlapping = scene.radius - scene.tolerance;
         return std::any_of(contacts.begin(), contacts.end(), [&](const Contact &contact) {
-            const bool isHeld =
-                std::any_of(held.begin(), held.end(), [&](const Contact &other) { return other.box == contact.box; });
-            return !isHeld && squaredDistance(scene.boxes[contact.box], ball.position) < overlapping * overlapping;
+            return !isAmong(held, contact.box) &&
+                   squaredDistance(scene.boxes[contact.box], ball.position) < overlapping * overlapping;
         });
     }
 
@@ -344,10 +370,12 @@ private:
         Contacts result = contacts;
         NormalSpan kept;
         double fastest = 0.0;
+        const double negligible = negligibleSpeed(motionOf(ball), m_context.radius());
         result.drop([&](const Contact &contact) {
             const double speed = glm::dot(ball.velocity, contact.normal);
             const bool isTouched = contact.gap <= m_context.scene().tolerance;
-            if (speed > 0.0 && (!isTouched || speed > contact.restSpeed)) return true;
+            // Friction at another contact may press the ball where gravity doesn't.
+            if (speed > 0.0 && (!isTouched || speed > std::max(contact.restSpeed, negligible))) return true;
             if (!isTouched) return false;
             kept.add(contact.normal);
             fastest = std::max(fastest, std::abs(speed));

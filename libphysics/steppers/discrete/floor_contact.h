@@ -17,6 +17,7 @@ enum class ContactRule {
     Symplectic,  ///< with the new velocity
     Explicit,    ///< with the old velocity, except for what contacts remove from it
     SecondOrder, ///< with their mean
+    Closing,     ///< with the new velocity, where a scheme of second order closes gaps
 };
 
 /// The result of a scheme for one substep.

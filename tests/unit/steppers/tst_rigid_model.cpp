@@ -78,6 +78,10 @@ private slots:
     void strongResistanceInAGrooveHasItsClosedForm();
     void rollingRoundAnUprightEdgeIsResisted_data();
     void rollingRoundAnUprightEdgeIsResisted();
+    void ofThreeWallsTheTwoThatPressLeastPress_data() { addStepperRows(); }
+    void ofThreeWallsTheTwoThatPressLeastPress();
+    void frictionAlonePressesOnAnEdge_data() { addStepperRows(); }
+    void frictionAlonePressesOnAnEdge();
 };
 
 void TestRigidModel::rollingBallKeepsTheEffectiveRestitution() {
@@ -381,6 +385,56 @@ void TestRigidModel::rollingRoundAnUprightEdgeIsResisted() {
         const End end = run(stepper, steps);
         COMPARE_WITHIN(end.lostRolling, reference.lostRolling, 0.01 / steps * reference.lostRolling);
         COMPARE_WITHIN(end.velocity.x, reference.velocity.x, 0.02 / steps * reference.velocity.x);
+    }
+}
+
+/// A wall and both edges of an upright slot: two of them hold the ball, and either edge may be the second one with the
+/// wall or with the other edge. All slips are vertical.
+void TestRigidModel::ofThreeWallsTheTwoThatPressLeastPress() {
+    QFETCH(QByteArray, stepper);
+    const double R = 0.01, dt = 1e-5;
+    Experiment ball(SceneBuilder()
+                        .ball(R)
+                        .box({{R, -1, -1}, {1, 1, 1}})
+                        .box({{-1, 0.6 * R, -1}, {-0.8 * R, 1, 1}})
+                        .box({{0.8 * R, 0.6 * R, -1}, {1, 1, 1}})
+                        .start({0, 0, 0}),
+                    stepper, PHYS_MODEL_RIGID);
+    ball.params.gravity = {3.0, 8.0, 0.0};
+    ball.params.wall_friction = 0.5;
+    ball.state.spin = {10.0, 5.0, 0.0};
+    QVERIFY2(ball.stepTimes(10, dt), ball.error());
+    // The edges' reactions sum up to 8/0.6: model.md 14.1.
+    COMPARE_WITHIN(ball.state.velocity.z, -0.5 * 8.0 / 0.6 * 10.0 * dt, rounding(1e4, 1e-3));
+}
+
+/// Gravity pulls the ball from one of two edges, and the friction of the other presses it there.
+void TestRigidModel::frictionAlonePressesOnAnEdge() {
+    QFETCH(QByteArray, stepper);
+    const double R = 0.01, T = 1.6e-3;
+    const int steps = 10;
+    struct {
+        double speed;
+        phys_vec3 end; ///< velocity by `exact`
+    } const ways[] = {{0.05, {0.028113981036, 0.036913581267, -0.021331803400}},
+                      {-0.05, {-0.019464254349, -0.026293370706, 0.014456856473}}};
+    for (const auto &way : ways) {
+        Experiment ball(SceneBuilder()
+                            .ball(R)
+                            .box({{0.8 * R, -1, -1}, {1, -0.6 * R, 1}})
+                            .box({{-1, -1, -1}, {-0.6 * R, 1, -0.8 * R}})
+                            .start({0, 0, 0}),
+                        stepper, PHYS_MODEL_RIGID);
+        ball.params.gravity = {9.0, 0.0, -3.0};
+        ball.params.wall_friction = 1.0;
+        const double along = way.speed / std::hypot(0.48, 0.64, 0.36);
+        ball.state.velocity = {0.48 * along, 0.64 * along, -0.36 * along};
+        ball.state.spin = {-3.0, -12.0, 2.0};
+        QVERIFY2(ball.stepTimes(steps, T / steps), ball.error());
+        const double slack = promiseOf(stepper).smooth == 1 ? 2e-2 : 2e-4; // of the weight
+        COMPARE_WITHIN(ball.state.velocity.x, way.end.x, slack * 9.5 * T);
+        COMPARE_WITHIN(ball.state.velocity.y, way.end.y, slack * 9.5 * T);
+        COMPARE_WITHIN(ball.state.velocity.z, way.end.z, slack * 9.5 * T);
     }
 }
 
