@@ -8,6 +8,8 @@
 #include <QComboBox>
 #include <QLabel>
 
+#include <cmath>
+
 namespace inspector::ui {
 
 namespace {
@@ -15,7 +17,9 @@ namespace {
 constexpr double kSpeeds[] = {1.0 / 16.0, 1.0 / 8.0, 1.0 / 4.0, 1.0 / 2.0, 1.0, 2.0, 4.0, 8.0, 16.0};
 
 QString speedText(double speed) {
-    return speed < 1.0 ? QStringLiteral("1/%1 ×").arg(1.0 / speed) : QStringLiteral("%1 ×").arg(speed);
+    const double divisor = 1.0 / speed;
+    const bool isFraction = divisor > 1.0 && divisor == std::round(divisor);
+    return isFraction ? QStringLiteral("1/%1 ×").arg(divisor) : QStringLiteral("%1 ×").arg(speed);
 }
 
 } // namespace
@@ -59,7 +63,6 @@ void TransportBar::addSpeeds() {
     m_speed = addChooser(tr("Speed"), "speed",
                          tr("Simulated seconds per second. It changes how many steps are made, never dt."));
     for (const double speed : kSpeeds) m_speed->addItem(speedText(speed), speed);
-    m_speed->setMaxVisibleItems(m_speed->count());
     connect(m_speed, &QComboBox::activated, this, [this](int index) {
         m_session.setSpeed(m_speed->itemData(index).toDouble());
         showPace();
@@ -107,8 +110,18 @@ void TransportBar::changeTimeStep(double dt) {
     showPace(); // also after a refusal
 }
 
+/// The command line knows speeds between the usual ones.
+void TransportBar::showSpeed() {
+    const double speed = m_session.speed();
+    int place = 0;
+    while (place < m_speed->count() && m_speed->itemData(place).toDouble() < speed) ++place;
+    if (m_speed->itemData(place) != speed) m_speed->insertItem(place, speedText(speed), speed);
+    m_speed->setMaxVisibleItems(m_speed->count());
+    m_speed->setCurrentIndex(place);
+}
+
 void TransportBar::showPace() {
-    m_speed->setCurrentIndex(m_speed->findData(m_session.speed()));
+    showSpeed();
     m_timeStep->setCurrentIndex(m_timeStep->findData(m_session.dt()));
     m_typedTimeStep->setValue(m_session.dt());
 }

@@ -26,6 +26,7 @@ private:
     void addSteppers();
     void addTimeSteps();
     void changeTimeStep(double dt);
+    void showSpeed();
     void showPace();
     void showStepper();
 

@@ -78,6 +78,7 @@ private slots:
     void windowLargerThanTheScreenIsFitted();
     void cameraLooksFromAboveAndBack();
     void chosenSpeedReachesTheSimulation();
+    void anySpeedOfTheCommandLineIsInTheList();
     void chosenTimeStepReachesTheSimulation();
     void typedTimeStepReachesTheSimulation_data();
     void typedTimeStepReachesTheSimulation();
@@ -412,6 +413,17 @@ void TestWindowDocks::chosenSpeedReachesTheSimulation() {
     chooseIn("speed", 0);
     QCOMPARE(m_fixture->session().speed(), 1.0 / 16.0);
     QTRY_COMPARE(m_fixture->simulation().latest().statistics.speedAsked, 1.0 / 16.0);
+}
+
+void TestWindowDocks::anySpeedOfTheCommandLineIsInTheList() {
+    QVERIFY(m_fixture->session().setSpeed(3.0));
+    m_fixture->reopen();
+    QVERIFY(m_fixture->isReady());
+    const auto *speed = m_fixture->find<QComboBox>("speed");
+    QCOMPARE(speed->currentText(), QString("3 ×"));
+    QCOMPARE(speed->itemText(speed->currentIndex() + 1), QString("4 ×"));
+    chooseIn("speed", 0);
+    QCOMPARE(m_fixture->session().speed(), 1.0 / 16.0);
 }
 
 void TestWindowDocks::chosenTimeStepReachesTheSimulation() {
