@@ -37,6 +37,7 @@ private slots:
     void droppedMazeIsARecentOne();
     void droppedFileIsNotMoved();
     void recentFileThatIsGoneIsForgotten();
+    void nameIsOpenedAsItIsTyped_data();
     void nameIsOpenedAsItIsTyped();
     void changedMazeIsReadAgain();
     void noteOfAChangedMazeIsForgottenAtARestart();
@@ -152,10 +153,16 @@ void TestWindowFiles::recentFileThatIsGoneIsForgotten() {
     m_fixture->find<QMenu>("recent_menu")->close();
 }
 
+void TestWindowFiles::nameIsOpenedAsItIsTyped_data() {
+    QTest::addColumn<QString>("action");
+    for (const char *action : {"open", "open_recording", "load_plugin"}) QTest::newRow(action) << action;
+}
+
 // The dialog adds no suffix, and lists files of every name.
 void TestWindowFiles::nameIsOpenedAsItIsTyped() {
+    QFETCH(QString, action);
     const QString path = maze("board", kWall);
-    m_fixture->trigger("open");
+    m_fixture->trigger(action);
     auto *dialog = m_fixture->window().findChild<QFileDialog *>();
     QVERIFY(dialog);
     dialog->setDirectory(QFileInfo(path).absolutePath());
@@ -165,7 +172,7 @@ void TestWindowFiles::nameIsOpenedAsItIsTyped() {
     QCOMPARE(dialog->selectedFiles(), QStringList(path)); // otherwise a message would wait for an answer
     QVERIFY(dialog->nameFilters().contains("All files (*)"));
     QTest::keyClick(name, Qt::Key_Return);
-    QTRY_COMPARE(m_fixture->session().level().path, path);
+    QTRY_VERIFY2(m_fixture->session().level().path == path || line().contains(path), qPrintable(line()));
 }
 
 void TestWindowFiles::changedMazeIsReadAgain() {
