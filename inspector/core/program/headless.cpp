@@ -43,17 +43,12 @@ double durationOf(const Options &options) {
 /// Whole steps: the last one reaches the duration, s, up to the rounding of both.
 double stepCount(double duration, double dt) { return std::ceil(duration / dt * (1.0 - kDurationRounding)); }
 
-int playAllLevels(const Options &options, QIODevice &out, QTextStream &messages) {
+int playAllLevels(const Options &options, QIODevice &out) {
     int won = 0;
     for (const Level &level : options.levels) {
-        QString error;
-        const std::unique_ptr<Engine> engine = makeEngine(options, level, &error);
-        if (!engine) {
-            report(messages, error);
-            return 2;
-        }
-        const Outcome outcome =
-            play(*engine, {durationOf(options), false}, [](const Engine &) { return endingSignal() == 0; });
+        Outcome outcome;
+        if (const std::unique_ptr<Engine> engine = makeEngine(options, level, &outcome.error))
+            outcome = play(*engine, {durationOf(options), false}, [](const Engine &) { return endingSignal() == 0; });
         if (endingSignal()) return statusAfter(endingSignal());
         won += outcome.isWon() ? 1 : 0;
         if (out.write(outcomeLine(level, outcome).toUtf8() + '\n') < 0) return 1;
@@ -159,7 +154,7 @@ Outcome play(Engine &engine, const Limits &limits, const std::function<bool(cons
 }
 
 int runHeadless(const Options &options, QIODevice &out, QTextStream &messages, QTextStream *progress) {
-    if (options.action == Options::Action::PlayAllLevels) return playAllLevels(options, out, messages);
+    if (options.action == Options::Action::PlayAllLevels) return playAllLevels(options, out);
     if (options.action == Options::Action::Replay) return runReplay(options, out, messages);
     if (options.action == Options::Action::Fit) return runFit(options, out, messages, progress);
     QString error;

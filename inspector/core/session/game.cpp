@@ -29,6 +29,7 @@ void Game::confirm() {
     if (m_phase == Phase::Won) {
         const std::optional<int> next = nextLevel();
         next ? emit levelWanted(*next) : emit againWanted();
+        if (m_phase == Phase::Won) ++m_refused;
     } else if (m_phase != Phase::Playing) {
         enter(Phase::Playing);
         emit started();
@@ -36,7 +37,7 @@ void Game::confirm() {
 }
 
 std::optional<int> Game::nextLevel() const {
-    return m_isListed ? std::optional((m_level + 1) % levelCount()) : std::nullopt;
+    return m_isListed ? std::optional((m_level + 1 + m_refused) % levelCount()) : std::nullopt;
 }
 
 void Game::choose(int level) {
@@ -61,6 +62,7 @@ void Game::again() {
 }
 
 void Game::open(int level, const QString &other) {
+    m_refused = 0;
     m_isListed = isInList(level);
     if (m_isListed) m_level = level;
     m_maze = m_isListed ? m_mazes[level] : other;

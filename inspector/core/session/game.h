@@ -36,7 +36,8 @@ public:
     std::optional<double> bestTime(int level) const;
     std::optional<double> bestTime() const; ///< of the open maze
 
-    /// After a win, from 0: the first follows the last; none follows a maze that isn't in the list.
+    /// After a win, from 0: the first follows the last, one that can't be opened is passed over; none follows a maze
+    /// that isn't in the list.
     std::optional<int> nextLevel() const;
 
     /// Enter: starts the level, also after it was lost; after a win opens the next one, or the same again if there is
@@ -73,6 +74,7 @@ private:
     Phase m_phase = Phase::Prompt;
     int m_level = 0;
     bool m_isListed = true; ///< the open maze is that level
+    int m_refused = 0;      ///< levels after it that couldn't be opened
     QString m_maze;         ///< of the open level
     double m_time = 0.0;
     bool m_isRecord = false;

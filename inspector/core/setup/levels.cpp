@@ -48,13 +48,6 @@ bool isBefore(const QString &a, const QString &b) {
     return a.size() - i != b.size() - j ? a.size() - i < b.size() - j : a < b;
 }
 
-/// The level's name as a number; 0 if it isn't a number.
-int numberOf(const QString &name) {
-    bool isNumber = false;
-    const int number = name.toInt(&isNumber);
-    return isNumber && number > 0 ? number : 0;
-}
-
 } // namespace
 
 Level levelOfFile(const QString &path) {
@@ -85,6 +78,12 @@ QString levelsFolder() {
     return QDir::cleanPath(!isFolder(installed) && isFolder(ofSource) ? ofSource : installed);
 }
 
+std::optional<int> numberOf(const Level &level) {
+    bool isNumber = false;
+    const int number = level.name.toInt(&isNumber);
+    return isNumber && number > 0 ? std::optional(number) : std::nullopt;
+}
+
 std::optional<Level> findLevel(const std::vector<Level> &levels, const QString &text, QString *error) {
     bool isNumber = false;
     const int number = text.toInt(&isNumber);
@@ -93,23 +92,22 @@ std::optional<Level> findLevel(const std::vector<Level> &levels, const QString &
         if (error) *error = QStringLiteral("expected %1, found %2").arg(expected).arg(number);
         return std::nullopt;
     };
-    // Levels are numbered by their names if all of them are numbers; otherwise by position.
-    const bool areNumbered =
-        std::all_of(levels.begin(), levels.end(), [](const Level &level) { return numberOf(level.name) > 0; });
-    for (const Level &level : levels)
-        if (areNumbered && numberOf(level.name) == number) return level;
-    if (!areNumbered && number >= 1 && size_t(number) <= levels.size()) return levels[size_t(number) - 1];
+    std::vector<int> numbers; // ascending, as the names are
+    for (const Level &level : levels) {
+        if (numberOf(level) == number) return level;
+        if (const std::optional<int> other = numberOf(level)) numbers.push_back(*other);
+    }
+    if (numbers.empty() && number >= 1 && size_t(number) <= levels.size()) return levels[size_t(number) - 1];
     if (levels.empty()) {
         if (error)
             *error = QStringLiteral("no levels found in the folder %1 (PHYSICS_LEVELS names another)")
                          .arg(quoted(levelsFolder()));
         return std::nullopt;
     }
-    const int first = areNumbered ? numberOf(levels.front().name) : 1;
-    const int last = areNumbered ? numberOf(levels.back().name) : int(levels.size());
-    const bool isComplete = last - first + 1 == int(levels.size());
-    return refuse(
-        (isComplete ? QStringLiteral("%1 to %2") : QStringLiteral("a level of %1 to %2")).arg(first).arg(last));
+    if (numbers.empty()) return refuse(QStringLiteral("1 to %1").arg(levels.size()));
+    const bool isComplete = numbers.back() - numbers.front() + 1 == int(numbers.size());
+    const QString expected = isComplete ? QStringLiteral("%1 to %2") : QStringLiteral("a level of %1 to %2");
+    return refuse(expected.arg(numbers.front()).arg(numbers.back()));
 }
 
 } // namespace inspector

@@ -24,9 +24,11 @@ std::vector<Level> levelsIn(const QString &folder);
 /// the source tree's; if neither exists, the installation's.
 QString levelsFolder();
 
-/// Finds a level by what the user typed: its number, or the path of a file. The number is its name where all names in
-/// the list are numbers (010 is 10), else its position in the list, from 1. Returns nothing, with one line in `error`
-/// (may be nullptr), if there is no such number.
+/// The number that is the level's name, 10 for 010; nothing for any other name.
+std::optional<int> numberOf(const Level &level);
+
+/// Finds a level by what the user typed: its number, or the path of a file. If no name in the list is a number, it is
+/// the position there, from 1. Returns nothing, with one line in `error` (may be nullptr), if there is no such number.
 std::optional<Level> findLevel(const std::vector<Level> &levels, const QString &text, QString *error);
 
 } // namespace inspector

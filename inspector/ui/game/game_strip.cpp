@@ -107,10 +107,10 @@ QFont scaled(QFont font, double factor, bool isBold) {
 
 QString levelTitle(const Session &session, const Level &level) {
     const std::vector<Level> &levels = session.levels();
-    for (size_t index = 0; index < levels.size(); ++index)
-        if (levels[index].path == level.path)
-            return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Level %1")).arg(index + 1);
-    return level.name;
+    const std::optional<int> number = numberOf(level);
+    const bool isListed = std::ranges::count(levels, level.path, &Level::path) > 0;
+    if (!number || !isListed) return level.name;
+    return say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Level %1")).arg(*number);
 }
 
 namespace {
@@ -159,8 +159,8 @@ GameText stateText(Session &session, const Snapshot &now) {
         text.clock = clockText(game.time());
         text.title = say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "%1 done")).arg(title);
         text.line = winLine(session, game);
-        text.hint = game.nextLevel() ? say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Enter: level %1 · R: again"))
-                                           .arg(*game.nextLevel() + 1)
+        text.hint = game.nextLevel() ? say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Enter: %1 · R: again"))
+                                           .arg(levelTitle(session, session.levels()[size_t(*game.nextLevel())]))
                                      : say(QT_TRANSLATE_NOOP("inspector::ui::GameStrip", "Enter or R: again"));
         break;
     case Game::Phase::Lost:

@@ -2,6 +2,7 @@
 #include "ui/game/level_panel.h"
 
 #include "ui/game/clock_text.h"
+#include "ui/game/game_strip.h"
 
 #include <QHeaderView>
 #include <QSignalBlocker>
@@ -21,14 +22,15 @@ LevelPanel::LevelPanel(Session &session, QWidget *parent)
     header()->setSectionsMovable(false);
     setColumnWidth(0, 130);
     setUniformRowHeights(true);
-    for (size_t i = 0; i < session.levels().size(); ++i) {
-        auto *item = new QTreeWidgetItem(this, {tr("Level %1").arg(i + 1)});
+    for (const Level &level : session.levels()) {
+        auto *item = new QTreeWidgetItem(this, {levelTitle(session, level)});
         item->setSizeHint(0, {1, fontMetrics().height() + 7});
     }
 
     connect(this, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem *item) {
         m_session.game().choose(indexOfTopLevelItem(item));
-        showState(); // also after a refusal
+        // Also after a refusal, and once the press that chose it has selected its row.
+        QMetaObject::invokeMethod(this, &LevelPanel::showState, Qt::QueuedConnection);
     });
     connect(&session, &Session::levelOpened, this, &LevelPanel::showState);
     connect(&session.game(), &Game::phaseChanged, this, &LevelPanel::showState);

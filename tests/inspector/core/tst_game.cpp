@@ -31,6 +31,7 @@ private slots:
     void lostGameHasNoBestTimeAndBeginsAgain();
     void enterAfterAWinAsksForTheNextLevel();
     void afterTheLastLevelTheFirstComesAgain();
+    void levelThatCannotBeOpenedIsPassedOver();
     void noLevelFollowsAMazeThatIsNotInTheList();
     void choosingAsksForThatLevel();
     void levelsThatDontExistAreIgnored();
@@ -124,6 +125,18 @@ void TestGame::afterTheLastLevelTheFirstComesAgain() {
     m_game->leaveMaze(12.0, false);
     m_game->confirm();
     QCOMPARE(wanted[0][0].toInt(), 0);
+}
+
+void TestGame::levelThatCannotBeOpenedIsPassedOver() {
+    QSignalSpy wanted(m_game.get(), &Game::levelWanted);
+    m_game->confirm();
+    m_game->leaveMaze(12.0, false);
+    m_game->confirm(); // wants the second, which isn't opened
+    QCOMPARE(m_game->nextLevel(), 2);
+    m_game->confirm();
+    QCOMPARE(wanted[1][0].toInt(), 2);
+    m_game->prompt(2);
+    QCOMPARE(m_game->nextLevel(), 3);
 }
 
 void TestGame::noLevelFollowsAMazeThatIsNotInTheList() {

@@ -32,6 +32,7 @@ private slots:
     void autopilotThatDoesntGetOutGivesStatus1();
     void startBesideTheBoardIsNoWin();
     void allLevelsAreWonAndEachHasALine();
+    void levelThatCannotBePlayedIsALineAmongTheOthers();
     void missingLevelGivesOneLineAndStatus2();
     void unwritableTableGivesOneLineAndStatus2();
     void fullDiskGivesOneLineAndStatus1();
@@ -229,6 +230,25 @@ void TestHeadless::allLevelsAreWonAndEachHasALine() {
         QVERIFY2(lines[i].startsWith("level " + QByteArray::number(i + 1).rightJustified(2, '0') + " won in "),
                  lines[i].constData());
     QVERIFY(result.messages.isEmpty());
+}
+
+void TestHeadless::levelThatCannotBePlayedIsALineAmongTheOthers() {
+    const QTemporaryDir folder;
+    QVERIFY(QFile::copy(LEVELS_FOLDER "/01.txt", folder.filePath("1.txt")));
+    QVERIFY(QFile::copy(LEVELS_FOLDER "/01.txt", folder.filePath("3.txt")));
+    QFile broken(folder.filePath("2.txt"));
+    QVERIFY(broken.open(QIODevice::WriteOnly) && broken.write("physics-maze 1\nbox 1 2\n") > 0);
+    broken.close();
+    const QByteArray before = qgetenv("PHYSICS_LEVELS");
+    qputenv("PHYSICS_LEVELS", folder.path().toUtf8());
+    const Result result = headless("--all-levels");
+    qputenv("PHYSICS_LEVELS", before);
+    QCOMPARE(result.status, 1);
+    const QByteArrayList lines = result.out.trimmed().split('\n');
+    QCOMPARE(lines.size(), 3);
+    QVERIFY2(lines[0].startsWith("level 1 won in "), lines[0].constData());
+    QVERIFY2(lines[1].startsWith("level 2 failed: ") && lines[1].contains("2.txt"), lines[1].constData());
+    QVERIFY2(lines[2].startsWith("level 3 won in "), lines[2].constData());
 }
 
 void TestHeadless::missingLevelGivesOneLineAndStatus2() {

@@ -44,6 +44,8 @@ private slots:
     void newBestTimeIsSaid();
     void restartAfterAWinPrompts();
     void clickOnALevelOpensIt();
+    void ownLevelsHaveTheirNames();
+    void refusedLevelIsNotMarked();
     void fileThatIsNoMazeIsShownAndChangesNothing();
     void failedStepIsShownAndPauses();
     void messageIsDismissed();
@@ -67,6 +69,7 @@ private:
     const inspector::ui::GameText &text();
     void win();
     void openBrokenFile();
+    void openOwnLevels(const QTemporaryDir &folder);
     void leaveByHand();
     bool isOneMoment();
 
@@ -178,7 +181,7 @@ void TestWindowGame::enterGoesOnToTheNextLevel() {
 void TestWindowGame::afterTheLastComesTheFirst() {
     m_fixture->game().choose(int(m_fixture->session().levels().size()) - 1);
     win();
-    QVERIFY2(text().hint.contains("level 1 "), qPrintable(text().hint));
+    QVERIFY2(text().hint.contains("Level 1 "), qPrintable(text().hint));
     m_fixture->press(Qt::Key_Return);
     QCOMPARE(m_fixture->game().level(), 0);
 }
@@ -217,6 +220,45 @@ void TestWindowGame::clickOnALevelOpensIt() {
     QCOMPARE(m_fixture->game().level(), 2);
     QCOMPARE(m_fixture->session().level().name, QString("03"));
     QTRY_COMPARE(text().title, QString("Level 3"));
+}
+
+// Three levels, of which the second can't be opened.
+void TestWindowGame::openOwnLevels(const QTemporaryDir &folder) {
+    for (const char *name : {"3.txt", "007b.txt"}) QVERIFY(QFile::copy(LEVELS_FOLDER "/01.txt", folder.filePath(name)));
+    QFile broken(folder.filePath("4.txt"));
+    QVERIFY(broken.open(QIODevice::WriteOnly) && broken.write("physics-maze 1\nbox 1 2\n") > 0);
+    broken.close();
+    m_fixture = std::make_unique<Fixture>(1, inspector::gl::Drawing{}, folder.path());
+    QVERIFY(m_fixture->isReady());
+}
+
+void TestWindowGame::ownLevelsHaveTheirNames() {
+    const QTemporaryDir folder;
+    openOwnLevels(folder);
+    const auto *levels = m_fixture->find<QTreeWidget>("levels");
+    QStringList names;
+    for (int i = 0; i < levels->topLevelItemCount(); ++i) names += levels->topLevelItem(i)->text(0);
+    QCOMPARE(names, QStringList({"Level 3", "Level 4", "007b"}));
+    QCOMPARE(text().title, QString("Level 3"));
+    leaveByHand();
+    m_fixture->press(Qt::Key_Return);
+    QVERIFY2(m_fixture->window().messages().line().contains("4.txt"), "it is refused");
+    QTRY_VERIFY2(text().hint.startsWith("Enter: 007b"), qPrintable(text().hint));
+    m_fixture->press(Qt::Key_Return);
+    QCOMPARE(text().title, QString("007b"));
+    QCOMPARE(m_fixture->window().windowTitle(), QString("007b – Physics inspector"));
+}
+
+// The press selects its row after the level was refused.
+void TestWindowGame::refusedLevelIsNotMarked() {
+    const QTemporaryDir folder;
+    openOwnLevels(folder);
+    auto *levels = m_fixture->find<QTreeWidget>("levels");
+    const QRect second = levels->visualItemRect(levels->topLevelItem(1));
+    QTest::mouseClick(levels->viewport(), Qt::LeftButton, {}, second.center());
+    QVERIFY(m_fixture->window().messages().line().contains("4.txt"));
+    QTRY_COMPARE(levels->selectedItems(), QList<QTreeWidgetItem *>{levels->topLevelItem(0)});
+    QCOMPARE(levels->currentItem(), levels->topLevelItem(0));
 }
 
 void TestWindowGame::openBrokenFile() {
@@ -325,7 +367,7 @@ void TestWindowGame::escClosesTheResultAndSaysHowToGoOn() {
     for (int i = 0; i < 2; ++i) { // it stays closed
         QVERIFY(!text().isResult);
         QCOMPARE(text().line, QString());
-        QCOMPARE(text().hint, QString("Level 1 done · a new best time · Enter: level 2 · R: again"));
+        QCOMPARE(text().hint, QString("Level 1 done · a new best time · Enter: Level 2 · R: again"));
         QCOMPARE(text().clock, inspector::ui::clockText(m_fixture->game().time()));
     }
 }

@@ -22,10 +22,10 @@ namespace {
 
 constexpr QSize kSize(1200, 800);
 
-inspector::Options optionsOf(int level) {
+inspector::Options optionsOf(int level, const QString &levels) {
     inspector::Options options;
     options.registry = inspector::makeRegistry(nullptr);
-    options.levels = inspector::levelsIn(LEVELS_FOLDER);
+    options.levels = inspector::levelsIn(levels);
     options.level = options.levels.at(size_t(level) - 1);
     return options;
 }
@@ -55,13 +55,13 @@ bool isReadOutWhole(const QCustomPlot *plot) {
 
 void prepare() { QSurfaceFormat::setDefaultFormat(inspector::gl::surfaceFormat()); }
 
-Fixture::Fixture(int level, inspector::gl::Drawing drawing)
+Fixture::Fixture(int level, inspector::gl::Drawing drawing, const QString &levels)
     : m_drawing(drawing)
     , m_settings(m_folder.filePath(QStringLiteral("settings.ini")), inspector::settingsFormat()) {
     m_settings.setValue(QStringLiteral("window/show_way_ahead"), false); // it appears at an unpredictable time
     m_settings.setValue(QStringLiteral("window/quality"), 0);            // drawn by software: the lowest is the fastest
     QString error;
-    m_session = inspector::Session::open(optionsOf(level), m_settings, &error);
+    m_session = inspector::Session::open(optionsOf(level, levels), m_settings, &error);
     if (!m_session) qFatal("%s", qPrintable(error));
     reopen();
 }

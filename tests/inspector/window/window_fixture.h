@@ -38,7 +38,8 @@ bool isReadOutWhole(const QCustomPlot *plot);
 
 class Fixture {
 public:
-    explicit Fixture(int level = 1, inspector::gl::Drawing drawing = {}); // solid
+    explicit Fixture(int level = 1, inspector::gl::Drawing drawing = {}, // solid
+                     const QString &levels = QStringLiteral(LEVELS_FOLDER));
     // The window is on the screen, has drawn once and has the keyboard.
     bool isReady();
 

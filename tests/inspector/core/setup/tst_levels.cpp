@@ -22,6 +22,7 @@ private slots:
     void levelWithoutMeshHasNone();
     void onlyMazesAreLevelsAndTwoComesBeforeTen();
     void levelsThatAreNumbersAreCalledByThem();
+    void levelsWithoutNumbersAreCounted();
 };
 
 void TestLevels::allLevelsAreFoundInOrderWithTheirMeshes() {
@@ -99,12 +100,26 @@ void TestLevels::onlyMazesAreLevelsAndTwoComesBeforeTen() {
 
 void TestLevels::levelsThatAreNumbersAreCalledByThem() {
     const QTemporaryDir folder;
-    for (const char *name : {"2.txt", "10.txt"}) put(folder, name, "physics-maze 1\n");
+    for (const char *name : {"2.txt", "007b.txt", "010.txt"}) put(folder, name, "physics-maze 1\n");
     const std::vector<Level> levels = levelsIn(folder.path());
-    QCOMPARE(findLevel(levels, "10", nullptr)->name, QString("10"));
+    const std::optional<Level> tenth = findLevel(levels, "10", nullptr);
+    QVERIFY(tenth);
+    QCOMPARE(tenth->name, QString("010"));
+    QCOMPARE(numberOf(*tenth), 10);
+    QVERIFY(!numberOf(levelOfFile("007b.txt")));
     QString error;
     QVERIFY(!findLevel(levels, "1", &error));
     QCOMPARE(error, QString("expected a level of 2 to 10, found 1"));
+}
+
+void TestLevels::levelsWithoutNumbersAreCounted() {
+    const QTemporaryDir folder;
+    for (const char *name : {"narrow.txt", "wide.txt"}) put(folder, name, "physics-maze 1\n");
+    const std::vector<Level> levels = levelsIn(folder.path());
+    QCOMPARE(findLevel(levels, "2", nullptr)->name, QString("wide"));
+    QString error;
+    QVERIFY(!findLevel(levels, "3", &error));
+    QCOMPARE(error, QString("expected 1 to 2, found 3"));
 }
 
 QTEST_GUILESS_MAIN(TestLevels)
