@@ -10,11 +10,7 @@ namespace inspector {
 
 uint64_t Past::beginOfRun(uint64_t place) const { return begin + recording->beginOfRun(place - begin); }
 
-uint64_t Past::endOfRun(uint64_t place) const {
-    const std::vector<uint64_t> &runs = recording->runs();
-    const auto next = std::lower_bound(runs.begin(), runs.end(), std::max<uint64_t>(place - begin, 1));
-    return begin + (next == runs.end() ? recording->length() : *next);
-}
+uint64_t Past::endOfRun(uint64_t place) const { return begin + recording->endOfRun(place - begin); }
 
 uint64_t Past::firstOfRun(uint64_t place) const {
     const uint64_t first = beginOfRun(place);

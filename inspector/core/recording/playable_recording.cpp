@@ -120,6 +120,27 @@ uint64_t PlayableRecording::beginOfRun(uint64_t position) const {
     return after == m_runs.begin() ? 0 : *(after - 1);
 }
 
+uint64_t PlayableRecording::endOfRun(uint64_t position) const {
+    const auto next = std::lower_bound(m_runs.begin(), m_runs.end(), std::max<uint64_t>(position, 1));
+    return next == m_runs.end() ? m_length : *next;
+}
+
+uint64_t PlayableRecording::positionAt(double time, uint64_t position) const {
+    constexpr double kRounding = 1e-6; // share of a step
+    const uint64_t first = beginOfRun(position);
+    const uint64_t last = endOfRun(position);
+    double begin = 0.0; // s, of the segment
+    for (size_t index = 0; index < m_places.size() && this->begin(index) < last; ++index) {
+        if (segment(index).from) begin = segment(index).from->time;
+        const double dt = segment(index).conditions.dt;
+        const double steps = std::max(0.0, std::ceil((time - begin) / dt - kRounding));
+        if (this->begin(index) >= first && steps <= double(segment(index).hashes.size()))
+            return std::max(this->begin(index) + uint64_t(steps), first == 0 ? first : first + 1);
+        begin += dt * double(segment(index).hashes.size());
+    }
+    return last;
+}
+
 std::shared_ptr<const PlayableRecording> openRecording(const QString &path, const Registry &registry,
                                                        const std::vector<Level> &levels, QString *error) {
     std::optional<Recording> recording = readRecording(path, registry, error);

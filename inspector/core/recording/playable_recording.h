@@ -36,6 +36,10 @@ public:
     uint64_t positionAt(double seconds) const;
     /// The position at which the run of the step before `position` began: the last start, restart or change of state.
     uint64_t beginOfRun(uint64_t position) const;
+    uint64_t endOfRun(uint64_t position) const; ///< of that run
+    /// The first position at or after `time`, s, that shows the run of `position`; the run's end if it doesn't last
+    /// that long.
+    uint64_t positionAt(double time, uint64_t position) const;
     /// The positions at which runs begin, ascending; the first is 0.
     const std::vector<uint64_t> &runs() const { return m_runs; }
 

@@ -173,11 +173,13 @@ public:
     RunPlace runPlace();
     /// Shows this place in the history, paused; the end of the live run is the present.
     void lookAt(uint64_t place);
-    /// The same by time in the run shown, s; nothing if it has no step yet.
+    /// The same by time in the run shown, s, also in that of a recording; nothing if it has no step yet.
     void lookAtTime(double time);
     /// Shows the nearest of these times, s, ascending, of the run shown, that is a step or more before or after the
     /// moment shown, or the one that will be. Nothing if there is none.
     std::optional<double> lookAtNearest(const std::vector<double> &times, Direction direction);
+    /// Whether the place or the position last asked for is shown by now.
+    bool showsWhatIsSought() const;
     void returnToPresent();
     /// If the live run has no step yet, shows the end of the one before, paused, and waits until it is shown.
     void lookAtLastSteps();

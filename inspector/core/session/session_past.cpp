@@ -60,7 +60,14 @@ void Session::lookAt(uint64_t place) {
     m_past->seeks = m_simulation->seek(m_past->sought - m_past->past.begin);
 }
 
+bool Session::showsWhatIsSought() const {
+    const ReplayPlace &now = m_simulation->latest().replay;
+    if (m_replay) return now.number == m_replay->number && now.seeks >= m_replay->seeks;
+    return !m_past || (now.number == m_past->number && now.seeks >= m_past->seeks);
+}
+
 void Session::lookAtTime(double time) {
+    if (m_replay) return seek(recording().positionAt(time, m_simulation->latest().replay.position));
     const RunPlace run = runPlace();
     if (run.begin == run.end || !lookBack()) return; // without a step it is shown by the present alone
     lookAt(m_past->past.placeAt(time, runPlace().place));
@@ -166,6 +173,10 @@ void Session::watchRuns(const Snapshot &now) {
 }
 
 bool Session::saveRun(const QString &path, QString *error) {
+    if (m_replay) {
+        if (error) *error = tr("%1: the run shown is a recording already").arg(quoted(path));
+        return false;
+    }
     const RunPlace run = runPlace();
     if (run.begin == run.end) {
         if (error) *error = tr("%1: no steps made yet; earlier runs are in Runs").arg(quoted(path));

@@ -91,7 +91,7 @@ Film::Film(Session &session, gl::MazeView &view, const FilmPlan &plan, int scale
     , m_plan(plan)
     , m_last(session.simulation().latest().current.time)
     , m_period(1.0 / plan.perSecond)
-    , m_wasInPast(session.isInPast())
+    , m_wasPresent(!session.isInPast() && !session.isReplaying())
     , m_progress(new QProgressDialog(&window)) {
     m_first = std::max(0.0, m_last - plan.seconds);
     m_count = int(std::floor((m_last - m_first) / m_period + kFrameRounding)) + 1; // both ends included
@@ -115,7 +115,6 @@ bool Film::begin(const QString &path, QString *error) {
     }
     m_session.simulation().pause();
     m_session.lookAtTime(m_first);
-    m_wanted = m_session.runPlace().place;
     m_look.start();
     return true;
 }
@@ -138,15 +137,13 @@ bool Film::makeFolder(const QString &path, QString *error) {
 /// Takes a picture when its moment is shown, then requests the next moment.
 void Film::goOn() {
     if (m_progress->wasCanceled()) return end({});
-    const Snapshot &now = m_session.simulation().latest();
-    if (m_session.isInPast() && now.history.place != m_wanted) return;
+    if (!m_session.showsWhatIsSought()) return;
     QString error;
     if (!takePicture(&error)) return end(error);
     m_progress->setLabelText(tr("Picture %1 of %2").arg(m_taken).arg(m_count));
     m_progress->setValue(m_taken);
     if (m_taken == m_count) return joinPictures();
     m_session.lookAtTime(m_first + m_taken * m_period);
-    m_wanted = m_session.runPlace().place;
 }
 
 QString Film::fileOf(int picture) const {
@@ -211,7 +208,7 @@ void Film::end(const QString &error) {
     m_look.stop();
     if (m_taken < m_count || !error.isEmpty()) removePictures();
     m_progress->deleteLater();
-    m_wasInPast ? m_session.lookAtTime(m_last) : m_session.returnToPresent();
+    m_wasPresent ? m_session.returnToPresent() : m_session.lookAtTime(m_last);
     emit finished(error);
     deleteLater();
 }

@@ -38,9 +38,9 @@ struct FilmPlan {
 /// Asks for the film's length and, if ffmpeg is installed, its kind; doesn't block.
 void askForFilm(QWidget &window, const FilmPlan &usual, const std::function<void(const FilmPlan &plan)> &use);
 
-/// Steps through the past of the run shown, picture by picture, and writes the pictures into a new folder or encodes
-/// them into one file. Shows its progress and can be cancelled, which removes them. Deletes itself at the end, after
-/// returning to the moment that was shown before.
+/// Steps through the past of the run shown, which a recording may be, picture by picture, and writes the pictures into
+/// a new folder or encodes them into one file. Shows its progress and can be cancelled, which removes them. Deletes
+/// itself at the end, after returning to the moment that was shown before.
 class Film : public QObject {
     Q_OBJECT
 
@@ -75,14 +75,13 @@ private:
     double m_first; ///< s
     double m_last;
     double m_period;
-    bool m_wasInPast;
+    bool m_wasPresent;
     QString m_path;
     std::unique_ptr<QTemporaryDir> m_scratch; ///< holds the pictures to be encoded
     QDir m_folder;
     QProcess *m_tool = nullptr; ///< while it is encoding
     QProgressDialog *m_progress;
-    QTimer m_look;         ///< polls whether the requested moment is shown
-    uint64_t m_wanted = 0; ///< place
+    QTimer m_look; ///< polls whether the requested moment is shown
     int m_taken = 0;
     int m_count = 0;
 };

@@ -314,8 +314,7 @@ void MainWindow::closeRecording() { m_session.closeRecording(); }
 /// Enables the actions of a replay or of the live ball.
 void MainWindow::showReplay(bool isOn) {
     for (const char *name : {"close_recording", "go_on"}) action(name)->setEnabled(isOn);
-    for (const char *name : {"play", "autopilot", "reset_parameters", "save_run", "save_film"})
-        action(name)->setEnabled(!isOn);
+    for (const char *name : {"play", "autopilot", "reset_parameters"}) action(name)->setEnabled(!isOn);
     findChild<QDockWidget *>(QStringLiteral("parameters_dock"))
         ->setWindowTitle(isOn ? tr("Parameters, as recorded") : tr("Parameters"));
     m_undo->clear(); // its commands refer to what is no longer there
@@ -349,8 +348,8 @@ void MainWindow::sayWhereTheRunBeforeIs() {
 }
 
 void MainWindow::saveRun() {
-    const QString filter =
-        tr("Recording that repeats it (*.rec);;Table of all samples (*.csv);;Picture of the view (*.png)");
+    const QString again = m_session.isReplaying() ? QString() : tr("Recording that repeats it (*.rec);;");
+    const QString filter = again + tr("Table of all samples (*.csv);;Picture of the view (*.png)");
     chooseFile(*this, m_session.settings(), {tr("Save run"), filter, tr("run"), FileUse::Write},
                [this](const QString &path) {
                    QString error;

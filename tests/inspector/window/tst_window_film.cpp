@@ -33,6 +33,7 @@ private slots:
     void filmIsOfTheSecondsAskedFor();
     void picturesFollowTheBall();
     void filmIsOfTheRunShown();
+    void filmOfARecordingIsOfItsRun();
     void runWithoutStepsIsOnePictureOfItsStart();
     void presentIsShownAgainAfterwards();
     void cancelledFilmLeavesNothing();
@@ -166,6 +167,33 @@ void TestWindowFilm::filmIsOfTheRunShown() {
     }
     QTRY_VERIFY(isOver());
     QCOMPARE(picturesIn(folder).size(), 6);
+}
+
+void TestWindowFilm::filmOfARecordingIsOfItsRun() {
+    inspector::Session &session = m_fixture->session();
+    const auto position = [&] { return m_fixture->simulation().latest().replay.position; };
+    QVERIFY(session.saveRun(m_fixture->path("run.rec"), nullptr));
+    QVERIFY(session.openRecording(m_fixture->path("run.rec")));
+    m_fixture->simulation().pause();
+    session.seek(60);
+    QTRY_COMPARE(position(), uint64_t(60));
+    const QString folder = m_fixture->path("film");
+    ask("0.2", "10", folder);
+    while (!isOver()) {
+        const uint64_t shown = position();
+        QVERIFY2(shown == 40 || shown == 50 || shown == 60, qPrintable(QString::number(shown)));
+        QTest::qWait(1);
+    }
+    QCOMPARE(picturesIn(folder).size(), 3);
+    QVERIFY(QImage(folder + "/00001.png") != QImage(folder + "/00003.png"));
+    QTRY_COMPARE(position(), uint64_t(60));
+    QVERIFY(session.isReplaying());
+    for (const char *name : {"table.csv", "picture.png"}) {
+        m_fixture->trigger("save_run");
+        m_fixture->answerFile(m_fixture->path(name));
+        QVERIFY2(QFile::exists(m_fixture->path(name)), name);
+    }
+    QCOMPARE(support::contentOf(m_fixture->path("table.csv")).count('\n'), 61); // with its header
 }
 
 void TestWindowFilm::runWithoutStepsIsOnePictureOfItsStart() {
