@@ -8,6 +8,7 @@
 #include <QEvent>
 #include <QHeaderView>
 #include <QSignalBlocker>
+#include <QStyle>
 
 #include <algorithm>
 
@@ -58,10 +59,11 @@ FitTable::FitTable(QWidget *parent)
     verticalHeader()->hide();
     verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents); // a reason may need two lines
     horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    horizontalHeader()->setSectionResizeMode(Found, QHeaderView::Stretch);
+    horizontalHeader()->setSectionResizeMode(Found, QHeaderView::Fixed);
     horizontalHeader()->setHighlightSections(false);
     horizontalHeader()->setTextElideMode(Qt::ElideRight);
     horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter); // a centred title is cut on both sides
+    connect(horizontalHeader(), &QHeaderView::sectionResized, this, &FitTable::fitFound);
     connect(this, &QTableWidget::itemChanged, this, &FitTable::read);
 }
 
@@ -173,13 +175,33 @@ void FitTable::showFound(const ModelFit &fit) {
     for (int row = 0; row < rowCount(); ++row)
         for (const FittedValue &value : fit.values)
             if (value.quantity.id == m_quantities[size_t(row)].id) {
-                item(row, Found)->setText(numbersText(value));
-                item(row, Found)->setToolTip(item(row, Found)->text());
+                const QString text = numbersText(value);
+                item(row, Found)->setText(text);
+                item(row, Found)->setToolTip(text);
+                if (value.isDetermined())
+                    m_numbersWidth = std::max(m_numbersWidth, fontMetrics().horizontalAdvance(text));
             }
+    fitFound();
+}
+
+/// What was found has the room that the other columns leave. Numbers have a line of their own however narrow the table
+/// is; the words of a reason may take several.
+void FitTable::fitFound() {
+    int others = 0;
+    for (const Column column : {Name, Begin, Unit}) others += columnWidth(column);
+    const int margin = 2 * (style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, this) + 2);
+    const int least = std::max(m_numbersWidth + margin, horizontalHeader()->sectionSizeHint(Found));
+    setColumnWidth(Found, std::max(least, viewport()->width() - others));
+}
+
+void FitTable::resizeEvent(QResizeEvent *event) {
+    QTableWidget::resizeEvent(event);
+    fitFound();
 }
 
 void FitTable::forgetFound() {
     const QSignalBlocker silent(this);
+    m_numbersWidth = 0;
     for (int row = 0; row < rowCount(); ++row) {
         item(row, Found)->setText({});
         item(row, Found)->setToolTip({});

@@ -38,14 +38,17 @@ signals:
 
 protected:
     void changeEvent(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     void read(QTableWidgetItem *item);
     void showReason(QTableWidgetItem &begin, const QString &reason);
     QString reasonOf(int row) const;
+    void fitFound();
 
     std::vector<FitQuantity> m_quantities;
     BoardParameters m_typed{}; ///< without coefficients and gravity
+    int m_numbersWidth = 0;    ///< of the widest numbers found, pixels
 };
 
 } // namespace inspector::ui
