@@ -29,14 +29,23 @@ PhasePlot::PhasePlot(const SampleRing &samples, Channel x, Channel y, std::share
     , m_y(y)
     , m_time(std::move(time))
     , m_curve(new QCPCurve(xAxis, yAxis))
-    , m_dot(new QCPItemTracer(this)) {
+    , m_dot(new QCPItemTracer(this))
+    , m_cursorDot(new QCPItemTracer(this))
+    , m_text(new QCPTextElement(this)) {
     setMinimumSize(160, 80);
+    setMouseTracking(true);
     setLocale(QLocale::c());
     setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
     xAxis->setLabel(labelOf(x));
     yAxis->setLabel(labelOf(y));
-    m_dot->setStyle(QCPItemTracer::tsCircle);
-    m_dot->setSize(7);
+    for (QCPItemTracer *dot : {m_dot, m_cursorDot}) {
+        dot->setStyle(QCPItemTracer::tsCircle);
+        dot->setSize(7);
+    }
+    m_text->setObjectName(QStringLiteral("read_out"));
+    m_text->setTextFlags(Qt::AlignLeft | Qt::AlignVCenter);
+    plotLayout()->insertRow(0);
+    plotLayout()->addElement(0, 0, m_text);
     takeColours();
     connect(m_time.get(), &TimeView::changed, this, [this] { m_isStale = true; });
 }
@@ -47,6 +56,9 @@ void PhasePlot::takeColours() {
     m_curve->setPen(QPen(accents.total, 1.3));
     m_dot->setPen(QPen(palette().color(QPalette::Base)));
     m_dot->setBrush(accents.ball);
+    m_cursorDot->setPen(QPen(palette().color(QPalette::Text)));
+    m_text->setFont(font());
+    m_text->setTextColor(palette().color(QPalette::Text));
     m_isStale = true;
 }
 
@@ -66,6 +78,7 @@ void PhasePlot::refresh() {
     m_dot->setVisible(hasEnd); // NaN without a ghost
     if (hasEnd) m_dot->position->setCoords(points.constLast().key, points.constLast().value);
     if (m_fits) fit();
+    updateReadOut();
     replot(QCustomPlot::rpQueuedReplot);
 }
 
@@ -86,13 +99,45 @@ void PhasePlot::fit() {
         yAxis->setScaleRatio(xAxis, 1.0);
 }
 
+/// The time of the curve's nearest point; nothing far from all of them.
+std::optional<double> PhasePlot::timeAt(const QPointF &place) const {
+    double nearest = 30.0; // pixels
+    std::optional<double> time;
+    for (const QCPCurveData &point : *m_curve->data()) {
+        const QPointF its(xAxis->coordToPixel(point.key), yAxis->coordToPixel(point.value));
+        const double distance = std::hypot(its.x() - place.x(), its.y() - place.y());
+        if (!(distance < nearest)) continue; // also NaN
+        nearest = distance;
+        time = point.t;
+    }
+    return time;
+}
+
+void PhasePlot::updateReadOut() {
+    const QCPCurveDataContainer &points = *m_curve->data();
+    const bool isShown = m_time->cursor() && !points.isEmpty();
+    m_cursorDot->setVisible(isShown);
+    if (!isShown) return m_text->setText({});
+    auto point = points.findBegin(*m_time->cursor(), false);
+    if (point == points.constEnd()) --point;
+    m_cursorDot->position->setCoords(point->key, point->value);
+    m_text->setText(
+        tr("%1 s   %2 | %3").arg(point->t, 0, 'f', 4).arg(point->key, 0, 'g', 6).arg(point->value, 0, 'g', 6));
+}
+
 void PhasePlot::changeEvent(QEvent *event) {
     QCustomPlot::changeEvent(event);
     if (event->type() == QEvent::PaletteChange) takeColours();
 }
 
+void PhasePlot::leaveEvent(QEvent *event) {
+    m_time->setCursor(std::nullopt);
+    QCustomPlot::leaveEvent(event);
+}
+
 void PhasePlot::resizeEvent(QResizeEvent *event) {
     QCustomPlot::resizeEvent(event);
+    fitChart(*this);
     m_isStale = true;
 }
 
@@ -106,6 +151,7 @@ void PhasePlot::mouseDoubleClickEvent(QMouseEvent *event) {
 void PhasePlot::mouseMoveEvent(QMouseEvent *event) {
     QCustomPlot::mouseMoveEvent(event);
     if (event->buttons() & Qt::LeftButton) m_fits = false;
+    if (event->buttons() == Qt::NoButton) m_time->setCursor(timeAt(event->position()));
 }
 
 void PhasePlot::wheelEvent(QWheelEvent *event) {

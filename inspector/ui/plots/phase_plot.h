@@ -5,6 +5,7 @@
 #include "ui/plots/time_view.h"
 
 #include <memory>
+#include <optional>
 
 #include <qcustomplot.h>
 
@@ -27,6 +28,7 @@ public:
 
 protected:
     void changeEvent(QEvent *event) override;
+    void leaveEvent(QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
     void mouseDoubleClickEvent(QMouseEvent *event) override;
     void mouseMoveEvent(QMouseEvent *event) override;
@@ -35,12 +37,16 @@ protected:
 private:
     void takeColours();
     void fit();
+    std::optional<double> timeAt(const QPointF &place) const;
+    void updateReadOut();
 
     const SampleRing &m_samples;
     Channel m_x, m_y;
     std::shared_ptr<TimeView> m_time;
     QCPCurve *m_curve;
     QCPItemTracer *m_dot;
+    QCPItemTracer *m_cursorDot; ///< on the curve, at the time of the cursor in any of the plots
+    QCPTextElement *m_text;     ///< above the curve
     uint64_t m_shown = 0;
     bool m_isStale = true;
     bool m_fits = true;

@@ -189,7 +189,7 @@ void PlotStack::restore() {
         const bool isPhase = text.startsWith(kPhase);
         const PlotContent content = plotContentOf(isPhase ? text.mid(kPhase.size()) : text);
         if (isPhase && content.channels.size() == 2) makePhasePlot(content.channels[0], content.channels[1]);
-        if (!isPhase) makePlot(content);
+        if (!isPhase && (text.isEmpty() || !content.channels.empty())) makePlot(content);
     }
     if (m_plots.empty()) makePlot(plotContentOf(kUsualPlots));
     QList<int> sizes;

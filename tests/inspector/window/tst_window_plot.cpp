@@ -65,6 +65,8 @@ private slots:
     void chosenQuantityIsPlotted();
     void valuesOnALogarithmicAxisFitIt();
     void quantityOverAnotherIsTheSamples();
+    void valuesUnderTheCursorOfAPhasePlotAreShown();
+    void unknownQuantitiesOfTheSettingsAreNotSet();
     void droppedQuantityIsAdded();
     void plotsAreRememberedAndReset();
     void watchedValueIsThatOfTheMoment();
@@ -470,6 +472,37 @@ void TestWindowPlot::quantityOverAnotherIsTheSamples() {
     QVERIFY(m_fixture->simulation().samples().read(7, sample));
     QCOMPARE(phase->curve().data()->at(7)->key, sample[Channel::PositionY]);
     QCOMPARE(phase->curve().data()->at(7)->value, sample[Channel::VelocityY]);
+}
+
+// The time plots show the same moment.
+void TestWindowPlot::valuesUnderTheCursorOfAPhasePlotAreShown() {
+    makeSteps(20);
+    inspector::ui::PhasePlot *phase = stack().addPhasePlot(Channel::PositionX, Channel::PositionY);
+    m_fixture->window().refresh();
+    QTRY_VERIFY(phase->axisRect()->height() > 0);
+    const QCPCurveData point = *phase->curve().data()->at(7);
+    hover(phase,
+          QPoint(qRound(phase->xAxis->coordToPixel(point.key)), qRound(phase->yAxis->coordToPixel(point.value))));
+    m_fixture->window().refresh();
+    const QString time = readOutOf(phase).section(' ', 0, 0);
+    Sample sample;
+    QVERIFY(m_fixture->simulation().samples().read(qRound(time.toDouble() / 0.01) - 1, sample));
+    const QString values =
+        QString("%1 | %2").arg(sample[Channel::PositionX], 0, 'g', 6).arg(sample[Channel::PositionY], 0, 'g', 6);
+    QVERIFY2(readOutOf(phase).endsWith(values), qPrintable(readOutOf(phase) + " and not " + values));
+    QVERIFY2(readOutOf(m_plot).startsWith(time + " s"), qPrintable(readOutOf(m_plot)));
+    QEvent leave(QEvent::Leave);
+    QApplication::sendEvent(phase, &leave);
+    m_fixture->window().refresh();
+    QCOMPARE(readOutOf(phase), QString());
+}
+
+void TestWindowPlot::unknownQuantitiesOfTheSettingsAreNotSet() {
+    m_fixture->settings().setValue("window/plots", QStringList{"weight", "log:colour"});
+    m_fixture->reopen();
+    QVERIFY(m_fixture->isReady());
+    QCOMPARE(plots().size(), 1);
+    QCOMPARE(textOf(stack().first().content()), QString("velocity_x,velocity_y,speed"));
 }
 
 void TestWindowPlot::droppedQuantityIsAdded() {
