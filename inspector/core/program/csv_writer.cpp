@@ -13,6 +13,13 @@ namespace inspector {
 
 namespace {
 
+QByteArray parameterLine(const phys_param_row &row, double value) {
+    const QStringList choices = choicesOf(row);
+    const QByteArray text = choices.isEmpty() ? exactText(value) : choices.value(qsizetype(value - row.min)).toUtf8();
+    return QByteArray(row.id) + " " + text + (row.unit[0] ? " " + QByteArray(row.unit) : QByteArray()) + "\n";
+}
+
+/// The ghost's tilt is the ball's.
 QByteArray comparisonLines(const Options &options) {
     if (!options.comparison) return {};
     const auto &[id, substeps] = *options.comparison;
@@ -20,8 +27,13 @@ QByteArray comparisonLines(const Options &options) {
     phys_registry_find(options.registry.get(), id.constData(), &info, nullptr);
     QByteArray lines = "compare " + id + " " + (info.version ? info.version : "") + "\ncompare-substeps " +
                        QByteArray::number(substeps) + "\n";
-    for (const Setting &own : options.comparisonSettings)
-        lines += "compare-set " + own.id.toUtf8() + " " + exactText(own.value) + "\n";
+    Parameters parameters;
+    if (info.id) parameters.setStepper(info);
+    for (const Setting &own : options.comparisonSettings) {
+        const int index = parameters.indexOf(own.id);
+        if (index < 0 || isTilt(parameters.row(index))) continue;
+        lines += "compare-set " + parameterLine(parameters.row(index), own.value);
+    }
     return lines;
 }
 
@@ -64,14 +76,7 @@ QByteArray settingsHead(const Options &options) {
 
 QByteArray parameterLines(const Parameters &parameters) {
     QByteArray text;
-    for (int i = 0; i < parameters.count(); ++i) {
-        const phys_param_row &row = parameters.row(i);
-        const QStringList choices = choicesOf(row);
-        const double value = parameters.value(i);
-        text += QByteArray(row.id) + " " +
-                (choices.isEmpty() ? exactText(value) : choices.value(qsizetype(value - row.min)).toUtf8());
-        text += row.unit[0] ? " " + QByteArray(row.unit) + "\n" : "\n";
-    }
+    for (int i = 0; i < parameters.count(); ++i) text += parameterLine(parameters.row(i), parameters.value(i));
     return text;
 }
 

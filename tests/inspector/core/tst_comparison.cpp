@@ -2,6 +2,7 @@
 // The ghost on the simulation's thread, in a session, and in a table: present on request, and otherwise without a
 // trace.
 #include "core/pilot/autopilot.h"
+#include "core/session/row_settings.h"
 #include "core/session/session.h"
 #include "core/setup/settings_file.h"
 #include "headless_run.h"
@@ -41,6 +42,7 @@ private slots:
     void refusedSceneIsSaidAndMeetingTriesAgain();
     void tableHasItsColumnsLast();
     void fileBesideTheTableNamesTheGhost();
+    void fileHasAGhostsOwnParametersWithTheirUnits();
     void tableOfOtherParametersIsThatOfARunWithThem();
     void tableOfTheSameStepperHasZeros();
     void tableWithoutAGhostIsAsBefore();
@@ -419,6 +421,19 @@ void TestComparison::fileBesideTheTableNamesTheGhost() {
     runOf({"--headless", "--duration", "0.1", "--compare", "rk4", "--compare-substeps", "2", "--csv", path("t.csv")});
     const QByteArray settings = support::contentOf(path("t.csv.txt"));
     QVERIFY2(settings.contains("\ncompare rk4 " + versionOf("rk4") + "\ncompare-substeps 2\n"), settings.constData());
+}
+
+// As those of the ball, and without the tilt, which is the ball's.
+void TestComparison::fileHasAGhostsOwnParametersWithTheirUnits() {
+    const std::unique_ptr<Session> session = open(optionsOf(3));
+    session->parameters().set({{"tilt_x", 3.0}});
+    session->comparison().start({"symplectic-euler", 1});
+    session->comparison().setOwnParameters(true);
+    makeSteps(*session, 10);
+    const QByteArray settings = rowSettings(*session, 0.0);
+    QVERIFY2(settings.contains("\ncompare-set gravity 9.81 m/s^2\n"), settings.constData());
+    QVERIFY2(settings.contains("\ncompare-set model rolling\n"), settings.constData());
+    QVERIFY2(!settings.contains("compare-set tilt"), settings.constData());
 }
 
 // The ghost's position is, digit by digit, that of a ball with these parameters.
