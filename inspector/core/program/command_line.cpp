@@ -71,8 +71,8 @@ double valueOf(const QString &option, const NumberReading &read) {
     return *read.value;
 }
 
-double numberOf(const QCommandLineParser &parser, const QString &option, double min, double max) {
-    return valueOf(option, readNumber(parser.value(option), {min, max}));
+double numberOf(const QCommandLineParser &parser, const QString &option, const NumberRange &range) {
+    return valueOf(option, readNumber(parser.value(option), range));
 }
 
 double wholeNumberOf(const QCommandLineParser &parser, const QString &option, double min, double max) {
@@ -207,11 +207,15 @@ void readGhostsParameters(const QCommandLineParser &parser, Options &options) {
         const int index = parameters.indexOf(word.section(QLatin1Char('='), 0, 0).trimmed());
         if (index < 0 || isTilt(parameters.row(index)) || !word.contains(QLatin1Char('=')))
             throw WrongUse{
-                QStringLiteral("--compare-set: expected parameters but the tilt as rolling_friction=0.004, found %1")
+                QStringLiteral("--compare-set: expected parameters other than the tilt, as rolling_friction=0.004, "
+                               "found %1")
                     .arg(quoted(word))};
         const phys_param_row &row = parameters.row(index);
-        const double value = parameterOf(option, word.section(QLatin1Char('='), 1).trimmed(), row);
-        options.comparisonSettings.push_back({QString::fromUtf8(row.id), value});
+        const QString id = QString::fromUtf8(row.id);
+        if (std::ranges::count(options.comparisonSettings, id, &Setting::id) > 0)
+            throw WrongUse{QStringLiteral("--compare-set: '%1' is named twice").arg(id)};
+        const QString value = word.section(QLatin1Char('='), 1).trimmed();
+        options.comparisonSettings.push_back({id, parameterOf(option + QStringLiteral(": ") + id, value, row)});
     }
     QString error;
     if (!ghostsInputs(options, &error)) throw WrongUse{QStringLiteral("--compare-set: ") + error};
@@ -265,7 +269,7 @@ void readUnknowns(const QCommandLineParser &parser, TradeOptions &trade) {
     const std::optional<Unknowns> unknowns = parseUnknowns(words, &error);
     if (!unknowns) throw WrongUse{QStringLiteral("--unknown: ") + error};
     trade.unknowns = *unknowns;
-    if (parser.isSet("share")) trade.share = numberOf(parser, "share", 1e-6, 1.0);
+    if (parser.isSet("share")) trade.share = numberOf(parser, "share", {1e-6, 1.0});
 }
 
 void readTrade(const QCommandLineParser &parser, Options &options) {
@@ -284,7 +288,7 @@ void readTrade(const QCommandLineParser &parser, Options &options) {
     if (!under) throw wrong("under", "a length above 0, as 1mm, 5um, 0.001m or 0.1R");
     trade.under = *under;
     if (parser.isSet("for")) trade.seconds = durationOf(parser, "for", 1e-3, 1e6);
-    if (parser.isSet("within")) trade.within = numberOf(parser, "within", 1.0, 1e12);
+    if (parser.isSet("within")) trade.within = numberOf(parser, "within", {1.0, 1e12, QStringLiteral("ns")});
     readUnknowns(parser, trade);
     trade.withOrientation = parser.isSet("with-orientation");
     trade.plot = parser.value("plot");
@@ -321,14 +325,14 @@ QString fileOf(const QCommandLineParser &parser) {
 
 TrackFrame readFrame(const QCommandLineParser &parser) {
     const QStringList words = parser.value("track-frame").split(QLatin1Char(','));
-    std::vector<double> numbers;
-    for (const QString &word : words) {
-        const NumberReading reading = readNumber(word, {-1e6, 1e6});
-        if (reading.value) numbers.push_back(*reading.value);
-    }
-    if (words.size() != 4 || numbers.size() != 4 || !(numbers[3] > 0.0))
+    const NumberRange length{-1e6, 1e6, QStringLiteral("mm")};
+    const NumberRange ranges[] = {length, length, {-1e6, 1e6, QStringLiteral("deg")}, {1e-6, 1e6}};
+    if (words.size() != qsizetype(std::size(ranges)))
         throw WrongUse{QStringLiteral("--track-frame: expected x,y,angle,scale as 12,-3,90,1, found '%1'")
                            .arg(parser.value("track-frame"))};
+    std::vector<double> numbers;
+    for (qsizetype i = 0; i < words.size(); ++i)
+        numbers.push_back(valueOf(QStringLiteral("track-frame"), readNumber(words[i], ranges[i])));
     return {numbers[3], radians(numbers[2]), numbers[0] * 1e-3, numbers[1] * 1e-3};
 }
 
@@ -400,7 +404,7 @@ Options readOptions(const QCommandLineParser &parser, const std::vector<const ph
     if (parser.isSet("replay")) options.replay = parser.value("replay");
     if (parser.isSet("stepper")) options.stepper = parser.value("stepper").toUtf8();
     if (parser.isSet("dt")) options.dt = durationOf(parser, "dt", Engine::kSmallestDt, Engine::kLargestDt);
-    if (parser.isSet("speed")) options.speed = numberOf(parser, "speed", Simulation::kSlowest, Simulation::kFastest);
+    if (parser.isSet("speed")) options.speed = numberOf(parser, "speed", {Simulation::kSlowest, Simulation::kFastest});
     if (parser.isSet("duration")) options.duration = durationOf(parser, "duration", 0.0, 1e9);
     readOutputs(parser, options);
     readComparison(parser, options);

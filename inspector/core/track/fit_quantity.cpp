@@ -123,6 +123,10 @@ std::optional<std::vector<FitQuantity>> parseFitQuantities(const QString &words,
             const bool isGroup = (id == QLatin1String("tilt") || id == QLatin1String("frame")) &&
                                  all[i].id.startsWith(id + QLatin1Char('_'));
             if (all[i].id != id && !isGroup) continue;
+            if (isWanted[i]) {
+                *error = QStringLiteral("'%1' is named twice").arg(all[i].id);
+                return std::nullopt;
+            }
             isWanted[i] = true;
             isKnown = true;
         }

@@ -322,9 +322,16 @@ private:
 
 std::optional<TrackUnits> parseTrackUnits(const QString &words, QString *error) {
     TrackUnits units;
+    QStringList named;
     for (const QString &word : words.split(QLatin1Char(','), Qt::SkipEmptyParts)) {
         const QString name = word.section(QLatin1Char('='), 0, 0).trimmed();
         const QString text = word.section(QLatin1Char('='), 1).trimmed();
+        const bool isMirror = name == QLatin1String("mirror"); // at both axes
+        named += isMirror ? word.trimmed() : name;
+        if (named.removeDuplicates() > 0) {
+            *error = QStringLiteral("'%1' is named twice").arg(name.left(60));
+            return std::nullopt;
+        }
         std::optional<double> scale;
         if (name == QLatin1String("t")) units.time = (scale = scaleOf(kTimes, text)).value_or(0.0);
         if (name == QLatin1String("x")) units.position = (scale = scaleOf(kLengths, text)).value_or(0.0);
@@ -341,7 +348,7 @@ std::optional<TrackUnits> parseTrackUnits(const QString &words, QString *error) 
             const std::optional<double> unit = scaleOf(kLengths, match.captured(2));
             if (number && unit && *number > 0.0) scale = units.pixel = *number * *unit;
         }
-        if (name == QLatin1String("mirror") && (text == QLatin1String("x") || text == QLatin1String("y"))) {
+        if (isMirror && (text == QLatin1String("x") || text == QLatin1String("y"))) {
             scale = 1.0;
             (text == QLatin1String("x") ? units.mirrorsX : units.mirrorsY) = true;
         }

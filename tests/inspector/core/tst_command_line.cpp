@@ -210,13 +210,19 @@ void TestCommandLine::wrongUseGivesOneLineAndStatus2_data() {
     QTest::newRow("parameters of nothing") << "--compare-set gravity=3"
                                            << "--compare-set: needs --compare";
     QTest::newRow("ghost's tilt") << "--compare exact --compare-set tilt_x=3"
-                                  << "--compare-set: expected parameters but the tilt as rolling_friction=0.004, "
-                                     "found 'tilt_x=3'";
+                                  << "--compare-set: expected parameters other than the tilt, as "
+                                     "rolling_friction=0.004, found 'tilt_x=3'";
     QTest::newRow("ghost's unknown parameter") << "--compare exact --compare-set speed=3"
-                                               << "--compare-set: expected parameters but the tilt as "
+                                               << "--compare-set: expected parameters other than the tilt, as "
                                                   "rolling_friction=0.004, found 'speed=3'";
-    QTest::newRow("ghost's forbidden value") << "--compare exact --compare-set restitution_wall=2"
-                                             << "--compare-set: expected a number from 0 to 1, found '2'";
+    QTest::newRow("ghost's forbidden value")
+        << "--compare exact --compare-set restitution_wall=2"
+        << "--compare-set: restitution_wall: expected a number from 0 to 1, found '2'";
+    QTest::newRow("ghost's parameter twice")
+        << "--compare exact --compare-set restitution_wall=0.1,restitution-wall=0.9"
+        << "--compare-set: 'restitution_wall' is named twice";
+    QTest::newRow("angle that is a length") << "--track t.csv --track-frame 0,0,1mm,1"
+                                            << "--track-frame: expected";
     QTest::newRow("ghost's values that don't agree")
         << "--compare exact --compare-set model=rigid,rolling_friction=1,sliding_friction=0.5"
         << "--compare-set: rolling_friction is 1";
@@ -370,7 +376,7 @@ void TestCommandLine::aTableAloneIsLaidOverTheLevel() {
     QByteArray rows = "t_ms,x_mm,y_mm\n";
     for (int i = 0; i < 10; ++i) rows += QByteArray::number(i) + ",0,0\n";
     put(table, rows);
-    const CommandLine alone = parsed({table, "--level", "2", "--track-frame", "5,0,90,1"});
+    const CommandLine alone = parsed({table, "--level", "2", "--track-frame", "0.5cm,0,90 deg,1"});
     QVERIFY2(!alone.exitStatus, qPrintable(alone.error));
     QVERIFY(alone.options.action == Options::Action::Run);
     QVERIFY(!alone.options.headless);

@@ -25,6 +25,7 @@ private slots:
     void gravityIsFound();
     void frameIsFound();
     void unknownQuantityIsOneLine();
+    void quantityNamedTwiceIsRefused();
     void modelThatExplainsNothingIsNotTheBest();
     void stoppedFitIsNone();
     void fitCanBeStoppedWhereNothingIsLikeTheTrack();
@@ -245,6 +246,12 @@ void TestTrackFit::unknownQuantityIsOneLine() {
     QString error;
     QVERIFY(!parseFitQuantities("tilt,weight", &error));
     QVERIFY2(error.endsWith("tilt, frame; found 'weight'"), qPrintable(error));
+}
+
+void TestTrackFit::quantityNamedTwiceIsRefused() {
+    QString error;
+    QVERIFY(!parseFitQuantities("tilt,delay,tilt_x", &error));
+    QCOMPARE(error, QString("'tilt_x' is named twice"));
 }
 
 // One picture per 100 s of a ball that jumps about: no segment of it can be fitted.

@@ -28,6 +28,7 @@ private slots:
     void tablesAreKnownByNameOrHeader();
     void wrongUnitsAreOneLine_data();
     void wrongUnitsAreOneLine();
+    void unitNamedTwiceIsRefused();
     void frameThereAndBackIsTheSame();
     void noiseIsFoundBesideBounces();
 };
@@ -199,6 +200,13 @@ void TestTrackReader::wrongUnitsAreOneLine() {
     QString error;
     QVERIFY(!parseTrackUnits(units, &error));
     QVERIFY2(error.endsWith("found '" + units + "'"), qPrintable(error));
+}
+
+void TestTrackReader::unitNamedTwiceIsRefused() {
+    QString error;
+    QVERIFY(!parseTrackUnits("x=mm,t=ms,x=cm", &error));
+    QCOMPARE(error, QString("'x' is named twice"));
+    QVERIFY(parseTrackUnits("mirror=x,mirror=y", &error));
 }
 
 void TestTrackReader::frameThereAndBackIsTheSame() {

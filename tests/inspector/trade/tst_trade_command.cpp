@@ -111,7 +111,7 @@ void TestTradeCommand::wrongUseIsOneLine_data() {
     row("--trade 1 --under 1", "--under: expected a length above 0, as 1mm, 5um, 0.001m or 0.1R, found '1'");
     row("--trade 1 --steps 5,x", "--steps: expected step sizes from 1e-6 to 10 s, as 0.01,5ms,1/60, found '5,x'");
     row("--trade 1 --plot x.gif", "--plot: expected a file name ending in .svg, .pdf or .png, found 'x.gif'");
-    row("--trade 1 --within 0", "--within: expected a number from 1 to 1e+12, found '0'");
+    row("--trade 1 --within 0", "--within: expected a number from 1 to 1e+12 ns, found '0'");
     row("--trade 1 --within 100 --under 1mm", "--within: takes neither --under nor --for");
     row("--trade 1 --stepper rk4", "--trade: doesn't go with --stepper");
     row("--share 0.5", "--share: needs --trade");
@@ -161,9 +161,10 @@ void TestTradeCommand::progressFitsIntoALineAndIsErased() {
 }
 
 void TestTradeCommand::unreachableToleranceGivesStatus1() {
-    const Result result = runOf("--trade 1 --schedule random:3 --duration 0.5 --steps 0.01 --unknown none --within 1");
+    const Result result =
+        runOf("--trade 1 --schedule random:3 --duration 0.5 --steps 0.01 --unknown none --within 0.002us");
     QCOMPARE(result.status, 1);
-    QVERIFY2(result.out.endsWith("recommended: none: no step takes 1 ns or less\n"), qPrintable(result.out));
+    QVERIFY2(result.out.endsWith("recommended: none: no step takes 2 ns or less\n"), qPrintable(result.out));
 }
 
 void TestTradeCommand::csvHeaderStaysAsItIs() {
