@@ -114,7 +114,9 @@ void BallDock::refresh(const Snapshot &now) {
         m_boxes[i]->setValue(now.current.*kRows[i].vector.*kRows[i].component);
         if (!m_boxes[i]->isRefused()) m_boxes[i]->setToolTip(m_boxes[i]->exactText());
     }
-    m_note->setText(canBeSet ? noteOf(now.current) : tr("Can be set while a game or a run is paused."));
+    m_note->setText(canBeSet                  ? noteOf(now.current)
+                    : m_session.isReplaying() ? tr("As recorded; can be set after going on from here (G).")
+                                              : tr("Can be set while a game or a run is paused."));
     m_startHere->setEnabled(canBeSet);
     m_usualStart->setEnabled(m_session.hasOwnStart());
 }

@@ -23,6 +23,7 @@ public:
 private slots:
     void init();
     void cleanup();
+    void recordedBallSaysWhenItCanBeSet();
     void draggedBallIsWhereTheMouseIs();
     void ballDraggedIntoAWallStaysOutside();
     void draggedBallIsUndone();
@@ -102,6 +103,18 @@ QString TestWindowBall::noteAt(const QString &x) {
     if (!QTest::qWaitFor([&] { return m_fixture->simulation().latest().run > run; }, kPatience)) return "nothing set";
     m_fixture->window().refresh();
     return m_fixture->find<QLabel>("ball_note")->text();
+}
+
+void TestWindowBall::recordedBallSaysWhenItCanBeSet() {
+    m_fixture->makeSteps(5);
+    QVERIFY(m_fixture->session().saveRun(m_fixture->path("run.rec"), nullptr));
+    QVERIFY(m_fixture->session().openRecording(m_fixture->path("run.rec")));
+    m_fixture->trigger("show_ball_dock");
+    const auto *note = m_fixture->find<QLabel>("ball_note");
+    QTRY_VERIFY2(note->text().contains("going on from here (G)"), qPrintable(note->text()));
+    m_fixture->simulation().pause();
+    m_fixture->trigger("go_on");
+    QTRY_VERIFY(m_fixture->find<NumberBox>("ball_x")->isEnabled());
 }
 
 // The start of level 1 is open towards the back.
