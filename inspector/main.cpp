@@ -87,10 +87,12 @@ int runWithoutWindow(const Options &options, QTextStream &messages) {
     return finished(*out, runHeadless(options, *out, messages, terminalOf(messages)), messages);
 }
 
-bool areWritten(QSettings &settings, QTextStream &messages) {
+/// problem: why they can't be, if that was told already.
+bool areWritten(QSettings &settings, const QString &problem, QTextStream &messages) {
     settings.sync();
     if (settings.status() != QSettings::AccessError) return true;
-    report(messages, quoted(settings.fileName()) + QStringLiteral(": settings can't be read or written"));
+    if (problem.isEmpty())
+        report(messages, quoted(settings.fileName()) + QStringLiteral(": settings can't be read or written"));
     return false;
 }
 
@@ -112,7 +114,7 @@ int runWithWindow(const Options &options, QTextStream &messages) {
     const int status = ui::runWindow(*session, options);
     const bool isWritten = options.csv.isEmpty() || ui::writeTableOfRun(*session, options, &error);
     if (!isWritten) report(messages, QStringLiteral("--csv: ") + error);
-    const bool isRemembered = areWritten(settings, messages);
+    const bool isRemembered = areWritten(settings, settingsProblem, messages);
     const SampleRing &samples = session->simulation().samples();
     if (!options.csv.isEmpty() && isPartial(samples)) report(messages, QStringLiteral("--csv: ") + spanOf(samples));
     if (endingSignal()) return statusAfter(endingSignal());

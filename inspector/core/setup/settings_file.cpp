@@ -60,6 +60,14 @@ QString encodeKey(const QString &key) {
     return text;
 }
 
+const QString kNowhere = QStringLiteral("/dev/null/settings"); ///< can't be opened
+
+QString usualFile() {
+    return QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) + QLatin1Char('/') +
+           QCoreApplication::organizationName() + QLatin1Char('/') + QCoreApplication::applicationName() +
+           QStringLiteral(".conf");
+}
+
 // ---- values ----
 
 /// Decodes the escape after a backslash at `at`, which is advanced.
@@ -205,13 +213,15 @@ QSettings::Format settingsFormat() {
 }
 
 QString userSettingsFile(QString *problem) {
-    const QString path = QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) + QLatin1Char('/') +
-                         QCoreApplication::organizationName() + QLatin1Char('/') + QCoreApplication::applicationName() +
-                         QStringLiteral(".conf");
+    const QString path = usualFile();
     const QString reason = reasonAgainst(path);
     if (reason.isEmpty()) return path;
     *problem = quoted(path) + QStringLiteral(": settings aren't kept: ") + reason;
-    return QStringLiteral("/dev/null/settings");
+    return kNowhere;
+}
+
+QString shownFileOf(const QSettings &settings) {
+    return settings.fileName() == kNowhere ? usualFile() : settings.fileName();
 }
 
 } // namespace inspector

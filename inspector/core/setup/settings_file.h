@@ -23,6 +23,8 @@ QSettings::Format settingsFormat();
 /// The user's settings file, as QSettings names it. If QSettings would block on that file, returns a name that can't be
 /// opened, with one line in `problem`: settings then last as long as the program.
 QString userSettingsFile(QString *problem);
+/// The file of such settings as the user knows it.
+QString shownFileOf(const QSettings &settings);
 
 /// Writes and reads the format; public for tests.
 QSettings::SettingsMap readSettings(const QByteArray &bytes);

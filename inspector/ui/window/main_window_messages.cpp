@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is said in the message bar and in the status line, and when it is settled.
 #include "core/setup/lines.h"
+#include "core/setup/settings_file.h"
 #include "gl/view/maze_view.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/parts/message_bar.h"
@@ -96,7 +97,7 @@ void MainWindow::sayIfSettingsAreLost() {
     if (settings.status() != QSettings::AccessError || std::exchange(m_hasSaidSettingsAreLost, true)) return;
     m_messages->showLine(tr("%1: settings can't be written; changes, best times and the layout are lost when this "
                             "window is closed")
-                             .arg(quoted(settings.fileName())),
+                             .arg(quoted(shownFileOf(settings))),
                          Cause::Settings);
 }
 

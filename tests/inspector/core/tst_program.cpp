@@ -38,6 +38,7 @@ private slots:
     void mazeOfAnInputStays();
     void windowWithoutStepsWritesNoTable();
     void settingsThatCantBeWrittenAreTold();
+    void settingsThatArentKeptAreToldOnce();
     void settingsThatWouldBeWaitedForAreTold_data();
     void settingsThatWouldBeWaitedForAreTold();
     void settingsThatNameAHugeObjectEndNothing();
@@ -313,6 +314,20 @@ void TestProgram::settingsThatCantBeWrittenAreTold() {
              result.messages.constData());
     QVERIFY(settings.open(QIODevice::ReadOnly));
     QCOMPARE(settings.readAll(), QByteArray("window/theme=\"1\"\n"));
+}
+
+void TestProgram::settingsThatArentKeptAreToldOnce() {
+    const QTemporaryDir folder;
+    QVERIFY(QDir(folder.path()).mkpath("libphysics/physics-inspector.conf"));
+    QProcess process;
+    process.setProcessEnvironment(noScreen(folder.path()));
+    process.start(INSPECTOR, {"--record", folder.filePath("r")});
+    QVERIFY(process.waitForStarted());
+    QTRY_VERIFY(QFile::exists(folder.filePath("r")));
+    process.terminate();
+    const Ended result = endOf(process);
+    QCOMPARE(result.status, 128 + SIGTERM);
+    QVERIFY2(isOneLine(result.messages), result.messages.constData());
 }
 
 void TestProgram::settingsThatWouldBeWaitedForAreTold_data() {
