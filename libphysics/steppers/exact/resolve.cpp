@@ -3,6 +3,7 @@
 
 #include "contact/impact.h"
 #include "exact/last_bounce.h"
+#include "exact/response.h"
 
 #include <algorithm>
 #include <cmath>
@@ -111,15 +112,22 @@ void stopBounces(double negligible, MovingBall &ball, Touching &touching) {
     project(touching, ball);
 }
 
+/// Whether a top face that the ball touches carries it: the reactions at other contacts may lift it off.
+bool isCarried(const Touching &touching, uint32_t i, MovingBall &ball) {
+    if (touching.count() == 1) return true;
+    const Response response = respond(ball.moment(), touching.held(), ball.work);
+    return !response.isFound || isClosed(response, i);
+}
+
 /// Rolling model: the spin of a supported ball isn't independent. Energy (J/kg, of either sign) of the difference of a
 /// given spin from it.
 double roll(const Touching &touching, MovingBall &ball) {
     double lost = 0.0;
     if (ball.setting.isRigid() || ball.params().gravity.z > 0.0) return lost;
-    for (const Held &held : touching.held()) {
-        if (!held.isGlued) continue;
+    for (uint32_t i = 0; i < touching.count(); ++i) {
         const double R = ball.radius();
         const Vec3 spin = rollingSpin(inPlane(ball.motion.velocity), R);
+        if (!touching.held(i).isGlued || (ball.motion.spin != spin && !isCarried(touching, i, ball))) continue;
         lost += 0.2 * R * R * (glm::dot(ball.motion.spin, ball.motion.spin) - glm::dot(spin, spin));
         ball.motion.spin = spin;
     }

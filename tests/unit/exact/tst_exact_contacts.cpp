@@ -31,6 +31,7 @@ private slots:
     void ballBetweenTwoWallsTooCloseIsStuck();
     void startsBackAlongAKerbAgainstResistance_data();
     void startsBackAlongAKerbAgainstResistance();
+    void aFloorThatOpensAtOnceTurnsNoBall();
 };
 
 void ExactContacts::edgeIsHitByAParabola() {
@@ -272,6 +273,20 @@ void ExactContacts::startsBackAlongAKerbAgainstResistance() {
         for (int i = 0; i < steps; ++i) run.step(0.05 / steps);
         QVERIFY(std::abs(run.state.velocity.y - speed) <= 6e-9);
     }
+}
+
+/// Gravity lifts the ball over a kerb from the first moment: the floor doesn't carry it, and its spin stays.
+void ExactContacts::aFloorThatOpensAtOnceTurnsNoBall() {
+    const double R = 0.01;
+    Run run({exact::floorOver(-1, -1, 1, 1), {{0.6 * R, -1, -0.02}, {1, 1, 0.2 * R}}}, R, {0, 0, R}, {0, 0, 0});
+    run.state.spin = {0, 0, 10};
+    run.params.gravity = {9, 0, -4};
+    run.params.restitution_wall = run.params.restitution_floor = 0;
+    run.step(1e-3);
+    QVERIFY(run.state.velocity.z > 2.8e-3);
+    QCOMPARE(run.state.spin.x, 0.0);
+    QCOMPARE(run.state.spin.y, 0.0);
+    QCOMPARE(run.state.spin.z, 10.0);
 }
 
 QTEST_GUILESS_MAIN(ExactContacts)
