@@ -8,29 +8,43 @@
 
 namespace inspector {
 
-uint64_t Past::beginOfRun(uint64_t place) const { return begin + recording->beginOfRun(place - begin); }
+uint64_t Past::endOf(size_t run) const {
+    const bool isLast = run + 1 == recording->runs().size();
+    return isLast ? begin + recording->length() + run : beginOf(run + 1) - 1;
+}
 
-uint64_t Past::endOfRun(uint64_t place) const { return begin + recording->endOfRun(place - begin); }
+size_t Past::runAt(uint64_t place) const {
+    const std::vector<uint64_t> &runs = recording->runs();
+    size_t run = 0;
+    size_t after = runs.size();
+    while (after - run > 1) {
+        const size_t middle = run + (after - run) / 2;
+        (beginOf(middle) <= place ? run : after) = middle;
+    }
+    return run;
+}
 
-uint64_t Past::firstOfRun(uint64_t place) const {
-    const uint64_t first = beginOfRun(place);
-    return first == begin ? first : first + 1;
+uint64_t Past::placeOf(uint64_t position, size_t segment) const {
+    const std::vector<uint64_t> &runs = recording->runs();
+    const auto after = std::upper_bound(runs.begin(), runs.end(), recording->begin(segment));
+    return begin + position + uint64_t(after - runs.begin() - 1);
 }
 
 /// Steps at the block's dt from the run's last keyframe at or before this place.
 uint64_t Past::placeAt(double time, uint64_t place) const {
-    const uint64_t first = beginOfRun(place) - begin;
-    const uint64_t last = endOfRun(place) - begin;
+    const uint64_t first = positionOf(beginOfRun(place));
+    const uint64_t last = positionOf(endOfRun(place));
     const Keyframe *before = nullptr;
     for (const Keyframe &keyframe : keyframes) {
         if (keyframe.position < first || keyframe.position >= last) continue;
         if (before && keyframe.state.time > time) break;
         before = &keyframe;
     }
-    if (!before) return firstOfRun(place);
+    if (!before) return beginOfRun(place);
     const double dt = recording->segment(before->segment).conditions.dt;
     const double steps = std::ceil((time - before->state.time) / dt - 1e-6);
-    return std::clamp(begin + before->position + uint64_t(std::max(steps, 0.0)), firstOfRun(place), begin + last);
+    const uint64_t made = before->position - first + uint64_t(std::max(steps, 0.0));
+    return std::min(beginOfRun(place) + made, endOfRun(place));
 }
 
 History::History(uint64_t mostSteps)
@@ -39,6 +53,15 @@ History::History(uint64_t mostSteps)
 void History::setOrigin(const Origin &origin) {
     m_origin = origin;
     m_place.reset();
+}
+
+void History::beginRun() {
+    if (m_end != m_run) m_run = ++m_end;
+}
+
+void History::resumeRun(uint64_t begin) {
+    m_run = begin;
+    --m_end;
 }
 
 bool History::needsBlock(const Engine &engine, bool isRun) const {
@@ -57,11 +80,9 @@ void History::openBlock(const Engine &engine, bool isRun) {
 }
 
 void History::note(const Engine &engine) {
-    const bool isOtherScene = m_place && m_place->scene != engine.scene();
-    const bool isRun = m_blocks.empty() || isOtherScene || !isSameBits(m_last, engine.previous());
+    const bool isRun = m_end == m_run;
     if (needsBlock(engine, isRun)) openBlock(engine, isRun);
-    m_last = engine.state();
-    m_blocks.back().hashes.push_back(phys_state_hash(&m_last));
+    m_blocks.back().hashes.push_back(phys_state_hash(&engine.state()));
     ++m_end;
     dropOldest();
 }
@@ -100,6 +121,7 @@ std::optional<Past> History::past(uint64_t from, uint64_t to, QString *error) co
     Past past;
     std::vector<PlayableRecording::Maze> mazes;
     const Place *place = nullptr;
+    uint64_t position = 0;
     for (const Block &block : m_blocks) {
         if (block.begin + block.hashes.size() <= from || block.begin >= to) continue;
         const bool isFirst = recording.segments.empty();
@@ -107,7 +129,8 @@ std::optional<Past> History::past(uint64_t from, uint64_t to, QString *error) co
         recording.segments.push_back(segmentOf(block, isFirst));
         std::vector<uint64_t> &hashes = recording.segments.back().hashes;
         hashes.resize(std::min<uint64_t>(hashes.size(), to - block.begin));
-        past.keyframes.push_back({block.begin - past.begin, recording.segments.size() - 1, block.from, block.sums});
+        past.keyframes.push_back({position, recording.segments.size() - 1, block.from, block.sums});
+        position += hashes.size();
         if (block.place.get() != place) addMaze(mazes, *block.place);
         place = block.place.get();
     }

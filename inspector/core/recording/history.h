@@ -14,22 +14,27 @@
 
 namespace inspector {
 
-/// A copy of the history, ready to be replayed. Places count the steps since the program began; positions in the
-/// recording count from `begin`.
+/// A copy of the history, ready to be replayed. Places number the states since the program began: a run of n steps has
+/// n + 1, from the state in which it begins; positions in the recording count its steps.
 struct Past {
     std::shared_ptr<const PlayableRecording> recording;
     std::vector<Keyframe> keyframes; ///< ascending, at most History::kBlockSteps apart, the first at 0
     uint64_t begin = 0;
 
-    uint64_t end() const { return begin + recording->length(); }
-    /// Begin and end of the run to which the step before `place` belongs.
-    uint64_t beginOfRun(uint64_t place) const;
-    uint64_t endOfRun(uint64_t place) const;
-    /// The first place that shows the run of `place`: one after its begin if another run ends there.
-    uint64_t firstOfRun(uint64_t place) const;
-    /// The first place at or after `time`, s, that shows the run of `place`; the run's end if it doesn't last that
-    /// long.
+    uint64_t end() const { return endOf(recording->runs().size() - 1); }
+    /// Begin and end of the run of `place`.
+    uint64_t beginOfRun(uint64_t place) const { return beginOf(runAt(place)); }
+    uint64_t endOfRun(uint64_t place) const { return endOf(runAt(place)); }
+    uint64_t positionOf(uint64_t place) const { return place - begin - runAt(place); }
+    /// segment: of the last step, or of the next one at a run's begin.
+    uint64_t placeOf(uint64_t position, size_t segment) const;
+    /// The first place at or after `time`, s, in the run of `place`; the run's end if it doesn't last that long.
     uint64_t placeAt(double time, uint64_t place) const;
+
+private:
+    uint64_t beginOf(size_t run) const { return begin + recording->runs()[run] + run; }
+    uint64_t endOf(size_t run) const;
+    size_t runAt(uint64_t place) const;
 };
 
 /// Memory: 8 bytes a step and about 700 for each change of tilt, parameters or step size: at most 55 MB, and 20 MB for
@@ -44,11 +49,16 @@ public:
 
     /// Takes effect from the next step on.
     void setOrigin(const Origin &origin);
+    /// The next step continues from a state that was set.
+    void beginRun();
+    /// The next step continues the last run that has steps, which began at this place.
+    void resumeRun(uint64_t begin);
     /// Called after each step of the engine.
     void note(const Engine &engine);
 
-    /// Places [begin(), end()] can be shown again.
+    /// Places [begin(), end()] can be shown again, except for end() while the last run has no step.
     uint64_t begin() const { return m_blocks.empty() ? m_end : m_blocks.front().begin; }
+    uint64_t beginOfLastRun() const { return m_run; } ///< which may have been dropped
     uint64_t end() const { return m_end; }
     /// A copy of the part of [from, to) that is kept. Returns nothing, with one line in `error`, if a stepper is no
     /// longer available.
@@ -82,8 +92,8 @@ private:
     Origin m_origin;
     std::shared_ptr<const Place> m_place; ///< of the next steps; null: not known yet
     std::deque<Block> m_blocks;
+    uint64_t m_run = 0; ///< place where the last run began
     uint64_t m_end = 0;
-    phys_state m_last{}; ///< after the last step
 };
 
 } // namespace inspector

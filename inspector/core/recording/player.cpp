@@ -5,6 +5,12 @@
 
 namespace inspector {
 
+namespace {
+
+bool isBefore(const Keyframe &keyframe, uint64_t position) { return keyframe.position < position; }
+
+} // namespace
+
 Player::Player(std::shared_ptr<const PlayableRecording> recording)
     : m_recording(std::move(recording))
     , m_check(m_recording)
@@ -37,16 +43,20 @@ bool Player::next() {
 /// previous state is known.
 uint64_t Player::seek(uint64_t position) {
     position = std::min(position, checked());
-    if (position == m_shown.position()) return 0;
-    const auto isBefore = [](const Keyframe &each, uint64_t place) { return each.position < place; };
+    const bool isAfterAStep = position == 0 || m_recording->begin(m_shown.segment()) < position;
+    if (position == m_shown.position() && isAfterAStep) return 0;
     const auto after = std::lower_bound(m_keyframes.begin() + 1, m_keyframes.end(), position, isBefore);
     const Keyframe &keyframe = *(after - 1);
-    const bool isAhead = m_shown.position() < position && m_shown.position() >= keyframe.position;
+    const bool isAhead = m_shown.position() < position && m_shown.position() > keyframe.position;
     if (!isAhead) m_shown.moveTo(keyframe);
     uint64_t steps = 0;
     for (; m_shown.position() < position && m_shown.step(); ++steps) {
     }
     return steps;
+}
+
+void Player::seekBegin(uint64_t position) {
+    m_shown.moveTo(*std::lower_bound(m_keyframes.begin(), m_keyframes.end(), position, isBefore));
 }
 
 } // namespace inspector

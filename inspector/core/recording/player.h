@@ -45,6 +45,8 @@ public:
     /// Shows position 0 .. checked() after having made the step that leads there. Returns the number of steps that this
     /// took, at most kKeyframeInterval.
     uint64_t seek(uint64_t position);
+    /// Shows the first state of the run that begins there. Its keyframe must have been given.
+    void seekBegin(uint64_t position);
 
 private:
     std::shared_ptr<const PlayableRecording> m_recording;

@@ -17,6 +17,7 @@ namespace {
 constexpr int kOthersAhead = 24;                ///< boards
 constexpr uint64_t kOthersSeed = 1;             ///< fixed, so that moving a slider doesn't resample them
 const QString kModel = QStringLiteral("model"); ///< the row's id
+const QString kTilt = QStringLiteral("tilt_");  ///< begin of the ids of the board's two
 
 /// Identifies a maze by its file's bytes: another file of the same number has another best time.
 QString mazeOf(const Level &level) {
@@ -97,6 +98,7 @@ Session::Session(const Options &options, QSettings &settings, const Scene &scene
 }
 
 void Session::startGame() {
+    if (m_olderMaze && openLevel(Level(m_level))) return m_game.confirm();
     const bool isBallPut = this->isBallPut();
     phys_state begin = m_simulation->latest().current;
     begin.time = 0.0;
@@ -105,15 +107,18 @@ void Session::startGame() {
     m_hasUsualPhysics = true;
     watchPhysics();
     m_isTakenOver = isBallPut;
+    endTakenTilt();
     isBallPut ? m_simulation->setState(begin) : m_simulation->restart();
     m_simulation->run();
 }
 
 void Session::restart() {
     returnToPresent();
+    if (m_olderMaze && openLevel(Level(m_level))) return;
     const bool isOver = m_game.phase() == Game::Phase::Won || m_game.phase() == Game::Phase::Lost;
     const bool goesOn = !isOver && m_simulation->latest().running;
     if (isOver) m_simulation->pause(); // the ball may still be falling
+    endTakenTilt();
     m_simulation->restart();
     if (!goesOn) m_game.again();
 }
@@ -200,6 +205,7 @@ bool Session::openLevel(const Level &level) {
     m_isTakenOver = false;
     m_scene = scene;
     m_level = level;
+    m_olderMaze.reset();
     m_simulation->setScene(scene, stepper, origin());
     m_followsTrack = false; // setScene() ended it
     levelBoard();
@@ -331,6 +337,30 @@ void Session::levelBoard() {
     m_tiltControl = {};
     m_keysTilt = false;
     setTilt({});
+}
+
+void Session::noticeOlderMaze(const PlayableRecording &recording, size_t segment) {
+    const MazeSource &maze = recording.segment(segment).conditions.maze;
+    m_olderMaze.reset();
+    if (hashOf(readFile(m_level.path, kLargestMaze, nullptr).value_or(QByteArray())) == maze.hash) return;
+    m_olderMaze = maze;
+    emit olderMazeOpened(m_level.path);
+}
+
+/// before: the settings of the ball that takes over. A tilt that they have was set by hand and stays.
+void Session::keepTakenTilt(const PlayableRecording &recording, size_t segment, const Stepping &before) {
+    const auto isLevel = [](const Setting &setting) { return !setting.id.startsWith(kTilt) || setting.value == 0.0; };
+    m_takenTilt.clear();
+    if (!m_keysTilt && !std::ranges::all_of(before.settings, isLevel)) return;
+    m_takenTilt = settingsOf(recording.segment(segment).conditions, m_registry);
+    std::erase_if(m_takenTilt, [](const Setting &setting) { return !setting.id.startsWith(kTilt); });
+}
+
+/// Levels the board unless its tilt was changed since.
+void Session::endTakenTilt() {
+    const bool isKept = !m_takenTilt.empty() && differingFrom(m_parameters, m_takenTilt).empty();
+    m_takenTilt.clear();
+    if (isKept && !m_replay) setTilt({});
 }
 
 void Session::setTilt(Tilt tilt) {
@@ -532,7 +562,11 @@ void Session::showRecording(bool isOn) {
     emit recordingChanged(isOn);
 }
 
-Origin Session::origin() const { return originOf(m_registry, m_stepperId, m_level.path); }
+Origin Session::origin() const {
+    Origin origin = originOf(m_registry, m_stepperId, m_level.path);
+    if (m_olderMaze) origin.maze = *m_olderMaze;
+    return origin;
+}
 
 /// Doesn't send the values of a replay, which aren't the live ball's.
 void Session::sendInputs() {

@@ -37,7 +37,7 @@ struct Stepping {
 
 /// A run in the history, from a start, a restart or the moment at which it was taken over.
 struct KeptRun {
-    uint64_t begin = 0; ///< steps since the program began
+    uint64_t begin = 0; ///< place, as in Past
     uint64_t end = 0;
     Level level;
     std::vector<std::pair<QByteArray, double>> pace; ///< id of the stepper and dt, s, in their order
@@ -49,9 +49,8 @@ enum class Direction { Back, On };
 
 /// The position of the moment shown in its run.
 struct RunPlace {
-    uint64_t begin = 0; ///< steps since the program began
+    uint64_t begin = 0;
     uint64_t end = 0;
-    uint64_t first = 0; ///< first place that shows this run: one later if another run ends there
     uint64_t place = 0;
     bool isCut = false; ///< steps before `begin` aren't kept any more
 };
@@ -214,8 +213,9 @@ signals:
     void recordingChanged(bool isOn);
     void replayChanged(bool isOn);
     void pastChanged(bool isIn);
-    void takenOver();                        ///< the past was; the run that was shown stays in runs()
-    void runLeft();                          ///< the ball was placed by hand; the run before stays in runs()
+    void olderMazeOpened(const QString &path); ///< by taking over a run; the next start reads the file
+    void takenOver();                          ///< the past was; the run that was shown stays in runs()
+    void runLeft();                            ///< the ball was placed by hand; the run before stays in runs()
     void replayDiffers(const QString &line); ///< emitted when it is found, and when it is reached and the replay pauses
 
 private:
@@ -235,6 +235,9 @@ private:
     void watchPhysics();
     bool fly(QString *error);
     void levelBoard();
+    void noticeOlderMaze(const PlayableRecording &recording, size_t segment);
+    void keepTakenTilt(const PlayableRecording &recording, size_t segment, const Stepping &before);
+    void endTakenTilt();
     void setTilt(Tilt tilt);
     void sendInputs();
     QStringList openFiles() const;
@@ -312,11 +315,13 @@ private:
     };
     Continued m_continued; ///< the last such run: samples of others don't have these steps
     std::vector<Sample> m_oldFuture;
-    uint64_t m_oldFutureRun = 0;   ///< run number in snapshots: discarded with the next run
-    bool m_isTakenOver = false;    ///< from a replay, the past or by hand: such a run sets no best time
-    bool m_isPlaced = false;       ///< by hand, since the last run was taken over
-    bool m_hasUsualPhysics = true; ///< unchanged since the level was started
-    bool m_keysTilt = false;       ///< the keys control the board's tilt
+    uint64_t m_oldFutureRun = 0;           ///< run number in snapshots: discarded with the next run
+    std::optional<MazeSource> m_olderMaze; ///< of a run taken over whose maze isn't in its file any more
+    std::vector<Setting> m_takenTilt;      ///< of a moment taken over by a level board; ends with the run
+    bool m_isTakenOver = false;            ///< from a replay, the past or by hand: such a run sets no best time
+    bool m_isPlaced = false;               ///< by hand, since the last run was taken over
+    bool m_hasUsualPhysics = true;         ///< unchanged since the level was started
+    bool m_keysTilt = false;               ///< the keys control the board's tilt
     Parameters m_parameters;
     Game m_game;
     std::unique_ptr<Simulation> m_simulation;

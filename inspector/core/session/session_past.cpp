@@ -22,8 +22,7 @@ RunPlace Session::runPlace() {
     const HistoryPlace &kept = now.history;
     const bool isOldestCut = !m_runs.empty() && m_runs.front().begin < kept.begin;
     const auto placeIn = [&](uint64_t begin, uint64_t end, uint64_t place) {
-        const bool isOldest = begin <= kept.begin;
-        return RunPlace{begin, end, isOldest ? begin : std::min(begin + 1, end), place, isOldest && isOldestCut};
+        return RunPlace{begin, end, place, begin <= kept.begin && isOldestCut};
     };
     if (!m_past) return placeIn(std::max(kept.run, kept.begin), kept.end, kept.end);
     const bool isThere = now.replay.number == m_past->number && now.replay.seeks >= m_past->seeks;
@@ -115,7 +114,11 @@ void Session::takeOver() {
     const uint64_t position = place - m_past->past.begin;
     const bool isOtherLevel = m_scene != m_past->scene;
     keepOldFuture(place);
-    m_continued = {m_past->past.end(), settingsSpans(runPlace().begin, place)};
+    m_continued = {m_past->past.end() + 1, settingsSpans(runPlace().begin, place)};
+    const std::shared_ptr<const PlayableRecording> recording = m_past->past.recording;
+    const std::optional<size_t> segment = m_past->segment; // none if nothing of the past was shown yet
+    if (segment) keepTakenTilt(*recording, *segment, m_past->stepping);
+    if (segment) noticeOlderMaze(*recording, *segment);
     m_past.reset();
     m_isTakenOver = true;
     m_isPlaced = false;

@@ -53,7 +53,11 @@ void Session::goOnFromHere() {
     followReplay(now);
     if (!replayPlace(now)) return; // nothing shown yet
     const uint64_t position = now.replay.position;
-    m_continued = {now.history.end, spansOf(recording(), recording().beginOfRun(position), position)};
+    const bool hasSteps = now.history.end > now.history.run;
+    m_continued = {now.history.end + (hasSteps ? 1 : 0),
+                   spansOf(recording(), recording().beginOfRun(position), position)};
+    keepTakenTilt(recording(), now.replay.segment, m_replay->before);
+    noticeOlderMaze(recording(), now.replay.segment);
     m_replay.reset();
     m_isTakenOver = true;
     m_isPlaced = false;

@@ -26,7 +26,7 @@ LiveRun::LiveRun(Presentation &presentation, const Scene &scene, const Stepper &
     , m_engine(scene, stepper) {}
 
 void LiveRun::addTo(Snapshot &snapshot) const {
-    snapshot.history = {m_history.begin(), m_beginPlace, m_history.end(), m_history.end()};
+    snapshot.history = {m_history.begin(), beginPlace(), m_history.end(), m_history.end()};
 }
 
 void LiveRun::step(Clock::time_point due) {
@@ -96,7 +96,7 @@ void LiveRun::setOrigin(const Origin &origin) {
 
 void LiveRun::begin() {
     m_leftAt = timeOfLeaving(m_engine.state());
-    m_beginPlace = m_history.end();
+    m_history.beginRun();
     m_presentation.beginRun();
 }
 
@@ -105,7 +105,7 @@ void LiveRun::goOnFrom(const Engine &from, const Stepper &stepper, uint64_t numb
     m_engine.setDt(from.dt());
     obey({from.inputs(), number});
     m_engine.setState(from.state(), from.sums());
-    m_beginPlace = m_history.end();
+    m_history.beginRun();
     const auto left = departure(m_presentation.samples(), from.scene().get(), from.state().time);
     m_leftAt = left ? left->time : timeOfLeaving(m_engine.state());
     if (left) emit m_presentation.owner().leftMaze(*left);
@@ -113,7 +113,7 @@ void LiveRun::goOnFrom(const Engine &from, const Stepper &stepper, uint64_t numb
 
 void LiveRun::resume(const Engine &end, uint64_t begin) {
     m_engine.setState(end.state(), end.sums());
-    m_beginPlace = begin;
+    m_history.resumeRun(begin);
     const auto left = departure(m_presentation.samples(), end.scene().get(), end.state().time);
     m_leftAt = left ? left->time : timeOfLeaving(m_engine.state());
 }

@@ -52,9 +52,8 @@ public:
     // ---- history ----
 
     const History &history() const { return m_history; }
-    uint64_t beginPlace() const {
-        return m_beginPlace;
-    } ///< the place where it began, which the history may have dropped
+    /// The place where it began, which the history may have dropped.
+    uint64_t beginPlace() const { return m_history.beginOfLastRun(); }
 
 private:
     void record(const QString &failure);
@@ -69,7 +68,6 @@ private:
     double m_pauseAt = std::numeric_limits<double>::infinity(); ///< s
     std::optional<Recorder> m_recorder{};
     History m_history{};
-    uint64_t m_beginPlace = 0;
 };
 
 } // namespace inspector

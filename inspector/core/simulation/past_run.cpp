@@ -35,28 +35,35 @@ void PastRun::step(Clock::time_point due) {
     m_presentation.publish(due);
 }
 
-bool PastRun::showAt(uint64_t position) {
-    m_player.seek(position);
+bool PastRun::showAt(uint64_t offset) {
+    show(std::min(m_past.begin + offset, m_past.end()));
     const uint64_t wanted = m_past.beginOfRun(place());
     if (wanted != std::max(m_shownRun, m_past.begin)) refillSamples(wanted);
     return true;
 }
 
-void PastRun::goTo(uint64_t position) { showAt(position); }
+void PastRun::goTo(uint64_t offset) { showAt(offset); }
+
+void PastRun::show(uint64_t place) {
+    const uint64_t position = m_past.positionOf(place);
+    if (place == m_past.beginOfRun(place))
+        m_player.seekBegin(position);
+    else
+        m_player.seek(position);
+}
 
 /// Repeats the run from its beginning to its end, beside a ghost like the present one; the player returns to where it
 /// was.
 void PastRun::refillSamples(uint64_t first) {
-    const uint64_t position = m_player.position();
-    const uint64_t end = std::min(m_past.endOfRun(first + 1), first + kStepsOfARun) - m_past.begin;
+    const uint64_t shown = place();
+    const uint64_t end = std::min(m_past.endOfRun(first), first + kStepsOfARun);
     m_presentation.hold();
     m_presentation.clear();
-    m_player.seek(first - m_past.begin);
-    m_player.enterRun();
+    show(first);
     const bool isLive = first == std::max(m_live.beginPlace(), m_past.begin);
     std::optional<GhostEngine> ghost;
     uint64_t ghostSteps = 0;
-    while (m_player.position() < end) {
+    while (place() < end) {
         if (!ghost && ghostSteps == 0 && m_presentation.ghostBeginsAt(engine().state(), isLive))
             ghost = m_presentation.ghostOf(engine(), leaderId());
         if (!m_player.next()) break;
@@ -66,8 +73,8 @@ void PastRun::refillSamples(uint64_t first) {
         m_presentation.samples().append(sample);
         m_presentation.noteEvents();
     }
-    if (end < m_past.endOfRun(first + 1) - m_past.begin) m_presentation.samples().cut();
-    m_player.seek(position);
+    if (end < m_past.endOfRun(first)) m_presentation.samples().cut();
+    show(shown);
     m_presentation.release();
     m_shownRun = first;
 }

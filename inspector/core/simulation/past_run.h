@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Plays the history of the live ball like a recording, except that samples and events remain those of the whole run
-// shown.
+// shown, and that seeks are by places, counted from the oldest one.
 #pragma once
 
 #include "core/simulation/replay_run.h"
@@ -15,7 +15,7 @@ public:
     void addTo(Snapshot &snapshot) const override;
     void prepareToGoOn() override {}
     void step(Clock::time_point due) override; ///< stops at the end of the run shown
-    void goTo(uint64_t position) override;
+    void goTo(uint64_t offset) override;
     void forgetFuture() override;
 
     uint64_t shownRun() const { return m_shownRun; }
@@ -23,10 +23,11 @@ public:
     void showLiveRun();
 
 protected:
-    bool showAt(uint64_t position) override;
+    bool showAt(uint64_t offset) override;
 
 private:
-    uint64_t place() const { return m_past.begin + m_player.position(); }
+    uint64_t place() const { return m_past.placeOf(m_player.position(), m_player.segment()); }
+    void show(uint64_t place);
     void refillSamples(uint64_t first);
     uint64_t follow(GhostEngine &ghost, Sample &sample) const;
     std::optional<Ghost> ghost() const;

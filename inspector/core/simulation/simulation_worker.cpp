@@ -52,12 +52,12 @@ void Simulation::Worker::goOnLive(uint64_t number) {
 
 bool Simulation::Worker::resume(const HistoryPlace &run) {
     const History &history = live.history();
-    const bool isLast = run.end > run.run && history.end() == run.end && live.beginPlace() == run.end;
+    const bool isLast = run.end > run.run && live.beginPlace() == run.end + 1 && history.end() == run.end + 1;
     if (replay || !isLast || history.begin() > run.run) return false;
     const std::optional<Past> kept = history.past(run.run, run.end, nullptr);
     if (!kept) return false;
     lookBack(*kept, 0);
-    past->goTo(kept->recording->length());
+    past->goTo(kept->end() - kept->begin);
     live.resume(past->engine(), run.run);
     handOver();
     return true;

@@ -38,9 +38,9 @@ struct ReplayPlace {
     uint64_t seeks = 0;                 ///< number of the last one done
 };
 
-/// The extent of the history; places count the steps since the program began.
+/// The extent of the history; places number the states since the program began, as in Past.
 struct HistoryPlace {
-    uint64_t begin = 0; ///< the oldest step kept
+    uint64_t begin = 0; ///< the oldest one kept
     uint64_t run = 0;   ///< where the live run began
     uint64_t end = 0;   ///< the present
     uint64_t place = 0; ///< the place shown

@@ -105,7 +105,7 @@ TimeBar::TimeBar(Session &session, const QList<QAction *> &playback, const QList
 void TimeBar::goTo(int notch) {
     if (m_session.isReplaying()) return m_session.seek(uint64_t(notch));
     const RunPlace run = m_session.runPlace();
-    m_session.lookAt(std::max(run.begin + uint64_t(notch), run.first));
+    m_session.lookAt(run.begin + uint64_t(notch));
 }
 
 void TimeBar::reset() {
@@ -151,7 +151,7 @@ void TimeBar::showRun(const Snapshot &now) {
     const uint64_t lastStep = firstStepOf(run, now) + run.end - run.begin;
     const QString place = m_session.isInPast() ? tr("%1 of %2").arg(time).arg(lastStep) : time;
     const QString before = stepsBefore(run, now);
-    const bool isAtBegin = m_session.isInPast() && run.place == run.first;
+    const bool isAtBegin = m_session.isInPast() && run.place == run.begin;
     m_place->setText(isAtBegin && !before.isEmpty() ? QStringLiteral("%1 · %2").arg(place, before) : place);
     m_slider->setToolTip(before);
     m_slider->setContinuing(!before.isEmpty());

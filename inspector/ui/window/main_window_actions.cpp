@@ -480,13 +480,13 @@ void MainWindow::stepOnce() { m_session.simulation().stepOnce(); }
 void MainWindow::stepBack() {
     if (m_session.isReplaying()) return m_session.simulation().stepBack();
     const RunPlace run = m_session.runPlace();
-    if (run.place > run.first) m_session.lookAt(run.place - 1);
+    if (run.place > run.begin) m_session.lookAt(run.place - 1);
 }
 
 void MainWindow::goToStart() {
     if (m_session.isReplaying()) return m_session.seek(0);
     const RunPlace run = m_session.runPlace();
-    if (run.place > run.first) m_session.lookAt(run.first);
+    if (run.place > run.begin) m_session.lookAt(run.begin);
 }
 
 void MainWindow::goToEnd() {

@@ -23,6 +23,8 @@ private slots:
 
 private:
     void play(uint64_t steps);
+    void restart();
+    void setState(const phys_state &state);
     Past past(uint64_t from = 0, uint64_t to = UINT64_MAX);
 
     Registry m_registry;
@@ -51,6 +53,16 @@ void TestHistory::play(uint64_t steps) {
     }
 }
 
+void TestHistory::restart() {
+    m_engine->restart();
+    m_history->beginRun();
+}
+
+void TestHistory::setState(const phys_state &state) {
+    m_engine->setState(state);
+    m_history->beginRun();
+}
+
 Past TestHistory::past(uint64_t from, uint64_t to) {
     QString error;
     std::optional<Past> past = m_history->past(from, to, &error);
@@ -61,15 +73,15 @@ Past TestHistory::past(uint64_t from, uint64_t to) {
 // With a restart, another step size and a state set back in between.
 void TestHistory::everyPlaceIsBitByBitWhatItWas() {
     play(700);
-    m_engine->restart();
+    restart();
     play(300);
     m_engine->setDt(0.001);
     play(2000);
-    m_engine->setState(m_states[500]);
+    setState(m_states[500]);
     play(100);
     const Past kept = past();
     QCOMPARE(kept.begin, uint64_t(0));
-    QCOMPARE(kept.end(), uint64_t(m_states.size()));
+    QCOMPARE(kept.end(), uint64_t(m_states.size() + 2)); // and two more places where runs begin
     Player player(kept.recording, kept.keyframes);
     constexpr unsigned kSeed = 17;
     std::mt19937 random(kSeed);
@@ -97,39 +109,43 @@ void TestHistory::memoryIsBounded() {
 
 void TestHistory::runsBeginWhereTheBallWasPut() {
     play(100);
-    m_engine->restart();
+    restart();
     play(50);
-    m_engine->setState(m_states[30]);
+    setState(m_states[30]);
     play(70);
     const Past kept = past();
     QCOMPARE(kept.recording->runs(), (std::vector<uint64_t>{0, 100, 150}));
     QCOMPARE(kept.beginOfRun(100), uint64_t(0));
     QCOMPARE(kept.endOfRun(100), uint64_t(100));
-    QCOMPARE(kept.beginOfRun(101), uint64_t(100));
-    QCOMPARE(kept.endOfRun(101), uint64_t(150));
-    QCOMPARE(kept.endOfRun(200), uint64_t(220));
+    QCOMPARE(kept.beginOfRun(101), uint64_t(101));
+    QCOMPARE(kept.endOfRun(101), uint64_t(151));
+    QCOMPARE(kept.beginOfRun(152), uint64_t(152));
+    QCOMPARE(kept.endOfRun(200), uint64_t(222));
+    QCOMPARE(kept.positionOf(100), uint64_t(100));
+    QCOMPARE(kept.positionOf(101), uint64_t(100));
+    QCOMPARE(kept.positionOf(222), uint64_t(220));
 }
 
 void TestHistory::placeIsFoundByItsTime() {
     play(300);
-    m_engine->restart();
+    restart();
     m_engine->setDt(0.002);
     play(300);
     const Past kept = past();
     QCOMPARE(kept.placeAt(1.0, 10), uint64_t(100));   // of the first run, at 10 ms
     QCOMPARE(kept.placeAt(1.001, 10), uint64_t(101)); // at or after
-    QCOMPARE(kept.placeAt(0.1, 400), uint64_t(350));  // of the second, at 2 ms
+    QCOMPARE(kept.placeAt(0.1, 400), uint64_t(351));  // of the second, at 2 ms
     QCOMPARE(kept.placeAt(99.0, 10), uint64_t(300));
     QCOMPARE(kept.placeAt(0.0, 10), uint64_t(0));
-    QCOMPARE(kept.placeAt(0.0, 400), uint64_t(301)); // 300 shows the end of the first
+    QCOMPARE(kept.placeAt(0.0, 400), uint64_t(301)); // 300 is the end of the first
 }
 
 // Saves a part that begins in the middle.
 void TestHistory::savedRunIsTheSame() {
     play(300);
-    m_engine->restart();
+    restart();
     play(400);
-    const QByteArray text = recordingText(past(300, 700).recording->recording(), m_registry);
+    const QByteArray text = recordingText(past(301, 701).recording->recording(), m_registry);
     QString error;
     std::optional<Recording> read = parseRecording(text, m_registry, &error);
     QVERIFY2(read, qPrintable(error));

@@ -2,6 +2,7 @@
 // What remains of a run when the next one begins: it is listed, said to be, and can still be saved.
 #include "core/program/options.h"
 #include "core/recording/history.h"
+#include "support/compare.h"
 #include "support/files.h"
 #include "ui/parts/message_bar.h"
 #include "ui/parts/number_box.h"
@@ -34,6 +35,9 @@ private slots:
     void runShownIsMarked();
     void recordingWithoutStepsIsNotSaved_data();
     void recordingWithoutStepsIsNotSaved();
+    void everyRunIsShownFromItsFirstState();
+    void takenOverTiltEndsWithTheRun();
+    void tiltSetByHandOutlivesARunTakenOver();
     void onlyTheLiveRunIsThePresentOne();
     void selectionStaysOnItsRun();
     void typedPlaceLeavesTheRunInRunsAndSaysSo();
@@ -47,6 +51,9 @@ private slots:
     void messageGoesWithTheNextCommand();
 
 private:
+    bool isAt(uint64_t step) { return ball().step == step; }
+    phys_state ball() { return m_fixture->simulation().latest().current; }
+    double tiltX() { return m_fixture->parameters().value(m_fixture->parameters().indexOf("tilt_x")); }
     QString placeText() { return m_fixture->find<QLabel>("time_place")->text(); }
     QString resultOf(int row);
     void restart();
@@ -176,6 +183,54 @@ void TestWindowRuns::recordingWithoutStepsIsNotSaved() {
     QCOMPARE(m_fixture->find<MessageBar>("messages")->line(),
              "'" + file + "': no steps made yet; earlier runs are in Runs");
     QVERIFY(!QFile::exists(file));
+}
+
+// Also if another run ends there, and however often it is taken over from there.
+void TestWindowRuns::everyRunIsShownFromItsFirstState() {
+    restart();
+    const phys_state start = ball();
+    m_fixture->makeSteps(10);
+    for (int run = 0; run < 3; ++run) {
+        m_fixture->key(Qt::Key_Home, Qt::ControlModifier);
+        QTRY_VERIFY(isAt(0));
+        QVERIFY(support::sameBits(ball(), start));
+        m_fixture->window().refresh();
+        QCOMPARE(placeText(), QString("0.000 s · step 0 of 10"));
+        m_fixture->session().takeOver();
+        QTRY_VERIFY(!m_fixture->session().isInPast() && isAt(0));
+        m_fixture->makeSteps(10);
+    }
+    m_fixture->key(Qt::Key_Home, Qt::ControlModifier);
+    QTRY_VERIFY(isAt(0));
+    m_fixture->session().lookAt(m_fixture->session().runPlace().begin - 1); // the end of the run before
+    QTRY_VERIFY(isAt(10));
+    m_fixture->session().lookAt(m_fixture->session().runPlace().end + 1);
+    QTRY_VERIFY(isAt(0));
+}
+
+void TestWindowRuns::takenOverTiltEndsWithTheRun() {
+    m_fixture->key(Qt::Key_A); // the autopilot tilts
+    m_fixture->makeSteps(30);
+    m_fixture->key(Qt::Key_A);
+    QCOMPARE(tiltX(), 0.0);
+    goBack(5);
+    m_fixture->key(Qt::Key_G);
+    QTRY_VERIFY(!m_fixture->session().isInPast());
+    m_fixture->key(Qt::Key_Space);
+    QVERIFY(tiltX() != 0.0);
+    QTRY_VERIFY(!m_fixture->simulation().latest().running);
+    restart();
+    QCOMPARE(tiltX(), 0.0);
+    QTRY_COMPARE(m_fixture->simulated("tilt_x"), 0.0);
+}
+
+void TestWindowRuns::tiltSetByHandOutlivesARunTakenOver() {
+    m_fixture->parameters().set({{"tilt_x", 2.0}});
+    m_fixture->makeSteps(10);
+    goBack(5);
+    m_fixture->session().takeOver();
+    restart();
+    QCOMPARE(tiltX(), 2.0);
 }
 
 void TestWindowRuns::onlyTheLiveRunIsThePresentOne() {
