@@ -336,6 +336,19 @@ void MainWindow::giveBackHeights(Qt::DockWidgetArea area) {
     resizeDocks(docks, heights, Qt::Vertical);
 }
 
+/// Tab leaves out docks behind other ones.
+bool MainWindow::focusNextPrevChild(bool isNext) {
+    const auto isBehind = [this](const QWidget *widget) {
+        while (widget && widget != this && !qobject_cast<const QDockWidget *>(widget)) widget = widget->parentWidget();
+        return widget && widget != this && widget->visibleRegion().isEmpty();
+    };
+    const QWidget *first = focusWidget();
+    do {
+        if (!QMainWindow::focusNextPrevChild(isNext)) return false;
+    } while (isBehind(focusWidget()) && focusWidget() != first);
+    return true;
+}
+
 /// Tabs of docks are scrolled rather than cut.
 void MainWindow::childEvent(QChildEvent *event) {
     QMainWindow::childEvent(event);
@@ -366,6 +379,7 @@ void MainWindow::connectSession() {
     connect(&m_session.simulation(), &Simulation::runningChanged, this, &MainWindow::showRunning);
     connect(m_mazeWatcher, &MazeWatcher::changed, this, &MainWindow::readMazeAgain);
     connect(m_mazeWatcher, &MazeWatcher::lost, this, &MainWindow::sayMazeIsGone);
+    connect(&m_session, &Session::olderMazeOpened, this, &MainWindow::sayMazeIsOlder);
     connect(m_mazeWatcher, &MazeWatcher::found, this, [this] { m_messages->settle(Cause::Maze); });
     connect(m_view, &gl::MazeView::followingChanged, action("camera_follow"), &QAction::setChecked);
     connectPlots();

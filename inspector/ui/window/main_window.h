@@ -74,6 +74,7 @@ public:
     TrackDock &track() { return *m_track; }
 
 protected:
+    bool focusNextPrevChild(bool isNext) override;
     void childEvent(QChildEvent *event) override;
     void closeEvent(QCloseEvent *event) override;
     void showEvent(QShowEvent *event) override;
@@ -131,6 +132,7 @@ private:
     void watchMaze();
     void readMazeAgain(const QString &path);
     void sayMazeIsGone(const QString &path);
+    void sayMazeIsOlder(const QString &path);
     void showPage(const QString &page, const QString &section = {});
     void showReplay(bool isOn);
     void showPast(bool isIn);

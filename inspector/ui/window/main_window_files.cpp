@@ -159,6 +159,12 @@ void MainWindow::sayMazeIsGone(const QString &path) {
     m_messages->showLine(tr("%1 can't be read any more; the maze stays open as it was").arg(quoted(path)), Cause::Maze);
 }
 
+void MainWindow::sayMazeIsOlder(const QString &path) {
+    m_messages->showLine(tr("This run's %1 is an older one than that on disk, which the next start opens")
+                             .arg(QFileInfo(path).fileName()),
+                         Cause::Maze);
+}
+
 void MainWindow::showGuide() { showPage(QStringLiteral("inspector/README.md"), QStringLiteral("Using the window")); }
 void MainWindow::showModelPage() { showPage(QStringLiteral("libphysics/docs/model.md")); }
 void MainWindow::showAccuracyPage() { showPage(QStringLiteral("libphysics/docs/accuracy.md")); }

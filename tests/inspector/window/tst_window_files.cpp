@@ -40,6 +40,7 @@ private slots:
     void nameIsOpenedAsItIsTyped_data();
     void nameIsOpenedAsItIsTyped();
     void changedMazeIsReadAgain();
+    void runOfAnOlderMazeSaysSoAndEndsWithIt();
     void noteOfAChangedMazeIsForgottenAtARestart();
     void replacedMazeIsReadAgain();
     void mazeThatIsDeletedIsSaid();
@@ -184,6 +185,33 @@ void TestWindowFiles::changedMazeIsReadAgain() {
     QCOMPARE(line(), QString("mine.txt was changed on disk and has been read again"));
     write(path, kFloor + kWall + "box -0.06 -0.1 0 -0.05 0.1 0.02\n"); // it is still watched
     QTRY_COMPARE(boxes(), 3U);
+}
+
+void TestWindowFiles::runOfAnOlderMazeSaysSoAndEndsWithIt() {
+    const QString path = maze("mine.txt");
+    drop(path);
+    m_fixture->makeSteps(5);
+    m_fixture->window().refresh(); // the run is in runs()
+    write(path, kFloor + kWall);
+    QTRY_COMPARE(boxes(), 2U);
+    inspector::Session &session = m_fixture->session();
+    session.lookAt(session.runs().back().end);
+    const auto isBack = [&] {
+        m_fixture->window().refresh();
+        return boxes() == 1;
+    };
+    QTRY_VERIFY(isBack());
+    session.takeOver();
+    QVERIFY2(line().contains("mine.txt is an older one than that on disk"), qPrintable(line()));
+    m_fixture->makeSteps(2);
+    QString error;
+    QVERIFY2(session.saveRun(m_fixture->path("older.rec"), &error), qPrintable(error));
+    write(path, kFloor); // the recording names the maze that it was made in
+    QVERIFY2(inspector::openRecording(m_fixture->path("older.rec"), session.registry(), {}, &error), qPrintable(error));
+    write(path, kFloor + kWall);
+    m_fixture->key(Qt::Key_R);
+    QTRY_COMPARE(boxes(), 2U);
+    QCOMPARE(line(), QString());
 }
 
 void TestWindowFiles::noteOfAChangedMazeIsForgottenAtARestart() {

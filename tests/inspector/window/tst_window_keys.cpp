@@ -47,6 +47,7 @@ private slots:
     void enterInANumberIsNotTheGames();
     void lettersInANumberAreNotCommands();
     void ballRollsWhereTheArrowsPoint();
+    void tabLeavesOutDocksBehindOthers();
     void everyShortcutIsListed();
     void noShortcutIsThereTwice();
     void keysCanBeSearched();
@@ -290,6 +291,27 @@ void TestWindowKeys::ballRollsWhereTheArrowsPoint() {
     QTest::keyPress(&m_fixture->window(), Qt::Key_Up);
     QTRY_VERIFY(ball().position.y > start + 0.01);
     QTest::keyRelease(&m_fixture->window(), Qt::Key_Up);
+}
+
+void TestWindowKeys::tabLeavesOutDocksBehindOthers() {
+    const auto isBehind = [](const QWidget *widget) {
+        while (widget && !qobject_cast<const QDockWidget *>(widget)) widget = widget->parentWidget();
+        return widget && widget->visibleRegion().isEmpty();
+    };
+    for (const Qt::Key key : {Qt::Key_4, Qt::Key_7, Qt::Key_8, Qt::Key_5}) m_fixture->press(key, Qt::ControlModifier);
+    QTRY_VERIFY(!m_fixture->find<QWidget>("comparison_dock")->visibleRegion().isEmpty());
+    for (const Qt::Key key : {Qt::Key_Tab, Qt::Key_Backtab}) {
+        m_fixture->find<QWidget>("view")->setFocus();
+        QList<const QWidget *> seen;
+        do {
+            m_fixture->key(key);
+            const QWidget *focus = QApplication::focusWidget();
+            QVERIFY2(focus && !isBehind(focus), qPrintable(focus ? focus->objectName() : QString()));
+            seen += focus;
+        } while (!m_fixture->find<QWidget>("view")->hasFocus() && seen.size() < 200);
+        QVERIFY(m_fixture->find<QWidget>("view")->hasFocus());
+        QVERIFY(seen.size() > 10);
+    }
 }
 
 void TestWindowKeys::everyShortcutIsListed() {
