@@ -95,6 +95,7 @@ private:
     bool m_hasDiverged = false;           ///< even the next points disagree with the computed ball
     std::vector<TrackSegment> m_diverged; ///< segments at whose ends the computed and the measured ball diverge
     size_t m_next = 0;                    ///< first point not used yet
+    size_t m_end = 0;                     ///< first point that isn't to be used
 };
 
 /// Tests the residuals as a whole and in every window: a mismatched bounce shows up only in a window.
@@ -124,7 +125,7 @@ size_t SequentialFit::pointAfter(size_t first, double time) const {
 
 std::optional<SegmentFit> SequentialFit::started(size_t first) const {
     const size_t last = std::max(pointAfter(first, kFirstLength), first + kFewestPoints);
-    if (last >= m_track.points.size()) return std::nullopt;
+    if (last >= m_end) return std::nullopt;
     return fitted({first, last, startAt(m_track, m_board.frame, first), {}}, m_board);
 }
 
@@ -137,7 +138,7 @@ std::optional<SegmentFit> SequentialFit::grown(const SegmentFit &fit) {
     for (; m_stride >= kShortestStride; m_stride *= 0.5) {
         TrackSegment longer = segment;
         m_stride = std::min(m_stride, kLongestSegment - length(segment.first, segment.last));
-        longer.last = pointAfter(segment.last, m_stride);
+        longer.last = std::min(pointAfter(segment.last, m_stride), m_end - 1);
         std::optional<SegmentFit> more = fitted(longer, fit.board);
         m_hasDiverged = !more;
         if (!more || !(isShort || isPredicted(m_model, m_quantities, m_estimate, fit, *more, m_noise))) continue;
@@ -148,12 +149,12 @@ std::optional<SegmentFit> SequentialFit::grown(const SegmentFit &fit) {
 }
 
 void SequentialFit::run(size_t first, size_t end, int mostBreaks, const FitProgress &progress) {
-    const size_t count = std::min(end, m_track.points.size());
     m_next = first;
+    m_end = std::min(end, m_track.points.size());
     const auto tell = [&](size_t point) {
-        if (progress) progress(length(0, point) / length(0, count - 1), modelName(m_board.params.model));
+        if (progress) progress(length(0, point) / length(0, m_end - 1), modelName(m_board.params.model));
     };
-    while (m_next + kFewestPoints < count && breaks() < mostBreaks && !m_stop.stop_requested()) {
+    while (m_next + kFewestPoints < m_end && breaks() < mostBreaks && !m_stop.stop_requested()) {
         tell(m_next);
         m_growing = started(m_next);
         if (!m_growing) { // perhaps within a bounce
@@ -162,7 +163,7 @@ void SequentialFit::run(size_t first, size_t end, int mostBreaks, const FitProgr
         }
         m_stride = std::max(m_stride, kFirstStride); // keep the stride of the previous segment
         m_hasDiverged = false;
-        while (m_growing->segment.last + 1 < count &&
+        while (m_growing->segment.last + 1 < m_end &&
                length(m_growing->segment.first, m_growing->segment.last) < kLongestSegment &&
                !m_stop.stop_requested()) {
             std::optional<SegmentFit> more = grown(*m_growing);

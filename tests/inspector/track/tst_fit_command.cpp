@@ -3,6 +3,7 @@
 #include "inspector/core/headless_run.h"
 #include "support/files.h"
 
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -16,6 +17,7 @@ class TestFitCommand : public QObject {
 
 private slots:
     void rightMazeIsFoundOnNearlyTheWholeTrack();
+    void pointIsExplainedOnce();
     void wrongMazeExplainsNothing_data();
     void wrongMazeExplainsNothing();
     void wrongUnitsAreAskedFor();
@@ -49,6 +51,15 @@ void TestFitCommand::rightMazeIsFoundOnNearlyTheWholeTrack() {
     const QString verdict = lineOf(result, "verdict:");
     QVERIFY2(verdict.startsWith("verdict: the rolling model suffices: "), qPrintable(verdict));
     QVERIFY2(verdict.contains(" of 241 points, ") && verdict.endsWith(" of 4 s"), qPrintable(verdict));
+}
+
+// Also where the track is explained in parts: the wall is missed, and each part begins behind it.
+void TestFitCommand::pointIsExplainedOnce() {
+    const Result result = runOf({"--fit", kTrack, "--level", "3", "--restitution-wall", "0"});
+    const QRegularExpression points(QStringLiteral("(\\d+) of 241 points"));
+    const QRegularExpressionMatch found = points.match(lineOf(result, "verdict:"));
+    QVERIFY2(found.hasMatch(), result.out.constData());
+    QVERIFY2(found.captured(1).toInt() <= 241, result.out.constData());
 }
 
 void TestFitCommand::wrongMazeExplainsNothing_data() {
