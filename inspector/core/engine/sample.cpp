@@ -71,4 +71,14 @@ Sample makeSample(const phys_state &state, const Inputs &inputs, const phys_repo
     return sample;
 }
 
+Sample sampleBeforeAStep(const phys_scene *scene, const phys_state &state, const Inputs &inputs) {
+    phys_report report{};
+    if (phys_energy(scene, &inputs.params, &state, &report.energy_after) != PHYS_OK)
+        report.energy_after = std::numeric_limits<double>::quiet_NaN();
+    Sample sample = makeSample(state, inputs, report);
+    for (const Channel channel : {Channel::Substeps, Channel::Penetration})
+        sample[channel] = std::numeric_limits<double>::quiet_NaN();
+    return sample;
+}
+
 } // namespace inspector

@@ -80,5 +80,7 @@ struct Sample {
 
 /// Without the comparison, and without channels that a single state doesn't determine.
 Sample makeSample(const phys_state &state, const Inputs &inputs, const phys_report &report);
+/// The same for a state that no step led to.
+Sample sampleBeforeAStep(const phys_scene *scene, const phys_state &state, const Inputs &inputs);
 
 } // namespace inspector

@@ -17,8 +17,8 @@ constexpr double kBelowZero = 0.4;     ///< lower border as a share of the posit
 const QCPRange kUsualRange(1e-5, 1e1); ///< mm
 constexpr double kSmallest = 1e-12;    ///< mm, where zeros of the band are drawn on a logarithmic axis
 
-/// Ticks at powers of ten, and a tick 0 where zeros are drawn.
-class ZeroTicker : public QCPAxisTickerLog {
+/// With a tick 0 where zeros are drawn.
+class ZeroTicker : public LogTicker {
 public:
     /// height: the position of zeros; 0 if there are none.
     void setZero(double height) { m_zero = height; }
@@ -26,7 +26,7 @@ public:
 protected:
     QString getTickLabel(double tick, const QLocale &locale, QChar format, int precision) override {
         if (tick < 2.0 * m_zero) return QStringLiteral("0");
-        return QCPAxisTickerLog::getTickLabel(tick, locale, format, precision);
+        return LogTicker::getTickLabel(tick, locale, format, precision);
     }
 
 private:

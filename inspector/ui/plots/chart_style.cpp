@@ -2,6 +2,7 @@
 #include "ui/plots/chart_style.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include <qcustomplot.h>
@@ -53,6 +54,10 @@ namespace {
 
 constexpr int kMostTicks = 5;
 constexpr int kLinesBesideAxis = 4; ///< of text, above and below a value axis
+constexpr int kMostDecimals = 9;    ///< of a tick's label
+constexpr double kRounding = 1e-9;  ///< share of a tick's value
+constexpr double kLinearDecades = 0.5;
+constexpr double kDecades = 1.6; ///< from which on QCPAxisTickerLog has ticks at powers of ten
 
 std::vector<int> entryWidths(const QCPLegend &legend) {
     std::vector<int> widths;
@@ -93,10 +98,27 @@ void fitChart(QCustomPlot &chart) {
     wrapLegend(*chart.legend, chart.width());
 }
 
+QString LogTicker::getTickLabel(double tick, const QLocale &locale, QChar format, int) {
+    int decimals = 0;
+    while (decimals < kMostDecimals &&
+           std::abs(QString::number(tick, 'e', decimals).toDouble() / tick - 1.0) > kRounding)
+        ++decimals;
+    return QCPAxisTickerLog::getTickLabel(tick, locale, format, decimals);
+}
+
+QVector<double> LogTicker::createTickVector(double step, const QCPRange &range) {
+    const double decades = std::log10(range.upper / range.lower);
+    if (!(decades > kLinearDecades && decades < kDecades)) return QCPAxisTickerLog::createTickVector(step, range);
+    QVector<double> ticks;
+    for (double power = std::pow(10.0, std::floor(std::log10(range.lower))); power <= range.upper; power *= 10.0)
+        for (const double digit : {1.0, 2.0, 5.0}) ticks.append(digit * power);
+    return ticks;
+}
+
 void makeLogarithmic(QCPAxis &axis, const QString &label) {
     axis.setLabel(label);
     axis.setScaleType(QCPAxis::stLogarithmic);
-    axis.setTicker(QSharedPointer<QCPAxisTickerLog>::create());
+    axis.setTicker(QSharedPointer<LogTicker>::create());
     axis.setNumberFormat(QStringLiteral("eb"));
     axis.setNumberPrecision(0);
 }

@@ -4,9 +4,7 @@
 
 #include <QColor>
 
-class QCPAxis;
-class QCPLayoutGrid;
-class QCustomPlot;
+#include <qcustomplot.h>
 
 namespace inspector::ui {
 
@@ -29,6 +27,14 @@ QCPLayoutGrid *putLegendAbove(QCustomPlot &chart, int left);
 
 /// For charts with little room: fewer ticks, and more lines for the legend above the curves.
 void fitChart(QCustomPlot &chart);
+
+/// Ticks of a logarithmic axis: at powers of ten; at 1, 2 and 5 times these on an axis too short for them; at equal
+/// distances on a yet shorter one. Labels have all digits of their ticks.
+class LogTicker : public QCPAxisTickerLog {
+protected:
+    QString getTickLabel(double tick, const QLocale &locale, QChar format, int precision) override;
+    QVector<double> createTickVector(double step, const QCPRange &range) override;
+};
 
 /// Makes an axis logarithmic, labelled in powers of ten.
 void makeLogarithmic(QCPAxis &axis, const QString &label);

@@ -22,11 +22,18 @@ const QString kLogarithmic = QStringLiteral("log:");
 QColor Accents::*const kColours[] = {&Accents::x,     &Accents::y,        &Accents::total, &Accents::ball,
                                      &Accents::ghost, &Accents::selected, &Accents::alarm};
 
+QString unitOf(Channel channel) { return QString::fromUtf8(channelInfos()[size_t(channel)].unit); }
+
+QString withUnit(const QString &name, Channel channel) {
+    const QString unit = printedUnit(unitOf(channel));
+    return unit.isEmpty() ? name : QStringLiteral("%1 [%2]").arg(name, unit);
+}
+
 /// The common unit; empty if the quantities have different ones.
 QString unitOf(const std::vector<Channel> &channels) {
     QString unit;
     for (const Channel channel : channels) {
-        const QString its = QString::fromUtf8(channelInfos()[size_t(channel)].unit);
+        const QString its = unitOf(channel);
         if (channel != channels.front() && its != unit) return {};
         unit = its;
     }
@@ -84,6 +91,8 @@ void QuantityPlot::setContent(const PlotContent &content) {
         addCurve(channel, kColours[number++ % std::size(kColours)], isGhost ? Qt::DashLine : Qt::SolidLine);
     }
     const QString unit = unitOf(content.channels);
+    if (unit.isEmpty()) // the axis can't tell
+        for (const Curve &curve : curves()) curve.graph->setName(withUnit(curve.graph->name(), curve.channel));
     const QString name = nameOf(content.channels);
     const QString label = unit.isEmpty() ? name : (name + QStringLiteral(" [%1]").arg(unit)).trimmed();
     if (content.isLogarithmic) {
@@ -164,10 +173,12 @@ double QuantityPlot::drawn(double plotted) const {
 }
 
 QString QuantityPlot::textOf(const Sample &sample) const {
+    const bool isMixed = unitOf(m_content.channels).isEmpty();
     QStringList parts;
     for (const Curve &curve : curves()) {
         const double value = sample[curve.channel];
-        parts += std::isnan(value) ? QStringLiteral("–") : QStringLiteral("%1").arg(value, 0, 'g', 6);
+        const QString number = std::isnan(value) ? QStringLiteral("–") : QStringLiteral("%1").arg(value, 0, 'g', 6);
+        parts += isMixed ? (number + QLatin1Char(' ') + printedUnit(unitOf(curve.channel))).trimmed() : number;
     }
     return parts.join(QStringLiteral(" | "));
 }

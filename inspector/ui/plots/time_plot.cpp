@@ -188,7 +188,7 @@ void TimePlot::refresh() {
     fitLegend();
     fitChart(*this);
     const std::optional<double> newest = newestTime();
-    if (isFollowing() && !isPaused() && newest) m_time->follow(*newest);
+    if (isFollowing() && !isPaused() && newest) m_time->follow(*newest, m_context.moment);
     xAxis->setRange(m_time->range());
     for (const Curve &curve : m_curves) {
         load(curve);
@@ -322,14 +322,11 @@ void TimePlot::wheelEvent(QWheelEvent *event) {
     const Qt::Orientations orientation = orientationAt(event->position(), event->modifiers());
     m_isStale = true;
     event->accept();
-    if (orientation == Qt::Horizontal && isFollowing() && !isPaused()) {
-        m_time->zoom(std::pow(axisRect()->rangeZoomFactor(Qt::Horizontal), event->angleDelta().y() / 120.0));
-        return;
-    }
     if (orientation == Qt::Vertical) m_fitsValues = false;
     axisRect()->setRangeZoom(orientation);
     QCustomPlot::wheelEvent(event);
     xAxis->setRange(m_time->range()); // which is limited
+    if (orientation == Qt::Horizontal && isFollowing() && !isPaused()) m_time->followAtThisZoom();
     yAxis->setRange(bounded(*yAxis));
 }
 
@@ -356,6 +353,7 @@ std::optional<Sample> TimePlot::sampleAt(double time) const {
     const bool hasRight = after < m_samples.last() && m_samples.read(after, right);
     const bool hasLeft = after > m_samples.first() && m_samples.read(after - 1, left);
     if (!hasLeft && !hasRight) return std::nullopt;
+    if (!hasLeft && time < 0.0) return std::nullopt;
     if (!hasLeft || (hasRight && right.time - time < time - left.time)) return right;
     return left;
 }

@@ -32,8 +32,10 @@ public:
 
     const QCPRange &range() const { return m_range; } ///< s
     void setRange(const QCPRange &range);
-    void follow(double newest); ///< follows to this time, s
-    void zoom(double factor);   ///< zooms the followed range
+    /// Follows to the newest time, s, or to the moment shown if there is one, which moves only what doesn't show it
+    /// yet. Nothing is done until that time changes, so that the range can be zoomed while the ball is paused.
+    void follow(double newest, std::optional<double> moment);
+    void followAtThisZoom() { m_window = m_range.size(); }
     /// The cursor's time in any of the plots, s.
     std::optional<double> cursor() const { return m_cursor; }
     void setCursor(std::optional<double> time);
@@ -45,6 +47,7 @@ signals:
 
 private:
     double m_window = 10.0; ///< s, visible while following
+    std::optional<double> m_followed;
     QCPRange m_range{0.0, 10.0};
     bool m_isFollowing = true;
     std::optional<double> m_pausedAt;

@@ -52,12 +52,11 @@ void WatchList::rebuild() {
 void WatchList::refresh(const Snapshot &now) {
     if (!isVisible()) return;
     const SampleRing &samples = m_session.simulation().samples();
-    const uint64_t last = samples.last();
     Sample sample;
-    const uint64_t number = std::min(samples.find(now.current.time), last == 0 ? 0 : last - 1);
-    const bool isThere = samples.read(number, sample);
+    const bool isThere = samples.read(samples.find(now.current.time), sample) && sample.step == now.current.step;
+    if (!isThere) sample = sampleBeforeAStep(m_session.scene().get(), now.current, now.inputs);
     for (int i = 0; i < topLevelItemCount(); ++i) {
-        const double value = isThere ? sample[m_channels[size_t(i)]] : std::nan("");
+        const double value = sample[m_channels[size_t(i)]];
         const QString text = std::isnan(value) ? QStringLiteral("–") : QString::number(value, 'g', 6);
         if (topLevelItem(i)->text(1) != text) topLevelItem(i)->setText(1, text);
     }

@@ -44,6 +44,7 @@ private slots:
     void enterOnAChooserPlaysNothing_data();
     void enterOnAChooserPlaysNothing();
     void commandsWorkAtOnceAfterAnEdit();
+    void speedOfTheCommandLineIsInItsBox();
     void wheelTurnsNothingUnfocused_data();
     void wheelTurnsNothingUnfocused();
     void heldArrowIsReleasedWhereTheKeyboardGoesElsewhere();
@@ -297,6 +298,16 @@ void TestWindowInput::commandsWorkAtOnceAfterAnEdit() {
     QVERIFY(m_fixture->session().comparison().isOn());
     m_fixture->key(Qt::Key_Space);
     QTRY_VERIFY(m_fixture->simulation().latest().running);
+}
+
+void TestWindowInput::speedOfTheCommandLineIsInItsBox() {
+    const auto *chooser = m_fixture->find<QComboBox>("speed");
+    m_fixture->session().setSpeed(3.0);
+    QCOMPARE(chooser->currentText(), QString("3 ×"));
+    m_fixture->session().setSpeed(0.3);
+    QCOMPARE(chooser->currentText(), QString("0.3 ×"));
+    m_fixture->session().setSpeed(0.5);
+    QCOMPARE(chooser->currentText(), QString("1/2 ×"));
 }
 
 void TestWindowInput::wheelTurnsNothingUnfocused_data() {

@@ -48,6 +48,7 @@ private slots:
     void clearForgetsWhatWas();
     void restartShowsTheNewRun();
     void readOutIsTheSampleUnderTheCursor();
+    void unitsThatDifferAreInLegendAndValues();
     void readOutEndsWhereTheCursorLeaves();
     void readOutIsWhole_data();
     void readOutIsWhole();
@@ -64,6 +65,9 @@ private slots:
     void addedPlotSharesTheHeight();
     void chosenQuantityIsPlotted();
     void valuesOnALogarithmicAxisFitIt();
+    void labelsOfALogarithmicAxisAreItsTicks();
+    void plotFollowsTheMomentShown();
+    void wheelZoomsAPausedPlotAtThePointer();
     void quantityOverAnotherIsTheSamples();
     void valuesUnderTheCursorOfAPhasePlotAreShown();
     void unknownQuantitiesOfTheSettingsAreNotSet();
@@ -258,6 +262,15 @@ void TestWindowPlot::readOutIsTheSampleUnderTheCursor() {
     hover(m_plot, QPoint(int(std::lround(m_plot->xAxis->coordToPixel(wanted.time))), middle().y()));
     m_fixture->window().refresh();
     QVERIFY2(readOut().startsWith(QString("%1 s ").arg(wanted.time, 0, 'f', 4)), qPrintable(readOut()));
+}
+
+void TestWindowPlot::unitsThatDifferAreInLegendAndValues() {
+    makeSteps(20);
+    m_plot->setContent(inspector::ui::plotContentOf("speed,position_z"));
+    QCOMPARE(m_plot->graph(1)->name(), QString("Position z [m]"));
+    hover(m_plot, middle());
+    m_fixture->window().refresh();
+    QVERIFY2(readOut().contains(" m/s | ") && readOut().endsWith(" m"), qPrintable(readOut()));
 }
 
 void TestWindowPlot::readOutEndsWhereTheCursorLeaves() {
@@ -463,6 +476,54 @@ void TestWindowPlot::valuesOnALogarithmicAxisFitIt() {
     QVERIFY(m_plot->yAxis->range().lower > 0.0);
 }
 
+// However far it is zoomed in.
+void TestWindowPlot::labelsOfALogarithmicAxisAreItsTicks() {
+    makeSteps(20);
+    m_plot->setContent(inspector::ui::plotContentOf("log:speed"));
+    m_fixture->window().refresh();
+    for (int notches = 0; notches < 12; ++notches) {
+        turnWheel(m_plot, QPoint(m_plot->axisRect()->left() - 20, middle().y()), 1);
+        m_fixture->window().refresh();
+        m_plot->replot();
+        const QVector<double> ticks = m_plot->yAxis->tickVector();
+        const QVector<QString> labels = m_plot->yAxis->tickVectorLabels();
+        QVERIFY(ticks.size() > 1);
+        for (qsizetype i = 0; i < ticks.size(); ++i) {
+            const double told = labels[i].toDouble();
+            QVERIFY2(std::abs(told - ticks[i]) <= 1e-6 * ticks[i], qPrintable(labels[i]));
+        }
+    }
+}
+
+void TestWindowPlot::plotFollowsTheMomentShown() {
+    makeSteps(150);
+    m_plot->time().setRange({1.0, 1.5});
+    m_plot->time().followAtThisZoom();
+    m_fixture->window().refresh();
+    QCOMPARE(m_plot->xAxis->range().upper, 1.5);
+    for (const double time : {0.2, 1.0, 0.0}) {
+        m_fixture->session().lookAtTime(time);
+        QTRY_COMPARE(m_fixture->simulation().latest().current.time, time);
+        m_fixture->window().refresh();
+        QVERIFY(m_plot->xAxis->range().contains(time));
+    }
+    m_fixture->press(Qt::Key_Escape);
+    QTRY_VERIFY(!m_fixture->session().isInPast());
+    m_fixture->window().refresh();
+    QCOMPARE(m_plot->xAxis->range().upper, 1.5);
+}
+
+// No new sample has to be seen then.
+void TestWindowPlot::wheelZoomsAPausedPlotAtThePointer() {
+    makeSteps(150);
+    const int x = m_plot->axisRect()->left() + 30;
+    const double time = m_plot->xAxis->pixelToCoord(x);
+    turnWheel(m_plot, QPoint(x, middle().y()), 8);
+    m_fixture->window().refresh();
+    QVERIFY(m_plot->xAxis->range().size() < 5.0);
+    QVERIFY(std::abs(m_plot->xAxis->pixelToCoord(x) - time) < 0.01);
+}
+
 void TestWindowPlot::quantityOverAnotherIsTheSamples() {
     makeSteps(20);
     const inspector::ui::PhasePlot *phase = stack().addPhasePlot(Channel::PositionY, Channel::VelocityY);
@@ -528,6 +589,9 @@ void TestWindowPlot::plotsAreRememberedAndReset() {
     QCOMPARE(plots().size(), 1);
     QVERIFY(phasePlots().isEmpty());
     QCOMPARE(textOf(stack().first().content()), QString("velocity_x,velocity_y,speed"));
+    m_fixture->settings().setValue("window/plots", QStringList{"unknown", "quantities"});
+    m_fixture->reopen();
+    QCOMPARE(textOf(stack().first().content()), QString("velocity_x,velocity_y,speed"));
 }
 
 void TestWindowPlot::watchedValueIsThatOfTheMoment() {
@@ -540,6 +604,11 @@ void TestWindowPlot::watchedValueIsThatOfTheMoment() {
     QCOMPARE(rows.size(), 1);
     m_fixture->window().refresh();
     QCOMPARE(rows[0]->text(1), QString::number(sample[Channel::Speed], 'g', 6));
+    m_fixture->press(Qt::Key_Home, Qt::ControlModifier); // before the first step
+    QTRY_COMPARE(m_fixture->simulation().latest().current.step, uint64_t(0));
+    m_fixture->window().refresh();
+    QCOMPARE(rows[0]->text(1), QString("0"));
+    QCOMPARE(list->findItems("Time a step takes", Qt::MatchExactly)[0]->text(1), QString("–"));
 }
 
 void TestWindowPlot::plotHasAQuarterOfTheWindow() {
