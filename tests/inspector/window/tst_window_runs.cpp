@@ -54,6 +54,10 @@ private:
     bool isAt(uint64_t step) { return ball().step == step; }
     phys_state ball() { return m_fixture->simulation().latest().current; }
     double tiltX() { return m_fixture->parameters().value(m_fixture->parameters().indexOf("tilt_x")); }
+    bool isTilted() {
+        const phys_vec3 down = m_fixture->parameters().inputs().params.gravity;
+        return down.x != 0.0 || down.y != 0.0;
+    }
     QString placeText() { return m_fixture->find<QLabel>("time_place")->text(); }
     QString resultOf(int row);
     void restart();
@@ -212,15 +216,15 @@ void TestWindowRuns::takenOverTiltEndsWithTheRun() {
     m_fixture->key(Qt::Key_A); // the autopilot tilts
     m_fixture->makeSteps(30);
     m_fixture->key(Qt::Key_A);
-    QCOMPARE(tiltX(), 0.0);
+    QVERIFY(!isTilted());
     goBack(5);
     m_fixture->key(Qt::Key_G);
     QTRY_VERIFY(!m_fixture->session().isInPast());
     m_fixture->key(Qt::Key_Space);
-    QVERIFY(tiltX() != 0.0);
+    QVERIFY(isTilted());
     QTRY_VERIFY(!m_fixture->simulation().latest().running);
     restart();
-    QCOMPARE(tiltX(), 0.0);
+    QVERIFY(!isTilted());
     QTRY_COMPARE(m_fixture->simulated("tilt_x"), 0.0);
 }
 
