@@ -433,7 +433,7 @@ void TestWindowFiles::ownMazeHasABestTime() {
     QTest::keyRelease(&m_fixture->window(), Qt::Key_Right);
     QVERIFY(m_fixture->game().isRecord());
     m_fixture->window().refresh();
-    QVERIFY2(strip().contains("Enter or R: again") && !strip().contains("level 1"), qPrintable(strip()));
+    QVERIFY2(strip().contains("Enter or R: again") && !strip().contains("Level 1"), qPrintable(strip()));
     m_fixture->press(Qt::Key_Return); // no level follows it
     QCOMPARE(QFileInfo(m_fixture->session().level().path).fileName(), QString("mine.txt"));
     QCOMPARE(m_fixture->game().phase(), inspector::Game::Phase::Prompt);

@@ -266,7 +266,7 @@ void TestWindowSmall::closedResultSaysAllOfIt() {
     const int left = first().second;
     m_fixture->press(Qt::Key_Escape);
     QTRY_COMPARE(first(), std::pair(QString::fromUtf8("Level 1 done · no best time: the autopilot's · "
-                                                      "Enter: level 2 · R: again"),
+                                                      "Enter: Level 2 · R: again"),
                                     left));
 }
 
