@@ -182,6 +182,8 @@ public:
     void returnToPresent();
     /// If the live run has no step yet, shows the end of the one before, paused, and waits until it is shown.
     void lookAtLastSteps();
+    /// Returns when the moment of the past that was last asked for is shown, with its settings.
+    void awaitMoment();
     /// The game continues from the moment shown, paused. Any change of the physics has the same effect.
     void takeOver();
     /// The runs in the history, oldest first; the last is the live one if that has a step.

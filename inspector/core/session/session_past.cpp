@@ -105,7 +105,12 @@ void Session::lookAtLastSteps() {
     const RunPlace run = runPlace();
     if (run.begin != run.end) return;
     lookAt(run.end);
+    awaitMoment();
+}
+
+void Session::awaitMoment() {
     while (m_past && m_simulation->latest().replay.seeks < m_past->seeks) QThread::msleep(1);
+    followReplay(m_simulation->latest());
 }
 
 void Session::takeOver() {

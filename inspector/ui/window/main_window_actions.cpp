@@ -504,6 +504,7 @@ void MainWindow::jumpToBounce(Direction direction) {
 
 void MainWindow::goOnFromHere() {
     if (!m_session.isInPast()) return m_session.goOnFromHere();
+    m_session.awaitMoment(); // G right after a step back
     m_session.takeOver();
     m_session.simulation().run();
 }

@@ -219,7 +219,7 @@ void TestWindowRuns::takenOverTiltEndsWithTheRun() {
     QVERIFY(!isTilted());
     goBack(5);
     m_fixture->key(Qt::Key_G);
-    QTRY_VERIFY(!m_fixture->session().isInPast());
+    QTRY_VERIFY(!m_fixture->session().isInPast() && m_fixture->simulation().latest().running);
     m_fixture->key(Qt::Key_Space);
     QVERIFY(isTilted());
     QTRY_VERIFY(!m_fixture->simulation().latest().running);

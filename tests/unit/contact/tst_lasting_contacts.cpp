@@ -19,8 +19,13 @@ constexpr double kRounding = 1e-13;
 const Vec3 kUp(0.0, 0.0, 1.0);
 
 Lasting contact(const Vec3 &normal, double friction, double slow = 0.0) {
-    const Vec3 none(0.0);
-    return {normal, normal, slow, friction, normal == kUp, false, none, none, 0.0, none, none, false, false, -1.0};
+    Lasting contact{};
+    contact.lever = contact.limit = normal;
+    contact.slow = slow;
+    contact.friction = friction;
+    contact.isTop = normal == kUp;
+    contact.load = -1.0;
+    return contact;
 }
 
 /// Spins are given as surface speeds.
