@@ -370,13 +370,14 @@ private:
                dot(vectorOf(gravity), vectorOf(state.position));
     }
 
-    /// Rounding of the energies involved.
+    /// Rounding of the energies involved. The ball is put to boxes that are a radius away from its centre.
     double energyNoise(const Leg &leg, const phys_state &in, const phys_state &out) const {
         Real largest = 0;
         for (const phys_state *state : {&in, &out}) {
             const Real turning = m_scene.radius * length(vectorOf(state->spin));
-            largest = std::max({largest, dot(vectorOf(state->velocity), vectorOf(state->velocity)), turning * turning,
-                                length(vectorOf(leg.gravity)) * length(vectorOf(state->position))});
+            largest = std::max(
+                {largest, dot(vectorOf(state->velocity), vectorOf(state->velocity)), turning * turning,
+                 length(vectorOf(leg.gravity)) * std::max<Real>(length(vectorOf(state->position)), m_scene.radius)});
         }
         return 1e-13 * static_cast<double>(largest);
     }
