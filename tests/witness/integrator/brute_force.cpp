@@ -2,6 +2,7 @@
 #include "brute_force.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace witness {
@@ -163,6 +164,43 @@ bool BruteForce::releaseOpposite(std::vector<Contact> &contacts) const {
     return isReleased;
 }
 
+/// Three coplanar normals, as of upright edges, allow pressures that move nothing, but that friction depends on. Of the
+/// contacts that the ball doesn't leave, the law lets those press that do so with the least sum. Returns whether the
+/// sum was larger.
+bool BruteForce::shiftPressure(Real scale, const Motion &end, std::vector<Contact> &contacts) const {
+    bool isShifted = false;
+    const auto isClosed = [&](const Contact &c) {
+        return !c.isMerged && std::abs(dot(c.touch.normal, end.velocity)) <= 1e3L * kUlp * scale;
+    };
+    const auto shift = [&](const std::array<Contact *, 3> &three) {
+        if (!std::all_of(three.begin(), three.end(), [&](const Contact *c) { return isClosed(*c); })) return;
+        std::array<Vector, 3> lines;
+        Vector axis;
+        for (size_t i = 0; i < 3; ++i) {
+            lines[i] = cross(three[(i + 1) % 3]->touch.normal, three[(i + 2) % 3]->touch.normal);
+            if (length(lines[i]) > length(axis)) axis = lines[i];
+        }
+        if (std::abs(dot(lines[0], three[0]->touch.normal)) > 1e3L * kUlp) return; // independent
+        const auto part = [&](size_t i) { return dot(lines[i], axis); }; // those of pressures that move nothing
+        const Real sum = part(0) + part(1) + part(2);
+        Real most = std::numeric_limits<Real>::infinity();
+        for (size_t i = 0; i < 3; ++i) {
+            if (part(i) * sum > 0) most = std::min(most, three[i]->pressure / std::abs(part(i)));
+        }
+        if (!(most * std::abs(sum) > kUlp * scale)) return;
+        for (size_t i = 0; i < 3; ++i) {
+            three[i]->pressure = std::max<Real>(0, three[i]->pressure - std::copysign(most, sum) * part(i));
+        }
+        isShifted = true;
+    };
+    for (size_t i = 0; i < contacts.size(); ++i) {
+        for (size_t j = i + 1; j < contacts.size(); ++j) {
+            for (size_t k = j + 1; k < contacts.size(); ++k) shift({&contacts[i], &contacts[j], &contacts[k]});
+        }
+    }
+    return isShifted;
+}
+
 /// Coulomb's law for all contacts together: one after the other until nothing changes.
 void BruteForce::sweep(const Law &law, Real scale, bool withResistance, std::vector<Contact> &contacts,
                        Motion &end) const {
@@ -178,7 +216,8 @@ void BruteForce::sweep(const Law &law, Real scale, bool withResistance, std::vec
             c.pressure = pressure;
             change = std::max(change, length(withResistance && c.isRolling ? rollOn(law, c, end) : rub(law, c, end)));
         }
-        if (!releaseOpposite(contacts) && change <= kUlp * scale) return;
+        if (releaseOpposite(contacts) || change > kUlp * scale) continue;
+        if (!shiftPressure(scale, end, contacts)) return;
     }
 }
 

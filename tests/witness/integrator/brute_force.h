@@ -45,6 +45,7 @@ private:
     std::vector<Contact> lasting(const Law &law, const Motion &motion) const;
     Trial attempt(const Law &law, const Motion &start, Real h, const std::vector<Contact> &contacts) const;
     bool releaseOpposite(std::vector<Contact> &contacts) const;
+    bool shiftPressure(Real scale, const Motion &end, std::vector<Contact> &contacts) const;
     void relax(const Law &law, Real scale, const Motion &end, std::vector<Contact> &contacts) const;
     Motion implicitEuler(const Law &law, const Motion &start, Real h, std::vector<Contact> &contacts) const;
     void lookWhereTheyEnd(const Law &law, const Vector &place, std::vector<Contact> &contacts) const;
