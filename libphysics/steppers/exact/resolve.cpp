@@ -95,6 +95,14 @@ bool holdNext(double negligible, MovingBall &ball, Touching &touching) {
     return true;
 }
 
+/// Contacts along which the others that last leave no velocity: they last, too.
+void holdBeside(double negligible, const MovingBall &ball, Touching &touching) {
+    for (uint32_t i = 0; i < touching.contacts.count(); ++i) {
+        const double speed = glm::dot(ball.motion.velocity, touching.contacts[i].normal);
+        if (std::abs(speed) <= negligible && !touching.lasts(i)) touching.hold(i, ball.params());
+    }
+}
+
 /// The contacts that last: exactly at the radius, with no velocity along the normal or one whose bounce ends at once.
 void hold(double negligible, MovingBall &ball, Touching &touching) {
     takeFaces(touching.contacts, ball);
@@ -102,6 +110,7 @@ void hold(double negligible, MovingBall &ball, Touching &touching) {
     while (touching.count() < std::min(touching.contacts.count(), kMostHeld) && holdNext(negligible, ball, touching)) {
     }
     project(touching, ball);
+    holdBeside(negligible, ball, touching);
 }
 
 /// Contacts that drive the ball into each other repeatedly: all of their bounces end.
