@@ -2,7 +2,7 @@
 #include "ui/window/help_dialogs.h"
 
 #include "core/setup/tables.h"
-#include "ui/parts/menu_letters.h"
+#include "ui/input/menu_letters.h"
 
 #include <QAction>
 #include <QCoreApplication>

@@ -91,6 +91,8 @@ private slots:
     void standingWindowDrawsNothing();
     void messageCanBeReadInEveryTheme_data();
     void messageCanBeReadInEveryTheme();
+    void watchedValueIsThatOfTheMoment();
+    void bouncesLieBesideThePlots();
 
 private:
     void chooseIn(const QString &chooser, int index);
@@ -539,6 +541,30 @@ void TestWindowDocks::messageCanBeReadInEveryTheme() {
     const auto *text = m_fixture->find<QLabel>("message");
     const QColor front = text->palette().color(QPalette::WindowText);
     QVERIFY(support::contrastOf(front, m_fixture->window().messages().palette().color(QPalette::Window)) >= 4.5);
+}
+
+void TestWindowDocks::watchedValueIsThatOfTheMoment() {
+    m_fixture->trigger("show_watch_dock");
+    m_fixture->makeSteps(20);
+    inspector::Sample sample;
+    QVERIFY(m_fixture->simulation().samples().read(19, sample));
+    const QTreeWidget *list = m_fixture->find<QTreeWidget>("watched");
+    const QList<QTreeWidgetItem *> rows = list->findItems("Speed", Qt::MatchExactly);
+    QCOMPARE(rows.size(), 1);
+    m_fixture->window().refresh();
+    QCOMPARE(rows[0]->text(1), QString::number(sample[inspector::Channel::Speed], 'g', 6));
+    m_fixture->press(Qt::Key_Home, Qt::ControlModifier); // before the first step
+    QTRY_COMPARE(m_fixture->simulation().latest().current.step, uint64_t(0));
+    m_fixture->window().refresh();
+    QCOMPARE(rows[0]->text(1), QString("0"));
+    QCOMPARE(list->findItems("Time a step takes", Qt::MatchExactly)[0]->text(1), QString("–"));
+}
+
+void TestWindowDocks::bouncesLieBesideThePlots() {
+    m_fixture->press(Qt::Key_6, Qt::ControlModifier);
+    QTRY_VERIFY(m_fixture->find<QWidget>("bounces")->isVisible());
+    QVERIFY(!m_fixture->find<QWidget>("bounces")->visibleRegion().isEmpty());
+    QVERIFY(!m_fixture->find<QWidget>("velocity_plot")->visibleRegion().isEmpty());
 }
 
 QTEST_MAIN(TestWindowDocks)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // All menus: what is in them, and the letters by which their entries are chosen.
 #include "support/files.h"
-#include "ui/parts/menu_letters.h"
+#include "ui/input/menu_letters.h"
 #include "window_fixture.h"
 
 #include <QAbstractScrollArea>

@@ -73,9 +73,7 @@ private slots:
     void unknownQuantitiesOfTheSettingsAreNotSet();
     void droppedQuantityIsAdded();
     void plotsAreRememberedAndReset();
-    void watchedValueIsThatOfTheMoment();
     void plotHasAQuarterOfTheWindow();
-    void bouncesLieBesideThePlots();
 
 private:
     void makeSteps(uint64_t count);
@@ -589,37 +587,10 @@ void TestWindowPlot::plotsAreRememberedAndReset() {
     QCOMPARE(plots().size(), 1);
     QVERIFY(phasePlots().isEmpty());
     QCOMPARE(textOf(stack().first().content()), QString("velocity_x,velocity_y,speed"));
-    m_fixture->settings().setValue("window/plots", QStringList{"unknown", "quantities"});
-    m_fixture->reopen();
-    QCOMPARE(textOf(stack().first().content()), QString("velocity_x,velocity_y,speed"));
-}
-
-void TestWindowPlot::watchedValueIsThatOfTheMoment() {
-    m_fixture->trigger("show_watch_dock");
-    makeSteps(20);
-    Sample sample;
-    QVERIFY(m_fixture->simulation().samples().read(19, sample));
-    const QTreeWidget *list = m_fixture->find<QTreeWidget>("watched");
-    const QList<QTreeWidgetItem *> rows = list->findItems("Speed", Qt::MatchExactly);
-    QCOMPARE(rows.size(), 1);
-    m_fixture->window().refresh();
-    QCOMPARE(rows[0]->text(1), QString::number(sample[Channel::Speed], 'g', 6));
-    m_fixture->press(Qt::Key_Home, Qt::ControlModifier); // before the first step
-    QTRY_COMPARE(m_fixture->simulation().latest().current.step, uint64_t(0));
-    m_fixture->window().refresh();
-    QCOMPARE(rows[0]->text(1), QString("0"));
-    QCOMPARE(list->findItems("Time a step takes", Qt::MatchExactly)[0]->text(1), QString("–"));
 }
 
 void TestWindowPlot::plotHasAQuarterOfTheWindow() {
     QTRY_VERIFY2(4 * m_plot->height() >= m_fixture->window().height(), qPrintable(QString::number(m_plot->height())));
-}
-
-void TestWindowPlot::bouncesLieBesideThePlots() {
-    m_fixture->press(Qt::Key_6, Qt::ControlModifier);
-    QTRY_VERIFY(m_fixture->find<QWidget>("bounces")->isVisible());
-    QVERIFY(!m_fixture->find<QWidget>("bounces")->visibleRegion().isEmpty());
-    QVERIFY(!m_plot->visibleRegion().isEmpty());
 }
 
 QTEST_MAIN(TestWindowPlot)

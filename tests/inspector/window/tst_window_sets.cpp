@@ -3,7 +3,7 @@
 #include "core/setup/parameter_sets.h"
 #include "support/compare.h"
 #include "support/files.h"
-#include "ui/parts/menu_letters.h"
+#include "ui/input/menu_letters.h"
 #include "ui/parts/message_bar.h"
 #include "window_fixture.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/parts/wheel_guard.h"
+#include "ui/input/wheel_guard.h"
 
 #include <QAbstractSpinBox>
 #include <QApplication>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/parts/menu_letters.h"
+#include "ui/input/menu_letters.h"
 
 #include <QAction>
 #include <QApplication>
