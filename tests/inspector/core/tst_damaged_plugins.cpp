@@ -62,7 +62,9 @@ std::vector<Part> headersOf(const QByteArray &file) {
 // A file with the program headers of another file whose first segment is missing.
 QByteArray damaged() {
     QByteArray file = support::contentOf(ADAPTIVE_DRAG);
-    file[qsizetype(sizeof(ElfW(Ehdr)) + offsetof(ElfW(Phdr), p_type))] ^= char(0x7f);
+    qsizetype type = sizeof(ElfW(Ehdr)) + offsetof(ElfW(Phdr), p_type);
+    while (file[type] != PT_LOAD) type += sizeof(ElfW(Phdr)); // linkers differ in what they put before it
+    file[type] ^= char(0x7f);
     return file;
 }
 
