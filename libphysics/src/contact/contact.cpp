@@ -163,7 +163,6 @@ bool findFeature(const Setting &setting, const Vec3 &position, const Motion &mot
     contact.normal = d / distance;
     contact.gap = distance - setting.scene.radius;
     contact.restSpeed = 0.0;
-    contact.lag = 0.0;
     contact.box = number;
     return true;
 }

@@ -6,7 +6,6 @@
 #include "contact/short_list.h"
 #include "scene/scene.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -59,7 +58,6 @@ struct Contact {
     std::array<int, 3> sides; ///< per axis: the centre lies below (-1), in (0) or above (+1) the box's extent
     double restitution;
     double restSpeed; ///< m/s: a slower approach doesn't bounce but is part of lasting contact
-    double lag;       ///< m/s: by how much a scheme's velocity approaches more slowly than its position does
     double friction;  ///< 0 in the rolling model
     bool isTop;       ///< a top face, which carries the ball and on which it rolls
     bool isGlued;     ///< a top face in the rolling model: the spin there follows the velocity
@@ -78,11 +76,6 @@ struct Contact {
         return glm::dot(turning, turning) / radius;
     }
 };
-
-/// The change of the speed along a contact's normal (m/s) in a bounce, in which energy never rises: model.md 13.5.
-inline double bounceOf(double restitution, double approach, double lag) {
-    return std::clamp((1.0 + restitution) * (approach + lag), approach, 2.0 * approach);
-}
 
 /// Normals closer than this count as one, model.md 13.1; for a stepper that looks ahead.
 inline constexpr double kSameNormal = 1e-9;

@@ -49,8 +49,8 @@ Round approaching(const Contacts &contacts, const Motion &motion, double negligi
         const Contact &contact = contacts[i];
         const double approach = -glm::dot(motion.velocity, contact.normal);
         if (approach <= negligible) continue;
-        const bool bounces = approach > contact.restSpeed;
-        round.add(i, contact.normal, bounces ? bounceOf(contact.restitution, approach, contact.lag) : approach);
+        const double restitution = approach > contact.restSpeed ? contact.restitution : 0.0;
+        round.add(i, contact.normal, (1.0 + restitution) * approach);
     }
     return round;
 }

@@ -237,7 +237,6 @@ private:
     bool runInContact(double start, const Ball &free, Ball &ball) {
         m_context.work.add(Work::kEvent);
         const Ball before = ball;
-        const Vec3 gain = free.velocity - ball.velocity;
         Ways ways;
         ways.add(free.position - ball.position);
         // The explicit rule moves with the old velocity, and along normals of pressing contacts with the new one.
@@ -246,13 +245,13 @@ private:
         if (m_context.report.wanted()) {
             Reporter silent;
             DiscreteStep trial(m_context.setting, silent, m_context.work, m_plan, m_h);
-            trial.meetAll(start, gain, ways, contacts, ball);
+            trial.meetAll(start, ways, contacts, ball);
             ball = before;
             Work again; // a report must not change the status
             DiscreteStep reporting(m_context.setting, m_context.report, again, m_plan, m_h);
-            reporting.meet(start, gain, ways, contacts, ball);
+            reporting.meet(start, ways, contacts, ball);
         } else {
-            meetAll(start, gain, ways, contacts, ball);
+            meetAll(start, ways, contacts, ball);
         }
         const Vec3 reached = ball.position;
         if (leaveOverlaps(m_context, ball)) {
@@ -269,9 +268,9 @@ private:
     /// Contacts may lead the ball to a place that it wouldn't have reached without them; boxes that it would overlap
     /// there are contacts as well, and those that it leans on only due to them. Between two edges impacts may follow
     /// each other ever faster. Adds the displacements due to them to `ways`.
-    void meetAll(double start, const Vec3 &gain, Ways &ways, Contacts &contacts, Ball &ball) {
+    void meetAll(double start, Ways &ways, Contacts &contacts, Ball &ball) {
         const Ball before = ball;
-        meet(start, gain, ways, contacts, ball);
+        meet(start, ways, contacts, ball);
         while (!ways.isFull()) {
             const uint32_t met = contacts.count();
             if (overlapsAnother(contacts, ball))
@@ -281,16 +280,16 @@ private:
             else
                 return;
             ball = before;
-            meet(start, gain, ways, contacts, ball);
+            meet(start, ways, contacts, ball);
             if (contacts.count() == met) return;
         }
     }
 
-    /// The contacts that the ball has, or gets along the ways. gain: of velocity in the substep without them.
-    void meet(double start, const Vec3 &gain, const Ways &ways, Contacts &contacts, Ball &ball) {
+    /// The contacts that the ball has, or gets along the ways.
+    void meet(double start, const Ways &ways, Contacts &contacts, Ball &ball) {
         lookAhead(m_context, ball, ways.list(), m_h, contacts);
         SpinOnFloor spin(m_context, contacts, ball);
-        hitInThisScheme(gain, contacts, start, ball);
+        hitInThisScheme(contacts, start, ball);
         spin.follow(contacts, ball);
         if (rollBetweenWalls(contacts, ball)) {
             spin.settle(true, ball);
@@ -299,15 +298,12 @@ private:
         }
     }
 
-    void hitInThisScheme(const Vec3 &gain, Contacts &contacts, double start, Ball &ball) const {
+    void hitInThisScheme(Contacts &contacts, double start, Ball &ball) const {
         if constexpr (Scheme::kContactRule == ContactRule::Explicit) {
             const ExplicitLanding landing(m_context, contacts, m_h, ball);
             hit(m_context, contacts, start, m_h, ball);
             landing.leave(ball);
         } else {
-            if constexpr (Scheme::kContactRule == ContactRule::Symplectic) {
-                for (Contact &contact : contacts) contact.lag = -0.5 * glm::dot(gain, contact.normal);
-            }
             hit(m_context, contacts, start, m_h, ball);
         }
     }

@@ -34,7 +34,7 @@ public:
         FloorView view;
         if (!view.look(m_context, ball.position, end, sum(ahead.roll.displacement))) return false;
         if (!view.isEmpty() && !view.findFaces(m_context, ball.position, end)) return false;
-        if (!view.faces().empty()) return meetFaces(start, ahead.roll.velocity - inPlane(ball.velocity), view, ball);
+        if (!view.faces().empty()) return meetFaces(start, view, ball);
         finish(ahead.roll, ball);
         return true;
     }
@@ -174,21 +174,18 @@ private:
 
     /// A bounce off the faces that are approached fast enough. Returns whether there was one. Moves the ball towards
     /// them: restitution takes its share of the gaps too, model.md 13.5.
-    bool bounce(std::span<UprightFace> faces, const Vec2 &gain, Ball &ball) const {
+    bool bounce(std::span<UprightFace> faces, Ball &ball) const {
         const auto restSpeed = [&](const UprightFace &face) { return restSpeedOf(face); };
         const auto approach = [&](const UprightFace &face) { return -ball.velocity[face.axis] * face.normal; };
         if (std::none_of(faces.begin(), faces.end(),
                          [&](const UprightFace &face) { return approach(face) > restSpeed(face); }))
             return false;
-        constexpr bool isAhead = Scheme::kContactRule == ContactRule::Symplectic;
         const double negligible = negligibleSpeed(motionOf(ball), m_context.radius());
         for (UprightFace &face : faces) {
             const double speed = approach(face);
             if (speed <= negligible) continue;
-            const bool bounces = speed > restSpeed(face);
-            const double restitution = bounces ? m_context.params().restitution_wall : 0.0;
-            const double lag = isAhead ? -0.5 * gain[face.axis] * face.normal : 0.0;
-            ball.velocity[face.axis] += (bounces ? bounceOf(restitution, speed, lag) : speed) * face.normal;
+            const double restitution = speed > restSpeed(face) ? m_context.params().restitution_wall : 0.0;
+            ball.velocity[face.axis] += (1.0 + restitution) * speed * face.normal;
             const double left = restitution * restitution * face.gap;
             const double climb = (&m_context.params().gravity.x)[face.axis] * face.normal * face.gap;
             if (face.gap - left <= m_context.setting.tolerance || climb > 0.5 * speed * speed) continue;
@@ -217,14 +214,13 @@ private:
         return !mayStop || glm::dot(ahead.roll.velocity, velocity) > kZero * glm::dot(velocity, velocity);
     }
 
-    /// gain: of velocity in the substep without the faces.
-    bool meetFaces(double start, const Vec2 &gain, FloorView &view, Ball &ball) const {
+    bool meetFaces(double start, FloorView &view, Ball &ball) const {
         const phys_params &params = m_context.params();
         if (m_context.isRigid() && params.wall_friction > 0.0) return false;
         const std::span<UprightFace> faces = view.faces();
         Ball next = ball;
         next.supported = true;
-        const bool bounces = bounce(faces, gain, next);
+        const bool bounces = bounce(faces, next);
         const Ball bounced = next;
         const FloorContact contact = floorContact(params, m_context.radius(), inPlane(next.velocity), next.spin);
         const std::optional<SmoothLoss> loss =

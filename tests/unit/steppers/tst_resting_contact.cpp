@@ -190,10 +190,9 @@ void TestRestingContact::comesToRestFromAFastBounce_data() {
     QTest::addColumn<QByteArray>("stepper");
     QTest::addColumn<int>("lastStep");
     // A bounce happens at the start of the substep that would overlap the wall, while the approach is above 2 g dt, and
-    // leaves 0.64 of V^2/2 + X, from 53.045 in five bounces to 5.696 (Verlet), with V + 1/2 for V (symplectic Euler) as
-    // long as that makes no bounce faster than its approach; the last substep but one closes the gap, the last one
-    // removes that speed (model.md 13.5).
-    QTest::newRow("symplectic-euler rests with step 69") << QByteArray("symplectic-euler") << 69;
+    // leaves 0.64 of V^2/2 + X: symplectic Euler loses a little in flight, Verlet nothing, from 53.045 in five bounces
+    // to 5.696; the last substep but one closes the gap, the last one removes that speed (model.md 13.5).
+    QTest::newRow("symplectic-euler rests with step 48") << QByteArray("symplectic-euler") << 48;
     QTest::newRow("velocity-verlet rests with step 75") << QByteArray("velocity-verlet") << 75;
 }
 

@@ -118,7 +118,7 @@ void TestRigidModel::slipsAfterABounceAsOnTheFloorAlone() {
     QFETCH(QByteArray, stepper);
     constexpr double kDt = 0x1p-7;
     Experiment ball = rigid(wallOnTheLeft(), stepper, 0.25);
-    ball.params.gravity = {0.0, -0.5, -9.81};
+    ball.params.gravity = {0.25, -0.5, -9.81};
     ball.params.restitution_wall = 0.5;
     ball.setPosition(kBallRadius, 0.0); // it touches the wall
     ball.roll(-0.5, 0.25);
