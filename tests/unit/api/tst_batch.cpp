@@ -435,7 +435,8 @@ void TestBatch::pluginsRunThroughTheirStep() {
     const ScenePtr scene = openRoom();
     phys_stepper_info info;
     for (uint32_t i = 0; phys_registry_info(registry.get(), i, &info) == PHYS_OK; ++i) {
-        if (!(info.flags & PHYS_STEPPER_PLUGIN)) continue;
+        const bool damagesMemory = QByteArray(info.id).startsWith("writes-beyond");
+        if (!(info.flags & PHYS_STEPPER_PLUGIN) || damagesMemory) continue;
         const StepperPtr stepper = stepperOf(info.id, scene.get(), registry.get());
         if (!stepper) continue; // it is expected to fail
         const Case given = plainCase();
