@@ -113,7 +113,7 @@ Case draw(Random &random) {
     made.gravityPerStep = random.below(2);
     made.hasPath = random.below(2);
     made.hasTally = random.below(3) == 0;
-    made.padding = 8 * random.below(3);
+    made.padding = size_t{8} * random.below(3);
     made.every = 1 + random.below(7);
     const uint32_t model = random.below(2);
     for (uint64_t i = 0; i < made.balls; ++i) made.params.push_back(drawParams(random, model));
