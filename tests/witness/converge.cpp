@@ -152,7 +152,6 @@ const Truth &Truth::refined() const {
     m_refined = std::make_shared<Truth>(*this);
     std::vector<Motion> finer = run(lawAt(m_scene), motionOf(m_scene.start), 1e-15L);
     if (finer.empty()) return *m_refined;
-    m_refined->m_spreads.clear();
     m_refined->m_ownError = 0;
     for (int i = 0; i < kCheckpoints; ++i) { // the error falls with the tolerance to the power of about 3/4
         m_refined->m_ownError = std::max(m_refined->m_ownError, length(finer[i].place - m_motions[i].place) / 30);
@@ -161,9 +160,9 @@ const Truth &Truth::refined() const {
     return *m_refined;
 }
 
-const std::vector<Real> &Truth::spread(Real disturbance, Real shift) const {
-    const auto [found, isNew] = m_spreads.try_emplace({disturbance, shift});
-    if (isNew) found->second = disturb(disturbance, shift);
+const std::vector<Motion> &Truth::disturbed(Real disturbance, Real shift, int way) const {
+    const auto [found, isNew] = m_disturbed->try_emplace({disturbance, shift, way});
+    if (isNew) found->second = disturb(disturbance, shift, way);
     return found->second;
 }
 
@@ -181,38 +180,26 @@ phys_state moved(const Case &scene, const Vector &way) {
     return other.start;
 }
 
-std::vector<Real> Truth::disturb(Real disturbance, Real shift) const {
-    std::vector<Real> most(kCheckpoints, 0);
-    const Motion start = motionOf(m_scene.start);
-    const auto compare = [&](const Law &law, const Motion &motion) {
-        const std::vector<Motion> motions = run(law, motion, 1e-12L);
-        for (size_t i = 0; i < motions.size(); ++i) {
-            most[i] = std::max(most[i], length(motions[i].place - m_motions[i].place));
-        }
-    };
-    for (const Real sign : {-1, 1}) {
-        const Real off = sign * disturbance;
-        const Law law = lawAt(m_scene);
-        const Real push = off * length(law.gravity);
-        for (const Vector &direction : {Vector{1, 0, 0}, Vector{0, 1, 0}, Vector{0, 0, 1}}) {
-            Law other = law;
-            other.gravity += push * direction;
-            compare(other, start);
-        }
-        Motion faster = start;
-        faster.velocity += off * start.velocity;
-        faster.spin += off * start.spin;
-        compare(law, faster);
-        // Which of two walls is hit first depends on the position.
-        for (const Vector &direction : {Vector{1, 0, 0}, Vector{0, 1, 0}}) {
-            compare(law, motionOf(moved(m_scene, sign * shift * direction)));
-        }
-        Motion turned = start;
-        turned.velocity += off * Vector{-start.velocity.y, start.velocity.x, 0};
-        turned.spin += off * Vector{-start.spin.y, start.spin.x, 0};
-        compare(law, turned);
+std::vector<Motion> Truth::disturb(Real disturbance, Real shift, int way) const {
+    constexpr Real kTolerance = 1e-12L;
+    const Vector axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const Real sign = way < kWays / 2 ? -1 : 1;
+    const Real off = sign * disturbance;
+    const int kind = way % (kWays / 2);
+    Law law = lawAt(m_scene);
+    Motion motion = motionOf(m_scene.start);
+    if (kind < 3) {
+        law.gravity += off * length(law.gravity) * axes[kind];
+    } else if (kind == 3) {
+        motion.velocity += off * motion.velocity;
+        motion.spin += off * motion.spin;
+    } else if (kind < 6) { // which of two walls is hit first depends on the position
+        motion = motionOf(moved(m_scene, sign * shift * axes[kind - 4]));
+    } else {
+        motion.velocity += off * Vector{-motion.velocity.y, motion.velocity.x, 0};
+        motion.spin += off * Vector{-motion.spin.y, motion.spin.x, 0};
     }
-    return most;
+    return run(law, motion, kTolerance);
 }
 
 namespace {
@@ -257,14 +244,18 @@ Convergence compare(const phys_registry *registry, const std::string &stepper, c
     const auto isAllowed = [&](int i) { return errors[i] <= floor + base + 10 * best.ownError() + kUsual * spread[i]; };
     // Larger disturbances, too: ties and grazes are sensitive within a window that a small disturbance may not leave.
     for (const Real factor : {1, 2, 4, 8}) {
-        const std::vector<Real> &more = best.spread(factor * disturbance, factor * shift);
-        bool isEnough = true;
-        for (int i = 0; i < kCheckpoints; ++i) {
-            const bool tookAnotherWay = more[i] > 0.1L * scene.radius + kAmplified * factor * shift;
-            spread[i] = std::max(spread[i], tookAnotherWay ? more[i] : more[i] / factor);
-            isEnough = isEnough && isAllowed(i);
+        for (int way = 0; way < kWays; ++way) {
+            const std::vector<Motion> &motions = best.disturbed(factor * disturbance, factor * shift, way);
+            bool isEnough = true;
+            for (int i = 0; i < kCheckpoints; ++i) {
+                const auto at = static_cast<size_t>(i);
+                const Real off = at < motions.size() ? length(motions[at].place - best.motions()[at].place) : 0;
+                const bool tookAnotherWay = off > 0.1L * scene.radius + kAmplified * factor * shift;
+                spread[at] = std::max(spread[at], tookAnotherWay ? off : off / factor);
+                isEnough = isEnough && isAllowed(i);
+            }
+            if (isEnough) return result; // the others could only allow more
         }
-        if (isEnough) return result;
     }
     for (int i = 0; i < kCheckpoints && !result.isWrong; ++i) {
         if (isAllowed(i)) continue;

@@ -9,13 +9,14 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 namespace witness {
 
 constexpr int kSizes = 3;
 constexpr int kCheckpoints = 4;
+constexpr int kWays = 14; ///< of disturbing a motion
 
 /// Whether a ball at `centre` may come to a gap exactly as wide as itself without being in it: rounding decides what
 /// happens at its mouth.
@@ -33,9 +34,9 @@ public:
     /// request.
     const Truth &refined() const;
     bool hasEvents() const { return m_hasEvents; }
-    /// How far each checkpoint moves if gravity and speed are off by the share `disturbance`, or the start by `shift`
-    /// metres, in a number of ways. Computed once, as steppers of one order ask for the same.
-    const std::vector<Real> &spread(Real disturbance, Real shift) const;
+    /// The motion if gravity or speed is off by the share `disturbance`, or the start by `shift` metres, in one of
+    /// kWays; empty if the brute force fails. Computed once, as steppers of one order ask for the same.
+    const std::vector<Motion> &disturbed(Real disturbance, Real shift, int way) const;
     /// The uncertainty of the brute force itself.
     Real ownError() const { return m_ownError; }
     Real fastest() const { return m_fastest; }
@@ -44,11 +45,12 @@ private:
     explicit Truth(const Case &scene)
         : m_scene(scene) {}
     std::vector<Motion> run(const Law &law, Motion motion, Real tolerance) const;
-    std::vector<Real> disturb(Real disturbance, Real shift) const;
+    std::vector<Motion> disturb(Real disturbance, Real shift, int way) const;
 
     Case m_scene;
     mutable std::shared_ptr<Truth> m_refined;
-    mutable std::map<std::pair<Real, Real>, std::vector<Real>> m_spreads;
+    using Disturbed = std::map<std::tuple<Real, Real, int>, std::vector<Motion>>;
+    std::shared_ptr<Disturbed> m_disturbed = std::make_shared<Disturbed>(); ///< shared with the refined one
     std::vector<Motion> m_motions; ///< at the checkpoints, each a quarter of the time
     bool m_hasEvents = false;
     Real m_ownError = 0;

@@ -7,6 +7,9 @@
 
 #include "support/handles.h"
 
+#include <map>
+#include <optional>
+
 namespace {
 
 constexpr uint64_t kMostSeeds = 12;
@@ -23,9 +26,11 @@ private slots:
 
 private:
     /// The first check that the faulty stepper fails in a scene that the sound one passes; empty if there is none.
-    QByteArray firstFinding(const std::string &stepper, const QByteArrayList &kindNames) const;
+    QByteArray firstFinding(const std::string &stepper, const QByteArrayList &kindNames);
+    witness::Verdict verdictOf(const std::string &stepper, const witness::Case &scene);
 
     support::RegistryPtr m_registry;
+    std::map<std::string, std::optional<witness::Truth>> m_truths; // of the scenes of the law, which rows share
 };
 
 void WitnessNotices::initTestCase() {
@@ -36,8 +41,15 @@ void WitnessNotices::initTestCase() {
     QVERIFY2(phys_registry_load_file(registry, WITNESS_FAULTS, &error) == PHYS_OK, error.text);
 }
 
-QByteArray WitnessNotices::firstFinding(const std::string &stepper, const QByteArrayList &kindNames) const {
-    const phys_registry *registry = m_registry.get();
+witness::Verdict WitnessNotices::verdictOf(const std::string &stepper, const witness::Case &scene) {
+    if (scene.check != "law") return witness::judge(m_registry.get(), stepper, scene);
+    const auto [place, isNew] = m_truths.try_emplace(witness::textOf(scene));
+    std::optional<witness::Truth> &truth = place->second;
+    if (isNew) truth = witness::Truth::of(scene);
+    return truth ? witness::judgeLaw(m_registry.get(), stepper, scene, *truth) : witness::Verdict{};
+}
+
+QByteArray WitnessNotices::firstFinding(const std::string &stepper, const QByteArrayList &kindNames) {
     for (uint64_t seed = 1; seed <= kMostSeeds; ++seed) {
         for (size_t kind = 0; kind < witness::kinds().size(); ++kind) {
             if (!kindNames.contains(witness::kinds()[kind].c_str())) continue;
@@ -46,8 +58,8 @@ QByteArray WitnessNotices::firstFinding(const std::string &stepper, const QByteA
                     witness::Case scene =
                         isLaw ? witness::drawSmoothCase(kind, seed, model) : witness::drawCase(kind, seed, model);
                     if (isLaw) scene.check = "law";
-                    const witness::Verdict verdict = witness::judge(registry, stepper, scene);
-                    if (verdict.check.empty() || !witness::judge(registry, "sound", scene).check.empty()) continue;
+                    const witness::Verdict verdict = verdictOf(stepper, scene);
+                    if (verdict.check.empty() || !verdictOf("sound", scene).check.empty()) continue;
                     qInfo("%s: %s: %s", scene.name.c_str(), verdict.check.c_str(), verdict.what.c_str());
                     return verdict.check.c_str();
                 }
@@ -65,7 +77,7 @@ void WitnessNotices::aPlantedFaultIsFoundAndNamed_data() {
         QTest::newRow(id) << kinds << checks;
     };
     row("wall-friction-halved", {"boxes", "pressed", "gap"}, {"law", "report"});
-    row("floor-friction-doubled", {"boxes", "pressed"}, {"law"});
+    row("floor-friction-doubled", {"thin", "roof"}, {"law"});
     row("restitution-of-the-other-feature", {"boxes", "roof", "thin"}, {"law"});
     row("resistance-forgotten", {"boxes", "thin"}, {"law"});
     row("inertia-forgotten", {"boxes", "thin"}, {"law", "energy", "too_far"});
