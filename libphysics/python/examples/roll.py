@@ -21,7 +21,7 @@ def roll(id, scene):
 
 def draw(paths, scene, picture):
     try:
-        import matplotlib
+        import matplotlib  # type: ignore
     except ImportError:
         print("roll.py: no picture, because matplotlib isn't installed", file=sys.stderr)
         return

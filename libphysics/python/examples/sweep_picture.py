@@ -24,7 +24,7 @@ def distances(scene):
 
 
 def draw(table, picture):
-    import matplotlib
+    import matplotlib  # type: ignore
     matplotlib.use("Agg")
     from matplotlib import pyplot
     pyplot.pcolormesh(RESTITUTIONS, FRICTIONS, table, shading="nearest")

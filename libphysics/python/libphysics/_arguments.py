@@ -5,11 +5,14 @@ from __future__ import annotations
 import operator
 import os
 from reprlib import repr as short
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ._records import params_dtype, state_dtype
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray  # of numpy 1.21
 
 MOST_U32, MOST_U64 = 2**32 - 1, 2**64 - 1
 
@@ -28,7 +31,7 @@ def whole(value: Any, name: str, least: int, most: int) -> int:
     return number
 
 
-def numbers(value: Any, name: str) -> np.ndarray:
+def numbers(value: Any, name: str) -> NDArray[Any]:
     """An array of doubles. Texts, None, complex numbers and records are no numbers."""
     array = _array(value, name, "numbers")
     if array.dtype.kind not in "buifO":
@@ -41,7 +44,7 @@ def numbers(value: Any, name: str) -> np.ndarray:
         raise TypeError(f"{name} is {short(value)}; expected numbers") from None
 
 
-def _array(value: Any, name: str, expected: str) -> np.ndarray:
+def _array(value: Any, name: str, expected: str) -> NDArray[Any]:
     if isinstance(value, np.ma.MaskedArray):  # whose masked elements would count as any others
         raise TypeError(f"{name} is a masked array; expected {expected} without a mask")
     try:
@@ -63,10 +66,10 @@ def number(value: Any, name: str) -> float:
     array = numbers(value, name)
     if array.size != 1:
         raise TypeError(f"{name} has the shape {array.shape}; expected one number")
-    return array.item()
+    return float(array.item())
 
 
-def vector(value: Any, name: str) -> np.ndarray:
+def vector(value: Any, name: str) -> NDArray[Any]:
     """Three contiguous doubles."""
     array = numbers(value, name)
     if array.shape != (3,):
@@ -105,17 +108,17 @@ def common_shape(**shapes: tuple[int, ...]) -> tuple[int, ...]:
         raise ValueError(f"shapes that don't broadcast: {listed}") from None
 
 
-def is_laid_out(array: np.ndarray) -> bool:
+def is_laid_out(array: NDArray[Any]) -> bool:
     """Whether C may read it: contiguous in C order and aligned."""
     return array.flags.c_contiguous and array.ctypes.data % _ALIGNMENT == 0
 
 
-def laid_out(array: np.ndarray) -> np.ndarray:
+def laid_out(array: NDArray[Any]) -> NDArray[Any]:
     """The array, or a copy of it that C may read."""
     return array if is_laid_out(array) else np.array(array, order="C")
 
 
-def records(value: Any, dtype: np.dtype, name: str) -> np.ndarray:
+def records(value: Any, dtype: np.dtype[Any], name: str) -> NDArray[Any]:
     """An array of one of the C structs."""
     array = _array(value, name, _NAMES[dtype])
     if array.dtype != dtype:
@@ -136,7 +139,7 @@ def shape(value: Any) -> tuple[int, ...]:
     return tuple(whole(length, "shape", 0, MOST_U64) for length in lengths)
 
 
-def record(value: Any, dtype: np.dtype, name: str) -> np.ndarray:
+def record(value: Any, dtype: np.dtype[Any], name: str) -> NDArray[Any]:
     """One of the C structs."""
     array = records(value, dtype, name)
     if array.size != 1:

@@ -8,11 +8,14 @@ import weakref
 from collections.abc import Callable
 from ctypes import POINTER, byref, c_char, c_char_p, c_double, c_int32, c_size_t, c_uint32, c_uint64, c_void_p
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from . import _records as records
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray  # of numpy 1.21
 
 
 class PhysicsError(Exception):
@@ -32,7 +35,7 @@ class PhysicsError(Exception):
 
 def _remade(kind: type[PhysicsError], status: int, text: str) -> PhysicsError:
     """Of a class that may have an __init__ of its own."""
-    error = kind.__new__(kind, status, text)
+    error = kind.__new__(kind)
     PhysicsError.__init__(error, status, text)
     return error
 
@@ -155,7 +158,7 @@ def check(status: int, error: Error | None = None) -> None:
         raise PhysicsError(status, text.decode(errors="replace"))
 
 
-def expect(holds: np.ndarray, values: np.ndarray, name: str, unit: str, expected: str) -> None:
+def expect(holds: NDArray[Any], values: NDArray[Any], name: str, unit: str, expected: str) -> None:
     """Names the first of the values that doesn't hold, for functions of the library that tell no more than a status."""
     wrong = values[~holds]
     if wrong.size:
@@ -196,15 +199,15 @@ class Owner:
         raise TypeError(f"a {type(self).__name__} can't be pickled: make another where it is needed")
 
 
-def address(array: np.ndarray) -> int:
+def address(array: NDArray[Any]) -> int:
     """Of the first element. The caller keeps the array alive."""
     return array.ctypes.data  # __array_interface__ describes the members of records first, which takes ten times as long
 
 
 def library_rows() -> list[ParamRow]:
     count = c_uint32()
-    rows = lib.phys_param_rows(byref(count))
-    return rows[:count.value]
+    rows: list[ParamRow] = lib.phys_param_rows(byref(count))[:count.value]
+    return rows
 
 
 def _expect(holds: bool, what: str) -> None:
@@ -227,7 +230,7 @@ def _compare_rows() -> None:
     for row in library_rows():
         member, _, axis = row.id.decode().partition("_")
         name, place = (member, "xyz".index(axis)) if member == "gravity" else (row.id.decode(), 0)
-        field = records.params_dtype.fields.get(name)
+        field = (records.params_dtype.fields or {}).get(name)
         if field is not None:  # a row of a later version is one that this package doesn't offer
             _expect(field[1] + 8 * place == row.offset, f"phys_params.{name}")
 
@@ -256,9 +259,10 @@ def _compare_a_step() -> None:
     state[0]["velocity"], state[0]["spin"] = (1, 0, 0), (0, 8, 0)
     lib.phys_stepper_create(None, b"swept", scene, byref(stepper), None)
     status = lib.phys_step(stepper, address(params), 0.25, address(state), address(state), address(report), None)
-    _expect(status == 0 and report["event_count"] >= 1 and state[0]["time"] == 0.25 and state[0]["step"] == 1
-            and events[0]["kind"] == records.EVENT_IMPACT and events[0]["box"] == 1 and events[0]["speed_before"] < 0
-            and report["energy_before"] > report["energy_after"], "phys_report or phys_event")
+    _expect(bool(status == 0 and report["event_count"] >= 1 and state[0]["time"] == 0.25 and state[0]["step"] == 1
+                 and events[0]["kind"] == records.EVENT_IMPACT and events[0]["box"] == 1
+                 and events[0]["speed_before"] < 0 and report["energy_before"] > report["energy_after"]),
+            "phys_report or phys_event")
     lib.phys_stepper_destroy(stepper)
     lib.phys_scene_destroy(scene)
 

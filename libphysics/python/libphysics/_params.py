@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 from collections.abc import Iterable
 from ctypes import byref
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -13,11 +13,14 @@ from ._arguments import common_shape, laid_out, numbers
 from ._library import Error, ParamRow, address, check, expect, lib, library_rows
 from ._records import params_dtype
 
+if TYPE_CHECKING:
+    from numpy.typing import NDArray  # of numpy 1.21
+
 _CHOICE = 1
 _OPTIONS = {"orientation": 1, "all_stages": 2}
 
 
-def gravity_from_tilt(tilt_x: Any, tilt_y: Any, strength: Any = 9.81) -> np.ndarray:
+def gravity_from_tilt(tilt_x: Any, tilt_y: Any, strength: Any = 9.81) -> NDArray[Any]:
     """Gravity (m/s^2) of a board tilted by two angles (rad, within +-pi/2); the arguments broadcast.
 
     Returns an array of their common shape + (3,): the bits of phys_gravity_from_tilt.
@@ -73,7 +76,7 @@ class Params:
     """
 
     __slots__ = ("record", "_rows")
-    record: np.ndarray  #: the C structs, dtype params_dtype
+    record: NDArray[Any]  #: the C structs, dtype params_dtype
 
     def __init__(self, own_rows: list[ParamRow] | None = None, /, **values: Any) -> None:
         object.__setattr__(self, "_rows", _rows_of_library() | _by_name(own_rows or []))
@@ -105,7 +108,7 @@ class Params:
         """All names that can be read and set."""
         return [*self._rows, "gravity", *_OPTIONS]
 
-    def _view(self, row: Row) -> np.ndarray:
+    def _view(self, row: Row) -> NDArray[Any]:
         kind = "u4" if row.flags & _CHOICE else "f8"
         if not self.record.size:  # without memory to look at
             return np.empty(self.shape, kind)
@@ -143,7 +146,7 @@ class Params:
             self._check(row, value)
             self._view(row)[...] = value
 
-    def _check(self, row: Row, values: np.ndarray) -> None:
+    def _check(self, row: Row, values: NDArray[Any]) -> None:
         """Asks the library about the values that are least likely to pass: each that isn't within the range."""
         whole = values == np.floor(values)
         outside = values[~((values >= row.min) & (values <= row.max) & (whole | (row.flags & 9 == 0)))]
@@ -167,11 +170,11 @@ class Params:
     def __deepcopy__(self, memo: dict[int, Any]) -> "Params":
         return self.copy()
 
-    def __getstate__(self) -> tuple[np.ndarray, dict[str, Row]]:
+    def __getstate__(self) -> tuple[NDArray[Any], dict[str, Row]]:
         """The values and the stepper's own rows; those of the library are the same in each process."""
         return self.record, {name: row for name, row in self._rows.items() if name not in _rows_of_library()}
 
-    def __setstate__(self, state: tuple[np.ndarray, dict[str, Row]]) -> None:
+    def __setstate__(self, state: tuple[NDArray[Any], dict[str, Row]]) -> None:
         record, own_rows = state
         object.__setattr__(self, "_rows", _rows_of_library() | own_rows)
         object.__setattr__(self, "record", record)

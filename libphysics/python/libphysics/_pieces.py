@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 from concurrent.futures import ThreadPoolExecutor
 from ctypes import byref, c_char
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -13,16 +13,18 @@ from ._library import Batch, Error, Handle, address, check, lib
 from ._records import state_dtype
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray  # of numpy 1.21
+
     from ._stepper import Run
 
 _STEPS = 1_048_576  # of all balls in a piece: 20 ms in lanes, half a second by `exact`
 _LANES = 8  # balls that the library moves together
 
 
-def viewed(place: int, dtype: np.dtype) -> np.ndarray:
+def viewed(place: int, dtype: np.dtype[Any]) -> NDArray[Any]:
     """The element at an address."""
     memory = (c_char * dtype.itemsize).from_address(place)
-    return np.ndarray(dtype.shape, dtype.base, memory)
+    return np.ndarray(dtype.shape, dtype.base, memoryview(memory))
 
 
 def run_piece(handle: Handle, batch: Batch, first: int, count: int) -> None:
@@ -52,7 +54,7 @@ class _Pieces:
         self.interrupted = threading.Event()
         self._batch = Batch.from_buffer_copy(batch)
         self._states, self._statuses, self._done = (each.reshape(-1) for each in (run.states, run.statuses, run.steps_done))
-        self._paths = None if not batch.path else run.path.reshape(self._states.size, -1)
+        self._paths = None if run.path is None or not batch.path else run.path.reshape(self._states.size, -1)
         self._now = np.zeros_like(self._done)  # steps of the balls in their latest piece
         self._batch.steps_done = address(self._now)
 
@@ -97,7 +99,8 @@ class _Pieces:
             ended |= (self._states["flags"][begin:end] & np.uint64(self._batch.stop_flags)) != 0
         if not ended.any():
             return [(begin, end)]
-        for ball in begin + np.flatnonzero(ended) if self._paths is not None else ():
-            self._paths[ball, self._done[ball] // np.uint64(self._batch.path_every):] = self._states[ball]
+        if self._paths is not None:
+            for ball in begin + np.flatnonzero(ended):
+                self._paths[ball, self._done[ball] // np.uint64(self._batch.path_every):] = self._states[ball]
         edges = begin + np.flatnonzero(np.diff(ended, prepend=True, append=True))
         return list(zip(edges[::2].tolist(), edges[1::2].tolist()))

@@ -6,13 +6,16 @@ import ctypes
 import functools
 import os
 from ctypes import byref, c_double, c_uint32
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ._arguments import MOST_U32, laid_out, number, numbers, path as path_of, record, shape as shape_of, vector, whole
 from ._library import Error, Handle, Owner, SceneDesc, address, check, expect, lib
 from ._records import contact_dtype, state_dtype
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray  # of numpy 1.21
 
 
 class Scene(Owner):
@@ -48,10 +51,10 @@ class Scene(Owner):
     @property
     def radius(self) -> float:
         """Of the ball, m."""
-        return lib.phys_scene_radius(self._handle)
+        return float(lib.phys_scene_radius(self._handle))
 
     @property
-    def boxes(self) -> np.ndarray:
+    def boxes(self) -> NDArray[Any]:
         """As given, shape (n, 2, 3), m: a read-only copy. Events and contacts count in it."""
         count = lib.phys_scene_box_count(self._handle)
         if count == 0:
@@ -60,13 +63,13 @@ class Scene(Owner):
         return _read_only(np.frombuffer(memory, "f8").reshape(count, 2, 3).copy())
 
     @property
-    def bounds(self) -> np.ndarray:
+    def bounds(self) -> NDArray[Any]:
         """The smallest box around all boxes, shape (2, 3), m; read-only."""
         out = np.zeros((2, 3))
         check(lib.phys_scene_bounds(self._handle, address(out)))
         return _read_only(out)
 
-    def start(self, shape: int | tuple[int, ...] = ()) -> np.ndarray:
+    def start(self, shape: int | tuple[int, ...] = ()) -> NDArray[Any]:
         """The state at the start, at rest: an array of state_dtype and this shape, each element the same."""
         out = np.zeros((), state_dtype)
         check(lib.phys_scene_start(self._handle, address(out)))
@@ -74,7 +77,7 @@ class Scene(Owner):
         states[...] = out
         return states
 
-    def contacts(self, centre: Any, reach: float = 0.0) -> np.ndarray:
+    def contacts(self, centre: Any, reach: float = 0.0) -> NDArray[Any]:
         """All boxes whose gap to a ball at `centre` (3, m) is at most `reach` (m): an array of contact_dtype, by box.
 
         Flush and identical boxes whose union is a box are one, with the number of that one of them that is nearest to the
@@ -92,13 +95,13 @@ class Scene(Owner):
     def why_not_planar(self) -> str:
         """Empty if all contacts of a rolling ball are horizontal; else the box and the reason."""
         error = Error()
-        return error.text.decode() if lib.phys_scene_check_planar(self._handle, byref(error)) else ""
+        return str(error.text, "utf-8") if lib.phys_scene_check_planar(self._handle, byref(error)) else ""
 
     def __repr__(self) -> str:
         return f"<Scene, {lib.phys_scene_box_count(self._handle)} boxes, radius {self.radius:g} m>"
 
 
-def _read_only(array: np.ndarray) -> np.ndarray:
+def _read_only(array: NDArray[Any]) -> NDArray[Any]:
     """Of an immutable scene: what is written into it would have no effect."""
     array.flags.writeable = False
     return array
@@ -126,7 +129,7 @@ def _create(boxes: Any, radius: float | None, start: Any) -> Handle:
     return Handle(lib.phys_scene_create, lib.phys_scene_destroy, byref(desc))
 
 
-def state_hash(state: np.ndarray) -> int:
+def state_hash(state: NDArray[Any]) -> int:
     """64-bit hash (FNV-1a) of one state's 128 bytes."""
     one = record(state, state_dtype, "state")  # lives until the call is over
-    return lib.phys_state_hash(address(one))
+    return int(lib.phys_state_hash(address(one)))

@@ -8,7 +8,7 @@ import os
 import threading
 import weakref
 from ctypes import byref, c_double
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -20,6 +20,9 @@ from ._params import Params, rows_of
 from ._pieces import run_piece, run_ranges, viewed
 from ._records import event_dtype, params_dtype, report_dtype, state_dtype
 from ._scene import Scene
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray  # of numpy 1.21
 
 _MOST_THREADS = 1024
 _STAGES = ("vertical motion", "substeps", "rolling resistance", "slip and spin", "grid", "orientation")
@@ -39,21 +42,21 @@ class Info(NamedTuple):
 class Step(NamedTuple):
     """One step: the state after it (0-d, state_dtype), its report (0-d, report_dtype) and its events (event_dtype)."""
 
-    state: np.ndarray
-    report: np.ndarray
-    events: np.ndarray
+    state: NDArray[Any]
+    report: NDArray[Any]
+    events: NDArray[Any]
 
     def __repr__(self) -> str:
         return f"<Step to {self.state['time']:g} s, {len(self.events)} events>"
 
 
 class _Run(NamedTuple):
-    states: np.ndarray
-    path: np.ndarray | None
-    steps_done: np.ndarray
-    statuses: np.ndarray
-    impacts: np.ndarray | None = None
-    energy_lost: np.ndarray | None = None
+    states: NDArray[Any]
+    path: NDArray[Any] | None
+    steps_done: NDArray[Any]
+    statuses: NDArray[Any]
+    impacts: NDArray[Any] | None = None
+    energy_lost: NDArray[Any] | None = None
 
 
 class Run(_Run):
@@ -118,8 +121,8 @@ def _decoded(line: bytes) -> str:
 
 
 def _describe(info: StepperInfo) -> Info:
-    texts = (info.id, info.name, info.version, info.summary, info.file)
-    return Info(*map(_decoded, texts), tuple(_decoded(row.id) for row in rows_of(info)))
+    id, name, version, summary, file = map(_decoded, (info.id, info.name, info.version, info.summary, info.file))
+    return Info(id, name, version, summary, file, tuple(_decoded(row.id) for row in rows_of(info)))
 
 
 def steppers() -> list[Info]:
@@ -180,7 +183,7 @@ class Stepper(Owner):
         """Params that know this stepper's own names, too."""
         return Params(rows_of(self._info), **values)
 
-    def step(self, state: np.ndarray, params: Params | np.ndarray, dt: float, *, events: int = 256) -> Step:
+    def step(self, state: NDArray[Any], params: Params | NDArray[Any], dt: float, *, events: int = 256) -> Step:
         """One step of dt seconds (0 .. 2^100) with its report and up to `events` events.
 
         state: one element of state_dtype; it stays as it is. params: one set. Raises PhysicsError.
@@ -198,9 +201,9 @@ class Stepper(Owner):
         report["events"] = 0
         return Step(after, report, happened[:int(report["event_count"])])
 
-    def run(self, states: np.ndarray, params: Params | np.ndarray, dt: float, steps: int, *, gravity: Any = None,
-            every: int = 0, stop: int | np.integer = 0, threads: int = 1, tally: bool = False,
-            out: np.ndarray | None = None) -> Run:
+    def run(self, states: NDArray[Any], params: Params | NDArray[Any], dt: float, steps: int, *, gravity: Any = None,
+            every: int = 0, stop: int | np.integer[Any] = 0, threads: int = 1, tally: bool = False,
+            out: NDArray[Any] | None = None) -> Run:
         """Many balls, many steps: for each ball the bits that `step` gives in a loop.
 
         states: state_dtype, any shape. params: one set or an array of them. gravity: m/s^2, in place of that of params:
@@ -261,14 +264,14 @@ class Stepper(Owner):
         lib.phys_step(self._handle(0), address(params), batch.dt, address(state), address(after), None, byref(error))
         return _decoded(error.text)
 
-    def energy(self, state: np.ndarray, params: Params | np.ndarray) -> float:
+    def energy(self, state: NDArray[Any], params: Params | NDArray[Any]) -> float:
         """Energy per mass, J/kg."""
         one, obeyed = record(state, state_dtype, "state"), record(_record(params), params_dtype, "params")
         value = c_double()
         check(lib.phys_energy(self._scene._handle, address(obeyed), address(one), byref(value)))
         return value.value
 
-    def requirements(self, state: np.ndarray, params: Params | np.ndarray, dt: float) -> dict[str, tuple[bool, str]]:
+    def requirements(self, state: NDArray[Any], params: Params | NDArray[Any], dt: float) -> dict[str, tuple[bool, str]]:
         """For each stage of the step with these arguments whether it runs, and why."""
         one, obeyed = record(state, state_dtype, "state"), record(_record(params), params_dtype, "params")
         told, error = Requirements(), Error()
@@ -303,7 +306,7 @@ def _remade(kind: type[Stepper], *arguments: Any) -> Stepper:
     return stepper
 
 
-def _record(params: Params | np.ndarray) -> np.ndarray:
+def _record(params: Params | NDArray[Any]) -> NDArray[Any]:
     if isinstance(params, Params):
         return params.record
     sets = records(params, params_dtype, "params")
@@ -313,7 +316,7 @@ def _record(params: Params | np.ndarray) -> np.ndarray:
     return sets
 
 
-def _gravity(gravity: Any, steps: int) -> np.ndarray:
+def _gravity(gravity: Any, steps: int) -> NDArray[Any]:
     array = numbers(gravity, "gravity")
     array = array.reshape(1, 3) if array.shape == (3,) else array
     if array.ndim < 2 or array.shape[-1] != 3 or array.shape[-2] not in (1, steps):
@@ -322,7 +325,7 @@ def _gravity(gravity: Any, steps: int) -> np.ndarray:
     return array
 
 
-def _output(shape: tuple[int, ...], out: np.ndarray | None) -> np.ndarray:
+def _output(shape: tuple[int, ...], out: NDArray[Any] | None) -> NDArray[Any]:
     if out is None:
         return np.empty(shape, state_dtype)
     if not isinstance(out, np.ndarray):
@@ -335,13 +338,13 @@ def _output(shape: tuple[int, ...], out: np.ndarray | None) -> np.ndarray:
     return out
 
 
-def _copy_whole(given: np.ndarray, out: np.ndarray) -> None:
+def _copy_whole(given: NDArray[Any], out: NDArray[Any]) -> None:
     if out is not given:
         whole = f"V{state_dtype.itemsize}"  # numpy copies records member by member
         out.view(whole)[...] = given.view(whole)
 
 
-def _per_ball(array: np.ndarray, shape: tuple[int, ...], inner: int) -> tuple[np.ndarray, int]:
+def _per_ball(array: NDArray[Any], shape: tuple[int, ...], inner: int) -> tuple[NDArray[Any], int]:
     """The array with its batch dimensions as one, and the bytes from ball to ball: 0 if all balls share one element."""
     tail = array.shape[array.ndim - inner:]
     if math.prod(array.shape[:array.ndim - inner]) == 1:
