@@ -145,3 +145,11 @@ def record(value: Any, dtype: np.dtype[Any], name: str) -> NDArray[Any]:
     if array.size != 1:
         raise TypeError(f"{name} has {array.size} elements; expected one")
     return laid_out(array)
+
+
+def new_array(shape: tuple[int, ...], dtype: np.dtype[Any], name: str) -> NDArray[Any]:
+    """A new array for results, not filled. MemoryError also where numpy would raise ValueError, from 2^63 bytes on."""
+    try:
+        return np.empty(shape, dtype)
+    except ValueError:
+        raise MemoryError(f"{name} of the shape {shape} doesn't fit into memory") from None

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ._arguments import common_shape, laid_out, numbers
+from ._arguments import common_shape, laid_out, new_array, numbers
 from ._library import Error, ParamRow, address, check, expect, lib, library_rows
 from ._records import params_dtype
 
@@ -27,7 +27,7 @@ def gravity_from_tilt(tilt_x: Any, tilt_y: Any, strength: Any = 9.81) -> NDArray
     """
     given = [numbers(tilt_x, "tilt_x"), numbers(tilt_y, "tilt_y"), numbers(strength, "strength")]
     shape = common_shape(tilt_x=given[0].shape, tilt_y=given[1].shape, strength=given[2].shape)
-    gravity = np.empty(shape + (3,))
+    gravity = new_array(shape + (3,), np.dtype("f8"), "gravity")
     each = [laid_out(np.broadcast_to(values, shape)) for values in given]
     if lib.phys_gravities_from_tilts(gravity.size // 3, *map(address, each), address(gravity)) != 0:
         for values, name in zip(given, ("tilt_x", "tilt_y")):

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._arguments import MOST_U32, laid_out, number, numbers, path as path_of, record, shape as shape_of, vector, whole
+from ._arguments import (MOST_U32, laid_out, new_array, number, numbers, path as path_of, record, shape as shape_of, vector,
+                         whole)
 from ._library import Error, Handle, Owner, SceneDesc, address, check, expect, lib
 from ._records import contact_dtype, state_dtype
 
@@ -73,7 +74,7 @@ class Scene(Owner):
         """The state at the start, at rest: an array of state_dtype and this shape, each element the same."""
         out = np.zeros((), state_dtype)
         check(lib.phys_scene_start(self._handle, address(out)))
-        states = np.empty(shape_of(shape), state_dtype)
+        states = new_array(shape_of(shape), state_dtype, "states")
         states[...] = out
         return states
 

@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ._arguments import (MOST_U32, MOST_U64, common_shape, is_laid_out, laid_out, number, numbers, path, record, records,
-                         text, whole)
+from ._arguments import (MOST_U32, MOST_U64, common_shape, is_laid_out, laid_out, new_array, number, numbers, path, record,
+                         records, text, whole)
 from ._library import (SCAN_FUNCTION, Batch, Error, Handle, Owner, PhysicsError, Requirements, StepperInfo, address, check,
-                       lib)
+                       expect, lib)
 from ._params import Params, rows_of
 from ._pieces import run_piece, run_ranges, viewed
 from ._records import event_dtype, params_dtype, report_dtype, state_dtype
@@ -222,7 +222,7 @@ class Stepper(Owner):
         pull = None if gravity is None else _gravity(gravity, steps)
         shape = common_shape(states=given.shape, params=sets.shape, gravity=() if pull is None else pull.shape[:-2])
         result = _output(shape, out)
-        path = np.empty(shape + (steps // every,), state_dtype) if every > 0 else None
+        path = new_array(shape + (steps // every,), state_dtype, "path") if every > 0 else None
         done, statuses = np.zeros(shape, "u8"), np.zeros(shape, "i4")
         batch = Batch()
         check(lib.phys_batch_init(byref(batch), ctypes.sizeof(batch)))
@@ -267,6 +267,9 @@ class Stepper(Owner):
     def energy(self, state: NDArray[Any], params: Params | NDArray[Any]) -> float:
         """Energy per mass, J/kg."""
         one, obeyed = record(state, state_dtype, "state"), record(_record(params), params_dtype, "params")
+        for values, name, unit in ((one["position"], "position", "m"), (one["velocity"], "velocity", "m/s"),
+                                   (one["spin"], "spin", "rad/s"), (obeyed["gravity"], "gravity", "m/s^2")):
+            expect(np.abs(values) <= 2.0**100, values, f"a component of {name}", unit, "a number within +-2^100")
         value = c_double()
         check(lib.phys_energy(self._scene._handle, address(obeyed), address(one), byref(value)))
         return value.value
@@ -327,7 +330,7 @@ def _gravity(gravity: Any, steps: int) -> NDArray[Any]:
 
 def _output(shape: tuple[int, ...], out: NDArray[Any] | None) -> NDArray[Any]:
     if out is None:
-        return np.empty(shape, state_dtype)
+        return new_array(shape, state_dtype, "states")
     if not isinstance(out, np.ndarray):
         raise TypeError(f"out is a {type(out).__name__}; expected an array of state_dtype")
     records(out, state_dtype, "out")

@@ -209,6 +209,35 @@ class MessagesTest(unittest.TestCase):
             self.assertIn(name, dir(params))
 
 
+class ErrorTextTest(unittest.TestCase):
+    def setUp(self):
+        self.scene = lp.Scene(LEVEL)
+        self.stepper = lp.Stepper("exact", self.scene)
+
+    def test_energy_names_the_number_that_has_none(self):
+        for name in ("position", "velocity", "spin"):
+            for number in (float("nan"), -1e300):
+                state = self.scene.start()
+                state[name][1] = number
+                with self.assertRaisesRegex(lp.PhysicsError, f"component of {name} is {number:g}".replace("+", r"\+")):
+                    self.stepper.energy(state, self.stepper.params())
+        params = self.stepper.params()
+        params.gravity[2] = float("inf")
+        with self.assertRaisesRegex(lp.PhysicsError, "component of gravity is inf"):
+            self.stepper.energy(self.scene.start(), params)
+
+    def test_results_beyond_all_memory_are_a_memory_error(self):
+        states, params = self.scene.start(), self.stepper.params()
+        for steps in (2**40, 2**57, 2**63, 2**64 - 1):
+            with self.assertRaises(MemoryError):
+                self.stepper.run(states, params, 0.01, steps, every=1)
+        for shape in (2**57, (2**32, 2**32)):
+            with self.assertRaises(MemoryError):
+                self.scene.start(shape)
+        with self.assertRaises(MemoryError):
+            lp.gravity_from_tilt(np.broadcast_to(0.0, 2**59), 0.0)
+
+
 class Room(lp.Scene):
     def __init__(self, size):
         super().__init__(boxes=[np.multiply(FLOOR, size)], radius=0.125)
