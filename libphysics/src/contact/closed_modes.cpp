@@ -44,7 +44,26 @@ bool pushOfTwo(const Smooth &smooth, const Vec3 &a, uint32_t i, uint32_t j, doub
     return first >= 0.0 && second >= 0.0;
 }
 
-/// Adds the forces of the contacts of a set to a; false if more than two of them have to push.
+/// Forces of three contacts that keep all closed; false if they are dependent or one would have to pull. Three normals
+/// that are nearly in one plane push hard: unlike those of two, their equations are of the angle's first power.
+bool pushOfThree(const Smooth &smooth, Vec3 &a, const std::array<uint32_t, 3> &number, std::array<double, 3> &sizes) {
+    const auto normal = [&](size_t i) { return smooth.held[number[i % 3]].normal; };
+    const double volume = glm::dot(normal(0), glm::cross(normal(1), normal(2)));
+    if (std::abs(volume) <= smooth.moment.rounding) return false;
+    Vec3 held(0.0);
+    for (size_t i = 0; i < 3; ++i) {
+        const double bend = curvature(smooth.moment, smooth.held[number[i]]);
+        held -= bend / volume * glm::cross(normal(i + 1), normal(i + 2));
+    }
+    for (size_t i = 0; i < 3; ++i) {
+        sizes[i] = glm::dot(held - a, glm::cross(normal(i + 1), normal(i + 2))) / volume;
+        if (!(sizes[i] >= 0.0)) return false;
+    }
+    a = held;
+    return true;
+}
+
+/// Adds the forces of the contacts of a set to a; false if more than three of them have to push.
 bool pushSmooth(const Smooth &smooth, uint32_t among, Vec3 &a, std::array<double, kMostHeld> &push) {
     const uint32_t count = static_cast<uint32_t>(smooth.held.size());
     if (allows(smooth, a, among, 0)) return true;
@@ -69,6 +88,22 @@ bool pushSmooth(const Smooth &smooth, uint32_t among, Vec3 &a, std::array<double
         push[i] = size;
         a = pushed;
         return true;
+    }
+    for (uint32_t i = 0; i < count; ++i) {
+        for (uint32_t j = i + 1; j < count; ++j) {
+            for (uint32_t k = j + 1; k < count; ++k) {
+                const uint32_t bits = 1U << i | 1U << j | 1U << k;
+                std::array<double, 3> sizes{};
+                Vec3 pushed = a;
+                if ((among & bits) != bits || !pushOfThree(smooth, pushed, {i, j, k}, sizes)) continue;
+                if (!allows(smooth, pushed, among, bits)) continue;
+                push[i] = sizes[0];
+                push[j] = sizes[1];
+                push[k] = sizes[2];
+                a = pushed;
+                return true;
+            }
+        }
     }
     return false;
 }

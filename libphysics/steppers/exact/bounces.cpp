@@ -123,12 +123,13 @@ Obstacles findObstacles(const Contacts &contacts, double height, MovingBall &bal
 }
 
 /// Whether the ball meets none of them from `gone` on, while it moves along `way` and along `bend`.
-bool isClear(const Obstacles &obstacles, const Vec3 &gone, const Vec3 &way, const Vec3 &bend, double radius) {
-    if (glm::length(gone) + glm::length(way) + glm::length(bend) > kNear * radius) return false;
+bool isClear(const Obstacles &obstacles, const Vec3 &gone, const Vec3 &way, const Vec3 &bend, const Scene &scene) {
+    if (glm::length(gone) + glm::length(way) + glm::length(bend) > kNear * scene.radius) return false;
     return std::all_of(obstacles.begin(), obstacles.end(), [&](const Obstacle &obstacle) {
         const double first = glm::dot(obstacle.normal, way), second = glm::dot(obstacle.normal, bend);
-        const double least = std::min(0.0, second < 0.0 ? first + second : first);
-        return obstacle.gap + glm::dot(obstacle.normal, gone) + least >= 0.0;
+        const double gap = obstacle.gap + glm::dot(obstacle.normal, gone), end = gap + first + second;
+        // If it is touched at the end, there is an impact on both at once.
+        return end > 2.0 * scene.tolerance && std::min(gap, second < 0.0 ? end : gap + first) >= 0.0;
     });
 }
 
@@ -150,7 +151,7 @@ void makeBounces(double back, const Obstacles &obstacles, MovingBall &ball, Touc
         const Vec3 along = ball.motion.velocity - speed * n, way = flight * (along + 0.5 * flight * pull);
         if (flight >= ball.left || face.restitution * speed <= leastBounce(ball, touching.contacts)) return;
         const Vec3 bend = 0.5 * flight * flight * pull;
-        if (!isClear(obstacles, ball.position - start, flight * along, bend, ball.radius())) return;
+        if (!isClear(obstacles, ball.position - start, flight * along, bend, ball.scene())) return;
         const Uniform turning{Vec3(0.0), Vec3(0.0), ball.motion.spin, Vec3(0.0)};
         ball.turn(turning, turning.placeAt(flight), flight);
         ball.position += way;

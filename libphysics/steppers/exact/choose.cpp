@@ -66,8 +66,8 @@ void stopHeld(const Touching &touching, const Response &response, MovingBall &ba
     }
 }
 
-/// Whether all accelerations are constant: only faces press, or smooth contacts that let the ball move along an axis
-/// only, and slips and resistance keep their directions.
+/// Whether all accelerations are constant: the ball turns in its place, only faces press, or smooth contacts that let
+/// the ball move along an axis only, and slips and resistance keep their directions.
 bool isUniform(const MovingBall &ball, const Touching &touching, const Response &response, const Vec3 &free) {
     const bool isTurningOnly = ball.motion.velocity == Vec3(0.0) && response.acceleration == Vec3(0.0);
     if (isTurningOnly && response.spinAcceleration == Vec3(0.0)) return true;
@@ -77,7 +77,8 @@ bool isUniform(const MovingBall &ball, const Touching &touching, const Response 
         const bool isStraight = touching.contactOf(i).isFace() || free != Vec3(1.0);
         if (reaction.mode == Mode::open) continue;
         if (isStraight && reaction.pressure == 0.0) continue; // as in the middle between two walls a ball apart
-        if (!touching.contactOf(i).isFace() && (reaction.mode != Mode::smooth || !isStraight)) return false;
+        const bool isTurned = !isTurningOnly && !touching.contactOf(i).isFace(); // the normal, by the motion
+        if (isTurned && (reaction.mode != Mode::smooth || !isStraight)) return false;
         if (reaction.mode == Mode::slipping) {
             const Vec3 turning = glm::cross(response.spinAcceleration, held.normal);
             if (!isCollinear(reaction.slip, response.acceleration - ball.radius() * turning)) return false;
@@ -136,9 +137,18 @@ bool isCollinear(const Vec3 &a, const Vec3 &b) {
 }
 
 uint32_t onlyFace(const Touching &touching, const Response &response) {
+    const auto isIdle = [&](uint32_t i) { // between two walls a ball apart, the one that doesn't press
+        const Reaction &reaction = response.reactions[i];
+        if (reaction.mode == Mode::sticking || reaction.pressure != 0.0 || !touching.contactOf(i).isFace())
+            return false;
+        for (uint32_t j = 0; j < touching.count(); ++j) {
+            if (isClosed(response, j) && touching.held(j).normal == -touching.held(i).normal) return true;
+        }
+        return false;
+    };
     uint32_t closed = kMostHeld;
     for (uint32_t i = 0; i < touching.count(); ++i) {
-        if (!isClosed(response, i)) continue;
+        if (!isClosed(response, i) || isIdle(i)) continue;
         if (closed != kMostHeld || !touching.contactOf(i).isFace()) return kMostHeld;
         closed = i;
     }

@@ -84,7 +84,8 @@ Look gapAt(const Target &target, const Phase &phase, const Outlook &around, doub
     Vec3 n;
     const double gap = target.gap(now.way, radius, n);
     const double rate = glm::dot(n, now.velocity);
-    const bool returns = !target.isTouched || glm::dot(now.way, now.way) > 0.0625 * radius * radius;
+    const double gone = std::max(glm::length(now.way), t * glm::length(around.motion.velocity));
+    const bool returns = !target.isTouched || gone > 0.25 * radius;
     const bool grazes = returns && target.grazes(gap, rate, n, now.velocity);
     return {grazes ? target.tolerance : gap, rate, phase.least(n, rate, t, until)};
 }
