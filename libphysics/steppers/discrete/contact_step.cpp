@@ -232,15 +232,19 @@ void lookAhead(const StepContext &context, const Ball &ball, std::span<const Vec
 
 ExplicitLanding::ExplicitLanding(const StepContext &context, const Contacts &contacts, double h, Ball &ball)
     : m_early(-0.5 * h * context.params().gravity.z) {
-    const double approach = -ball.velocity.z - m_early;
+    // Also where that velocity is too slow to bounce.
     m_lands = m_early > 0.0 && std::any_of(contacts.begin(), contacts.end(), [&](const Contact &contact) {
-                  return contact.isTop && approach > contact.restSpeed;
+                  return contact.isTop && -ball.velocity.z > std::max(m_early, contact.restSpeed);
               });
-    if (m_lands) ball.velocity.z = -approach;
+    if (m_lands) ball.velocity.z += m_early;
 }
 
 void ExplicitLanding::leave(Ball &ball) const {
-    if (m_lands && ball.velocity.z > 0.0) ball.velocity.z = std::max(0.0, ball.velocity.z - m_early);
+    if (!m_lands) return;
+    if (ball.velocity.z < 0.0)
+        ball.velocity.z -= m_early; // as it was
+    else
+        ball.velocity.z = std::max(0.0, ball.velocity.z - m_early);
 }
 
 namespace {

@@ -35,6 +35,7 @@ public:
         if (!view.look(m_context, ball.position, end, sum(ahead.roll.displacement))) return false;
         if (!view.isEmpty() && !view.findFaces(m_context, ball.position, end)) return false;
         if (!view.faces().empty()) return meetFaces(start, view, ball);
+        if (mayLean(view, ball, ahead.roll.velocity)) return false;
         finish(ahead.roll, ball);
         return true;
     }
@@ -214,6 +215,13 @@ private:
         return !mayStop || glm::dot(ahead.roll.velocity, velocity) > kZero * glm::dot(velocity, velocity);
     }
 
+    /// Whether the explicit rule, which moves with the old velocity, may lean on what only the new one leads to, as on
+    /// an edge that the ball rounds.
+    bool mayLean(const FloorView &view, const Ball &ball, const Vec2 &newVelocity) const {
+        if constexpr (Scheme::kContactRule != ContactRule::Explicit) return false;
+        return !view.isEmpty() && !view.hasRoom(m_context, ball.position, ball.position + m_h * Vec3(newVelocity, 0.0));
+    }
+
     bool meetFaces(double start, FloorView &view, Ball &ball) const {
         const phys_params &params = m_context.params();
         if (m_context.isRigid() && params.wall_friction > 0.0) return false;
@@ -226,6 +234,7 @@ private:
         const std::optional<SmoothLoss> loss =
             contact == FloorContact::Slips ? slipAway(faces, next) : rollBeside(contact, faces, next);
         if (!loss || !view.hasRoom(m_context, ball.position, next.position)) return false;
+        if (mayLean(view, ball, inPlane(next.velocity))) return false;
         m_context.report.lostSlip(lossOfSpin(ball));
         book(*loss);
         if (bounces) bookBounce(start, faces, ball, bounced);

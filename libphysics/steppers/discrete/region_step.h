@@ -155,6 +155,9 @@ struct StepInRegion {
     }
 
 private:
+    /// Whether a ball may lean on what only its new velocity leads to: FloorRun::mayLean.
+    static constexpr bool kLeansAhead = Scheme::kContactRule == ContactRule::Explicit;
+
     // Both are inlined so that balls stay in registers: 6 % of a single step.
 
     /// Balls none of which is at a face.
@@ -170,6 +173,10 @@ private:
         if constexpr (kRule == RegionRule::Swept) {
             const Planar<N> turn = 0.5 * limits.h * balls.velocity();
             isFine = all(isFine, wayOf(step) <= farthest, x.isFree(x.place + turn.x), y.isFree(y.place + turn.y));
+        }
+        if constexpr (kLeansAhead) {
+            isFine = all(isFine, x.isFree(x.place + limits.h * step.velocity.x),
+                         y.isFree(y.place + limits.h * step.velocity.y));
         }
         if (limits.mayFall) isFine = all(isFine, staysOnFloor(balls, limits));
         step.isFine = isFine;
@@ -201,6 +208,10 @@ private:
         if constexpr (kRule == RegionRule::Swept) {
             const Planar<N> turn = 0.5 * h * velocity;
             step.isFine = all(step.isFine, x.has(x.place + turn.x, velocity.x), y.has(y.place + turn.y, velocity.y));
+        }
+        if constexpr (kLeansAhead) {
+            step.isFine = all(step.isFine, x.has(x.place + h * step.velocity.x, step.velocity.x),
+                              y.has(y.place + h * step.velocity.y, step.velocity.y));
         }
         if (limits.mayFall) step.isFine = all(step.isFine, staysOnFloor(balls, limits));
         return step;

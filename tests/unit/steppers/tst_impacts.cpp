@@ -78,6 +78,8 @@ private slots:
     void topCornerOfAWallHasTheWallsRestitution();
     void hopsUnderAnEdgeTakeNoSpeedAlongTheFloor_data() { addStepperRows(); }
     void hopsUnderAnEdgeTakeNoSpeedAlongTheFloor();
+    void hopsOnTheFloorEnd_data() { addStepperRows(); }
+    void hopsOnTheFloorEnd();
     void bounceOnTheFloorNeedsNoGravity_data() { addStepperAndModelRows(); }
     void bounceOnTheFloorNeedsNoGravity();
     void recedingBallIsNotPulledBack_data() { addStepperAndModelRows(); }
@@ -243,6 +245,21 @@ void TestImpacts::hopsUnderAnEdgeTakeNoSpeedAlongTheFloor() {
     const double dt = 5.5e-6;
     QVERIFY2(ball.step(dt), ball.error());
     COMPARE_WITHIN(ball.state.velocity.x, 0.27287934849386952, ball.params.gravity.x * dt + 1e-5);
+}
+
+/// A sum of bounces from hardly more than the height of one step's fall, at all phases of the steps.
+void TestImpacts::hopsOnTheFloorEnd() {
+    QFETCH(QByteArray, stepper);
+    constexpr double dt = 0x1p-10, kFirst = 6.0 * kNormalGravity * dt, kRestitution = 0.9;
+    for (int i = 1; i <= 64; ++i) {
+        Experiment ball(openFloor(), stepper);
+        ball.params.restitution_floor = kRestitution;
+        ball.state.velocity.z = kFirst / 64.0 * i;
+        const double sum = 2.0 * kFirst / kNormalGravity / (1.0 - kRestitution);
+        QVERIFY2(ball.stepFor(2.0 * sum, dt), ball.error());
+        QCOMPARE(ball.state.velocity.z, 0.0);
+        QCOMPARE(ball.state.position.z, openFloor().radius());
+    }
 }
 
 void TestImpacts::bounceOnTheFloorNeedsNoGravity() {
