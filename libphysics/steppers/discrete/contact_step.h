@@ -78,6 +78,8 @@ public:
     SpinOnFloor(const StepContext &context, const Contacts &contacts, const Ball &ball);
     /// Called after them: a ball that lands on a top face rolls from now on.
     void follow(const Contacts &contacts, Ball &ball);
+    /// Whether that gave the ball another spin.
+    bool turns(const Ball &ball) const { return m_follows && m_before != ball.spin; }
     /// Called after the motion. If a face didn't press at the end, the ball gets back the spin that it had.
     void settle(bool presses, Ball &ball) const;
 

@@ -202,12 +202,22 @@ void SweptStep::beginPhase() {
     // The velocity determines on which side of a border the ball is.
     if (hit(m_context, m_contacts, m_done, 0.0, m_ball)) lookHere();
     landing.follow(m_contacts, m_ball);
-    landing.settle(true, m_ball);
     dropWhatIsLeft();
     // A ball that hops too low to leave a top face also rolls on it: friction must not treat its spin as a slip.
     SpinOnFloor staying(m_context, m_contacts, m_ball);
     staying.follow(m_contacts, m_ball);
-    staying.settle(true, m_ball);
+    // The reactions at other contacts may lift it off at once.
+    const bool carries = m_isAlone || !(landing.turns(m_ball) || staying.turns(m_ball)) || pressesNow();
+    staying.settle(carries, m_ball);
+    landing.settle(carries, m_ball);
+}
+
+/// Whether a top face presses on the ball, if it doesn't leave its contacts now; presses: as of `hold`.
+bool SweptStep::pressesNow(std::span<bool> presses) const {
+    Ball trial = m_ball;
+    Reporter silent;
+    return hold({m_context.setting, silent, m_context.work}, m_contacts, ContactRule::SecondOrder, kSoon * m_substep,
+                trial, presses);
 }
 
 /// Slow contacts last from now on, without any speed along their normals; those that the ball leaves are dropped.
@@ -289,11 +299,8 @@ bool SweptStep::isBound(double speed) const {
 /// Of the contacts that the ball leaves slowly, keeps those that press if the ball doesn't leave them now; it may
 /// later.
 void SweptStep::dropWhatNothingPresses(const Vec3 &velocity) {
-    Ball trial = m_ball;
-    Reporter silent;
     std::array<bool, Contacts::kMost> presses;
-    hold({m_context.setting, silent, m_context.work}, m_contacts, ContactRule::SecondOrder, kSoon * m_substep, trial,
-         presses);
+    pressesNow(presses);
     NormalSpan kept;
     const bool *pressing = presses.data();
     m_contacts.drop([&](const Contact &contact) {
@@ -331,8 +338,7 @@ void SweptStep::finishPhase(double t) {
 template<class Left>
 double SweptStep::timeToZero(double end, double start, Left left) const {
     constexpr int kMostHalvings = 60;
-    double t = end;
-    double rest = left(at(t));
+    double t = end, rest = left(at(t));
     if (rest > kZero * start) return INFINITY;
     for (int i = 0; i < kMostHalvings && rest <= kZero * start; ++i) rest = left(at(t *= 0.5));
     // A value that grows at first is examined again from there.
@@ -349,8 +355,7 @@ double SweptStep::timeToSlipEnd(double end) {
     constexpr double kShortest = 1.0 / 1024.0; // of a substep
     const double gravity = glm::length(m_context.setting.gravity());
     const double last = m_substep * glm::clamp(m_substep * std::sqrt(gravity / radius), kShortest, kSoon);
-    const double rolling = kRolling * (glm::length(m_ball.velocity) + radius * glm::length(m_ball.spin));
-    const double none = std::max(rolling, m_slow);
+    const double none = std::max(kRolling * (glm::length(m_ball.velocity) + radius * glm::length(m_ball.spin)), m_slow);
     const Motion start = motionOf(m_ball);
     Motion after = start;
     const auto visitSlips = [&](auto visit) { // the remainder of each nonzero slip, m/s
@@ -456,11 +461,6 @@ bool SweptStep::isClear(double t) const {
         isClear = isClear && carries;
     });
     return isClear;
-}
-
-bool SweptStep::holds(uint32_t box) const {
-    return std::any_of(m_contacts.begin(), m_contacts.end(),
-                       [&](const Contact &contact) { return contact.box == box; });
 }
 
 /// Whether the ball flies, or rolls or slides on one top face, too fast for resistance to stop it.

@@ -74,6 +74,7 @@ private:
     bool touchesGround();
     bool beginOnFloor();
     void beginPhase();
+    bool pressesNow(std::span<bool> presses = {}) const;
     void dropWhatIsLeft();
     void snapToFaces();
     void stopSlowApproach();
@@ -97,7 +98,9 @@ private:
     double lateness(const Ball &ball) const;
     double overlap(const Ball &ball) const;
     double beyondFeature(const Ball &ball) const;
-    bool holds(uint32_t box) const;
+    bool holds(uint32_t box) const {
+        return std::any_of(m_contacts.begin(), m_contacts.end(), [&](const Contact &c) { return c.box == box; });
+    }
 
     PlanInput m_input;
     StepPlan m_plan;

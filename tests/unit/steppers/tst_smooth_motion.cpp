@@ -54,6 +54,8 @@ private slots:
     void givenSpinIsLostToSlip();
     void givenSpinTurnsTheBallAsInRolling_data() { addStepperRows(); }
     void givenSpinTurnsTheBallAsInRolling();
+    void aFloorThatOpensAtOnceTurnsNoBall_data() { addStepperRows(); }
+    void aFloorThatOpensAtOnceTurnsNoBall();
 };
 
 namespace {
@@ -99,6 +101,25 @@ void TestSmoothMotion::givenSpinTurnsTheBallAsInRolling() {
         // By half a radian: 0.5 m/s over 1/16 m for 1/16 s.
         COMPARE_WITHIN(ball.state.orientation[1], std::sin(0.25), rounding(64, 1.0));
         COMPARE_WITHIN(ball.state.orientation[3], std::cos(0.25), rounding(64, 1.0));
+    }
+}
+
+/// Gravity lifts the ball over a kerb from the first moment: the floor doesn't carry it, and its spin stays.
+void TestSmoothMotion::aFloorThatOpensAtOnceTurnsNoBall() {
+    QFETCH(QByteArray, stepper);
+    const double R = 0.01;
+    const SceneBuilder kerb =
+        SceneBuilder().ball(R).floor(-1, -1, 1, 1).box({{0.6 * R, -1, -0.02}, {1, 1, 0.2 * R}}).start(0.0, 0.0);
+    for (const double speed : {0.0, 0.05}) { // along the kerb
+        Experiment ball(kerb, stepper);
+        ball.params.gravity = {9.0, 0.0, -4.0};
+        ball.state.velocity = {0.0, speed, 0.0};
+        ball.state.spin = {3.0, 2.0, 10.0};
+        QVERIFY2(ball.stepTimes(2, 0x1p-11), ball.error());
+        QVERIFY(ball.state.velocity.z > 2.8e-3);
+        QCOMPARE(ball.state.spin.x, 3.0);
+        QCOMPARE(ball.state.spin.y, 2.0);
+        QCOMPARE(ball.state.spin.z, 10.0);
     }
 }
 
