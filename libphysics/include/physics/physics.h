@@ -290,7 +290,7 @@ enum {
     PHYS_ROW_SWITCH = 8  /**< 0 or 1, stored as double */
 };
 
-/** Description of one parameter: frozen. Texts are static, English, UTF-8, never NULL. */
+/** Description of one parameter: frozen. Texts are static, English, one line of UTF-8, never NULL. */
 typedef struct phys_param_row {
     const char *id;      /**< never changes; for settings, options and columns: rolling_friction */
     const char *label;   /**< for people: Rolling friction */

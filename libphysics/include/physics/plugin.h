@@ -47,8 +47,9 @@ typedef struct phys_scene_view {
         "stepper", "steps", "theme", "tilt", "tilt_x", "tilt_y", "time", "track", "track_frame", "track_units",        \
         "trade", "under", "unknown", "velocity", "version", "view", "with_orientation", "within", "x", "y", "z"
 
-/** One stepper: appendable, texts static. All functions are called by one thread at a time for one self; none may
- *  throw, exit or keep a pointer that it is given, except create the view. Required unless marked optional. */
+/** One stepper: appendable. Texts are static, each one line of UTF-8. All functions are called by one thread at a time
+ *  for one self; none may throw, exit or keep a pointer that it is given, except create the view. Required unless
+ *  marked optional. */
 typedef struct phys_stepper_api {
     uint32_t struct_size;              /**< sizeof(phys_stepper_api) */
     uint32_t flags;                    /**< PHYS_STEPPER_* without PHYS_STEPPER_PLUGIN */

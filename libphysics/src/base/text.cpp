@@ -2,13 +2,13 @@
 #include "base/text.h"
 
 #include "base/system.h"
+#include "base/utf8.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <iterator>
 #include <limits>
 #include <string>
 #include <system_error>
@@ -138,9 +138,7 @@ public:
 
     /// Drops an incomplete character at the end.
     void finish() {
-        size_t begin = m_length;
-        while (m_isCut && begin > 0 && isContinuation(m_out[begin - 1])) --begin;
-        if (m_isCut && begin > 0 && bytesOf(m_out[begin - 1]) > m_length - begin + 1) m_length = begin - 1;
+        if (m_isCut) m_length = wholeCharacters({m_out, m_length});
         m_out[m_length] = '\0';
     }
 
@@ -159,36 +157,10 @@ private:
         addNumber(2, static_cast<unsigned>(byte), 16);
     }
 
-    /// Number of bytes of the first character; 0 if it is a control character or invalid UTF-8.
+    /// Number of bytes of the first character; 0 if nobody would see it as it is.
     static size_t visibleCharacter(std::string_view text) {
-        const auto first = static_cast<unsigned char>(text.front());
-        if (first < 0x80) return first >= 0x20 && first != 0x7f ? 1 : 0;
-        const size_t length = bytesOf(text.front());
-        if (length == 1 || first > 0xf4 || length > text.size()) return 0;
-        uint32_t character = first & (0x7fU >> length);
-        for (size_t i = 1; i < length; ++i) {
-            if (!isContinuation(text[i])) return 0;
-            character = (character << 6) | (static_cast<unsigned char>(text[i]) & 0x3fU);
-        }
-        constexpr uint32_t kLeast[] = {0, 0, 0xa0, 0x800, 0x10000}; // 0xa0: those below are control characters
-        return character < kLeast[length] || character > 0x10ffff || isUnseen(character) ? 0 : length;
-    }
-
-    /// Blanks but for the usual one, ends of lines, directions, joiners, byte order marks, surrogates.
-    static bool isUnseen(uint32_t character) {
-        constexpr uint32_t kRanges[][2] = {{0xa0, 0xa0},     {0xad, 0xad},     {0x1680, 0x1680},
-                                           {0x2000, 0x200f}, {0x2028, 0x202f}, {0x205f, 0x206f},
-                                           {0x3000, 0x3000}, {0xd800, 0xdfff}, {0xfeff, 0xfeff}};
-        return std::any_of(std::begin(kRanges), std::end(kRanges),
-                           [character](const auto &range) { return character >= range[0] && character <= range[1]; });
-    }
-
-    static bool isContinuation(char byte) { return (static_cast<unsigned char>(byte) & 0xc0) == 0x80; }
-
-    /// Length of a UTF-8 character, by its first byte.
-    static size_t bytesOf(char first) {
-        const auto byte = static_cast<unsigned char>(first);
-        return byte >= 0xf0 ? 4 : byte >= 0xe0 ? 3 : byte >= 0xc0 ? 2 : 1;
+        const Character first = firstCharacter(text);
+        return first.bytes == 0 || isUnseen(first.code) ? 0 : first.bytes;
     }
 
     static unsigned long long unsignedArgument(const Conversion &conversion, Arguments &arguments) {

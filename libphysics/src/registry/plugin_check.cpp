@@ -3,11 +3,15 @@
 
 #include "base/appendable.h"
 #include "base/error.h"
+#include "base/utf8.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
 #include <cstring>
+#include <string>
+#include <string_view>
 
 namespace phys {
 
@@ -97,11 +101,29 @@ private:
         return api.step ? nullptr : "step";
     }
 
+    /// A text of one line, which people and programs read in lists.
     phys_status checkText(const char *member, const char *text, Length length) {
+        if (const phys_status status = checkLength(member, text, length)) return status;
+        return checkLine(member, text);
+    }
+
+    phys_status checkLength(const char *member, const char *text, Length length) {
         if (!text) return refuse("%s is NULL; expected a text", member);
         const size_t found = strnlen(text, length.most + 1);
         if (found > length.most) return refuse("%s has over %zu bytes; that is the most", member, length.most);
         if (found < length.least) return refuse("%s is empty; expected a text", member);
+        return PHYS_OK;
+    }
+
+    phys_status checkLine(const char *member, std::string_view line) {
+        while (!line.empty()) {
+            const size_t bytes = firstCharacter(line).bytes;
+            if (bytes == 0) {
+                return refuse("%s has the byte 0x%02x; expected one line of UTF-8 without control characters", member,
+                              static_cast<unsigned>(static_cast<unsigned char>(line.front())));
+            }
+            line.remove_prefix(bytes);
+        }
         return PHYS_OK;
     }
 
@@ -153,7 +175,23 @@ private:
         if (const phys_status status = checkText("label", row.label, {1, 63})) return status;
         if (const phys_status status = checkText("unit", row.unit, {0, 15})) return status;
         if (const phys_status status = checkText("help", row.help, {0, 511})) return status;
-        return checkText("choices", row.choices, {0, 511});
+        return checkChoices(row);
+    }
+
+    phys_status checkChoices(const phys_param_row &row) {
+        if (const phys_status status = checkLength("choices", row.choices, {0, 511})) return status;
+        const std::string_view choices = row.choices;
+        if (choices.empty()) return PHYS_OK;
+        if (!(row.flags & PHYS_ROW_CHOICE)) {
+            return refuse("choices is '%s' though flags don't say choice; expected \"\"", row.choices);
+        }
+        for (size_t begin = 0; begin <= choices.size();) {
+            const size_t end = std::min(choices.find('\n', begin), choices.size());
+            if (begin == end) return refuse("choices has an empty name; expected names separated by \\n");
+            if (const phys_status status = checkLine("choices", choices.substr(begin, end - begin))) return status;
+            begin = end + 1;
+        }
+        return PHYS_OK;
     }
 
     /// Ids become names of settings, options and columns, so they must differ from the library's and from each other;

@@ -64,6 +64,10 @@ void PluginRefusal::givesTheReason_data() {
     addFixture("long_name", "stepper 'good': name has over 127 bytes; that is the most");
     addFixture("empty_version", "stepper 'good': version is empty; expected a text");
     addFixture("null_summary", "stepper 'good': summary is NULL; expected a text");
+    addFixture("summary_of_two_lines", "stepper 'good': summary has the byte 0x0a; expected one line of UTF-8 without "
+                                       "control characters");
+    addFixture("summary_in_latin_1", "stepper 'good': summary has the byte 0xe9; expected one line of UTF-8 without "
+                                     "control characters");
     addFixture("unknown_flags", "stepper 'good': flags has the unknown bits 0x10; known bits are 0x3");
     addFixture("plugin_flag", "stepper 'good': flags has the unknown bits 0x4; known bits are 0x3");
     addFixture("stepper_reserved", "stepper 'good': reserved is 3; expected 0");
@@ -82,6 +86,11 @@ void PluginRefusal::givesTheReason_data() {
     addFixture("row_long_unit", "stepper 'good': row 0: unit has over 15 bytes; that is the most");
     addFixture("row_null_help", "stepper 'good': row 0: help is NULL; expected a text");
     addFixture("row_null_choices", "stepper 'good': row 0: choices is NULL; expected a text");
+    addFixture("row_help_with_a_tab", "stepper 'good': row 0: help has the byte 0x09; expected one line of UTF-8 "
+                                      "without control characters");
+    addFixture("row_needless_choices", "stepper 'good': row 0: choices is 'One' though flags don't say choice; "
+                                       "expected \"\"");
+    addFixture("row_empty_choice", "stepper 'good': row 0: choices has an empty name; expected names separated by \\n");
     // phys_params: gravity at 8, stepper at 80, 144 bytes in all.
     addFixture("row_offset_before", "stepper 'good': row 'air_drag': offset is 8; expected 80 .. 136 in steps of 8: an "
                                     "element of phys_params.stepper");
