@@ -6,11 +6,12 @@ _physics_inspector() {
         --stepper | --compare) COMPREPLY=($(compgen -W "$("$program" --list-steppers 2>/dev/null | grep -oE '^[a-z][a-z0-9-]*')" -- "$word")) ;;
         *)
             if [[ $word == -* ]]; then
-                COMPREPLY=($(compgen -W "$("$program" --help 2>/dev/null | grep -oE '^  +(-[a-z], )?--[a-z][a-z0-9-]*' | grep -oE -- '--.*')" -- "$word"))
+                COMPREPLY=($(compgen -W "$("$program" --help 2>/dev/null | grep -oE '^  (-[a-z], )?--[a-z][a-z0-9-]*' | grep -oE -- '--.*')" -- "$word"))
             else
-                COMPREPLY=($(compgen -f -- "$word"))
+                COMPREPLY=()
+                compopt -o default # readline's own, which quotes names with blanks
             fi
             ;;
     esac
 }
-complete -o filenames -F _physics_inspector physics-inspector mazegen
+complete -F _physics_inspector physics-inspector mazegen

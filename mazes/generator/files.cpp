@@ -19,11 +19,14 @@ fs::path withSuffix(fs::path path, const char *suffix) { return path += suffix; 
 // Beside the file, because renaming is only atomic within one file system.
 fs::path temporaryOf(const OutputFile &file) { return withSuffix(file.path, ".part"); }
 
-// Whether an existing file of this name is of the same kind, which its first bytes show.
+// Whether nothing has this name, or a file of the same kind, which its first bytes show. A link, a pipe or a device
+// would be replaced by the renaming, not written.
 bool isReplaceable(const OutputFile &file) {
     constexpr std::size_t kMark = 9;
     std::error_code error;
-    if (!fs::is_regular_file(file.path, error)) return true; // renaming reports it
+    const fs::file_type type = fs::symlink_status(file.path, error).type();
+    if (type == fs::file_type::not_found || type == fs::file_type::directory) return true; // renaming reports a folder
+    if (type != fs::file_type::regular) return false;
     std::string mark(kMark, '\0');
     std::ifstream stream(file.path, std::ios::binary);
     stream.read(mark.data(), static_cast<std::streamsize>(mark.size()));

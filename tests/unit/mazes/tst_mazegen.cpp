@@ -54,6 +54,7 @@ private slots:
     void helpListsEveryOption();
     void versionIsThatOfTheProject();
     void filesOfAnotherKindAreNotReplaced();
+    void linksAreNotReplaced();
     void aFileOfAnotherProgramsThatIsBeingWrittenStays();
 };
 
@@ -257,6 +258,17 @@ void TestMazegen::filesOfAnotherKindAreNotReplaced() {
     QCOMPARE(outcome.errors, QString("mazegen: notes.scad: there is another file of this name already\n"));
     QCOMPARE(filesIn(folder.path()), QStringList{"notes.scad"});
     QCOMPARE(contentOf(folder.filePath("notes.scad")), QByteArray("cube(1);"));
+}
+
+/// Nor pipes and devices, which the same line of the program finds.
+void TestMazegen::linksAreNotReplaced() {
+    QTemporaryDir folder;
+    QVERIFY(QFile::link("elsewhere.txt", folder.filePath("link.txt")));
+    const Outcome outcome = run(folder.path(), QStringList(kMaze) << "--out"
+                                                                  << "link");
+    QCOMPARE(outcome.status, 1);
+    QCOMPARE(outcome.errors, QString("mazegen: link.txt: there is another file of this name already\n"));
+    QVERIFY(QFileInfo(folder.filePath("link.txt")).isSymLink());
 }
 
 /// Until a file is moved to its place, its bytes are in a file of another name.
