@@ -27,7 +27,7 @@ void blurLine(float *values, int count, std::ptrdiff_t stride, int radius, std::
 OcclusionMap::OcclusionMap(QOpenGLFunctions_3_3_Core *gl)
     : m_gl(gl) {
     m_gl->glGenTextures(1, &m_texture);
-    upload(std::vector<float>(kRow * kSize, 0.0F), 0, 0);
+    store(std::vector<float>(kRow * kSize, 0.0F));
     m_gl->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     m_gl->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     m_gl->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -43,6 +43,10 @@ void OcclusionMap::upload(std::vector<float> heights, int radiusX, int radiusY) 
         for (int row = 0; row < kSize; ++row) blurLine(&heights[kRow * row], kSize, 1, radiusX, scratch);
         for (int column = 0; column < kSize; ++column) blurLine(&heights[column], kSize, kRow, radiusY, scratch);
     }
+    store(heights);
+}
+
+void OcclusionMap::store(const std::vector<float> &heights) {
     m_gl->glBindTexture(GL_TEXTURE_2D, m_texture);
     m_gl->glTexImage2D(GL_TEXTURE_2D, 0, GL_R16, kSize, kSize, 0, GL_RED, GL_FLOAT, heights.data());
 }

@@ -24,6 +24,8 @@ public:
     void upload(std::vector<float> heights, int radiusX, int radiusY);
 
 private:
+    void store(const std::vector<float> &heights);
+
     QOpenGLFunctions_3_3_Core *m_gl;
     GLuint m_texture = 0;
 };
