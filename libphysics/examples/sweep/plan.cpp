@@ -3,9 +3,11 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <set>
 #include <sstream>
 #include <stdexcept>
+#include <system_error>
 
 namespace sweep {
 
@@ -67,6 +69,15 @@ void set(Plan &plan, const std::string &option, const std::string &value) {
         throw std::invalid_argument("unknown option " + option);
 }
 
+/// The CSV would replace what it is made from.
+void expectNoInput(const std::string &file, const std::string &option, const std::vector<std::string> &inputs) {
+    for (const std::string &input : inputs) {
+        std::error_code isMissing; // then it's another file
+        if (!std::filesystem::equivalent(file, input, isMissing)) continue;
+        throw std::invalid_argument("--out is " + file + ", which " + option + " reads; expected another file");
+    }
+}
+
 } // namespace
 
 uint64_t Plan::jobCount() const {
@@ -99,6 +110,8 @@ Plan readPlan(int argc, char **argv) {
     if (plan.levels.empty()) throw std::invalid_argument("--levels is missing");
     if (plan.steppers.empty()) throw std::invalid_argument("--steppers is missing");
     if (plan.file.empty()) throw std::invalid_argument("--out is missing");
+    expectNoInput(plan.file, "--levels", plan.levels);
+    expectNoInput(plan.file, "--plugins", plan.plugins);
     for (const double dt : plan.dts) {
         positive("--dts", dt);
         if (plan.seconds / dt > kMostSteps) throw std::invalid_argument("--seconds is more than 1e12 steps of --dts");

@@ -130,6 +130,25 @@ def steppers() -> list[Info]:
     return Registry().steppers()
 
 
+class _Turns:
+    """Threads take turns. A signal's handler, which runs in the middle of its own thread's turn, would wait for itself."""
+
+    def __init__(self) -> None:
+        self._lock = threading.RLock()
+        self.is_taken = False
+
+    def __enter__(self) -> None:
+        self._lock.acquire()
+        if self.is_taken:
+            self._lock.release()
+            raise RuntimeError("this thread is in the middle of a run of this stepper; expected another Stepper of the scene")
+        self.is_taken = True
+
+    def __exit__(self, *_: object) -> None:
+        self.is_taken = False
+        self._lock.release()
+
+
 class Stepper(Owner):
     """Computes steps in one scene.
 
@@ -138,13 +157,13 @@ class Stepper(Owner):
     its id, scene and plugin's file.
     """
 
-    __slots__ = ("_scene", "_registry", "_handles", "_info", "_lock", "__weakref__")
+    __slots__ = ("_scene", "_registry", "_handles", "_info", "_turns", "__weakref__")
 
     def __init__(self, id: str, scene: Scene, plugin: str | os.PathLike[str] | Registry | None = None) -> None:
         if not isinstance(scene, Scene):
             raise TypeError(f"scene is {scene!r}; expected a Scene")
         self._handles: list[Handle] = []
-        self._lock = threading.Lock()
+        self._turns = _Turns()
         self._scene = scene
         self._registry = plugin if isinstance(plugin, Registry) else Registry(*([] if plugin is None else [plugin]))
         self._info, error = StepperInfo(), Error()
@@ -159,8 +178,8 @@ class Stepper(Owner):
     def _after_fork(self) -> None:
         """A lock that another thread held is never released in the child, where that thread isn't; what its call was doing
         to the library's steppers isn't finished either: they are left alone."""
-        if self._lock.locked():
-            self._lock = threading.Lock()
+        if self._turns.is_taken:
+            self._turns = _Turns()
             _abandoned.append(self._handles)
             self._handles = []
 
@@ -194,7 +213,7 @@ class Stepper(Owner):
         happened, error = np.zeros(room, event_dtype), Error()
         check(lib.phys_report_init(address(report), report_dtype.itemsize))
         report["events"], report["event_capacity"] = address(happened) if room else 0, room
-        with self._lock:
+        with self._turns:
             status = lib.phys_step(self._handle(0), address(obeyed), dt, address(before), address(after),
                                    address(report), byref(error))
         check(status, error)
@@ -242,7 +261,7 @@ class Stepper(Owner):
         if impacts is not None and energy_lost is not None:
             batch.impacts, batch.energy_lost = address(impacts), address(energy_lost)
         run = Run(result, path, done, statuses, impacts, energy_lost)
-        with self._lock:
+        with self._turns:
             handles = [self._handle(index) for index in range(max(1, min(threads, result.size)))]
             run_piece(handles[0], batch, 0, 0)  # checks the arguments before anything is written
             _copy_whole(given, result)
@@ -278,7 +297,7 @@ class Stepper(Owner):
         """For each stage of the step with these arguments whether it runs, and why."""
         one, obeyed = record(state, state_dtype, "state"), record(_record(params), params_dtype, "params")
         told, error = Requirements(), Error()
-        with self._lock:
+        with self._turns:
             status = lib.phys_stepper_requirements(self._handle(0), address(obeyed), number(dt, "dt"), address(one),
                                                    byref(told), byref(error))
         check(status, error)

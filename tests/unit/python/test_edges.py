@@ -108,12 +108,32 @@ class ForkTest(unittest.TestCase):
         stepper = lp.Stepper("rk4", scene)
         tilt = lp.gravity_from_tilt(0.1, 0.05)
         params, after = stepper.params(gravity=tilt), stepper.step(scene.start(), stepper.params(gravity=tilt), 0.01).state
-        with stepper._lock:  # as a run on another thread has it
+        with stepper._turns:  # as a run on another thread has it
             child = os.fork()
             if child == 0:
                 signal.alarm(20)
                 os._exit(0 if stepper.step(scene.start(), params, 0.01).state.tobytes() == after.tobytes() else 1)
         self.assertEqual(os.waitpid(child, 0)[1], 0)
+        stepper.step(scene.start(), params, 0.01)
+
+
+    def test_a_signal_s_handler_is_told_that_the_stepper_is_at_it(self):
+        scene = lp.Scene(LEVEL)
+        stepper = lp.Stepper("rk4", scene)
+        params, heard = stepper.params(), []
+
+        def step(*_):
+            with self.assertRaisesRegex(RuntimeError, "in the middle of a run of this stepper"):
+                stepper.step(scene.start(), params, 0.01)
+            heard.append(lp.Stepper("rk4", scene).step(scene.start(), params, 0.01).state["step"])
+            raise InterruptedError
+
+        self.addCleanup(signal.signal, signal.SIGALRM, signal.signal(signal.SIGALRM, step))
+        signal.setitimer(signal.ITIMER_REAL, 0.05)
+        with self.assertRaises(InterruptedError):
+            while True:
+                stepper.run(scene.start(16), params, 0.001, 1_000_000)
+        self.assertEqual(heard, [1])
         stepper.step(scene.start(), params, 0.01)
 
 
