@@ -52,9 +52,19 @@ void keepFixed(const MovingBall &ball, const Touching &touching, Response &respo
     }
 }
 
-/// The velocity of a ball that resistance holds is rounding and is removed, model.md 14.1.
+/// Whether friction at several contacts holds a ball that moves by no more than rounding.
+bool isHeldByFriction(const MovingBall &ball, const Response &response) {
+    const double R = ball.radius();
+    const Moment moment = ball.moment();
+    return countSticking(response) > 1 && isNoSlip(moment, moment.velocity) && isNoSlip(moment, R * moment.spin) &&
+           glm::length(response.acceleration) <= response.noise &&
+           glm::length(response.spinAcceleration) * R <= response.noise;
+}
+
+/// The velocity of a ball that friction or resistance holds is rounding and is removed, model.md 14.1.
 void stopHeld(const Touching &touching, const Response &response, MovingBall &ball) {
     if (response.rolling != Vec3(0.0) || ball.isStill()) return;
+    if (isHeldByFriction(ball, response)) ball.motion = {Vec3(0.0), Vec3(0.0)};
     for (uint32_t i = 0; i < touching.count(); ++i) {
         if (response.reactions[i].mode != Mode::sticking || touching.held(i).resistance == 0.0) continue;
         if (!isNoSlip(ball.moment(), ball.motion.velocity)) return;

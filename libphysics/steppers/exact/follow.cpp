@@ -175,6 +175,47 @@ void clearSlips(const End &end, uint32_t sticking, double rounding, const Touchi
     if (ball.radius() * glm::length(ball.motion.spin) <= rounding) ball.motion.spin = Vec3(0.0);
 }
 
+/// The axes across which a phase is its own mirror image. It moves the ball along none of them, not even by rounding,
+/// to which the image would give the same sign.
+class MirrorPlanes {
+public:
+    MirrorPlanes(const MovingBall &ball, std::span<const Held> held)
+        : m_position(ball.position) {
+        const Vec3 gravity = ball.setting.gravity(), &v = ball.motion.velocity, &spin = ball.motion.spin;
+        for (int axis = 0; axis < 2; ++axis) {
+            Vec3 along(0.0);
+            along[axis] = spin[axis];
+            const bool isMotion = v[axis] == 0.0 && gravity[axis] == 0.0 && spin == along;
+            m_has[static_cast<size_t>(axis)] =
+                isMotion && std::all_of(held.begin(), held.end(), [&](const Held &one) {
+                    Vec3 image = one.normal;
+                    image[axis] = -image[axis];
+                    return std::any_of(held.begin(), held.end(), [&](const Held &other) {
+                        return other.normal == image && other.friction == one.friction && other.across == one.across;
+                    });
+                });
+        }
+    }
+
+    void keep(MovingBall &ball) const {
+        const auto put = [](double &component, double value) {
+            if (component != value) component = value; // a zero keeps its sign
+        };
+        for (int axis = 0; axis < 2; ++axis) {
+            if (!m_has[static_cast<size_t>(axis)]) continue;
+            put(ball.position[axis], m_position[axis]);
+            put(ball.motion.velocity[axis], 0.0);
+            for (int other = 0; other < 3; ++other) {
+                if (other != axis) put(ball.motion.spin[other], 0.0);
+            }
+        }
+    }
+
+private:
+    Vec3 m_position;
+    std::array<bool, 2> m_has;
+};
+
 /// Makes exact what holds at the end of a phase.
 void settle(const Event &event, const Response &response, MovingBall &ball, Touching &touching) {
     const End &end = event.end;
@@ -215,8 +256,10 @@ void follow(const Choice &choice, const Event &event, MovingBall &ball, Touching
     constexpr uint32_t kHopsOfSeries = 10; // that cost as much
     const bool isSeries = std::holds_alternative<Series>(choice.phase);
     if (isSeries || event.end.cause == Cause::touch) countHops(isSeries ? kHopsOfSeries : 1, event.end.after, ball);
+    const MirrorPlanes planes(ball, touching.held());
     std::visit([&](const auto &phase) { move(phase, event.end, touching, choice.response, ball); }, choice.phase);
     settle(event, choice.response, ball, touching);
+    planes.keep(ball);
 }
 
 } // namespace phys
