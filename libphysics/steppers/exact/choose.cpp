@@ -169,6 +169,7 @@ phys_status choose(MovingBall &ball, Touching &touching, Choice &choice) {
     if (rollsOn(ball, touching, choice)) return PHYS_OK;
     Response &response = choice.response;
     if (const phys_status status = respondNow(touching, ball, response)) return status;
+    balance(ball, touching, response);
     const Vec3 free = freeAxes(ball.moment(), touching.held(), response);
     response.acceleration *= free;
     keepFixed(ball, touching, response);

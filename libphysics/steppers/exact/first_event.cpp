@@ -51,6 +51,30 @@ End ownEnd(const Uniform &phase, const Touching &touching, const Response &respo
     return end;
 }
 
+/// When the load passes to a third contact, whose pair has the smaller sum of N from then on: model.md 14.1.
+template<class P>
+void cutAtExchange(const P &phase, const Touching &touching, const Response &response, MovingBall &ball, End &end) {
+    constexpr int kLooks = 16, kHalvings = 40;
+    Exchange exchange;
+    if (touching.count() < 3 || !findExchange(ball.motion, touching, response, ball, exchange)) return;
+    const double until = std::min(end.after, ball.left);
+    const double before = exchange.more;
+    const auto isLess = [&](double t) {
+        ball.work.add(phase.lookWork());
+        const bool isKnown = findExchange({phase.at(t).velocity, phase.spinAt(t)}, touching, response, ball, exchange);
+        return isKnown && exchange.more < -std::max(exchange.rounding, -2.0 * before);
+    };
+    for (int i = 1; i <= kLooks; ++i) {
+        double low = until * (i - 1) / kLooks, high = until * i / kLooks;
+        if (!isLess(high)) continue;
+        for (int halving = 0; halving < kHalvings; ++halving) {
+            const double middle = 0.5 * (low + high);
+            (isLess(middle) ? high : low) = middle;
+        }
+        return end.cut({high, Cause::time, 0});
+    }
+}
+
 template<class P>
 Event firstEvent(const P &phase, const Ground &ground, const Touching &touching, const Response &response,
                  MovingBall &ball) {
@@ -59,6 +83,7 @@ Event firstEvent(const P &phase, const Ground &ground, const Touching &touching,
         if (phase.velocity == Vec3(0.0) && rests(ball, response)) return {end, {}};
     }
     end.cut(ownEnd(phase, touching, response, ball));
+    cutAtExchange(phase, touching, response, ball, end);
     const double acceleration = phase.mostAcceleration();
     const Closed closed(touching, response);
     const bool meetsNothing = ground.isOpen(ball, closed.count, acceleration);

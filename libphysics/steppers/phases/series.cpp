@@ -70,6 +70,7 @@ void Series::build(const Moment &moment, std::span<const Held> held, const Respo
         m_unknowns += isVector ? 3 : contact.mode == Mode::starting ? 4 : 1;
     }
     begin(response);
+    findShared();
     m_last = 1;
     for (; m_last < kOrder && !suffices(wanted / unit); ++m_last) {
         forces(m_last);

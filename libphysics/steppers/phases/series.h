@@ -117,6 +117,14 @@ private:
     VecJet m_turning, m_rolling; ///< om_t, and its direction
     Jet m_turningSpeed;          ///< |om_t|, or its quotient by the time if the ball starts
     bool m_rollStarts = false;
+    /// Three slipping contacts with normals in one plane that all press: the forces that move the load among them and
+    /// leave everything else as it is, model.md 14.1.
+    struct Shared {
+        std::array<uint32_t, 3> contacts;
+        std::array<double, 3> pressures;
+        Vec3 line{0.0}, push{0.0}, turn{0.0}; ///< along which the ball moves; accelerations
+        double rate = 0.0;                    ///< of what must remain zero; 0: there are none
+    } m_shared;
     dense::Equations m_equations;                      ///< of the unknowns of an order
     mutable std::array<Reserve, kMostHeld> m_reserves; ///< those asked for: the start and the end of a phase ask
     mutable uint32_t m_knownReserves = 0;              ///< their bits
@@ -137,6 +145,9 @@ private:
     void knownAccelerations(int k);
     bool isIdleBesideOther(const Contact &contact) const;
     void solveOrder(int k);
+    void findShared();
+    double imbalance(int k) const;
+    void share(int k);
     void addGauge(uint32_t i, uint32_t j, int k, dense::Equations &equations);
     void addRows(const Contact &contact, int k, dense::Equations &equations) const;
     Vec3 basis(const Contact &contact, uint32_t part) const;

@@ -129,6 +129,78 @@ bool Series::isIdleBesideOther(const Contact &contact) const {
     });
 }
 
+/// Of three slipping contacts with normals in one plane: whether and how they share a load.
+void Series::findShared() {
+    m_shared.rate = 0.0;
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < m_count; ++i) {
+        const Contact &contact = m_contacts[i];
+        if (contact.needsRate()) return;
+        if (contact.partner < m_count || !(contact.N[0] > 0.0)) continue;
+        if (count == 3) return;
+        m_shared.contacts[count++] = i;
+    }
+    if (count < 3) return;
+    const Contact *of[3];
+    std::array<Vec3, 3> pushes;
+    for (size_t i = 0; i < 3; ++i) {
+        of[i] = &m_contacts[m_shared.contacts[i]];
+        pushes[i] = of[i]->n[0];
+        if (of[i]->mode == Mode::slipping) pushes[i] -= of[i]->held.friction * of[i]->d[0];
+    }
+    m_shared.line = hat(glm::cross(of[0]->n[0], of[1]->n[0]));
+    const double rounding = 4.0 * m_moment.rounding;
+    for (const Contact *contact : of) {
+        if (glm::length(contact->held.across * m_shared.line) > rounding) return;
+        if (std::abs(glm::dot(contact->n[0], m_shared.line)) > rounding) return;
+    }
+    const auto across = [&](size_t i, size_t j) {
+        return glm::dot(m_shared.line, glm::cross(pushes[i % 3], pushes[j % 3]));
+    };
+    m_shared.push = m_shared.turn = Vec3(0.0);
+    for (size_t i = 0; i < 3; ++i) {
+        m_shared.pressures[i] = across(i + 1, i + 2);
+        const Vec3 push = m_shared.pressures[i] * pushes[i];
+        m_shared.push += glm::dot(push, m_shared.line) * m_shared.line;
+        m_shared.turn -= kInertia / m_moment.radius * glm::cross(of[i]->n[0], push);
+    }
+    for (size_t i = 0; i < 3; ++i) {
+        if (of[i]->mode != Mode::slipping) continue;
+        const Vec3 rate = m_shared.push - m_moment.radius * glm::cross(m_shared.turn, of[i]->n[0]);
+        const Vec3 turned =
+            -of[i]->held.friction / glm::length(of[i]->u[0]) * (rate - glm::dot(rate, of[i]->d[0]) * of[i]->d[0]);
+        m_shared.rate += glm::dot(m_shared.line, glm::cross(turned, pushes[(i + 1) % 3] - pushes[(i + 2) % 3]));
+    }
+}
+
+/// Term k of what is zero while any share of the load has the same sum of N.
+double Series::imbalance(int k) const {
+    const auto push = [&](size_t i, int j) {
+        const Contact &contact = m_contacts[m_shared.contacts[i % 3]];
+        const Vec3 rubs = contact.mode == Mode::slipping ? contact.held.friction * contact.d[j] : Vec3(0.0);
+        return (j == 0 ? contact.n[0] : Vec3(0.0)) - rubs;
+    };
+    double sum = 0.0;
+    for (size_t i = 0; i < 3; ++i) {
+        for (int j = 0; j <= k; ++j) sum += glm::dot(m_shared.line, glm::cross(push(i, j), push(i + 1, k - j)));
+    }
+    return sum;
+}
+
+/// Shares the load of order k such that the sums remain equal.
+void Series::share(int k) {
+    move(k);
+    const double part = -imbalance(k + 1) * (k + 1) / (unit() * m_shared.rate);
+    for (size_t i = 0; i < 3; ++i) {
+        Contact &contact = m_contacts[m_shared.contacts[i]];
+        const double pressure = part * m_shared.pressures[i];
+        contact.N[k] += pressure;
+        contact.r[k] += pressure * basis(contact, 0);
+    }
+    m_a[k] += part * m_shared.push;
+    m_al[k] += part * m_shared.turn;
+}
+
 void Series::solveOrder(int k) {
     // Only where slipping or rolling starts do the unknowns of an order contribute to directions, by the order.
     bool areSame = !m_rollStarts;
@@ -169,6 +241,7 @@ void Series::solveOrder(int k) {
     m_a[k] = m_free * (m_a[k] + a);
     m_al[k] += al;
     for (Contact &contact : contacts()) contact.rateKnown += a - m_moment.radius * glm::cross(al, contact.n[0]);
+    if (m_shared.rate != 0.0) share(k);
 }
 
 } // namespace phys
