@@ -207,6 +207,5 @@ void TestWindowMenus::nameWithTheMarkIsShownAsItIs() {
     QVERIFY2(entry->text().contains(" && "), qPrintable(entry->text()));
 }
 
-Q_DECLARE_METATYPE(std::function<void()>)
 QTEST_MAIN(TestWindowMenus)
 #include "tst_window_menus.moc"

@@ -293,6 +293,5 @@ void TestWindowSmall::everyFieldOfTheStatusIsWhole() {
     QVERIFY(m_fixture->find<QLabel>("status_tilt")->isVisible());
 }
 
-Q_DECLARE_METATYPE(std::function<void(inspector::Session &)>)
 QTEST_MAIN(TestWindowSmall)
 #include "tst_window_small.moc"

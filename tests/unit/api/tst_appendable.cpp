@@ -66,9 +66,6 @@ constexpr size_t kFirstDesc = offsetof(phys_scene_desc, start) + sizeof(phys_vec
 constexpr size_t kFirstParams = offsetof(phys_params, stepper) + PHYS_STEPPER_VALUES * sizeof(double);
 constexpr size_t kFirstReport = offsetof(phys_report, energy_scheme) + sizeof(double);
 
-Q_DECLARE_METATYPE(Init)
-Q_DECLARE_METATYPE(Use)
-
 class Appendable : public QObject {
     Q_OBJECT
 

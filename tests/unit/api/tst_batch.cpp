@@ -317,8 +317,6 @@ std::vector<RowPtr> rowsOf(const QByteArray &stepper) {
 
 } // namespace
 
-Q_DECLARE_METATYPE(RowPtr)
-
 class TestBatch : public QObject {
     Q_OBJECT
 

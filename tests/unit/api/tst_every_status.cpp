@@ -154,8 +154,6 @@ QByteArrayList withoutAWay(const std::vector<NamedStatus> &statuses) {
 
 } // namespace
 
-Q_DECLARE_METATYPE(std::function<phys_status(phys_error *)>)
-
 class EveryStatus : public QObject {
     Q_OBJECT
 

@@ -422,8 +422,6 @@ private:
     void check();
 };
 
-Q_DECLARE_METATYPE(Call)
-
 void TestMisuse::addRows(const std::vector<Misuse> &rows, Explains explains) {
     QTest::addColumn<Call>("call");
     QTest::addColumn<int>("expected");

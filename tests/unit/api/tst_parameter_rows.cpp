@@ -44,8 +44,6 @@ bool isWhole(const phys_param_row &row) { return row.flags & (PHYS_ROW_CHOICE | 
 
 } // namespace
 
-Q_DECLARE_METATYPE(RowPtr)
-
 class TestParameterRows : public QObject {
     Q_OBJECT
 

@@ -65,8 +65,6 @@ double apart(const phys_vec3 &a, const phys_vec3 &b) {
 
 } // namespace
 
-Q_DECLARE_METATYPE(Stay)
-
 void ExactWalls::followsTheReference_data() {
     QTest::addColumn<Stay>("stay");
     QTest::newRow("smooth edge") << Stay{true,
