@@ -4,16 +4,10 @@
 #include "core/recording/same_bits.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace inspector {
 
-uint64_t Past::endOf(size_t run) const {
-    const bool isLast = run + 1 == recording->runs().size();
-    return isLast ? begin + recording->length() + run : beginOf(run + 1) - 1;
-}
-
-size_t Past::runAt(uint64_t place) const {
+size_t Past::runIndexAt(uint64_t place) const {
     const std::vector<uint64_t> &runs = recording->runs();
     size_t run = 0;
     size_t after = runs.size();
@@ -30,21 +24,9 @@ uint64_t Past::placeOf(uint64_t position, size_t segment) const {
     return begin + position + uint64_t(after - runs.begin() - 1);
 }
 
-/// Steps at the block's dt from the run's last keyframe at or before this place.
 uint64_t Past::placeAt(double time, uint64_t place) const {
-    const uint64_t first = positionOf(beginOfRun(place));
-    const uint64_t last = positionOf(endOfRun(place));
-    const Keyframe *before = nullptr;
-    for (const Keyframe &keyframe : keyframes) {
-        if (keyframe.position < first || keyframe.position >= last) continue;
-        if (before && keyframe.state.time > time) break;
-        before = &keyframe;
-    }
-    if (!before) return beginOfRun(place);
-    const double dt = recording->segment(before->segment).conditions.dt;
-    const double steps = std::ceil((time - before->state.time) / dt - 1e-6);
-    const uint64_t made = before->position - first + uint64_t(std::max(steps, 0.0));
-    return std::min(beginOfRun(place) + made, endOfRun(place));
+    const size_t run = runIndexAt(place);
+    return beginOf(run) + recording->stepsUntil(time, run);
 }
 
 History::History(uint64_t mostSteps)

@@ -22,19 +22,19 @@ struct Past {
     uint64_t begin = 0;
 
     uint64_t end() const { return endOf(recording->runs().size() - 1); }
-    /// Begin and end of the run of `place`.
-    uint64_t beginOfRun(uint64_t place) const { return beginOf(runAt(place)); }
-    uint64_t endOfRun(uint64_t place) const { return endOf(runAt(place)); }
-    uint64_t positionOf(uint64_t place) const { return place - begin - runAt(place); }
+    /// The first and the last place of the run of `place`.
+    uint64_t beginOfRun(uint64_t place) const { return beginOf(runIndexAt(place)); }
+    uint64_t endOfRun(uint64_t place) const { return endOf(runIndexAt(place)); }
+    uint64_t positionOf(uint64_t place) const { return place - begin - runIndexAt(place); }
     /// segment: of the last step, or of the next one at a run's begin.
     uint64_t placeOf(uint64_t position, size_t segment) const;
     /// The first place at or after `time`, s, in the run of `place`; the run's end if it doesn't last that long.
     uint64_t placeAt(double time, uint64_t place) const;
 
 private:
-    uint64_t beginOf(size_t run) const { return begin + recording->runs()[run] + run; }
-    uint64_t endOf(size_t run) const;
-    size_t runAt(uint64_t place) const;
+    uint64_t beginOf(size_t run) const { return begin + recording->run(run).begin + run; }
+    uint64_t endOf(size_t run) const { return begin + recording->run(run).end + run; }
+    size_t runIndexAt(uint64_t place) const;
 };
 
 /// Memory: 8 bytes a step and about 700 for each change of tilt, parameters or step size: at most 55 MB, and 20 MB for

@@ -115,30 +115,34 @@ uint64_t PlayableRecording::positionAt(double seconds) const {
     return m_length;
 }
 
-uint64_t PlayableRecording::beginOfRun(uint64_t position) const {
-    const auto after = std::lower_bound(m_runs.begin(), m_runs.end(), position);
-    return after == m_runs.begin() ? 0 : *(after - 1);
+StepSpan PlayableRecording::run(size_t index) const {
+    return {m_runs[index], index + 1 < m_runs.size() ? m_runs[index + 1] : m_length};
 }
 
-uint64_t PlayableRecording::endOfRun(uint64_t position) const {
+size_t PlayableRecording::runIndexAt(uint64_t position) const {
     const auto next = std::lower_bound(m_runs.begin(), m_runs.end(), std::max<uint64_t>(position, 1));
-    return next == m_runs.end() ? m_length : *next;
+    return size_t(next - m_runs.begin()) - 1;
+}
+
+uint64_t PlayableRecording::stepsUntil(double time, size_t run) const {
+    constexpr double kRounding = 1e-6; // share of a step
+    const StepSpan steps = this->run(run);
+    double begin = 0.0; // s, of the segment
+    for (size_t index = 0; index < m_places.size() && this->begin(index) < steps.end; ++index) {
+        if (segment(index).from) begin = segment(index).from->time;
+        const double dt = segment(index).conditions.dt;
+        const double made = std::max(0.0, std::ceil((time - begin) / dt - kRounding));
+        if (this->begin(index) >= steps.begin && made <= double(segment(index).hashes.size()))
+            return this->begin(index) + uint64_t(made) - steps.begin;
+        begin += dt * double(segment(index).hashes.size());
+    }
+    return steps.count();
 }
 
 uint64_t PlayableRecording::positionAt(double time, uint64_t position) const {
-    constexpr double kRounding = 1e-6; // share of a step
-    const uint64_t first = beginOfRun(position);
-    const uint64_t last = endOfRun(position);
-    double begin = 0.0; // s, of the segment
-    for (size_t index = 0; index < m_places.size() && this->begin(index) < last; ++index) {
-        if (segment(index).from) begin = segment(index).from->time;
-        const double dt = segment(index).conditions.dt;
-        const double steps = std::max(0.0, std::ceil((time - begin) / dt - kRounding));
-        if (this->begin(index) >= first && steps <= double(segment(index).hashes.size()))
-            return std::max(this->begin(index) + uint64_t(steps), first == 0 ? first : first + 1);
-        begin += dt * double(segment(index).hashes.size());
-    }
-    return last;
+    const size_t run = runIndexAt(position);
+    const uint64_t begin = m_runs[run];
+    return std::max(begin + stepsUntil(time, run), begin == 0 ? 0 : begin + 1); // `begin` shows the run before
 }
 
 std::shared_ptr<const PlayableRecording> openRecording(const QString &path, const Registry &registry,

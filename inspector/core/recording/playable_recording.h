@@ -11,6 +11,13 @@
 
 namespace inspector {
 
+/// The steps of a run, [begin, end): those from a start, a restart or a change of state to the next one.
+struct StepSpan {
+    uint64_t begin = 0;
+    uint64_t end = 0;
+    uint64_t count() const { return end - begin; }
+};
+
 /// Immutable and usable from any thread, but its steppers belong to the one thread that steps. A position in a
 /// recording is the number of steps made: 0 .. length().
 class PlayableRecording {
@@ -34,14 +41,16 @@ public:
     uint64_t length() const { return m_length; } ///< steps
     /// The position after `seconds` of steps, counting all runs.
     uint64_t positionAt(double seconds) const;
-    /// The position at which the run of the step before `position` began: the last start, restart or change of state.
-    uint64_t beginOfRun(uint64_t position) const;
-    uint64_t endOfRun(uint64_t position) const; ///< of that run
-    /// The first position at or after `time`, s, that shows the run of `position`; the run's end if it doesn't last
-    /// that long.
-    uint64_t positionAt(double time, uint64_t position) const;
     /// The positions at which runs begin, ascending; the first is 0.
     const std::vector<uint64_t> &runs() const { return m_runs; }
+    StepSpan run(size_t index) const;
+    /// The index of the run of the step before `position`.
+    size_t runIndexAt(uint64_t position) const;
+    StepSpan runAt(uint64_t position) const { return run(runIndexAt(position)); }
+    /// How many steps of a run are made at its first state at or after `time`, s; all if it doesn't last that long.
+    uint64_t stepsUntil(double time, size_t run) const;
+    /// The first position at or after `time`, s, that shows the run of `position`, or the run's end.
+    uint64_t positionAt(double time, uint64_t position) const;
 
     /// Functions of segment `index`, 0 .. recording().segments.size() - 1.
     const Segment &segment(size_t index) const { return m_recording.segments[index]; }

@@ -32,7 +32,7 @@ bool Player::check() {
     return !m_isChecked;
 }
 
-bool Player::enterRun() { return m_recording->beginOfRun(position() + 1) == position() && m_shown.prepare(); }
+bool Player::enterRun() { return m_recording->runAt(position() + 1).begin == position() && m_shown.prepare(); }
 
 bool Player::next() {
     if (position() == checked() && !check()) return false;

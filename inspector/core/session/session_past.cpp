@@ -151,7 +151,7 @@ void Session::keepOldFuture(uint64_t place) {
 std::vector<SettingsSpan> Session::settingsSpans() {
     if (!m_replay) return settingsSpans(runPlace().begin, runPlace().end);
     const uint64_t position = m_simulation->latest().replay.position;
-    return spansOf(recording(), recording().beginOfRun(position), position);
+    return spansOf(recording(), recording().runAt(position).begin, position);
 }
 
 /// Of the steps [begin, end) of the run that begins there, and of those that it continues.

@@ -97,7 +97,7 @@ void ReplayRun::goTo(uint64_t position) {
 /// This is done in slices, because a fine ghost makes it slow.
 bool ReplayRun::showAt(uint64_t position) {
     const uint64_t end = std::min(position, m_player.end());
-    const uint64_t start = m_player.recording().beginOfRun(end);
+    const uint64_t start = m_player.recording().runAt(end).begin;
     const uint64_t begin = std::max(start, end - std::min(end, kStepsBefore));
     const bool goesOn = m_player.position() > start && m_player.position() >= begin && m_player.position() <= end;
     m_presentation.hold();

@@ -278,11 +278,11 @@ void TestPlayer::runsAndPlacesInTime() {
     recordManyThings();
     const auto recording = opened();
     QCOMPARE(recording->runs(), (std::vector<uint64_t>{0, 1200, 1500, 1700}));
-    QCOMPARE(recording->beginOfRun(0), uint64_t(0));
-    QCOMPARE(recording->beginOfRun(1), uint64_t(0));
-    QCOMPARE(recording->beginOfRun(1200), uint64_t(0)); // its last step
-    QCOMPARE(recording->beginOfRun(1201), uint64_t(1200));
-    QCOMPARE(recording->beginOfRun(2400), uint64_t(1700));
+    QCOMPARE(recording->runAt(0).begin, uint64_t(0));
+    QCOMPARE(recording->runAt(1).begin, uint64_t(0));
+    QCOMPARE(recording->runAt(1200).begin, uint64_t(0)); // its last step
+    QCOMPARE(recording->runAt(1201).begin, uint64_t(1200));
+    QCOMPARE(recording->runAt(2400).begin, uint64_t(1700));
     // 700 steps of 10 ms, then 1700 of 1 ms.
     QCOMPARE(recording->positionAt(0.0), uint64_t(0));
     QCOMPARE(recording->positionAt(0.3), uint64_t(30));
