@@ -396,7 +396,9 @@ void Session::placeBall(const phys_state &state) {
     m_isTakenOver = true;
     m_isPlaced = true;
     m_simulation->pause(); // first, so that the ball stays there
-    m_simulation->setState(state);
+    phys_state placed = state;
+    placed.flags = 0; // of the step before
+    m_simulation->setState(placed);
     if (isFromPresent && now.history.end > now.history.run) emit runLeft();
 }
 

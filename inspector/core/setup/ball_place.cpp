@@ -4,16 +4,17 @@
 #include "core/setup/walls.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 namespace inspector {
 
 namespace {
 
-constexpr int kPushes = 64;     ///< several are needed in a corner
-constexpr double kTouch = 1e-9; ///< of the radius
+constexpr int kPushes = 64;       ///< several are needed in a corner
+constexpr double kTouch = 1e-9;   ///< of the radius
+constexpr double kOnFloor = 1e-3; ///< of the radius: a smaller gap to the floor isn't seen
 
 bool isOver(const phys_box &box, const phys_vec3 &place) {
     return box.min.x <= place.x && place.x <= box.max.x && box.min.y <= place.y && place.y <= box.max.y;
@@ -54,6 +55,14 @@ std::optional<double> heightOnRim(const phys_scene *scene, const phys_vec3 &plac
     return found;
 }
 
+std::vector<phys_contact> contactsWithin(const phys_scene *scene, const phys_vec3 &centre, double reach) {
+    std::vector<phys_contact> contacts(64);
+    uint32_t count = 0;
+    phys_scene_contacts(scene, &centre, reach, contacts.data(), uint32_t(contacts.size()), &count);
+    contacts.resize(std::min(size_t(count), contacts.size()));
+    return contacts;
+}
+
 } // namespace
 
 phys_vec3 freePlace(const phys_scene *scene, const phys_vec3 &wanted) {
@@ -69,13 +78,14 @@ phys_vec3 freePlace(const phys_scene *scene, const phys_vec3 &wanted) {
     return place;
 }
 
+bool isCarried(const phys_scene *scene, const phys_vec3 &centre) {
+    const std::vector<phys_contact> contacts = contactsWithin(scene, centre, kOnFloor * phys_scene_radius(scene));
+    return std::ranges::any_of(contacts, [](const phys_contact &contact) { return contact.normal.z > 0.0; });
+}
+
 double overlapOf(const phys_scene *scene, const phys_vec3 &centre) {
-    std::array<phys_contact, 64> contacts;
-    uint32_t count = 0;
-    phys_scene_contacts(scene, &centre, 0.0, contacts.data(), uint32_t(contacts.size()), &count);
     double deepest = 0.0;
-    for (uint32_t i = 0; i < std::min(count, uint32_t(contacts.size())); ++i)
-        deepest = std::max(deepest, -contacts[i].gap);
+    for (const phys_contact &contact : contactsWithin(scene, centre, 0.0)) deepest = std::max(deepest, -contact.gap);
     return deepest;
 }
 

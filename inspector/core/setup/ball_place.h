@@ -13,6 +13,9 @@ phys_vec3 freePlace(const phys_scene *scene, const phys_vec3 &wanted);
 /// Depth of the ball's overlap with walls and floor, m; 0 if there is none. Considers at most 64 boxes.
 double overlapOf(const phys_scene *scene, const phys_vec3 &centre);
 
+/// Whether a box touches the ball from below.
+bool isCarried(const phys_scene *scene, const phys_vec3 &centre);
+
 /// Whether a box lies below the ball's centre, at any depth.
 bool hasFloorBelow(const phys_scene *scene, const phys_vec3 &centre);
 

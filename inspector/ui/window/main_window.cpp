@@ -477,7 +477,7 @@ void MainWindow::refresh() {
     const Snapshot now = m_session.simulation().latest(); // the same moment for the whole window
     m_session.followReplay(now);
     action("run")->setEnabled(!m_session.hasEnded(now));
-    m_status->showSnapshot(now);
+    m_status->showSnapshot(now, m_session.scene().get());
     m_time->refresh(now);
     m_strip->setText(gameText(m_session, now));
     m_bounces->refresh();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/status_line.h"
 
+#include "core/setup/ball_place.h"
 #include "core/simulation/snapshot.h"
 #include "ui/parts/elided_label.h"
 
@@ -22,6 +23,15 @@ bool isStill(const phys_state &ball) {
     return isZero(ball.velocity) && isZero(ball.spin);
 }
 
+/// The flags of the state shown. Those of a state that no step made, as one that was placed by hand, say nothing.
+uint64_t flagsOf(const Snapshot &snapshot, const phys_scene *scene) {
+    const phys_state &ball = snapshot.current;
+    if (snapshot.previous.step != ball.step) return ball.flags;
+    const uint64_t others = ball.flags & ~uint64_t(PHYS_AIRBORNE | PHYS_AT_REST);
+    if (!isCarried(scene, ball.position)) return others | PHYS_AIRBORNE;
+    return isStill(ball) ? others | PHYS_AT_REST : others;
+}
+
 QString ballText(const Snapshot &snapshot) {
     struct Name {
         uint64_t flag;
@@ -34,10 +44,8 @@ QString ballText(const Snapshot &snapshot) {
         {PHYS_AT_REST, QT_TRANSLATE_NOOP("inspector::ui::StatusLine", "at rest")},
     };
     const bool isPresent = snapshot.replay.number == 0;
-    const bool isFirst = snapshot.current.step == 0;
-    if (isFirst && isPresent) return translated(QT_TRANSLATE_NOOP("inspector::ui::StatusLine", "about to start"));
-    if (isFirst && isStill(snapshot.current)) // no step has found that yet
-        return translated(QT_TRANSLATE_NOOP("inspector::ui::StatusLine", "at rest"));
+    if (isPresent && snapshot.current.step == 0)
+        return translated(QT_TRANSLATE_NOOP("inspector::ui::StatusLine", "about to start"));
     for (const Name &name : names)
         if (snapshot.current.flags & name.flag) return translated(name.text);
     return translated(QT_TRANSLATE_NOOP("inspector::ui::StatusLine", "rolling"));
@@ -123,7 +131,8 @@ StatusLine::StatusLine(QWidget *parent)
 
 /// Where there is no room for all fields, those of the clock are left out first. A message takes the room of the first
 /// ones, so that the others stay where they are.
-void StatusLine::showSnapshot(const Snapshot &snapshot) {
+void StatusLine::showSnapshot(Snapshot snapshot, const phys_scene *scene) {
+    snapshot.current.flags = flagsOf(snapshot, scene);
     std::vector<bool> fits(m_fields.size());
     const auto takes = [this](size_t i) { return m_fields[i]->sizeHint().width() + layout()->spacing(); };
     int rest = width();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <physics/physics.h>
+
 #include <QStatusBar>
 
 #include <vector>
@@ -20,7 +22,8 @@ class StatusLine : public QStatusBar {
 public:
     explicit StatusLine(QWidget *parent = nullptr);
 
-    void showSnapshot(const Snapshot &snapshot);
+    /// scene: of the moment shown.
+    void showSnapshot(Snapshot snapshot, const phys_scene *scene);
     /// Until the next snapshot, hides values that vary from run to run.
     void leaveOutClock();
 

@@ -6,6 +6,7 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QStatusBar>
 
 #include <array>
@@ -38,6 +39,8 @@ private slots:
     void longNumberIsExactInItsBoxAndShortElsewhere();
     void ballOutsideOfTheBoardIsTold();
     void ballInAWallIsTold();
+    void ballInTheAirIsNotAtRest();
+    void ballPutBackIntoTheMazeLeavesItAgain();
     void restartBringsItToItsOwnStart();
     void gameStartsWhereTheBallWasPut();
     void gameStartsWhereTheBallWasPutInAPausedRun();
@@ -276,6 +279,46 @@ void TestWindowBall::ballOutsideOfTheBoardIsTold() {
 void TestWindowBall::ballInAWallIsTold() {
     const QString note = noteAt("-66 mm");
     QVERIFY2(note.startsWith("It overlaps the board by ") && note.endsWith(" mm."), qPrintable(note));
+}
+
+// Where it was put without any velocity, also when that is looked back at, and at the top of its flight.
+void TestWindowBall::ballInTheAirIsNotAtRest() {
+    const auto said = [this] {
+        m_fixture->window().refresh();
+        return m_fixture->find<QLabel>("status_ball")->text();
+    };
+    m_fixture->makeSteps(3);
+    QCOMPARE(said(), QString("Ball: at rest"));
+    phys_state inTheAir = ball();
+    inTheAir.position.z += 0.02;
+    m_fixture->session().placeBall(inTheAir);
+    QTRY_COMPARE(ball().position.z, inTheAir.position.z);
+    QCOMPARE(said(), QString("Ball: in the air"));
+    m_fixture->makeSteps(2);
+    QCOMPARE(said(), QString("Ball: in the air"));
+    m_fixture->key(Qt::Key_Home, Qt::ControlModifier);
+    QTRY_COMPARE(ball().position.z, inTheAir.position.z);
+    QCOMPARE(said(), QString("Ball: in the air"));
+}
+
+// What the step before the placing did has no effect.
+void TestWindowBall::ballPutBackIntoTheMazeLeavesItAgain() {
+    const phys_state start = ball();
+    QSignalSpy left(&m_fixture->simulation(), &inspector::Simulation::leftMaze);
+    phys_state outside = start;
+    outside.position.x = 1.0;
+    for (int time = 1; time <= 2; ++time) {
+        m_fixture->session().placeBall(outside);
+        m_fixture->trigger("step");
+        QTRY_COMPARE(left.size(), time);
+        QTRY_VERIFY(ball().flags & PHYS_OUT);
+        phys_state inside = ball();
+        inside.position = start.position;
+        m_fixture->session().placeBall(inside);
+        QTRY_COMPARE(ball().position.x, start.position.x);
+        m_fixture->makeSteps(1);
+    }
+    QVERIFY(!(ball().flags & PHYS_OUT));
 }
 
 void TestWindowBall::restartBringsItToItsOwnStart() {
