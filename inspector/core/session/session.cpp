@@ -19,10 +19,13 @@ constexpr uint64_t kOthersSeed = 1;             ///< fixed, so that moving a sli
 const QString kModel = QStringLiteral("model"); ///< the row's id
 const QString kTilt = QStringLiteral("tilt_");  ///< begin of the ids of the board's two
 
-/// Identifies a maze by its file's bytes: another file of the same number has another best time.
-QString mazeOf(const Level &level) {
-    return QString::fromLatin1(hashText(hashOf(readFile(level.path, kLargestMaze, nullptr).value_or(QByteArray()))));
+/// As its file is now.
+MazeSource sourceOf(const Level &level) {
+    return {level.path, hashOf(readFile(level.path, kLargestMaze, nullptr).value_or(QByteArray()))};
 }
+
+/// Identifies a maze by its file's bytes: another file of the same number has another best time.
+QString mazeOf(const Level &level) { return QString::fromLatin1(hashText(sourceOf(level).hash)); }
 
 QStringList mazesOf(const std::vector<Level> &levels) {
     QStringList mazes;
@@ -67,6 +70,7 @@ Session::Session(const Options &options, QSettings &settings, const Scene &scene
     , m_levels(options.levels)
     , m_level(options.level)
     , m_scene(scene)
+    , m_maze(sourceOf(options.level))
     , m_stepperId(options.stepper)
     , m_dt(options.dt)
     , m_speed(options.speed)
@@ -98,7 +102,7 @@ Session::Session(const Options &options, QSettings &settings, const Scene &scene
 }
 
 void Session::startGame() {
-    if (m_olderMaze && openLevel(Level(m_level))) return m_game.confirm();
+    if (m_isOlderMaze && openLevel(Level(m_level))) return m_game.confirm();
     const bool isBallPut = this->isBallPut();
     phys_state begin = m_simulation->latest().current;
     begin.time = 0.0;
@@ -114,7 +118,7 @@ void Session::startGame() {
 
 void Session::restart() {
     returnToPresent();
-    if (m_olderMaze && openLevel(Level(m_level))) return;
+    if (m_isOlderMaze && openLevel(Level(m_level))) return;
     const bool isOver = m_game.phase() == Game::Phase::Won || m_game.phase() == Game::Phase::Lost;
     const bool goesOn = !isOver && m_simulation->latest().running;
     if (isOver) m_simulation->pause(); // the ball may still be falling
@@ -205,7 +209,8 @@ bool Session::openLevel(const Level &level) {
     m_isTakenOver = false;
     m_scene = scene;
     m_level = level;
-    m_olderMaze.reset();
+    m_maze = sourceOf(level);
+    m_isOlderMaze = false;
     m_simulation->setScene(scene, stepper, origin());
     m_followsTrack = false; // setScene() ended it
     levelBoard();
@@ -340,11 +345,9 @@ void Session::levelBoard() {
 }
 
 void Session::noticeOlderMaze(const PlayableRecording &recording, size_t segment) {
-    const MazeSource &maze = recording.segment(segment).conditions.maze;
-    m_olderMaze.reset();
-    if (hashOf(readFile(m_level.path, kLargestMaze, nullptr).value_or(QByteArray())) == maze.hash) return;
-    m_olderMaze = maze;
-    emit olderMazeOpened(m_level.path);
+    m_maze = {m_level.path, recording.segment(segment).conditions.maze.hash};
+    m_isOlderMaze = m_maze != sourceOf(m_level);
+    if (m_isOlderMaze) emit olderMazeOpened(m_level.path);
 }
 
 /// before: the settings of the ball that takes over. A tilt that they have was set by hand and stays.
@@ -566,7 +569,7 @@ void Session::showRecording(bool isOn) {
 
 Origin Session::origin() const {
     Origin origin = originOf(m_registry, m_stepperId, m_level.path);
-    if (m_olderMaze) origin.maze = *m_olderMaze;
+    origin.maze = m_maze; // the file may have changed since
     return origin;
 }
 

@@ -40,6 +40,7 @@ struct KeptRun {
     uint64_t begin = 0; ///< place, as in Past
     uint64_t end = 0;
     Level level;
+    uint64_t maze = 0;                               ///< hash of its file's bytes
     std::vector<std::pair<QByteArray, double>> pace; ///< id of the stepper and dt, s, in their order
     double time = 0.0;                               ///< s, until the ball left the maze; else at its end
     BoardSide side = BoardSide::Within;              ///< where it left
@@ -73,6 +74,8 @@ public:
     const Level &level() const { return m_level; } ///< the open one; may be a file that isn't in the list
     bool isLevelOfTheList() const { return levelIndex() >= 0; }
     const Scene &scene() const { return m_scene; } ///< of the open level
+    /// The live ball's, as it was read; its file may have changed since.
+    const MazeSource &maze() const { return m_maze; }
     const Registry &registry() const { return m_registry; }
     /// Places on the floor where the ball can leave the maze; nothing if they can't be found. Computed once per level.
     const std::optional<std::vector<phys_box>> &exits();
@@ -192,6 +195,8 @@ public:
     const std::vector<Sample> &oldFuture() const { return m_oldFuture; }
     /// What made the steps of the run shown, and those before it that its samples begin with if it continues another.
     std::vector<SettingsSpan> settingsSpans();
+    /// The maze of the run shown if its file has changed since: a recording of that run can't be replayed with it.
+    std::optional<MazeSource> changedMaze();
     /// Writes the run shown as a recording. Returns false, with one line in `error`, if that fails.
     bool saveRun(const QString &path, QString *error);
 
@@ -291,7 +296,8 @@ private:
     std::vector<Level> m_levels;
     Level m_level;
     Scene m_scene;
-    Scene m_exitsOf; ///< the scene of m_exits
+    MazeSource m_maze; ///< of the live ball
+    Scene m_exitsOf;   ///< the scene of m_exits
     std::optional<std::vector<phys_box>> m_exits;
     QByteArray m_stepperId;
     double m_dt = Engine::kDefaultDt;
@@ -317,13 +323,13 @@ private:
     };
     Continued m_continued; ///< the last such run: samples of others don't have these steps
     std::vector<Sample> m_oldFuture;
-    uint64_t m_oldFutureRun = 0;           ///< run number in snapshots: discarded with the next run
-    std::optional<MazeSource> m_olderMaze; ///< of a run taken over whose maze isn't in its file any more
-    std::vector<Setting> m_takenTilt;      ///< of a moment taken over by a level board; ends with the run
-    bool m_isTakenOver = false;            ///< from a replay, the past or by hand: such a run sets no best time
-    bool m_isPlaced = false;               ///< by hand, since the last run was taken over
-    bool m_hasUsualPhysics = true;         ///< unchanged since the level was started
-    bool m_keysTilt = false;               ///< the keys control the board's tilt
+    uint64_t m_oldFutureRun = 0;      ///< run number in snapshots: discarded with the next run
+    bool m_isOlderMaze = false;       ///< the file of m_maze has changed since
+    std::vector<Setting> m_takenTilt; ///< of a moment taken over by a level board; ends with the run
+    bool m_isTakenOver = false;       ///< from a replay, the past or by hand: such a run sets no best time
+    bool m_isPlaced = false;          ///< by hand, since the last run was taken over
+    bool m_hasUsualPhysics = true;    ///< unchanged since the level was started
+    bool m_keysTilt = false;          ///< the keys control the board's tilt
     Parameters m_parameters;
     Game m_game;
     std::unique_ptr<Simulation> m_simulation;

@@ -168,16 +168,29 @@ void Session::watchRuns(const Snapshot &now) {
     const HistoryPlace &kept = now.history;
     std::erase_if(m_runs, [&](const KeptRun &run) { return run.end <= kept.begin; });
     if (m_replay || m_past || now.replay.number != 0 || kept.end == kept.run) return;
-    if (m_runs.empty() || m_runs.back().begin != kept.run) m_runs.push_back({});
+    const bool isNew = m_runs.empty() || m_runs.back().begin != kept.run;
+    if (isNew) m_runs.push_back({});
     KeptRun &run = m_runs.back();
+    if (isNew) {
+        run.begin = kept.run;
+        run.level = m_level;
+        run.maze = m_maze.hash;
+    }
     const std::pair<QByteArray, double> pace{m_stepperId, now.dt};
     if (run.end != kept.end && (run.pace.empty() || run.pace.back() != pace)) run.pace.push_back(pace);
-    run.begin = kept.run;
     run.end = kept.end;
-    run.level = m_level;
     run.time = stopwatch(now);
     const std::optional<Departure> left = departure(now);
     run.side = left ? left->side : BoardSide::Within;
+}
+
+std::optional<MazeSource> Session::changedMaze() {
+    const RunPlace run = runPlace();
+    const std::optional<Past> first = m_simulation->past(nullptr, run.begin, run.begin + 1);
+    if (!first || first->recording->length() == 0) return std::nullopt;
+    const MazeSource &maze = first->recording->segment(0).conditions.maze;
+    const std::optional<QByteArray> now = readFile(maze.path, kLargestMaze, nullptr);
+    return now && hashOf(*now) == maze.hash ? std::nullopt : std::optional(maze);
 }
 
 bool Session::saveRun(const QString &path, QString *error) {

@@ -353,7 +353,7 @@ void MainWindow::saveRun() {
     chooseFile(*this, m_session.settings(), {tr("Save run"), filter, tr("run"), FileUse::Write},
                [this](const QString &path) {
                    QString error;
-                   if (ui::saveRun(m_session, *m_view, path, &error)) error = lostSteps(m_session, path);
+                   if (ui::saveRun(m_session, *m_view, path, &error)) error = remarkOnSaved(m_session, path);
                    showSaved(path, error);
                });
 }
@@ -407,7 +407,7 @@ void MainWindow::askWhereToSavePlot(const QString &name, const TimeView &time,
                    const bool isTable = path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive);
                    if (save(path, &error) &&
                        (!isTable || saveSettingsBeside(m_session, path, time.clearedAt(), &error)))
-                       error = lostSteps(m_session, path);
+                       error = remarkOnSaved(m_session, path);
                    showSaved(path, error);
                });
 }

@@ -8,6 +8,8 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 
+#include <algorithm>
+
 namespace inspector::ui {
 
 namespace {
@@ -35,6 +37,20 @@ QString resultOf(const KeptRun &run, bool isLive) {
     return isLive ? RunDock::tr("the present one") : RunDock::tr("ended inside");
 }
 
+/// Tells the versions of a maze apart that was edited: numbered in the order of their first use.
+QString mazeTitle(const Session &session, const KeptRun &run) {
+    std::vector<uint64_t> versions;
+    const auto add = [&versions](uint64_t maze) {
+        if (std::ranges::count(versions, maze) == 0) versions.push_back(maze);
+    };
+    for (const KeptRun &other : session.runs())
+        if (other.level.path == run.level.path) add(other.maze);
+    if (session.maze().path == run.level.path) add(session.maze().hash);
+    const QString title = levelTitle(session, run.level);
+    if (versions.size() < 2) return title;
+    return RunDock::tr("%1, version %2").arg(title).arg(std::ranges::find(versions, run.maze) - versions.begin() + 1);
+}
+
 QStringList textsOf(const Session &session, const KeptRun &run, bool isLive) {
     QStringList steppers;
     QStringList steps;
@@ -42,8 +58,7 @@ QStringList textsOf(const Session &session, const KeptRun &run, bool isLive) {
         steppers += stepperName(session.registry(), stepper);
         steps += durationText(dt);
     }
-    return {levelTitle(session, run.level), listed(steppers), listed(steps), clockText(run.time),
-            resultOf(run, isLive)};
+    return {mazeTitle(session, run), listed(steppers), listed(steps), clockText(run.time), resultOf(run, isLive)};
 }
 
 /// In bold; a screen reader says it.

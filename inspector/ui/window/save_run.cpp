@@ -6,6 +6,7 @@
 #include "core/session/row_settings.h"
 #include "core/session/session.h"
 #include "core/setup/files.h"
+#include "core/setup/lines.h"
 #include "gl/view/maze_view.h"
 #include "ui/parts/picture_file.h"
 #include "ui/parts/settings_keys.h"
@@ -33,6 +34,16 @@ std::optional<double> keptSince(Session &session) {
     return first->keyframes.front().state.time;
 }
 
+QStringList remarksOnRecording(Session &session) {
+    QStringList remarks;
+    if (const std::optional<double> since = keptSince(session))
+        remarks += QStringLiteral("steps from %1 s; earlier ones aren't kept").arg(*since);
+    if (const std::optional<MazeSource> maze = session.changedMaze())
+        remarks += QStringLiteral("%1 has changed since this run and is needed as it was to replay it")
+                       .arg(quoted(maze->path));
+    return remarks;
+}
+
 } // namespace
 
 bool saveSettingsBeside(Session &session, const QString &csv, double since, QString *error) {
@@ -49,13 +60,15 @@ bool writeTableOfRun(Session &session, const Options &options, QString *error) {
     return writeTable(options.csv, samples, shape, settings, error);
 }
 
-QString lostSteps(Session &session, const QString &path) {
-    const bool isRecording = path.endsWith(QLatin1String(".rec"), Qt::CaseInsensitive);
-    const std::optional<double> since = isRecording ? keptSince(session) : std::nullopt;
-    if (since) return QStringLiteral("%1: steps from %2 s; earlier ones aren't kept").arg(path).arg(*since);
+QString remarkOnSaved(Session &session, const QString &path) {
+    const auto isOfKind = [&path](const char *suffix) {
+        return path.endsWith(QLatin1String(suffix), Qt::CaseInsensitive);
+    };
+    QStringList remarks;
+    if (isOfKind(".rec")) remarks = remarksOnRecording(session);
     const SampleRing &samples = session.simulation().samples();
-    const bool isTable = path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive);
-    return isTable && isPartial(samples) ? QStringLiteral("%1: %2").arg(path, spanOf(samples)) : QString();
+    if (isOfKind(".csv") && isPartial(samples)) remarks += spanOf(samples);
+    return remarks.isEmpty() ? QString() : QStringLiteral("%1: %2").arg(path, remarks.join(QStringLiteral("; ")));
 }
 
 bool saveRun(Session &session, gl::MazeView &view, const QString &path, QString *error) {

@@ -27,7 +27,8 @@ bool saveSettingsBeside(Session &session, const QString &csv, double since, QStr
 /// what made that run. Returns false, with one line in `error`, on failure.
 bool writeTableOfRun(Session &session, const Options &options, QString *error);
 
-/// One line if a recording, or a table of all samples, of this name lacks the run's first steps; otherwise empty.
-QString lostSteps(Session &session, const QString &path);
+/// One line if what was saved under this name is a recording or a table without the run's first steps, or a recording
+/// of a maze that has changed since; otherwise empty.
+QString remarkOnSaved(Session &session, const QString &path);
 
 } // namespace inspector::ui

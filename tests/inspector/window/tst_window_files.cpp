@@ -20,6 +20,7 @@
 #include <QStatusBar>
 #include <QTextBlock>
 #include <QTextBrowser>
+#include <QTreeWidget>
 
 #include <algorithm>
 
@@ -41,6 +42,8 @@ private slots:
     void nameIsOpenedAsItIsTyped();
     void changedMazeIsReadAgain();
     void runOfAnOlderMazeSaysSoAndEndsWithIt();
+    void runsOfTheVersionsOfAMazeAreToldApart();
+    void savedRunOfAnOlderMazeSaysSo();
     void noteOfAChangedMazeIsForgottenAtARestart();
     void replacedMazeIsReadAgain();
     void mazeThatIsDeletedIsSaid();
@@ -212,6 +215,46 @@ void TestWindowFiles::runOfAnOlderMazeSaysSoAndEndsWithIt() {
     m_fixture->key(Qt::Key_R);
     QTRY_COMPARE(boxes(), 2U);
     QCOMPARE(line(), QString());
+}
+
+void TestWindowFiles::runsOfTheVersionsOfAMazeAreToldApart() {
+    const auto titles = [this] {
+        m_fixture->window().refresh();
+        QStringList all;
+        const auto *runs = m_fixture->find<QTreeWidget>("runs");
+        for (int row = 0; row < runs->topLevelItemCount(); ++row) all += runs->topLevelItem(row)->text(0);
+        return all.join('|');
+    };
+    const QString path = maze("mine.txt");
+    drop(path);
+    m_fixture->trigger("show_runs_dock");
+    m_fixture->makeSteps(5);
+    QCOMPARE(titles(), QString("mine"));
+    write(path, kFloor + kWall);
+    QTRY_COMPARE(boxes(), 2U);
+    QCOMPARE(titles(), QString("mine, version 1"));
+    m_fixture->makeSteps(5);
+    QCOMPARE(titles(), QString("mine, version 2|mine, version 1"));
+}
+
+// It can't be replayed with the maze as it is now.
+void TestWindowFiles::savedRunOfAnOlderMazeSaysSo() {
+    const QString path = maze("mine.txt");
+    drop(path);
+    m_fixture->makeSteps(5);
+    m_fixture->window().refresh(); // the run is in runs()
+    const auto remark = [this] {
+        m_fixture->trigger("save_run");
+        m_fixture->answerFile(m_fixture->path("run.rec"));
+        return line();
+    };
+    QCOMPARE(remark(), QString());
+    write(path, kFloor + kWall);
+    QTRY_COMPARE(boxes(), 2U);
+    m_fixture->session().lookAt(m_fixture->session().runs().back().end);
+    m_fixture->session().awaitMoment();
+    QCOMPARE(remark(), m_fixture->path("run.rec") + ": '" + path +
+                           "' has changed since this run and is needed as it was to replay it");
 }
 
 void TestWindowFiles::noteOfAChangedMazeIsForgottenAtARestart() {
