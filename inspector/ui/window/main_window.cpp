@@ -104,6 +104,20 @@ QWidget *scrolled(QWidget *content) {
     area->setFocusProxy(content);
     return area;
 }
+
+/// The control that gets the keyboard when its dock is opened. Where none had it, letters would play the game.
+QWidget *firstControl(QWidget *content) {
+    const auto isControl = [](const QWidget *widget) {
+        const bool takesKeys = widget->isEnabled() && widget->isVisible() && (widget->focusPolicy() & Qt::TabFocus);
+        return takesKeys && !qobject_cast<const QScrollArea *>(widget);
+    };
+    QWidget *first = content;
+    while (first->focusProxy()) first = first->focusProxy();
+    if (isControl(first)) return first;
+    for (QWidget *next = first->nextInFocusChain(); next != first; next = next->nextInFocusChain())
+        if (content->isAncestorOf(next) && isControl(next)) return next;
+    return first;
+}
 } // namespace
 
 MainWindow::MainWindow(Session &session, gl::Drawing drawing)
@@ -289,7 +303,7 @@ void MainWindow::addDockAction(QDockWidget &dock, int number, double share) {
             dock.close();
         else
             showDock(dock, share);
-        if (!isSeen) dock.widget()->setFocus();
+        if (!isSeen) firstControl(dock.widget())->setFocus();
         showState();
     });
     addAction(toggle); // so that it is listed with the others

@@ -31,6 +31,8 @@ private slots:
     void floatingDockLeavesTheGameItsKeys();
     void closedDockReturnsTheKeyboard_data();
     void closedDockReturnsTheKeyboard();
+    void dockThatIsOpenedTakesWhatIsTyped_data();
+    void dockThatIsOpenedTakesWhatIsTyped();
     void arrowTiltsTheBoardTowardsItself_data();
     void arrowTiltsTheBoardTowardsItself();
     void releasedArrowLevelsTheBoard();
@@ -146,6 +148,24 @@ void TestWindowKeys::closedDockReturnsTheKeyboard() {
     QCOMPARE(QApplication::focusWidget(), &m_fixture->window().view());
     m_fixture->key(Qt::Key_Return);
     QTRY_VERIFY(isRunning());
+}
+
+void TestWindowKeys::dockThatIsOpenedTakesWhatIsTyped_data() {
+    QTest::addColumn<Qt::Key>("key");
+    QTest::addColumn<QString>("box");
+    QTest::newRow("measured ball") << Qt::Key_7 << "track_file";
+    QTest::newRow("ball") << Qt::Key_0 << "ball_x";
+}
+
+void TestWindowKeys::dockThatIsOpenedTakesWhatIsTyped() {
+    QFETCH(Qt::Key, key);
+    QFETCH(QString, box);
+    m_fixture->key(key, Qt::ControlModifier);
+    m_fixture->type("a.csv");
+    const QString text = m_fixture->find<QLineEdit>(box)->text();
+    QVERIFY2(text.contains("a.csv"), qPrintable(text));
+    QVERIFY(!m_fixture->session().hasAutopilot() && !m_fixture->session().comparison().isOn());
+    QCOMPARE(ball().step, 0u);
 }
 
 void TestWindowKeys::arrowTiltsTheBoardTowardsItself_data() {

@@ -4,11 +4,14 @@
 #include "core/setup/settings_file.h"
 #include "gl/surface_format.h"
 #include "gl/view/maze_view.h"
+#include "ui/parts/number_box.h"
 
 #include <QApplication>
 #include <QDropEvent>
 #include <QFileDialog>
+#include <QLineEdit>
 #include <QMimeData>
+#include <QPointer>
 #include <QSurfaceFormat>
 #include <QWheelEvent>
 
@@ -35,6 +38,13 @@ QWidget *keyboardOwner(QWidget &window) {
     QWidget *focus = popup ? popup->focusWidget() : QApplication::focusWidget();
     if (focus) return focus;
     return popup ? popup : &window;
+}
+
+bool isEnter(Qt::Key key) { return key == Qt::Key_Return || key == Qt::Key_Enter; }
+
+bool isAccepted(const QWidget *editor) {
+    const auto *box = qobject_cast<const inspector::ui::NumberBox *>(editor);
+    return !box || !box->isRefused();
 }
 
 } // namespace
@@ -82,7 +92,11 @@ bool Fixture::isReady() {
 }
 
 void Fixture::key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
-    QTest::keyClick(keyboardOwner(*m_window), key, modifiers);
+    const QPointer<QWidget> owner = keyboardOwner(*m_window);
+    QTest::keyClick(owner, key, modifiers);
+    const bool isEdit = qobject_cast<QLineEdit *>(owner) && owner->window() == m_window.get() && isAccepted(owner);
+    if (!isEdit || !isEnter(key)) return;
+    QTRY_VERIFY2(!owner || !owner->hasFocus(), "the edit keeps the keyboard"); // it returns it a little later
 }
 
 void Fixture::type(const QString &text) {

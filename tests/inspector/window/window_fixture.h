@@ -66,7 +66,8 @@ public:
     void trigger(const QString &action) { find<QAction>(action)->trigger(); }
     void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) { QTest::keyClick(m_window.get(), key, modifiers); }
 
-    // Sends a key as the window system does: to whatever has the keyboard, which may be an open list.
+    // Sends a key as the window system does: to whatever has the keyboard, which may be an open list. Enter in a text
+    // waits until the board has the keyboard again.
     void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {});
     void type(const QString &text);
     // Uses the command for a single step; waits for the last one.
