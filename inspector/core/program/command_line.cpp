@@ -113,6 +113,8 @@ void readParameters(const QCommandLineParser &parser, const std::vector<const ph
     Parameters parameters;
     parameters.setStepper(info);
     if (parser.isSet("parameters")) readParameterFile(parser.value("parameters"), options);
+    if (!parameters.set(options.settings, &error))
+        throw WrongUse{QStringLiteral("--parameters: %1: %2").arg(quoted(options.parameters), error)};
     for (const phys_param_row *row : rows) {
         if (!parser.isSet(optionName(*row))) continue;
         const QString id = QString::fromUtf8(row->id);
@@ -154,7 +156,7 @@ void readOutputs(const QCommandLineParser &parser, Options &options) {
     if (parser.isSet("grab") && !options.grab.endsWith(QLatin1String(".png")))
         throw WrongUse{
             QStringLiteral("--grab: expected a file name ending in .png, found %1").arg(quoted(options.grab))};
-    for (const char *name : {"csv", "record", "replay", "grab", "plot"})
+    for (const char *name : {"csv", "record", "replay", "grab", "plot", "parameters", "fit", "track"})
         if (parser.isSet(name) && parser.value(name).isEmpty())
             throw WrongUse{QStringLiteral("--%1: expected the name of a file, found ''").arg(name)};
     for (const char *ending : {".png", ".svg", ".pdf"})

@@ -39,7 +39,7 @@ FitPlan fitPlanOf(const Options &options) {
 
 TrackFit measure(const FitPlan &plan, QTextStream *progress) {
     QString error;
-    LongWork work(progress);
+    LongWork work(progress, QStringLiteral("start of the track"));
     const FitProgress listener = [&work](double share, const QString &what) { work.progressed(share, what); };
     std::optional<TrackFit> fit = fitTrack(plan, listener, work.stop(), &error);
     if (endingSignal()) throw Failure{statusAfter(endingSignal()), QStringLiteral("--fit: ended before its end")};

@@ -2,6 +2,7 @@
 #include "core/program/long_work.h"
 
 #include "core/program/ending.h"
+#include "core/setup/lines.h"
 
 #include <cmath>
 
@@ -18,13 +19,15 @@ QString progressLine(double share, const QString &what) {
     const int full = int(std::lround(share * kBar));
     const QString bar = QString(full, QLatin1Char('#')) + QString(kBar - full, QLatin1Char('.'));
     const QString percent = QString::number(int(share * 100.0)).rightJustified(3);
-    return QStringLiteral("[%1] %2 %  %3").arg(bar, percent, what.left(kText));
+    return QStringLiteral("[%1] %2 %  %3").arg(bar, percent, oneLine(what).left(kText));
 }
 
 } // namespace
 
-LongWork::LongWork(QTextStream *terminal)
-    : m_terminal(terminal) {}
+LongWork::LongWork(QTextStream *terminal, const QString &what)
+    : m_terminal(terminal) {
+    progressed(0.0, what);
+}
 
 LongWork::~LongWork() {
     if (m_terminal) *m_terminal << kClearLine << Qt::flush;

@@ -11,8 +11,8 @@ namespace inspector {
 
 class LongWork {
 public:
-    /// terminal: where progress is shown, or nullptr.
-    explicit LongWork(QTextStream *terminal);
+    /// Shows at once what is done first. terminal: where progress is shown, or nullptr.
+    LongWork(QTextStream *terminal, const QString &what);
     /// Erases the progress line.
     ~LongWork();
 

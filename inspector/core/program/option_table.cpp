@@ -106,7 +106,8 @@ void addTradeOptions(QCommandLineParser &parser) {
     parser.addOptions({
         {"trade",
          utf8("Measure what every stepper and step size costs on this level, what it is wrong by against stepper "
-              "exact, and recommend a setting; without a window."),
+              "exact, and recommend a setting; without a window. Takes some seconds, and shows its progress on a "
+              "terminal."),
          utf8("number|file")},
         {"schedule",
          utf8("With --trade, how the board tilts: autopilot (hardly meets a wall), busy (random tilts that lead to "

@@ -46,15 +46,21 @@ TradePlan tradePlanOf(const Options &options) {
     return plan;
 }
 
-TradeResult measure(const TradePlan &plan, QTextStream *progress) {
+struct Measured {
+    TradePlan plan;
+    TradeResult result;
+};
+
+Measured measure(const Options &options, QTextStream *progress) {
     QString error;
-    LongWork work(progress);
+    LongWork work(progress, QStringLiteral("schedules"));
+    TradePlan plan = tradePlanOf(options);
     TradeListener listener;
     listener.progressed = [&work](double share, const QString &what) { work.progressed(share, what); };
     std::optional<TradeResult> result = measureTrade(plan, listener, work.stop(), &error);
     if (endingSignal()) throw Failure{statusAfter(endingSignal()), QStringLiteral("--trade: ended before its end")};
     if (!result) throw Failure{2, error};
-    return std::move(*result);
+    return {std::move(plan), *std::move(result)};
 }
 
 void writeFile(const QString &option, const QString &path, const QByteArray &bytes) {
@@ -179,8 +185,7 @@ Recommendation recommendForUnknowns(const TradePlan &plan, const TradeResult &re
 
 int runTrade(const Options &options, const TradeStreams &streams, const TradePictureWriter &writePicture) {
     try {
-        const TradePlan plan = tradePlanOf(options);
-        const TradeResult result = measure(plan, streams.progress);
+        const auto [plan, result] = measure(options, streams.progress);
         // With --csv - the table occupies standard output, so that the report goes to messages.
         const bool isCsv = options.csv == QLatin1String("-");
         QTextStream &text = isCsv ? streams.messages : streams.out;

@@ -2,6 +2,7 @@
 #include "core/setup/parameters.h"
 
 #include "core/setup/handles.h"
+#include "core/setup/lines.h"
 
 #include <cmath>
 #include <limits>
@@ -86,7 +87,7 @@ bool Parameters::set(const std::vector<Setting> &settings, QString *error) {
     for (const Setting &setting : settings) {
         const int index = indexOf(setting.id);
         if (index < 0) {
-            if (error) *error = QStringLiteral("no parameter has the id '%1'").arg(setting.id);
+            if (error) *error = "expected the id of a parameter, found " + quoted(setting.id);
             return false;
         }
         phys_error failure;

@@ -2,6 +2,7 @@
 #include "core/track/track_reader.h"
 
 #include "core/setup/files.h"
+#include "core/setup/lines.h"
 #include "core/setup/numbers.h"
 
 #include <QBuffer>
@@ -241,9 +242,10 @@ private:
                                    QString *problem) const {
         const std::optional<double> value = m_header.value(fields, quantity);
         if (value) return value;
-        const QString why = readNumber(m_header.text(fields, quantity), {}).problem; // it reads more forms
+        const QString text = m_header.text(fields, quantity);
+        const QString why = readNumber(text, {}).problem; // it reads more forms
         *problem = QStringLiteral("column %1: %2")
-                       .arg(QLatin1String(column), why.isEmpty() ? QStringLiteral("expected a number") : why);
+                       .arg(QLatin1String(column), why.isEmpty() ? "expected a number, found " + quoted(text) : why);
         return value;
     }
 
@@ -271,7 +273,9 @@ private:
         if (!m_header.hasTilt() && !m_header.hasGravity()) return true;
         if (!tilt) return false;
         if (std::abs(degrees(tilt->x)) > kLargestTilt || std::abs(degrees(tilt->y)) > kLargestTilt) {
-            *problem = QStringLiteral("expected tilts within 89 degrees");
+            *problem = QStringLiteral("expected tilts within 89 degrees, found %1 and %2")
+                           .arg(degrees(tilt->x))
+                           .arg(degrees(tilt->y));
             return false;
         }
         const double since = m_header.isOwnTable() && m_isBegun ? m_time : time;
@@ -292,7 +296,7 @@ private:
         const std::optional<double> z = required(fields, Quantity::GravityZ, "gravity_z", problem);
         if (!x || !y || !z) return std::nullopt;
         if (*z == 0.0) {
-            *problem = QStringLiteral("expected a gravity that points into the board");
+            *problem = QStringLiteral("expected a gravity that points into the board, found 0 across it");
             return std::nullopt;
         }
         return Tilt{std::atan(*x / std::abs(*z)), std::atan(*y / std::abs(*z))};

@@ -142,6 +142,8 @@ bool Measurement::makeReferences(QString *error) {
 }
 
 bool Measurement::makeReference(size_t schedule, uint32_t model, QString *error) {
+    if (m_listener.progressed)
+        m_listener.progressed(0.0, QStringLiteral("exact motion on %1").arg(m_plan.schedules[schedule].name));
     Course &course = m_courses[schedule];
     course.references[model] =
         TradeReference::run(m_plan.registry, m_plan.scene, paramsFor(m_plan, model), course.segments, error);

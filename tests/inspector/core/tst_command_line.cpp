@@ -32,6 +32,8 @@ private slots:
     void wrongUseGivesOneLineAndStatus2_data();
     void wrongUseGivesOneLineAndStatus2();
     void tiltOfAFileIsRefusedWhereTheAutopilotTilts();
+    void wrongLineOfAFileOfParametersNamesTheFile_data();
+    void wrongLineOfAFileOfParametersNamesTheFile();
     void checkOfARecordingNeedsNoLevels();
     void windowIsNeededUnlessTheArgumentsSayOtherwise();
     void aFileAloneIsALevelOrARecording();
@@ -333,6 +335,25 @@ void TestCommandLine::tiltOfAFileIsRefusedWhereTheAutopilotTilts() {
     QVERIFY(!parsed({"--parameters", file}).exitStatus);
     QCOMPARE(parsed({"--parameters", file, "--autopilot"}).error,
              QString("physics-inspector: --tilt-x: doesn't go with --autopilot\n"));
+}
+
+void TestCommandLine::wrongLineOfAFileOfParametersNamesTheFile_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QString>("said");
+    QTest::newRow("id") << QByteArray("set speed 1") << "': expected the id of a parameter, found 'speed'";
+    QTest::newRow("value") << QByteArray("set gravity -1") << "': gravity is -1 m/s^2; allowed is ";
+    QTest::newRow("number") << QByteArray("set gravity x") << ":3: expected a number, found 'x'";
+}
+
+void TestCommandLine::wrongLineOfAFileOfParametersNamesTheFile() {
+    QFETCH(QByteArray, text);
+    QFETCH(QString, said);
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("wrong.txt");
+    put(file, "physics-parameters 1\nname wrong\n" + text + "\n");
+    const QString error = parsed({"--parameters", file}).error;
+    QVERIFY2(error.startsWith("physics-inspector: --parameters: ") && error.contains("wrong.txt" + said),
+             qPrintable(error));
 }
 
 // A recording names its mazes, which may lie beside it.

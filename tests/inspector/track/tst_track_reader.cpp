@@ -22,6 +22,7 @@ private slots:
     void tiltOfOwnTableIsThatOfTheStepBefore();
     void rowsThatCantBeUsedAreLeftOutAndTold_data();
     void rowsThatCantBeUsedAreLeftOutAndTold();
+    void tiltThatCantBeUsedIsTold();
     void lostPositionsAndGapsAreTold();
     void unusableFilesAreOneLine_data();
     void unusableFilesAreOneLine();
@@ -143,6 +144,14 @@ void TestTrackReader::rowsThatCantBeUsedAreLeftOutAndTold() {
     const Track result = track("t,x,y\n" + rows("%1,0,0") + row + "\n");
     QCOMPARE(result.points.size(), size_t(12));
     QCOMPARE(result.remarks, QStringList{remark});
+}
+
+void TestTrackReader::tiltThatCantBeUsedIsTold() {
+    const Track steep = track("t,x,y,tilt_x [deg],tilt_y [deg]\n" + rows("%1,0,0,1,2") + "20,0,0,90,2\n");
+    QCOMPARE(steep.remarks, QStringList("t.csv:14: expected tilts within 89 degrees, found 90 and 2; left out"));
+    const Track level = track("t,x,y,gx,gy,gz\n" + rows("%1,0,0,0,0,-9.8") + "20,0,0,9.8,0,0\n");
+    QCOMPARE(level.remarks,
+             QStringList("t.csv:14: expected a gravity that points into the board, found 0 across it; left out"));
 }
 
 void TestTrackReader::lostPositionsAndGapsAreTold() {

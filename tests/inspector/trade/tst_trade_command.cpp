@@ -27,6 +27,7 @@ private slots:
     void tradeNeedsNoWindow();
     void lastLineIsTheRecommendation();
     void progressFitsIntoALineAndIsErased();
+    void progressIsShownFromTheStart();
     void unreachableToleranceGivesStatus1();
     void csvHeaderStaysAsItIs();
     void csvHasARowForEachPoint();
@@ -158,6 +159,14 @@ void TestTradeCommand::progressFitsIntoALineAndIsErased() {
     QCOMPARE(lines.first(), QString());
     QCOMPARE(lines.last(), QString());
     for (const QString &line : lines) QVERIFY2(line.size() < 80 && !line.contains('\n'), qPrintable(line));
+}
+
+// Before the first stepper is measured.
+void TestTradeCommand::progressIsShownFromTheStart() {
+    const QStringList lines = runOf(kShort.trimmed()).progress.split("\r\x1b[K");
+    QVERIFY2(lines[1].endsWith("schedules"), qPrintable(lines[1]));
+    QVERIFY2(lines[2].endsWith("exact motion on random:3"), qPrintable(lines[2]));
+    QCOMPARE(lines.filter("exact motion").size(), 2); // in each model
 }
 
 void TestTradeCommand::unreachableToleranceGivesStatus1() {
