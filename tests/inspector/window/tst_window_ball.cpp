@@ -74,7 +74,7 @@ uint64_t hashOf(const phys_state &state) { return phys_state_hash(&state); }
 } // namespace
 
 void TestWindowBall::init() {
-    m_fixture = std::make_unique<Fixture>();
+    m_fixture = std::make_unique<Fixture>(1, inspector::gl::Drawing::Solid);
     QVERIFY(m_fixture->isReady());
 }
 

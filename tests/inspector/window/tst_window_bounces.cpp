@@ -83,7 +83,7 @@ private:
 };
 
 void TestWindowBounces::init() {
-    m_fixture = std::make_unique<Fixture>(3);
+    m_fixture = std::make_unique<Fixture>(3, inspector::gl::Drawing::Solid);
     QVERIFY(m_fixture->isReady());
     m_view = &m_fixture->window().view();
     m_bounces = m_fixture->find<inspector::ui::BounceDock>("bounces");

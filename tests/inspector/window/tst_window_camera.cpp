@@ -41,7 +41,7 @@ private:
 };
 
 void TestWindowCamera::init() {
-    m_fixture = std::make_unique<Fixture>(3);
+    m_fixture = std::make_unique<Fixture>(3, inspector::gl::Drawing::Solid);
     QVERIFY(m_fixture->isReady());
 }
 

@@ -101,7 +101,7 @@ private:
 };
 
 void TestWindowDocks::init() {
-    m_fixture = std::make_unique<Fixture>();
+    m_fixture = std::make_unique<Fixture>(1, inspector::gl::Drawing::Solid);
     QVERIFY(m_fixture->isReady());
 }
 

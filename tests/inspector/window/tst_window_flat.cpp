@@ -40,7 +40,7 @@ private:
 };
 
 void TestWindowFlat::init() {
-    m_fixture = std::make_unique<Fixture>(3, inspector::gl::Drawing::Flat);
+    m_fixture = std::make_unique<Fixture>(3);
     QVERIFY(m_fixture->isReady());
     QCOMPARE(view().rendererName(), QString("QPainter, from above"));
 }

@@ -228,7 +228,7 @@ void TestWindowGame::openOwnLevels(const QTemporaryDir &folder) {
     QFile broken(folder.filePath("4.txt"));
     QVERIFY(broken.open(QIODevice::WriteOnly) && broken.write("physics-maze 1\nbox 1 2\n") > 0);
     broken.close();
-    m_fixture = std::make_unique<Fixture>(1, inspector::gl::Drawing{}, folder.path());
+    m_fixture = std::make_unique<Fixture>(1, inspector::gl::Drawing::Flat, folder.path());
     QVERIFY(m_fixture->isReady());
 }
 

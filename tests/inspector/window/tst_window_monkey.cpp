@@ -212,7 +212,7 @@ void TestWindowMonkey::randomHandsBreakNothing() {
     const unsigned actions = numberOf("MONKEY_ACTIONS", kActions);
     qInfo("seed %u, %u actions", seed, actions);
     m_random.seed(seed);
-    m_fixture = std::make_unique<Fixture>();
+    m_fixture = std::make_unique<Fixture>(1, inspector::gl::Drawing::Solid);
     QVERIFY(m_fixture->isReady());
     QTimer answers;
     connect(&answers, &QTimer::timeout, this, &TestWindowMonkey::leaveInnerLoops);

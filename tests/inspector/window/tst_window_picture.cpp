@@ -81,7 +81,7 @@ private:
 
 // Paused at the start, light, medium quality: nothing depends on the clock or the desktop.
 void TestWindowPicture::init() {
-    m_fixture = std::make_unique<Fixture>();
+    m_fixture = std::make_unique<Fixture>(1, inspector::gl::Drawing::Solid);
     m_fixture->trigger("theme_1");
     m_fixture->trigger("quality_2");
     QVERIFY(m_fixture->isReady());
@@ -118,7 +118,7 @@ void TestWindowPicture::startLooksAsItDid() {
 // The assumptions of the comparison; also tested where no golden picture applies.
 void TestWindowPicture::sameSceneGivesTheSamePixels() {
     const QImage first = picture();
-    m_fixture = std::make_unique<Fixture>();
+    m_fixture = std::make_unique<Fixture>(1, inspector::gl::Drawing::Solid);
     m_fixture->trigger("theme_1");
     m_fixture->trigger("quality_2");
     QVERIFY(m_fixture->isReady());

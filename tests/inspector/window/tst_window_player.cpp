@@ -86,7 +86,7 @@ private slots:
 // Whatever the ball does while the machine is busy, the keys follow from its current position. Half speed, which any
 // user can choose, makes up for a slow machine, but sets no best time.
 void TestWindowPlayer::arrowKeysWinLevelOne() {
-    Fixture fixture;
+    Fixture fixture(1, inspector::gl::Drawing::Solid);
     QVERIFY(fixture.isReady());
     fixture.session().setSpeed(0.5);
     const auto text = [&] {

@@ -38,7 +38,8 @@ bool isReadOutWhole(const QCustomPlot *plot);
 
 class Fixture {
 public:
-    explicit Fixture(int level = 1, inspector::gl::Drawing drawing = {}, // solid
+    // Without OpenGL a window takes half of the time; suites that are about what the view shows draw solid boards.
+    explicit Fixture(int level = 1, inspector::gl::Drawing drawing = inspector::gl::Drawing::Flat,
                      const QString &levels = QStringLiteral(LEVELS_FOLDER));
     // The window is on the screen, has drawn once and has the keyboard.
     bool isReady();
