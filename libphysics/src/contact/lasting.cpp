@@ -222,9 +222,23 @@ double LastingContacts::pressTogether(double negligible, Motion &motion) {
     if (!isFound()) return kNotPressed;
     for (Lasting &contact : *this) contact.reaction = 0.0;
     least.store();
+    for (Lasting &contact : *this) contact.isIdle = contact.isGlued && isIdle(contact);
     const Vec3 change = least.velocity() - motion.velocity;
     motion.velocity = least.velocity();
     return size(change);
+}
+
+/// Whether two other contacts press whose normals are in one plane with the contact's, which therefore doesn't.
+bool LastingContacts::isIdle(const Lasting &contact) const {
+    if (contact.reaction > 0.0) return false;
+    const Lasting *first = nullptr;
+    for (const Lasting &other : *this) {
+        if (!(other.reaction > 0.0)) continue;
+        const double volume = first ? glm::dot(contact.lever, glm::cross(first->lever, other.lever)) : 1.0;
+        if (std::abs(volume) <= kSameNormal) return true;
+        first = &other;
+    }
+    return false;
 }
 
 /// A solution far from the result of the sweeps is a different one, in which friction maintains the pressure that it
@@ -274,6 +288,7 @@ void LastingContacts::unload() {
     for (Lasting &contact : *this) {
         contact.reaction = 0.0;
         contact.rubbing = Vec3(0.0);
+        contact.isIdle = false;
     }
 }
 

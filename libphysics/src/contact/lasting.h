@@ -24,6 +24,7 @@ struct Lasting {
     Vec3 resisting; ///< rolling resistance: change of the spin, rad/s
     bool isSpent;   ///< friction is at its limit
     bool rolls;     ///< a top face without slip, so that rolling resistance works there
+    bool isIdle;    ///< opens without pressure, as two others with normals in one plane press instead
     bool closes;    ///< sticks, but for the slip with which a pair of sticking contacts closes a gap
     double load;    ///< reaction on which resistance depends, m/s; below 0: the present one
 
@@ -38,7 +39,9 @@ struct Lasting {
     /// Friction of a contact that rolls or closes was judged without the resistance, model.md 13.5.
     bool hasNoLimit() const { return isGlued || rolls || closes; }
     /// Whether it pulls along what it touches: a face that glues does so until it opens, even without pressure.
-    bool holds(const Vec3 &velocity) const { return reaction > 0.0 || (isGlued && glm::dot(limit, velocity) <= slow); }
+    bool holds(const Vec3 &velocity) const {
+        return reaction > 0.0 || (isGlued && !isIdle && glm::dot(limit, velocity) <= slow);
+    }
 };
 
 /// The friction that ends a slip. A unit impulse changes the slip of its own contact by 7/2.
@@ -63,6 +66,7 @@ private:
     void unload();
     bool shareLoads() const;
     double pressTogether(double negligible, Motion &motion);
+    bool isIdle(const Lasting &contact) const;
     bool releaseOpposite(double negligible);
     /// A pressure between two sticking contacts that moves nothing.
     struct Strain {
