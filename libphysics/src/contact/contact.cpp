@@ -180,28 +180,33 @@ void Contacts::dropHidden(double tolerance) {
 
 void Contacts::sort(const Motion &motion, const Vec3 &gravity, double radius) {
     if (count() < 2) return;
-    const auto key = [&](const Contact &contact) {
-        const Vec3 slip = slipAt(motion, contact.normal, radius);
-        return std::tuple(contact.gap, glm::dot(motion.velocity, contact.normal), glm::dot(gravity, contact.normal),
-                          glm::dot(slip, slip), contact.axes());
-    };
-    std::array<decltype(key((*this)[0])), kMost> keys;
-    for (uint32_t i = 0; i < count(); ++i) {
-        const Contact contact = (*this)[i];
-        const auto own = key(contact);
-        uint32_t place = i;
-        // Ties are broken by the normal, so that the numbering of boxes has no effect.
-        const auto comesBefore = [&](uint32_t other) {
-            return own == keys[other] ? isLess(contact.normal, (*this)[other].normal) : own < keys[other];
+    // Below 0 if a comes before b; 0 if they tie. Most differ in the first criteria.
+    const auto compare = [&](const Contact &a, const Contact &b) {
+        const auto order = [](double first, double second) { return (first > second) - (first < second); };
+        const auto squareOfSlip = [&](const Contact &contact) {
+            const Vec3 slip = slipAt(motion, contact.normal, radius);
+            return glm::dot(slip, slip);
         };
-        for (; place > 0 && comesBefore(place - 1); --place) {
-            keys[place] = keys[place - 1];
-            (*this)[place] = (*this)[place - 1];
-        }
-        keys[place] = own;
-        (*this)[place] = contact;
+        if (a.gap != b.gap) return order(a.gap, b.gap);
+        const double approachA = glm::dot(motion.velocity, a.normal), approachB = glm::dot(motion.velocity, b.normal);
+        if (approachA != approachB) return order(approachA, approachB);
+        const double pullA = glm::dot(gravity, a.normal), pullB = glm::dot(gravity, b.normal);
+        if (pullA != pullB) return order(pullA, pullB);
+        const int slips = order(squareOfSlip(a), squareOfSlip(b));
+        return slips != 0 ? slips : a.axes() - b.axes();
+    };
+    // Ties are broken by the normal, so that the numbering of boxes has no effect.
+    const auto comesBefore = [&](const Contact &a, const Contact &b) {
+        const int order = compare(a, b);
+        return order == 0 ? isLess(a.normal, b.normal) : order < 0;
+    };
+    for (uint32_t i = 1; i < count(); ++i) {
+        uint32_t place = i;
+        while (place > 0 && comesBefore((*this)[i], (*this)[place - 1])) --place;
+        if (place < i) std::rotate(begin() + place, begin() + i, begin() + i + 1);
     }
-    for (uint32_t i = 0; i < count(); ++i) m_tiesWithPrevious[i] = i > 0 && keys[i] == keys[i - 1];
+    m_tiesWithPrevious[0] = false;
+    for (uint32_t i = 1; i < count(); ++i) m_tiesWithPrevious[i] = compare((*this)[i], (*this)[i - 1]) == 0;
 }
 
 bool Contacts::reverseTies() {
