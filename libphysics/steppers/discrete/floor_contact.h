@@ -35,7 +35,16 @@ inline ResistedLaw::Point resisted(const Law<Vec2> &law, const Vec2 &velocity, d
     const ResistedLaw::Point end = motion.at(stop);
     if (!(h > stop)) return end;
     const ResistedLaw::Point back = ResistedLaw(Vec2(0.0), law.A, law.B).at(h - stop);
-    return {end.x + back.x, back.v, end.path + back.path};
+    return {end.x + back.x, back.v};
+}
+
+/// The length of that way, m.
+inline double pathOfResisted(const Law<Vec2> &law, const Vec2 &velocity, double h) {
+    const ResistedLaw motion(velocity, law.A, law.B);
+    const double stop = motion.stopTime();
+    if (!(h >= (1.0 - 8.0 * kRounding) * stop)) return motion.pathUntil(h);
+    const double path = motion.pathUntil(stop);
+    return h > stop ? path + ResistedLaw(Vec2(0.0), law.A, law.B).pathUntil(h - stop) : path;
 }
 
 /// A substep in which resistance may stop the ball, for schemes of second order and higher: model.md 10.5.
@@ -74,7 +83,7 @@ double meanWay(const V &velocity, const Advance<V> &next, double h) {
 template<class Scheme>
 double resistedWay(const Law<Vec2> &law, const Vec2 &velocity, const Advance<Vec2> &next, double h) {
     if constexpr (Scheme::kContactRule == ContactRule::SecondOrder) {
-        if (nearStop(law, velocity, h)) return resisted(law, velocity, h).path;
+        if (nearStop(law, velocity, h)) return pathOfResisted(law, velocity, h);
     }
     const bool stops = next.velocity == Vec2(0.0) && velocity != Vec2(0.0);
     if (stops) [[unlikely]]

@@ -50,9 +50,16 @@ Resisted Resisted::slipping(int axis, const Vec3 &velocity, const Vec3 &slip, co
     return phase;
 }
 
+const ResistedLaw::Point &Resisted::lawAt(double t) const {
+    if (m_known[m_newest].time != t) m_newest = 1 - m_newest;
+    Known &known = m_known[m_newest];
+    if (known.time != t) known = {t, m_law.at(t)};
+    return known.point;
+}
+
 Way Resisted::at(double t) const {
     if (t == 0.0) return {Vec3(0.0), m_velocity};
-    const ResistedLaw::Point point = m_law.at(t);
+    const ResistedLaw::Point &point = lawAt(t);
     if (!m_slips) return {inSpace(point.x), inSpace(point.v)};
     return {t * (m_q + 0.5 * t * m_qRate) + 2.0 / 7.0 * inSpace(point.x),
             m_q + t * m_qRate + 2.0 / 7.0 * inSpace(point.v)};
@@ -60,7 +67,7 @@ Way Resisted::at(double t) const {
 
 Place Resisted::placeAt(double t) const {
     if (t == 0.0) return {Vec3(0.0), m_velocity, m_spin, Vec3(0.0)};
-    const ResistedLaw::Point point = m_law.at(t);
+    const ResistedLaw::Point &point = lawAt(t);
     const Vec3 x = inSpace(point.x), v = inSpace(point.v), drilling = glm::dot(m_spin, m_normal) * m_normal;
     if (!m_slips) {
         return {x, v, drilling + glm::cross(m_normal, v) / m_radius, t * drilling + glm::cross(m_normal, x) / m_radius};
@@ -90,7 +97,7 @@ double Resisted::least(const Vec3 &n, double rate, double t, double until) const
 bool Resisted::leaves(const Vec3 &n, double t, double until) const {
     const auto leavesAt = [&](double moment) {
         const double q = glm::dot(n, m_q + moment * m_qRate);
-        return q >= 0.0 && glm::dot(n, inSpace(m_law.at(moment).v)) >= 0.0;
+        return q >= 0.0 && glm::dot(n, inSpace(lawAt(moment).v)) >= 0.0;
     };
     return leavesAt(t) && leavesAt(until);
 }
@@ -106,7 +113,7 @@ double Resisted::mostSlipAlong(const Vec2 &n) const {
 }
 
 Losses Resisted::losses(double t) const {
-    const double path = m_law.at(t).path;
+    const double path = m_law.pathUntil(t);
     return m_slips ? Losses{m_B / 3.5 * path, 0.0} : Losses{0.0, 1.4 * m_B * path};
 }
 

@@ -5,6 +5,8 @@
 
 #include "phases/phase.h"
 
+#include <array>
+
 namespace phys {
 
 class Resisted {
@@ -39,11 +41,18 @@ private:
     Vec3 m_A;
     double m_B, m_radius, m_most = 0.0;
     ResistedLaw m_law;
+    struct Known {
+        double time = -1.0; ///< s; below 0: none
+        ResistedLaw::Point point;
+    };
+    mutable std::array<Known, 2> m_known; ///< the last ones: a search asks for each time, and for its end, again
+    mutable uint32_t m_newest = 0;
     Vec2 m_slipStart{0.0}, m_slipEnd{0.0};
 
     Resisted(int axis, const Vec3 &velocity, const Vec3 &spin, const Vec3 &normal, const Vec3 &A, double B,
              double radius);
 
+    const ResistedLaw::Point &lawAt(double t) const;
     Vec2 onFace(const Vec3 &v) const;
     Vec3 inSpace(const Vec2 &v) const;
     bool leaves(const Vec3 &n, double t, double until) const;

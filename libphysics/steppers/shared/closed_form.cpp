@@ -117,6 +117,11 @@ struct ResistedLaw::Passed {
     double excess;   ///< s, of the time at xi; far from the zero, `back` may have the other sign
 };
 
+/// The two parts of the time, of the speed and of the way.
+struct ResistedLaw::Shares {
+    Two times, speeds, ways;
+};
+
 /// A starting value for short times: the inverse of the first four terms of t(xi). -1 if the time isn't short.
 inline double ResistedLaw::shortXi(double t) const {
     const double perSpeed = 1.0 / m_speed, tau = t * perSpeed;
@@ -140,17 +145,22 @@ inline ResistedLaw::Passed ResistedLaw::improve(double xi, double t) const {
 }
 
 /// Most steps: short compared with the time in which velocities change.
-inline bool ResistedLaw::isAtShortTime(double t, Point &out) const {
+inline bool ResistedLaw::passShortTime(double t, Passed &out) const {
     const double xi = shortXi(t);
     if (!(xi >= 0.0 && isShort((m_a + 2.0 * m_B) * xi))) return false;
-    const Passed passed = improve<ShortIntegrals>(xi, t);
-    if (!isLast(passed)) return false;
+    out = improve<ShortIntegrals>(xi, t);
+    return isLast(out);
+}
+
+inline bool ResistedLaw::isAtShortTime(double t, Point &out) const {
+    Passed passed;
+    if (!passShortTime(t, passed)) return false;
     out = atXi<ShortIntegrals>(passed, t);
     return true;
 }
 
 /// Chebyshev's method inside the bracket of model.md 3.4.
-ResistedLaw::Point ResistedLaw::atAnyTime(double t) const {
+ResistedLaw::Passed ResistedLaw::passAnyTime(double t) const {
     const double c1 = m_a - m_B, c2 = -(m_a + m_B);
     double low = 0.0, high = kNever, xi = shortXi(t);
     if (xi < 0.0) {
@@ -161,12 +171,12 @@ ResistedLaw::Point ResistedLaw::atAnyTime(double t) const {
     }
     for (int iteration = 0; iteration < 60; ++iteration) {
         const Passed passed = improve<Integrals>(xi, t);
-        if (isLast(passed)) return atXi<Integrals>(passed, t);
+        if (isLast(passed)) return passed;
         (passed.excess > 0.0 ? high : low) = xi;
         const double next = xi - passed.back;
         xi = next > low && next < high ? next : 0.5 * (low + high);
     }
-    return atXi<Integrals>({xi, 0.0, Integrals::of(Two{c1, c2}, xi), 0.0}, t);
+    return {xi, 0.0, Integrals::of(Two{c1, c2}, xi), 0.0};
 }
 
 /// Convergence is cubic: after a step this small the next one is below rounding.
@@ -175,52 +185,77 @@ inline bool ResistedLaw::isLast(const Passed &passed) const {
     return passed.back <= passed.xi && size <= 4e-6 * passed.xi && size * (m_a + m_B) <= 4e-6;
 }
 
-template<class Of>
-inline ResistedLaw::Point ResistedLaw::atXi(const Passed &passed, double t) const {
-    const auto &[xi, back, integrals, excess] = passed;
-    const Two share{m_P, m_M}, c{m_a - m_B, -(m_a + m_B)}, c3{m_a - 2.0 * m_B, -(m_a + 2.0 * m_B)};
-    Two times = share * shifted(c, integrals, back);
+inline ResistedLaw::Shares ResistedLaw::sharesAt(const Passed &passed, double t) const {
+    const Two share{m_P, m_M}, c{m_a - m_B, -(m_a + m_B)};
+    Two times = share * shifted(c, passed.integrals, passed.back);
     // Computed from the time itself: after a long growth e^(c xi) has lost digits.
     if (m_a > m_B && times[1] < 0.5 * t) times[0] = t - times[1];
-    const Two parts = share + c * times; // of |v|
+    const Two speeds = share + c * times;
     // P^2 I(2c) = (P I(c)) (P + P e^(c xi))/2: time share times mean speed, which neither overflows nor underflows.
-    const Two along = times * (0.5 * (share + parts));
-    const double across = m_vt * sum(share * shifted(c3, Of::of(c3, xi), back));
-    const double damping = shifted(-m_B, Of::of(-m_B, xi), back);
-    const double mixed = 2.0 * m_P * m_M * (damping * (1.0 - 0.5 * m_B * damping));
+    return {times, speeds, times * (0.5 * (share + speeds))};
+}
+
+template<class Of>
+inline ResistedLaw::Point ResistedLaw::atXi(const Passed &passed, double t) const {
+    const double xi = passed.xi, back = passed.back;
+    const auto [times, speeds, ways] = sharesAt(passed, t);
+    const Two share{m_P, m_M}, c{m_a - m_B, -(m_a + m_B)}, c3{m_a - 2.0 * m_B, -(m_a + 2.0 * m_B)};
+    const Vec2 x = turned(ways[0] - ways[1], m_vt * sum(share * shifted(c3, Of::of(c3, xi), back)));
+    if (!((m_a + m_B) * xi < 0.5))
+        return {x, turned(speeds[0] - speeds[1], m_vt * elementary::exp(-m_B * (xi - back)))};
     // While the velocity changes little, its change is known more accurately than itself: many short phases keep their
     // digits.
     const Two change = c * times;
-    const Vec2 v = (m_a + m_B) * xi < 0.5 ? m_v0 + turned(change[0] - change[1], m_vt * (-m_B * damping))
-                                          : turned(parts[0] - parts[1], m_vt * elementary::exp(-m_B * (xi - back)));
-    return {turned(along[0] - along[1], across), v, along[0] + mixed + along[1]};
+    const double damping = shifted(-m_B, Of::of(-m_B, xi), back);
+    return {x, m_v0 + turned(change[0] - change[1], m_vt * (-m_B * damping))};
+}
+
+template<class Of>
+inline double ResistedLaw::pathAtXi(const Passed &passed, double t) const {
+    const Two ways = sharesAt(passed, t).ways;
+    const double damping = shifted(-m_B, Of::of(-m_B, passed.xi), passed.back);
+    return ways[0] + 2.0 * m_P * m_M * (damping * (1.0 - 0.5 * m_B * damping)) + ways[1];
 }
 
 ResistedLaw::Point ResistedLaw::at(double t) const {
     if (t >= m_stopTime) return atStop();
     if (m_fromRest) {
         const double speed = (m_a - m_B) * t;
-        return {0.5 * t * speed * m_e, speed * m_e, 0.5 * t * speed};
+        return {0.5 * t * speed * m_e, speed * m_e};
     }
     Point point;
-    return isAtShortTime(t, point) ? point : atAnyTime(t);
+    return isAtShortTime(t, point) ? point : atXi<Integrals>(passAnyTime(t), t);
+}
+
+double ResistedLaw::pathUntil(double t) const {
+    if (t >= m_stopTime) return pathToStop();
+    if (m_fromRest) return 0.5 * t * ((m_a - m_B) * t);
+    Passed passed;
+    if (passShortTime(t, passed)) return pathAtXi<ShortIntegrals>(passed, t);
+    return pathAtXi<Integrals>(passAnyTime(t), t);
 }
 
 bool ResistedLaw::goesOn(const Vec2 &v0, const Vec2 &A, double B, double t, Point &out) {
     const ResistedLaw law(v0, A, B);
     if (law.m_fromRest || !(t < law.m_stopTime)) return false;
-    if (!law.isAtShortTime(t, out)) out = law.atAnyTime(t);
+    if (!law.isAtShortTime(t, out)) out = law.atXi<Integrals>(law.passAnyTime(t), t);
     return true;
 }
 
 ResistedLaw::Point ResistedLaw::atStop() const {
     const Vec2 zero{0.0, 0.0};
-    if (m_fromRest) return {zero, zero, 0.0};
+    if (m_fromRest) return {zero, zero};
     const double alongSlow = m_M * m_M / (2.0 * (m_B + m_a));
-    if (!(m_B > m_a)) return {turned(-alongSlow, 0.0), zero, alongSlow};
+    if (!(m_B > m_a)) return {turned(-alongSlow, 0.0), zero};
     const double alongFast = m_P * m_P / (2.0 * (m_B - m_a));
     const double across = m_vt * (m_P / (2.0 * m_B - m_a) + m_M / (2.0 * m_B + m_a));
-    return {turned(alongFast - alongSlow, across), zero, alongFast + m_P * m_M / m_B + alongSlow};
+    return {turned(alongFast - alongSlow, across), zero};
+}
+
+double ResistedLaw::pathToStop() const {
+    if (m_fromRest) return 0.0;
+    const double alongSlow = m_M * m_M / (2.0 * (m_B + m_a));
+    return m_B > m_a ? m_P * m_P / (2.0 * (m_B - m_a)) + m_P * m_M / m_B + alongSlow : alongSlow;
 }
 
 Vec2 ResistedLaw::turned(double along, double across) const {

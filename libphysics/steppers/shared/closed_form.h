@@ -21,8 +21,7 @@ double firstFall(double gap, double rate, double acceleration);
 class ResistedLaw {
 public:
     struct Point {
-        Vec2 x, v;   ///< displacement and velocity
-        double path; ///< length of the way, m
+        Vec2 x, v; ///< displacement and velocity
     };
 
     ResistedLaw() = default;
@@ -36,6 +35,8 @@ public:
 
     /// The state after t seconds; from the stop time on: the place of the stop.
     Point at(double t) const;
+    /// The length of the way until then, m.
+    double pathUntil(double t) const;
 
 private:
     Vec2 m_v0{0.0, 0.0};
@@ -48,16 +49,22 @@ private:
     bool m_fromRest = false;
 
     struct Passed;
+    struct Shares;
 
     double shortXi(double t) const;
     template<class Of>
     Passed improve(double xi, double t) const;
     bool isLast(const Passed &passed) const;
+    bool passShortTime(double t, Passed &out) const;
+    Passed passAnyTime(double t) const;
     bool isAtShortTime(double t, Point &out) const;
-    Point atAnyTime(double t) const;
+    Shares sharesAt(const Passed &passed, double t) const;
     template<class Of>
     Point atXi(const Passed &passed, double t) const;
+    template<class Of>
+    double pathAtXi(const Passed &passed, double t) const;
     Point atStop() const;
+    double pathToStop() const;
     Vec2 turned(double along, double across) const;
 };
 
