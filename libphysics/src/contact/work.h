@@ -13,6 +13,8 @@ public:
     static constexpr uint64_t kMost = 20'000'000;
 
     static constexpr uint64_t kEvent = 150;     ///< an event: its impacts and its lasting contacts
+    static constexpr uint64_t kTouch = 40;      ///< what is touched, and which of it lasts, besides the boxes
+    static constexpr uint64_t kObstacles = 30;  ///< what many bounces may meet besides their face
     static constexpr uint64_t kBounce = 20;     ///< one of many bounces on a face
     static constexpr uint64_t kBox = 1;         ///< a test whether a box is near
     static constexpr uint64_t kSearch = 10;     ///< a near box, before it is tested against the path

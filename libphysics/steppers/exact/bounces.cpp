@@ -109,6 +109,7 @@ Obstacles findObstacles(const Contacts &contacts, double height, MovingBall &bal
         obstacles.add({-inward, (&own.max.x)[axis] - ball.position[axis] - tolerance});
     }
     const Outlook around{ball.scene(), ball.position, ball.motion, contacts, ball.work};
+    ball.work.add(Work::kObstacles);
     visitNear(ball.scene(), ball.position, (1.0 + kNear) * R + height, [&](const phys_box &box, uint32_t) {
         ball.work.add(Work::kBox);
         const Nearest close = nearest(box, ball.position);

@@ -18,6 +18,7 @@ constexpr int kMostRounds = 16;
 /// Finds what the ball touches.
 void touch(const Ground &ground, MovingBall &ball, Contacts &contacts) {
     const Vec3 &place = ball.position;
+    ball.work.add(Work::kTouch);
     if (ground.holds(ball)) {
         ball.work.add(Work::kBox * ground.boxes().size());
         return findContactsAmong(ball.setting, place, ball.motion, ground.boxes(), contacts);
