@@ -208,8 +208,8 @@ void SweptStep::beginPhase() {
     // A ball that hops too low to leave a top face also rolls on it: friction must not treat its spin as a slip.
     SpinOnFloor staying(m_context, m_contacts, m_ball);
     staying.follow(m_contacts, m_ball);
-    // The reactions at other contacts may lift it off at once.
-    const bool carries = m_isAlone || !(landing.turns(m_ball) || staying.turns(m_ball)) || pressesNow();
+    const bool turns = landing.turns(m_ball) || staying.turns(m_ball);
+    const bool carries = !turns || isSurelyCarried() || pressesNow();
     staying.settle(carries, m_ball);
     landing.settle(carries, m_ball);
 }

@@ -74,6 +74,15 @@ private:
     bool touchesGround();
     bool beginOnFloor();
     void beginPhase();
+    /// Whether a floor carries the ball for certain: among upright faces and edges, which can't lift it off.
+    bool isSurelyCarried() const {
+        uint32_t tops = 0, inclined = 0;
+        for (const Contact &contact : m_contacts) {
+            tops += contact.isTop;
+            inclined += !contact.isTop && contact.sides[2] != 0;
+        }
+        return tops == 1 && inclined == 0 && m_context.params().gravity.z <= 0.0;
+    }
     bool pressesNow(std::span<bool> presses = {}) const;
     void dropWhatIsLeft();
     void snapToFaces();
