@@ -368,9 +368,7 @@ std::optional<Track> readTrack(QIODevice &device, const QString &name, const Tra
     std::optional<Header> header;
     std::optional<Builder> builder;
     for (int number = 1; !device.atEnd(); ++number) {
-        QString line = QString::fromUtf8(device.readLine());
-        if (number == 1 && line.startsWith(QChar(0xfeff))) line.remove(0, 1); // a byte order mark
-        line = line.trimmed();
+        const QString line = QString::fromUtf8(device.readLine()).trimmed(); // without a byte order mark
         if (line.isEmpty() || line.startsWith(QLatin1Char('#'))) continue;
         if (builder) {
             builder->add(number, line);
