@@ -303,7 +303,7 @@ void MainWindow::addDockAction(QDockWidget &dock, int number, double share) {
             dock.close();
         else
             showDock(dock, share);
-        if (!isSeen) firstControl(dock.widget())->setFocus();
+        if (!isSeen) firstControl(dock.widget())->setFocus(Qt::ShortcutFocusReason); // a text is selected
         showState();
     });
     addAction(toggle); // so that it is listed with the others
