@@ -101,7 +101,7 @@ private:
 };
 
 void TestWindowDocks::init() {
-    m_fixture = std::make_unique<Fixture>(1, inspector::gl::Drawing::Solid);
+    m_fixture = std::make_unique<Fixture>();
     QVERIFY(m_fixture->isReady());
 }
 
@@ -373,6 +373,7 @@ void TestWindowDocks::qualityReachesTheView_data() {
 
 void TestWindowDocks::qualityReachesTheView() {
     QFETCH(int, quality);
+    m_fixture = std::make_unique<Fixture>(1, inspector::gl::Drawing::Solid);
     m_fixture->trigger(QStringLiteral("quality_%1").arg(quality));
     QCOMPARE(int(m_fixture->window().view().quality()), quality - 1);
 }
@@ -384,6 +385,7 @@ void TestWindowDocks::qualityIsRemembered() {
 }
 
 void TestWindowDocks::viewChoosesTheQualityAgain() {
+    m_fixture = std::make_unique<Fixture>(1, inspector::gl::Drawing::Solid);
     m_fixture->trigger("quality_3");
     m_fixture->trigger("quality_0");
     QVERIFY(!m_fixture->settings().contains("window/quality"));
