@@ -235,7 +235,9 @@ void TestTrackDock::resultIsSavedWithWhatItBeganWith() {
     QTest::mouseClick(&find<QToolButton>("track_save"), Qt::LeftButton);
     QCOMPARE(wanted.size(), 1);
     QString error;
+    QVERIFY(m_session->parameters().set({{QStringLiteral("gravity"), 1.62}})); // since
     QVERIFY2(m_dock->save(m_folder.filePath("fit.csv"), &error), qPrintable(error));
+    QVERIFY(m_session->parameters().set({{QStringLiteral("gravity"), 9.81}}));
     const QByteArray table = support::contentOf(m_folder.filePath("fit.csv"));
     QVERIFY2(table.count('\n') > 100, table.constData());
     const QByteArray beside = support::contentOf(m_folder.filePath("fit.csv.txt"));
@@ -337,6 +339,7 @@ void TestTrackDock::narrowDockHasRoomForWhatWasFound() {
     auto &residuals = *m_dock->findChild<ResidualPlot *>();
     QTRY_VERIFY(placeOf(residuals).y() > placeOf(find<QPlainTextEdit>("track_report")).y());
     const QString found = text("Restitution, walls", FitTable::Found);
+    QVERIFY(!found.isEmpty());
     const int room =
         table().columnWidth(FitTable::Found) - 2 * table().style()->pixelMetric(QStyle::PM_FocusFrameHMargin);
     QVERIFY2(table().fontMetrics().horizontalAdvance(found) < room, qPrintable(QString::number(room)));
