@@ -154,12 +154,10 @@ QString passedOverText(const GoodEnough &answer, const QString &name) {
 }
 
 QString shortSchedulesText(const TradePlan &plan) {
-    double longest = 0.0;
-    for (const TiltSchedule &schedule : plan.schedules) longest = std::max(longest, schedule.duration);
-    if (longest >= plan.horizon) return {};
+    if (plan.askedHorizon <= plan.horizon) return {};
     return QStringLiteral("; %1 s were asked for, the schedules end after %2 s")
-        .arg(plan.horizon)
-        .arg(longest, 0, 'g', 3);
+        .arg(plan.askedHorizon)
+        .arg(plan.horizon, 0, 'g', 3);
 }
 
 Recommendation recommendForUnknowns(const TradePlan &plan, const TradeResult &result) {

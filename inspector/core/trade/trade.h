@@ -24,10 +24,11 @@ struct TradePlan {
     int repeats = 5;                     ///< timings of each point
     bool withOrientation = false;        ///< with the ball's orientation, as a program that draws it needs
 
-    Unknowns unknowns;    ///< if empty: no band, and no good-enough setting
-    double horizon = 1.0; ///< s, over which such a setting must be good enough
-    double share = 0.25;  ///< the error must stay below this share of the band's middle
-    int validations = 0;  ///< number of further schedules on which it must hold
+    Unknowns unknowns;         ///< if empty: no band, and no good-enough setting
+    double horizon = 1.0;      ///< s, over which such a setting must be good enough; at most the longest schedule
+    double askedHorizon = 0.0; ///< s, what was asked for before that
+    double share = 0.25;       ///< the error must stay below this share of the band's middle
+    int validations = 0;       ///< number of further schedules on which it must hold
 };
 
 /// CPU time of the thread, s.

@@ -7,6 +7,7 @@
 
 #include <QStringList>
 
+#include <algorithm>
 #include <limits>
 
 namespace inspector {
@@ -66,6 +67,10 @@ bool makeSchedules(const QString &words, double duration, TradePlan &plan, QStri
             schedule.name += QStringLiteral(" (the autopilot finds no way out)");
         plan.schedules.push_back(std::move(schedule));
     }
+    double longest = 0.0;
+    for (const TiltSchedule &schedule : plan.schedules) longest = std::max(longest, schedule.duration);
+    plan.askedHorizon = plan.horizon;
+    plan.horizon = std::min(plan.horizon, longest); // beyond it nothing is measured
     // A user's own schedule is used as it is; random kinds are validated on further ones.
     const bool isFile = !isBoth && words != QLatin1String("autopilot") && words != QLatin1String("busy") &&
                         !words.startsWith(QLatin1String("random:"));

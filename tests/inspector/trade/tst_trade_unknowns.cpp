@@ -27,6 +27,7 @@ private slots:
     void nothingUnknownHasNoBand();
     void bandTellsWhenItReachesALength();
     void busyScheduleMeetsWalls();
+    void nothingIsAskedBeyondTheSchedules();
     void goodEnoughIsTheCheapestBelowTheShare();
     void smallerShareIsNeverMetByACheaperSetting();
     void settingThatFailsElsewhereIsPassedOverAndNamed();
@@ -208,6 +209,15 @@ void TestTradeUnknowns::busyScheduleMeetsWalls() {
     const auto result = measureTrade(plan, {}, {}, &error);
     QVERIFY2(result, qPrintable(error));
     QVERIFY(result->spans[0][PHYS_MODEL_ROLLING].early > 0);
+}
+
+void TestTradeUnknowns::nothingIsAskedBeyondTheSchedules() {
+    TradePlan plan = unknownTilt();
+    plan.horizon = 30.0;
+    QString error;
+    QVERIFY2(makeSchedules("busy", 2.0, plan, &error), qPrintable(error));
+    COMPARE_EXACT(plan.horizon, 2.0);
+    COMPARE_EXACT(plan.askedHorizon, 30.0);
 }
 
 void TestTradeUnknowns::goodEnoughIsTheCheapestBelowTheShare() {
