@@ -30,7 +30,12 @@ std::shared_ptr<const Autopilot> Autopilot::create(const phys_scene *scene, QStr
     phys_state start;
     phys_scene_start(scene, &start);
     if (pilot->m_wayOut.exists(pilot->m_space.nearestFree({start.position.x, start.position.y}))) return pilot;
-    if (error)
+    if (error && !pilot->m_space.isFine())
+        *error =
+            QStringLiteral("autopilot: the maze is too large for ways as narrow as its ball; found none that is wider "
+                           "than %1 m")
+                .arg(pilot->m_space.spacing(), 0, 'g', 2);
+    else if (error)
         *error = QStringLiteral("autopilot: no way leads out of the maze from its start (%1, %2) m")
                      .arg(start.position.x)
                      .arg(start.position.y);

@@ -2,6 +2,7 @@
 #include "core/pilot/exits.h"
 
 #include "core/pilot/free_space.h"
+#include "core/setup/ball_place.h"
 
 #include <algorithm>
 
@@ -12,7 +13,6 @@ using Cell = FreeSpace::Cell;
 namespace {
 
 constexpr uint32_t kMostBoxes = 100000;
-constexpr double kCoarsest = 1.0;   ///< radii, grid spacing; a passage is at least twice as wide
 constexpr double kThickness = 2e-4; ///< m
 
 /// Cells of one exit are adjacent, or have one cell between them.
@@ -51,7 +51,7 @@ phys_box widened(phys_box exit, double radius) {
 std::optional<std::vector<phys_box>> exitsOf(const phys_scene *scene) {
     if (phys_scene_box_count(scene) > kMostBoxes) return std::nullopt;
     const FreeSpace space(scene);
-    if (space.spacing() > kCoarsest * space.radius()) return std::nullopt;
+    if (!space.isFine()) return std::nullopt;
     phys_state start;
     phys_scene_start(scene, &start);
     const Cell first = space.isMarked() ? space.nearestFree({start.position.x, start.position.y}) : FreeSpace::kNowhere;
@@ -59,7 +59,7 @@ std::optional<std::vector<phys_box>> exitsOf(const phys_scene *scene) {
 
     // Flood-fill the maze from the start; where it touches the outside is an exit.
     std::vector<phys_box> exits;
-    const double floor = start.position.z - space.radius();
+    const double floor = startingFloor(scene);
     std::vector<bool> isSeen(size_t(space.cellCount()), false);
     std::vector<Cell> open{first};
     isSeen[size_t(first)] = true;

@@ -2,6 +2,7 @@
 #include "core/pilot/free_space.h"
 
 #include "base/elementary.h"
+#include "core/setup/ball_place.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,9 +20,8 @@ constexpr double kMostVisits = 3e8;            ///< cell visits for all boxes: s
 } // namespace
 
 FreeSpace::FreeSpace(const phys_scene *scene)
-    : m_radius(phys_scene_radius(scene)) {
-    phys_state start;
-    if (phys_scene_start(scene, &start) == PHYS_OK) m_start = start.position;
+    : m_radius(phys_scene_radius(scene))
+    , m_floor(startingFloor(scene)) {
     phys_scene_bounds(scene, &m_bounds);
     layGrid();
 
@@ -36,13 +36,12 @@ FreeSpace::FreeSpace(const phys_scene *scene)
         m_clearance.assign(m_clearance.size(), -1.0F);
 }
 
-/// The surface under the ball's start (to a thousandth of its radius) is floor; everything else that the ball can touch
-/// is wall.
+/// What is level with the floor under the ball's start (to a thousandth of its radius) is floor; everything else that
+/// the ball can touch is wall.
 void FreeSpace::markBoxes(std::span<const phys_box> boxes) {
-    const double floor = m_start.z - m_radius;
     std::vector<bool> hasFloor(m_clearance.size(), false);
     for (const phys_box &box : boxes) {
-        if (std::abs(box.max.z - floor) <= 1e-3 * m_radius)
+        if (std::abs(box.max.z - m_floor) <= 1e-3 * m_radius)
             visitAround(box, 0.0,
                         [&](Cell cell, double gap) { hasFloor[size_t(cell)] = hasFloor[size_t(cell)] || gap <= 0.0; });
         else
@@ -53,12 +52,17 @@ void FreeSpace::markBoxes(std::span<const phys_box> boxes) {
 }
 
 void FreeSpace::layGrid() {
-    const double margin = 3.0 * m_radius;
-    const double width = m_bounds.max.x - m_bounds.min.x + 2.0 * margin;
-    const double height = m_bounds.max.y - m_bounds.min.y + 2.0 * margin;
-    // At most kMostCells per side and, apart from partial cells at the border, in total.
+    double margin = 3.0 * m_radius;
+    double width = m_bounds.max.x - m_bounds.min.x + 2.0 * margin;
+    double height = m_bounds.max.y - m_bounds.min.y + 2.0 * margin;
+    // At most kMostCells per side and, apart from those at the border, in total.
     m_spacing = std::max({m_radius / kCellsPerRadius, std::sqrt(width) * std::sqrt(height / kMostCells),
                           width / kMostCells, height / kMostCells});
+    // The centre of at least one cell lies outside on each side, or no way would lead there.
+    const double wider = std::max(margin, 0.75 * m_spacing) - margin;
+    margin += wider;
+    width += 2.0 * wider;
+    height += 2.0 * wider;
     m_origin = {m_bounds.min.x - margin, m_bounds.min.y - margin};
     m_columns = int(std::ceil(width / m_spacing));
     m_rows = int(std::ceil(height / m_spacing));
@@ -118,7 +122,8 @@ void FreeSpace::visitAround(const phys_box &box, double reach, const Visit &visi
 /// Lowers the clearance of all cells near the box. It is the distance in space at the height of the rolling ball, so
 /// that a low kerb counts by its edge.
 void FreeSpace::markWall(const phys_box &box) {
-    const double dz = std::max({box.min.z - m_start.z, m_start.z - box.max.z, 0.0});
+    const double centre = m_floor + m_radius;
+    const double dz = std::max({box.min.z - centre, centre - box.max.z, 0.0});
     visitAround(box, kReach * m_radius, [&](Cell cell, double gap) {
         float &clearance = m_clearance[size_t(cell)];
         clearance = std::min(clearance, float(phys::elementary::hypot(gap, dz) - m_radius));

@@ -35,6 +35,8 @@ public:
     double clearance(Cell cell) const { return m_clearance[size_t(cell)]; }
     /// False if the boxes cover the grid so densely that marking them would take minutes; then no cell is free.
     bool isMarked() const { return m_isMarked; }
+    /// False if the maze is so large that cells are wider than the ball's radius: passages may be missed then.
+    bool isFine() const { return m_spacing <= m_radius; }
     bool isFree(Cell cell) const { return cell != kNowhere && clearance(cell) > 0.0; }
     /// Whether the cell is beyond the bounds of all boxes, where the ball has left the maze.
     bool isOutside(Cell cell) const;
@@ -57,7 +59,7 @@ private:
     void markWall(const phys_box &box);
 
     double m_radius;
-    phys_vec3 m_start{};
+    double m_floor;
     phys_box m_bounds{};
     double m_spacing = 0.0;
     Point m_origin; ///< corner of the first cell

@@ -20,12 +20,10 @@ bool isOver(const phys_box &box, const phys_vec3 &place) {
     return box.min.x <= place.x && place.x <= box.max.x && box.min.y <= place.y && place.y <= box.max.y;
 }
 
-/// Visits the boxes on whose tops a ball at the start's height could roll.
+/// Visits the boxes on whose tops a ball at the height of the start's floor could roll.
 template<typename Visit>
 void forFloors(const phys_scene *scene, Visit visit) {
-    phys_state start;
-    phys_scene_start(scene, &start);
-    const double highest = start.position.z - 0.5 * phys_scene_radius(scene);
+    const double highest = startingFloor(scene) + 0.5 * phys_scene_radius(scene);
     const phys_box *boxes = phys_scene_boxes(scene);
     for (const phys_box *box = boxes; box != boxes + phys_scene_box_count(scene); ++box)
         if (box->max.z <= highest) visit(*box);
@@ -87,6 +85,17 @@ double overlapOf(const phys_scene *scene, const phys_vec3 &centre) {
     double deepest = 0.0;
     for (const phys_contact &contact : contactsWithin(scene, centre, 0.0)) deepest = std::max(deepest, -contact.gap);
     return deepest;
+}
+
+double startingFloor(const phys_scene *scene) {
+    phys_state start;
+    phys_scene_start(scene, &start);
+    std::optional<double> found;
+    const phys_box *boxes = phys_scene_boxes(scene);
+    for (const phys_box *box = boxes; box != boxes + phys_scene_box_count(scene); ++box)
+        if (box->max.z <= start.position.z && isOver(*box, start.position))
+            found = std::max(found.value_or(box->max.z), box->max.z);
+    return found.value_or(start.position.z - phys_scene_radius(scene));
 }
 
 bool hasFloorBelow(const phys_scene *scene, const phys_vec3 &centre) {

@@ -16,6 +16,10 @@ double overlapOf(const phys_scene *scene, const phys_vec3 &centre);
 /// Whether a box touches the ball from below.
 bool isCarried(const phys_scene *scene, const phys_vec3 &centre);
 
+/// Height of the floor on which the ball lies at its start, or onto which it falls from there, m; a radius below its
+/// centre if nothing is there.
+double startingFloor(const phys_scene *scene);
+
 /// Whether a box lies below the ball's centre, at any depth.
 bool hasFloorBelow(const phys_scene *scene, const phys_vec3 &centre);
 

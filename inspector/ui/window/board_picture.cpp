@@ -160,13 +160,11 @@ gl::Mesh mazeMesh(Session &session, QString *error) {
     const Scene &scene = session.scene();
     if (!session.level().mesh.isEmpty())
         if (std::optional<gl::Mesh> mesh = gl::loadMesh(session.level().mesh, error)) return *std::move(mesh);
-    phys_state start;
-    phys_scene_start(scene.get(), &start);
     const phys_box *boxes = phys_scene_boxes(scene.get());
-    const double floor = start.position.z - 0.5 * phys_scene_radius(scene.get());
+    const double kerb = startingFloor(scene.get()) + 0.5 * phys_scene_radius(scene.get());
     std::vector<gl::MazeBox> pieces;
     for (uint32_t i = 0; i < phys_scene_box_count(scene.get()); ++i) {
-        const bool isWall = boxes[i].max.z > floor;
+        const bool isWall = boxes[i].max.z > kerb;
         pieces.push_back({toGlm(boxes[i].min), toGlm(boxes[i].max), isWall ? gl::BoxKind::Wall : gl::BoxKind::Floor});
     }
     for (const phys_box &exit : session.exits().value_or(std::vector<phys_box>()))

@@ -31,6 +31,7 @@ private slots:
     void sameRunTwiceGivesTheSameBits();
     void ballPutElsewhereFindsItsWay();
     void closedMazeIsRefusedWithOneLine();
+    void openBoardsHaveAWayOutWhateverTheirSize();
 
 private:
     static void addLevels();
@@ -258,6 +259,15 @@ void TestAutopilot::closedMazeIsRefusedWithOneLine() {
     QVERIFY(!Autopilot::create(walledFloor(true).get(), &error));
     QVERIFY2(error.startsWith("autopilot: no way leads out"), qPrintable(error));
     QVERIFY(Autopilot::create(walledFloor(false).get(), nullptr));
+}
+
+// A large board's cells are wider than the ball, and so is the rim around it that belongs to the grid.
+void TestAutopilot::openBoardsHaveAWayOutWhateverTheirSize() {
+    for (const double half : {0.1, 2.0, 18.0, 60.0, 500.0, 1200.0, 3600.0, 6000.0}) {
+        QString error;
+        QVERIFY2(Autopilot::create(sceneOf({{{-half, -half, -0.01}, {half, half, 0.0}}}).get(), &error),
+                 qPrintable(QString("%1 m: ").arg(half) + error));
+    }
 }
 
 QTEST_GUILESS_MAIN(TestAutopilot)

@@ -11,6 +11,7 @@ class TestExits : public QObject {
 private slots:
     void gapInAWallIsAnExit();
     void closedRoomHasNone();
+    void ballThatFallsOntoTheFloorFindsTheGap();
     void gapThatTheBallCantReachIsNone();
     void twoGapsAreTwoExits();
     void mazeTooLargeToSearchIsNotCalledClosed();
@@ -31,12 +32,14 @@ std::vector<phys_box> room() {
 
 phys_box rightWall(double from, double to) { return {{0.045, from, 0.0}, {0.05, to, 0.02}}; }
 
-std::optional<std::vector<phys_box>> foundIn(const std::vector<phys_box> &boxes) {
+// fall: of the ball at its start onto the floor, m.
+std::optional<std::vector<phys_box>> foundIn(const std::vector<phys_box> &boxes, double fall = 0.0) {
     phys_scene_desc description;
     phys_scene_desc_init(&description, sizeof description);
     description.boxes = boxes.data();
     description.box_count = uint32_t(boxes.size());
     QString error;
+    description.start.z += fall;
     const Scene scene = makeScene(description, &error);
     if (!scene) qFatal("%s", qPrintable(error));
     return exitsOf(scene.get());
@@ -63,6 +66,14 @@ void TestExits::closedRoomHasNone() {
     std::vector<phys_box> boxes = room();
     boxes.push_back(rightWall(-0.05, 0.05));
     QVERIFY(exitsIn(boxes).empty());
+}
+
+void TestExits::ballThatFallsOntoTheFloorFindsTheGap() {
+    std::vector<phys_box> boxes = room();
+    boxes.push_back(rightWall(-0.05, 0.0));
+    const std::vector<phys_box> exits = foundIn(boxes, 0.1).value();
+    QCOMPARE(exits.size(), size_t(1));
+    QCOMPARE(exits.front().min.z, 0.0);
 }
 
 // The gap is behind another wall.
