@@ -386,6 +386,7 @@ Level readLevel(const QCommandLineParser &parser, const QString &file, const Opt
     if (options.action == Options::Action::Fit && !parser.isSet("level"))
         throw WrongUse{QStringLiteral("--fit: needs the track's maze: --level L or a file")};
     const QString named = parser.isSet("trade") ? QStringLiteral("trade") : QStringLiteral("level");
+    if (!parser.isSet(named) && !options.levels.empty()) return firstLevel(options.levels);
     const QString wanted = parser.isSet(named) ? parser.value(named) : QStringLiteral("1");
     QString error;
     const std::optional<Level> level = findLevel(options.levels, wanted, &error);

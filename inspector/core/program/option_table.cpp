@@ -20,7 +20,8 @@ QString utf8(const char *text) { return QString::fromUtf8(text); }
 
 void addRunOptions(QCommandLineParser &parser) {
     parser.addOptions({
-        {"level", utf8("Level to open: its number, or the path of a maze text file. Default 1."), utf8("number|file")},
+        {"level", utf8("Level to open: its number, or the path of a maze text file. Default 1, or the first."),
+         utf8("number|file")},
         {"stepper", utf8("Stepper to compute with; --list-steppers shows them. Default " PHYS_STEPPER_DEFAULT "."),
          "id"},
         {"dt", utf8("Length of a step, 1e-6 to 10 s: as 0.01, 5ms, 20us or 1/60. Default 0.01."), QStringLiteral("s")},

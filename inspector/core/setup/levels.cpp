@@ -84,6 +84,12 @@ std::optional<int> numberOf(const Level &level) {
     return isNumber && number > 0 ? std::optional(number) : std::nullopt;
 }
 
+Level firstLevel(const std::vector<Level> &levels) {
+    const auto found =
+        std::find_if(levels.begin(), levels.end(), [](const Level &level) { return numberOf(level) == 1; });
+    return found != levels.end() ? *found : levels.front();
+}
+
 std::optional<Level> findLevel(const std::vector<Level> &levels, const QString &text, QString *error) {
     bool isNumber = false;
     const int number = text.toInt(&isNumber);

@@ -27,6 +27,9 @@ QString levelsFolder();
 /// The number that is the level's name, 10 for 010; nothing for any other name.
 std::optional<int> numberOf(const Level &level);
 
+/// Level 1, or the first of the list if none is called so. The list isn't empty.
+Level firstLevel(const std::vector<Level> &levels);
+
 /// Finds a level by what the user typed: its number, or the path of a file. If no name in the list is a number, it is
 /// the position there, from 1. Returns nothing, with one line in `error` (may be nullptr), if there is no such number.
 std::optional<Level> findLevel(const std::vector<Level> &levels, const QString &text, QString *error);

@@ -96,6 +96,13 @@ std::optional<ParameterSet> readSet(const QByteArray &text, const QString &file,
         ++number;
         const QByteArray words = line.simplified();
         const QByteArray mark = kMark + ' ' + QByteArray::number(kVersion);
+        if (number == 1 && words == "\xef\xbb\xbf" + mark) {
+            if (error)
+                *error = QStringLiteral("%1:1: expected %2, found a byte order mark (BOM) before it; save the file "
+                                        "without")
+                             .arg(file, quoted(QString::fromUtf8(mark)));
+            return std::nullopt;
+        }
         if (number == 1 && words != mark) return fail(quoted(QString::fromUtf8(mark)), words);
         if (number == 1 || words.isEmpty() || words.startsWith('#')) continue;
         const QList<QByteArray> fields = words.split(' ');
@@ -109,7 +116,11 @@ std::optional<ParameterSet> readSet(const QByteArray &text, const QString &file,
             if (error) *error = QStringLiteral("%1:%2: %3").arg(file).arg(number).arg(value.problem);
             return std::nullopt;
         }
-        set.values.push_back({QString::fromUtf8(fields[1]), *value.value});
+        const QString id = QString::fromUtf8(fields[1]);
+        const bool isTwice =
+            std::any_of(set.values.begin(), set.values.end(), [&](const Setting &other) { return other.id == id; });
+        if (isTwice) return fail(QStringLiteral("each parameter once"), words);
+        set.values.push_back({id, *value.value});
     }
     return set;
 }

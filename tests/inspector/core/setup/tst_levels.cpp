@@ -23,6 +23,7 @@ private slots:
     void onlyMazesAreLevelsAndTwoComesBeforeTen();
     void levelsThatAreNumbersAreCalledByThem();
     void levelsWithoutNumbersAreCounted();
+    void theFirstIsNumberOneOrTheFirstOfTheList();
 };
 
 void TestLevels::allLevelsAreFoundInOrderWithTheirMeshes() {
@@ -120,6 +121,17 @@ void TestLevels::levelsWithoutNumbersAreCounted() {
     QString error;
     QVERIFY(!findLevel(levels, "3", &error));
     QCOMPARE(error, QString("expected 1 to 2, found 3"));
+}
+
+void TestLevels::theFirstIsNumberOneOrTheFirstOfTheList() {
+    const auto first = [](std::initializer_list<const char *> names) {
+        const QTemporaryDir folder;
+        for (const char *name : names) put(folder, name, "physics-maze 1\n");
+        return firstLevel(levelsIn(folder.path())).name;
+    };
+    QCOMPARE(first({"2.txt", "3.txt"}), QString("2"));
+    QCOMPARE(first({"0.txt", "001.txt", "2.txt"}), QString("001"));
+    QCOMPARE(first({"narrow.txt", "wide.txt"}), QString("narrow"));
 }
 
 QTEST_GUILESS_MAIN(TestLevels)

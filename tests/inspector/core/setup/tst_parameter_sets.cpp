@@ -74,6 +74,12 @@ void TestParameterSets::damagedTextGivesOneLine_data() {
         << QByteArray("box 0 0 0 1 1 1\n") << "p.txt:1: expected 'physics-parameters 1', found 'box 0 0 0 1 1 1'";
     QTest::newRow("no number") << QByteArray("physics-parameters 1\nset gravity strong\n")
                                << "p.txt:2: expected a number, found 'strong'";
+    QTest::newRow("a byte order mark")
+        << QByteArray("\xef\xbb\xbfphysics-parameters 1\nset gravity 3\n")
+        << "p.txt:1: expected 'physics-parameters 1', found a byte order mark (BOM) before "
+           "it; save the file without";
+    QTest::newRow("twice") << QByteArray("physics-parameters 1\nset gravity 3\nset gravity 4\n")
+                           << "p.txt:3: expected each parameter once, found 'set gravity 4'";
     QTest::newRow("no word") << QByteArray("physics-parameters 1\nname x\ngravity 3\n")
                              << "p.txt:3: expected 'set PARAMETER NUMBER', found 'gravity 3'";
 }
