@@ -19,7 +19,7 @@ def _version():
 def _metadata():
     return (f"Metadata-Version: 2.1\nName: libphysics\nVersion: {_version()}\n"
             "Summary: Physics steps for one rolling ball in a maze of boxes: libphysics for numpy\n"
-            "License: MIT\nRequires-Python: >=3.9\nRequires-Dist: numpy>=1.20\n"
+            "License: MIT\nRequires-Python: >=3.9\nRequires-Dist: numpy>=1.21\n"
             "Description-Content-Type: text/markdown\n\n" + (HERE / "README.md").read_text())
 
 

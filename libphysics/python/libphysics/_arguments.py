@@ -2,17 +2,16 @@
 """Arguments of C functions: numbers, texts and arrays, checked here before ctypes could wrap, cut or cast them."""
 from __future__ import annotations
 
+import math
 import operator
 import os
 from reprlib import repr as short
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._records import params_dtype, state_dtype
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray  # of numpy 1.21
 
 MOST_U32, MOST_U64 = 2**32 - 1, 2**64 - 1
 
@@ -149,7 +148,6 @@ def record(value: Any, dtype: np.dtype[Any], name: str) -> NDArray[Any]:
 
 def new_array(shape: tuple[int, ...], dtype: np.dtype[Any], name: str) -> NDArray[Any]:
     """A new array for results, not filled. MemoryError also where numpy would raise ValueError, from 2^63 bytes on."""
-    try:
-        return np.empty(shape, dtype)
-    except ValueError:
-        raise MemoryError(f"{name} of the shape {shape} doesn't fit into memory") from None
+    if math.prod(shape) * dtype.itemsize >= 2**63:
+        raise MemoryError(f"{name}: an array of the shape {shape} doesn't fit into memory")
+    return np.empty(shape, dtype)

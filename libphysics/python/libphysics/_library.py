@@ -8,14 +8,12 @@ import weakref
 from collections.abc import Callable
 from ctypes import POINTER, byref, c_char, c_char_p, c_double, c_int32, c_size_t, c_uint32, c_uint64, c_void_p
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _records as records
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray  # of numpy 1.21
 
 
 class PhysicsError(Exception):

@@ -5,16 +5,14 @@ from __future__ import annotations
 import functools
 from collections.abc import Iterable
 from ctypes import byref
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._arguments import common_shape, laid_out, new_array, numbers
 from ._library import Error, ParamRow, address, check, expect, lib, library_rows
 from ._records import params_dtype
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray  # of numpy 1.21
 
 _CHOICE = 1
 _OPTIONS = {"orientation": 1, "all_stages": 2}
@@ -34,6 +32,13 @@ def gravity_from_tilt(tilt_x: Any, tilt_y: Any, strength: Any = 9.81) -> NDArray
             expect(np.abs(values) < np.pi / 2, values, name, "rad", "a number between -pi/2 and pi/2")
         expect((given[2] >= 0) & (given[2] <= 2.0**100), given[2], "strength", "m/s^2", "a number from 0 to 2^100")
     return gravity
+
+
+def _assign(view: NDArray[Any], value: NDArray[Any], name: str) -> None:
+    try:
+        view[...] = value
+    except ValueError:
+        raise ValueError(f"{name} has the shape {value.shape}; expected {view.shape} or one that broadcasts to it") from None
 
 
 class Row(NamedTuple):
@@ -140,11 +145,11 @@ class Params:
                 raise ValueError(f"gravity has the shape {value.shape}; expected (..., 3)")
             for axis, letter in enumerate("xyz"):
                 self._check(self._rows["gravity_" + letter], value[..., axis])
-            self.record["gravity"] = value
+            _assign(self.record["gravity"], value, name)
         else:
             row = self._rows[name]
             self._check(row, value)
-            self._view(row)[...] = value
+            _assign(self._view(row), value, name)
 
     def _check(self, row: Row, values: NDArray[Any]) -> None:
         """Asks the library about the values that are least likely to pass: each that isn't within the range."""

@@ -8,13 +8,12 @@ from ctypes import byref, c_char
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._library import Batch, Error, Handle, address, check, lib
 from ._records import state_dtype
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray  # of numpy 1.21
-
     from ._stepper import Run
 
 _STEPS = 1_048_576  # of all balls in a piece: 20 ms in lanes, half a second by `exact`

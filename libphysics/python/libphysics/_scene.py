@@ -6,17 +6,15 @@ import ctypes
 import functools
 import os
 from ctypes import byref, c_double, c_uint32
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._arguments import (MOST_U32, laid_out, new_array, number, numbers, path as path_of, record, shape as shape_of, vector,
                          whole)
 from ._library import Error, Handle, Owner, SceneDesc, address, check, expect, lib
 from ._records import contact_dtype, state_dtype
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray  # of numpy 1.21
 
 
 class Scene(Owner):

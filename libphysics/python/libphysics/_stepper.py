@@ -8,9 +8,10 @@ import os
 import threading
 import weakref
 from ctypes import byref, c_double
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._arguments import (MOST_U32, MOST_U64, common_shape, is_laid_out, laid_out, new_array, number, numbers, path, record,
                          records, text, whole)
@@ -20,9 +21,6 @@ from ._params import Params, rows_of
 from ._pieces import run_piece, run_ranges, viewed
 from ._records import event_dtype, params_dtype, report_dtype, state_dtype
 from ._scene import Scene
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray  # of numpy 1.21
 
 _MOST_THREADS = 1024
 _STAGES = ("vertical motion", "substeps", "rolling resistance", "slip and spin", "grid", "orientation")
@@ -329,9 +327,7 @@ def _remade(kind: type[Stepper], *arguments: Any) -> Stepper:
 
 
 def _record(params: Params | NDArray[Any]) -> NDArray[Any]:
-    if isinstance(params, Params):
-        return params.record
-    sets = records(params, params_dtype, "params")
+    sets = params.record if isinstance(params, Params) else records(params, params_dtype, "params")
     if np.any(sets["struct_size"] != params_dtype.itemsize):
         raise ValueError("params has records that nobody filled (their struct_size is another); expected those of "
                          "Stepper.params()")

@@ -9,6 +9,7 @@ import subprocess
 import sys
 import threading
 import time
+import typing
 import unittest
 
 import numpy as np
@@ -245,6 +246,23 @@ class ErrorTextTest(unittest.TestCase):
         params.gravity[2] = float("inf")
         with self.assertRaisesRegex(lp.PhysicsError, "component of gravity is inf"):
             self.stepper.energy(self.scene.start(), params)
+
+    def test_params_of_another_size_are_named_by_energy_too(self):
+        params = self.stepper.params()
+        params.record["struct_size"] = 5
+        with self.assertRaisesRegex(ValueError, "struct_size is another"):
+            self.stepper.energy(self.scene.start(), params)
+
+    def test_values_of_another_shape_are_named(self):
+        params = self.stepper.params()
+        with self.assertRaisesRegex(ValueError, r"restitution_wall has the shape \(2,\); expected \(\)"):
+            params.restitution_wall = [0.1, 0.2]
+        with self.assertRaisesRegex(ValueError, r"gravity has the shape \(2, 3\); expected \(3,\)"):
+            params.gravity = np.zeros((2, 3))
+
+    def test_annotations_can_be_evaluated(self):
+        for thing in (lp.Stepper.run, lp.Stepper.step, lp.Run, lp.Step, lp.Params.copy, lp.Scene.start, lp.gravity_from_tilt):
+            self.assertTrue(typing.get_type_hints(thing))
 
     def test_results_beyond_all_memory_are_a_memory_error(self):
         states, params = self.scene.start(), self.stepper.params()
