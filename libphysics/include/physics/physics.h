@@ -379,7 +379,7 @@ typedef struct phys_report {
 PHYS_API phys_status phys_report_init(phys_report *report, size_t size);
 
 /** Energy per mass, J/kg: v^2/2 + (R spin)^2/5 - gravity . position (model.md 9). For a rolling ball the first two are
- *  7/10 v^2. The state's numbers and gravity must be within +-2^100. Any thread. Errors: ARGUMENT. Since 1.0. */
+ *  7/10 v^2. Position, velocity, spin and gravity must be within +-2^100. Any thread. Errors: ARGUMENT. Since 1.0. */
 PHYS_API phys_status phys_energy(const phys_scene *scene, const phys_params *params, const phys_state *state,
                                  double *out);
 

@@ -2,12 +2,14 @@
 #include "registry/plugin_result.h"
 
 #include "base/error.h"
+#include "base/text.h"
 #include "registry/arguments.h"
 #include "registry/plugin_call.h"
 
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <string>
 
 namespace phys {
 
@@ -152,7 +154,10 @@ phys_status requirementsOfPlugin(const phys_stepper &stepper, const phys_params 
         return api.requirements(stepper.self, &obeyed, dt, &copy, &out, &own);
     });
     if (status) return status;
-    for (char(&reason)[120] : out.reasons) reason[sizeof reason - 1] = '\0';
+    for (char(&reason)[120] : out.reasons) {
+        reason[sizeof reason - 1] = '\0';
+        writeText(reason, sizeof reason, "%s", std::string(reason).c_str()); // one line of UTF-8
+    }
     const uint32_t unknown = out.stages & ~kStages;
     if (!unknown) return PHYS_OK;
     return fail(err, PHYS_ERROR_PLUGIN_RESULT,

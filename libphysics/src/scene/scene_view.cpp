@@ -20,8 +20,8 @@ bool touch(const phys_box &a, const phys_box &b) {
 
 /// Each given box is part of exactly one merged box, so the grids of merged boxes find it.
 uint32_t queryBoxes(const void *handle, const phys_box *region, uint32_t *out, uint32_t capacity) {
+    if (!handle || !region || (!out && capacity > 0) || !isBox(*region)) return 0;
     const Scene &scene = *static_cast<const Scene *>(handle);
-    if (!isBox(*region)) return 0;
     Lowest<uint32_t> found({out, capacity});
     scene.visitBoxes(toVec(region->min), toVec(region->max), [&](uint32_t box) {
         for (const uint32_t part : scene.partsOf(box)) {

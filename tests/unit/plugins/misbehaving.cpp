@@ -189,6 +189,12 @@ phys_status endlessRequirements(void *, const phys_params *, double, const phys_
     return PHYS_OK;
 }
 
+phys_status oddRequirements(void *, const phys_params *, double, const phys_state *, phys_requirements *out,
+                            phys_error *) {
+    std::memcpy(out->reasons[0], "one\ntwo\xff", 9);
+    return PHYS_OK;
+}
+
 phys_status unknownRequirements(void *, const phys_params *, double, const phys_state *, phys_requirements *out,
                                 phys_error *) {
     out->stages = 0x41;
@@ -264,6 +270,7 @@ constexpr phys_stepper_api kTables[] = {
     destroying("throws-at-destruction", throwAtDestruction),
     requiring("throws-requirements", throwRequirements),
     requiring("endless-requirements", endlessRequirements),
+    requiring("odd-requirements", oddRequirements),
     requiring("unknown-requirements", unknownRequirements),
 };
 constexpr size_t kCount = sizeof kTables / sizeof kTables[0];

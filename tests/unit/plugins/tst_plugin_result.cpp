@@ -44,6 +44,7 @@ private slots:
     void anExceptionAtDestructionStaysInside();
     void anExceptionOfRequirementsIsRefused();
     void reasonsWithoutAnEndAreEnded();
+    void reasonsAreOneLineOfUtf8();
     void unknownStagesAreRefused();
     void requirementsThatAreNotToldAreUnsupported();
     void dtZeroNeverReachesThePlugin();
@@ -300,6 +301,15 @@ void PluginResult::reasonsWithoutAnEndAreEnded() {
     phys_requirements requirements{};
     QCOMPARE(phys_stepper_requirements(wrong, &m_params, kDt, &m_start, &requirements, nullptr), PHYS_OK);
     for (const char(&reason)[120] : requirements.reasons) QCOMPARE(qstrlen(reason), 119U);
+    phys_stepper_destroy(wrong);
+}
+
+void PluginResult::reasonsAreOneLineOfUtf8() {
+    phys_stepper *wrong = stepper("odd-requirements");
+    QVERIFY(wrong);
+    phys_requirements requirements{};
+    QCOMPARE(phys_stepper_requirements(wrong, &m_params, kDt, &m_start, &requirements, nullptr), PHYS_OK);
+    QCOMPARE(requirements.reasons[0], "one\\ntwo\\xff");
     phys_stepper_destroy(wrong);
 }
 

@@ -47,6 +47,7 @@ private slots:
     void queryFindsWhatALookAtEveryBoxFinds();
     void aShortBufferGetsTheLowestNumbers();
     void aRegionThatIsNoBoxTouchesNothing();
+    void nothingIsFoundForNull();
     void contactsAreTheLibrarys();
 
 private:
@@ -129,6 +130,20 @@ void PluginView::aShortBufferGetsTheLowestNumbers() {
 void PluginView::aRegionThatIsNoBoxTouchesNothing() {
     QCOMPARE(query({{1, 0, 0}, {0, 1, 1}}, 5), std::vector<uint32_t>{});
     QCOMPARE(query({{qQNaN(), 0, 0}, {1, 1, 1}}, 5), std::vector<uint32_t>{});
+}
+
+void PluginView::nothingIsFoundForNull() {
+    const phys_box everything{{-100, -100, -100}, {100, 100, 100}};
+    const phys_vec3 centre{10, 10, 1};
+    uint32_t box = 7;
+    phys_contact contact{};
+    QCOMPARE(m_view->query(nullptr, &everything, &box, 1), 0U);
+    QCOMPARE(m_view->query(m_view->scene, nullptr, &box, 1), 0U);
+    QCOMPARE(m_view->query(m_view->scene, &everything, nullptr, 1), 0U);
+    QCOMPARE(m_view->contacts(nullptr, &centre, 2.0, &contact, 1), 0U);
+    QCOMPARE(m_view->contacts(m_view->scene, nullptr, 2.0, &contact, 1), 0U);
+    QCOMPARE(m_view->contacts(m_view->scene, &centre, 2.0, nullptr, 1), 0U);
+    QCOMPARE(box, 7U);
 }
 
 void PluginView::contactsAreTheLibrarys() {
