@@ -143,36 +143,43 @@ HeldBall holdFirstOrder(const StepContext &context, const Contacts &contacts, Co
     return {lasting, loss};
 }
 
-/// Impulses act along the normals at a quarter of the motion, conditions along those at half of it; friction opposes
-/// the mean slip: model.md 13.5.
-LastingContacts midpointContacts(const StepContext &context, const Contacts &contacts, const Ball &ball,
-                                 const Vec3 &velocityAtEnd, double h) {
+/// Impulses act along the normals half-way, conditions along those at the end; friction opposes the mean slip, or that
+/// at the end: model.md 13.5.
+LastingContacts midpointContacts(const StepContext &context, const Contacts &contacts, ContactRule kind,
+                                 const Ball &ball, const Vec3 &way) {
     const double radius = context.radius();
     LastingContacts lasting(radius, context.work);
-    const Vec3 sum = ball.velocity + velocityAtEnd;
     const double rolling = kRolling * (glm::length(ball.velocity) + radius * glm::length(ball.spin));
     for (const Contact &contact : contacts) {
         Lasting next = lastingOf(contact, 0.0);
-        next.slipBefore = slipAt(motionOf(ball), contact.normal, radius);
-        if (glm::length(next.slipBefore) <= rolling) next.spinBefore = ball.spin;
-        next.lever = normalAt(contact, ball.position + 0.25 * h * sum);
-        next.limit = normalAt(contact, ball.position + 0.5 * h * sum);
+        next.lever = normalAt(contact, ball.position + 0.5 * way);
+        next.limit = normalAt(contact, ball.position + way);
+        if (kind == ContactRule::SecondOrder) {
+            next.slipBefore = slipAt(motionOf(ball), contact.normal, radius);
+            if (glm::length(next.slipBefore) <= rolling) next.spinBefore = ball.spin;
+        }
         lasting.add(next);
     }
     return lasting;
 }
 
-HeldBall holdSecondOrder(const StepContext &context, const Contacts &contacts, double h, Ball &ball) {
+/// At the end, contacts that stick have no slip along their normals there. What the turn of the normals left of it
+/// would count as a slip that is still to end.
+HeldBall holdTurning(const StepContext &context, const Contacts &contacts, ContactRule kind, double h, Ball &ball) {
     const Motion before = motionOf(ball);
     Motion driven = before;
     driven.velocity += h * context.setting.gravity();
     Motion motion = before;
+    const auto way = [&] {
+        const bool isMean = kind == ContactRule::SecondOrder;
+        return h * (isMean ? 0.5 * (before.velocity + motion.velocity) : motion.velocity);
+    };
     LastingContacts lasting(context.radius(), context.work);
     // The normals of faces don't turn.
     const bool turns =
         std::any_of(contacts.begin(), contacts.end(), [](const Contact &contact) { return !contact.isFace(); });
     for (int pass = 0; pass < (turns ? kMidpointPasses : 1); ++pass) {
-        LastingContacts next = midpointContacts(context, contacts, ball, motion.velocity, h);
+        LastingContacts next = midpointContacts(context, contacts, kind, ball, way());
         for (Lasting *last = lasting.begin(), *contact = next.begin(); last != lasting.end(); ++last, ++contact) {
             contact->reaction = last->reaction;
             contact->rubbing = last->rubbing;
@@ -182,7 +189,7 @@ HeldBall holdSecondOrder(const StepContext &context, const Contacts &contacts, d
         lasting.solve(context.params().rolling_friction, motion);
     }
     const SmoothLoss loss = lossOf(context, lasting, before, motion);
-    ball.position += 0.5 * h * (before.velocity + motion.velocity);
+    ball.position += way();
     setMotion(motion, ball);
     settleOnAll(context, contacts, lasting, ball);
     return {lasting, loss};
@@ -204,8 +211,8 @@ bool canHold(const StepContext &context, const Contacts &contacts) {
 }
 
 HeldBall holdInThisOrder(const StepContext &context, const Contacts &contacts, ContactRule kind, double h, Ball &ball) {
-    if (kind == ContactRule::SecondOrder) return holdSecondOrder(context, contacts, h, ball);
-    return holdFirstOrder(context, contacts, kind, h, ball);
+    const bool turns = kind == ContactRule::SecondOrder || kind == ContactRule::EndingSlip;
+    return (turns ? holdTurning : holdFirstOrder)(context, contacts, kind, h, ball);
 }
 
 } // namespace

@@ -18,6 +18,7 @@ enum class ContactRule {
     Explicit,    ///< with the old velocity, except for what contacts remove from it
     SecondOrder, ///< with their mean
     Closing,     ///< with the new velocity, where a scheme of second order closes gaps
+    EndingSlip,  ///< with the new velocity, where a scheme of second order ends a slip
 };
 
 /// The result of a scheme for one substep.

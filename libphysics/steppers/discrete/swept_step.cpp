@@ -80,7 +80,7 @@ SweptStep::Course SweptStep::move(double t, Reporter &reporter, Work &work, Ball
         return Course::BetweenWalls;
     }
     const StepContext context{m_context.setting, reporter, work};
-    const ContactRule rule = m_slipEnds ? ContactRule::Closing : ContactRule::SecondOrder;
+    const ContactRule rule = m_slipEnds ? ContactRule::EndingSlip : ContactRule::SecondOrder;
     ball.supported = hold(context, m_contacts, rule, t, ball);
     return Course::Held;
 }

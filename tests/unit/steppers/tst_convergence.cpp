@@ -100,6 +100,7 @@ private slots:
     void firstIntegralIsKeptToThePromisedOrder_data() { addStepperRows(); }
     void firstIntegralIsKeptToThePromisedOrder();
     void sweptKeepsItsOrderWhereASlipEndsInResistance();
+    void sweptKeepsItsOrderWhereASlipEndsInAWedge();
     void sweptTurnsTheBallToSecondOrderAcrossImpacts_data();
     void sweptTurnsTheBallToSecondOrderAcrossImpacts();
 };
@@ -297,6 +298,34 @@ void TestConvergence::sweptKeepsItsOrderWhereASlipEndsInResistance() {
         const double h = 1.0 / n;
         QVERIFY2(ball.stepTimes(static_cast<uint64_t>(n), h), ball.error());
         COMPARE_WITHIN(ball.state.position.x, end, 2.0 * h * h); // accelerations of 2 m/s^2
+    }
+}
+
+/// The ball rolls round an edge until it touches another above it. The slip there ends after 1.11 s; friction holds
+/// both contacts until 1.45 s.
+void TestConvergence::sweptKeepsItsOrderWhereASlipEndsInAWedge() {
+    const SceneBuilder wedge = SceneBuilder()
+                                   .ball(1.0)
+                                   .box({{-2.55, -0.85, 2.55}, {0.0, 0.0, 3.4}})
+                                   .box({{-1.7, -0.85, -1.7}, {-0.85, 5.1, 0.85}})
+                                   .start({-1.95175484257472, 0.77400968329832598, 1.916826240151706});
+    const auto positionAfter = [&](const QByteArray &stepper, int n, double duration) {
+        Experiment ball(wedge, stepper, PHYS_MODEL_RIGID);
+        ball.params.gravity = {0.024284201706799145, -0.2665238181515967, -1.0};
+        ball.params.sliding_friction = ball.params.wall_friction = 0.7;
+        ball.state.spin.y = 0.18306576211797065;
+        const bool isDone = ball.stepTimes(static_cast<uint64_t>(n), duration / n);
+        return isDone ? ball.state.position : phys_vec3{NAN, NAN, NAN};
+    };
+    for (const double duration : {1.4, 2.4}) {
+        const phys_vec3 truth = positionAfter("exact", 1, duration);
+        for (const int n : {64, 128, 256, 512}) {
+            const phys_vec3 end = positionAfter("swept", n, duration);
+            const double off = std::hypot(end.x - truth.x, end.y - truth.y, end.z - truth.z);
+            const double h = duration / n;
+            // Of motions with sqrt(g/R) = 1/s for about 1 s.
+            QVERIFY2(off <= 0.25 * h * h, "n = " + QByteArray::number(n) + ": " + digits(off));
+        }
     }
 }
 
