@@ -62,6 +62,7 @@ private:
     bool settle(double rollingFriction, double negligible, bool releases, Motion &motion);
     bool settleTogether(double rollingFriction, double negligible, int most, Motion &motion);
     bool solveByNewton(double rollingFriction, double negligible, bool isLast, Motion &motion);
+    bool solvePressed(double rollingFriction, double negligible, Motion &motion);
     void settleWithoutResistance(double negligible, const Motion &driven, Motion &motion);
     void unload();
     bool shareLoads() const;
