@@ -303,22 +303,16 @@ void TestWindowBall::ballInTheAirIsNotAtRest() {
 
 // What the step before the placing did has no effect.
 void TestWindowBall::ballPutBackIntoTheMazeLeavesItAgain() {
-    const phys_state start = ball();
     QSignalSpy left(&m_fixture->simulation(), &inspector::Simulation::leftMaze);
-    phys_state outside = start;
-    outside.position.x = 1.0;
     for (int time = 1; time <= 2; ++time) {
-        m_fixture->session().placeBall(outside);
-        m_fixture->trigger("step");
-        QTRY_COMPARE(left.size(), time);
-        QTRY_VERIFY(ball().flags & PHYS_OUT);
-        phys_state inside = ball();
-        inside.position = start.position;
-        m_fixture->session().placeBall(inside);
-        QTRY_COMPARE(ball().position.x, start.position.x);
+        phys_state flying = ball(); // above the walls, and beside the board after a step
+        flying.position = {0.0, 0.0, 0.2};
+        flying.velocity = {30.0, 0.0, 0.0};
+        m_fixture->session().placeBall(flying);
         m_fixture->makeSteps(1);
+        QVERIFY(ball().flags & PHYS_OUT);
+        QTRY_COMPARE(left.size(), time);
     }
-    QVERIFY(!(ball().flags & PHYS_OUT));
 }
 
 void TestWindowBall::restartBringsItToItsOwnStart() {
