@@ -2,7 +2,6 @@
 #include "core/session/live_uncertainty.h"
 
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 namespace inspector {
@@ -16,8 +15,7 @@ bool isSameTilt(const Inputs &inputs, const Sample &sample) { return inputs.tilt
 } // namespace
 
 bool LiveUncertainty::isOfBand(const Snapshot &now, const Scene &scene, const Unknowns &unknowns) const {
-    return scene == m_scene && now.run == m_run && unknowns == m_unknowns &&
-           std::memcmp(&now.ghost->met, &m_met, sizeof m_met) == 0;
+    return scene == m_scene && now.ghost->meetings == m_meetings && unknowns == m_unknowns;
 }
 
 void LiveUncertainty::end() {
@@ -31,15 +29,15 @@ void LiveUncertainty::end() {
 bool LiveUncertainty::begin(const Snapshot &now, const SampleRing &samples, const Scene &scene,
                             const Unknowns &unknowns) {
     m_scene = scene;
-    m_met = now.ghost->met;
-    m_run = now.run;
+    m_meetings = now.ghost->meetings;
     m_unknowns = unknowns;
-    m_time = m_met.time;
+    const phys_state &met = now.ghost->met;
+    m_time = met.time;
     m_open.reset();
     m_next = samples.find(std::nextafter(m_time, std::numeric_limits<double>::infinity()));
-    m_band.begin({scene, m_met, m_unknowns});
+    m_band.begin({scene, met, m_unknowns});
     Sample first;
-    return !samples.read(m_next, first) || first.step == m_met.step + 1;
+    return !samples.read(m_next, first) || first.step == met.step + 1;
 }
 
 /// Longer segments are split anyway.

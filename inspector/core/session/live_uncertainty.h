@@ -32,8 +32,7 @@ private:
     LiveBand m_band;
     /// What the current band belongs to; none if there is no scene.
     Scene m_scene;
-    phys_state m_met{};
-    uint64_t m_run = 0;
+    uint64_t m_meetings = 0; ///< of the ghost with the ball: the same state can begin two runs
     Unknowns m_unknowns;
     bool m_isWhole = true; ///< no samples are missing
     uint64_t m_next = 0;   ///< number of the next sample

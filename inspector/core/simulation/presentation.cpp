@@ -47,6 +47,7 @@ void Presentation::compare(uint64_t number, const GhostSetup &setup, const QByte
     // A replay may have moved to another scene; then the comparison is requested again.
     if (setup.scene == m_run->engine().scene()) m_ghost.emplace(m_run->engine(), setup, leaderId);
     m_isGhostAsMet = true;
+    ++m_meetings;
 }
 
 void Presentation::setGhostInputs(uint64_t number, const std::optional<Inputs> &own) {
@@ -60,6 +61,7 @@ void Presentation::meetGhost() {
     if (m_ghost && m_ghost->scene() != m_run->engine().scene()) m_ghost.reset(); // its stepper is of the other scene
     if (m_ghost) m_ghost->meet(m_run->engine());
     m_isGhostAsMet = true;
+    ++m_meetings;
 }
 
 /// Steps the ghost, after everything else: the ball never depends on it.
@@ -151,7 +153,8 @@ void Presentation::publish(Clock::time_point due) {
     snapshot.run = m_runCount;
     snapshot.running = m_isRunning;
     if (m_ghost && m_ghost->isThere())
-        snapshot.ghost = {m_ghostNumber, m_ghost->previous(), m_ghost->state(), m_ghost->met(), m_ghost->deviation()};
+        snapshot.ghost = {m_ghostNumber,  m_ghost->previous(), m_ghost->state(),
+                          m_ghost->met(), m_meetings,          m_ghost->deviation()};
     snapshot.statistics = {m_meter.stepsPerSecond(), m_speed, m_meter.speed(), m_pacer.lostTime()};
     m_run->addTo(snapshot);
     m_snapshots.publish(snapshot);

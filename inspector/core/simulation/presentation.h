@@ -89,6 +89,7 @@ private:
     uint64_t m_published = 0;
     std::optional<GhostEngine> m_ghost{};
     uint64_t m_ghostNumber = 0;
+    uint64_t m_meetings = 0;     ///< of a ghost with the ball
     bool m_isGhostAsMet = false; ///< its inputs haven't been changed since it met the ball
     std::shared_ptr<const ShownTrack> m_track{};
     std::vector<Scene> m_trackScenes{};

@@ -22,7 +22,8 @@ struct Ghost {
     uint64_t number = 0;   ///< as in Simulation::compareWith()
     phys_state previous{}; ///< at the same moments as the ball's
     phys_state current{};
-    phys_state met{}; ///< common state where it last started from the ball's
+    phys_state met{};      ///< common state where it last started from the ball's; its time is NaN if it isn't known
+    uint64_t meetings = 0; ///< counts the starts from the ball's state
     Deviation deviation;
 };
 

@@ -31,6 +31,7 @@ private slots:
     void restartBringsThemTogether();
     void stateSetBackBringsThemTogether();
     void meetAgainBringsThemTogether();
+    void bandIsOfTheRunThatIsTakenOverWhereTheyMet();
     void otherGhostMeetsTheBall();
     void otherStepperOfTheBallGoesOn();
     void otherLevelIsComparedFromItsStart();
@@ -83,6 +84,14 @@ void makeSteps(Session &session, uint64_t count) {
 double distanceIn(Session &session) {
     const Snapshot now = session.simulation().latest();
     return now.ghost ? now.ghost->deviation.distance : std::nan("");
+}
+
+Band showBand(Session &session) {
+    LiveUncertainty &uncertainty = session.liveUncertainty();
+    Simulation &simulation = session.simulation();
+    uncertainty.follow(simulation.latest(), simulation.samples(), session.scene(), session.unknowns());
+    uncertainty.finish();
+    return *uncertainty.band();
 }
 
 bool isTogether(Session &session) {
@@ -277,6 +286,21 @@ void TestComparison::meetAgainBringsThemTogether() {
     QCOMPARE(phys_state_hash(&now.current), before);
     makeSteps(*session, 1);
     QVERIFY(distanceIn(*session) > 0.0);
+}
+
+// Both runs begin with the same state.
+void TestComparison::bandIsOfTheRunThatIsTakenOverWhereTheyMet() {
+    Options options = optionsOf(4);
+    options.comparison = GhostChoice{};
+    const auto session = open(options);
+    makeSteps(*session, 60);
+    showBand(*session);
+    session->lookAtTime(0.0);
+    session->awaitMoment();
+    session->parameters().set({{"tilt_x", 0.0}});
+    QTRY_VERIFY(session->simulation().latest().replay.number == 0);
+    makeSteps(*session, 30);
+    COMPARE_WITHIN(showBand(*session).times.back(), 0.3, 1e-9);
 }
 
 void TestComparison::otherGhostMeetsTheBall() {
