@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace inspector {
 
@@ -18,6 +19,7 @@ PastRun::PastRun(Presentation &presentation, const LiveRun &live, const Past &pa
     : ReplayRun(presentation, live, Player(past.recording, past.keyframes), number)
     , m_past(past)
     , m_shownRun(shownRun) {
+    if (shownRun == live.beginPlace() && presentation.ghost()) m_met = presentation.ghost()->met();
     m_player.seek(past.recording->length());
 }
 
@@ -63,9 +65,12 @@ void PastRun::refillSamples(uint64_t first) {
     const bool isLive = first == std::max(m_live.beginPlace(), m_past.begin);
     std::optional<GhostEngine> ghost;
     uint64_t ghostSteps = 0;
+    m_met.reset();
     while (place() < end) {
-        if (!ghost && ghostSteps == 0 && m_presentation.ghostBeginsAt(engine().state(), isLive))
+        if (!ghost && ghostSteps == 0 && m_presentation.ghostBeginsAt(engine().state(), isLive)) {
             ghost = m_presentation.ghostOf(engine(), leaderId());
+            m_met = engine().state();
+        }
         if (!m_player.next()) break;
         Sample sample = m_presentation.sample();
         if (ghost) ghostSteps += follow(*ghost, sample);
@@ -113,6 +118,11 @@ std::optional<Ghost> PastRun::ghost() const {
     ghost.current = state;
     ghost.current.position = {sample[Channel::GhostX], sample[Channel::GhostY], sample[Channel::GhostZ]};
     ghost.previous = ghost.current;
+    const bool isOfEarlierGhost = !m_met || state.time <= m_met->time;
+    if (isOfEarlierGhost)
+        ghost.met.time = std::numeric_limits<double>::quiet_NaN();
+    else
+        ghost.met = *m_met;
     ghost.deviation = {sample[Channel::Distance], sample[Channel::SpeedDifference], sample[Channel::EnergyDifference]};
     return ghost;
 }

@@ -34,6 +34,7 @@ private:
 
     Past m_past;
     uint64_t m_shownRun;
+    std::optional<phys_state> m_met; ///< of its last ghost
 };
 
 } // namespace inspector

@@ -104,7 +104,8 @@ void ComparisonDock::refresh(const Snapshot &now) {
     if (!m_session.isInPast()) // the past has nothing new
         m_session.liveUncertainty().follow(now, m_session.simulation().samples(), m_session.scene(),
                                            m_session.unknowns());
-    m_band = m_session.liveUncertainty().band();
+    const bool isOfLiveRun = now.history.place >= now.history.run;
+    m_band = isOfLiveRun ? m_session.liveUncertainty().band() : nullptr;
     m_plot->showBand(m_band);
     m_figures->setText(summary(now));
     m_plot->setContext({nullptr, m_session.isInPast() ? std::optional(now.current.time) : std::nullopt, {}});
@@ -128,15 +129,16 @@ QString ComparisonDock::summary(const Snapshot &now) const {
     const Deviation &deviation = now.ghost->deviation;
     const double radius = phys_scene_radius(m_session.scene().get());
     const bool hasGhostLeft = now.ghost->current.flags & PHYS_OUT; // it stays at the exit, and so do the figures
-    QString figures = (hasGhostLeft ? tr("When the ghost left the maze: distance %1, speed %2, energy %3, %4 s after "
-                                         "they met")
-                                    : tr("Distance %1, speed %2, energy %3, %4 s after they met"))
+    const double metAt = now.ghost->met.time;
+    QString figures = (hasGhostLeft ? tr("When the ghost left the maze: distance %1, speed %2, energy %3")
+                                    : tr("Distance %1, speed %2, energy %3"))
                           .arg(distanceText(deviation.distance, radius), speedDifferenceText(deviation.speed),
-                               energyDifferenceText(deviation.energy),
-                               QString::number(now.ghost->current.time - now.ghost->met.time, 'f', 2));
+                               energyDifferenceText(deviation.energy));
+    const double since = now.ghost->current.time - metAt;
+    if (std::isfinite(since)) figures = tr("%1, %2 s after they met").arg(figures, QString::number(since, 'f', 2));
     if (hasGhostLeft) return figures;
     if (now.current.flags & PHYS_OUT) return tr("%1; the ball is out of the maze").arg(figures);
-    if (!m_band) return figures;
+    if (!m_band || !std::isfinite(metAt)) return figures; // of an earlier ghost
     const double known = m_band->middleAt(now.current.time);
     return tr("%1; not known: %2").arg(figures, distanceText(known * radius, radius));
 }

@@ -36,6 +36,7 @@ private slots:
     void controlsSayWhoseTheyAre();
     void otherStepperBringsItsOwnRows();
     void figuresOfAGhostThatLeftAreOfThatMoment();
+    void figuresOfThePastCountFromWhereTheyMet();
 
 private:
     double ballsOwn(const char *id) { return valueIn(m_fixture->parameters(), id); }
@@ -205,6 +206,22 @@ void TestWindowGhost::figuresOfAGhostThatLeftAreOfThatMoment() {
              qPrintable(figures)); // before it is cut
     QVERIFY2(figures.endsWith("0.01 s after they met"), qPrintable(figures));
     QCOMPARE(m_fixture->find<QLabel>("status_ghost")->text(), QString("Ghost: out of the maze"));
+}
+
+void TestWindowGhost::figuresOfThePastCountFromWhereTheyMet() {
+    comparison().setOn(true);
+    m_fixture->press(Qt::Key_5, Qt::ControlModifier);
+    m_fixture->makeSteps(20);
+    m_fixture->press(Qt::Key_M);
+    m_fixture->makeSteps(20);
+    const auto figuresAt = [&](uint64_t step) {
+        m_fixture->session().lookAt(m_fixture->session().runPlace().begin + step);
+        m_fixture->session().awaitMoment();
+        m_fixture->window().refresh();
+        return m_fixture->find<QLabel>("comparison_figures")->text();
+    };
+    QVERIFY2(figuresAt(30).contains(", 0.10 s after they met"), qPrintable(figuresAt(30)));
+    QVERIFY2(!figuresAt(10).contains("they met") && !figuresAt(10).contains("not known"), qPrintable(figuresAt(10)));
 }
 
 QTEST_MAIN(TestWindowGhost)
