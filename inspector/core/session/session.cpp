@@ -411,6 +411,7 @@ void Session::putBallBack(const Snapshot &before) {
     m_simulation->pause();
     const bool isOfLiveRun = before.replay.number == 0;
     isOfLiveRun ? m_simulation->resume(before.history, before.current) : m_simulation->setState(before.current);
+    emit ballPutBack();
 }
 
 bool Session::isBallPut() const {

@@ -223,6 +223,7 @@ signals:
     void olderMazeOpened(const QString &path); ///< by taking over a run; the next start reads the file
     void takenOver();                          ///< the past was; the run that was shown stays in runs()
     void runLeft();                            ///< the ball was placed by hand; the run before stays in runs()
+    void ballPutBack();                        ///< to where it was before it was placed
     void replayDiffers(const QString &line); ///< emitted when it is found, and when it is reached and the replay pauses
 
 private:

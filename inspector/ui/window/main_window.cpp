@@ -387,6 +387,7 @@ void MainWindow::connectSession() {
     connect(&m_session, &Session::pastChanged, this, &MainWindow::showPast);
     connect(&m_session, &Session::takenOver, this, &MainWindow::sayWhereTheRunIs);
     connect(&m_session, &Session::runLeft, this, &MainWindow::sayWhereTheRunBeforeIs);
+    connect(&m_session, &Session::ballPutBack, this, &MainWindow::sayTheBallIsBack);
     connect(&m_session, &Session::recordingChanged, action("record"), &QAction::setChecked);
     connect(&m_session, &Session::autopilotChanged, action("autopilot"), &QAction::setChecked);
     connect(&m_session.comparison(), &Comparison::changed, this, &MainWindow::showComparison);

@@ -138,6 +138,8 @@ private:
     void showPast(bool isIn);
     void sayWhereTheRunIs();
     void sayWhereTheRunBeforeIs();
+    void sayTheBallIsBack();
+    void sayOfTheBall(const QString &line);
     void sayIfSettingsAreLost();
     void sayBriefly(const QString &line); ///< shows it for some seconds in the status line
     void jumpToBounce(Direction direction);

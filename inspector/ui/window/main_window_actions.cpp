@@ -339,12 +339,18 @@ void MainWindow::showPast(bool isIn) {
 /// the player acts.
 void MainWindow::sayWhereTheRunIs() {
     const QKeySequence key = action("show_runs_dock")->shortcut();
-    const QString line = tr("What came before this moment, and after it, is in Runs (%1)").arg(key.toString());
-    sayBriefly(m_session.comparison().isOn() ? tr("%1; the ghost starts at the ball again").arg(line) : line);
+    sayOfTheBall(tr("What came before this moment, and after it, is in Runs (%1)").arg(key.toString()));
 }
 
 void MainWindow::sayWhereTheRunBeforeIs() {
-    sayBriefly(tr("The run before is in Runs (%1)").arg(action("show_runs_dock")->shortcut().toString()));
+    sayOfTheBall(tr("The run before is in Runs (%1)").arg(action("show_runs_dock")->shortcut().toString()));
+}
+
+void MainWindow::sayTheBallIsBack() { sayOfTheBall(tr("The ball is back where it was")); }
+
+/// Where the ball goes on from another state, so does the ghost.
+void MainWindow::sayOfTheBall(const QString &line) {
+    sayBriefly(m_session.comparison().isOn() ? tr("%1; the ghost starts at the ball again").arg(line) : line);
 }
 
 void MainWindow::saveRun() {

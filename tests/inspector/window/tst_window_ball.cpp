@@ -30,6 +30,7 @@ private slots:
     void draggedBallIsUndone();
     void undoGoesOnWithTheRun_data();
     void undoGoesOnWithTheRun();
+    void undoSaysWhereTheGhostIs();
     void placingIsNotUndoneInAnotherMaze();
     void dragWithCtrlPullsTheVelocity();
     void rollingBallIsNotTaken();
@@ -176,6 +177,15 @@ void TestWindowBall::undoGoesOnWithTheRun() {
     QCOMPARE(m_fixture->session().runs().size(), size_t(1));
     m_fixture->press(Qt::Key_Comma); // its past is there
     QTRY_COMPARE(hashOf(ball()), hashOf(before));
+}
+
+void TestWindowBall::undoSaysWhereTheGhostIs() {
+    m_fixture->session().comparison().start({});
+    m_fixture->makeSteps(20);
+    placeBall(0.0, 0.01);
+    m_fixture->press(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(m_fixture->window().statusBar()->currentMessage(),
+             QString("The ball is back where it was; the ghost starts at the ball again"));
 }
 
 void TestWindowBall::placingIsNotUndoneInAnotherMaze() {
