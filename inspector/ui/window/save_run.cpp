@@ -25,19 +25,22 @@ bool saveTable(Session &session, const QString &path, QString *error) {
            saveSettingsBeside(session, path, 0.0, error);
 }
 
-/// The time, s, from which on the run shown is kept; nothing if all of it is.
-std::optional<double> keptSince(Session &session) {
+/// Where the recording of the run shown begins, unless it has all steps that its plots and table have.
+QStringList remarksOnBegin(Session &session) {
     const RunPlace run = session.runPlace();
-    if (!run.isCut) return std::nullopt;
     const std::optional<Past> first = session.simulation().past(nullptr, run.begin, run.begin + 1);
-    if (!first) return std::nullopt;
-    return first->keyframes.front().state.time;
+    if (!first) return {};
+    const double begin = first->keyframes.front().state.time;
+    if (run.isCut) return {QStringLiteral("steps from %1 s; earlier ones aren't kept").arg(begin)};
+    const SampleRing &samples = session.simulation().samples();
+    Sample sample;
+    if (!samples.read(samples.first(), sample) || sample.time > begin) return {};
+    return {QStringLiteral("begins at %1 s, where the run was taken over; its table (.csv) has what came before, too")
+                .arg(begin)};
 }
 
 QStringList remarksOnRecording(Session &session) {
-    QStringList remarks;
-    if (const std::optional<double> since = keptSince(session))
-        remarks += QStringLiteral("steps from %1 s; earlier ones aren't kept").arg(*since);
+    QStringList remarks = remarksOnBegin(session);
     if (const std::optional<MazeSource> maze = session.changedMaze())
         remarks += QStringLiteral("%1 has changed since this run and is needed as it was to replay it")
                        .arg(quoted(maze->path));

@@ -32,6 +32,7 @@ private slots:
     void cleanup();
     void runWhoseBeginningIsGoneSaysSo();
     void runThatContinuesAnotherSaysWhereThatIs();
+    void recordingOfARunTakenOverSaysWhereItBegins();
     void runShownIsMarked();
     void recordingWithoutStepsIsNotSaved_data();
     void recordingWithoutStepsIsNotSaved();
@@ -147,6 +148,15 @@ void TestWindowRuns::runThatContinuesAnotherSaysWhereThatIs() {
     m_fixture->makeSteps(5);
     m_fixture->key(Qt::Key_Home, Qt::ControlModifier);
     QTRY_VERIFY2(placeText().endsWith("Earlier steps are in Runs"), qPrintable(placeText()));
+}
+
+void TestWindowRuns::recordingOfARunTakenOverSaysWhereItBegins() {
+    goBack(10);
+    typeGravity("3");
+    m_fixture->makeSteps(5);
+    QCOMPARE(inspector::ui::remarkOnSaved(m_fixture->session(), "taken.rec"),
+             QString("taken.rec: begins at 0.2 s, where the run was taken over; its table (.csv) has what came before, "
+                     "too"));
 }
 
 void TestWindowRuns::runShownIsMarked() {
