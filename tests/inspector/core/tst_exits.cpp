@@ -14,6 +14,7 @@ private slots:
     void ballThatFallsOntoTheFloorFindsTheGap();
     void gapThatTheBallCantReachIsNone();
     void twoGapsAreTwoExits();
+    void airWithoutABoardHasNone();
     void mazeTooLargeToSearchIsNotCalledClosed();
     void ballInAWallIsNotCalledLockedIn();
     void levelsHaveAtLeastOne_data();
@@ -89,6 +90,8 @@ void TestExits::twoGapsAreTwoExits() {
     boxes.push_back(rightWall(-0.01, 0.01));
     QCOMPARE(exitsIn(boxes).size(), size_t(2));
 }
+
+void TestExits::airWithoutABoardHasNone() { QVERIFY(exitsIn({}).empty()); }
 
 void TestExits::mazeTooLargeToSearchIsNotCalledClosed() {
     std::vector<phys_box> boxes = room();
