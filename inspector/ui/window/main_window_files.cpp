@@ -150,8 +150,9 @@ void MainWindow::watchMaze() {
 
 void MainWindow::readMazeAgain(const QString &path) {
     if (path != m_session.level().path || m_session.isReplaying()) return;
-    if (!m_session.openLevel(levelOfFile(path))) return; // the failure was reported; the open level stays
-    m_messages->showLine(tr("%1 was changed on disk and has been read again").arg(QFileInfo(path).fileName()),
+    const bool isOpen = m_session.openLevel(levelOfFile(path)); // else it has reported why
+    m_messages->showLine(isOpen ? tr("%1 was changed on disk and has been read again").arg(QFileInfo(path).fileName())
+                                : tr("%1; the maze stays open as it was").arg(m_messages->line()),
                          Cause::Command);
 }
 
