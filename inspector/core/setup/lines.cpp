@@ -42,16 +42,27 @@ bool isEscapedByte(const QString &text, qsizetype index) {
     return text[index].isLowSurrogate() && isAlone;
 }
 
+/// Whether the word that begins here was UTF-8. Letters in one that wasn't are there by chance, of scripts that no font
+/// may have.
+bool isUtf8(const QString &text, qsizetype begin) {
+    for (qsizetype i = begin; i < text.size() && text[i] != QLatin1Char(' '); ++i)
+        if (isEscapedByte(text, i)) return false;
+    return true;
+}
+
 } // namespace
 
 QString oneLine(const QString &text) {
     QString line;
     line.reserve(text.size());
+    bool hasLetters = true;
     for (qsizetype i = 0; i < text.size(); ++i) {
+        if (i == 0 || text[i - 1] == QLatin1Char(' ')) hasLetters = isUtf8(text, i);
         if (isEscapedByte(text, i))
             line += escape(QChar(text[i].unicode() & 0xff));
         else
-            line += isShownAsIs(text[i]) ? QString(text[i]) : escape(text[i]);
+            line +=
+                isShownAsIs(text[i]) && (hasLetters || text[i].unicode() < 0x80) ? QString(text[i]) : escape(text[i]);
     }
     return line;
 }

@@ -144,6 +144,7 @@ void TestFiles::namesAreShownInOneLine_data() {
     QTest::newRow("turned round") << QStringLiteral("\u202etxt") << "'\\u202etxt'";
     QTest::newRow("line separator") << QStringLiteral("a\u2028b") << "'a\\u2028b'";
     QTest::newRow("not UTF-8") << decodePath("h\xf6he") << "'h\\xf6he'";
+    QTest::newRow("letters by chance") << decodePath("h\xc3\xb6he \xff\xd8\xa8") << "'höhe \\xff\\u0628'";
     QTest::newRow("beyond 16 bits") << QStringLiteral("\U0001f3b1") << QStringLiteral("'\U0001f3b1'");
 }
 
