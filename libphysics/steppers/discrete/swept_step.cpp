@@ -108,7 +108,8 @@ bool SweptStep::toNextEvent() {
     const Vec3 spinBefore = m_ball.spin;
     finishPhase(t);
     turn(spinBefore, t);
-    m_done = rest - t <= 2.0 * kRounding * m_input.dt ? m_input.dt : m_done + t; // or too short a remainder
+    // The remainder may be too short to count.
+    m_done = rest - t <= 2.0 * kRounding * m_input.dt ? m_input.dt : m_done + t;
     return m_done >= m_input.dt;
 }
 
@@ -172,10 +173,10 @@ bool SweptStep::beginOnFloor() {
     Motion motion = motionOf(m_ball);
     for (const Contact &contact : m_contacts) {
         if (contact.isTop) continue;
-        const double restSpeed = restSpeedAlong(contact.normal), approach = -glm::dot(motion.velocity, contact.normal);
+        const double restSpeed = restSpeedAlong(contact.normal);
+        const double approach = -glm::dot(motion.velocity, contact.normal);
         if (approach > std::max(restSpeed, negligibleSpeed(motion, m_context.radius()))) {
             motion.velocity += (1.0 + contact.restitution) * approach * contact.normal;
-            m_effort += kEffortOfBounce;
             dropTraces(motionOf(m_ball), m_context.radius(), motion);
         }
         if (!(glm::dot(motion.velocity, contact.normal) > leavingSpeed(restSpeed))) return false;
@@ -199,10 +200,7 @@ void SweptStep::beginPhase() {
     lookHere();
     SpinOnFloor landing(m_context, m_contacts, m_ball);
     // The velocity determines on which side of a border the ball is.
-    if (hit(m_context, m_contacts, m_done, 0.0, m_ball)) {
-        m_effort += kEffortOfBounce;
-        lookHere();
-    }
+    if (hit(m_context, m_contacts, m_done, 0.0, m_ball)) lookHere();
     landing.follow(m_contacts, m_ball);
     dropWhatIsLeft();
     // A ball that hops too low to leave a top face also rolls on it: friction must not treat its spin as a slip.
@@ -332,8 +330,8 @@ void SweptStep::finishPhase(double t) {
         m_ball.spin += 2.5 / m_context.radius() * glm::cross(Vec3(0.0, 0.0, 1.0), rest);
         m_context.report.lostSlip(1.75 * glm::dot(rest, rest));
     }
-    if (m_ball.supported && !m_context.isRigid())
-        m_ball.spin = rollingSpin(inPlane(m_ball.velocity), m_context.radius());
+    const bool isSlaved = m_ball.supported && !m_context.isRigid();
+    if (isSlaved) m_ball.spin = rollingSpin(inPlane(m_ball.velocity), m_context.radius());
 }
 
 /// When `left`, which falls linearly within the order from `start` on, reaches 0; INFINITY if not before `end`.
@@ -436,8 +434,9 @@ double SweptStep::horizon() const {
 double SweptStep::safeTimeOfPhase() const {
     double friction = 0.0;
     for (const Contact &contact : m_contacts) friction = std::max(friction, contact.friction);
-    const double radius = m_context.radius(), speed = glm::length(m_ball.velocity);
+    const double radius = m_context.radius();
     const double gravity = glm::length(m_context.setting.gravity());
+    const double speed = glm::length(m_ball.velocity);
     if (m_isAlone) { // the pressure is known, and friction turns at most 2/7 of the slip into speed
         const double ofSlip = 2.0 / 7.0 * glm::length(slipOnTop(m_ball));
         return std::max(safeTime(radius, (1.0 + friction) * gravity, speed), safeTime(radius, gravity, speed + ofSlip));
@@ -486,7 +485,8 @@ std::optional<double> SweptStep::firstTouchOfParabola(double end, const Ball &la
     const Vec3 high = glm::max(corner, glm::max(start, last.position));
     if (std::max(beyondFeature({low, {}, {}, false}), beyondFeature({high, {}, {}, false})) > 0.0) return std::nullopt;
     const Scene &scene = m_context.scene();
-    const double radius = scene.radius, apart = radius - 0.5 * scene.tolerance;
+    const double radius = scene.radius;
+    const double apart = radius - 0.5 * scene.tolerance;
     const Vec3 acceleration = 4.0 / (end * end) * (0.5 * (last.position - start) - (corner - start));
     double first = end;
     scene.visitBoxes(low - radius, high + radius, [&](uint32_t number) {

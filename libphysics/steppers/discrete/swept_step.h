@@ -119,8 +119,6 @@ private:
     Ball m_ball;
     double m_orientation[4];
     static constexpr uint32_t kBoxesOfPlace = 16;
-    /// More than it costs, so that a step of bounces without end is refused soon: after some 13,000.
-    static constexpr uint32_t kEffortOfBounce = 250;
     mutable uint32_t m_effort = 0, m_boxes = 0;
     mutable Moved m_moved;   ///< the last one: the end of a phase is asked for several times
     double m_done = 0.0;     ///< s of the step that lie behind the ball
