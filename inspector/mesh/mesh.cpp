@@ -6,7 +6,7 @@
 namespace inspector::gl {
 
 Bounds Mesh::bounds() const {
-    if (vertices.empty()) return {};
+    if (vertices.empty()) return {{-0.1, -0.1, 0.0}, {0.1, 0.1, 0.02}};
     glm::vec3 minimum = vertices.front().position;
     glm::vec3 maximum = minimum;
     for (const Vertex &vertex : vertices) {

@@ -42,7 +42,7 @@ struct Bounds {
 struct Mesh {
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> indices; ///< three per triangle
-    Bounds bounds() const;              ///< all zero when empty
+    Bounds bounds() const;              ///< a small board's when empty, so that camera and light have a size
 };
 
 } // namespace inspector::gl
