@@ -171,9 +171,8 @@ bool findFeature(const Setting &setting, const Vec3 &position, const Motion &mot
 
 void Contacts::dropHidden(double tolerance) {
     drop([&](const Contact &contact) {
-        if (contact.isFace()) return false;
-        return std::any_of(begin(), end(), [&](const Contact &face) {
-            return face.isFace() && glm::dot(contact.point - face.point, face.normal) <= tolerance;
+        return std::any_of(begin(), end(), [&](const Contact &other) {
+            return other.axes() < contact.axes() && other.isBefore(contact.point, tolerance);
         });
     });
 }

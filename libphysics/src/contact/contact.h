@@ -67,6 +67,13 @@ struct Contact {
     int axes() const { return std::abs(sides[0]) + std::abs(sides[1]) + std::abs(sides[2]); }
     bool isFace() const { return axes() == 1; }
 
+    /// Whether a ball that it keeps out is no nearer to that place, which doesn't stand out of its face, or faces.
+    bool isBefore(const Vec3 &place, double tolerance) const {
+        for (int axis = 0; axis < 3; ++axis) {
+            if (sides[axis] != 0 && sides[axis] * (place[axis] - point[axis]) > tolerance) return false;
+        }
+        return true;
+    }
     /// The component of a vector that turns the normal: across an edge; any component at a corner.
     Vec3 across(const Vec3 &v) const { return {sides[0] ? v.x : 0.0, sides[1] ? v.y : 0.0, sides[2] ? v.z : 0.0}; }
     /// The second derivative of the gap (m/s^2) due to the motion round the feature; 0 at a face.
@@ -99,7 +106,8 @@ public:
         }
         shorten(kept);
     }
-    /// Removes edges and corners that a face shields from the ball: those that don't stand out of its plane.
+    /// Removes edges and corners that a face, and corners that an edge shields from the ball: those that don't stand
+    /// out of its plane, or planes.
     void dropHidden(double tolerance);
     /// Sorts by criteria that don't depend on the numbering of boxes, reflections or quarter turns.
     void sort(const Motion &motion, const Vec3 &gravity, double radius);
