@@ -428,7 +428,7 @@ bool TradeDock::isOutOfDate() const {
     const TradePlan &plan = m_worker.plan();
     QString error;
     return !otherConditions().isEmpty() || parseUnknowns(m_unknowns->text().trimmed(), &error) != plan.unknowns ||
-           share() != plan.share || m_horizon->value() != plan.horizon;
+           share() != plan.share || m_horizon->value() != plan.askedHorizon;
 }
 
 /// What the figures were measured on or with, one line, if that isn't the present board; otherwise empty.

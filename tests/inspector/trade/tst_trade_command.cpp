@@ -148,7 +148,7 @@ void TestTradeCommand::lastLineIsTheRecommendation() {
     const QStringList lines = result.out.trimmed().split('\n');
     QVERIFY2(lines[2].startsWith("schedule random:3, 0.5 s: "), qPrintable(result.out));
     QVERIFY2(lines.last().startsWith("recommended: --stepper "), qPrintable(lines.last()));
-    QVERIFY2(result.out.contains("  max error in all [R]  of unknown in 1 s [%]  "), qPrintable(result.out));
+    QVERIFY2(result.out.contains("  max error in all [R]  of unknown in 0.5 s [%]  "), qPrintable(result.out));
     QVERIFY2(lines[lines.size() - 2].startsWith("good enough for what is known: --stepper "), qPrintable(result.out));
     QVERIFY(result.messages.isEmpty());
 }
@@ -202,7 +202,7 @@ void TestTradeCommand::fileBesideTheTableTellsWhatWasMeasured() {
     const QByteArray settings = contentOf(path + ".txt");
     QVERIFY2(settings.startsWith("physics-inspector "), settings.constData());
     for (const char *line : {"\nlevel 01\n", "\nschedule random:3, 0.5 s\n", "\nsteps 0.05 0.01 s\n",
-                             "\nunknown none\n", "\nshare 0.25\n", "\nhorizon 1 s\n", "\ngravity 9.8 m/s^2\n"})
+                             "\nunknown none\n", "\nshare 0.25\n", "\nhorizon 0.5 s\n", "\ngravity 9.8 m/s^2\n"})
         QVERIFY2(settings.contains(line), settings.constData());
 }
 
