@@ -25,7 +25,7 @@ install(DIRECTORY include/physics DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPON
 
 install(EXPORT physics-targets NAMESPACE physics:: DESTINATION ${physics_cmake_dir} COMPONENT development)
 configure_package_config_file(cmake/physics-config.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/physics-config.cmake
-    INSTALL_DESTINATION ${physics_cmake_dir} PATH_VARS physics_plugin_dir NO_CHECK_REQUIRED_COMPONENTS_MACRO)
+    INSTALL_DESTINATION ${physics_cmake_dir} PATH_VARS physics_plugin_dir)
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/physics-config-version.cmake
     COMPATIBILITY SameMajorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/physics-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/physics-config-version.cmake
