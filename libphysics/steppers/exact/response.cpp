@@ -23,7 +23,8 @@ bool pushOf(const Motion &motion, const Held &held, const MovingBall &ball, Vec3
     return true;
 }
 
-/// Of the sum of N: the direction of a slip with few digits has few digits itself.
+/// Of the sum of N: the direction of a slip with few digits has few digits itself, and where two pushes are nearly
+/// opposite it takes much of them to balance little.
 double roundingOf(const Exchange &exchange, const Motion &motion, const Touching &touching, const MovingBall &ball) {
     constexpr double kSame = 2e-9, kDirection = 16.0 * 0x1p-52;
     double rounding = kSame * accelerationScale(ball.moment());
@@ -34,7 +35,8 @@ double roundingOf(const Exchange &exchange, const Motion &motion, const Touching
         const double slip = glm::length(slipAt(motion, held.normal, ball.radius()));
         rounding += held.friction * pressure * kDirection * speedScale(ball.moment()) / slip;
     }
-    return rounding;
+    const double angle = std::abs(glm::dot(exchange.line, glm::cross(exchange.pushes[0], exchange.pushes[1])));
+    return rounding / std::min(1.0, angle);
 }
 
 /// Rate of change of the sum of shares under these accelerations, 1/s.
