@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "exact/first_event.h"
 
+#include "contact/held.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -51,10 +53,25 @@ End ownEnd(const Uniform &phase, const Touching &touching, const Response &respo
     return end;
 }
 
+/// Ends a phase when something begins to hold, which is looked for at equal intervals.
+template<class Holds>
+void cutWhen(const Holds &holds, int looks, double until, End &end) {
+    constexpr int kHalvings = 40;
+    for (int i = 1; i <= looks; ++i) {
+        double low = until * (i - 1) / looks, high = until * i / looks;
+        if (!holds(high)) continue;
+        for (int halving = 0; halving < kHalvings; ++halving) {
+            const double middle = 0.5 * (low + high);
+            (holds(middle) ? high : low) = middle;
+        }
+        return end.cut({high, Cause::time, 0});
+    }
+}
+
 /// When the load passes to a third contact, whose pair has the smaller sum of N from then on: model.md 14.1.
 template<class P>
 void cutAtExchange(const P &phase, const Touching &touching, const Response &response, MovingBall &ball, End &end) {
-    constexpr int kLooks = 16, kHalvings = 40;
+    constexpr int kLooks = 16;
     Exchange exchange;
     if (touching.count() < 3 || !findExchange(ball.motion, touching, response, ball, exchange)) return;
     const double until = std::min(end.after, ball.left);
@@ -64,14 +81,39 @@ void cutAtExchange(const P &phase, const Touching &touching, const Response &res
         const bool isKnown = findExchange({phase.at(t).velocity, phase.spinAt(t)}, touching, response, ball, exchange);
         return isKnown && exchange.more < -std::max(exchange.rounding, -2.0 * before);
     };
-    for (int i = 1; i <= kLooks; ++i) {
-        double low = until * (i - 1) / kLooks, high = until * i / kLooks;
-        if (!isLess(high)) continue;
-        for (int halving = 0; halving < kHalvings; ++halving) {
-            const double middle = 0.5 * (low + high);
-            (isLess(middle) ? high : low) = middle;
-        }
-        return end.cut({high, Cause::time, 0});
+    cutWhen(isLess, kLooks, until, end);
+}
+
+/// Of two contacts at which the ball sticks: the normal acceleration with which it would leave one if only the other
+/// one pressed, at a moment of the phase.
+template<class P>
+double relief(const P &phase, double t, uint32_t leaving, const Touching &touching, MovingBall &ball) {
+    ball.work.add(phase.lookWork() + Work::kEquations);
+    const Way now = phase.at(t);
+    Moment moment = ball.moment();
+    moment.velocity = now.velocity;
+    moment.spin = phase.spinAt(t);
+    Held left = touching.held(leaving), other = touching.held(1 - leaving);
+    left.normal = hat(left.normal + left.across * now.way / ball.radius());
+    other.normal = hat(other.normal + other.across * now.way / ball.radius());
+    const Vec3 slip = slipAt(moment, other.normal); // rounding, as it sticks
+    moment.velocity -= 2.0 / 7.0 * slip;
+    moment.spin += 5.0 / 7.0 / ball.radius() * glm::cross(other.normal, slip);
+    const Response alone = respond(moment, {&other, 1}, ball.work);
+    return glm::dot(left.normal, alone.acceleration) + curvature(moment, left);
+}
+
+/// When a ball that sticks at two contacts could leave one of them, which only friction presses from then on: the other
+/// one alone has the smaller sum of N, model.md 14.1.
+template<class P>
+void cutAtRelief(const P &phase, const Touching &touching, const Response &response, MovingBall &ball, End &end) {
+    constexpr int kLooks = 4;
+    if (touching.count() != 2 || countSticking(response) != 2) return;
+    const double until = std::min(end.after, ball.left), zero = 2.0 * kFits * accelerationScale(ball.moment());
+    for (const uint32_t leaving : {0U, 1U}) {
+        const auto lets = [&](double t) { return relief(phase, t, leaving, touching, ball) >= 0.0; };
+        if (touching.held(1 - leaving).isGlued || relief(phase, 0.0, leaving, touching, ball) >= -zero) continue;
+        cutWhen(lets, kLooks, until, end);
     }
 }
 
@@ -84,6 +126,7 @@ Event firstEvent(const P &phase, const Ground &ground, const Touching &touching,
     }
     end.cut(ownEnd(phase, touching, response, ball));
     cutAtExchange(phase, touching, response, ball, end);
+    cutAtRelief(phase, touching, response, ball, end);
     const double acceleration = phase.mostAcceleration();
     const Closed closed(touching, response);
     const bool meetsNothing = ground.isOpen(ball, closed.count, acceleration);
