@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/board_picture.h"
 
+#include "core/setup/ball_place.h"
 #include "mesh/mesh_builder.h"
 #include "mesh/mesh_file.h"
 #include "ui/parts/board_vector.h"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace inspector::ui {
@@ -119,7 +121,8 @@ void addOldFuture(gl::Frame &frame, const std::vector<Sample> &samples) {
 /// The path ahead, fading towards its far end.
 gl::Trail trailAhead(const Way &way, const gl::Colour &colour, float width) {
     gl::Trail trail{{}, colour, width};
-    for (auto point = way.rbegin(); point != way.rend(); ++point) trail.points.push_back(toGlm(*point));
+    std::transform(way.rbegin(), way.rend(), std::back_inserter(trail.points),
+                   [](const phys_vec3 &point) { return toGlm(point); });
     return trail;
 }
 

@@ -165,7 +165,8 @@ void MainWindow::bringFloatingDocksUp() {
 void MainWindow::resizeEvent(QResizeEvent *event) {
     QMainWindow::resizeEvent(event);
     if (std::exchange(m_awaitsItsSize, false)) restoreDocks();
-    QMetaObject::invokeMethod(this, &MainWindow::keepBoardSeen, Qt::QueuedConnection); // after the layout
+    // After the layout. NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks): Qt owns the function
+    QMetaObject::invokeMethod(this, &MainWindow::keepBoardSeen, Qt::QueuedConnection);
 }
 
 /// A window that becomes smaller takes from the board first.
