@@ -361,43 +361,90 @@ bool LastingContacts::slips(const Lasting &contact, double negligible, const Mot
     return size(slipAt(motion, contact.limit, m_radius)) > kLeftOfSlip * negligible;
 }
 
+bool LastingContacts::isStill(const Lasting &contact, double negligible, const Motion &motion) const {
+    return contact.reaction > 0.0 && (contact.closes || !slips(contact, negligible, motion));
+}
+
+namespace {
+
+bool isAllowed(const Lasting &contact) {
+    return contact.rolls || contact.closes ? contact.reaction > 0.0 : contact.sticks();
+}
+
+/// Presses two contacts against each other along the line between their points by what leaves the least friction.
+/// Returns how much that is, m/s; nothing if their normals are parallel.
+std::optional<double> relievePair(Lasting &a, Lasting &b) {
+    const Vec3 line = a.lever - b.lever;
+    const Vec3 acrossA = tangential(line, a.lever);
+    const Vec3 acrossB = tangential(line, b.lever);
+    const double size = glm::dot(acrossA, acrossA) + glm::dot(acrossB, acrossB);
+    if (size <= kNegligible) return {};
+    const double share = (glm::dot(b.rubbing, acrossB) - glm::dot(a.rubbing, acrossA)) / size;
+    a.reaction += share * glm::dot(line, a.lever);
+    a.rubbing += share * acrossA;
+    b.reaction -= share * glm::dot(line, b.lever);
+    b.rubbing -= share * acrossB;
+    a.isSpent = b.isSpent = false;
+    return std::abs(share);
+}
+
+} // namespace
+
 /// Two sticking contacts can be pressed against each other along the line between their points without moving anything.
 /// Of all such solutions the law takes the one with the least friction, model.md 13.3, to which this changes if the
 /// cones allow it. One of them may be at its limit by this pressure alone.
 LastingContacts::Strain LastingContacts::relieve(double negligible, const Motion &motion) {
-    const auto isAllowed = [](const Lasting &contact) {
-        return contact.rolls || contact.closes ? contact.reaction > 0.0 : contact.sticks();
-    };
-    const auto isStill = [&](const Lasting &contact) {
-        return contact.reaction > 0.0 && (contact.closes || !slips(contact, negligible, motion));
-    };
     Strain strain{0.0, false};
+    if (countStill(negligible, motion) > 2) {
+        if (const std::optional<double> relieved = relieveTogether(negligible, motion)) return {*relieved, false};
+        strain.remains = true;
+    }
     for (Lasting *a = begin(); a != end(); ++a) {
         for (Lasting *b = a + 1; b != end(); ++b) {
-            if (!isStill(*a) || !isStill(*b)) continue;
-            const Vec3 line = a->lever - b->lever;
-            const Vec3 acrossA = tangential(line, a->lever);
-            const Vec3 acrossB = tangential(line, b->lever);
-            const double size = glm::dot(acrossA, acrossA) + glm::dot(acrossB, acrossB);
-            if (size <= kNegligible) continue; // parallel normals
-            const double share = (glm::dot(b->rubbing, acrossB) - glm::dot(a->rubbing, acrossA)) / size;
+            if (!isStill(*a, negligible, motion) || !isStill(*b, negligible, motion)) continue;
             Lasting relievedA = *a;
             Lasting relievedB = *b;
-            relievedA.reaction += share * glm::dot(line, a->lever);
-            relievedA.rubbing += share * acrossA;
-            relievedB.reaction -= share * glm::dot(line, b->lever);
-            relievedB.rubbing -= share * acrossB;
-            relievedA.isSpent = relievedB.isSpent = false;
+            const std::optional<double> share = relievePair(relievedA, relievedB);
+            if (!share) continue;
             if (!isAllowed(relievedA) || !isAllowed(relievedB)) {
                 strain.remains = true;
                 continue;
             }
             *a = relievedA;
             *b = relievedB;
-            strain.relieved = std::max(strain.relieved, std::abs(share));
+            strain.relieved = std::max(strain.relieved, *share);
         }
     }
     return strain;
+}
+
+/// The same for three contacts or more, whose pairs share contacts: all pairs are relieved before the cones are asked.
+/// Returns the largest pressure, or nothing if the cones don't allow it.
+std::optional<double> LastingContacts::relieveTogether(double negligible, const Motion &motion) {
+    constexpr int kMostRounds = 200;
+    LastingContacts still(m_radius, *m_work);
+    for (const Lasting &contact : *this) {
+        if (isStill(contact, negligible, motion)) still.add(contact);
+    }
+    double most = 0.0, last = INFINITY;
+    for (int i = 0; i < kMostRounds && last > negligible; ++i) {
+        last = 0.0;
+        for (Lasting *a = still.begin(); a != still.end(); ++a) {
+            for (Lasting *b = a + 1; b != still.end(); ++b) last = std::max(last, relievePair(*a, *b).value_or(0.0));
+        }
+        most = std::max(most, last);
+    }
+    if (!std::all_of(still.begin(), still.end(), isAllowed)) return {};
+    const Lasting *next = still.begin();
+    for (Lasting &contact : *this) {
+        if (isStill(contact, negligible, motion)) contact = *next++;
+    }
+    return most;
+}
+
+uint32_t LastingContacts::countStill(double negligible, const Motion &motion) const {
+    return static_cast<uint32_t>(
+        std::count_if(begin(), end(), [&](const Lasting &contact) { return isStill(contact, negligible, motion); }));
 }
 
 /// A pair that closes a gap slips along the line between its points, which is no slip of the motion: where the friction
@@ -430,13 +477,14 @@ bool LastingContacts::sticksWhileClosing(Lasting &a, Lasting &b, double negligib
 
 /// Contacts that stick only by such a pressure may slip instead, at less: friction must not maintain the pressure on
 /// which it depends, model.md 14.1. Reactions found without friction first, with which friction then grows, are the
-/// smallest.
+/// smallest. Three that stick only so may even press less than where one of them opens, and aren't a solution.
 void LastingContacts::settleFromBelow(double negligible, const Motion &driven, Motion &motion) {
     LastingContacts other = *this;
     Motion after = driven;
     other.unload();
     if (!other.settleTogether(0.0, negligible, kMostTogether, after)) return;
-    if (!(other.pressure() < pressure() - negligible)) return;
+    const bool isLess = other.pressure() < pressure() - negligible;
+    if (!isLess && (countStill(negligible, motion) < 3 || other.relieve(negligible, after).remains)) return;
     std::copy(other.begin(), other.end(), begin());
     motion = after;
 }

@@ -5,6 +5,8 @@
 #include "contact/contact.h"
 #include "contact/work.h"
 
+#include <optional>
+
 namespace phys {
 
 /// A contact that may last, with its impulses. In a list they are in the order of Contacts::sort.
@@ -75,6 +77,9 @@ private:
         bool remains;    ///< somewhere: without it a contact would slip
     };
     Strain relieve(double negligible, const Motion &motion);
+    std::optional<double> relieveTogether(double negligible, const Motion &motion);
+    bool isStill(const Lasting &contact, double negligible, const Motion &motion) const;
+    uint32_t countStill(double negligible, const Motion &motion) const;
     bool slips(const Lasting &contact, double negligible, const Motion &motion) const;
     bool keepLoads(double negligible);
     void stickWhileClosing(double negligible, Motion &motion);
