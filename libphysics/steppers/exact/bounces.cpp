@@ -196,12 +196,12 @@ bool skipSeries(const Obstacles &obstacles, MovingBall &ball, Contacts &contacts
         return SeriesPart{time, flight * flight * geometric(eps * eps, bounces), series.speed - series.slowing * time};
     };
     double before = series.speed;
-    for (double i = 1.0; i <= count; ++i) {
+    for (uint64_t i = 1; static_cast<double>(i) <= count; ++i) {
         if (!ball.report.hasRoom()) {
-            ball.report.lostEvents(count - i + 1.0);
+            ball.report.lostEvents(count - static_cast<double>(i) + 1.0);
             break;
         }
-        const SeriesPart part = partOf(i);
+        const SeriesPart part = partOf(static_cast<double>(i));
         const Vec3 point = face.point + series.way(part);
         ball.report.event(face.isTop ? PHYS_EVENT_LANDING : PHYS_EVENT_IMPACT, ball.elapsed + part.time, point,
                           face.normal, -before, part.speed, ball.scene().givenBox(face.box, point));

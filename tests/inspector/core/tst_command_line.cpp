@@ -31,6 +31,8 @@ private slots:
     void versionIsThatOfProgramAndLibrary();
     void wrongUseGivesOneLineAndStatus2_data();
     void wrongUseGivesOneLineAndStatus2();
+    void wrongComparisonGivesOneLineAndStatus2_data();
+    void wrongComparisonGivesOneLineAndStatus2();
     void tiltOfAFileIsRefusedWhereTheAutopilotTilts();
     void wrongLineOfAFileOfParametersNamesTheFile_data();
     void wrongLineOfAFileOfParametersNamesTheFile();
@@ -199,43 +201,14 @@ void TestCommandLine::versionIsThatOfProgramAndLibrary() {
 void TestCommandLine::wrongUseGivesOneLineAndStatus2_data() {
     QTest::addColumn<QString>("words");
     QTest::addColumn<QString>("said"); // what the line must contain: the option and the value found
-    QTest::newRow("unknown ghostChoice") << "--compare none"
-                                         << "--compare: no stepper has the id 'none'";
-    QTest::newRow("substeps of nothing") << "--compare-substeps 2"
-                                         << "--compare-substeps: needs --compare";
     QTest::newRow("view of no window") << "--headless --view 2d"
                                        << "--view: nothing is drawn without a window";
     QTest::newRow("no such view") << "--view 4d"
                                   << "--view: expected 3d or 2d, found '4d'";
     QTest::newRow("no file of parameters") << "--parameters /nowhere"
                                            << "--parameters: '/nowhere'";
-    QTest::newRow("parameters of nothing") << "--compare-set gravity=3"
-                                           << "--compare-set: needs --compare";
-    QTest::newRow("ghost's tilt") << "--compare exact --compare-set tilt_x=3"
-                                  << "--compare-set: expected parameters other than the tilt, as "
-                                     "rolling_friction=0.004, found 'tilt_x=3'";
-    QTest::newRow("ghost's unknown parameter") << "--compare exact --compare-set speed=3"
-                                               << "--compare-set: expected parameters other than the tilt, as "
-                                                  "rolling_friction=0.004, found 'speed=3'";
-    QTest::newRow("ghost's forbidden value")
-        << "--compare exact --compare-set restitution_wall=2"
-        << "--compare-set: restitution_wall: expected a number from 0 to 1, found '2'";
-    QTest::newRow("ghost's parameter twice")
-        << "--compare exact --compare-set restitution_wall=0.1,restitution-wall=0.9"
-        << "--compare-set: 'restitution_wall' is named twice";
     QTest::newRow("angle that is a length") << "--track t.csv --track-frame 0,0,1mm,1"
                                             << "--track-frame: expected";
-    QTest::newRow("ghost's values that don't agree")
-        << "--compare exact --compare-set model=rigid,rolling_friction=1,sliding_friction=0.5"
-        << "--compare-set: rolling_friction is 1";
-    QTest::newRow("no whole number of substeps") << "--compare exact --compare-substeps 1.5"
-                                                 << "'1.5'";
-    QTest::newRow("too many substeps") << "--compare exact --compare-substeps 1001"
-                                       << "from 1 to 1000, found '1001'";
-    QTest::newRow("comparison of a replay") << "--replay x --check --compare exact"
-                                            << "--replay in the window only";
-    QTest::newRow("comparison of all levels") << "--all-levels --compare exact"
-                                              << "doesn't go with --all-levels";
     QTest::newRow("tilt beside the autopilot's") << "--autopilot --tilt-x 3"
                                                  << "--tilt-x: doesn't go with --autopilot";
     QTest::newRow("tilt of all levels") << "--all-levels --tilt-y 3"
@@ -245,8 +218,6 @@ void TestCommandLine::wrongUseGivesOneLineAndStatus2_data() {
         QTest::addRow("fit %s", option) << QStringLiteral("--fit t.csv --level 1 %1").arg(option)
                                         << "doesn't go with --";
     }
-    QTest::newRow("comparison of a trade") << "--trade 1 --compare exact"
-                                           << "doesn't go with --trade";
     QTest::newRow("unknown option") << "--colour"
                                     << "colour";
     QTest::newRow("two files") << "a.txt b.txt"
@@ -326,6 +297,44 @@ void TestCommandLine::wrongUseGivesOneLineAndStatus2() {
     QVERIFY2(line.error.startsWith("physics-inspector: ") && line.error.contains(said), qPrintable(line.error));
     QCOMPARE(line.error.count('\n'), 1);
 }
+
+void TestCommandLine::wrongComparisonGivesOneLineAndStatus2_data() {
+    QTest::addColumn<QString>("words");
+    QTest::addColumn<QString>("said");
+    QTest::newRow("unknown ghostChoice") << "--compare none"
+                                         << "--compare: no stepper has the id 'none'";
+    QTest::newRow("substeps of nothing") << "--compare-substeps 2"
+                                         << "--compare-substeps: needs --compare";
+    QTest::newRow("parameters of nothing") << "--compare-set gravity=3"
+                                           << "--compare-set: needs --compare";
+    QTest::newRow("ghost's tilt") << "--compare exact --compare-set tilt_x=3"
+                                  << "--compare-set: expected parameters other than the tilt, as "
+                                     "rolling_friction=0.004, found 'tilt_x=3'";
+    QTest::newRow("ghost's unknown parameter") << "--compare exact --compare-set speed=3"
+                                               << "--compare-set: expected parameters other than the tilt, as "
+                                                  "rolling_friction=0.004, found 'speed=3'";
+    QTest::newRow("ghost's forbidden value")
+        << "--compare exact --compare-set restitution_wall=2"
+        << "--compare-set: restitution_wall: expected a number from 0 to 1, found '2'";
+    QTest::newRow("ghost's parameter twice")
+        << "--compare exact --compare-set restitution_wall=0.1,restitution-wall=0.9"
+        << "--compare-set: 'restitution_wall' is named twice";
+    QTest::newRow("ghost's values that don't agree")
+        << "--compare exact --compare-set model=rigid,rolling_friction=1,sliding_friction=0.5"
+        << "--compare-set: rolling_friction is 1";
+    QTest::newRow("no whole number of substeps") << "--compare exact --compare-substeps 1.5"
+                                                 << "'1.5'";
+    QTest::newRow("too many substeps") << "--compare exact --compare-substeps 1001"
+                                       << "from 1 to 1000, found '1001'";
+    QTest::newRow("comparison of a replay") << "--replay x --check --compare exact"
+                                            << "--replay in the window only";
+    QTest::newRow("comparison of all levels") << "--all-levels --compare exact"
+                                              << "doesn't go with --all-levels";
+    QTest::newRow("comparison of a trade") << "--trade 1 --compare exact"
+                                           << "doesn't go with --trade";
+}
+
+void TestCommandLine::wrongComparisonGivesOneLineAndStatus2() { wrongUseGivesOneLineAndStatus2(); }
 
 // Here a file's tilt isn't used either.
 void TestCommandLine::tiltOfAFileIsRefusedWhereTheAutopilotTilts() {
