@@ -158,12 +158,9 @@ private:
     /// Whether a ball may lean on what only its new velocity leads to: FloorRun::mayLean.
     static constexpr bool kLeansAhead = Scheme::kContactRule == ContactRule::Explicit;
 
-    // Both are inlined so that balls stay in registers: 6 % of a single step.
-
     /// Balls none of which is at a face.
     template<class N>
-    [[gnu::always_inline]] static inline RegionStep<N> rollFree(const BallsInRegion<N> &balls,
-                                                                const RegionLimits &limits) {
+    static RegionStep<N> rollFree(const BallsInRegion<N> &balls, const RegionLimits &limits) {
         const InRegion<N> &x = balls.x, &y = balls.y;
         RegionStep<N> step = rollBy(balls.drive.A, balls.drive.stop, balls, limits);
         const N farthest = kRule == RegionRule::Swept ? balls.farthest : N(limits.reach);
@@ -185,8 +182,7 @@ private:
 
     /// Any balls.
     template<class N>
-    [[gnu::always_inline]] static inline RegionStep<N> rollBeside(const BallsInRegion<N> &balls,
-                                                                  const RegionLimits &limits) {
+    static RegionStep<N> rollBeside(const BallsInRegion<N> &balls, const RegionLimits &limits) {
         const InRegion<N> &x = balls.x, &y = balls.y;
         const FloorDrive<N> &drive = balls.drive;
         const double h = limits.h;
