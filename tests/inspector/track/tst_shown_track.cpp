@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A measured ball beside a run: its position at the run's times, and a ball that rolls under its tilts.
+#include "core/setup/levels.h"
 #include "core/track/shown_track.h"
 #include "inspector/core/scenes.h"
 #include "inspector/track/made_track.h"
