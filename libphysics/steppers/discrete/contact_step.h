@@ -25,6 +25,7 @@ struct StepContext {
     const phys_params &params() const { return setting.params; }
     double radius() const { return setting.scene.radius; }
     bool isRigid() const { return setting.isRigid(); }
+    bool hasRoughWalls() const { return isRigid() && params().wall_friction > 0.0; }
 };
 
 /// Below this share of gravity, or of sqrt(g R), a motion is the rounding error of a ball that stopped.

@@ -189,7 +189,8 @@ private:
         visitNear(scene, free.position, scene.radius, [&](const phys_box &box, uint32_t) {
             overlaps = overlaps || squaredDistance(box, free.position) < overlapping * overlapping;
         });
-        return overlaps || leansOnAnother({}, ball, free.velocity);
+        const bool mayLean = !free.supported || m_context.hasRoughWalls(); // as FloorRun::mayLean
+        return overlaps || (mayLean && leansOnAnother({}, ball, free.velocity));
     }
 
     /// Whether the explicit rule, which moves with the old velocity, would miss a contact: the ball is as near to a box

@@ -203,7 +203,7 @@ private:
     /// Rolls along faces that the ball touches and continues to touch, under the drive that they leave. False if it
     /// leaves them, or may stop.
     bool rollAlong(std::span<const UprightFace> faces, const Ball &ball, Ahead &ahead) const {
-        if (m_context.isRigid() && m_context.params().wall_friction > 0.0) return false;
+        if (m_context.hasRoughWalls()) return false;
         const Vec2 velocity = inPlane(ball.velocity);
         for (const UprightFace &face : faces) {
             if (velocity[face.axis] != 0.0) return false;
@@ -215,16 +215,17 @@ private:
         return !mayStop || glm::dot(ahead.roll.velocity, velocity) > kZero * glm::dot(velocity, velocity);
     }
 
-    /// Whether the explicit rule, which moves with the old velocity, may lean on what only the new one leads to, as on
-    /// an edge that the ball rounds.
+    /// Whether the explicit rule, which moves with the old velocity, may lean on what only the new one leads to: on a
+    /// rough edge that the ball rounds, whose friction presses it onto the floor.
     bool mayLean(const FloorView &view, const Ball &ball, const Vec2 &newVelocity) const {
         if constexpr (Scheme::kContactRule != ContactRule::Explicit) return false;
-        return !view.isEmpty() && !view.hasRoom(m_context, ball.position, ball.position + m_h * Vec3(newVelocity, 0.0));
+        return m_context.hasRoughWalls() && !view.isEmpty() &&
+               !view.hasRoom(m_context, ball.position, ball.position + m_h * Vec3(newVelocity, 0.0));
     }
 
     bool meetFaces(double start, FloorView &view, Ball &ball) const {
         const phys_params &params = m_context.params();
-        if (m_context.isRigid() && params.wall_friction > 0.0) return false;
+        if (m_context.hasRoughWalls()) return false;
         const std::span<UprightFace> faces = view.faces();
         Ball next = ball;
         next.supported = true;
@@ -234,7 +235,6 @@ private:
         const std::optional<SmoothLoss> loss =
             contact == FloorContact::Slips ? slipAway(faces, next) : rollBeside(contact, faces, next);
         if (!loss || !view.hasRoom(m_context, ball.position, next.position)) return false;
-        if (mayLean(view, ball, inPlane(next.velocity))) return false;
         m_context.report.lostSlip(lossOfSpin(ball));
         book(*loss);
         if (bounces) bookBounce(start, faces, ball, bounced);

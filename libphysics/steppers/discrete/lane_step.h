@@ -78,8 +78,11 @@ uint32_t rollInLanes(Lanes &lanes) {
     for (uint32_t lane = 0; lane < kLaneCount; lane += kWidth<N>) {
         const LanesOf<N> some{lanes, lane};
         const BallsInRegion<N> balls = some.load();
-        moved |= StepInRegion<Scheme, kRule, kResists>::make(
-            balls, limits, [&](const RegionStep<N> &step) { return some.keep(balls, step); });
+        moved |= StepInRegion<Scheme, kRule, kResists>::make(balls, limits, [&](const RegionStep<N> &step) {
+            if (!kLooksAhead<Scheme> || !lanes.isRough) return some.keep(balls, step);
+            const auto isFine = all(step.isFine, isFreeAhead(balls, lanes.dt, step.velocity));
+            return some.keep(balls, {step.velocity, step.displacement, isFine});
+        });
     }
     return moved;
 }

@@ -115,7 +115,8 @@ private:
                                                 ? StepInRegion<Scheme, kRule, true>::make(ball, limits, asItIs)
                                                 : StepInRegion<Scheme, kRule, false>::make(ball, limits, asItIs);
             const Planar<double> end{in.position.x + step.displacement.x, in.position.y + step.displacement.y};
-            if (step.isFine) {
+            const bool leans = kLooksAhead<Scheme> && !mayLean && !isFreeAhead(ball, dt, step.velocity);
+            if (step.isFine && !leans) {
                 take(input, kind, end, step, out, report);
                 return true;
             }
@@ -211,6 +212,7 @@ private:
         lanes.friction[i] = kind.friction(params);
         lanes.grip[i] = kind.grip(params);
         lanes.farthest[i] = farthestOf(lanes.reach, params, kind, *region);
+        if (kLooksAhead<Scheme> && !mayLean) lanes.isRough = true;
         return true;
     }
 

@@ -143,6 +143,17 @@ inline bool staysAtRest(const BallsInRegion<double> &ball) {
     return dot(A, A) <= ball.drive.B * ball.drive.B && ball.drive.pull < INFINITY;
 }
 
+/// Whether the explicit rule must look where the new velocity leads, if walls are rough: FloorRun::mayLean.
+template<class Scheme>
+inline constexpr bool kLooksAhead = Scheme::kContactRule == ContactRule::Explicit;
+
+/// Whether nothing is near there. Where walls are rough, regions have no faces.
+template<class N>
+MaskOf<N> isFreeAhead(const BallsInRegion<N> &balls, double h, const Planar<N> &newVelocity) {
+    const InRegion<N> &x = balls.x, &y = balls.y;
+    return all(x.isFree(x.place + h * newVelocity.x), y.isFree(y.place + h * newVelocity.y));
+}
+
 /// The step of a scheme, without regard to regions. kResists: whether there is rolling friction, for all balls or for
 /// none.
 template<class Scheme, RegionRule kRule, bool kResists>
@@ -155,9 +166,6 @@ struct StepInRegion {
     }
 
 private:
-    /// Whether a ball may lean on what only its new velocity leads to: FloorRun::mayLean.
-    static constexpr bool kLeansAhead = Scheme::kContactRule == ContactRule::Explicit;
-
     /// Balls none of which is at a face.
     template<class N>
     static RegionStep<N> rollFree(const BallsInRegion<N> &balls, const RegionLimits &limits) {
@@ -170,10 +178,6 @@ private:
         if constexpr (kRule == RegionRule::Swept) {
             const Planar<N> turn = 0.5 * limits.h * balls.velocity();
             isFine = all(isFine, wayOf(step) <= farthest, x.isFree(x.place + turn.x), y.isFree(y.place + turn.y));
-        }
-        if constexpr (kLeansAhead) {
-            isFine = all(isFine, x.isFree(x.place + limits.h * step.velocity.x),
-                         y.isFree(y.place + limits.h * step.velocity.y));
         }
         if (limits.mayFall) isFine = all(isFine, staysOnFloor(balls, limits));
         step.isFine = isFine;
@@ -204,10 +208,6 @@ private:
         if constexpr (kRule == RegionRule::Swept) {
             const Planar<N> turn = 0.5 * h * velocity;
             step.isFine = all(step.isFine, x.has(x.place + turn.x, velocity.x), y.has(y.place + turn.y, velocity.y));
-        }
-        if constexpr (kLeansAhead) {
-            step.isFine = all(step.isFine, x.has(x.place + h * step.velocity.x, step.velocity.x),
-                              y.has(y.place + h * step.velocity.y, step.velocity.y));
         }
         if (limits.mayFall) step.isFine = all(step.isFine, staysOnFloor(balls, limits));
         return step;
