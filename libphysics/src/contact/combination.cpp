@@ -74,32 +74,59 @@ double leastPressure(const Combination &c, uint32_t i) {
     return -kFits * accelerationScale(c.moment) / (1.0 + c.held[i].friction);
 }
 
+/// Solves the equations, with no pressure at the contacts in `idle` (bits) instead of their own equations.
+dense::Values unknownsOf(Combination &c, uint32_t idle) {
+    dense::Equations equations = equationsOf(c, [&](uint32_t i, dense::Equations &rows) {
+        const Vec3 turning = glm::cross(c.moment.spin, c.held[i].across * c.moment.velocity);
+        if (!(idle >> i & 1U)) {
+            return addRows(c, i, rows, turning - c.moment.gravity, c.moment.gravity, bendOf(c, i));
+        }
+        dense::Values &factors = rows.add(0.0);
+        factors[c.column[i]] = 1.0;
+        for (uint32_t j = 0; j < c.count(); ++j) {
+            if (c.partner[j] == i) factors[c.column[j]] = -c.facing[j];
+        }
+    });
+    return equations.solve();
+}
+
+/// Contacts that pull, but by no more than rounding: bits.
+uint32_t pullingByRounding(const Combination &c) {
+    uint32_t bits = 0;
+    for (uint32_t i = 0; i < c.count(); ++i) {
+        const Reaction &reaction = c.reactions[i];
+        const bool pulls = reaction.pressure < 0.0 && reaction.pressure >= leastPressure(c, i);
+        bits |= (pulls && reaction.mode != Mode::sticking ? 1U : 0U) << i;
+    }
+    return bits;
+}
+
 } // namespace
+
+void solve(Combination &c) {
+    // Rounding must not make a contact pull: friction would follow it and drive the slip. The forces at the others are
+    // those without it: what balanced its friction would drive them, in proportion to its mu.
+    uint32_t idle = 0;
+    dense::Values x;
+    for (uint32_t pulling = 1; pulling != 0; idle |= pulling) {
+        x = unknownsOf(c, idle);
+        for (uint32_t i = 0; i < c.count(); ++i) {
+            Reaction &reaction = c.reactions[i];
+            reaction.force = c.force(i, x);
+            reaction.pressure = c.isOpen(i) ? 0.0 : glm::dot(reaction.force, c.held[i].normal);
+            if (!(idle >> i & 1U)) continue;
+            reaction.pressure = 0.0;
+            reaction.force = Vec3(0.0);
+        }
+        pulling = pullingByRounding(c);
+    }
+    accelerate(c, x);
+}
 
 Vec3 slipRate(const Combination &c, uint32_t i) {
     const Held &contact = c.held[i];
     return c.acceleration - c.moment.radius * glm::cross(c.spinAcceleration, contact.normal) -
            glm::cross(c.moment.spin, contact.across * c.moment.velocity);
-}
-
-void solve(Combination &c) {
-    dense::Equations equations = equationsOf(c, [&c](uint32_t i, dense::Equations &rows) {
-        const Vec3 turning = glm::cross(c.moment.spin, c.held[i].across * c.moment.velocity);
-        addRows(c, i, rows, turning - c.moment.gravity, c.moment.gravity, bendOf(c, i));
-    });
-    dense::Values x = equations.solve();
-    for (uint32_t i = 0; i < c.count(); ++i) {
-        Reaction &reaction = c.reactions[i];
-        reaction.force = c.force(i, x);
-        reaction.pressure = c.isOpen(i) ? 0.0 : glm::dot(reaction.force, c.held[i].normal);
-        // Rounding must not make a contact pull: friction would follow it and drive the slip.
-        if (reaction.mode != Mode::sticking && reaction.pressure < 0.0 && reaction.pressure >= leastPressure(c, i)) {
-            x[c.column[i]] = c.pressureOfPartners(i, x);
-            reaction.pressure = 0.0;
-            reaction.force = Vec3(0.0);
-        }
-    }
-    accelerate(c, x);
 }
 
 namespace {
