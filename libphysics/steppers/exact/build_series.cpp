@@ -75,6 +75,21 @@ void fitUnit(const Response &response, uint32_t kept, const Touching &touching, 
     }
 }
 
+/// For a very rough slip, whose series are short, those in which its pressure follows the motion: model.md 14.2.
+void slave(const Response &response, const Touching &touching, MovingBall &ball, Series &series) {
+    constexpr double kShort = 0x1p-8; // relative to the time scale of the motion
+    constexpr int kMostGuesses = 12;
+    double unit = firstUnit(ball, response);
+    if (series.horizon() > kShort * unit) return;
+    Series slaved;
+    for (int guess = 0; guess < kMostGuesses; ++guess) {
+        if (!slaved.buildSlaved(ball.moment(), touching.held(), response, unit, ball.work)) return;
+        if (slaved.length() >= 0.1) break;
+        unit *= std::max(2.0 * slaved.length(), 0x1p-4);
+    }
+    if (slaved.horizon() > series.horizon()) series = slaved;
+}
+
 } // namespace
 
 bool buildSeries(MovingBall &ball, Touching &touching, Response &response, Series &series) {
@@ -93,7 +108,10 @@ bool buildSeries(MovingBall &ball, Touching &touching, Response &response, Serie
         }
         const uint32_t opening = series.opening() & ~excluded.closed;
         const uint32_t slipping = series.spent(slips) & ~(spent | kept);
-        if (!opening && !slipping) return true;
+        if (!opening && !slipping) {
+            slave(response, touching, ball, series);
+            return true;
+        }
         if (!opening && countSticking(response) == 1 && excluded.sticking == 0) {
             spent |= slipping;
             withoutResistance(slipping, ball, touching, response);

@@ -37,6 +37,18 @@ Vec3 freeAxes(const Moment &moment, std::span<const Held> held, const Response &
 
 void Series::build(const Moment &moment, std::span<const Held> held, const Response &response, double unit,
                    uint32_t kept, double wanted) {
+    take(moment, held, response, unit, kept);
+    m_last = 1;
+    for (; m_last < kOrder && !suffices(wanted / unit); ++m_last) {
+        forces(m_last);
+        move(m_last);
+    }
+    finish();
+}
+
+/// The contacts, and the terms of the motion that the response determines.
+void Series::take(const Moment &moment, std::span<const Held> held, const Response &response, double unit,
+                  uint32_t kept) {
     m_mirror = Mirror(moment, held);
     m_moment = m_mirror.seen(moment);
     m_reach.unit = unit;
@@ -44,7 +56,7 @@ void Series::build(const Moment &moment, std::span<const Held> held, const Respo
     const Sorted sorted(m_mirror, held);
     m_count = m_unknowns = m_turningNormals = 0;
     m_knownReserves = 0;
-    m_rolls = kMostHeld;
+    m_rolls = m_slaved = kMostHeld;
     for (uint32_t i = 0; i < sorted.count; ++i) {
         const Reaction &reaction = response.reactions[sorted.index[i]];
         if (reaction.mode == Mode::open) continue;
@@ -71,11 +83,10 @@ void Series::build(const Moment &moment, std::span<const Held> held, const Respo
     }
     begin(response);
     findShared();
-    m_last = 1;
-    for (; m_last < kOrder && !suffices(wanted / unit); ++m_last) {
-        forces(m_last);
-        move(m_last);
-    }
+}
+
+/// After the last term.
+void Series::finish() {
     clearRest();
     measure();
     // The direction of a slip with few digits has few digits itself, and so have the forces.
@@ -292,7 +303,8 @@ void Series::knownForces(Contact &contact, int k) {
 /// The accelerations of order k and the slips' rates without the contribution of the unknowns.
 void Series::knownAccelerations(int k) {
     const double R = m_moment.radius;
-    m_a[k] = m_al[k] = Vec3(0.0);
+    m_a[k] = k == 0 ? m_moment.gravity : Vec3(0.0);
+    m_al[k] = Vec3(0.0);
     for (const Contact &contact : contacts()) {
         m_a[k] += contact.r[k];
         if (contact.mode != Mode::smooth) m_al[k] -= kInertia / R * contact.crossNormal(contact.r, k);

@@ -29,6 +29,11 @@ public:
     void build(const Moment &moment, std::span<const Held> held, const Response &response, double unit, uint32_t kept,
                double wanted);
 
+    /// The same for a slip so rough that its pressure follows the motion, model.md 14.2. False if there is none, or if
+    /// the pressure is still on its way there.
+    bool buildSlaved(const Moment &moment, std::span<const Held> held, const Response &response, double unit,
+                     Work &work);
+
     /// Longest time for which the series are accurate to rounding, s; and in units of the clock.
     double horizon() const { return timeAt(m_reach.length); }
     double length() const { return m_reach.length; }
@@ -129,10 +134,21 @@ private:
     mutable std::array<Reserve, kMostHeld> m_reserves; ///< those asked for: the start and the end of a phase ask
     mutable uint32_t m_knownReserves = 0;              ///< their bits
 
+    uint32_t m_slaved = kMostHeld; ///< the contact whose N is given
+    double m_given = 0.0;          ///< its present term
+
     std::span<Contact> contacts() { return {m_contacts.data(), m_count}; }
     std::span<const Contact> contacts() const { return {m_contacts.data(), m_count}; }
     uint32_t given(uint32_t i) const { return m_index[i]; }
 
+    void take(const Moment &moment, std::span<const Held> held, const Response &response, double unit, uint32_t kept);
+    void finish();
+    bool findSlaved();
+    bool relaxes(double present);
+    double roundingOfPressure(const Contact &contact) const;
+    double apart(const Contact &contact, int k) const;
+    double apartWith(int k, double pressure);
+    double apartAfter(int k, double pressure, double following);
     void findPartners();
     void weighSlips();
     void findPace(int k);

@@ -38,6 +38,17 @@ Vec3 Series::spinPerForce(const Contact &contact, const Vec3 &force, int k) cons
     return steadied(spin, k);
 }
 
+/// Term k of the normal acceleration, as far as forces are known.
+double Series::apart(const Contact &contact, int k) const {
+    double apart = 0.0;
+    for (int j = 0; j <= contact.lastNormal(k); ++j) {
+        apart += glm::dot(contact.n[j], m_a[k - j]);
+        if (contact.isFlat) break;
+        apart += glm::dot(contact.held.across * m_v[j], contact.held.across * m_v[k - j]) / m_moment.radius;
+    }
+    return apart;
+}
+
 void Series::addRows(const Contact &contact, int k, dense::Equations &equations) const {
     const double R = m_moment.radius, mu = contact.held.friction;
     const Vec3 n0 = contact.n[0];
@@ -60,13 +71,7 @@ void Series::addRows(const Contact &contact, int k, dense::Equations &equations)
         for (uint32_t i = 0; i < 3; ++i) add(axisOf(i), true, -glm::dot(axisOf(i), contact.rateKnown));
         return;
     }
-    double apart = 0.0;
-    for (int j = 0; j <= contact.lastNormal(k); ++j) {
-        apart += glm::dot(contact.n[j], m_a[k - j]);
-        if (contact.isFlat) break;
-        apart += glm::dot(contact.held.across * m_v[j], contact.held.across * m_v[k - j]) / R;
-    }
-    add(n0, false, -apart);
+    add(n0, false, -apart(contact, k));
     if (contact.mode == Mode::starting) {
         const double growth = unit() * mu * contact.N[0] / (contact.speed[0] * (k + 1));
         const Vec3 d0 = contact.d[0];
@@ -205,11 +210,17 @@ void Series::solveOrder(int k) {
     // Only where slipping or rolling starts do the unknowns of an order contribute to directions, by the order.
     bool areSame = !m_rollStarts;
     for (const Contact &contact : contacts()) areSame = areSame && contact.mode != Mode::starting;
-    if (k > 1 && areSame)
+    if ((k > 1 || (m_slaved < m_count && m_equations.areSolved())) && areSame)
         m_equations.again();
     else
         m_equations.begin(m_unknowns);
-    for (const Contact &contact : contacts()) {
+    for (uint32_t i = 0; i < m_count; ++i) {
+        const Contact &contact = m_contacts[i];
+        if (i == m_slaved) {
+            dense::Values &factors = m_equations.add(m_given);
+            if (!m_equations.areSolved()) factors[contact.column] = 1.0;
+            continue;
+        }
         addRows(contact, k, m_equations);
         if (!isIdleBesideOther(contact)) continue;
         dense::Values &factors = m_equations.add(0.0);
