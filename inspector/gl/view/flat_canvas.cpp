@@ -62,6 +62,11 @@ void FlatCanvas::setMaze(const Mesh &mesh) {
     update();
 }
 
+void FlatCanvas::setQuality(std::optional<Quality> quality) {
+    m_quality = quality.value_or(Quality::Medium);
+    update();
+}
+
 QPointF FlatCanvas::place(const Projection &projection, const glm::dvec3 &point) const {
     const glm::dvec4 clip = projection * glm::dvec4(point, 1.0);
     return {0.5 * (1.0 + clip.x / clip.w) * width(), 0.5 * (1.0 - clip.y / clip.w) * height()};
@@ -88,7 +93,7 @@ QImage FlatCanvas::picture(const Frame &frame, int scale) {
 }
 
 void FlatCanvas::paint(QPainter &painter, const Frame &frame) const {
-    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setRenderHint(QPainter::Antialiasing, m_quality != Quality::Low);
     const View view = m_host.view();
     painter.fillRect(rect(), toQColor(view.backdrop.table));
     const Projection projection = view.projection * view.view * m_host.boardPose();

@@ -22,6 +22,9 @@ public:
     QImage picture(const Frame &frame, int scale) override;
     QImage shown() override { return grab().toImage(); }
     QString name() const override;
+    /// Low: without smoothing edges, which takes most of the time.
+    void setQuality(std::optional<Quality> quality) override;
+    Quality quality() const override { return m_quality; }
 
 protected:
     void paintEvent(QPaintEvent *event) override;
@@ -43,6 +46,7 @@ private:
     double discRadius(const Projection &projection, const Ball &ball) const;
 
     CanvasHost &m_host;
+    Quality m_quality = Quality::Medium;
     std::vector<Triangle> m_triangles; ///< lowest first
 };
 

@@ -8,6 +8,8 @@
 #include <QDockWidget>
 #include <QFile>
 
+#include <set>
+
 using namespace window_test;
 
 class TestWindowFlat : public QObject {
@@ -29,6 +31,7 @@ private slots:
     void everyDockOpens();
     void pictureIsSavedAtAnySize();
     void themeIsTheTables();
+    void lowQualityLeavesEdgesJagged();
 
 private:
     inspector::gl::MazeView &view() { return m_fixture->window().view(); }
@@ -136,6 +139,19 @@ void TestWindowFlat::themeIsTheTables() {
     m_fixture->trigger("theme_2");
     QTRY_VERIFY(colourAt({3, 3}).lightness() < light / 2);
     m_fixture->trigger("theme_1");
+}
+
+// Smooth edges have colours between those of both sides.
+void TestWindowFlat::lowQualityLeavesEdgesJagged() {
+    const auto colours = [this](inspector::gl::Quality quality) {
+        view().setQuality(quality);
+        const QImage picture = view().grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+        std::set<QRgb> found;
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = 0; x < picture.width(); ++x) found.insert(picture.pixel(x, y));
+        return found.size();
+    };
+    QVERIFY(colours(inspector::gl::Quality::Low) < colours(inspector::gl::Quality::Medium));
 }
 
 QTEST_MAIN(TestWindowFlat)
