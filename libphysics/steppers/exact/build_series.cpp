@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace phys {
 
@@ -23,17 +25,18 @@ bool startsBeside(const Response &response) {
     return starts && sticks;
 }
 
-/// A ball that begins to slip no longer rolls, so no resistance acts.
-void withoutResistance(uint32_t slipping, MovingBall &ball, Touching &touching, Response &response) {
+/// A ball that begins to slip no longer rolls, so no resistance acts. False if none did.
+bool withoutResistance(uint32_t slipping, MovingBall &ball, Touching &touching, Response &response) {
     bool resists = false;
     for (uint32_t i = 0; i < touching.count(); ++i) {
         if (!(slipping >> i & 1U) || touching.held(i).resistance == 0.0) continue;
         touching.held(i).resistance = 0.0;
         resists = true;
     }
-    if (!resists) return;
+    if (!resists) return false;
     const Response free = respond(ball.moment(), touching.held(), ball.work);
     if (free.isFound) response = free;
+    return true;
 }
 
 /// s: the initial estimate of the unit.
@@ -98,12 +101,15 @@ bool buildSeries(MovingBall &ball, Touching &touching, Response &response, Serie
     Excluded excluded;
     uint32_t spent = 0, kept = 0, together = 0;
     std::array<Vec3, kMostHeld> slips{}; // directions for those that are spent
+    std::optional<Touching> rolled;      // if resistance ended as two began to slip
     for (int change = 0; change < 8; ++change) {
         fitUnit(withSpent(response, spent, slips), kept, touching, longest, ball, series, unit);
         if (together && series.slipsBack(together)) {
             spent &= ~together;
             kept |= together;
             together = 0;
+            if (rolled) touching = *rolled;
+            if (rolled) response = respond(ball.moment(), touching.held(), ball.work);
             continue;
         }
         const uint32_t opening = series.opening() & ~excluded.closed;
@@ -128,9 +134,13 @@ bool buildSeries(MovingBall &ball, Touching &touching, Response &response, Serie
         excluded.sticking &= ~slipping;
         excluded.closed &= ~opening;
         if (opening) return false;
-        auto pressed = response.reactions;
-        together = series.spentTogether(pressed, slips);
-        if (together) response.reactions = pressed;
+        Touching freed = touching;
+        Response pressed = response;
+        const bool resists = withoutResistance(~0U, ball, freed, pressed);
+        if (resists) fitUnit(pressed, kept, freed, longest, ball, series, unit);
+        together = series.spentTogether(pressed.reactions, slips);
+        if (together && resists) rolled = std::exchange(touching, freed);
+        if (together) response = pressed;
         spent |= together;
         kept |= together ? 0 : slipping;
     }
