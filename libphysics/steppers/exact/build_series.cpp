@@ -78,19 +78,29 @@ void fitUnit(const Response &response, uint32_t kept, const Touching &touching, 
     }
 }
 
-/// For a very rough slip, whose series are short, those in which its pressure follows the motion: model.md 14.2.
+/// Series in which what friction changes fast follows the motion, if those of all of it are short: model.md 14.2.
 void slave(const Response &response, const Touching &touching, MovingBall &ball, Series &series) {
-    constexpr double kShort = 0x1p-8; // relative to the time scale of the motion
-    constexpr int kMostGuesses = 12;
-    double unit = firstUnit(ball, response);
-    if (series.horizon() > kShort * unit) return;
-    Series slaved;
-    for (int guess = 0; guess < kMostGuesses; ++guess) {
-        if (!slaved.buildSlaved(ball.moment(), touching.held(), response, unit, ball.work)) return;
-        if (slaved.length() >= 0.1) break;
-        unit *= std::max(2.0 * slaved.length(), 0x1p-4);
+    constexpr double kShort = 0x1p-8, kShortTurn = 0x1p-6; // relative to the time scale of the motion
+    const auto extend = [&](double unit, const auto &build) {
+        constexpr int kMostGuesses = 12;
+        Series slaved;
+        for (int guess = 0; guess < kMostGuesses; ++guess) {
+            if (!build(slaved, unit)) return;
+            if (slaved.length() >= 0.1) break;
+            unit *= std::max(2.0 * slaved.length(), 0x1p-4);
+        }
+        if (slaved.horizon() > series.horizon()) series = slaved;
+    };
+    const double unit = firstUnit(ball, response), timeOfSlips = series.timeOfSlips();
+    if (series.horizon() < kShort * unit) {
+        extend(unit, [&](Series &slaved, double guess) {
+            return slaved.buildSlaved(ball.moment(), touching.held(), response, guess, ball.work);
+        });
+    } else if (series.horizon() < kShortTurn * timeOfSlips) {
+        extend(timeOfSlips, [&](Series &slaved, double guess) {
+            return slaved.buildTurning(ball.moment(), touching.held(), response, guess, ball.work);
+        });
     }
-    if (slaved.horizon() > series.horizon()) series = slaved;
 }
 
 } // namespace
@@ -115,7 +125,7 @@ bool buildSeries(MovingBall &ball, Touching &touching, Response &response, Serie
         const uint32_t opening = series.opening() & ~excluded.closed;
         const uint32_t slipping = series.spent(slips) & ~(spent | kept);
         if (!opening && !slipping) {
-            slave(response, touching, ball, series);
+            if (spent == 0 && kept == 0) slave(response, touching, ball, series);
             return true;
         }
         if (!opening && countSticking(response) == 1 && excluded.sticking == 0) {

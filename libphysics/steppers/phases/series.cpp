@@ -57,6 +57,7 @@ void Series::take(const Moment &moment, std::span<const Held> held, const Respon
     m_count = m_unknowns = m_turningNormals = 0;
     m_knownReserves = 0;
     m_rolls = m_slaved = kMostHeld;
+    m_isSlaved = m_givesTurns = false;
     for (uint32_t i = 0; i < sorted.count; ++i) {
         const Reaction &reaction = response.reactions[sorted.index[i]];
         if (reaction.mode == Mode::open) continue;
@@ -242,6 +243,7 @@ Vec3 Series::steadied(const Vec3 &al, int k) const {
 
 /// Direction of the slip, term k.
 void Series::directions(Contact &contact, int k) {
+    if (m_givesTurns && contact.mode == Mode::slipping) return turn(contact, k);
     if (contact.mode == Mode::spent) {
         if (k == 0) return;
         const Vec3 n0 = contact.n[0], d0 = contact.d[0], e = glm::cross(n0, d0);

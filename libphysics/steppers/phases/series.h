@@ -33,6 +33,11 @@ public:
     /// the pressure is still on its way there.
     bool buildSlaved(const Moment &moment, std::span<const Held> held, const Response &response, double unit,
                      Work &work);
+    /// The same for slips that grow or shrink so slowly that their directions follow the forces.
+    bool buildTurning(const Moment &moment, std::span<const Held> held, const Response &response, double unit,
+                      Work &work);
+    /// s: in which slips change by as much as they are, if their directions follow the forces much faster; 0 if not.
+    double timeOfSlips() const;
 
     /// Longest time for which the series are accurate to rounding, s; and in units of the clock.
     double horizon() const { return timeAt(m_reach.length); }
@@ -75,6 +80,7 @@ private:
         Jet N;
         Jet speed;      ///< of the slip, or of its quotient by the time if it starts
         Jet slowness;   ///< 1/speed
+        Jet turn;       ///< d across its start, if it is given
         double weight;  ///< of this slip in the independent variable, 1/s; 0: none
         Vec3 rateKnown; ///< rate of the slip at the present order without the contribution of the unknowns, if needed
         Vec3 directionKnown;
@@ -136,6 +142,16 @@ private:
 
     uint32_t m_slaved = kMostHeld; ///< the contact whose N is given
     double m_given = 0.0;          ///< its present term
+    bool m_isSlaved = false;       ///< some contact's N or direction is given
+    bool m_givesTurns = false;     ///< directions of slips are given by their turns
+
+    using Slips = std::array<double, 2>; ///< a number for each slip
+    struct {
+        std::array<uint32_t, 2> contacts; ///< that slip
+        std::array<Vec3, 2> starts;       ///< their directions at the start
+        uint32_t count = 0;
+        Slips fast, slow, fastRow, slowRow; ///< turns of all together, and what selects them
+    } m_turned;
 
     std::span<Contact> contacts() { return {m_contacts.data(), m_count}; }
     std::span<const Contact> contacts() const { return {m_contacts.data(), m_count}; }
@@ -149,6 +165,13 @@ private:
     double apart(const Contact &contact, int k) const;
     double apartWith(int k, double pressure);
     double apartAfter(int k, double pressure, double following);
+    void turn(Contact &contact, int k);
+    bool findFastTurn();
+    Slips acrossDirections(int k) const;
+    void setTurns(int k, double fast);
+    double acrossAfter(int k, double fast, double following);
+    template<class After>
+    bool follow(const After &after, double present, double step, double nearly, double rounding, Work &work);
     void findPartners();
     void weighSlips();
     void findPace(int k);

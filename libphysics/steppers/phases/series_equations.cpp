@@ -210,7 +210,7 @@ void Series::solveOrder(int k) {
     // Only where slipping or rolling starts do the unknowns of an order contribute to directions, by the order.
     bool areSame = !m_rollStarts;
     for (const Contact &contact : contacts()) areSame = areSame && contact.mode != Mode::starting;
-    if ((k > 1 || (m_slaved < m_count && m_equations.areSolved())) && areSame)
+    if (k > (m_isSlaved ? 0 : 1) && areSame)
         m_equations.again();
     else
         m_equations.begin(m_unknowns);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A slip so rough that its pressure follows the motion: model.md 14.2.
+// Slips whose pressure or direction friction changes so fast that it follows the motion: model.md 14.2.
 #include "contact/held.h"
 #include "phases/series.h"
 
@@ -7,6 +7,13 @@
 #include <cmath>
 
 namespace phys {
+
+namespace {
+
+constexpr double kLeastRate = 8.0 * kOrder; // of what follows, per unit: otherwise passes don't converge
+constexpr int kMostPasses = 16;
+
+} // namespace
 
 /// The roughest slip, if nothing starts.
 bool Series::findSlaved() {
@@ -49,48 +56,197 @@ double Series::roundingOfPressure(const Contact &contact) const {
 /// Whether the pressure returns so fast to what the motion implies that it can be found from there: in a small part of
 /// the unit.
 bool Series::relaxes(double present) {
-    constexpr double kLeastRate = 8.0 * kOrder; // per unit
     const double now = apartWith(0, present) - apartWith(0, 0.0);
     const double later = apartAfter(0, present, 0.0) - apartAfter(0, 0.0, 0.0);
     return now > 0.0 && later > kLeastRate * now;
 }
 
-bool Series::buildSlaved(const Moment &moment, std::span<const Held> held, const Response &response, double unit,
-                         Work &work) {
-    constexpr int kMostPasses = 16;
-    constexpr double kNearly = 0.1, kSame = 4e-15, kConverges = 0.25;
-    take(moment, held, response, unit, 0);
-    work.add(Work::kSeries);
-    if (!findSlaved()) return false;
-    m_equations.begin(m_unknowns);
-    const double present = m_contacts[m_slaved].N[0], rounding = roundingOfPressure(m_contacts[m_slaved]);
-    if (!relaxes(present)) return false;
-    Jet pressure{};
+/// Finds the terms of what follows the motion, such that after(k, term k, term k + 1) is zero. present: what it is now;
+/// false if that isn't its first term up to rounding, and in the first pass `nearly`.
+template<class After>
+bool Series::follow(const After &after, double present, double step, double nearly, double rounding, Work &work) {
+    constexpr double kSame = 4e-15, kConverges = 0.25;
+    Jet terms{};
     double changed = kNever;
     for (int pass = 0; pass < kMostPasses; ++pass) {
-        const double before = pressure[0], changedBefore = changed;
-        double most = 0.0;
+        const double before = terms[0], changedBefore = changed;
+        double most = std::abs(step);
         changed = 0.0;
         for (int k = 0; k < kOrder; ++k) {
-            const double step = present / (k + 1), here = apartAfter(k, pressure[k], pressure[k + 1]);
-            const double slope = (apartAfter(k, pressure[k] + step, pressure[k + 1]) - here) / step;
+            const double further = step / (k + 1), here = after(k, terms[k], terms[k + 1]);
+            const double slope = (after(k, terms[k] + further, terms[k + 1]) - here) / further;
             const double change = -here / slope;
-            pressure[k] += change;
-            apartAfter(k, pressure[k], pressure[k + 1]);
+            terms[k] += change;
+            after(k, terms[k], terms[k + 1]);
             changed = std::max(changed, std::abs(change));
-            most = std::max(most, std::abs(pressure[k]));
-            const double inaccuracy = pass == 0 ? kNearly * present : 4.0 * std::abs(pressure[0] - before);
-            if (k == 0 && std::abs(pressure[0] - present) > inaccuracy + rounding) return false;
+            most = std::max(most, std::abs(terms[k]));
+            const double inaccuracy = pass == 0 ? nearly : 4.0 * std::abs(terms[0] - before);
+            if (k == 0 && std::abs(terms[0] - present) > inaccuracy + rounding) return false;
         }
         work.add(3 * Work::kSeries * (1 + size()));
-        if (!std::isfinite(changed + most)) {
-            m_reach.length = 0.0; // the unit is much too long
-            return true;
-        }
+        m_reach.length = 0.0; // the unit is much too long
+        if (!std::isfinite(changed + most)) return true;
         if (changed <= kSame * most || (pass > 1 && changed > kConverges * changedBefore)) break;
     }
     m_last = kOrder;
     finish();
+    return true;
+}
+
+bool Series::buildSlaved(const Moment &moment, std::span<const Held> held, const Response &response, double unit,
+                         Work &work) {
+    constexpr double kNearly = 0.1;
+    take(moment, held, response, unit, 0);
+    work.add(Work::kSeries);
+    if (!findSlaved()) return false;
+    m_isSlaved = true;
+    const double present = m_contacts[m_slaved].N[0], rounding = roundingOfPressure(m_contacts[m_slaved]);
+    if (!relaxes(present)) return false;
+    const auto after = [&](int k, double pressure, double next) { return apartAfter(k, pressure, next); };
+    return follow(after, present, present, kNearly * present, rounding, work);
+}
+
+/// s: in which slips change by as much as they are, if their directions follow the forces much faster; 0 if not.
+double Series::timeOfSlips() const {
+    double time = std::sqrt(m_moment.radius / accelerationScale(m_moment));
+    uint32_t count = 0;
+    for (const Contact &contact : contacts()) {
+        if (startsToSlip(contact)) return 0.0;
+        if (contact.mode != Mode::slipping) continue;
+        const double rate = std::abs(glm::dot(contact.u[1], contact.d[0])) / unit();
+        const double most = kSlipPerFriction * contact.held.friction * contact.N[0];
+        if (!(kLeastRate * rate < most) || ++count > 2) return 0.0;
+        if (rate > 0.0) time = std::min(time, glm::length(contact.u[0]) / rate);
+    }
+    return count > 0 && m_shared.rate == 0.0 && !m_rollStarts ? time : 0.0;
+}
+
+/// Term k of a direction whose turn is given.
+void Series::turn(Contact &contact, int k) {
+    if (k == 0) return;
+    const Vec3 n0 = contact.n[0], d0 = contact.d[0];
+    double alongD = 0.0, alongN = -glm::dot(d0, contact.n[k]);
+    for (int j = 1; j < k; ++j) {
+        alongD -= 0.5 * glm::dot(contact.d[j], contact.d[k - j]);
+        alongN -= glm::dot(contact.d[k - j], contact.n[j]);
+    }
+    contact.d[k] = alongD * d0 + contact.turn[k] * glm::cross(n0, d0) + alongN * n0;
+}
+
+/// n0.(u x d) of each slip, term k: the part of the slip across its direction.
+Series::Slips Series::acrossDirections(int k) const {
+    Slips across{};
+    for (uint32_t i = 0; i < m_turned.count; ++i) {
+        const Contact &contact = m_contacts[m_turned.contacts[i]];
+        for (int j = 0; j <= k; ++j) {
+            across[i] += glm::dot(glm::cross(contact.u[j], contact.d[k - j]), contact.n[0]);
+        }
+    }
+    return across;
+}
+
+/// Turns of order k: `fast` of all slips together, and as much against each other as their slips imply.
+void Series::setTurns(int k, double fast) {
+    const auto set = [&](const Slips &turns) {
+        for (uint32_t i = 0; i < m_turned.count; ++i) {
+            Contact &contact = m_contacts[m_turned.contacts[i]];
+            const Vec3 &d = m_turned.starts[i];
+            contact.turn[k] = turns[i];
+            if (k > 0)
+                turn(contact, k);
+            else
+                contact.d[0] = hat(d + turns[i] * glm::cross(contact.n[0], d));
+        }
+    };
+    Slips turns{fast * m_turned.fast[0], fast * m_turned.fast[1]};
+    set(turns);
+    if (k == 0 || m_turned.count < 2) return;
+    const Slips across = acrossDirections(k);
+    double per = 0.0;
+    for (uint32_t i = 0; i < 2; ++i) {
+        per += m_turned.slowRow[i] * m_turned.slow[i] * glm::length(m_contacts[m_turned.contacts[i]].u[0]);
+    }
+    const double slow = -(m_turned.slowRow[0] * across[0] + m_turned.slowRow[1] * across[1]) / per;
+    set({turns[0] + slow * m_turned.slow[0], turns[1] + slow * m_turned.slow[1]});
+}
+
+/// Term k + 1 of the part of the slips across their directions that friction removes fast, with this turn of order k,
+/// and the following one.
+double Series::acrossAfter(int k, double fast, double following) {
+    setTurns(k, fast);
+    forces(k);
+    move(k);
+    setTurns(k + 1, following);
+    const Slips across = acrossDirections(k + 1);
+    return m_turned.fastRow[0] * across[0] + m_turned.fastRow[1] * across[1];
+}
+
+/// The turn of the slips together that friction resists most. False if it doesn't do so fast enough.
+bool Series::findFastTurn() {
+    constexpr double kTurn = 1e-6;
+    m_turned.count = 0;
+    double most = 0.0;
+    for (uint32_t i = 0; i < m_count; ++i) {
+        Contact &contact = m_contacts[i];
+        if (contact.mode != Mode::slipping) continue;
+        contact.turn = Jet{};
+        m_turned.starts[m_turned.count] = contact.d[0];
+        m_turned.contacts[m_turned.count++] = i;
+        most = std::max(most, glm::length(contact.u[0]));
+    }
+    m_turned.fastRow = {1.0, 0.0};
+    const auto acrossWith = [&](const Slips &turns) { // without the turns of order 1
+        m_turned.fast = turns;
+        setTurns(0, 1.0);
+        forces(0);
+        for (uint32_t i = 0; i < m_turned.count; ++i) m_contacts[m_turned.contacts[i]].turn[1] = 0.0;
+        move(0);
+        return acrossDirections(1);
+    };
+    const Slips none = acrossWith({0.0, 0.0});
+    std::array<Slips, 2> rates{}; // rates[i][j]: of slip i by the turn of j
+    for (uint32_t j = 0; j < m_turned.count; ++j) {
+        Slips turns{};
+        turns[j] = kTurn;
+        const Slips across = acrossWith(turns);
+        for (uint32_t i = 0; i < m_turned.count; ++i) rates[i][j] = (across[i] - none[i]) / kTurn;
+    }
+    const double a = rates[0][0], b = rates[0][1], c = rates[1][0], d = rates[1][1];
+    const double fastest = 0.5 * (a + d) + std::sqrt(std::max(0.0, 0.25 * (a - d) * (a - d) + b * c));
+    if (!(fastest > kLeastRate * most)) return false;
+    m_turned.fast = {1.0, 0.0};
+    if (m_turned.count < 2) return true;
+    // Eigenvectors to the right and left; the slow ones are across those of the other side.
+    m_turned.fast = a > d ? Slips{fastest - d, c} : Slips{b, fastest - a};
+    m_turned.fastRow = a > d ? Slips{fastest - d, b} : Slips{c, fastest - a};
+    for (Slips *turns : {&m_turned.fast, &m_turned.fastRow}) {
+        const double size = std::hypot((*turns)[0], (*turns)[1]);
+        if (!(size > 0.0)) return false;
+        *turns = {(*turns)[0] / size, (*turns)[1] / size};
+    }
+    m_turned.slow = {-m_turned.fastRow[1], m_turned.fastRow[0]};
+    m_turned.slowRow = {-m_turned.fast[1], m_turned.fast[0]};
+    return true;
+}
+
+bool Series::buildTurning(const Moment &moment, std::span<const Held> held, const Response &response, double unit,
+                          Work &work) {
+    constexpr double kNearly = 0.1, kTurn = 1e-3, kRoundings = 16.0 * 0x1p-52;
+    take(moment, held, response, unit, 0);
+    work.add(Work::kSeries);
+    m_countsSlips = false;
+    m_isSlaved = m_givesTurns = true;
+    if (!findFastTurn()) return false;
+    double rounding = 0.0;
+    for (uint32_t i = 0; i < m_turned.count; ++i) {
+        rounding += kRoundings * speedScale(m_moment) / glm::length(m_contacts[m_turned.contacts[i]].u[0]);
+    }
+    const auto after = [&](int k, double turn, double following) { return acrossAfter(k, turn, following); };
+    if (!follow(after, 0.0, kTurn, kNearly, rounding, work)) return false;
+    for (uint32_t i = 0; i < m_turned.count; ++i) {
+        Contact &contact = m_contacts[m_turned.contacts[i]];
+        for (int k = 0; k <= kOrder; ++k) contact.speed[k] = dotTerm(contact.u, contact.d, k);
+    }
     return true;
 }
 
