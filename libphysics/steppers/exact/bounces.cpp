@@ -160,6 +160,7 @@ void makeBounces(double back, const Obstacles &obstacles, MovingBall &ball, Touc
         ball.motion.velocity = along + flight * pull - speed * n;
         ball.pass(flight);
         ball.work.add(Work::kBounce);
+        countHop(kBounceCount, flight, ball);
         collide(ball.negligibleSpeed(), ball, touching);
     } while (!ball.work.isTooMuch() && !isRegular(ball, face));
 }

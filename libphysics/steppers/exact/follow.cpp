@@ -253,9 +253,10 @@ void settle(const Event &event, const Response &response, MovingBall &ball, Touc
 } // namespace
 
 void follow(const Choice &choice, const Event &event, MovingBall &ball, Touching &touching) {
-    constexpr uint32_t kHopsOfSeries = 10; // that cost as much
     const bool isSeries = std::holds_alternative<Series>(choice.phase);
-    if (isSeries || event.end.cause == Cause::touch) countHops(isSeries ? kHopsOfSeries : 1, event.end.after, ball);
+    if (isSeries || event.end.cause == Cause::touch) {
+        countHop(isSeries ? kSeriesCount : kHopCount, event.end.after, ball);
+    }
     const MirrorPlanes planes(ball, touching.held());
     std::visit([&](const auto &phase) { move(phase, event.end, touching, choice.response, ball); }, choice.phase);
     settle(event, choice.response, ball, touching);

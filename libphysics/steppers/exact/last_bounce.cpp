@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "exact/last_bounce.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace phys {
@@ -19,9 +20,11 @@ constexpr double kSlowDecay = 0.95;
 /// Hops last no longer than gravity takes for a way of this many radii.
 constexpr double kHop = 1e-5;
 
-/// After this many hops in a step, last bounces may be higher, and after as many again higher still: a less exact
-/// result is better than none.
-constexpr uint32_t kManyHops = 15'000;
+/// After this many hops in a step, all bounces end as soon as that is exact to rounding.
+constexpr uint32_t kSomeHops = 500 * kHopCount;
+/// After this many, last bounces may be higher, and after as many again higher still: a less exact result is better
+/// than none.
+constexpr uint32_t kManyHops = 7'000 * kHopCount;
 
 /// Factor on the height of the last bounces.
 double higher(const MovingBall &ball) {
@@ -31,9 +34,22 @@ double higher(const MovingBall &ball) {
     return factor;
 }
 
+/// m: height of bounces that end without an effect beyond rounding, because the pressure that follows acts like their
+/// impulses in the mean: no floor gives the ball the spin of rolling, and friction, if any, turns by the share of the
+/// slip that a bounce is. model.md 6.4.
+double meanHeight(const MovingBall &ball, const Contacts &contacts, const Contact &contact, double back) {
+    constexpr double kExact = 1e-15; // of the speed
+    const auto isGlued = [](const Contact &one) { return one.isGlued; };
+    if (ball.hops < kSomeHops || std::any_of(contacts.begin(), contacts.end(), isGlued)) return 0.0;
+    if (contact.friction == 0.0) return kNever;
+    const Moment moment = ball.moment();
+    const double slip = glm::length(slipAt(moment, contact.normal));
+    return kExact * speedScale(moment) * slip / (2.0 * contact.friction * back);
+}
+
 } // namespace
 
-void countHops(uint32_t count, double time, MovingBall &ball) {
+void countHop(uint32_t count, double time, MovingBall &ball) {
     if (time * time * glm::length(ball.setting.gravity()) <= kHop * ball.radius()) ball.hops += count;
 }
 
@@ -47,10 +63,14 @@ double lastBounce(const MovingBall &ball, const Contacts &contacts, const Contac
     const Vec3 round = ball.motion.velocity - speed * contact.normal;
     const double back = -(glm::dot(acting, contact.normal) + contact.curving(round, R));
     if (endsAsSeries(ball, contacts, contact)) return 0.0;
+    if (!(back > 0.0)) return 0.0;
     const bool isUpright = contact.normal.z == 0.0;
     const bool isSmooth = (isUpright && contact.friction == 0.0) || contact.restitution > kSlowDecay;
-    const double height = isSmooth ? lastHeight(ball) : higher(ball) * kLastHop * R;
-    return std::sqrt(2.0 * std::max(0.0, back) * height);
+    double height = lastHeight(ball);
+    if (!isSmooth) {
+        height = std::min(height, std::max(higher(ball) * kLastHop * R, meanHeight(ball, contacts, contact, back)));
+    }
+    return std::sqrt(2.0 * back * height);
 }
 
 double squareOfFastBounce(const MovingBall &ball) {

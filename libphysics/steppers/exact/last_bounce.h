@@ -6,8 +6,11 @@
 
 namespace phys {
 
-/// Counts a phase of this length (s) as that many hops, if it is short.
-void countHops(uint32_t count, double time, MovingBall &ball);
+/// What is counted, by its cost: one of many bounces on a face, a hop, and a phase of series between hops.
+inline constexpr uint32_t kBounceCount = 1, kHopCount = 8, kSeriesCount = 36;
+
+/// Counts a phase of this length (s) as one of those, if it is short.
+void countHop(uint32_t count, double time, MovingBall &ball);
 
 /// The largest height of last bounces at smooth contacts, m.
 double lastHeight(const MovingBall &ball);

@@ -33,7 +33,7 @@ struct MovingBall {
     Reporter report;
     phys_error *error;
     Work work;
-    uint32_t hops = 0;    ///< short phases that ended at a box, and shares of the series between: model.md 6.4
+    uint32_t hops = 0;    ///< short bounces, hops and series between them, by their cost: model.md 6.4
     double elapsed = 0.0; ///< s of the step that have passed
     double left;          ///< s of the step that remain
     Vec3 position;

@@ -154,7 +154,7 @@ private:
         if (end > 0.0) follow(phase, end);
         if (ends && own.cause == Cause::grip) return grip(own, phase.mostAcceleration());
         if (!hits) return true;
-        countHops(1, end, m_ball);
+        countHop(kHopCount, end, m_ball);
         return bounce(hit);
     }
 
