@@ -57,7 +57,7 @@ void Series::take(const Moment &moment, std::span<const Held> held, const Respon
     m_count = m_unknowns = m_turningNormals = 0;
     m_knownReserves = 0;
     m_rolls = m_slaved = kMostHeld;
-    m_isSlaved = m_givesTurns = false;
+    m_isSlaved = false;
     for (uint32_t i = 0; i < sorted.count; ++i) {
         const Reaction &reaction = response.reactions[sorted.index[i]];
         if (reaction.mode == Mode::open) continue;
@@ -65,6 +65,7 @@ void Series::take(const Moment &moment, std::span<const Held> held, const Respon
         m_index[m_count] = sorted.index[i];
         contact.held = sorted.held[i];
         contact.mode = reaction.mode;
+        contact.isTurned = false;
         contact.isKept = kept >> sorted.index[i] & 1U;
         contact.n[0] = contact.held.normal;
         contact.isFlat = contact.held.across.x + contact.held.across.y + contact.held.across.z == 1.0;
@@ -243,7 +244,7 @@ Vec3 Series::steadied(const Vec3 &al, int k) const {
 
 /// Direction of the slip, term k.
 void Series::directions(Contact &contact, int k) {
-    if (m_givesTurns && contact.mode == Mode::slipping) return turn(contact, k);
+    if (contact.isTurned) return turn(contact, k);
     if (contact.mode == Mode::spent) {
         if (k == 0) return;
         const Vec3 n0 = contact.n[0], d0 = contact.d[0], e = glm::cross(n0, d0);

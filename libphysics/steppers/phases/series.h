@@ -81,6 +81,7 @@ private:
         Jet speed;      ///< of the slip, or of its quotient by the time if it starts
         Jet slowness;   ///< 1/speed
         Jet turn;       ///< d across its start, if it is given
+        bool isTurned;  ///< whether it is
         double weight;  ///< of this slip in the independent variable, 1/s; 0: none
         Vec3 rateKnown; ///< rate of the slip at the present order without the contribution of the unknowns, if needed
         Vec3 directionKnown;
@@ -143,14 +144,13 @@ private:
     uint32_t m_slaved = kMostHeld; ///< the contact whose N is given
     double m_given = 0.0;          ///< its present term
     bool m_isSlaved = false;       ///< some contact's N or direction is given
-    bool m_givesTurns = false;     ///< directions of slips are given by their turns
 
-    using Slips = std::array<double, 2>; ///< a number for each slip
+    using Slips = std::array<double, 2>; ///< a number for each slip whose direction is given
     struct {
-        std::array<uint32_t, 2> contacts; ///< that slip
+        std::array<uint32_t, 2> contacts; ///< that have them
         std::array<Vec3, 2> starts;       ///< their directions at the start
         uint32_t count = 0;
-        Slips fast, slow, fastRow, slowRow; ///< turns of all together, and what selects them
+        Slips fast, slow, fastRow, slowRow; ///< turns of both together, and what selects them
     } m_turned;
 
     std::span<Contact> contacts() { return {m_contacts.data(), m_count}; }
@@ -165,6 +165,7 @@ private:
     double apart(const Contact &contact, int k) const;
     double apartWith(int k, double pressure);
     double apartAfter(int k, double pressure, double following);
+    bool turnsFast(const Contact &contact) const;
     void turn(Contact &contact, int k);
     bool findFastTurn();
     Slips acrossDirections(int k) const;

@@ -106,19 +106,24 @@ bool Series::buildSlaved(const Moment &moment, std::span<const Held> held, const
     return follow(after, present, present, kNearly * present, rounding, work);
 }
 
-/// s: in which slips change by as much as they are, if their directions follow the forces much faster; 0 if not.
+/// Whether friction turns a slip much faster than it changes it.
+bool Series::turnsFast(const Contact &contact) const {
+    if (contact.mode != Mode::slipping) return false;
+    const double rate = std::abs(glm::dot(contact.u[1], contact.d[0])) / unit();
+    return kLeastRate * rate < kSlipPerFriction * contact.held.friction * contact.N[0];
+}
+
 double Series::timeOfSlips() const {
     double time = std::sqrt(m_moment.radius / accelerationScale(m_moment));
     uint32_t count = 0;
     for (const Contact &contact : contacts()) {
         if (startsToSlip(contact)) return 0.0;
-        if (contact.mode != Mode::slipping) continue;
+        if (!turnsFast(contact)) continue;
         const double rate = std::abs(glm::dot(contact.u[1], contact.d[0])) / unit();
-        const double most = kSlipPerFriction * contact.held.friction * contact.N[0];
-        if (!(kLeastRate * rate < most) || ++count > 2) return 0.0;
         if (rate > 0.0) time = std::min(time, glm::length(contact.u[0]) / rate);
+        ++count;
     }
-    return count > 0 && m_shared.rate == 0.0 && !m_rollStarts ? time : 0.0;
+    return count > 0 && count <= 2 && m_shared.rate == 0.0 && !m_rollStarts ? time : 0.0;
 }
 
 /// Term k of a direction whose turn is given.
@@ -133,7 +138,7 @@ void Series::turn(Contact &contact, int k) {
     contact.d[k] = alongD * d0 + contact.turn[k] * glm::cross(n0, d0) + alongN * n0;
 }
 
-/// n0.(u x d) of each slip, term k: the part of the slip across its direction.
+/// n0.(u x d)/|u_0| of each, term k: the part of the slip across its direction.
 Series::Slips Series::acrossDirections(int k) const {
     Slips across{};
     for (uint32_t i = 0; i < m_turned.count; ++i) {
@@ -141,6 +146,7 @@ Series::Slips Series::acrossDirections(int k) const {
         for (int j = 0; j <= k; ++j) {
             across[i] += glm::dot(glm::cross(contact.u[j], contact.d[k - j]), contact.n[0]);
         }
+        across[i] /= glm::length(contact.u[0]);
     }
     return across;
 }
@@ -162,10 +168,7 @@ void Series::setTurns(int k, double fast) {
     set(turns);
     if (k == 0 || m_turned.count < 2) return;
     const Slips across = acrossDirections(k);
-    double per = 0.0;
-    for (uint32_t i = 0; i < 2; ++i) {
-        per += m_turned.slowRow[i] * m_turned.slow[i] * glm::length(m_contacts[m_turned.contacts[i]].u[0]);
-    }
+    const double per = m_turned.slowRow[0] * m_turned.slow[0] + m_turned.slowRow[1] * m_turned.slow[1];
     const double slow = -(m_turned.slowRow[0] * across[0] + m_turned.slowRow[1] * across[1]) / per;
     set({turns[0] + slow * m_turned.slow[0], turns[1] + slow * m_turned.slow[1]});
 }
@@ -185,15 +188,16 @@ double Series::acrossAfter(int k, double fast, double following) {
 bool Series::findFastTurn() {
     constexpr double kTurn = 1e-6;
     m_turned.count = 0;
-    double most = 0.0;
     for (uint32_t i = 0; i < m_count; ++i) {
         Contact &contact = m_contacts[i];
-        if (contact.mode != Mode::slipping) continue;
+        if (!turnsFast(contact)) continue;
+        if (m_turned.count == 2) return false;
+        contact.isTurned = true;
         contact.turn = Jet{};
         m_turned.starts[m_turned.count] = contact.d[0];
         m_turned.contacts[m_turned.count++] = i;
-        most = std::max(most, glm::length(contact.u[0]));
     }
+    if (m_turned.count == 0) return false;
     m_turned.fastRow = {1.0, 0.0};
     const auto acrossWith = [&](const Slips &turns) { // without the turns of order 1
         m_turned.fast = turns;
@@ -213,7 +217,7 @@ bool Series::findFastTurn() {
     }
     const double a = rates[0][0], b = rates[0][1], c = rates[1][0], d = rates[1][1];
     const double fastest = 0.5 * (a + d) + std::sqrt(std::max(0.0, 0.25 * (a - d) * (a - d) + b * c));
-    if (!(fastest > kLeastRate * most)) return false;
+    if (!(fastest > kLeastRate)) return false;
     m_turned.fast = {1.0, 0.0};
     if (m_turned.count < 2) return true;
     // Eigenvectors to the right and left; the slow ones are across those of the other side.
@@ -235,7 +239,7 @@ bool Series::buildTurning(const Moment &moment, std::span<const Held> held, cons
     take(moment, held, response, unit, 0);
     work.add(Work::kSeries);
     m_countsSlips = false;
-    m_isSlaved = m_givesTurns = true;
+    m_isSlaved = true;
     if (!findFastTurn()) return false;
     double rounding = 0.0;
     for (uint32_t i = 0; i < m_turned.count; ++i) {
