@@ -17,8 +17,8 @@ namespace {
 /// Order 2: alternates between the end, which determines the normals, and the normals, which determine the end.
 constexpr int kMidpointPasses = 3;
 
-double kineticEnergy(const StepContext &context, const Ball &ball) {
-    return 0.5 * glm::dot(ball.velocity, ball.velocity) + spinEnergy(ball.spin, context.radius());
+double kineticEnergy(const StepContext &context, const Motion &motion) {
+    return 0.5 * glm::dot(motion.velocity, motion.velocity) + spinEnergy(motion.spin, context.radius());
 }
 
 Vec3 rollingSpinOf(const StepContext &context, const Ball &ball) {
@@ -118,15 +118,29 @@ void settleOnAll(const StepContext &context, const Contacts &contacts, const Las
     if (glm::distance(across, ball.velocity) <= kMostTaken * fastest) ball.velocity = across;
 }
 
+/// The contacts of a substep of order 1, which changes the motion. Contacts only take energy from it: where the
+/// solution adds some, as several sticking contacts turn the ball to close their gaps, the gaps stay.
+LastingContacts closeGaps(const StepContext &context, const Contacts &contacts, double h, Motion &motion) {
+    constexpr double kMostGain = 1e-12;
+    const Motion driven = motion;
+    const auto solve = [&](double time) { // s, in which the gaps are closed
+        LastingContacts lasting(context.radius(), context.work);
+        for (const Contact &contact : contacts)
+            lasting.add(lastingOf(contact, touches(context, contact) ? 0.0 : -contact.gap / time));
+        motion = driven;
+        lasting.solve(context.params().rolling_friction, motion);
+        return lasting;
+    };
+    const LastingContacts closing = solve(h);
+    if (!(kineticEnergy(context, motion) > (1.0 + kMostGain) * kineticEnergy(context, driven))) return closing;
+    return solve(INFINITY);
+}
+
 HeldBall holdFirstOrder(const StepContext &context, const Contacts &contacts, ContactRule kind, double h, Ball &ball) {
-    LastingContacts lasting(context.radius(), context.work);
-    for (const Contact &contact : contacts) {
-        lasting.add(lastingOf(contact, touches(context, contact) ? 0.0 : -contact.gap / h));
-    }
     const Motion before = motionOf(ball);
     Motion motion = before;
     motion.velocity += h * context.setting.gravity();
-    lasting.solve(context.params().rolling_friction, motion);
+    const LastingContacts lasting = closeGaps(context, contacts, h, motion);
     const SmoothLoss loss = lossOf(context, lasting, before, motion);
     const bool isExplicit = kind == ContactRule::Explicit;
     const Vec3 moving = isExplicit ? mixedVelocity(lasting, before.velocity, motion.velocity) : motion.velocity;
@@ -464,7 +478,7 @@ bool leaveOverlaps(const StepContext &context, Ball &ball) {
 void payForLift(const StepContext &context, const Vec3 &way, Ball &ball) {
     const double lifted = -glm::dot(context.setting.gravity(), way);
     if (!(lifted > 0.0)) return;
-    const double kinetic = kineticEnergy(context, ball);
+    const double kinetic = kineticEnergy(context, motionOf(ball));
     const double share = kinetic > lifted ? std::sqrt(1.0 - lifted / kinetic) : 0.0;
     ball.velocity *= share;
     ball.spin *= share;

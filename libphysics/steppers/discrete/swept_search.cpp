@@ -73,7 +73,10 @@ std::optional<double> SweptStep::firstTouchOfParabola(double end, const Ball &la
             return Look{close.distance - radius, glm::dot(close.normal, m_ball.velocity + t * acceleration),
                         glm::dot(close.normal, acceleration)};
         };
-        first = std::min(first, firstZero(look, 0.0, first, 0.25 * scene.tolerance));
+        // Of two that are reached at once, up to rounding, the search for the second isn't cut off at the first, or
+        // their order would show.
+        const double until = std::min(end, first * (1.0 + 0x1p-36));
+        first = std::min(first, firstZero(look, 0.0, until, 0.25 * scene.tolerance));
     });
     return first;
 }
