@@ -168,10 +168,14 @@ bool Series::slipsBack(uint32_t spent) const {
 }
 
 /// Whether a contact is one of two that stick by prestress alone: its pressure is due to forces that aren't in the
-/// series.
+/// series. Those of a contact whose friction is spent now, but which doesn't start, are the least with which it sticks.
 bool Series::isPrestressed(const Contact &contact) const {
+    constexpr double kSpent = 1e-9; // relative to the largest friction, squared
     const Contact *other = contact.mode == Mode::sticking ? otherSticking(contact) : nullptr;
-    return other && (contact.isKept || other->isKept);
+    if (!other || contact.held.isGlued) return false;
+    const double most = contact.held.friction * contact.N[0];
+    const Vec3 friction = contact.r[0] - contact.N[0] * contact.n[0];
+    return contact.isKept || other->isKept || glm::dot(friction, friction) >= (1.0 - kSpent) * most * most;
 }
 
 /// Two contacts whose friction is spent at the same moment, with the smallest forces between both that hold them: bits,
