@@ -96,7 +96,8 @@ public:
 
     void addDouble(double number, int precision) {
         if (std::isnan(number)) return add("nan"); // without a sign
-        addNumber(0, number, std::chars_format::general, precision);
+        const bool isWhole = precision >= std::numeric_limits<double>::max_digits10;
+        addNumber(0, number, std::chars_format::general, isWhole ? digitsOf(number) : precision);
     }
 
     /// Text from outside may contain anything: characters that aren't visible are shown as their bytes, so that a
@@ -143,6 +144,17 @@ public:
     }
 
 private:
+    /// The fewest that read back, though not fewer than those of a computed number, so that both have exponents alike.
+    static int digitsOf(double number) {
+        int digits = 9;
+        for (double read = 0.0; digits < std::numeric_limits<double>::max_digits10; ++digits) {
+            char text[40];
+            const auto end = std::to_chars(text, text + sizeof text, number, std::chars_format::general, digits).ptr;
+            if (parseNumber({text, static_cast<size_t>(end - text)}, read) && read == number) break;
+        }
+        return digits;
+    }
+
     static size_t lengthOf(const char *text, const Conversion &conversion) {
         if (conversion.precision < 0) return std::strlen(text);
         const auto most = static_cast<size_t>(conversion.precision);

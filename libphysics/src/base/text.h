@@ -16,8 +16,9 @@
 namespace phys {
 
 /// Like snprintf, for what messages need: %c %d %g %s %u %x %zu %llu %%, with a precision for %g and %s and a width for
-/// %x; %.*s is a text of that many bytes, NULs among them. Invisible characters in texts are written as \n or \x1b.
-/// Text that doesn't fit is cut off between two UTF-8 characters. size > 0.
+/// %x; %.*s is a text of that many bytes, NULs among them. %.17g is the shortest decimal that reads back, for a number
+/// that was given: one just beyond a limit isn't shown as the limit. Invisible characters in texts are written as \n or
+/// \x1b. Text that doesn't fit is cut off between two UTF-8 characters. size > 0.
 [[PHYS_CHECKED_FORMAT(3, 4)]] void writeText(char *out, size_t size, const char *format, ...);
 [[PHYS_CHECKED_FORMAT(3, 0)]] void writeTextOf(char *out, size_t size, const char *format, va_list arguments);
 

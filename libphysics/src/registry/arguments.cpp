@@ -30,23 +30,23 @@ phys_status explainState(const phys_state &state, phys_status status, const char
                     whose, p.x, p.y, p.z, v.x, v.y, v.z, s.x, s.y, s.z);
     }
     if (!isModerate(state.time)) {
-        return fail(err, status, "%s has the time %.9g s; expected a number within +-2^100", whose, state.time);
+        return fail(err, status, "%s has the time %.17g s; expected a number within +-2^100", whose, state.time);
     }
     if (!isUnit(q)) {
-        return fail(err, status, "%s has the orientation (%.9g, %.9g, %.9g, %.9g); expected a unit quaternion", whose,
-                    q[0], q[1], q[2], q[3]);
+        return fail(err, status, "%s has the orientation (%.17g, %.17g, %.17g, %.17g); expected a unit quaternion",
+                    whose, q[0], q[1], q[2], q[3]);
     }
     return fail(err, status, "%s has the flags 0x%llx; known bits are 0x%x", whose,
                 static_cast<unsigned long long>(state.flags), PHYS_STATE_FLAGS);
 }
 
 phys_status refuseDt(double dt, phys_error *err) {
-    return fail(err, PHYS_ERROR_ARGUMENT, "dt is %.9g s; expected a number from 0 to 2^100", dt);
+    return fail(err, PHYS_ERROR_ARGUMENT, "dt is %.17g s; expected a number from 0 to 2^100", dt);
 }
 
 phys_status checkUpwardPull(const Scene &scene, const phys_params &params, const phys_state &state, phys_error *err) {
     if (!isCarried(scene, state)) return PHYS_OK;
-    return fail(err, PHYS_ERROR_RANGE, "gravity_z is %.9g m/s^2; while the floor carries the ball it must be below 0",
+    return fail(err, PHYS_ERROR_RANGE, "gravity_z is %.17g m/s^2; while the floor carries the ball it must be below 0",
                 params.gravity.z);
 }
 

@@ -53,8 +53,8 @@ phys_vec3 gravityOf(double tiltX, double tiltY, double strength) {
 phys_status checkValue(double value, const phys_param_row &row, phys_error *err) {
     if (isAllowed(value, row)) return PHYS_OK;
     const char *unit = row.unit[0] ? " " : "";
-    return fail(err, PHYS_ERROR_RANGE, "%s is %.9g%s%s; allowed is %s%.9g .. %.9g%s%s", row.id, value, unit, row.unit,
-                mustBeWhole(row) ? "a whole number, " : "", row.min, row.max, unit, row.unit);
+    return fail(err, PHYS_ERROR_RANGE, "%s is %.17g%s%s; allowed is %s%.17g .. %.17g%s%s", row.id, value, unit,
+                row.unit, mustBeWhole(row) ? "a whole number, " : "", row.min, row.max, unit, row.unit);
 }
 
 phys_status explainParams(const phys_params &params, phys_error *err) {
@@ -68,7 +68,7 @@ phys_status explainParams(const phys_params &params, phys_error *err) {
     }
     if (!rigidFrictionsAgree(params)) {
         return fail(err, PHYS_ERROR_RANGE,
-                    "rolling_friction is %.9g; in the rigid model it must not exceed sliding_friction, which is %.9g",
+                    "rolling_friction is %.17g; in the rigid model it must not exceed sliding_friction, which is %.17g",
                     params.rolling_friction, params.sliding_friction);
     }
     return PHYS_OK;

@@ -237,11 +237,11 @@ private:
         }
         for (size_t i = 0; i + 2 < std::size(numbers); ++i) { // all except the last, which is step
             if (numbers[i].value <= numbers[i + 1].value) continue;
-            return refuse("%s is %.9g and %s is %.9g; expected min <= low <= initial <= high <= max", numbers[i].name,
+            return refuse("%s is %.17g and %s is %.17g; expected min <= low <= initial <= high <= max", numbers[i].name,
                           numbers[i].value, numbers[i + 1].name, numbers[i + 1].value);
         }
-        if (!(row.low < row.high)) return refuse("low and high are both %.9g; expected a range", row.low);
-        if (!(row.step > 0.0)) return refuse("step is %.9g; expected a number above 0", row.step);
+        if (!(row.low < row.high)) return refuse("low and high are both %.17g; expected a range", row.low);
+        if (!(row.step > 0.0)) return refuse("step is %.17g; expected a number above 0", row.step);
         return PHYS_OK;
     }
 
@@ -254,8 +254,8 @@ private:
         if (isChoice && isSwitch) return refuse("flags say both choice and switch; expected one of them");
         const bool isWhole = row.initial == std::floor(row.initial);
         if (isSwitch && !(row.min == 0.0 && row.max == 1.0 && isWhole)) {
-            return refuse("a switch has min %.9g, initial %.9g, max %.9g; expected 0, 0 or 1, 1", row.min, row.initial,
-                          row.max);
+            return refuse("a switch has min %.17g, initial %.17g, max %.17g; expected 0, 0 or 1, 1", row.min,
+                          row.initial, row.max);
         }
         return isChoice ? checkChoice(row) : PHYS_OK;
     }
@@ -264,9 +264,10 @@ private:
         double names = row.choices[0] ? 1.0 : 0.0;
         for (const char *c = row.choices; *c; ++c) names += *c == '\n' ? 1.0 : 0.0;
         if (row.min != 0.0 || row.max != names - 1.0 || row.initial != std::floor(row.initial)) {
-            return refuse("a choice of %g names has min %.9g, initial %.9g, max %.9g; expected whole numbers from 0 to "
-                          "one less than names",
-                          names, row.min, row.initial, row.max);
+            return refuse(
+                "a choice of %g names has min %.17g, initial %.17g, max %.17g; expected whole numbers from 0 to "
+                "one less than names",
+                names, row.min, row.initial, row.max);
         }
         return PHYS_OK;
     }

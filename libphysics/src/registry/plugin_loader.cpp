@@ -117,6 +117,7 @@ struct Scan {
 
 phys_status scan(const Scan &scan, const char *folder, phys_error *err) {
     if (folder) {
+        if (!*folder) return fail(err, PHYS_ERROR_FILE, "folder is empty; expected a folder's name");
         if (scan.loadFolder(folder)) return PHYS_OK;
         return fail(err, PHYS_ERROR_FILE, "%s: expected a folder that can be read", shown(folder).c_str());
     }

@@ -35,7 +35,7 @@ phys_status checkSegments(const std::string &path, const char *name, phys_error 
     if (!file) return PHYS_OK;
     const long end = std::fseek(file.get(), 0, SEEK_END) == 0 ? std::ftell(file.get()) : 0;
     if (end <= 0) { // includes files that the system generates, on which the loader would block
-        return fail(err, PHYS_ERROR_PLUGIN_REFUSED, "%s: expected a shared object; found an empty file", name);
+        return fail(err, PHYS_ERROR_PLUGIN_REFUSED, "%s: expected a shared object; found a file of size 0", name);
     }
     const auto size = static_cast<uint64_t>(end);
     ElfW(Ehdr) header;

@@ -24,7 +24,7 @@ public:
         , m_err(err) {}
 
     phys_status read(std::string_view text) {
-        const char *content = text.empty() ? "an empty file" : "no more than comments";
+        const char *content = text.empty() ? "a file of size 0" : "no more than comments";
         do { // an empty text is an empty line
             ++m_line;
             const size_t end = text.find('\n');
@@ -126,7 +126,7 @@ private:
         if (const phys_status status = readNumbers("box", n, 6, line)) return status;
         for (int axis = 0; axis < 3; ++axis) {
             if (n[axis] <= n[axis + 3]) continue;
-            return refuse("box: the lower corner's %c = %.9g is above the upper one's %.9g", "xyz"[axis], n[axis],
+            return refuse("box: the lower corner's %c = %.17g is above the upper one's %.17g", "xyz"[axis], n[axis],
                           n[axis + 3]);
         }
         m_boxes.push_back({{n[0], n[1], n[2]}, {n[3], n[4], n[5]}});

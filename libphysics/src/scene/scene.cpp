@@ -55,8 +55,9 @@ phys_status measure(Scene &scene, phys_error *err) {
         std::max({std::abs(scene.start.x), std::abs(scene.start.y), std::abs(scene.start.z), scene.radius});
     for (const phys_box &box : scene.given) largest = std::max(largest, largestCoordinate(box));
     if (largest > kMostRadii * scene.radius) {
-        return fail(err, PHYS_ERROR_SCENE, "radius is %.9g m beside a coordinate of %.9g m; expected at least %.9g m",
-                    scene.radius, largest, largest / kMostRadii);
+        return fail(err, PHYS_ERROR_SCENE,
+                    "radius is %.17g m beside a coordinate of %.17g m; expected at least %.17g m", scene.radius,
+                    largest, largest / kMostRadii);
     }
     scene.tolerance = 4.0 * kRounding * largest;
     return PHYS_OK;
@@ -124,13 +125,13 @@ uint32_t nearestPart(const Scene &scene, std::span<const uint32_t> parts, const 
 
 phys_status checkRadius(double radius, phys_error *err) {
     if (radius >= kSmallestRadius && radius <= kLargestRadius) return PHYS_OK; // false for NaN
-    return fail(err, PHYS_ERROR_SCENE, "radius is %.9g m; allowed is %g .. %g m", radius, kSmallestRadius,
+    return fail(err, PHYS_ERROR_SCENE, "radius is %.17g m; allowed is %g .. %g m", radius, kSmallestRadius,
                 kLargestRadius);
 }
 
 phys_status checkStart(const phys_vec3 &start, phys_error *err) {
     if (isPoint(start)) return PHYS_OK;
-    return fail(err, PHYS_ERROR_SCENE, "start is (%.9g, %.9g, %.9g); each must be within +-%g m", start.x, start.y,
+    return fail(err, PHYS_ERROR_SCENE, "start is (%.17g, %.17g, %.17g); each must be within +-%g m", start.x, start.y,
                 start.z, kLargestCoordinate);
 }
 
@@ -139,11 +140,11 @@ phys_status checkBox(const phys_box &box, uint32_t number, phys_error *err) {
         const char name = "xyz"[axis];
         const double low = (&box.min.x)[axis], high = (&box.max.x)[axis];
         if (!isCoordinate(low) || !isCoordinate(high)) {
-            return fail(err, PHYS_ERROR_SCENE, "box %u: %s.%c is %.9g m; expected a number within +-%g m", number,
+            return fail(err, PHYS_ERROR_SCENE, "box %u: %s.%c is %.17g m; expected a number within +-%g m", number,
                         isCoordinate(low) ? "max" : "min", name, isCoordinate(low) ? high : low, kLargestCoordinate);
         }
         if (low <= high) continue;
-        return fail(err, PHYS_ERROR_SCENE, "box %u: min.%c = %.9g is above max.%c = %.9g", number, name, low, name,
+        return fail(err, PHYS_ERROR_SCENE, "box %u: min.%c = %.17g is above max.%c = %.17g", number, name, low, name,
                     high);
     }
     return PHYS_OK;

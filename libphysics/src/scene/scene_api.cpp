@@ -79,7 +79,7 @@ phys_status phys_scene_parse(const char *text, size_t size, const char *name, ph
     if ((!text && size > 0) || !out) return phys::fail(err, PHYS_ERROR_ARGUMENT, "%s is NULL", out ? "text" : "out");
     const std::string_view view = text ? std::string_view(text, size) : std::string_view();
     return phys::createScene(
-        out, err, [&](phys_scene &scene) { return phys::parseScene(view, name ? name : "text", scene, err); });
+        out, err, [&](phys_scene &scene) { return phys::parseScene(view, name && *name ? name : "text", scene, err); });
 }
 
 void phys_scene_destroy(phys_scene *scene) { delete scene; }

@@ -175,7 +175,7 @@ void TestMazeFiles::missingItemIsRefused_data() {
     QTest::newRow("ball") << without("ball 0.0625") << QByteArray("ball");
     QTest::newRow("start") << without("start 0.5 0.25 0.0625") << QByteArray("start");
     QTest::newRow("everything") << QByteArray()
-                                << QByteArray("'physics-maze 1' as the first line, found an empty file");
+                                << QByteArray("'physics-maze 1' as the first line, found a file of size 0");
     QTest::newRow("everything but a comment")
         << QByteArray("# nothing\n") << QByteArray("'physics-maze 1' as the first line, found no more than comments");
 }
@@ -197,6 +197,11 @@ void TestMazeFiles::wrongSceneInAFileIsRefused_data() {
     QTest::newRow("start too far away") << withLine(5, "start 2e9 0 0") << QByteArray(":5: start is (2e+09, 0, 0)");
     QTest::newRow("box too far away") << withLine(6, "box -1 -2 -0.5 3 4e9 0")
                                       << QByteArray(":6: box 0: max.y is 4e+09 m; expected a number within +-1e+09 m");
+    QTest::newRow("box just too far away")
+        << withLine(6, "box -1 -2 -0.5 3 1.0000000001e9 0")
+        << QByteArray(":6: box 0: max.y is 1000000000.1 m; expected a number within +-1e+09 m");
+    QTest::newRow("radius just too large")
+        << withLine(4, "ball 1.0000000001e6") << QByteArray("radius is 1000000.0001 m;");
     QTest::newRow("radius too small beside a coordinate")
         << withLine(4, "ball 1e-9").replace("box -1", "box -1e9") << QByteArray("maze.txt: radius is 1e-09 m beside");
 }

@@ -21,9 +21,9 @@ private slots:
             const double number = i % 2 ? std::bit_cast<double>(bits) : static_cast<double>(int64_t(bits)) * 0x1p-40;
             const int whole = static_cast<int>(bits);
             if (std::isnan(number)) continue;
-            const char *format = "%g|%.9g|%.17g|%d|%u|%x|%02x|%llu|%llx|%zu|%c|%%";
+            const char *format = "%g|%.9g|%d|%u|%x|%02x|%llu|%llx|%zu|%c|%%";
             const auto write = [&](auto function, char *out) {
-                function(out, sizeof ours, format, number, number, number, whole, whole, whole, whole & 0xff,
+                function(out, sizeof ours, format, number, number, whole, whole, whole, whole & 0xff,
                          static_cast<unsigned long long>(bits), static_cast<unsigned long long>(bits), size_t(bits),
                          'a' + i % 26);
             };
@@ -104,6 +104,27 @@ private slots:
             QVERIFY2(phys::parseNumber(text, read), text);
             QCOMPARE(std::bit_cast<uint64_t>(read), std::bit_cast<uint64_t>(number));
         }
+    }
+
+    void allDigitsAreTheFewestThatReadBack_data() {
+        QTest::addColumn<double>("number");
+        QTest::addColumn<QByteArray>("expected");
+        const auto row = [](double number, const char *expected) {
+            QTest::newRow(expected) << number << QByteArray(expected);
+        };
+        row(0.1, "0.1");
+        row(-1e9, "-1e+09");
+        row(1e6, "1000000");
+        row(1.0000000001e9, "1000000000.1");
+        row(0x1.0000000000001p0, "1.0000000000000002");
+        row(1.0 / 60.0, "0.016666666666666666");
+    }
+    void allDigitsAreTheFewestThatReadBack() {
+        QFETCH(double, number);
+        QFETCH(QByteArray, expected);
+        char text[40];
+        phys::writeText(text, sizeof text, "%.17g", number);
+        QCOMPARE(QByteArray(text), expected);
     }
 
     void whatIsNoNumberIsRefused_data() {

@@ -125,7 +125,7 @@ void TestMazeReader::wrongFilesAreRefusedWithFileAndLine_data() {
     const auto add = [](const char *tag, const QByteArray &content, const char *expected) {
         QTest::newRow(tag) << content << QString::fromUtf8(expected);
     };
-    add("empty", "", ":1: expected 'physics-maze 1' as the first line, found an empty file");
+    add("empty", "", ":1: expected 'physics-maze 1' as the first line, found a file of size 0");
     add("another kind of file", "# board\no floor_0\n", ":2: expected 'physics-maze 1', found 'o'");
     add("a later version", "physics-maze 2\n", ":1: expected version 1, found '2'");
     add("no version", "physics-maze\n", ":1: expected version 1, found ''");

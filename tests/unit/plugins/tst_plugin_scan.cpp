@@ -115,6 +115,8 @@ void PluginScan::aFolderThatIsNotThereIsAnError() {
     phys_error error{};
     QCOMPARE(phys_registry_scan(m_registry, "/nowhere/at/all", nullptr, nullptr, &error), PHYS_ERROR_FILE);
     QCOMPARE(error.text, "/nowhere/at/all: expected a folder that can be read");
+    QCOMPARE(phys_registry_scan(m_registry, "", nullptr, nullptr, &error), PHYS_ERROR_FILE);
+    QCOMPARE(error.text, "folder is empty; expected a folder's name");
 }
 
 void PluginScan::theSearchPathIsWalkedInItsOrder() {
