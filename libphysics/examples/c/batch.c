@@ -53,5 +53,9 @@ int main(int argc, char **argv) {
         printf("restitution %.2f: x %.4f m, y %.4f m%s\n", params[i].restitution_wall, states[i].position.x,
                states[i].position.y, states[i].flags & PHYS_OUT ? ", out" : "");
     }
+    if (fclose(stdout)) { /* as on a full disk */
+        perror("batch: the output can't be written");
+        return 1;
+    }
     return 0;
 }

@@ -62,5 +62,9 @@ int main(int argc, char **argv) {
     if (!status) status = roll(&run, id, &error);
     if (status) fprintf(stderr, "roll: %s\n", error.text);
     destroy(&run);
+    if (fclose(stdout)) { /* as on a full disk */
+        perror("roll: the output can't be written");
+        return EXIT_FAILURE;
+    }
     return status ? EXIT_FAILURE : EXIT_SUCCESS;
 }

@@ -39,5 +39,9 @@ int main(int argc, char **argv) {
         std::fprintf(stderr, "compare: %s: %s\n", phys_status_name(error.status()), error.what());
         return EXIT_FAILURE;
     }
+    if (std::fclose(stdout) != 0) { // as on a full disk
+        std::perror("compare: the output can't be written");
+        return EXIT_FAILURE;
+    }
     return EXIT_SUCCESS;
 }

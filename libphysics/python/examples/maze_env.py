@@ -75,4 +75,7 @@ def main(arguments):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    try:
+        sys.exit(main(sys.argv[1:]))
+    except lp.PhysicsError as error:
+        sys.exit(f"maze_env.py: {error}")

@@ -17,10 +17,11 @@ SEGMENT = 50  # steps with one tilt
 
 
 def main(arguments):
-    if not 1 <= len(arguments) <= 4:
+    numbers = arguments[1:]
+    if not 1 <= len(arguments) <= 4 or not all(text.isdecimal() and int(text) > 0 for text in numbers):
         print(__doc__, file=sys.stderr)
         return 2
-    balls, seconds, threads = (int(text) for text in (arguments[1:] + ["400", "20", "1"][len(arguments) - 1:]))
+    balls, seconds, threads = (int(text) for text in numbers + ["400", "20", "1"][len(numbers):])
     scene = lp.Scene(arguments[0])
     stepper = lp.Stepper("symplectic-euler", scene)
     params = stepper.params()
@@ -52,4 +53,7 @@ def main(arguments):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    try:
+        sys.exit(main(sys.argv[1:]))
+    except lp.PhysicsError as error:
+        sys.exit(f"monte_carlo.py: {error}")

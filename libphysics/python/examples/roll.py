@@ -43,12 +43,8 @@ def main(arguments):
     if not 1 <= len(arguments) <= 2:
         print(__doc__, file=sys.stderr)
         return 2
-    try:
-        scene = lp.Scene(arguments[0])
-        paths = {info.id: roll(info.id, scene) for info in lp.steppers()}
-    except lp.PhysicsError as error:
-        print(f"roll.py: {error}", file=sys.stderr)
-        return 1
+    scene = lp.Scene(arguments[0])
+    paths = {info.id: roll(info.id, scene) for info in lp.steppers()}
     for id, path in paths.items():
         x, y, _ = path["position"][-1]
         print(f"{id:18} x {x:8.5f} m  y {y:8.5f} m")
@@ -58,4 +54,7 @@ def main(arguments):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    try:
+        sys.exit(main(sys.argv[1:]))
+    except lp.PhysicsError as error:
+        sys.exit(f"roll.py: {error}")

@@ -52,4 +52,7 @@ def main(arguments):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    try:
+        sys.exit(main(sys.argv[1:]))
+    except lp.PhysicsError as error:
+        sys.exit(f"sweep_picture.py: {error}")

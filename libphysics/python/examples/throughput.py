@@ -29,10 +29,11 @@ def millions_a_second(scene, id, balls, steps):
 
 
 def main(arguments):
-    if not 1 <= len(arguments) <= 3:
+    numbers = arguments[1:]
+    if not 1 <= len(arguments) <= 3 or not all(text.isdecimal() and int(text) > 0 for text in numbers):
         print(__doc__, file=sys.stderr)
         return 2
-    balls, steps = (int(text) for text in (arguments[1:] + ["256", "500"][len(arguments) - 1:]))
+    balls, steps = (int(text) for text in numbers + ["256", "500"][len(numbers):])
     level = lp.Scene(arguments[0])
     floor = lp.Scene(boxes=[[(-1e4, -1e4, -1), (1e4, 1e4, 0)]], radius=level.radius)
     for id in ("symplectic-euler", "swept"):
@@ -42,4 +43,7 @@ def main(arguments):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    try:
+        sys.exit(main(sys.argv[1:]))
+    except lp.PhysicsError as error:
+        sys.exit(f"throughput.py: {error}")
