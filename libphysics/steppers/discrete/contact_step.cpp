@@ -89,11 +89,11 @@ double settleOn(const StepContext &context, const Contact &contact, Ball &ball) 
 /// What pressed until the end stays in contact, at all places together: where only friction presses the ball, it would
 /// fly off what is left of a gap or of a speed.
 void settleOnAll(const StepContext &context, const Contacts &contacts, const LastingContacts &lasting, Ball &ball) {
-    constexpr int kMostSweeps = 40;
+    constexpr int kMostSettlingSweeps = 40;
     const double near = 0.25 * context.setting.tolerance;
     double off = INFINITY;
     uint32_t pressing = 0;
-    for (int i = 0; i < kMostSweeps && off > near && (i == 0 || pressing > 1); ++i) {
+    for (int i = 0; i < kMostSettlingSweeps && off > near && (i == 0 || pressing > 1); ++i) {
         off = 0.0;
         pressing = 0;
         for (uint32_t k = 0; k < contacts.count(); ++k) {

@@ -38,10 +38,10 @@ public:
 
     /// Whether the ball moves and, in the rigid model, rolls and continues to. spin: the given one.
     bool rolls(const Vec2 &velocity, const Vec3 &spin) const {
-        constexpr double kStill = 1e-13; // relative: smaller values are rounding
+        constexpr double kNoMotion = 1e-13; // relative: smaller values are rounding
         const double R = m_scene.radius, speedSquared = glm::dot(velocity, velocity);
         const double turning = R * R * glm::dot(spin, spin);
-        if (!(speedSquared > kStill * kStill * (R * gravity() + turning))) return false;
+        if (!(speedSquared > kNoMotion * kNoMotion * (R * gravity() + turning))) return false;
         if (!isRigid()) return true;
         constexpr double kNoSlip = 64.0 * kRounding;
         const Vec2 slip = velocity - spinSpeed(spin, R);

@@ -544,7 +544,7 @@ void TestWindowPast::refusedNameIsForgottenWithTheNextCommandThatWorks_data() {
     QTest::addColumn<int>("key");
     for (const char *action : {"save_run", "save_plot"})
         for (const Qt::Key next : {Qt::Key_R, Qt::Key_Space, Qt::Key_T})
-            QTest::addRow("%s, %c", action, char(next)) << action << int(next);
+            QTest::newRow(qPrintable(QString(action) + ", " + QChar(next))) << QString(action) << int(next);
 }
 
 void TestWindowPast::refusedNameIsForgottenWithTheNextCommandThatWorks() {
