@@ -75,7 +75,7 @@ uint64_t hashOf(const phys_state &state) { return phys_state_hash(&state); }
 } // namespace
 
 void TestWindowBall::init() {
-    m_fixture = std::make_unique<Fixture>(1, inspector::gl::Drawing::Solid);
+    m_fixture = std::make_unique<Fixture>(1, solidIn({"draggedBallIsWhereTheMouseIs"}));
     QVERIFY(m_fixture->isReady());
 }
 

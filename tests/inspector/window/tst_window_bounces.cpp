@@ -83,7 +83,8 @@ private:
 };
 
 void TestWindowBounces::init() {
-    m_fixture = std::make_unique<Fixture>(3, inspector::gl::Drawing::Solid);
+    m_fixture = std::make_unique<Fixture>(
+        3, solidIn({"clickOnARowSelectsItsMark", "markBehindAWallIsNotClicked", "marksGoAndComeByTheirKey"}));
     QVERIFY(m_fixture->isReady());
     m_view = &m_fixture->window().view();
     m_bounces = m_fixture->find<inspector::ui::BounceDock>("bounces");

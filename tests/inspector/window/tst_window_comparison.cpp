@@ -88,7 +88,7 @@ private:
 
 // Stepped manually: the same in every run.
 void TestWindowComparison::init() {
-    m_fixture = std::make_unique<Fixture>(3, inspector::gl::Drawing::Solid);
+    m_fixture = std::make_unique<Fixture>(3, solidIn({"ghostIsDrawnWhereItIs", "ghostOnTheBallIsHidden"}));
     QVERIFY(m_fixture->isReady());
     m_plot = m_fixture->find<inspector::ui::DistancePlot>("distance_plot");
     m_fixture->parameters().set({{"tilt_x", 3.0}, {"tilt_y", 4.0}});

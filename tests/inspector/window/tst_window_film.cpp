@@ -59,7 +59,7 @@ private:
 };
 
 void TestWindowFilm::init() {
-    m_fixture = std::make_unique<Fixture>(3, inspector::gl::Drawing::Solid);
+    m_fixture = std::make_unique<Fixture>(3, solidIn({"picturesFollowTheBall", "filmOfARecordingIsOfItsRun"}));
     m_fixture->window().resize(1100, 420); // small pictures, below a line of text
     QVERIFY(m_fixture->isReady());
     m_fixture->parameters().set({{"tilt_x", 3.0}, {"tilt_y", 4.0}});

@@ -70,7 +70,7 @@ private:
 
 // 2 s of a ball without noise, from the start of the level.
 void TestWindowTrack::init() {
-    m_fixture = std::make_unique<Fixture>(3, inspector::gl::Drawing::Solid);
+    m_fixture = std::make_unique<Fixture>(3);
     QVERIFY(m_fixture->isReady());
     const BoardParameters board{initialInputs().params, 9.81, {}, 0.0, {}};
     m_track = support::makeTrack(m_fixture->session().registry(), m_fixture->session().scene(), board,

@@ -65,6 +65,12 @@ bool isReadOutWhole(const QCustomPlot *plot) {
 
 void prepare() { QSurfaceFormat::setDefaultFormat(inspector::gl::surfaceFormat()); }
 
+inspector::gl::Drawing solidIn(std::initializer_list<const char *> facts) {
+    const bool isSolid = std::any_of(facts.begin(), facts.end(),
+                                     [](const char *fact) { return qstrcmp(fact, QTest::currentTestFunction()) == 0; });
+    return isSolid ? inspector::gl::Drawing::Solid : inspector::gl::Drawing::Flat;
+}
+
 Fixture::Fixture(int level, inspector::gl::Drawing drawing, const QString &levels)
     : m_drawing(drawing)
     , m_settings(m_folder.filePath(QStringLiteral("settings.ini")), inspector::settingsFormat()) {

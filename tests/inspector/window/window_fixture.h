@@ -11,6 +11,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <initializer_list>
 #include <memory>
 
 #undef QTRY_VERIFY
@@ -36,9 +37,11 @@ QString readOutOf(const QCustomPlot *plot);
 /// Whether that text has the room that it needs.
 bool isReadOutWhole(const QCustomPlot *plot);
 
+// Solid in those of a suite's facts, which are about what the view shows: by OpenGL a window takes twice the time.
+inspector::gl::Drawing solidIn(std::initializer_list<const char *> facts);
+
 class Fixture {
 public:
-    // Without OpenGL a window takes half of the time; suites that are about what the view shows draw solid boards.
     explicit Fixture(int level = 1, inspector::gl::Drawing drawing = inspector::gl::Drawing::Flat,
                      const QString &levels = QStringLiteral(LEVELS_FOLDER));
     // The window is on the screen, has drawn once and has the keyboard.
