@@ -307,6 +307,23 @@ void uprightEdge(Sketch &s) {
                             12});
 }
 
+/// Between two upright edges, on a floor or falling along them.
+void groove(Sketch &s) {
+    const double left = s.dice.between(0.05, 1.5), right = s.dice.chance(0.3) ? left : s.dice.between(0.05, 1.5);
+    const double height = s.dice.chance(0.7) ? 8 : s.dice.between(0.3, 3);
+    if (s.dice.chance(0.7)) s.floor();
+    s.box(-6, std::cos(left), 0, -std::sin(left), 6, height);
+    s.box(std::sin(right), std::cos(right), 0, 6, 6, s.dice.chance(0.7) ? height : s.dice.between(0.3, 8));
+    if (s.dice.chance(0.3)) s.box(-6, -5, 0, 6, s.dice.chance(0.2) ? -1 : -s.dice.between(1, 2), height);
+    if (s.dice.chance(0.7)) { // rough enough that friction can hold the ball between both
+        s.scene.params.sliding_friction = s.dice.magnitude(0.05, 3);
+        s.scene.params.wall_friction = s.dice.magnitude(0.05, 3);
+    }
+    s.place(0, 0, s.dice.chance(0.6) ? 1 : s.dice.between(1, 6));
+    const double up = s.scene.start.position.z > s.r ? s.dice.between(-2, 2) : 0;
+    s.velocity(0, s.dice.chance(0.7) ? 0 : s.dice.between(-1, 1), up);
+}
+
 struct Kind {
     const char *name;
     void (*draw)(Sketch &);
@@ -332,6 +349,7 @@ constexpr Kind kKinds[] = {
     {"room", room},
     {"slippery", slippery},
     {"upright_edge", uprightEdge},
+    {"groove", groove},
 };
 
 void drawRadius(Sketch &s) {
