@@ -242,23 +242,30 @@ Vec3 Series::steadied(const Vec3 &al, int k) const {
     return al - growth / (1.0 + growth) * across;
 }
 
+/// Term k of a direction, from its turn.
+void Series::turn(Contact &contact, int k) {
+    if (k == 0) return;
+    const Vec3 n0 = contact.n[0], d0 = contact.d[0];
+    double alongD = 0.0, alongN = -glm::dot(d0, contact.n[k]);
+    for (int j = 1; j < k; ++j) {
+        alongD -= 0.5 * glm::dot(contact.d[j], contact.d[k - j]);
+        alongN -= glm::dot(contact.d[k - j], contact.n[j]);
+    }
+    contact.d[k] = alongD * d0 + contact.turn[k] * glm::cross(n0, d0) + alongN * n0;
+}
+
 /// Direction of the slip, term k.
 void Series::directions(Contact &contact, int k) {
     if (contact.isTurned) return turn(contact, k);
     if (contact.mode == Mode::spent) {
         if (k == 0) return;
-        const Vec3 n0 = contact.n[0], d0 = contact.d[0], e = glm::cross(n0, d0);
-        double alongD = 0.0, alongE = 0.0, alongN = -glm::dot(d0, contact.n[k]);
+        const Vec3 e = glm::cross(contact.n[0], contact.d[0]);
+        double alongE = 0.0;
         Vec3 friction = contact.r[k];
         for (int j = 0; j <= k; ++j) friction -= contact.N[k - j] * contact.n[j];
-        for (int j = 1; j < k; ++j) {
-            alongD -= 0.5 * glm::dot(contact.d[j], contact.d[k - j]);
-            alongE -= contact.N[k - j] * glm::dot(contact.d[j], e);
-            alongN -= glm::dot(contact.d[k - j], contact.n[j]);
-        }
-        alongE = (alongE - glm::dot(friction, e) / contact.held.friction) / contact.N[0];
-        contact.d[k] = alongD * d0 + alongE * e + alongN * n0;
-        return;
+        for (int j = 1; j < k; ++j) alongE -= contact.N[k - j] * glm::dot(contact.d[j], e);
+        contact.turn[k] = (alongE - glm::dot(friction, e) / contact.held.friction) / contact.N[0];
+        return turn(contact, k);
     }
     if (contact.partner < m_count) {
         contact.free[k] = glm::dot(contact.d[0], glm::cross(contact.n[0], m_contacts[contact.partner].n[0])) > 0.0

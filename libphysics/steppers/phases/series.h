@@ -80,8 +80,8 @@ private:
         Jet N;
         Jet speed;      ///< of the slip, or of its quotient by the time if it starts
         Jet slowness;   ///< 1/speed
-        Jet turn;       ///< d across its start, if it is given
-        bool isTurned;  ///< whether it is
+        Jet turn;       ///< d across its start, if it follows from forces
+        bool isTurned;  ///< whether that is given
         double weight;  ///< of this slip in the independent variable, 1/s; 0: none
         Vec3 rateKnown; ///< rate of the slip at the present order without the contribution of the unknowns, if needed
         Vec3 directionKnown;

@@ -126,18 +126,6 @@ double Series::timeOfSlips() const {
     return count > 0 && count <= 2 && m_shared.rate == 0.0 && !m_rollStarts ? time : 0.0;
 }
 
-/// Term k of a direction whose turn is given.
-void Series::turn(Contact &contact, int k) {
-    if (k == 0) return;
-    const Vec3 n0 = contact.n[0], d0 = contact.d[0];
-    double alongD = 0.0, alongN = -glm::dot(d0, contact.n[k]);
-    for (int j = 1; j < k; ++j) {
-        alongD -= 0.5 * glm::dot(contact.d[j], contact.d[k - j]);
-        alongN -= glm::dot(contact.d[k - j], contact.n[j]);
-    }
-    contact.d[k] = alongD * d0 + contact.turn[k] * glm::cross(n0, d0) + alongN * n0;
-}
-
 /// n0.(u x d)/|u_0| of each, term k: the part of the slip across its direction.
 Series::Slips Series::acrossDirections(int k) const {
     Slips across{};
@@ -224,7 +212,7 @@ bool Series::findFastTurn() {
     m_turned.fast = a > d ? Slips{fastest - d, c} : Slips{b, fastest - a};
     m_turned.fastRow = a > d ? Slips{fastest - d, b} : Slips{c, fastest - a};
     for (Slips *turns : {&m_turned.fast, &m_turned.fastRow}) {
-        const double size = std::hypot((*turns)[0], (*turns)[1]);
+        const double size = std::sqrt((*turns)[0] * (*turns)[0] + (*turns)[1] * (*turns)[1]);
         if (!(size > 0.0)) return false;
         *turns = {(*turns)[0] / size, (*turns)[1] / size};
     }
