@@ -3,6 +3,7 @@
 
 #include "contact/held.h"
 #include "exact/build_series.h"
+#include "exact/last_bounce.h"
 #include "exact/search.h"
 
 #include <cmath>
@@ -135,6 +136,20 @@ bool slides(const MovingBall &ball, const Touching &touching, const Response &re
     return faces.roughAxis != faces.smoothAxis && response.reactions[faces.smooth].pressure > least;
 }
 
+/// After many hops: a ball that moves along the line of two rough contacts with hardly any spin about it has none, so
+/// that its slips turn round in no time instead of in dozens of series. model.md 6.4.
+void stopSpinAlong(const Touching &touching, MovingBall &ball) {
+    constexpr double kHardly = 1e-8; // of the speeds
+    if (touching.count() != 2 || !hasManyHops(ball) || !ball.setting.isRigid()) return;
+    if (touching.held(0).friction == 0.0 || touching.held(1).friction == 0.0) return;
+    const Vec3 line = hat(glm::cross(touching.held(0).normal, touching.held(1).normal));
+    const double turning = glm::dot(ball.motion.spin, line), around = ball.radius() * turning;
+    if (std::abs(around) > kHardly * speedScale(ball.moment())) return;
+    if (!isCollinear(ball.motion.velocity, line)) return;
+    ball.motion.spin -= turning * line;
+    ball.report.lostSlip(0.2 * around * around);
+}
+
 } // namespace
 
 bool isCollinear(const Vec3 &a, const Vec3 &b) {
@@ -167,6 +182,7 @@ uint32_t onlyFace(const Touching &touching, const Response &response) {
 
 phys_status choose(MovingBall &ball, Touching &touching, Choice &choice) {
     if (rollsOn(ball, touching, choice)) return PHYS_OK;
+    stopSpinAlong(touching, ball);
     Response &response = choice.response;
     if (const phys_status status = respondNow(touching, ball, response)) return status;
     balance(ball, touching, response);

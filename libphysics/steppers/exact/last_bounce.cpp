@@ -53,6 +53,8 @@ void countHop(uint32_t count, double time, MovingBall &ball) {
     if (time * time * glm::length(ball.setting.gravity()) <= kHop * ball.radius()) ball.hops += count;
 }
 
+bool hasManyHops(const MovingBall &ball) { return ball.hops >= kManyHops; }
+
 double lastHeight(const MovingBall &ball) {
     return std::max(ball.scene().tolerance, higher(ball) * kLastBounce * ball.radius());
 }
@@ -88,7 +90,7 @@ bool endsSlips(const MovingBall &ball, const Contact &face) {
 bool endsAsSeries(const MovingBall &ball, const Contacts &contacts, const Contact &face) {
     constexpr double kElastic = 1.0 - 1e-6; // restitution above which bounces are too many for an end
     const double eps = face.restitution, back = -glm::dot(ball.setting.gravity(), face.normal);
-    if (contacts.count() != 1 || !face.isFace() || ball.hops >= kManyHops) return false;
+    if (contacts.count() != 1 || !face.isFace() || hasManyHops(ball)) return false;
     if (!(back > 0.0) || eps <= kSlowDecay || eps > kElastic) return false;
     if (face.friction == 0.0) return true;
     const double push = (1.0 + eps) * std::abs(glm::dot(ball.motion.velocity, face.normal));

@@ -12,6 +12,9 @@ inline constexpr uint32_t kBounceCount = 1, kHopCount = 8, kSeriesCount = 36;
 /// Counts a phase of this length (s) as one of those, if it is short.
 void countHop(uint32_t count, double time, MovingBall &ball);
 
+/// Whether so many hops were counted in the step that a less exact result is better than none.
+bool hasManyHops(const MovingBall &ball);
+
 /// The largest height of last bounces at smooth contacts, m.
 double lastHeight(const MovingBall &ball);
 
