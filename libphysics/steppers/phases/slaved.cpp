@@ -11,7 +11,7 @@ namespace phys {
 namespace {
 
 constexpr double kLeastRate = 8.0 * kOrder; // of what follows, per unit: otherwise passes don't converge
-constexpr int kMostPasses = 16;
+constexpr int kSlavedPasses = 16;
 
 } // namespace
 
@@ -68,7 +68,7 @@ bool Series::follow(const After &after, double present, double step, double near
     constexpr double kSame = 4e-15, kConverges = 0.25;
     Jet terms{};
     double changed = kNever;
-    for (int pass = 0; pass < kMostPasses; ++pass) {
+    for (int pass = 0; pass < kSlavedPasses; ++pass) {
         const double before = terms[0], changedBefore = changed;
         double most = std::abs(step);
         changed = 0.0;
