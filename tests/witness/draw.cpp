@@ -318,6 +318,7 @@ void groove(Sketch &s) {
     if (s.dice.chance(0.7)) { // rough enough that friction can hold the ball between both
         s.scene.params.sliding_friction = s.dice.magnitude(0.05, 3);
         s.scene.params.wall_friction = s.dice.magnitude(0.05, 3);
+        s.scene.params.rolling_friction = std::min(s.scene.params.rolling_friction, s.scene.params.sliding_friction);
     }
     s.place(0, 0, s.dice.chance(0.6) ? 1 : s.dice.between(1, 6));
     const double up = s.scene.start.position.z > s.r ? s.dice.between(-2, 2) : 0;
