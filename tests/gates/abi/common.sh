@@ -1,17 +1,6 @@
 # SPDX-License-Identifier: MIT
 # What the checks of the binary interface share; sourced.
-set -euo pipefail
-
-fail() {
-    echo "$(basename "$0"): $*" >&2
-    exit 1
-}
-
-# A check that can't be made here says so; ctest shows it as skipped.
-skip() {
-    echo "$(basename "$0"): skipped: $*"
-    exit 77
-}
+. "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
 
 need_debug_information() {
     readelf --section-headers "$1" | grep '\.debug_info' >/dev/null ||

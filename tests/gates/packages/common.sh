@@ -1,18 +1,9 @@
 # SPDX-License-Identifier: MIT
 # What the checks of packages share; sourced. Sets `scratch`, a folder that is removed at the end.
-set -euo pipefail
+. "$(dirname "${BASH_SOURCE[0]}")/../common.sh"
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 unset PHYS_PLUGIN_PATH LD_LIBRARY_PATH PKG_CONFIG_PATH
-
-fail() {
-    echo "$(basename "$0"): $*" >&2
-    exit 1
-}
-skip() {
-    echo "$(basename "$0"): skipped: $*"
-    exit 77
-}
 
 # quietly COMMAND...: its output is shown only if it fails.
 quietly() {
