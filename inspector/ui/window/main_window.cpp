@@ -85,7 +85,9 @@ struct MainWindow::DockRow {
 };
 
 namespace {
-const char *const kDockNames[] = {"parameters_dock", "levels_dock", "plot_dock"}; ///< visible from the start
+const char *const kParametersDock = "parameters_dock";
+const char *const kLevelsDock = "levels_dock";
+const char *const kPlotsDock = "plot_dock";
 const char *const kComparisonDock = "comparison_dock";
 const char *const kBouncesDock = "bounces_dock";
 const char *const kTrackDock = "track_dock";
@@ -242,11 +244,11 @@ void MainWindow::makeDocks() {
     m_track = new TrackDock(m_session, *m_undo);
     m_trade = new TradeDock(m_session, *m_undo);
     static const DockRow rows[] = {
-        {kDockNames[0], QT_TR_NOOP("Parameters"), Qt::RightDockWidgetArea, 0.0,
+        {kParametersDock, QT_TR_NOOP("Parameters"), Qt::RightDockWidgetArea, 0.0,
          [](MainWindow &window) -> QWidget * { return window.m_parameters; }},
-        {kDockNames[1], QT_TR_NOOP("Levels"), Qt::RightDockWidgetArea, 0.0,
+        {kLevelsDock, QT_TR_NOOP("Levels"), Qt::RightDockWidgetArea, 0.0,
          [](MainWindow &window) -> QWidget * { return window.m_levels; }},
-        {kDockNames[2], QT_TR_NOOP("Plots"), Qt::BottomDockWidgetArea, 0.0,
+        {kPlotsDock, QT_TR_NOOP("Plots"), Qt::BottomDockWidgetArea, 0.0,
          [](MainWindow &window) -> QWidget * { return window.m_plotPanel; }},
         {"trade_dock", QT_TR_NOOP("Trade"), Qt::BottomDockWidgetArea, kTradeShare,
          [](MainWindow &window) -> QWidget * { return window.m_trade; }},
@@ -270,7 +272,9 @@ void MainWindow::makeDocks() {
         dock->setWidget(row.share > 0.0 ? scrolled(row.widget(*this)) : row.widget(*this));
         addDockWidget(row.area, dock);
         addDockAction(*dock, ++number, row.share);
-        if (row.share > 0.0) dock->hide();
+        if (row.share == 0.0) continue;
+        m_onCall += dock;
+        dock->hide();
     }
     arrangeOnCall(rows);
 }
@@ -279,10 +283,10 @@ void MainWindow::makeDocks() {
 /// that both are visible. The bounces must be placed first, because a dock with tabs can't be split.
 void MainWindow::arrangeOnCall(std::span<const DockRow> rows) {
     const auto dockOf = [this](const char *name) { return findChild<QDockWidget *>(QLatin1String(name)); };
-    splitDockWidget(dockOf(kDockNames[2]), dockOf(kBouncesDock), Qt::Horizontal);
+    splitDockWidget(dockOf(kPlotsDock), dockOf(kBouncesDock), Qt::Horizontal);
     for (const DockRow &row : rows)
         if (row.share > 0.0 && row.area == Qt::BottomDockWidgetArea && row.name != kBouncesDock)
-            tabifyDockWidget(dockOf(kDockNames[2]), dockOf(row.name));
+            tabifyDockWidget(dockOf(kPlotsDock), dockOf(row.name));
 }
 
 /// The dock's key closes it if it is visible, and otherwise shows and raises it.
@@ -316,7 +320,7 @@ void MainWindow::showDock(QDockWidget &dock, double share) {
     if (isResized && docksOf(area, true).isEmpty())
         for (QDockWidget *other : docksOf(area, false)) m_heights[other] = other->height();
     const bool isBounces = dock.objectName() == QLatin1String(kBouncesDock);
-    auto *plots = findChild<QDockWidget *>(QLatin1String(kDockNames[2]));
+    auto *plots = findChild<QDockWidget *>(QLatin1String(kPlotsDock));
     const bool hasRoomBeside = width() >= kRoomBesidePlots;
     if (isResized && isBounces && !hasRoomBeside) tabifyDockWidget(plots, &dock);
     dock.show();
@@ -331,9 +335,8 @@ void MainWindow::showDock(QDockWidget &dock, double share) {
 QList<QDockWidget *> MainWindow::docksOf(Qt::DockWidgetArea area, bool isOnCall) const {
     QList<QDockWidget *> docks = findChildren<QDockWidget *>();
     docks.removeIf([&](QDockWidget *dock) {
-        const bool isFirst =
-            std::ranges::count(kDockNames, dock->objectName(), [](const char *name) { return QLatin1String(name); });
-        return isFirst == isOnCall || dock->isHidden() || dock->isFloating() || dockWidgetArea(dock) != area;
+        return m_onCall.contains(dock) != isOnCall || dock->isHidden() || dock->isFloating() ||
+               dockWidgetArea(dock) != area;
     });
     return docks;
 }
@@ -568,9 +571,9 @@ void MainWindow::resetLayout() {
 
 /// Gives most of the window to the view.
 void MainWindow::arrangeDocks() {
-    auto *parameters = findChild<QDockWidget *>(QLatin1String(kDockNames[0]));
-    auto *levels = findChild<QDockWidget *>(QLatin1String(kDockNames[1]));
-    auto *plot = findChild<QDockWidget *>(QLatin1String(kDockNames[2]));
+    auto *parameters = findChild<QDockWidget *>(QLatin1String(kParametersDock));
+    auto *levels = findChild<QDockWidget *>(QLatin1String(kLevelsDock));
+    auto *plot = findChild<QDockWidget *>(QLatin1String(kPlotsDock));
     const int side = std::min(m_parameters->sizeHint().width(), int(kSideShare * width()));
     resizeDocks({parameters, levels}, {side, side}, Qt::Horizontal);
     resizeDocks({parameters, levels}, {m_parameters->sizeHint().height() + 30, 240}, Qt::Vertical);
