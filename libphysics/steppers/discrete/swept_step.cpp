@@ -409,21 +409,27 @@ Vec3 SweptStep::slipOnTop(const Ball &ball) const {
 double SweptStep::horizon() const {
     const double rest = m_input.dt - m_done;
     const bool isParabola = m_isAlone || m_contacts.empty();
-    const auto halved = [&](int times) { return std::ldexp(rest, -times); };
     if (isParabola && rest > m_substep) {
-        if (isClear(rest)) return rest;
-        // A path that is free for longer is free for less: bisects between a free one and one that isn't.
-        int tooLong = 0, clear = std::ilogb(rest / m_substep);
-        if (!(halved(clear) > m_substep)) --clear;
-        if (clear > 0 && isClear(halved(clear))) {
-            while (clear - tooLong > 1) {
-                const int middle = (clear + tooLong) / 2;
-                (isClear(halved(middle)) ? clear : tooLong) = middle;
-            }
-            return halved(clear);
-        }
+        const double clear = longestClear(rest);
+        if (clear > 0.0) return clear;
     }
     return std::min(rest, safeTimeOfPhase());
+}
+
+/// The rest of the step (s), halved as seldom as makes the path clear; 0 if it is clear for no more than a substep. A
+/// path that is free for longer is free for less; the search begins at the halvings of the last phase.
+double SweptStep::longestClear(double rest) const {
+    const auto halved = [&](int times) { return std::ldexp(rest, -times); };
+    int most = std::ilogb(rest / m_substep);
+    if (most > 0 && !(halved(most) > m_substep)) --most;
+    int tooLong = -1, clear = most + 1, stride = 1;
+    for (int times = std::min(m_halvings, most); clear - tooLong > 1; stride *= 2) {
+        (isClear(halved(times)) ? clear : tooLong) = times;
+        times += times == clear ? -stride : stride;
+        if (times <= tooLong || times >= clear) times = (tooLong + clear) / 2;
+    }
+    m_halvings = clear;
+    return clear > most ? 0.0 : halved(clear);
 }
 
 /// The time in which the ball moves by at most half its radius, and by a quarter more due to its spin, s.

@@ -97,6 +97,7 @@ private:
     double timeToStopOrRoll(double end);
     Vec3 slipOnTop(const Ball &ball) const;
     double horizon() const;
+    double longestClear(double rest) const;
     double safeTimeOfPhase() const;
     bool isClear(double t) const;
     bool isParabola(Course course, double end) const;
@@ -120,14 +121,15 @@ private:
     double m_orientation[4];
     static constexpr uint32_t kBoxesOfPlace = 16;
     mutable uint32_t m_effort = 0, m_boxes = 0;
-    mutable Moved m_moved;   ///< the last one: the end of a phase is asked for several times
-    double m_done = 0.0;     ///< s of the step that lie behind the ball
-    Contacts m_contacts;     ///< the contacts of this phase
-    bool m_isAlone = false;  ///< nothing but one top face is touched
-    bool m_resists = false;  ///< resistance may stop the ball, beside other contacts
-    bool m_slipEnds = false; ///< somewhere in this phase, which is then short
-    double m_stop = 0.0;     ///< s into the phase at which the ball stops
-    double m_roll = 0.0;     ///< s into the phase at which the slip on the floor ends
+    mutable int m_halvings = 0; ///< of the step's rest in the last phase
+    mutable Moved m_moved;      ///< the last one: the end of a phase is asked for several times
+    double m_done = 0.0;        ///< s of the step that lie behind the ball
+    Contacts m_contacts;        ///< the contacts of this phase
+    bool m_isAlone = false;     ///< nothing but one top face is touched
+    bool m_resists = false;     ///< resistance may stop the ball, beside other contacts
+    bool m_slipEnds = false;    ///< somewhere in this phase, which is then short
+    double m_stop = 0.0;        ///< s into the phase at which the ball stops
+    double m_roll = 0.0;        ///< s into the phase at which the slip on the floor ends
 };
 
 } // namespace phys
