@@ -140,7 +140,7 @@ bool slides(const MovingBall &ball, const Touching &touching, const Response &re
 /// that its slips turn round in no time instead of in dozens of series. model.md 6.4.
 void stopSpinAlong(const Touching &touching, MovingBall &ball) {
     constexpr double kHardly = 1e-8; // of the speeds
-    if (touching.count() != 2 || !hasManyHops(ball) || !ball.setting.isRigid()) return;
+    if (touching.count() != 2 || !ball.setting.isRigid()) return;
     if (touching.held(0).friction == 0.0 || touching.held(1).friction == 0.0) return;
     const Vec3 line = hat(glm::cross(touching.held(0).normal, touching.held(1).normal));
     const double turning = glm::dot(ball.motion.spin, line), around = ball.radius() * turning;
@@ -182,7 +182,7 @@ uint32_t onlyFace(const Touching &touching, const Response &response) {
 
 phys_status choose(MovingBall &ball, Touching &touching, Choice &choice) {
     if (rollsOn(ball, touching, choice)) return PHYS_OK;
-    stopSpinAlong(touching, ball);
+    if (hasManyHops(ball)) stopSpinAlong(touching, ball);
     Response &response = choice.response;
     if (const phys_status status = respondNow(touching, ball, response)) return status;
     balance(ball, touching, response);

@@ -22,9 +22,6 @@ constexpr double kHop = 1e-5;
 
 /// After this many hops in a step, all bounces end as soon as that is exact to rounding.
 constexpr uint32_t kSomeHops = 500 * kHopCount;
-/// After this many, last bounces may be higher, and after as many again higher still: a less exact result is better
-/// than none.
-constexpr uint32_t kManyHops = 7'000 * kHopCount;
 
 /// Factor on the height of the last bounces.
 double higher(const MovingBall &ball) {
@@ -34,17 +31,19 @@ double higher(const MovingBall &ball) {
     return factor;
 }
 
-/// m: height of bounces that end without an effect beyond rounding, because the pressure that follows acts like their
-/// impulses in the mean: no floor gives the ball the spin of rolling, and friction, if any, turns by the share of the
-/// slip that a bounce is. model.md 6.4.
-double meanHeight(const MovingBall &ball, const Contacts &contacts, const Contact &contact, double back) {
+/// The largest height of last bounces, m, where the law between bounces may differ from that after the last one. After
+/// some hops it counts that the pressure acts like their impulses in the mean, unless a floor gives the ball the spin
+/// of rolling: friction, if any, only turns by the share of the slip that a bounce is. model.md 6.4.
+double lastHopHeight(const MovingBall &ball, const Contacts &contacts, const Contact &contact, double back) {
     constexpr double kExact = 1e-15; // of the speed
+    const double least = higher(ball) * kLastHop * ball.radius();
     const auto isGlued = [](const Contact &one) { return one.isGlued; };
-    if (ball.hops < kSomeHops || std::any_of(contacts.begin(), contacts.end(), isGlued)) return 0.0;
-    if (contact.friction == 0.0) return kNever;
+    if (ball.hops < kSomeHops || std::any_of(contacts.begin(), contacts.end(), isGlued)) return least;
+    if (contact.friction == 0.0) return lastHeight(ball);
     const Moment moment = ball.moment();
     const double slip = glm::length(slipAt(moment, contact.normal));
-    return kExact * speedScale(moment) * slip / (2.0 * contact.friction * back);
+    const double height = kExact * speedScale(moment) * slip / (2.0 * contact.friction * back);
+    return std::clamp(height, least, lastHeight(ball));
 }
 
 } // namespace
@@ -52,8 +51,6 @@ double meanHeight(const MovingBall &ball, const Contacts &contacts, const Contac
 void countHop(uint32_t count, double time, MovingBall &ball) {
     if (time * time * glm::length(ball.setting.gravity()) <= kHop * ball.radius()) ball.hops += count;
 }
-
-bool hasManyHops(const MovingBall &ball) { return ball.hops >= kManyHops; }
 
 double lastHeight(const MovingBall &ball) {
     return std::max(ball.scene().tolerance, higher(ball) * kLastBounce * ball.radius());
@@ -68,10 +65,7 @@ double lastBounce(const MovingBall &ball, const Contacts &contacts, const Contac
     if (!(back > 0.0)) return 0.0;
     const bool isUpright = contact.normal.z == 0.0;
     const bool isSmooth = (isUpright && contact.friction == 0.0) || contact.restitution > kSlowDecay;
-    double height = lastHeight(ball);
-    if (!isSmooth) {
-        height = std::min(height, std::max(higher(ball) * kLastHop * R, meanHeight(ball, contacts, contact, back)));
-    }
+    const double height = isSmooth ? lastHeight(ball) : lastHopHeight(ball, contacts, contact, back);
     return std::sqrt(2.0 * back * height);
 }
 

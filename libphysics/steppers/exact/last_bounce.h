@@ -12,8 +12,10 @@ inline constexpr uint32_t kBounceCount = 1, kHopCount = 8, kSeriesCount = 36;
 /// Counts a phase of this length (s) as one of those, if it is short.
 void countHop(uint32_t count, double time, MovingBall &ball);
 
-/// Whether so many hops were counted in the step that a less exact result is better than none.
-bool hasManyHops(const MovingBall &ball);
+/// After this many hops in a step, a less exact result is better than none: last bounces may be higher, and after as
+/// many again higher still.
+inline constexpr uint32_t kManyHops = 7'000 * kHopCount;
+inline bool hasManyHops(const MovingBall &ball) { return ball.hops >= kManyHops; }
 
 /// The largest height of last bounces at smooth contacts, m.
 double lastHeight(const MovingBall &ball);
