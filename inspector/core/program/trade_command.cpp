@@ -42,7 +42,9 @@ TradePlan tradePlanOf(const Options &options) {
     plan.share = wish.share;
     plan.horizon = wish.seconds.value_or(kTradeHorizon);
     const double duration = options.duration.value_or(std::max(kTradeDuration, wish.seconds.value_or(0.0)));
-    if (!makeSchedules(wish.schedule, duration, plan, &error)) throw Failure{2, QStringLiteral("--schedule: ") + error};
+    const bool isGiven = wish.schedule != TradeOptions().schedule;
+    if (!makeSchedules(wish.schedule, duration, plan, &error))
+        throw Failure{2, (isGiven ? QStringLiteral("--schedule: ") : QStringLiteral("--trade: ")) + error};
     return plan;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/setup/numbers.h"
 
+#include "core/setup/inputs.h"
 #include "core/setup/lines.h"
 #include "core/setup/tables.h"
 
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace inspector {
@@ -83,6 +85,15 @@ double converted(double value, const Unit &from, const Unit &to) {
     return up >= down ? value * (up / down) : value / (down / up);
 }
 
+/// Degrees of which radians() makes exactly this number again, where there are any.
+double degreesOf(double radian) {
+    const double nearest = degrees(radian);
+    const double all = std::numeric_limits<double>::infinity();
+    for (const double next : {nearest, std::nextafter(nearest, all), std::nextafter(nearest, -all)})
+        if (radians(next) == radian) return next;
+    return nearest;
+}
+
 /// A number in the wanted unit, or why there is none (may be empty).
 struct Amount {
     std::optional<double> value;
@@ -100,6 +111,7 @@ QString unitsLike(const QString &wanted) {
 
 Amount inUnit(double value, const QString &unit, const QString &wanted) {
     if (unit == wanted) return {value, {}};
+    if (unit == QLatin1String("rad") && wanted == QLatin1String("deg")) return {degreesOf(value), {}};
     const Unit *from = unitOf(unit);
     const Unit *to = unitOf(wanted);
     if (from && to && qstrcmp(from->kind, to->kind) == 0) return {converted(value, *from, *to), {}};

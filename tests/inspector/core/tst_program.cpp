@@ -32,6 +32,7 @@ private slots:
     void askedFor3dWithoutOpenGLGivesStatus2AndOneLine();
     void whatAFullStandardOutputLosesIsTold_data();
     void whatAFullStandardOutputLosesIsTold();
+    void pipeThatNobodyReadsEndsTheRunWithoutAMessage();
     void whatAFileLimitLosesIsTold_data();
     void whatAFileLimitLosesIsTold();
     void mazeOfAnInputStays_data();
@@ -232,6 +233,11 @@ void TestProgram::whatAFullStandardOutputLosesIsTold() {
     QCOMPARE(result.status, 1);
     QVERIFY2(result.messages.contains("physics-inspector: 'standard output': No space left on device\n"),
              result.messages.constData());
+}
+
+void TestProgram::pipeThatNobodyReadsEndsTheRunWithoutAMessage() {
+    const Ended result = runByShell("\"$0\" --headless --duration 1000 | head -1", {});
+    QCOMPARE(result.messages, QByteArray());
 }
 
 void TestProgram::whatAFileLimitLosesIsTold_data() {

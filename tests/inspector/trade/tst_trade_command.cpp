@@ -229,6 +229,11 @@ void TestTradeCommand::otherPicturesAreLeftToTheirWriter() {
 void TestTradeCommand::whatCantBeOpenedGivesStatus2_data() {
     QTest::addColumn<QString>("words");
     QTest::addColumn<QString>("part");
+    QFile empty(m_folder.filePath("empty.txt"));
+    QVERIFY(empty.open(QIODevice::WriteOnly));
+    empty.write("physics-maze 1\nunits m\nball 0.006\nstart 0 0 0.006\n");
+    QTest::newRow("no option") << "--trade " + empty.fileName()
+                               << "physics-inspector: --trade: the ball leaves the maze";
     QTest::newRow("level") << "--trade nowhere/none.txt"
                            << "nowhere/none.txt";
     QTest::newRow("schedule") << "--trade 1 --schedule nowhere/none.txt"

@@ -15,6 +15,7 @@ private slots:
     void durationsAreReadInSeconds_data();
     void durationsAreReadInSeconds();
     void refusedDurationSaysItsUnit();
+    void radiansAreThoseThatWereTyped();
     void numbersAreReadInTheUnitOfTheirRange_data();
     void numbersAreReadInTheUnitOfTheirRange();
     void whatCantBeReadIsRefusedWithTheReason_data();
@@ -68,6 +69,14 @@ void TestNumbers::durationsAreReadInSeconds() {
 void TestNumbers::refusedDurationSaysItsUnit() {
     QCOMPARE(readDuration("20", 1e-6, 10.0).problem,
              QString("expected a duration from 1e-06 s to 10 s (as 5 ms or 1/60), found '20'"));
+}
+
+void TestNumbers::radiansAreThoseThatWereTyped() {
+    for (const double typed : {0.05, -0.04, 0.1, 0.02, 0.001, -0.2}) {
+        const NumberReading read = readNumber(QString::number(typed) + " rad", {-90.0, 90.0, "deg"});
+        QVERIFY(read.value);
+        QVERIFY2(radians(*read.value) == typed, qPrintable(QString::number(typed)));
+    }
 }
 
 void TestNumbers::numbersAreReadInTheUnitOfTheirRange_data() {
