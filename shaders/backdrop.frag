@@ -8,6 +8,7 @@ uniform vec3 eye;
 uniform vec3 to_light;
 uniform vec3 board_centre;
 uniform vec3 board_half;
+uniform float board_opacity; // 0: there is none
 uniform mat4 world_to_board;
 uniform float table_height;
 uniform vec3 table_colour; // sRGB
@@ -34,7 +35,7 @@ void main() {
         float shade = coverage((world_to_board * vec4(place + vec3(0.0, 0.0, clearance), 1.0)).xyz, 1.1 * clearance);
         float off_centre = length(place.xy - board_centre.xy) / reach;
         float pool = 1.04 - 0.10 * smoothstep(0.3, 3.0, off_centre);
-        vec3 table = table_colour * pool * (1.0 - 0.32 * shadow) * (1.0 - 0.30 * shade);
+        vec3 table = table_colour * pool * (1.0 - 0.32 * board_opacity * shadow) * (1.0 - 0.30 * board_opacity * shade);
         surroundings = mix(table, horizon_colour, smoothstep(1.5, 7.0, off_centre));
     }
     // Half a step of noise keeps slow gradients from showing bands; the powers of the plastic number fill the plane evenly.

@@ -146,6 +146,7 @@ MazeRenderer::~MazeRenderer() = default;
 void MazeRenderer::setMaze(const Mesh &mesh) {
     m_maze.upload(highestFirst(mesh));
     m_bounds = mesh.bounds();
+    m_hasBoard = !mesh.vertices.empty();
     m_beacon = beaconOf(mesh);
     ++m_mazes;
     m_isOcclusionStale = true;
@@ -403,6 +404,7 @@ void MazeRenderer::drawBackdrop(const Scene &scene) {
     program.setUniformValue("to_light", toQt(glm::vec3(kToLight)));
     program.setUniformValue("board_centre", toQt(glm::vec3(m_bounds.centre())));
     program.setUniformValue("board_half", toQt(glm::vec3(half)));
+    program.setUniformValue("board_opacity", m_hasBoard ? 1.0F : 0.0F);
     // Low enough that no corner of a board tilted by a quarter of a radian touches the table.
     program.setUniformValue("table_height", static_cast<float>(m_bounds.minimum.z - 0.25 * reach));
     program.setUniformValue("table_colour", toQt(scene.view.backdrop.table));

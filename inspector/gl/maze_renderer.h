@@ -96,6 +96,7 @@ private:
     bool m_isShadowStale = true;
 
     Bounds m_bounds;
+    bool m_hasBoard = false;
     Beacon m_beacon;
     uint64_t m_mazes = 0; ///< counts the mazes set
 };

@@ -27,6 +27,7 @@ BoardSide boardSide(const phys_scene *scene, const phys_vec3 &centre) {
 }
 
 QString startFault(const phys_scene *scene, const phys_vec3 &centre) {
+    if (phys_scene_box_count(scene) == 0) return Start::tr("this maze has no board");
     const BoardSide side = boardSide(scene, centre);
     if (side == BoardSide::Beside) return Start::tr("the ball starts beside the board");
     if (side == BoardSide::Below) return Start::tr("the ball starts below the board");

@@ -67,6 +67,14 @@ private slots:
         QVERIFY(qRed(floor) > qBlue(floor) + kVisible); // wood is warm
     }
 
+    // The table is brightest below the middle of the picture.
+    void mazeWithoutBoxesCastsNoShadow() {
+        m_picture->renderer().setMaze({});
+        const QImage image = m_picture->draw(frameWithoutBall(), Quality::Medium);
+        const QPoint middle = m_picture->pixelOf({0.0, 0.0, 0.0});
+        QVERIFY(brightness(image, middle) >= brightness(image, {middle.x(), image.height() - 3}));
+    }
+
     void sameFrameGivesTheSamePixels_data() { qualityRows(); }
     void sameFrameGivesTheSamePixels() {
         QFETCH(Quality, quality);

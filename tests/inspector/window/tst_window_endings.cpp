@@ -32,6 +32,7 @@ private slots:
     void wayOverTheRimSetsNoBestTime();
     void impossibleStartIsSaid_data();
     void impossibleStartIsSaid();
+    void mazeWithoutABoardSaysSo();
     void runBesideTheBoardIsNoWin();
     void bestTimeThatCantBeStoredIsSaid();
     void runsAndClockShowTheTimeOfTheResult();
@@ -149,6 +150,15 @@ void TestWindowEndings::impossibleStartIsSaid() {
     drop(start + kWholeFloor + kThreeRims + kRightRim);
     QTRY_VERIFY2(strip().contains(said), qPrintable(strip()));
     QCOMPARE(strip().contains("the ball starts"), said.startsWith("the ball"));
+}
+
+void TestWindowEndings::mazeWithoutABoardSaysSo() {
+    drop(kMazeHead);
+    QTRY_VERIFY2(strip().contains("Press Enter to start") && strip().contains("this maze has no board"),
+                 qPrintable(strip()));
+    m_fixture->press(Qt::Key_Return);
+    QTRY_COMPARE(m_fixture->game().phase(), Game::Phase::Lost);
+    QTRY_VERIFY2(strip().contains("lost") && strip().contains("this maze has no board"), qPrintable(strip()));
 }
 
 void TestWindowEndings::runBesideTheBoardIsNoWin() {
