@@ -32,6 +32,10 @@ bool isText(const QWidget *widget) {
            (combo && combo->isEditable()) || QApplication::activePopupWidget();
 }
 
+bool isPressedBySpace(const QWidget *widget) {
+    return qobject_cast<const QAbstractButton *>(widget) || qobject_cast<const QComboBox *>(widget);
+}
+
 bool isTable(const QWidget *widget) { return qobject_cast<const QAbstractItemView *>(widget); }
 
 bool isList(const QWidget *widget) { return isTable(widget) || qobject_cast<const QComboBox *>(widget); }
@@ -83,12 +87,19 @@ bool GameKeys::isForGame(const QKeyEvent &event) const {
 bool GameKeys::isForWidget(const QKeyEvent &event, const QWidget *widget) const {
     if (isEnter(event.key())) return isText(widget) || qobject_cast<const QComboBox *>(widget);
     if (event.key() == Qt::Key_Escape) return isText(widget);
-    const bool isPressed = qobject_cast<const QAbstractButton *>(widget) || qobject_cast<const QComboBox *>(widget);
-    return event.key() == Qt::Key_Space && isPressed && m_session.game().phase() != Game::Phase::Playing;
+    const bool isPlaying = m_session.game().phase() == Game::Phase::Playing;
+    return event.key() == Qt::Key_Space && isPressedBySpace(widget) && m_isControlChosen && !isPlaying;
+}
+
+/// The first control of a dock that was opened by its key has the keyboard, but nobody chose to press it.
+void GameKeys::noticeFocus(Qt::FocusReason reason) {
+    const bool isReturn = reason == Qt::ActiveWindowFocusReason || reason == Qt::PopupFocusReason;
+    if (!isReturn) m_isControlChosen = reason != Qt::ShortcutFocusReason;
 }
 
 bool GameKeys::eventFilter(QObject *object, QEvent *event) {
     const QEvent::Type type = event->type();
+    if (type == QEvent::FocusIn) noticeFocus(static_cast<const QFocusEvent *>(event)->reason());
     if (type != QEvent::KeyPress && type != QEvent::KeyRelease && type != QEvent::ShortcutOverride) return false;
     const auto *key = static_cast<const QKeyEvent *>(event);
     const auto *widget = qobject_cast<const QWidget *>(object);
@@ -100,6 +111,8 @@ bool GameKeys::eventFilter(QObject *object, QEvent *event) {
         if (isEnter(key->key())) returnKeyboardAfter(widget);
         return false; // an open list needs the key
     }
+    // The command for it may be disabled.
+    if (key->key() == Qt::Key_Space && isPressedBySpace(widget) && !m_isControlChosen) return true;
     if (takeArrow(*key)) {
         event->accept();
         return true;

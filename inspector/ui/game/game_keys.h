@@ -35,6 +35,7 @@ protected:
 private:
     bool hasKeyboard() const;
     bool isForGame(const QKeyEvent &event) const;
+    void noticeFocus(Qt::FocusReason reason);
     bool isForWidget(const QKeyEvent &event, const QWidget *widget) const;
     bool takeArrow(const QKeyEvent &event);
     void returnKeyboardAfter(const QWidget *editor);
@@ -47,6 +48,7 @@ private:
     gl::MazeView &m_view;
     /// Bit masks of the held keys for left, up, right, down (Qt's order); the keypad's keys count separately.
     std::array<unsigned, 4> m_held{};
+    bool m_isControlChosen = true; ///< the focused one, by Tab or the mouse
     QTimer m_pulse;
     QElapsedTimer m_clock;
 };

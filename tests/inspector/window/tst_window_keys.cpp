@@ -40,6 +40,7 @@ private slots:
     void arrowsAreTheGamesEvenIfASliderHasTheFocus();
     void arrowsAreTheSlidersBeforeTheGame();
     void spaceRunsAndPauses();
+    void spaceRunsAfterADockWasOpened();
     void spaceTypedAfterAClickOnASwitchStillPauses();
     void spacePressesTheFocusedButtonBeforeTheGame();
     void escapePauses();
@@ -234,6 +235,17 @@ void TestWindowKeys::spaceRunsAndPauses() {
     QTRY_VERIFY(isRunning());
     m_fixture->press(Qt::Key_Space);
     QTRY_VERIFY(!isRunning());
+}
+
+// Its first control has the keyboard, but nobody chose to press it.
+void TestWindowKeys::spaceRunsAfterADockWasOpened() {
+    m_fixture->key(Qt::Key_5, Qt::ControlModifier);
+    QTRY_COMPARE(QApplication::focusWidget(), m_fixture->find<QWidget>("comparison_compare"));
+    m_fixture->key(Qt::Key_Space);
+    QTRY_VERIFY(isRunning());
+    m_fixture->find<QAction>("run")->setEnabled(false);
+    m_fixture->key(Qt::Key_Space);
+    QVERIFY(!m_fixture->session().comparison().isOn());
 }
 
 void TestWindowKeys::spaceTypedAfterAClickOnASwitchStillPauses() {
