@@ -23,7 +23,8 @@ namespace inspector::ui {
 
 namespace {
 
-/// Colour of rows that can't be edited at the moment: fainter than editable ones, stronger than ones without effect.
+/// Colours of rows that can't be edited at the moment: fainter than editable ones, stronger than ones without effect,
+/// and no button stands out of the window.
 QPalette readable(const QPalette &palette) {
     QPalette result;
     for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
@@ -31,6 +32,8 @@ QPalette readable(const QPalette &palette) {
         colour.setAlphaF(0.75F);
         result.setColor(QPalette::Disabled, role, colour);
     }
+    constexpr int kFlat = 107; // per cent, by which styles lighten the face of a button
+    result.setColor(QPalette::Disabled, QPalette::Button, palette.color(QPalette::Window).darker(kFlat));
     return result;
 }
 

@@ -53,6 +53,7 @@ private slots:
     void keyboardMovesTheSlider();
     void whatWasRecordedCantBeChanged();
     void buttonsWithoutEffectLookSo();
+    void lockedChoiceIsAsFlatAsALockedNumber();
     void recordingIntoAMazeOfTheReplayIsRefused();
     void goingOnKeepsTheMoment();
     void goingOnGivesTheBoardToTheArrowKeys();
@@ -316,6 +317,18 @@ void TestWindowReplay::buttonsWithoutEffectLookSo() {
         QCOMPARE(button->palette().color(QPalette::Disabled, QPalette::ButtonText),
                  QApplication::palette().color(QPalette::Disabled, QPalette::ButtonText));
     }
+}
+
+void TestWindowReplay::lockedChoiceIsAsFlatAsALockedNumber() {
+    open(recorded());
+    const auto brightness = [this](const char *name) {
+        auto *widget = m_fixture->find<QWidget>(name);
+        return qGray(widget->grab().toImage().pixel(widget->width() / 2, widget->height() / 2));
+    };
+    m_fixture->find<QComboBox>("model_choice")->setItemText(0, {}); // there would be letters
+    const int flat = qGray(m_fixture->window().palette().color(QPalette::Window).rgb());
+    QTRY_VERIFY2(std::abs(brightness("model_choice") - flat) <= 5,
+                 qPrintable(QString::number(brightness("model_choice"))));
 }
 
 void TestWindowReplay::recordingIntoAMazeOfTheReplayIsRefused() {
