@@ -93,9 +93,10 @@ void wrapLegend(QCPLegend &legend, int width) {
 
 void fitChart(QCustomPlot &chart) {
     const int line = QFontMetrics(chart.font()).height();
-    const int ticks = std::clamp((chart.height() - kLinesBesideAxis * line) / (2 * line), 2, kMostTicks);
-    for (const QCPAxis *axis : {chart.yAxis, chart.yAxis2}) axis->ticker()->setTickCount(ticks);
     wrapLegend(*chart.legend, chart.width());
+    const int least = chart.height() < (chart.legend->rowCount() + kLinesBesideAxis) * line ? 1 : 2;
+    const int ticks = std::clamp((chart.height() - kLinesBesideAxis * line) / (2 * line), least, kMostTicks);
+    for (const QCPAxis *axis : {chart.yAxis, chart.yAxis2}) axis->ticker()->setTickCount(ticks);
 }
 
 QString LogTicker::getTickLabel(double tick, const QLocale &locale, QChar format, int) {

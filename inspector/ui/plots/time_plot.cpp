@@ -70,11 +70,12 @@ TimePlot::TimePlot(const SampleRing &samples, std::shared_ptr<TimeView> time, QW
     setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
     setNoAntialiasingOnDrag(true);
     setLocale(QLocale::c());
-    xAxis->setLabel(tr("Time [s]"));
+    axisRect()->setMinimumSize(50, 20);
     axisRect()->setAutoMargins(QCP::msRight | QCP::msTop | QCP::msBottom);
     axisRect()->setMargins(QMargins(kLeftMargin, 0, 0, 0));
     layOutLegend();
     takeColours();
+    fitLabels();
     connect(m_time.get(), &TimeView::changed, this, [this] { m_isStale = true; });
     connect(xAxis, qOverload<const QCPRange &>(&QCPAxis::rangeChanged), m_time.get(), &TimeView::setRange);
     xAxis->setRange(m_time->range());
@@ -99,6 +100,15 @@ void TimePlot::fitLegend() {
     QMargins margins = legend->margins();
     margins.setLeft(isSmall ? 6 : kLeftMargin);
     legend->setMargins(margins);
+}
+
+/// A low plot leaves the labels of its axes out: for the lower one there is no room, and the others would be cut.
+void TimePlot::fitLabels() {
+    constexpr int kLeastLines = 7; // of text
+    const bool isLow = height() < kLeastLines * fontMetrics().height();
+    xAxis->setLabel(isLow ? QString() : tr("Time [s]"));
+    for (QCPAxis *axis : {yAxis, yAxis2})
+        axis->setLabelColor(isLow ? QColor(Qt::transparent) : palette().color(QPalette::Text));
 }
 
 /// Puts the read-out beside the legend if there is room for the longest so far, so that the curves don't move at each
@@ -186,6 +196,7 @@ void TimePlot::refresh() {
     m_shown = last;
 
     fitLegend();
+    fitLabels();
     fitChart(*this);
     const std::optional<double> newest = newestTime();
     if (isFollowing() && !isPaused() && newest) m_time->follow(*newest, m_context.moment);

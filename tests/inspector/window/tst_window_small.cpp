@@ -10,7 +10,9 @@
 #include <QStatusBar>
 #include <QTabBar>
 
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <utility>
 
 #include <qcustomplot.h>
@@ -31,6 +33,7 @@ private slots:
     void windowFitsAScreenOfLargePixels_data();
     void windowFitsAScreenOfLargePixels();
     void boardIsSeenInAWindowThatBecameSmall();
+    void lowPlotIsReadable();
     void tabsOfDocksAreWhole();
     void messageHasItsRoom();
     void dockBesideTheBouncesIsWhole_data();
@@ -110,6 +113,25 @@ void TestWindowSmall::boardIsSeenInAWindowThatBecameSmall() {
     QTRY_COMPARE(m_fixture->window().size(), QSize(800, 600));
     QTRY_VERIFY2(m_fixture->window().view().height() >= 150,
                  qPrintable(QString::number(m_fixture->window().view().height())));
+}
+
+void TestWindowSmall::lowPlotIsReadable() {
+    auto *plot = m_fixture->find<QCustomPlot>("velocity_plot");
+    m_fixture->window().resize(560, 370);
+    QTRY_VERIFY(plot->height() < 100);
+    const auto isReadable = [&] {
+        m_fixture->window().refresh();
+        plot->replot();
+        double last = std::numeric_limits<double>::infinity();
+        for (const double tick : plot->yAxis->tickVector()) {
+            if (!plot->yAxis->range().contains(tick)) continue;
+            const double place = plot->yAxis->coordToPixel(tick);
+            if (last - place < plot->fontMetrics().capHeight()) return false;
+            last = place;
+        }
+        return std::isfinite(last) && plot->rect().contains(plot->legend->rect());
+    };
+    QTRY_VERIFY2(isReadable(), qPrintable(QString::number(plot->axisRect()->height())));
 }
 
 void TestWindowSmall::tabsOfDocksAreWhole() {
