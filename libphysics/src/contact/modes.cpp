@@ -45,6 +45,7 @@ struct Fit {
 constexpr Fit kFit[] = {{kFits, false},      {kFits, true},     {1e3 * kFits, false},
                         {1e3 * kFits, true}, {kRoughly, false}, {kRoughly, true}};
 constexpr size_t kNoFit = std::size(kFit);
+constexpr size_t kUnranked = 2 * kNoFit;
 
 /// Size of the accelerations that a slip's direction is part of. That of the spin may be far larger.
 double sizeOfForces(const Combination &c) {
@@ -92,13 +93,46 @@ bool nextModes(std::span<const Held> held, const Response &known, std::array<uin
     return false;
 }
 
+Response enumerate(const Moment &moment, std::span<const Held> held, Work &work, const Excluded &excluded,
+                   const Response &known);
+
+/// Whether the ball, an instant after this combination has let it leave contacts, doesn't return to them under the
+/// combination that is chosen for the others then: model.md 14.1.
+bool lasts(const Combination &c, const Excluded &excluded, const Response &known) {
+    const double zero = kFits * accelerationScale(c.moment);
+    const auto apart = [&](uint32_t i, const Vec3 &acceleration) {
+        return glm::dot(c.held[i].normal, acceleration) + curvature(c.moment, c.held[i]);
+    };
+    std::array<Held, kMostHeld> others;
+    Response othersKnown = known;
+    Excluded othersExcluded;
+    uint32_t count = 0, left = 0;
+    for (uint32_t i = 0; i < c.count(); ++i) {
+        if (c.isOpen(i) && apart(i, c.acceleration) > zero) {
+            left |= 1U << i;
+            continue;
+        }
+        othersExcluded.closed |= (excluded.closed >> i & 1U) << count;
+        othersExcluded.sticking |= (excluded.sticking >> i & 1U) << count;
+        othersKnown.reactions[count] = known.reactions[i];
+        others[count++] = c.held[i];
+    }
+    if (left == 0 || count < 2) return true; // one contact has one solution
+    othersKnown.count = count;
+    const Response chosen = enumerate(c.moment, {others.data(), count}, c.work, othersExcluded, othersKnown);
+    for (uint32_t i = 0; i < c.count(); ++i) {
+        if ((left >> i & 1U) && apart(i, chosen.acceleration) < -zero) return false;
+    }
+    return true;
+}
+
 /// Tries all combinations. Of those that fit best it takes the one with the smallest sum of N, and of equal sums the
-/// one with the most contacts.
+/// one with the most contacts; one that doesn't last only if none does.
 Response enumerate(const Moment &moment, std::span<const Held> held, Work &work, const Excluded &excluded,
                    const Response &known) {
     const double scale = accelerationScale(moment);
     Response best = known;
-    size_t bestFit = kNoFit;
+    size_t bestRank = kUnranked;
     std::array<uint32_t, kMostHeld> numbers{};
     do {
         Combination c{moment, held, work};
@@ -106,19 +140,21 @@ Response enumerate(const Moment &moment, std::span<const Held> held, Work &work,
         if (!setModes(c, numbers, known, excluded)) continue;
         const bool isSettled = settle(c);
         judge(c);
-        const size_t fit = fitOf(c, isSettled, bestFit, scale);
+        const size_t fit = fitOf(c, isSettled, bestRank, scale);
         if (fit == kNoFit) continue;
         const double more = sumOfPressures(c.list()) - sumOfPressures(best.list());
         const bool isBetter =
             more < -1e-9 * scale || (more <= 1e-9 * scale && closedContacts(c.list()) > closedContacts(best.list()));
-        if (fit == bestFit && !isBetter) continue;
-        bestFit = fit;
+        if (fit == bestRank && !isBetter) continue;
+        const size_t rank = lasts(c, excluded, known) ? fit : kNoFit + fit;
+        if (rank > bestRank || (rank == bestRank && !isBetter)) continue;
+        bestRank = rank;
         best.reactions = c.reactions;
         best.acceleration = c.acceleration;
         best.spinAcceleration = c.spinAcceleration;
         best.rolling = c.isHeld() ? Vec3(0.0) : c.rolling;
     } while (nextModes(held, known, numbers) && !work.isTooMuch());
-    best.isFound = bestFit != kNoFit;
+    best.isFound = bestRank != kUnranked;
     // A contact that fits doesn't pull, but by rounding, which the phase would take for the moment of its release.
     for (uint32_t i = 0; i < best.count; ++i) {
         Reaction &reaction = best.reactions[i];

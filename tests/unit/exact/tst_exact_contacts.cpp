@@ -32,6 +32,8 @@ private slots:
     void startsBackAlongAKerbAgainstResistance_data();
     void startsBackAlongAKerbAgainstResistance();
     void aFloorThatOpensAtOnceTurnsNoBall();
+    void aWallToWhichTheBallWouldReturnIsntLeft_data();
+    void aWallToWhichTheBallWouldReturnIsntLeft();
 };
 
 void ExactContacts::edgeIsHitByAParabola() {
@@ -287,6 +289,35 @@ void ExactContacts::aFloorThatOpensAtOnceTurnsNoBall() {
     QCOMPARE(run.state.spin.x, 0.0);
     QCOMPARE(run.state.spin.y, 0.0);
     QCOMPARE(run.state.spin.z, 10.0);
+}
+
+void ExactContacts::aWallToWhichTheBallWouldReturnIsntLeft_data() {
+    QTest::addColumn<int>("steps");
+    QTest::newRow("in one step") << 1;
+    QTest::newRow("in 3 steps") << 3;
+    QTest::newRow("in 100 steps") << 100;
+}
+
+void ExactContacts::aWallToWhichTheBallWouldReturnIsntLeft() {
+    // model.md 14.1: both kerbs alone would have a smaller sum of N than floor and wall, and let the ball leave the
+    // wall; but without the wall the floor alone has the smallest, and its friction drives the ball back.
+    QFETCH(const int, steps);
+    const double R = 0.01, time = 0.1, pressure = 9.8, friction = 0.9, drive = 2.0, spin = 40.0;
+    Run run({{{-1, -1, -1}, {1, 1, 0}},
+             {{-1, -1, -1}, {-0.6 * R, 1, 0.2 * R}},
+             {{0.6 * R, -1, -1}, {1, 1, 0.2 * R}},
+             {{-1, -1, -1}, {1, -R, 1}}},
+            R, {0, 0, R});
+    run.params.model = PHYS_MODEL_RIGID;
+    run.params.gravity = {0, drive, -pressure};
+    run.params.restitution_wall = 0.0;
+    run.params.sliding_friction = friction;
+    run.params.wall_friction = 0.0;
+    run.state.spin = {spin, 0, 0};
+    for (int i = 0; i < steps; ++i) run.step(time / steps);
+    const double rolls = time - R * spin / (2.5 * friction * pressure); // for so long, once the slip has ended
+    QVERIFY(std::abs(run.state.position.y - 5.0 / 14.0 * drive * rolls * rolls) <= 1e-12 * R);
+    QVERIFY(std::abs(R * run.state.spin.x + 5.0 / 7.0 * drive * rolls) <= 1e-12);
 }
 
 QTEST_GUILESS_MAIN(ExactContacts)
