@@ -139,7 +139,7 @@ bool slides(const MovingBall &ball, const Touching &touching, const Response &re
 /// After many hops: a ball that moves along the line of two rough contacts with hardly any spin about it has none, so
 /// that its slips turn round in no time instead of in dozens of series. model.md 6.4.
 void stopSpinAlong(const Touching &touching, MovingBall &ball) {
-    constexpr double kHardly = 1e-8; // of the speeds
+    constexpr double kHardly = 1e-9; // of the speeds
     if (touching.count() != 2 || !ball.setting.isRigid()) return;
     if (touching.held(0).friction == 0.0 || touching.held(1).friction == 0.0) return;
     const Vec3 line = hat(glm::cross(touching.held(0).normal, touching.held(1).normal));
