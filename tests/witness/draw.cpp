@@ -325,6 +325,24 @@ void groove(Sketch &s) {
     s.velocity(0, s.dice.chance(0.7) ? 0 : s.dice.between(-1, 1), up);
 }
 
+/// On the bottom of a slot, touching both of its edges, mostly with a wall behind.
+void slot(Sketch &s) {
+    const double left = s.dice.between(0.1, 1.5), right = s.dice.chance(0.3) ? left : s.dice.between(0.1, 1.5);
+    s.floor();
+    s.box(-6, -8, -1, -std::sin(left), 8, 1 - std::cos(left));
+    s.box(std::sin(right), -8, -1, 6, 8, 1 - std::cos(right));
+    if (s.dice.chance(0.8)) s.box(-6, -8, 0, 6, -1, s.dice.chance(0.7) ? 4 : s.dice.between(0.1, 2));
+    if (s.dice.chance(0.7)) { // rough enough to be driven by friction
+        s.scene.params.sliding_friction = s.dice.magnitude(0.05, 3);
+        s.scene.params.wall_friction = s.dice.chance(0.5) ? 0 : s.dice.magnitude(0.05, 3);
+        s.scene.params.rolling_friction = std::min(s.scene.params.rolling_friction, s.scene.params.sliding_friction);
+    }
+    s.place(0, s.dice.chance(0.7) ? 0 : s.dice.magnitude(1e-9, 2), 1);
+    s.velocity(0, s.dice.chance(0.7) ? 0 : s.dice.between(-2, 2), 0);
+    const phys_vec3 gravity{s.dice.between(-3, 3), s.dice.between(-3, 5), -kGravity};
+    s.scene.legs.push_back({gravity, s.dice.magnitude(1e-3, 0.1) * std::sqrt(s.r / 0.006), 4});
+}
+
 struct Kind {
     const char *name;
     void (*draw)(Sketch &);
@@ -351,6 +369,7 @@ constexpr Kind kKinds[] = {
     {"slippery", slippery},
     {"upright_edge", uprightEdge},
     {"groove", groove},
+    {"slot", slot},
 };
 
 void drawRadius(Sketch &s) {
