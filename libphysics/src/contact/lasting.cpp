@@ -310,8 +310,8 @@ bool LastingContacts::solvePressed(double rollingFriction, double negligible, Mo
 void LastingContacts::unload() {
     for (Lasting &contact : *this) {
         contact.reaction = 0.0;
-        contact.rubbing = Vec3(0.0);
-        contact.isIdle = false;
+        contact.rubbing = contact.resisting = Vec3(0.0);
+        contact.isIdle = contact.rolls = contact.closes = false;
     }
 }
 
@@ -501,7 +501,13 @@ void LastingContacts::solve(double rollingFriction, Motion &motion) {
     for (Lasting &contact : *this) {
         contact.rubbing = tangential(contact.rubbing, contact.lever);
         motion.velocity += contact.reaction * contact.lever + contact.rubbing;
-        motion.spin -= 2.5 / m_radius * glm::cross(contact.lever, contact.rubbing);
+        motion.spin += contact.resisting - 2.5 / m_radius * glm::cross(contact.lever, contact.rubbing);
+    }
+    if (m_isChosen) {
+        if (keepChoice(rollingFriction, negligible, motion)) return;
+        unload();
+        motion = driven;
+        m_isChosen = false;
     }
     settleWithoutResistance(negligible, driven, motion);
     stickWhileClosing(negligible, motion);
@@ -516,8 +522,6 @@ void LastingContacts::solve(double rollingFriction, Motion &motion) {
         anyRolls = anyRolls || contact.rolls;
     }
     if (!anyRolls) return;
-    // The resistance depends on how contacts share their load, which a solution doesn't determine.
-    constexpr int kMostShares = 20;
     for (int i = 0; i < kMostShares; ++i) {
         if (!shareLoads() || !settleTogether(rollingFriction, negligible, kUsuallyTogether, motion))
             settle(rollingFriction, negligible, true, motion);

@@ -60,7 +60,20 @@ public:
     /// gravity alone. Starts from the impulses that the contacts have: zero, or those of a similar problem.
     void solve(double rollingFriction, Motion &motion);
 
+    /// The impulses are those of the solution to be taken if there are several: see `choose`.
+    void setChosen() { m_isChosen = true; }
+    bool isChosen() const { return m_isChosen; }
+    /// Begins with the chosen solution of a similar problem with the same contacts.
+    void keep(const LastingContacts &chosen);
+
 private:
+    /// Resistance depends on how contacts share their load, which a solution doesn't determine: at most so many
+    /// solutions until it is found.
+    static constexpr int kMostShares = 20;
+
+    bool keepChoice(double rollingFriction, double negligible, Motion &motion);
+    bool updateRolling();
+    void closeBySticking();
     bool settle(double rollingFriction, double negligible, bool releases, Motion &motion);
     bool settleTogether(double rollingFriction, double negligible, int most, Motion &motion);
     bool solveByNewton(double rollingFriction, double negligible, bool isLast, Motion &motion);
@@ -90,6 +103,7 @@ private:
 
     double m_radius;
     Work *m_work;
+    bool m_isChosen = false;
     bool m_needsNewton = false; ///< sweeps converged too slowly the last time
 };
 

@@ -202,7 +202,7 @@ Response respond(const Moment &moment, std::span<const Held> held, Work &work, c
     for (uint32_t i = 0; i < held.size(); ++i) {
         Vec3 slip(0.0);
         if (!held[i].isGlued && held[i].friction > 0.0) slip = slipAt(moment, held[i].normal);
-        if (slip != Vec3(0.0) && isNoSlip(moment, slip)) slip = Vec3(0.0);
+        if (slip != Vec3(0.0) && (held[i].isStill || isNoSlip(moment, slip))) slip = Vec3(0.0);
         response.reactions[i] = {Mode::open, 0.0, Vec3(0.0), Vec3(0.0), slip};
         if (opened >> i & 1U) continue;
         if (isTopFace(held[i]) && floor == kMostHeld) {

@@ -17,11 +17,12 @@ inline constexpr uint32_t kMostHeld = 6;
 
 /// A lasting contact: gap 0, no velocity along its normal.
 struct Held {
-    Vec3 normal;       ///< n, unit, from the box to the centre
-    Vec3 across;       ///< diagonal of P: 1 along the axes on which the feature bounds the box, 0 along it
-    double friction;   ///< mu
-    double resistance; ///< mu_r; 0 except for top faces
-    bool isGlued;      ///< top face in the rolling model: sticks without a cone
+    Vec3 normal;          ///< n, unit, from the box to the centre
+    Vec3 across;          ///< diagonal of P: 1 along the axes on which the feature bounds the box, 0 along it
+    double friction;      ///< mu
+    double resistance;    ///< mu_r; 0 except for top faces
+    bool isGlued;         ///< top face in the rolling model: sticks without a cone
+    bool isStill = false; ///< its slip counts as zero; a discrete step ends it
 };
 
 enum class Mode : uint8_t {

@@ -3,6 +3,7 @@
 
 #include "footing.h"
 
+#include "contact/choice.h"
 #include "contact/least_push.h"
 #include "contact/near.h"
 #include "contact/push_out.h"
@@ -65,6 +66,14 @@ Lasting lastingOf(const Contact &contact, double slow) {
     return lasting;
 }
 
+/// Determines which contacts press, stick and roll, if that isn't obvious: lasting contacts without impulses get those
+/// of a substep h (s).
+void choose(const StepContext &context, const Contacts &contacts, const Motion &motion, double h,
+            LastingContacts &lasting) {
+    const Moment moment{motion.velocity, motion.spin, context.setting.gravity(), context.radius()};
+    choose(contacts, moment, context.params().rolling_friction, h, context.work, lasting);
+}
+
 /// The explicit rule: the old velocity, with the new one's component along the normals of pressing contacts.
 Vec3 mixedVelocity(const LastingContacts &contacts, const Vec3 &before, const Vec3 &after) {
     NormalSpan pressing;
@@ -122,11 +131,14 @@ void settleOnAll(const StepContext &context, const Contacts &contacts, const Las
 /// solution adds some, as several sticking contacts turn the ball to close their gaps, the gaps stay.
 LastingContacts closeGaps(const StepContext &context, const Contacts &contacts, double h, Motion &motion) {
     constexpr double kMostGain = 1e-12;
-    const Motion driven = motion;
+    const Motion before = motion;
+    Motion driven = motion;
+    driven.velocity += h * context.setting.gravity();
     const auto solve = [&](double time) { // s, in which the gaps are closed
         LastingContacts lasting(context.radius(), context.work);
         for (const Contact &contact : contacts)
             lasting.add(lastingOf(contact, touches(context, contact) ? 0.0 : -contact.gap / time));
+        choose(context, contacts, before, h, lasting);
         motion = driven;
         lasting.solve(context.params().rolling_friction, motion);
         return lasting;
@@ -139,7 +151,6 @@ LastingContacts closeGaps(const StepContext &context, const Contacts &contacts, 
 HeldBall holdFirstOrder(const StepContext &context, const Contacts &contacts, ContactRule kind, double h, Ball &ball) {
     const Motion before = motionOf(ball);
     Motion motion = before;
-    motion.velocity += h * context.setting.gravity();
     const LastingContacts lasting = closeGaps(context, contacts, h, motion);
     const SmoothLoss loss = lossOf(context, lasting, before, motion);
     const bool isExplicit = kind == ContactRule::Explicit;
@@ -198,6 +209,8 @@ HeldBall holdTurning(const StepContext &context, const Contacts &contacts, Conta
             contact->reaction = last->reaction;
             contact->rubbing = last->rubbing;
         }
+        if (lasting.isChosen()) next.keep(lasting);
+        if (pass == 0) choose(context, contacts, before, h, next);
         lasting = next;
         motion = driven;
         lasting.solve(context.params().rolling_friction, motion);
@@ -218,6 +231,7 @@ bool canHold(const StepContext &context, const Contacts &contacts) {
         lasting.add(lastingOf(contact, 0.0));
     }
     // One second of gravity, as a velocity: what the contacts leave of it corresponds to an acceleration.
+    choose(context, contacts, {Vec3(0.0), Vec3(0.0)}, 1.0, lasting);
     Motion motion{gravity, Vec3(0.0)};
     lasting.solve(context.params().rolling_friction, motion);
     const double left = kStill * glm::length(gravity);

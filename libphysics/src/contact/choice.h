@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// Which of several solutions of Coulomb's law lasting contacts take: model.md 13.5.
+#pragma once
+
+#include "contact/lasting.h"
+#include "contact/modes.h"
+
+namespace phys {
+
+/// Where the law may have several solutions, gives lasting contacts the impulses that the modes of 14.1 have within a
+/// substep h (s): solving starts from them, and stays there. lasting: of the same contacts, without impulses.
+void choose(const Contacts &contacts, const Moment &moment, double rollingFriction, double h, Work &work,
+            LastingContacts &lasting);
+
+} // namespace phys

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// Lasting contacts that start from chosen impulses, model.md 13.5.
+#include "contact/coulomb_newton.h"
+#include "contact/lasting.h"
+
+namespace phys {
+
+/// Lets those contacts roll that stick. Returns whether any of them didn't yet.
+bool LastingContacts::updateRolling() {
+    bool any = false;
+    for (Lasting &contact : *this) {
+        const bool begins =
+            contact.isTop && !contact.rolls && contact.reaction > 0.0 && (contact.isGlued || contact.sticks());
+        contact.rolls = contact.rolls || begins;
+        any = any || begins;
+    }
+    return any;
+}
+
+void LastingContacts::keep(const LastingContacts &chosen) {
+    for (uint32_t i = 0; i < count(); ++i) {
+        Lasting &contact = (*this)[i];
+        contact.rolls = chosen[i].rolls;
+        contact.isIdle = chosen[i].isIdle;
+        contact.resisting = chosen[i].resisting;
+    }
+    m_isChosen = true;
+}
+
+/// Of several contacts chosen to stick, one whose gap is still to be closed slips only along the lines between them.
+void LastingContacts::closeBySticking() {
+    const auto isStuck = [](const Lasting &contact) { return contact.sticks() || contact.rolls; };
+    const bool isClosing =
+        std::any_of(begin(), end(), [&](const Lasting &contact) { return isStuck(contact) && contact.slow < 0.0; });
+    if (!isClosing || std::count_if(begin(), end(), isStuck) < 2) return;
+    for (Lasting &contact : *this) contact.closes = isStuck(contact);
+}
+
+/// Newton's method from the chosen impulses leads to the solution near them, if any: sweeps may lead to another one.
+bool LastingContacts::keepChoice(double rollingFriction, double negligible, Motion &motion) {
+    constexpr double kNear = 2.0;
+    const double most = kNear * pressure() + negligible;
+    const auto solveHere = [&] {
+        return solvePressed(rollingFriction, negligible, motion) ||
+               solveCoulomb({{begin(), end()}, m_radius, rollingFriction, negligible, *m_work}, motion);
+    };
+    closeBySticking();
+    if (!solveHere()) return false;
+    if (rollingFriction > 0.0 && updateRolling() && !solveHere()) return false;
+    for (int i = 0; i < kMostShares; ++i) {
+        const bool isRelieved = relieve(negligible, motion).relieved > negligible;
+        if (i == 0 && (rollingFriction == 0.0 || !isRelieved)) break;
+        if (keepLoads(negligible)) break;
+        if (!solveHere()) return false;
+    }
+    const bool allStick = std::all_of(
+        begin(), end(), [](const Lasting &contact) { return !contact.closes || contact.rolls || contact.sticks(); });
+    return allStick && pressure() <= most;
+}
+
+} // namespace phys
