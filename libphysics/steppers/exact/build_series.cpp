@@ -78,28 +78,27 @@ void fitUnit(const Response &response, uint32_t kept, const Touching &touching, 
     }
 }
 
+/// Takes a slaved series, model.md 14.2, if that is valid for longer. build: which; unit: the initial one (s).
+void extend(bool (Series::*build)(const Moment &, std::span<const Held>, const Response &, double, Work &), double unit,
+            const Response &response, const Touching &touching, MovingBall &ball, Series &series) {
+    constexpr int kMostGuesses = 12;
+    Series slaved;
+    for (int guess = 0; guess < kMostGuesses; ++guess) {
+        if (!(slaved.*build)(ball.moment(), touching.held(), response, unit, ball.work)) return;
+        if (slaved.length() >= 0.1) break;
+        unit *= std::max(2.0 * slaved.length(), 0x1p-4);
+    }
+    if (slaved.horizon() > series.horizon()) series = slaved;
+}
+
 /// Series in which what friction changes fast follows the motion, if those of all of it are short: model.md 14.2.
 void slave(const Response &response, const Touching &touching, MovingBall &ball, Series &series) {
     constexpr double kShort = 0x1p-8, kShortTurn = 0x1p-6; // relative to the time scale of the motion
-    const auto extend = [&](double unit, const auto &build) {
-        constexpr int kMostGuesses = 12;
-        Series slaved;
-        for (int guess = 0; guess < kMostGuesses; ++guess) {
-            if (!build(slaved, unit)) return;
-            if (slaved.length() >= 0.1) break;
-            unit *= std::max(2.0 * slaved.length(), 0x1p-4);
-        }
-        if (slaved.horizon() > series.horizon()) series = slaved;
-    };
     const double unit = firstUnit(ball, response), timeOfSlips = series.timeOfSlips();
     if (series.horizon() < kShort * unit) {
-        extend(unit, [&](Series &slaved, double guess) {
-            return slaved.buildSlaved(ball.moment(), touching.held(), response, guess, ball.work);
-        });
+        extend(&Series::buildSlaved, unit, response, touching, ball, series);
     } else if (series.horizon() < kShortTurn * timeOfSlips) {
-        extend(timeOfSlips, [&](Series &slaved, double guess) {
-            return slaved.buildTurning(ball.moment(), touching.held(), response, guess, ball.work);
-        });
+        extend(&Series::buildTurning, timeOfSlips, response, touching, ball, series);
     }
 }
 
