@@ -83,7 +83,6 @@ void applyTheme(Theme theme) {
     }
     // Only Fusion respects every palette; desktop styles use their own colours.
     QApplication::setStyle(new ThemeStyle);
-    // NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks): Qt owns the style
     QApplication::setPalette(paletteOf(theme == Theme::Dark ? kDark : kLight));
 }
 

@@ -111,8 +111,10 @@ QVector<double> LogTicker::createTickVector(double step, const QCPRange &range) 
     const double decades = std::log10(range.upper / range.lower);
     if (!(decades > kLinearDecades && decades < kDecades)) return QCPAxisTickerLog::createTickVector(step, range);
     QVector<double> ticks;
-    for (double power = std::pow(10.0, std::floor(std::log10(range.lower))); power <= range.upper; power *= 10.0)
-        for (const double digit : {1.0, 2.0, 5.0}) ticks.append(digit * power);
+    const int lowest = static_cast<int>(std::floor(std::log10(range.lower)));
+    const int highest = static_cast<int>(std::floor(std::log10(range.upper)));
+    for (int decade = lowest; decade <= highest; ++decade)
+        for (const double digit : {1.0, 2.0, 5.0}) ticks.append(digit * std::pow(10.0, decade));
     return ticks;
 }
 

@@ -17,7 +17,6 @@ void MainWindow::sayBriefly(const QString &line) {
     constexpr int kSaidFor = 8000; // ms
     statusBar()->showMessage(line, kSaidFor);
     m_isJustSaid = true;
-    // NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks): Qt owns the function
     QTimer::singleShot(0, this, [this] { m_isJustSaid = false; });
 }
 

@@ -143,7 +143,7 @@ LastingContacts closeGaps(const StepContext &context, const Contacts &contacts, 
         lasting.solve(context.params().rolling_friction, motion);
         return lasting;
     };
-    const LastingContacts closing = solve(h);
+    LastingContacts closing = solve(h);
     if (!(kineticEnergy(context, motion) > (1.0 + kMostGain) * kineticEnergy(context, driven))) return closing;
     return solve(INFINITY);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reading numbers and durations as people write them, and the messages for those that can't be read.
+#include "core/setup/inputs.h"
 #include "core/setup/numbers.h"
 
 #include <QTest>
