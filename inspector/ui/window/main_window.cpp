@@ -167,8 +167,7 @@ void MainWindow::bringFloatingDocksUp() {
 void MainWindow::resizeEvent(QResizeEvent *event) {
     QMainWindow::resizeEvent(event);
     if (std::exchange(m_awaitsItsSize, false)) restoreDocks();
-    // After the layout. NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks): Qt owns the function
-    QMetaObject::invokeMethod(this, &MainWindow::keepBoardSeen, Qt::QueuedConnection);
+    m_afterLayout.start();
 }
 
 /// A window that becomes smaller takes from the board first.
@@ -403,6 +402,8 @@ void MainWindow::connectSession() {
     connect(m_view, &gl::MazeView::followingChanged, action("camera_follow"), &QAction::setChecked);
     connectPlots();
     connect(&m_refresh, &QTimer::timeout, this, &MainWindow::refresh);
+    m_afterLayout.setSingleShot(true);
+    connect(&m_afterLayout, &QTimer::timeout, this, &MainWindow::keepBoardSeen);
     connectBounces();
     m_session.showWayAhead(action("way_ahead")->isChecked());
     action("autopilot")->setChecked(m_session.hasAutopilot());

@@ -240,6 +240,7 @@ private:
     bool m_wasShown = false;
     bool m_awaitsItsSize = false;
     QTimer m_refresh;
+    QTimer m_afterLayout;                ///< of a window that was resized
     QList<QDockWidget *> m_onCall;       ///< docks that aren't there from the start
     QHash<QDockWidget *, int> m_heights; ///< of docks, before others were opened in their area
 };
