@@ -193,6 +193,7 @@ void TestTrackReader::tablesAreKnownByNameOrHeader() {
     };
     QVERIFY(isTrack("a.csv", "nothing of the kind\n")); // it is opened as a track, so that its header is reported
     QVERIFY(isTrack("b.txt", "# by hand\n\nframe;x_mm;y_mm\n"));
+    QVERIFY(isTrack("e.txt", "\xef\xbb\xbfx,y,t\n"));
     QVERIFY(!isTrack("c.txt", "physics-maze 1\nbox x y\n"));
     QVERIFY(!isTrack("d.txt", ""));
     QVERIFY(!isTrackFile(folder.filePath("none.txt")));
