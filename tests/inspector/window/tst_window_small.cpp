@@ -250,8 +250,8 @@ void TestWindowSmall::resultNamesItsLevel() {
 
 void TestWindowSmall::resultSaysItsReasonWhole_data() {
     QTest::addColumn<std::function<void(inspector::Session &)>>("prepare");
-    const auto row = [](const char *name, std::function<void(inspector::Session &)> prepare) {
-        QTest::newRow(name) << std::move(prepare);
+    const auto row = [](const char *name, const std::function<void(inspector::Session &)> &prepare) {
+        QTest::newRow(name) << prepare;
     };
     row("autopilot", [](inspector::Session &session) { session.setAutopilot(true); });
     row("placed", [](inspector::Session &session) {
