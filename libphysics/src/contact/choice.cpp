@@ -11,7 +11,7 @@ namespace {
 
 constexpr uint32_t kMostChosen = 4;                ///< contacts
 constexpr uint64_t kMostChoice = Work::kMost / 40; ///< work of one choice
-constexpr uint64_t kCounted = 3;                   ///< of so many units of a choice one counts: its equations are small
+constexpr uint64_t kCounted = 2;                   ///< of so many units of a choice one counts: its equations are small
 
 struct Substep {
     const Moment &moment;
