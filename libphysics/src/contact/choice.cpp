@@ -19,9 +19,12 @@ struct Substep {
     double h; ///< s
 };
 
-/// How much of contact b's reaction acts along a's normal, at most, if friction has its worst direction.
+/// How much of contact b's reaction acts along a's normal, at most, if friction has its worst direction. None of it
+/// counts if their normals are nearly the same, as at a crack in a floor: they share what presses on both.
 double mostCoupling(const Contact &a, const Contact &b) {
+    constexpr double kNearlySame = 1e-4; // rad
     const double cosine = glm::dot(a.normal, b.normal);
+    if (cosine > 0.0 && glm::length(glm::cross(a.normal, b.normal)) < kNearlySame) return 0.0;
     return std::abs(cosine) + b.friction * std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
 }
 
