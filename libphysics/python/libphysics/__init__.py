@@ -19,8 +19,9 @@ from ._params import Params, gravity_from_tilt
 from ._records import (AIRBORNE, AT_REST, EVENT_CONTACT, EVENT_IMPACT, EVENT_LANDING, EVENT_RELEASE, EVENT_ROLL,
                        EVENT_STOP, EVENT_TAKEOFF, NO_BOX, OUT, RIGID, ROLLING, SLIPPING, contact_dtype, event_dtype,
                        params_dtype, report_dtype, state_dtype)
+from ._run import Run
 from ._scene import Scene, state_hash
-from ._stepper import Info, Registry, Run, Step, Stepper, steppers
+from ._stepper import Info, Registry, Step, Stepper, steppers
 
 #: Of the library that was found.
 __version__: str = _lib.phys_version().decode()

@@ -5,16 +5,14 @@ from __future__ import annotations
 import threading
 from concurrent.futures import ThreadPoolExecutor
 from ctypes import byref, c_char
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ._library import Batch, Error, Handle, address, check, lib
 from ._records import state_dtype
-
-if TYPE_CHECKING:
-    from ._stepper import Run
+from ._run import Run
 
 _STEPS = 1_048_576  # of all balls in a piece: 20 ms in lanes, half a second by `exact`
 _LANES = 8  # balls that the library moves together

@@ -15,11 +15,12 @@ from numpy.typing import NDArray
 
 from ._arguments import (MOST_U32, MOST_U64, common_shape, is_laid_out, laid_out, new_array, number, numbers, path, record,
                          records, text, whole)
-from ._library import (SCAN_FUNCTION, Batch, Error, Handle, Owner, PhysicsError, Requirements, StepperInfo, address, check,
-                       expect, lib)
+from ._library import (SCAN_FUNCTION, Batch, Error, Handle, Owner, Requirements, StepperInfo, address, check, expect,
+                       lib)
 from ._params import Params, rows_of
 from ._pieces import run_piece, run_ranges, viewed
 from ._records import event_dtype, params_dtype, report_dtype, state_dtype
+from ._run import Run
 from ._scene import Scene
 
 _MOST_THREADS = 1024
@@ -46,40 +47,6 @@ class Step(NamedTuple):
 
     def __repr__(self) -> str:
         return f"<Step to {self.state['time']:g} s, {len(self.events)} events>"
-
-
-class _Run(NamedTuple):
-    states: NDArray[Any]
-    path: NDArray[Any] | None
-    steps_done: NDArray[Any]
-    statuses: NDArray[Any]
-    impacts: NDArray[Any] | None = None
-    energy_lost: NDArray[Any] | None = None
-
-
-class Run(_Run):
-    """Result of `Stepper.run`. `batch` is the common shape of states, params and gravity.
-
-    states: the last good state of each ball, batch. path: every k-th state, batch + (steps // k,), or None.
-    steps_done, statuses: batch; a ball whose status is below 0 failed in the step after its last good state.
-    impacts: batch, or None; the number of hits of walls (EVENT_IMPACT, no landings; but of a step with more than 64 events,
-    all after the 64th are counted). energy_lost: batch, or None; what was lost in impacts, landings, rolling and slip, J/kg.
-    """
-
-    _reason = ""  # what `step` says where the first of the balls that failed did
-
-    def check(self) -> "Run":
-        """Raises PhysicsError if a ball failed, with the number of the first of them and what was wrong; or returns itself."""
-        if np.count_nonzero(self.statuses):
-            ball = np.flatnonzero(self.statuses)[0]
-            status = int(self.statuses.flat[ball])
-            reason = self._reason or lib.phys_status_text(status).decode()
-            raise PhysicsError(status, f"ball {ball} fails in step {self.steps_done.flat[ball]}: {reason}")
-        return self
-
-    def __repr__(self) -> str:
-        kept = "" if self.path is None else f", a path of {self.path.shape[-1]} states each"
-        return f"<Run, shape {self.states.shape}{kept}, {np.count_nonzero(self.statuses)} failed>"
 
 
 class Registry(Owner):
