@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "contact/contact.h"
 
+#include "contact/mirror.h"
 #include "contact/near.h"
 #include "scene/nearest.h"
 
@@ -13,6 +14,20 @@ namespace {
 
 bool isSameNormal(const Vec3 &a, const Vec3 &b, double most) {
     return std::abs(a.x - b.x) <= most && std::abs(a.y - b.y) <= most && std::abs(a.z - b.z) <= most;
+}
+
+/// A frame in which these contacts look the same for all symmetric images of the ball and them.
+Mirror mirrorOf(std::span<const Contact> contacts, const Motion &motion, const Vec3 &gravity, double radius) {
+    std::array<Held, kMostHeld> held{};
+    const size_t count = std::min<size_t>(contacts.size(), kMostHeld);
+    for (size_t i = 0; i < count; ++i) {
+        const Contact &contact = contacts[i];
+        held[i].normal = contact.normal;
+        held[i].across = contact.across(Vec3(1.0));
+        held[i].friction = contact.friction;
+        held[i].isGlued = contact.isGlued;
+    }
+    return Mirror({motion.velocity, motion.spin, gravity, radius}, {held.data(), count});
 }
 
 bool isLess(const Vec3 &a, const Vec3 &b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
@@ -194,18 +209,27 @@ void Contacts::sort(const Motion &motion, const Vec3 &gravity, double radius) {
         const int slips = order(squareOfSlip(a), squareOfSlip(b));
         return slips != 0 ? slips : a.axes() - b.axes();
     };
-    // Ties are broken by the normal, so that the numbering of boxes has no effect.
-    const auto comesBefore = [&](const Contact &a, const Contact &b) {
+    const auto insertionSort = [&](auto comesBefore) {
+        for (uint32_t i = 1; i < count(); ++i) {
+            uint32_t place = i;
+            while (place > 0 && comesBefore((*this)[i], (*this)[place - 1])) --place;
+            if (place < i) std::rotate(begin() + place, begin() + i, begin() + i + 1);
+        }
+    };
+    // The numbering of boxes has no effect.
+    insertionSort([&](const Contact &a, const Contact &b) {
         const int order = compare(a, b);
         return order == 0 ? isLess(a.normal, b.normal) : order < 0;
-    };
-    for (uint32_t i = 1; i < count(); ++i) {
-        uint32_t place = i;
-        while (place > 0 && comesBefore((*this)[i], (*this)[place - 1])) --place;
-        if (place < i) std::rotate(begin() + place, begin() + i, begin() + i + 1);
-    }
+    });
     m_tiesWithPrevious[0] = false;
     for (uint32_t i = 1; i < count(); ++i) m_tiesWithPrevious[i] = compare((*this)[i], (*this)[i - 1]) == 0;
+    if (!hasTies()) return;
+    // Nor have reflections and quarter turns, unless the contacts are their own image.
+    const Mirror mirror = mirrorOf({begin(), end()}, motion, gravity, radius);
+    insertionSort([&](const Contact &a, const Contact &b) {
+        const int order = compare(a, b);
+        return order == 0 ? isLess(mirror.seen(a.normal), mirror.seen(b.normal)) : order < 0;
+    });
 }
 
 bool Contacts::reverseTies() {

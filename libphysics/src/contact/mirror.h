@@ -6,7 +6,6 @@
 #include "contact/modes.h"
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -14,27 +13,7 @@ namespace phys {
 
 class Mirror {
 public:
-    Mirror(const Moment &moment, std::span<const Held> held) {
-        const Vec3 &v = moment.velocity, &g = moment.gravity, &om = moment.spin;
-        Vec3 most(0.0), least(0.0);
-        for (const Held &contact : held) {
-            most = glm::max(most, contact.normal);
-            least = glm::min(least, contact.normal);
-        }
-        const Vec3 lean = most + least, reach = glm::max(most, -least);
-        m_flipX = isNegative({v.x, g.x, om.y, lean.x});
-        m_flipY = isNegative({v.y, g.y, -om.x, lean.y});
-        const std::initializer_list<double> apart = {std::abs(v.x) - std::abs(v.y), std::abs(g.x) - std::abs(g.y),
-                                                     std::abs(om.y) - std::abs(om.x), reach.x - reach.y};
-        m_swaps = isNegative(apart);
-        // A spin about the vertical alone has a sense but no direction.
-        if (isUndecided({v.x, g.x, om.y, lean.x}) && om.z * handedness() < 0.0)
-            m_flipX = !m_flipX;
-        else if (isUndecided({v.y, g.y, om.x, lean.y}) && om.z * handedness() < 0.0)
-            m_flipY = !m_flipY;
-        else if (isUndecided(apart) && om.z * handedness() < 0.0)
-            m_swaps = true;
-    }
+    Mirror(const Moment &moment, std::span<const Held> held);
 
     Vec3 seen(Vec3 v) const {
         if (m_flipX) v.x = -v.x;
@@ -70,6 +49,7 @@ private:
     bool m_flipX = false, m_flipY = false, m_swaps = false;
 
     double handedness() const { return (m_flipX != m_flipY) != m_swaps ? -1.0 : 1.0; }
+    void decideByContacts(bool isOpenX, bool isOpenY, bool isOpenSwap, const Vec3 &spin, std::span<const Held> held);
 
     static bool isNegative(std::initializer_list<double> signs) {
         for (const double sign : signs) {
@@ -77,6 +57,7 @@ private:
         }
         return false;
     }
+
     static bool isUndecided(std::initializer_list<double> signs) {
         return std::all_of(signs.begin(), signs.end(), [](double sign) { return sign == 0.0; });
     }
@@ -106,5 +87,63 @@ struct Sorted {
     }
     std::span<const Held> list() const { return {held.data(), count}; }
 };
+
+/// Below 0 if a comes before b. Where both frames show the same, the order of the contacts decides that was given.
+inline int compare(const Sorted &a, const Sorted &b) {
+    const auto order = [](const auto &first, const auto &second) { return (first > second) - (first < second); };
+    const auto shown = [](const Held &held) {
+        const Vec3 &n = held.normal, &across = held.across;
+        return std::tuple(n.z, n.x, n.y, across.x, across.y, across.z, held.friction, held.resistance, held.isGlued,
+                          held.isStill);
+    };
+    for (uint32_t i = 0; i < a.count; ++i) {
+        if (const int byHeld = order(shown(a.held[i]), shown(b.held[i])); byHeld != 0) return byHeld;
+    }
+    for (uint32_t i = 0; i < a.count; ++i) {
+        if (const int byIndex = order(a.index[i], b.index[i]); byIndex != 0) return byIndex;
+    }
+    return 0;
+}
+
+inline Mirror::Mirror(const Moment &moment, std::span<const Held> held) {
+    const Vec3 &v = moment.velocity, &g = moment.gravity, &om = moment.spin;
+    Vec3 most(0.0), least(0.0);
+    for (const Held &contact : held) {
+        most = glm::max(most, contact.normal);
+        least = glm::min(least, contact.normal);
+    }
+    const Vec3 lean = most + least, reach = glm::max(most, -least);
+    const std::initializer_list<double> alongX = {v.x, g.x, om.y, lean.x}, alongY = {v.y, g.y, -om.x, lean.y};
+    const std::initializer_list<double> apart = {std::abs(v.x) - std::abs(v.y), std::abs(g.x) - std::abs(g.y),
+                                                 std::abs(om.y) - std::abs(om.x), reach.x - reach.y};
+    m_flipX = isNegative(alongX);
+    m_flipY = isNegative(alongY);
+    m_swaps = isNegative(apart);
+    const bool isOpenX = isUndecided(alongX), isOpenY = isUndecided(alongY), isOpenSwap = isUndecided(apart);
+    if (isOpenX || isOpenY || isOpenSwap) decideByContacts(isOpenX, isOpenY, isOpenSwap, om, held);
+}
+
+/// Of the frames that the motion leaves, takes one in which the ball turns counterclockwise, if it turns at all, and
+/// the contacts come first.
+inline void Mirror::decideByContacts(bool isOpenX, bool isOpenY, bool isOpenSwap, const Vec3 &spin,
+                                     std::span<const Held> held) {
+    const Mirror given = *this;
+    Sorted first(given, held);
+    bool isFirst = true;
+    for (uint32_t bits = 0; bits < 8; ++bits) {
+        const bool flipsX = bits & 1U, flipsY = bits & 2U, swaps = bits & 4U;
+        if ((flipsX && !isOpenX) || (flipsY && !isOpenY) || (swaps && !isOpenSwap)) continue;
+        Mirror other = given;
+        other.m_flipX = other.m_flipX != flipsX;
+        other.m_flipY = other.m_flipY != flipsY;
+        other.m_swaps = other.m_swaps != swaps;
+        if (other.seenSpin(spin).z < 0.0) continue;
+        const Sorted sorted(other, held);
+        if (!isFirst && compare(sorted, first) >= 0) continue;
+        isFirst = false;
+        first = sorted;
+        *this = other;
+    }
+}
 
 } // namespace phys
