@@ -74,21 +74,30 @@ void turnNormals(const MovingBall &ball, const Response &response, Touching &tou
 }
 
 /// Removes the velocity along the normals of the contacts that stay closed; of edges and corners in the mean, so that
-/// their order leaves no trace.
+/// their order leaves no trace, if that leaves none: the normals are perpendicular.
 void stopAcross(const Touching &touching, const Response &response, MovingBall &ball) {
     Vec3 &velocity = ball.motion.velocity, speeds(0.0);
     double edges = 0.0;
+    uint32_t closed = 0;
     for (uint32_t i = 0; i < touching.count(); ++i) {
-        if (!isClosed(response, i) || touching.contactOf(i).isFace()) continue;
+        if (!isClosed(response, i)) continue;
+        closed |= 1U << i;
+        if (touching.contactOf(i).isFace()) continue;
         const Vec3 &n = touching.held(i).normal;
         speeds += glm::dot(velocity, n) * n;
         edges += 1.0;
     }
     if (edges > 0.0) velocity -= speeds / edges;
+    bool isLeft = false;
     for (uint32_t i = 0; i < touching.count(); ++i) {
         const Contact &contact = touching.contactOf(i);
         if (isClosed(response, i) && contact.isFace()) velocity[axisOf(contact)] = 0.0;
     }
+    for (uint32_t i = 0; i < touching.count(); ++i) {
+        const double speed = glm::dot(velocity, touching.held(i).normal);
+        isLeft = isLeft || ((closed >> i & 1U) && std::abs(speed) > 4.0 * kRounding * glm::length(velocity));
+    }
+    if (isLeft) project(touching, closed, ball);
 }
 
 /// Puts the ball at the radius of the edges and corners that stay closed, in the mean of those that share an axis.

@@ -110,7 +110,7 @@ void hold(double negligible, MovingBall &ball, Touching &touching) {
     touching.holdStill(ball.motion.velocity, negligible, ball.params());
     while (touching.count() < std::min(touching.contacts.count(), kMostHeld) && holdNext(negligible, ball, touching)) {
     }
-    project(touching, ball);
+    project(touching, ~0U, ball);
     holdBeside(negligible, ball, touching);
 }
 
@@ -119,7 +119,7 @@ void stopBounces(double negligible, MovingBall &ball, Touching &touching) {
     for (Contact &contact : touching.contacts) contact.restitution = 0.0;
     collide(negligible, ball, touching);
     touching.holdStill(ball.motion.velocity, negligible, ball.params());
-    project(touching, ball);
+    project(touching, ~0U, ball);
 }
 
 /// Whether a top face that the ball touches carries it: the reactions at other contacts may lift it off.

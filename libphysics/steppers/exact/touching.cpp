@@ -79,20 +79,23 @@ void takeEdges(const Contacts &contacts, MovingBall &ball) {
     }
 }
 
-void project(const Touching &touching, MovingBall &ball) {
+void project(const Touching &touching, uint32_t among, MovingBall &ball) {
     // Sine of the angle between normals, or between one and a plane, below which they are parallel up to rounding.
     constexpr double kParallel = 1e-12;
     Vec3 &v = ball.motion.velocity;
     if (v == Vec3(0.0)) return;
     for (uint32_t i = 0; i < touching.count(); ++i) {
+        if (!(among >> i & 1U)) continue;
         const Vec3 &n = touching.held(i).normal;
         bool isAlong = false; // a line: what remains across it is rounding, which would be to one side
         for (uint32_t j = 0; j < i; ++j) {
             const Vec3 line = glm::cross(n, touching.held(j).normal);
+            if (!(among >> j & 1U)) continue;
             if (glm::dot(line, line) < kParallel * kParallel) continue;
             const Vec3 along = hat(line);
             if (crosses(ball, n, touching.held(j).normal, along)) continue;
             for (uint32_t k = 0; k < j; ++k) {
+                if (!(among >> k & 1U)) continue;
                 if (std::abs(glm::dot(touching.held(k).normal, along)) > kParallel) v = Vec3(0.0);
             }
             v = glm::dot(v, along) * along;

@@ -43,7 +43,7 @@ void takeFaces(const Contacts &contacts, MovingBall &ball);
 /// forth without end.
 void takeEdges(const Contacts &contacts, MovingBall &ball);
 
-/// Removes the remaining velocity along the normals of the lasting contacts.
-void project(const Touching &touching, MovingBall &ball);
+/// Removes the remaining velocity along the normals of lasting contacts. among: their bits.
+void project(const Touching &touching, uint32_t among, MovingBall &ball);
 
 } // namespace phys
