@@ -28,33 +28,30 @@ bool pushOf(const Motion &motion, const Held &held, const MovingBall &ball, Vec3
 double roundingOf(const Exchange &exchange, const Motion &motion, const Touching &touching, const MovingBall &ball) {
     constexpr double kSame = 2e-9, kDirection = 16.0 * 0x1p-52;
     double rounding = kSame * accelerationScale(ball.moment());
-    for (size_t i = 0; i < 3; ++i) {
+    for (size_t i = 0; i < exchange.count; ++i) {
         const Held &held = touching.held(exchange.contacts[i]);
         const double pressure = std::abs(exchange.shares[i]) * exchange.most;
         if (held.friction == 0.0) continue;
         const double slip = glm::length(slipAt(motion, held.normal, ball.radius()));
         rounding += held.friction * pressure * kDirection * speedScale(ball.moment()) / slip;
     }
-    const double angle = std::abs(glm::dot(exchange.line, glm::cross(exchange.pushes[0], exchange.pushes[1])));
-    return rounding / std::min(1.0, angle);
+    const double angle = exchange.determinant(exchange.pushes[0], exchange.pushes[1], exchange.pushes[2]);
+    return rounding / std::min(1.0, std::abs(angle));
 }
 
 /// Rate of change of the sum of shares under these accelerations, 1/s.
 double rateOf(const Exchange &exchange, const MovingBall &ball, const Touching &touching, const Vec3 &acceleration,
               const Vec3 &spinAcceleration) {
-    std::array<Vec3, 3> turning;
     Vec3 all(0.0);
-    for (size_t i = 0; i < 3; ++i) {
+    for (size_t i = 0; i < exchange.count; ++i) {
         const Held &held = touching.held(exchange.contacts[i]);
+        if (held.friction == 0.0) continue;
         const Vec3 slip = slipAt(ball.moment(), held.normal), d = hat(slip);
         const Vec3 rate = acceleration - ball.radius() * glm::cross(spinAcceleration, held.normal);
-        turning[i] = Vec3(0.0);
-        if (held.friction > 0.0) turning[i] = -held.friction / glm::length(slip) * (rate - glm::dot(rate, d) * d);
-        all += exchange.shares[i] * turning[i];
+        all -= exchange.shares[i] * held.friction / glm::length(slip) * (rate - glm::dot(rate, d) * d);
     }
-    const auto across = [&](const Vec3 &a, const Vec3 &b) { return glm::dot(exchange.line, glm::cross(a, b)); };
-    const Vec3 &a = exchange.pushes[0], &b = exchange.pushes[1];
-    return -(across(all, b) + across(a, all)) / across(a, b);
+    const std::array<double, 4> parts = exchange.balanced(all);
+    return parts[0] + parts[1] + parts[2];
 }
 
 void takeJammed(const Moment &jammed, const Touching &touching, MovingBall &ball, Response &response) {
@@ -92,43 +89,44 @@ phys_status respondNow(const Touching &touching, MovingBall &ball, Response &res
 bool findExchange(const Motion &motion, const Touching &touching, const Response &response, const MovingBall &ball,
                   Exchange &exchange) {
     const double rounding = 4.0 * ball.moment().rounding;
-    uint32_t count = 0;
+    uint32_t pressing = 0;
     for (uint32_t i = 0; i < touching.count(); ++i) {
         if (response.reactions[i].mode == Mode::sticking || response.reactions[i].mode == Mode::starting) return false;
         if (!(response.reactions[i].pressure > 0.0)) continue;
-        if (count == 2 || !pushOf(motion, touching.held(i), ball, exchange.pushes[count])) return false;
-        exchange.contacts[count++] = i;
+        if (pressing == 3 || !pushOf(motion, touching.held(i), ball, exchange.pushes[pressing])) return false;
+        exchange.contacts[pressing++] = i;
     }
-    if (count < 2) return false;
-    const Held &a = touching.held(exchange.contacts[0]), &b = touching.held(exchange.contacts[1]);
-    const Vec3 line = hat(glm::cross(a.normal, b.normal));
-    const auto across = [&](const Vec3 &one, const Vec3 &other) { return glm::dot(line, glm::cross(one, other)); };
-    const double determinant = across(exchange.pushes[0], exchange.pushes[1]);
-    if (line == Vec3(0.0) || determinant == 0.0) return false;
-    if (!isStraight(a, line, rounding) || !isStraight(b, line, rounding)) return false;
+    if (pressing < 2) return false;
+    const auto normal = [&](size_t i) { return touching.held(exchange.contacts[i]).normal; };
+    exchange.count = pressing + 1;
+    exchange.line = pressing == 2 ? hat(glm::cross(normal(0), normal(1))) : Vec3(0.0);
+    if (pressing == 3 && std::abs(glm::dot(normal(2), glm::cross(normal(0), normal(1)))) <= rounding) return false;
+    if (exchange.determinant(exchange.pushes[0], exchange.pushes[1], exchange.pushes[2]) == 0.0) return false;
+    const auto isStraightAlong = [&](uint32_t i) { return isStraight(touching.held(i), exchange.line, rounding); };
+    if (!isStraightAlong(exchange.contacts[0]) || !isStraightAlong(exchange.contacts[1])) return false;
     bool isFound = false;
     for (uint32_t i = 0; i < touching.count(); ++i) {
         const Held &held = touching.held(i);
-        const bool isCoplanar = isStraight(held, line, rounding) && std::abs(glm::dot(held.normal, line)) <= rounding;
-        if (i == exchange.contacts[0] || i == exchange.contacts[1] || !isCoplanar) continue;
-        if (held.normal == -a.normal || held.normal == -b.normal) continue; // a squeeze of both moves nothing
+        if (response.reactions[i].pressure > 0.0 || !isStraightAlong(i)) continue;
+        if (std::abs(glm::dot(held.normal, exchange.line)) > rounding) continue;
+        bool isOpposite = false; // a squeeze of both moves nothing
+        for (size_t k = 0; k < pressing; ++k) isOpposite = isOpposite || held.normal == -normal(k);
         Vec3 push;
-        if (!pushOf(motion, held, ball, push)) continue;
-        const std::array<double, 3> shares{-across(push, exchange.pushes[1]) / determinant,
-                                           -across(exchange.pushes[0], push) / determinant, 1.0};
-        double most = kNever;
-        for (size_t k = 0; k < 2; ++k) {
+        if (isOpposite || !pushOf(motion, held, ball, push)) continue;
+        std::array<double, 4> shares = exchange.balanced(push);
+        double most = kNever, sum = 1.0;
+        for (size_t k = 0; k < pressing; ++k) {
+            sum += shares[k];
             if (shares[k] < 0.0) most = std::min(most, response.reactions[exchange.contacts[k]].pressure / -shares[k]);
         }
-        const double more = most * (shares[0] + shares[1] + 1.0);
-        if (most == kNever || (isFound && more >= exchange.more)) continue;
+        shares[pressing] = 1.0;
+        if (most == kNever || (isFound && most * sum >= exchange.more)) continue;
         isFound = true;
-        exchange.contacts[2] = i;
-        exchange.pushes[2] = push;
+        exchange.contacts[pressing] = i;
+        exchange.pushes[pressing] = push;
         exchange.shares = shares;
-        exchange.line = line;
         exchange.most = most;
-        exchange.more = more;
+        exchange.more = most * sum;
         exchange.rounding = roundingOf(exchange, motion, touching, ball);
     }
     return isFound;
@@ -139,7 +137,7 @@ void balance(const MovingBall &ball, const Touching &touching, Response &respons
     if (touching.count() < 3 || !findExchange(ball.motion, touching, response, ball, exchange)) return;
     if (std::abs(exchange.more) > 2.0 * exchange.rounding) return;
     Vec3 pushed(0.0), turned(0.0);
-    for (size_t i = 0; i < 3; ++i) {
+    for (size_t i = 0; i < exchange.count; ++i) {
         pushed += exchange.most * exchange.shares[i] * exchange.pushes[i];
         turned -= kInertia / ball.radius() * exchange.most * exchange.shares[i] *
                   glm::cross(touching.held(exchange.contacts[i]).normal, exchange.pushes[i]);
@@ -150,7 +148,7 @@ void balance(const MovingBall &ball, const Touching &touching, Response &respons
     const double there = rateOf(exchange, ball, touching, a + pushed, turning + turned);
     if (here >= 0.0) return;
     const double share = there <= 0.0 ? 1.0 : here / (here - there);
-    for (size_t i = 0; i < 3; ++i) {
+    for (size_t i = 0; i < exchange.count; ++i) {
         Reaction &reaction = response.reactions[exchange.contacts[i]];
         const Held &held = touching.held(exchange.contacts[i]);
         reaction.mode = held.friction > 0.0 ? Mode::slipping : Mode::smooth;

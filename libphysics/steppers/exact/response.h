@@ -18,24 +18,38 @@ inline bool isClosed(const Response &response, uint32_t lasting) {
     return response.reactions[lasting].mode != Mode::open;
 }
 
-/// Of three slipping contacts with normals in one plane two carry the load, those with the smaller sum of N. How it may
-/// pass to the third: model.md 14.1.
+/// Of three slipping contacts with normals in one plane two carry the load, of four that leave the ball no way three:
+/// those with the smaller sum of N. How it may pass to the other one: model.md 14.1.
 struct Exchange {
-    std::array<uint32_t, 3> contacts; ///< the last one is relieved
-    std::array<Vec3, 3> pushes;       ///< force per N
-    std::array<double, 3> shares;     ///< change of N per N of the third, which is 1
-    Vec3 line{0.0};                   ///< along which the ball moves
-    double most = 0.0;                ///< N of the third when another one is relieved
+    uint32_t count = 0;               ///< of contacts: 3 or 4
+    std::array<uint32_t, 4> contacts; ///< the last one is relieved
+    std::array<Vec3, 4> pushes;       ///< force per N
+    std::array<double, 4> shares;     ///< change of N per N of the last one, which is 1
+    Vec3 line{0.0};                   ///< along which the ball moves, or 0
+    double most = 0.0;                ///< N of the last one when another one is relieved
     double more = 0.0;                ///< the sum of N is larger by this then
     double rounding = 0.0;            ///< of that
+
+    /// Determinant of the pushes of those that carry the load, along the line where these are two.
+    double determinant(const Vec3 &a, const Vec3 &b, const Vec3 &c) const {
+        return glm::dot(count == 3 ? line : c, glm::cross(a, b));
+    }
+    /// What balances a force, of those that carry the load.
+    std::array<double, 4> balanced(const Vec3 &force) const {
+        const Vec3 &a = pushes[0], &b = pushes[1], &c = pushes[2];
+        const double all = -determinant(a, b, c);
+        std::array<double, 4> parts{determinant(force, b, c) / all, determinant(a, force, c) / all, 0.0, 0.0};
+        if (count == 4) parts[2] = determinant(a, b, force) / all;
+        return parts;
+    }
 };
 
 /// False if there are no such contacts, for a ball that moves like this.
 bool findExchange(const Motion &motion, const Touching &touching, const Response &response, const MovingBall &ball,
                   Exchange &exchange);
 
-/// If both pairs have the same sum, the motion decides: the load is on the pair whose sum becomes the smaller one, or,
-/// if that is always the other pair, on all three so that the sums remain equal.
+/// If both sets have the same sum, the motion decides: the load is on the set whose sum becomes the smaller one, or, if
+/// that is always the other set, on all of them so that the sums remain equal.
 void balance(const MovingBall &ball, const Touching &touching, Response &response);
 
 uint32_t countSticking(const Response &response);

@@ -129,12 +129,13 @@ private:
     VecJet m_turning, m_rolling; ///< om_t, and its direction
     Jet m_turningSpeed;          ///< |om_t|, or its quotient by the time if the ball starts
     bool m_rollStarts = false;
-    /// Three slipping contacts with normals in one plane that all press: the forces that move the load among them and
-    /// leave everything else as it is, model.md 14.1.
+    /// Three slipping contacts with normals in one plane that all press, or four that leave the ball no way: the forces
+    /// that move the load among them and leave everything else as it is, model.md 14.1.
     struct Shared {
-        std::array<uint32_t, 3> contacts;
-        std::array<double, 3> pressures;
-        Vec3 line{0.0}, push{0.0}, turn{0.0}; ///< along which the ball moves; accelerations
+        uint32_t count = 0;
+        std::array<uint32_t, 4> contacts;
+        std::array<double, 4> pressures;
+        Vec3 line{0.0}, push{0.0}, turn{0.0}; ///< along which three let the ball move; accelerations
         double rate = 0.0;                    ///< of what must remain zero; 0: there are none
     } m_shared;
     dense::Equations m_equations;                      ///< of the unknowns of an order
@@ -186,6 +187,7 @@ private:
     bool isIdleBesideOther(const Contact &contact) const;
     void solveOrder(int k);
     void findShared();
+    static Vec3 pushPer(const Contact &contact, int j);
     double imbalance(int k) const;
     void share(int k);
     void addGauge(uint32_t i, uint32_t j, int k, dense::Equations &equations);

@@ -134,60 +134,70 @@ bool Series::isIdleBesideOther(const Contact &contact) const {
     });
 }
 
-/// Of three slipping contacts with normals in one plane: whether and how they share a load.
+/// Term j of the force per N of a contact that doesn't stick and whose normal doesn't turn.
+Vec3 Series::pushPer(const Contact &contact, int j) {
+    const Vec3 normal = j == 0 ? contact.n[0] : Vec3(0.0);
+    return contact.mode == Mode::slipping ? normal - contact.held.friction * contact.d[j] : normal;
+}
+
+/// Of slipping contacts that all press: whether and how they share a load.
 void Series::findShared() {
-    m_shared.rate = 0.0;
-    uint32_t count = 0;
+    Shared &shared = m_shared;
+    shared.rate = 0.0;
+    shared.count = 0;
     for (uint32_t i = 0; i < m_count; ++i) {
         const Contact &contact = m_contacts[i];
         if (contact.needsRate()) return;
         if (contact.partner < m_count || !(contact.N[0] > 0.0)) continue;
-        if (count == 3) return;
-        m_shared.contacts[count++] = i;
+        if (shared.count == 4) return;
+        shared.contacts[shared.count++] = i;
     }
-    if (count < 3) return;
-    const Contact *of[3];
-    std::array<Vec3, 3> pushes;
-    for (size_t i = 0; i < 3; ++i) {
-        of[i] = &m_contacts[m_shared.contacts[i]];
-        pushes[i] = of[i]->n[0];
-        if (of[i]->mode == Mode::slipping) pushes[i] -= of[i]->held.friction * of[i]->d[0];
-    }
-    m_shared.line = hat(glm::cross(of[0]->n[0], of[1]->n[0]));
+    if (shared.count < 3) return;
+    const auto of = [&](size_t i) -> const Contact & { return m_contacts[shared.contacts[i % shared.count]]; };
+    const auto push = [&](size_t i) { return pushPer(of(i), 0); };
+    const Vec3 line = hat(glm::cross(of(0).n[0], of(1).n[0]));
     const double rounding = 4.0 * m_moment.rounding;
-    for (const Contact *contact : of) {
-        if (glm::length(contact->held.across * m_shared.line) > rounding) return;
-        if (std::abs(glm::dot(contact->n[0], m_shared.line)) > rounding) return;
+    const double steepest = std::max(std::abs(glm::dot(of(2).n[0], line)), std::abs(glm::dot(of(3).n[0], line)));
+    if (shared.count == 4 && steepest <= rounding) return;
+    shared.line = shared.count == 3 ? line : Vec3(0.0);
+    for (size_t i = 0; i < shared.count; ++i) {
+        if (glm::length(of(i).held.across * shared.line) > rounding) return;
+        if (std::abs(glm::dot(of(i).n[0], shared.line)) > rounding) return;
     }
-    const auto across = [&](size_t i, size_t j) {
-        return glm::dot(m_shared.line, glm::cross(pushes[i % 3], pushes[j % 3]));
-    };
-    m_shared.push = m_shared.turn = Vec3(0.0);
-    for (size_t i = 0; i < 3; ++i) {
-        m_shared.pressures[i] = across(i + 1, i + 2);
-        const Vec3 push = m_shared.pressures[i] * pushes[i];
-        m_shared.push += glm::dot(push, m_shared.line) * m_shared.line;
-        m_shared.turn -= kInertia / m_moment.radius * glm::cross(of[i]->n[0], push);
+    shared.push = shared.turn = Vec3(0.0);
+    double sign = 1.0;
+    for (size_t i = 0; i < shared.count; ++i) {
+        const Vec3 rest = shared.count == 3 ? shared.line : sign * push(i + 3);
+        shared.pressures[i] = glm::dot(glm::cross(push(i + 1), push(i + 2)), rest);
+        if (shared.count == 4) sign = -sign;
+        const Vec3 force = shared.pressures[i] * push(i);
+        shared.push += glm::dot(force, shared.line) * shared.line;
+        shared.turn -= kInertia / m_moment.radius * glm::cross(of(i).n[0], force);
     }
-    for (size_t i = 0; i < 3; ++i) {
-        if (of[i]->mode != Mode::slipping) continue;
-        const Vec3 rate = m_shared.push - m_moment.radius * glm::cross(m_shared.turn, of[i]->n[0]);
-        const Vec3 turned =
-            -of[i]->held.friction / glm::length(of[i]->u[0]) * (rate - glm::dot(rate, of[i]->d[0]) * of[i]->d[0]);
-        m_shared.rate += glm::dot(m_shared.line, glm::cross(turned, pushes[(i + 1) % 3] - pushes[(i + 2) % 3]));
+    std::array<Vec3, 4> turned{};
+    for (size_t i = 0; i < shared.count; ++i) {
+        if (of(i).mode != Mode::slipping) continue;
+        const Vec3 rate = shared.push - m_moment.radius * glm::cross(shared.turn, of(i).n[0]), d = of(i).d[0];
+        turned[i] = -of(i).held.friction / glm::length(of(i).u[0]) * (rate - glm::dot(rate, d) * d);
     }
+    const auto apart = [&](size_t i) { return push(i) - push(0); };
+    const auto turns = [&](size_t i) { return turned[i] - turned[0]; };
+    const Vec3 last = shared.count == 3 ? shared.line : apart(3);
+    shared.rate = glm::dot(glm::cross(turns(1), apart(2)) + glm::cross(apart(1), turns(2)), last);
+    if (shared.count == 4) shared.rate += glm::dot(glm::cross(apart(1), apart(2)), turns(3));
 }
 
-/// Term k of what is zero while any share of the load has the same sum of N.
+/// Term k of what is zero while any share of the load has the same sum of N: the determinant of the pushes'
+/// differences.
 double Series::imbalance(int k) const {
-    const auto push = [&](size_t i, int j) {
-        const Contact &contact = m_contacts[m_shared.contacts[i % 3]];
-        const Vec3 rubs = contact.mode == Mode::slipping ? contact.held.friction * contact.d[j] : Vec3(0.0);
-        return (j == 0 ? contact.n[0] : Vec3(0.0)) - rubs;
+    const auto apart = [&](size_t i, int j) {
+        return pushPer(m_contacts[m_shared.contacts[i]], j) - pushPer(m_contacts[m_shared.contacts[0]], j);
     };
     double sum = 0.0;
-    for (size_t i = 0; i < 3; ++i) {
-        for (int j = 0; j <= k; ++j) sum += glm::dot(m_shared.line, glm::cross(push(i, j), push(i + 1, k - j)));
+    for (int j = m_shared.count == 3 ? k : 0; j <= k; ++j) {
+        Vec3 area(0.0);
+        for (int m = 0; m <= j; ++m) area += glm::cross(apart(1, m), apart(2, j - m));
+        sum += glm::dot(area, m_shared.count == 3 ? m_shared.line : apart(3, k - j));
     }
     return sum;
 }
@@ -196,7 +206,7 @@ double Series::imbalance(int k) const {
 void Series::share(int k) {
     move(k);
     const double part = -imbalance(k + 1) * (k + 1) / (unit() * m_shared.rate);
-    for (size_t i = 0; i < 3; ++i) {
+    for (size_t i = 0; i < m_shared.count; ++i) {
         Contact &contact = m_contacts[m_shared.contacts[i]];
         const double pressure = part * m_shared.pressures[i];
         contact.N[k] += pressure;
