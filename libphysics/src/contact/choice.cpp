@@ -10,8 +10,7 @@ namespace phys {
 namespace {
 
 constexpr uint32_t kMostChosen = 4;                ///< contacts
-constexpr uint64_t kMostChoice = Work::kMost / 40; ///< work of one choice
-constexpr uint64_t kCounted = 2;                   ///< of so many units of a choice one counts: its equations are small
+constexpr uint64_t kMostChoice = Work::kMost / 80; ///< work of one choice
 
 struct Substep {
     const Moment &moment;
@@ -108,7 +107,7 @@ void choose(const Contacts &contacts, const Moment &moment, double rollingFricti
     const std::span<const Held> list(held.data(), count);
     Work own(kMostChoice);
     const Response response = respond(stopped, list, own);
-    work.add(own.done() / kCounted);
+    work.add(own.done());
     if (!response.isFound || own.isTooMuch()) return;
     const Vec3 resisting = h * resistanceIn(response, list, moment.radius);
     for (uint32_t i = 0; i < count; ++i) {

@@ -308,7 +308,7 @@ bool solveCoulomb(const CoulombProblem &problem, Motion &motion) {
     const Motion motionBefore = motion;
     Newton newton(problem, motion);
     for (int i = 0; i < kMostSteps; ++i) {
-        problem.work.add(Work::kEquations * count);
+        problem.work.add(Work::kNewton * count);
         newton.step();
         if (newton.isSolved()) return true;
     }

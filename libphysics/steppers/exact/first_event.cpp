@@ -55,10 +55,10 @@ End ownEnd(const Uniform &phase, const Touching &touching, const Response &respo
 
 /// Ends a phase when something begins to hold, which is looked for at equal intervals.
 template<class Holds>
-void cutWhen(const Holds &holds, int looks, double until, End &end) {
-    constexpr int kHalvings = 40;
-    for (int i = 1; i <= looks; ++i) {
-        double low = until * (i - 1) / looks, high = until * i / looks;
+void cutWhen(const Holds &holds, double until, End &end) {
+    constexpr int kLooks = 4, kHalvings = 40;
+    for (int i = 1; i <= kLooks; ++i) {
+        double low = until * (i - 1) / kLooks, high = until * i / kLooks;
         if (!holds(high)) continue;
         for (int halving = 0; halving < kHalvings; ++halving) {
             const double middle = 0.5 * (low + high);
@@ -71,7 +71,6 @@ void cutWhen(const Holds &holds, int looks, double until, End &end) {
 /// When the load passes to a third contact, whose pair has the smaller sum of N from then on: model.md 14.1.
 template<class P>
 void cutAtExchange(const P &phase, const Touching &touching, const Response &response, MovingBall &ball, End &end) {
-    constexpr int kLooks = 16;
     Exchange exchange;
     if (touching.count() < 3 || !findExchange(ball.motion, touching, response, ball, exchange)) return;
     const double until = std::min(end.after, ball.left);
@@ -81,7 +80,7 @@ void cutAtExchange(const P &phase, const Touching &touching, const Response &res
         const bool isKnown = findExchange({phase.at(t).velocity, phase.spinAt(t)}, touching, response, ball, exchange);
         return isKnown && exchange.more < -std::max(exchange.rounding, -2.0 * before);
     };
-    cutWhen(isLess, kLooks, until, end);
+    cutWhen(isLess, until, end);
 }
 
 /// Of two contacts at which the ball sticks: the normal acceleration with which it would leave one if only the other
@@ -107,13 +106,12 @@ double relief(const P &phase, double t, uint32_t leaving, const Touching &touchi
 /// one alone has the smaller sum of N, model.md 14.1.
 template<class P>
 void cutAtRelief(const P &phase, const Touching &touching, const Response &response, MovingBall &ball, End &end) {
-    constexpr int kLooks = 4;
     if (touching.count() != 2 || countSticking(response) != 2) return;
     const double until = std::min(end.after, ball.left), zero = 2.0 * kFits * accelerationScale(ball.moment());
     for (const uint32_t leaving : {0U, 1U}) {
         const auto lets = [&](double t) { return relief(phase, t, leaving, touching, ball) >= 0.0; };
         if (touching.held(1 - leaving).isGlued || relief(phase, 0.0, leaving, touching, ball) >= -zero) continue;
-        cutWhen(lets, kLooks, until, end);
+        cutWhen(lets, until, end);
     }
 }
 
