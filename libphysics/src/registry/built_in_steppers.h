@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The built-in steppers, each with the same table as a plugin; the registry lists them from crude to exact. They
-// guarantee more than a plugin: `in` and `out` may be the same; `out` is written only on success, and completely except
-// for time and step; err may be NULL; view->scene is a phys::Scene.
+// The built-in steppers, each with the same table as a plugin. They guarantee more than a plugin: `in` and `out` may be
+// the same; `out` is written only on success, and completely except for time and step; err may be NULL; view->scene is
+// a phys::Scene.
 #pragma once
 
 #include <physics/plugin.h>
@@ -14,5 +14,10 @@ extern const phys_stepper_api kVelocityVerlet;
 extern const phys_stepper_api kRk4;
 extern const phys_stepper_api kSwept;
 extern const phys_stepper_api kExact;
+
+/// From crude to exact.
+inline constexpr const phys_stepper_api *kBuiltIn[] = {
+    &kExplicitEuler, &kSymplecticEuler, &kVelocityVerlet, &kRk4, &kSwept, &kExact,
+};
 
 } // namespace phys

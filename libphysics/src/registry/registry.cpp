@@ -14,11 +14,6 @@ namespace phys {
 
 namespace {
 
-/// From crude to exact.
-const phys_stepper_api *const kBuiltIn[] = {
-    &kExplicitEuler, &kSymplecticEuler, &kVelocityVerlet, &kRk4, &kSwept, &kExact,
-};
-
 uint32_t builtInCount() { return static_cast<uint32_t>(std::size(kBuiltIn)); }
 
 /// index below phys_registry_count(registry).
