@@ -68,7 +68,7 @@ static void roll(const phys_registry *registry, const char *id, const phys_scene
     printf("%s %016" PRIx64 " energy %.17g lost %.17g scheme %.17g stages %u\n", id, phys_state_hash(&state), energy,
            report.it.lost_rolling, report.it.energy_scheme, requirements.stages);
     /* Shorter than any version. */
-    params.it.struct_size -= 8;
+    params.it.struct_size = offsetof(phys_params, stepper);
     printf("%s\n", phys_status_name(phys_step(stepper, &params.it, 0.01, &state, &state, NULL, NULL)));
     phys_stepper_destroy(stepper);
     check_untouched(params.behind, "params");
