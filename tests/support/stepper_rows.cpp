@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "stepper_rows.h"
 
+#include "orders.h"
+
 #include <QTest>
 
 #include <cstring>
@@ -29,6 +31,14 @@ QByteArrayList discreteStepperIds() {
     QByteArrayList ids;
     for (const QByteArray &id : stepperIds()) {
         if (hasOwnRow(id, "as_reported")) ids.append(id);
+    }
+    return ids;
+}
+
+QByteArrayList higherOrderStepperIds() {
+    QByteArrayList ids;
+    for (const QByteArray &id : stepperIds()) {
+        if (ordersOf({id.constData(), static_cast<size_t>(id.size())}).smooth != 1) ids.append(id);
     }
     return ids;
 }

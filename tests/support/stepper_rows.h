@@ -18,6 +18,9 @@ bool hasOwnRow(const QByteArray &stepper, const char *row);
 /// Steppers of fixed substeps with the overlap collision (model.md 10): those with the row as_reported.
 QByteArrayList discreteStepperIds();
 
+/// Steppers of second order or higher between impacts, and those with no error but rounding: orders.h.
+QByteArrayList higherOrderStepperIds();
+
 /// "rolling" or "rigid".
 QByteArray modelName(uint32_t model);
 

@@ -265,12 +265,12 @@ void TestSmoothMotion::startsBackFromAStopWithinAStep_data() {
     QTest::addColumn<QByteArray>("stepper");
     QTest::addColumn<uint32_t>("model");
     QTest::addColumn<bool>("leans");
-    for (const char *stepper : {"velocity-verlet", "rk4", "swept"}) {
+    for (const QByteArray &stepper : higherOrderStepperIds()) {
         for (const uint32_t model : {PHYS_MODEL_ROLLING, PHYS_MODEL_RIGID}) {
             for (const bool leans : {false, true}) {
-                QTest::addRow("%s, %s, %s", stepper, modelName(model).constData(),
+                QTest::addRow("%s, %s, %s", stepper.constData(), modelName(model).constData(),
                               leans ? "along a wall" : "on a floor")
-                    << QByteArray(stepper) << model << leans;
+                    << stepper << model << leans;
             }
         }
     }
