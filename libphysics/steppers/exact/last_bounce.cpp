@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "exact/last_bounce.h"
 
+#include "contact/near.h"
+#include "scene/nearest.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -31,19 +34,42 @@ double higher(const MovingBall &ball) {
     return factor;
 }
 
+/// Whether the ball meets, or returns to, nothing but one contact within a time (s).
+bool meetsNothingElse(const MovingBall &ball, const Contact &contact, double time) {
+    const double R = ball.radius(), tolerance = ball.scene().tolerance, negligible = ball.negligibleSpeed();
+    const Vec3 &v = ball.motion.velocity;
+    const Vec3 along = v - glm::dot(v, contact.normal) * contact.normal;
+    const double way = time * glm::length(along);
+    const double bend = time * time * glm::length(ball.setting.gravity()) + way * way / R;
+    bool isFree = true;
+    visitNear(ball.scene(), ball.position, R + way + bend, [&](const phys_box &box, uint32_t number) {
+        if (number == contact.box || !isFree) return;
+        const Nearest close = nearest(box, ball.position);
+        const double gap = close.distance - R, rate = glm::dot(along, close.normal);
+        const bool isLasting = gap <= tolerance && std::abs(glm::dot(v, close.normal)) <= negligible;
+        isFree = isLasting || close.normal == contact.normal || gap + time * std::min(0.0, rate) > bend;
+    });
+    return isFree;
+}
+
 /// The largest height of last bounces, m, where the law between bounces may differ from that after the last one. After
 /// some hops it counts that the pressure acts like their impulses in the mean, unless a floor gives the ball the spin
-/// of rolling: friction, if any, only turns by the share of the slip that a bounce is. model.md 6.4.
+/// of rolling, or the ball would meet something else meanwhile: friction, if any, only turns by the share of the slip
+/// that a bounce is. Not of a ball that already leaves: it meets the pressure without that impulse. model.md 6.4.
 double lastHopHeight(const MovingBall &ball, const Contacts &contacts, const Contact &contact, double back) {
     constexpr double kExact = 1e-15; // of the speed
     const double least = higher(ball) * kLastHop * ball.radius();
     const auto isGlued = [](const Contact &one) { return one.isGlued; };
     if (ball.hops < kSomeHops || std::any_of(contacts.begin(), contacts.end(), isGlued)) return least;
-    if (contact.friction == 0.0) return lastHeight(ball);
-    const Moment moment = ball.moment();
-    const double slip = glm::length(slipAt(moment, contact.normal));
-    const double height = kExact * speedScale(moment) * slip / (2.0 * contact.friction * back);
-    return std::clamp(height, least, lastHeight(ball));
+    if (contact.friction > 0.0 && glm::dot(ball.motion.velocity, contact.normal) >= 0.0) return least;
+    double height = lastHeight(ball);
+    if (contact.friction > 0.0) {
+        const Moment moment = ball.moment();
+        const double slip = glm::length(slipAt(moment, contact.normal));
+        height = std::min(height, kExact * speedScale(moment) * slip / (2.0 * contact.friction * back));
+    }
+    const double rest = 2.0 * std::sqrt(2.0 * height / back) / (1.0 - contact.restitution);
+    return height > least && meetsNothingElse(ball, contact, rest) ? height : least;
 }
 
 } // namespace
