@@ -15,6 +15,7 @@
 #include "ui/input/menu_letters.h"
 #include "ui/input/wheel_guard.h"
 #include "ui/parameters/parameter_panel.h"
+#include "ui/parts/dock_room.h"
 #include "ui/parts/message_bar.h"
 #include "ui/parts/path_icon.h"
 #include "ui/parts/settings_keys.h"
@@ -62,7 +63,6 @@ constexpr double kScreenShare = 0.75; ///< share of a larger screen
 constexpr double kTradeShare = 0.56;  ///< share of the window's height, when the dock is shown
 constexpr int kRestHeight = 390;      ///< logical pixels of the window's height, at least, for view and bars
 constexpr int kLeastHeight = 100;     ///< of a dock that is opened
-constexpr int kLeastView = 150;       ///< logical pixels of the board's height, where docks can give some
 constexpr double kPlotShare = 0.29;
 constexpr double kTrackShare = 0.48;
 constexpr double kSideShare = 0.42; ///< of the window's width, at most, for the parameters
@@ -133,6 +133,7 @@ MainWindow::MainWindow(Session &session, gl::Drawing drawing)
     applyTheme(Theme(theme()));
     makeActions();
     makeCentre(drawing);
+    m_dockRoom = new DockRoom(*this, *m_view);
     makeDocks();
     makeMenus();
     connectSession();
@@ -150,7 +151,8 @@ void MainWindow::showEvent(QShowEvent *event) {
     if (std::exchange(m_wasShown, true)) return;
     m_awaitsItsSize = isMaximized() || isFullScreen();
     if (!m_awaitsItsSize) restoreDocks();
-    QMetaObject::invokeMethod(this, &MainWindow::bringFloatingDocksUp, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(this, &MainWindow::bringFloatingDocksUp,
+                              Qt::QueuedConnection); // it isn't on the screen yet
 }
 
 /// The layout showed them before this window, which lies above them since; window managers keep above it what is
@@ -170,21 +172,10 @@ void MainWindow::resizeEvent(QResizeEvent *event) {
     m_afterLayout.start();
 }
 
-/// A window that becomes smaller takes from the board first.
-void MainWindow::keepBoardSeen() {
-    if (m_view->height() >= kLeastView) return;
-    const int most = std::max(height() - kRestHeight, kLeastHeight);
-    for (QDockWidget *dock : findChildren<QDockWidget *>()) {
-        const bool isBelow = dockWidgetArea(dock) == Qt::BottomDockWidgetArea && !dock->isFloating();
-        if (isBelow && !dock->visibleRegion().isEmpty() && dock->height() > most)
-            resizeDocks({dock}, {most}, Qt::Vertical);
-    }
-}
-
 /// Qt fits a layout that is restored earlier to a window of another size, and then to this one, which gives what was
 /// saved to other docks.
 void MainWindow::restoreDocks() {
-    restoreState(storedBytes(m_session.settings(), settings_keys::kLayout), kLayoutVersion);
+    if (restoreState(storedBytes(m_session.settings(), settings_keys::kLayout), kLayoutVersion)) m_dockRoom->forget();
 }
 
 MainWindow::~MainWindow() = default;
@@ -316,8 +307,10 @@ void MainWindow::addDockAction(QDockWidget &dock, int number, double share) {
 void MainWindow::showDock(QDockWidget &dock, double share) {
     const bool isResized = share > 0.0 && dock.isHidden() && !dock.isFloating();
     const Qt::DockWidgetArea area = dockWidgetArea(&dock);
-    if (isResized && docksOf(area, true).isEmpty())
+    if (isResized && docksOf(area, true).isEmpty()) {
         for (QDockWidget *other : docksOf(area, false)) m_heights[other] = other->height();
+        m_roomBefore[area] = m_dockRoom->wanted(area);
+    }
     const bool isBounces = dock.objectName() == QLatin1String(kBouncesDock);
     auto *plots = findChild<QDockWidget *>(QLatin1String(kPlotsDock));
     const bool hasRoomBeside = width() >= kRoomBesidePlots;
@@ -327,6 +320,8 @@ void MainWindow::showDock(QDockWidget &dock, double share) {
     if (!isResized) return;
     resizeDocks({&dock}, {std::min(int(share * height()), std::max(height() - kRestHeight, kLeastHeight))},
                 Qt::Vertical);
+    if (area == Qt::TopDockWidgetArea || area == Qt::BottomDockWidgetArea)
+        m_dockRoom->want(area, int(share * height()));
     if (isBounces && hasRoomBeside) resizeDocks({&dock}, {int(kBouncesWidth * width())}, Qt::Horizontal);
 }
 
@@ -340,7 +335,7 @@ QList<QDockWidget *> MainWindow::docksOf(Qt::DockWidgetArea area, bool isOnCall)
     return docks;
 }
 
-/// Once the last dock opened on demand is closed, the others have their heights from before.
+/// Once the last dock opened on demand is closed, the others have their room from before.
 void MainWindow::giveBackHeights(Qt::DockWidgetArea area) {
     if (!docksOf(area, true).isEmpty()) return;
     QList<QDockWidget *> docks;
@@ -351,6 +346,7 @@ void MainWindow::giveBackHeights(Qt::DockWidgetArea area) {
         heights += m_heights.take(dock);
     }
     resizeDocks(docks, heights, Qt::Vertical);
+    if (const int room = m_roomBefore.take(area)) m_dockRoom->want(area, room);
 }
 
 /// Tab leaves out docks behind other ones.
@@ -403,7 +399,7 @@ void MainWindow::connectSession() {
     connectPlots();
     connect(&m_refresh, &QTimer::timeout, this, &MainWindow::refresh);
     m_afterLayout.setSingleShot(true);
-    connect(&m_afterLayout, &QTimer::timeout, this, &MainWindow::keepBoardSeen);
+    connect(&m_afterLayout, &QTimer::timeout, m_dockRoom, &DockRoom::follow);
     connectBounces();
     m_session.showWayAhead(action("way_ahead")->isChecked());
     action("autopilot")->setChecked(m_session.hasAutopilot());
@@ -508,6 +504,7 @@ void MainWindow::refresh() {
     m_ball->refresh(now);
     m_comparison->refresh(now);
     m_runs->refresh();
+    m_dockRoom->follow();
     if (m_session.isTiltedByPilot() && !m_session.isInPast()) m_parameters->showPilotsTilt(now.inputs.tilt);
 }
 
@@ -566,6 +563,7 @@ void MainWindow::fitScreen() {
 
 void MainWindow::resetLayout() {
     restoreState(m_firstLayout, kLayoutVersion);
+    m_dockRoom->forget();
     arrangeDocks();
     m_plots->reset();
 }
@@ -578,7 +576,9 @@ void MainWindow::arrangeDocks() {
     const int side = std::min(m_parameters->sizeHint().width(), int(kSideShare * width()));
     resizeDocks({parameters, levels}, {side, side}, Qt::Horizontal);
     resizeDocks({parameters, levels}, {m_parameters->sizeHint().height() + 30, 240}, Qt::Vertical);
-    resizeDocks({plot}, {std::max(200, int(kPlotShare * height()))}, Qt::Vertical);
+    const int below = std::max(200, int(kPlotShare * height()));
+    resizeDocks({plot}, {below}, Qt::Vertical);
+    m_dockRoom->want(Qt::BottomDockWidgetArea, below);
 }
 
 void MainWindow::closeEvent(QCloseEvent *event) {

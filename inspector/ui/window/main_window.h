@@ -29,6 +29,7 @@ class BallDock;
 class BallDragger;
 class BounceDock;
 class ComparisonDock;
+class DockRoom;
 class DocumentDialog;
 class GameStrip;
 class LevelPanel;
@@ -150,7 +151,6 @@ private:
     void bringFloatingDocksUp();
     void restoreDocks();
     void fitScreen();
-    void keepBoardSeen();
     void arrangeDocks();
     bool hasNewFrame();
     gl::Frame frame() const;
@@ -240,9 +240,11 @@ private:
     bool m_wasShown = false;
     bool m_awaitsItsSize = false;
     QTimer m_refresh;
-    QTimer m_afterLayout;                ///< of a window that was resized
-    QList<QDockWidget *> m_onCall;       ///< docks that aren't there from the start
-    QHash<QDockWidget *, int> m_heights; ///< of docks, before others were opened in their area
+    DockRoom *m_dockRoom = nullptr;
+    QTimer m_afterLayout;                        ///< of a window that was resized
+    QList<QDockWidget *> m_onCall;               ///< docks that aren't there from the start
+    QHash<QDockWidget *, int> m_heights;         ///< of docks, before others were opened in their area
+    QHash<Qt::DockWidgetArea, int> m_roomBefore; ///< of all docks of the area, likewise
 };
 
 } // namespace inspector::ui

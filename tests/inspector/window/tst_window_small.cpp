@@ -33,6 +33,11 @@ private slots:
     void windowFitsAScreenOfLargePixels_data();
     void windowFitsAScreenOfLargePixels();
     void boardIsSeenInAWindowThatBecameSmall();
+    void docksHaveTheirRoomBackInAWindowThatGrows_data();
+    void docksHaveTheirRoomBackInAWindowThatGrows();
+    void dockOpenedInASmallWindowGrowsWithIt();
+    void chosenRoomIsKept_data();
+    void chosenRoomIsKept();
     void lowPlotIsReadable();
     void tabsOfDocksAreWhole();
     void messageHasItsRoom();
@@ -113,6 +118,76 @@ void TestWindowSmall::boardIsSeenInAWindowThatBecameSmall() {
     QTRY_COMPARE(m_fixture->window().size(), QSize(800, 600));
     QTRY_VERIFY2(m_fixture->window().view().height() >= 150,
                  qPrintable(QString::number(m_fixture->window().view().height())));
+}
+
+void TestWindowSmall::docksHaveTheirRoomBackInAWindowThatGrows_data() {
+    QTest::addColumn<QStringList>("opened");
+    QTest::addColumn<int>("height");
+    QTest::newRow("at first") << QStringList() << 231;             // 0.29 of 800
+    QTest::newRow("one") << QStringList{"comparison_dock"} << 246; // 0.34, of which the tabs take 26
+    QTest::newRow("beside each other") << QStringList{"comparison_dock", "bounces_dock"} << 336; // 0.42
+}
+
+// Through every size between, as by dragging its edge.
+void TestWindowSmall::docksHaveTheirRoomBackInAWindowThatGrows() {
+    QFETCH(QStringList, opened);
+    QFETCH(int, height);
+    inspector::ui::MainWindow &window = m_fixture->window();
+    for (const QString &name : opened) m_fixture->trigger("show_" + name);
+    const auto *below = m_fixture->find<QDockWidget>(opened.isEmpty() ? "plot_dock" : opened.last());
+    const auto *beside = m_fixture->find<QDockWidget>("parameters_dock");
+    QTRY_COMPARE(below->height(), height);
+    const int width = beside->width();
+    for (const QSize to : {QSize(640, 400), QSize(1200, 800)}) {
+        const QSize from = window.size();
+        for (int i = 1; i <= 10; ++i) {
+            window.resize(from + (to - from) * i / 10);
+            QApplication::processEvents();
+        }
+        QTRY_COMPARE(window.size(), to);
+        QTRY_COMPARE(beside->width() == width && below->height() == height, to.width() == 1200);
+    }
+}
+
+void TestWindowSmall::dockOpenedInASmallWindowGrowsWithIt() {
+    inspector::ui::MainWindow &window = m_fixture->window();
+    window.resize(640, 464);
+    m_fixture->trigger("show_trade_dock");
+    const auto *dock = m_fixture->find<QDockWidget>("trade_dock");
+    QTRY_VERIFY(dock->height() < 140 && window.view().height() >= 150);
+    window.resize(1200, 800);
+    QTRY_COMPARE(dock->height(), 233);     // 0.56 of 464, of which the tabs take 26
+    m_fixture->trigger("show_trade_dock"); // closes it
+    const auto *plots = m_fixture->find<QDockWidget>("plot_dock");
+    QTRY_COMPARE(plots->height(), 231);
+}
+
+void TestWindowSmall::chosenRoomIsKept_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QPoint>("separator"); // beside the dock's upper left corner
+    QTest::addColumn<QPoint>("way");
+    QTest::newRow("below") << "plot_dock" << QPoint(100, -2) << QPoint(0, -90);
+    QTest::newRow("at the side") << "parameters_dock" << QPoint(-2, 50) << QPoint(-70, 0);
+}
+
+void TestWindowSmall::chosenRoomIsKept() {
+    QFETCH(QString, name);
+    QFETCH(QPoint, separator);
+    QFETCH(QPoint, way);
+    inspector::ui::MainWindow &window = m_fixture->window();
+    const auto *dock = m_fixture->find<QDockWidget>(name);
+    const auto room = [&] { return way.x() ? dock->width() : dock->height(); };
+    const int wanted = room() - way.x() - way.y();
+    const QPoint from = dock->geometry().topLeft() + separator;
+    QTest::mousePress(&window, Qt::LeftButton, {}, from);
+    QMouseEvent move(QEvent::MouseMove, from + way, window.mapToGlobal(from + way), Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(&window, &move);
+    QTRY_COMPARE(room(), wanted);
+    QTest::mouseRelease(&window, Qt::LeftButton, {}, from + way);
+    window.resize(640, 400);
+    QTRY_VERIFY(room() < wanted);
+    window.resize(1200, 800);
+    QTRY_COMPARE(room(), wanted);
 }
 
 void TestWindowSmall::lowPlotIsReadable() {
