@@ -8,6 +8,7 @@
 #include <QRegularExpression>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -85,11 +86,18 @@ double converted(double value, const Unit &from, const Unit &to) {
     return up >= down ? value * (up / down) : value / (down / up);
 }
 
-/// Degrees of which radians() makes exactly this number again, where there are any.
+/// Degrees of which radians() makes exactly this number again, where there are any; or those of few digits that are
+/// equal to it but for rounding.
 double degreesOf(double radian) {
-    const double nearest = degrees(radian);
+    constexpr int kFewDigits = 12;
     const double all = std::numeric_limits<double>::infinity();
-    for (const double next : {nearest, std::nextafter(nearest, all), std::nextafter(nearest, -all)})
+    const auto neighbours = [all](double number) {
+        return std::array{number, std::nextafter(number, all), std::nextafter(number, -all)};
+    };
+    const double nearest = degrees(radian);
+    const double few = QString::number(nearest, 'g', kFewDigits).toDouble();
+    if (std::ranges::count(neighbours(radians(few)), radian)) return few;
+    for (const double next : neighbours(nearest))
         if (radians(next) == radian) return next;
     return nearest;
 }

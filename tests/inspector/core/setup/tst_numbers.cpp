@@ -17,6 +17,7 @@ private slots:
     void durationsAreReadInSeconds();
     void refusedDurationSaysItsUnit();
     void radiansAreThoseThatWereTyped();
+    void radiansOfARoundAngleAreItsDegrees();
     void numbersAreReadInTheUnitOfTheirRange_data();
     void numbersAreReadInTheUnitOfTheirRange();
     void whatCantBeReadIsRefusedWithTheReason_data();
@@ -77,6 +78,18 @@ void TestNumbers::radiansAreThoseThatWereTyped() {
         const NumberReading read = readNumber(QString::number(typed) + " rad", {-90.0, 90.0, "deg"});
         QVERIFY(read.value);
         QVERIFY2(radians(*read.value) == typed, qPrintable(QString::number(typed)));
+    }
+}
+
+// Of each tenth of a degree, by both ways to round them.
+void TestNumbers::radiansOfARoundAngleAreItsDegrees() {
+    for (int tenth = -1800; tenth <= 1800; ++tenth) {
+        const double angle = tenth / 10.0;
+        for (const double typed : {radians(angle), angle * (3.141592653589793 / 180.0)}) {
+            const NumberReading read = readNumber(QString::number(typed, 'g', 17) + " rad", {-kAny, kAny, "deg"});
+            QVERIFY(read.value);
+            QVERIFY2(*read.value == angle, qPrintable(QString::number(*read.value, 'g', 17)));
+        }
     }
 }
 
