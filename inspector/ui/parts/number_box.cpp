@@ -84,10 +84,12 @@ QString NumberBox::valueText() const {
     return hasFocus() && m_kind.exact ? m_kind.exact(m_value) : m_kind.show(m_value);
 }
 
-/// Scrolls to the first digits: the last digits alone would be read as another number.
+/// Scrolls to the first digits: the last digits alone would be read as another number. A selected number stays so: what
+/// is typed next takes its place.
 void NumberBox::showFromStart(const QString &shown) {
+    const bool isSelected = !text().isEmpty() && selectedText() == text();
     setText(shown);
-    home(false);
+    isSelected ? setSelection(int(shown.size()), -int(shown.size())) : home(false);
 }
 
 void NumberBox::apply() {

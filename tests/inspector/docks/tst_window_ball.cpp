@@ -37,6 +37,7 @@ private slots:
     void typedNumbersAreTheBalls_data();
     void typedNumbersAreTheBalls();
     void selectionStaysWhileTheBallStands();
+    void typingReplacesTheNumberOfADockJustOpened();
     void longNumberIsExactInItsBoxAndShortElsewhere();
     void ballOutsideOfTheBoardIsTold();
     void ballInAWallIsTold();
@@ -262,6 +263,16 @@ void TestWindowBall::selectionStaysWhileTheBallStands() {
     m_fixture->window().refresh();
     m_fixture->type("0");
     QCOMPARE(box->text(), QString("0"));
+}
+
+// It shows the ball only after its key has selected what it showed before.
+void TestWindowBall::typingReplacesTheNumberOfADockJustOpened() {
+    m_fixture->press(Qt::Key_0, Qt::ControlModifier);
+    QTRY_VERIFY(m_fixture->find<NumberBox>("ball_x")->hasFocus());
+    m_fixture->window().refresh();
+    m_fixture->type("0.01");
+    m_fixture->key(Qt::Key_Return);
+    QTRY_COMPARE(ball().position.x, 0.01);
 }
 
 void TestWindowBall::longNumberIsExactInItsBoxAndShortElsewhere() {
